@@ -1,0 +1,12 @@
+# The libraries that Debian keeps well, so that we need not. Their packages are named in packages.txt.
+find_package(Threads REQUIRED)
+find_package(Eigen3 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(hwy REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(OpenImageIO REQUIRED)
+find_package(fmt REQUIRED)
+find_package(Ceres REQUIRED)
+find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)

@@ -1,0 +1,18 @@
+# Writes a C++ file that defines vegard::sim::embedded_table(name) for the files in INPUTS.
+set(body "")
+foreach(path IN LISTS INPUTS)
+  get_filename_component(name ${path} NAME)
+  file(READ ${path} text)
+  string(APPEND body "  if (name == \"${name}\") return R\"csv(${text})csv\";\n")
+endforeach()
+file(WRITE ${OUTPUT} "// Made by cmake/embed_data_script.cmake from data/; do not edit.
+#include \"sim/base/embedded_table.h\"
+
+namespace vegard::sim {
+
+std::string_view embedded_table(std::string_view name) {
+${body}  return {};
+}
+
+}  // namespace vegard::sim
+")

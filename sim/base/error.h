@@ -1,0 +1,44 @@
+// What goes wrong because of the user's input, told once and completely.
+//
+// Programmer's mistakes are assertions; numerical trouble in a fit is a verdict in its result. Neither is an Error.
+#pragma once
+
+#include <exception>
+#include <string>
+
+namespace vegard::sim {
+
+/// What kind of trouble it is; the command line turns this into its documented exit code.
+enum class ErrorKind {
+  usage,              ///< wrong words on the command line
+  scene,              ///< a scene file (or a --set) that cannot be used
+  existing_output,    ///< an output that is already there and may not be overwritten
+  unreadable_input,   ///< a photograph, mask or table that is missing, truncated or not what it claims to be
+  unwritable_output,  ///< an output that cannot be written (full disk, no permission)
+};
+
+/// The parts of a message. Only `problem` is required; empty parts are left out of the text.
+struct ErrorDetails {
+  std::string problem;   ///< what is wrong, "unknown key 'widht'"
+  std::string file;      ///< the user's file it is in
+  int line = 0;          ///< 1-based line in that file, 0 if none
+  std::string key;       ///< the key or option, "camera.width"
+  std::string expected;  ///< what would have been right, "a number above 0"
+  std::string hint;      ///< what to do, "did you mean 'width'?"
+};
+
+/// "file:line: key: problem (expected …). Hint."
+class Error : public std::exception {
+ public:
+  Error(ErrorKind kind, ErrorDetails details);
+  const char* what() const noexcept override { return text_.c_str(); }
+  ErrorKind kind() const { return kind_; }
+  const ErrorDetails& details() const { return details_; }
+
+ private:
+  ErrorKind kind_;
+  ErrorDetails details_;
+  std::string text_;
+};
+
+}  // namespace vegard::sim
