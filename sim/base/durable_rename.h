@@ -1,0 +1,20 @@
+// The file system calls under whole files and whole directories. All report by errno value, 0 for success.
+#pragma once
+
+#include <string>
+
+namespace vegard::sim {
+
+/// fsync of a file or directory by name.
+int make_durable(const std::string& path);
+
+/// Renames and never replaces: EEXIST if `to` exists.
+int rename_to_free_name(const std::string& from, const std::string& to);
+
+/// Puts `from` in the place of the directory `to` and the old one under the name of `from`.
+int exchange_directories(const std::string& from, const std::string& to);
+
+/// ".stem.partial-<process>-<attempt>.ext" beside `target`.
+std::string partial_name(const std::string& target, int attempt);
+
+}  // namespace vegard::sim
