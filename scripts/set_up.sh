@@ -1,0 +1,43 @@
+# Sourced by start.sh and test.sh: installs the packages that are missing, then configures and builds the release preset.
+# shellcheck shell=bash
+
+# Prints the packages of packages.txt that are not installed, one a line.
+missing_packages() {
+  local name
+  while read -r name; do
+    if [[ "$(dpkg-query --show --showformat='${db:Status-Status}' "$name" 2>/dev/null)" != installed ]]; then
+      echo "$name"
+    fi
+  done < <(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' packages.txt)
+}
+
+install_missing_packages() {
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    echo "This is no Debian system: please install what packages.txt names by hand, if the build asks for it." >&2
+    return 0
+  fi
+  local -a missing
+  mapfile -t missing < <(missing_packages)
+  if [[ ${#missing[@]} -eq 0 ]]; then
+    return 0
+  fi
+  local -a as_root=(env DEBIAN_FRONTEND=noninteractive)
+  if [[ "$(id -u)" -ne 0 ]]; then
+    if ! command -v sudo >/dev/null; then
+      echo "These packages are missing, and installing them takes root or sudo:" >&2
+      echo "  apt-get install --no-install-recommends ${missing[*]}" >&2
+      return 1
+    fi
+    as_root=(sudo "${as_root[@]}")
+  fi
+  echo "Installing: ${missing[*]}"
+  "${as_root[@]}" apt-get update -qq
+  "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}"
+}
+
+# Expects the project's root as the working directory.
+set_up() {
+  install_missing_packages
+  cmake --preset release
+  cmake --build --preset release -j "$(nproc)"
+}
