@@ -1,1 +1,24 @@
-# Installed later in this file's life: see cmake/install.cmake in the set-up commit.
+# What `cmake --install` puts where, and the package that find_package(vegard) finds.
+include(CMakePackageConfigHelpers)
+
+set(VEGARD_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/vegard)
+set(VEGARD_INSTALL_DATADIR ${CMAKE_INSTALL_DATADIR}/vegard/data)
+
+install(TARGETS vegard RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS vegard_sim vegard_fit EXPORT vegardTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(EXPORT vegardTargets NAMESPACE vegard:: DESTINATION ${VEGARD_INSTALL_CMAKEDIR})
+
+# Under include/vegard, so that #include "sim/render.h" reads the same inside and outside.
+install(DIRECTORY sim fit DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/vegard FILES_MATCHING PATTERN "*.h")
+
+# The emission tables travel with their licence, and NOTICE with the libraries that they are compiled into.
+install(DIRECTORY data/ DESTINATION ${VEGARD_INSTALL_DATADIR})
+install(FILES LICENSE NOTICE CITATION.cff CHANGELOG.md data/glow/glowlicense.txt DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+configure_package_config_file(cmake/vegardConfig.cmake.in ${PROJECT_BINARY_DIR}/vegardConfig.cmake
+                              INSTALL_DESTINATION ${VEGARD_INSTALL_CMAKEDIR}
+                              PATH_VARS VEGARD_INSTALL_DATADIR)
+# Before 1.0 a minor version may break what was.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/vegardConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/vegardConfig.cmake ${PROJECT_BINARY_DIR}/vegardConfigVersion.cmake
+        DESTINATION ${VEGARD_INSTALL_CMAKEDIR})

@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# Installs the current build, moves it elsewhere, and builds and runs an outside project against it.
+# usage: install_test.sh CMAKE SOURCE_DIR BUILD_DIR COMPILER FLAGS
+set -euo pipefail
+cmake=$1 source=$2 build=$3 compiler=$4 flags=$5
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+fail() {
+  echo "install_test: $*" >&2
+  exit 1
+}
+
+# Runs quietly; shows what was said only if it went wrong.
+run() {
+  "$@" >"$work/log" 2>&1 || {
+    cat "$work/log" >&2
+    fail "failed: $*"
+  }
+}
+
+run "$cmake" --install "$build" --prefix "$work/first"
+mv "$work/first" "$work/moved" # an installed package is used where it is found, not where it was made
+prefix=$work/moved
+
+for file in bin/vegard include/vegard/sim/base/image.h include/vegard/fit/profile.h share/vegard/data/README.md \
+  share/vegard/data/glow/ver_maxwellian.csv share/vegard/data/glow/glowlicense.txt share/doc/vegard/LICENSE \
+  share/doc/vegard/NOTICE share/doc/vegard/glowlicense.txt; do
+  [[ -e $prefix/$file ]] || fail "$file is not installed"
+done
+if grep -rlF -e "$source/" -e "$build/" --include='*.cmake' --include='*.h' "$prefix" >&2; then
+  fail "the files above name the folder they were built in"
+fi
+
+run "$cmake" -S "$source/tests/house/outside" -B "$work/build" -DCMAKE_PREFIX_PATH="$prefix" \
+  -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$flags"
+run "$cmake" --build "$work/build"
+run "$work/build/outside"
