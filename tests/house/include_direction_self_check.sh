@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# Does include_direction_test.sh find what it is there to find? A clean tree must pass; each violation, added alone, must
+# be reported under its own file.
+# usage: include_direction_self_check.sh
+set -euo pipefail
+checker=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/include_direction_test.sh
+tree=$(mktemp -d)
+trap 'rm -rf "$tree"' EXIT
+failures=0
+
+put() {
+  mkdir -p "$tree/$(dirname "$1")"
+  printf '%s\n' "$2" >"$tree/$1"
+}
+
+clean_tree() {
+  rm -rf "${tree:?}"/*
+  put sim/base/image.h '#include <vector>'
+  put sim/base/image_io.cpp '#include <OpenImageIO/imageio.h>'
+  put sim/base/whole_file.h '#include <string>  // not <iostream>, no std::cout, no printf()'
+  put sim/scene/scene_toml.cpp '#include <toml++/toml.h>'
+  put sim/light/field.h '#include "sim/scene/scene.h"'
+  put sim/emit/aurora/beam.h '#include "sim/light/field.h"'
+  put sim/view/film.cpp $'#include "hwy/highway.h"\n#include "sim/view/camera.h"\nstd::snprintf(text, 9, "%g", x);'
+  put sim/render.cpp $'#include "sim/emit/aurora/beam.h"\n#include "sim/view/film.h"\n#include "sim/render_kernel.h"'
+  put fit/photo.cpp $'#include <opencv2/imgcodecs.hpp>\n#include <ceres/ceres.h>\n#include "sim/render.h"'
+  put apps/vegard.cpp $'#include <iostream>\n#include "fit/photo.h"'
+  put apps/video.cpp '#include <opencv2/videoio.hpp>'
+  put docs/readme.md 'See https://example.org/home/page and ~/work/mine.'
+}
+
+accepts() {
+  if ! "$checker" "$tree" >"$tree.log" 2>&1; then
+    echo "a clean tree is refused:"
+    cat "$tree.log"
+    failures=$((failures + 1))
+  fi
+  rm -f "$tree.log"
+}
+
+# refuses FILE CONTENT [NAME]: the report must hold NAME, the file's own if not given
+refuses() {
+  clean_tree
+  put "$1" "$2"
+  if "$checker" "$tree" >"$tree.log" 2>&1; then
+    echo "not found: $1: $2"
+    failures=$((failures + 1))
+  elif ! grep -qF "${3:-$1}" "$tree.log"; then
+    echo "found, but not under its name: $1: $2"
+    cat "$tree.log"
+    failures=$((failures + 1))
+  fi
+  rm -f "$tree.log"
+}
+
+clean_tree
+accepts
+
+# Rule 1.
+refuses sim/base/bad.h '#include "sim/scene/scene.h"'
+refuses sim/base/bad.h '  #  include <sim/scene/scene.h>'
+refuses sim/scene/bad.h '#include "sim/light/field.h"'
+refuses sim/light/bad.h '#include "sim/view/film.h"'
+refuses sim/emit/aurora/bad.h '#include "sim/view/film.h"'
+refuses sim/view/bad.cpp '#include "sim/emit/aurora/beam.h"'
+refuses sim/view/bad.cpp '#include "sim/render.h"'
+refuses sim/render_bad.cpp '#include "fit/photo.h"'
+refuses fit/bad.cpp '#include "apps/vegard.h"'
+refuses sim/base/bad.h '#include "image.h"'
+refuses sim/view/bad.h '#include "../base/image.h"'
+refuses sim/elsewhere/bad.h '#include <vector>'
+refuses fit/bad.cpp '#include "tests/support/temporary_folder.h"'
+
+# Rule 2.
+refuses sim/render.cpp '#include <ceres/jet.h>'
+refuses apps/bad.cpp '#include <ceres/ceres.h>'
+refuses sim/view/bad.cpp '#include <opencv2/imgproc.hpp>'
+refuses fit/bad.h '#include <opencv2/core.hpp>'
+refuses apps/xbad.cpp '#include <opencv2/core.hpp>'
+refuses sim/base/bad.cpp '#include <OpenImageIO/imageio.h>'
+refuses fit/bad.cpp '#include <OpenImageIO/imagebuf.h>'
+refuses fit/bad.cpp '#include <toml++/toml.h>'
+refuses sim/base/bad.cpp '#include <toml.hpp>'
+
+# Rule 6.
+refuses sim/base/bad.cpp '#include <iostream>'
+refuses fit/bad.cpp 'std::cerr << x;'
+refuses fit/bad.cpp '  printf("%d", x);'
+refuses sim/view/bad.cpp 'std::fprintf(stderr, "x");'
+refuses sim/view/bad.cpp 'fmt::print("x");'
+refuses sim/view/bad.cpp '#include <fstream>'
+refuses sim/emit/bad.cpp '#include "sim/base/whole_file.h"'
+
+# Names and paths.
+refuses sim/base/utils.h ''
+refuses fit/helpers/bad.h '' fit/helpers
+refuses fit/string_utils.cpp ''
+slash=/
+refuses docs/bad.md "run ${slash}home/someone/vegard"
+refuses scripts/bad.sh "cd ${slash}root/vegard"
+
+if [[ $failures -gt 0 ]]; then
+  echo "$failures of the self-checks failed"
+  exit 1
+fi

@@ -1,0 +1,110 @@
+#!/usr/bin/env bash
+# The rules of the house that can be read off the sources (docs/architecture.md, rules 1, 2 and 6).
+# usage: include_direction_test.sh ROOT
+# Prints one line per violation; exit code 1 if there is any.
+set -euo pipefail
+cd "$1"
+
+folders=()
+for folder in sim fit apps; do
+  [[ -d $folder ]] && folders+=("$folder")
+done
+if [[ ${#folders[@]} -eq 0 ]]; then
+  echo "no sources under $1" >&2
+  exit 2
+fi
+
+check_sources() {
+  # shellcheck disable=SC2016  # the dollars are awk's
+  find "${folders[@]}" -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.inc' \) -print0 | sort -z |
+    xargs -0 --no-run-if-empty awk '
+    # From right to left in "apps -> fit -> sim/render -> sim/emit, sim/view -> sim/light -> sim/scene -> sim/base".
+    function layer(path) {
+      if (path ~ /^sim\/render/) return "sim/render"
+      if (match(path, /^sim\/(base|scene|light|emit|view)\//)) return substr(path, 1, RLENGTH - 1)
+      if (match(path, /^(fit|apps)\//)) return substr(path, 1, RLENGTH - 1)
+      return ""
+    }
+    function complain(text) { print FILENAME ":" FNR ": " text; bad = 1 }
+    function exists(path, line, status) {
+      status = (getline line < path)
+      close(path)
+      return status >= 0
+    }
+    BEGIN {
+      rank["sim/base"] = 0; rank["sim/scene"] = 1; rank["sim/light"] = 2; rank["sim/emit"] = 3; rank["sim/view"] = 3
+      rank["sim/render"] = 4; rank["fit"] = 5; rank["apps"] = 6
+    }
+    FNR == 1 {
+      from = layer(FILENAME)
+      if (from == "") complain("belongs to no layer of the house")
+      folder = FILENAME
+      sub(/[^\/]*$/, "", folder)
+      library = from != "apps"
+      physics = from ~ /^sim\/(light|emit|view|render)$/
+    }
+    { code = $0; sub(/\/\/.*/, "", code) }
+    code ~ /^[ \t]*#[ \t]*include[ \t]*[<"]/ {
+      target = code
+      sub(/^[ \t]*#[ \t]*include[ \t]*[<"]/, "", target)
+      sub(/[>"].*/, "", target)
+
+      # Rule 1: includes run one way, by paths from the root.
+      if (target ~ /(^|\/)\.\.?\//) complain("include by a path from the root, not " target)
+      else if (target ~ /^(sim|fit|apps)\//) {
+        to = layer(target)
+        if (to == "") complain(target " belongs to no layer of the house")
+        else if (from != "" && (rank[to] > rank[from] || (rank[to] == rank[from] && to != from)))
+          complain(from " must not include " to " (" target ")")
+      }
+      else if (target ~ /^tests\//) complain("what is shipped must not include tests (" target ")")
+      else if (code ~ /"/ && exists(folder target)) complain("include by a path from the root, not " target)
+
+      # Rule 2: each large library has its place.
+      if (target ~ /^ceres\// && from != "fit") complain("Ceres belongs in fit/ only")
+      if (target ~ /^opencv2?\// && !(from == "fit" && FILENAME ~ /\.cpp$/)) {
+        if (from != "apps") complain("OpenCV belongs in the .cpp files of fit/")
+        else if (videos == "") videos = FILENAME
+        else if (videos != FILENAME) complain("OpenCV is in " videos " already: one file of apps/ may have it")
+      }
+      if (target ~ /^OpenImageIO\// && FILENAME != "sim/base/image_io.cpp")
+        complain("OpenImageIO belongs in sim/base/image_io.cpp only")
+      if (target ~ /^toml(\+\+)?[\/.]/ && from != "sim/scene") complain("TOML parsing belongs in sim/scene only")
+
+      # Rule 6: libraries do not print, physics does no input or output.
+      if (library && target ~ /^(iostream|print|syncstream)$/) complain("libraries do not print (<" target ">)")
+      if (physics && (target ~ /^(fstream|filesystem)$/ || target ~ /^sim\/base\/(image_io|whole_)/))
+        complain("physics does no input or output (" target ")")
+    }
+    library && code ~ /std::(cout|cerr|clog|wcout|wcerr)|(^|[^A-Za-z0-9_])(v?f?printf|f?puts|putchar|fmt::print)[ \t]*\(/ {
+      complain("libraries do not print")
+    }
+    END { exit bad }'
+}
+
+check_names() {
+  local found
+  found=$(find . \( -path ./.git -o -path ./build -o -path ./runs \) -prune -o -print |
+    grep -Ei '(^|[/_])(utils?|helpers?|misc)(\.[^/]*)?$' || true)
+  if [[ -n $found ]]; then
+    printf '%s\n' "$found" "Names of files and folders say what is inside."
+    return 1
+  fi
+}
+
+check_paths() {
+  local found
+  # Text files only; what comes before the slash must not make it part of a longer path or an address.
+  found=$(grep -rnIE '(^|[^[:alnum:]_.~/-])/(home|root|work|Users|tmp|mnt)/[[:alnum:]_.]' . \
+    --exclude=.git --exclude-dir=.git --exclude-dir=build --exclude-dir=runs || true)
+  if [[ -n $found ]]; then
+    printf '%s\n' "$found" "Paths of one machine do not belong here."
+    return 1
+  fi
+}
+
+status=0
+check_sources || status=1
+check_names || status=1
+check_paths || status=1
+exit "$status"
