@@ -1,0 +1,35 @@
+// Dual numbers over double, for the parts that are worked out once per beam or per image.
+// The same numbers over packs of floats are in sim/base/dual-inl.h.
+#pragma once
+
+#include <cmath>
+
+#define VEGARD_INLINE inline
+
+namespace vegard::sim {
+
+inline double square_root(double x) { return std::sqrt(x); }
+inline double sine(double x) { return std::sin(x); }
+inline double cosine(double x) { return std::cos(x); }
+inline double tangent(double x) { return std::tan(x); }
+inline double value_of(double x) { return x; }
+
+#include "sim/base/dual_body.h"
+
+template <class D>
+Dual<double, D> sine(const Dual<double, D>& a) {
+  return {std::sin(a.v), a.d * std::cos(a.v)};
+}
+template <class D>
+Dual<double, D> cosine(const Dual<double, D>& a) {
+  return {std::cos(a.v), a.d * -std::sin(a.v)};
+}
+template <class D>
+Dual<double, D> tangent(const Dual<double, D>& a) {
+  const double t = std::tan(a.v);
+  return {t, a.d * (1.0 + t * t)};
+}
+
+}  // namespace vegard::sim
+
+#undef VEGARD_INLINE

@@ -1,0 +1,17 @@
+// Parallel loops whose results do not depend on the number of threads.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace vegard::sim {
+
+/// The number of threads to use for a request of 0 (= all cores) or more.
+int thread_count(int requested);
+
+/// Calls body(i, slot) for every i in [0, count), on up to `threads` threads. `slot` in [0, threads) is never
+/// used by two calls at once. The order of the calls is not defined: whatever is reduced must not depend on
+/// it (integer sums), or be stored per i and reduced afterwards in the order of i.
+void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t i, int slot)>& body);
+
+}  // namespace vegard::sim

@@ -1,0 +1,58 @@
+// Random numbers as a pure function of (seed, stream, indices): Philox4x32-10.
+//
+// Source: Salmon, Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC11,
+// doi:10.1145/2063384.2063405. There is no generator object and no state: whoever needs number (i, j) of a
+// stream asks for it, in any order and on any thread.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace vegard::sim {
+
+/// What a random number is for. Numbers of different streams are independent.
+enum class Stream : std::uint32_t {
+  beam_spacing = 1,   ///< jitter of the beams along the arc
+  cross_section = 2,  ///< place of a beam inside its layer
+  path = 3,           ///< lengths and azimuths of a beam's deflections
+  depth = 4,          ///< random depth of a beam
+  search = 5,         ///< trial points of a fit
+};
+
+using Words = std::array<std::uint32_t, 4>;
+
+namespace philox {
+inline constexpr std::uint32_t kMultiplier0 = 0xD2511F53u, kMultiplier1 = 0xCD9E8D57u;
+inline constexpr std::uint32_t kWeyl0 = 0x9E3779B9u, kWeyl1 = 0xBB67AE85u;
+inline constexpr int kRounds = 10;
+}  // namespace philox
+
+/// Four words of 32 random bits for one counter and one key.
+inline Words philox4x32(Words counter, std::array<std::uint32_t, 2> key) {
+  for (int round = 0; round < philox::kRounds; ++round) {
+    const std::uint64_t p0 = static_cast<std::uint64_t>(philox::kMultiplier0) * counter[0];
+    const std::uint64_t p1 = static_cast<std::uint64_t>(philox::kMultiplier1) * counter[2];
+    counter = {static_cast<std::uint32_t>(p1 >> 32) ^ counter[1] ^ key[0], static_cast<std::uint32_t>(p1),
+               static_cast<std::uint32_t>(p0 >> 32) ^ counter[3] ^ key[1], static_cast<std::uint32_t>(p0)};
+    key[0] += philox::kWeyl0;
+    key[1] += philox::kWeyl1;
+  }
+  return counter;
+}
+
+inline std::array<std::uint32_t, 2> random_key(std::uint64_t seed) {
+  return {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)};
+}
+
+/// Four words of a stream at the indices (i, j, k).
+inline Words random_words(std::uint64_t seed, Stream stream, std::uint32_t i, std::uint32_t j = 0,
+                          std::uint32_t k = 0) {
+  return philox4x32({i, j, k, static_cast<std::uint32_t>(stream)}, random_key(seed));
+}
+
+/// Uniform in (0, 1), never 0 or 1, on the 2^24 centres that a float holds exactly.
+inline double uniform(std::uint32_t word) {
+  return (static_cast<double>(word >> 8) + 0.5) * (1.0 / 16777216.0);
+}
+
+}  // namespace vegard::sim

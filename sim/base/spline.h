@@ -1,0 +1,21 @@
+// Natural cubic splines on any increasing knots.
+#pragma once
+
+#include <vector>
+
+namespace vegard::sim {
+
+/// Second derivatives at the knots of the natural cubic spline through (x[i], y[i]); x increasing, at least 2
+/// knots. The spline is a linear function of y. Source: de Boor, "A Practical Guide to Splines", chapter IV.
+std::vector<double> spline_curvature(const std::vector<double>& x, const std::vector<double>& y);
+
+struct SplineValue {
+  double value = 0.0;
+  double slope = 0.0;  ///< with respect to the argument
+};
+
+/// The spline at `at`, continued beyond the ends by its end pieces.
+SplineValue spline_at(const std::vector<double>& x, const std::vector<double>& y,
+                      const std::vector<double>& curvature, double at);
+
+}  // namespace vegard::sim
