@@ -1,0 +1,28 @@
+// The light of a beam against altitude: one finely sampled curve per emission line.
+#pragma once
+
+#include <vector>
+
+namespace vegard::sim {
+
+/// Volume emission rates (photons cm^-3 s^-1) for an energy flux of 1 mW m^-2, sampled every kStepKm from
+/// kBottomKm up, linear in between. One row per altitude, `stride` floats long: the lines in the order they
+/// were asked for, zeros behind, so that a row is one vector load.
+struct HeightProfile {
+  static constexpr double kBottomKm = 80.0;  ///< the tables begin here
+  static constexpr double kTopKm = 640.0;    ///< and end here
+  static constexpr double kStepKm = 0.25;
+  static constexpr int kAltitudes = 2241;
+
+  int lines = 0;
+  int stride = 4;                         ///< 4 or 8
+  std::vector<float> rate;                ///< [altitude * stride + line]
+  std::vector<float> d_rate_d_ln_energy;  ///< the exact derivative of `rate`
+};
+
+/// The profile of Maxwellian electrons of characteristic energy E0 from the GLOW tables. Between the
+/// tabulated altitudes log(rate) is a natural cubic spline. Wavelengths must be those of emission_lines(),
+/// energy inside the table.
+HeightProfile maxwellian_profile(const std::vector<double>& wavelengths_nm, double energy_kev);
+
+}  // namespace vegard::sim

@@ -1,0 +1,69 @@
+// What passes from where light is born to where it becomes an image: beams ready to fall, and the samples
+// along them.
+//
+// A *sample* is a deflection point with its light. Samples are never stored as such: sixteen beams fall side
+// by side, in vector lanes, and their samples go straight to the film. This header holds the beams as they
+// are handed over.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/base/dual.h"
+
+namespace vegard::sim {
+
+/// The quantities a sample depends on directly. The kernel carries derivatives with respect to these few
+/// only; the derivatives with respect to the free parameters follow per beam by the chain rule. The first two
+/// belong to the beam; the rest are common to all beams.
+enum LocalInput : int {
+  foot_east,
+  foot_north,
+  inclination,
+  declination,
+  camera_azimuth,
+  camera_elevation,
+  camera_roll,
+  camera_hfov,
+  loss_cone,
+  pitch_step,
+  local_inputs,     ///< how many there are
+  beam_inputs = 2,  ///< how many of them differ from beam to beam
+};
+
+/// Free parameters that one pass of the kernel carries: one vector register of floats.
+inline constexpr int kTangentWidth = 16;
+
+using LocalDual = Dual<double, Tangents<double, local_inputs>>;
+using FreeDual = Dual<double, Tangents<double, kTangentWidth>>;
+
+/// A beam that starts to fall. T is double, or LocalDual where derivatives are wanted.
+template <class T>
+struct Beam {
+  T start_in_enu_km[3];
+  T length_km;          ///< along the field, from the start to the bottom of the height profile
+  T vertical;           ///< cosine between the beam and the vertical at its foot
+  double end_of_path;   ///< fraction of the length after which the beam is spent, 1 - (random depth)
+  std::uint32_t index;  ///< in its layer: the address of its random numbers
+};
+
+/// Unit vectors of a falling beam: along the field, and two across.
+template <class T>
+struct FallFrame {
+  T along[3];
+  T across1[3];
+  T across2[3];
+};
+
+/// How a beam is deflected (equation (4) of the source paper and its readings, SOURCES row B14).
+enum class PitchLaw : int { reduced, product, increment, constant };
+
+template <class T>
+struct Deflection {
+  PitchLaw law = PitchLaw::reduced;
+  T loss_cone_rad;
+  T pitch_step_rad;
+  double path_step = 0.0;  ///< d_t, the largest step as a fraction of the path
+};
+
+}  // namespace vegard::sim
