@@ -1,0 +1,150 @@
+#include "sim/view/blur.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "sim/base/parallel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sim/view/blur.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace vegard::sim {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// out[i] = weights[0] in[i] + sum over k of weights[k] (before[k][i] + after[k][i]); a null pointer is
+/// darkness.
+void WeightedSum(const float* in, const float* const* before, const float* const* after, const float* weights,
+                 int radius, float* out, std::size_t count) {
+  const hn::ScalableTag<float> d;
+  const std::size_t lanes = hn::Lanes(d);
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes) {
+    auto sum = hn::Mul(hn::LoadU(d, in + i), hn::Set(d, weights[0]));
+    for (int k = 1; k <= radius; ++k) {
+      auto pair = hn::Zero(d);
+      if (before[k] != nullptr) pair = hn::LoadU(d, before[k] + i);
+      if (after[k] != nullptr) pair = hn::Add(pair, hn::LoadU(d, after[k] + i));
+      sum = hn::Add(sum, hn::Mul(pair, hn::Set(d, weights[k])));
+    }
+    hn::StoreU(sum, d, out + i);
+  }
+  for (; i < count; ++i) {
+    float sum = in[i] * weights[0];
+    for (int k = 1; k <= radius; ++k) {
+      float pair = 0.0f;
+      if (before[k] != nullptr) pair = before[k][i];
+      if (after[k] != nullptr) pair = pair + after[k][i];
+      sum = sum + pair * weights[k];
+    }
+    out[i] = sum;
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace vegard::sim
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace vegard::sim {
+
+HWY_EXPORT(WeightedSum);
+
+namespace {
+
+constexpr double kReach = 4.0;  // standard deviations
+constexpr int kRowsPerTask = 16;
+
+int reach(double sigma, int radius) {
+  return radius >= 0 ? radius : static_cast<int>(std::ceil(kReach * sigma));
+}
+
+/// The normal distribution function.
+double below(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
+double density(double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * std::acos(-1.0)); }
+
+template <class Body>
+void for_rows(int rows, int threads, const Body& body) {
+  const std::size_t tasks = static_cast<std::size_t>((rows + kRowsPerTask - 1) / kRowsPerTask);
+  parallel_for(tasks, threads, [&](std::size_t task, int) {
+    const int first = static_cast<int>(task) * kRowsPerTask;
+    for (int row = first; row < std::min(rows, first + kRowsPerTask); ++row) body(row);
+  });
+}
+
+}  // namespace
+
+BlurKernel gaussian_kernel(double sigma, int radius) {
+  if (sigma <= 0.0) return {{1.0f}};
+  const int n = reach(sigma, radius);
+  std::vector<double> weights(n + 1);
+  double sum = 0.0;
+  for (int k = 0; k <= n; ++k) {
+    weights[k] = below((k + 0.5) / sigma) - below((k - 0.5) / sigma);
+    sum += (k == 0 ? 1.0 : 2.0) * weights[k];
+  }
+  BlurKernel kernel;
+  for (double w : weights) kernel.weights.push_back(static_cast<float>(w / sum));
+  return kernel;
+}
+
+BlurKernel gaussian_kernel_derivative(double sigma, int radius) {
+  const int n = reach(sigma, radius);
+  std::vector<double> weights(n + 1), growth(n + 1);
+  double sum = 0.0, sum_growth = 0.0;
+  for (int k = 0; k <= n; ++k) {
+    const double high = (k + 0.5) / sigma, low = (k - 0.5) / sigma;
+    weights[k] = below(high) - below(low);
+    growth[k] = (low * density(low) - high * density(high)) / sigma;
+    sum += (k == 0 ? 1.0 : 2.0) * weights[k];
+    sum_growth += (k == 0 ? 1.0 : 2.0) * growth[k];
+  }
+  BlurKernel kernel;
+  for (int k = 0; k <= n; ++k)
+    kernel.weights.push_back(static_cast<float>(growth[k] / sum - weights[k] * sum_growth / (sum * sum)));
+  return kernel;
+}
+
+void blur_down(const float* in, float* out, int rows, int columns, int channels, const BlurKernel& kernel,
+               int threads) {
+  const std::ptrdiff_t pitch = static_cast<std::ptrdiff_t>(columns) * channels;
+  const int radius = kernel.radius();
+  for_rows(rows, threads, [&](int row) {
+    std::vector<const float*> before(radius + 1, nullptr), after(radius + 1, nullptr);
+    for (int k = 1; k <= radius; ++k) {
+      if (row - k >= 0) before[k] = in + (row - k) * pitch;
+      if (row + k < rows) after[k] = in + (row + k) * pitch;
+    }
+    HWY_DYNAMIC_DISPATCH(WeightedSum)
+    (in + row * pitch, before.data(), after.data(), kernel.weights.data(), radius, out + row * pitch,
+     static_cast<std::size_t>(pitch));
+  });
+}
+
+void blur_across(const float* in, float* out, int rows, int columns, int channels, const BlurKernel& kernel,
+                 int threads) {
+  const std::ptrdiff_t pitch = static_cast<std::ptrdiff_t>(columns) * channels;
+  const int radius = kernel.radius();
+  for_rows(rows, threads, [&](int row) {
+    // The row with darkness on both sides, so that every shift of it is an ordinary array.
+    const std::ptrdiff_t margin = static_cast<std::ptrdiff_t>(radius) * channels;
+    std::vector<float> wide(static_cast<std::size_t>(pitch + 2 * margin), 0.0f);
+    std::copy_n(in + row * pitch, pitch, wide.begin() + margin);
+    const float* centre = wide.data() + margin;
+    std::vector<const float*> before(radius + 1, nullptr), after(radius + 1, nullptr);
+    for (int k = 1; k <= radius; ++k) {
+      before[k] = centre - static_cast<std::ptrdiff_t>(k) * channels;
+      after[k] = centre + static_cast<std::ptrdiff_t>(k) * channels;
+    }
+    HWY_DYNAMIC_DISPATCH(WeightedSum)
+    (centre, before.data(), after.data(), kernel.weights.data(), radius, out + row * pitch,
+     static_cast<std::size_t>(pitch));
+  });
+}
+
+}  // namespace vegard::sim
+#endif

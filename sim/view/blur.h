@@ -1,0 +1,34 @@
+// Blur: the spread of each emission line's light over the picture.
+//
+// Source: Baranoski et al. 2000, section 4.3; SOURCES row B25. Gaussians integrated over the cells,
+// normalised to 1.
+#pragma once
+
+#include <vector>
+
+namespace vegard::sim {
+
+/// A symmetric kernel: weights[0] at the centre, weights[k] at k cells to either side. One weight means no
+/// blur.
+struct BlurKernel {
+  std::vector<float> weights;
+  int radius() const { return static_cast<int>(weights.size()) - 1; }
+};
+
+/// A Gaussian of standard deviation `sigma` cells, to 4 sigma, or cut at `radius` cells if that is not
+/// negative. The weights sum to 1. sigma 0 gives no blur.
+BlurKernel gaussian_kernel(double sigma, int radius = -1);
+
+/// The derivative of gaussian_kernel(sigma, radius)'s weights with respect to sigma; they sum to 0. For sigma
+/// above 0.
+BlurKernel gaussian_kernel_derivative(double sigma, int radius = -1);
+
+/// Convolves planes of [rows][columns][channels] with a kernel along the columns' direction (down) or the
+/// rows' (across). Outside the plane there is no light. in and out may not overlap. Sums are in a fixed
+/// order.
+void blur_down(const float* in, float* out, int rows, int columns, int channels, const BlurKernel& kernel,
+               int threads);
+void blur_across(const float* in, float* out, int rows, int columns, int channels, const BlurKernel& kernel,
+                 int threads);
+
+}  // namespace vegard::sim

@@ -1,0 +1,81 @@
+// Derivatives on the film: one sample with its tangents into the four cells around it.
+#if defined(VEGARD_SIM_VIEW_SPLAT_TANGENTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef VEGARD_SIM_VIEW_SPLAT_TANGENTS_INL_H_
+#undef VEGARD_SIM_VIEW_SPLAT_TANGENTS_INL_H_
+#else
+#define VEGARD_SIM_VIEW_SPLAT_TANGENTS_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "sim/base/dual-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace vegard::sim {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The derivatives of one number by sixteen free parameters: the tangent part of Dual<float, Wide>.
+struct Wide {
+  static constexpr int kLanes = static_cast<int>(hn::MaxLanes(FloatTag()));
+  static constexpr int kParts = 16 / kLanes;
+  FloatVector part[kParts];
+
+  static HWY_INLINE Wide zero() {
+    Wide r;
+    for (int i = 0; i < kParts; ++i) r.part[i] = hn::Zero(FloatTag());
+    return r;
+  }
+  static HWY_INLINE Wide load(const float* from) {
+    Wide r;
+    for (int i = 0; i < kParts; ++i) r.part[i] = hn::LoadU(FloatTag(), from + i * kLanes);
+    return r;
+  }
+  HWY_INLINE Wide operator+(const Wide& o) const {
+    Wide r;
+    for (int i = 0; i < kParts; ++i) r.part[i] = hn::Add(part[i], o.part[i]);
+    return r;
+  }
+  HWY_INLINE Wide operator-(const Wide& o) const {
+    Wide r;
+    for (int i = 0; i < kParts; ++i) r.part[i] = hn::Sub(part[i], o.part[i]);
+    return r;
+  }
+  HWY_INLINE Wide operator*(float s) const {
+    Wide r;
+    const auto scale = hn::Set(FloatTag(), s);
+    for (int i = 0; i < kParts; ++i) r.part[i] = hn::Mul(part[i], scale);
+    return r;
+  }
+  HWY_INLINE void add_to(float* to) const {
+    for (int i = 0; i < kParts; ++i)
+      hn::Store(hn::Add(hn::Load(FloatTag(), to + i * kLanes), part[i]), FloatTag(), to + i * kLanes);
+  }
+};
+
+using WideDual = Dual<float, Wide>;
+
+/// Adds the tangents of weight * light[line] for every line of one cell.
+HWY_INLINE void add_tangents(const WideDual& weight, const WideDual* light, int lines, float* cell) {
+  for (int l = 0; l < lines; ++l) (weight.d * light[l].v + light[l].d * weight.v).add_to(cell + 16 * l);
+}
+
+/// Spreads the tangents of a sample's light over four cells, bilinear as in splat(). `cell_at(column, row)`
+/// gives a cell's tangents, [line][16], 64-byte aligned.
+template <class CellAt>
+HWY_INLINE void splat_tangents(const WideDual& column, const WideDual& row, const WideDual* light, int lines,
+                               const CellAt& cell_at) {
+  const int c = static_cast<int>(column.v), r = static_cast<int>(row.v);
+  const WideDual right = column - static_cast<float>(c), lower = row - static_cast<float>(r);
+  const WideDual left = 1.0f - right, upper = 1.0f - lower;
+  add_tangents(left * upper, light, lines, cell_at(c, r));
+  add_tangents(right * upper, light, lines, cell_at(c + 1, r));
+  add_tangents(left * lower, light, lines, cell_at(c, r + 1));
+  add_tangents(right * lower, light, lines, cell_at(c + 1, r + 1));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace vegard::sim
+HWY_AFTER_NAMESPACE();
+
+#endif
