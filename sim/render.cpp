@@ -1,0 +1,70 @@
+#include "sim/render.h"
+
+#include <algorithm>
+
+#include "sim/light/emission_line.h"
+#include "sim/render_film.h"
+#include "sim/view/blur.h"
+#include "sim/view/colour.h"
+#include "sim/view/sky.h"
+#include "sim/view/transfer_curve.h"
+
+namespace vegard::sim {
+namespace {
+
+/// The paper's truncated supports, "21 by 21" and "5 by 5" pixels at 383 rows and 35 degrees: 2.2 and 1.25
+/// sigma.
+int kernel_radius(const Scene& scene, double wavelength_nm, double sigma_px) {
+  if (scene.blur.kernel != "paper") return -1;
+  const EmissionLine* line = find_emission_line(wavelength_nm);
+  const double reach = line != nullptr && line->lifetime_s > 10.0 ? 10.5 / 4.75 : 2.5 / 2.0;
+  return static_cast<int>(reach * sigma_px);
+}
+
+}  // namespace
+
+Rendering render(const Scene& scene, const RenderOptions& options) {
+  const int width = scene.camera.width, height = scene.camera.height;
+  const FilmGeometry film = film_for(scene, 0, 0, width, height, 1.0, 1.0);
+  Exposure exposure;
+  {
+    Exposer exposer(scene, film, options.threads);
+    exposer.expose(scene, exposure, options.progress, options.stop);
+  }
+  Rendering result;
+  if (options.stop != nullptr && options.stop->load()) return result;
+  result.deflection_points = exposure.deflection_points;
+
+  std::vector<std::string> names;
+  for (double nm : scene.emission.lines) names.push_back(line_name(nm));
+  result.rayleigh = Image(width, height, names);
+  const int left = static_cast<int>(-film.x0_px), top = static_cast<int>(-film.y0_px);
+  std::vector<float> down(exposure.cells()), both(exposure.cells());
+  for (int l = 0; l < exposure.lines; ++l) {
+    const double sigma = blur_sigma_px(scene, l);
+    const BlurKernel kernel = gaussian_kernel(sigma, kernel_radius(scene, scene.emission.lines[l], sigma));
+    const float* plane = exposure.rayleigh.data() + l * exposure.cells();
+    blur_down(plane, down.data(), film.rows, film.columns, 1, kernel, options.threads);
+    blur_across(down.data(), both.data(), film.rows, film.columns, 1, kernel, options.threads);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        result.rayleigh.at(x, y, l) = both[static_cast<std::size_t>(y + top) * film.columns + x + left];
+  }
+  result.aurora = rgb_from_rayleigh(
+      result.rayleigh,
+      rgb_per_kilorayleigh(scene.emission.lines, scene.sensor.primaries, scene.sensor.gain_per_kilorayleigh));
+  result.rgb = result.aurora;
+  add_sky(scene.sky, result.rgb);
+  return result;
+}
+
+Image display_picture(const Scene& scene, const Rendering& rendering) {
+  Image shown = rendering.aurora;
+  for (float& value : shown.data) value = std::max(value, 0.0f);
+  add_sky(scene.sky, shown);
+  for (float& value : shown.data)
+    value = static_cast<float>(srgb_encode(std::clamp<double>(value, 0.0, 1.0)));
+  return shown;
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,62 @@
+// Exposing a film: from the scene's sheets to rayleighs per line on the film, with exact derivatives on
+// request.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "sim/scene/scene.h"
+#include "sim/view/camera.h"
+
+namespace vegard::sim {
+
+/// What a film has caught, before any blur.
+struct Exposure {
+  FilmGeometry geometry;
+  int lines = 0;
+  std::vector<float> rayleigh;  ///< [line][row][column]
+  std::uint64_t deflection_points = 0;
+
+  int free = 0;         ///< number of free parameters
+  int free_stride = 0;  ///< `free` rounded up to whole vector registers; the padding holds zeros
+  std::vector<float>
+      derivative;  ///< [line][row][column][free_stride]; rayleighs per scene unit of the parameter
+
+  std::size_t cells() const { return static_cast<std::size_t>(geometry.rows) * geometry.columns; }
+};
+
+/// The film that covers a picture region with a margin for the blur, in cells of so many pixels.
+FilmGeometry film_for(const Scene& scene, double x_px, double y_px, double width_px, double height_px,
+                      double cell_width_px, double cell_height_px);
+
+/// Blur of a line in pixels: its width is an angle, and a pixel is hfov / width of one.
+double blur_sigma_px(const Scene& scene, int line);
+
+/// Exposes one film again and again, as a fit does. The beams' places and random numbers follow from the
+/// scene that it was made with and stay frozen: later scenes may differ in every continuous parameter, not in
+/// their seed, sheets, layers, beams or film. Not for use by two threads at once.
+class Exposer {
+ public:
+  Exposer(const Scene& scene, const FilmGeometry& film, int threads);
+  ~Exposer();
+
+  /// `progress`, if any, is told the finished share now and then, from any thread; `stop`, if any, ends the
+  /// work early with a film that is not to be used.
+  void expose(const Scene& scene, Exposure& out, const std::function<void(double)>& progress = {},
+              const std::atomic<bool>* stop = nullptr);
+
+  /// `free` are addresses of numbers inside `scene` (see real_value() of the parameter table).
+  void expose_with_derivatives(const Scene& scene, const std::vector<const double*>& free, Exposure& out);
+
+  /// The same light computed in double by one thread; for tests.
+  void expose_reference(const Scene& scene, std::vector<double>& rayleigh);
+
+ private:
+  struct Workspace;
+  std::unique_ptr<Workspace> work_;
+};
+
+}  // namespace vegard::sim

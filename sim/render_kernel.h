@@ -1,0 +1,121 @@
+// The kernel's door: beams in, light on a film out. One call works through groups of sixteen beams on one
+// thread.
+//
+// This is the only file that is compiled once per instruction set; what crosses its door are plain arrays.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "sim/light/height_profile.h"
+#include "sim/light/sample.h"
+#include "sim/view/camera.h"
+
+namespace vegard::sim {
+
+inline constexpr int kGroup = 16;  ///< beams that fall side by side
+
+/// A rayleigh on the value film is 2^20 units of a 64-bit integer: sums do not depend on their order, a
+/// thousandth of a rayleigh still has three digits, and a cell overflows at 8e12 rayleighs.
+inline constexpr double kFilmUnitsPerRayleigh = 1048576.0;
+
+/// A number with its derivatives by the local inputs, for sixteen beams.
+struct GroupNumber {
+  double value[kGroup];
+  double tangent[local_inputs][kGroup];
+};
+
+/// Sixteen beams of one layer. Empty places have end_of_path 0.
+struct BeamGroup {
+  GroupNumber start_in_enu_km[3];
+  GroupNumber length_km;
+  GroupNumber vertical;
+  double flux_km2_mw_m2[kGroup];
+  double end_of_path[kGroup];
+  std::uint32_t index[kGroup];
+  std::uint32_t layer_address = 0;  ///< sheet and layer, as in the random streams
+  int sheet = 0;                    ///< which height profile
+};
+
+/// How a group's local inputs follow from the free parameters: derivatives of each beam's foot and log(flux).
+struct GroupChain {
+  float foot_east[kGroup][kTangentWidth];
+  float foot_north[kGroup][kTangentWidth];
+  float log_flux[kGroup][kTangentWidth];
+};
+
+/// What all beams share.
+struct KernelScene {
+  FallFrame<LocalDual> fall;
+  Deflection<LocalDual> deflection;
+  PinholeView<LocalDual> view;
+  FilmGeometry film;
+  double center_x_px = 0.0, center_y_px = 0.0;  ///< the principal point
+  double observer_altitude_km = 0.0;
+  bool nearest_cell = false;  ///< the paper's forward map, instead of bilinear
+  bool unit_weight = false;   ///< every point counts alike, instead of rayleighs
+  std::uint64_t seed = 0;
+  const HeightProfile* profiles = nullptr;  ///< one per sheet
+};
+
+/// Derivatives of a film by up to kTangentWidth free parameters, in floats. Tiles of columns come into being
+/// when light first falls on them, so that the film of one stretch of an arc is small.
+class TangentFilm {
+ public:
+  static constexpr int kTileColumns = 8;
+  TangentFilm(int columns, int rows, int lines);
+
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  int lines() const { return lines_; }
+  int tile_count() const { return static_cast<int>(tiles_.size()); }
+
+  /// [(row * kTileColumns + column in tile) * lines + line][kTangentWidth], made (zeroed) if need be.
+  float* tile(int index) {
+    if (!tiles_[index]) make_tile(index);
+    return tiles_[index].get();
+  }
+  const float* tile_if_any(int index) const { return tiles_[index].get(); }
+
+ private:
+  struct Free {
+    void operator()(float* p) const;
+  };
+  void make_tile(int index);
+  int columns_, rows_, lines_;
+  std::vector<std::unique_ptr<float[], Free>> tiles_;
+};
+
+/// How the chain goes on from the local inputs that all beams share, and from the energies.
+struct SharedChain {
+  int parameter_of_local[local_inputs];      ///< index of the free parameter, -1 if it is not free
+  const int* parameter_of_energy = nullptr;  ///< per sheet, -1 if not free
+  bool only_beam_inputs = true;              ///< no shared input is free: the cheaper kernel will do
+};
+
+/// Lets the groups fall on `film`, [row][column][stride] integers, stride as in the profiles. Returns the
+/// number of deflection points computed.
+std::uint64_t fall_on_film(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                           std::int64_t* film);
+
+/// The same, and the derivatives on `tangents`.
+std::uint64_t fall_on_film_with_tangents(const KernelScene& scene, const SharedChain& shared,
+                                         const BeamGroup* groups, const GroupChain* chains, std::size_t count,
+                                         std::int64_t* film, TangentFilm& tangents);
+
+/// The reference: the same kernel over double, on a film of rayleighs in double. Slow.
+std::uint64_t fall_on_film_reference(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                                     double* film);
+
+/// Adds precomputed light at precomputed places in the very way of fall_on_film: the floor that benchmarks
+/// compare with. Points are beam by beam; weights[point * stride + line] in rayleighs, column and row in
+/// cells as the splat has them.
+void splat_on_film(const FilmGeometry& geometry, int stride, const float* column, const float* row,
+                   const float* weights, std::size_t points, std::int64_t* film);
+
+/// The instruction set that fall_on_film was dispatched to, "AVX3".
+const char* kernel_instruction_set();
+
+}  // namespace vegard::sim
