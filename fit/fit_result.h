@@ -1,0 +1,98 @@
+// What a fit has found, complete enough to write a run directory and a report from it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fit/profile.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::fit {
+
+enum class Verdict {
+  good,         ///< converged, and nothing speaks against the answer
+  doubtful,     ///< converged, but the reasons say why not to lean on it
+  failed,       ///< did not converge
+  interrupted,  ///< stopped by the user; the best so far
+};
+
+/// "good", "doubtful", "failed", "interrupted".
+const char* verdict_name(Verdict verdict);
+
+struct FittedParameter {
+  std::string path;     ///< "sheet.main.center_km.east"
+  std::string unit;
+  std::string meaning;
+  double value = 0.0;
+  double initial = 0.0;  ///< where the search started
+  double min = 0.0, max = 0.0;  ///< limits in force; +-infinity where there is none
+  std::optional<double> sigma;  ///< 68 % half-width carried back through the transform; none if it has no error bar
+  std::optional<std::pair<double, double>> interval68;  ///< carried back exactly, may be lopsided
+  bool at_limit = false;
+  std::string why_no_sigma;  ///< in words, if sigma is missing
+};
+
+/// A number that was solved for, not searched: a gain or a sky term.
+struct SolvedNumber {
+  std::string name;  ///< "gain.band_3", "sky.level.red"
+  double value = 0.0;
+  std::optional<double> sigma;
+};
+
+/// What follows from the parameters and is what people publish.
+struct DerivedNumber {
+  std::string name;  ///< "distance of the main sheet"
+  double value = 0.0;
+  std::optional<double> sigma;
+  std::string unit;
+};
+
+/// One evaluation that was accepted, or the best of a stage.
+struct TraceRow {
+  std::string stage;        ///< "scan", "descent 2", "polish"
+  int evaluation = 0;       ///< residual evaluations so far
+  double chi2 = 0.0;
+  std::vector<double> values;  ///< of the free parameters, in the order of FitResult::parameters
+};
+
+struct InputFile {
+  std::string role;  ///< "scene", "photo", "mask"
+  std::string name;  ///< without its folder
+  std::string sha256;
+};
+
+struct FitResult {
+  Verdict verdict = Verdict::failed;
+  std::string verdict_line;          ///< one sentence: whether to believe it, and why
+  std::vector<std::string> reasons;  ///< what speaks against it, or is worth knowing; may be empty
+  std::vector<FittedParameter> parameters;
+  std::vector<SolvedNumber> solved;
+  std::vector<DerivedNumber> derived;
+  std::vector<std::vector<double>> correlation;  ///< of `parameters`; rows without an error bar hold zeros
+
+  double chi2 = 0.0;
+  double chi2_initial = 0.0;
+  int dof = 0;
+  double rms_over_peak = 0.0;       ///< rms residual over all rows, bands, channels / peak of the data's profile above the sky
+  double error_inflation = 1.0;     ///< factor on the error bars for correlated residuals and chi2 / dof above 1
+  std::string termination;          ///< Ceres' words or our own
+  int evaluations = 0;              ///< of the residuals, search included
+  int jacobian_evaluations = 0;
+  std::uint64_t seed = 0;
+
+  sim::Scene best;                  ///< the scene with the best values, gain and sky written into it
+  Profile data;                     ///< of the photograph
+  std::vector<double> sigma;        ///< total standard deviation of every profile value, indexed as in `data`
+  std::vector<double> model;        ///< profile of the best model, sky included, indexed as in `data`
+  std::vector<std::vector<double>> gain;  ///< [band][channel]: what the aurora was multiplied by
+  std::vector<TraceRow> trace;
+
+  std::string decoding;             ///< of the photograph
+  std::vector<InputFile> inputs;
+  std::string command;
+};
+
+}  // namespace vegard::fit
