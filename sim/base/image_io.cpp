@@ -71,7 +71,9 @@ std::string description_of(const ImageAttributes& attributes) {
   for (const auto& [key, value] : attributes) {
     if (key == "DateTime" || key == "ImageDescription" || value.empty()) continue;
     if (!text.empty()) text += '\n';
-    text += key + "=" + value;
+    text += key;
+    text += '=';
+    text += value;
   }
   return text;
 }
