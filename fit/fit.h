@@ -12,16 +12,18 @@
 namespace vegard::fit {
 
 struct FitOptions {
-  int threads = 0;           ///< of the simulator; 0: all cores. The result does not depend on it.
+  int threads = 0;             ///< of the simulator; 0: all cores. The result does not depend on it.
   int max_evaluations = 2000;  ///< of the residuals, search and descents together
   /// Told what is going on: stage, evaluations so far, best chi2 / dof so far, finished share 0..1 (a guess).
   std::function<void(const std::string& stage, int evaluations, double chi2_per_dof, double share)> progress;
-  const std::atomic<bool>* stop = nullptr;  ///< set by Ctrl-C: the best so far comes back with verdict interrupted
+  const std::atomic<bool>* stop =
+      nullptr;  ///< set by Ctrl-C: the best so far comes back with verdict interrupted
 };
 
 /// Fits scene.fit.free to the vertical profiles of `photo`. The photograph must have the camera's size.
-/// Throws sim::Error for input that cannot be used (no free parameter, sizes that differ, nothing usable in the region);
-/// numerical trouble is a verdict, never an exception. A sheet that cannot be seen is a verdict too (failed).
+/// Throws sim::Error for input that cannot be used (no free parameter, sizes that differ, nothing usable in
+/// the region); numerical trouble is a verdict, never an exception. A sheet that cannot be seen is a verdict
+/// too (failed).
 FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOptions& options);
 
 }  // namespace vegard::fit

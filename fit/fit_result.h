@@ -23,13 +23,14 @@ enum class Verdict {
 const char* verdict_name(Verdict verdict);
 
 struct FittedParameter {
-  std::string path;     ///< "sheet.main.center_km.east"
+  std::string path;  ///< "sheet.main.center_km.east"
   std::string unit;
   std::string meaning;
   double value = 0.0;
-  double initial = 0.0;  ///< where the search started
+  double initial = 0.0;         ///< where the search started
   double min = 0.0, max = 0.0;  ///< limits in force; +-infinity where there is none
-  std::optional<double> sigma;  ///< 68 % half-width carried back through the transform; none if it has no error bar
+  std::optional<double>
+      sigma;  ///< 68 % half-width carried back through the transform; none if it has no error bar
   std::optional<std::pair<double, double>> interval68;  ///< carried back exactly, may be lopsided
   bool at_limit = false;
   std::string why_no_sigma;  ///< in words, if sigma is missing
@@ -52,8 +53,8 @@ struct DerivedNumber {
 
 /// One evaluation that was accepted, or the best of a stage.
 struct TraceRow {
-  std::string stage;        ///< "scan", "descent 2", "polish"
-  int evaluation = 0;       ///< residual evaluations so far
+  std::string stage;   ///< "scan", "descent 2", "polish"
+  int evaluation = 0;  ///< residual evaluations so far
   double chi2 = 0.0;
   std::vector<double> values;  ///< of the free parameters, in the order of FitResult::parameters
 };
@@ -76,21 +77,22 @@ struct FitResult {
   double chi2 = 0.0;
   double chi2_initial = 0.0;
   int dof = 0;
-  double rms_over_peak = 0.0;       ///< rms residual over all rows, bands, channels / peak of the data's profile above the sky
-  double error_inflation = 1.0;     ///< factor on the error bars for correlated residuals and chi2 / dof above 1
-  std::string termination;          ///< Ceres' words or our own
-  int evaluations = 0;              ///< of the residuals, search included
+  double rms_over_peak =
+      0.0;  ///< rms residual over all rows, bands, channels / peak of the data's profile above the sky
+  double error_inflation = 1.0;  ///< factor on the error bars for correlated residuals and chi2 / dof above 1
+  std::string termination;       ///< Ceres' words or our own
+  int evaluations = 0;           ///< of the residuals, search included
   int jacobian_evaluations = 0;
   std::uint64_t seed = 0;
 
-  sim::Scene best;                  ///< the scene with the best values, gain and sky written into it
-  Profile data;                     ///< of the photograph
-  std::vector<double> sigma;        ///< total standard deviation of every profile value, indexed as in `data`
-  std::vector<double> model;        ///< profile of the best model, sky included, indexed as in `data`
+  sim::Scene best;            ///< the scene with the best values, gain and sky written into it
+  Profile data;               ///< of the photograph
+  std::vector<double> sigma;  ///< total standard deviation of every profile value, indexed as in `data`
+  std::vector<double> model;  ///< profile of the best model, sky included, indexed as in `data`
   std::vector<std::vector<double>> gain;  ///< [band][channel]: what the aurora was multiplied by
   std::vector<TraceRow> trace;
 
-  std::string decoding;             ///< of the photograph
+  std::string decoding;  ///< of the photograph
   std::vector<InputFile> inputs;
   std::string command;
 };

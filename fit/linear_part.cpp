@@ -1,0 +1,168 @@
+#include "fit/linear_part.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+namespace vegard::fit {
+
+/// The normal equations, factorised, with held coefficients taken out.
+struct LinearPart::Normal {
+  Eigen::LDLT<Eigen::MatrixXd> factors;
+};
+
+LinearPart::LinearPart(const Profile& data, const std::vector<double>& sigma, const GainLayout& gains,
+                       int picture_height)
+    : data_(data), sigma_(sigma), gains_(gains), picture_height_(picture_height) {
+  for (int b = 0; b < data.bands; ++b) {
+    for (int r = 0; r < data.rows; ++r) {
+      for (int c = 0; c < 3; ++c) {
+        const std::size_t i = data.index(b, r, c);
+        if (sigma[i] <= 0.0) continue;
+        used_.push_back(i);
+        where_.push_back({gains.column(b, c), c, place(r)});
+      }
+    }
+  }
+}
+
+double LinearPart::place(int row) const { return (data_.region.y + row + 0.5) / picture_height_ - 0.5; }
+
+LinearPart::Normal LinearPart::normal_matrix(const ModelProfile& aurora,
+                                             const std::vector<bool>& held) const {
+  const int n = coefficients(), first_sky = gains_.count();
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
+  for (std::size_t k = 0; k < used_.size(); ++k) {
+    const std::size_t i = used_[k];
+    const Where& w = where_[k];
+    const double weight = 1.0 / (sigma_[i] * sigma_[i]), light = aurora.value[i];
+    const int level = first_sky + w.channel, gradient = level + 3;
+    normal(w.gain, w.gain) += weight * light * light;
+    normal(level, w.gain) += weight * light;
+    normal(gradient, w.gain) += weight * light * w.place;
+    normal(level, level) += weight;
+    normal(gradient, level) += weight * w.place;
+    normal(gradient, gradient) += weight * w.place * w.place;
+  }
+  normal = normal.selfadjointView<Eigen::Lower>();
+  for (int j = 0; j < n; ++j) {
+    if (j < first_sky && held[j]) {
+      normal.row(j).setZero();
+      normal.col(j).setZero();
+      normal(j, j) = 1.0;
+    } else if (normal(j, j) <= 0.0) {
+      normal(j, j) = 1.0;  // no data in this channel: the coefficient stays 0
+    }
+  }
+  return {Eigen::LDLT<Eigen::MatrixXd>(normal)};
+}
+
+LinearSolution LinearPart::solve(const ModelProfile& aurora) const {
+  const int n = coefficients(), first_sky = gains_.count();
+  LinearSolution solution;
+  solution.held.assign(first_sky, false);
+  // A band with next to no light cannot have its brightness asked for.
+  std::vector<double> light2(first_sky, 0.0);
+  double brightest = 0.0;
+  for (std::size_t k = 0; k < used_.size(); ++k) {
+    const double light = aurora.value[used_[k]];
+    light2[where_[k].gain] += light * light;
+  }
+  for (double x : light2) brightest = std::max(brightest, x);
+  for (int g = 0; g < first_sky; ++g) solution.held[g] = !(light2[g] > 1e-10 * brightest);
+
+  Eigen::VectorXd right(n);
+  for (int round = 0; round <= first_sky; ++round) {
+    right.setZero();
+    for (std::size_t k = 0; k < used_.size(); ++k) {
+      const std::size_t i = used_[k];
+      const Where& w = where_[k];
+      const double weighted = data_.mean[i] / (sigma_[i] * sigma_[i]);
+      if (!solution.held[w.gain]) right(w.gain) += weighted * aurora.value[i];
+      right(first_sky + w.channel) += weighted;
+      right(first_sky + 3 + w.channel) += weighted * w.place;
+    }
+    const Eigen::VectorXd c = normal_matrix(aurora, solution.held).factors.solve(right);
+    solution.coefficients.assign(c.data(), c.data() + n);
+    int negative = 0;
+    for (int g = 0; g < first_sky; ++g) {
+      if (!solution.held[g] && c(g) < 0.0) {
+        solution.held[g] = true;
+        ++negative;
+      }
+    }
+    if (negative == 0) break;
+  }
+  for (int g = 0; g < first_sky; ++g)
+    if (solution.held[g]) solution.coefficients[g] = 0.0;
+
+  solution.residual.resize(used_.size());
+  const std::vector<double> all = model(aurora, solution);
+  for (std::size_t k = 0; k < used_.size(); ++k) {
+    const std::size_t i = used_[k];
+    solution.residual[k] = (data_.mean[i] - all[i]) / sigma_[i];
+    solution.chi2 += solution.residual[k] * solution.residual[k];
+  }
+  return solution;
+}
+
+void LinearPart::jacobian(const ModelProfile& aurora, const LinearSolution& solution,
+                          std::vector<double>& out) const {
+  const int n = coefficients(), first_sky = gains_.count(), p = aurora.free;
+  const Normal normal = normal_matrix(aurora, solution.held);
+  // With A(θ) c = model: dc = (AᵀWA)⁻¹ (dAᵀ W r − Aᵀ W dA c), and the residual falls by dA c + A dc.
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, p);
+  for (std::size_t k = 0; k < used_.size(); ++k) {
+    const std::size_t i = used_[k];
+    const Where& w = where_[k];
+    if (solution.held[w.gain]) continue;
+    const double gain = solution.coefficients[w.gain];
+    const double weight = 1.0 / (sigma_[i] * sigma_[i]), light = aurora.value[i];
+    const double left_over = solution.residual[k] * sigma_[i];
+    const double* grow = aurora.derivative.data() + i * p;
+    for (int j = 0; j < p; ++j) {
+      const double change = weight * gain * grow[j];
+      right(w.gain, j) += weight * grow[j] * left_over - light * change;
+      right(first_sky + w.channel, j) -= change;
+      right(first_sky + 3 + w.channel, j) -= w.place * change;
+    }
+  }
+  const Eigen::MatrixXd dc = normal.factors.solve(right);
+  out.resize(used_.size() * p);
+  for (std::size_t k = 0; k < used_.size(); ++k) {
+    const std::size_t i = used_[k];
+    const Where& w = where_[k];
+    const bool held = solution.held[w.gain];
+    const double gain = solution.coefficients[w.gain], light = aurora.value[i];
+    const double* grow = aurora.derivative.data() + i * p;
+    for (int j = 0; j < p; ++j) {
+      double change = dc(first_sky + w.channel, j) + dc(first_sky + 3 + w.channel, j) * w.place;
+      if (!held) change += gain * grow[j] + light * dc(w.gain, j);
+      out[k * p + j] = -change / sigma_[i];
+    }
+  }
+}
+
+std::vector<double> LinearPart::model(const ModelProfile& aurora, const LinearSolution& solution) const {
+  const int first_sky = gains_.count();
+  std::vector<double> all(aurora.value.size());
+  for (int b = 0; b < data_.bands; ++b)
+    for (int r = 0; r < data_.rows; ++r)
+      for (int c = 0; c < 3; ++c) {
+        const std::size_t i = data_.index(b, r, c);
+        all[i] = solution.coefficients[gains_.column(b, c)] * aurora.value[i] +
+                 solution.coefficients[first_sky + c] + solution.coefficients[first_sky + 3 + c] * place(r);
+      }
+  return all;
+}
+
+std::vector<double> LinearPart::coefficient_variance(const ModelProfile& aurora,
+                                                     const LinearSolution& solution) const {
+  const int n = coefficients();
+  const Eigen::MatrixXd covariance =
+      normal_matrix(aurora, solution.held).factors.solve(Eigen::MatrixXd::Identity(n, n));
+  std::vector<double> variance(n);
+  for (int j = 0; j < n; ++j) variance[j] = j < gains_.count() && solution.held[j] ? 0.0 : covariance(j, j);
+  return variance;
+}
+
+}  // namespace vegard::fit

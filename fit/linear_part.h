@@ -1,0 +1,75 @@
+// What is linear in a photograph's profile, solved exactly at every evaluation: exposure gains and the sky.
+//
+// Variable projection with the full derivative (Golub and Pereyra 1973, doi:10.1137/0710036; Kaufman's
+// shortcut drops a term and fails the difference test): data = sum of gains * aurora + sky level + sky
+// gradient * place.
+#pragma once
+
+#include <vector>
+
+#include "fit/profile.h"
+#include "fit/profile_model.h"
+
+namespace vegard::fit {
+
+/// Which gains there are. One over all; one per band (rays are uneven); one per channel, or per band and
+/// channel, where the white balance is unknown.
+struct GainLayout {
+  int bands = 1;
+  bool per_band = false;
+  bool per_channel = false;
+  int count() const { return (per_band ? bands : 1) * (per_channel ? 3 : 1); }
+  int column(int band, int channel) const {
+    return (per_band ? band : 0) * (per_channel ? 3 : 1) + (per_channel ? channel : 0);
+  }
+};
+
+/// The solution for one aurora, and the whitened residuals it leaves.
+struct LinearSolution {
+  std::vector<double> coefficients;  ///< gains, then 3 sky levels, then 3 sky gradients (per picture height)
+  std::vector<bool> held;        ///< a gain that would be negative, or has no light to scale, is held at 0
+  std::vector<double> residual;  ///< (data - model) / sigma, one per used value
+  double chi2 = 0.0;
+};
+
+class LinearPart {
+ public:
+  /// `place(row)` of the sky's gradient is y / picture_height - 1/2. Values whose sigma is 0 are left out.
+  LinearPart(const Profile& data, const std::vector<double>& sigma, const GainLayout& gains,
+             int picture_height);
+
+  int residuals() const { return static_cast<int>(used_.size()); }
+  int coefficients() const { return gains_.count() + 6; }
+  const std::vector<std::size_t>& used() const { return used_; }  ///< indices into the profile
+
+  /// Solves the weighted least squares problem for this aurora.
+  LinearSolution solve(const ModelProfile& aurora) const;
+
+  /// d residual / d parameter of solve(aurora), row-major [residual][parameter], the change of the
+  /// coefficients included. aurora must carry derivatives.
+  void jacobian(const ModelProfile& aurora, const LinearSolution& solution, std::vector<double>& out) const;
+
+  /// Model profile in the data's units, at all values (also those not used).
+  std::vector<double> model(const ModelProfile& aurora, const LinearSolution& solution) const;
+
+  /// Covariance of the coefficients at fixed aurora (before any inflation); held ones have 0.
+  std::vector<double> coefficient_variance(const ModelProfile& aurora, const LinearSolution& solution) const;
+
+ private:
+  struct Normal;
+  Normal normal_matrix(const ModelProfile& aurora, const std::vector<bool>& held) const;
+  double place(int row) const;
+
+  const Profile& data_;
+  const std::vector<double>& sigma_;
+  GainLayout gains_;
+  int picture_height_;
+  std::vector<std::size_t> used_;
+  struct Where {
+    int gain, channel;
+    double place;
+  };
+  std::vector<Where> where_;  // of every used value
+};
+
+}  // namespace vegard::fit

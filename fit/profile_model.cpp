@@ -1,0 +1,251 @@
+#include "fit/profile_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/parallel.h"
+#include "sim/render_film.h"
+#include "sim/view/blur.h"
+#include "sim/view/colour.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr int kWidestCell = 4;
+constexpr int kCellsPerBand = 12;
+
+int cell_width(const Region& region, int bands) {
+  return std::clamp(region.width / bands / kCellsPerBand, 1, kWidestCell);
+}
+
+/// Film columns that a band reaches, and how many usable pixels of the band each of them holds.
+struct BandWeights {
+  int first_column = 0, columns = 0;
+  std::vector<float> pixels;   // [row][column - first_column][channel]
+  std::vector<float> inverse;  // [row][channel]: 1 / number of usable pixels, 0 if none
+};
+
+}  // namespace
+
+struct ProfileModel::Workspace {
+  Region region;
+  int bands = 0, threads = 1, beams_divided_by = 1;
+  sim::FilmGeometry film;
+  int top = 0;  // film row of the region's first row
+  std::vector<BandWeights> weights;
+  std::vector<int> full_beams, used_beams;
+  std::unique_ptr<sim::Exposer> exposer;
+  sim::Exposure exposure;
+  std::vector<float> down, blurred, lines;  // planes
+  std::vector<float> wide_down, wide_blurred;
+  std::vector<std::uint8_t> lit;  // [row][column][channel]: not clipped
+  sim::Scene scene;               // with this model's number of beams
+
+  std::size_t value_index(int band, int row, int channel) const {
+    return (static_cast<std::size_t>(band) * region.height + row) * 3 + channel;
+  }
+
+  /// Copies the numbers of `from`; the addresses in `free` follow to the copy.
+  std::vector<const double*> adopt(const sim::Scene& from, const std::vector<const double*>& free) {
+    std::vector<const double*> moved;
+    for (std::size_t s = 0; s < from.sheets.size(); ++s) used_beams[s] = scene.sheets[s].beams;
+    scene = from;
+    for (std::size_t s = 0; s < from.sheets.size(); ++s) scene.sheets[s].beams = used_beams[s];
+    for (const double* address : free) moved.push_back(counterpart(from, address));
+    return moved;
+  }
+
+  /// The address in `scene` of the number that lives at `address` in `from`.
+  const double* counterpart(const sim::Scene& from, const double* address) const {
+    const auto inside = [address](const void* object, std::size_t size) {
+      const char *a = reinterpret_cast<const char*>(address), *o = static_cast<const char*>(object);
+      return a >= o && a < o + size;
+    };
+    const auto shifted = [address](const void* old_object, const void* new_object) {
+      const std::ptrdiff_t offset =
+          reinterpret_cast<const char*>(address) - static_cast<const char*>(old_object);
+      return reinterpret_cast<const double*>(static_cast<const char*>(new_object) + offset);
+    };
+    for (std::size_t s = 0; s < from.sheets.size(); ++s)
+      if (inside(&from.sheets[s], sizeof(sim::Sheet))) return shifted(&from.sheets[s], &scene.sheets[s]);
+    for (std::size_t l = 0; l < from.blur.width_deg.size(); ++l)
+      if (address == &from.blur.width_deg[l]) return &scene.blur.width_deg[l];
+    return shifted(&from, &scene);
+  }
+
+  /// Blurs and colours the exposure; fills `lines`, `lit` and the values.
+  void finish_values(ModelProfile& out) {
+    const std::size_t cells = exposure.cells();
+    const int count = exposure.lines;
+    lines.resize(cells * count);
+    down.resize(cells);
+    for (int l = 0; l < count; ++l) {
+      const double sigma = sim::blur_sigma_px(scene, l);
+      sim::blur_down(exposure.rayleigh.data() + l * cells, down.data(), film.rows, film.columns, 1,
+                     sim::gaussian_kernel(sigma / film.cell_height_px), threads);
+      sim::blur_across(down.data(), lines.data() + l * cells, film.rows, film.columns, 1,
+                       sim::gaussian_kernel(sigma / film.cell_width_px), threads);
+    }
+    const std::vector<sim::Vector3> colour = colours();
+    lit.resize(cells * 3);
+    out.value.assign(static_cast<std::size_t>(bands) * region.height * 3, 0.0);
+    sim::parallel_for(static_cast<std::size_t>(region.height), threads, [&](std::size_t row, int) {
+      std::vector<float> rgb(static_cast<std::size_t>(film.columns) * 3, 0.0f);
+      const std::size_t first = (row + top) * film.columns;
+      for (int column = 0; column < film.columns; ++column) {
+        for (int c = 0; c < 3; ++c) {
+          double light = 0.0;
+          for (int l = 0; l < count; ++l) light += colour[l][c] * lines[l * cells + first + column];
+          lit[(first + column) * 3 + c] = light > 0.0;
+          rgb[column * 3 + c] = static_cast<float>(std::max(light, 0.0));
+        }
+      }
+      for (int b = 0; b < bands; ++b) {
+        const BandWeights& w = weights[b];
+        double sum[3] = {0.0, 0.0, 0.0};
+        for (int i = 0; i < w.columns; ++i)
+          for (int c = 0; c < 3; ++c)
+            sum[c] += static_cast<double>(w.pixels[(row * w.columns + i) * 3 + c]) *
+                      rgb[(w.first_column + i) * 3 + c];
+        for (int c = 0; c < 3; ++c)
+          out.value[value_index(b, static_cast<int>(row), c)] = sum[c] * w.inverse[row * 3 + c];
+      }
+    });
+  }
+
+  /// RGB per rayleigh at unit gain.
+  std::vector<sim::Vector3> colours() const {
+    std::vector<sim::Vector3> weights_per_kilorayleigh =
+        sim::rgb_per_kilorayleigh(scene.emission.lines, scene.sensor.primaries, 1.0);
+    for (sim::Vector3& rgb : weights_per_kilorayleigh)
+      for (double& channel : rgb) channel *= 1e-3;
+    return weights_per_kilorayleigh;
+  }
+
+  /// Adds the profile of a plane of derivatives, [row][column][stride], of line `l` to parameters first,
+  /// first + 1, …
+  void add_derivatives(const float* plane, int stride, int used, int first, int l, ModelProfile& out) const {
+    const sim::Vector3 colour = colours()[l];
+    sim::parallel_for(static_cast<std::size_t>(region.height), threads, [&](std::size_t row, int) {
+      std::vector<float> sum(static_cast<std::size_t>(stride));
+      const std::size_t first_cell = (row + top) * film.columns;
+      for (int b = 0; b < bands; ++b) {
+        const BandWeights& w = weights[b];
+        for (int c = 0; c < 3; ++c) {
+          std::fill(sum.begin(), sum.end(), 0.0f);
+          for (int i = 0; i < w.columns; ++i) {
+            const std::size_t cell = first_cell + w.first_column + i;
+            if (!lit[cell * 3 + c]) continue;
+            const float weight = w.pixels[(row * w.columns + i) * 3 + c];
+            const float* from = plane + cell * stride;
+            for (int j = 0; j < stride; ++j) sum[j] += weight * from[j];
+          }
+          const double scale = colour[c] * w.inverse[row * 3 + c];
+          double* to = out.derivative.data() + value_index(b, static_cast<int>(row), c) * out.free + first;
+          for (int j = 0; j < used; ++j) to[j] += scale * sum[j];
+        }
+      }
+    });
+  }
+};
+
+ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo, const Region& region, int bands,
+                           double beams_share, int threads)
+    : work_(std::make_unique<Workspace>()) {
+  Workspace& w = *work_;
+  w.region = region;
+  w.bands = bands;
+  w.threads = sim::thread_count(threads);
+  w.scene = scene;
+  w.used_beams.resize(scene.sheets.size());
+  for (sim::Sheet& sheet : w.scene.sheets)
+    sheet.beams = std::max(1, static_cast<int>(std::lround(sheet.beams * beams_share)));
+  const int cell = cell_width(region, bands);
+  w.film = sim::film_for(scene, region.x, region.y, region.width, region.height, cell, 1.0);
+  w.top = static_cast<int>(std::lround(region.y - w.film.y0_px));
+  const int left = static_cast<int>(std::lround((region.x - w.film.x0_px) / cell));
+  w.exposer = std::make_unique<sim::Exposer>(w.scene, w.film, threads);
+
+  w.weights.resize(bands);
+  for (int b = 0; b < bands; ++b) {
+    BandWeights& band = w.weights[b];
+    const int begin = band_begin(region, bands, b) - region.x,
+              end = band_begin(region, bands, b + 1) - region.x;
+    band.first_column = left + begin / cell;
+    band.columns = (end - 1) / cell - begin / cell + 1;
+    band.pixels.assign(static_cast<std::size_t>(region.height) * band.columns * 3, 0.0f);
+    band.inverse.assign(static_cast<std::size_t>(region.height) * 3, 0.0f);
+    for (int row = 0; row < region.height; ++row) {
+      for (int c = 0; c < 3; ++c) {
+        int count = 0;
+        for (int x = begin; x < end; ++x) {
+          if (!photo.usable[photo.linear.index(region.x + x, region.y + row, c)]) continue;
+          band.pixels[(static_cast<std::size_t>(row) * band.columns + x / cell - begin / cell) * 3 + c] +=
+              1.0f;
+          ++count;
+        }
+        if (count > 0) band.inverse[row * 3 + c] = 1.0f / static_cast<float>(count);
+      }
+    }
+  }
+}
+
+ProfileModel::~ProfileModel() = default;
+
+std::uint64_t ProfileModel::deflection_points() const { return work_->exposure.deflection_points; }
+
+void ProfileModel::evaluate(const sim::Scene& scene, ModelProfile& out) {
+  Workspace& w = *work_;
+  w.adopt(scene, {});
+  w.exposer->expose(w.scene, w.exposure);
+  out.free = 0;
+  out.derivative.clear();
+  w.finish_values(out);
+}
+
+void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std::vector<const double*>& free,
+                                             ModelProfile& out) {
+  Workspace& w = *work_;
+  const std::vector<const double*> moved = w.adopt(scene, free);
+  w.exposer->expose_with_derivatives(w.scene, moved, w.exposure);
+  w.finish_values(out);
+  out.free = static_cast<int>(free.size());
+  out.derivative.assign(out.value.size() * free.size(), 0.0);
+
+  const std::size_t cells = w.exposure.cells();
+  const int stride = w.exposure.free_stride;
+  w.wide_down.resize(cells * stride);
+  w.wide_blurred.resize(cells * stride);
+  w.down.resize(cells);
+  w.blurred.resize(cells);
+  for (int l = 0; l < w.exposure.lines; ++l) {
+    const double sigma = sim::blur_sigma_px(w.scene, l);
+    const sim::BlurKernel down = sim::gaussian_kernel(sigma / w.film.cell_height_px);
+    const sim::BlurKernel across = sim::gaussian_kernel(sigma / w.film.cell_width_px);
+    sim::blur_down(w.exposure.derivative.data() + l * cells * stride, w.wide_down.data(), w.film.rows,
+                   w.film.columns, stride, down, w.threads);
+    sim::blur_across(w.wide_down.data(), w.wide_blurred.data(), w.film.rows, w.film.columns, stride, across,
+                     w.threads);
+    w.add_derivatives(w.wide_blurred.data(), stride, out.free, 0, l, out);
+
+    // The blur's own width, free or following the field of view: sigma = width * pixels / hfov.
+    for (std::size_t j = 0; j < moved.size(); ++j) {
+      double growth = 0.0;
+      if (moved[j] == &w.scene.blur.width_deg[l]) growth = w.scene.camera.width / w.scene.camera.hfov_deg;
+      if (moved[j] == &w.scene.camera.hfov_deg) growth = -sigma / w.scene.camera.hfov_deg;
+      if (growth == 0.0 || sigma <= 0.0) continue;
+      const float* plane = w.exposure.rayleigh.data() + l * cells;
+      const auto add = [&](const sim::BlurKernel& first, const sim::BlurKernel& second, double per_cell) {
+        sim::blur_down(plane, w.down.data(), w.film.rows, w.film.columns, 1, first, w.threads);
+        sim::blur_across(w.down.data(), w.blurred.data(), w.film.rows, w.film.columns, 1, second, w.threads);
+        for (float& x : w.blurred) x *= static_cast<float>(growth * per_cell);
+        w.add_derivatives(w.blurred.data(), 1, 1, static_cast<int>(j), l, out);
+      };
+      add(sim::gaussian_kernel_derivative(sigma / w.film.cell_height_px), across,
+          1.0 / w.film.cell_height_px);
+      add(down, sim::gaussian_kernel_derivative(sigma / w.film.cell_width_px), 1.0 / w.film.cell_width_px);
+    }
+  }
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,44 @@
+// The profile that a scene's aurora would have, at unit gain and without the sky, with its exact derivatives.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "fit/photo.h"
+#include "fit/profile.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::fit {
+
+/// Values indexed as in Profile; derivatives [value index * free + parameter].
+struct ModelProfile {
+  std::vector<double> value;
+  int free = 0;
+  std::vector<double> derivative;
+};
+
+/// Renders the region of interest again and again. The film's cells are one pixel high and up to four wide:
+/// profiles average over columns, and a band has at least a dozen of them (docs/fitting.md has what this
+/// costs: nothing that can be seen). Out-of-gamut light is clipped per cell, as in display_picture(), before
+/// columns are averaged with the photograph's own mask.
+class ProfileModel {
+ public:
+  /// `beams_share` of the scene's beams are used: coarse models search, the full one decides.
+  ProfileModel(const sim::Scene& scene, const Photo& photo, const Region& region, int bands,
+               double beams_share, int threads);
+  ~ProfileModel();
+
+  /// The scene may differ from the constructor's in continuous parameters only.
+  void evaluate(const sim::Scene& scene, ModelProfile& out);
+  void evaluate_with_derivatives(const sim::Scene& scene, const std::vector<const double*>& free,
+                                 ModelProfile& out);
+
+  /// Deflection points of the last evaluation.
+  std::uint64_t deflection_points() const;
+
+ private:
+  struct Workspace;
+  std::unique_ptr<Workspace> work_;
+};
+
+}  // namespace vegard::fit
