@@ -1,1 +1,54 @@
-int main() { return 0; }
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "apps/exit_code.h"
+#include "apps/params.h"
+#include "fit/version.h"
+#include "sim/base/error.h"
+#include "sim/version.h"
+
+namespace {
+
+using namespace vegard;
+
+std::string versions() {
+  return "vegard " + sim::version() + "\nCeres " + fit::ceres_version() + "\nOpenCV " +
+         fit::opencv_version() + "\nEigen " + sim::eigen_version();
+}
+
+int report(const std::string& message, int exit_code) {
+  std::fprintf(stderr, "vegard: %s\n", message.c_str());
+  return exit_code;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Simulates aurorae and fits them to photographs.", "vegard");
+  app.set_version_flag("--version", versions, "Print the versions of vegard and of its libraries");
+  int exit_code = apps::good;
+  apps::add_params_command(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // Help and version come this way too, as good ends.
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return report(std::string(error.what()) + " (see vegard --help)", apps::bad_usage);
+  }
+  // CLI11's own require_subcommand would hide a misspelt subcommand behind "a subcommand is required".
+  if (app.get_subcommands().empty()) return report("which subcommand? (see vegard --help)", apps::bad_usage);
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const sim::Error& error) {
+    return report(error.what(), apps::exit_code_of(error.kind()));
+  } catch (const std::exception& error) {
+    return report(std::string("internal error: ") + error.what(), apps::internal_error);
+  }
+}

@@ -1,7 +1,8 @@
 // The one table that names every parameter of a scene.
 //
-// From one row come: the TOML key, `--set path=value`, the limits check, `vegard params`, the documentation page
-// docs/parameters.md, and the fit's free parameter with its transform and its unit in reports.
+// From one row come: the TOML key, `--set path=value`, the limits check, `vegard params`, the documentation
+// page docs/parameters.md, and the fit's free parameter with its transform and its unit in reports. The rows
+// themselves stand in parameter_declarations.cpp; the few keys that are not rows, in alternative_forms.h.
 #pragma once
 
 #include <string>
@@ -11,24 +12,27 @@
 
 namespace vegard::sim {
 
-enum class ParameterKind { real, integer, text };
+enum class ParameterKind { real, integer, boolean, text };
 
-/// How a real parameter is stepped and transformed when it is free.
+/// How a real parameter is stepped and transformed when it is free. An angle is periodic: its limits only
+/// keep nonsense out and lie several turns apart.
 enum class ParameterScale { linear, logarithmic, angle };
 
-/// One row: a scalar, or one component of a vector ("sheet", "center_km", "east").
+/// One row: a scalar, or one component of a vector ("sheet", "center_km", "east"). A vector whose length the
+/// scene decides (emission.lines, blur.width_deg) is one row for all its components, with a component such as
+/// "<line>".
 struct ParameterRow {
-  std::string table;                 ///< "sheet"; empty for a key of the file itself ("seed")
-  std::string key;                   ///< "center_km"
-  std::string component;             ///< "east", or empty for a scalar
+  std::string table;      ///< "sheet"; empty for a key of the file itself ("seed")
+  std::string key;        ///< "center_km"
+  std::string component;  ///< "east", or empty for a scalar
   ParameterKind kind = ParameterKind::real;
-  std::string unit;                  ///< "km"; empty if it has none
-  std::string default_text;          ///< as one would write it in TOML
+  std::string unit;          ///< "km"; empty if it has none
+  std::string default_text;  ///< as one would write it in TOML; of a vector of free length, the whole vector
   double min = 0.0, max = 0.0;       ///< hard limits of a number, inclusive; +-infinity where there is none
   std::vector<std::string> choices;  ///< of a text; empty: any
   ParameterScale scale = ParameterScale::linear;
-  bool can_be_free = false;          ///< continuous, and the simulator has its derivative
-  std::string meaning;               ///< one line
+  bool can_be_free = false;  ///< continuous, and the simulator has its derivative
+  std::string meaning;       ///< one line
 };
 
 /// A row applied to one scene: which sheet it means.
@@ -39,27 +43,40 @@ struct ParameterPath {
   std::string text;   ///< "sheet.main.center_km.east"
 };
 
+/// In the order of a scene file. The rows live as long as the program.
 const std::vector<ParameterRow>& parameter_table();
 
-/// All paths that `path` names in this scene; a path to a vector gives one per component.
-/// Throws Error(scene) that names the nearest known path.
+/// How a row is called where no scene is at hand: "camera.width", "sheet.<name>.center_km.east".
+std::string path_pattern(const ParameterRow& row);
+
+/// The limits or choices in words, without the unit: "0.1 to 170", "at least 0", "\"srgb\" or \"linear\"".
+std::string limits_text(const ParameterRow& row);
+
+/// All paths that `path` names in this scene; a path to a vector gives one per component. `sheet.energy_kev`
+/// without a name is understood where there is exactly one sheet. Throws Error(scene) that names the nearest
+/// known path.
 std::vector<ParameterPath> resolve(const Scene& scene, const std::string& path);
 
-/// Every path of this scene, in the order of the table.
+/// Every path of this scene, in the order of the table; the sheets follow each other.
 std::vector<ParameterPath> all_paths(const Scene& scene);
 
-/// Where a real parameter lives inside `scene` (the identity by which the simulator recognises a free parameter).
+/// Where a real parameter lives inside `scene` (the identity by which the simulator recognises a free
+/// parameter). The path must have been resolved in a scene with the same sheets and lines.
 double* real_value(Scene& scene, const ParameterPath& path);
 const double* real_value(const Scene& scene, const ParameterPath& path);
 
 /// The value as TOML text.
 std::string value_text(const Scene& scene, const ParameterPath& path);
 
-/// Sets one path from TOML text ("3.5", "\"smpte-c\"", "[1.0, 2.0]"); a bare word is taken as a text. Checks type and
-/// limits; throws Error(scene) with `path` as its key.
+/// Sets one path from TOML text ("3.5", "\"smpte-c\"", "[1.0, 2.0]"); a bare word is taken as a text. Checks
+/// type and limits of what is set; throws Error(scene) with `path` (or its component) as its key and leaves
+/// the scene as it was. What several values must agree on (names of sheets, fit.free, fit.roi_px) is left to
+/// validate() after the last of a series. `path` may also be fit.free. A line that stays in a new
+/// emission.lines keeps its blur.
 void set_from_text(Scene& scene, const std::string& path, const std::string& text);
 
-/// Checks a whole scene: limits, finite numbers, choices, unique sheet names, lengths of vectors. Throws Error(scene).
+/// Checks a whole scene: limits, finite numbers, choices, unique sheet names, lengths of vectors, fit.free.
+/// Throws Error(scene) with the scene's file.
 void validate(const Scene& scene);
 
 }  // namespace vegard::sim

@@ -71,8 +71,8 @@ struct Emission {
 };
 
 struct Blur {
-  std::vector<double> width_deg;  ///< standard deviation per line, in the order of Emission::lines
-  std::string kernel = "full";    ///< "full" (untruncated) or "paper" (truncated as in the paper)
+  std::vector<double> width_deg = {0.43, 0.18, 0.0};  ///< standard deviation per line, in the order of Emission::lines
+  std::string kernel = "full";                        ///< "full" (untruncated) or "paper" (truncated as in the paper)
 };
 
 struct Film {

@@ -1,0 +1,33 @@
+// What `vegard` tells the shell. The numbers are documented and part of the interface.
+#pragma once
+
+#include "sim/base/error.h"
+
+namespace vegard::apps {
+
+enum ExitCode : int {
+  good = 0,
+  internal_error = 1,  ///< a fault of vegard itself or of the machine: no memory, an exception nobody foresaw
+  bad_usage = 2,       ///< wrong words on the command line, a bad scene, an output that exists
+  unreadable_input = 3,   ///< a photograph, mask, scene or table that cannot be read
+  not_converged = 4,      ///< the fit did not converge
+  doubted = 5,            ///< the fit converged to an answer that the verdict doubts
+  unwritable_output = 6,  ///< an output that cannot be written
+  interrupted = 130,      ///< Ctrl-C
+};
+
+inline ExitCode exit_code_of(sim::ErrorKind kind) {
+  switch (kind) {
+    case sim::ErrorKind::usage:
+    case sim::ErrorKind::scene:
+    case sim::ErrorKind::existing_output:
+      return bad_usage;
+    case sim::ErrorKind::unreadable_input:
+      return unreadable_input;
+    case sim::ErrorKind::unwritable_output:
+      return unwritable_output;
+  }
+  return internal_error;
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,209 @@
+#include "apps/params.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/exit_code.h"
+#include "sim/scene/alternative_forms.h"
+#include "sim/scene/parameter_table.h"
+#include "sim/scene/scene_toml.h"
+
+namespace vegard::apps {
+namespace {
+
+constexpr std::size_t columns = 6;
+using Line = std::array<std::string, columns>;
+
+/// Characters, not bytes: "mW m⁻²" is six wide.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string aligned(const std::vector<Line>& lines) {
+  std::array<std::size_t, columns> widths{};
+  for (const Line& line : lines) {
+    for (std::size_t c = 0; c < columns; ++c) widths[c] = std::max(widths[c], width_of(line[c]));
+  }
+  std::string text;
+  for (const Line& line : lines) {
+    std::string row;
+    for (std::size_t c = 0; c < columns; ++c) {
+      row += line[c];
+      if (c + 1 < columns) row += std::string(widths[c] - width_of(line[c]) + 2, ' ');
+    }
+    row.erase(row.find_last_not_of(' ') + 1);
+    text += row + "\n";
+  }
+  return text;
+}
+
+std::string key_path_of(const sim::FileKey& key) {
+  if (key.table == "sheet") return "sheet.<name>." + key.key;
+  return key.table + "." + key.key;
+}
+
+void append_file_keys(std::vector<Line>& lines) {
+  lines.push_back({});
+  lines.push_back({"in scene files only", "", "unit", "", "", ""});
+  for (const sim::FileKey& key : sim::all_file_keys()) {
+    lines.push_back({key_path_of(key), "", key.unit, key.type, "", key.meaning});
+  }
+}
+
+/// In Markdown a bar ends a cell and "<name>" would be a tag.
+std::string cell(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '|')
+      escaped += "\\|";
+    else if (c == '<')
+      escaped += "&lt;";
+    else
+      escaped += c;
+  }
+  return escaped;
+}
+
+std::string code(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }
+
+std::string scale_word(const sim::ParameterRow& row) {
+  if (!row.can_be_free) return "";
+  switch (row.scale) {
+    case sim::ParameterScale::linear:
+      return "linear";
+    case sim::ParameterScale::logarithmic:
+      return "logarithmic";
+    case sim::ParameterScale::angle:
+      return "angle";
+  }
+  return "";
+}
+
+/// A vector is one line of the page: its components' names, and their defaults together.
+std::string table_of_page(const std::string& table) {
+  std::string text = "\n| key | unit | default | limits | free | meaning |\n|---|---|---|---|---|---|\n";
+  const auto& rows = sim::parameter_table();
+  for (std::size_t i = 0; i < rows.size();) {
+    const sim::ParameterRow& row = rows[i];
+    std::string names, defaults;
+    std::size_t end = i;
+    for (; end < rows.size() && rows[end].table == row.table && rows[end].key == row.key; ++end) {
+      names += (end > i ? ", " : "") + rows[end].component;
+      defaults += (end > i ? ", " : "") + rows[end].default_text;
+    }
+    i = end;
+    if (row.table != table) continue;
+    const bool is_fixed_vector = names.find(',') != std::string::npos;
+    const std::string key = is_fixed_vector ? code(row.key) + " (" + names + ")" : code(row.key);
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", key, row.unit,
+                        code(is_fixed_vector ? "[" + defaults + "]" : defaults), cell(sim::limits_text(row)),
+                        scale_word(row), cell(row.meaning));
+  }
+  return text;
+}
+
+void print(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
+  sim::ErrorDetails details;
+  details.problem = "the listing cannot be written to the standard output";
+  throw sim::Error(sim::ErrorKind::unwritable_output, details);
+}
+
+}  // namespace
+
+std::string parameter_listing(const std::string& scene_file) {
+  std::vector<Line> lines;
+  const auto add = [&](const std::string& path, const std::string& value, const sim::ParameterRow& row,
+                       const std::string& free) {
+    lines.push_back({path, value, row.unit, sim::limits_text(row), free, row.meaning});
+  };
+  if (scene_file.empty()) {
+    lines.push_back({"path", "default", "unit", "limits", "free", "meaning"});
+    for (const sim::ParameterRow& row : sim::parameter_table()) {
+      add(sim::path_pattern(row), row.default_text, row, row.can_be_free ? "can be" : "");
+    }
+  } else {
+    const sim::Scene scene = sim::read_scene(scene_file);
+    std::set<std::string> fitted;
+    for (const sim::FreeParameter& free : scene.fit.free) {
+      for (const sim::ParameterPath& path : sim::resolve(scene, free.path)) fitted.insert(path.text);
+    }
+    lines.push_back({"path", "value", "unit", "limits", "free", "meaning"});
+    for (const sim::ParameterPath& path : sim::all_paths(scene)) {
+      const bool is_fitted = fitted.count(path.text) > 0;
+      add(path.text, sim::value_text(scene, path), *path.row,
+          is_fitted               ? "yes"
+          : path.row->can_be_free ? "can be"
+                                  : "");
+    }
+  }
+  append_file_keys(lines);
+  return aligned(lines);
+}
+
+std::string parameter_page() {
+  std::string text =
+      "# Parameters\n\n"
+      "This page is the output of `vegard params --markdown`; a test compares the two.\n\n"
+      "A scene is a TOML file; every key may be left out and then has the default named here. A table of the "
+      "file is\n"
+      "a section of this page; `[[sheet]]` may stand any number of times, also never (a dark sky). The same "
+      "values are\n"
+      "reached by a path: `camera.width`, `sheet.main.energy_kev` with the sheet's name in the middle (it "
+      "may be left\n"
+      "out where there is only one sheet), `sheet.main.center_km.east` for a component of a vector. Paths "
+      "are what\n"
+      "`--set path=value`, `[fit] free` and the reports use. *Free* says on which scale a fit moves a "
+      "parameter that\n"
+      "may be free; the others cannot be. Limits are inclusive. An integer may stand where a number is "
+      "expected, but\n"
+      "`3.0` is no integer.\n";
+  std::string table = "\n";  // no table's name, so that the first row begins a section
+  for (const sim::ParameterRow& row : sim::parameter_table()) {
+    if (row.table == table) continue;
+    table = row.table;
+    const std::string title = table == "sheet" ? "`[[sheet]]`" : "`[" + table + "]`";
+    text += "\n## " + (table.empty() ? "Top of the file" : title) + "\n" + table_of_page(table);
+  }
+  text +=
+      "\n## Alternative forms\n\n"
+      "Keys that only a scene file knows. Two that stand for others come together and never beside those "
+      "others;\n"
+      "they are turned into them on reading, so `--set` and written scenes know the others only.\n\n"
+      "| key | unit | value | meaning |\n|---|---|---|---|\n";
+  for (const sim::FileKey& key : sim::all_file_keys()) {
+    text += fmt::format("| {} | {} | {} | {} |\n", code(key_path_of(key)), key.unit, cell(key.type),
+                        cell(key.meaning));
+  }
+  return text;
+}
+
+int run_params(const std::string& scene_file, bool as_markdown) {
+  print(as_markdown ? parameter_page() : parameter_listing(scene_file));
+  return good;
+}
+
+void add_params_command(CLI::App& app, int& exit_code) {
+  struct Options {
+    std::string scene_file;
+    bool as_markdown = false;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("params", "List every parameter: path, unit, default or value, limits, meaning");
+  CLI::Option* scene =
+      command->add_option("SCENE", options->scene_file, "Show the values of this scene file");
+  command->add_flag("--markdown", options->as_markdown, "Print the documentation page instead")
+      ->excludes(scene);
+  command->callback(
+      [options, &exit_code] { exit_code = run_params(options->scene_file, options->as_markdown); });
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,25 @@
+// Which emission lines a scene may name, and the blur that belongs to each.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/scene/scene.h"
+
+namespace vegard::sim {
+
+/// Wavelengths in nm that the emission tables offer, ascending. Read from the head of the embedded
+/// ver_maxwellian.csv, so that a table with one more column needs no change here.
+const std::vector<double>& known_emission_lines_nm();
+
+/// Standard deviation in degrees that a line gets if the scene says nothing: that of a default Scene for its
+/// own lines, none for the others, which are all short-lived.
+double default_blur_width_deg(double line_nm);
+
+/// Sets the lines; a line that stays keeps its blur, a new one gets the default.
+void change_lines(Scene& scene, const std::vector<double>& lines_nm);
+
+/// How a line is called in a path: its wavelength in angstrom, "6300".
+std::string line_name(double line_nm);
+
+}  // namespace vegard::sim

@@ -1,0 +1,92 @@
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "sim/base/error.h"
+#include "sim/scene/parameter_declarations.h"
+#include "sim/scene/parameter_table.h"
+#include "sim/scene/value_check.h"
+#include "sim/scene/value_words.h"
+
+namespace vegard::sim {
+namespace {
+
+std::vector<ParameterPath> resolve_at(const Scene& scene, const FreeParameter& free) {
+  try {
+    return resolve(scene, free.path);
+  } catch (const Error& error) {
+    ErrorDetails details = error.details();
+    details.file = scene.file;
+    details.line = free.line;
+    throw Error(error.kind(), details);
+  }
+}
+
+/// Start, min and max of one scalar. A logarithmic parameter cannot start from or end at 0.
+void check_numbers(const Scene& scene, const FreeParameter& free, const ParameterPath& path) {
+  const Declaration& d = declaration_of(*path.row);
+  const Origin origin{scene.file, free.line, path.text};
+  const auto check = [&](const char* what, double number) {
+    std::optional<Complaint> complaint = number_complaint(d, number);
+    if (!complaint && d.scale == ParameterScale::logarithmic && number <= 0.0) {
+      complaint = Complaint{real_text(number) + " has no logarithm, on whose scale this parameter is fitted",
+                            "a number above 0", ""};
+    }
+    if (!complaint) return;
+    complaint->problem = std::string(what) + ": " + complaint->problem;
+    complain(*complaint, origin);
+  };
+  if (free.min) check("min", *free.min);
+  if (free.max) check("max", *free.max);
+  const double start = free.start.value_or(*real_value(scene, path));
+  check(free.start ? "start" : "start (the scene's value)", start);
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const double min = free.min.value_or(-infinite), max = free.max.value_or(infinite);
+  if (min >= max)
+    complain({"min " + real_text(min) + " is not below max " + real_text(max), "min < max", ""}, origin);
+  if (start < min || start > max) {
+    complain(
+        {(free.start ? "start " : "the scene's value ") + real_text(start) + " is not between min and max",
+         "min <= start <= max", free.start ? "" : "give a start or change the value itself"},
+        origin);
+  }
+}
+
+void check_prior(const Scene& scene, const FreeParameter& free) {
+  if (!free.prior) return;
+  const Origin origin{scene.file, free.line, free.path};
+  if (!std::isfinite(free.prior->mean)) {
+    complain(
+        {"prior: the mean " + real_text(free.prior->mean) + " is no usable number", "a finite number", ""},
+        origin);
+  }
+  if (!(std::isfinite(free.prior->sigma) && free.prior->sigma > 0.0)) {
+    complain({"prior: the sigma " + real_text(free.prior->sigma) + " is no width", "a number above 0", ""},
+             origin);
+  }
+}
+
+}  // namespace
+
+void check_free_parameters(const Scene& scene) {
+  std::map<std::string, const FreeParameter*> owners;
+  for (const FreeParameter& free : scene.fit.free) {
+    for (const ParameterPath& path : resolve_at(scene, free)) {
+      const Origin origin{scene.file, free.line, path.text};
+      if (!path.row->can_be_free) {
+        complain({"this parameter cannot be free", "one that `vegard params` lists as free", ""}, origin);
+      }
+      const auto [owner, is_first] = owners.emplace(path.text, &free);
+      if (!is_first) {
+        complain({"free twice, first as '" + owner->second->path + "'" +
+                      (owner->second->line > 0 ? " in line " + std::to_string(owner->second->line) : ""),
+                  "each parameter once", ""},
+                 origin);
+      }
+      check_numbers(scene, free, path);
+    }
+    check_prior(scene, free);
+  }
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,214 @@
+#include "sim/scene/parameter_declarations.h"
+
+#include <utility>
+
+#include "sim/scene/emission_lines.h"
+#include "sim/scene/parameter_rules.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+// The component of a member: the member itself if it is a scalar.
+template <class T>
+ValueRef component_of(T& scalar, int) {
+  return &scalar;
+}
+ValueRef component_of(EastNorth& point, int c) { return c == 0 ? &point.east : &point.north; }
+ValueRef component_of(std::vector<double>& list, int c) { return &list.at(c); }
+template <class T, std::size_t n>
+ValueRef component_of(std::array<T, n>& array, int c) {
+  return &array.at(c);
+}
+
+/// Builds a Declaration step by step, so that each row below reads as one sentence.
+class Row {
+ public:
+  template <class Value>
+  Row(std::string key, Value Scene::*value) {
+    d_.key = std::move(key);
+    d_.at = [=](Scene& scene, int, int c) { return component_of(scene.*value, c); };
+  }
+
+  template <class Table, class Value>
+  Row(std::string table, std::string key, Table Scene::*in, Value Table::*value) {
+    d_.table = std::move(table);
+    d_.key = std::move(key);
+    d_.at = [=](Scene& scene, int, int c) { return component_of(scene.*in.*value, c); };
+    if constexpr (std::is_same_v<Value, std::vector<double>>) {
+      d_.list = [=](const Scene& scene) -> const std::vector<double>& { return scene.*in.*value; };
+      d_.set_list = [=](Scene& scene, const std::vector<double>& list) { scene.*in.*value = list; };
+    }
+  }
+
+  template <class Value>
+  Row(std::string key, Value Sheet::*value) {
+    d_.table = sheet_table;
+    d_.key = std::move(key);
+    d_.at = [=](Scene& scene, int sheet, int c) { return component_of(scene.sheets.at(sheet).*value, c); };
+  }
+
+  Row& means(std::string meaning) { return d_.meaning = std::move(meaning), *this; }
+  Row& in(std::string unit) { return d_.unit = std::move(unit), *this; }
+  Row& from(double min) { return d_.min = min, *this; }
+  Row& within(double min, double max) { return d_.min = min, d_.max = max, *this; }
+  Row& one_of(std::vector<std::string> choices) { return d_.choices = std::move(choices), *this; }
+  Row& of(std::vector<std::string> components) { return d_.components = std::move(components), *this; }
+  Row& may_be_free(ParameterScale scale) { return d_.scale = scale, d_.can_be_free = true, *this; }
+  Row& rule(std::optional<Complaint> (*check)(double)) { return d_.number_rule = check, *this; }
+  Row& rule(std::optional<Complaint> (*check)(const std::string&)) { return d_.text_rule = check, *this; }
+  Row& list_rule(std::optional<Complaint> (*check)(const Scene&, const std::vector<double>&)) {
+    return d_.list_rule = check, *this;
+  }
+  Row& set_by(void (*set)(Scene&, const std::vector<double>&)) { return d_.set_list = set, *this; }
+  Row& named_by(std::string (*name)(const Scene&, int)) { return d_.list_component = name, *this; }
+
+  operator Declaration() const { return d_; }
+
+ private:
+  Declaration d_;
+};
+
+std::string index_name(const Scene&, int index) { return std::to_string(index); }
+
+std::string name_by_line(const Scene& scene, int index) {
+  const auto& lines = scene.emission.lines;
+  return index < static_cast<int>(lines.size()) ? line_name(lines[index]) : std::to_string(index);
+}
+
+std::vector<Declaration> declare() {
+  constexpr auto linear = ParameterScale::linear;
+  constexpr auto logarithmic = ParameterScale::logarithmic;
+  constexpr auto angle = ParameterScale::angle;
+  // clang-format off
+  return {
+      Row("seed", &Scene::seed).from(0).means("seed of all random numbers"),
+
+      Row("site", "latitude_deg", &Scene::site, &Site::latitude_deg).in("deg").within(-90, 90)
+          .means("geographic latitude of the observer, north positive"),
+      Row("site", "longitude_deg", &Scene::site, &Site::longitude_deg).in("deg").within(-180, 360)
+          .means("geographic longitude of the observer, east positive"),
+      Row("site", "altitude_m", &Scene::site, &Site::altitude_m).in("m").within(-500, 50000)
+          .means("altitude of the observer above the sphere of the Earth"),
+      Row("site", "time_utc", &Scene::site, &Site::time_utc).rule(time_complaint)
+          .means("when, in ISO 8601 such as \"2019-09-01T05:00:00Z\"; empty if unknown; goes into file headers"),
+
+      Row("field", "inclination_deg", &Scene::field, &Field::inclination_deg).in("deg").within(-90, 90)
+          .rule(inclination_complaint).may_be_free(linear)
+          .means("inclination of the magnetic field, below the horizon in the north; at least 20 from the horizontal"),
+      Row("field", "declination_deg", &Scene::field, &Field::declination_deg).in("deg").within(-180, 180).may_be_free(linear)
+          .means("declination of the magnetic field, from north to the east"),
+
+      Row("camera", "model", &Scene::camera, &Camera::model).one_of({"pinhole"}).means("projection"),
+      Row("camera", "width", &Scene::camera, &Camera::width).in("px").within(1, 65535).means("width of the image"),
+      Row("camera", "height", &Scene::camera, &Camera::height).in("px").within(1, 65535).means("height of the image"),
+      Row("camera", "hfov_deg", &Scene::camera, &Camera::hfov_deg).in("deg").within(0.1, 170).may_be_free(linear)
+          .means("horizontal field of view"),
+      Row("camera", "azimuth_deg", &Scene::camera, &Camera::azimuth_deg).in("deg").within(-720, 720).may_be_free(angle)
+          .means("azimuth of the line of sight, from north to the east"),
+      Row("camera", "elevation_deg", &Scene::camera, &Camera::elevation_deg).in("deg").within(-90, 90).may_be_free(linear)
+          .means("elevation of the line of sight above the horizon"),
+      Row("camera", "roll_deg", &Scene::camera, &Camera::roll_deg).in("deg").within(-180, 180).may_be_free(linear)
+          .means("roll of the camera, clockwise as the observer sees it"),
+
+      Row("name", &Sheet::name).rule(sheet_name_complaint).means("by which paths call the sheet"),
+      Row("center_km", &Sheet::center_km).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(linear)
+          .means("middle between start and end, of the feet at 110 km altitude"),
+      Row("bearing_deg", &Sheet::bearing_deg).in("deg").within(-720, 720).may_be_free(angle)
+          .means("direction from start to end, from north to the east"),
+      Row("length_km", &Sheet::length_km).in("km").within(0.1, 5000).may_be_free(logarithmic)
+          .means("distance from start to end"),
+      Row("thickness_km", &Sheet::thickness_km).in("km").within(0.01, 100).may_be_free(logarithmic)
+          .means("amplitude of the sine (1 to 10 in nature)"),
+      Row("wavelength_km", &Sheet::wavelength_km).in("km").within(1, 5000).may_be_free(logarithmic)
+          .means("wavelength of the sine"),
+      Row("phase_rad", &Sheet::phase_rad).in("rad").within(-8 * pi, 8 * pi).may_be_free(angle)
+          .means("phase of the first layer's sine, counted from the start"),
+      Row("phase_shift_rad", &Sheet::phase_shift_rad).in("rad").within(-2 * pi, 2 * pi).may_be_free(linear)
+          .means("phase from the first layer to the last"),
+      Row("layers", &Sheet::layers).within(1, 100).means("number of sine curves in the sheet"),
+      Row("width_km", &Sheet::width_km).in("km").within(0.01, 100).may_be_free(logarithmic)
+          .means("standard deviation of a layer's Gaussian cross-section"),
+      Row("beams", &Sheet::beams).within(1, 10000000).means("number of electron beams in each layer"),
+      Row("energy_kev", &Sheet::energy_kev).in("keV").within(0.1, 20).may_be_free(logarithmic)
+          .means("characteristic energy E0 of the Maxwellian electrons; their mean energy is twice that"),
+      Row("energy_flux_mw_m2", &Sheet::energy_flux_mw_m2).in("mW m⁻²").within(0, 10000).may_be_free(logarithmic)
+          .means("energy flux Q, at its peak across a layer"),
+      Row("path_spread", &Sheet::path_spread).within(0, 1).may_be_free(linear)
+          .means("largest random shortening of a beam, as a fraction of its path"),
+      Row("loss_cone_deg", &Sheet::loss_cone_deg).in("deg").within(0, 30).may_be_free(linear)
+          .means("pitch angle at the lower end of the path"),
+      Row("pitch_step_rad", &Sheet::pitch_step_rad).in("rad").within(0, 0.5).may_be_free(linear)
+          .means("how much smaller the pitch angle is at the upper end"),
+      Row("pitch_law", &Sheet::pitch_law).one_of({"reduced", "product"})
+          .means("reading of the paper's equation (4): αD − Δα(1 − t), or literally αD·t·Δα"),
+      Row("path_step", &Sheet::path_step).within(1e-5, 0.5)
+          .means("largest step between two deflections, as a fraction of the path"),
+      Row("top_km", &Sheet::top_km).in("km").within(150, 640).means("altitude at which a beam starts"),
+      Row("spacing_jitter", &Sheet::spacing_jitter).within(0, 0.999)
+          .means("random shift of the beams along the sheet, as a fraction of their spacing"),
+      Row("spacing_rule", &Sheet::spacing_rule).one_of({"tied", "literal"})
+          .means("whether a beam's phase follows its jittered place, or as in the paper does not"),
+
+      Row("emission", "lines", &Scene::emission, &Emission::lines).of({"<n>"}).named_by(index_name).in("nm")
+          .rule(line_complaint).list_rule(lines_complaint).set_by(change_lines)
+          .means("wavelengths of the emission lines"),
+
+      Row("blur", "width_deg", &Scene::blur, &Blur::width_deg).of({"<line>"}).named_by(name_by_line).in("deg")
+          .within(0, 10).list_rule(blur_complaint).may_be_free(logarithmic)
+          .means("standard deviation per emission line, in the order of emission.lines; a component is "
+                 "called by its line's wavelength in ångström, such as blur.width_deg.6300"),
+      Row("blur", "kernel", &Scene::blur, &Blur::kernel).one_of({"full", "paper"})
+          .means("shape of the blur: untruncated, or truncated as in the paper"),
+
+      Row("film", "splat", &Scene::film, &Film::splat).one_of({"bilinear", "nearest"})
+          .means("how a point falls on the pixels; the paper's is nearest"),
+      Row("film", "weight", &Scene::film, &Film::weight).one_of({"rayleigh", "unit"})
+          .means("what a point adds: rayleighs, or as in the paper each the same"),
+
+      Row("sensor", "primaries", &Scene::sensor, &Sensor::primaries).one_of({"srgb", "smpte-c"})
+          .means("colour primaries of the image"),
+      Row("sensor", "gain_per_kilorayleigh", &Scene::sensor, &Sensor::gain_per_kilorayleigh).within(1e-9, 1e6)
+          .means("linear sensor value (white = 1) of the luminance of 1 kR of 557.7 nm"),
+
+      Row("sky", "level", &Scene::sky, &Sky::level).of({"red", "green", "blue"}).within(-10, 10)
+          .means("light behind the aurora at half the image's height, linear sensor value"),
+      Row("sky", "gradient", &Scene::sky, &Sky::gradient).of({"red", "green", "blue"}).within(-10, 10)
+          .means("how much brighter the sky is at the image's bottom than at its top, linear sensor value"),
+
+      Row("fit", "roi_px", &Scene::fit, &Fit::roi_px).of({"x", "y", "width", "height"}).in("px").within(0, 65535)
+          .means("region of interest; all zero: the whole image"),
+      Row("fit", "bands", &Scene::fit, &Fit::bands).within(1, 65535)
+          .means("number of equal column strips of the region of interest"),
+      Row("fit", "band_brightness", &Scene::fit, &Fit::band_brightness)
+          .means("whether each band has a brightness of its own (rays are uneven)"),
+      Row("fit", "white_balance_known", &Scene::fit, &Fit::white_balance_known)
+          .means("if false, each channel has a gain of its own and colour says nothing about the energy"),
+      Row("fit", "decoding", &Scene::fit, &Fit::decoding).one_of({"auto", "srgb", "linear"})
+          .means("how the photograph's numbers become linear light"),
+      Row("fit", "model_error", &Scene::fit, &Fit::model_error).within(0, 1)
+          .means("unmodelled structure, as a fraction of the local brightness"),
+      Row("fit", "scan_points", &Scene::fit, &Fit::scan_points).within(0, 1000000)
+          .means("trials of the periodic parameters before the descent; 0: none"),
+      Row("fit", "scan_descents", &Scene::fit, &Fit::scan_descents).within(0, 10000)
+          .means("how many of the trials are followed downhill"),
+  };
+  // clang-format on
+}
+
+}  // namespace
+
+const std::vector<Declaration>& declarations() {
+  static const std::vector<Declaration> all = declare();
+  return all;
+}
+
+const Declaration* find_declaration(const std::string& table, const std::string& key) {
+  for (const Declaration& d : declarations()) {
+    if (d.table == table && d.key == key) return &d;
+  }
+  return nullptr;
+}
+
+}  // namespace vegard::sim

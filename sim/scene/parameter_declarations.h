@@ -1,0 +1,81 @@
+// The declarations behind parameter_table(): each row's words and limits together with its place inside a
+// Scene.
+//
+// For the files of this folder only; everyone else sees ParameterRow.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/scene/parameter_table.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::sim {
+
+/// The one table that a scene may hold several times.
+inline const char* const sheet_table = "sheet";
+
+/// What is wrong with a value, before anyone knows in which file it stands.
+struct Complaint {
+  std::string problem, expected, hint;
+};
+
+/// A parameter's place. Which alternative it holds decides the row's kind.
+using ValueRef = std::variant<double*, int*, std::uint64_t*, bool*, std::string*>;
+
+/// One key of one table: a scalar or a whole vector.
+struct Declaration {
+  std::string table, key, unit, meaning;
+  std::vector<std::string> components;  ///< names of a vector's components, empty for a scalar
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  std::vector<std::string> choices;
+  ParameterScale scale = ParameterScale::linear;
+  bool can_be_free = false;
+
+  /// `sheet` is read by the table "sheet" only.
+  std::function<ValueRef(Scene&, int sheet, int component)> at;
+
+  /// Only for a vector whose length the scene decides; `components` then holds one placeholder.
+  std::function<const std::vector<double>&(const Scene&)> list;
+  std::function<void(Scene&, const std::vector<double>&)> set_list;
+  std::function<std::optional<Complaint>(const Scene&, const std::vector<double>&)> list_rule;
+  std::function<std::string(const Scene&, int)> list_component;
+
+  /// What limits and choices cannot say.
+  std::function<std::optional<Complaint>(double)> number_rule;
+  std::function<std::optional<Complaint>(const std::string&)> text_rule;
+
+  bool is_in_sheet() const { return table == sheet_table; }
+};
+
+/// In the order of a scene file.
+const std::vector<Declaration>& declarations();
+
+/// The declaration that made this row of parameter_table().
+const Declaration& declaration_of(const ParameterRow& row);
+
+/// The first row that this declaration made.
+const ParameterRow& first_row_of(const Declaration& declaration);
+
+/// The declaration of a table's key, or null.
+const Declaration* find_declaration(const std::string& table, const std::string& key);
+
+/// How many components the value has in this scene: 1 for a scalar.
+int component_count(const Declaration& declaration, const Scene& scene);
+
+/// "sheet.main.center_km", the path of the whole key.
+std::string key_path(const Declaration& declaration, const Scene& scene, int sheet);
+
+/// Inserts the name of the only sheet where a path such as "sheet.energy_kev" leaves it out.
+std::string with_sheet_name(const Scene& scene, const std::string& path);
+
+/// The whole value as TOML text: of a vector, "[0.0, 200.0]".
+std::string key_text(const Declaration& declaration, const Scene& scene, int sheet);
+
+}  // namespace vegard::sim

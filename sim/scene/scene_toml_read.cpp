@@ -1,0 +1,273 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include <toml++/toml.h>
+
+#include "sim/base/error.h"
+#include "sim/scene/alternative_forms.h"
+#include "sim/scene/free_entry_keys.h"
+#include "sim/scene/free_parameters_toml.h"
+#include "sim/scene/nearest_name.h"
+#include "sim/scene/parameter_declarations.h"
+#include "sim/scene/scene_toml.h"
+#include "sim/scene/toml_value.h"
+#include "sim/scene/value_words.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr std::size_t max_bytes = 16 << 20;
+
+/// Keys that a table knows, in the order of the declarations. The file itself is the table "".
+std::vector<std::string> known_keys(const std::string& table) {
+  std::vector<std::string> keys;
+  for (const Declaration& d : declarations()) {
+    if (d.table == table) keys.push_back(d.key);
+  }
+  for (const FileKey& key : all_file_keys()) {
+    if (key.table == table) keys.push_back(key.key);
+  }
+  return keys;
+}
+
+std::vector<std::string> known_tables() {
+  std::vector<std::string> tables;
+  for (const Declaration& d : declarations()) {
+    if (!d.table.empty() && (tables.empty() || tables.back() != d.table)) tables.push_back(d.table);
+  }
+  return tables;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string title(const std::string& table) {
+  if (table.empty()) return "the top of the file";
+  return table == sheet_table ? "[[" + table + "]]" : "[" + table + "]";
+}
+
+/// Names the table where such a key lives, or the nearest key of this table, or a much nearer one elsewhere.
+std::string hint_for_key(const std::string& table, const std::string& key) {
+  std::vector<std::string> tables = known_tables();
+  tables.insert(tables.begin(), "");
+  for (const std::string& other : tables) {
+    if (other != table && contains(known_keys(other), key)) return "'" + key + "' belongs to " + title(other);
+  }
+  std::vector<std::string> here = known_keys(table);
+  if (table.empty()) here.insert(here.end(), tables.begin() + 1, tables.end());
+  if (is_near(key, nearest_name(key, here))) return nearest_hint(key, here);
+  for (const std::string& other : tables) {
+    const std::string nearest = nearest_name(key, known_keys(other));
+    if (is_near(key, nearest)) return "did you mean '" + nearest + "' of " + title(other) + "?";
+  }
+  return nearest_hint(key, here);
+}
+
+/// Reads one document. Lines of keys are kept for what only shows when all has been read.
+class Reader {
+ public:
+  Reader(Scene& scene, const toml::table& document) : scene_(scene), document_(document) {}
+
+  void read() {
+    refuse_unknown_keys("", document_, known_tables());
+    read_table("", -1, &document_);
+    for (const std::string& table : known_tables()) {
+      if (table == sheet_table) {
+        read_sheets();
+      } else {
+        read_table(table, -1, table_of(table));
+      }
+    }
+    check_whole();
+  }
+
+ private:
+  Origin origin(const toml::node& node, const std::string& key) const {
+    return {scene_.file, line_of(node), key};
+  }
+
+  /// The first unknown key of the file's order; toml++ keeps a table sorted by name.
+  void refuse_unknown_keys(const std::string& table, const toml::table& values,
+                           const std::vector<std::string>& also_known = {}) const {
+    const std::vector<std::string> known = known_keys(table);
+    const toml::key* first = nullptr;
+    for (const auto& [key, node] : values) {
+      const std::string name(key.str());
+      if (contains(known, name) || contains(also_known, name)) continue;
+      if (first == nullptr || key.source().begin < first->source().begin) first = &key;
+    }
+    if (first == nullptr) return;
+    const std::string name(first->str());
+    const std::string what =
+        values.get(name)->is_table() || values.get(name)->is_array_of_tables() ? "table" : "key";
+    complain({"unknown " + what + " '" + name + "'", "", hint_for_key(table, name)},
+             {scene_.file, static_cast<int>(first->source().begin.line),
+              table.empty() ? name : table + "." + name});
+  }
+
+  const toml::table* table_of(const std::string& name) const {
+    const toml::node* node = document_.get(name);
+    if (node == nullptr || node->is_table()) return node == nullptr ? nullptr : node->as_table();
+    complain({"found " + found_text(*node), "one table [" + name + "]", ""}, origin(*node, name));
+  }
+
+  void read_sheets() {
+    const std::string name = sheet_table;
+    const toml::node* node = document_.get(name);
+    if (node == nullptr) return;
+    const std::string expected = "an array of tables [[" + name + "]]";
+    const toml::array* sheets = node->as_array();
+    if (sheets == nullptr) {
+      complain({"found " + found_text(*node), expected, node->is_table() ? "write [[" + name + "]]" : ""},
+               origin(*node, name));
+    }
+    std::map<std::string, int> line_of_name;
+    for (const toml::node& element : *sheets) {
+      const toml::table* values = element.as_table();
+      if (values == nullptr) complain({"found " + found_text(element), expected, ""}, origin(element, name));
+      scene_.sheets.emplace_back();
+      const int index = static_cast<int>(scene_.sheets.size()) - 1;
+      read_table(name, index, values);
+      const std::string& sheet_name = scene_.sheets.back().name;
+      const auto [earlier, is_new] = line_of_name.emplace(sheet_name, line_of(element));
+      if (!is_new) {
+        complain(
+            {"two sheets are called '" + sheet_name + "', the first in line " +
+                 std::to_string(earlier->second),
+             "a name of its own for each sheet", "a sheet without a name is called '" + Sheet{}.name + "'"},
+            origin(element, name));
+      }
+    }
+  }
+
+  void read_table(const std::string& table, int sheet, const toml::table* values) {
+    if (values == nullptr) return;
+    if (!table.empty()) refuse_unknown_keys(table, *values);
+    for (const Declaration& d : declarations()) {
+      const toml::node* node = d.table == table ? values->get(d.key) : nullptr;
+      if (node == nullptr) continue;
+      const Origin where = origin(*node, key_path(d, scene_, sheet));
+      assign_key(scene_, d, sheet, *node, where);
+      lines_[key_path(d, scene_, sheet)] = where.line;
+    }
+    for (const AlternativeForm& form : alternative_forms()) {
+      if (form.keys.front().table == table) read_form(form, sheet, *values);
+    }
+    if (table == free_table) {
+      const toml::node* free = values->get(free_key);
+      if (free != nullptr) {
+        scene_.fit.free =
+            read_free_parameters(*free, origin(*free, std::string(free_table) + "." + free_key));
+      }
+    }
+  }
+
+  void read_form(const AlternativeForm& form, int sheet, const toml::table& values) {
+    const FileKey *given = nullptr, *missing = nullptr;
+    for (const FileKey& key : form.keys) (values.get(key.key) != nullptr ? given : missing) = &key;
+    if (given == nullptr) return;
+    const Origin where = origin(*values.get(given->key), given->table + "." + given->key);
+    if (missing != nullptr) {
+      complain({given->key + " needs " + missing->key + " beside it", "both or neither", ""}, where);
+    }
+    for (const std::string& key : form.replaces) {
+      if (values.get(key) == nullptr) continue;
+      complain(
+          {given->key + " and " + key + " say the same in two ways", "one of the two forms",
+           form.keys.front().key + " and " + form.keys.back().key + " stand for " + form.replaces_text()},
+          where);
+    }
+    std::vector<std::vector<double>> numbers;
+    for (const FileKey& key : form.keys) numbers.push_back(read_form_key(form, key, *values.get(key.key)));
+    if (const auto complaint = form.convert(scene_, sheet, numbers)) complain(*complaint, where);
+    for (const std::string& key : form.replaces) {
+      const Declaration& d = *find_declaration(given->table, key);
+      lines_[key_path(d, scene_, sheet)] = where.line;
+    }
+  }
+
+  std::vector<double> read_form_key(const AlternativeForm& form, const FileKey& key,
+                                    const toml::node& node) const {
+    const Origin where = origin(node, key.table + "." + key.key);
+    const std::vector<double> numbers = form.components.empty()
+                                            ? std::vector<double>{number_of(node, where, key.type)}
+                                            : numbers_of(node, form.components.size(), where, key.type);
+    for (const double number : numbers) {
+      if (number >= form.min && number <= form.max) continue;
+      complain({short_real_text(number) + " is outside the limits",
+                key.type + " from " + short_real_text(form.min) + " to " + short_real_text(form.max) + " (" +
+                    key.unit + ")",
+                ""},
+               where);
+    }
+    return numbers;
+  }
+
+  /// What only the whole scene shows, with the line of the key that it names.
+  void check_whole() const {
+    try {
+      validate(scene_);
+    } catch (const Error& error) {
+      ErrorDetails details = error.details();
+      for (std::string key = details.key; details.line == 0 && !key.empty();) {
+        const auto line = lines_.find(key);
+        if (line != lines_.end()) details.line = line->second;
+        const std::size_t dot = key.rfind('.');
+        key = dot == std::string::npos ? "" : key.substr(0, dot);
+      }
+      throw Error(error.kind(), details);
+    }
+  }
+
+  Scene& scene_;
+  const toml::table& document_;
+  std::map<std::string, int> lines_;
+};
+
+std::string read_text(const std::string& file) {
+  const auto fail = [&](const std::string& problem, const std::string& expected) {
+    ErrorDetails details;
+    details.problem = problem;
+    details.file = file;
+    details.expected = expected;
+    throw Error(ErrorKind::unreadable_input, details);
+  };
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) fail("is a directory", "a scene file");
+  if (!std::filesystem::exists(file, ignored)) fail("there is no such file", "a scene file");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) fail("cannot be opened", "a scene file that may be read");
+  // Asking a pipe or a device for its size says nothing: read, but not for ever.
+  std::string text(max_bytes + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (stream.bad()) fail("cannot be read", "a scene file");
+  if (text.size() > max_bytes) fail("is larger than 16 MB", "a scene file of a few kilobytes");
+  return text;
+}
+
+}  // namespace
+
+Scene parse_scene(const std::string& text, const std::string& name) {
+  Scene scene;
+  scene.file = name;
+  try {
+    const toml::table document = toml::parse(text, name);
+    Reader(scene, document).read();
+  } catch (const toml::parse_error& error) {
+    ErrorDetails details;
+    details.problem = std::string(error.description());
+    details.file = name;
+    details.line = static_cast<int>(error.source().begin.line);
+    details.expected = "a TOML file";
+    throw Error(ErrorKind::scene, details);
+  }
+  return scene;
+}
+
+Scene read_scene(const std::string& file) { return parse_scene(read_text(file), file); }
+
+}  // namespace vegard::sim

@@ -1,0 +1,33 @@
+// Checks of single values against their declaration, and of a scene as a whole.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/scene/parameter_declarations.h"
+
+namespace vegard::sim {
+
+/// Where a value stands, for messages.
+struct Origin {
+  std::string file;
+  int line = 0;
+  std::string key;
+};
+
+/// Throws Error(scene).
+[[noreturn]] void complain(const Complaint& complaint, const Origin& origin);
+
+/// What would be right, in words: "a number from 0.1 to 20 (keV)", "\"srgb\" or \"smpte-c\"".
+std::string expected_text(const Declaration& declaration);
+
+/// Not finite, outside the limits, or against the rule.
+std::optional<Complaint> number_complaint(const Declaration& declaration, double number);
+
+/// None of the choices, or against the rule.
+std::optional<Complaint> text_complaint(const Declaration& declaration, const std::string& text);
+
+/// Paths, limits and priors of fit.free. Throws Error(scene) with the scene's file and the entry's line.
+void check_free_parameters(const Scene& scene);
+
+}  // namespace vegard::sim
