@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 #include "fit/plot_axis.h"
 #include "fit/plot_canvas.h"
@@ -97,6 +99,10 @@ Layout lay_out(const Plot& plot) {
         {kEdge + kLeft + step_x * (i % layout.columns), layout.head + above + step_y * (i / layout.columns),
          static_cast<double>(plot.panel_width_px), static_cast<double>(plot.panel_height_px)});
   layout.size.width = kEdge + kLeft + step_x * (layout.columns - 1) + plot.panel_width_px + kEdge;
+  // A long title or note must not be cut off.
+  for (const auto& [text, text_size] :
+       {std::pair(plot.title, 1.08 * kTitleSize), std::pair(plot.note, kNoteSize)})
+    layout.size.width = std::max(layout.size.width, 2 * kEdge + std::ceil(text_width_px(text, text_size)));
   layout.size.height =
       layout.head + step_y * layout.rows + (plot.shared_axes ? kBelow - kBelowInside : 0) + 4;
   return layout;
@@ -342,9 +348,9 @@ double text_width_px(const std::string& text, double size_px) {
     const auto byte = static_cast<unsigned char>(c);
     if ((byte & 0xc0) == 0x80) continue;  // the rest of a UTF-8 character
     const std::string_view narrow = "iljtfrI.,:;|!'()[] ", wide = "mwMW%@";
-    ems += narrow.find(c) != std::string_view::npos ? 0.33
-           : wide.find(c) != std::string_view::npos ? 0.86
-                                                    : 0.57;
+    ems += narrow.find(c) != std::string_view::npos ? 0.37
+           : wide.find(c) != std::string_view::npos ? 0.96
+                                                    : 0.62;
   }
   return ems * size_px;
 }

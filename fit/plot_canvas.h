@@ -48,7 +48,8 @@ PlotSize plot_size(const Plot& plot);
 /// Draws all of it on a white ground of plot_size().
 void draw_plot(const Plot& plot, PlotCanvas& canvas);
 
-/// Roughly: the width of a text in a sans-serif face.
+/// Roughly: the width of a text in a sans-serif face, as wide as they come (DejaVu Sans), so that nothing is
+/// cut off.
 double text_width_px(const std::string& text, double size_px);
 
 }  // namespace vegard::fit
