@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,20 +15,29 @@ struct Photo {
   sim::Image linear;  ///< channels R, G, B; linear light, the file's largest value = 1
   std::vector<std::uint8_t>
       usable;             ///< per pixel and channel, as in linear.data: 1 = not clipped, not masked
-  std::string decoding;   ///< which decoding was used and why: "sRGB (8-bit JPEG)"
+  std::string decoding;   ///< which decoding was used and why: "sRGB (8-bit JPEG, assumed)"
+  bool srgb = true;       ///< that decoding: the sRGB curve, or none
   int bits = 8;           ///< per channel in the file
+  bool floating = false;  ///< the file holds floats: no largest value, no quantisation
   std::string file_name;  ///< without its folder
   std::string sha256;     ///< of the file's bytes
+  std::string mask_name;  ///< of the mask applied, without its folder; empty if none
+  std::string mask_sha256;
 };
 
-/// Reads JPEG, PNG or TIFF, 8 or 16 bit (TIFF: float too), through OpenCV, with the EXIF orientation
-/// honoured. automatic means sRGB for integer files and linear for float ones. A pixel at the file's largest
-/// value in a channel is clipped there and not usable. Throws sim::Error(unreadable_input) for a file that is
-/// missing, truncated, of zero size or no image at all (OpenCV hands back a full picture for a truncated
-/// JPEG: the file's end is checked first).
+/// Reads JPEG, PNG or TIFF, 8 or 16 bit (TIFF: 32-bit float too), through OpenCV, with the EXIF orientation
+/// honoured. Grey becomes three equal channels, alpha is dropped. automatic means sRGB for integer files and
+/// linear for float ones. A pixel at the largest code of its depth in a channel is clipped there and not
+/// usable; in float files only what is not finite (stored as 0) is unusable. Throws
+/// sim::Error(unreadable_input) for a file that is missing, truncated, of zero size or no image at all
+/// (OpenCV hands back a full picture for a truncated JPEG: fit/image_file.h looks first).
 Photo read_photo(const std::string& file, Decoding decoding);
 
-/// A mask: white (above half) = use. Must have the photograph's size. Throws sim::Error(unreadable_input).
+/// The width in linear light of one step of the file's code at this linear value; 0 for float files.
+double code_step(const Photo& photo, double linear);
+
+/// A mask: white (above half of the largest code, mean of the channels) = use. Must have the photograph's
+/// size after orientation and leave at least one pixel. Throws sim::Error(unreadable_input).
 void apply_mask(Photo& photo, const std::string& mask_file);
 
 }  // namespace vegard::fit

@@ -37,8 +37,20 @@ struct Profile {
 };
 
 /// The pixel noise is taken from the differences of horizontal neighbours (von Neumann's estimator), pooled
-/// over the rows around, so that structure wider than a pixel does not count as noise; never below the
-/// quantisation's 1/sqrt(12) of a step in linear light.
+/// over the fifteen rows around, so that structure wider than a pixel does not count as noise; each row's
+/// mean difference is taken out first, so that a ramp counts as none at all. Never below the quantisation's
+/// 1/sqrt(12) of a step in linear light. It takes the noise of neighbours as independent: where a camera or
+/// JPEG has smoothed it, it is too small. Clipped pixels are left out, so that a mean of which they were a
+/// part is too low: its count tells. Throws sim::Error(scene) with key "fit.bands" unless 1 <= bands <= the
+/// region's width.
 Profile extract_profile(const Photo& photo, const Region& region, int bands);
+
+/// Share of red and of green in a row's light, with standard errors from those of the three channels, taken
+/// as independent; NaN where the light is unknown or its sum is not positive.
+struct Chromaticity {
+  double r = 0, g = 0;
+  double sigma_r = 0, sigma_g = 0;
+};
+Chromaticity chromaticity(const Profile& profile, int band, int row);
 
 }  // namespace vegard::fit

@@ -1,0 +1,67 @@
+// Small line plots for reports and documents: one description, drawn as SVG or as PNG.
+//
+// Everything is in the pixels of the SVG; the PNG has two of its own for each. Text is UTF-8. The output
+// depends on nothing but the description (the PNG also on OpenCV's version).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vegard::fit {
+
+struct Colour {
+  std::uint8_t r = 0, g = 0, b = 0;
+};
+
+/// The colours of a photograph's channels, dark enough for lines on white.
+Colour channel_colour(int channel);
+
+/// For everything else: distinct to the colour-blind (after Okabe and Ito), repeating after seven.
+Colour distinct_colour(int index);
+
+enum class Mark { line, dashed_line, points };
+
+/// One line or cloud of points. A point that is not finite interrupts the line.
+struct Series {
+  std::string label;  ///< for the legend, which names equal labels once; empty: not in it
+  Colour colour;
+  Mark mark = Mark::line;
+  double width_px = 1.6;  ///< of the line, or the diameter of the points
+  std::vector<double> x, y;
+  std::vector<double> low, high;  ///< limits of the shaded band, one per point; empty: none
+  bool band_along_x = false;      ///< low and high are in x (for vertical profiles), else in y
+};
+
+struct Axis {
+  std::string label;               ///< with its unit: "elevation (°)"
+  std::optional<double> min, max;  ///< where they are not to follow from the data
+  bool reversed = false;           ///< growing to the left or downwards
+};
+
+struct Panel {
+  std::string title;
+  Axis x, y;
+  std::vector<Series> series;
+};
+
+struct Plot {
+  std::string title;
+  std::string note;  ///< a smaller line below the title
+  std::vector<Panel> panels;
+  int columns = 0;  ///< panels side by side; 0: all
+  bool shared_axes =
+      false;  ///< all panels take the limits of all data and the first panel's labels, told once
+  int panel_width_px = 420;  ///< of the area inside the axes
+  int panel_height_px = 300;
+};
+
+/// A whole SVG document, without an XML declaration and without ids, so that it may stand inside an HTML
+/// page.
+std::string plot_svg(const Plot& plot);
+
+/// The bytes of a PNG file.
+std::string plot_png(const Plot& plot);
+
+}  // namespace vegard::fit

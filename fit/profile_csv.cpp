@@ -1,0 +1,84 @@
+#include "fit/profile_csv.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace vegard::fit {
+namespace {
+
+/// A comment must stay one line, whatever the file is called.
+std::string one_line(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  return text;
+}
+
+void append_number(std::string& text, double value) {
+  text += ',';
+  // fmt's plain {} is the shortest form that reads back the same.
+  if (std::isfinite(value)) fmt::format_to(std::back_inserter(text), "{}", value);
+}
+
+std::string comments(const Photo& photo, const Profile& profile) {
+  const Region& region = profile.region;
+  std::string text = "# vertical profiles: mean linear light per row, band and channel\n";
+  text += "# photograph: " + one_line(photo.file_name) + "\n";
+  text += "# sha256: " + photo.sha256 + "\n";
+  text += fmt::format("# size_px: {} x {}\n", photo.linear.width, photo.linear.height);
+  text += "# decoding: " + photo.decoding + "\n";
+  if (!photo.mask_name.empty()) {
+    text += "# mask: " + one_line(photo.mask_name) + "\n";
+    text += "# mask_sha256: " + photo.mask_sha256 + "\n";
+  }
+  text += fmt::format("# roi_px: [{}, {}, {}, {}]\n", region.x, region.y, region.width, region.height);
+  text += fmt::format("# bands: {}\n# band_edges_px: [", profile.bands);
+  for (int band = 0; band <= profile.bands; ++band)
+    text += (band > 0 ? ", " : "") + std::to_string(band_begin(region, profile.bands, band));
+  text += "]\n";
+  text += "# row_px: row of the image, counted from 0 at the top; its centre is at row_px + 0.5\n";
+  text += "# elevation_deg: above the horizon, of the row's centre at the centre column of the band\n";
+  text += photo.floating
+              ? "# r, g, b: linear light in the file's own units\n"
+              : "# r, g, b: linear light, the file's largest value = 1; clipped pixels are left out\n";
+  text += "# sigma_*: standard error of the mean, from the differences of neighbouring pixels\n";
+  text += "# n_*: pixels used\n";
+  text += "# chroma_r, chroma_g: r / (r + g + b), g / (r + g + b)\n";
+  return text;
+}
+
+}  // namespace
+
+double row_elevation_deg(const Profile& profile, int band, int row,
+                         const ElevationOfPixel& elevation_of_pixel) {
+  if (!elevation_of_pixel) return std::numeric_limits<double>::quiet_NaN();
+  const int begin = band_begin(profile.region, profile.bands, band);
+  const int end = band_begin(profile.region, profile.bands, band + 1);
+  return elevation_of_pixel(0.5 * (begin + end), profile.region.y + row + 0.5);
+}
+
+std::string profile_csv(const Photo& photo, const Profile& profile,
+                        const ElevationOfPixel& elevation_of_pixel) {
+  std::string text = comments(photo, profile);
+  text +=
+      "band,row_px,elevation_deg,r,g,b,sigma_r,sigma_g,sigma_b,n_r,n_g,n_b,chroma_r,chroma_g,"
+      "sigma_chroma_r,sigma_chroma_g\n";
+  for (int band = 0; band < profile.bands; ++band)
+    for (int row = 0; row < profile.rows; ++row) {
+      text += std::to_string(band) + "," + std::to_string(profile.region.y + row);
+      append_number(text, row_elevation_deg(profile, band, row, elevation_of_pixel));
+      const std::size_t i = profile.index(band, row, 0);
+      for (int c = 0; c < 3; ++c) append_number(text, profile.mean[i + c]);
+      for (int c = 0; c < 3; ++c) append_number(text, profile.standard_error[i + c]);
+      for (int c = 0; c < 3; ++c) text += "," + std::to_string(profile.count[i + c]);
+      const Chromaticity colour = chromaticity(profile, band, row);
+      for (const double value : {colour.r, colour.g, colour.sigma_r, colour.sigma_g})
+        append_number(text, value);
+      text += '\n';
+    }
+  return text;
+}
+
+}  // namespace vegard::fit

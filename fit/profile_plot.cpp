@@ -1,0 +1,101 @@
+#include "fit/profile_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr int kMostPanels = 6;
+constexpr int kMostRows = 500;
+
+struct Cell {
+  double mean = kNaN, sigma = kNaN;
+};
+
+/// The mean over the usable pixels of some bands and rows, and its standard error.
+Cell average(const Profile& profile, int first_band, int end_band, int first_row, int end_row, int channel) {
+  double sum = 0.0, variance = 0.0, count = 0.0;
+  for (int band = first_band; band < end_band; ++band)
+    for (int row = first_row; row < end_row; ++row) {
+      const std::size_t i = profile.index(band, row, channel);
+      const double n = profile.count[i];
+      if (n == 0) continue;
+      sum += n * profile.mean[i];
+      // Not known for a single pixel: it then counts as one of the same without error.
+      if (std::isfinite(profile.standard_error[i])) variance += std::pow(n * profile.standard_error[i], 2);
+      count += n;
+    }
+  if (count == 0) return {};
+  return {sum / count, std::sqrt(variance) / count};
+}
+
+std::string panel_title(const Profile& profile, int first_band, int end_band) {
+  const int begin = band_begin(profile.region, profile.bands, first_band);
+  const int end = band_begin(profile.region, profile.bands, end_band);
+  return "columns " + std::to_string(begin) + "\u2013" + std::to_string(end - 1);
+}
+
+Panel band_panel(const Profile& profile, int first_band, int end_band, int rows_each,
+                 const ElevationOfPixel& elevation_of_pixel) {
+  Panel panel;
+  panel.title = panel_title(profile, first_band, end_band);
+  const char* names[3] = {"red", "green", "blue"};
+  for (int channel = 0; channel < 3; ++channel) {
+    Series series;
+    series.label = names[channel];
+    series.colour = channel_colour(channel);
+    series.band_along_x = true;
+    for (int row = 0; row < profile.rows; row += rows_each) {
+      const int end_row = std::min(profile.rows, row + rows_each);
+      const Cell cell = average(profile, first_band, end_band, row, end_row, channel);
+      double height = profile.region.y + 0.5 * (row + end_row);
+      if (elevation_of_pixel) {
+        const double middle = 0.5 * (band_begin(profile.region, profile.bands, first_band) +
+                                     band_begin(profile.region, profile.bands, end_band));
+        height = elevation_of_pixel(middle, height);
+      }
+      series.x.push_back(cell.mean);
+      series.y.push_back(height);
+      series.low.push_back(cell.mean - cell.sigma);
+      series.high.push_back(cell.mean + cell.sigma);
+    }
+    panel.series.push_back(std::move(series));
+  }
+  return panel;
+}
+
+}  // namespace
+
+Plot profile_plot(const Photo& photo, const Profile& profile, const ElevationOfPixel& elevation_of_pixel) {
+  Plot plot;
+  const int panels = std::min(profile.bands, kMostPanels);
+  const int rows_each = std::max(1, (profile.rows + kMostRows - 1) / kMostRows);
+  for (int p = 0; p < panels; ++p)
+    plot.panels.push_back(band_panel(profile, profile.bands * p / panels, profile.bands * (p + 1) / panels,
+                                     rows_each, elevation_of_pixel));
+  plot.title = "Vertical profiles of " + photo.file_name;
+  plot.note = "Mean linear light per row; shaded: \u00b11 standard error; " + photo.decoding;
+  if (panels < profile.bands)
+    plot.note += "; " + std::to_string(profile.bands) + " bands in " + std::to_string(panels) + " panels";
+  if (rows_each > 1) plot.note += "; " + std::to_string(rows_each) + " rows per point";
+  plot.shared_axes = true;
+  plot.panel_width_px = panels == 1 ? 420 : panels <= 3 ? 260 : 1000 / panels;
+  plot.panel_height_px = 400;
+  Panel& first = plot.panels.front();
+  first.x.label = photo.floating ? "linear light (the file's units)" : "linear light (white = 1)";
+  if (elevation_of_pixel) {
+    first.y.label = "elevation (\u00b0)";
+  } else {
+    first.y.label = "row (px)";
+    first.y.reversed = true;
+    first.y.min = profile.region.y;
+    first.y.max = profile.region.y + profile.rows;
+  }
+  return plot;
+}
+
+}  // namespace vegard::fit
