@@ -1,0 +1,100 @@
+#include "fit/derived.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "sim/base/earth.h"
+#include "sim/light/height_profile.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kGreenNm = 557.7;
+constexpr double kBorder = 0.1;
+
+/// One line's profile and the place of its peak.
+struct Peak {
+  sim::HeightProfile profile;
+  int at = 0;
+  double rate(int i) const { return profile.rate[static_cast<std::size_t>(i) * profile.stride]; }
+  static double altitude_km(double i) {
+    return sim::HeightProfile::kBottomKm + i * sim::HeightProfile::kStepKm;
+  }
+};
+
+Peak peak_of(double wavelength_nm, double energy_kev) {
+  Peak peak{sim::maxwellian_profile({wavelength_nm}, energy_kev), 0};
+  for (int i = 1; i < sim::HeightProfile::kAltitudes; ++i)
+    if (peak.rate(i) > peak.rate(peak.at)) peak.at = i;
+  return peak;
+}
+
+}  // namespace
+
+double nearest_distance_km(const sim::Sheet& sheet) {
+  const double bearing = sheet.bearing_deg * sim::kRadiansPerDegree;
+  const double u_east = std::sin(bearing), u_north = std::cos(bearing), half = 0.5 * sheet.length_km;
+  const double along =
+      std::clamp(-(sheet.center_km.east * u_east + sheet.center_km.north * u_north), -half, half);
+  return std::hypot(sheet.center_km.east + along * u_east, sheet.center_km.north + along * u_north);
+}
+
+double lower_border_km(double wavelength_nm, double energy_kev) {
+  const Peak peak = peak_of(wavelength_nm, energy_kev);
+  const double border = kBorder * peak.rate(peak.at);
+  int i = peak.at;
+  while (i > 0 && peak.rate(i) > border) --i;
+  const double above = peak.rate(i + 1) - peak.rate(i);
+  return Peak::altitude_km(i + (above > 0.0 ? std::max(0.0, (border - peak.rate(i)) / above) : 0.0));
+}
+
+double peak_altitude_km(double wavelength_nm, double energy_kev) {
+  const Peak peak = peak_of(wavelength_nm, energy_kev);
+  if (peak.at == 0 || peak.at == sim::HeightProfile::kAltitudes - 1) return Peak::altitude_km(peak.at);
+  const double a = peak.rate(peak.at - 1), b = peak.rate(peak.at), c = peak.rate(peak.at + 1);
+  return Peak::altitude_km(peak.at + 0.5 * (a - c) / (a - 2.0 * b + c));  // the parabola through three points
+}
+
+std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::vector<FreeNumber>& free,
+                                           const std::vector<double>& values,
+                                           const std::vector<std::vector<double>>& covariance) {
+  std::vector<DerivedNumber> result;
+  const auto add = [&](const std::string& name, const std::string& unit,
+                       const std::function<double(const sim::Scene&)>& number) {
+    DerivedNumber d{name, number(best), {}, unit};
+    std::vector<double> slope(free.size());
+    for (std::size_t j = 0; j < free.size(); ++j) {
+      const double step = 1e-2 * (std::isfinite(covariance[j][j]) && covariance[j][j] > 0.0
+                                      ? std::sqrt(covariance[j][j])
+                                      : 1e-3 * std::max(1.0, std::abs(values[j])));
+      const auto at = [&](double value) {
+        sim::Scene moved = best;
+        std::vector<double> v = values;
+        v[j] = std::clamp(value, free[j].min, free[j].max);
+        put_values(moved, free, v);
+        return number(moved);
+      };
+      slope[j] = (at(values[j] + step) - at(values[j] - step)) / (2.0 * step);
+    }
+    double variance = 0.0;
+    for (std::size_t j = 0; j < free.size(); ++j)
+      for (std::size_t k = 0; k < free.size(); ++k)
+        if (slope[j] != 0.0 && slope[k] != 0.0) variance += slope[j] * slope[k] * covariance[j][k];
+    if (std::isfinite(variance) && variance > 0.0) d.sigma = std::sqrt(variance);
+    result.push_back(d);
+  };
+  for (std::size_t s = 0; s < best.sheets.size(); ++s) {
+    const std::string of = " of the " + best.sheets[s].name + " sheet";
+    add("distance" + of, "km", [s](const sim::Scene& x) { return nearest_distance_km(x.sheets[s]); });
+    add("mean electron energy" + of, "keV",
+        [s](const sim::Scene& x) { return 2.0 * x.sheets[s].energy_kev; });
+    add("peak altitude of 557.7 nm" + of, "km",
+        [s](const sim::Scene& x) { return peak_altitude_km(kGreenNm, x.sheets[s].energy_kev); });
+    add("lower border of 557.7 nm (a tenth of the peak)" + of, "km",
+        [s](const sim::Scene& x) { return lower_border_km(kGreenNm, x.sheets[s].energy_kev); });
+  }
+  return result;
+}
+
+}  // namespace vegard::fit

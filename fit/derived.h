@@ -1,0 +1,26 @@
+// What follows from a scene's parameters and is what people publish.
+#pragma once
+
+#include <vector>
+
+#include "fit/fit_result.h"
+#include "fit/free_parameters.h"
+
+namespace vegard::fit {
+
+/// Distance along the tangent plane from the observer to the nearest point of a sheet's line from start to
+/// end, km.
+double nearest_distance_km(const sim::Sheet& sheet);
+
+/// Altitude below a line's peak where its volume emission rate has fallen to a tenth, and of the peak itself,
+/// km; from the height profile at the sheet's energy. Source of the tenth: SOURCES row B19.
+double lower_border_km(double wavelength_nm, double energy_kev);
+double peak_altitude_km(double wavelength_nm, double energy_kev);
+
+/// Distances, mean energies, border and peak altitudes of every sheet, with error bars carried over from the
+/// covariance [parameter][parameter] of the free numbers by differences.
+std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::vector<FreeNumber>& free,
+                                           const std::vector<double>& values,
+                                           const std::vector<std::vector<double>>& covariance);
+
+}  // namespace vegard::fit

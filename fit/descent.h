@@ -1,0 +1,26 @@
+// One way downhill: Levenberg-Marquardt from one start.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/fit_result.h"
+#include "fit/profile_cost.h"
+
+namespace vegard::fit {
+
+struct Descent {
+  std::vector<double> values;  ///< where it ended
+  double chi2 = 0.0;
+  double chi2_initial = 0.0;
+  bool converged = false;   ///< by Ceres' tests of the cost, the step or the gradient
+  std::string termination;  ///< in words
+};
+
+/// Runs Ceres (dense QR, one thread) from `start` for at most `iterations`. Every accepted step goes to
+/// `trace`.
+Descent descend(const ProfileCost& cost, const std::vector<FreeNumber>& free,
+                const std::vector<double>& start, int iterations, const std::string& stage,
+                EvaluationLog& log, std::vector<TraceRow>& trace);
+
+}  // namespace vegard::fit

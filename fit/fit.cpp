@@ -1,0 +1,226 @@
+#include "fit/fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "fit/derived.h"
+#include "fit/free_parameters.h"
+#include "fit/noise_model.h"
+#include "fit/search.h"
+#include "fit/uncertainty.h"
+#include "fit/verdict.h"
+#include "sim/base/error.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kCoarseShare = 0.25;  // of the beams, for the search
+constexpr double kSecondMode = 4.0;  // difference of chi2 (two standard deviations) in units of the inflation
+
+void check_sizes(const sim::Scene& scene, const Photo& photo) {
+  if (photo.linear.width == scene.camera.width && photo.linear.height == scene.camera.height) return;
+  const auto size = [](int w, int h) { return std::to_string(w) + " x " + std::to_string(h); };
+  throw sim::Error(
+      sim::ErrorKind::scene,
+      {"the camera has " + size(scene.camera.width, scene.camera.height) + " pixels, " + photo.file_name +
+           " has " + size(photo.linear.width, photo.linear.height),
+       scene.file, 0, "camera.width", "the photograph's size", "set camera.width and camera.height"});
+}
+
+/// An angle without needless turns, unless the user's own limits say which turn is meant.
+double tidy(const FreeNumber& n, double value) {
+  if (n.path.row->scale != sim::ParameterScale::angle || n.min > n.path.row->min || n.max < n.path.row->max)
+    return value;
+  const double turn = n.path.row->unit == "rad" ? 2.0 * std::acos(-1.0) : 360.0;
+  return value - turn * std::floor(value / turn);
+}
+
+double chi2_without_aurora(const LinearPart& linear, std::size_t values) {
+  ModelProfile dark;
+  dark.value.assign(values, 0.0);
+  return linear.solve(dark).chi2;
+}
+
+double rms_over_peak(const FitResult& r) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < r.model.size(); ++i) {
+    if (r.sigma[i] <= 0.0) continue;
+    sum += std::pow(r.data.mean[i] - r.model[i], 2);
+    ++count;
+  }
+  const double peak = profile_peak(r.data);
+  return count > 0 && peak > 0.0 ? std::sqrt(sum / static_cast<double>(count)) / peak : 0.0;
+}
+
+/// Gains and sky into the result and into its best scene.
+void put_solution(const LinearSolution& solution, const std::vector<double>& variance,
+                  const GainLayout& gains, double inflation, FitResult& r) {
+  static const char* const kChannel[3] = {"red", "green", "blue"};
+  const auto solved = [&](const std::string& name, int j) {
+    SolvedNumber s{name, solution.coefficients[j], {}};
+    if (variance[j] > 0.0) s.sigma = inflation * std::sqrt(variance[j]);
+    r.solved.push_back(s);
+  };
+  for (int b = 0; b < (gains.per_band ? gains.bands : 1); ++b)
+    for (int c = 0; c < (gains.per_channel ? 3 : 1); ++c)
+      solved(std::string("gain") + (gains.per_band ? ".band_" + std::to_string(b) : "") +
+                 (gains.per_channel ? std::string(".") + kChannel[c] : ""),
+             gains.column(b, c));
+  const int sky = gains.count();
+  double sum = 0.0;
+  int lit = 0;
+  r.gain.assign(r.data.bands, std::vector<double>(3));
+  for (int b = 0; b < r.data.bands; ++b)
+    for (int c = 0; c < 3; ++c) {
+      r.gain[b][c] = solution.coefficients[gains.column(b, c)];
+      if (r.gain[b][c] > 0.0) {
+        sum += r.gain[b][c];
+        ++lit;
+      }
+    }
+  if (lit > 0) r.best.sensor.gain_per_kilorayleigh = sum / lit;
+  for (int c = 0; c < 3; ++c) {
+    solved(std::string("sky.level.") + kChannel[c], sky + c);
+    r.best.sky.level[c] = solution.coefficients[sky + c];
+  }
+  for (int c = 0; c < 3; ++c) {
+    solved(std::string("sky.gradient.") + kChannel[c], sky + 3 + c);
+    r.best.sky.gradient[c] = solution.coefficients[sky + 3 + c];
+  }
+}
+
+/// Parameters with their error bars; returns the covariance of the values.
+std::vector<std::vector<double>> put_parameters(const std::vector<FreeNumber>& free,
+                                                const std::vector<double>& values, const Uncertainty& u,
+                                                FitResult& r) {
+  std::vector<double> sigma(free.size());
+  for (std::size_t j = 0; j < free.size(); ++j) {
+    const FreeNumber& n = free[j];
+    FittedParameter p;
+    p.path = n.path.text;
+    p.unit = n.path.row->unit;
+    p.meaning = n.path.row->meaning;
+    p.value = tidy(n, values[j]);
+    p.initial = n.start;
+    p.min = n.min;
+    p.max = n.max;
+    p.at_limit = n.at_limit(values[j]);
+    const double at = n.coordinate(values[j]);
+    sigma[j] = u.sigma[j] * n.slope(at);
+    if (std::isfinite(u.sigma[j]) && std::isfinite(sigma[j])) {
+      p.sigma = sigma[j];
+      const double shift = p.value - values[j];
+      p.interval68 = {n.value(at - u.sigma[j]) + shift, n.value(at + u.sigma[j]) + shift};
+    } else {
+      p.why_no_sigma = "the data do not determine it";
+    }
+    r.parameters.push_back(p);
+  }
+  r.correlation = u.correlation;
+  std::vector<std::vector<double>> covariance(free.size(), std::vector<double>(free.size()));
+  for (std::size_t j = 0; j < free.size(); ++j)
+    for (std::size_t k = 0; k < free.size(); ++k)
+      covariance[j][k] = u.correlation[j][k] * sigma[j] * sigma[k];
+  return covariance;
+}
+
+}  // namespace
+
+FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOptions& options) {
+  check_sizes(scene, photo);
+  const std::vector<FreeNumber> free = free_numbers(scene);
+  const Region region = checked_region(scene.fit.roi_px, photo.linear.width, photo.linear.height);
+
+  FitResult r;
+  r.seed = scene.seed;
+  r.decoding = photo.decoding;
+  r.data = extract_profile(photo, region, scene.fit.bands);
+  r.sigma = profile_sigma(r.data, scene.fit.model_error);
+  const GainLayout gains{scene.fit.bands, scene.fit.band_brightness, !scene.fit.white_balance_known};
+  const LinearPart linear(r.data, r.sigma, gains, photo.linear.height);
+  const int unknowns = static_cast<int>(free.size()) + linear.coefficients();
+  if (linear.residuals() <= unknowns)
+    throw sim::Error(
+        sim::ErrorKind::unreadable_input,
+        {"only " + std::to_string(linear.residuals()) + " usable profile values in the region of interest",
+         photo.file_name, 0, "fit.roi_px", "more than " + std::to_string(unknowns),
+         "is everything masked or clipped?"});
+
+  ProfileModel coarse(scene, photo, region, scene.fit.bands, kCoarseShare, options.threads);
+  ProfileModel full(scene, photo, region, scene.fit.bands, 1.0, options.threads);
+  EvaluationLog log;
+  log.limit = options.max_evaluations;
+  log.stop = options.stop;
+
+  Evidence evidence;
+  evidence.chi2_without_aurora = chi2_without_aurora(linear, r.data.mean.size());
+  const SearchOutcome outcome = search(scene, free, {coarse, full, linear}, options, log, r.trace);
+  r.chi2_initial = outcome.chi2_initial;
+  r.termination = outcome.best.termination;
+  evidence.converged = outcome.best.converged;
+  evidence.stopped = options.stop != nullptr && options.stop->load();
+  evidence.out_of_evaluations = !evidence.converged && log.residuals >= log.limit;
+  std::vector<double> values = outcome.best.values;
+  if (!evidence.converged && !log.best_values.empty()) values = log.best_values;
+
+  // The last word: full model, exact Jacobian, whatever the limits on evaluations say.
+  log.limit = std::numeric_limits<int>::max();
+  const ProfileCost cost(scene, free, full, linear, log);
+  const ProfileCost::Point point = cost.at(values, true);
+  std::vector<double> jacobian;
+  linear.jacobian(point.aurora, point.solution, jacobian);
+  std::vector<double> residual = point.solution.residual;
+  const std::size_t n = free.size();
+  for (std::size_t k = 0; k < residual.size(); ++k)
+    for (std::size_t j = 0; j < n; ++j) jacobian[k * n + j] *= free[j].slope(free[j].coordinate(values[j]));
+  const int held = static_cast<int>(std::count(point.solution.held.begin(), point.solution.held.end(), true));
+  r.chi2 = point.chi2;
+  r.dof = linear.residuals() - unknowns + held;
+  r.error_inflation = error_inflation(r.data, linear.used(), residual, r.dof);
+  int rows = linear.residuals();
+  for (std::size_t j = 0; j < n; ++j) {
+    if (!free[j].prior) continue;
+    // A prior is believed as it stands: its row is not to be inflated with the data's.
+    std::vector<double> row(n, 0.0);
+    row[j] = r.error_inflation * free[j].slope(free[j].coordinate(values[j])) / free[j].prior->sigma;
+    jacobian.insert(jacobian.end(), row.begin(), row.end());
+    ++rows;
+  }
+  const Uncertainty u = uncertainty(jacobian, rows, static_cast<int>(n), r.error_inflation);
+
+  r.best = scene;
+  r.model = linear.model(point.aurora, point.solution);
+  const std::vector<std::vector<double>> covariance = put_parameters(free, values, u, r);
+  std::vector<double> tidied;
+  for (const FittedParameter& p : r.parameters) tidied.push_back(p.value);
+  put_values(r.best, free, tidied);
+  put_solution(point.solution, linear.coefficient_variance(point.aurora, point.solution), gains,
+               r.error_inflation, r);
+  r.derived = derived_numbers(r.best, free, tidied, covariance);
+  r.rms_over_peak = rms_over_peak(r);
+  r.evaluations = log.residuals;
+  r.jacobian_evaluations = log.jacobians;
+
+  evidence.aurora_in_view = std::any_of(point.aurora.value.begin(), point.aurora.value.end(),
+                                        [](double light) { return light > 0.0; });
+  for (const Descent& other : outcome.others) {
+    const double difference = (other.chi2 - r.chi2) / (r.error_inflation * r.error_inflation);
+    if (difference > kSecondMode) continue;
+    for (std::size_t j = 0; j < n; ++j) {
+      const double apart = std::abs(other.values[j] - values[j]);
+      if (r.parameters[j].sigma && apart > 3.0 * *r.parameters[j].sigma) {
+        evidence.second_mode = true;
+        evidence.second_mode_text = "another answer explains the data almost as well, with " +
+                                    free[j].path.text + " = " +
+                                    std::to_string(tidy(free[j], other.values[j]));
+        break;
+      }
+    }
+  }
+  judge(evidence, r);
+  return r;
+}
+
+}  // namespace vegard::fit

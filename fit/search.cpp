@@ -1,0 +1,269 @@
+#include "fit/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "sim/base/random.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr int kOverallTrials = 48;
+constexpr int kOverallDescents = 2;
+constexpr int kShortDescent = 12;  // iterations
+constexpr int kLongDescent = 60;
+constexpr int kPolished = 2;
+constexpr double kPi = 3.141592653589793;
+
+using Values = std::vector<double>;
+
+struct Trial {
+  Values values;
+  double chi2 = 0.0;
+};
+
+bool is(const FreeNumber& number, const char* key) { return number.path.row->key == key; }
+bool is_periodic(const FreeNumber& n) { return is(n, "wavelength_km") || is(n, "phase_rad"); }
+
+/// What shapes the profile as a whole, rather than its course along the arc.
+bool is_overall(const FreeNumber& n) {
+  return is(n, "center_km") || is(n, "energy_kev") || is(n, "bearing_deg");
+}
+
+std::vector<std::size_t> indices(const std::vector<FreeNumber>& free, bool (*belongs)(const FreeNumber&)) {
+  std::vector<std::size_t> result;
+  for (std::size_t j = 0; j < free.size(); ++j)
+    if (belongs(free[j])) result.push_back(j);
+  return result;
+}
+
+double inside(const FreeNumber& n, double value) { return n.value(n.coordinate(value)); }
+
+/// A point of a seeded low-discrepancy sequence (Roberts' R_d, additive recurrence) in `dimensions`
+/// dimensions.
+std::vector<double> even_point(int i, int dimensions, std::uint64_t seed) {
+  double root = 2.0;  // of x^(d+1) = x + 1
+  for (int k = 0; k < 40; ++k) root = std::pow(1.0 + root, 1.0 / (dimensions + 1));
+  std::vector<double> point(dimensions);
+  for (int d = 0; d < dimensions; ++d) {
+    const double shift =
+        sim::uniform(sim::random_words(seed, sim::Stream::search, 0, static_cast<std::uint32_t>(d))[0]);
+    const double x = shift + (i + 1) * std::pow(1.0 / root, d + 1);
+    point[d] = x - std::floor(x);
+  }
+  return point;
+}
+
+class Search {
+ public:
+  Search(const sim::Scene& scene, const std::vector<FreeNumber>& free, const SearchModels& models,
+         const FitOptions& options, EvaluationLog& log, std::vector<TraceRow>& trace)
+      : scene_(scene),
+        free_(free),
+        models_(models),
+        options_(options),
+        log_(log),
+        trace_(trace),
+        coarse_(scene, free, models.coarse, models.linear, log),
+        full_(scene, free, models.full, models.linear, log) {}
+
+  SearchOutcome run() {
+    Values start;
+    for (const FreeNumber& n : free_) start.push_back(inside(n, n.start));
+    SearchOutcome outcome;
+    outcome.chi2_initial = full_.at(start, false).chi2;
+    note(start, outcome.chi2_initial);
+    trace_.push_back({"start", log_.residuals, outcome.chi2_initial, start});
+
+    std::vector<Trial> ends = {{start, coarse_.at(start, false).chi2}};
+    if (scene_.fit.scan_points > 0) {
+      ends = overall(ends.front());
+      ends = scan(ends);
+      ends = descend_from(ends, scene_.fit.scan_descents, "descent");
+    }
+    std::vector<Descent> polished;
+    for (std::size_t i = 0; i < ends.size() && i < kPolished; ++i) {
+      if (i > 0 && (log_.exhausted() || ends[i].chi2 > 1.5 * ends[0].chi2)) break;
+      const std::string stage = "polish " + std::to_string(i + 1);
+      tell(stage, 0.8 + 0.1 * static_cast<double>(i));
+      polished.push_back(descend(full_, free_, ends[i].values, kLongDescent, stage, log_, trace_));
+      note(polished.back().values, polished.back().chi2);
+    }
+    const auto better = [](const Descent& a, const Descent& b) { return a.chi2 < b.chi2; };
+    std::stable_sort(polished.begin(), polished.end(), better);
+    outcome.best = polished.front();
+    outcome.others.assign(polished.begin() + 1, polished.end());
+    return outcome;
+  }
+
+ private:
+  void tell(const std::string& stage, double share) const {
+    if (options_.progress)
+      options_.progress(stage, log_.residuals, log_.best_chi2 / std::max(1, models_.linear.residuals()),
+                        share);
+  }
+
+  /// Keeps the best point met, for an interrupted fit. Coarse and full chi2 differ a little: full ones
+  /// decide.
+  void note(const Values& values, double chi2) {
+    if (chi2 < log_.best_chi2) {
+      log_.best_chi2 = chi2;
+      log_.best_values = values;
+    }
+  }
+
+  Trial tried(const Values& values) {
+    const double chi2 = coarse_.at(values, false).chi2;
+    return {values, std::isfinite(chi2) ? chi2 : 1e300};
+  }
+
+  static void sort(std::vector<Trial>& trials) {
+    std::stable_sort(trials.begin(), trials.end(),
+                     [](const Trial& a, const Trial& b) { return a.chi2 < b.chi2; });
+  }
+
+  /// A descent of some parameters only, with the coarse model.
+  Trial partial_descent(const Trial& from, const std::vector<std::size_t>& which, const std::string& stage) {
+    std::vector<FreeNumber> some;
+    Values start;
+    for (std::size_t j : which) {
+      some.push_back(free_[j]);
+      start.push_back(from.values[j]);
+    }
+    sim::Scene base = scene_;
+    put_values(base, free_, from.values);
+    const ProfileCost cost(base, some, models_.coarse, models_.linear, log_);
+    std::vector<TraceRow> rows;
+    const Descent end = descend(cost, some, start, kShortDescent, stage, log_, rows);
+    Trial result = from;
+    for (std::size_t k = 0; k < which.size(); ++k) result.values[which[k]] = end.values[k];
+    result.chi2 = end.chi2;
+    return result;
+  }
+
+  /// Trials of distance, bearing and energy around the start, and short descents from the best.
+  std::vector<Trial> overall(const Trial& start) {
+    const std::vector<std::size_t> which = indices(free_, is_overall);
+    if (which.empty()) return {start};
+    tell("overall", 0.02);
+    std::vector<Trial> trials = {start};
+    // One draw moves both components of a centre: outwards or inwards along its own direction.
+    for (int i = 0; i < kOverallTrials && !log_.exhausted(); ++i) {
+      const std::vector<double> u = even_point(i, 3, scene_.seed);
+      Values values = start.values;
+      for (std::size_t j : which) {
+        const FreeNumber& n = free_[j];
+        if (is(n, "center_km")) values[j] *= std::exp((u[0] - 0.5) * 1.4);
+        if (is(n, "energy_kev")) values[j] *= std::exp((u[1] - 0.5) * 3.0);
+        if (is(n, "bearing_deg")) values[j] += (u[2] - 0.5) * 24.0;
+        values[j] = inside(n, values[j]);
+      }
+      trials.push_back(tried(values));
+    }
+    sort(trials);
+    std::vector<Trial> ends;
+    for (int i = 0; i < kOverallDescents && i < static_cast<int>(trials.size()) && !log_.exhausted(); ++i)
+      ends.push_back(partial_descent(trials[i], which, "overall"));
+    if (ends.empty()) ends.push_back(trials.front());
+    sort(ends);
+    record(ends.front(), "overall");
+    return {ends.front()};
+  }
+
+  /// Wavelength by phase, on a grid whose origin the seed shifts. The wavelength's steps are as fine as the
+  /// phase at the far end of the arc asks for.
+  std::vector<Trial> scan(const std::vector<Trial>& from) {
+    std::vector<Trial> trials = from;
+    for (std::size_t s = 0; s < scene_.sheets.size(); ++s) {
+      int wavelength = -1, phase = -1;
+      for (std::size_t j = 0; j < free_.size(); ++j) {
+        if (free_[j].path.sheet != static_cast<int>(s)) continue;
+        if (is(free_[j], "wavelength_km")) wavelength = static_cast<int>(j);
+        if (is(free_[j], "phase_rad")) phase = static_cast<int>(j);
+      }
+      if (wavelength < 0 && phase < 0) continue;
+      const Trial base = trials.front();
+      const int phases = phase < 0 ? 1 : wavelength < 0 ? scene_.fit.scan_points : 12;
+      const int wavelengths = wavelength < 0 ? 1 : std::max(1, scene_.fit.scan_points / phases);
+      const std::vector<double> shift = even_point(0, 2, scene_.seed + 1);
+      for (int w = 0; w < wavelengths; ++w) {
+        tell("scan", 0.1 + 0.3 * w / wavelengths);
+        for (int f = 0; f < phases && !log_.exhausted(); ++f) {
+          Values values = base.values;
+          if (wavelength >= 0) {
+            const double u = (w + shift[0]) / wavelengths - 0.5;
+            values[wavelength] = inside(free_[wavelength], values[wavelength] * std::exp(1.1 * u));
+          }
+          if (phase >= 0) {
+            const double turns = (f + shift[1]) / phases;
+            values[phase] = inside(free_[phase], base.values[phase] + 2.0 * kPi * (turns - 0.5));
+          }
+          trials.push_back(tried(values));
+        }
+      }
+      sort(trials);
+    }
+    record(trials.front(), "scan");
+    return trials;
+  }
+
+  /// Short descents of everything from the best distinct trials.
+  std::vector<Trial> descend_from(const std::vector<Trial>& trials, int most, const std::string& stage) {
+    std::vector<std::size_t> all(free_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    std::vector<Trial> starts;
+    for (const Trial& trial : trials) {
+      if (static_cast<int>(starts.size()) >= most) break;
+      const auto near = [&](const Trial& other) { return same_valley(trial.values, other.values); };
+      if (std::none_of(starts.begin(), starts.end(), near)) starts.push_back(trial);
+    }
+    std::vector<Trial> ends;
+    for (std::size_t i = 0; i < starts.size() && !log_.exhausted(); ++i) {
+      tell(stage + " " + std::to_string(i + 1), 0.4 + 0.4 * static_cast<double>(i) / starts.size());
+      ends.push_back(partial_descent(starts[i], all, stage));
+      record(ends.back(), stage + " " + std::to_string(i + 1));
+    }
+    if (ends.empty()) ends.push_back(trials.front());
+    sort(ends);
+    std::vector<Trial> distinct;
+    for (const Trial& end : ends) {
+      const auto near = [&](const Trial& other) { return same_valley(end.values, other.values); };
+      if (std::none_of(distinct.begin(), distinct.end(), near)) distinct.push_back(end);
+    }
+    return distinct;
+  }
+
+  /// Two points are in one valley if their periodic parameters are: wavelengths within 5 %, phases within a
+  /// sixth of a turn.
+  bool same_valley(const Values& a, const Values& b) const {
+    for (std::size_t j : indices(free_, is_periodic)) {
+      if (is(free_[j], "wavelength_km") && std::abs(std::log(a[j] / b[j])) > 0.05) return false;
+      if (is(free_[j], "phase_rad") && std::abs(std::remainder(a[j] - b[j], 2.0 * kPi)) > kPi / 3.0)
+        return false;
+    }
+    return true;
+  }
+
+  void record(const Trial& trial, const std::string& stage) {
+    note(trial.values, trial.chi2);
+    trace_.push_back({stage, log_.residuals, trial.chi2, trial.values});
+  }
+
+  const sim::Scene& scene_;
+  const std::vector<FreeNumber>& free_;
+  const SearchModels& models_;
+  const FitOptions& options_;
+  EvaluationLog& log_;
+  std::vector<TraceRow>& trace_;
+  const ProfileCost coarse_, full_;
+};
+
+}  // namespace
+
+SearchOutcome search(const sim::Scene& scene, const std::vector<FreeNumber>& free, const SearchModels& models,
+                     const FitOptions& options, EvaluationLog& log, std::vector<TraceRow>& trace) {
+  return Search(scene, free, models, options, log, trace).run();
+}
+
+}  // namespace vegard::fit

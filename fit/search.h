@@ -1,0 +1,34 @@
+// The search: from a start that is some way off to the bottom of the right valley.
+//
+// The landscape is smooth in distance, energy and bearing, and periodic in wavelength and phase: descents
+// that start with the wavelength a few per cent off end in wrong places. So, with a coarse model: (1)
+// *overall* trials and descents of what shapes the profile as a whole, (2) a *scan* of wavelength and phase
+// on a grid, (3) descents of everything from the best distinct trials; then (4) *polish* with the full model.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fit/descent.h"
+#include "fit/fit.h"
+
+namespace vegard::fit {
+
+struct SearchOutcome {
+  Descent best;                 ///< of the full model
+  std::vector<Descent> others;  ///< ends of the other polished descents, best first; for the verdict
+  double chi2_initial = 0.0;    ///< of the full model at the user's start
+};
+
+/// What the search works on: two models of the same photograph.
+struct SearchModels {
+  ProfileModel& coarse;
+  ProfileModel& full;
+  const LinearPart& linear;
+};
+
+SearchOutcome search(const sim::Scene& scene, const std::vector<FreeNumber>& free, const SearchModels& models,
+                     const FitOptions& options, EvaluationLog& log, std::vector<TraceRow>& trace);
+
+}  // namespace vegard::fit

@@ -1,0 +1,25 @@
+// Whether to believe a fit.
+#pragma once
+
+#include "fit/fit_result.h"
+#include "fit/search.h"
+
+namespace vegard::fit {
+
+/// What the verdict is made from, beside the numbers already in the result.
+struct Evidence {
+  bool converged = false;
+  bool stopped = false;  ///< by the user
+  bool out_of_evaluations = false;
+  bool aurora_in_view = true;  ///< the model has any light in the region
+  double chi2_without_aurora = 0.0;
+  bool second_mode = false;  ///< another valley explains the data almost as well
+  std::string second_mode_text;
+};
+
+/// Sets verdict, verdict_line and reasons. Failed: not converged, or no light of the model in the region.
+/// Doubtful: chi2 per degree of freedom outside 0.3-3; a parameter at a limit or without an error bar; no
+/// clear gain over a sky without aurora; an rms residual above a tenth of the peak; a second mode.
+void judge(const Evidence& evidence, FitResult& result);
+
+}  // namespace vegard::fit
