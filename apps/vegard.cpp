@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -6,9 +7,11 @@
 
 #include "apps/exit_code.h"
 #include "apps/params.h"
+#include "apps/profile.h"
 #include "fit/version.h"
 #include "sim/base/error.h"
-#include "sim/version.h"
+#include "sim/base/image_io.h"
+#include "sim/base/version.h"
 
 namespace {
 
@@ -16,7 +19,8 @@ using namespace vegard;
 
 std::string versions() {
   return "vegard " + sim::version() + "\nCeres " + fit::ceres_version() + "\nOpenCV " +
-         fit::opencv_version() + "\nEigen " + sim::eigen_version();
+         fit::opencv_version() + "\nEigen " + sim::eigen_version() + "\nOpenImageIO " +
+         sim::image_library_version();
 }
 
 int report(const std::string& message, int exit_code) {
@@ -28,6 +32,7 @@ int run(int argc, char** argv) {
   CLI::App app("Simulates aurorae and fits them to photographs.", "vegard");
   app.set_version_flag("--version", versions, "Print the versions of vegard and of its libraries");
   int exit_code = apps::good;
+  apps::add_profile_command(app, exit_code);
   apps::add_params_command(app, exit_code);
   try {
     app.parse(argc, argv);
@@ -44,6 +49,8 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A write past the file size limit is to fail as on a full disk, not to kill the process.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return run(argc, argv);
   } catch (const sim::Error& error) {

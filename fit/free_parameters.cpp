@@ -13,6 +13,8 @@ constexpr double kAtLimit = 1e-3;  // of the range, counts as being at it
 
 bool finite(double x) { return std::isfinite(x); }
 
+constexpr double kNextToNothing = 1e-9;  // of the largest value
+
 }  // namespace
 
 double FreeNumber::coordinate(double value) const {
@@ -59,6 +61,9 @@ std::vector<FreeNumber> free_numbers(const sim::Scene& scene) {
       number.min = entry.min.value_or(path.row->min);
       number.max = entry.max.value_or(path.row->max);
       number.prior = entry.prior;
+      // A logarithmic parameter whose table begins at 0 is unbounded below, in effect.
+      if (path.row->scale == sim::ParameterScale::logarithmic && number.min <= 0.0)
+        number.min = kNextToNothing * number.max;
       numbers.push_back(number);
     }
   }

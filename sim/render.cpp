@@ -4,6 +4,7 @@
 
 #include "sim/light/emission_line.h"
 #include "sim/render_film.h"
+#include "sim/scene/emission_lines.h"
 #include "sim/view/blur.h"
 #include "sim/view/colour.h"
 #include "sim/view/sky.h"

@@ -1,7 +1,6 @@
 // The emission lines of the aurora: what is known of each, one row a line.
 #pragma once
 
-#include <string>
 #include <vector>
 
 namespace vegard::sim {
@@ -11,7 +10,6 @@ struct EmissionLine {
   const char* species;
   const char* transition;
   double lifetime_s;         ///< of the upper state, without collisions
-  double default_blur_deg;   ///< standard deviation of its spread in the image, see docs/physics.md
   const char* table_column;  ///< in data/glow/ver_maxwellian.csv
 };
 
@@ -22,8 +20,5 @@ const std::vector<EmissionLine>& emission_lines();
 
 /// The line within 0.05 nm of this wavelength, or nullptr.
 const EmissionLine* find_emission_line(double wavelength_nm);
-
-/// "6300": the wavelength in whole angstroms, the name of a line in paths, layers and tables.
-std::string line_name(double wavelength_nm);
 
 }  // namespace vegard::sim

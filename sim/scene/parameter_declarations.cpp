@@ -135,14 +135,14 @@ std::vector<Declaration> declare() {
           .means("characteristic energy E0 of the Maxwellian electrons; their mean energy is twice that"),
       Row("energy_flux_mw_m2", &Sheet::energy_flux_mw_m2).in("mW m⁻²").within(0, 10000).may_be_free(logarithmic)
           .means("energy flux Q, at its peak across a layer"),
-      Row("path_spread", &Sheet::path_spread).within(0, 1).may_be_free(linear)
+      Row("path_spread", &Sheet::path_spread).within(0, 1)
           .means("largest random shortening of a beam, as a fraction of its path"),
       Row("loss_cone_deg", &Sheet::loss_cone_deg).in("deg").within(0, 30).may_be_free(linear)
           .means("pitch angle at the lower end of the path"),
       Row("pitch_step_rad", &Sheet::pitch_step_rad).in("rad").within(0, 0.5).may_be_free(linear)
           .means("how much smaller the pitch angle is at the upper end"),
-      Row("pitch_law", &Sheet::pitch_law).one_of({"reduced", "product"})
-          .means("reading of the paper's equation (4): αD − Δα(1 − t), or literally αD·t·Δα"),
+      Row("pitch_law", &Sheet::pitch_law).one_of({"reduced", "product", "increment", "constant"})
+          .means("reading of the paper's equation (4): αD − Δα(1 − t); literally αD·t·Δα; t·Δα; or αD throughout"),
       Row("path_step", &Sheet::path_step).within(1e-5, 0.5)
           .means("largest step between two deflections, as a fraction of the path"),
       Row("top_km", &Sheet::top_km).in("km").within(150, 640).means("altitude at which a beam starts"),
