@@ -92,7 +92,7 @@ TEST(PlotSvg, PutsDataWhereTheAxesSay) {
   const auto lines = lines_in(svg, "#0ac81e");
   ASSERT_EQ(lines.size(), 2u);  // the legend's sample and the line itself
   const auto frame = lines_in(svg, "#969696");
-  const std::vector<PlotPoint> corners = frame.front();  // top left, bottom left, bottom right
+  const std::vector<PlotPoint>& corners = frame.front();  // top left, bottom left, bottom right
   ASSERT_EQ(corners.size(), 3u);
   EXPECT_DOUBLE_EQ(corners[2].x - corners[0].x, 200.0);
   EXPECT_DOUBLE_EQ(corners[1].y - corners[0].y, 100.0);
