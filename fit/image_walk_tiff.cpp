@@ -8,21 +8,19 @@ namespace vegard::fit {
 namespace {
 
 // TIFF 6.0, section 8 and appendix A.
-enum Tag {
-  kWidth = 256,
-  kHeight = 257,
-  kBits = 258,
-  kPhotometric = 262,
-  kStripOffsets = 273,
-  kOrientation = 274,
-  kSamples = 277,
-  kStripBytes = 279,
-  kPlanar = 284,
-  kTileOffsets = 324,
-  kTileBytes = 325,
-  kExtraSamples = 338,
-  kSampleFormat = 339,
-};
+constexpr int kWidth = 256;
+constexpr int kHeight = 257;
+constexpr int kBits = 258;
+constexpr int kPhotometric = 262;
+constexpr int kStripOffsets = 273;
+constexpr int kOrientation = 274;
+constexpr int kSamples = 277;
+constexpr int kStripBytes = 279;
+constexpr int kPlanar = 284;
+constexpr int kTileOffsets = 324;
+constexpr int kTileBytes = 325;
+constexpr int kExtraSamples = 338;
+constexpr int kSampleFormat = 339;
 
 /// The first directory of a TIFF, classic or big, read no further than the bytes reach.
 class Directory {

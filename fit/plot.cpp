@@ -94,10 +94,12 @@ Layout lay_out(const Plot& plot) {
   const double above = titled ? kPanelTitleHeight : 8;
   const double step_x = plot.panel_width_px + (plot.shared_axes ? kGap : kLeft + kGap);
   const double step_y = plot.panel_height_px + above + (plot.shared_axes ? kBelowInside : kBelow);
-  for (int i = 0; i < count; ++i)
-    layout.panels.push_back(
-        {kEdge + kLeft + step_x * (i % layout.columns), layout.head + above + step_y * (i / layout.columns),
-         static_cast<double>(plot.panel_width_px), static_cast<double>(plot.panel_height_px)});
+  for (int i = 0; i < count; ++i) {
+    const int column = i % layout.columns, row = i / layout.columns;
+    layout.panels.push_back({kEdge + kLeft + step_x * column, layout.head + above + step_y * row,
+                             static_cast<double>(plot.panel_width_px),
+                             static_cast<double>(plot.panel_height_px)});
+  }
   layout.size.width = kEdge + kLeft + step_x * (layout.columns - 1) + plot.panel_width_px + kEdge;
   // A long title or note must not be cut off.
   for (const auto& [text, text_size] :
@@ -112,7 +114,7 @@ Layout lay_out(const Plot& plot) {
 AxisTicks horizontal_ticks(const Limits& limits, double width_px) {
   constexpr double kLeastStep = 34, kBetweenNumbers = 14;
   for (int most = static_cast<int>(width_px / kLeastStep);; --most) {
-    const AxisTicks ticks = axis_ticks(limits.min, limits.max, std::max(1, most));
+    AxisTicks ticks = axis_ticks(limits.min, limits.max, std::max(1, most));
     if (most <= 1 || ticks.places.size() < 2) return ticks;
     double widest = 0.0;
     for (const std::string& label : ticks.labels) widest = std::max(widest, text_width_px(label, kTickSize));

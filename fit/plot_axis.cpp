@@ -48,8 +48,10 @@ AxisTicks axis_ticks(double min, double max, int most) {
   const double first = std::ceil(min / step - 1e-6), last = std::floor(max / step + 1e-6);
   const double largest = std::max(std::abs(min), std::abs(max));
   const bool scientific = largest >= 1e6 || step < 1e-5;
-  for (double k = first; k <= last; ++k) {
-    const double value = k == 0.0 ? 0.0 : k * step;
+  const int count = static_cast<int>(last - first) + 1;
+  for (int i = 0; i < count; ++i) {
+    const double multiple = first + i;
+    const double value = multiple == 0.0 ? 0.0 : multiple * step;
     ticks.places.push_back(value);
     ticks.labels.push_back(number(value, step, scientific));
   }

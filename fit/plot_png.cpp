@@ -141,6 +141,7 @@ class PngCanvas : public PlotCanvas {
 
   std::vector<cv::Point> fixed(const std::vector<PlotPoint>& points) const {
     std::vector<cv::Point> list;
+    list.reserve(points.size());
     for (const PlotPoint& p : points) list.push_back(fixed(p));
     return list;
   }

@@ -14,10 +14,10 @@
 namespace vegard::fit {
 namespace {
 
-using test::Tiff;
+using tests::Tiff;
 
 Photo read(const std::string& bytes, const std::string& name, Decoding decoding = Decoding::automatic) {
-  const test::TemporaryFile file(name, bytes);
+  const tests::TemporaryFile file(name, bytes);
   return read_photo(file.path(), decoding);
 }
 
@@ -27,7 +27,7 @@ int code(const Photo& photo, int x, int y, int channel = 1) {
   return static_cast<int>(std::lround(sim::srgb_encode(photo.linear.at(x, y, channel)) * largest));
 }
 
-std::string four_blocks() { return test::jpeg_of_blocks(3, 2, {200, 200, 100, 50, 50, 10}); }
+std::string four_blocks() { return tests::jpeg_of_blocks(3, 2, {200, 200, 100, 50, 50, 10}); }
 
 // What each orientation of EXIF 2.3 does to a picture of 3 x 2 samples numbered 1 2 3 / 4 5 6, written out by
 // hand from the standard's words ("the 0th row is at the visual …").
@@ -66,27 +66,28 @@ TEST(ReadPhoto, GreyJpegBecomesThreeEqualLinearChannels) {
 }
 
 TEST(ReadPhoto, JpegOrientationInBothByteOrders) {
-  const std::string jpeg = test::jpeg_of_blocks(3, 2, {30, 60, 90, 120, 150, 180});
+  const std::string jpeg = tests::jpeg_of_blocks(3, 2, {30, 60, 90, 120, 150, 180});
   for (const Turned& turned : kTurned)
     for (const bool big : {false, true}) {
       const std::string exif =
-          std::string("Exif\0\0", 6) + test::exif_with_orientation(turned.orientation, big);
-      expect_turned(read(test::with_app1(jpeg, exif), "turned.jpg"), turned, 8, 30);
+          std::string("Exif\0\0", 6) + tests::exif_with_orientation(turned.orientation, big);
+      expect_turned(read(tests::with_app1(jpeg, exif), "turned.jpg"), turned, 8, 30);
     }
 }
 
 // OpenCV 4.6 alone looks at the first APP1 segment only and would miss this one.
 TEST(ReadPhoto, JpegOrientationBehindAnotherApp1Segment) {
-  const std::string jpeg = test::jpeg_of_blocks(3, 2, {30, 60, 90, 120, 150, 180});
-  const std::string exif = std::string("Exif\0\0", 6) + test::exif_with_orientation(6, true);
+  const std::string jpeg = tests::jpeg_of_blocks(3, 2, {30, 60, 90, 120, 150, 180});
+  const std::string exif = std::string("Exif\0\0", 6) + tests::exif_with_orientation(6, true);
   const std::string xmp = std::string("http://ns.adobe.com/xap/1.0/\0<x/>", 33);
-  expect_turned(read(test::with_app1(test::with_app1(jpeg, exif), xmp), "xmp.jpg"), kTurned[5], 8, 30);
+  expect_turned(read(tests::with_app1(tests::with_app1(jpeg, exif), xmp), "xmp.jpg"), kTurned[5], 8, 30);
 }
 
 TEST(ReadPhoto, PngOrientation) {
   for (const Turned& turned : kTurned) {
-    const std::string chunk = test::png_chunk("eXIf", test::exif_with_orientation(turned.orientation, true));
-    expect_turned(read(test::png(3, 2, 1, 8, {10, 20, 30, 40, 50, 60}, chunk), "turned.png"), turned, 1, 10);
+    const std::string chunk =
+        tests::png_chunk("eXIf", tests::exif_with_orientation(turned.orientation, true));
+    expect_turned(read(tests::png(3, 2, 1, 8, {10, 20, 30, 40, 50, 60}, chunk), "turned.png"), turned, 1, 10);
   }
 }
 
@@ -98,26 +99,26 @@ TEST(ReadPhoto, TiffOrientationAtEveryDepth) {
       t.width = 3, t.height = 2, t.bits = bits, t.orientation = turned.orientation;
       std::vector<double> samples;
       for (int i = 1; i <= 6; ++i) samples.insert(samples.end(), 3, 10.0 * i);
-      expect_turned(read(test::tiff(t, samples), "turned.tif"), turned, 1, 10);
+      expect_turned(read(tests::tiff(t, samples), "turned.tif"), turned, 1, 10);
     }
     Tiff t;
     t.width = 3, t.height = 2, t.bits = 32, t.floating = true, t.orientation = turned.orientation;
     t.channels = 1, t.photometric = 1;
-    const Photo photo = read(test::tiff(t, {1, 2, 3, 4, 5, 6}), "turned.tif");
+    const Photo photo = read(tests::tiff(t, {1, 2, 3, 4, 5, 6}), "turned.tif");
     ASSERT_EQ(photo.linear.width, turned.width);
     for (int i = 0; i < 6; ++i) EXPECT_EQ(photo.linear.data[3 * i], turned.samples[i]);
   }
 }
 
 TEST(ReadPhoto, ChannelsComeAsRedGreenBlueAndAlphaIsDropped) {
-  const Photo rgb = read(test::png(1, 1, 3, 8, {10, 20, 30}), "rgb.png");
-  const Photo rgba = read(test::png(1, 1, 4, 16, {1000, 2000, 3000, 400}), "rgba.png");
-  const Photo grey_alpha = read(test::png(1, 1, 2, 8, {40, 3}), "ga.png");
+  const Photo rgb = read(tests::png(1, 1, 3, 8, {10, 20, 30}), "rgb.png");
+  const Photo rgba = read(tests::png(1, 1, 4, 16, {1000, 2000, 3000, 400}), "rgba.png");
+  const Photo grey_alpha = read(tests::png(1, 1, 2, 8, {40, 3}), "ga.png");
   Tiff t;
   t.width = t.height = 1, t.channels = 4, t.bits = 16;
-  const Photo tiff_rgba = read(test::tiff(t, {1000, 2000, 3000, 400}), "rgba.tif");
+  const Photo tiff_rgba = read(tests::tiff(t, {1000, 2000, 3000, 400}), "rgba.tif");
   t.bits = 32, t.floating = true;
-  const Photo float_rgba = read(test::tiff(t, {0.5, -0.25, 7.0, 0.1}), "rgba.tif");
+  const Photo float_rgba = read(tests::tiff(t, {0.5, -0.25, 7.0, 0.1}), "rgba.tif");
   for (int c = 0; c < 3; ++c) {
     EXPECT_EQ(code(rgb, 0, 0, c), 10 * (c + 1));
     EXPECT_EQ(code(rgba, 0, 0, c), 1000 * (c + 1));
@@ -128,7 +129,7 @@ TEST(ReadPhoto, ChannelsComeAsRedGreenBlueAndAlphaIsDropped) {
 }
 
 TEST(ReadPhoto, DecodingIsChosenByTheFileOrByTheUser) {
-  const std::string integer = test::png(1, 1, 3, 16, {20000, 30000, 40000});
+  const std::string integer = tests::png(1, 1, 3, 16, {20000, 30000, 40000});
   const Photo assumed = read(integer, "a.png");
   EXPECT_EQ(assumed.decoding, "sRGB (16-bit PNG, assumed)");
   EXPECT_TRUE(assumed.srgb);
@@ -139,7 +140,7 @@ TEST(ReadPhoto, DecodingIsChosenByTheFileOrByTheUser) {
 
   Tiff t;
   t.width = t.height = 1, t.bits = 32, t.floating = true;
-  const std::string floats = test::tiff(t, {0.25, 0.5, 2.0});
+  const std::string floats = tests::tiff(t, {0.25, 0.5, 2.0});
   EXPECT_EQ(read(floats, "f.tif").decoding, "linear (32-bit float TIFF, assumed)");
   EXPECT_EQ(read(floats, "f.tif").linear.data, (std::vector<float>{0.25f, 0.5f, 2.0f}));
   EXPECT_FLOAT_EQ(read(floats, "f.tif", Decoding::srgb).linear.at(0, 0, 1),
@@ -147,9 +148,9 @@ TEST(ReadPhoto, DecodingIsChosenByTheFileOrByTheUser) {
 }
 
 TEST(ReadPhoto, LargestCodeIsClippedInItsChannelOnly) {
-  EXPECT_EQ(read(test::png(2, 1, 3, 8, {255, 254, 0, 1, 255, 255}), "c.png").usable,
+  EXPECT_EQ(read(tests::png(2, 1, 3, 8, {255, 254, 0, 1, 255, 255}), "c.png").usable,
             (std::vector<std::uint8_t>{0, 1, 1, 1, 0, 0}));
-  EXPECT_EQ(read(test::png(1, 1, 3, 16, {65535, 65534, 255}), "c.png").usable,
+  EXPECT_EQ(read(tests::png(1, 1, 3, 16, {65535, 65534, 255}), "c.png").usable,
             (std::vector<std::uint8_t>{0, 1, 1}));
 }
 
@@ -157,7 +158,7 @@ TEST(ReadPhoto, WhatIsNotFiniteIsNotUsable) {
   Tiff t;
   t.width = t.height = 1, t.bits = 32, t.floating = true;
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  const Photo photo = read(test::tiff(t, {nan, 1.0, inf}), "nan.tif");
+  const Photo photo = read(tests::tiff(t, {nan, 1.0, inf}), "nan.tif");
   EXPECT_EQ(photo.usable, (std::vector<std::uint8_t>{0, 1, 0}));
   EXPECT_EQ(photo.linear.data, (std::vector<float>{0.0f, 1.0f, 0.0f}));
 }
@@ -178,7 +179,7 @@ TEST(CodeStep, IsTheSlopeOfTheCurve) {
 
 /// The message of the Error(unreadable_input) that reading must throw; it must name the file.
 std::string refusal(const std::string& bytes, const std::string& name) {
-  const test::TemporaryFile file(name, bytes);
+  const tests::TemporaryFile file(name, bytes);
   try {
     read_photo(file.path(), Decoding::automatic);
   } catch (const sim::Error& error) {
@@ -198,14 +199,14 @@ bool says(const std::string& text, const std::string& word) {
 std::string small_tiff(int bits) {
   Tiff t;
   t.width = 4, t.height = 4, t.bits = bits, t.floating = bits == 32;
-  return test::tiff(t, std::vector<double>(48, 7.0));
+  return tests::tiff(t, std::vector<double>(48, 7.0));
 }
 
 // Every proper beginning of a file is a truncated file, and each must be refused.
 TEST(ReadPhoto, EveryTruncationIsRefused) {
-  for (const std::string& whole : {four_blocks(), test::png(3, 2, 3, 8, std::vector<int>(18, 90)),
+  for (const std::string& whole : {four_blocks(), tests::png(3, 2, 3, 8, std::vector<int>(18, 90)),
                                    small_tiff(8), small_tiff(16), small_tiff(32)}) {
-    const test::TemporaryFile sound("sound", whole);
+    const tests::TemporaryFile sound("sound", whole);
     EXPECT_NO_THROW(read_photo(sound.path(), Decoding::automatic));
     for (std::size_t size = 8; size < whole.size(); ++size)
       EXPECT_NE(refusal(whole.substr(0, size), "cut"), "it was read") << size << " of " << whole.size();
@@ -215,7 +216,7 @@ TEST(ReadPhoto, EveryTruncationIsRefused) {
 TEST(ReadPhoto, TruncationIsNamed) {
   const std::string jpeg = four_blocks();
   says(refusal(jpeg.substr(0, jpeg.size() - 2), "cut.jpg"), "end-of-image marker is missing");
-  const std::string picture = test::png(3, 2, 3, 8, std::vector<int>(18, 90));
+  const std::string picture = tests::png(3, 2, 3, 8, std::vector<int>(18, 90));
   says(refusal(picture.substr(0, picture.size() - 12), "cut.png"), "PNG end chunk is missing");
   const std::string strips = small_tiff(16);
   says(refusal(strips.substr(0, strips.size() - 1), "cut.tif"), "TIFF strip 1 of 1 reaches beyond the end");
@@ -227,7 +228,7 @@ TEST(ReadPhoto, BytesAfterTheEndDoNoHarm) {
 }
 
 TEST(ReadPhoto, DamagedPngIsRefused) {
-  std::string picture = test::png(3, 2, 3, 8, std::vector<int>(18, 90));
+  std::string picture = tests::png(3, 2, 3, 8, std::vector<int>(18, 90));
   picture[picture.size() - 24] ^= 1;
   says(refusal(picture, "damaged.png"), "checksum");
 }
@@ -244,9 +245,9 @@ TEST(ReadPhoto, WhatIsNoImageIsRefused) {
 TEST(ReadPhoto, SizesOutOfReachAreRefused) {
   auto png_claiming = [](std::uint64_t width, std::uint64_t height) {
     return "\x89PNG\r\n\x1a\n" +
-           test::png_chunk("IHDR", test::big_endian(width, 4) + test::big_endian(height, 4) +
-                                       std::string("\x08\x02\0\0\0", 5)) +
-           test::png_chunk("IDAT", "") + test::png_chunk("IEND", "");
+           tests::png_chunk("IHDR", tests::big_endian(width, 4) + tests::big_endian(height, 4) +
+                                        std::string("\x08\x02\0\0\0", 5)) +
+           tests::png_chunk("IDAT", "") + tests::png_chunk("IEND", "");
   };
   says(refusal(png_claiming(16385, 16384), "huge.png"), "16385 x 16384");
   says(refusal(png_claiming(0xffffffff, 0xffffffff), "huge.png"), "4294967295 x 4294967295");
@@ -257,22 +258,22 @@ TEST(ReadPhoto, SizesOutOfReachAreRefused) {
 TEST(ReadPhoto, KindsThatOpenCvGetsWrongAreRefused) {
   Tiff planar;
   planar.width = planar.height = 2, planar.bits = 16, planar.planar = 2;
-  says(refusal(test::tiff(planar, std::vector<double>(12, 5)), "planar.tif"), "separate planes");
+  says(refusal(tests::tiff(planar, std::vector<double>(12, 5)), "planar.tif"), "separate planes");
   Tiff negative;
   negative.width = negative.height = 2, negative.channels = 1, negative.photometric = 0;
-  says(refusal(test::tiff(negative, std::vector<double>(4, 5)), "negative.tif"), "neither grey");
+  says(refusal(tests::tiff(negative, std::vector<double>(4, 5)), "negative.tif"), "neither grey");
   Tiff alpha;
   alpha.width = alpha.height = 1, alpha.channels = 4;
-  says(refusal(test::tiff(alpha, {100, 50, 25, 128}), "alpha.tif"), "transparent");
-  EXPECT_EQ(code(read(test::tiff(alpha, {100, 50, 25, 255}), "opaque.tif"), 0, 0, 0), 100);
+  says(refusal(tests::tiff(alpha, {100, 50, 25, 128}), "alpha.tif"), "transparent");
+  EXPECT_EQ(code(read(tests::tiff(alpha, {100, 50, 25, 255}), "opaque.tif"), 0, 0, 0), 100);
 }
 
 // ---- masks ----
 
 TEST(ApplyMask, WhiteIsUsedAndClippedStaysOut) {
-  Photo photo = read(test::png(4, 1, 3, 8, {9, 9, 9, 9, 255, 9, 9, 9, 9, 9, 9, 9}), "p.png");
-  const std::string bytes = test::png(4, 1, 1, 8, {255, 128, 127, 0});
-  const test::TemporaryFile mask("mask.png", bytes);
+  Photo photo = read(tests::png(4, 1, 3, 8, {9, 9, 9, 9, 255, 9, 9, 9, 9, 9, 9, 9}), "p.png");
+  const std::string bytes = tests::png(4, 1, 1, 8, {255, 128, 127, 0});
+  const tests::TemporaryFile mask("mask.png", bytes);
   apply_mask(photo, mask.path());
   EXPECT_EQ(photo.usable, (std::vector<std::uint8_t>{1, 1, 1, 1, 0, 1, 0, 0, 0, 0, 0, 0}));
   EXPECT_EQ(photo.mask_name, mask.name());
@@ -281,13 +282,13 @@ TEST(ApplyMask, WhiteIsUsedAndClippedStaysOut) {
 
 // A mask drawn on the picture as a viewer shows it fits, whatever the orientations of the two files.
 TEST(ApplyMask, SizesAreComparedAfterOrientation) {
-  const std::string turn = test::png_chunk("eXIf", test::exif_with_orientation(6, false));
-  Photo photo = read(test::png(3, 2, 1, 8, {1, 2, 3, 4, 5, 6}, turn), "p.png");
-  const test::TemporaryFile upright("mask.png", test::png(2, 3, 1, 8, {0, 0, 0, 0, 0, 255}));
+  const std::string turn = tests::png_chunk("eXIf", tests::exif_with_orientation(6, false));
+  Photo photo = read(tests::png(3, 2, 1, 8, {1, 2, 3, 4, 5, 6}, turn), "p.png");
+  const tests::TemporaryFile upright("mask.png", tests::png(2, 3, 1, 8, {0, 0, 0, 0, 0, 255}));
   apply_mask(photo, upright.path());
   EXPECT_EQ(std::accumulate(photo.usable.begin(), photo.usable.end(), 0), 3);
   EXPECT_EQ(photo.usable[3 * 5], 1);
-  const test::TemporaryFile sideways("mask.png", test::png(3, 2, 1, 8, std::vector<int>(6, 255)));
+  const tests::TemporaryFile sideways("mask.png", tests::png(3, 2, 1, 8, std::vector<int>(6, 255)));
   try {
     apply_mask(photo, sideways.path());
     FAIL() << "a mask of another size was taken";
@@ -299,8 +300,8 @@ TEST(ApplyMask, SizesAreComparedAfterOrientation) {
 }
 
 TEST(ApplyMask, BlackMaskIsRefused) {
-  Photo photo = read(test::png(1, 1, 1, 8, {5}), "p.png");
-  const test::TemporaryFile mask("mask.png", test::png(1, 1, 1, 8, {0}));
+  Photo photo = read(tests::png(1, 1, 1, 8, {5}), "p.png");
+  const tests::TemporaryFile mask("mask.png", tests::png(1, 1, 1, 8, {0}));
   EXPECT_THROW(apply_mask(photo, mask.path()), sim::Error);
 }
 

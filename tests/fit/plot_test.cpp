@@ -39,7 +39,8 @@ TEST(AxisTicks, InsideTheLimitsEvenlySpacedAndNotTooMany) {
         EXPECT_GE(ticks.places[i], min - 1e-5 * length);
         EXPECT_LE(ticks.places[i], min + length * (1 + 1e-5));
         if (i > 1) {
-          EXPECT_NEAR(ticks.places[i] - ticks.places[i - 1], ticks.places[1] - ticks.places[0], 1e-9 * length);
+          EXPECT_NEAR(ticks.places[i] - ticks.places[i - 1], ticks.places[1] - ticks.places[0],
+                      1e-9 * length);
         }
       }
     }
@@ -91,7 +92,7 @@ TEST(PlotSvg, PutsDataWhereTheAxesSay) {
   const auto lines = lines_in(svg, "#0ac81e");
   ASSERT_EQ(lines.size(), 2u);  // the legend's sample and the line itself
   const auto frame = lines_in(svg, "#969696");
-  const std::vector<PlotPoint> corners = frame.front();  // top left, bottom left, bottom right
+  const std::vector<PlotPoint>& corners = frame.front();  // top left, bottom left, bottom right
   ASSERT_EQ(corners.size(), 3u);
   EXPECT_DOUBLE_EQ(corners[2].x - corners[0].x, 200.0);
   EXPECT_DOUBLE_EQ(corners[1].y - corners[0].y, 100.0);
@@ -158,7 +159,7 @@ TEST(PlotPng, DrawsTheSamePicture) {
   plot.panels[0].series[0].x = {-5.0, 7.0};
   plot.panels[0].series[0].y = {25.0, 25.0};
   const auto corners = lines_in(plot_svg(plot), "#969696").front();
-  const test::TemporaryFile file("plot.png", plot_png(plot));
+  const tests::TemporaryFile file("plot.png", plot_png(plot));
   const Photo png = read_photo(file.path(), Decoding::linear);
   const PlotSize size = plot_size(plot);
   EXPECT_EQ(png.linear.width, 2 * static_cast<int>(std::ceil(size.width)));

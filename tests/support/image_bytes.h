@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace vegard::test {
+namespace vegard::tests {
 
 inline std::string big_endian(std::uint64_t value, int size) {
   std::string s;
@@ -184,4 +184,4 @@ inline std::string tiff(const Tiff& t, const std::vector<double>& samples) {
   return s + bits_list + format_list + pixels;
 }
 
-}  // namespace vegard::test
+}  // namespace vegard::tests

@@ -1,0 +1,185 @@
+#include "apps/profile.h"
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "apps/elevation.h"
+#include "fit/photo.h"
+#include "fit/plot.h"
+#include "fit/profile.h"
+#include "fit/profile_csv.h"
+#include "fit/profile_plot.h"
+#include "sim/base/error.h"
+#include "sim/base/whole_file.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/scene_toml.h"
+
+namespace vegard::apps {
+namespace {
+
+/// As given on the command line: what is empty there follows from the scene.
+struct Options {
+  std::string image, output, mask, scene, plot;
+  std::vector<int> roi_px;
+  std::optional<int> bands;
+  std::string decoding;
+  bool overwrite = false;
+};
+
+const std::map<std::string, fit::Decoding> kDecodings = {
+    {"auto", fit::Decoding::automatic}, {"srgb", fit::Decoding::srgb}, {"linear", fit::Decoding::linear}};
+
+std::string size_text(int width, int height) {
+  return std::to_string(width) + " x " + std::to_string(height);
+}
+
+void check_size(const sim::Scene& scene, const fit::Photo& photo, const std::string& scene_file) {
+  const sim::Image& image = photo.linear;
+  if (scene.camera.width == image.width && scene.camera.height == image.height) return;
+  sim::ErrorDetails details;
+  details.file = scene_file;
+  details.key = "camera.width";
+  details.problem = "the scene's camera has " + size_text(scene.camera.width, scene.camera.height) +
+                    " pixels, the photograph " + photo.file_name + " has " +
+                    size_text(image.width, image.height);
+  details.hint = "set camera.width and camera.height to the photograph's";
+  throw sim::Error(sim::ErrorKind::scene, details);
+}
+
+/// Errors of the region and the bands name the scene's keys; on the command line they are options.
+template <typename Call>
+auto naming_options(const Options& options, const Call& call) {
+  try {
+    return call();
+  } catch (const sim::Error& error) {
+    sim::ErrorDetails details = error.details();
+    if (details.key == "fit.roi_px" && !options.roi_px.empty()) {
+      details.key = "--roi";
+    } else if (details.key == "fit.bands" && options.bands) {
+      details.key = "--bands";
+    } else {
+      if (details.file.empty()) details.file = options.scene;
+      throw sim::Error(error.kind(), details);
+    }
+    throw sim::Error(sim::ErrorKind::usage, details);
+  }
+}
+
+enum class PlotFormat { none, svg, png };
+
+PlotFormat plot_format(const std::string& file) {
+  if (file.empty()) return PlotFormat::none;
+  std::string extension = std::filesystem::path(file).extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (extension == ".svg") return PlotFormat::svg;
+  if (extension == ".png") return PlotFormat::png;
+  sim::ErrorDetails details;
+  details.key = "--plot";
+  details.problem = "'" + file + "' names no kind of picture";
+  details.expected = "a name that ends in .svg or .png";
+  throw sim::Error(sim::ErrorKind::usage, details);
+}
+
+[[noreturn]] void refuse_same_file(const std::string& key, const std::string& file,
+                                   const std::string& other) {
+  sim::ErrorDetails details;
+  details.key = key;
+  details.problem = "'" + file + "' is " + other + " as well";
+  details.hint = "choose another name";
+  throw sim::Error(sim::ErrorKind::usage, details);
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  std::error_code ignored;
+  if (std::filesystem::equivalent(a, b, ignored)) return true;
+  return std::filesystem::weakly_canonical(a, ignored) == std::filesystem::weakly_canonical(b, ignored);
+}
+
+/// With --overwrite a slip of the pen would cost the photograph.
+void check_outputs(const Options& options) {
+  if (same_file(options.output, options.plot)) refuse_same_file("--plot", options.plot, "the table's name");
+  for (const std::string& input : {options.image, options.mask, options.scene}) {
+    if (same_file(options.output, input)) refuse_same_file("--output", options.output, "an input");
+    if (same_file(options.plot, input)) refuse_same_file("--plot", options.plot, "an input");
+  }
+}
+
+void run(const Options& options) {
+  const PlotFormat format = plot_format(options.plot);
+  check_outputs(options);
+  std::optional<sim::Scene> scene;
+  if (!options.scene.empty()) scene = sim::read_scene(options.scene);
+  const sim::Fit defaults = scene ? scene->fit : sim::Fit{};
+
+  const std::string decoding = options.decoding.empty() ? defaults.decoding : options.decoding;
+  fit::Photo photo = fit::read_photo(options.image, kDecodings.at(decoding));
+  fit::ElevationOfPixel elevation;
+  if (scene) {
+    check_size(*scene, photo, options.scene);
+    elevation = elevation_of_pixel(*scene);
+  }
+  if (!options.mask.empty()) fit::apply_mask(photo, options.mask);
+
+  std::array<int, 4> roi_px = defaults.roi_px;
+  for (std::size_t i = 0; i < options.roi_px.size(); ++i) roi_px[i] = options.roi_px[i];
+  const fit::Profile profile = naming_options(options, [&] {
+    const fit::Region region = fit::checked_region(roi_px, photo.linear.width, photo.linear.height);
+    return fit::extract_profile(photo, region, options.bands.value_or(defaults.bands));
+  });
+
+  // The plot is made before anything is written: what fails here leaves nothing behind.
+  std::string plot;
+  if (format != PlotFormat::none) {
+    const fit::Plot description = fit::profile_plot(photo, profile, elevation);
+    plot = format == PlotFormat::svg ? fit::plot_svg(description) : fit::plot_png(description);
+  }
+  // Both places are claimed before either is filled.
+  sim::WholeFile table_file(options.output, options.overwrite);
+  std::optional<sim::WholeFile> plot_file;
+  if (format != PlotFormat::none) plot_file.emplace(options.plot, options.overwrite);
+  table_file.write(fit::profile_csv(photo, profile, elevation));
+  if (plot_file) plot_file->write(plot);
+  table_file.commit();
+  if (plot_file) plot_file->commit();
+
+  std::printf("%s: %s pixels, decoding: %s\n", photo.file_name.c_str(),
+              size_text(photo.linear.width, photo.linear.height).c_str(), photo.decoding.c_str());
+  std::printf("%s: %d bands of %d rows\n", options.output.c_str(), profile.bands, profile.rows);
+  if (plot_file) std::printf("%s\n", options.plot.c_str());
+}
+
+}  // namespace
+
+void add_profile_command(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "profile", "Measure a photograph: mean light per row and band, as CSV and as a plot");
+  command->add_option("IMAGE", options->image, "JPEG, PNG or TIFF")->required();
+  command->add_option("-o,--output", options->output, "The table to write")->required()->type_name("OUT.csv");
+  command->add_option("--roi", options->roi_px, "Region of interest in pixels (default: the scene's, or all)")
+      ->delimiter(',')
+      ->expected(4)
+      ->type_name("X,Y,W,H");
+  command->add_option("--bands", options->bands, "Equal column strips (default: the scene's, or 24)");
+  command->add_option("--mask", options->mask, "An image of the same size: white = use");
+  command->add_option("--scene", options->scene, "A scene whose camera took the photograph: adds elevations");
+  command->add_option("--decoding", options->decoding, "auto: sRGB for integers, linear for floats")
+      ->check(CLI::IsMember({"auto", "srgb", "linear"}));
+  command->add_option("--plot", options->plot, "Draw the profiles too")->type_name("OUT.svg|OUT.png");
+  command->add_flag("--overwrite", options->overwrite, "Replace outputs that exist");
+  command->callback([options, &exit_code] {
+    run(*options);
+    exit_code = 0;
+  });
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,11 @@
+// `vegard profile IMAGE -o OUT.csv`: the vertical profiles of a photograph.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace vegard::apps {
+
+/// Adds the subcommand; its callback sets `exit_code`, which must outlive the parsing, and throws sim::Error.
+void add_profile_command(CLI::App& app, int& exit_code);
+
+}  // namespace vegard::apps
