@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kWidestCell = 4;
 constexpr int kCellsPerBand = 12;
+constexpr double kBeyond = 0.5;  // sheet lengths by which a fit may move an end
 
 int cell_width(const Region& region, int bands) {
   return std::clamp(region.width / bands / kCellsPerBand, 1, kWidestCell);
@@ -158,13 +159,15 @@ ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo, const Re
   w.threads = sim::thread_count(threads);
   w.scene = scene;
   w.used_beams.resize(scene.sheets.size());
-  for (sim::Sheet& sheet : w.scene.sheets)
+  for (sim::Sheet& sheet : w.scene.sheets) {
     sheet.beams = std::max(1, static_cast<int>(std::lround(sheet.beams * beams_share)));
+    sheet.spacing_jitter = 0.0;  // the expectation is wanted, not one realisation
+  }
   const int cell = cell_width(region, bands);
   w.film = sim::film_for(scene, region.x, region.y, region.width, region.height, cell, 1.0);
   w.top = static_cast<int>(std::lround(region.y - w.film.y0_px));
   const int left = static_cast<int>(std::lround((region.x - w.film.x0_px) / cell));
-  w.exposer = std::make_unique<sim::Exposer>(w.scene, w.film, threads);
+  w.exposer = std::make_unique<sim::Exposer>(w.scene, w.film, threads, kBeyond);
 
   w.weights.resize(bands);
   for (int b = 0; b < bands; ++b) {

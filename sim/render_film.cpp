@@ -179,6 +179,7 @@ struct Exposer::Workspace {
   FilmGeometry film;
   int threads = 1;
   std::vector<std::vector<std::vector<BeamPlace>>> places;  // [sheet][layer][beam]
+  std::vector<StretchOfSheet> stretches;                    // [sheet]
   std::vector<Chunk> chunks;
   std::vector<std::vector<std::int64_t>> slot_films;
 
@@ -189,6 +190,7 @@ struct Exposer::Workspace {
     out.groups.clear();
     out.chains.clear();
     const Sheet& sheet = scene.sheets[chunk.sheet];
+    const bool literal = sheet.spacing_rule == "literal";
     const SheetShape<double> shape = shape_of<double>(sheet, scene.field.inclination_deg, NoSeeds());
     SheetShape<FreeDual> free_shape;
     if (seeds != nullptr) free_shape = shape_of<FreeDual>(sheet, scene.field.inclination_deg, *seeds);
@@ -202,7 +204,9 @@ struct Exposer::Workspace {
       int place_in_group = kGroup;
       for (int b = chunk.first; b < chunk.first + chunk.count; ++b) {
         const BeamPlace& place = places[chunk.sheet][layer][b];
-        const BeamFoot<double> foot = beam_foot(shape, place, layer, sheet.layers);
+        const BeamFoot<double> foot =
+            beam_foot(shape, stretches[chunk.sheet], place, layer, sheet.layers, literal);
+        if (foot.flux_km2_mw_m2 <= 0.0) continue;
         if (foot.east_km * foot.east_km + foot.north_km * foot.north_km > kFarthestKm * kFarthestKm) continue;
         const Beam<double> plain = start_beam(foot.east_km, foot.north_km, fall, k.observer_altitude_km,
                                               sheet.top_km, HeightProfile::kBottomKm);
@@ -227,7 +231,8 @@ struct Exposer::Workspace {
           for (int i = 0; i < 3; ++i) put(beam.start_in_enu_km[i], place_in_group, group.start_in_enu_km[i]);
           put(beam.length_km, place_in_group, group.length_km);
           put(beam.vertical, place_in_group, group.vertical);
-          const BeamFoot<FreeDual> free_foot = beam_foot(free_shape, place, layer, sheet.layers);
+          const BeamFoot<FreeDual> free_foot =
+              beam_foot(free_shape, stretches[chunk.sheet], place, layer, sheet.layers, literal);
           GroupChain& chain = out.chains.back();
           narrow(free_foot.east_km.d, 1.0, chain.foot_east[place_in_group]);
           narrow(free_foot.north_km.d, 1.0, chain.foot_north[place_in_group]);
@@ -277,18 +282,20 @@ struct Exposer::Workspace {
   }
 };
 
-Exposer::Exposer(const Scene& scene, const FilmGeometry& film, int threads)
+Exposer::Exposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond)
     : work_(std::make_unique<Workspace>()) {
   work_->film = film;
   work_->threads = thread_count(threads);
   for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
     const Sheet& sheet = scene.sheets[s];
+    work_->stretches.push_back(stretch_of(sheet));
     work_->places.emplace_back();
     for (int layer = 0; layer < sheet.layers; ++layer)
-      work_->places.back().push_back(
-          beam_places(sheet, static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(layer), scene.seed));
-    for (int first = 0; first < sheet.beams; first += kBeamsPerChunk)
-      work_->chunks.push_back({static_cast<int>(s), first, std::min(kBeamsPerChunk, sheet.beams - first)});
+      work_->places.back().push_back(beam_places(sheet, static_cast<std::uint32_t>(s),
+                                                 static_cast<std::uint32_t>(layer), scene.seed, beyond));
+    const int beams = static_cast<int>(work_->places.back().front().size());
+    for (int first = 0; first < beams; first += kBeamsPerChunk)
+      work_->chunks.push_back({static_cast<int>(s), first, std::min(kBeamsPerChunk, beams - first)});
   }
 }
 

@@ -40,7 +40,9 @@ double blur_sigma_px(const Scene& scene, int line);
 /// their seed, sheets, layers, beams or film. Not for use by two threads at once.
 class Exposer {
  public:
-  Exposer(const Scene& scene, const FilmGeometry& film, int threads);
+  /// `beyond` lays out dark beams past the sheets' ends, so many sheet lengths on either side, for later scenes
+  /// in which the ends have moved along the line.
+  Exposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond = 0.0);
   ~Exposer();
 
   /// `progress`, if any, is told the finished share now and then, from any thread; `stop`, if any, ends the

@@ -34,8 +34,8 @@ PinholeView<T> pinhole_view(const T& azimuth, const T& elevation, const T& roll,
   const T level_up[3] = {-(sa * se), -(ca * se), ce};
   PinholeView<T> view;
   for (int i = 0; i < 3; ++i) {
-    view.camera_from_enu[0][i] = level_right[i] * cr - level_up[i] * sr;
-    view.camera_from_enu[1][i] = -(level_up[i] * cr + level_right[i] * sr);
+    view.camera_from_enu[0][i] = level_right[i] * cr + level_up[i] * sr;
+    view.camera_from_enu[1][i] = -(level_up[i] * cr - level_right[i] * sr);
   }
   view.camera_from_enu[2][0] = sa * ce;
   view.camera_from_enu[2][1] = ca * ce;

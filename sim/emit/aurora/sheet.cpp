@@ -1,5 +1,8 @@
 #include "sim/emit/aurora/sheet.h"
 
+#include <cmath>
+
+#include "sim/base/earth.h"
 #include "sim/base/normal_quantile.h"
 #include "sim/base/random.h"
 
@@ -15,24 +18,31 @@ double van_der_corput(std::uint32_t i) {
 
 }  // namespace
 
+StretchOfSheet stretch_of(const Sheet& sheet) {
+  const double bearing = sheet.bearing_deg * kRadiansPerDegree;
+  return {sheet.center_km.east * std::sin(bearing) + sheet.center_km.north * std::cos(bearing),
+          sheet.length_km};
+}
+
 std::vector<BeamPlace> beam_places(const Sheet& sheet, std::uint32_t sheet_index, std::uint32_t layer,
-                                   std::uint64_t seed) {
-  const auto n = static_cast<std::uint32_t>(sheet.beams);
-  const std::uint32_t which = sheet_index * 256 + layer;
+                                   std::uint64_t seed, double beyond) {
   const bool literal = sheet.spacing_rule == "literal";
+  if (literal) beyond = 0.0;
+  const auto n = static_cast<std::uint32_t>(std::ceil(sheet.beams * (1.0 + 2.0 * beyond)));
+  const std::uint32_t which = sheet_index * 256 + layer;
   const double even_step = 1.0 / n;
   const double shift = uniform(random_words(seed, Stream::cross_section, 0, which)[0]);
   std::vector<BeamPlace> places(n);
   double s = 0.0;
   for (std::uint32_t i = 0; i < n; ++i) {
-    const Words words = random_words(seed, Stream::beam_spacing, i, which);
-    const double u = uniform(words[0]);
+    const double u = uniform(random_words(seed, Stream::beam_spacing, i, which)[0]);
     const double step = literal ? even_step * (u > 0.5 ? 1.0 + u : 1.0 - u)
                                 : even_step * (1.0 + sheet.spacing_jitter * (2.0 * u - 1.0));
     BeamPlace& place = places[i];
     place.s = literal ? s : s + 0.5 * step;
     place.s_of_phase = literal ? i * even_step : place.s;
-    place.share = literal ? even_step : step;
+    place.from = s;
+    place.to = s + (literal ? even_step : step);
     s += step;
     double across = van_der_corput(i) + shift;
     if (across >= 1.0) across -= 1.0;
@@ -40,10 +50,11 @@ std::vector<BeamPlace> beam_places(const Sheet& sheet, std::uint32_t sheet_index
     place.depth = uniform(random_words(seed, Stream::depth, i, which)[0]);
   }
   if (!literal) {
+    const auto scaled = [&](double at) { return at / s * (1.0 + 2.0 * beyond) - beyond; };
     for (BeamPlace& place : places) {
-      place.s /= s;
-      place.s_of_phase = place.s;
-      place.share /= s;
+      place.from = scaled(place.from);
+      place.to = scaled(place.to);
+      place.s = place.s_of_phase = scaled(place.s);
     }
   }
   return places;

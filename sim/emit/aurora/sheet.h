@@ -27,46 +27,79 @@ struct SheetShape {
   double side;  ///< +1 in the northern hemisphere, -1 in the southern: the direction of u x B
 };
 
-/// Where a beam stands on its layer before any parameter is known: pure functions of the seed, frozen during
-/// a fit.
+/// Where a beam stands on its layer, before any parameter is known: pure functions of the seed, frozen during
+/// a fit. Places along the sheet are fractions of the line from start (0) to end (1) of a StretchOfSheet.
 struct BeamPlace {
-  double s = 0.0;           ///< along the line from start (0) to end (1)
-  double s_of_phase = 0.0;  ///< where the sine is read: s itself, or the even place of the literal rule
-  double share = 0.0;       ///< of the layer's light; the shares of a layer sum to 1
-  double across = 0.0;      ///< place in the Gaussian cross-section, in standard deviations
-  double depth = 0.0;       ///< uniform in (0, 1), for the random depth
+  double s = 0.0;               ///< of the beam
+  double from = 0.0, to = 0.0;  ///< the stretch of the sheet that the beam stands for
+  double s_of_phase = 0.0;      ///< where the sine is read: s itself, or the even place of the literal rule
+  double across = 0.0;          ///< place in the Gaussian cross-section, in standard deviations
+  double depth = 0.0;           ///< uniform in (0, 1), for the random depth
 };
 
-/// The places of one layer's beams, in order along the arc. Across the layer they follow van der Corput's
-/// sequence, so that place along and place across together fill the sheet evenly (a Hammersley set, shifted
-/// by the seed). tied: s += d_s (1 + j (2u - 1)), then scaled to end at 1, phase read at the jittered s,
-/// light shared by spacing. literal: s += d_s (1 ± ξ), phase 2πD/λ · i/n whatever s is, mean step 1.25 d_s,
-/// light shared equally.
+/// The line on which beams are laid out: coordinates along a sheet count from the foot of the perpendicular
+/// from the observer. It stays where it is while a fit moves the sheet's start and end over it. So a beam
+/// does not travel along the arc with the sheet's centre, and where neither end can be seen the derivatives
+/// say so, free of sampling noise.
+struct StretchOfSheet {
+  double center_km = 0.0;
+  double length_km = 0.0;
+};
+
+/// The stretch that a sheet takes up now.
+StretchOfSheet stretch_of(const Sheet& sheet);
+
+/// The places of one layer's beams, in order along the arc, `beyond` sheet lengths past either end included
+/// (as many beams per kilometre there; they are dark until a fit moves an end). Across the layer they follow
+/// van der Corput's sequence, so that place along and place across together fill the sheet evenly (a
+/// Hammersley set, shifted by the seed). tied: s += d_s (1 + j (2u - 1)), then scaled to end at 1, phase read
+/// at the jittered s, light by the stretch. literal: s += d_s (1 ± ξ), phase 2πD/λ · i/n whatever s is, mean
+/// step 1.25 d_s, light shared equally; `beyond` is 0.
 std::vector<BeamPlace> beam_places(const Sheet& sheet, std::uint32_t sheet_index, std::uint32_t layer,
-                                   std::uint64_t seed);
+                                   std::uint64_t seed, double beyond);
 
 template <class T>
 struct BeamFoot {
   T east_km, north_km;  ///< in the tangent plane, of the point of the field line at 110 km altitude
-  T flux_km2_mw_m2;     ///< energy flux times the horizontal area that the beam stands for
+  T flux_km2_mw_m2;  ///< energy flux times the horizontal area that the beam stands for; 0 beyond the sheet's
+                     ///< ends
 };
 
 /// The foot of a beam. Equation (1) with P_i added: P = P_i + s u + w sin(phase) (u x B)/|u x B|, in the
-/// tangent plane. The area is Q's Gaussian cross-section, width sqrt(2 pi), times the beam's share of the
-/// arc's length.
+/// tangent plane. The area is Q's Gaussian cross-section, width sqrt(2 pi), times the beam's stretch of the
+/// arc.
 template <class T>
-BeamFoot<T> beam_foot(const SheetShape<T>& sheet, const BeamPlace& place, int layer, int layers) {
-  const T toward_east = sine(sheet.bearing_rad), toward_north = cosine(sheet.bearing_rad);
+BeamFoot<T> beam_foot(const SheetShape<T>& sheet, const StretchOfSheet& stretch, const BeamPlace& place,
+                      int layer, int layers, bool literal) {
+  constexpr double kTwoPi = 6.283185307179586, kSqrtTwoPi = 2.5066282746310002;
+  const T u_east = sine(sheet.bearing_rad), u_north = cosine(sheet.bearing_rad);
+  const T center_along = sheet.center_east_km * u_east + sheet.center_north_km * u_north;
+  const T center_left = sheet.center_north_km * u_east - sheet.center_east_km * u_north;
+  const T start = center_along - sheet.length_km * 0.5;
+  const double stretch_start = stretch.center_km - 0.5 * stretch.length_km;
+
+  T along, from_start, share;
+  if (literal) {
+    along = start + sheet.length_km * place.s;
+    from_start = sheet.length_km * place.s_of_phase;
+    share = sheet.length_km * (place.to - place.from);
+  } else {
+    along = T(stretch_start + stretch.length_km * place.s);
+    from_start = along - start;
+    const T end = start + sheet.length_km;
+    T first(stretch_start + stretch.length_km * place.from),
+        last(stretch_start + stretch.length_km * place.to);
+    if (value_of(start) > value_of(first)) first = start;
+    if (value_of(end) < value_of(last)) last = end;
+    share = value_of(last) > value_of(first) ? last - first : T(0.0);
+  }
   const double layer_part = layers > 1 ? static_cast<double>(layer) / (layers - 1) : 0.0;
-  constexpr double kTwoPi = 6.283185307179586;
-  const T phase = sheet.length_km * (kTwoPi * place.s_of_phase) / sheet.wavelength_km + sheet.phase_rad +
-                  sheet.phase_shift_rad * layer_part;
-  const T along = sheet.length_km * (place.s - 0.5);
-  const T left = (sheet.thickness_km * sine(phase) + sheet.width_km * place.across) * sheet.side;
-  constexpr double kSqrtTwoPi = 2.5066282746310002;
-  return {sheet.center_east_km + along * toward_east - left * toward_north,
-          sheet.center_north_km + along * toward_north + left * toward_east,
-          sheet.energy_flux_mw_m2 * sheet.width_km * sheet.length_km * (kSqrtTwoPi * place.share)};
+  const T phase =
+      from_start * kTwoPi / sheet.wavelength_km + sheet.phase_rad + sheet.phase_shift_rad * layer_part;
+  const T left =
+      center_left + (sheet.thickness_km * sine(phase) + sheet.width_km * place.across) * sheet.side;
+  return {along * u_east - left * u_north, along * u_north + left * u_east,
+          sheet.energy_flux_mw_m2 * sheet.width_km * share * kSqrtTwoPi};
 }
 
 }  // namespace vegard::sim
