@@ -16,6 +16,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kCoarseShare = 0.25;  // of the beams, for the search
+constexpr int kSamplings = 4;          // for the error bars
 constexpr double kSecondMode = 4.0;  // difference of chi2 (two standard deviations) in units of the inflation
 
 void check_sizes(const sim::Scene& scene, const Photo& photo) {
@@ -28,11 +29,16 @@ void check_sizes(const sim::Scene& scene, const Photo& photo) {
        scene.file, 0, "camera.width", "the photograph's size", "set camera.width and camera.height"});
 }
 
+/// 360 or 2 pi for an angle, 0 for anything else.
+double full_turn(const FreeNumber& n) {
+  if (n.path.row->scale != sim::ParameterScale::angle) return 0.0;
+  return n.path.row->unit == "rad" ? 2.0 * std::acos(-1.0) : 360.0;
+}
+
 /// An angle without needless turns, unless the user's own limits say which turn is meant.
 double tidy(const FreeNumber& n, double value) {
-  if (n.path.row->scale != sim::ParameterScale::angle || n.min > n.path.row->min || n.max < n.path.row->max)
-    return value;
-  const double turn = n.path.row->unit == "rad" ? 2.0 * std::acos(-1.0) : 360.0;
+  const double turn = full_turn(n);
+  if (turn == 0.0 || n.min > n.path.row->min || n.max < n.path.row->max) return value;
   return value - turn * std::floor(value / turn);
 }
 
@@ -169,26 +175,31 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
   log.limit = std::numeric_limits<int>::max();
   const ProfileCost cost(scene, free, full, linear, log);
   const ProfileCost::Point point = cost.at(values, true);
-  std::vector<double> jacobian;
-  linear.jacobian(point.aurora, point.solution, jacobian);
-  std::vector<double> residual = point.solution.residual;
-  const std::size_t n = free.size();
-  for (std::size_t k = 0; k < residual.size(); ++k)
-    for (std::size_t j = 0; j < n; ++j) jacobian[k * n + j] *= free[j].slope(free[j].coordinate(values[j]));
   const int held = static_cast<int>(std::count(point.solution.held.begin(), point.solution.held.end(), true));
   r.chi2 = point.chi2;
   r.dof = linear.residuals() - unknowns + held;
-  r.error_inflation = error_inflation(r.data, linear.used(), residual, r.dof);
-  int rows = linear.residuals();
+  r.error_inflation = error_inflation(r.data, linear.used(), point.solution.residual, r.dof);
+
+  // Error bars from several samplings of the same scene (see uncertainty.h).
+  const std::size_t n = free.size();
+  std::vector<double> slopes, prior_information;
   for (std::size_t j = 0; j < n; ++j) {
-    if (!free[j].prior) continue;
-    // A prior is believed as it stands: its row is not to be inflated with the data's.
-    std::vector<double> row(n, 0.0);
-    row[j] = r.error_inflation * free[j].slope(free[j].coordinate(values[j])) / free[j].prior->sigma;
-    jacobian.insert(jacobian.end(), row.begin(), row.end());
-    ++rows;
+    slopes.push_back(free[j].slope(free[j].coordinate(values[j])));
+    prior_information.push_back(free[j].prior ? std::pow(slopes[j] / free[j].prior->sigma, 2) : 0.0);
   }
-  const Uncertainty u = uncertainty(jacobian, rows, static_cast<int>(n), r.error_inflation);
+  std::vector<std::vector<double>> jacobians;
+  for (int sampling = 0; sampling < kSamplings; ++sampling) {
+    sim::Scene other = scene;
+    put_values(other, free, values);
+    other.seed += static_cast<std::uint64_t>(sampling);
+    ProfileModel model(other, photo, region, scene.fit.bands, 1.0, options.threads);
+    const ProfileCost::Point sampled = ProfileCost(other, free, model, linear, log).at(values, true);
+    jacobians.emplace_back();
+    linear.jacobian(sampled.aurora, sampled.solution, jacobians.back());
+    for (std::size_t k = 0; k < jacobians.back().size(); ++k) jacobians.back()[k] *= slopes[k % n];
+  }
+  const Uncertainty u =
+      uncertainty(jacobians, linear.residuals(), static_cast<int>(n), prior_information, r.error_inflation);
 
   r.best = scene;
   r.model = linear.model(point.aurora, point.solution);
@@ -209,7 +220,8 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
     const double difference = (other.chi2 - r.chi2) / (r.error_inflation * r.error_inflation);
     if (difference > kSecondMode) continue;
     for (std::size_t j = 0; j < n; ++j) {
-      const double apart = std::abs(other.values[j] - values[j]);
+      double apart = std::abs(other.values[j] - values[j]);
+      if (const double turn = full_turn(free[j]); turn > 0.0) apart = std::abs(std::remainder(apart, turn));
       if (r.parameters[j].sigma && apart > 3.0 * *r.parameters[j].sigma) {
         evidence.second_mode = true;
         evidence.second_mode_text = "another answer explains the data almost as well, with " +

@@ -1,5 +1,6 @@
 #include "fit/search.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -14,6 +15,10 @@ constexpr int kOverallDescents = 2;
 constexpr int kShortDescent = 12;  // iterations
 constexpr int kLongDescent = 60;
 constexpr int kPolished = 2;
+constexpr int kPhases = 12;         // where the sine's amplitude is fixed
+constexpr double kScanRange = 1.1;  // of log(wavelength): a factor 0.58 to 1.73 about the start
+constexpr double kNearlyStraight = 0.1;
+constexpr double kDamping = 1e-4;
 constexpr double kPi = 3.141592653589793;
 
 using Values = std::vector<double>;
@@ -30,6 +35,8 @@ bool is_periodic(const FreeNumber& n) { return is(n, "wavelength_km") || is(n, "
 bool is_overall(const FreeNumber& n) {
   return is(n, "center_km") || is(n, "energy_kev") || is(n, "bearing_deg");
 }
+
+bool is_thickness(const FreeNumber& n) { return is(n, "thickness_km"); }
 
 std::vector<std::size_t> indices(const std::vector<FreeNumber>& free, bool (*belongs)(const FreeNumber&)) {
   std::vector<std::size_t> result;
@@ -76,11 +83,12 @@ class Search {
     note(start, outcome.chi2_initial);
     trace_.push_back({"start", log_.residuals, outcome.chi2_initial, start});
 
-    std::vector<Trial> ends = {{start, coarse_.at(start, false).chi2}};
+    std::vector<Trial> ends = {tried(start)};
     if (scene_.fit.scan_points > 0) {
-      ends = overall(ends.front());
-      ends = scan(ends);
-      ends = descend_from(ends, scene_.fit.scan_descents, "descent");
+      std::vector<Trial> trials = scan(overall(ends.front()));
+      trials.push_back(ends.front());  // whoever starts close is not to be led away
+      sort(trials);
+      ends = descend_from(trials, scene_.fit.scan_descents, "descent");
     }
     std::vector<Descent> polished;
     for (std::size_t i = 0; i < ends.size() && i < kPolished; ++i) {
@@ -142,16 +150,20 @@ class Search {
     return result;
   }
 
-  /// Trials of distance, bearing and energy around the start, and short descents from the best.
-  std::vector<Trial> overall(const Trial& start) {
+  /// Trials of distance, bearing and energy around the start, and short descents from the best. A sine with
+  /// the wrong phase would pull the bearing its way, so the sheet is all but straight while this lasts.
+  Trial overall(const Trial& start) {
     const std::vector<std::size_t> which = indices(free_, is_overall);
-    if (which.empty()) return {start};
+    if (which.empty()) return start;
     tell("overall", 0.02);
-    std::vector<Trial> trials = {start};
+    Values straight = start.values;
+    for (std::size_t j : indices(free_, is_thickness))
+      straight[j] = inside(free_[j], kNearlyStraight * straight[j]);
+    std::vector<Trial> trials = {tried(straight)};
     // One draw moves both components of a centre: outwards or inwards along its own direction.
     for (int i = 0; i < kOverallTrials && !log_.exhausted(); ++i) {
       const std::vector<double> u = even_point(i, 3, scene_.seed);
-      Values values = start.values;
+      Values values = straight;
       for (std::size_t j : which) {
         const FreeNumber& n = free_[j];
         if (is(n, "center_km")) values[j] *= std::exp((u[0] - 0.5) * 1.4);
@@ -168,44 +180,107 @@ class Search {
     if (ends.empty()) ends.push_back(trials.front());
     sort(ends);
     record(ends.front(), "overall");
-    return {ends.front()};
+    return ends.front();
   }
 
-  /// Wavelength by phase, on a grid whose origin the seed shifts. The wavelength's steps are as fine as the
-  /// phase at the far end of the arc asks for.
-  std::vector<Trial> scan(const std::vector<Trial>& from) {
-    std::vector<Trial> trials = from;
+  /// The free numbers of one sheet's sine; -1 for what is not free.
+  struct Sine {
+    int wavelength = -1, phase = -1, thickness = -1;
+  };
+  Sine sine_of(int sheet) const {
+    Sine sine;
+    for (std::size_t j = 0; j < free_.size(); ++j) {
+      if (free_[j].path.sheet != sheet) continue;
+      if (is(free_[j], "wavelength_km")) sine.wavelength = static_cast<int>(j);
+      if (is(free_[j], "phase_rad")) sine.phase = static_cast<int>(j);
+      if (is_thickness(free_[j])) sine.thickness = static_cast<int>(j);
+    }
+    return sine;
+  }
+
+  /// Trials of wavelength and phase, sheet by sheet, from a sheet that is all but straight. The wavelengths'
+  /// steps are as fine as the phase at the far end of the arc asks for; the seed shifts their origin.
+  std::vector<Trial> scan(const Trial& from) {
+    std::vector<Trial> trials = {from};
+    const std::vector<double> shift = even_point(0, 2, scene_.seed + 1);
     for (std::size_t s = 0; s < scene_.sheets.size(); ++s) {
-      int wavelength = -1, phase = -1;
-      for (std::size_t j = 0; j < free_.size(); ++j) {
-        if (free_[j].path.sheet != static_cast<int>(s)) continue;
-        if (is(free_[j], "wavelength_km")) wavelength = static_cast<int>(j);
-        if (is(free_[j], "phase_rad")) phase = static_cast<int>(j);
-      }
-      if (wavelength < 0 && phase < 0) continue;
+      const Sine sine = sine_of(static_cast<int>(s));
+      if (sine.wavelength < 0 && sine.phase < 0) continue;
       const Trial base = trials.front();
-      const int phases = phase < 0 ? 1 : wavelength < 0 ? scene_.fit.scan_points : 12;
-      const int wavelengths = wavelength < 0 ? 1 : std::max(1, scene_.fit.scan_points / phases);
-      const std::vector<double> shift = even_point(0, 2, scene_.seed + 1);
-      for (int w = 0; w < wavelengths; ++w) {
+      const int wavelengths = sine.wavelength < 0 ? 1 : scene_.fit.scan_points;
+      for (int w = 0; w < wavelengths && !log_.exhausted(); ++w) {
         tell("scan", 0.1 + 0.3 * w / wavelengths);
-        for (int f = 0; f < phases && !log_.exhausted(); ++f) {
-          Values values = base.values;
-          if (wavelength >= 0) {
-            const double u = (w + shift[0]) / wavelengths - 0.5;
-            values[wavelength] = inside(free_[wavelength], values[wavelength] * std::exp(1.1 * u));
-          }
-          if (phase >= 0) {
-            const double turns = (f + shift[1]) / phases;
-            values[phase] = inside(free_[phase], base.values[phase] + 2.0 * kPi * (turns - 0.5));
-          }
-          trials.push_back(tried(values));
+        Values values = base.values;
+        if (sine.wavelength >= 0) {
+          const double u = (w + shift[0]) / wavelengths - 0.5;
+          values[sine.wavelength] =
+              inside(free_[sine.wavelength], values[sine.wavelength] * std::exp(kScanRange * u));
         }
+        if (sine.phase >= 0 && sine.thickness >= 0)
+          trials.push_back(straightest_sine(values, sine));
+        else
+          for (int f = 0; sine.phase >= 0 && f < kPhases; ++f) {
+            values[sine.phase] =
+                inside(free_[sine.phase], base.values[sine.phase] + 2.0 * kPi * (f + shift[1]) / kPhases);
+            trials.push_back(tried(values));
+          }
       }
       sort(trials);
     }
     record(trials.front(), "scan");
     return trials;
+  }
+
+  /// The sine of given wavelength that fits best, to first order: w sin(x + phase) = a sin x + b cos x is
+  /// linear in a and b, so two Jacobians of a nearly straight sheet, with phases 0 and a quarter turn, give a
+  /// and b together with the steps of everything else but the wavelength. One evaluation then tells what the
+  /// trial is worth.
+  Trial straightest_sine(Values values, const Sine& sine) {
+    const std::size_t n = free_.size();
+    values[sine.phase] = inside(free_[sine.phase], 0.0);
+    const ProfileCost::Point point = coarse_.at(values, true);
+    std::vector<double> in_phase, quadrature;
+    models_.linear.jacobian(point.aurora, point.solution, in_phase);
+    Values turned = values;
+    turned[sine.phase] = inside(free_[sine.phase], 0.5 * kPi);
+    const ProfileCost::Point quarter = coarse_.at(turned, true);
+    models_.linear.jacobian(quarter.aurora, quarter.solution, quadrature);
+
+    // Normal equations of residual + J step, columns: all coordinates but wavelength and phase, then
+    // quadrature.
+    const auto m = static_cast<Eigen::Index>(n + 1);
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(m, m);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(m), row(m);
+    for (std::size_t k = 0; k < point.solution.residual.size(); ++k) {
+      for (std::size_t j = 0; j < n; ++j) row(static_cast<Eigen::Index>(j)) = in_phase[k * n + j];
+      row(static_cast<Eigen::Index>(n)) = quadrature[k * n + sine.thickness];
+      row(sine.phase) = 0.0;
+      if (sine.wavelength >= 0) row(sine.wavelength) = 0.0;
+      normal.selfadjointView<Eigen::Lower>().rankUpdate(row);
+      right -= row * point.solution.residual[k];
+    }
+    normal = normal.selfadjointView<Eigen::Lower>();
+    for (Eigen::Index j = 0; j < m; ++j)
+      normal(j, j) = normal(j, j) * (1.0 + kDamping) + (normal(j, j) > 0.0 ? 0.0 : 1.0);
+    const Eigen::VectorXd step = normal.ldlt().solve(right);
+
+    const double a = step(sine.thickness) + values[sine.thickness], b = step(static_cast<Eigen::Index>(n));
+    Values best = values;
+    for (std::size_t j = 0; j < n; ++j) {
+      const FreeNumber& number = free_[j];
+      if (static_cast<int>(j) == sine.thickness || static_cast<int>(j) == sine.phase ||
+          !std::isfinite(step(static_cast<Eigen::Index>(j))))
+        continue;
+      const double most = number.logarithmic() ? 0.3 * values[j] : std::max(0.1 * std::abs(values[j]), 5.0);
+      best[j] = inside(number, values[j] + std::clamp(step(static_cast<Eigen::Index>(j)), -most, most));
+    }
+    if (std::isfinite(a) && std::isfinite(b)) {
+      const double usual = free_[sine.thickness].start;
+      best[sine.thickness] =
+          inside(free_[sine.thickness], std::clamp(std::hypot(a, b), 0.2 * usual, 3.0 * usual));
+      best[sine.phase] = inside(free_[sine.phase], std::atan2(b, a));
+    }
+    return tried(best);
   }
 
   /// Short descents of everything from the best distinct trials.

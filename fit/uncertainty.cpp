@@ -8,7 +8,8 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kRankTolerance = 1e-7;
+constexpr double kRankTolerance = 1e-12;
+constexpr double kNoiseTolerance = 1e-4;
 constexpr double kLeans = 1e-2;  // share of an undetermined direction that spoils a coordinate
 
 /// Mean product of pairs of residuals over the mean square.
@@ -56,26 +57,45 @@ double error_inflation(const Profile& data, const std::vector<std::size_t>& used
   return std::sqrt(std::max(1.0, chi2 / std::max(1, dof)) * together);
 }
 
-Uncertainty uncertainty(const std::vector<double>& jacobian, int residuals, int coordinates,
-                        double inflation) {
+Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int residuals, int coordinates,
+                        const std::vector<double>& prior_information, double inflation) {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  Eigen::MatrixXd j = Eigen::Map<const RowMajor>(jacobian.data(), residuals, coordinates);
-  Eigen::VectorXd length = j.colwise().norm();
+  const auto samplings = static_cast<double>(jacobians.size());
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(residuals, coordinates);
+  Eigen::MatrixXd own = Eigen::MatrixXd::Zero(coordinates, coordinates);
+  for (const std::vector<double>& jacobian : jacobians) {
+    const Eigen::Map<const RowMajor> j(jacobian.data(), residuals, coordinates);
+    sum += j;
+    own += j.transpose() * j;
+  }
+  // (Σ J)ᵀ(Σ J) − Σ JᵀJ holds the products of different samplings only. One sampling alone has to do with its
+  // own.
+  const Eigen::MatrixXd all = sum.transpose() * sum;
+  Eigen::MatrixXd information =
+      samplings > 1 ? Eigen::MatrixXd((all - own) / (samplings * (samplings - 1.0))) : own;
+  Eigen::MatrixXd noise = own / samplings - information;
+  const double believed = 1.0 / (inflation * inflation);
+  information *= believed;
+  noise *= believed;
+  for (int i = 0; i < coordinates; ++i) information(i, i) += prior_information[i];
+
+  // Scaled to a unit diagonal, so that units do not matter.
+  Eigen::VectorXd length = information.diagonal().cwiseMax(0.0).cwiseSqrt();
   for (int i = 0; i < coordinates; ++i)
-    if (length(i) > 0.0) j.col(i) /= length(i);
-  // The singular values of J are those of its triangular factor, which is small.
-  const Eigen::MatrixXd triangle =
-      Eigen::HouseholderQR<Eigen::MatrixXd>(j).matrixQR().topRows(coordinates).triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(triangle, Eigen::ComputeFullV);
-  const Eigen::VectorXd& s = svd.singularValues();
-  const Eigen::MatrixXd& v = svd.matrixV();
-  const double largest = coordinates > 0 ? s(0) : 0.0;
+    if (!(length(i) > 0.0)) length(i) = 1.0;
+  const Eigen::MatrixXd scale = length.cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale * information * scale);
+  const Eigen::MatrixXd scaled_noise = scale * noise * scale;
+  const Eigen::VectorXd& value = eigen.eigenvalues();
+  const Eigen::MatrixXd& v = eigen.eigenvectors();
+  const double largest = coordinates > 0 ? value(coordinates - 1) : 0.0;
 
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(coordinates, coordinates);
   std::vector<bool> undetermined(coordinates, false);
   for (int k = 0; k < coordinates; ++k) {
-    if (s(k) > kRankTolerance * largest && s(k) > 0.0) {
-      covariance += v.col(k) * v.col(k).transpose() / (s(k) * s(k));
+    const double noise_here = std::abs(v.col(k).dot(scaled_noise * v.col(k)));
+    if (value(k) > std::max(kRankTolerance * largest, kNoiseTolerance * noise_here)) {
+      covariance += v.col(k) * v.col(k).transpose() / value(k);
     } else {
       for (int i = 0; i < coordinates; ++i)
         if (v(i, k) * v(i, k) > kLeans * kLeans) undetermined[i] = true;
@@ -86,12 +106,12 @@ Uncertainty uncertainty(const std::vector<double>& jacobian, int residuals, int 
   result.sigma.resize(coordinates);
   result.correlation.assign(coordinates, std::vector<double>(coordinates, 0.0));
   for (int i = 0; i < coordinates; ++i) {
-    const bool known = !undetermined[i] && length(i) > 0.0 && std::isfinite(covariance(i, i));
-    result.sigma[i] = known ? inflation * std::sqrt(covariance(i, i)) / length(i)
-                            : std::numeric_limits<double>::quiet_NaN();
+    const bool known = !undetermined[i] && information(i, i) > 0.0 && std::isfinite(covariance(i, i));
+    result.sigma[i] =
+        known ? std::sqrt(covariance(i, i)) / length(i) : std::numeric_limits<double>::quiet_NaN();
     for (int k = 0; k < coordinates; ++k) {
-      const double scale = std::sqrt(covariance(i, i) * covariance(k, k));
-      if (known && !undetermined[k] && scale > 0.0) result.correlation[i][k] = covariance(i, k) / scale;
+      const double both = std::sqrt(covariance(i, i) * covariance(k, k));
+      if (known && !undetermined[k] && both > 0.0) result.correlation[i][k] = covariance(i, k) / both;
     }
   }
   return result;

@@ -20,10 +20,12 @@ struct Uncertainty {
 double error_inflation(const Profile& data, const std::vector<std::size_t>& used,
                        const std::vector<double>& residual, int dof);
 
-/// Covariance by singular values of the Jacobian, [residual][coordinate] row-major, columns scaled to unit
-/// length; singular values below 1e-7 of the largest count as zero, and every coordinate that leans on such a
-/// direction has no error bar.
-Uncertainty uncertainty(const std::vector<double>& jacobian, int residuals, int coordinates,
-                        double inflation);
+/// Covariance from the Jacobians of independent samplings of one scene, [residual][coordinate] row-major
+/// each. The information matrix is the mean of the products of *different* samplings, so that a Jacobian's
+/// own Monte-Carlo noise, whose square would pass for information, cancels. Directions whose information is
+/// below 1e-4 of the samplings' own disagreement or 1e-12 of the largest count as undetermined, and every
+/// coordinate that leans on one has no error bar. `prior_information` is added to the diagonal.
+Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int residuals, int coordinates,
+                        const std::vector<double>& prior_information, double inflation);
 
 }  // namespace vegard::fit
