@@ -8,6 +8,7 @@
 #include "fit/free_parameters.h"
 #include "fit/noise_model.h"
 #include "fit/search.h"
+#include "fit/smoothing.h"
 #include "fit/uncertainty.h"
 #include "fit/verdict.h"
 #include "sim/base/error.h"
@@ -16,7 +17,10 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kCoarseShare = 0.25;  // of the beams, for the search
-constexpr int kSamplings = 4;          // for the error bars
+constexpr double kSmoothing = 0.025;   // of the region's height, for the search
+constexpr double kSearchError = 0.1;   // the search weighs bright and dark alike
+constexpr double kSearchPeakShare = 0.5;
+constexpr int kSamplings = 4;        // for the error bars
 constexpr double kSecondMode = 4.0;  // difference of chi2 (two standard deviations) in units of the inflation
 
 void check_sizes(const sim::Scene& scene, const Photo& photo) {
@@ -154,15 +158,20 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
          photo.file_name, 0, "fit.roi_px", "more than " + std::to_string(unknowns),
          "is everything masked or clipped?"});
 
-  ProfileModel coarse(scene, photo, region, scene.fit.bands, kCoarseShare, options.threads);
-  ProfileModel full(scene, photo, region, scene.fit.bands, 1.0, options.threads);
+  const double smooth_rows = kSmoothing * region.height;
+  const Profile smooth_data = smoothed(r.data, smooth_rows);
+  const std::vector<double> smooth_sigma = profile_sigma(smooth_data, kSearchError, kSearchPeakShare);
+  const LinearPart coarse_linear(smooth_data, smooth_sigma, gains, photo.linear.height);
+  ProfileModel coarse(scene, photo, region, scene.fit.bands, kCoarseShare, smooth_rows, options.threads);
+  ProfileModel full(scene, photo, region, scene.fit.bands, 1.0, 0.0, options.threads);
   EvaluationLog log;
   log.limit = options.max_evaluations;
   log.stop = options.stop;
 
   Evidence evidence;
   evidence.chi2_without_aurora = chi2_without_aurora(linear, r.data.mean.size());
-  const SearchOutcome outcome = search(scene, free, {coarse, full, linear}, options, log, r.trace);
+  const SearchOutcome outcome =
+      search(scene, free, {coarse, coarse_linear, full, linear}, options, log, r.trace);
   r.chi2_initial = outcome.chi2_initial;
   r.termination = outcome.best.termination;
   evidence.converged = outcome.best.converged;
@@ -192,7 +201,7 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
     sim::Scene other = scene;
     put_values(other, free, values);
     other.seed += static_cast<std::uint64_t>(sampling);
-    ProfileModel model(other, photo, region, scene.fit.bands, 1.0, options.threads);
+    ProfileModel model(other, photo, region, scene.fit.bands, 1.0, 0.0, options.threads);
     const ProfileCost::Point sampled = ProfileCost(other, free, model, linear, log).at(values, true);
     jacobians.emplace_back();
     linear.jacobian(sampled.aurora, sampled.solution, jacobians.back());

@@ -7,7 +7,6 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kSkyPercentile = 0.05;
-constexpr double kPeakShare = 0.1;
 
 template <class Body>
 void for_values(const Profile& p, const Body& body) {
@@ -43,14 +42,14 @@ double profile_peak(const Profile& profile) {
   return std::max({peaks[0], peaks[1], peaks[2]});
 }
 
-std::vector<double> profile_sigma(const Profile& profile, double model_error) {
+std::vector<double> profile_sigma(const Profile& profile, double model_error, double peak_share) {
   const std::array<double, 3> sky = sky_level(profile);
   const std::array<double, 3> peak = channel_peaks(profile, sky);
   std::vector<double> sigma(profile.mean.size(), 0.0);
   for_values(profile, [&](std::size_t i, int c) {
     const double own = std::isfinite(profile.standard_error[i]) ? profile.standard_error[i] : 0.0;
     const double local = model_error * std::max(profile.mean[i] - sky[c], 0.0);
-    const double floor = kPeakShare * model_error * peak[c];
+    const double floor = peak_share * model_error * peak[c];
     sigma[i] = std::sqrt(own * own + local * local + floor * floor);
   });
   return sigma;

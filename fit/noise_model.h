@@ -17,8 +17,8 @@ double profile_peak(const Profile& profile);
 /// Standard deviation of every profile value, indexed as in Profile; 0 marks a value that is not used (no
 /// pixels). Three parts, added in quadrature: the photograph's own noise (Profile::standard_error);
 /// `model_error` times the local brightness above the sky, for structure that the model does not have (rays,
-/// uneven arcs); a tenth of that fraction of the channel's peak, for the same at places where the profile is
-/// steep and dark.
-std::vector<double> profile_sigma(const Profile& profile, double model_error);
+/// uneven arcs); `peak_share` times that fraction of the channel's peak, for the same at places where the
+/// profile is steep and dark.
+std::vector<double> profile_sigma(const Profile& profile, double model_error, double peak_share = 0.1);
 
 }  // namespace vegard::fit

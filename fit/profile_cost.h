@@ -20,6 +20,7 @@ struct EvaluationLog {
   int limit = std::numeric_limits<int>::max();
   const std::atomic<bool>* stop = nullptr;
   double best_chi2 = std::numeric_limits<double>::infinity();
+  bool best_is_full = false;
   std::vector<double> best_values;
   bool exhausted() const { return residuals >= limit || (stop != nullptr && stop->load()); }
 };

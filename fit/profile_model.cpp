@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/smoothing.h"
 #include "sim/base/parallel.h"
 #include "sim/render_film.h"
 #include "sim/view/blur.h"
@@ -30,7 +31,8 @@ struct BandWeights {
 
 struct ProfileModel::Workspace {
   Region region;
-  int bands = 0, threads = 1, beams_divided_by = 1;
+  int bands = 0, threads = 1;
+  double smooth_rows = 0.0;
   sim::FilmGeometry film;
   int top = 0;  // film row of the region's first row
   std::vector<BandWeights> weights;
@@ -151,11 +153,12 @@ struct ProfileModel::Workspace {
 };
 
 ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo, const Region& region, int bands,
-                           double beams_share, int threads)
+                           double beams_share, double smooth_rows, int threads)
     : work_(std::make_unique<Workspace>()) {
   Workspace& w = *work_;
   w.region = region;
   w.bands = bands;
+  w.smooth_rows = smooth_rows;
   w.threads = sim::thread_count(threads);
   w.scene = scene;
   w.used_beams.resize(scene.sheets.size());
@@ -204,6 +207,7 @@ void ProfileModel::evaluate(const sim::Scene& scene, ModelProfile& out) {
   out.free = 0;
   out.derivative.clear();
   w.finish_values(out);
+  if (w.smooth_rows > 0.0) smooth(out, w.bands, w.region.height, w.smooth_rows);
 }
 
 void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std::vector<const double*>& free,
@@ -249,6 +253,7 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std:
       add(down, sim::gaussian_kernel_derivative(sigma / w.film.cell_width_px), 1.0 / w.film.cell_width_px);
     }
   }
+  if (w.smooth_rows > 0.0) smooth(out, w.bands, w.region.height, w.smooth_rows);
 }
 
 }  // namespace vegard::fit

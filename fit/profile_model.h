@@ -23,9 +23,10 @@ struct ModelProfile {
 /// columns are averaged with the photograph's own mask.
 class ProfileModel {
  public:
-  /// `beams_share` of the scene's beams are used: coarse models search, the full one decides.
+  /// `beams_share` of the scene's beams are used, and the profiles are smoothed by `smooth_rows` (0: not at
+  /// all): coarse models search, the full one decides.
   ProfileModel(const sim::Scene& scene, const Photo& photo, const Region& region, int bands,
-               double beams_share, int threads);
+               double beams_share, double smooth_rows, int threads);
   ~ProfileModel();
 
   /// The scene may differ from the constructor's in continuous parameters only.

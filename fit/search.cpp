@@ -72,15 +72,14 @@ class Search {
         options_(options),
         log_(log),
         trace_(trace),
-        coarse_(scene, free, models.coarse, models.linear, log),
-        full_(scene, free, models.full, models.linear, log) {}
+        coarse_(scene, free, models.coarse, models.coarse_linear, log),
+        full_(scene, free, models.full, models.full_linear, log) {}
 
   SearchOutcome run() {
     Values start;
     for (const FreeNumber& n : free_) start.push_back(inside(n, n.start));
     SearchOutcome outcome;
     outcome.chi2_initial = full_.at(start, false).chi2;
-    note(start, outcome.chi2_initial);
     trace_.push_back({"start", log_.residuals, outcome.chi2_initial, start});
 
     std::vector<Trial> ends = {tried(start)};
@@ -96,7 +95,7 @@ class Search {
       const std::string stage = "polish " + std::to_string(i + 1);
       tell(stage, 0.8 + 0.1 * static_cast<double>(i));
       polished.push_back(descend(full_, free_, ends[i].values, kLongDescent, stage, log_, trace_));
-      note(polished.back().values, polished.back().chi2);
+      note(polished.back().values, polished.back().chi2, true);
     }
     const auto better = [](const Descent& a, const Descent& b) { return a.chi2 < b.chi2; };
     std::stable_sort(polished.begin(), polished.end(), better);
@@ -108,17 +107,17 @@ class Search {
  private:
   void tell(const std::string& stage, double share) const {
     if (options_.progress)
-      options_.progress(stage, log_.residuals, log_.best_chi2 / std::max(1, models_.linear.residuals()),
+      options_.progress(stage, log_.residuals, log_.best_chi2 / std::max(1, models_.full_linear.residuals()),
                         share);
   }
 
-  /// Keeps the best point met, for an interrupted fit. Coarse and full chi2 differ a little: full ones
-  /// decide.
-  void note(const Values& values, double chi2) {
-    if (chi2 < log_.best_chi2) {
-      log_.best_chi2 = chi2;
-      log_.best_values = values;
-    }
+  /// Keeps the best point met, for an interrupted fit. What the full model has seen goes before what the
+  /// coarse one has.
+  void note(const Values& values, double chi2, bool full) {
+    if (full == log_.best_is_full ? chi2 >= log_.best_chi2 : !full) return;
+    log_.best_is_full = full;
+    log_.best_chi2 = chi2;
+    log_.best_values = values;
   }
 
   Trial tried(const Values& values) {
@@ -141,7 +140,7 @@ class Search {
     }
     sim::Scene base = scene_;
     put_values(base, free_, from.values);
-    const ProfileCost cost(base, some, models_.coarse, models_.linear, log_);
+    const ProfileCost cost(base, some, models_.coarse, models_.coarse_linear, log_);
     std::vector<TraceRow> rows;
     const Descent end = descend(cost, some, start, kShortDescent, stage, log_, rows);
     Trial result = from;
@@ -240,11 +239,11 @@ class Search {
     values[sine.phase] = inside(free_[sine.phase], 0.0);
     const ProfileCost::Point point = coarse_.at(values, true);
     std::vector<double> in_phase, quadrature;
-    models_.linear.jacobian(point.aurora, point.solution, in_phase);
+    models_.coarse_linear.jacobian(point.aurora, point.solution, in_phase);
     Values turned = values;
     turned[sine.phase] = inside(free_[sine.phase], 0.5 * kPi);
     const ProfileCost::Point quarter = coarse_.at(turned, true);
-    models_.linear.jacobian(quarter.aurora, quarter.solution, quadrature);
+    models_.coarse_linear.jacobian(quarter.aurora, quarter.solution, quadrature);
 
     // Normal equations of residual + J step, columns: all coordinates but wavelength and phase, then
     // quadrature.
@@ -321,7 +320,7 @@ class Search {
   }
 
   void record(const Trial& trial, const std::string& stage) {
-    note(trial.values, trial.chi2);
+    note(trial.values, trial.chi2, false);
     trace_.push_back({stage, log_.residuals, trial.chi2, trial.values});
   }
 

@@ -1,9 +1,10 @@
 // The search: from a start that is some way off to the bottom of the right valley.
 //
 // The landscape is smooth in distance, energy and bearing, and periodic in wavelength and phase: descents
-// that start with the wavelength a few per cent off end in wrong places. So, with a coarse model: (1)
-// *overall* trials and descents of what shapes the profile as a whole, (2) a *scan* of wavelength and phase
-// on a grid, (3) descents of everything from the best distinct trials; then (4) *polish* with the full model.
+// that start with the wavelength a few per cent off end in wrong places. So, with a coarse model (fewer
+// beams, profiles smoothed down the rows, so that a lower border is felt from afar): (1) *overall* trials and
+// descents of what shapes the profile as a whole, (2) a *scan* of wavelengths, each with its best amplitude
+// and phase, (3) descents of everything from the best distinct trials; then (4) *polish* with the full model.
 #pragma once
 
 #include <functional>
@@ -21,11 +22,12 @@ struct SearchOutcome {
   double chi2_initial = 0.0;    ///< of the full model at the user's start
 };
 
-/// What the search works on: two models of the same photograph.
+/// What the search works on: two models of the same photograph, each with the data as it sees them.
 struct SearchModels {
   ProfileModel& coarse;
+  const LinearPart& coarse_linear;
   ProfileModel& full;
-  const LinearPart& linear;
+  const LinearPart& full_linear;
 };
 
 SearchOutcome search(const sim::Scene& scene, const std::vector<FreeNumber>& free, const SearchModels& models,

@@ -1,0 +1,17 @@
+// Smoothing profiles down the rows: what a search looks at before it looks at details.
+#pragma once
+
+#include "fit/profile.h"
+#include "fit/profile_model.h"
+
+namespace vegard::fit {
+
+/// Gaussian smoothing of every band and channel along its rows, sigma in rows. Rows without pixels are
+/// bridged: the weights of the others are brought to a sum of 1 (a smoothed value exists where any row within
+/// reach has one).
+Profile smoothed(const Profile& profile, double sigma_rows);
+
+/// The same of a model, derivatives included; a model has every row.
+void smooth(ModelProfile& model, int bands, int rows, double sigma_rows);
+
+}  // namespace vegard::fit
