@@ -66,7 +66,7 @@ double rms_over_peak(const FitResult& r) {
 
 /// Gains and sky into the result and into its best scene.
 void put_solution(const LinearSolution& solution, const std::vector<double>& variance,
-                  const GainLayout& gains, double inflation, FitResult& r) {
+                  const LinearPart& linear, const GainLayout& gains, double inflation, FitResult& r) {
   static const char* const kChannel[3] = {"red", "green", "blue"};
   const auto solved = [&](const std::string& name, int j) {
     SolvedNumber s{name, solution.coefficients[j], {}};
@@ -78,7 +78,6 @@ void put_solution(const LinearSolution& solution, const std::vector<double>& var
       solved(std::string("gain") + (gains.per_band ? ".band_" + std::to_string(b) : "") +
                  (gains.per_channel ? std::string(".") + kChannel[c] : ""),
              gains.column(b, c));
-  const int sky = gains.count();
   double sum = 0.0;
   int lit = 0;
   r.gain.assign(r.data.bands, std::vector<double>(3));
@@ -91,14 +90,14 @@ void put_solution(const LinearSolution& solution, const std::vector<double>& var
       }
     }
   if (lit > 0) r.best.sensor.gain_per_kilorayleigh = sum / lit;
-  for (int c = 0; c < 3; ++c) {
-    solved(std::string("sky.level.") + kChannel[c], sky + c);
-    r.best.sky.level[c] = solution.coefficients[sky + c];
-  }
-  for (int c = 0; c < 3; ++c) {
-    solved(std::string("sky.gradient.") + kChannel[c], sky + 3 + c);
-    r.best.sky.gradient[c] = solution.coefficients[sky + 3 + c];
-  }
+  static const char* const kTerm[3] = {"level", "gradient", "curvature"};
+  std::array<double, 3>* const terms[3] = {&r.best.sky.level, &r.best.sky.gradient, &r.best.sky.curvature};
+  for (int t = 0; t < 3; ++t)
+    for (int c = 0; c < 3; ++c) {
+      (*terms[t])[c] = t < linear.sky_terms() ? solution.coefficients[linear.sky(t, c)] : 0.0;
+      if (t < linear.sky_terms())
+        solved(std::string("sky.") + kTerm[t] + "." + kChannel[c], linear.sky(t, c));
+    }
 }
 
 /// Parameters with their error bars; returns the covariance of the values.
@@ -149,7 +148,7 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
   r.data = extract_profile(photo, region, scene.fit.bands);
   r.sigma = profile_sigma(r.data, scene.fit.model_error);
   const GainLayout gains{scene.fit.bands, scene.fit.band_brightness, !scene.fit.white_balance_known};
-  const LinearPart linear(r.data, r.sigma, gains, photo.linear.height);
+  const LinearPart linear(r.data, r.sigma, gains, scene.fit.sky_terms, photo.linear.height);
   const int unknowns = static_cast<int>(free.size()) + linear.coefficients();
   if (linear.residuals() <= unknowns)
     throw sim::Error(
@@ -161,7 +160,7 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
   const double smooth_rows = kSmoothing * region.height;
   const Profile smooth_data = smoothed(r.data, smooth_rows);
   const std::vector<double> smooth_sigma = profile_sigma(smooth_data, kSearchError, kSearchPeakShare);
-  const LinearPart coarse_linear(smooth_data, smooth_sigma, gains, photo.linear.height);
+  const LinearPart coarse_linear(smooth_data, smooth_sigma, gains, scene.fit.sky_terms, photo.linear.height);
   ProfileModel coarse(scene, photo, region, scene.fit.bands, kCoarseShare, smooth_rows, options.threads);
   ProfileModel full(scene, photo, region, scene.fit.bands, 1.0, 0.0, options.threads);
   EvaluationLog log;
@@ -216,7 +215,7 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
   std::vector<double> tidied;
   for (const FittedParameter& p : r.parameters) tidied.push_back(p.value);
   put_values(r.best, free, tidied);
-  put_solution(point.solution, linear.coefficient_variance(point.aurora, point.solution), gains,
+  put_solution(point.solution, linear.coefficient_variance(point.aurora, point.solution), linear, gains,
                r.error_inflation, r);
   r.derived = derived_numbers(r.best, free, tidied, covariance);
   r.rms_over_peak = rms_over_peak(r);

@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "sim/view/sky.h"
+
 namespace vegard::fit {
 
 /// The normal equations, factorised, with held coefficients taken out.
@@ -11,21 +13,23 @@ struct LinearPart::Normal {
 };
 
 LinearPart::LinearPart(const Profile& data, const std::vector<double>& sigma, const GainLayout& gains,
-                       int picture_height)
-    : data_(data), sigma_(sigma), gains_(gains), picture_height_(picture_height) {
+                       int sky_terms, int picture_height)
+    : data_(data), sigma_(sigma), gains_(gains), sky_terms_(sky_terms), picture_height_(picture_height) {
   for (int b = 0; b < data.bands; ++b) {
     for (int r = 0; r < data.rows; ++r) {
       for (int c = 0; c < 3; ++c) {
         const std::size_t i = data.index(b, r, c);
         if (sigma[i] <= 0.0) continue;
         used_.push_back(i);
-        where_.push_back({gains.column(b, c), c, place(r)});
+        where_.push_back({gains.column(b, c), c, sky_basis(r)});
       }
     }
   }
 }
 
-double LinearPart::place(int row) const { return (data_.region.y + row + 0.5) / picture_height_ - 0.5; }
+std::array<double, 3> LinearPart::sky_basis(int row) const {
+  return sim::sky_basis((data_.region.y + row + 0.5) / picture_height_);
+}
 
 LinearPart::Normal LinearPart::normal_matrix(const ModelProfile& aurora,
                                              const std::vector<bool>& held) const {
@@ -35,13 +39,12 @@ LinearPart::Normal LinearPart::normal_matrix(const ModelProfile& aurora,
     const std::size_t i = used_[k];
     const Where& w = where_[k];
     const double weight = 1.0 / (sigma_[i] * sigma_[i]), light = aurora.value[i];
-    const int level = first_sky + w.channel, gradient = level + 3;
     normal(w.gain, w.gain) += weight * light * light;
-    normal(level, w.gain) += weight * light;
-    normal(gradient, w.gain) += weight * light * w.place;
-    normal(level, level) += weight;
-    normal(gradient, level) += weight * w.place;
-    normal(gradient, gradient) += weight * w.place * w.place;
+    for (int t = 0; t < sky_terms_; ++t) {
+      normal(sky(t, w.channel), w.gain) += weight * light * w.sky[t];
+      for (int u = 0; u <= t; ++u)
+        normal(sky(t, w.channel), sky(u, w.channel)) += weight * w.sky[t] * w.sky[u];
+    }
   }
   normal = normal.selfadjointView<Eigen::Lower>();
   for (int j = 0; j < n; ++j) {
@@ -78,8 +81,7 @@ LinearSolution LinearPart::solve(const ModelProfile& aurora) const {
       const Where& w = where_[k];
       const double weighted = data_.mean[i] / (sigma_[i] * sigma_[i]);
       if (!solution.held[w.gain]) right(w.gain) += weighted * aurora.value[i];
-      right(first_sky + w.channel) += weighted;
-      right(first_sky + 3 + w.channel) += weighted * w.place;
+      for (int t = 0; t < sky_terms_; ++t) right(sky(t, w.channel)) += weighted * w.sky[t];
     }
     const Eigen::VectorXd c = normal_matrix(aurora, solution.held).factors.solve(right);
     solution.coefficients.assign(c.data(), c.data() + n);
@@ -107,7 +109,7 @@ LinearSolution LinearPart::solve(const ModelProfile& aurora) const {
 
 void LinearPart::jacobian(const ModelProfile& aurora, const LinearSolution& solution,
                           std::vector<double>& out) const {
-  const int n = coefficients(), first_sky = gains_.count(), p = aurora.free;
+  const int n = coefficients(), p = aurora.free;
   const Normal normal = normal_matrix(aurora, solution.held);
   // With A(θ) c = model: dc = (AᵀWA)⁻¹ (dAᵀ W r − Aᵀ W dA c), and the residual falls by dA c + A dc.
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, p);
@@ -122,8 +124,7 @@ void LinearPart::jacobian(const ModelProfile& aurora, const LinearSolution& solu
     for (int j = 0; j < p; ++j) {
       const double change = weight * gain * grow[j];
       right(w.gain, j) += weight * grow[j] * left_over - light * change;
-      right(first_sky + w.channel, j) -= change;
-      right(first_sky + 3 + w.channel, j) -= w.place * change;
+      for (int t = 0; t < sky_terms_; ++t) right(sky(t, w.channel), j) -= w.sky[t] * change;
     }
   }
   const Eigen::MatrixXd dc = normal.factors.solve(right);
@@ -135,7 +136,8 @@ void LinearPart::jacobian(const ModelProfile& aurora, const LinearSolution& solu
     const double gain = solution.coefficients[w.gain], light = aurora.value[i];
     const double* grow = aurora.derivative.data() + i * p;
     for (int j = 0; j < p; ++j) {
-      double change = dc(first_sky + w.channel, j) + dc(first_sky + 3 + w.channel, j) * w.place;
+      double change = 0.0;
+      for (int t = 0; t < sky_terms_; ++t) change += dc(sky(t, w.channel), j) * w.sky[t];
       if (!held) change += gain * grow[j] + light * dc(w.gain, j);
       out[k * p + j] = -change / sigma_[i];
     }
@@ -143,15 +145,16 @@ void LinearPart::jacobian(const ModelProfile& aurora, const LinearSolution& solu
 }
 
 std::vector<double> LinearPart::model(const ModelProfile& aurora, const LinearSolution& solution) const {
-  const int first_sky = gains_.count();
   std::vector<double> all(aurora.value.size());
   for (int b = 0; b < data_.bands; ++b)
-    for (int r = 0; r < data_.rows; ++r)
+    for (int r = 0; r < data_.rows; ++r) {
+      const std::array<double, 3> basis = sky_basis(r);
       for (int c = 0; c < 3; ++c) {
         const std::size_t i = data_.index(b, r, c);
-        all[i] = solution.coefficients[gains_.column(b, c)] * aurora.value[i] +
-                 solution.coefficients[first_sky + c] + solution.coefficients[first_sky + 3 + c] * place(r);
+        all[i] = solution.coefficients[gains_.column(b, c)] * aurora.value[i];
+        for (int t = 0; t < sky_terms_; ++t) all[i] += solution.coefficients[sky(t, c)] * basis[t];
       }
+    }
   return all;
 }
 

@@ -5,6 +5,7 @@
 // gradient * place.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "fit/profile.h"
@@ -26,7 +27,7 @@ struct GainLayout {
 
 /// The solution for one aurora, and the whitened residuals it leaves.
 struct LinearSolution {
-  std::vector<double> coefficients;  ///< gains, then 3 sky levels, then 3 sky gradients (per picture height)
+  std::vector<double> coefficients;  ///< gains, then per sky term (level, gradient, curvature) 3 channels
   std::vector<bool> held;        ///< a gain that would be negative, or has no light to scale, is held at 0
   std::vector<double> residual;  ///< (data - model) / sigma, one per used value
   double chi2 = 0.0;
@@ -34,12 +35,15 @@ struct LinearSolution {
 
 class LinearPart {
  public:
-  /// `place(row)` of the sky's gradient is y / picture_height - 1/2. Values whose sigma is 0 are left out.
-  LinearPart(const Profile& data, const std::vector<double>& sigma, const GainLayout& gains,
+  /// `sky_terms`: 1 level, 2 and gradient, 3 and curvature. Values whose sigma is 0 are left out.
+  LinearPart(const Profile& data, const std::vector<double>& sigma, const GainLayout& gains, int sky_terms,
              int picture_height);
 
   int residuals() const { return static_cast<int>(used_.size()); }
-  int coefficients() const { return gains_.count() + 6; }
+  int coefficients() const { return sky(sky_terms_, 0); }
+  /// Index of a sky term of a channel among the coefficients.
+  int sky(int term, int channel) const { return gains_.count() + 3 * term + channel; }
+  int sky_terms() const { return sky_terms_; }
   const std::vector<std::size_t>& used() const { return used_; }  ///< indices into the profile
 
   /// Solves the weighted least squares problem for this aurora.
@@ -58,16 +62,16 @@ class LinearPart {
  private:
   struct Normal;
   Normal normal_matrix(const ModelProfile& aurora, const std::vector<bool>& held) const;
-  double place(int row) const;
+  std::array<double, 3> sky_basis(int row) const;
 
   const Profile& data_;
   const std::vector<double>& sigma_;
   GainLayout gains_;
-  int picture_height_;
+  int sky_terms_, picture_height_;
   std::vector<std::size_t> used_;
   struct Where {
     int gain, channel;
-    double place;
+    std::array<double, 3> sky;  // the basis at this row
   };
   std::vector<Where> where_;  // of every used value
 };

@@ -17,6 +17,7 @@ constexpr int kLongDescent = 60;
 constexpr int kPolished = 2;
 constexpr int kPhases = 12;         // where the sine's amplitude is fixed
 constexpr double kScanRange = 1.1;  // of log(wavelength): a factor 0.58 to 1.73 about the start
+constexpr double kPull = 0.3;       // of the distance: what a start may well be off by
 constexpr double kNearlyStraight = 0.1;
 constexpr double kDamping = 1e-4;
 constexpr double kPi = 3.141592653589793;
@@ -130,12 +131,27 @@ class Search {
                      [](const Trial& a, const Trial& b) { return a.chi2 < b.chi2; });
   }
 
+  /// A direction that the data do not determine is not to drift away during the search: every parameter but a
+  /// phase is held to the user's start, by less than the least of what data say. The polish is free of it.
+  std::optional<sim::Prior> gentle_pull(const FreeNumber& n) const {
+    if (is(n, "center_km")) {
+      double square = 0.0;
+      for (const FreeNumber& other : free_)
+        if (is(other, "center_km") && other.path.sheet == n.path.sheet) square += other.start * other.start;
+      return sim::Prior{n.start, std::max(20.0, kPull * std::sqrt(square))};
+    }
+    if (n.logarithmic()) return sim::Prior{n.start, 2.0 * kPull * n.start};
+    if (is(n, "bearing_deg")) return sim::Prior{n.start, 20.0};
+    return {};
+  }
+
   /// A descent of some parameters only, with the coarse model.
   Trial partial_descent(const Trial& from, const std::vector<std::size_t>& which, const std::string& stage) {
     std::vector<FreeNumber> some;
     Values start;
     for (std::size_t j : which) {
       some.push_back(free_[j]);
+      if (!some.back().prior) some.back().prior = gentle_pull(free_[j]);
       start.push_back(from.values[j]);
     }
     sim::Scene base = scene_;

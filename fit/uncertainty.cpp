@@ -46,11 +46,12 @@ double error_inflation(const Profile& data, const std::vector<std::size_t>& used
         }
     return c.value();
   };
-  double together = 1.0;
-  for (int lag = 1; lag < data.rows / 2; ++lag) {
-    const double c = correlation(0, lag, 0);
-    if (c <= 0.0) break;
-    together += 2.0 * c;
+  // The largest partial sum: residuals that swing about zero at once and yet drift slowly are not
+  // independent.
+  double sum = 1.0, together = 1.0;
+  for (int lag = 1; lag < data.rows / 4; ++lag) {
+    sum += 2.0 * correlation(0, lag, 0);
+    together = std::max(together, sum);
   }
   together *= 1.0 + 2.0 * std::max(0.0, correlation(0, 0, 1));
   together *= 1.0 + 2.0 * std::max(0.0, correlation(1, 0, 0));

@@ -173,9 +173,11 @@ std::vector<Declaration> declare() {
           .means("linear sensor value (white = 1) of the luminance of 1 kR of 557.7 nm"),
 
       Row("sky", "level", &Scene::sky, &Sky::level).of({"red", "green", "blue"}).within(-10, 10)
-          .means("light behind the aurora at half the image's height, linear sensor value"),
+          .means("light behind the aurora, mean over the image's height, linear sensor value"),
       Row("sky", "gradient", &Scene::sky, &Sky::gradient).of({"red", "green", "blue"}).within(-10, 10)
           .means("how much brighter the sky is at the image's bottom than at its top, linear sensor value"),
+      Row("sky", "curvature", &Scene::sky, &Sky::curvature).of({"red", "green", "blue"}).within(-10, 10)
+          .means("bend of the sky's brightness: four times what top and bottom exceed the middle by"),
 
       Row("fit", "roi_px", &Scene::fit, &Fit::roi_px).of({"x", "y", "width", "height"}).in("px").within(0, 65535)
           .means("region of interest; all zero: the whole image"),
@@ -185,12 +187,14 @@ std::vector<Declaration> declare() {
           .means("whether each band has a brightness of its own (rays are uneven)"),
       Row("fit", "white_balance_known", &Scene::fit, &Fit::white_balance_known)
           .means("if false, each channel has a gain of its own and colour says nothing about the energy"),
+      Row("fit", "sky_terms", &Scene::fit, &Fit::sky_terms).within(1, 3)
+          .means("what is solved of the sky, per channel: 1 its level, 2 its gradient too, 3 its curvature too"),
       Row("fit", "decoding", &Scene::fit, &Fit::decoding).one_of({"auto", "srgb", "linear"})
           .means("how the photograph's numbers become linear light"),
       Row("fit", "model_error", &Scene::fit, &Fit::model_error).within(0, 1)
           .means("unmodelled structure, as a fraction of the local brightness"),
       Row("fit", "scan_points", &Scene::fit, &Fit::scan_points).within(0, 1000000)
-          .means("trials of the periodic parameters before the descent; 0: none"),
+          .means("wavelengths tried before the descents; 0: no search, one descent from the start"),
       Row("fit", "scan_descents", &Scene::fit, &Fit::scan_descents).within(0, 10000)
           .means("how many of the trials are followed downhill"),
   };

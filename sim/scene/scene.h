@@ -88,10 +88,12 @@ struct Sensor {
       0.05;  ///< linear sensor value (white = 1) of the luminance of 1 kR of 557.7 nm
 };
 
-/// Light behind the aurora, in linear sensor values per channel: level + gradient * (y / height - 1/2).
+/// Light behind the aurora, in linear sensor values per channel: level + gradient p + curvature (p^2 - 1/12),
+/// where p runs from -1/2 at the top of the picture to 1/2 at its bottom.
 struct Sky {
   std::array<double, 3> level{0.0, 0.0, 0.0};
   std::array<double, 3> gradient{0.0, 0.0, 0.0};
+  std::array<double, 3> curvature{0.0, 0.0, 0.0};
 };
 
 struct Prior {
@@ -113,6 +115,7 @@ struct Fit {
   std::vector<FreeParameter> free;
   bool band_brightness = true;      ///< a brightness per band (rays are uneven), else one
   bool white_balance_known = true;  ///< else a gain per channel, and colour says nothing about E0
+  int sky_terms = 3;                ///< solved per channel: 1 level, 2 and gradient, 3 and curvature
   std::string decoding = "auto";    ///< "auto", "srgb" or "linear"
   double model_error = 0.03;        ///< unmodelled structure, as a fraction of the local brightness
   int scan_points = 24;             ///< wavelengths tried before the descent; 0: no search, only a descent
