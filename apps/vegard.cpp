@@ -5,7 +5,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "apps/command_line.h"
 #include "apps/exit_code.h"
+#include "apps/fit.h"
 #include "apps/params.h"
 #include "apps/profile.h"
 #include "apps/render.h"
@@ -35,6 +37,7 @@ int run(int argc, char** argv) {
   int exit_code = apps::good;
   apps::add_render_command(app, exit_code);
   apps::add_profile_command(app, exit_code);
+  apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
   apps::add_params_command(app, exit_code);
   try {
     app.parse(argc, argv);
