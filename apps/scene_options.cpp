@@ -34,8 +34,10 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
 sim::Scene scene_of(const SceneOptions& options) {
   sim::Scene scene = sim::read_scene(options.file);
   for (const std::string& words : options.changes) change(scene, words);
-  if (options.seed) scene.seed = *options.seed;
-  if (!options.changes.empty()) sim::validate(scene);
+  // The table's limits hold here too: a scene is to be written again, and TOML has no integers above 2^63
+  // - 1.
+  if (!options.seed.empty()) sim::set_from_text(scene, "seed", options.seed);
+  sim::validate(scene);
   return scene;
 }
 

@@ -1,8 +1,6 @@
 // A scene as a command line gives it: a file, and what is to be changed in it.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +12,8 @@ namespace vegard::apps {
 
 struct SceneOptions {
   std::string file;
-  std::vector<std::string> changes;   ///< "path=value", in the order given
-  std::optional<std::uint64_t> seed;  ///< wins over a change of "seed"
+  std::vector<std::string> changes;  ///< "path=value", in the order given
+  std::string seed;                  ///< wins over a change of "seed"; empty: the file's
 };
 
 /// Adds SCENE, --set and --seed. `options` must outlive the parsing.

@@ -77,9 +77,15 @@ std::string short_number(double value, int significant_digits) {
   if (!std::isfinite(value)) return kNothing;
   if (value == 0.0) return "0";
   const int power = leading_power(std::abs(value), significant_digits);
-  if (power < 7 && power > -5) return with_true_minus(fmt::format("{:.{}g}", value, significant_digits));
-  return with_true_minus(fmt::format("{:.{}g}", value / std::pow(10.0, power), significant_digits)) +
-         power_text(power);
+  if (power >= 7 || power <= -5)
+    return with_true_minus(fmt::format("{:.{}g}", value / std::pow(10.0, power), significant_digits)) +
+           power_text(power);
+  std::string text = at_place(value, significant_digits - 1 - power);
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text;
 }
 
 }  // namespace vegard::fit

@@ -126,7 +126,10 @@ std::string report_html(const FitResult& result, const Photo& photo, const Model
       title + "</h1>\n</div></header>\n" + verdict_band(result) + "<main>\n";
   html += pictures_section(pictures);
   const std::string cards = derived_cards(result);
-  if (!cards.empty()) html += section("What it says about the aurora", "", cards);
+  const bool believed = result.verdict == Verdict::good;
+  if (!cards.empty())
+    html += section("What it says about the aurora",
+                    believed ? "" : "The verdict above speaks against leaning on these numbers.", cards);
   html += section(
       "Parameters",
       "\u03c3 is half of the 68\u00a0% interval, carried back from the scale on which the search moves the "

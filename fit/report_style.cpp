@@ -22,9 +22,9 @@ h1 { margin: 2px 0 0; font-size: 30px; font-weight: 600; letter-spacing: -0.01em
 .interrupted { background: #596372; }
 section { background: var(--paper); border: 1px solid var(--line); border-radius: 10px; padding: 22px 24px 24px;
   margin: 22px 0; }
-h2 { margin: 0 0 4px; font-size: 20px; font-weight: 600; }
+h2 { margin: 0 0 12px; font-size: 20px; font-weight: 600; }
 h3 { margin: 22px 0 6px; font-size: 15px; font-weight: 600; }
-section > p { margin: 0 0 14px; color: var(--soft); max-width: 86ch; }
+section > p { margin: -6px 0 14px; color: var(--soft); max-width: 86ch; }
 figure { margin: 0; } figcaption { color: var(--soft); font-size: 13px; margin-top: 6px; }
 figcaption b { color: var(--ink); font-size: 15px; display: block; }
 .three { display: grid; grid-template-columns: repeat(3, 1fr); gap: 18px; }
@@ -45,8 +45,9 @@ svg { max-width: 100%; height: auto; }
 table { border-collapse: collapse; font-size: 14px; }
 .wide, .statistics, .provenance { width: 100%; }
 th { text-align: left; font-weight: 600; }
-thead th { color: var(--soft); font-size: 13px; border-bottom: 2px solid var(--line); padding: 6px 12px 6px 0; }
-tbody td, tbody th { border-bottom: 1px solid var(--line); padding: 7px 12px 7px 0; vertical-align: top; }
+thead th { color: var(--soft); font-size: 13px; border-bottom: 2px solid var(--line); padding: 6px 22px 6px 0; }
+.wide tr > :last-child { padding-right: 0; }
+tbody td, tbody th { border-bottom: 1px solid var(--line); padding: 7px 22px 7px 0; vertical-align: top; }
 tbody tr:last-child > * { border-bottom: 0; }
 .number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
 td.number .soft { white-space: normal; font-weight: 400; }

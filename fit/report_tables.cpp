@@ -38,9 +38,9 @@ std::string interval_text(const FittedParameter& p) {
 std::string limits_text(const FittedParameter& p) {
   const bool has_min = std::isfinite(p.min), has_max = std::isfinite(p.max);
   if (!has_min && !has_max) return "none";
-  if (!has_min) return "at most " + short_number(p.max);
-  if (!has_max) return "at least " + short_number(p.min);
-  return short_number(p.min) + " to " + short_number(p.max);
+  if (!has_min) return "at most " + short_number(p.max, 4);
+  if (!has_max) return "at least " + short_number(p.min, 4);
+  return short_number(p.min, 4) + " to " + short_number(p.max, 4);
 }
 
 std::string row(const std::string& name, const std::string& value, const std::string& meaning) {
@@ -77,7 +77,7 @@ std::string parameter_table_html(const FitResult& result) {
       html += "<div class=\"soft\">no error bar" +
               (p.why_no_sigma.empty() ? std::string() : ": " + html_text(p.why_no_sigma)) + "</div>";
     html += "</td><td class=\"number\">" + html_text(interval_text(p)) + "</td><td class=\"number\">" +
-            html_text(short_number(p.initial)) + "</td><td class=\"number\">" + html_text(limits_text(p));
+            html_text(short_number(p.initial, 4)) + "</td><td class=\"number\">" + html_text(limits_text(p));
     if (p.at_limit) html += "<div class=\"flag\">at a limit</div>";
     html += "</td></tr>\n";
   }

@@ -14,6 +14,8 @@ expect_exit 2 render "$SCENES/small.toml" -o out.png --quality 50
 expect_exit 2 render "$SCENES/small.toml" -o out.exr --lines out.exr
 expect_exit 2 render "$SCENES/small.toml" -o out.exr --lines lines.png
 expect_exit 2 render "$SCENES/small.toml" -o out.exr --seed minus
+expect_exit 2 render "$SCENES/small.toml" -o out.exr --seed -1
+expect_exit 2 render "$SCENES/small.toml" -o out.exr --seed 18446744073709551615
 expect_exit 2 fit "$SCENES/small.toml"
 expect_exit 2 profile
 expect_only
