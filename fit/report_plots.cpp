@@ -13,7 +13,8 @@ namespace {
 constexpr int kMeanPoints = 160, kBandPoints = 110, kMostBands = 6;
 constexpr int kTallPanel = 430;
 const char* const kChannelNames[3] = {"red", "green", "blue"};
-const char* const kHowToRead = "Dots: photograph. Shaded: \u00b11 \u03c3. Lines: model.";
+constexpr Colour kModelInk{40, 40, 40};
+const char* const kHowToRead = "Dots: photograph. Shaded: \u00b11 \u03c3. Thin line: model.";
 
 void set_height_axis(const FitResult& result, const ElevationOfPixel& elevation_of_pixel, Axis& axis) {
   if (elevation_of_pixel) {
@@ -53,13 +54,21 @@ Series curve(const std::string& label, const std::vector<double>& x, const std::
   return series;
 }
 
+/// Thin and dark, over the dots that it is to meet.
+Series model_curve(const std::vector<double>& x, const std::vector<double>& height) {
+  Series series = curve("model", x, height, kModelInk);
+  series.width_px = 1.1;
+  return series;
+}
+
 Panel brightness_panel(const ComparedProfile& profile, double diameter_px) {
   Panel panel;
-  for (int c = 0; c < 3; ++c)
-    panel.series.push_back(
-        points(profile.data[c], profile.sigma[c], profile.height, channel_colour(c), diameter_px));
-  for (int c = 0; c < 3; ++c)
-    panel.series.push_back(curve(kChannelNames[c], profile.model[c], profile.height, channel_colour(c)));
+  for (int c = 0; c < 3; ++c) {
+    Series series = points(profile.data[c], profile.sigma[c], profile.height, channel_colour(c), diameter_px);
+    series.label = kChannelNames[c];
+    panel.series.push_back(std::move(series));
+  }
+  for (int c = 0; c < 3; ++c) panel.series.push_back(model_curve(profile.model[c], profile.height));
   return panel;
 }
 
@@ -78,8 +87,8 @@ Panel share_panel(const std::string& title, const ComparedProfile& profile, cons
                   const std::vector<double>& sigma, const std::vector<double>& model, Colour colour) {
   Panel panel;
   panel.title = title;
-  panel.series.push_back(points(data, sigma, profile.height, colour, 3.0));
-  panel.series.push_back(curve("", model, profile.height, colour));
+  panel.series.push_back(points(data, sigma, profile.height, colour, 4.0));
+  panel.series.push_back(model_curve(model, profile.height));
   panel.x.label = title;
   panel.x.min = 0.0;
   panel.x.max = 1.0;
@@ -92,7 +101,7 @@ std::string mean_profile_svg(const FitResult& result, const ElevationOfPixel& el
   Plot plot;
   plot.title = "Brightness";
   plot.note = kHowToRead;
-  plot.panels.push_back(brightness_panel(mean_of_all(result, elevation_of_pixel), 3.2));
+  plot.panels.push_back(brightness_panel(mean_of_all(result, elevation_of_pixel), 4.4));
   plot.panels[0].x.label = "linear light, mean over the bands";
   set_height_axis(result, elevation_of_pixel, plot.panels[0].y);
   plot.panel_width_px = 520;
@@ -163,9 +172,7 @@ std::string band_profiles_svg(const FitResult& result, const ElevationOfPixel& e
   for (int p = 0; p < panels; ++p) {
     const int band = (2 * p + 1) * data.bands / (2 * panels);
     Panel panel =
-        brightness_panel(compared_profile(result, band, band + 1, kBandPoints, elevation_of_pixel), 2.2);
-    for (Series& series : panel.series)
-      if (series.mark == Mark::line) series.width_px = 1.4;
+        brightness_panel(compared_profile(result, band, band + 1, kBandPoints, elevation_of_pixel), 3.4);
     panel.title = "band " + std::to_string(band) + ", columns " +
                   std::to_string(band_begin(data.region, data.bands, band)) + "\u2013" +
                   std::to_string(band_begin(data.region, data.bands, band + 1) - 1);

@@ -40,7 +40,7 @@ svg { max-width: 100%; height: auto; }
 .cards { display: grid; grid-template-columns: repeat(auto-fit, minmax(210px, 1fr)); gap: 14px; }
 .card { border: 1px solid var(--line); border-left: 4px solid var(--mark); border-radius: 6px; padding: 12px 16px;
   font-size: 14px; color: var(--soft); }
-.card .big { font-size: 22px; font-weight: 600; color: var(--ink); }
+.card .big { font-size: 20px; white-space: nowrap; font-weight: 600; color: var(--ink); }
 .unit { font-weight: 400; font-size: 0.86em; color: var(--soft); }
 table { border-collapse: collapse; font-size: 14px; }
 .wide, .statistics, .provenance { width: 100%; }

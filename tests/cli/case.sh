@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # What every case needs; to be sourced by a script that was called with the binary and the source folder.
 # The case then runs in an empty folder of its own, which is gone at its end.
 set -euo pipefail
