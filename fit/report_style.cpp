@@ -69,11 +69,14 @@ code { font-family: "SFMono-Regular", Consolas, "Liberation Mono", "DejaVu Sans 
   padding: 3px 0; break-inside: avoid; font-variant-numeric: tabular-nums; }
 .many span { white-space: nowrap; }
 footer { color: var(--soft); font-size: 13px; padding: 0 0 40px; }
-@media (max-width: 820px) { .three { grid-template-columns: 1fr; } .many { columns: 1; }
+@media screen and (max-width: 820px) { .three { grid-template-columns: 1fr; } .many { columns: 1; }
   .verdict > div { flex-direction: column; gap: 4px; } .wide { display: block; overflow-x: auto; } }
-@media print { body { background: #fff; font-size: 11pt; } section { border: 0; padding: 8px 0; margin: 8px 0; }
+@media print { body { background: #fff; font-size: 9.5pt; } table, .card { font-size: 9pt; } .many { font-size: 8pt; }
+  .card .big { font-size: 12pt; } .cards { grid-template-columns: repeat(4, 1fr); } .soft, figcaption { font-size: 8pt; }
+  .strong { font-size: 9.5pt; } .verdict .line { font-size: 11pt; } .head { padding-top: 12px; padding-bottom: 12px; } section { border: 0; padding: 8px 0; margin: 8px 0; }
   figure, .card, tr, svg, .cards, .misfit { break-inside: avoid; } h2, h3 { break-after: avoid; }
-  main, .head, .verdict > div { padding-left: 12px; padding-right: 12px; } @page { margin: 12mm; } }
+  main, .head, .verdict > div { padding-left: 12px; padding-right: 12px; } .card .big { white-space: normal; }
+  .plots, .two { display: block; } .plots > svg { max-height: 105mm; display: block; } @page { margin: 12mm; } }
 )css";
 
 }  // namespace vegard::fit

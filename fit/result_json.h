@@ -8,7 +8,7 @@
 namespace vegard::fit {
 
 /// JSON (RFC 8259) with a fixed order of keys, numbers at full precision, and null for what is unknown or not
-/// finite. The same result gives the same bytes. The keys are documented in docs/file_formats.md.
+/// finite. The same result gives the same bytes.
 std::string result_json(const FitResult& result);
 
 }  // namespace vegard::fit
