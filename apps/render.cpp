@@ -80,7 +80,7 @@ sim::ImageAttributes attributes_of(const sim::Scene& scene) {
 /// The lines' channels as the layer "rayleigh".
 sim::Image line_layer(const sim::Rendering& rendering) {
   sim::Image layer = rendering.rayleigh;
-  for (std::string& name : layer.channel_names) name = "rayleigh." + name;
+  for (std::string& name : layer.channel_names) name.insert(0, "rayleigh.");
   return layer;
 }
 

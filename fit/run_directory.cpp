@@ -38,7 +38,7 @@ sim::ImageAttributes attributes_of(const FitResult& result, const std::string& u
 
 void write_pictures(const sim::WholeDirectory& run, const FitResult& result, const ModelPicture& picture) {
   sim::Image lines = picture.rayleigh;
-  for (std::string& name : lines.channel_names) name = "rayleigh." + name;
+  for (std::string& name : lines.channel_names) name.insert(0, "rayleigh.");
   sim::ImageAttributes attributes = attributes_of(
       result,
       "R, G, B: linear light of the photograph, sky included; rayleigh.*: rayleighs before any gain, by "
