@@ -3,13 +3,13 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "apps/decoding.h"
 #include "apps/elevation.h"
 #include "fit/photo.h"
 #include "fit/plot.h"
@@ -32,9 +32,6 @@ struct Options {
   std::string decoding;
   bool overwrite = false;
 };
-
-const std::map<std::string, fit::Decoding> kDecodings = {
-    {"auto", fit::Decoding::automatic}, {"srgb", fit::Decoding::srgb}, {"linear", fit::Decoding::linear}};
 
 std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);
@@ -120,8 +117,7 @@ void run(const Options& options) {
   if (!options.scene.empty()) scene = sim::read_scene(options.scene);
   const sim::Fit defaults = scene ? scene->fit : sim::Fit{};
 
-  const std::string decoding = options.decoding.empty() ? defaults.decoding : options.decoding;
-  fit::Photo photo = fit::read_photo(options.image, kDecodings.at(decoding));
+  fit::Photo photo = fit::read_photo(options.image, decoding_of(options.decoding, defaults.decoding));
   fit::ElevationOfPixel elevation;
   if (scene) {
     check_size(*scene, photo, options.scene);
@@ -172,8 +168,7 @@ void add_profile_command(CLI::App& app, int& exit_code) {
   command->add_option("--bands", options->bands, "Equal column strips (default: the scene's, or 24)");
   command->add_option("--mask", options->mask, "An image of the same size: white = use");
   command->add_option("--scene", options->scene, "A scene whose camera took the photograph: adds elevations");
-  command->add_option("--decoding", options->decoding, "auto: sRGB for integers, linear for floats")
-      ->check(CLI::IsMember({"auto", "srgb", "linear"}));
+  add_decoding_option(*command, options->decoding);
   command->add_option("--plot", options->plot, "Draw the profiles too")->type_name("OUT.svg|OUT.png");
   command->add_flag("--overwrite", options->overwrite, "Replace outputs that exist");
   command->callback([options, &exit_code] {

@@ -5,9 +5,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include "apps/command_line.h"
 #include "apps/exit_code.h"
+#include "apps/fit.h"
 #include "apps/params.h"
 #include "apps/profile.h"
+#include "apps/render.h"
 #include "fit/version.h"
 #include "sim/base/error.h"
 #include "sim/base/image_io.h"
@@ -32,7 +35,9 @@ int run(int argc, char** argv) {
   CLI::App app("Simulates aurorae and fits them to photographs.", "vegard");
   app.set_version_flag("--version", versions, "Print the versions of vegard and of its libraries");
   int exit_code = apps::good;
+  apps::add_render_command(app, exit_code);
   apps::add_profile_command(app, exit_code);
+  apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
   apps::add_params_command(app, exit_code);
   try {
     app.parse(argc, argv);

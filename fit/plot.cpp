@@ -25,7 +25,7 @@ constexpr double kBelowInside = 28;  ///< the same where the label is told once
 constexpr double kPanelTitleHeight = 22;
 constexpr double kGap = 22;  ///< between panels that share an axis
 constexpr double kTickLength = 4;
-constexpr double kLegendSample = 22, kLegendGap = 20;
+constexpr double kLegendSample = 22, kLegendTextGap = 7, kLegendGap = 20;
 
 struct Limits {
   double min = std::numeric_limits<double>::infinity();
@@ -61,6 +61,16 @@ Limits axis_limits(const Axis& axis, Limits data) {
     limits = {middle - half, middle + half};
   }
   return limits;
+}
+
+double entry_width(const Series& entry) {
+  return kLegendSample + kLegendTextGap + text_width_px(entry.label, kNoteSize) + kLegendGap;
+}
+
+double legend_width(const std::vector<const Series*>& entries) {
+  double width = 0.0;
+  for (const Series* entry : entries) width += entry_width(*entry);
+  return width;
 }
 
 struct Layout {
@@ -101,7 +111,8 @@ Layout lay_out(const Plot& plot) {
                              static_cast<double>(plot.panel_height_px)});
   }
   layout.size.width = kEdge + kLeft + step_x * (layout.columns - 1) + plot.panel_width_px + kEdge;
-  // A long title or note must not be cut off.
+  // A long title, note or legend must not be cut off.
+  layout.size.width = std::max(layout.size.width, kEdge + legend_width(legend_entries(plot)));
   for (const auto& [text, text_size] :
        {std::pair(plot.title, 1.08 * kTitleSize), std::pair(plot.note, kNoteSize)})
     layout.size.width = std::max(layout.size.width, 2 * kEdge + std::ceil(text_width_px(text, text_size)));
@@ -227,8 +238,8 @@ void draw_legend(const std::vector<const Series*>& entries, double base_line, Pl
     TextStyle style;
     style.size_px = kNoteSize;
     style.colour = kInk;
-    canvas.text({x + kLegendSample + 7, base_line}, entry->label, style);
-    x += kLegendSample + 7 + text_width_px(entry->label, kNoteSize) + kLegendGap;
+    canvas.text({x + kLegendSample + kLegendTextGap, base_line}, entry->label, style);
+    x += entry_width(*entry);
   }
 }
 

@@ -1,0 +1,144 @@
+#include "apps/fit.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/decoding.h"
+#include "apps/exit_code.h"
+#include "apps/interrupt.h"
+#include "apps/progress_bar.h"
+#include "apps/scene_options.h"
+#include "fit/fit.h"
+#include "fit/number_text.h"
+#include "fit/photo.h"
+#include "fit/run_directory.h"
+#include "sim/base/sha256.h"
+
+namespace vegard::apps {
+namespace {
+
+struct Options {
+  SceneOptions scene;
+  std::string photo, mask, decoding, out;
+  int threads = 0;
+  int max_evaluations = fit::FitOptions().max_evaluations;
+  bool overwrite = false;
+};
+
+std::string name_of(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+std::string sha256_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return sim::sha256(std::string(std::istreambuf_iterator<char>(file), {}));
+}
+
+std::vector<fit::InputFile> inputs_of(const Options& options, const fit::Photo& photo) {
+  std::vector<fit::InputFile> inputs = {{"scene", name_of(options.scene.file), sha256_of(options.scene.file)},
+                                        {"photo", photo.file_name, photo.sha256}};
+  if (!photo.mask_name.empty()) inputs.push_back({"mask", photo.mask_name, photo.mask_sha256});
+  return inputs;
+}
+
+/// What the fit tells while it works: a bar on a terminal, elsewhere one line a stage.
+class Account {
+ public:
+  void tell(const std::string& stage, int evaluations, double chi2_per_dof, double share) {
+    const std::string text = fmt::format("{}: {} evaluations, chi2 / dof {}", stage, evaluations,
+                                         fit::short_number(chi2_per_dof, 3));
+    if (isatty(STDERR_FILENO) == 1) {
+      bar_.update(share, text);
+    } else if (stages_.insert(stage).second) {
+      std::fprintf(stderr, "%s\n", text.c_str());
+    }
+  }
+
+ private:
+  ProgressBar bar_{"fitting"};
+  std::set<std::string> stages_;
+};
+
+fit::FitResult fitted(const Options& options, const sim::Scene& scene, const fit::Photo& photo) {
+  Account account;
+  fit::FitOptions fit_options;
+  fit_options.threads = options.threads;
+  fit_options.max_evaluations = options.max_evaluations;
+  fit_options.progress = [&account](const std::string& stage, int evaluations, double chi2_per_dof,
+                                    double share) { account.tell(stage, evaluations, chi2_per_dof, share); };
+  fit_options.stop = &watch_for_interrupt();
+  return fit::fit_photo(scene, photo, fit_options);
+}
+
+void print_answer(const fit::FitResult& result, const std::string& report) {
+  std::printf("%s\n", result.verdict_line.c_str());
+  std::size_t widest = 0;
+  for (const fit::FittedParameter& p : result.parameters) widest = std::max(widest, p.path.size());
+  for (const fit::FittedParameter& p : result.parameters)
+    std::printf("  %-*s  %s%s%s%s\n", static_cast<int>(widest), p.path.c_str(),
+                fit::number_with_error(p.value, p.sigma).c_str(), p.unit.empty() ? "" : " ", p.unit.c_str(),
+                p.at_limit ? "  (at a limit)" : "");
+  for (const fit::DerivedNumber& d : result.derived)
+    std::printf("  %s: %s%s%s\n", d.name.c_str(), fit::number_with_error(d.value, d.sigma).c_str(),
+                d.unit.empty() ? "" : " ", d.unit.c_str());
+  std::printf("%s\n", report.c_str());
+}
+
+ExitCode exit_code_of(fit::Verdict verdict) {
+  switch (verdict) {
+    case fit::Verdict::good:
+      return good;
+    case fit::Verdict::doubtful:
+      return doubted;
+    case fit::Verdict::failed:
+      return not_converged;
+    case fit::Verdict::interrupted:
+      return interrupted;
+  }
+  return internal_error;
+}
+
+int run(const Options& options, const std::string& command) {
+  const sim::Scene scene = scene_of(options.scene);
+  fit::check_run_directory(options.out, options.overwrite);
+  fit::Photo photo = fit::read_photo(options.photo, decoding_of(options.decoding, scene.fit.decoding));
+  if (!options.mask.empty()) fit::apply_mask(photo, options.mask);
+
+  fit::FitResult result = fitted(options, scene, photo);
+  result.inputs = inputs_of(options, photo);
+  result.command = command;
+  fit::RunContext context;
+  context.threads = options.threads;
+  fit::write_run(options.out, options.overwrite, result, photo, context);
+  print_answer(result, options.out + "/report.html");
+  return exit_code_of(result.verdict);
+}
+
+}  // namespace
+
+void add_fit_command(CLI::App& app, int& exit_code, const std::string& command_line) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("fit", "Fit a scene to a photograph, and write a report");
+  add_scene_options(*command, options->scene);
+  command->add_option("--photo", options->photo, "JPEG, PNG or TIFF")->required()->type_name("IMAGE");
+  command->add_option("--out", options->out, "The run's directory to write")->required()->type_name("RUN");
+  command->add_option("--mask", options->mask, "An image of the same size: white = use")->type_name("IMAGE");
+  add_decoding_option(*command, options->decoding);
+  command->add_option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
+      ->check(CLI::Range(0, 1024));
+  command->add_option("--max-evaluations", options->max_evaluations, "Stop after so many evaluations")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  command->add_flag("--overwrite", options->overwrite, "Replace a run that exists");
+  command->callback([options, &exit_code, command_line] { exit_code = run(*options, command_line); });
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,92 @@
+#include "apps/progress_bar.h"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace vegard::apps {
+namespace {
+
+constexpr double kQuietSeconds = 1.0;
+constexpr double kSecondsBetween = 0.1;
+
+int terminal_columns() {
+  winsize size = {};
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+  return size.ws_col;
+}
+
+double seconds(std::chrono::steady_clock::duration time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+  const long whole = std::lround(std::clamp(seconds, 0.0, 1e8));
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
+std::string progress_line(const std::string& label, double share, double elapsed_seconds, int columns) {
+  share = std::clamp(share, 0.0, 1.0);
+  std::string right = fmt::format(" {:3.0f} %", 100.0 * share);
+  // Before that the rate says nothing.
+  constexpr double kLeastShare = 0.02;
+  if (share >= kLeastShare) right += ", " + duration_text(elapsed_seconds * (1.0 - share) / share) + " to go";
+  const int room = columns - 1 - static_cast<int>(label.size() + right.size()) - 4;
+  std::string line = label;
+  if (room >= 5) {
+    const int length = std::min(room, 32);
+    const int filled = static_cast<int>(share * length);
+    line += " [" + std::string(filled, '#') + std::string(length - filled, '.') + "]";
+  }
+  line += right;
+  if (static_cast<int>(line.size()) >= columns) line.resize(std::max(0, columns - 1));
+  return line;
+}
+
+ProgressBar::ProgressBar(std::string label)
+    : label_(std::move(label)), on_terminal_(isatty(STDERR_FILENO) == 1) {}
+
+ProgressBar::~ProgressBar() { finish(); }
+
+void ProgressBar::update(double share) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (std::isfinite(share)) share_ = std::max(share_, share);
+  show();
+}
+
+void ProgressBar::update(double share, const std::string& label) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (std::isfinite(share)) share_ = std::max(share_, share);
+  label_ = label;
+  show();
+}
+
+void ProgressBar::show() {
+  const Clock::time_point now = Clock::now();
+  const double elapsed = seconds(now - start_);
+  if (!on_terminal_ || elapsed < kQuietSeconds) return;
+  if (shown_ && seconds(now - last_) < kSecondsBetween) return;
+  last_ = now;
+  shown_ = true;
+  // \r and "erase to the end of the line".
+  std::fprintf(stderr, "\r%s\033[K", progress_line(label_, share_, elapsed, terminal_columns()).c_str());
+  std::fflush(stderr);
+}
+
+void ProgressBar::finish() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (shown_) std::fputs("\r\033[K", stderr);
+  shown_ = false;
+}
+
+}  // namespace vegard::apps

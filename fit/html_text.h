@@ -1,0 +1,13 @@
+// Text inside a page.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace vegard::fit {
+
+/// Safe between tags and inside attributes in double quotes: & < > " ' escaped, control characters as spaces,
+/// bytes that are no UTF-8 as a replacement character.
+std::string html_text(std::string_view text);
+
+}  // namespace vegard::fit

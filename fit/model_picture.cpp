@@ -1,0 +1,51 @@
+#include "fit/model_picture.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "sim/render.h"
+#include "sim/view/sky.h"
+
+namespace vegard::fit {
+
+double gain_at_column(const FitResult& result, double x_px, int channel) {
+  const int bands = static_cast<int>(result.gain.size());
+  if (bands == 0) return result.best.sensor.gain_per_kilorayleigh;
+  const Region& region = result.data.region;
+  const auto centre = [&](int band) {
+    return 0.5 * (band_begin(region, bands, band) + band_begin(region, bands, band + 1));
+  };
+  int right = 0;
+  while (right < bands && centre(right) < x_px) ++right;
+  if (right == 0) return result.gain.front()[channel];
+  if (right == bands) return result.gain.back()[channel];
+  const double t = (x_px - centre(right - 1)) / (centre(right) - centre(right - 1));
+  return (1.0 - t) * result.gain[right - 1][channel] + t * result.gain[right][channel];
+}
+
+ModelPicture model_picture(const FitResult& result, const Photo& photo, int threads) {
+  assert(photo.linear.width == result.best.camera.width && photo.linear.height == result.best.camera.height);
+  sim::Scene scene = result.best;
+  scene.sensor.gain_per_kilorayleigh = 1.0;
+  sim::RenderOptions options;
+  options.threads = threads;
+  sim::Rendering rendering = sim::render(scene, options);
+
+  ModelPicture picture;
+  picture.rgb = std::move(rendering.aurora);
+  for (int x = 0; x < picture.rgb.width; ++x)
+    for (int c = 0; c < 3; ++c) {
+      const auto gain = static_cast<float>(gain_at_column(result, x + 0.5, c));
+      // As in the fit, out-of-gamut light is clipped before gain and sky.
+      for (int y = 0; y < picture.rgb.height; ++y)
+        picture.rgb.at(x, y, c) = gain * std::max(picture.rgb.at(x, y, c), 0.0f);
+    }
+  sim::add_sky(scene.sky, picture.rgb);
+  picture.rayleigh = std::move(rendering.rayleigh);
+  picture.residual = photo.linear;
+  for (std::size_t i = 0; i < picture.residual.data.size(); ++i)
+    picture.residual.data[i] -= picture.rgb.data[i];
+  return picture;
+}
+
+}  // namespace vegard::fit

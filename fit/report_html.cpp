@@ -1,0 +1,155 @@
+#include "fit/report_html.h"
+
+#include <fmt/format.h>
+
+#include "fit/html_text.h"
+#include "fit/number_text.h"
+#include "fit/report_pictures.h"
+#include "fit/report_plots.h"
+#include "fit/report_style.h"
+#include "fit/report_tables.h"
+#include "sim/base/version.h"
+
+namespace vegard::fit {
+namespace {
+
+std::string verdict_word(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::good:
+      return "Good";
+    case Verdict::doubtful:
+      return "Doubtful";
+    case Verdict::failed:
+      return "Failed";
+    case Verdict::interrupted:
+      return "Interrupted";
+  }
+  return {};
+}
+
+/// The verdict on top; reasons that its line does not tell already stand below it.
+std::string verdict_band(const FitResult& result) {
+  std::string html = std::string("<div class=\"verdict ") + verdict_name(result.verdict) +
+                     "\"><div>\n<div class=\"word\">" + verdict_word(result.verdict) +
+                     "</div>\n<div><div class=\"line\">" + html_text(result.verdict_line) + "</div>";
+  std::string reasons;
+  for (const std::string& reason : result.reasons)
+    if (result.verdict_line.find(reason) == std::string::npos)
+      reasons += "<li>" + html_text(reason) + "</li>";
+  if (!reasons.empty()) html += "<ul>" + reasons + "</ul>";
+  return html + "</div>\n</div></div>\n";
+}
+
+std::string section(const std::string& title, const std::string& introduction, const std::string& content) {
+  return "<section>\n<h2>" + title + "</h2>\n" +
+         (introduction.empty() ? std::string() : "<p>" + introduction + "</p>\n") + content + "</section>\n";
+}
+
+std::string figure(const std::string& uri, const std::string& name, const std::string& words) {
+  return "<figure><img src=\"" + uri + "\" alt=\"" + name + "\"><figcaption><b>" + name + "</b>" + words +
+         "</figcaption></figure>\n";
+}
+
+std::string pictures_section(const ReportPictures& pictures) {
+  const std::string brightness =
+      pictures.brightness == 1.0
+          ? std::string()
+          : " Shown " + html_text(short_number(pictures.brightness, 2)) + " times as bright as it is.";
+  const std::string scale = html_text(short_number(pictures.residual_scale, 2));
+  return section(
+      "Photograph, model, residual", "",
+      "<div class=\"three\">\n" +
+          figure(pictures.photo, "Photograph",
+                 "Framed: the region that was fitted, with its bands." + brightness) +
+          figure(
+              pictures.model, "Model",
+              "The best scene, rendered. Its brightness per band is joined from band to band without seams." +
+                  brightness) +
+          figure(pictures.residual, "Residual",
+                 "Photograph \u2212 model in linear light. Mid-grey is zero, black and white are \u00b1" +
+                     scale + " of full scale.") +
+          "</div>\n");
+}
+
+std::string profiles_section(const FitResult& result, const ReportPictures& pictures,
+                             const ElevationOfPixel& elevation_of_pixel) {
+  std::string html = "<div class=\"plots\">\n" + mean_profile_svg(result, elevation_of_pixel) +
+                     mean_residual_svg(result, elevation_of_pixel) + colour_svg(result, elevation_of_pixel) +
+                     band_profiles_svg(result, elevation_of_pixel) + "</div>\n";
+  if (!pictures.misfit.empty())
+    html +=
+        "<h3>What is left, row by row and band by band</h3>\n<div class=\"misfit\">\n"
+        "<div class=\"names\"><span>red</span><span>green</span><span>blue</span></div>\n"
+        "<img src=\"" +
+        pictures.misfit +
+        "\" alt=\"residual / sigma\">\n"
+        "<p class=\"soft\">(Photograph \u2212 model) / \u03c3, the region\u2019s rows downwards and its "
+        "bands to "
+        "the right: \u22124<span class=\"scale\"></span>+4. Speckle is noise; a pattern is something that "
+        "the model "
+        "does not have. Grey was not used.</p>\n</div>\n";
+  return section(
+      "Vertical profiles",
+      "This is what was fitted: the mean light of every row, in every band and channel. \u03c3 holds the "
+      "noise of the photograph and the model error that the scene allows for.",
+      html);
+}
+
+std::string fit_section(const FitResult& result) {
+  const std::string correlation = correlation_table(result);
+  std::string html = statistics_table(result) + "<div class=\"two\">\n";
+  if (!correlation.empty())
+    html += "<div><h3>Correlation of the parameters</h3>\n" + correlation +
+            "<p class=\"soft\">Near \u00b11 the photograph cannot tell two parameters apart.</p></div>\n";
+  if (!result.trace.empty()) html += "<div><h3>&#160;</h3>\n" + trace_svg(result) + "</div>\n";
+  return section("How well it fits", "", html + "</div>\n");
+}
+
+std::string title_of(const FitResult& result, const Photo& photo) {
+  for (const InputFile& input : result.inputs)
+    if (input.role == "photo") return input.name;
+  return photo.file_name;
+}
+
+}  // namespace
+
+std::string report_html(const FitResult& result, const Photo& photo, const ModelPicture& model,
+                        const ElevationOfPixel& elevation_of_pixel) {
+  const ReportPictures pictures = report_pictures(result, photo, model);
+  const std::string title = html_text(title_of(result, photo));
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en-GB\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+      title + ": " + verdict_name(result.verdict) + "</title>\n<style>" + kReportStyle +
+      "</style>\n</head>\n<body>\n<header><div class=\"head\">\n<p>A simulated aurora, fitted to a "
+      "photograph</p>\n<h1>" +
+      title + "</h1>\n</div></header>\n" + verdict_band(result) + "<main>\n";
+  html += pictures_section(pictures);
+  const std::string cards = derived_cards(result);
+  const bool believed = result.verdict == Verdict::good;
+  if (!cards.empty())
+    html += section("What it says about the aurora",
+                    believed ? "" : "The verdict above speaks against leaning on these numbers.", cards);
+  html += section(
+      "Parameters",
+      "\u03c3 is half of the 68\u00a0% interval, carried back from the scale on which the search moves the "
+      "parameter; the interval itself may be lopsided.",
+      parameter_table_html(result));
+  html += profiles_section(result, pictures, elevation_of_pixel);
+  html += fit_section(result);
+  if (!result.solved.empty())
+    html += section(
+        "Solved along the way",
+        "Linear numbers, exact at every step of the search: the gain is the linear light of one kilorayleigh "
+        "of 557.7\u00a0nm; the sky is a level and a gradient over the picture\u2019s height.",
+        solved_table(result));
+  html += section("Where it comes from", "", provenance_table(result));
+  html +=
+      "<footer>Beside this page: <code>result.json</code> (all numbers), <code>best.toml</code> (the best "
+      "scene), "
+      "<code>profiles.csv</code>, <code>trace.csv</code>, <code>model.exr</code>, "
+      "<code>residual.exr</code>.</footer>\n</main>\n</body>\n</html>\n";
+  return html;
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,171 @@
+#include "fit/report_pictures.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "fit/base64.h"
+#include "sim/view/transfer_curve.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr int kMostWidth = 720;
+constexpr double kMisfitEnd = 4.0;  ///< standard deviations at the ends of the misfit's colours
+
+/// As three channels of float in OpenCV's order, no wider than a report's picture.
+cv::Mat shrunk(const sim::Image& image) {
+  cv::Mat picture(image.height, image.width, CV_32FC3);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < 3; ++c) picture.at<cv::Vec3f>(y, x)[2 - c] = image.at(x, y, c);
+  if (image.width <= kMostWidth) return picture;
+  const int height =
+      std::max(1, static_cast<int>(std::lround(1.0 * image.height * kMostWidth / image.width)));
+  cv::Mat small;
+  cv::resize(picture, small, cv::Size(kMostWidth, height), 0, 0, cv::INTER_AREA);
+  return small;
+}
+
+template <typename Code>
+cv::Mat to_bytes(const cv::Mat& picture, const Code& code) {
+  cv::Mat bytes(picture.size(), CV_8UC3);
+  for (int y = 0; y < picture.rows; ++y)
+    for (int x = 0; x < picture.cols; ++x)
+      for (int c = 0; c < 3; ++c)
+        bytes.at<cv::Vec3b>(y, x)[c] = static_cast<unsigned char>(
+            std::lround(255.0 * std::clamp<double>(code(picture.at<cv::Vec3f>(y, x)[c]), 0.0, 1.0)));
+  return bytes;
+}
+
+std::string png_uri(const cv::Mat& bytes) {
+  std::vector<unsigned char> file;
+  const bool encoded = cv::imencode(".png", bytes, file, {cv::IMWRITE_PNG_COMPRESSION, 9});
+  assert(encoded);
+  static_cast<void>(encoded);
+  return "data:image/png;base64," + base64({reinterpret_cast<const char*>(file.data()), file.size()});
+}
+
+/// The value below which this share of them lies; 0 for none.
+double quantile(std::vector<float> values, double share) {
+  if (values.empty()) return 0.0;
+  const auto place =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+std::vector<float> sizes_inside(const sim::Image& image, const Region& region) {
+  std::vector<float> sizes;
+  for (int y = region.y; y < region.y + region.height; ++y)
+    for (int x = region.x; x < region.x + region.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        if (std::isfinite(image.at(x, y, c))) sizes.push_back(std::abs(image.at(x, y, c)));
+  return sizes;
+}
+
+/// 1 for a picture that fills its range as photographs do; a file of floats has no range, and a very dark
+/// picture would show nothing.
+double brightness_for(const Photo& photo) {
+  constexpr double kDark = 0.1, kShown = 0.6;
+  const double bright =
+      quantile(sizes_inside(photo.linear, {0, 0, photo.linear.width, photo.linear.height}), 0.995);
+  if (!(bright > 0.0) || (!photo.floating && bright > kDark)) return 1.0;
+  return kShown / bright;
+}
+
+/// What no channel of was used, as after a mask.
+sim::Image with_unused_dimmed(const Photo& photo) {
+  constexpr float kDim = 0.25f;
+  sim::Image image = photo.linear;
+  for (std::size_t i = 0; i + 2 < image.data.size() && i + 2 < photo.usable.size(); i += 3)
+    if (!photo.usable[i] && !photo.usable[i + 1] && !photo.usable[i + 2] && !photo.mask_name.empty())
+      for (std::size_t c = 0; c < 3; ++c) image.data[i + c] *= kDim;
+  return image;
+}
+
+/// A line that is seen on dark and on bright ground.
+void mark(cv::Mat& picture, cv::Rect box, double opacity) {
+  box &= cv::Rect(0, 0, picture.cols, picture.rows);
+  if (box.empty()) return;
+  cv::Mat part = picture(box);
+  cv::Mat(part.mul(cv::Scalar::all(1.0), 1.0 - opacity) + cv::Scalar(90, 220, 255) * opacity).copyTo(part);
+}
+
+void draw_region(cv::Mat& picture, const Profile& data, double scale) {
+  const Region& region = data.region;
+  const auto place = [&](int px) { return static_cast<int>(std::lround(px * scale)); };
+  const int left = place(region.x), right = std::min(place(region.x + region.width), picture.cols) - 1;
+  const int top = place(region.y), bottom = std::min(place(region.y + region.height), picture.rows) - 1;
+  for (int band = 1; band < data.bands; ++band)
+    mark(picture, {place(band_begin(region, data.bands, band)), top, 1, bottom - top + 1}, 0.28);
+  for (const cv::Rect& edge :
+       {cv::Rect(left, top, right - left + 1, 2), cv::Rect(left, bottom - 1, right - left + 1, 2),
+        cv::Rect(left, top + 2, 2, bottom - top - 3), cv::Rect(right - 1, top + 2, 2, bottom - top - 3)})
+    mark(picture, edge, 0.85);
+}
+
+/// White at 0, red above (more light in the photograph), blue below; after ColorBrewer's RdBu, which the
+/// colour-blind can tell apart.
+cv::Vec3b misfit_colour(double sigmas) {
+  if (!std::isfinite(sigmas)) return {225, 225, 225};
+  static const double kRed[3] = {178, 24, 43}, kBlue[3] = {33, 102, 172};
+  const double t = std::min(1.0, std::abs(sigmas) / kMisfitEnd);
+  cv::Vec3b colour;
+  for (int c = 0; c < 3; ++c)
+    colour[2 - c] =
+        static_cast<unsigned char>(std::lround(255.0 + t * ((sigmas > 0 ? kRed : kBlue)[c] - 255.0)));
+  return colour;
+}
+
+std::string misfit_uri(const FitResult& result) {
+  constexpr int kWidth = 232, kHeight = 240, kGap = 12;
+  const Profile& data = result.data;
+  if (data.rows == 0 || data.bands == 0 || result.model.size() != data.mean.size() ||
+      result.sigma.size() != data.mean.size())
+    return {};
+  cv::Mat picture(kHeight, 3 * kWidth + 2 * kGap, CV_8UC3, cv::Scalar::all(255));
+  for (int c = 0; c < 3; ++c) {
+    cv::Mat cells(data.rows, data.bands, CV_32F);
+    for (int row = 0; row < data.rows; ++row)
+      for (int band = 0; band < data.bands; ++band) {
+        const std::size_t i = data.index(band, row, c);
+        cells.at<float>(row, band) =
+            result.sigma[i] > 0.0 ? static_cast<float>((data.mean[i] - result.model[i]) / result.sigma[i])
+                                  : NAN;
+      }
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x)
+        picture.at<cv::Vec3b>(y, c * (kWidth + kGap) + x) =
+            misfit_colour(cells.at<float>(y * data.rows / kHeight, x * data.bands / kWidth));
+  }
+  return png_uri(picture);
+}
+
+}  // namespace
+
+ReportPictures report_pictures(const FitResult& result, const Photo& photo, const ModelPicture& model) {
+  ReportPictures pictures;
+  pictures.brightness = brightness_for(photo);
+  const auto for_the_eye = [&](float light) {
+    return sim::srgb_encode(std::clamp(pictures.brightness * light, 0.0, 1.0));
+  };
+  cv::Mat shown = to_bytes(shrunk(with_unused_dimmed(photo)), for_the_eye);
+  draw_region(shown, result.data, static_cast<double>(shown.cols) / photo.linear.width);
+  pictures.photo = png_uri(shown);
+  pictures.model = png_uri(to_bytes(shrunk(model.rgb), for_the_eye));
+
+  const double size = quantile(sizes_inside(model.residual, result.data.region), 0.99);
+  // One significant digit: a scale that one can read.
+  const double unit = size > 0.0 ? std::pow(10.0, std::floor(std::log10(size))) : 1.0;
+  pictures.residual_scale = size > 0.0 ? std::ceil(size / unit) * unit : 1.0;
+  pictures.residual = png_uri(to_bytes(
+      shrunk(model.residual), [&](float light) { return 0.5 + 0.5 * light / pictures.residual_scale; }));
+  pictures.misfit = misfit_uri(result);
+  return pictures;
+}
+
+}  // namespace vegard::fit

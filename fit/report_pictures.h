@@ -1,0 +1,24 @@
+// The pictures of a report, each a PNG as a data URI.
+#pragma once
+
+#include <string>
+
+#include "fit/fit_result.h"
+#include "fit/model_picture.h"
+#include "fit/photo.h"
+
+namespace vegard::fit {
+
+struct ReportPictures {
+  std::string photo;  ///< with the region of interest and its bands drawn in; what is not used is dimmed
+  std::string model;
+  std::string residual;  ///< mid-grey is zero
+  std::string
+      misfit;  ///< residual / sigma, rows down, bands across, the three channels side by side; empty if none
+  double brightness = 1.0;      ///< what photograph and model were multiplied by to be seen
+  double residual_scale = 1.0;  ///< linear light at which the residual's picture is black or white
+};
+
+ReportPictures report_pictures(const FitResult& result, const Photo& photo, const ModelPicture& model);
+
+}  // namespace vegard::fit

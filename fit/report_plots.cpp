@@ -1,0 +1,227 @@
+#include "fit/report_plots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "fit/compared_profile.h"
+#include "fit/plot.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr int kMeanPoints = 160, kBandPoints = 110, kMostBands = 6;
+constexpr int kTallPanel = 430;
+const char* const kChannelNames[3] = {"red", "green", "blue"};
+constexpr Colour kModelInk{40, 40, 40};
+const char* const kHowToRead = "Dots: photograph. Shaded: \u00b11 \u03c3. Thin line: model.";
+
+void set_height_axis(const FitResult& result, const ElevationOfPixel& elevation_of_pixel, Axis& axis) {
+  if (elevation_of_pixel) {
+    axis.label = "elevation (\u00b0)";
+    return;
+  }
+  axis.label = "row (px)";
+  axis.reversed = true;
+  axis.min = result.data.region.y;
+  axis.max = result.data.region.y + result.data.rows;
+}
+
+Series points(const std::vector<double>& x, const std::vector<double>& sigma,
+              const std::vector<double>& height, Colour colour, double diameter_px) {
+  Series series;
+  series.colour = colour;
+  series.mark = Mark::points;
+  series.width_px = diameter_px;
+  series.x = x;
+  series.y = height;
+  series.band_along_x = true;
+  for (std::size_t i = 0; i < sigma.size(); ++i) {
+    series.low.push_back(x[i] - sigma[i]);
+    series.high.push_back(x[i] + sigma[i]);
+  }
+  return series;
+}
+
+Series curve(const std::string& label, const std::vector<double>& x, const std::vector<double>& height,
+             Colour colour) {
+  Series series;
+  series.label = label;
+  series.colour = colour;
+  series.width_px = 1.8;
+  series.x = x;
+  series.y = height;
+  return series;
+}
+
+/// Thin and dark, over the dots that it is to meet.
+Series model_curve(const std::vector<double>& x, const std::vector<double>& height) {
+  Series series = curve("model", x, height, kModelInk);
+  series.width_px = 1.1;
+  return series;
+}
+
+Panel brightness_panel(const ComparedProfile& profile, double diameter_px) {
+  Panel panel;
+  for (int c = 0; c < 3; ++c) {
+    Series series = points(profile.data[c], profile.sigma[c], profile.height, channel_colour(c), diameter_px);
+    series.label = kChannelNames[c];
+    panel.series.push_back(std::move(series));
+  }
+  for (int c = 0; c < 3; ++c) panel.series.push_back(model_curve(profile.model[c], profile.height));
+  return panel;
+}
+
+ComparedProfile mean_of_all(const FitResult& result, const ElevationOfPixel& elevation_of_pixel) {
+  return compared_profile(result, 0, result.data.bands, kMeanPoints, elevation_of_pixel);
+}
+
+Series upright(double x, const std::vector<double>& height, Colour colour, Mark mark) {
+  Series series = curve("", {x, x}, {height.front(), height.back()}, colour);
+  series.mark = mark;
+  series.width_px = 1.0;
+  return series;
+}
+
+Panel share_panel(const std::string& title, const ComparedProfile& profile, const std::vector<double>& data,
+                  const std::vector<double>& sigma, const std::vector<double>& model, Colour colour) {
+  Panel panel;
+  panel.title = title;
+  panel.series.push_back(points(data, sigma, profile.height, colour, 4.0));
+  panel.series.push_back(model_curve(model, profile.height));
+  panel.x.label = title;
+  panel.x.min = 0.0;
+  panel.x.max = 1.0;
+  return panel;
+}
+
+}  // namespace
+
+std::string mean_profile_svg(const FitResult& result, const ElevationOfPixel& elevation_of_pixel) {
+  Plot plot;
+  plot.title = "Brightness";
+  plot.note = kHowToRead;
+  plot.panels.push_back(brightness_panel(mean_of_all(result, elevation_of_pixel), 4.4));
+  plot.panels[0].x.label = "linear light, mean over the bands";
+  set_height_axis(result, elevation_of_pixel, plot.panels[0].y);
+  plot.panel_width_px = 520;
+  plot.panel_height_px = kTallPanel;
+  return plot_svg(plot);
+}
+
+std::string mean_residual_svg(const FitResult& result, const ElevationOfPixel& elevation_of_pixel) {
+  const ComparedProfile profile = mean_of_all(result, elevation_of_pixel);
+  Plot plot;
+  plot.title = "What is left";
+  plot.note = "Dashed: \u00b11 \u03c3.";
+  Panel panel;
+  constexpr Colour kGrey{120, 120, 120};
+  if (!profile.height.empty()) {
+    panel.series.push_back(upright(0.0, profile.height, kGrey, Mark::line));
+    panel.series.push_back(upright(-1.0, profile.height, kGrey, Mark::dashed_line));
+    panel.series.push_back(upright(1.0, profile.height, kGrey, Mark::dashed_line));
+  }
+  double widest = 3.0;
+  for (int c = 0; c < 3; ++c) {
+    std::vector<double> sigmas;
+    for (std::size_t i = 0; i < profile.height.size(); ++i)
+      sigmas.push_back((profile.data[c][i] - profile.model[c][i]) / profile.sigma[c][i]);
+    for (const double s : sigmas)
+      if (std::isfinite(s)) widest = std::max(widest, 1.05 * std::abs(s));
+    Series series = points(sigmas, {}, profile.height, channel_colour(c), 3.2);
+    series.label = kChannelNames[c];
+    panel.series.push_back(std::move(series));
+  }
+  panel.x.label = "(photograph \u2212 model) / \u03c3";
+  panel.x.min = -widest;
+  panel.x.max = widest;
+  set_height_axis(result, elevation_of_pixel, panel.y);
+  plot.panels.push_back(std::move(panel));
+  plot.panel_width_px = 300;
+  plot.panel_height_px = kTallPanel;
+  return plot_svg(plot);
+}
+
+std::string colour_svg(const FitResult& result, const ElevationOfPixel& elevation_of_pixel) {
+  const ComparedProfile profile = mean_of_all(result, elevation_of_pixel);
+  const ComparedColour colour = compared_colour(profile);
+  Plot plot;
+  plot.title = "Colour";
+  plot.note = kHowToRead;
+  plot.panels.push_back(share_panel("r / (r + g + b)", profile, colour.data_r, colour.sigma_r, colour.model_r,
+                                    channel_colour(0)));
+  plot.panels.push_back(share_panel("g / (r + g + b)", profile, colour.data_g, colour.sigma_g, colour.model_g,
+                                    channel_colour(1)));
+  for (Panel& panel : plot.panels) {
+    panel.title.clear();
+    set_height_axis(result, elevation_of_pixel, panel.y);
+  }
+  plot.panel_width_px = 410;
+  plot.panel_height_px = 300;
+  return plot_svg(plot);
+}
+
+std::string band_profiles_svg(const FitResult& result, const ElevationOfPixel& elevation_of_pixel) {
+  const Profile& data = result.data;
+  const int panels = std::min(data.bands, kMostBands);
+  Plot plot;
+  plot.title = "Single bands";
+  plot.note = panels < data.bands ? std::to_string(panels) + " of " + std::to_string(data.bands) +
+                                        " bands, from left to right. " + kHowToRead
+                                  : std::string("From left to right. ") + kHowToRead;
+  for (int p = 0; p < panels; ++p) {
+    const int band = (2 * p + 1) * data.bands / (2 * panels);
+    Panel panel =
+        brightness_panel(compared_profile(result, band, band + 1, kBandPoints, elevation_of_pixel), 3.4);
+    panel.title = "band " + std::to_string(band) + ", columns " +
+                  std::to_string(band_begin(data.region, data.bands, band)) + "\u2013" +
+                  std::to_string(band_begin(data.region, data.bands, band + 1) - 1);
+    plot.panels.push_back(std::move(panel));
+  }
+  if (panels == 0) plot.panels.emplace_back();
+  plot.panels[0].x.label = "linear light";
+  set_height_axis(result, elevation_of_pixel, plot.panels[0].y);
+  plot.shared_axes = true;
+  plot.columns = 3;
+  plot.panel_width_px = 296;
+  plot.panel_height_px = 230;
+  return plot_svg(plot);
+}
+
+std::string trace_svg(const FitResult& result) {
+  Panel panel;
+  std::map<std::string, std::size_t> series_of_stage;
+  Series best = curve("best so far", {}, {}, {60, 60, 60});
+  double least = INFINITY;
+  for (const TraceRow& row : result.trace) {
+    if (result.dof <= 0 || !(row.chi2 > 0.0)) continue;
+    const double height = std::log10(row.chi2 / result.dof);
+    // "descent 1", "descent 2" are one kind.
+    std::string kind = row.stage.substr(0, row.stage.find_last_not_of("0123456789 ") + 1);
+    const auto [place, is_new] = series_of_stage.emplace(kind, panel.series.size());
+    if (is_new) {
+      Series series;
+      series.label = kind;
+      series.mark = Mark::points;
+      series.width_px = 4.0;
+      series.colour = distinct_colour(static_cast<int>(panel.series.size()));
+      panel.series.push_back(std::move(series));
+    }
+    panel.series[place->second].x.push_back(row.evaluation);
+    panel.series[place->second].y.push_back(height);
+    least = std::min(least, height);
+    best.x.push_back(row.evaluation);
+    best.y.push_back(least);
+  }
+  panel.series.insert(panel.series.begin(), std::move(best));
+  panel.x.label = "evaluation";
+  panel.y.label = "log\u2081\u2080(\u03c7\u00b2 / degree of freedom)";
+  Plot plot;
+  plot.title = "The search";
+  plot.panels.push_back(std::move(panel));
+  plot.panel_width_px = 420;
+  plot.panel_height_px = 260;
+  return plot_svg(plot);
+}
+
+}  // namespace vegard::fit

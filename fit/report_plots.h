@@ -1,0 +1,26 @@
+// The plots of a report, each an SVG document to stand inside the page.
+#pragma once
+
+#include <string>
+
+#include "fit/fit_result.h"
+#include "fit/profile_csv.h"
+
+namespace vegard::fit {
+
+/// Brightness against height, the mean over all bands.
+std::string mean_profile_svg(const FitResult& result, const ElevationOfPixel& elevation_of_pixel);
+
+/// (Photograph - model) / sigma against height, of those means.
+std::string mean_residual_svg(const FitResult& result, const ElevationOfPixel& elevation_of_pixel);
+
+/// Chromaticity against height, of those means.
+std::string colour_svg(const FitResult& result, const ElevationOfPixel& elevation_of_pixel);
+
+/// Brightness against height in single bands, at most six, spread over the region.
+std::string band_profiles_svg(const FitResult& result, const ElevationOfPixel& elevation_of_pixel);
+
+/// log10(chi2 / dof) against evaluation.
+std::string trace_svg(const FitResult& result);
+
+}  // namespace vegard::fit

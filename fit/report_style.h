@@ -1,0 +1,9 @@
+// How a report looks, on the screen and on paper.
+#pragma once
+
+namespace vegard::fit {
+
+/// The page's style sheet (CSS). Needs no other file: fonts are the reader's own.
+extern const char* const kReportStyle;
+
+}  // namespace vegard::fit

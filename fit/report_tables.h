@@ -1,0 +1,28 @@
+// The tables of a report, as HTML.
+#pragma once
+
+#include <string>
+
+#include "fit/fit_result.h"
+
+namespace vegard::fit {
+
+/// Cards with what follows from the parameters and is what people publish; empty if there is nothing.
+std::string derived_cards(const FitResult& result);
+
+/// Path, meaning, value ± sigma, unit, 68 % interval, start, limits.
+std::string parameter_table_html(const FitResult& result);
+
+/// Gains and sky.
+std::string solved_table(const FitResult& result);
+
+/// Coloured cells; empty for fewer than two parameters.
+std::string correlation_table(const FitResult& result);
+
+/// chi2 and the other numbers of the fit, each with a sentence that says what it means.
+std::string statistics_table(const FitResult& result);
+
+/// Version, seed, command, inputs with their hashes, decoding.
+std::string provenance_table(const FitResult& result);
+
+}  // namespace vegard::fit

@@ -1,0 +1,63 @@
+# shellcheck shell=bash
+# What every case needs; to be sourced by a script that was called with the binary and the source folder.
+# The case then runs in an empty folder of its own, which is gone at its end.
+set -euo pipefail
+
+VEGARD=$1
+SOURCE=$2
+SCENES=$SOURCE/tests/cli/scenes
+
+folder=$(mktemp -d "${TMPDIR:-/tmp}/vegard-cli-XXXXXX")
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+stdout=$folder/.stdout
+stderr=$folder/.stderr
+
+fail() {
+  echo "FAILED: $*" >&2
+  echo "--- its output:" >&2
+  cat "$stdout" >&2
+  echo "--- its messages:" >&2
+  cat "$stderr" >&2
+  exit 1
+}
+
+# expect_exit CODE ARGUMENTS...: runs vegard; its output is kept for the other questions.
+expect_exit() {
+  local expected=$1 status=0
+  shift
+  "$VEGARD" "$@" >"$stdout" 2>"$stderr" || status=$?
+  [[ $status -eq $expected ]] || fail "exit $status instead of $expected: vegard $*"
+}
+
+# expect_stderr TEXT, expect_stdout TEXT: the last run said this (a fixed string).
+expect_stderr() { grep -qF -- "$1" "$stderr" || fail "no '$1' in the messages"; }
+expect_stdout() { grep -qF -- "$1" "$stdout" || fail "no '$1' in the output"; }
+
+# expect_one_message: an error is told in one line.
+expect_one_message() { [[ $(wc -l <"$stderr") -eq 1 ]] || fail "not one line of message"; }
+
+expect_file() { [[ -s $1 ]] || fail "$1 is missing or empty"; }
+expect_same() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
+expect_different() { ! cmp -s "$1" "$2" || fail "$1 and $2 are the same"; }
+
+# expect_starts FILE HEX: the file's first bytes, by which its format is known.
+expect_starts() {
+  local found
+  found=$(head -c $((${#2} / 2)) "$1" | od -An -v -tx1 | tr -d ' \n')
+  [[ $found == "$2" ]] || fail "$1 begins with $found instead of $2"
+}
+
+# expect_only NAMES...: nothing else is in the folder, hidden files included.
+expect_only() {
+  local found wanted
+  found=$(find . -mindepth 1 -maxdepth 1 ! -name .stdout ! -name .stderr -printf '%f\n' | LC_ALL=C sort)
+  wanted=$([[ $# -eq 0 ]] || printf '%s\n' "$@" | LC_ALL=C sort)
+  [[ $found == "$wanted" ]] || fail "the folder holds: $found; expected: $wanted"
+}
+
+# scene_with SED_COMMAND: the small scene, changed, as scene.toml.
+scene_with() {
+  sed "$1" "$SCENES/small.toml" >scene.toml
+  ! cmp -s scene.toml "$SCENES/small.toml" || fail "'$1' changes nothing"
+}

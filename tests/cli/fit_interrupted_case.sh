@@ -1,0 +1,19 @@
+# Ctrl-C: the best so far as a whole run, and exit 130.
+source "$(dirname "$0")/case.sh"
+expect_exit 0 render "$SCENES/small.toml" -o photo.png
+set -m  # a job of its own; else the shell has it ignore the signal
+"$VEGARD" fit "$SCENES/fit.toml" --photo photo.png --out run --set sheet.main.beams=15000 --set fit.scan_points=1000 \
+  --threads 1 >"$stdout" 2>"$stderr" &
+job=$!
+# The first line of a stage says that the work is under way.
+for _ in $(seq 100); do
+  [[ ! -s $stderr ]] || break
+  sleep 0.1
+done
+kill -INT "$job"
+status=0
+wait "$job" || status=$?
+[[ $status -eq 130 ]] || fail "exit $status instead of 130"
+grep -qF '"verdict": "interrupted"' run/result.json || fail "another verdict"
+for file in best.toml model.exr profiles.csv report.html residual.exr trace.csv; do expect_file "run/$file"; done
+expect_exit 0 render run/best.toml -o best.png --set sheet.main.beams=50

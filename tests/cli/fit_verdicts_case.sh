@@ -1,0 +1,17 @@
+# What is not to be believed says so, in its exit code and in a run that can be read.
+source "$(dirname "$0")/case.sh"
+expect_exit 0 render "$SCENES/small.toml" -o photo.png
+# The sheet behind the camera.
+expect_exit 4 fit "$SCENES/fit.toml" --photo photo.png --out behind --set camera.azimuth_deg=180
+expect_stdout "Do not believe it"
+expect_stdout "where the camera points"
+grep -qF '"verdict": "failed"' behind/result.json || fail "another verdict"
+expect_file behind/report.html
+# Stopped before it could converge.
+expect_exit 4 fit "$SCENES/fit.toml" --photo photo.png --out stopped --max-evaluations 1
+grep -qF '"verdict": "failed"' stopped/result.json || fail "another verdict"
+# Converged, but with errors so wide that the agreement proves nothing.
+expect_exit 5 fit "$SCENES/fit.toml" --photo photo.png --out wide --set fit.model_error=0.2
+expect_stdout "Doubtful"
+grep -qF '"verdict": "doubtful"' wide/result.json || fail "another verdict"
+! grep -qiE '[^a-z"](nan|inf)[^a-z]' */result.json || fail "a number that JSON does not have"

@@ -1,0 +1,34 @@
+# A scene that cannot be used: exit 2, and one message with file, line and what would be right.
+source "$(dirname "$0")/case.sh"
+line_of() { grep -n -m1 -- "$1" scene.toml | cut -d: -f1; }
+expect_refusal() {  # TEXT_OF_THE_LINE WORDS...
+  local line
+  line=$(line_of "$1")
+  shift
+  expect_exit 2 render scene.toml -o out.exr
+  expect_stderr "scene.toml:$line"
+  for words in "$@"; do expect_stderr "$words"; done
+  expect_one_message
+  [[ ! -e out.exr ]] || fail "out.exr was written"
+}
+scene_with 's/^energy_kev/energy_kevs/'
+expect_refusal energy_kevs energy_kevs "'energy_kev'"
+scene_with 's/^\[camera\]/[kamera]/'
+expect_refusal kamera camera
+scene_with 's/^energy_kev = .*/energy_kev = nan/'
+expect_refusal 'energy_kev = nan' energy_kev
+scene_with 's/^energy_kev = .*/energy_kev = "three"/'
+expect_refusal '"three"' energy_kev number
+scene_with 's/^width = 160/width = 160.5/'
+expect_refusal '160.5' width
+scene_with 's/^length_km = .*/length_km = -330.0/'
+expect_refusal 'length_km = -' length_km
+scene_with 's/^center_km = .*/center_km = [20.0, inf]/'
+expect_refusal 'inf' center_km
+scene_with 's/^center_km = .*/center_km = [20.0]/'
+expect_refusal 'center_km' center_km
+scene_with 's/^seed = 7/seed = /'
+expect_exit 2 render scene.toml -o out.exr
+expect_stderr "scene.toml:"
+expect_exit 3 render missing.toml -o out.exr
+expect_stderr missing.toml

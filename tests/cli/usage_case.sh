@@ -1,0 +1,30 @@
+# Wrong words on the command line: exit 2; being asked for help or the version: exit 0.
+source "$(dirname "$0")/case.sh"
+expect_exit 2
+expect_stderr "which subcommand"
+expect_exit 2 rendre
+expect_exit 2 render
+expect_exit 2 render "$SCENES/small.toml"
+expect_exit 2 render "$SCENES/small.toml" -o out.exr --no-such-option
+expect_exit 2 render "$SCENES/small.toml" -o out.xyz
+expect_exit 2 render "$SCENES/small.toml" -o out.exr --threads -1
+expect_exit 2 render "$SCENES/small.toml" -o out.jpg --bits 16
+expect_exit 2 render "$SCENES/small.toml" -o out.exr --bits 8
+expect_exit 2 render "$SCENES/small.toml" -o out.png --quality 50
+expect_exit 2 render "$SCENES/small.toml" -o out.exr --lines out.exr
+expect_exit 2 render "$SCENES/small.toml" -o out.exr --lines lines.png
+expect_exit 2 render "$SCENES/small.toml" -o out.exr --seed minus
+expect_exit 2 render "$SCENES/small.toml" -o out.exr --seed -1
+expect_exit 2 render "$SCENES/small.toml" -o out.exr --seed 18446744073709551615
+expect_exit 2 fit "$SCENES/small.toml"
+expect_exit 2 profile
+expect_only
+expect_exit 0 --help
+expect_stdout render
+expect_exit 0 render --help
+expect_stdout --overwrite
+expect_exit 0 fit --help
+expect_stdout --photo
+expect_exit 0 --version
+expect_stdout vegard
+for library in Ceres OpenCV Eigen OpenImageIO; do expect_stdout "$library"; done

@@ -1,0 +1,44 @@
+#include "fit/model_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim/render.h"
+#include "tests/support/small_fit.h"
+
+namespace vegard::fit {
+namespace {
+
+// Two bands of 20 columns: centres at 10 and 30.
+TEST(ModelPicture, JoinsTheGainsBetweenTheBandsCentres) {
+  const FitResult result = tests::small_fit(tests::small_photo());
+  EXPECT_DOUBLE_EQ(gain_at_column(result, 0.5, 0), 0.06);
+  EXPECT_DOUBLE_EQ(gain_at_column(result, 10.0, 0), 0.06);
+  EXPECT_DOUBLE_EQ(gain_at_column(result, 20.0, 0), 0.05);
+  EXPECT_DOUBLE_EQ(gain_at_column(result, 30.0, 0), 0.04);
+  EXPECT_DOUBLE_EQ(gain_at_column(result, 39.5, 0), 0.04);
+}
+
+// With one gain for all it is what `vegard render` makes of the best scene, clipped before the sky.
+TEST(ModelPicture, IsTheRenderingOfTheBestScene) {
+  const Photo photo = tests::small_photo();
+  FitResult result = tests::small_fit(photo);
+  result.gain = {{0.05, 0.05, 0.05}};
+  result.best.sensor.gain_per_kilorayleigh = 0.05;
+  const ModelPicture picture = model_picture(result, photo, 1);
+  const sim::Rendering rendering = sim::render(result.best);
+  ASSERT_GT(*std::max_element(rendering.rayleigh.data.begin(), rendering.rayleigh.data.end()), 0.0f);
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 40; ++x)
+      for (int c = 0; c < 3; ++c) {
+        const float sky = rendering.rgb.at(x, y, c) - rendering.aurora.at(x, y, c);
+        const float expected = std::max(rendering.aurora.at(x, y, c), 0.0f) + sky;
+        ASSERT_NEAR(picture.rgb.at(x, y, c), expected, 1e-5);
+        ASSERT_FLOAT_EQ(picture.residual.at(x, y, c), photo.linear.at(x, y, c) - picture.rgb.at(x, y, c));
+      }
+  EXPECT_EQ(picture.rayleigh.data, rendering.rayleigh.data);
+}
+
+}  // namespace
+}  // namespace vegard::fit

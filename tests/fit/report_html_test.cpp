@@ -1,0 +1,127 @@
+#include "fit/report_html.h"
+
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "fit/base64.h"
+#include "fit/html_text.h"
+#include "tests/support/small_fit.h"
+
+namespace vegard::fit {
+namespace {
+
+/// Every tag is closed by its own kind, in order. Returns what is wrong, or nothing.
+std::string unbalanced_tag(const std::string& html) {
+  static const std::set<std::string> kVoid = {"meta", "img", "br", "!DOCTYPE"};
+  std::vector<std::string> open;
+  for (std::size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at + 1)) {
+    const std::size_t end = html.find('>', at);
+    if (end == std::string::npos) return "a tag without an end";
+    const bool closes = html[at + 1] == '/';
+    std::size_t last = at + (closes ? 2 : 1);
+    while (std::isalnum(static_cast<unsigned char>(html[last])) || html[last] == '!') ++last;
+    const std::string name = html.substr(at + (closes ? 2 : 1), last - at - (closes ? 2 : 1));
+    if (name.empty()) return "a bare '<' near: " + html.substr(at, 40);
+    if (closes) {
+      if (open.empty() || open.back() != name) return "</" + name + "> closes nothing";
+      open.pop_back();
+    } else if (html[end - 1] != '/' && kVoid.count(name) == 0) {
+      open.push_back(name);
+    }
+    at = end;
+  }
+  return open.empty() ? "" : "<" + open.back() + "> is never closed";
+}
+
+struct Page {
+  explicit Page(FitResult result, const Photo& photo = tests::small_photo())
+      : html(report_html(result, photo, model_picture(result, photo, 1),
+                         [](double, double y_px) { return 60.0 - y_px; })) {}
+  bool has(const std::string& text) const { return html.find(text) != std::string::npos; }
+  std::string html;
+};
+
+FitResult small_result() { return tests::small_fit(tests::small_photo()); }
+
+TEST(ReportHtml, IsBalancedAndNeedsNothingElse) {
+  const Page page(small_result());
+  EXPECT_EQ(unbalanced_tag(page.html), "");
+  EXPECT_FALSE(page.has("<script"));
+  EXPECT_FALSE(page.has("<link"));
+  EXPECT_FALSE(page.has("url("));
+  EXPECT_FALSE(page.has("@import"));
+  // Addresses only as the name of the SVG language.
+  std::string rest = page.html;
+  const std::string svg = "xmlns=\"http://www.w3.org/2000/svg\"";
+  for (std::size_t at = rest.find(svg); at != std::string::npos; at = rest.find(svg))
+    rest.erase(at, svg.size());
+  EXPECT_EQ(rest.find("http"), std::string::npos);
+}
+
+TEST(ReportHtml, ShowsPicturesPlotsAndNumbers) {
+  const Page page(small_result());
+  std::size_t pictures = 0, plots = 0;
+  for (std::size_t at = page.html.find("data:image/png;base64,iVBORw0KGgo"); at != std::string::npos;
+       at = page.html.find("data:image/png;base64,iVBORw0KGgo", at + 1))
+    ++pictures;
+  for (std::size_t at = page.html.find("role=\"img\""); at != std::string::npos;
+       at = page.html.find("role=\"img\"", at + 1))
+    ++plots;
+  EXPECT_EQ(pictures, 4u);
+  EXPECT_EQ(plots, 5u);
+  EXPECT_TRUE(page.has("class=\"verdict doubtful\""));
+  EXPECT_TRUE(page.has("4.33 \u00b1 0.12"));
+  EXPECT_TRUE(page.has("220.1 \u00b1 3.2"));
+  EXPECT_TRUE(page.has("no error bar: the data do not determine it"));
+  EXPECT_TRUE(page.has("at a limit</div>"));
+  EXPECT_TRUE(page.has("9223372036854775807"));
+  EXPECT_TRUE(page.has(std::string(64, 'b')));
+}
+
+TEST(ReportHtml, EscapesWhatComesFromTheUser) {
+  const Page page(small_result());
+  EXPECT_FALSE(page.has("a <b>"));
+  EXPECT_TRUE(page.has("a &lt;b&gt; &amp; &quot;c&quot;.jpg"));
+  EXPECT_TRUE(page.has("something &lt;else&gt;"));
+  EXPECT_EQ(html_text("<&>\"'\x01\xff"), "&lt;&amp;&gt;&quot;&#39; \ufffd");
+}
+
+TEST(ReportHtml, TellsAReasonOnce) {
+  const Page page(small_result());
+  EXPECT_FALSE(page.has("<li>sheet.main.energy_kev is at a limit</li>"));
+}
+
+TEST(ReportHtml, StandsWithoutAnAnswer) {
+  FitResult result = small_result();
+  result.verdict = Verdict::failed;
+  result.parameters.clear();
+  result.correlation.clear();
+  result.model.clear();
+  result.gain.clear();
+  result.trace.clear();
+  result.solved.clear();
+  result.derived.clear();
+  result.dof = 0;
+  const Page page(result);
+  EXPECT_EQ(unbalanced_tag(page.html), "");
+  EXPECT_FALSE(page.has(">nan"));
+  EXPECT_FALSE(page.has(">inf"));
+}
+
+TEST(ReportHtml, IsTheSameEveryTime) { EXPECT_EQ(Page(small_result()).html, Page(small_result()).html); }
+
+// RFC 4648, section 10.
+TEST(Base64, HasTheTestVectorsOfItsStandard) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+}
+
+}  // namespace
+}  // namespace vegard::fit

@@ -1,0 +1,75 @@
+#include "fit/result_json.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "sim/base/version.h"
+#include "tests/support/small_fit.h"
+
+namespace vegard::fit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+TEST(ResultJson, HasTheDocumentedKeysInTheirOrder) {
+  const Photo photo = tests::small_photo();
+  const Json json = Json::parse(result_json(tests::small_fit(photo)));
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : json.items()) keys.push_back(key);
+  EXPECT_EQ(keys,
+            (std::vector<std::string>{
+                "verdict",       "verdict_line",    "reasons",     "parameters",   "solved",
+                "derived",       "correlation",     "chi2",        "chi2_initial", "dof",
+                "rms_over_peak", "error_inflation", "termination", "evaluations",  "jacobian_evaluations",
+                "seed",          "version",         "libraries",   "command",      "inputs",
+                "decoding"}));
+  keys.clear();
+  for (const auto& [key, value] : json["parameters"][0].items()) keys.push_back(key);
+  EXPECT_EQ(keys, (std::vector<std::string>{"path", "meaning", "value", "unit", "sigma", "interval68",
+                                            "why_no_sigma", "initial", "min", "max", "at_limit"}));
+}
+
+TEST(ResultJson, KeepsEveryNumberExactly) {
+  const Photo photo = tests::small_photo();
+  const FitResult result = tests::small_fit(photo);
+  const Json json = Json::parse(result_json(result));
+  EXPECT_EQ(json["parameters"][0]["value"].get<double>(), result.parameters[0].value);
+  EXPECT_EQ(json["parameters"][1]["value"].get<double>(), 1.0 / 3.0);
+  EXPECT_EQ(json["parameters"][0]["interval68"][1].get<double>(), 4.46);
+  EXPECT_EQ(json["seed"].get<std::uint64_t>(), 9223372036854775807u);
+  EXPECT_EQ(json["dof"], 110);
+  EXPECT_EQ(json["verdict"], "doubtful");
+  EXPECT_EQ(json["version"], sim::version());
+  EXPECT_EQ(json["command"], result.command);
+  EXPECT_EQ(json["inputs"][1]["sha256"], std::string(64, 'a'));
+  EXPECT_EQ(json["correlation"][0][0], 1.0);
+}
+
+TEST(ResultJson, SaysNullForWhatIsUnknownOrNotFinite) {
+  const Photo photo = tests::small_photo();
+  FitResult result = tests::small_fit(photo);
+  result.chi2 = std::numeric_limits<double>::infinity();
+  result.correlation[0][1] = std::nan("");
+  const std::string text = result_json(result);
+  const Json json = Json::parse(text);
+  EXPECT_TRUE(json["rms_over_peak"].is_null());
+  EXPECT_TRUE(json["chi2"].is_null());
+  EXPECT_TRUE(json["correlation"][0][1].is_null());
+  EXPECT_TRUE(json["parameters"][1]["sigma"].is_null());
+  EXPECT_TRUE(json["parameters"][1]["interval68"].is_null());
+  EXPECT_EQ(json["parameters"][1]["why_no_sigma"], "the data do not determine it");
+  EXPECT_TRUE(json["parameters"][0]["why_no_sigma"].is_null());
+  EXPECT_TRUE(json["parameters"][1]["min"].is_null());
+  EXPECT_TRUE(json["solved"][1]["sigma"].is_null());
+}
+
+TEST(ResultJson, SurvivesAFileNameThatIsNoText) {
+  const Photo photo = tests::small_photo();
+  FitResult result = tests::small_fit(photo);
+  result.inputs[1].name = "\xff\xfe.jpg";
+  EXPECT_NO_THROW(Json::parse(result_json(result)));
+}
+
+}  // namespace
+}  // namespace vegard::fit
