@@ -427,4 +427,15 @@ void Exposer::expose_reference(const Scene& scene, std::vector<double>& rayleigh
     for (int l = 0; l < lines; ++l) rayleigh[l * cells + i] = film[i * stride + l];
 }
 
+void Exposer::record_splats(const Scene& scene, SplatRecord& record) {
+  Workspace& w = *work_;
+  const std::vector<HeightProfile> profiles = w.profiles(scene);
+  PackedChunk packed;
+  for (const Chunk& chunk : w.chunks) {
+    const KernelScene k = kernel_scene(scene, scene.sheets[chunk.sheet], w.film, profiles);
+    w.pack<double>(scene, chunk, k, nullptr, packed);
+    sim::record_splats(k, packed.groups.data(), packed.groups.size(), record);
+  }
+}
+
 }  // namespace vegard::sim

@@ -185,18 +185,23 @@ struct RowLight {
 };
 
 template <int kQuartets>
-HWY_INLINE void splat_from_profile(float column, float row, float light, float altitude, const float* profile,
-                                   int film_columns, std::int64_t* film) {
+HWY_INLINE RowLight<kQuartets> light_at(float altitude, float scale, const float* profile) {
   const int below = static_cast<int>(altitude);
-  const RowLight<kQuartets> lines{profile + static_cast<std::ptrdiff_t>(below) * 4 * kQuartets,
-                                  altitude - static_cast<float>(below),
-                                  light * static_cast<float>(kFilmUnitsPerRayleigh)};
-  splat<kQuartets>(column, row, film_columns, film, lines);
+  return {profile + static_cast<std::ptrdiff_t>(below) * 4 * kQuartets, altitude - static_cast<float>(below),
+          scale};
 }
 
 template <int kQuartets>
-std::uint64_t fall_values(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
-                          std::int64_t* film) {
+HWY_INLINE void splat_from_profile(float column, float row, float light, float altitude, const float* profile,
+                                   int film_columns, std::int64_t* film) {
+  splat<kQuartets>(column, row, film_columns, film,
+                   light_at<kQuartets>(altitude, light * static_cast<float>(kFilmUnitsPerRayleigh), profile));
+}
+
+/// Gives every sample that can be seen to `take`, beam by beam within a block.
+template <class Take>
+HWY_INLINE std::uint64_t fall_values(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                                     const Take& take) {
   SampleMaker<Pack, Pack, Pack, 0> maker(scene);
   static thread_local SampleBlock<float, 0> block;
   std::uint64_t points = 0;
@@ -208,8 +213,8 @@ std::uint64_t fall_values(const KernelScene& scene, const BeamGroup* groups, std
         for (int step = 0; step < kBlockSteps; ++step) {
           const float light = block.light[step][0][beam];
           if (light == 0.0f) continue;
-          splat_from_profile<kQuartets>(block.column[step][0][beam], block.row[step][0][beam], light,
-                                        block.altitude[step][0][beam], profile, scene.film.columns, film);
+          take(block.column[step][0][beam], block.row[step][0][beam], light, block.altitude[step][0][beam],
+               profile);
         }
       }
     }
@@ -217,10 +222,40 @@ std::uint64_t fall_values(const KernelScene& scene, const BeamGroup* groups, std
   return points;
 }
 
+template <int kQuartets>
+std::uint64_t fall_and_splat(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                             std::int64_t* film) {
+  return fall_values(
+      scene, groups, count, [&](float column, float row, float light, float altitude, const float* profile) {
+        splat_from_profile<kQuartets>(column, row, light, altitude, profile, scene.film.columns, film);
+      });
+}
+
+template <int kQuartets>
+std::uint64_t fall_and_record(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                              SplatRecord& record) {
+  return fall_values(scene, groups, count,
+                     [&](float column, float row, float light, float altitude, const float* profile) {
+                       const RowLight<kQuartets> lines = light_at<kQuartets>(altitude, light, profile);
+                       float weights[4 * kQuartets];
+                       for (int q = 0; q < kQuartets; ++q)
+                         hn::StoreU(lines(q), FourFloats(), weights + 4 * q);
+                       record.column.push_back(column);
+                       record.row.push_back(row);
+                       record.weights.insert(record.weights.end(), weights, weights + 4 * kQuartets);
+                     });
+}
+
 std::uint64_t FallOnFilm(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                          std::int64_t* film) {
-  return scene.profiles[0].stride == 4 ? fall_values<1>(scene, groups, count, film)
-                                       : fall_values<2>(scene, groups, count, film);
+  return scene.profiles[0].stride == 4 ? fall_and_splat<1>(scene, groups, count, film)
+                                       : fall_and_splat<2>(scene, groups, count, film);
+}
+
+std::uint64_t RecordSplats(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                           SplatRecord& record) {
+  return scene.profiles[0].stride == 4 ? fall_and_record<1>(scene, groups, count, record)
+                                       : fall_and_record<2>(scene, groups, count, record);
 }
 
 std::uint64_t FallReference(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
@@ -381,6 +416,7 @@ HWY_AFTER_NAMESPACE();
 namespace vegard::sim {
 
 HWY_EXPORT(FallOnFilm);
+HWY_EXPORT(RecordSplats);
 HWY_EXPORT(FallReference);
 HWY_EXPORT(FallWithTangents);
 HWY_EXPORT(SplatAll);
@@ -400,6 +436,11 @@ std::uint64_t fall_on_film_with_tangents(const KernelScene& scene, const SharedC
                                          const BeamGroup* groups, const GroupChain* chains, std::size_t count,
                                          std::int64_t* film, TangentFilm& tangents) {
   return HWY_DYNAMIC_DISPATCH(FallWithTangents)(scene, shared, groups, chains, count, film, tangents);
+}
+
+std::uint64_t record_splats(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                            SplatRecord& record) {
+  return HWY_DYNAMIC_DISPATCH(RecordSplats)(scene, groups, count, record);
 }
 
 void splat_on_film(const FilmGeometry& geometry, int stride, const float* column, const float* row,
