@@ -31,6 +31,7 @@ struct SampleBlock {
   S row[kBlockSteps][1 + kLocals][kGroup];
   S light[kBlockSteps][1 + kLocals][kGroup];     ///< 0 where there is nothing to see
   S altitude[kBlockSteps][1 + kLocals][kGroup];  ///< in steps of the height profile above its bottom
+  int first_step, end_step;                      ///< there is nothing to see outside these
 };
 
 // Numbers with kLocals derivatives, in and out of arrays.
@@ -103,6 +104,13 @@ class SampleMaker {
     film_.column_offset = L((scene.center_x_px - g.x0_px) / g.cell_width_px - 0.5);
     film_.row_offset = L((scene.center_y_px - g.y0_px) / g.cell_height_px - 0.5);
     film_.cell_area_px = L(g.cell_width_px * g.cell_height_px);
+    const double focal = scene.view.focal_px.v;
+    left_ = (g.x0_px - g.cell_width_px - scene.center_x_px) / focal;
+    right_ = (g.x0_px + (g.columns + 1) * g.cell_width_px - scene.center_x_px) / focal;
+    top_ = (g.y0_px - g.cell_height_px - scene.center_y_px) / focal;
+    bottom_ = (g.y0_px + (g.rows + 1) * g.cell_height_px - scene.center_y_px) / focal;
+    stray_ =
+        1.25 * (std::abs(scene.deflection.loss_cone_rad.v) + std::abs(scene.deflection.pitch_step_rad.v));
   }
 
   void begin(const BeamGroup& group) {
@@ -115,25 +123,72 @@ class SampleMaker {
       end_[part] = Traits::load(group.end_of_path + first);
       beams_[part].start(start, length, Traits::load_indices(group.index + first), group.layer_address,
                          scene_.seed);
+      find_stretch_in_view(start, value_of(length), part);
     }
   }
 
-  /// Fills a block; false when every beam has come to its end. Adds to `points` those on a path.
+  /// Fills a block; false when every beam has come to its end or can no more be seen. Adds to `points` those
+  /// on a path.
   bool next_block(Block& block, std::uint64_t& points) {
     bool alive = false;
+    block.first_step = kBlockSteps;
+    block.end_step = 0;
     for (int first = 0, part = 0; first < kGroup; first += Traits::lanes(), ++part) {
       for (int step = 0; step < kBlockSteps; step += 2) {
         FallenPoint<L, P> fallen[2];
         beams_[part].next_two(frame_, deflection_, fallen);
-        for (int i = 0; i < 2; ++i) alive |= see(fallen[i], part, first, step + i, block, points);
+        for (int i = 0; i < 2; ++i) {
+          const L t = fallen[i].t;
+          points += static_cast<std::uint64_t>(count(t <= end_[part]));
+          alive |= !none(t <= last_in_view_[part]);
+          if (none(first_in_view_[part] <= t && t <= last_in_view_[part])) {
+            Traits::store(L(0.0f), block.light[step + i][0] + first);
+            continue;
+          }
+          block.first_step = std::min(block.first_step, step + i);
+          block.end_step = std::max(block.end_step, step + i + 1);
+          see(fallen[i], part, first, step + i, block);
+        }
       }
     }
     return alive;
   }
 
  private:
-  HWY_INLINE bool see(const FallenPoint<L, P>& point, int part, int first, int step, Block& block,
-                      std::uint64_t& points) {
+  /// The stretch of the path outside of which a beam surely misses the film. A point strays from the straight
+  /// line by no more than its path times the pitch angle; the film's four edges are planes through the
+  /// camera.
+  HWY_INLINE void find_stretch_in_view(const P start_in_enu_km[3], L length_km, int part) {
+    const L slack_km(0.05f);  // far above the rounding of floats
+    L start[3], way[3];
+    for (int i = 0; i < 3; ++i) {
+      const auto* row = scene_.view.camera_from_enu[i];
+      start[i] = way[i] = L(0.0f);
+      for (int j = 0; j < 3; ++j) {
+        start[i] = start[i] + value_of(start_in_enu_km[j]) * L(row[j].v);
+        way[i] = way[i] + length_km * L(row[j].v * scene_.fall.along[j].v);
+      }
+    }
+    L first(0.0f), last = end_[part];
+    const auto keep_inside = [&](int axis, double edge, double side) {
+      const L outward(side), depth(-side * edge), length(std::sqrt(1.0 + edge * edge));
+      const L beyond = start[axis] * outward + start[2] * depth - slack_km * length;
+      const L grow = way[axis] * outward + way[2] * depth - length_km * L(stray_) * length;
+      const L crossing = L(0.0f) - beyond / select(grow < L(0.0f), grow, L(-1e-30f));
+      const L leaving = L(0.0f) - beyond / select(L(0.0f) < grow, grow, L(1e-30f));
+      const auto outside = L(0.0f) < beyond;
+      first = select(outside && first < crossing, crossing, first);
+      last = select(beyond <= L(0.0f) && leaving < last, leaving, last);
+    };
+    keep_inside(0, left_, -1.0);
+    keep_inside(0, right_, 1.0);
+    keep_inside(1, top_, -1.0);
+    keep_inside(1, bottom_, 1.0);
+    first_in_view_[part] = first;
+    last_in_view_[part] = last;
+  }
+
+  HWY_INLINE void see(const FallenPoint<L, P>& point, int part, int first, int step, Block& block) {
     auto in_front = L(0.0f) < L(1.0f);
     SeenPoint<P> seen = see_point<L>(film_, point.position_in_enu_km, in_front);
     const P above = (altitude_km(point.position_in_enu_km, L(scene_.observer_altitude_km)) -
@@ -154,12 +209,10 @@ class SampleMaker {
     const P geometry = scene_.unit_weight
                            ? P(L(1.0f))
                            : point.stretch_km * vertical_[part] * seen.per_steradian_cell * flux_[part];
-    points += static_cast<std::uint64_t>(count(on_path));
     keep(seen.column, block.column[step], first);
     keep(seen.row, block.row[step], first);
     keep(only_where(visible, geometry), block.light[step], first);
     keep(above, block.altitude[step], first);
-    return !none(on_path);
   }
 
   const KernelScene& scene_;
@@ -168,7 +221,9 @@ class SampleMaker {
   FilmView<L, C> film_;
   FallingBeams<L, P, C> beams_[kGroup];
   P vertical_[kGroup];
-  L flux_[kGroup], end_[kGroup];
+  L flux_[kGroup], end_[kGroup], first_in_view_[kGroup], last_in_view_[kGroup];
+  double left_, right_, top_, bottom_;  ///< edges of the film and a cell more, as tangents
+  double stray_;                        ///< from the straight line, as a fraction of the path
 };
 
 /// The light of a sample: a straight line between two rows of the height profile.
@@ -210,7 +265,7 @@ HWY_INLINE std::uint64_t fall_values(const KernelScene& scene, const BeamGroup* 
     maker.begin(groups[g]);
     while (maker.next_block(block, points)) {
       for (int beam = 0; beam < kGroup; ++beam) {
-        for (int step = 0; step < kBlockSteps; ++step) {
+        for (int step = block.first_step; step < block.end_step; ++step) {
           const float light = block.light[step][0][beam];
           if (light == 0.0f) continue;
           take(block.column[step][0][beam], block.row[step][0][beam], light, block.altitude[step][0][beam],
@@ -268,7 +323,7 @@ std::uint64_t FallReference(const KernelScene& scene, const BeamGroup* groups, s
     maker.begin(groups[g]);
     while (maker.next_block(block, points)) {
       for (int beam = 0; beam < kGroup; ++beam) {
-        for (int step = 0; step < kBlockSteps; ++step) {
+        for (int step = block.first_step; step < block.end_step; ++step) {
           const double light = block.light[step][0][beam], altitude = block.altitude[step][0][beam];
           const double column = block.column[step][0][beam], row = block.row[step][0][beam];
           if (light == 0.0) continue;
@@ -342,7 +397,7 @@ std::uint64_t fall_tangents(const KernelScene& scene, const SharedChain& shared,
       for (int beam = 0; beam < kGroup; ++beam) {
         expand.of_beam(chains[g], beam);
         const Wide by_log_flux = Wide::load(chains[g].log_flux[beam]);
-        for (int step = 0; step < kBlockSteps; ++step) {
+        for (int step = block.first_step; step < block.end_step; ++step) {
           const float seen = block.light[step][0][beam];
           if (seen == 0.0f) continue;
           const WideDual column = expand(block.column[step], beam), row = expand(block.row[step], beam);
