@@ -103,7 +103,8 @@ class SampleMaker {
     film_.row_scale = L(1.0 / g.cell_height_px);
     film_.column_offset = L((scene.center_x_px - g.x0_px) / g.cell_width_px - 0.5);
     film_.row_offset = L((scene.center_y_px - g.y0_px) / g.cell_height_px - 0.5);
-    film_.cell_area_px = L(g.cell_width_px * g.cell_height_px);
+    film_.per_cell_area = L(1.0f) / L(g.cell_width_px * g.cell_height_px);
+    philox_keys(scene.seed, keys_);
     const double focal = scene.view.focal_px.v;
     left_ = (g.x0_px - g.cell_width_px - scene.center_x_px) / focal;
     right_ = (g.x0_px + (g.columns + 1) * g.cell_width_px - scene.center_x_px) / focal;
@@ -122,7 +123,7 @@ class SampleMaker {
       flux_[part] = Traits::load(group.flux_km2_mw_m2 + first) * L(0.1f);
       end_[part] = Traits::load(group.end_of_path + first);
       beams_[part].start(start, length, Traits::load_indices(group.index + first), group.layer_address,
-                         scene_.seed);
+                         keys_);
       find_stretch_in_view(start, value_of(length), part);
     }
   }
@@ -136,7 +137,7 @@ class SampleMaker {
     for (int first = 0, part = 0; first < kGroup; first += Traits::lanes(), ++part) {
       for (int step = 0; step < kBlockSteps; step += 2) {
         FallenPoint<L, P> fallen[2];
-        beams_[part].next_two(frame_, deflection_, fallen);
+        beams_[part].next_two(frame_, deflection_, keys_, fallen);
         for (int i = 0; i < 2; ++i) {
           const L t = fallen[i].t;
           points += static_cast<std::uint64_t>(count(t <= end_[part]));
@@ -216,6 +217,7 @@ class SampleMaker {
   }
 
   const KernelScene& scene_;
+  PhiloxKeys keys_;
   FallFrame<C> frame_;
   Deflection<C> deflection_;
   FilmView<L, C> film_;
