@@ -255,7 +255,40 @@ HWY_INLINE void splat_from_profile(float column, float row, float light, float a
                    light_at<kQuartets>(altitude, light * static_cast<float>(kFilmUnitsPerRayleigh), profile));
 }
 
-/// Gives every sample that can be seen to `take`, beam by beam within a block.
+/// Where the samples of a block go: what splat_from_profile works out for one sample, for sixteen at a time.
+/// Nothing in it means anything where the light is 0.
+struct BlockPlaces {
+  HWY_ALIGN std::int32_t cell[kBlockSteps][kGroup], profile_row[kBlockSteps][kGroup];
+  HWY_ALIGN float left[kBlockSteps][kGroup], right[kBlockSteps][kGroup];
+  HWY_ALIGN float upper[kBlockSteps][kGroup], lower[kBlockSteps][kGroup];
+  HWY_ALIGN float above_row[kBlockSteps][kGroup], light[kBlockSteps][kGroup];
+
+  HWY_INLINE void find(const SampleBlock<float, 0>& block, int film_columns) {
+    const FloatTag d;
+    const IntTag i;
+    const auto one = hn::Set(d, 1.0f), units = hn::Set(d, static_cast<float>(kFilmUnitsPerRayleigh));
+    const auto width = hn::Set(i, film_columns);
+    for (int step = block.first_step; step < block.end_step; ++step) {
+      for (int first = 0; first < kGroup; first += static_cast<int>(hn::Lanes(d))) {
+        const auto split = [&](const float* number, float* fraction) {
+          const auto x = hn::LoadU(d, number + first);
+          const auto whole = hn::ConvertTo(i, x);
+          hn::StoreU(hn::Sub(x, hn::ConvertTo(d, whole)), d, fraction + first);
+          return whole;
+        };
+        const auto column = split(block.column[step][0], right[step]);
+        const auto row = split(block.row[step][0], lower[step]);
+        hn::StoreU(split(block.altitude[step][0], above_row[step]), i, profile_row[step] + first);
+        hn::StoreU(hn::Add(hn::Mul(row, width), column), i, cell[step] + first);
+        hn::StoreU(hn::Sub(one, hn::LoadU(d, right[step] + first)), d, left[step] + first);
+        hn::StoreU(hn::Sub(one, hn::LoadU(d, lower[step] + first)), d, upper[step] + first);
+        hn::StoreU(hn::Mul(hn::LoadU(d, block.light[step][0] + first), units), d, light[step] + first);
+      }
+    }
+  }
+};
+
+/// Gives every block with something to see to `take`.
 template <class Take>
 HWY_INLINE std::uint64_t fall_values(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                                      const Take& take) {
@@ -265,16 +298,7 @@ HWY_INLINE std::uint64_t fall_values(const KernelScene& scene, const BeamGroup* 
   for (std::size_t g = 0; g < count; ++g) {
     const float* profile = scene.profiles[groups[g].sheet].rate.data();
     maker.begin(groups[g]);
-    while (maker.next_block(block, points)) {
-      for (int beam = 0; beam < kGroup; ++beam) {
-        for (int step = block.first_step; step < block.end_step; ++step) {
-          const float light = block.light[step][0][beam];
-          if (light == 0.0f) continue;
-          take(block.column[step][0][beam], block.row[step][0][beam], light, block.altitude[step][0][beam],
-               profile);
-        }
-      }
-    }
+    while (maker.next_block(block, points)) take(block, profile);
   }
   return points;
 }
@@ -282,25 +306,44 @@ HWY_INLINE std::uint64_t fall_values(const KernelScene& scene, const BeamGroup* 
 template <int kQuartets>
 std::uint64_t fall_and_splat(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                              std::int64_t* film) {
-  return fall_values(
-      scene, groups, count, [&](float column, float row, float light, float altitude, const float* profile) {
-        splat_from_profile<kQuartets>(column, row, light, altitude, profile, scene.film.columns, film);
-      });
+  constexpr int kStride = 4 * kQuartets;
+  static thread_local BlockPlaces places;
+  const int columns = scene.film.columns;
+  return fall_values(scene, groups, count, [&](const SampleBlock<float, 0>& block, const float* profile) {
+    places.find(block, columns);
+    for (int beam = 0; beam < kGroup; ++beam) {
+      for (int step = block.first_step; step < block.end_step; ++step) {
+        const float light = places.light[step][beam];
+        if (light == 0.0f) continue;
+        const RowLight<kQuartets> lines{
+            profile + static_cast<std::ptrdiff_t>(places.profile_row[step][beam]) * kStride,
+            places.above_row[step][beam], light};
+        const Shares shares{places.left[step][beam], places.right[step][beam], places.upper[step][beam],
+                            places.lower[step][beam]};
+        splat<kQuartets>(shares, columns,
+                         film + static_cast<std::ptrdiff_t>(places.cell[step][beam]) * kStride, lines);
+      }
+    }
+  });
 }
 
 template <int kQuartets>
 std::uint64_t fall_and_record(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                               SplatRecord& record) {
-  return fall_values(scene, groups, count,
-                     [&](float column, float row, float light, float altitude, const float* profile) {
-                       const RowLight<kQuartets> lines = light_at<kQuartets>(altitude, light, profile);
-                       float weights[4 * kQuartets];
-                       for (int q = 0; q < kQuartets; ++q)
-                         hn::StoreU(lines(q), FourFloats(), weights + 4 * q);
-                       record.column.push_back(column);
-                       record.row.push_back(row);
-                       record.weights.insert(record.weights.end(), weights, weights + 4 * kQuartets);
-                     });
+  return fall_values(scene, groups, count, [&](const SampleBlock<float, 0>& block, const float* profile) {
+    for (int beam = 0; beam < kGroup; ++beam) {
+      for (int step = block.first_step; step < block.end_step; ++step) {
+        const float light = block.light[step][0][beam];
+        if (light == 0.0f) continue;
+        const auto lines = light_at<kQuartets>(block.altitude[step][0][beam], light, profile);
+        float weights[4 * kQuartets];
+        for (int q = 0; q < kQuartets; ++q) hn::StoreU(lines(q), FourFloats(), weights + 4 * q);
+        record.column.push_back(block.column[step][0][beam]);
+        record.row.push_back(block.row[step][0][beam]);
+        record.weights.insert(record.weights.end(), weights, weights + 4 * kQuartets);
+      }
+    }
+  });
 }
 
 std::uint64_t FallOnFilm(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
