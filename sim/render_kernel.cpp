@@ -23,6 +23,7 @@ namespace vegard::sim {
 namespace HWY_NAMESPACE {
 
 constexpr int kBlockSteps = 32;
+constexpr int kMostLines = 8;  // on one film
 
 /// Samples of a group for kBlockSteps steps, ready for the film. kLocals derivatives go with every number.
 template <class S, int kLocals>
@@ -419,7 +420,7 @@ class Expansion {
   Wide rows_[kLocals];
 };
 
-template <class P, class C, int kLocals>
+template <class P, class C, int kLocals, int kLines>
 std::uint64_t fall_tangents(const KernelScene& scene, const SharedChain& shared, const BeamGroup* groups,
                             const GroupChain* chains, std::size_t count, std::int64_t* film,
                             TangentFilm& tangents) {
@@ -427,15 +428,15 @@ std::uint64_t fall_tangents(const KernelScene& scene, const SharedChain& shared,
   static thread_local SampleBlock<float, kLocals> block;
   Expansion<kLocals> expand(shared);
   std::uint64_t points = 0;
-  const int lines = tangents.lines();
+  constexpr int kStride = kLines <= 4 ? 4 : 8;  // as in the profiles
   const auto cell_at = [&](int column, int row) {
     constexpr int kTile = TangentFilm::kTileColumns;
     const std::ptrdiff_t in_tile = static_cast<std::ptrdiff_t>(row) * kTile + column % kTile;
-    return tangents.tile(column / kTile) + in_tile * lines * kTangentWidth;
+    return tangents.tile(column / kTile) + in_tile * kLines * kTangentWidth;
   };
+  constexpr std::ptrdiff_t kRowPitch = TangentFilm::kTileColumns * kLines * kTangentWidth;
   for (std::size_t g = 0; g < count; ++g) {
     const HeightProfile& profile = scene.profiles[groups[g].sheet];
-    const int stride = profile.stride;
     const Wide by_energy = Expansion<kLocals>::one_hot(shared.parameter_of_energy[groups[g].sheet]);
     maker.begin(groups[g]);
     while (maker.next_block(block, points)) {
@@ -451,23 +452,19 @@ std::uint64_t fall_tangents(const KernelScene& scene, const SharedChain& shared,
           light.d = light.d + by_log_flux * seen;
           const int below = static_cast<int>(altitude.v);
           const float above = altitude.v - static_cast<float>(below);
-          const float* rate = profile.rate.data() + static_cast<std::ptrdiff_t>(below) * stride;
+          const float* rate = profile.rate.data() + static_cast<std::ptrdiff_t>(below) * kStride;
           const float* by_ln_energy =
-              profile.d_rate_d_ln_energy.data() + static_cast<std::ptrdiff_t>(below) * stride;
-          WideDual of_line[8];
-          for (int l = 0; l < lines; ++l) {
-            const float slope = rate[stride + l] - rate[l];
-            const float grow = by_ln_energy[l] + (by_ln_energy[stride + l] - by_ln_energy[l]) * above;
+              profile.d_rate_d_ln_energy.data() + static_cast<std::ptrdiff_t>(below) * kStride;
+          WideDual of_line[kLines];
+          for (int l = 0; l < kLines; ++l) {
+            const float slope = rate[kStride + l] - rate[l];
+            const float grow = by_ln_energy[l] + (by_ln_energy[kStride + l] - by_ln_energy[l]) * above;
             const WideDual emission(rate[l] + slope * above, altitude.d * slope + by_energy * grow);
             of_line[l] = emission * light;
           }
-          splat_tangents(column, row, of_line, lines, cell_at);
-          if (stride == 4)
-            splat_from_profile<1>(column.v, row.v, seen, altitude.v, profile.rate.data(), scene.film.columns,
-                                  film);
-          else
-            splat_from_profile<2>(column.v, row.v, seen, altitude.v, profile.rate.data(), scene.film.columns,
-                                  film);
+          splat_tangents<kLines>(column, row, of_line, kRowPitch, cell_at);
+          splat_from_profile<kStride / 4>(column.v, row.v, seen, altitude.v, profile.rate.data(),
+                                          scene.film.columns, film);
         }
       }
     }
@@ -475,15 +472,27 @@ std::uint64_t fall_tangents(const KernelScene& scene, const SharedChain& shared,
   return points;
 }
 
+/// The number of lines is fixed when the program is compiled, so that a cell's tangents are added in one go.
+template <int kLines>
+std::uint64_t fall_tangents_of_lines(const KernelScene& scene, const SharedChain& shared,
+                                     const BeamGroup* groups, const GroupChain* chains, std::size_t count,
+                                     std::int64_t* film, TangentFilm& tangents) {
+  if constexpr (kLines > 1) {
+    if (tangents.lines() < kLines)
+      return fall_tangents_of_lines<kLines - 1>(scene, shared, groups, chains, count, film, tangents);
+  }
+  if (shared.only_beam_inputs) {
+    using P = LaneDual<Pack, beam_inputs>;
+    return fall_tangents<P, Pack, beam_inputs, kLines>(scene, shared, groups, chains, count, film, tangents);
+  }
+  using P = LaneDual<Pack, local_inputs>;
+  return fall_tangents<P, P, local_inputs, kLines>(scene, shared, groups, chains, count, film, tangents);
+}
+
 std::uint64_t FallWithTangents(const KernelScene& scene, const SharedChain& shared, const BeamGroup* groups,
                                const GroupChain* chains, std::size_t count, std::int64_t* film,
                                TangentFilm& tangents) {
-  if (shared.only_beam_inputs) {
-    using P = LaneDual<Pack, beam_inputs>;
-    return fall_tangents<P, Pack, beam_inputs>(scene, shared, groups, chains, count, film, tangents);
-  }
-  using P = LaneDual<Pack, local_inputs>;
-  return fall_tangents<P, P, local_inputs>(scene, shared, groups, chains, count, film, tangents);
+  return fall_tangents_of_lines<kMostLines>(scene, shared, groups, chains, count, film, tangents);
 }
 
 template <int kQuartets>
