@@ -182,6 +182,7 @@ struct Exposer::Workspace {
   std::vector<StretchOfSheet> stretches;                    // [sheet]
   std::vector<Chunk> chunks;
   std::vector<std::vector<std::int64_t>> slot_films;
+  std::vector<PackedChunk> slot_chunks;  // kept: their memory is large enough to cost something
 
   /// Packs a chunk. T is double, or LocalDual with a chain to the free parameters.
   template <class T>
@@ -261,6 +262,7 @@ struct Exposer::Workspace {
   void clear_slots(int stride) {
     const std::size_t size = static_cast<std::size_t>(film.rows) * film.columns * stride;
     slot_films.resize(threads);
+    slot_chunks.resize(threads);
     parallel_for(slot_films.size(), threads, [&](std::size_t s, int) { slot_films[s].assign(size, 0); });
   }
 
@@ -315,7 +317,7 @@ void Exposer::expose(const Scene& scene, Exposure& out, const std::function<void
   parallel_for(w.chunks.size(), w.threads, [&](std::size_t c, int slot) {
     if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
     const Chunk& chunk = w.chunks[c];
-    PackedChunk packed;
+    PackedChunk& packed = w.slot_chunks[slot];
     w.pack<double>(scene, chunk, kernels[chunk.sheet], nullptr, packed);
     points += fall_on_film(kernels[chunk.sheet], packed.groups.data(), packed.groups.size(),
                            w.slot_films[slot].data());
@@ -354,7 +356,7 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<cons
     std::atomic<std::uint64_t> points{0};
     parallel_for(shards, w.threads, [&](std::size_t shard, int slot) {
       tangents[shard] = std::make_unique<TangentFilm>(w.film.columns, w.film.rows, lines);
-      PackedChunk packed;
+      PackedChunk& packed = w.slot_chunks[slot];
       for (std::size_t c = w.chunks.size() * shard / shards; c < w.chunks.size() * (shard + 1) / shards;
            ++c) {
         const Chunk& chunk = w.chunks[c];
@@ -425,6 +427,17 @@ void Exposer::expose_reference(const Scene& scene, std::vector<double>& rayleigh
   rayleigh.resize(cells * lines);
   for (std::size_t i = 0; i < cells; ++i)
     for (int l = 0; l < lines; ++l) rayleigh[l * cells + i] = film[i * stride + l];
+}
+
+void Exposer::record_splats(const Scene& scene, SplatRecord& record) {
+  Workspace& w = *work_;
+  const std::vector<HeightProfile> profiles = w.profiles(scene);
+  PackedChunk packed;
+  for (const Chunk& chunk : w.chunks) {
+    const KernelScene k = kernel_scene(scene, scene.sheets[chunk.sheet], w.film, profiles);
+    w.pack<double>(scene, chunk, k, nullptr, packed);
+    sim::record_splats(k, packed.groups.data(), packed.groups.size(), record);
+  }
 }
 
 }  // namespace vegard::sim

@@ -13,6 +13,8 @@
 
 namespace vegard::sim {
 
+struct SplatRecord;
+
 /// What a film has caught, before any blur.
 struct Exposure {
   FilmGeometry geometry;
@@ -40,8 +42,8 @@ double blur_sigma_px(const Scene& scene, int line);
 /// their seed, sheets, layers, beams or film. Not for use by two threads at once.
 class Exposer {
  public:
-  /// `beyond` lays out dark beams past the sheets' ends, so many sheet lengths on either side, for later scenes
-  /// in which the ends have moved along the line.
+  /// `beyond` lays out dark beams past the sheets' ends, so many sheet lengths on either side, for later
+  /// scenes in which the ends have moved along the line.
   Exposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond = 0.0);
   ~Exposer();
 
@@ -55,6 +57,9 @@ class Exposer {
 
   /// The same light computed in double by one thread; for tests.
   void expose_reference(const Scene& scene, std::vector<double>& rayleigh);
+
+  /// Appends what one thread of expose() would splat, in its order (sim/render_kernel.h); for benchmarks.
+  void record_splats(const Scene& scene, SplatRecord& record);
 
  private:
   struct Workspace;

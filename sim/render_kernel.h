@@ -115,6 +115,17 @@ std::uint64_t fall_on_film_reference(const KernelScene& scene, const BeamGroup* 
 void splat_on_film(const FilmGeometry& geometry, int stride, const float* column, const float* row,
                    const float* weights, std::size_t points, std::int64_t* film);
 
+/// The samples that fall_on_film splats, in its order, as splat_on_film takes them.
+struct SplatRecord {
+  std::vector<float> column, row;
+  std::vector<float> weights;  ///< [point * stride + line], rayleighs
+  std::size_t points() const { return column.size(); }
+};
+
+/// Appends to `record` what fall_on_film would splat. Returns the number of deflection points computed.
+std::uint64_t record_splats(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                            SplatRecord& record);
+
 /// The instruction set that fall_on_film was dispatched to, "AVX3".
 const char* kernel_instruction_set();
 

@@ -63,23 +63,38 @@ HWY_INLINE double square_root(double a) { return std::sqrt(a); }
 HWY_INLINE double round_to_nearest(double a) { return std::nearbyint(a); }
 HWY_INLINE double value_of(double a) { return a; }
 
-/// Four words of random bits in every lane: philox4x32 of sim/base/random.h, lane by lane the same bits.
-struct WordPack {
-  WordVector w[4];
-};
-
-namespace detail {
-/// The high and low halves of a * b, a constant.
-HWY_INLINE void multiply_wide(WordVector b, std::uint32_t a, WordVector& high, WordVector& low) {
-  const WordTag d;
-  const hn::RepartitionToWide<WordTag> wide;
-  const WordVector factor = hn::Set(d, a);
-  const auto even = hn::MulEven(b, factor);
-  const auto odd = hn::MulEven(hn::BitCast(d, hn::ShiftRight<32>(hn::BitCast(wide, b))), factor);
-  high = hn::OddEven(hn::BitCast(d, odd), hn::BitCast(d, hn::ShiftRight<32>(even)));
-  low = hn::OddEven(hn::BitCast(d, hn::ShiftLeft<32>(odd)), hn::BitCast(d, even));
+/// The keys of all rounds, which hang on the seed alone.
+using PhiloxKeys = std::uint32_t[philox::kRounds][2];
+HWY_INLINE void philox_keys(std::uint64_t seed, PhiloxKeys& keys) {
+  auto key = random_key(seed);
+  for (auto& of_round : keys) {
+    of_round[0] = key[0];
+    of_round[1] = key[1];
+    key[0] += philox::kWeyl0;
+    key[1] += philox::kWeyl1;
+  }
 }
-}  // namespace detail
+
+/// philox4x32 of sim/base/random.h for every lane, the same bits. The even and the odd lanes travel apart,
+/// one to 64 bits, so that a product's high word is one shift away; what stands in the upper halves of its
+/// operands a multiplication does not see.
+struct PhiloxLanes {
+  using Wide = hn::RepartitionToWide<WordTag>;
+  hn::Vec<Wide> c[4];
+
+  HWY_INLINE void turn(const std::uint32_t key[2]) {
+    const Wide d;
+    const WordTag words;
+    const auto product = [&](hn::Vec<Wide> x, std::uint32_t factor) {
+      return hn::MulEven(hn::BitCast(words, x), hn::Set(words, factor));
+    };
+    const auto p0 = product(c[0], philox::kMultiplier0), p1 = product(c[2], philox::kMultiplier1);
+    c[0] = hn::Xor(hn::Xor(hn::ShiftRight<32>(p1), c[1]), hn::BitCast(d, hn::Set(words, key[0])));
+    c[2] = hn::Xor(hn::Xor(hn::ShiftRight<32>(p0), c[3]), hn::BitCast(d, hn::Set(words, key[1])));
+    c[1] = p1;
+    c[3] = p0;
+  }
+};
 
 /// What the kernel needs to know of a lane type.
 template <class L>
@@ -100,26 +115,21 @@ struct LaneTraits<Pack> {
 
   /// The uniform numbers of two steps: {length, azimuth} of step 2*pair and of step 2*pair + 1.
   static HWY_INLINE void uniforms(WordVector beams, std::uint32_t pair, std::uint32_t layer,
-                                  std::uint64_t seed, Pack out[4]) {
+                                  const PhiloxKeys& keys, Pack out[4]) {
     const WordTag d;
-    WordVector c0 = hn::Set(d, pair), c1 = beams, c2 = hn::Set(d, layer);
-    WordVector c3 = hn::Set(d, static_cast<std::uint32_t>(Stream::path));
-    auto key = random_key(seed);
+    const PhiloxLanes::Wide wide;
+    const WordVector stream = hn::Set(d, static_cast<std::uint32_t>(Stream::path));
+    PhiloxLanes even{{hn::BitCast(wide, hn::Set(d, pair)), hn::BitCast(wide, beams),
+                      hn::BitCast(wide, hn::Set(d, layer)), hn::BitCast(wide, stream)}};
+    PhiloxLanes odd = even;
+    odd.c[1] = hn::ShiftRight<32>(even.c[1]);
     for (int round = 0; round < philox::kRounds; ++round) {
-      WordVector high0, low0, high1, low1;
-      detail::multiply_wide(c0, philox::kMultiplier0, high0, low0);
-      detail::multiply_wide(c2, philox::kMultiplier1, high1, low1);
-      c0 = hn::Xor(hn::Xor(high1, c1), hn::Set(d, key[0]));
-      c2 = hn::Xor(hn::Xor(high0, c3), hn::Set(d, key[1]));
-      c1 = low1;
-      c3 = low0;
-      key[0] += philox::kWeyl0;
-      key[1] += philox::kWeyl1;
+      even.turn(keys[round]);
+      odd.turn(keys[round]);
     }
-    out[0] = unit_interval(c0);
-    out[1] = unit_interval(c1);
-    out[2] = unit_interval(c2);
-    out[3] = unit_interval(c3);
+    for (int i = 0; i < 4; ++i)
+      out[i] =
+          unit_interval(hn::OddEven(hn::BitCast(d, hn::ShiftLeft<32>(odd.c[i])), hn::BitCast(d, even.c[i])));
   }
 
  private:
@@ -139,8 +149,9 @@ struct LaneTraits<double> {
   static HWY_INLINE void store(double p, double* to) { *to = p; }
   static HWY_INLINE std::uint32_t load_indices(const std::uint32_t* from) { return *from; }
   static HWY_INLINE void uniforms(std::uint32_t beam, std::uint32_t pair, std::uint32_t layer,
-                                  std::uint64_t seed, double out[4]) {
-    const Words words = random_words(seed, Stream::path, pair, beam, layer);
+                                  const PhiloxKeys& keys, double out[4]) {
+    const Words words =
+        philox4x32({pair, beam, layer, static_cast<std::uint32_t>(Stream::path)}, {keys[0][0], keys[0][1]});
     // Rounded to float as the packs have it, so that both follow the same path.
     for (int i = 0; i < 4; ++i)
       out[i] = static_cast<float>(words[i] >> 8) * (1.0f / 16777216.0f) + 0.5f / 16777216.0f;
@@ -170,12 +181,12 @@ HWY_INLINE void sine_cosine_of_turns(L turns, L& sine, L& cosine) {
 template <class T>
 HWY_INLINE T sine_of_small(const T& x) {
   const T x2 = x * x;
-  return x - x * x2 * T(1.0f / 6) + x * x2 * x2 * T(1.0f / 120) - x * x2 * x2 * x2 * T(1.0f / 5040);
+  return x * (T(1.0f) - x2 * (T(1.0f / 6) - x2 * (T(1.0f / 120) - x2 * T(1.0f / 5040))));
 }
 template <class T>
 HWY_INLINE T cosine_of_small(const T& x) {
   const T x2 = x * x;
-  return T(1.0f) - x2 * T(0.5f) + x2 * x2 * T(1.0f / 24) - x2 * x2 * x2 * T(1.0f / 720);
+  return T(1.0f) - x2 * (T(0.5f) - x2 * (T(1.0f / 24) - x2 * T(1.0f / 720)));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -26,8 +26,8 @@ template <class L, class C>
 struct FilmView {
   PinholeView<C> camera;
   L column_scale, column_offset, row_scale,
-      row_offset;  ///< column = x in pixels from the axis * scale + offset
-  L cell_area_px;
+      row_offset;   ///< column = x in pixels from the axis * scale + offset
+  L per_cell_area;  ///< 1 / px^2
 };
 
 /// Pinhole: Omega = cos^3(theta) / f^2 per pixel, so 1 / (r^2 Omega) = f^2 r / Z^3 (docs/physics.md).
@@ -47,7 +47,7 @@ HWY_INLINE SeenPoint<P> see_point(const FilmView<L, C>& film, const P enu_km[3],
   SeenPoint<P> seen;
   seen.column = in_camera[0] * scale * film.column_scale + film.column_offset;
   seen.row = in_camera[1] * scale * film.row_scale + film.row_offset;
-  seen.per_steradian_cell = scale * scale * (range * inverse) * (L(1.0f) / film.cell_area_px);
+  seen.per_steradian_cell = scale * scale * (range * inverse) * film.per_cell_area;
   return seen;
 }
 

@@ -38,25 +38,37 @@ HWY_INLINE void add_rounded(hn::Vec<FourFloats> light, std::int64_t* cell) {
 #endif
 }
 
-/// Spreads the light of a sample over four cells. column and row are in cells, at least 0 and below the last
-/// one; `light` is a function of the quartet (0 or 1) that gives 4 lines in film units.
+/// Shares of a sample's light by column and by row.
+struct Shares {
+  float left, right, upper, lower;
+};
+
+/// Spreads the light of a sample over `cell`, its right neighbour and the two below; `light` is a function of
+/// the quartet (0 or 1) that gives 4 lines in film units.
 template <int kQuartets, class Light>
-HWY_INLINE void splat(float column, float row, int film_columns, std::int64_t* film, const Light& light) {
+HWY_INLINE void splat(const Shares& shares, int film_columns, std::int64_t* cell, const Light& light) {
   const FourFloats d;
-  const int c = static_cast<int>(column), r = static_cast<int>(row);
-  const float right = column - static_cast<float>(c), lower = row - static_cast<float>(r);
-  const float left = 1.0f - right, upper = 1.0f - lower;
   constexpr int kStride = 4 * kQuartets;
-  std::int64_t* cell = film + (static_cast<std::int64_t>(r) * film_columns + c) * kStride;
   std::int64_t* below = cell + static_cast<std::int64_t>(film_columns) * kStride;
   for (int q = 0; q < kQuartets; ++q) {
     const auto all = light(q);
-    const auto in_left = hn::Mul(all, hn::Set(d, left)), in_right = hn::Mul(all, hn::Set(d, right));
-    add_rounded(hn::Mul(in_left, hn::Set(d, upper)), cell + 4 * q);
-    add_rounded(hn::Mul(in_right, hn::Set(d, upper)), cell + kStride + 4 * q);
-    add_rounded(hn::Mul(in_left, hn::Set(d, lower)), below + 4 * q);
-    add_rounded(hn::Mul(in_right, hn::Set(d, lower)), below + kStride + 4 * q);
+    const auto in_left = hn::Mul(all, hn::Set(d, shares.left)),
+               in_right = hn::Mul(all, hn::Set(d, shares.right));
+    const auto upper = hn::Set(d, shares.upper), lower = hn::Set(d, shares.lower);
+    add_rounded(hn::Mul(in_left, upper), cell + 4 * q);
+    add_rounded(hn::Mul(in_right, upper), cell + kStride + 4 * q);
+    add_rounded(hn::Mul(in_left, lower), below + 4 * q);
+    add_rounded(hn::Mul(in_right, lower), below + kStride + 4 * q);
   }
+}
+
+/// The same from a place on the film: column and row are in cells, at least 0 and below the last one.
+template <int kQuartets, class Light>
+HWY_INLINE void splat(float column, float row, int film_columns, std::int64_t* film, const Light& light) {
+  const int c = static_cast<int>(column), r = static_cast<int>(row);
+  const float right = column - static_cast<float>(c), lower = row - static_cast<float>(r);
+  splat<kQuartets>(Shares{1.0f - right, right, 1.0f - lower, lower}, film_columns,
+                   film + (static_cast<std::int64_t>(r) * film_columns + c) * 4 * kQuartets, light);
 }
 
 }  // namespace HWY_NAMESPACE

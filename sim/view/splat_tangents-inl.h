@@ -8,6 +8,8 @@
 
 #include <hwy/highway.h>
 
+#include <cstddef>
+
 #include "sim/base/dual-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -56,22 +58,24 @@ struct Wide {
 using WideDual = Dual<float, Wide>;
 
 /// Adds the tangents of weight * light[line] for every line of one cell.
-HWY_INLINE void add_tangents(const WideDual& weight, const WideDual* light, int lines, float* cell) {
-  for (int l = 0; l < lines; ++l) (weight.d * light[l].v + light[l].d * weight.v).add_to(cell + 16 * l);
+template <int kLines>
+HWY_INLINE void add_tangents(const WideDual& weight, const WideDual* light, float* cell) {
+  for (int l = 0; l < kLines; ++l) (weight.d * light[l].v + light[l].d * weight.v).add_to(cell + 16 * l);
 }
 
 /// Spreads the tangents of a sample's light over four cells, bilinear as in splat(). `cell_at(column, row)`
-/// gives a cell's tangents, [line][16], 64-byte aligned.
-template <class CellAt>
-HWY_INLINE void splat_tangents(const WideDual& column, const WideDual& row, const WideDual* light, int lines,
-                               const CellAt& cell_at) {
+/// gives a cell's tangents, [line][16], 64-byte aligned; those of the cell below stand `row_pitch` floats on.
+template <int kLines, class CellAt>
+HWY_INLINE void splat_tangents(const WideDual& column, const WideDual& row, const WideDual* light,
+                               std::ptrdiff_t row_pitch, const CellAt& cell_at) {
   const int c = static_cast<int>(column.v), r = static_cast<int>(row.v);
   const WideDual right = column - static_cast<float>(c), lower = row - static_cast<float>(r);
   const WideDual left = 1.0f - right, upper = 1.0f - lower;
-  add_tangents(left * upper, light, lines, cell_at(c, r));
-  add_tangents(right * upper, light, lines, cell_at(c + 1, r));
-  add_tangents(left * lower, light, lines, cell_at(c, r + 1));
-  add_tangents(right * lower, light, lines, cell_at(c + 1, r + 1));
+  float *const here = cell_at(c, r), *const beside = cell_at(c + 1, r);
+  add_tangents<kLines>(left * upper, light, here);
+  add_tangents<kLines>(right * upper, light, beside);
+  add_tangents<kLines>(left * lower, light, here + row_pitch);
+  add_tangents<kLines>(right * lower, light, beside + row_pitch);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -35,25 +35,24 @@ class FallingBeams {
   using Indices = typename Traits::Indices;
 
   HWY_INLINE void start(const P start_in_enu_km[3], const P& length_km, Indices beams, std::uint32_t layer,
-                        std::uint64_t seed) {
+                        const PhiloxKeys& keys) {
     for (int i = 0; i < 3; ++i) start_[i] = start_in_enu_km[i];
     length_ = length_km;
     beams_ = beams;
     layer_ = layer;
-    seed_ = seed;
     t_ = L(0.0f);
     axial_ = across1_ = across2_ = P(L(0.0f));
     pair_ = 0;
-    Traits::uniforms(beams_, 0, layer_, seed_, ahead_);
+    Traits::uniforms(beams_, 0, layer_, keys, ahead_);
   }
 
   /// The next two deflection points.
-  HWY_INLINE void next_two(const FallFrame<C>& frame, const Deflection<C>& deflection,
+  HWY_INLINE void next_two(const FallFrame<C>& frame, const Deflection<C>& deflection, const PhiloxKeys& keys,
                            FallenPoint<L, P> out[2]) {
     L now[4];
     for (int i = 0; i < 4; ++i) now[i] = ahead_[i];
     ++pair_;
-    Traits::uniforms(beams_, pair_, layer_, seed_, ahead_);
+    Traits::uniforms(beams_, pair_, layer_, keys, ahead_);
     deflect(frame, deflection, now[0], now[1], now[2], out[0]);
     deflect(frame, deflection, now[2], now[3], ahead_[0], out[1]);
   }
@@ -96,7 +95,6 @@ class FallingBeams {
   L t_, ahead_[4];
   Indices beams_;
   std::uint32_t layer_, pair_;
-  std::uint64_t seed_;
 };
 
 }  // namespace HWY_NAMESPACE
