@@ -1,5 +1,6 @@
 #include "sim/base/parallel.h"
 
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -17,7 +18,8 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
     for (std::size_t i = 0; i < count; ++i) body(i, 0);
     return;
   }
-  tbb::task_arena arena(threads);
+  // An arena of more threads than there are cores gets no more workers and makes TBB warn on standard error.
+  tbb::task_arena arena(std::clamp(tbb::info::default_concurrency(), 1, threads));
   arena.execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, count, 1),

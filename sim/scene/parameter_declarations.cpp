@@ -110,7 +110,7 @@ std::vector<Declaration> declare() {
       Row("camera", "elevation_deg", &Scene::camera, &Camera::elevation_deg).in("deg").within(-90, 90).may_be_free(linear)
           .means("elevation of the line of sight above the horizon"),
       Row("camera", "roll_deg", &Scene::camera, &Camera::roll_deg).in("deg").within(-180, 180).may_be_free(linear)
-          .means("roll of the camera, clockwise as the observer sees it"),
+          .means("how far the scene appears turned clockwise in the picture"),
 
       Row("name", &Sheet::name).rule(sheet_name_complaint).means("by which paths call the sheet"),
       Row("center_km", &Sheet::center_km).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(linear)

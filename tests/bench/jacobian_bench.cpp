@@ -78,8 +78,8 @@ struct Problem {
         free(fit::free_numbers(scene)),
         data(fit::extract_profile(photo, region, scene.fit.bands)),
         sigma(fit::profile_sigma(data, scene.fit.model_error)),
-        linear(data, sigma, gains(scene), photo.linear.height),
-        model(scene, photo, region, scene.fit.bands, 1.0, kThreads),
+        linear(data, sigma, gains(scene), scene.fit.sky_terms, photo.linear.height),
+        model(scene, photo, region, scene.fit.bands, 1.0, 0.0, kThreads),
         cost(scene, free, model, linear, log) {
     for (const fit::FreeNumber& number : free) coordinates.push_back(number.coordinate(number.start));
     residuals.resize(cost.num_residuals());

@@ -1,0 +1,151 @@
+#include <gtest/gtest.h>
+#include <hwy/highway.h>
+
+#include <cstring>
+
+#include "sim/render.h"
+#include "sim/render_film.h"
+#include "sim/render_kernel.h"
+#include "tests/support/free_paths.h"
+#include "tests/support/small_scene.h"
+
+namespace vegard::sim {
+namespace {
+
+/// Several chunks of beams, two sheets, and lines enough for both halves of a wide row.
+Scene busy_scene() {
+  Scene scene = tests::small_scene();
+  scene.emission.lines = {630.0, 557.7, 427.8, 337.1, 844.6};
+  scene.blur.width_deg = {0.43, 0.18, 0.0, 0.1, 0.0};
+  Sheet second = scene.sheets[0];
+  second.name = "second";
+  second.center_km.north = 260.0;
+  second.energy_kev = 7.0;
+  second.path_spread = 0.3;
+  scene.sheets.push_back(second);
+  scene.sheets[0].beams = 1500;
+  return scene;
+}
+
+::testing::AssertionResult same_bytes(const std::vector<float>& a, const std::vector<float>& b) {
+  if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " numbers and " << b.size();
+  std::size_t differ = 0, first = 0;
+  for (std::size_t i = a.size(); i-- > 0;)
+    if (std::memcmp(&a[i], &b[i], sizeof(float)) != 0) ++differ, first = i;
+  if (differ == 0) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << differ << " of " << a.size() << " differ, the first at " << first
+                                       << ": " << a[first] << " and " << b[first];
+}
+
+Rendering rendered(int threads) {
+  RenderOptions options;
+  options.threads = threads;
+  return render(busy_scene(), options);
+}
+
+Exposure with_derivatives(int threads) {
+  Scene scene = busy_scene();
+  scene.sheets[0].beams = 600;
+  const FilmGeometry film = film_for(scene, 0, 0, 160, 120, 2.0, 1.0);
+  Exposure exposure;
+  Exposer(scene, film, threads, 0.5)
+      .expose_with_derivatives(scene, tests::addresses_of(scene, tests::free_paths(scene)), exposure);
+  return exposure;
+}
+
+/// Only the numbers of beams are free: the cheaper kernel.
+Exposure with_beam_derivatives(int threads) {
+  const Scene scene = busy_scene();
+  const FilmGeometry film = film_for(scene, 0, 0, 160, 120, 2.0, 1.0);
+  Exposure exposure;
+  Exposer(scene, film, threads)
+      .expose_with_derivatives(scene, {&scene.sheets[0].phase_rad, &scene.sheets[1].energy_kev}, exposure);
+  return exposure;
+}
+
+TEST(SameBytes, OfAPictureForAnyThreadsAndRun) {
+  const Rendering one = rendered(1);
+  EXPECT_GT(one.deflection_points, 100000u);
+  for (int threads : {1, 2, 3, 0}) {
+    const Rendering again = rendered(threads);
+    EXPECT_TRUE(same_bytes(one.rayleigh.data, again.rayleigh.data)) << threads << " threads";
+    EXPECT_TRUE(same_bytes(one.rgb.data, again.rgb.data)) << threads << " threads";
+    EXPECT_EQ(one.deflection_points, again.deflection_points);
+  }
+}
+
+TEST(SameBytes, OfAnExposureThatIsMadeAgain) {
+  const Scene scene = busy_scene();
+  Scene moved = scene;
+  moved.sheets[0].center_km.north += 20.0;
+  const FilmGeometry film = film_for(scene, 0, 0, 160, 120, 1.0, 1.0);
+  Exposer exposer(scene, film, 2);
+  Exposure first, other, again;
+  exposer.expose(scene, first);
+  exposer.expose(moved, other);
+  exposer.expose(scene, again);
+  EXPECT_TRUE(same_bytes(first.rayleigh, again.rayleigh));
+  EXPECT_FALSE(same_bytes(first.rayleigh, other.rayleigh));
+}
+
+TEST(SameBytes, OfDerivativesForAnyThreads) {
+  for (const auto& make : {with_derivatives, with_beam_derivatives}) {
+    const Exposure one = make(1), two = make(2), three = make(3);
+    EXPECT_TRUE(same_bytes(one.derivative, two.derivative));
+    EXPECT_TRUE(same_bytes(one.derivative, three.derivative));
+    EXPECT_TRUE(same_bytes(one.rayleigh, two.rayleigh));
+  }
+}
+
+TEST(SameBytes, OfTheFilmWithAndWithoutDerivatives) {
+  const Scene scene = busy_scene();
+  const FilmGeometry film = film_for(scene, 0, 0, 160, 120, 1.0, 1.0);
+  Exposer exposer(scene, film, 2);
+  Exposure plain, derived, few;
+  exposer.expose(scene, plain);
+  exposer.expose_with_derivatives(scene, tests::addresses_of(scene, tests::free_paths(scene)), derived);
+  exposer.expose_with_derivatives(scene, {&scene.sheets[0].phase_rad}, few);
+  EXPECT_TRUE(same_bytes(plain.rayleigh, derived.rayleigh));
+  EXPECT_TRUE(same_bytes(plain.rayleigh, few.rayleigh));
+  EXPECT_EQ(plain.deflection_points, derived.deflection_points);
+  EXPECT_EQ(plain.deflection_points, few.deflection_points);
+}
+
+/// Dispatch goes to one instruction set while this lives.
+class Only {
+ public:
+  explicit Only(std::int64_t target) { choose(target); }
+  ~Only() { choose(0); }
+  Only(const Only&) = delete;
+  Only& operator=(const Only&) = delete;
+
+ private:
+  static void choose(std::int64_t target) {
+    hwy::SetSupportedTargetsForTest(target);
+    // Highway asks again only after this.
+    hwy::GetChosenTarget().DeInit();
+  }
+};
+
+TEST(SameBytes, OnEveryInstructionSet) {
+  const std::string best = kernel_instruction_set();
+  const Rendering picture = rendered(2);
+  const Exposure derivatives = with_derivatives(2), beams = with_beam_derivatives(2);
+  int tried = 0;
+  const std::int64_t available = hwy::SupportedTargets();
+  for (std::int64_t target : {std::int64_t{HWY_SSE4}, std::int64_t{HWY_AVX2}, std::int64_t{HWY_AVX3}}) {
+    if ((available & target) == 0) continue;
+    const Only only(target);
+    SCOPED_TRACE(hwy::TargetName(target));
+    ASSERT_STREQ(kernel_instruction_set(), hwy::TargetName(target));
+    ++tried;
+    EXPECT_TRUE(same_bytes(rendered(2).rgb.data, picture.rgb.data));
+    EXPECT_TRUE(same_bytes(with_derivatives(2).derivative, derivatives.derivative));
+    EXPECT_TRUE(same_bytes(with_beam_derivatives(2).derivative, beams.derivative));
+  }
+  EXPECT_EQ(best, kernel_instruction_set());
+  if (tried < 2) GTEST_SKIP() << "only " << tried << " of the instruction sets here";
+}
+
+}  // namespace
+}  // namespace vegard::sim

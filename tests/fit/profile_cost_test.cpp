@@ -1,0 +1,226 @@
+// The whole cost's Jacobian against central differences, for every number that can be free.
+//
+// The differences are those of a film in floats, with the kinks of the bilinear splat: measured, a column of
+// the Jacobian differs by up to 1.6 % of its norm, by 5 % for the two pitch angles, to which the profile is
+// ten thousand times less sensitive than to the place of the sheet.
+#include "fit/profile_cost.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fit/noise_model.h"
+#include "sim/render.h"
+#include "tests/support/free_paths.h"
+#include "tests/support/small_scene.h"
+
+namespace vegard::fit {
+namespace {
+
+sim::Scene fit_scene() {
+  sim::Scene scene = tests::small_scene();
+  scene.camera.roll_deg = 2.0;
+  scene.sheets[0].center_km.east = 90.0;
+  scene.sheets[0].length_km = 280.0;
+  scene.sheets[0].beams = 4000;
+  scene.blur.width_deg = {0.43, 0.25, 0.3};
+  scene.sky.level = {0.02, 0.03, 0.05};
+  scene.sky.gradient = {0.01, 0.0, -0.01};
+  for (const tests::FreePath& p : tests::free_paths(scene)) {
+    sim::FreeParameter free;
+    free.path = p.path.text;
+    scene.fit.free.push_back(free);
+  }
+  return scene;
+}
+
+/// A photograph of the scene: what the simulator renders, clipped as a display has it.
+Photo photo_of(const sim::Scene& scene) {
+  const sim::Rendering rendering = sim::render(scene);
+  Photo photo;
+  photo.linear = rendering.rgb;
+  for (std::size_t i = 0; i < photo.linear.data.size(); ++i)
+    photo.linear.data[i] += std::max(rendering.aurora.data[i], 0.0f) - rendering.aurora.data[i];
+  photo.usable.assign(photo.linear.data.size(), 1);
+  for (std::size_t i = 0; i < photo.usable.size(); i += 97) photo.usable[i] = 0;
+  photo.floating = true;
+  photo.srgb = false;
+  return photo;
+}
+
+struct Fitting {
+  sim::Scene scene;
+  std::vector<FreeNumber> free;
+  Profile data;
+  std::vector<double> sigma;
+  std::unique_ptr<ProfileModel> model;
+  std::unique_ptr<LinearPart> linear;
+  EvaluationLog log;
+  std::unique_ptr<ProfileCost> cost;
+
+  Fitting(sim::Scene with, const Region& region, int bands, const GainLayout& gains)
+      : scene(std::move(with)) {
+    sim::Scene elsewhere = scene;
+    elsewhere.sheets[0].center_km.north += 6.0;
+    elsewhere.sheets[0].energy_kev *= 1.2;
+    const Photo photo = photo_of(elsewhere);
+    free = free_numbers(scene);
+    data = extract_profile(photo, region, bands);
+    sigma = profile_sigma(data, 0.05);
+    model = std::make_unique<ProfileModel>(scene, photo, region, bands, 1.0, 0.0, 2);
+    linear = std::make_unique<LinearPart>(data, sigma, gains, 3, scene.camera.height);
+    cost = std::make_unique<ProfileCost>(scene, free, *model, *linear, log);
+  }
+
+  std::vector<double> start() const {
+    std::vector<double> u;
+    for (const FreeNumber& number : free) u.push_back(number.coordinate(number.start));
+    return u;
+  }
+  std::vector<double> residuals(const std::vector<double>& u, std::vector<double>* jacobian = nullptr) const {
+    std::vector<double> r(cost->num_residuals());
+    const double* parameters[] = {u.data()};
+    if (jacobian != nullptr) jacobian->resize(r.size() * u.size());
+    double* rows[] = {jacobian != nullptr ? jacobian->data() : nullptr};
+    EXPECT_TRUE(cost->Evaluate(parameters, r.data(), jacobian != nullptr ? rows : nullptr));
+    return r;
+  }
+};
+
+/// In the scene's unit: moves the light by about a hundredth of a pixel. Shorter, and the rounding of floats
+/// shows; longer, and samples cross from cell to cell.
+double step_of(const FreeNumber& number) {
+  const std::string& key = number.path.row->key;
+  if (key == "center_km") return 0.004;
+  if (key == "inclination_deg" || key == "declination_deg") return 0.01;
+  if (key == "loss_cone_deg") return 0.008;
+  if (key == "pitch_step_rad") return 1.5e-4;
+  if (key == "length_km") return 0.01;
+  if (number.path.row->table == "camera") return 1.5e-3;
+  return number.logarithmic() ? 5e-4 * number.start : 5e-4;
+}
+
+void expect_jacobian(const Fitting& fit) {
+  const std::vector<double> u = fit.start();
+  std::vector<double> jacobian;
+  const std::vector<double> with = fit.residuals(u, &jacobian), without = fit.residuals(u);
+  EXPECT_EQ(with, without) << "residuals do not depend on whether derivatives are wanted";
+  const std::size_t p = u.size();
+  for (std::size_t j = 0; j < p; ++j) {
+    SCOPED_TRACE(fit.free[j].path.text);
+    double step = step_of(fit.free[j]);
+    step /= fit.free[j].slope(u[j]);
+    std::vector<double> more = u, less = u;
+    more[j] += step;
+    less[j] -= step;
+    const std::vector<double> up = fit.residuals(more), down = fit.residuals(less);
+    double error = 0.0, size = 0.0;
+    for (std::size_t k = 0; k < up.size(); ++k) {
+      const double difference = (up[k] - down[k]) / (2 * step);
+      error += std::pow(jacobian[k * p + j] - difference, 2);
+      size += difference * difference;
+    }
+    EXPECT_GT(size, 0.0);
+    const std::string& key = fit.free[j].path.row->key;
+    const bool weak = key == "loss_cone_deg" || key == "pitch_step_rad";
+    EXPECT_LT(std::sqrt(error / size), weak ? 0.1 : 0.03);
+  }
+}
+
+TEST(ProfileCost, JacobianAgreesWithDifferencesForEveryFreeNumber) {
+  sim::Scene scene = fit_scene();
+  int priors = 0;
+  for (sim::FreeParameter& free : scene.fit.free) {
+    if (free.path == "camera.hfov_deg") free.prior = sim::Prior{58.0, 0.5}, ++priors;
+    if (free.path == "sheet.main.energy_kev") free.prior = sim::Prior{4.0, 0.7}, ++priors;
+  }
+  ASSERT_EQ(priors, 2);
+  // The gains take up the one sheet's flux entirely: a test of its own, below.
+  for (auto it = scene.fit.free.begin(); it != scene.fit.free.end(); ++it)
+    if (it->path == "sheet.main.energy_flux_mw_m2") {
+      scene.fit.free.erase(it);
+      break;
+    }
+  // The beams of a fit stand evenly, so that each end of its first scene lies on the border between two of
+  // them, where the light has a kink: on one side the last beam dims, on the other the next one lights up. A
+  // little way off there is none.
+  for (sim::FreeParameter& free : scene.fit.free) {
+    if (free.path == "sheet.main.center_km.east") free.start = 90.02;
+    if (free.path == "sheet.main.length_km") free.start = 280.02;
+  }
+  const Region region{20, 10, 120, 100};
+  const Fitting fit(scene, region, 4, {4, true, false});
+  EXPECT_EQ(fit.cost->num_residuals(), 4 * 100 * 3 + 2);
+  expect_jacobian(fit);
+}
+
+TEST(ProfileCost, PriorsAreResidualsOfTheirOwn) {
+  sim::Scene scene = fit_scene();
+  scene.fit.free.resize(1);
+  scene.fit.free[0].path = "sheet.main.energy_kev";
+  scene.fit.free[0].prior = sim::Prior{4.0, 0.5};
+  const Fitting fit(scene, {0, 0, 160, 120}, 2, {2, false, false});
+  std::vector<double> jacobian;
+  const std::vector<double> u = fit.start(), r = fit.residuals(u, &jacobian);
+  EXPECT_NEAR(r.back(), (3.0 - 4.0) / 0.5, 1e-9);
+  EXPECT_NEAR(jacobian.back(), fit.free[0].slope(u[0]) / 0.5, 1e-9);
+  double chi2 = 0.0;
+  for (double x : r) chi2 += x * x;
+  EXPECT_NEAR(fit.cost->at({3.0}, false).chi2, chi2, 1e-9 * chi2);
+}
+
+TEST(ProfileCost, OverallFluxIsTakenUpByTheGain) {
+  sim::Scene scene = fit_scene();
+  scene.fit.free.resize(1);
+  scene.fit.free[0].path = "sheet.main.energy_flux_mw_m2";
+  const Fitting fit(scene, {0, 0, 160, 120}, 2, {2, false, false});
+  std::vector<double> jacobian;
+  const std::vector<double> r = fit.residuals(fit.start(), &jacobian);
+  double largest = 0.0, residual = 0.0;
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    largest = std::max(largest, std::abs(jacobian[k]));
+    residual = std::max(residual, std::abs(r[k]));
+  }
+  EXPECT_GT(residual, 1.0);
+  EXPECT_LT(largest, 1e-4 * residual);
+}
+
+TEST(ProfileCost, GivesUpWhenItsEvaluationsAreSpent) {
+  sim::Scene scene = fit_scene();
+  scene.fit.free.resize(1);
+  Fitting fit(scene, {0, 0, 160, 120}, 2, {2, false, false});
+  fit.residuals(fit.start());
+  EXPECT_EQ(fit.log.residuals, 1);
+  fit.log.limit = 1;
+  std::vector<double> r(fit.cost->num_residuals());
+  const std::vector<double> u = fit.start();
+  const double* parameters[] = {u.data()};
+  EXPECT_FALSE(fit.cost->Evaluate(parameters, r.data(), nullptr));
+}
+
+TEST(ProfileModel, OfThePhotographsOwnSceneIsThePhotographsProfile) {
+  // The film of the fit has cells up to four pixels wide and beams without jitter; sky and gain are known.
+  sim::Scene scene = fit_scene();
+  scene.sheets[0].spacing_jitter = 0.0;
+  const Photo photo = photo_of(scene);
+  const Region region{20, 10, 120, 100};
+  const Profile data = extract_profile(photo, region, 2);
+  ProfileModel model(scene, photo, region, 2, 1.0, 0.0, 0);
+  ModelProfile aurora;
+  model.evaluate(scene, aurora);
+  double error = 0.0, size = 0.0;
+  for (int b = 0; b < 2; ++b)
+    for (int r = 0; r < data.rows; ++r)
+      for (int c = 0; c < 3; ++c) {
+        const double place = (region.y + r + 0.5) / scene.camera.height - 0.5;
+        const double light =
+            data.mean[data.index(b, r, c)] - scene.sky.level[c] - scene.sky.gradient[c] * place;
+        const double expected = scene.sensor.gain_per_kilorayleigh * aurora.value[data.index(b, r, c)];
+        error += (light - expected) * (light - expected);
+        size += light * light;
+      }
+  EXPECT_LT(std::sqrt(error / size), 0.01);
+}
+
+}  // namespace
+}  // namespace vegard::fit

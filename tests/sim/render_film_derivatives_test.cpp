@@ -1,0 +1,165 @@
+// The film's derivatives against central differences of the reference in double, for every number that can
+// be free.
+//
+// Light that crosses the film's border has no derivative, so the border is left out. The bilinear splat has
+// kinks: a sample's derivative jumps where it crosses from one cell to the next, and floats cross elsewhere
+// than doubles. Sums over blocks of columns and a blur down the rows, which the fit takes too, even that out:
+// the difference's norm is below 1 or 2 % of the derivative's (measured: below 0.1 % for most; 0.8 % for the
+// pitch step and, by the literal rule, for the length, where large contributions cancel).
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/render_film.h"
+#include "sim/view/blur.h"
+#include "tests/support/free_paths.h"
+#include "tests/support/small_scene.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr int kColumns = 10, kBorder = 10;
+
+/// Sums over kColumns columns, blurred down with a sigma of 2 rows; `at` gives a film cell's number.
+template <class At>
+std::vector<double> smoothed(const FilmGeometry& film, int lines, const At& at) {
+  const BlurKernel kernel = gaussian_kernel(2.0);
+  std::vector<double> result;
+  for (int l = 0; l < lines; ++l)
+    for (int first = kBorder; first + kColumns + kBorder <= film.columns; first += kColumns) {
+      std::vector<double> sum(film.rows, 0.0);
+      for (int r = 0; r < film.rows; ++r)
+        for (int c = first; c < first + kColumns; ++c) sum[r] += at(l, r, c);
+      for (int r = kBorder; r + kBorder < film.rows; ++r) {
+        double blurred = 0.0;
+        for (int k = -kernel.radius(); k <= kernel.radius(); ++k)
+          blurred += kernel.weights[std::abs(k)] * sum[r + k];
+        result.push_back(blurred);
+      }
+    }
+  return result;
+}
+
+void expect_derivatives(const Scene& scene, double tolerance) {
+  const FilmGeometry film = film_for(scene, 0, 0, scene.camera.width, scene.camera.height, 1.0, 1.0);
+  Exposer exposer(scene, film, 0, 0.5);
+  const std::vector<tests::FreePath> paths = tests::free_paths(scene);
+  ASSERT_GT(paths.size(), 16u) << "more than one pass of the kernel";
+  Exposure exposure;
+  exposer.expose_with_derivatives(scene, tests::addresses_of(scene, paths), exposure);
+  const int lines = exposure.lines;
+  const std::size_t cells = exposure.cells();
+  const auto cell = [&](int l, int r, int c) {
+    return l * cells + static_cast<std::size_t>(r) * film.columns + c;
+  };
+  for (std::size_t j = 0; j < paths.size(); ++j) {
+    SCOPED_TRACE(paths[j].path.text);
+    Scene more = scene, less = scene;
+    *real_value(more, paths[j].path) += paths[j].step;
+    *real_value(less, paths[j].path) -= paths[j].step;
+    std::vector<double> up, down;
+    exposer.expose_reference(more, up);
+    exposer.expose_reference(less, down);
+    const auto exact = smoothed(film, lines, [&](int l, int r, int c) {
+      return static_cast<double>(exposure.derivative[cell(l, r, c) * exposure.free_stride + j]);
+    });
+    const auto differences = smoothed(film, lines, [&](int l, int r, int c) {
+      return (up[cell(l, r, c)] - down[cell(l, r, c)]) / (2.0 * paths[j].step);
+    });
+    double error = 0.0, size = 0.0;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      error += std::pow(exact[i] - differences[i], 2);
+      size += std::pow(differences[i], 2);
+    }
+    if (paths[j].path.row->table == "blur") {
+      EXPECT_EQ(error + size, 0.0) << "the film is not blurred yet";
+    } else {
+      EXPECT_GT(size, 0.0);
+      EXPECT_LT(std::sqrt(error / size), tolerance);
+    }
+  }
+}
+
+TEST(FilmDerivatives, EveryFreeNumberAgreesWithDifferences) {
+  Scene scene = tests::small_scene();
+  // An end inside the picture, so that the length counts.
+  scene.sheets[0].center_km.east = 130.0;
+  scene.sheets[0].length_km = 250.0;
+  expect_derivatives(scene, 0.01);
+}
+
+TEST(FilmDerivatives, SouthernSheetsOfTheLiteralRuleAgreeWithDifferences) {
+  Scene scene = tests::small_scene();
+  scene.camera.azimuth_deg = 184.0;
+  scene.field.inclination_deg = -74.0;
+  Sheet& sheet = scene.sheets[0];
+  sheet.center_km = {-100.0, -200.0};
+  sheet.length_km = 250.0;
+  sheet.spacing_rule = "literal";
+  sheet.pitch_law = "product";
+  sheet.pitch_step_rad = 0.4;
+  sheet.loss_cone_deg = 25.0;
+  sheet.path_spread = 0.2;
+  expect_derivatives(scene, 0.02);
+}
+
+TEST(FilmDerivatives, TwoSheetsOtherPitchLawsAndFiveLinesAgreeWithDifferences) {
+  Scene scene = tests::small_scene();
+  scene.emission.lines = {630.0, 557.7, 427.8, 337.1, 777.4};
+  scene.blur.width_deg = {0.43, 0.18, 0.0, 0.0, 0.0};
+  scene.camera.width = 100;
+  scene.camera.height = 75;
+  scene.sheets[0].pitch_law = "constant";
+  scene.sheets[0].beams = 200;
+  Sheet second = scene.sheets[0];
+  second.name = "second";
+  second.center_km.north = 260.0;
+  second.pitch_law = "increment";
+  second.energy_kev = 8.0;
+  scene.sheets.push_back(second);
+  const FilmGeometry film = film_for(scene, 0, 0, 100, 75, 1.0, 1.0);
+  Exposer exposer(scene, film, 0, 0.5);
+  Exposure exposure;
+  const std::vector<const double*> free = {&scene.sheets[0].pitch_step_rad, &scene.sheets[0].loss_cone_deg,
+                                           &scene.sheets[1].pitch_step_rad, &scene.sheets[1].loss_cone_deg,
+                                           &scene.sheets[1].energy_kev};
+  exposer.expose_with_derivatives(scene, free, exposure);
+  double size[5] = {};
+  for (std::size_t i = 0; i < exposure.cells() * exposure.lines; ++i)
+    for (int j = 0; j < 5; ++j) size[j] += std::abs(exposure.derivative[i * exposure.free_stride + j]);
+  EXPECT_EQ(size[0], 0.0) << "the constant law knows no step";
+  EXPECT_GT(size[1], 0.0);
+  EXPECT_GT(size[2], 0.0);
+  EXPECT_EQ(size[3], 0.0) << "the increment law knows no loss cone";
+  const auto check = [&](double& number, int j, double step) {
+    std::vector<double> up, down;
+    const double here = number;
+    number = here + step;
+    exposer.expose_reference(scene, up);
+    number = here - step;
+    exposer.expose_reference(scene, down);
+    number = here;
+    const std::size_t cells = exposure.cells();
+    const auto cell = [&](int l, int r, int c) {
+      return l * cells + static_cast<std::size_t>(r) * film.columns + c;
+    };
+    const auto exact = smoothed(film, 5, [&](int l, int r, int c) {
+      return static_cast<double>(exposure.derivative[cell(l, r, c) * exposure.free_stride + j]);
+    });
+    const auto differences = smoothed(film, 5, [&](int l, int r, int c) {
+      return (up[cell(l, r, c)] - down[cell(l, r, c)]) / (2.0 * step);
+    });
+    double error = 0.0, norm = 0.0;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      error += std::pow(exact[i] - differences[i], 2);
+      norm += std::pow(differences[i], 2);
+    }
+    EXPECT_LT(std::sqrt(error / norm), 0.01) << j;
+  };
+  check(scene.sheets[0].loss_cone_deg, 1, 1e-4);
+  check(scene.sheets[1].pitch_step_rad, 2, 1e-5);
+  check(scene.sheets[1].energy_kev, 4, 0.04);
+}
+
+}  // namespace
+}  // namespace vegard::sim

@@ -1,0 +1,35 @@
+// Every number of a scene that may be free, with a step that suits differences.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "sim/scene/parameter_table.h"
+
+namespace vegard::tests {
+
+struct FreePath {
+  sim::ParameterPath path;
+  double step = 0.0;  ///< for central differences, in the parameter's unit
+};
+
+inline std::vector<FreePath> free_paths(const sim::Scene& scene) {
+  std::vector<FreePath> all;
+  for (const sim::ParameterPath& path : sim::all_paths(scene)) {
+    if (!path.row->can_be_free) continue;
+    const double value = *sim::real_value(scene, path);
+    double step = path.row->scale == sim::ParameterScale::logarithmic && value > 0.0 ? 1e-4 * value : 1e-4;
+    // The height profiles are floats: a wider step drowns their rounding.
+    if (path.row->key == "energy_kev") step = 5e-3 * value;
+    all.push_back({path, step});
+  }
+  return all;
+}
+
+inline std::vector<const double*> addresses_of(const sim::Scene& scene, const std::vector<FreePath>& paths) {
+  std::vector<const double*> result;
+  for (const FreePath& p : paths) result.push_back(sim::real_value(scene, p.path));
+  return result;
+}
+
+}  // namespace vegard::tests
