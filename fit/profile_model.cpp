@@ -14,8 +14,7 @@ namespace {
 
 constexpr int kWidestCell = 4;
 constexpr int kCellsPerBand = 12;
-// Sheet lengths by which a fit may move an end; uneven, so that no end starts on the border of two beams, a kink.
-constexpr double kBeyond = 0.5007;
+constexpr double kBeyond = 0.5;  // sheet lengths by which a fit may move an end
 
 int cell_width(const Region& region, int bands) {
   return std::clamp(region.width / bands / kCellsPerBand, 1, kWidestCell);

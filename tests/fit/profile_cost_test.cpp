@@ -141,13 +141,6 @@ TEST(ProfileCost, JacobianAgreesWithDifferencesForEveryFreeNumber) {
       scene.fit.free.erase(it);
       break;
     }
-  // The beams of a fit stand evenly, so that each end of its first scene lies on the border between two of
-  // them, where the light has a kink: on one side the last beam dims, on the other the next one lights up. A
-  // little way off there is none.
-  for (sim::FreeParameter& free : scene.fit.free) {
-    if (free.path == "sheet.main.center_km.east") free.start = 90.02;
-    if (free.path == "sheet.main.length_km") free.start = 280.02;
-  }
   const Region region{20, 10, 120, 100};
   const Fitting fit(scene, region, 4, {4, true, false});
   EXPECT_EQ(fit.cost->num_residuals(), 4 * 100 * 3 + 2);

@@ -27,8 +27,11 @@ StretchOfSheet stretch_of(const Sheet& sheet) {
 std::vector<BeamPlace> beam_places(const Sheet& sheet, std::uint32_t sheet_index, std::uint32_t layer,
                                    std::uint64_t seed, double beyond) {
   const bool literal = sheet.spacing_rule == "literal";
-  if (literal) beyond = 0.0;
-  const auto n = static_cast<std::uint32_t>(std::ceil(sheet.beams * (1.0 + 2.0 * beyond)));
+  // An odd number of beams more puts both ends into the middle of a beam: at a border the light has a kink.
+  const auto more =
+      literal || beyond <= 0.0 ? 0u : 2u * static_cast<std::uint32_t>(beyond * sheet.beams) + 1u;
+  const std::uint32_t n = static_cast<std::uint32_t>(sheet.beams) + more;
+  beyond = 0.5 * more / sheet.beams;
   const std::uint32_t which = sheet_index * 256 + layer;
   const double even_step = 1.0 / n;
   const double shift = uniform(random_words(seed, Stream::cross_section, 0, which)[0]);
