@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kGreenNm = 557.7;
 constexpr double kBorder = 0.1;
+constexpr double kNoChange = 0.02;  // of the sum of what the parameters do one by one
 
 /// One line's profile and the place of its peak.
 struct Peak {
@@ -57,8 +58,8 @@ double peak_altitude_km(double wavelength_nm, double energy_kev) {
 }
 
 std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::vector<FreeNumber>& free,
-                                           const std::vector<double>& values,
-                                           const std::vector<std::vector<double>>& covariance) {
+                                           const std::vector<double>& values, const ValueUncertainty& known) {
+  const std::vector<std::vector<double>>& covariance = known.covariance;
   std::vector<DerivedNumber> result;
   const auto add = [&](const std::string& name, const std::string& unit,
                        const std::function<double(const sim::Scene&)>& number) {
@@ -81,6 +82,15 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
     for (std::size_t j = 0; j < free.size(); ++j)
       for (std::size_t k = 0; k < free.size(); ++k)
         if (slope[j] != 0.0 && slope[k] != 0.0) variance += slope[j] * slope[k] * covariance[j][k];
+    const auto changes_along = [&](const std::vector<double>& direction) {
+      double sum = 0.0, size = 0.0;
+      for (std::size_t j = 0; j < free.size(); ++j) {
+        sum += slope[j] * direction[j];
+        size += std::abs(slope[j] * direction[j]);
+      }
+      return std::abs(sum) > kNoChange * size;
+    };
+    if (std::any_of(known.undetermined.begin(), known.undetermined.end(), changes_along)) variance = 0.0;
     if (std::isfinite(variance) && variance > 0.0) d.sigma = std::sqrt(variance);
     result.push_back(d);
   };

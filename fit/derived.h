@@ -17,10 +17,15 @@ double nearest_distance_km(const sim::Sheet& sheet);
 double lower_border_km(double wavelength_nm, double energy_kev);
 double peak_altitude_km(double wavelength_nm, double energy_kev);
 
-/// Distances, mean energies, border and peak altitudes of every sheet, with error bars carried over from the
-/// covariance [parameter][parameter] of the free numbers by differences.
+/// What the error bars of derived numbers are made from, in the free numbers' own units.
+struct ValueUncertainty {
+  std::vector<std::vector<double>> covariance;    ///< inside what the data determine
+  std::vector<std::vector<double>> undetermined;  ///< directions in which they say nothing
+};
+
+/// Distances, mean energies, border and peak altitudes of every sheet, with error bars carried over by
+/// differences. A number that would change along an undetermined direction has none.
 std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::vector<FreeNumber>& free,
-                                           const std::vector<double>& values,
-                                           const std::vector<std::vector<double>>& covariance);
+                                           const std::vector<double>& values, const ValueUncertainty& known);
 
 }  // namespace vegard::fit

@@ -100,11 +100,23 @@ void put_solution(const LinearSolution& solution, const std::vector<double>& var
     }
 }
 
-/// Parameters with their error bars; returns the covariance of the values.
-std::vector<std::vector<double>> put_parameters(const std::vector<FreeNumber>& free,
-                                                const std::vector<double>& values, const Uncertainty& u,
-                                                FitResult& r) {
-  std::vector<double> sigma(free.size());
+/// "it trades off against sheet.main.phase_rad", from the undetermined direction that a coordinate leans on
+/// most.
+std::string why_undetermined(const std::vector<FreeNumber>& free, const Uncertainty& u, std::size_t j) {
+  const std::vector<double>* most = nullptr;
+  for (const std::vector<double>& direction : u.undetermined)
+    if (most == nullptr || std::abs(direction[j]) > std::abs((*most)[j])) most = &direction;
+  std::string others;
+  for (std::size_t k = 0; most != nullptr && k < free.size(); ++k)
+    if (k != j && (*most)[k] != 0.0) others += (others.empty() ? "" : " and ") + free[k].path.text;
+  return others.empty() ? "the data do not depend on it" : "it trades off against " + others;
+}
+
+/// Parameters with their error bars; returns what is known of combinations of them.
+ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::vector<double>& values,
+                                const Uncertainty& u, FitResult& r) {
+  ValueUncertainty known{u.covariance, u.undetermined};
+  std::vector<double> slopes;
   for (std::size_t j = 0; j < free.size(); ++j) {
     const FreeNumber& n = free[j];
     FittedParameter p;
@@ -117,22 +129,23 @@ std::vector<std::vector<double>> put_parameters(const std::vector<FreeNumber>& f
     p.max = n.max;
     p.at_limit = n.at_limit(values[j]);
     const double at = n.coordinate(values[j]);
-    sigma[j] = u.sigma[j] * n.slope(at);
-    if (std::isfinite(u.sigma[j]) && std::isfinite(sigma[j])) {
-      p.sigma = sigma[j];
+    slopes.push_back(n.slope(at));
+    const double sigma = u.sigma[j] * slopes[j];
+    if (std::isfinite(sigma)) {
+      p.sigma = sigma;
       const double shift = p.value - values[j];
       p.interval68 = {n.value(at - u.sigma[j]) + shift, n.value(at + u.sigma[j]) + shift};
     } else {
-      p.why_no_sigma = "the data do not determine it";
+      p.why_no_sigma = why_undetermined(free, u, j);
     }
     r.parameters.push_back(p);
   }
   r.correlation = u.correlation;
-  std::vector<std::vector<double>> covariance(free.size(), std::vector<double>(free.size()));
   for (std::size_t j = 0; j < free.size(); ++j)
-    for (std::size_t k = 0; k < free.size(); ++k)
-      covariance[j][k] = u.correlation[j][k] * sigma[j] * sigma[k];
-  return covariance;
+    for (std::size_t k = 0; k < free.size(); ++k) known.covariance[j][k] *= slopes[j] * slopes[k];
+  for (std::vector<double>& direction : known.undetermined)
+    for (std::size_t j = 0; j < free.size(); ++j) direction[j] *= slopes[j];
+  return known;
 }
 
 }  // namespace
@@ -211,13 +224,13 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
 
   r.best = scene;
   r.model = linear.model(point.aurora, point.solution);
-  const std::vector<std::vector<double>> covariance = put_parameters(free, values, u, r);
+  const ValueUncertainty known = put_parameters(free, values, u, r);
   std::vector<double> tidied;
   for (const FittedParameter& p : r.parameters) tidied.push_back(p.value);
   put_values(r.best, free, tidied);
   put_solution(point.solution, linear.coefficient_variance(point.aurora, point.solution), linear, gains,
                r.error_inflation, r);
-  r.derived = derived_numbers(r.best, free, tidied, covariance);
+  r.derived = derived_numbers(r.best, free, tidied, known);
   r.rms_over_peak = rms_over_peak(r);
   r.evaluations = log.residuals;
   r.jacobian_evaluations = log.jacobians;

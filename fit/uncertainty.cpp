@@ -93,17 +93,30 @@ Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int r
 
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(coordinates, coordinates);
   std::vector<bool> undetermined(coordinates, false);
+  std::vector<std::vector<double>> directions;
   for (int k = 0; k < coordinates; ++k) {
     const double noise_here = std::abs(v.col(k).dot(scaled_noise * v.col(k)));
     if (value(k) > std::max(kRankTolerance * largest, kNoiseTolerance * noise_here)) {
       covariance += v.col(k) * v.col(k).transpose() / value(k);
     } else {
-      for (int i = 0; i < coordinates; ++i)
-        if (v(i, k) * v(i, k) > kLeans * kLeans) undetermined[i] = true;
+      Eigen::VectorXd direction = v.col(k).cwiseQuotient(length);
+      for (int i = 0; i < coordinates; ++i) {
+        if (v(i, k) * v(i, k) > kLeans * kLeans)
+          undetermined[i] = true;
+        else
+          direction(i) = 0.0;
+      }
+      direction /= direction.cwiseAbs().maxCoeff();
+      directions.emplace_back(direction.data(), direction.data() + coordinates);
     }
   }
   Uncertainty result;
   result.inflation = inflation;
+  result.undetermined = directions;
+  result.covariance.assign(coordinates, std::vector<double>(coordinates));
+  for (int i = 0; i < coordinates; ++i)
+    for (int k = 0; k < coordinates; ++k)
+      result.covariance[i][k] = covariance(i, k) / (length(i) * length(k));
   result.sigma.resize(coordinates);
   result.correlation.assign(coordinates, std::vector<double>(coordinates, 0.0));
   for (int i = 0; i < coordinates; ++i) {

@@ -9,7 +9,11 @@ namespace vegard::fit {
 
 struct Uncertainty {
   std::vector<double> sigma;  ///< of every coordinate; NaN where the data do not determine it
-  std::vector<std::vector<double>> correlation;
+  std::vector<std::vector<double>> correlation;  ///< rows of coordinates without an error bar hold zeros
+  /// Of the coordinates, inside what the data determine; for combinations of coordinates (see derived.h).
+  std::vector<std::vector<double>> covariance;
+  /// Directions in which the data say nothing, each with a largest component of 1.
+  std::vector<std::vector<double>> undetermined;
   double inflation = 1.0;  ///< already applied to sigma
 };
 

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace vegard::fit {
 namespace {
 
 constexpr double kLeastChi2 = 0.3, kMostChi2 = 3.0;
 constexpr double kMostRms = 0.10;
+constexpr double kIndependentPerParameter = 10.0;
 constexpr double kLeastGain = 0.5;  // of the chi2 that a dark sky leaves
 
 std::string joined(const std::vector<std::string>& reasons) {
@@ -54,6 +57,13 @@ void judge(const Evidence& evidence, FitResult& result) {
   if (result.rms_over_peak > kMostRms)
     reasons.push_back(
         fmt::format("the rms residual is {:.1f} % of the profile's peak", 100.0 * result.rms_over_peak));
+  const double together = result.error_inflation * result.error_inflation / std::max(1.0, reduced);
+  const double independent = result.dof / std::max(1.0, together);
+  if (independent < kIndependentPerParameter * static_cast<double>(result.parameters.size()))
+    reasons.push_back(
+        fmt::format("the residuals form patterns, worth no more than {:.0f} independent values: see where "
+                    "model and photograph differ",
+                    independent));
   for (const FittedParameter& p : result.parameters) {
     if (p.at_limit) reasons.push_back(p.path + " is at a limit");
     if (!p.sigma) reasons.push_back(p.path + " has no error bar: " + p.why_no_sigma);

@@ -1,0 +1,89 @@
+#include "fit/verdict.h"
+
+#include <gtest/gtest.h>
+
+namespace vegard::fit {
+namespace {
+
+/// A fit with nothing against it.
+FitResult fine() {
+  FitResult r;
+  r.chi2 = 1000.0;
+  r.dof = 1000;
+  r.rms_over_peak = 0.01;
+  r.error_inflation = 2.0;
+  FittedParameter p;
+  p.path = "sheet.main.energy_kev";
+  p.sigma = 0.1;
+  r.parameters.push_back(p);
+  return r;
+}
+
+Evidence clear() {
+  Evidence e;
+  e.converged = true;
+  e.chi2_without_aurora = 1e6;
+  return e;
+}
+
+TEST(Judge, BelievesWhatNothingSpeaksAgainst) {
+  FitResult r = fine();
+  judge(clear(), r);
+  EXPECT_EQ(r.verdict, Verdict::good);
+  EXPECT_TRUE(r.reasons.empty());
+}
+
+TEST(Judge, DoubtsForEachReasonByItself) {
+  const auto doubts = [](const Evidence& evidence, FitResult r, const std::string& word) {
+    judge(evidence, r);
+    EXPECT_EQ(r.verdict, Verdict::doubtful) << word;
+    ASSERT_EQ(r.reasons.size(), 1u) << word;
+    EXPECT_NE(r.reasons[0].find(word), std::string::npos) << r.reasons[0];
+    EXPECT_NE(r.verdict_line.find(word), std::string::npos) << r.verdict_line;
+  };
+  FitResult r = fine();
+  r.chi2 = 3100.0;
+  doubts(clear(), r, "misses something");
+  r = fine();
+  r.chi2 = 290.0;
+  doubts(clear(), r, "proves little");
+  r = fine();
+  r.rms_over_peak = 0.11;
+  doubts(clear(), r, "rms residual");
+  r = fine();
+  r.error_inflation = 10.1;  // 102 residuals to one independent value: fewer than ten are left
+  doubts(clear(), r, "patterns");
+  r = fine();
+  r.parameters[0].at_limit = true;
+  doubts(clear(), r, "at a limit");
+  r = fine();
+  r.parameters[0].sigma.reset();
+  doubts(clear(), r, "no error bar");
+  Evidence e = clear();
+  e.chi2_without_aurora = 1900.0;
+  doubts(e, fine(), "without any aurora");
+  e = clear();
+  e.second_mode = true;
+  e.second_mode_text = "another answer";
+  doubts(e, fine(), "another answer");
+}
+
+TEST(Judge, NeverCallsAFailureASuccess) {
+  FitResult r = fine();
+  Evidence e = clear();
+  e.converged = false;
+  judge(e, r);
+  EXPECT_EQ(r.verdict, Verdict::failed);
+  e = clear();
+  e.aurora_in_view = false;
+  judge(e, r);
+  EXPECT_EQ(r.verdict, Verdict::failed);
+  EXPECT_NE(r.verdict_line.find("region of interest"), std::string::npos);
+  e = clear();
+  e.stopped = true;
+  judge(e, r);
+  EXPECT_EQ(r.verdict, Verdict::interrupted);
+}
+
+}  // namespace
+}  // namespace vegard::fit
