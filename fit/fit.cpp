@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "fit/derived.h"
+#include "fit/flat_directions.h"
 #include "fit/free_parameters.h"
 #include "fit/noise_model.h"
 #include "fit/search.h"
@@ -219,8 +220,16 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
     linear.jacobian(sampled.aurora, sampled.solution, jacobians.back());
     for (std::size_t k = 0; k < jacobians.back().size(); ++k) jacobians.back()[k] *= slopes[k % n];
   }
-  const Uncertainty u =
+  Uncertainty u =
       uncertainty(jacobians, linear.residuals(), static_cast<int>(n), prior_information, r.error_inflation);
+
+  drop_flat_directions(
+      [&](const std::vector<double>& step) {
+        std::vector<double> moved(n);
+        for (std::size_t j = 0; j < n; ++j) moved[j] = free[j].value(free[j].coordinate(values[j]) + step[j]);
+        return (cost.at(moved, false).chi2 - point.chi2) / (r.error_inflation * r.error_inflation);
+      },
+      u);
 
   r.best = scene;
   r.model = linear.model(point.aurora, point.solution);
