@@ -13,7 +13,7 @@ namespace vegard::fit {
 double nearest_distance_km(const sim::Sheet& sheet);
 
 /// Altitude below a line's peak where its volume emission rate has fallen to a tenth, and of the peak itself,
-/// km; from the height profile at the sheet's energy. Source of the tenth: SOURCES row B19.
+/// km; from the height profile at the sheet's energy. Source of the tenth: docs/physics.md, row B19.
 double lower_border_km(double wavelength_nm, double energy_kev);
 double peak_altitude_km(double wavelength_nm, double energy_kev);
 

@@ -110,7 +110,7 @@ std::string why_undetermined(const std::vector<FreeNumber>& free, const Uncertai
   std::string others;
   for (std::size_t k = 0; most != nullptr && k < free.size(); ++k)
     if (k != j && (*most)[k] != 0.0) others += (others.empty() ? "" : " and ") + free[k].path.text;
-  return others.empty() ? "the data do not depend on it" : "it trades off against " + others;
+  return others.empty() ? "the data do not bound it" : "it trades off against " + others;
 }
 
 /// Parameters with their error bars; returns what is known of combinations of them.

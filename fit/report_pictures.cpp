@@ -87,6 +87,34 @@ sim::Image with_unused_dimmed(const Photo& photo) {
   return image;
 }
 
+/// What the report shows of a picture: all of it, or, where the region is a small part, the region with as
+/// much again around it.
+Region shown_part(const Region& region, int width, int height) {
+  constexpr double kSmallPart = 0.4;
+  if (1.0 * region.width * region.height > kSmallPart * width * height) return {0, 0, width, height};
+  const int left = std::max(0, region.x - region.width / 2), top = std::max(0, region.y - region.height / 2);
+  const int right = std::min(width, region.x + region.width + region.width / 2);
+  const int bottom = std::min(height, region.y + region.height + region.height / 2);
+  return {left, top, right - left, bottom - top};
+}
+
+sim::Image cropped(const sim::Image& image, const Region& part) {
+  sim::Image result(part.width, part.height, image.channel_names);
+  for (int y = 0; y < part.height; ++y)
+    for (int x = 0; x < part.width; ++x)
+      for (int c = 0; c < image.channels(); ++c) result.at(x, y, c) = image.at(part.x + x, part.y + y, c);
+  return result;
+}
+
+/// Outside the region nothing was fitted, and a sky continued beyond it means nothing: 0 there.
+sim::Image only_inside(sim::Image image, const Region& region) {
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      if (x < region.x || x >= region.x + region.width || y < region.y || y >= region.y + region.height)
+        for (int c = 0; c < image.channels(); ++c) image.at(x, y, c) = 0.0f;
+  return image;
+}
+
 /// A line that is seen on dark and on bright ground.
 void mark(cv::Mat& picture, cv::Rect box, double opacity) {
   box &= cv::Rect(0, 0, picture.cols, picture.rows);
@@ -95,8 +123,8 @@ void mark(cv::Mat& picture, cv::Rect box, double opacity) {
   cv::Mat(part.mul(cv::Scalar::all(1.0), 1.0 - opacity) + cv::Scalar(90, 220, 255) * opacity).copyTo(part);
 }
 
-void draw_region(cv::Mat& picture, const Profile& data, double scale) {
-  const Region& region = data.region;
+void draw_region(cv::Mat& picture, const Profile& data, const Region& part, double scale) {
+  const Region region{data.region.x - part.x, data.region.y - part.y, data.region.width, data.region.height};
   const auto place = [&](int px) { return static_cast<int>(std::lround(px * scale)); };
   const int left = place(region.x), right = std::min(place(region.x + region.width), picture.cols) - 1;
   const int top = place(region.y), bottom = std::min(place(region.y + region.height), picture.rows) - 1;
@@ -153,17 +181,21 @@ ReportPictures report_pictures(const FitResult& result, const Photo& photo, cons
   const auto for_the_eye = [&](float light) {
     return sim::srgb_encode(std::clamp(pictures.brightness * light, 0.0, 1.0));
   };
-  cv::Mat shown = to_bytes(shrunk(with_unused_dimmed(photo)), for_the_eye);
-  draw_region(shown, result.data, static_cast<double>(shown.cols) / photo.linear.width);
+  const Region& region = result.data.region;
+  const Region part = shown_part(region, photo.linear.width, photo.linear.height);
+  const auto shrunk_part = [&](const sim::Image& image) { return shrunk(cropped(image, part)); };
+  cv::Mat shown = to_bytes(shrunk_part(with_unused_dimmed(photo)), for_the_eye);
+  draw_region(shown, result.data, part, static_cast<double>(shown.cols) / part.width);
   pictures.photo = png_uri(shown);
-  pictures.model = png_uri(to_bytes(shrunk(model.rgb), for_the_eye));
+  pictures.model = png_uri(to_bytes(shrunk_part(only_inside(model.rgb, region)), for_the_eye));
 
-  const double size = quantile(sizes_inside(model.residual, result.data.region), 0.99);
+  const double size = quantile(sizes_inside(model.residual, region), 0.99);
   // One significant digit: a scale that one can read.
   const double unit = size > 0.0 ? std::pow(10.0, std::floor(std::log10(size))) : 1.0;
   pictures.residual_scale = size > 0.0 ? std::ceil(size / unit) * unit : 1.0;
-  pictures.residual = png_uri(to_bytes(
-      shrunk(model.residual), [&](float light) { return 0.5 + 0.5 * light / pictures.residual_scale; }));
+  pictures.residual = png_uri(to_bytes(shrunk_part(only_inside(model.residual, region)), [&](float light) {
+    return 0.5 + 0.5 * light / pictures.residual_scale;
+  }));
   pictures.misfit = misfit_uri(result);
   return pictures;
 }

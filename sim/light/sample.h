@@ -55,7 +55,7 @@ struct FallFrame {
   T across2[3];
 };
 
-/// How a beam is deflected (equation (4) of the source paper and its readings, SOURCES row B14).
+/// How a beam is deflected (equation (4) of the source paper and its readings, docs/physics.md row B14).
 enum class PitchLaw : int { reduced, product, increment, constant };
 
 template <class T>

@@ -1,6 +1,6 @@
 // Blur: the spread of each emission line's light over the picture.
 //
-// Source: Baranoski et al. 2000, section 4.3; SOURCES row B25. Gaussians integrated over the cells,
+// Source: Baranoski et al. 2000, section 4.3; docs/physics.md row B25. Gaussians integrated over the cells,
 // normalised to 1.
 #pragma once
 

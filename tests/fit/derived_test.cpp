@@ -18,7 +18,7 @@ TEST(NearestDistance, IsThePerpendicularOrAnEnd) {
 }
 
 TEST(Altitudes, ArePlacedAsTheSourcesHaveThem) {
-  // SOURCES, section D: 557.7 peaks at 126, 109 and 101 km for E0 = 1, 3 and 10 keV.
+  // docs/physics.md: 557.7 peaks at 126, 109 and 101 km for E0 = 1, 3 and 10 keV.
   EXPECT_NEAR(peak_altitude_km(557.7, 1.0), 126.0, 1.0);
   EXPECT_NEAR(peak_altitude_km(557.7, 3.0), 109.0, 1.0);
   EXPECT_NEAR(peak_altitude_km(557.7, 10.0), 101.0, 1.0);

@@ -39,7 +39,7 @@ void fall_straight(Sheet& sheet) {
 }
 
 TEST(Film, AColumnOfKnownEmissionGivesItsRayleighs) {
-  // SOURCES row B21. A sheet 60 km wide around the zenith, seen within 2 degrees of it: 0.1 * Q * integral of
+  // docs/physics.md row B21. A sheet 60 km wide around the zenith, seen within 2 degrees of it: 0.1 * Q * integral of
   // the volume emission rate. Some 4000 beams cross the picture at the green line's altitude; with a quarter
   // of them the mean scatters by 1.2 % from seed to seed, with eight times as many it is 1.001.
   Scene scene;

@@ -60,7 +60,7 @@ TEST(HeightProfile, HoldsTheColumnsOfTheModelThatMadeTheTables) {
 }
 
 TEST(HeightProfile, HasTheKnownPeaksAndBrightness) {
-  // SOURCES section D: peak of 557.7 nm, rayleighs of 427.8 nm per mW m^-2, and 630.0 / 427.8, given to the
+  // docs/physics.md: peak of 557.7 nm, rayleighs of 427.8 nm per mW m^-2, and 630.0 / 427.8, given to the
   // digits below.
   struct Known {
     double energy_kev, peak_km, blue_rayleigh, ratio, ratio_rounding;

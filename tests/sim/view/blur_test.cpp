@@ -37,7 +37,7 @@ TEST(GaussianKernel, HasItsStandardDeviationAndThatOfACell) {
 }
 
 TEST(GaussianKernel, PaperFiveTapsHoldItsShareBeforeNormalising) {
-  // SOURCES row B25: 78.9 % per axis at sigma 2. Normalising divides by that share.
+  // docs/physics.md row B25: 78.9 % per axis at sigma 2. Normalising divides by that share.
   const BlurKernel full = gaussian_kernel(2.0), cut = gaussian_kernel(2.0, 2);
   ASSERT_EQ(cut.radius(), 2);
   EXPECT_NEAR(full.weights[0] / cut.weights[0], 0.789, 5e-4);
@@ -120,7 +120,7 @@ TEST(Blur, KeepsTheLightThatIsAwayFromTheEdges) {
 }
 
 TEST(BlurSigma, IsThePapersAtThePapersResolutionAndScales) {
-  // Sigma 4.75 and 2.0 px at 383 rows and 35 degrees (SOURCES row B25): 0.43 and 0.18 degrees are those, to
+  // Sigma 4.75 and 2.0 px at 383 rows and 35 degrees (docs/physics.md row B25): 0.43 and 0.18 degrees are those, to
   // half a unit of their last digit.
   Scene scene;
   scene.camera.width = 383;

@@ -15,7 +15,7 @@ Vector3 times(const Matrix3& m, const Vector3& v) {
 }
 
 TEST(Colour, LinesHaveTheirSmpteCValues) {
-  // SOURCES row B24, to three digits behind the point.
+  // docs/physics.md row B24, to three digits behind the point.
   const auto expect = [](double nm, double r, double g, double b) {
     const Vector3 rgb = rgb_of_line(nm, "smpte-c");
     EXPECT_NEAR(rgb[0], r, 6e-4) << nm;
