@@ -2,6 +2,8 @@
 
 #include <ceres/ceres.h>
 
+#include <limits>
+
 namespace vegard::fit {
 namespace {
 
@@ -20,7 +22,8 @@ class Tracer : public ceres::IterationCallback {
       for (std::size_t j = 0; j < free_.size(); ++j) row.values.push_back(free_[j].value(coordinates_[j]));
       trace_.push_back(std::move(row));
     }
-    return log_.exhausted() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+    // Not an abort, which would be a failure and leave the best point behind.
+    return log_.exhausted() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
 
  private:
@@ -31,11 +34,46 @@ class Tracer : public ceres::IterationCallback {
   std::vector<TraceRow>& trace_;
 };
 
+bool begins_with(const std::string& text, const char* beginning) { return text.rfind(beginning, 0) == 0; }
+
+/// What the solver's message means, then the message.
+std::string in_words(const ceres::Solver::Summary& summary) {
+  std::string words;
+  switch (summary.termination_type) {
+    case ceres::CONVERGENCE:
+      words = "converged";
+      if (begins_with(summary.message, "Function tolerance"))
+        words += ": another step would hardly change chi2";
+      else if (begins_with(summary.message, "Parameter tolerance"))
+        words += ": another step would hardly move the parameters";
+      else if (begins_with(summary.message, "Gradient tolerance"))
+        words += ": chi2 is level in every direction";
+      break;
+    case ceres::NO_CONVERGENCE:
+      words = "not converged within the iterations of a descent";
+      break;
+    default:
+      words = "the solver failed";
+  }
+  return words + " (Ceres: " + summary.message + ")";
+}
+
 }  // namespace
+
+std::string words_for_stop(const EvaluationLog& log) {
+  return log.stop != nullptr && log.stop->load() ? "stopped by the user" : "stopped: the evaluations ran out";
+}
 
 Descent descend(const ProfileCost& cost, const std::vector<FreeNumber>& free,
                 const std::vector<double>& start, int iterations, const std::string& stage,
                 EvaluationLog& log, std::vector<TraceRow>& trace) {
+  Descent result;
+  if (log.exhausted()) {
+    result.values = start;
+    result.chi2 = result.chi2_initial = std::numeric_limits<double>::infinity();
+    result.termination = words_for_stop(log);
+    return result;
+  }
   std::vector<double> coordinates(free.size());
   for (std::size_t j = 0; j < free.size(); ++j) coordinates[j] = free[j].coordinate(start[j]);
 
@@ -57,12 +95,12 @@ Descent descend(const ProfileCost& cost, const std::vector<FreeNumber>& free,
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
 
-  Descent result;
   for (std::size_t j = 0; j < free.size(); ++j) result.values.push_back(free[j].value(coordinates[j]));
   result.chi2 = 2.0 * summary.final_cost;
   result.chi2_initial = 2.0 * summary.initial_cost;
   result.converged = summary.termination_type == ceres::CONVERGENCE;
-  result.termination = summary.message;
+  result.termination =
+      summary.termination_type == ceres::USER_SUCCESS ? words_for_stop(log) : in_words(summary);
   return result;
 }
 

@@ -11,14 +11,17 @@ namespace vegard::fit {
 
 struct Descent {
   std::vector<double> values;  ///< where it ended
-  double chi2 = 0.0;
+  double chi2 = 0.0;           ///< there; infinity if nothing was evaluated
   double chi2_initial = 0.0;
   bool converged = false;   ///< by Ceres' tests of the cost, the step or the gradient
-  std::string termination;  ///< in words
+  std::string termination;  ///< in words, Ceres' own after ours
 };
 
+/// "stopped by the user" or "stopped: the evaluations ran out".
+std::string words_for_stop(const EvaluationLog& log);
+
 /// Runs Ceres (dense QR, one thread) from `start` for at most `iterations`. Every accepted step goes to
-/// `trace`.
+/// `trace`. A log that is exhausted ends the descent after the step under way, or before the first.
 Descent descend(const ProfileCost& cost, const std::vector<FreeNumber>& free,
                 const std::vector<double>& start, int iterations, const std::string& stage,
                 EvaluationLog& log, std::vector<TraceRow>& trace);

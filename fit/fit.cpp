@@ -189,6 +189,7 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
   r.termination = outcome.best.termination;
   evidence.converged = outcome.best.converged;
   evidence.stopped = options.stop != nullptr && options.stop->load();
+  if (evidence.stopped) r.termination = words_for_stop(log);
   evidence.out_of_evaluations = !evidence.converged && log.residuals >= log.limit;
   std::vector<double> values = outcome.best.values;
   if (!evidence.converged && !log.best_values.empty()) values = log.best_values;

@@ -80,7 +80,7 @@ struct FitResult {
   double rms_over_peak =
       0.0;  ///< rms residual over all rows, bands, channels / peak of the data's profile above the sky
   double error_inflation = 1.0;  ///< factor on the error bars for correlated residuals and chi2 / dof above 1
-  std::string termination;       ///< Ceres' words or our own
+  std::string termination;       ///< in words, Ceres' own after ours
   int evaluations = 0;           ///< of the residuals, search included
   int jacobian_evaluations = 0;
   std::uint64_t seed = 0;

@@ -2,11 +2,24 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 #include "sim/render.h"
 #include "sim/view/sky.h"
 
 namespace vegard::fit {
+namespace {
+
+// How many times the scene's beams: enough that single ones are hardly seen, within a second or so.
+constexpr int kLeastTimes = 4, kMostTimes = 16;
+constexpr int kDenseBeams = 32000;  // of a layer: more than the least are not needed
+
+int dense(int beams) {
+  const int least = std::min(beams, std::numeric_limits<int>::max() / kLeastTimes) * kLeastTimes;
+  return std::max(least, std::min(beams, kDenseBeams / kMostTimes) * kMostTimes);
+}
+
+}  // namespace
 
 double gain_at_column(const FitResult& result, double x_px, int channel) {
   const int bands = static_cast<int>(result.gain.size());
@@ -23,9 +36,18 @@ double gain_at_column(const FitResult& result, double x_px, int channel) {
   return (1.0 - t) * result.gain[right - 1][channel] + t * result.gain[right][channel];
 }
 
+sim::Scene scene_of_expectation(const FitResult& result) {
+  sim::Scene scene = result.best;
+  for (sim::Sheet& sheet : scene.sheets) {
+    sheet.spacing_jitter = 0.0;
+    sheet.beams = dense(sheet.beams);
+  }
+  return scene;
+}
+
 ModelPicture model_picture(const FitResult& result, const Photo& photo, int threads) {
   assert(photo.linear.width == result.best.camera.width && photo.linear.height == result.best.camera.height);
-  sim::Scene scene = result.best;
+  sim::Scene scene = scene_of_expectation(result);
   scene.sensor.gain_per_kilorayleigh = 1.0;
   sim::RenderOptions options;
   options.threads = threads;

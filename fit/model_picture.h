@@ -1,4 +1,8 @@
 // The best model as a picture beside its photograph.
+//
+// The fit compares the photograph with the expectation of the light, whatever the scene's own beams are: it
+// leaves out their random spacing (fit/profile_model.cpp). The picture is of the same: no jitter, and beams
+// so dense that single ones are not seen. `vegard render best.toml` shows one realisation instead.
 #pragma once
 
 #include "fit/fit_result.h"
@@ -18,7 +22,11 @@ struct ModelPicture {
 /// gain in all of a band.) result.gain may be empty: then the best scene's own.
 double gain_at_column(const FitResult& result, double x_px, int channel);
 
-/// Renders result.best. The photograph must have its camera's size. threads: 0 for all cores.
+/// result.best as the picture has it: spacing_jitter 0 and 4 to 16 times the beams in every sheet.
+sim::Scene scene_of_expectation(const FitResult& result);
+
+/// Renders scene_of_expectation(result). The photograph must have its camera's size. threads: 0 for all
+/// cores.
 ModelPicture model_picture(const FitResult& result, const Photo& photo, int threads);
 
 }  // namespace vegard::fit

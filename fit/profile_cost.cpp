@@ -33,11 +33,13 @@ ProfileCost::Point ProfileCost::at(const std::vector<double>& values, bool with_
 }
 
 bool ProfileCost::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
-  if (log_.exhausted()) return false;
   const std::size_t p = free_.size();
   std::vector<double> values(p);
   for (std::size_t j = 0; j < p; ++j) values[j] = free_[j].value(parameters[0][j]);
   const bool with_derivatives = jacobians != nullptr && jacobians[0] != nullptr;
+  // Of a trial step Ceres takes the refusal quietly, and its callback then ends the descent. A Jacobian that
+  // is refused it calls a failure, and writes so to stderr, whatever the logging type.
+  if (log_.exhausted() && !with_derivatives) return false;
   const Point point = at(values, with_derivatives);
   if (!std::isfinite(point.chi2)) return false;
 

@@ -61,10 +61,11 @@ std::string pictures_section(const ReportPictures& pictures) {
       "<div class=\"three\">\n" +
           figure(pictures.photo, "Photograph",
                  "Framed: the region that was fitted, with its bands." + brightness) +
-          figure(
-              pictures.model, "Model",
-              "The best scene, rendered. Its brightness per band is joined from band to band without seams." +
-                  brightness) +
+          figure(pictures.model, "Model",
+                 "The best scene, rendered without the random spacing of its beams: the expectation that was "
+                 "fitted, not one realisation. Its brightness per band is joined from band to band without "
+                 "seams." +
+                     brightness) +
           figure(pictures.residual, "Residual",
                  "Photograph \u2212 model in linear light. Mid-grey is zero, black and white are \u00b1" +
                      scale + " of full scale.") +
@@ -101,8 +102,17 @@ std::string fit_section(const FitResult& result) {
   if (!correlation.empty())
     html += "<div><h3>Correlation of the parameters</h3>\n" + correlation +
             "<p class=\"soft\">Near \u00b11 the photograph cannot tell two parameters apart.</p></div>\n";
-  if (!result.trace.empty()) html += "<div><h3>&#160;</h3>\n" + trace_svg(result) + "</div>\n";
+  if (!result.trace.empty())
+    html += "<div><h3>&#160;</h3>\n" + trace_svg(result) +
+            "<p class=\"soft\">Lines: the best so far. Start and polish (solid) are of the full model; "
+            "overall, scan and descent (dashed) go by smoothed profiles with wider errors, so that their "
+            "\u03c7\u00b2 cannot be compared with the others\u2019.</p></div>\n";
   return section("How well it fits", "", html + "</div>\n");
+}
+
+std::string sky_words(int terms) {
+  if (terms == 1) return "a level";
+  return terms == 2 ? "a level and a gradient" : "a level, a gradient and a curvature";
 }
 
 std::string title_of(const FitResult& result, const Photo& photo) {
@@ -141,7 +151,8 @@ std::string report_html(const FitResult& result, const Photo& photo, const Model
     html += section(
         "Solved along the way",
         "Linear numbers, exact at every step of the search: the gain is the linear light of one kilorayleigh "
-        "of 557.7\u00a0nm; the sky is a level and a gradient over the picture\u2019s height.",
+        "of 557.7\u00a0nm; the sky, over the picture\u2019s height, is " +
+            sky_words(result.best.fit.sky_terms) + ".",
         solved_table(result));
   html += section("Where it comes from", "", provenance_table(result));
   html +=

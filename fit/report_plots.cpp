@@ -95,6 +95,34 @@ Panel share_panel(const std::string& title, const ComparedProfile& profile, cons
   return panel;
 }
 
+/// "descent 1", "descent 2" are one kind.
+std::string kind_of(const std::string& stage) {
+  return stage.substr(0, stage.find_last_not_of("0123456789 ") + 1);
+}
+
+/// The other stages work on smoothed profiles with errors of their own (fit/search.h): their chi2 is another
+/// scale.
+bool is_of_full_model(const std::string& kind) { return kind == "start" || kind == "polish"; }
+
+/// A line of steps that only falls.
+struct BestSoFar {
+  explicit BestSoFar(Mark mark) {
+    series.mark = mark;
+    series.colour = {60, 60, 60};
+  }
+  void add(double evaluation, double height) {
+    if (!series.x.empty()) point(evaluation);
+    least = std::min(least, height);
+    point(evaluation);
+  }
+  void point(double evaluation) {
+    series.x.push_back(evaluation);
+    series.y.push_back(least);
+  }
+  Series series;
+  double least = INFINITY;
+};
+
 }  // namespace
 
 std::string mean_profile_svg(const FitResult& result, const ElevationOfPixel& elevation_of_pixel) {
@@ -191,13 +219,11 @@ std::string band_profiles_svg(const FitResult& result, const ElevationOfPixel& e
 std::string trace_svg(const FitResult& result) {
   Panel panel;
   std::map<std::string, std::size_t> series_of_stage;
-  Series best = curve("best so far", {}, {}, {60, 60, 60});
-  double least = INFINITY;
+  BestSoFar coarse(Mark::dashed_line), full(Mark::line);
   for (const TraceRow& row : result.trace) {
-    if (result.dof <= 0 || !(row.chi2 > 0.0)) continue;
+    if (result.dof <= 0 || !(row.chi2 > 0.0) || !std::isfinite(row.chi2)) continue;
     const double height = std::log10(row.chi2 / result.dof);
-    // "descent 1", "descent 2" are one kind.
-    std::string kind = row.stage.substr(0, row.stage.find_last_not_of("0123456789 ") + 1);
+    const std::string kind = kind_of(row.stage);
     const auto [place, is_new] = series_of_stage.emplace(kind, panel.series.size());
     if (is_new) {
       Series series;
@@ -209,11 +235,10 @@ std::string trace_svg(const FitResult& result) {
     }
     panel.series[place->second].x.push_back(row.evaluation);
     panel.series[place->second].y.push_back(height);
-    least = std::min(least, height);
-    best.x.push_back(row.evaluation);
-    best.y.push_back(least);
+    (is_of_full_model(kind) ? full : coarse).add(row.evaluation, height);
   }
-  panel.series.insert(panel.series.begin(), std::move(best));
+  for (BestSoFar* best : {&coarse, &full})
+    if (!best->series.x.empty()) panel.series.insert(panel.series.begin(), std::move(best->series));
   panel.x.label = "evaluation";
   panel.y.label = "log\u2081\u2080(\u03c7\u00b2 / degree of freedom)";
   Plot plot;

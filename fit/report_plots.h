@@ -20,7 +20,8 @@ std::string colour_svg(const FitResult& result, const ElevationOfPixel& elevatio
 /// Brightness against height in single bands, at most six, spread over the region.
 std::string band_profiles_svg(const FitResult& result, const ElevationOfPixel& elevation_of_pixel);
 
-/// log10(chi2 / dof) against evaluation.
+/// log10(chi2 / dof) against evaluation; the best so far once for the stages on smoothed profiles and once
+/// for the full model, whose chi2 cannot be compared.
 std::string trace_svg(const FitResult& result);
 
 }  // namespace vegard::fit

@@ -60,6 +60,7 @@ code { font-family: "SFMono-Regular", Consolas, "Liberation Mono", "DejaVu Sans 
 .provenance th { width: 150px; } .hash { color: var(--soft); font-size: 12px; overflow-wrap: anywhere;
   font-family: "SFMono-Regular", Consolas, "Liberation Mono", "DejaVu Sans Mono", monospace; }
 .two { display: flex; flex-wrap: wrap; gap: 10px 40px; align-items: flex-start; }
+.two .soft { max-width: 480px; }
 .matrix td, .matrix th { border: 0; padding: 5px 7px; text-align: center; font-variant-numeric: tabular-nums;
   font-size: 12.5px; min-width: 44px; }
 .matrix tbody th { text-align: left; white-space: nowrap; font-weight: 400; padding-left: 0; }

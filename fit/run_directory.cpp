@@ -27,11 +27,15 @@ std::string best_scene(const FitResult& result) {
 }
 
 sim::ImageAttributes attributes_of(const FitResult& result, const std::string& units) {
-  sim::ImageAttributes attributes = {{"scene", sim::write_scene(result.best)},
-                                     {"seed", std::to_string(result.seed)},
-                                     {"version", sim::version()},
-                                     {"verdict", verdict_name(result.verdict)},
-                                     {"units", units}};
+  sim::ImageAttributes attributes = {
+      {"scene", sim::write_scene(result.best)},
+      {"seed", std::to_string(result.seed)},
+      {"version", sim::version()},
+      {"verdict", verdict_name(result.verdict)},
+      {"units", units},
+      {"model",
+       "the expectation that was fitted: the scene without its spacing_jitter and "
+       "with more beams"}};
   if (!result.best.site.time_utc.empty()) attributes["DateTime"] = result.best.site.time_utc;
   return attributes;
 }

@@ -115,6 +115,7 @@ class Search {
   /// Keeps the best point met, for an interrupted fit. What the full model has seen goes before what the
   /// coarse one has.
   void note(const Values& values, double chi2, bool full) {
+    if (!std::isfinite(chi2)) return;
     if (full == log_.best_is_full ? chi2 >= log_.best_chi2 : !full) return;
     log_.best_is_full = full;
     log_.best_chi2 = chi2;
@@ -336,6 +337,7 @@ class Search {
   }
 
   void record(const Trial& trial, const std::string& stage) {
+    if (!std::isfinite(trial.chi2)) return;
     note(trial.values, trial.chi2, false);
     trace_.push_back({stage, log_.residuals, trial.chi2, trial.values});
   }

@@ -9,7 +9,7 @@ expect_stdout "runs/one/report.html"
 found=$(find runs/one -mindepth 1 -printf '%f\n' | LC_ALL=C sort | xargs)
 [[ $found == "best.toml model.exr profiles.csv report.html residual.exr result.json trace.csv" ]] ||
   fail "the run holds: $found"
-for text in '"verdict": "good"' '"role": "photo"' '"name": "photo.png"' '"seed": 7' \
+for text in '"verdict": "good"' '"termination": "converged: ' '(Ceres: ' '"role": "photo"' '"name": "photo.png"' '"seed": 7' \
   "\"sha256\": \"$(sha256sum photo.png | cut -d' ' -f1)\"" "\"sha256\": \"$(sha256sum "$SCENES/fit.toml" | cut -d' ' -f1)\"" \
   '"command": "vegard fit '; do
   grep -qF -- "$text" runs/one/result.json || fail "no '$text' in result.json"

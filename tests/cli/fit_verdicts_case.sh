@@ -10,6 +10,12 @@ expect_file behind/report.html
 # Stopped before it could converge.
 expect_exit 4 fit "$SCENES/fit.toml" --photo photo.png --out stopped --max-evaluations 1
 grep -qF '"verdict": "failed"' stopped/result.json || fail "another verdict"
+# Stopped in the middle of a descent: in our words, without the solver's own on stderr.
+expect_exit 4 fit "$SCENES/fit.toml" --photo photo.png --out midway --max-evaluations 4
+for run in stopped midway; do
+  grep -qF '"termination": "stopped: the evaluations ran out"' "$run/result.json" || fail "another end of $run"
+done
+! grep -qiE 'logging|terminating|trust_region' "$stderr" || fail "the solver's log is among the messages"
 # Converged, but with errors so wide that the agreement proves nothing.
 expect_exit 5 fit "$SCENES/fit.toml" --photo photo.png --out wide --set fit.model_error=0.2
 expect_stdout "Doubtful"

@@ -20,14 +20,15 @@ TEST(ModelPicture, JoinsTheGainsBetweenTheBandsCentres) {
   EXPECT_DOUBLE_EQ(gain_at_column(result, 39.5, 0), 0.04);
 }
 
-// With one gain for all it is what `vegard render` makes of the best scene, clipped before the sky.
-TEST(ModelPicture, IsTheRenderingOfTheBestScene) {
+// With one gain for all it is what `vegard render` makes of the best scene's expectation, clipped before the
+// sky.
+TEST(ModelPicture, IsTheRenderingOfTheBestScenesExpectation) {
   const Photo photo = tests::small_photo();
   FitResult result = tests::small_fit(photo);
   result.gain = {{0.05, 0.05, 0.05}};
   result.best.sensor.gain_per_kilorayleigh = 0.05;
   const ModelPicture picture = model_picture(result, photo, 1);
-  const sim::Rendering rendering = sim::render(result.best);
+  const sim::Rendering rendering = sim::render(scene_of_expectation(result));
   ASSERT_GT(*std::max_element(rendering.rayleigh.data.begin(), rendering.rayleigh.data.end()), 0.0f);
   for (int y = 0; y < 30; ++y)
     for (int x = 0; x < 40; ++x)
@@ -38,6 +39,19 @@ TEST(ModelPicture, IsTheRenderingOfTheBestScene) {
         ASSERT_FLOAT_EQ(picture.residual.at(x, y, c), photo.linear.at(x, y, c) - picture.rgb.at(x, y, c));
       }
   EXPECT_EQ(picture.rayleigh.data, rendering.rayleigh.data);
+}
+
+// Nor is it one realisation: neither jitter nor its random numbers are in it.
+TEST(ModelPicture, HasDenseBeamsWithoutJitter) {
+  FitResult result = tests::small_fit(tests::small_photo());
+  result.best.sheets[0].beams = 2000;
+  const sim::Scene scene = scene_of_expectation(result);
+  EXPECT_GT(result.best.sheets[0].spacing_jitter, 0.0);
+  EXPECT_EQ(scene.sheets[0].spacing_jitter, 0.0);
+  EXPECT_EQ(scene.sheets[0].beams, 32000);
+  // Who has many already pays for no more than four times as many.
+  result.best.sheets[0].beams = 50000;
+  EXPECT_EQ(scene_of_expectation(result).sheets[0].beams, 200000);
 }
 
 }  // namespace
