@@ -7,7 +7,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kFunctionTolerance = 1e-4;  // of the cost: far below what an error bar could show
+constexpr double kFunctionTolerance = 3e-5;  // of the cost: far below what an error bar could show
 constexpr double kParameterTolerance = 1e-7;
 
 class Tracer : public ceres::IterationCallback {

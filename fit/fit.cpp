@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 #include "fit/derived.h"
 #include "fit/flat_directions.h"
@@ -21,7 +21,7 @@ constexpr double kCoarseShare = 0.25;  // of the beams, for the search
 constexpr double kSmoothing = 0.025;   // of the region's height, for the search
 constexpr double kSearchError = 0.1;   // the search weighs bright and dark alike
 constexpr double kSearchPeakShare = 0.5;
-constexpr int kSamplings = 4;        // for the error bars
+constexpr int kSamplings = 8;        // for the error bars
 constexpr double kSecondMode = 4.0;  // difference of chi2 (two standard deviations) in units of the inflation
 
 void check_sizes(const sim::Scene& scene, const Photo& photo) {
@@ -32,6 +32,18 @@ void check_sizes(const sim::Scene& scene, const Photo& photo) {
       {"the camera has " + size(scene.camera.width, scene.camera.height) + " pixels, " + photo.file_name +
            " has " + size(photo.linear.width, photo.linear.height),
        scene.file, 0, "camera.width", "the photograph's size", "set camera.width and camera.height"});
+}
+
+/// A film that counts points, or puts each into one cell, has no derivative by the points' places.
+void check_film(const sim::Scene& scene) {
+  const auto refuse = [&](const char* key, const std::string& value, const char* needed) {
+    if (value == needed) return;
+    throw sim::Error(sim::ErrorKind::scene,
+                     {"\"" + value + "\" cannot be fitted", scene.file, 0, key,
+                      "\"" + std::string(needed) + "\"", "the literal forward map is for rendering only"});
+  };
+  refuse("film.weight", scene.film.weight, "rayleigh");
+  refuse("film.splat", scene.film.splat, "bilinear");
 }
 
 /// 360 or 2 pi for an angle, 0 for anything else.
@@ -66,12 +78,15 @@ double rms_over_peak(const FitResult& r) {
 }
 
 /// Gains and sky into the result and into its best scene.
-void put_solution(const LinearSolution& solution, const std::vector<double>& variance,
-                  const LinearPart& linear, const GainLayout& gains, double inflation, FitResult& r) {
+void put_solution(const ProfileCost::Point& point, const ValueUncertainty& known, const LinearPart& linear,
+                  const GainLayout& gains, FitResult& r) {
+  const LinearSolution& solution = point.solution;
+  const std::vector<double> variance =
+      linear.coefficient_variance(point.aurora, solution, r.error_inflation, known.covariance);
   static const char* const kChannel[3] = {"red", "green", "blue"};
   const auto solved = [&](const std::string& name, int j) {
     SolvedNumber s{name, solution.coefficients[j], {}};
-    if (variance[j] > 0.0) s.sigma = inflation * std::sqrt(variance[j]);
+    if (variance[j] > 0.0) s.sigma = std::sqrt(variance[j]);
     r.solved.push_back(s);
   };
   for (int b = 0; b < (gains.per_band ? gains.bands : 1); ++b)
@@ -115,7 +130,7 @@ std::string why_undetermined(const std::vector<FreeNumber>& free, const Uncertai
 
 /// Parameters with their error bars; returns what is known of combinations of them.
 ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::vector<double>& values,
-                                const Uncertainty& u, FitResult& r) {
+                                const Uncertainty& u, bool stopped, FitResult& r) {
   ValueUncertainty known{u.covariance, u.undetermined};
   std::vector<double> slopes;
   for (std::size_t j = 0; j < free.size(); ++j) {
@@ -137,7 +152,7 @@ ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::
       const double shift = p.value - values[j];
       p.interval68 = {n.value(at - u.sigma[j]) + shift, n.value(at + u.sigma[j]) + shift};
     } else {
-      p.why_no_sigma = why_undetermined(free, u, j);
+      p.why_no_sigma = stopped ? "the fit was interrupted" : why_undetermined(free, u, j);
     }
     r.parameters.push_back(p);
   }
@@ -149,10 +164,46 @@ ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::
   return known;
 }
 
+/// An interrupted fit is to end at once.
+Uncertainty no_uncertainty(std::size_t coordinates, double inflation) {
+  Uncertainty u;
+  u.inflation = inflation;
+  u.sigma.assign(coordinates, std::numeric_limits<double>::quiet_NaN());
+  u.correlation.assign(coordinates, std::vector<double>(coordinates, 0.0));
+  u.covariance = u.correlation;
+  return u;
+}
+
+/// Error bars from several samplings of the same scene (see uncertainty.h).
+Uncertainty sampled_uncertainty(const sim::Scene& scene, const Photo& photo, const Region& region,
+                                const std::vector<FreeNumber>& free, const std::vector<double>& values,
+                                const LinearPart& linear, double inflation, int threads) {
+  const std::size_t n = free.size();
+  std::vector<double> slopes, prior_information;
+  for (std::size_t j = 0; j < n; ++j) {
+    slopes.push_back(free[j].slope(free[j].coordinate(values[j])));
+    prior_information.push_back(free[j].prior ? std::pow(slopes[j] / free[j].prior->sigma, 2) : 0.0);
+  }
+  EvaluationLog closing;
+  std::vector<std::vector<double>> jacobians;
+  for (int sampling = 0; sampling < kSamplings; ++sampling) {
+    sim::Scene other = scene;
+    put_values(other, free, values);
+    other.seed += static_cast<std::uint64_t>(sampling);
+    ProfileModel model(other, photo, region, scene.fit.bands, 1.0, 0.0, threads);
+    const ProfileCost::Point sampled = ProfileCost(other, free, model, linear, closing).at(values, true);
+    jacobians.emplace_back();
+    linear.jacobian(sampled.aurora, sampled.solution, jacobians.back());
+    for (std::size_t k = 0; k < jacobians.back().size(); ++k) jacobians.back()[k] *= slopes[k % n];
+  }
+  return uncertainty(jacobians, linear.residuals(), static_cast<int>(n), prior_information, inflation);
+}
+
 }  // namespace
 
 FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOptions& options) {
   check_sizes(scene, photo);
+  check_film(scene);
   const std::vector<FreeNumber> free = free_numbers(scene);
   const Region region = checked_region(scene.fit.roi_px, photo.linear.width, photo.linear.height);
 
@@ -194,56 +245,42 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
   std::vector<double> values = outcome.best.values;
   if (!evidence.converged && !log.best_values.empty()) values = log.best_values;
 
-  // The last word: full model, exact Jacobian, whatever the limits on evaluations say.
-  log.limit = std::numeric_limits<int>::max();
-  const ProfileCost cost(scene, free, full, linear, log);
+  // The last word: full model, exact Jacobian, whatever the limit on evaluations says.
+  r.evaluations = log.residuals;
+  r.jacobian_evaluations = log.jacobians;
+  EvaluationLog closing;
+  const ProfileCost cost(scene, free, full, linear, closing);
   const ProfileCost::Point point = cost.at(values, true);
   const int held = static_cast<int>(std::count(point.solution.held.begin(), point.solution.held.end(), true));
   r.chi2 = point.chi2;
-  r.dof = linear.residuals() - unknowns + held;
+  const auto has_prior = [](const FreeNumber& number) { return number.prior.has_value(); };
+  const int priors = static_cast<int>(std::count_if(free.begin(), free.end(), has_prior));
+  r.dof = linear.residuals() + priors - unknowns + held;
   r.error_inflation = error_inflation(r.data, linear.used(), point.solution.residual, r.dof);
 
-  // Error bars from several samplings of the same scene (see uncertainty.h).
   const std::size_t n = free.size();
-  std::vector<double> slopes, prior_information;
-  for (std::size_t j = 0; j < n; ++j) {
-    slopes.push_back(free[j].slope(free[j].coordinate(values[j])));
-    prior_information.push_back(free[j].prior ? std::pow(slopes[j] / free[j].prior->sigma, 2) : 0.0);
-  }
-  std::vector<std::vector<double>> jacobians;
-  for (int sampling = 0; sampling < kSamplings; ++sampling) {
-    sim::Scene other = scene;
-    put_values(other, free, values);
-    other.seed += static_cast<std::uint64_t>(sampling);
-    ProfileModel model(other, photo, region, scene.fit.bands, 1.0, 0.0, options.threads);
-    const ProfileCost::Point sampled = ProfileCost(other, free, model, linear, log).at(values, true);
-    jacobians.emplace_back();
-    linear.jacobian(sampled.aurora, sampled.solution, jacobians.back());
-    for (std::size_t k = 0; k < jacobians.back().size(); ++k) jacobians.back()[k] *= slopes[k % n];
-  }
-  Uncertainty u =
-      uncertainty(jacobians, linear.residuals(), static_cast<int>(n), prior_information, r.error_inflation);
-
-  drop_flat_directions(
-      [&](const std::vector<double>& step) {
-        std::vector<double> moved(n);
-        for (std::size_t j = 0; j < n; ++j) moved[j] = free[j].value(free[j].coordinate(values[j]) + step[j]);
-        return (cost.at(moved, false).chi2 - point.chi2) / (r.error_inflation * r.error_inflation);
-      },
-      u);
+  Uncertainty u = evidence.stopped ? no_uncertainty(n, r.error_inflation)
+                                   : sampled_uncertainty(scene, photo, region, free, values, linear,
+                                                         r.error_inflation, options.threads);
+  if (!evidence.stopped)
+    drop_flat_directions(
+        [&](const std::vector<double>& step) {
+          std::vector<double> moved(n);
+          for (std::size_t k = 0; k < n; ++k)
+            moved[k] = free[k].value(free[k].coordinate(values[k]) + step[k]);
+          return (cost.at(moved, false).chi2 - point.chi2) / (r.error_inflation * r.error_inflation);
+        },
+        u);
 
   r.best = scene;
   r.model = linear.model(point.aurora, point.solution);
-  const ValueUncertainty known = put_parameters(free, values, u, r);
+  const ValueUncertainty known = put_parameters(free, values, u, evidence.stopped, r);
   std::vector<double> tidied;
   for (const FittedParameter& p : r.parameters) tidied.push_back(p.value);
   put_values(r.best, free, tidied);
-  put_solution(point.solution, linear.coefficient_variance(point.aurora, point.solution), linear, gains,
-               r.error_inflation, r);
+  put_solution(point, known, linear, gains, r);
   r.derived = derived_numbers(r.best, free, tidied, known);
   r.rms_over_peak = rms_over_peak(r);
-  r.evaluations = log.residuals;
-  r.jacobian_evaluations = log.jacobians;
 
   evidence.aurora_in_view = std::any_of(point.aurora.value.begin(), point.aurora.value.end(),
                                         [](double light) { return light > 0.0; });

@@ -8,9 +8,9 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kProbe = 3.0;       // standard deviations
-constexpr double kLeastRise = 0.25;  // of the parabola's
-constexpr double kOwes = 0.5;        // of a variance
+constexpr double kProbe = 3.0;            // standard deviations
+constexpr double kLeastRise = 0.25;       // of the parabola's
+constexpr double kOwes = 0.5;             // of a variance
 constexpr double kPartOfDirection = 0.5;  // of a standard deviation
 
 }  // namespace

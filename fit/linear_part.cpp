@@ -107,10 +107,10 @@ LinearSolution LinearPart::solve(const ModelProfile& aurora) const {
   return solution;
 }
 
-void LinearPart::jacobian(const ModelProfile& aurora, const LinearSolution& solution,
-                          std::vector<double>& out) const {
+/// d coefficient / d parameter.
+Eigen::MatrixXd LinearPart::coefficient_slopes(const ModelProfile& aurora, const LinearSolution& solution,
+                                               const Normal& normal) const {
   const int n = coefficients(), p = aurora.free;
-  const Normal normal = normal_matrix(aurora, solution.held);
   // With A(θ) c = model: dc = (AᵀWA)⁻¹ (dAᵀ W r − Aᵀ W dA c), and the residual falls by dA c + A dc.
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, p);
   for (std::size_t k = 0; k < used_.size(); ++k) {
@@ -127,7 +127,13 @@ void LinearPart::jacobian(const ModelProfile& aurora, const LinearSolution& solu
       for (int t = 0; t < sky_terms_; ++t) right(sky(t, w.channel), j) -= w.sky[t] * change;
     }
   }
-  const Eigen::MatrixXd dc = normal.factors.solve(right);
+  return normal.factors.solve(right);
+}
+
+void LinearPart::jacobian(const ModelProfile& aurora, const LinearSolution& solution,
+                          std::vector<double>& out) const {
+  const int p = aurora.free;
+  const Eigen::MatrixXd dc = coefficient_slopes(aurora, solution, normal_matrix(aurora, solution.held));
   out.resize(used_.size() * p);
   for (std::size_t k = 0; k < used_.size(); ++k) {
     const std::size_t i = used_[k];
@@ -158,13 +164,26 @@ std::vector<double> LinearPart::model(const ModelProfile& aurora, const LinearSo
   return all;
 }
 
-std::vector<double> LinearPart::coefficient_variance(const ModelProfile& aurora,
-                                                     const LinearSolution& solution) const {
+std::vector<double> LinearPart::coefficient_variance(
+    const ModelProfile& aurora, const LinearSolution& solution, double inflation,
+    const std::vector<std::vector<double>>& covariance) const {
   const int n = coefficients();
-  const Eigen::MatrixXd covariance =
-      normal_matrix(aurora, solution.held).factors.solve(Eigen::MatrixXd::Identity(n, n));
-  std::vector<double> variance(n);
-  for (int j = 0; j < n; ++j) variance[j] = j < gains_.count() && solution.held[j] ? 0.0 : covariance(j, j);
+  const Normal normal = normal_matrix(aurora, solution.held);
+  const Eigen::MatrixXd own = normal.factors.solve(Eigen::MatrixXd::Identity(n, n));
+  const Eigen::MatrixXd slopes = coefficient_slopes(aurora, solution, normal);
+  std::vector<bool> seen(n, false);
+  for (const Where& w : where_) {
+    seen[w.gain] = true;
+    for (int t = 0; t < sky_terms_; ++t) seen[sky(t, w.channel)] = true;
+  }
+  std::vector<double> variance(n, 0.0);
+  for (int j = 0; j < n; ++j) {
+    if (!seen[j] || (j < gains_.count() && solution.held[j])) continue;
+    variance[j] = inflation * inflation * own(j, j);
+    for (std::size_t a = 0; a < covariance.size(); ++a)
+      for (std::size_t b = 0; b < covariance.size(); ++b)
+        variance[j] += slopes(j, static_cast<int>(a)) * covariance[a][b] * slopes(j, static_cast<int>(b));
+  }
   return variance;
 }
 

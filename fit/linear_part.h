@@ -5,6 +5,7 @@
 // gradient * place.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <vector>
 
@@ -56,11 +57,17 @@ class LinearPart {
   /// Model profile in the data's units, at all values (also those not used).
   std::vector<double> model(const ModelProfile& aurora, const LinearSolution& solution) const;
 
-  /// Covariance of the coefficients at fixed aurora (before any inflation); held ones have 0.
-  std::vector<double> coefficient_variance(const ModelProfile& aurora, const LinearSolution& solution) const;
+  /// Variances of the coefficients: their own at fixed aurora, times inflation squared, and what they owe to
+  /// the free parameters' covariance [parameter][parameter]. 0 for a held gain and for a sky without data.
+  /// aurora must carry derivatives.
+  std::vector<double> coefficient_variance(const ModelProfile& aurora, const LinearSolution& solution,
+                                           double inflation,
+                                           const std::vector<std::vector<double>>& covariance) const;
 
  private:
   struct Normal;
+  Eigen::MatrixXd coefficient_slopes(const ModelProfile& aurora, const LinearSolution& solution,
+                                     const Normal& normal) const;
   Normal normal_matrix(const ModelProfile& aurora, const std::vector<bool>& held) const;
   std::array<double, 3> sky_basis(int row) const;
 

@@ -76,6 +76,14 @@ struct ProfileModel::Workspace {
     return shifted(&from, &scene);
   }
 
+  /// The kernel of a line, or its derivative, in cells of so many pixels.
+  sim::BlurKernel kernel(int line, double cell_px, bool derivative = false) const {
+    const int radius_px = sim::blur_radius_px(scene, line);
+    const int radius = radius_px < 0 ? -1 : static_cast<int>(std::lround(radius_px / cell_px));
+    const double sigma = sim::blur_sigma_px(scene, line) / cell_px;
+    return derivative ? sim::gaussian_kernel_derivative(sigma, radius) : sim::gaussian_kernel(sigma, radius);
+  }
+
   /// Blurs and colours the exposure; fills `lines`, `lit` and the values.
   void finish_values(ModelProfile& out) {
     const std::size_t cells = exposure.cells();
@@ -83,11 +91,10 @@ struct ProfileModel::Workspace {
     lines.resize(cells * count);
     down.resize(cells);
     for (int l = 0; l < count; ++l) {
-      const double sigma = sim::blur_sigma_px(scene, l);
       sim::blur_down(exposure.rayleigh.data() + l * cells, down.data(), film.rows, film.columns, 1,
-                     sim::gaussian_kernel(sigma / film.cell_height_px), threads);
+                     kernel(l, film.cell_height_px), threads);
       sim::blur_across(down.data(), lines.data() + l * cells, film.rows, film.columns, 1,
-                       sim::gaussian_kernel(sigma / film.cell_width_px), threads);
+                       kernel(l, film.cell_width_px), threads);
     }
     const std::vector<sim::Vector3> colour = colours();
     lit.resize(cells * 3);
@@ -227,8 +234,8 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std:
   w.blurred.resize(cells);
   for (int l = 0; l < w.exposure.lines; ++l) {
     const double sigma = sim::blur_sigma_px(w.scene, l);
-    const sim::BlurKernel down = sim::gaussian_kernel(sigma / w.film.cell_height_px);
-    const sim::BlurKernel across = sim::gaussian_kernel(sigma / w.film.cell_width_px);
+    const sim::BlurKernel down = w.kernel(l, w.film.cell_height_px);
+    const sim::BlurKernel across = w.kernel(l, w.film.cell_width_px);
     sim::blur_down(w.exposure.derivative.data() + l * cells * stride, w.wide_down.data(), w.film.rows,
                    w.film.columns, stride, down, w.threads);
     sim::blur_across(w.wide_down.data(), w.wide_blurred.data(), w.film.rows, w.film.columns, stride, across,
@@ -248,9 +255,8 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std:
         for (float& x : w.blurred) x *= static_cast<float>(growth * per_cell);
         w.add_derivatives(w.blurred.data(), 1, 1, static_cast<int>(j), l, out);
       };
-      add(sim::gaussian_kernel_derivative(sigma / w.film.cell_height_px), across,
-          1.0 / w.film.cell_height_px);
-      add(down, sim::gaussian_kernel_derivative(sigma / w.film.cell_width_px), 1.0 / w.film.cell_width_px);
+      add(w.kernel(l, w.film.cell_height_px, true), across, 1.0 / w.film.cell_height_px);
+      add(down, w.kernel(l, w.film.cell_width_px, true), 1.0 / w.film.cell_width_px);
     }
   }
   if (w.smooth_rows > 0.0) smooth(out, w.bands, w.region.height, w.smooth_rows);

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "sim/base/random.h"
@@ -108,7 +109,9 @@ class Search {
  private:
   void tell(const std::string& stage, double share) const {
     if (options_.progress)
-      options_.progress(stage, log_.residuals, log_.best_chi2 / std::max(1, models_.full_linear.residuals()),
+      options_.progress(stage, log_.residuals,
+                        log_.best_is_full ? log_.best_chi2 / std::max(1, models_.full_linear.residuals())
+                                          : std::numeric_limits<double>::infinity(),
                         share);
   }
 

@@ -9,8 +9,8 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kRankTolerance = 1e-12;
-constexpr double kNoiseTolerance = 1e-4;
-constexpr double kLeans = 1e-2;  // share of an undetermined direction that spoils a coordinate
+constexpr double kStandardErrors = 3.0;
+constexpr double kLeans = 0.1;  // component of an undetermined direction that spoils a coordinate
 
 /// Mean product of pairs of residuals over the mean square.
 class Correlation {
@@ -24,6 +24,28 @@ class Correlation {
  private:
   double product_ = 0.0, square_ = 0.0;
 };
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Standard error of the mean, over the pairs of samplings, of the information along a direction; 0 for one
+/// sampling.
+double standard_error(const std::vector<std::vector<double>>& jacobians, int residuals, int coordinates,
+                      const Eigen::VectorXd& direction) {
+  std::vector<Eigen::VectorXd> along;
+  for (const std::vector<double>& jacobian : jacobians)
+    along.emplace_back(Eigen::Map<const RowMajor>(jacobian.data(), residuals, coordinates) * direction);
+  double sum = 0.0, square = 0.0;
+  int pairs = 0;
+  for (std::size_t a = 0; a < along.size(); ++a)
+    for (std::size_t b = a + 1; b < along.size(); ++b, ++pairs) {
+      const double product = along[a].dot(along[b]);
+      sum += product;
+      square += product * product;
+    }
+  if (pairs < 2) return 0.0;
+  const double variance = std::max(0.0, (square - sum * sum / pairs) / (pairs - 1));
+  return std::sqrt(variance / pairs);
+}
 
 }  // namespace
 
@@ -60,7 +82,6 @@ double error_inflation(const Profile& data, const std::vector<std::size_t>& used
 
 Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int residuals, int coordinates,
                         const std::vector<double>& prior_information, double inflation) {
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const auto samplings = static_cast<double>(jacobians.size());
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(residuals, coordinates);
   Eigen::MatrixXd own = Eigen::MatrixXd::Zero(coordinates, coordinates);
@@ -74,10 +95,8 @@ Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int r
   const Eigen::MatrixXd all = sum.transpose() * sum;
   Eigen::MatrixXd information =
       samplings > 1 ? Eigen::MatrixXd((all - own) / (samplings * (samplings - 1.0))) : own;
-  Eigen::MatrixXd noise = own / samplings - information;
   const double believed = 1.0 / (inflation * inflation);
   information *= believed;
-  noise *= believed;
   for (int i = 0; i < coordinates; ++i) information(i, i) += prior_information[i];
 
   // Scaled to a unit diagonal, so that units do not matter.
@@ -86,7 +105,6 @@ Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int r
     if (!(length(i) > 0.0)) length(i) = 1.0;
   const Eigen::MatrixXd scale = length.cwiseInverse().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale * information * scale);
-  const Eigen::MatrixXd scaled_noise = scale * noise * scale;
   const Eigen::VectorXd& value = eigen.eigenvalues();
   const Eigen::MatrixXd& v = eigen.eigenvectors();
   const double largest = coordinates > 0 ? value(coordinates - 1) : 0.0;
@@ -95,8 +113,8 @@ Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int r
   std::vector<bool> undetermined(coordinates, false);
   std::vector<std::vector<double>> directions;
   for (int k = 0; k < coordinates; ++k) {
-    const double noise_here = std::abs(v.col(k).dot(scaled_noise * v.col(k)));
-    if (value(k) > std::max(kRankTolerance * largest, kNoiseTolerance * noise_here)) {
+    const double doubt = believed * standard_error(jacobians, residuals, coordinates, scale * v.col(k));
+    if (value(k) > std::max(kRankTolerance * largest, kStandardErrors * doubt)) {
       covariance += v.col(k) * v.col(k).transpose() / value(k);
     } else {
       Eigen::VectorXd direction = v.col(k).cwiseQuotient(length);

@@ -27,8 +27,9 @@ double error_inflation(const Profile& data, const std::vector<std::size_t>& used
 /// Covariance from the Jacobians of independent samplings of one scene, [residual][coordinate] row-major
 /// each. The information matrix is the mean of the products of *different* samplings, so that a Jacobian's
 /// own Monte-Carlo noise, whose square would pass for information, cancels. Directions whose information is
-/// below 1e-4 of the samplings' own disagreement or 1e-12 of the largest count as undetermined, and every
-/// coordinate that leans on one has no error bar. `prior_information` is added to the diagonal.
+/// within three standard errors of nothing, by the spread of the single products, or below 1e-12 of the
+/// largest, count as undetermined, and every coordinate that leans on one has no error bar.
+/// `prior_information` is added to the diagonal.
 Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int residuals, int coordinates,
                         const std::vector<double>& prior_information, double inflation);
 

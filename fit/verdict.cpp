@@ -38,7 +38,7 @@ void judge(const Evidence& evidence, FitResult& result) {
   std::vector<std::string>& reasons = result.reasons;
   reasons.clear();
   const double reduced = result.dof > 0 ? result.chi2 / result.dof : 0.0;
-  if (!evidence.aurora_in_view) {
+  if (!evidence.aurora_in_view && !evidence.stopped) {
     result.verdict = Verdict::failed;
     reasons.push_back(
         "no light of the scene's sheets falls into the region of interest: check where the sheets "

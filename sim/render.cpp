@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "sim/light/emission_line.h"
 #include "sim/render_film.h"
 #include "sim/scene/emission_lines.h"
 #include "sim/view/blur.h"
@@ -11,18 +10,6 @@
 #include "sim/view/transfer_curve.h"
 
 namespace vegard::sim {
-namespace {
-
-/// The paper's truncated supports, "21 by 21" and "5 by 5" pixels at 383 rows and 35 degrees: 2.2 and 1.25
-/// sigma.
-int kernel_radius(const Scene& scene, double wavelength_nm, double sigma_px) {
-  if (scene.blur.kernel != "paper") return -1;
-  const EmissionLine* line = find_emission_line(wavelength_nm);
-  const double reach = line != nullptr && line->lifetime_s > 10.0 ? 10.5 / 4.75 : 2.5 / 2.0;
-  return static_cast<int>(reach * sigma_px);
-}
-
-}  // namespace
 
 Rendering render(const Scene& scene, const RenderOptions& options) {
   const int width = scene.camera.width, height = scene.camera.height;
@@ -43,7 +30,7 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
   std::vector<float> down(exposure.cells()), both(exposure.cells());
   for (int l = 0; l < exposure.lines; ++l) {
     const double sigma = blur_sigma_px(scene, l);
-    const BlurKernel kernel = gaussian_kernel(sigma, kernel_radius(scene, scene.emission.lines[l], sigma));
+    const BlurKernel kernel = gaussian_kernel(sigma, blur_radius_px(scene, l));
     const float* plane = exposure.rayleigh.data() + l * exposure.cells();
     blur_down(plane, down.data(), film.rows, film.columns, 1, kernel, options.threads);
     blur_across(down.data(), both.data(), film.rows, film.columns, 1, kernel, options.threads);

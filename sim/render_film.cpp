@@ -8,6 +8,7 @@
 #include "sim/base/parallel.h"
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/sheet.h"
+#include "sim/light/emission_line.h"
 #include "sim/render_kernel.h"
 
 namespace vegard::sim {
@@ -156,6 +157,13 @@ struct PackedChunk {
 
 double blur_sigma_px(const Scene& scene, int line) {
   return scene.blur.width_deg[line] * scene.camera.width / scene.camera.hfov_deg;
+}
+
+int blur_radius_px(const Scene& scene, int line) {
+  if (scene.blur.kernel != "paper") return -1;
+  const EmissionLine* known = find_emission_line(scene.emission.lines[line]);
+  const double reach = known != nullptr && known->lifetime_s > 10.0 ? 10.5 / 4.75 : 2.5 / 2.0;
+  return static_cast<int>(reach * blur_sigma_px(scene, line));
 }
 
 FilmGeometry film_for(const Scene& scene, double x_px, double y_px, double width_px, double height_px,

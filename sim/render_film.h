@@ -37,6 +37,10 @@ FilmGeometry film_for(const Scene& scene, double x_px, double y_px, double width
 /// Blur of a line in pixels: its width is an angle, and a pixel is hfov / width of one.
 double blur_sigma_px(const Scene& scene, int line);
 
+/// Where a line's kernel ends, in pixels: -1 for the untruncated one. The paper's supports, "21 by 21" and "5
+/// by 5" pixels at sigma 4.75 and 2.0, are 2.2 and 1.25 sigma (docs/physics.md row B25).
+int blur_radius_px(const Scene& scene, int line);
+
 /// Exposes one film again and again, as a fit does. The beams' places and random numbers follow from the
 /// scene that it was made with and stay frozen: later scenes may differ in every continuous parameter, not in
 /// their seed, sheets, layers, beams or film. Not for use by two threads at once.

@@ -169,14 +169,14 @@ std::vector<Declaration> declare() {
 
       Row("sensor", "primaries", &Scene::sensor, &Sensor::primaries).one_of({"srgb", "smpte-c"})
           .means("colour primaries of the image"),
-      Row("sensor", "gain_per_kilorayleigh", &Scene::sensor, &Sensor::gain_per_kilorayleigh).within(1e-9, 1e6)
+      Row("sensor", "gain_per_kilorayleigh", &Scene::sensor, &Sensor::gain_per_kilorayleigh).within(1e-12, 1e12)
           .means("linear sensor value (white = 1) of the luminance of 1 kR of 557.7 nm"),
 
-      Row("sky", "level", &Scene::sky, &Sky::level).of({"red", "green", "blue"}).within(-10, 10)
+      Row("sky", "level", &Scene::sky, &Sky::level).of({"red", "green", "blue"}).within(-1e6, 1e6)
           .means("light behind the aurora, mean over the image's height, linear sensor value"),
-      Row("sky", "gradient", &Scene::sky, &Sky::gradient).of({"red", "green", "blue"}).within(-10, 10)
+      Row("sky", "gradient", &Scene::sky, &Sky::gradient).of({"red", "green", "blue"}).within(-1e6, 1e6)
           .means("how much brighter the sky is at the image's bottom than at its top, linear sensor value"),
-      Row("sky", "curvature", &Scene::sky, &Sky::curvature).of({"red", "green", "blue"}).within(-10, 10)
+      Row("sky", "curvature", &Scene::sky, &Sky::curvature).of({"red", "green", "blue"}).within(-1e6, 1e6)
           .means("bend of the sky's brightness: four times what top and bottom exceed the middle by"),
 
       Row("fit", "roi_px", &Scene::fit, &Fit::roi_px).of({"x", "y", "width", "height"}).in("px").within(0, 65535)

@@ -88,7 +88,7 @@ TEST(LinearPart, SolvesThePlainLeastSquaresProblem) {
       for (int k = 0; k < part.residuals(); ++k) EXPECT_NEAR(solution.residual[k], residual(k), 1e-8);
       EXPECT_NEAR(solution.chi2, residual.squaredNorm(), 1e-8 * residual.squaredNorm());
       const Eigen::MatrixXd covariance = (a.transpose() * a).inverse();
-      const std::vector<double> variance = part.coefficient_variance(aurora, solution);
+      const std::vector<double> variance = part.coefficient_variance(aurora, solution, 1.0, {});
       for (int j = 0; j < part.coefficients(); ++j)
         EXPECT_NEAR(variance[j], covariance(j, j), 1e-9 * variance[j]);
     }

@@ -185,7 +185,7 @@ TEST_P(MorePhotographs, AreFittedToTheirTruth) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Independent, MorePhotographs, ::testing::Values("h001", "h002", "h003"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& made) { return std::string(made.param); });
 
 }  // namespace
 }  // namespace vegard::fit
