@@ -6,11 +6,11 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "apps/decoding.h"
 #include "apps/elevation.h"
+#include "apps/output_files.h"
 #include "fit/photo.h"
 #include "fit/plot.h"
 #include "fit/profile.h"
@@ -83,22 +83,6 @@ PlotFormat plot_format(const std::string& file) {
   details.problem = "'" + file + "' names no kind of picture";
   details.expected = "a name that ends in .svg or .png";
   throw sim::Error(sim::ErrorKind::usage, details);
-}
-
-[[noreturn]] void refuse_same_file(const std::string& key, const std::string& file,
-                                   const std::string& other) {
-  sim::ErrorDetails details;
-  details.key = key;
-  details.problem = "'" + file + "' is " + other + " as well";
-  details.hint = "choose another name";
-  throw sim::Error(sim::ErrorKind::usage, details);
-}
-
-bool same_file(const std::string& a, const std::string& b) {
-  if (a.empty() || b.empty()) return false;
-  std::error_code ignored;
-  if (std::filesystem::equivalent(a, b, ignored)) return true;
-  return std::filesystem::weakly_canonical(a, ignored) == std::filesystem::weakly_canonical(b, ignored);
 }
 
 /// With --overwrite a slip of the pen would cost the photograph.
