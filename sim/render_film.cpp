@@ -9,6 +9,7 @@
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/sheet.h"
 #include "sim/render_kernel.h"
+#include "sim/view/tangent_film.h"
 
 namespace vegard::sim {
 namespace {
