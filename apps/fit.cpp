@@ -18,6 +18,7 @@
 #include "apps/interrupt.h"
 #include "apps/progress_bar.h"
 #include "apps/scene_options.h"
+#include "apps/scene_place.h"
 #include "fit/fit.h"
 #include "fit/number_text.h"
 #include "fit/photo.h"
@@ -42,8 +43,9 @@ std::string sha256_of(const std::string& path) {
   return sim::sha256(std::string(std::istreambuf_iterator<char>(file), {}));
 }
 
-std::vector<fit::InputFile> inputs_of(const Options& options, const fit::Photo& photo) {
-  std::vector<fit::InputFile> inputs = {{"scene", name_of(options.scene.file), sha256_of(options.scene.file)},
+std::vector<fit::InputFile> inputs_of(const Options& options, const std::string& scene_sha256,
+                                      const fit::Photo& photo) {
+  std::vector<fit::InputFile> inputs = {{"scene", name_of(options.scene.file), scene_sha256},
                                         {"photo", photo.file_name, photo.sha256}};
   if (!photo.mask_name.empty()) inputs.push_back({"mask", photo.mask_name, photo.mask_sha256});
   return inputs;
@@ -75,7 +77,7 @@ fit::FitResult fitted(const Options& options, const sim::Scene& scene, const fit
   fit_options.progress = [&account](const std::string& stage, int evaluations, double chi2_per_dof,
                                     double share) { account.tell(stage, evaluations, chi2_per_dof, share); };
   fit_options.stop = &watch_for_interrupt();
-  return fit::fit_photo(scene, photo, fit_options);
+  return placing_errors(scene, [&] { return fit::fit_photo(scene, photo, fit_options); });
 }
 
 void print_answer(const fit::FitResult& result, const std::string& report) {
@@ -108,12 +110,14 @@ ExitCode exit_code_of(fit::Verdict verdict) {
 
 int run(const Options& options, const std::string& command) {
   const sim::Scene scene = scene_of(options.scene);
+  // Now, not after the fit: someone may edit the file meanwhile.
+  const std::string scene_sha256 = sha256_of(options.scene.file);
   fit::check_run_directory(options.out, options.overwrite);
   fit::Photo photo = fit::read_photo(options.photo, decoding_of(options.decoding, scene.fit.decoding));
   if (!options.mask.empty()) fit::apply_mask(photo, options.mask);
 
   fit::FitResult result = fitted(options, scene, photo);
-  result.inputs = inputs_of(options, photo);
+  result.inputs = inputs_of(options, scene_sha256, photo);
   result.command = command;
   fit::RunContext context;
   context.threads = options.threads;

@@ -6,11 +6,12 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "apps/decoding.h"
 #include "apps/elevation.h"
+#include "apps/output_files.h"
+#include "apps/scene_place.h"
 #include "fit/photo.h"
 #include "fit/plot.h"
 #include "fit/profile.h"
@@ -37,22 +38,21 @@ std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);
 }
 
-void check_size(const sim::Scene& scene, const fit::Photo& photo, const std::string& scene_file) {
+void check_size(const sim::Scene& scene, const fit::Photo& photo) {
   const sim::Image& image = photo.linear;
   if (scene.camera.width == image.width && scene.camera.height == image.height) return;
   sim::ErrorDetails details;
-  details.file = scene_file;
   details.key = "camera.width";
   details.problem = "the scene's camera has " + size_text(scene.camera.width, scene.camera.height) +
                     " pixels, the photograph " + photo.file_name + " has " +
                     size_text(image.width, image.height);
   details.hint = "set camera.width and camera.height to the photograph's";
-  throw sim::Error(sim::ErrorKind::scene, details);
+  throw with_place(sim::Error(sim::ErrorKind::scene, details), scene);
 }
 
 /// Errors of the region and the bands name the scene's keys; on the command line they are options.
 template <typename Call>
-auto naming_options(const Options& options, const Call& call) {
+auto naming_options(const Options& options, const std::optional<sim::Scene>& scene, const Call& call) {
   try {
     return call();
   } catch (const sim::Error& error) {
@@ -62,8 +62,7 @@ auto naming_options(const Options& options, const Call& call) {
     } else if (details.key == "fit.bands" && options.bands) {
       details.key = "--bands";
     } else {
-      if (details.file.empty()) details.file = options.scene;
-      throw sim::Error(error.kind(), details);
+      throw scene ? with_place(error, *scene) : error;
     }
     throw sim::Error(sim::ErrorKind::usage, details);
   }
@@ -85,22 +84,6 @@ PlotFormat plot_format(const std::string& file) {
   throw sim::Error(sim::ErrorKind::usage, details);
 }
 
-[[noreturn]] void refuse_same_file(const std::string& key, const std::string& file,
-                                   const std::string& other) {
-  sim::ErrorDetails details;
-  details.key = key;
-  details.problem = "'" + file + "' is " + other + " as well";
-  details.hint = "choose another name";
-  throw sim::Error(sim::ErrorKind::usage, details);
-}
-
-bool same_file(const std::string& a, const std::string& b) {
-  if (a.empty() || b.empty()) return false;
-  std::error_code ignored;
-  if (std::filesystem::equivalent(a, b, ignored)) return true;
-  return std::filesystem::weakly_canonical(a, ignored) == std::filesystem::weakly_canonical(b, ignored);
-}
-
 /// With --overwrite a slip of the pen would cost the photograph.
 void check_outputs(const Options& options) {
   if (same_file(options.output, options.plot)) refuse_same_file("--plot", options.plot, "the table's name");
@@ -120,14 +103,14 @@ void run(const Options& options) {
   fit::Photo photo = fit::read_photo(options.image, decoding_of(options.decoding, defaults.decoding));
   fit::ElevationOfPixel elevation;
   if (scene) {
-    check_size(*scene, photo, options.scene);
+    check_size(*scene, photo);
     elevation = elevation_of_pixel(*scene);
   }
   if (!options.mask.empty()) fit::apply_mask(photo, options.mask);
 
   std::array<int, 4> roi_px = defaults.roi_px;
   for (std::size_t i = 0; i < options.roi_px.size(); ++i) roi_px[i] = options.roi_px[i];
-  const fit::Profile profile = naming_options(options, [&] {
+  const fit::Profile profile = naming_options(options, scene, [&] {
     const fit::Region region = fit::checked_region(roi_px, photo.linear.width, photo.linear.height);
     return fit::extract_profile(photo, region, options.bands.value_or(defaults.bands));
   });

@@ -13,6 +13,7 @@
 #include "apps/exit_code.h"
 #include "apps/interrupt.h"
 #include "apps/light_outside.h"
+#include "apps/output_files.h"
 #include "apps/progress_bar.h"
 #include "apps/scene_options.h"
 #include "sim/base/error.h"
@@ -54,14 +55,21 @@ int bits_of(const Options& options, sim::ImageFormat format) {
 void check_outputs(const Options& options) {
   if (options.output.empty() && options.lines.empty())
     throw usage("--output", "nothing to write", "-o OUT, --lines OUT.exr or both");
-  if (options.output == options.lines)
-    throw usage("--lines", "'" + options.lines + "' is the picture's file too", "another file");
+  if (same_file(options.output, options.lines))
+    refuse_same_file("--lines", options.lines, "the picture's file");
+  // With --overwrite a slip of the pen would cost the scene.
+  if (same_file(options.output, options.scene.file))
+    refuse_same_file("--output", options.output, "the scene");
+  if (same_file(options.lines, options.scene.file)) refuse_same_file("--lines", options.lines, "the scene");
   if (!options.output.empty()) {
     const sim::ImageFormat format = sim::image_format(options.output);
     bits_of(options, format);
     if (options.quality && format != sim::ImageFormat::jpeg)
       throw usage("--quality", "only a JPEG has a quality", "-o OUT.jpg");
     sim::WholeFile(options.output, options.overwrite);
+  } else if (options.bits || options.quality) {
+    throw usage(options.bits ? "--bits" : "--quality", "an EXR of lines always holds 32-bit floats",
+                "-o OUT beside it");
   }
   if (!options.lines.empty()) {
     if (sim::image_format(options.lines) != sim::ImageFormat::exr)
@@ -84,8 +92,9 @@ sim::Image line_layer(const sim::Rendering& rendering) {
   return layer;
 }
 
-void write_picture(const Options& options, const sim::Scene& scene, const sim::Rendering& rendering,
-                   const sim::Image& lines) {
+/// The bytes of the picture's file.
+std::string encoded_picture(const Options& options, const sim::Scene& scene, const sim::Rendering& rendering,
+                            const sim::Image& lines) {
   sim::ImageAttributes attributes = attributes_of(scene);
   const sim::ImageFormat format = sim::image_format(options.output);
   if (format == sim::ImageFormat::exr) {
@@ -93,13 +102,30 @@ void write_picture(const Options& options, const sim::Scene& scene, const sim::R
         "R, G, B: linear sensor values, white = 1, negative where a line is out of gamut; rayleigh.*: "
         "rayleighs, "
         "by wavelength in tenths of a nanometre";
-    sim::write_exr(options.output, {&rendering.rgb, &lines}, attributes, options.overwrite);
-  } else {
-    constexpr int kDefaultQuality = 92;
-    attributes["units"] = "sRGB-encoded";
-    sim::write_display(options.output, sim::display_picture(scene, rendering), bits_of(options, format),
-                       options.quality.value_or(kDefaultQuality), attributes, options.overwrite);
+    return sim::encode_exr({&rendering.rgb, &lines}, attributes, options.output);
   }
+  constexpr int kDefaultQuality = 92;
+  attributes["units"] = "sRGB-encoded";
+  return sim::encode_display(format, sim::display_picture(scene, rendering), bits_of(options, format),
+                             options.quality.value_or(kDefaultQuality), attributes, options.output);
+}
+
+std::string encoded_lines(const Options& options, const sim::Scene& scene, const sim::Image& lines) {
+  sim::ImageAttributes attributes = attributes_of(scene);
+  attributes["units"] = "rayleighs, by wavelength in tenths of a nanometre";
+  return sim::encode_exr({&lines}, attributes, options.lines);
+}
+
+/// Both files are filled before either gets its name: a disk that fills up leaves neither.
+void write_outputs(const Options& options, const sim::Scene& scene, const sim::Rendering& rendering) {
+  const sim::Image lines = line_layer(rendering);
+  std::optional<sim::WholeFile> picture_file, lines_file;
+  if (!options.output.empty()) picture_file.emplace(options.output, options.overwrite);
+  if (!options.lines.empty()) lines_file.emplace(options.lines, options.overwrite);
+  if (picture_file) picture_file->write(encoded_picture(options, scene, rendering, lines));
+  if (lines_file) lines_file->write(encoded_lines(options, scene, lines));
+  if (picture_file) picture_file->commit();
+  if (lines_file) lines_file->commit();
 }
 
 std::string facts(const sim::Scene& scene, const sim::Rendering& rendering) {
@@ -136,13 +162,7 @@ int run(const Options& options) {
   const std::string warning = warning_if_out_of_view(scene, rendering.rayleigh);
   if (!warning.empty()) std::fprintf(stderr, "vegard: %s\n", warning.c_str());
 
-  const sim::Image lines = line_layer(rendering);
-  if (!options.output.empty()) write_picture(options, scene, rendering, lines);
-  if (!options.lines.empty()) {
-    sim::ImageAttributes attributes = attributes_of(scene);
-    attributes["units"] = "rayleighs, by wavelength in tenths of a nanometre";
-    sim::write_exr(options.lines, lines, attributes, options.overwrite);
-  }
+  write_outputs(options, scene, rendering);
   std::string written = options.output;
   if (!options.lines.empty()) written += (written.empty() ? "" : ", ") + options.lines;
   std::printf("%s: %s\n", written.c_str(), facts(scene, rendering).c_str());

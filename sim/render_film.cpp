@@ -10,6 +10,7 @@
 #include "sim/emit/aurora/sheet.h"
 #include "sim/light/emission_line.h"
 #include "sim/render_kernel.h"
+#include "sim/view/tangent_film.h"
 
 namespace vegard::sim {
 namespace {
@@ -219,6 +220,9 @@ struct Exposer::Workspace {
         if (foot.east_km * foot.east_km + foot.north_km * foot.north_km > kFarthestKm * kFarthestKm) continue;
         const Beam<double> plain = start_beam(foot.east_km, foot.north_km, fall, k.observer_altitude_km,
                                               sheet.top_km, HeightProfile::kBottomKm);
+        // A field line that does not descend would be negative light; one that grazes the Earth never comes
+        // down to the bottom, and has no length.
+        if (plain.vertical <= 0.0 || !(plain.length_km > 0.0)) continue;
         if (out_of_sight(plain, k)) continue;
         if (place_in_group == kGroup) {
           place_in_group = 0;

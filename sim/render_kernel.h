@@ -1,17 +1,17 @@
 // The kernel's door: beams in, light on a film out. One call works through groups of sixteen beams on one
 // thread.
 //
-// This is the only file that is compiled once per instruction set; what crosses its door are plain arrays.
+// Behind it is what is compiled once per instruction set; what crosses the door are plain arrays.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "sim/light/height_profile.h"
 #include "sim/light/sample.h"
 #include "sim/view/camera.h"
+#include "sim/view/tangent_film.h"
 
 namespace vegard::sim {
 
@@ -58,34 +58,6 @@ struct KernelScene {
   bool unit_weight = false;   ///< every point counts alike, instead of rayleighs
   std::uint64_t seed = 0;
   const HeightProfile* profiles = nullptr;  ///< one per sheet
-};
-
-/// Derivatives of a film by up to kTangentWidth free parameters, in floats. Tiles of columns come into being
-/// when light first falls on them, so that the film of one stretch of an arc is small.
-class TangentFilm {
- public:
-  static constexpr int kTileColumns = 8;
-  TangentFilm(int columns, int rows, int lines);
-
-  int columns() const { return columns_; }
-  int rows() const { return rows_; }
-  int lines() const { return lines_; }
-  int tile_count() const { return static_cast<int>(tiles_.size()); }
-
-  /// [(row * kTileColumns + column in tile) * lines + line][kTangentWidth], made (zeroed) if need be.
-  float* tile(int index) {
-    if (!tiles_[index]) make_tile(index);
-    return tiles_[index].get();
-  }
-  const float* tile_if_any(int index) const { return tiles_[index].get(); }
-
- private:
-  struct Free {
-    void operator()(float* p) const;
-  };
-  void make_tile(int index);
-  int columns_, rows_, lines_;
-  std::vector<std::unique_ptr<float[], Free>> tiles_;
 };
 
 /// How the chain goes on from the local inputs that all beams share, and from the energies.

@@ -165,14 +165,9 @@ ImageFormat image_format(const std::string& path) {
                 ".exr, .png, .tif or .jpg");
 }
 
-void write_exr(const std::string& path, const std::vector<const Image*>& images,
-               const ImageAttributes& attributes, bool overwrite) {
+std::string encode_exr(const std::vector<const Image*>& images, const ImageAttributes& attributes,
+                       const std::string& name) {
   assert(!images.empty() && !images.front()->empty());
-  if (image_format(path) != ImageFormat::exr) {
-    throw failure(ErrorKind::usage, path, "linear images are written as EXR", ".exr");
-  }
-  WholeFile file(path, overwrite);
-
   const int width = images.front()->width, height = images.front()->height;
   std::vector<std::string> names;
   for (const Image* image : images) {
@@ -199,7 +194,16 @@ void write_exr(const std::string& path, const std::vector<const Image*>& images,
   spec.attribute("compression", "zip");
   spec.attribute("DateTime", exif_time(value_or_empty(attributes, "DateTime")));
   describe_in_own_keys(spec, attributes);
-  file.write(encode("image.exr", path, spec, pixels));
+  return encode("image.exr", name, spec, pixels);
+}
+
+void write_exr(const std::string& path, const std::vector<const Image*>& images,
+               const ImageAttributes& attributes, bool overwrite) {
+  if (image_format(path) != ImageFormat::exr) {
+    throw failure(ErrorKind::usage, path, "linear images are written as EXR", ".exr");
+  }
+  WholeFile file(path, overwrite);
+  file.write(encode_exr(images, attributes, path));
   file.commit();
 }
 

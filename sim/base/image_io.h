@@ -22,10 +22,15 @@ enum class ImageFormat { exr, png, tiff, jpeg };
 /// By the extension, in either case: .exr .png .tif .tiff .jpg .jpeg. Throws Error(usage) for any other.
 ImageFormat image_format(const std::string& path);
 
-/// Writes the channels of all images, which have one size and no channel name in common, into one EXR: 32-bit
-/// float, ZIP (lossless). A name with a dot, "rayleigh.630.0", makes a layer of what stands before its last
-/// dot in programs that show layers. Attributes other than the two above are stored as "vegard:<key>", out of
-/// the way of EXR's own names. Throws Error(usage) unless the extension is .exr, Error(existing_output),
+/// The channels of all images, which have one size and no channel name in common, as the bytes of one EXR:
+/// 32-bit float, ZIP (lossless). A name with a dot, "rayleigh.630.0", makes a layer of what stands before its
+/// last dot in programs that show layers. Attributes other than the two above are stored as "vegard:<key>",
+/// out of the way of EXR's own names. Throws Error(unwritable_output), with `name` as the file it is about,
+/// if the encoder gives up.
+std::string encode_exr(const std::vector<const Image*>& images, const ImageAttributes& attributes,
+                       const std::string& name = {});
+
+/// The same into a file. Throws Error(usage) unless the extension is .exr, Error(existing_output),
 /// Error(unwritable_output).
 void write_exr(const std::string& path, const std::vector<const Image*>& images,
                const ImageAttributes& attributes, bool overwrite = false);

@@ -9,7 +9,10 @@
 namespace vegard::sim {
 
 int thread_count(int requested) {
-  return requested > 0 ? requested : std::max(1, tbb::this_task_arena::max_concurrency());
+  // An arena of more threads than there are cores gets no more workers and makes TBB warn on standard error.
+  const int cores = std::max(1, tbb::info::default_concurrency());
+  if (requested <= 0) requested = std::max(1, tbb::this_task_arena::max_concurrency());
+  return std::min(requested, cores);
 }
 
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t, int)>& body) {
@@ -18,8 +21,7 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
     for (std::size_t i = 0; i < count; ++i) body(i, 0);
     return;
   }
-  // An arena of more threads than there are cores gets no more workers and makes TBB warn on standard error.
-  tbb::task_arena arena(std::clamp(tbb::info::default_concurrency(), 1, threads));
+  tbb::task_arena arena(threads);
   arena.execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, count, 1),

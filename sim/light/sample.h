@@ -6,9 +6,6 @@
 // are handed over.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "sim/base/dual.h"
 
 namespace vegard::sim {
@@ -41,10 +38,8 @@ using FreeDual = Dual<double, Tangents<double, kTangentWidth>>;
 template <class T>
 struct Beam {
   T start_in_enu_km[3];
-  T length_km;          ///< along the field, from the start to the bottom of the height profile
-  T vertical;           ///< cosine between the beam and the vertical at its foot
-  double end_of_path;   ///< fraction of the length after which the beam is spent, 1 - (random depth)
-  std::uint32_t index;  ///< in its layer: the address of its random numbers
+  T length_km;  ///< along the field, from the start to the bottom of the height profile
+  T vertical;   ///< cosine between the beam and the vertical at its foot; not positive if it does not descend
 };
 
 /// Unit vectors of a falling beam: along the field, and two across.

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -134,7 +135,9 @@ struct Scene {
   Sensor sensor;
   Sky sky;
   Fit fit;
-  std::string file;  ///< where it was read from, for messages; never written to an output
+  // For messages only: neither is written to an output, nor does a result depend on it.
+  std::string file;                  ///< where it was read from
+  std::map<std::string, int> lines;  ///< of the keys in that file, by path (sim/scene/line_of.h)
 };
 
 }  // namespace vegard::sim

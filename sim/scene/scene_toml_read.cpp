@@ -9,6 +9,7 @@
 #include "sim/scene/alternative_forms.h"
 #include "sim/scene/free_entry_keys.h"
 #include "sim/scene/free_parameters_toml.h"
+#include "sim/scene/line_of.h"
 #include "sim/scene/nearest_name.h"
 #include "sim/scene/parameter_declarations.h"
 #include "sim/scene/scene_toml.h"
@@ -66,7 +67,7 @@ std::string hint_for_key(const std::string& table, const std::string& key) {
   return nearest_hint(key, here);
 }
 
-/// Reads one document. Lines of keys are kept for what only shows when all has been read.
+/// Reads one document. Lines of keys are kept for what only shows later.
 class Reader {
  public:
   Reader(Scene& scene, const toml::table& document) : scene_(scene), document_(document) {}
@@ -151,7 +152,7 @@ class Reader {
       if (node == nullptr) continue;
       const Origin where = origin(*node, key_path(d, scene_, sheet));
       assign_key(scene_, d, sheet, *node, where);
-      lines_[key_path(d, scene_, sheet)] = where.line;
+      scene_.lines[key_path(d, scene_, sheet)] = where.line;
     }
     for (const AlternativeForm& form : alternative_forms()) {
       if (form.keys.front().table == table) read_form(form, sheet, *values);
@@ -185,7 +186,7 @@ class Reader {
     if (const auto complaint = form.convert(scene_, sheet, numbers)) complain(*complaint, where);
     for (const std::string& key : form.replaces) {
       const Declaration& d = *find_declaration(given->table, key);
-      lines_[key_path(d, scene_, sheet)] = where.line;
+      scene_.lines[key_path(d, scene_, sheet)] = where.line;
     }
   }
 
@@ -212,19 +213,13 @@ class Reader {
       validate(scene_);
     } catch (const Error& error) {
       ErrorDetails details = error.details();
-      for (std::string key = details.key; details.line == 0 && !key.empty();) {
-        const auto line = lines_.find(key);
-        if (line != lines_.end()) details.line = line->second;
-        const std::size_t dot = key.rfind('.');
-        key = dot == std::string::npos ? "" : key.substr(0, dot);
-      }
+      if (details.line == 0) details.line = line_of(scene_, details.key);
       throw Error(error.kind(), details);
     }
   }
 
   Scene& scene_;
   const toml::table& document_;
-  std::map<std::string, int> lines_;
 };
 
 std::string read_text(const std::string& file) {

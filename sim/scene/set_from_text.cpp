@@ -56,6 +56,7 @@ void set_from_text(Scene& scene, const std::string& path, const std::string& tex
   Scene trial = scene;
   assign(trial);
   assign(scene);
+  scene.lines.erase(key_path(d, scene, first.sheet));
 }
 
 }  // namespace vegard::sim

@@ -12,6 +12,12 @@ expect_exit 2 render "$SCENES/small.toml" -o out.jpg --bits 16
 expect_exit 2 render "$SCENES/small.toml" -o out.exr --bits 8
 expect_exit 2 render "$SCENES/small.toml" -o out.png --quality 50
 expect_exit 2 render "$SCENES/small.toml" -o out.exr --lines out.exr
+expect_exit 2 render "$SCENES/small.toml" -o ./same.exr --lines same.exr
+expect_stderr --lines
+expect_exit 2 render "$SCENES/small.toml" --lines lines.exr --bits 16
+expect_stderr --bits
+expect_exit 2 render "$SCENES/small.toml" --lines lines.exr --quality 50
+expect_stderr --quality
 expect_exit 2 render "$SCENES/small.toml" -o out.exr --lines lines.png
 expect_exit 2 render "$SCENES/small.toml" -o out.exr --seed minus
 expect_exit 2 render "$SCENES/small.toml" -o out.exr --seed -1

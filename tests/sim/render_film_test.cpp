@@ -39,9 +39,10 @@ void fall_straight(Sheet& sheet) {
 }
 
 TEST(Film, AColumnOfKnownEmissionGivesItsRayleighs) {
-  // docs/physics.md row B21. A sheet 60 km wide around the zenith, seen within 2 degrees of it: 0.1 * Q * integral of
-  // the volume emission rate. Some 4000 beams cross the picture at the green line's altitude; with a quarter
-  // of them the mean scatters by 1.2 % from seed to seed, with eight times as many it is 1.001.
+  // docs/physics.md row B21. A sheet 60 km wide around the zenith, seen within 2 degrees of it: 0.1 * Q *
+  // integral of the volume emission rate. Some 4000 beams cross the picture at the green line's altitude;
+  // with a quarter of them the mean scatters by 1.2 % from seed to seed, with eight times as many it
+  // is 1.001.
   Scene scene;
   scene.camera.width = 40;
   scene.camera.height = 40;
@@ -295,6 +296,24 @@ TEST(Film, FollowsTheReferenceInDouble) {
   std::vector<double> fast(exposure.rayleigh.begin(), exposure.rayleigh.end());
   EXPECT_LT(relative_rms(fast, reference), 1e-3);
   EXPECT_GT(relative_rms(fast, reference), 0.0);
+}
+
+TEST(Film, BeamsThatDoNotDescendAreDark) {
+  // 1500 km away the vertical leans 13 degrees from the observer's: a field that dips 2 degrees to the north
+  // rises there by 11, and its line comes down behind the observer. Such light would be negative.
+  Scene scene = tests::small_scene();
+  scene.camera.elevation_deg = 10.0;
+  scene.camera.roll_deg = 0.0;
+  scene.field.inclination_deg = 2.0;
+  scene.sheets[0].center_km = {0.0, 1500.0};
+  const auto light = [&](double declination_deg, double azimuth_deg) {
+    scene.field.declination_deg = declination_deg;
+    scene.camera.azimuth_deg = azimuth_deg;
+    return total(exposed(scene, whole_picture(scene)), 0);
+  };
+  EXPECT_EQ(light(0.0, 0.0), 0.0);
+  EXPECT_EQ(light(0.0, 180.0), 0.0);
+  EXPECT_GT(light(180.0, 0.0), 0.0) << "the field that descends there is seen";
 }
 
 TEST(FilmFor, CoversTheRegionWithFourSigmaAround) {

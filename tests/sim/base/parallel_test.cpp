@@ -2,11 +2,22 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <thread>
 #include <vector>
 
 namespace vegard::sim {
 namespace {
+
+TEST(ThreadCount, IsWhatWasAskedForUpToTheCores) {
+  const int cores = thread_count(0);
+  EXPECT_GE(cores, 1);
+  EXPECT_LE(cores, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+  EXPECT_EQ(thread_count(1), 1);
+  EXPECT_EQ(thread_count(cores + 1), cores);
+  EXPECT_EQ(thread_count(1024), cores);
+}
 
 TEST(ParallelFor, CallsEveryIndexOnceWithASlotOfItsOwn) {
   for (int threads : {0, 1, 2, 3, 64}) {

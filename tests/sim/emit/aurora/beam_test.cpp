@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vegard::sim {
@@ -63,6 +64,18 @@ TEST(StartBeam, StandsLowerFarAwayOnARoundEarth) {
   const Beam<double> beam = start_beam(0.0, 600.0, fall, 0.0, 110.0, 80.0);
   EXPECT_NEAR(110.0 - beam.start_in_enu_km[2], 28.0, 0.5);
   EXPECT_NEAR(start_beam(0.0, 0.0, fall, 0.0, 110.0, 80.0).start_in_enu_km[2], 110.0, 1e-9);
+}
+
+TEST(StartBeam, IsNotDescendingBeyondWhereTheHorizonTiltsMoreThanTheField) {
+  // The vertical at a foot d km to the north leans asin(d / 6481 km) from the observer's: 1000 km are 8.9
+  // degrees, and a field that dips 5 degrees to the south rises there. To the south it descends more steeply.
+  const FallFrame<double> fall = fall_frame<double>(5.0 * kRadiansPerDegree, 180.0 * kRadiansPerDegree);
+  const double lean = std::asin(1000.0 / (kEarthRadiusKm + kFootAltitudeKm));
+  const Beam<double> south = start_beam(0.0, -1000.0, fall, 0.0, 500.0, 80.0);
+  const Beam<double> north = start_beam(0.0, 1000.0, fall, 0.0, 500.0, 80.0);
+  EXPECT_NEAR(std::max(south.vertical, north.vertical), std::sin(5.0 * kRadiansPerDegree + lean), 1e-12);
+  EXPECT_NEAR(std::min(south.vertical, north.vertical), std::sin(5.0 * kRadiansPerDegree - lean), 1e-12);
+  EXPECT_LT(std::min(south.vertical, north.vertical), 0.0);
 }
 
 TEST(StartBeam, DerivativesAreThoseOfItsPlace) {

@@ -1,0 +1,235 @@
+// From beams to samples: sixteen beams fall, and where their points are seen is worked out block by block.
+#if defined(VEGARD_SIM_RENDER_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef VEGARD_SIM_RENDER_SAMPLES_INL_H_
+#undef VEGARD_SIM_RENDER_SAMPLES_INL_H_
+#else
+#define VEGARD_SIM_RENDER_SAMPLES_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "sim/base/dual-inl.h"
+#include "sim/base/lanes-inl.h"
+#include "sim/emit/aurora/fall-inl.h"
+#include "sim/render_kernel.h"
+#include "sim/view/project-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace vegard::sim {
+namespace HWY_NAMESPACE {
+
+constexpr int kBlockSteps = 32;
+
+/// Samples of a group for kBlockSteps steps, ready for the film. kLocals derivatives go with every number.
+template <class S, int kLocals>
+struct SampleBlock {
+  S column[kBlockSteps][1 + kLocals][kGroup];
+  S row[kBlockSteps][1 + kLocals][kGroup];
+  S light[kBlockSteps][1 + kLocals][kGroup];     ///< 0 where there is nothing to see
+  S altitude[kBlockSteps][1 + kLocals][kGroup];  ///< in steps of the height profile above its bottom
+  int first_step, end_step;                      ///< there is nothing to see outside these
+};
+
+// Numbers with kLocals derivatives, in and out of arrays.
+template <class L, int kLocals>
+using LaneDual = Dual<L, Tangents<L, kLocals>>;
+
+template <class L>
+HWY_INLINE void fetch(const GroupNumber& from, int first, L& to) {
+  to = LaneTraits<L>::load(from.value + first);
+}
+template <class L, int kLocals>
+HWY_INLINE void fetch(const GroupNumber& from, int first, LaneDual<L, kLocals>& to) {
+  to.v = LaneTraits<L>::load(from.value + first);
+  for (int k = 0; k < kLocals; ++k) to.d.t[k] = LaneTraits<L>::load(from.tangent[k] + first);
+}
+template <class L>
+HWY_INLINE void spread(const LocalDual& from, L& to) {
+  to = L(from.v);
+}
+template <class L, int kLocals>
+HWY_INLINE void spread(const LocalDual& from, LaneDual<L, kLocals>& to) {
+  to.v = L(from.v);
+  for (int k = 0; k < kLocals; ++k) to.d.t[k] = L(from.d.t[k]);
+}
+template <class L, class S>
+HWY_INLINE void keep(const L& from, S (*to)[kGroup], int first) {
+  LaneTraits<L>::store(from, to[0] + first);
+}
+template <class L, int kLocals, class S>
+HWY_INLINE void keep(const LaneDual<L, kLocals>& from, S (*to)[kGroup], int first) {
+  LaneTraits<L>::store(from.v, to[0] + first);
+  for (int k = 0; k < kLocals; ++k) LaneTraits<L>::store(from.d.t[k], to[1 + k] + first);
+}
+/// A number that is zero, with its derivatives, outside the mask.
+template <class L, class M>
+HWY_INLINE L only_where(M mask, const L& x) {
+  return select(mask, x, L(0.0f));
+}
+template <class L, int kLocals, class M>
+HWY_INLINE LaneDual<L, kLocals> only_where(M mask, const LaneDual<L, kLocals>& x) {
+  LaneDual<L, kLocals> r;
+  r.v = select(mask, x.v, L(0.0f));
+  for (int k = 0; k < kLocals; ++k) r.d.t[k] = select(mask, x.d.t[k], L(0.0f));
+  return r;
+}
+
+/// The chain from beams to samples. L: lane type; P: positions; C: what all beams share.
+template <class L, class P, class C, int kLocals>
+class SampleMaker {
+ public:
+  using Traits = LaneTraits<L>;
+  using Block = SampleBlock<typename Traits::Scalar, kLocals>;
+
+  explicit SampleMaker(const KernelScene& scene) : scene_(scene) {
+    for (int i = 0; i < 3; ++i) {
+      spread(scene.fall.along[i], frame_.along[i]);
+      spread(scene.fall.across1[i], frame_.across1[i]);
+      spread(scene.fall.across2[i], frame_.across2[i]);
+      for (int j = 0; j < 3; ++j)
+        spread(scene.view.camera_from_enu[i][j], film_.camera.camera_from_enu[i][j]);
+    }
+    spread(scene.deflection.loss_cone_rad, deflection_.loss_cone_rad);
+    spread(scene.deflection.pitch_step_rad, deflection_.pitch_step_rad);
+    deflection_.law = scene.deflection.law;
+    deflection_.path_step = scene.deflection.path_step;
+    spread(scene.view.focal_px, film_.camera.focal_px);
+    const FilmGeometry& g = scene.film;
+    film_.column_scale = L(1.0 / g.cell_width_px);
+    film_.row_scale = L(1.0 / g.cell_height_px);
+    film_.column_offset = L((scene.center_x_px - g.x0_px) / g.cell_width_px - 0.5);
+    film_.row_offset = L((scene.center_y_px - g.y0_px) / g.cell_height_px - 0.5);
+    film_.per_cell_area = L(1.0f) / L(g.cell_width_px * g.cell_height_px);
+    philox_keys(scene.seed, keys_);
+    const double focal = scene.view.focal_px.v;
+    left_ = (g.x0_px - g.cell_width_px - scene.center_x_px) / focal;
+    right_ = (g.x0_px + (g.columns + 1) * g.cell_width_px - scene.center_x_px) / focal;
+    top_ = (g.y0_px - g.cell_height_px - scene.center_y_px) / focal;
+    bottom_ = (g.y0_px + (g.rows + 1) * g.cell_height_px - scene.center_y_px) / focal;
+    stray_ =
+        1.25 * (std::abs(scene.deflection.loss_cone_rad.v) + std::abs(scene.deflection.pitch_step_rad.v));
+  }
+
+  void begin(const BeamGroup& group) {
+    for (int first = 0, part = 0; first < kGroup; first += Traits::lanes(), ++part) {
+      P start[3], length;
+      for (int i = 0; i < 3; ++i) fetch(group.start_in_enu_km[i], first, start[i]);
+      fetch(group.length_km, first, length);
+      fetch(group.vertical, first, vertical_[part]);
+      flux_[part] = Traits::load(group.flux_km2_mw_m2 + first) * L(0.1f);
+      end_[part] = Traits::load(group.end_of_path + first);
+      beams_[part].start(start, length, Traits::load_indices(group.index + first), group.layer_address,
+                         keys_);
+      find_stretch_in_view(start, value_of(length), part);
+    }
+  }
+
+  /// Fills a block; false when every beam has come to its end or can no more be seen. Adds to `points` those
+  /// on a path.
+  bool next_block(Block& block, std::uint64_t& points) {
+    bool alive = false;
+    block.first_step = kBlockSteps;
+    block.end_step = 0;
+    for (int first = 0, part = 0; first < kGroup; first += Traits::lanes(), ++part) {
+      for (int step = 0; step < kBlockSteps; step += 2) {
+        FallenPoint<L, P> fallen[2];
+        beams_[part].next_two(frame_, deflection_, keys_, fallen);
+        for (int i = 0; i < 2; ++i) {
+          const L t = fallen[i].t;
+          points += static_cast<std::uint64_t>(count(t <= end_[part]));
+          alive |= !none(t <= last_in_view_[part]);
+          if (none(first_in_view_[part] <= t && t <= last_in_view_[part])) {
+            Traits::store(L(0.0f), block.light[step + i][0] + first);
+            continue;
+          }
+          block.first_step = std::min(block.first_step, step + i);
+          block.end_step = std::max(block.end_step, step + i + 1);
+          see(fallen[i], part, first, step + i, block);
+        }
+      }
+    }
+    return alive;
+  }
+
+ private:
+  /// The stretch of the path outside of which a beam surely misses the film. A point strays from the straight
+  /// line by no more than its path times the pitch angle; the film's four edges are planes through the
+  /// camera.
+  HWY_INLINE void find_stretch_in_view(const P start_in_enu_km[3], L length_km, int part) {
+    const L slack_km(0.05f);  // far above the rounding of floats
+    L start[3], way[3];
+    for (int i = 0; i < 3; ++i) {
+      const auto* row = scene_.view.camera_from_enu[i];
+      start[i] = way[i] = L(0.0f);
+      for (int j = 0; j < 3; ++j) {
+        start[i] = start[i] + value_of(start_in_enu_km[j]) * L(row[j].v);
+        way[i] = way[i] + length_km * L(row[j].v * scene_.fall.along[j].v);
+      }
+    }
+    L first(0.0f), last = end_[part];
+    const auto keep_inside = [&](int axis, double edge, double side) {
+      const L outward(side), depth(-side * edge), length(std::sqrt(1.0 + edge * edge));
+      const L beyond = start[axis] * outward + start[2] * depth - slack_km * length;
+      const L grow = way[axis] * outward + way[2] * depth - length_km * L(stray_) * length;
+      const L crossing = L(0.0f) - beyond / select(grow < L(0.0f), grow, L(-1e-30f));
+      const L leaving = L(0.0f) - beyond / select(L(0.0f) < grow, grow, L(1e-30f));
+      const auto outside = L(0.0f) < beyond;
+      first = select(outside && first < crossing, crossing, first);
+      last = select(beyond <= L(0.0f) && leaving < last, leaving, last);
+    };
+    keep_inside(0, left_, -1.0);
+    keep_inside(0, right_, 1.0);
+    keep_inside(1, top_, -1.0);
+    keep_inside(1, bottom_, 1.0);
+    first_in_view_[part] = first;
+    last_in_view_[part] = last;
+  }
+
+  HWY_INLINE void see(const FallenPoint<L, P>& point, int part, int first, int step, Block& block) {
+    auto in_front = L(0.0f) < L(1.0f);
+    SeenPoint<P> seen = see_point<L>(film_, point.position_in_enu_km, in_front);
+    const P above = (altitude_km(point.position_in_enu_km, L(scene_.observer_altitude_km)) -
+                     L(static_cast<float>(HeightProfile::kBottomKm))) *
+                    L(static_cast<float>(1.0 / HeightProfile::kStepKm));
+    const L h = value_of(above);
+    if (scene_.nearest_cell) {
+      seen.column = P(round_to_nearest(value_of(seen.column)));
+      seen.row = P(round_to_nearest(value_of(seen.row)));
+    }
+    const L x = value_of(seen.column), y = value_of(seen.row);
+    const auto on_path = point.t <= end_[part];
+    const L last_column(static_cast<float>(scene_.film.columns - 1)),
+        last_row(static_cast<float>(scene_.film.rows - 1));
+    const auto visible = on_path && in_front && L(0.0f) <= x && x < last_column && L(0.0f) <= y &&
+                         y < last_row && L(0.0f) <= h &&
+                         h < L(static_cast<float>(HeightProfile::kAltitudes - 1));
+    const P geometry = scene_.unit_weight
+                           ? P(L(1.0f))
+                           : point.stretch_km * vertical_[part] * seen.per_steradian_cell * flux_[part];
+    keep(seen.column, block.column[step], first);
+    keep(seen.row, block.row[step], first);
+    keep(only_where(visible, geometry), block.light[step], first);
+    keep(above, block.altitude[step], first);
+  }
+
+  const KernelScene& scene_;
+  PhiloxKeys keys_;
+  FallFrame<C> frame_;
+  Deflection<C> deflection_;
+  FilmView<L, C> film_;
+  FallingBeams<L, P, C> beams_[kGroup];
+  P vertical_[kGroup];
+  L flux_[kGroup], end_[kGroup], first_in_view_[kGroup], last_in_view_[kGroup];
+  double left_, right_, top_, bottom_;  ///< edges of the film and a cell more, as tangents
+  double stray_;                        ///< from the straight line, as a fraction of the path
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace vegard::sim
+HWY_AFTER_NAMESPACE();
+
+#endif

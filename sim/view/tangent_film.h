@@ -1,0 +1,37 @@
+// The film of derivatives.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+namespace vegard::sim {
+
+/// Derivatives of a film by up to kTangentWidth (sim/light/sample.h) free parameters, in floats. Tiles of
+/// columns come into being when light first falls on them, so that the film of one stretch of an arc is
+/// small.
+class TangentFilm {
+ public:
+  static constexpr int kTileColumns = 8;
+  TangentFilm(int columns, int rows, int lines);
+
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  int lines() const { return lines_; }
+
+  /// [(row * kTileColumns + column in tile) * lines + line][kTangentWidth], made (zeroed) if need be.
+  float* tile(int index) {
+    if (!tiles_[index]) make_tile(index);
+    return tiles_[index].get();
+  }
+  const float* tile_if_any(int index) const { return tiles_[index].get(); }
+
+ private:
+  struct Free {
+    void operator()(float* p) const;
+  };
+  void make_tile(int index);
+  int columns_, rows_, lines_;
+  std::vector<std::unique_ptr<float[], Free>> tiles_;
+};
+
+}  // namespace vegard::sim
