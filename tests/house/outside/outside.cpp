@@ -7,6 +7,8 @@
 #include "sim/base/embedded_table.h"
 #include "sim/base/error.h"
 #include "sim/base/image_io.h"
+#include "sim/render.h"
+#include "sim/scene/scene_toml.h"
 #include "sim/view/transfer_curve.h"
 
 namespace {
@@ -23,6 +25,10 @@ void use_sim() {
   using namespace vegard::sim;
   expect(!embedded_table("ver_maxwellian.csv").empty(), "the emission tables are not in the library");
   expect(std::abs(srgb_encode(0.18) - 0.461356) < 1e-6, "the transfer curve is wrong");
+  const Scene scene = parse_scene(
+      "camera = { width = 48, height = 32 }\nsheet = [{ name = \"main\", beams = 100 }]\n", "outside.toml");
+  const Rendering picture = render(scene);
+  expect(picture.rgb.width == 48 && picture.deflection_points > 0, "nothing is rendered");
   const Image grey(2, 2, {"Y"});
   expect(!encode_display(ImageFormat::png, grey, 8, 0, {}).empty(), "no picture comes out");
   try {
@@ -38,6 +44,7 @@ void use_fit() {
   Profile profile;
   profile.bands = 2;
   profile.rows = 5;
+  expect(band_begin({10, 0, 60, 5}, 2, 1) == 40, "bands begin elsewhere");
   expect(profile.index(1, 4, 2) == 29, "profiles are indexed otherwise");
 }
 
