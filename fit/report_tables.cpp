@@ -139,8 +139,9 @@ std::string statistics_table(const FitResult& result) {
       row("Error inflation", "\u00d7&#160;" + html_text(short_number(result.error_inflation, 3)),
           "The error bars were widened by this factor, because residuals in neighbouring rows are alike and "
           "because \u03c7\u00b2 asks for it.");
-  html += row("Evaluations", fmt::format("{} + {}", result.evaluations, result.jacobian_evaluations),
-              "How often the model was computed, without and with its derivatives.");
+  html += row(
+      "Evaluations", fmt::format("{} ({})", result.evaluations, result.jacobian_evaluations),
+      "How often the search computed the model; in brackets, how many of these times with its derivatives.");
   html += row("Ended because", "", html_text(result.termination));
   return html + "</tbody>\n</table>\n";
 }
