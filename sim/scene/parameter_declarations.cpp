@@ -94,11 +94,17 @@ std::vector<Declaration> declare() {
       Row("site", "time_utc", &Scene::site, &Site::time_utc).rule(time_complaint)
           .means("when, in ISO 8601 such as \"2019-09-01T05:00:00Z\"; empty if unknown; goes into file headers"),
 
+      Row("field", "model", &Scene::field, &Field::model).one_of({"uniform", "dipole"})
+          .means("the same field everywhere, or a tilted dipole's at each foot"),
       Row("field", "inclination_deg", &Scene::field, &Field::inclination_deg).in("deg").within(-90, 90)
           .rule(inclination_complaint).may_be_free(linear)
           .means("inclination of the magnetic field, below the horizon in the north; at least 20 from the horizontal"),
       Row("field", "declination_deg", &Scene::field, &Field::declination_deg).in("deg").within(-180, 180).may_be_free(linear)
           .means("declination of the magnetic field, from north to the east"),
+      Row("field", "pole_latitude_deg", &Scene::field, &Field::pole_latitude_deg).in("deg").within(45, 90)
+          .means("latitude of the dipole's northern pole; the default is that of 2020"),
+      Row("field", "pole_longitude_deg", &Scene::field, &Field::pole_longitude_deg).in("deg").within(-180, 360)
+          .means("longitude of the dipole's northern pole, east positive"),
 
       Row("camera", "model", &Scene::camera, &Camera::model).one_of({"pinhole"}).means("projection"),
       Row("camera", "width", &Scene::camera, &Camera::width).in("px").within(1, 65535).means("width of the image"),
@@ -150,6 +156,73 @@ std::vector<Declaration> declare() {
           .means("random shift of the beams along the sheet, as a fraction of their spacing"),
       Row("spacing_rule", &Sheet::spacing_rule).one_of({"tied", "literal"})
           .means("whether a beam's phase follows its jittered place, or as in the paper does not"),
+      Row("beams_per_km", &Sheet::beams_per_km).in("km⁻¹").within(0, 100000)
+          .means("electron beams per kilometre of each layer, in place of their number; 0: beams says"),
+      Row("step_rule", &Sheet::step_rule).one_of({"given", "energy"})
+          .means("whether path_step is taken as it is, or follows from the electrons' mean energy"),
+      Row("arcs", &Sheet::arcs).within(1, 64).means("how many like sheets stand side by side, center_km in their middle"),
+      Row("arc_spacing_km", &Sheet::arc_spacing_km).in("km").within(0.1, 1000).may_be_free(logarithmic)
+          .means("distance between them (10 to 100 in nature)"),
+      Row("brightness_kilorayleigh", &Sheet::brightness_kilorayleigh).in("kR").within(0, 1e6)
+          .means("of 557.7 nm seen along the field, at its peak across a layer, in place of the energy flux; 0: that says"),
+      Row("profile", &Sheet::profile).one_of({"maxwellian", "form"})
+          .means("light against altitude: of Maxwellian electrons, or the form's measured curve with their ratios of lines"),
+      Row("peak_km", &Sheet::peak_km).in("km").within(85, 400).means("altitude of a form's brightest light"),
+      Row("lower_km", &Sheet::lower_km).in("km").within(0.5, 100)
+          .means("how far below the peak a form's light has fallen to a tenth"),
+      Row("upper_km", &Sheet::upper_km).in("km").within(1, 500)
+          .means("how far above the peak a form's light has fallen to a tenth"),
+      Row("fold_spacing_km", &Sheet::fold_spacing_km).in("km").within(0, 5000)
+          .means("mean distance between folds (about 20 in nature); 0: no folds"),
+      Row("fold_spacing_jitter", &Sheet::fold_spacing_jitter).within(0, 1)
+          .means("random shift of the folds, as a fraction of their spacing"),
+      Row("fold_length_km", &Sheet::fold_length_km).in("km").within(0.01, 1000)
+          .means("stretch of the sine that a fold replaces"),
+      Row("fold_stage", &Sheet::fold_stage).within(0, 1).may_be_free(linear)
+          .means("how far a fold has turned: 0 a ripple, about a half an overhang, 1 a horseshoe bend"),
+      Row("fold_stage_spread", &Sheet::fold_stage_spread).within(0, 1)
+          .means("how much less than that folds may have turned, as a fraction of it"),
+      Row("fold_speed_km_s", &Sheet::fold_speed_km_s).in("km s⁻¹").within(-100, 100)
+          .means("of the folds, from start to end (0 to 5 in nature)"),
+      Row("fold_lifetime_s", &Sheet::fold_lifetime_s).in("s").within(0, 1e6)
+          .means("of a fold (more than 1 in nature); 0: folds last"),
+      Row("curl_spacing_km", &Sheet::curl_spacing_km).in("km").within(0, 5000)
+          .means("mean distance between curls (2 to 10 in nature); 0: no curls"),
+      Row("curl_radius_km", &Sheet::curl_radius_km).in("km").within(0.01, 100).means("of a curl"),
+      Row("curl_turn_rad", &Sheet::curl_turn_rad).in("rad").within(-100, 100)
+          .means("angle by which a curl has wound up its centre, counter-clockwise seen against the fall"),
+      Row("curl_gather", &Sheet::curl_gather).within(0, 0.95)
+          .means("how much closer beams stand in the centre of a curl, as a fraction of their spacing"),
+      Row("curl_speed_km_s", &Sheet::curl_speed_km_s).in("km s⁻¹").within(-100, 100)
+          .means("of the curls, from start to end (0 to 8 in nature, at most 90)"),
+      Row("curl_lifetime_s", &Sheet::curl_lifetime_s).in("s").within(0, 1e6)
+          .means("of a curl (0.25 to 0.75 in nature); 0: curls last"),
+      Row("ray_contrast", &Sheet::ray_contrast).within(0, 3)
+          .means("standard deviation of the logarithm of the light from ray to ray; 0: no rays"),
+      Row("ray_width_km", &Sheet::ray_width_km).in("km").within(0.01, 100)
+          .means("full width of a ray at half its height (1 or less in nature)"),
+      Row("ray_length_contrast", &Sheet::ray_length_contrast).within(0, 2)
+          .means("standard deviation of the logarithm of the rays' extent above the peak"),
+      Row("ray_speed_km_s", &Sheet::ray_speed_km_s).in("km s⁻¹").within(-100, 100)
+          .means("of the rays, from start to end"),
+      Row("ray_lifetime_s", &Sheet::ray_lifetime_s).in("s").within(0, 1e6).means("of a ray; 0: rays last"),
+      Row("patch_size_km", &Sheet::patch_size_km).in("km").within(0, 1000)
+          .means("of patches of light along and across the sheet; 0: no patches"),
+      Row("patch_contrast", &Sheet::patch_contrast).within(0, 3)
+          .means("standard deviation of the logarithm of the light from patch to patch"),
+      Row("patch_lifetime_s", &Sheet::patch_lifetime_s).in("s").within(0, 1e6).means("of a patch; 0: patches last"),
+      Row("border_amplitude_km", &Sheet::border_amplitude_km).in("km").within(0, 100)
+          .means("by which the lower border goes up and down; 0: it is even"),
+      Row("border_scale_km", &Sheet::border_scale_km).in("km").within(0.1, 1000)
+          .means("length of the lower border's longest waves"),
+      Row("border_octaves", &Sheet::border_octaves).within(1, 8)
+          .means("of the lower border's waves, each half as long and half as high as the one before"),
+      Row("border_lifetime_s", &Sheet::border_lifetime_s).in("s").within(0, 1e6)
+          .means("of the lower border's course; 0: it lasts"),
+      Row("drift_km_s", &Sheet::drift_km_s).of({"east", "north"}).in("km s⁻¹").within(-100, 100)
+          .means("velocity of the whole sheet (0.1 to 0.2 north to south in nature, 10 east to west)"),
+      Row("sine_speed_km_s", &Sheet::sine_speed_km_s).in("km s⁻¹").within(-100, 100)
+          .means("of the sine, from start to end"),
 
       Row("emission", "lines", &Scene::emission, &Emission::lines).of({"<n>"}).named_by(index_name).in("nm")
           .rule(line_complaint).list_rule(lines_complaint).set_by(change_lines)
@@ -161,6 +234,10 @@ std::vector<Declaration> declare() {
                  "called by its line's wavelength in ångström, such as blur.width_deg.6300"),
       Row("blur", "kernel", &Scene::blur, &Blur::kernel).one_of({"full", "paper"})
           .means("shape of the blur: untruncated, or truncated as in the paper"),
+      Row("blur", "model", &Scene::blur, &Blur::model).one_of({"angle", "physical"})
+          .means("width_deg everywhere, or as far as the excited atoms come within their lifetimes"),
+      Row("blur", "wind_m_s", &Scene::blur, &Blur::wind_m_s).of({"east", "north"}).in("m s⁻¹").within(-2000, 2000)
+          .means("wind that carries the excited atoms, of the physical model"),
 
       Row("film", "splat", &Scene::film, &Film::splat).one_of({"bilinear", "nearest"})
           .means("how a point falls on the pixels; the paper's is nearest"),
@@ -178,6 +255,47 @@ std::vector<Declaration> declare() {
           .means("how much brighter the sky is at the image's bottom than at its top, linear sensor value"),
       Row("sky", "curvature", &Scene::sky, &Sky::curvature).of({"red", "green", "blue"}).within(-1e6, 1e6)
           .means("bend of the sky's brightness: four times what top and bottom exceed the middle by"),
+
+      Row("stars", "shown", &Scene::stars, &Stars::shown).means("whether there are stars behind the aurora"),
+      Row("stars", "faintest_magnitude", &Scene::stars, &Stars::faintest_magnitude).in("mag").within(-2, 12)
+          .means("of the stars that are shown"),
+      Row("stars", "width_deg", &Scene::stars, &Stars::width_deg).in("deg").within(0.0001, 5)
+          .means("standard deviation of a star's image"),
+      Row("stars", "gain", &Scene::stars, &Stars::gain).within(0, 1e6).means("times the stars' photometric brightness"),
+
+      Row("composite", "background", &Scene::composite, &Composite::background)
+          .means("picture behind the aurora, beside the scene's file; empty: none"),
+      Row("composite", "background_gain", &Scene::composite, &Composite::background_gain).within(0, 1e6)
+          .means("of the background, in linear light"),
+      Row("composite", "foreground", &Scene::composite, &Composite::foreground)
+          .means("picture before the aurora, beside the scene's file; empty: none"),
+      Row("composite", "foreground_gain", &Scene::composite, &Composite::foreground_gain).within(0, 1e6)
+          .means("of the foreground, in linear light"),
+      Row("composite", "mask", &Scene::composite, &Composite::mask)
+          .means("picture that is white where the foreground hides the sky; empty: the foreground's alpha"),
+
+      Row("time", "start_s", &Scene::time, &Time::start_s).in("s").within(-1e7, 1e7)
+          .means("of the picture, or of an animation's first frame, on the scene's clock"),
+      Row("time", "exposure_s", &Scene::time, &Time::exposure_s).in("s").within(0, 1e5)
+          .means("how long the picture is exposed"),
+      Row("time", "instants", &Scene::time, &Time::instants).within(1, 1024)
+          .means("evenly spaced instants whose mean the picture is, the first at its start"),
+      Row("time", "frames_per_second", &Scene::time, &Time::frames_per_second).in("s⁻¹").within(0.001, 1000)
+          .means("of an animation"),
+      Row("time", "frames", &Scene::time, &Time::frames).within(1, 1000000).means("of an animation"),
+
+      Row("substorm", "quiet", &Scene::substorm, &Substorm::quiet).within(0, 1)
+          .means("brightness of all sheets before and after a substorm, of what they say; 1: no substorm"),
+      Row("substorm", "grown", &Scene::substorm, &Substorm::grown).within(0, 1)
+          .means("brightness at the end of the growth phase"),
+      Row("substorm", "onset_s", &Scene::substorm, &Substorm::onset_s).in("s").within(-1e7, 1e7)
+          .means("when growth ends and expansion begins"),
+      Row("substorm", "growth_s", &Scene::substorm, &Substorm::growth_s).in("s").within(1, 1e6)
+          .means("length of the growth phase (up to 2 hours)"),
+      Row("substorm", "expansion_s", &Scene::substorm, &Substorm::expansion_s).in("s").within(1, 1e6)
+          .means("length of the expansion phase (about 20 minutes)"),
+      Row("substorm", "recovery_s", &Scene::substorm, &Substorm::recovery_s).in("s").within(1, 1e6)
+          .means("length of the recovery phase (half an hour to 2 hours)"),
 
       Row("fit", "roi_px", &Scene::fit, &Fit::roi_px).of({"x", "y", "width", "height"}).in("px").within(0, 65535)
           .means("region of interest; all zero: the whole image"),

@@ -27,10 +27,34 @@ struct Site {
   std::string time_utc;  ///< ISO 8601, empty if unknown; goes into file headers, never the clock's time
 };
 
-/// The geomagnetic field, uniform over the scene and straight along every beam.
+/// The geomagnetic field, straight along every beam: the same everywhere, or that of a tilted dipole at each
+/// foot.
 struct Field {
-  double inclination_deg = 78.0;  ///< below the horizon in the north
-  double declination_deg = 0.0;   ///< from north to the east
+  std::string model = "uniform";       ///< or "dipole"
+  double inclination_deg = 78.0;       ///< of the uniform field, below the horizon in the north
+  double declination_deg = 0.0;        ///< of the uniform field, from north to the east
+  double pole_latitude_deg = 80.65;    ///< of the dipole's pole in the north
+  double pole_longitude_deg = -72.68;  ///< of the same, east positive
+};
+
+/// When a picture is taken, on the scene's own clock. An exposure is the mean of its instants,
+/// start_s + k exposure_s / instants.
+struct Time {
+  double start_s = 0.0;
+  double exposure_s = 0.0;
+  int instants = 1;
+  double frames_per_second = 60.0;  ///< of an animation, whose frame n is the picture at start_s + n / this
+  int frames = 60;
+};
+
+/// The brightness of all sheets over a substorm, as a fraction of what the sheets say.
+struct Substorm {
+  double quiet = 1.0;  ///< before the growth phase and after the recovery; 1: no substorm
+  double grown = 0.3;  ///< at the end of the growth phase, when the expansion sets in
+  double onset_s = 3600.0;
+  double growth_s = 3600.0;
+  double expansion_s = 1200.0;
+  double recovery_s = 3600.0;
 };
 
 struct Camera {
@@ -43,9 +67,11 @@ struct Camera {
   double roll_deg = 0.0;
 };
 
-/// One sheet of precipitating electrons (rows B1-B7, B11-B16 of the source paper, docs/physics.md).
+/// One sheet of precipitating electrons, or a system of like ones side by side (rows B1-B17, B28-B29 of the
+/// source paper, docs/physics.md).
 struct Sheet {
   std::string name = "main";
+  std::string form = "custom";      ///< the preset that its defaults come from
   EastNorth center_km{0.0, 200.0};  ///< of the line from start to end, at the foot's altitude of 110 km
   double bearing_deg = 90.0;        ///< from start to end, from north to the east
   double length_km = 400.0;         ///< from start to end (D)
@@ -66,6 +92,50 @@ struct Sheet {
   double top_km = 500.0;              ///< altitude at which a beam starts
   double spacing_jitter = 0.5;        ///< of the beams along the arc, fraction of their spacing (j)
   std::string spacing_rule = "tied";  ///< "tied" (phase follows the jittered place) or "literal"
+  double beams_per_km = 0.0;          ///< if not 0, the number of beams follows from the length
+  std::string step_rule = "given";    ///< "given" (path_step) or "energy": it follows from energy_kev
+
+  int arcs = 1;                  ///< like sheets side by side
+  double arc_spacing_km = 30.0;  ///< between them
+
+  double brightness_kilorayleigh = 0.0;  ///< if not 0, of 557.7 nm along the field, in place of Q
+  std::string profile = "maxwellian";    ///< light against altitude: "maxwellian" or "form"
+  double peak_km = 110.0;                ///< of a form's light
+  double lower_km = 4.0;                 ///< below the peak a form's light has fallen to a tenth
+  double upper_km = 20.0;                ///< above the peak a form's light has fallen to a tenth
+
+  double fold_spacing_km = 0.0;      ///< mean distance of folds; 0: none
+  double fold_spacing_jitter = 0.5;  ///< of their places, fraction of the spacing
+  double fold_length_km = 8.0;       ///< of the sine that a fold replaces
+  double fold_stage = 0.5;           ///< from 0, a ripple, by the overhang to 1, a horseshoe bend
+  double fold_stage_spread = 0.5;    ///< how much less far gone the folds may be, fraction of the stage
+  double fold_speed_km_s = 0.0;
+  double fold_lifetime_s = 0.0;  ///< 0: they last
+
+  double curl_spacing_km = 0.0;  ///< mean distance of curls; 0: none
+  double curl_radius_km = 1.0;
+  double curl_turn_rad = 3.0;  ///< by which a curl has wound its centre up
+  double curl_gather = 0.5;  ///< how close together its beams stand: 1 - this is their spacing at the centre
+  double curl_speed_km_s = 0.0;
+  double curl_lifetime_s = 0.0;  ///< 0: they last
+
+  double ray_contrast = 0.0;         ///< standard deviation of the logarithm of the light along the sheet
+  double ray_width_km = 0.5;         ///< full width of a ray at half its height
+  double ray_length_contrast = 0.0;  ///< standard deviation of the logarithm of a ray's height above the peak
+  double ray_speed_km_s = 0.0;
+  double ray_lifetime_s = 0.0;  ///< 0: they last
+
+  double patch_size_km = 0.0;     ///< 0: no patches
+  double patch_contrast = 1.0;    ///< standard deviation of the logarithm of the light
+  double patch_lifetime_s = 0.0;  ///< 0: they last
+
+  double border_amplitude_km = 0.0;  ///< of the undulation of the lower border
+  double border_scale_km = 20.0;     ///< of its largest waves
+  int border_octaves = 3;
+  double border_lifetime_s = 0.0;  ///< 0: it lasts
+
+  EastNorth drift_km_s{0.0, 0.0};  ///< of the whole sheet
+  double sine_speed_km_s = 0.0;    ///< of the sine along the sheet
 };
 
 struct Emission {
@@ -76,6 +146,8 @@ struct Blur {
   std::vector<double> width_deg = {0.43, 0.18,
                                    0.0};  ///< standard deviation per line, in the order of Emission::lines
   std::string kernel = "full";            ///< "full" (untruncated) or "paper" (truncated as in the paper)
+  std::string model = "angle";            ///< or "physical": the way of the excited atoms
+  EastNorth wind_m_s{0.0, 0.0};           ///< of the air, that carries them
 };
 
 struct Film {
@@ -95,6 +167,23 @@ struct Sky {
   std::array<double, 3> level{0.0, 0.0, 0.0};
   std::array<double, 3> gradient{0.0, 0.0, 0.0};
   std::array<double, 3> curvature{0.0, 0.0, 0.0};
+};
+
+/// Stars behind the aurora: random ones, as many of each magnitude as the sky has.
+struct Stars {
+  bool shown = false;
+  double faintest_magnitude = 6.5;
+  double width_deg = 0.02;  ///< standard deviation of a star's image
+  double gain = 1.0;        ///< times its photometric brightness
+};
+
+/// Pictures behind and before the aurora, by file, beside the scene's.
+struct Composite {
+  std::string background;        ///< empty: none
+  double background_gain = 1.0;  ///< in linear light
+  std::string foreground;        ///< empty: none
+  double foreground_gain = 1.0;
+  std::string mask;  ///< white where the foreground hides the sky; empty: the foreground's alpha
 };
 
 struct Prior {
@@ -134,6 +223,10 @@ struct Scene {
   Film film;
   Sensor sensor;
   Sky sky;
+  Stars stars;
+  Composite composite;
+  Time time;
+  Substorm substorm;
   Fit fit;
   // For messages only: neither is written to an output, nor does a result depend on it.
   std::string file;                  ///< where it was read from
