@@ -20,7 +20,7 @@
 #include "sim/base/image_io.h"
 #include "sim/base/version.h"
 #include "sim/base/whole_file.h"
-#include "sim/render.h"
+#include "sim/render/render.h"
 #include "sim/scene/scene_toml.h"
 
 namespace vegard::apps {

@@ -8,7 +8,7 @@ install(TARGETS vegard RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS vegard_sim vegard_fit EXPORT vegardTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT vegardTargets NAMESPACE vegard:: DESTINATION ${VEGARD_INSTALL_CMAKEDIR})
 
-# Under include/vegard, so that #include "sim/render.h" reads the same inside and outside.
+# Under include/vegard, so that #include "sim/render/render.h" reads the same inside and outside.
 install(DIRECTORY sim fit DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/vegard FILES_MATCHING PATTERN "*.h")
 
 # The emission tables travel with their licence, and NOTICE with the libraries that they are compiled into.

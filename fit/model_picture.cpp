@@ -4,7 +4,7 @@
 #include <cassert>
 #include <limits>
 
-#include "sim/render.h"
+#include "sim/render/render.h"
 #include "sim/view/sky.h"
 
 namespace vegard::fit {

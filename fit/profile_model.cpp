@@ -5,7 +5,7 @@
 
 #include "fit/smoothing.h"
 #include "sim/base/parallel.h"
-#include "sim/render_film.h"
+#include "sim/render/film.h"
 #include "sim/view/blur.h"
 #include "sim/view/colour.h"
 

@@ -12,10 +12,9 @@ namespace vegard::sim {
 
 /// What a random number is for. Numbers of different streams are independent.
 enum class Stream : std::uint32_t {
-  beam_spacing = 1,   ///< jitter of the beams along the arc
+  beam_spacing = 1,   ///< jitter of the beams along the arc, and their random depth
   cross_section = 2,  ///< place of a beam inside its layer
   path = 3,           ///< lengths and azimuths of a beam's deflections
-  depth = 4,          ///< random depth of a beam
   search = 5,         ///< trial points of a fit
 };
 

@@ -178,7 +178,7 @@ std::vector<Declaration> declare() {
           .means("random shift of the folds, as a fraction of their spacing"),
       Row("fold_length_km", &Sheet::fold_length_km).in("km").within(0.01, 1000)
           .means("stretch of the sine that a fold replaces"),
-      Row("fold_stage", &Sheet::fold_stage).within(0, 1).may_be_free(linear)
+      Row("fold_stage", &Sheet::fold_stage).within(0, 1)
           .means("how far a fold has turned: 0 a ripple, about a half an overhang, 1 a horseshoe bend"),
       Row("fold_stage_spread", &Sheet::fold_stage_spread).within(0, 1)
           .means("how much less than that folds may have turned, as a fraction of it"),

@@ -10,8 +10,8 @@
 
 #include "bench_scene.h"
 #include "interleaved.h"
-#include "sim/render_film.h"
-#include "sim/render_kernel.h"
+#include "sim/render/film.h"
+#include "sim/render/kernel.h"
 
 namespace {
 
@@ -95,7 +95,7 @@ struct Workload {
     };
     fmt::print("\n{}: film of {} x {} cells, {} deflection points computed, {} of them splatted\n", name,
                film.columns, film.rows, computed, record.points());
-    fmt::print("  floor: splat_on_film in sim/render_kernel.cpp, {}\n    {:.1f} million points splatted/s\n",
+    fmt::print("  floor: splat_on_film in sim/render/kernel.cpp, {}\n    {:.1f} million points splatted/s\n",
                t.words(floor), splatted / t.median(floor) * 1e-6);
     fmt::print("  renderer, 1 thread: {}\n    {}\n", t.words(one), rates(one));
     fmt::print("  renderer, 2 threads: {}\n    {}\n", t.words(two), rates(two));
@@ -125,7 +125,7 @@ int main(int argc, char** argv) {
   }
   const vegard::bench::TimingsByClock timings = vegard::bench::run_interleaved(argc, argv);
   fmt::print(
-      "\nFloor: splat_on_film in sim/render_kernel.cpp, precomputed weights at precomputed places, bilinear, "
+      "\nFloor: splat_on_film in sim/render/kernel.cpp, precomputed weights at precomputed places, bilinear, "
       "three lines at stride {}, 64-bit integer film; instruction set {}.\n"
       "Its film is the renderer's, bit for bit.\n",
       kStride, vegard::sim::kernel_instruction_set());

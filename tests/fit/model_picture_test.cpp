@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/render.h"
+#include "sim/render/render.h"
 #include "tests/support/small_fit.h"
 
 namespace vegard::fit {

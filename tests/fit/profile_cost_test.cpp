@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "fit/noise_model.h"
-#include "sim/render.h"
+#include "sim/render/render.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/small_scene.h"
 
@@ -22,6 +22,8 @@ sim::Scene fit_scene() {
   scene.camera.roll_deg = 2.0;
   scene.sheets[0].center_km.east = 90.0;
   scene.sheets[0].length_km = 280.0;
+  scene.sheets[0].arcs = 2;
+  scene.sheets[0].arc_spacing_km = 14.0;
   scene.sheets[0].beams = 4000;
   scene.blur.width_deg = {0.43, 0.25, 0.3};
   scene.sky.level = {0.02, 0.03, 0.05};

@@ -20,7 +20,7 @@ check_sources() {
     xargs -0 --no-run-if-empty awk '
     # From right to left in "apps -> fit -> sim/render -> sim/emit, sim/view -> sim/light -> sim/scene -> sim/base".
     function layer(path) {
-      if (path ~ /^sim\/render/) return "sim/render"
+      if (path ~ /^sim\/render\//) return "sim/render"
       if (match(path, /^sim\/(base|scene|light|emit|view)\//)) return substr(path, 1, RLENGTH - 1)
       if (match(path, /^(fit|apps)\//)) return substr(path, 1, RLENGTH - 1)
       return ""

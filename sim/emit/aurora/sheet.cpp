@@ -1,5 +1,6 @@
 #include "sim/emit/aurora/sheet.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/base/earth.h"
@@ -8,6 +9,8 @@
 
 namespace vegard::sim {
 namespace {
+
+constexpr int kMostBeams = 10000000;
 
 /// Van der Corput's sequence in base 2: the bits of i mirrored at the point.
 double van_der_corput(std::uint32_t i) {
@@ -18,49 +21,67 @@ double van_der_corput(std::uint32_t i) {
 
 }  // namespace
 
-StretchOfSheet stretch_of(const Sheet& sheet) {
+StretchOfSheet stretch_of(const Sheet& sheet, double instant_s) {
   const double bearing = sheet.bearing_deg * kRadiansPerDegree;
-  return {sheet.center_km.east * std::sin(bearing) + sheet.center_km.north * std::cos(bearing),
-          sheet.length_km};
+  const double east = sheet.center_km.east + sheet.drift_km_s.east * instant_s;
+  const double north = sheet.center_km.north + sheet.drift_km_s.north * instant_s;
+  return {east * std::sin(bearing) + north * std::cos(bearing), sheet.length_km};
 }
 
-std::vector<BeamPlace> beam_places(const Sheet& sheet, std::uint32_t sheet_index, std::uint32_t layer,
-                                   std::uint64_t seed, double beyond) {
-  const bool literal = sheet.spacing_rule == "literal";
+int beams_per_layer(const Sheet& sheet) {
+  if (sheet.beams_per_km <= 0.0) return sheet.beams;
+  return std::clamp(static_cast<int>(std::lround(sheet.beams_per_km * sheet.length_km)), 1, kMostBeams);
+}
+
+std::uint32_t layer_address(int sheet_index, int arc, int layer) {
+  return (static_cast<std::uint32_t>(sheet_index) << 16) | (static_cast<std::uint32_t>(arc) << 8) |
+         static_cast<std::uint32_t>(layer);
+}
+
+LayerPlaces::LayerPlaces(const Sheet& sheet, std::uint32_t layer_address, std::uint64_t seed, double beyond)
+    : seed_(seed),
+      address_(layer_address),
+      literal_(sheet.spacing_rule == "literal"),
+      jitter_(sheet.spacing_jitter),
+      shift_(uniform(random_words(seed, Stream::cross_section, 0, layer_address)[0])) {
+  const int own = beams_per_layer(sheet);
   // An odd number of beams more puts both ends into the middle of a beam: at a border the light has a kink.
-  const auto more =
-      literal || beyond <= 0.0 ? 0u : 2u * static_cast<std::uint32_t>(beyond * sheet.beams) + 1u;
-  const std::uint32_t n = static_cast<std::uint32_t>(sheet.beams) + more;
-  beyond = 0.5 * more / sheet.beams;
-  const std::uint32_t which = sheet_index * 256 + layer;
-  const double even_step = 1.0 / n;
-  const double shift = uniform(random_words(seed, Stream::cross_section, 0, which)[0]);
-  std::vector<BeamPlace> places(n);
-  double s = 0.0;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const double u = uniform(random_words(seed, Stream::beam_spacing, i, which)[0]);
-    const double step = literal ? even_step * (u > 0.5 ? 1.0 + u : 1.0 - u)
-                                : even_step * (1.0 + sheet.spacing_jitter * (2.0 * u - 1.0));
-    BeamPlace& place = places[i];
-    place.s = literal ? s : s + 0.5 * step;
-    place.s_of_phase = literal ? i * even_step : place.s;
-    place.from = s;
-    place.to = s + (literal ? even_step : step);
-    s += step;
-    double across = van_der_corput(i) + shift;
+  const int more = literal_ || beyond <= 0.0 ? 0 : 2 * static_cast<int>(beyond * own) + 1;
+  beams_ = own + more;
+  beyond_ = 0.5 * more / own;
+  double sum = 0.0;
+  for (int i = 0; i < beams_; ++i) {
+    if (i % kSumEvery == 0) sums_.push_back(sum);
+    sum += step(i).length;
+  }
+  sums_.push_back(sum);
+}
+
+LayerPlaces::Step LayerPlaces::step(int beam) const {
+  const Words words = random_words(seed_, Stream::beam_spacing, static_cast<std::uint32_t>(beam), address_);
+  const double u = uniform(words[0]), even = 1.0 / beams_;
+  const double length =
+      literal_ ? even * (u > 0.5 ? 1.0 + u : 1.0 - u) : even * (1.0 + jitter_ * (2.0 * u - 1.0));
+  return {length, uniform(words[1])};
+}
+
+void LayerPlaces::fill(int first, int count, BeamPlace* out) const {
+  const double even = 1.0 / beams_, all = sums_.back();
+  const auto scaled = [&](double at) { return literal_ ? at : at / all * (1.0 + 2.0 * beyond_) - beyond_; };
+  double s = sums_[first / kSumEvery];
+  for (int i = first; i < first + count; ++i) {
+    const Step step = this->step(i);
+    BeamPlace& place = out[i - first];
+    place.s = scaled(literal_ ? s : s + 0.5 * step.length);
+    place.s_of_phase = literal_ ? i * even : place.s;
+    place.from = scaled(s);
+    place.to = scaled(s + (literal_ ? even : step.length));
+    s += step.length;
+    double across = van_der_corput(static_cast<std::uint32_t>(i)) + shift_;
     if (across >= 1.0) across -= 1.0;
     place.across = normal_quantile(across);
-    place.depth = uniform(random_words(seed, Stream::depth, i, which)[0]);
+    place.depth = step.depth;
   }
-  if (!literal) {
-    const auto scaled = [&](double at) { return at / s * (1.0 + 2.0 * beyond) - beyond; };
-    for (BeamPlace& place : places) {
-      place.from = scaled(place.from);
-      place.to = scaled(place.to);
-      place.s = place.s_of_phase = scaled(place.s);
-    }
-  }
-  return places;
 }
 
 }  // namespace vegard::sim

@@ -24,7 +24,8 @@ struct SheetShape {
   T phase_shift_rad;
   T width_km;
   T energy_flux_mw_m2;
-  double side;  ///< +1 in the northern hemisphere, -1 in the southern: the direction of u x B
+  T arc_offset_km;  ///< of this arc of a system, to the side of the sine's positive values
+  double side;      ///< +1 in the northern hemisphere, -1 in the southern: the direction of u x B
 };
 
 /// Where a beam stands on its layer, before any parameter is known: pure functions of the seed, frozen during
@@ -46,8 +47,14 @@ struct StretchOfSheet {
   double length_km = 0.0;
 };
 
-/// The stretch that a sheet takes up now.
-StretchOfSheet stretch_of(const Sheet& sheet);
+/// The stretch that a sheet takes up at an instant: it drifts with the sheet.
+StretchOfSheet stretch_of(const Sheet& sheet, double instant_s);
+
+/// How many beams a layer has: as many as the scene says, or as its length asks for.
+int beams_per_layer(const Sheet& sheet);
+
+/// What the random numbers of a layer go by.
+std::uint32_t layer_address(int sheet_index, int arc, int layer);
 
 /// The places of one layer's beams, in order along the arc, `beyond` sheet lengths past either end included
 /// (as many beams per kilometre there; they are dark until a fit moves an end). Across the layer they follow
@@ -55,8 +62,34 @@ StretchOfSheet stretch_of(const Sheet& sheet);
 /// Hammersley set, shifted by the seed). tied: s += d_s (1 + j (2u - 1)), then scaled to end at 1, phase read
 /// at the jittered s, light by the stretch. literal: s += d_s (1 ± ξ), phase 2πD/λ · i/n whatever s is, mean
 /// step 1.25 d_s, light shared equally; `beyond` is 0.
-std::vector<BeamPlace> beam_places(const Sheet& sheet, std::uint32_t sheet_index, std::uint32_t layer,
-                                   std::uint64_t seed, double beyond);
+///
+/// Places are worked out stretch by stretch when they are asked for. Of all the steps before, only their sums
+/// are kept, one per kSumEvery beams.
+class LayerPlaces {
+ public:
+  static constexpr int kSumEvery = 256;
+
+  LayerPlaces(const Sheet& sheet, std::uint32_t layer_address, std::uint64_t seed, double beyond);
+
+  int size() const { return beams_; }
+
+  /// Beams first to first + count, into out[0] and after. `first` is a multiple of kSumEvery, `count` at most
+  /// that.
+  void fill(int first, int count, BeamPlace* out) const;
+
+ private:
+  struct Step {
+    double length, depth;
+  };
+  Step step(int beam) const;
+
+  std::uint64_t seed_;
+  std::uint32_t address_;
+  int beams_;
+  bool literal_;
+  double jitter_, beyond_, shift_;
+  std::vector<double> sums_;  ///< of the steps before beam i * kSumEvery; at the end, of all
+};
 
 template <class T>
 struct BeamFoot {
@@ -96,8 +129,8 @@ BeamFoot<T> beam_foot(const SheetShape<T>& sheet, const StretchOfSheet& stretch,
   const double layer_part = layers > 1 ? static_cast<double>(layer) / (layers - 1) : 0.0;
   const T phase =
       from_start * kTwoPi / sheet.wavelength_km + sheet.phase_rad + sheet.phase_shift_rad * layer_part;
-  const T left =
-      center_left + (sheet.thickness_km * sine(phase) + sheet.width_km * place.across) * sheet.side;
+  const T left = center_left + sheet.arc_offset_km * sheet.side +
+                 (sheet.thickness_km * sine(phase) + sheet.width_km * place.across) * sheet.side;
   return {along * u_east - left * u_north, along * u_north + left * u_east,
           sheet.energy_flux_mw_m2 * sheet.width_km * share * kSqrtTwoPi};
 }

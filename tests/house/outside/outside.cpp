@@ -7,7 +7,7 @@
 #include "sim/base/embedded_table.h"
 #include "sim/base/error.h"
 #include "sim/base/image_io.h"
-#include "sim/render.h"
+#include "sim/render/render.h"
 #include "sim/scene/scene_toml.h"
 #include "sim/view/transfer_curve.h"
 

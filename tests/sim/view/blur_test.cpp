@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "sim/render_film.h"
+#include "sim/render/film.h"
 
 namespace vegard::sim {
 namespace {

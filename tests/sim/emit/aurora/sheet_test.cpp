@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "sim/base/earth.h"
 
@@ -22,11 +25,21 @@ SheetShape<double> shape_of(const Sheet& s, double side = 1.0) {
           s.phase_shift_rad,
           s.width_km,
           s.energy_flux_mw_m2,
+          0.0,
           side};
 }
 
+std::vector<BeamPlace> beam_places(const Sheet& sheet, int sheet_index, int layer, std::uint64_t seed,
+                                   double beyond) {
+  const LayerPlaces layer_places(sheet, layer_address(sheet_index, 0, layer), seed, beyond);
+  std::vector<BeamPlace> places(layer_places.size());
+  for (int first = 0; first < layer_places.size(); first += LayerPlaces::kSumEvery)
+    layer_places.fill(first, std::min(LayerPlaces::kSumEvery, layer_places.size() - first), &places[first]);
+  return places;
+}
+
 BeamFoot<double> foot_at(const Sheet& sheet, const BeamPlace& place, int layer = 0, double side = 1.0) {
-  return beam_foot(shape_of(sheet, side), stretch_of(sheet), place, layer, sheet.layers,
+  return beam_foot(shape_of(sheet, side), stretch_of(sheet, 0.0), place, layer, sheet.layers,
                    sheet.spacing_rule == "literal");
 }
 
@@ -224,7 +237,7 @@ TEST(Sheet, SlidingAlongItsLineWithThePhaseCompensatedMovesNoBeamInside) {
   after.center_km.east += shift_km * std::sin(bearing);
   after.center_km.north += shift_km * std::cos(bearing);
   after.phase_rad += 2.0 * kPi * shift_km / before.wavelength_km;
-  const StretchOfSheet line = stretch_of(before);
+  const StretchOfSheet line = stretch_of(before, 0.0);
   int interior = 0, changed = 0;
   for (const BeamPlace& place : beam_places(before, 0, 1, 4, 0.5)) {
     const auto old_foot = beam_foot(shape_of(before), line, place, 1, before.layers, false);

@@ -15,7 +15,7 @@
 #include "sim/base/dual-inl.h"
 #include "sim/base/lanes-inl.h"
 #include "sim/emit/aurora/fall-inl.h"
-#include "sim/render_kernel.h"
+#include "sim/render/kernel.h"
 #include "sim/view/project-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,8 +1,8 @@
-#include "sim/render.h"
+#include "sim/render/render.h"
 
 #include <algorithm>
 
-#include "sim/render_film.h"
+#include "sim/render/film.h"
 #include "sim/scene/emission_lines.h"
 #include "sim/view/blur.h"
 #include "sim/view/colour.h"

@@ -1,4 +1,4 @@
-#include "sim/render.h"
+#include "sim/render/render.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-#include "sim/render_film.h"
+#include "sim/render/film.h"
 #include "sim/view/blur.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/small_scene.h"
@@ -82,6 +82,8 @@ void expect_derivatives(const Scene& scene, double tolerance) {
 
 TEST(FilmDerivatives, EveryFreeNumberAgreesWithDifferences) {
   Scene scene = tests::small_scene();
+  scene.sheets[0].arcs = 2;
+  scene.sheets[0].arc_spacing_km = 14.0;
   // An end inside the picture, so that the length counts.
   scene.sheets[0].center_km.east = 130.0;
   scene.sheets[0].length_km = 250.0;
@@ -94,6 +96,7 @@ TEST(FilmDerivatives, SouthernSheetsOfTheLiteralRuleAgreeWithDifferences) {
   scene.field.inclination_deg = -74.0;
   Sheet& sheet = scene.sheets[0];
   sheet.center_km = {-100.0, -200.0};
+  sheet.arcs = 2;
   sheet.length_km = 250.0;
   sheet.spacing_rule = "literal";
   sheet.pitch_law = "product";

@@ -1,17 +1,17 @@
 // Compiled once for every instruction set that is worth it; chosen when the program runs.
-#include "sim/render_kernel.h"
+#include "sim/render/kernel.h"
 
 #include <cstddef>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "sim/render_kernel.cpp"
+#define HWY_TARGET_INCLUDE "sim/render/kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include "sim/base/dual-inl.h"
 #include "sim/base/lanes-inl.h"
-#include "sim/render_reference-inl.h"
-#include "sim/render_samples-inl.h"
+#include "sim/render/reference-inl.h"
+#include "sim/render/samples-inl.h"
 #include "sim/view/splat-inl.h"
 #include "sim/view/splat_tangents-inl.h"
 

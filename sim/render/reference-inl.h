@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "sim/render_samples-inl.h"
+#include "sim/render/samples-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace vegard::sim {

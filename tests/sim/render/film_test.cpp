@@ -1,4 +1,4 @@
-#include "sim/render_film.h"
+#include "sim/render/film.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "sim/base/earth.h"
 #include "sim/light/height_profile.h"
-#include "sim/render_kernel.h"
+#include "sim/render/kernel.h"
 #include "tests/support/line_of_sight.h"
 #include "tests/support/small_scene.h"
 

@@ -62,7 +62,7 @@ class Exposer {
   /// The same light computed in double by one thread; for tests.
   void expose_reference(const Scene& scene, std::vector<double>& rayleigh);
 
-  /// Appends what one thread of expose() would splat, in its order (sim/render_kernel.h); for benchmarks.
+  /// Appends what one thread of expose() would splat, in its order (sim/render/kernel.h); for benchmarks.
   void record_splats(const Scene& scene, SplatRecord& record);
 
  private:

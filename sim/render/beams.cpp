@@ -1,0 +1,163 @@
+#include "sim/render/beams.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "sim/emit/aurora/beam.h"
+#include "sim/emit/aurora/motion.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr double kFarthestKm = 4000;  // a foot farther than this is far below the horizon
+
+/// True if nothing that falls from this beam can reach the film: both ends, and whatever strays from the line
+/// between them by the pitch angles, project outside the same edge.
+bool out_of_sight(const Beam<double>& beam, const KernelScene& k) {
+  const double stray =
+      beam.length_km * (std::abs(k.deflection.loss_cone_rad.v) + std::abs(k.deflection.pitch_step_rad.v));
+  double x[2], y[2], nearest = 1e30;
+  for (int end = 0; end < 2; ++end) {
+    double in_camera[3];
+    for (int i = 0; i < 3; ++i) {
+      in_camera[i] = 0.0;
+      for (int j = 0; j < 3; ++j)
+        in_camera[i] += k.view.camera_from_enu[i][j].v *
+                        (beam.start_in_enu_km[j] + end * beam.length_km * k.fall.along[j].v);
+    }
+    nearest = std::min(nearest, in_camera[2]);
+    if (in_camera[2] > 0.0) {
+      x[end] = in_camera[0] / in_camera[2];
+      y[end] = in_camera[1] / in_camera[2];
+    }
+  }
+  if (nearest <= 2.0 * stray + 1.0) return false;
+  const double focal = k.view.focal_px.v;
+  const double farthest = std::max({std::abs(x[0]), std::abs(x[1]), std::abs(y[0]), std::abs(y[1])});
+  const double margin = stray / (nearest - stray) * (1.0 + farthest) * focal + 2.0;
+  const FilmGeometry& f = k.film;
+  const double left = f.x0_px - k.center_x_px - margin;
+  const double right = f.x0_px + f.columns * f.cell_width_px - k.center_x_px + margin;
+  const double top = f.y0_px - k.center_y_px - margin;
+  const double bottom = f.y0_px + f.rows * f.cell_height_px - k.center_y_px + margin;
+  return std::max(x[0], x[1]) * focal < left || std::min(x[0], x[1]) * focal > right ||
+         std::max(y[0], y[1]) * focal < top || std::min(y[0], y[1]) * focal > bottom;
+}
+
+void put(const LocalDual& from, int place, GroupNumber& to) {
+  to.value[place] = from.v;
+  for (int k = 0; k < local_inputs; ++k) to.tangent[k][place] = from.d.t[k];
+}
+void put(double from, int place, GroupNumber& to) { to.value[place] = from; }
+
+void narrow(const Tangents<double, kTangentWidth>& from, double scale, float* to) {
+  for (int i = 0; i < kTangentWidth; ++i) to[i] = static_cast<float>(from.t[i] * scale);
+}
+
+}  // namespace
+
+BeamLayout::BeamLayout(const Scene& scene, double beyond) : instants_s_(instants_s(scene.time)) {
+  stretches_.resize(instants_s_.size());
+  for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
+    const Sheet& sheet = scene.sheets[s];
+    places_.emplace_back();
+    for (int arc = 0; arc < sheet.arcs; ++arc) {
+      places_.back().emplace_back();
+      for (int layer = 0; layer < sheet.layers; ++layer)
+        places_.back().back().emplace_back(sheet, layer_address(static_cast<int>(s), arc, layer), scene.seed,
+                                           beyond);
+    }
+    const int beams = places_.back().front().front().size();
+    for (int i = 0; i < instants(); ++i) {
+      stretches_[i].push_back(stretch_of(sheet, instants_s_[i]));
+      for (int arc = 0; arc < sheet.arcs; ++arc)
+        for (int first = 0; first < beams; first += LayerPlaces::kSumEvery)
+          chunks_.push_back(
+              {i, static_cast<int>(s), arc, first, std::min(LayerPlaces::kSumEvery, beams - first)});
+    }
+  }
+}
+
+void BeamLayout::pack(const Scene& scene, const Chunk& chunk, const KernelScene& kernel,
+                      PackedChunk& out) const {
+  pack_as<double>(scene, chunk, kernel, nullptr, out);
+}
+void BeamLayout::pack(const Scene& scene, const Chunk& chunk, const KernelScene& kernel, const Seeds& seeds,
+                      PackedChunk& out) const {
+  pack_as<LocalDual>(scene, chunk, kernel, &seeds, out);
+}
+
+template <class T>
+void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelScene& k, const Seeds* seeds,
+                         PackedChunk& out) const {
+  out.groups.clear();
+  out.chains.clear();
+  out.places.resize(chunk.count);
+  const Sheet& sheet = scene.sheets[chunk.sheet];
+  const bool literal = sheet.spacing_rule == "literal";
+  const double instant = instants_s_[chunk.instant];
+  const StretchOfSheet& stretch = stretches_[chunk.instant][chunk.sheet];
+  const SheetShape<double> shape = shape_of(scene, chunk.sheet, chunk.arc, instant, NoSeeds());
+  SheetShape<FreeDual> free_shape;
+  if (seeds != nullptr) free_shape = shape_of(scene, chunk.sheet, chunk.arc, instant, *seeds);
+  FallFrame<double> fall;
+  for (int i = 0; i < 3; ++i) {
+    fall.along[i] = k.fall.along[i].v;
+    fall.across1[i] = k.fall.across1[i].v;
+    fall.across2[i] = k.fall.across2[i].v;
+  }
+  for (int layer = 0; layer < sheet.layers; ++layer) {
+    places_[chunk.sheet][chunk.arc][layer].fill(chunk.first, chunk.count, out.places.data());
+    int place_in_group = kGroup;
+    for (int b = chunk.first; b < chunk.first + chunk.count; ++b) {
+      const BeamPlace& place = out.places[b - chunk.first];
+      const BeamFoot<double> foot = beam_foot(shape, stretch, place, layer, sheet.layers, literal);
+      if (foot.flux_km2_mw_m2 <= 0.0) continue;
+      if (foot.east_km * foot.east_km + foot.north_km * foot.north_km > kFarthestKm * kFarthestKm) continue;
+      const Beam<double> plain = start_beam(foot.east_km, foot.north_km, fall, k.observer_altitude_km,
+                                            sheet.top_km, HeightProfile::kBottomKm);
+      // A field line that does not descend would be negative light; one that grazes the Earth never comes
+      // down to the bottom, and has no length.
+      if (plain.vertical <= 0.0 || !(plain.length_km > 0.0)) continue;
+      if (out_of_sight(plain, k)) continue;
+      if (place_in_group == kGroup) {
+        place_in_group = 0;
+        out.groups.emplace_back();
+        BeamGroup& fresh = out.groups.back();
+        fresh = BeamGroup{};
+        fresh.layer_address = layer_address(chunk.sheet, chunk.arc, layer);
+        fresh.sheet = chunk.sheet;
+        if (seeds != nullptr) out.chains.emplace_back(GroupChain{});
+      }
+      BeamGroup& group = out.groups.back();
+      if constexpr (std::is_same_v<T, LocalDual>) {
+        LocalDual east(foot.east_km), north(foot.north_km);
+        east.d.t[foot_east] = 1.0;
+        north.d.t[foot_north] = 1.0;
+        const Beam<LocalDual> beam =
+            start_beam(east, north, k.fall, k.observer_altitude_km, sheet.top_km, HeightProfile::kBottomKm);
+        for (int i = 0; i < 3; ++i) put(beam.start_in_enu_km[i], place_in_group, group.start_in_enu_km[i]);
+        put(beam.length_km, place_in_group, group.length_km);
+        put(beam.vertical, place_in_group, group.vertical);
+        const BeamFoot<FreeDual> free_foot =
+            beam_foot(free_shape, stretch, place, layer, sheet.layers, literal);
+        GroupChain& chain = out.chains.back();
+        narrow(free_foot.east_km.d, 1.0, chain.foot_east[place_in_group]);
+        narrow(free_foot.north_km.d, 1.0, chain.foot_north[place_in_group]);
+        const double flux = free_foot.flux_km2_mw_m2.v;
+        narrow(free_foot.flux_km2_mw_m2.d, flux > 0.0 ? 1.0 / flux : 0.0, chain.log_flux[place_in_group]);
+      } else {
+        for (int i = 0; i < 3; ++i) put(plain.start_in_enu_km[i], place_in_group, group.start_in_enu_km[i]);
+        put(plain.length_km, place_in_group, group.length_km);
+        put(plain.vertical, place_in_group, group.vertical);
+      }
+      group.flux_km2_mw_m2[place_in_group] = foot.flux_km2_mw_m2;
+      group.end_of_path[place_in_group] = 1.0 - place.depth * sheet.path_spread;
+      group.index[place_in_group] = static_cast<std::uint32_t>(b);
+      ++place_in_group;
+    }
+  }
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,218 @@
+#include "sim/render/film.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <mutex>
+
+#include "sim/base/parallel.h"
+#include "sim/light/emission_line.h"
+#include "sim/render/beams.h"
+#include "sim/render/kernel.h"
+#include "sim/render/kernel_scene.h"
+#include "sim/view/tangent_film.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr int kShards = 8;  // of the derivatives; fixed, so that sums do not depend on the threads
+
+}  // namespace
+
+double blur_sigma_px(const Scene& scene, int line) {
+  return scene.blur.width_deg[line] * scene.camera.width / scene.camera.hfov_deg;
+}
+
+int blur_radius_px(const Scene& scene, int line) {
+  if (scene.blur.kernel != "paper") return -1;
+  const EmissionLine* known = find_emission_line(scene.emission.lines[line]);
+  const double reach = known != nullptr && known->lifetime_s > 10.0 ? 10.5 / 4.75 : 2.5 / 2.0;
+  return static_cast<int>(reach * blur_sigma_px(scene, line));
+}
+
+FilmGeometry film_for(const Scene& scene, double x_px, double y_px, double width_px, double height_px,
+                      double cell_width_px, double cell_height_px) {
+  double widest = 0.0;
+  for (std::size_t l = 0; l < scene.emission.lines.size(); ++l)
+    widest = std::max(widest, blur_sigma_px(scene, static_cast<int>(l)));
+  const int across = static_cast<int>(std::ceil(4.0 * widest / cell_width_px)) + 2;
+  const int down = static_cast<int>(std::ceil(4.0 * widest / cell_height_px)) + 2;
+  FilmGeometry film;
+  film.cell_width_px = cell_width_px;
+  film.cell_height_px = cell_height_px;
+  film.x0_px = x_px - across * cell_width_px;
+  film.y0_px = y_px - down * cell_height_px;
+  film.columns = static_cast<int>(std::ceil(width_px / cell_width_px)) + 2 * across;
+  film.rows = static_cast<int>(std::ceil(height_px / cell_height_px)) + 2 * down;
+  return film;
+}
+
+struct Exposer::Workspace {
+  FilmGeometry film;
+  int threads = 1;
+  BeamLayout layout;
+  std::vector<std::vector<std::int64_t>> slot_films;
+  std::vector<PackedChunk> slot_chunks;  // kept: their memory is large enough to cost something
+
+  void clear_slots(int stride) {
+    const std::size_t size = static_cast<std::size_t>(film.rows) * film.columns * stride;
+    slot_films.resize(threads);
+    slot_chunks.resize(threads);
+    parallel_for(slot_films.size(), threads, [&](std::size_t s, int) { slot_films[s].assign(size, 0); });
+  }
+
+  /// Sums the slots' films (integers: any order gives the same) into planes of rayleighs.
+  void collect(int lines, int stride, Exposure& out) const {
+    out.geometry = film;
+    out.lines = lines;
+    const std::size_t cells = out.cells();
+    out.rayleigh.resize(cells * lines);
+    const double rayleighs_per_unit = 1.0 / (kFilmUnitsPerRayleigh * layout.instants());
+    parallel_for(static_cast<std::size_t>(film.rows), threads, [&](std::size_t row, int) {
+      for (std::size_t i = row * film.columns; i < (row + 1) * film.columns; ++i) {
+        for (int l = 0; l < lines; ++l) {
+          std::int64_t sum = 0;
+          for (const auto& slot : slot_films) sum += slot[i * stride + l];
+          out.rayleigh[l * cells + i] = static_cast<float>(static_cast<double>(sum) * rayleighs_per_unit);
+        }
+      }
+    });
+  }
+};
+
+Exposer::Exposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond)
+    : work_(new Workspace{film, thread_count(threads), BeamLayout(scene, beyond), {}, {}}) {}
+
+Exposer::~Exposer() = default;
+
+void Exposer::expose(const Scene& scene, Exposure& out, const std::function<void(double)>& progress,
+                     const std::atomic<bool>* stop) {
+  Workspace& w = *work_;
+  const int lines = static_cast<int>(scene.emission.lines.size());
+  const int stride = lines <= 4 ? 4 : 8;
+  const std::vector<HeightProfile> profiles = height_profiles(scene);
+  std::vector<KernelScene> kernels;
+  for (const Sheet& sheet : scene.sheets) kernels.push_back(kernel_scene(scene, sheet, w.film, profiles));
+  w.clear_slots(stride);
+  std::atomic<std::uint64_t> points{0};
+  std::atomic<std::size_t> done{0};
+  parallel_for(w.layout.chunks().size(), w.threads, [&](std::size_t c, int slot) {
+    if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
+    const Chunk& chunk = w.layout.chunks()[c];
+    PackedChunk& packed = w.slot_chunks[slot];
+    w.layout.pack(scene, chunk, kernels[chunk.sheet], packed);
+    points += fall_on_film(kernels[chunk.sheet], packed.groups.data(), packed.groups.size(),
+                           w.slot_films[slot].data());
+    const std::size_t finished = ++done;
+    if (progress) progress(static_cast<double>(finished) / static_cast<double>(w.layout.chunks().size()));
+  });
+  out.deflection_points = points;
+  out.free = out.free_stride = 0;
+  w.collect(lines, stride, out);
+}
+
+void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<const double*>& free,
+                                      Exposure& out) {
+  Workspace& w = *work_;
+  const int lines = static_cast<int>(scene.emission.lines.size());
+  const int stride = lines <= 4 ? 4 : 8;
+  const std::vector<HeightProfile> profiles = height_profiles(scene);
+  std::vector<KernelScene> kernels;
+  for (const Sheet& sheet : scene.sheets) kernels.push_back(kernel_scene(scene, sheet, w.film, profiles));
+
+  const int passes = std::max<int>(1, static_cast<int>((free.size() + kTangentWidth - 1) / kTangentWidth));
+  out.free = static_cast<int>(free.size());
+  out.free_stride = passes * kTangentWidth;
+  const std::size_t cells = static_cast<std::size_t>(w.film.rows) * w.film.columns;
+  out.derivative.resize(cells * lines * out.free_stride);
+
+  const std::size_t shards =
+      std::min<std::size_t>(kShards, std::max<std::size_t>(1, w.layout.chunks().size()));
+  for (int pass = 0; pass < passes; ++pass) {
+    const std::size_t first = static_cast<std::size_t>(pass) * kTangentWidth;
+    const Seeds seeds(free, first, std::min<std::size_t>(kTangentWidth, free.size() - first));
+    std::vector<int> of_energy;
+    for (const Sheet& sheet : scene.sheets) of_energy.push_back(seeds.parameter_at(&sheet.energy_kev));
+
+    w.clear_slots(stride);
+    std::vector<std::unique_ptr<TangentFilm>> tangents(shards);
+    std::atomic<std::uint64_t> points{0};
+    parallel_for(shards, w.threads, [&](std::size_t shard, int slot) {
+      tangents[shard] = std::make_unique<TangentFilm>(w.film.columns, w.film.rows, lines);
+      PackedChunk& packed = w.slot_chunks[slot];
+      for (std::size_t c = w.layout.chunks().size() * shard / shards;
+           c < w.layout.chunks().size() * (shard + 1) / shards; ++c) {
+        const Chunk& chunk = w.layout.chunks()[c];
+        const Sheet& sheet = scene.sheets[chunk.sheet];
+        SharedChain shared;
+        const std::vector<const double*> at = local_input_addresses(scene, sheet);
+        for (int k = 0; k < local_inputs; ++k) {
+          shared.parameter_of_local[k] = at[k] != nullptr ? seeds.parameter_at(at[k]) : -1;
+          if (shared.parameter_of_local[k] >= 0) shared.only_beam_inputs = false;
+        }
+        shared.parameter_of_energy = of_energy.data();
+        w.layout.pack(scene, chunk, kernels[chunk.sheet], seeds, packed);
+        // The kernel's energy tangents are by log(E0).
+        points += fall_on_film_with_tangents(kernels[chunk.sheet], shared, packed.groups.data(),
+                                             packed.chains.data(), packed.groups.size(),
+                                             w.slot_films[slot].data(), *tangents[shard]);
+      }
+    });
+    out.deflection_points = points;
+    w.collect(lines, stride, out);
+
+    const float mean = 1.0f / static_cast<float>(w.layout.instants());
+    std::vector<float> scale(kTangentWidth, mean);
+    for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+      if (of_energy[s] >= 0) scale[of_energy[s]] = mean / static_cast<float>(scene.sheets[s].energy_kev);
+    const std::size_t out_stride = static_cast<std::size_t>(out.free_stride);
+    constexpr int kTile = TangentFilm::kTileColumns;
+    parallel_for(static_cast<std::size_t>(w.film.rows), w.threads, [&](std::size_t row, int) {
+      for (int column = 0; column < w.film.columns; ++column) {
+        for (int l = 0; l < lines; ++l) {
+          float sum[kTangentWidth] = {};
+          for (std::size_t shard = 0; shard < shards; ++shard) {
+            const float* tile = tangents[shard]->tile_if_any(column / kTile);
+            if (tile == nullptr) continue;
+            const float* cell = tile + ((row * kTile + column % kTile) * lines + l) * kTangentWidth;
+            for (int i = 0; i < kTangentWidth; ++i) sum[i] += cell[i];
+          }
+          float* to = out.derivative.data() +
+                      ((l * cells + row * w.film.columns + column) * out_stride + pass * kTangentWidth);
+          for (int i = 0; i < kTangentWidth; ++i) to[i] = sum[i] * scale[i];
+        }
+      }
+    });
+  }
+}
+
+void Exposer::expose_reference(const Scene& scene, std::vector<double>& rayleigh) {
+  Workspace& w = *work_;
+  const int lines = static_cast<int>(scene.emission.lines.size());
+  const int stride = lines <= 4 ? 4 : 8;
+  const std::vector<HeightProfile> profiles = height_profiles(scene);
+  const std::size_t cells = static_cast<std::size_t>(w.film.rows) * w.film.columns;
+  std::vector<double> film(cells * stride, 0.0);
+  PackedChunk packed;
+  for (const Chunk& chunk : w.layout.chunks()) {
+    const KernelScene k = kernel_scene(scene, scene.sheets[chunk.sheet], w.film, profiles);
+    w.layout.pack(scene, chunk, k, packed);
+    fall_on_film_reference(k, packed.groups.data(), packed.groups.size(), film.data());
+  }
+  rayleigh.resize(cells * lines);
+  for (std::size_t i = 0; i < cells; ++i)
+    for (int l = 0; l < lines; ++l) rayleigh[l * cells + i] = film[i * stride + l] / w.layout.instants();
+}
+
+void Exposer::record_splats(const Scene& scene, SplatRecord& record) {
+  Workspace& w = *work_;
+  const std::vector<HeightProfile> profiles = height_profiles(scene);
+  PackedChunk packed;
+  for (const Chunk& chunk : w.layout.chunks()) {
+    const KernelScene k = kernel_scene(scene, scene.sheets[chunk.sheet], w.film, profiles);
+    w.layout.pack(scene, chunk, k, packed);
+    sim::record_splats(k, packed.groups.data(), packed.groups.size(), record);
+  }
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,111 @@
+#include "sim/render/kernel_scene.h"
+
+#include "sim/base/earth.h"
+#include "sim/emit/aurora/beam.h"
+#include "sim/emit/aurora/motion.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr double kTwoPi = 6.283185307179586;
+
+/// A scene number (in degrees) as a local input, in radians.
+LocalDual local(double degrees, LocalInput input, double scale = kRadiansPerDegree) {
+  LocalDual dual(degrees * scale);
+  dual.d.t[input] = scale;
+  return dual;
+}
+
+PitchLaw pitch_law(const std::string& name) {
+  if (name == "product") return PitchLaw::product;
+  if (name == "increment") return PitchLaw::increment;
+  if (name == "constant") return PitchLaw::constant;
+  return PitchLaw::reduced;
+}
+
+template <class T, class Seeding>
+SheetShape<T> shape(const Scene& scene, int sheet, int arc, double instant_s, const Seeding& seed) {
+  const Sheet& s = scene.sheets[sheet];
+  SheetShape<T> shape;
+  shape.center_east_km = seed(s.center_km.east) + s.drift_km_s.east * instant_s;
+  shape.center_north_km = seed(s.center_km.north) + s.drift_km_s.north * instant_s;
+  shape.bearing_rad = seed(s.bearing_deg, kRadiansPerDegree);
+  shape.length_km = seed(s.length_km);
+  shape.thickness_km = seed(s.thickness_km);
+  shape.wavelength_km = seed(s.wavelength_km);
+  // A sine that travels: its phase at a place falls behind by the way it has gone.
+  shape.phase_rad = seed(s.phase_rad) - T(s.sine_speed_km_s * instant_s * kTwoPi) / shape.wavelength_km;
+  shape.phase_shift_rad = seed(s.phase_shift_rad);
+  shape.width_km = seed(s.width_km);
+  shape.energy_flux_mw_m2 = seed(s.energy_flux_mw_m2) * substorm_level(scene.substorm, instant_s);
+  shape.arc_offset_km = seed(s.arc_spacing_km) * (arc - 0.5 * (s.arcs - 1));
+  shape.side = scene.field.inclination_deg < 0.0 ? -1.0 : 1.0;
+  return shape;
+}
+
+}  // namespace
+
+int Seeds::parameter_at(const double* address) const {
+  for (std::size_t i = 0; i < count_; ++i)
+    if (free_[first_ + i] == address) return static_cast<int>(i);
+  return -1;
+}
+
+FreeDual Seeds::operator()(const double& number, double scale) const {
+  FreeDual dual(number * scale);
+  const int i = parameter_at(&number);
+  if (i >= 0) dual.d.t[i] = scale;
+  return dual;
+}
+
+SheetShape<double> shape_of(const Scene& scene, int sheet, int arc, double instant_s, const NoSeeds& seed) {
+  return shape<double>(scene, sheet, arc, instant_s, seed);
+}
+SheetShape<FreeDual> shape_of(const Scene& scene, int sheet, int arc, double instant_s, const Seeds& seed) {
+  return shape<FreeDual>(scene, sheet, arc, instant_s, seed);
+}
+
+KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, const FilmGeometry& film,
+                         const std::vector<HeightProfile>& profiles) {
+  KernelScene k;
+  k.fall = fall_frame(local(scene.field.inclination_deg, inclination),
+                      local(scene.field.declination_deg, declination));
+  k.deflection.law = pitch_law(sheet.pitch_law);
+  k.deflection.loss_cone_rad = local(sheet.loss_cone_deg, loss_cone);
+  k.deflection.pitch_step_rad = local(sheet.pitch_step_rad, pitch_step, 1.0);
+  k.deflection.path_step = sheet.path_step;
+  const Camera& c = scene.camera;
+  k.view = pinhole_view(local(c.azimuth_deg, camera_azimuth), local(c.elevation_deg, camera_elevation),
+                        local(c.roll_deg, camera_roll), local(c.hfov_deg, camera_hfov), c.width);
+  k.film = film;
+  k.center_x_px = 0.5 * c.width;
+  k.center_y_px = 0.5 * c.height;
+  k.observer_altitude_km = scene.site.altitude_m * 1e-3;
+  k.nearest_cell = scene.film.splat == "nearest";
+  k.unit_weight = scene.film.weight == "unit";
+  k.seed = scene.seed;
+  k.profiles = profiles.data();
+  return k;
+}
+
+std::vector<const double*> local_input_addresses(const Scene& scene, const Sheet& sheet) {
+  std::vector<const double*> at(local_inputs, nullptr);
+  at[inclination] = &scene.field.inclination_deg;
+  at[declination] = &scene.field.declination_deg;
+  at[camera_azimuth] = &scene.camera.azimuth_deg;
+  at[camera_elevation] = &scene.camera.elevation_deg;
+  at[camera_roll] = &scene.camera.roll_deg;
+  at[camera_hfov] = &scene.camera.hfov_deg;
+  at[loss_cone] = &sheet.loss_cone_deg;
+  at[pitch_step] = &sheet.pitch_step_rad;
+  return at;
+}
+
+std::vector<HeightProfile> height_profiles(const Scene& scene) {
+  std::vector<HeightProfile> all;
+  for (const Sheet& sheet : scene.sheets)
+    all.push_back(maxwellian_profile(scene.emission.lines, sheet.energy_kev));
+  return all;
+}
+
+}  // namespace vegard::sim
