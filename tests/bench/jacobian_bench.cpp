@@ -12,8 +12,8 @@
 #include "fit/noise_model.h"
 #include "fit/profile_cost.h"
 #include "interleaved.h"
-#include "sim/render/render.h"
 #include "sim/render/film.h"
+#include "sim/render/render.h"
 #include "sim/view/blur.h"
 
 namespace {

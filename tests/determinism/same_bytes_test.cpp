@@ -3,9 +3,9 @@
 
 #include <cstring>
 
-#include "sim/render/render.h"
 #include "sim/render/film.h"
 #include "sim/render/kernel.h"
+#include "sim/render/render.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/small_scene.h"
 

@@ -23,8 +23,7 @@ TEST(RandomWords, DifferBetweenStreamsIndicesAndSeeds) {
   std::set<Words> seen;
   int asked = 0;
   for (std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{1} << 32})
-    for (Stream stream :
-         {Stream::beam_spacing, Stream::cross_section, Stream::path, Stream::search})
+    for (Stream stream : {Stream::beam_spacing, Stream::cross_section, Stream::path, Stream::search})
       for (std::uint32_t i = 0; i < 4; ++i)
         for (std::uint32_t j = 0; j < 4; ++j)
           for (std::uint32_t k = 0; k < 4; ++k, ++asked) seen.insert(random_words(seed, stream, i, j, k));

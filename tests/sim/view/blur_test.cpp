@@ -120,8 +120,8 @@ TEST(Blur, KeepsTheLightThatIsAwayFromTheEdges) {
 }
 
 TEST(BlurSigma, IsThePapersAtThePapersResolutionAndScales) {
-  // Sigma 4.75 and 2.0 px at 383 rows and 35 degrees (docs/physics.md row B25): 0.43 and 0.18 degrees are those, to
-  // half a unit of their last digit.
+  // Sigma 4.75 and 2.0 px at 383 rows and 35 degrees (docs/physics.md row B25): 0.43 and 0.18 degrees are
+  // those, to half a unit of their last digit.
   Scene scene;
   scene.camera.width = 383;
   scene.camera.hfov_deg = 35.0;
