@@ -154,8 +154,8 @@ std::vector<Declaration> declare() {
       Row("top_km", &Sheet::top_km).in("km").within(150, 640).means("altitude at which a beam starts"),
       Row("spacing_jitter", &Sheet::spacing_jitter).within(0, 0.999)
           .means("random shift of the beams along the sheet, as a fraction of their spacing"),
-      Row("spacing_rule", &Sheet::spacing_rule).one_of({"tied", "literal"})
-          .means("whether a beam's phase follows its jittered place, or as in the paper does not"),
+      Row("spacing_rule", &Sheet::spacing_rule).one_of({"stratified", "tied", "literal"})
+          .means("places of the beams: each in a stretch of its own; a jittered walk; or the paper's walk, whose phase does not follow it"),
       Row("beams_per_km", &Sheet::beams_per_km).in("km⁻¹").within(0, 100000)
           .means("electron beams per kilometre of each layer, in place of their number; 0: beams says"),
       Row("step_rule", &Sheet::step_rule).one_of({"given", "energy"})

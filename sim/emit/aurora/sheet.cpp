@@ -41,14 +41,17 @@ std::uint32_t layer_address(int sheet_index, int arc, int layer) {
 LayerPlaces::LayerPlaces(const Sheet& sheet, std::uint32_t layer_address, std::uint64_t seed, double beyond)
     : seed_(seed),
       address_(layer_address),
-      literal_(sheet.spacing_rule == "literal"),
+      rule_(sheet.spacing_rule == "literal" ? Rule::literal
+            : sheet.spacing_rule == "tied"  ? Rule::tied
+                                            : Rule::stratified),
       jitter_(sheet.spacing_jitter),
       shift_(uniform(random_words(seed, Stream::cross_section, 0, layer_address)[0])) {
   const int own = beams_per_layer(sheet);
   // An odd number of beams more puts both ends into the middle of a beam: at a border the light has a kink.
-  const int more = literal_ || beyond <= 0.0 ? 0 : 2 * static_cast<int>(beyond * own) + 1;
+  const int more = rule_ == Rule::literal || beyond <= 0.0 ? 0 : 2 * static_cast<int>(beyond * own) + 1;
   beams_ = own + more;
   beyond_ = 0.5 * more / own;
+  if (rule_ == Rule::stratified) return;
   double sum = 0.0;
   for (int i = 0; i < beams_; ++i) {
     if (i % kSumEvery == 0) sums_.push_back(sum);
@@ -60,22 +63,35 @@ LayerPlaces::LayerPlaces(const Sheet& sheet, std::uint32_t layer_address, std::u
 LayerPlaces::Step LayerPlaces::step(int beam) const {
   const Words words = random_words(seed_, Stream::beam_spacing, static_cast<std::uint32_t>(beam), address_);
   const double u = uniform(words[0]), even = 1.0 / beams_;
-  const double length =
-      literal_ ? even * (u > 0.5 ? 1.0 + u : 1.0 - u) : even * (1.0 + jitter_ * (2.0 * u - 1.0));
-  return {length, uniform(words[1])};
+  return {rule_ == Rule::literal ? even * (u > 0.5 ? 1.0 + u : 1.0 - u)
+                                 : even * (1.0 + jitter_ * (2.0 * u - 1.0)),
+          jitter_ * (u - 0.5), uniform(words[1])};
 }
 
 void LayerPlaces::fill(int first, int count, BeamPlace* out) const {
-  const double even = 1.0 / beams_, all = sums_.back();
-  const auto scaled = [&](double at) { return literal_ ? at : at / all * (1.0 + 2.0 * beyond_) - beyond_; };
-  double s = sums_[first / kSumEvery];
+  const double even = 1.0 / beams_, all = sums_.empty() ? 1.0 : sums_.back();
+  const auto scaled = [&](double at) { return at / all * (1.0 + 2.0 * beyond_) - beyond_; };
+  double s = sums_.empty() ? 0.0 : sums_[first / kSumEvery];
   for (int i = first; i < first + count; ++i) {
     const Step step = this->step(i);
     BeamPlace& place = out[i - first];
-    place.s = scaled(literal_ ? s : s + 0.5 * step.length);
-    place.s_of_phase = literal_ ? i * even : place.s;
-    place.from = scaled(s);
-    place.to = scaled(s + (literal_ ? even : step.length));
+    switch (rule_) {
+      case Rule::stratified:
+        place.s = scaled((i + 0.5 + step.shift) * even);
+        place.from = scaled(i * even);
+        place.to = scaled((i + 1) * even);
+        break;
+      case Rule::tied:
+        place.s = scaled(s + 0.5 * step.length);
+        place.from = scaled(s);
+        place.to = scaled(s + step.length);
+        break;
+      case Rule::literal:
+        place.s = place.from = s;
+        place.to = s + even;
+        break;
+    }
+    place.s_of_phase = rule_ == Rule::literal ? i * even : place.s;
     s += step.length;
     double across = van_der_corput(static_cast<std::uint32_t>(i)) + shift_;
     if (across >= 1.0) across -= 1.0;

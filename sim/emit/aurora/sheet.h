@@ -59,12 +59,13 @@ std::uint32_t layer_address(int sheet_index, int arc, int layer);
 /// The places of one layer's beams, in order along the arc, `beyond` sheet lengths past either end included
 /// (as many beams per kilometre there; they are dark until a fit moves an end). Across the layer they follow
 /// van der Corput's sequence, so that place along and place across together fill the sheet evenly (a
-/// Hammersley set, shifted by the seed). tied: s += d_s (1 + j (2u - 1)), then scaled to end at 1, phase read
-/// at the jittered s, light by the stretch. literal: s += d_s (1 ± ξ), phase 2πD/λ · i/n whatever s is, mean
-/// step 1.25 d_s, light shared equally; `beyond` is 0.
+/// Hammersley set, shifted by the seed). stratified: beam i stands at (i + 1/2 + j (u - 1/2)) / n, in a
+/// stretch of its own and for its light; so noise falls faster than 1/sqrt(n). tied: s += d_s (1 + j (2u -
+/// 1)), then scaled to end at 1, phase read at the jittered s, light by the stretch. literal: s += d_s (1 ±
+/// ξ), phase 2πD/λ · i/n whatever s is, mean step 1.25 d_s, light shared equally; `beyond` is 0.
 ///
-/// Places are worked out stretch by stretch when they are asked for. Of all the steps before, only their sums
-/// are kept, one per kSumEvery beams.
+/// Places are worked out stretch by stretch when they are asked for. Of the steps before, which the tied and
+/// the literal rule add up, only the sums are kept, one per kSumEvery beams.
 class LayerPlaces {
  public:
   static constexpr int kSumEvery = 256;
@@ -78,17 +79,19 @@ class LayerPlaces {
   void fill(int first, int count, BeamPlace* out) const;
 
  private:
+  enum class Rule { stratified, tied, literal };
   struct Step {
-    double length, depth;
+    double length, shift, depth;
   };
   Step step(int beam) const;
 
   std::uint64_t seed_;
   std::uint32_t address_;
   int beams_;
-  bool literal_;
+  Rule rule_;
   double jitter_, beyond_, shift_;
-  std::vector<double> sums_;  ///< of the steps before beam i * kSumEvery; at the end, of all
+  std::vector<double>
+      sums_;  ///< of the steps before beam i * kSumEvery; at the end, of all; empty if stratified
 };
 
 template <class T>
