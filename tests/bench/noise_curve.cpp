@@ -89,15 +89,13 @@ int main(int argc, char** argv) {
       fmt::print("\n");
       std::fflush(stdout);
     }
-    panel.series.push_back(
-        series(std::string("noise, ") + rule.words, colour, fit::Mark::line, points, &Point::noise));
-    panel.series.push_back(series(std::string("off the integral, ") + rule.words, colour, fit::Mark::points,
-                                  points, &Point::difference));
-    ++colour;
+    panel.series.push_back(series(rule.words, colour++, fit::Mark::line, points, &Point::noise));
     if (&rule == &rules.front()) {
       std::vector<Point> root = points;
       for (Point& p : root)
         p.noise = points[0].noise * std::sqrt(static_cast<double>(points[0].beams) / p.beams);
+      panel.series.push_back(series("off the integral", 5, fit::Mark::points, points, &Point::difference));
+      panel.series.back().width_px = 5.0;
       panel.series.push_back(series("1/√n", 6, fit::Mark::dashed_line, root, &Point::noise));
     }
   }
