@@ -6,12 +6,15 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "apps/composite_pictures.h"
 #include "apps/exit_code.h"
 #include "apps/interrupt.h"
+#include "apps/layers.h"
 #include "apps/light_outside.h"
 #include "apps/output_files.h"
 #include "apps/progress_bar.h"
@@ -28,7 +31,7 @@ namespace {
 
 struct Options {
   SceneOptions scene;
-  std::string output, lines;
+  std::string output, lines, layers;
   int threads = 0;
   std::optional<int> bits, quality;
   bool overwrite = false;
@@ -51,16 +54,23 @@ int bits_of(const Options& options, sim::ImageFormat format) {
   return *options.bits;
 }
 
+/// With --overwrite a slip of the pen would cost what cannot be had again.
+void spare_inputs(const Options& options, const sim::Scene& scene) {
+  const auto spare = [&](const std::string& input, const std::string& what) {
+    if (same_file(options.output, input)) refuse_same_file("--output", options.output, what);
+    if (same_file(options.lines, input)) refuse_same_file("--lines", options.lines, what);
+  };
+  spare(options.scene.file, "the scene");
+  for (const std::string& file : composite_files(scene)) spare(file, "a picture of the scene");
+}
+
 /// Refuses what would be refused at the end, before the work.
-void check_outputs(const Options& options) {
+void check_outputs(const Options& options, const sim::Scene& scene) {
   if (options.output.empty() && options.lines.empty())
     throw usage("--output", "nothing to write", "-o OUT, --lines OUT.exr or both");
   if (same_file(options.output, options.lines))
     refuse_same_file("--lines", options.lines, "the picture's file");
-  // With --overwrite a slip of the pen would cost the scene.
-  if (same_file(options.output, options.scene.file))
-    refuse_same_file("--output", options.output, "the scene");
-  if (same_file(options.lines, options.scene.file)) refuse_same_file("--lines", options.lines, "the scene");
+  spare_inputs(options, scene);
   if (!options.output.empty()) {
     const sim::ImageFormat format = sim::image_format(options.output);
     bits_of(options, format);
@@ -70,6 +80,11 @@ void check_outputs(const Options& options) {
   } else if (options.bits || options.quality) {
     throw usage(options.bits ? "--bits" : "--quality", "an EXR of lines always holds 32-bit floats",
                 "-o OUT beside it");
+  }
+  if (!options.layers.empty()) {
+    if (options.output.empty() || sim::image_format(options.output) != sim::ImageFormat::exr)
+      throw usage("--layers", "only an EXR has layers", "-o OUT.exr");
+    check_layer_names(scene);
   }
   if (!options.lines.empty()) {
     if (sim::image_format(options.lines) != sim::ImageFormat::exr)
@@ -92,8 +107,8 @@ sim::Image line_layer(const sim::Rendering& rendering) {
   return layer;
 }
 
-/// The bytes of the picture's file.
-std::string encoded_picture(const Options& options, const sim::Scene& scene, const sim::Rendering& rendering,
+/// The bytes of the picture's file. Takes the layers out of the rendering.
+std::string encoded_picture(const Options& options, const sim::Scene& scene, sim::Rendering&& rendering,
                             const sim::Image& lines) {
   sim::ImageAttributes attributes = attributes_of(scene);
   const sim::ImageFormat format = sim::image_format(options.output);
@@ -102,7 +117,14 @@ std::string encoded_picture(const Options& options, const sim::Scene& scene, con
         "R, G, B: linear sensor values, white = 1, negative where a line is out of gamut; rayleigh.*: "
         "rayleighs, "
         "by wavelength in tenths of a nanometre";
-    return sim::encode_exr({&rendering.rgb, &lines}, attributes, options.output);
+    std::vector<const sim::Image*> images = {&rendering.rgb, &lines};
+    std::vector<sim::Image> layers;
+    if (!options.layers.empty()) {
+      layers = layers_of(scene, std::move(rendering));
+      attributes["units"] += "; other layers' R, G, B: the same; mask: 1 where the foreground hides the sky";
+    }
+    for (const sim::Image& layer : layers) images.push_back(&layer);
+    return sim::encode_exr(images, attributes, options.output);
   }
   constexpr int kDefaultQuality = 92;
   attributes["units"] = "sRGB-encoded";
@@ -117,12 +139,12 @@ std::string encoded_lines(const Options& options, const sim::Scene& scene, const
 }
 
 /// Both files are filled before either gets its name: a disk that fills up leaves neither.
-void write_outputs(const Options& options, const sim::Scene& scene, const sim::Rendering& rendering) {
+void write_outputs(const Options& options, const sim::Scene& scene, sim::Rendering&& rendering) {
   const sim::Image lines = line_layer(rendering);
   std::optional<sim::WholeFile> picture_file, lines_file;
   if (!options.output.empty()) picture_file.emplace(options.output, options.overwrite);
   if (!options.lines.empty()) lines_file.emplace(options.lines, options.overwrite);
-  if (picture_file) picture_file->write(encoded_picture(options, scene, rendering, lines));
+  if (picture_file) picture_file->write(encoded_picture(options, scene, std::move(rendering), lines));
   if (lines_file) lines_file->write(encoded_lines(options, scene, lines));
   if (picture_file) picture_file->commit();
   if (lines_file) lines_file->commit();
@@ -143,7 +165,8 @@ std::string facts(const sim::Scene& scene, const sim::Rendering& rendering) {
 
 int run(const Options& options) {
   const sim::Scene scene = scene_of(options.scene);
-  check_outputs(options);
+  check_outputs(options, scene);
+  const sim::CompositePictures pictures = read_composite_pictures(scene);
 
   const std::atomic<bool>& stop = watch_for_interrupt();
   sim::Rendering rendering;
@@ -153,6 +176,8 @@ int run(const Options& options) {
     render_options.threads = options.threads;
     render_options.progress = [&bar](double share) { bar.update(share); };
     render_options.stop = &stop;
+    render_options.pictures = &pictures;
+    render_options.sheet_layers = !options.layers.empty();
     rendering = sim::render(scene, render_options);
   }
   if (stop.load()) {
@@ -162,10 +187,11 @@ int run(const Options& options) {
   const std::string warning = warning_if_out_of_view(scene, rendering.rayleigh);
   if (!warning.empty()) std::fprintf(stderr, "vegard: %s\n", warning.c_str());
 
-  write_outputs(options, scene, rendering);
+  const std::string summary = facts(scene, rendering);
+  write_outputs(options, scene, std::move(rendering));
   std::string written = options.output;
   if (!options.lines.empty()) written += (written.empty() ? "" : ", ") + options.lines;
-  std::printf("%s: %s\n", written.c_str(), facts(scene, rendering).c_str());
+  std::printf("%s: %s\n", written.c_str(), summary.c_str());
   return good;
 }
 
@@ -180,6 +206,10 @@ void add_render_command(CLI::App& app, int& exit_code) {
       ->type_name("OUT.exr|tif|png|jpg");
   command->add_option("--lines", options->lines, "Write the emission lines alone, in rayleighs")
       ->type_name("OUT.exr");
+  command
+      ->add_option("--layers", options->layers,
+                   "sheets: in an EXR, each sheet and whatever else the picture is made of, as layers")
+      ->check(CLI::IsMember({"sheets"}));
   command->add_option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       ->check(CLI::Range(0, 1024));
   command->add_option("--bits", options->bits, "Bits per channel (default: 8 for PNG, 16 for TIFF)")

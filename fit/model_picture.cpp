@@ -49,6 +49,7 @@ ModelPicture model_picture(const FitResult& result, const Photo& photo, int thre
   assert(photo.linear.width == result.best.camera.width && photo.linear.height == result.best.camera.height);
   sim::Scene scene = scene_of_expectation(result);
   scene.sensor.gain_per_kilorayleigh = 1.0;
+  scene.stars.shown = false;  // a fit knows of no stars
   sim::RenderOptions options;
   options.threads = threads;
   sim::Rendering rendering = sim::render(scene, options);

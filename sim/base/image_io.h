@@ -1,4 +1,4 @@
-// Image files: linear EXR in and out, display pictures out. The only place that knows of OpenImageIO.
+// Image files: linear EXR and display pictures, in and out. The only place that knows of OpenImageIO.
 //
 // Files appear whole or not at all (whole_file.h). The same image and attributes give the same bytes on every
 // run and for every number of threads: no clock, machine or path goes into a file.
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/base/image.h"
+#include "sim/base/picture_file.h"
 
 namespace vegard::sim {
 
@@ -45,6 +46,12 @@ struct ExrFile {
 /// Reads the data window of an EXR's first part, every pixel of it. Throws Error(unreadable_input) for a file
 /// that is missing, truncated, damaged, too large for the memory or no EXR.
 ExrFile read_exr(const std::string& path);
+
+/// Reads a PNG, JPEG, TIFF or EXR, known by its extension, and turns it upright; of other channels than
+/// these, layers included, nothing is seen. Throws Error(unreadable_input) for a file that is missing,
+/// truncated, damaged, too large for the memory, not what its extension says, without colour, or with values
+/// that are no finite numbers.
+PictureFile read_picture(const std::string& path);
 
 /// A picture for the eye: one channel or three, already encoded for display, 0 = black, 1 = full. Values are
 /// limited to [0, 1] (NaN is black) and rounded to the nearest step. bits: 8, or 16 for PNG and TIFF.

@@ -16,6 +16,7 @@ enum class Stream : std::uint32_t {
   cross_section = 2,  ///< place of a beam inside its layer
   path = 3,           ///< lengths and azimuths of a beam's deflections
   search = 5,         ///< trial points of a fit
+  stars = 16,         ///< where stars stand, and their colours
 };
 
 using Words = std::array<std::uint32_t, 4>;

@@ -86,7 +86,7 @@ Exposer::Exposer(const Scene& scene, const FilmGeometry& film, int threads, doub
 Exposer::~Exposer() = default;
 
 void Exposer::expose(const Scene& scene, Exposure& out, const std::function<void(double)>& progress,
-                     const std::atomic<bool>* stop) {
+                     const std::atomic<bool>* stop, int only_sheet) {
   Workspace& w = *work_;
   const int lines = static_cast<int>(scene.emission.lines.size());
   const int stride = lines <= 4 ? 4 : 8;
@@ -99,6 +99,7 @@ void Exposer::expose(const Scene& scene, Exposure& out, const std::function<void
   parallel_for(w.layout.chunks().size(), w.threads, [&](std::size_t c, int slot) {
     if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
     const Chunk& chunk = w.layout.chunks()[c];
+    if (only_sheet >= 0 && chunk.sheet != only_sheet) return;
     PackedChunk& packed = w.slot_chunks[slot];
     w.layout.pack(scene, chunk, kernels[chunk.sheet], packed);
     points += fall_on_film(kernels[chunk.sheet], packed.groups.data(), packed.groups.size(),

@@ -52,9 +52,10 @@ class Exposer {
   ~Exposer();
 
   /// `progress`, if any, is told the finished share now and then, from any thread; `stop`, if any, ends the
-  /// work early with a film that is not to be used.
+  /// work early with a film that is not to be used. `only_sheet`, if not negative, lets that sheet alone
+  /// shine: such exposures add up to the whole one.
   void expose(const Scene& scene, Exposure& out, const std::function<void(double)>& progress = {},
-              const std::atomic<bool>* stop = nullptr);
+              const std::atomic<bool>* stop = nullptr, int only_sheet = -1);
 
   /// `free` are addresses of numbers inside `scene` (see real_value() of the parameter table).
   void expose_with_derivatives(const Scene& scene, const std::vector<const double*>& free, Exposure& out);

@@ -1,55 +1,109 @@
 #include "sim/render/render.h"
 
 #include <algorithm>
+#include <cassert>
 
+#include "sim/emit/aurora/motion.h"
 #include "sim/render/film.h"
 #include "sim/scene/emission_lines.h"
 #include "sim/view/blur.h"
 #include "sim/view/colour.h"
 #include "sim/view/sky.h"
+#include "sim/view/stars.h"
 #include "sim/view/transfer_curve.h"
 
 namespace vegard::sim {
+namespace {
 
-Rendering render(const Scene& scene, const RenderOptions& options) {
+/// A film's light after the blur, in the picture's frame.
+Image blurred(const Scene& scene, const FilmGeometry& film, const Exposure& exposure, int threads) {
   const int width = scene.camera.width, height = scene.camera.height;
-  const FilmGeometry film = film_for(scene, 0, 0, width, height, 1.0, 1.0);
-  Exposure exposure;
-  {
-    Exposer exposer(scene, film, options.threads);
-    exposer.expose(scene, exposure, options.progress, options.stop);
-  }
-  Rendering result;
-  if (options.stop != nullptr && options.stop->load()) return result;
-  result.deflection_points = exposure.deflection_points;
-
   std::vector<std::string> names;
   for (double nm : scene.emission.lines) names.push_back(line_name(nm));
-  result.rayleigh = Image(width, height, names);
+  Image rayleigh(width, height, names);
   const int left = static_cast<int>(-film.x0_px), top = static_cast<int>(-film.y0_px);
   std::vector<float> down(exposure.cells()), both(exposure.cells());
   for (int l = 0; l < exposure.lines; ++l) {
     const double sigma = blur_sigma_px(scene, l);
     const BlurKernel kernel = gaussian_kernel(sigma, blur_radius_px(scene, l));
     const float* plane = exposure.rayleigh.data() + l * exposure.cells();
-    blur_down(plane, down.data(), film.rows, film.columns, 1, kernel, options.threads);
-    blur_across(down.data(), both.data(), film.rows, film.columns, 1, kernel, options.threads);
+    blur_down(plane, down.data(), film.rows, film.columns, 1, kernel, threads);
+    blur_across(down.data(), both.data(), film.rows, film.columns, 1, kernel, threads);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
-        result.rayleigh.at(x, y, l) = both[static_cast<std::size_t>(y + top) * film.columns + x + left];
+        rayleigh.at(x, y, l) = both[static_cast<std::size_t>(y + top) * film.columns + x + left];
   }
-  result.aurora = rgb_from_rayleigh(
-      result.rayleigh,
-      rgb_per_kilorayleigh(scene.emission.lines, scene.sensor.primaries, scene.sensor.gain_per_kilorayleigh));
+  return rayleigh;
+}
+
+Image through_the_sensor(const Scene& scene, const Image& rayleigh) {
+  return rgb_from_rayleigh(rayleigh, rgb_per_kilorayleigh(scene.emission.lines, scene.sensor.primaries,
+                                                          scene.sensor.gain_per_kilorayleigh));
+}
+
+/// Everything else in the picture around the aurora's light.
+void compose(const Scene& scene, const Rendering& layers, Image& rgb) {
+  add_sky(scene.sky, rgb);
+  if (!layers.background.empty()) add_light(layers.background, 1.0, rgb);
+  if (!layers.stars.empty()) add_light(layers.stars, 1.0, rgb);
+  if (!layers.foreground.empty()) cover(layers.foreground, rgb);
+}
+
+}  // namespace
+
+Rendering render(const Scene& scene, const RenderOptions& options) {
+  const int width = scene.camera.width, height = scene.camera.height;
+  const FilmGeometry film = film_for(scene, 0, 0, width, height, 1.0, 1.0);
+  const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
+  const std::size_t exposures = options.sheet_layers ? 1 + scene.sheets.size() : 1;
+  const auto progress_of = [&](std::size_t n) {
+    if (!options.progress) return std::function<void(double)>();
+    return std::function<void(double)>([&options, n, exposures](double share) {
+      options.progress((static_cast<double>(n) + share) / static_cast<double>(exposures));
+    });
+  };
+
+  Rendering result;
+  {
+    Exposer exposer(scene, film, options.threads);
+    Exposure exposure;
+    exposer.expose(scene, exposure, progress_of(0), options.stop);
+    if (stopped()) return {};
+    result.deflection_points = exposure.deflection_points;
+    result.rayleigh = blurred(scene, film, exposure, options.threads);
+    for (std::size_t s = 0; s + 1 < exposures; ++s) {
+      exposer.expose(scene, exposure, progress_of(1 + s), options.stop, static_cast<int>(s));
+      if (stopped()) return {};
+      SheetLayer layer{scene.sheets[s].name, blurred(scene, film, exposure, options.threads), {}};
+      layer.aurora = through_the_sensor(scene, layer.rayleigh);
+      result.sheets.push_back(std::move(layer));
+    }
+  }
+  result.aurora = through_the_sensor(scene, result.rayleigh);
+  if (scene.stars.shown) result.stars = star_light(scene, instants_s(scene.time));
+  if (options.pictures != nullptr && !options.pictures->background.empty()) {
+    result.background = Image(width, height, {"R", "G", "B"});
+    add_light(options.pictures->background, scene.composite.background_gain, result.background);
+  }
+  if (options.pictures != nullptr && !options.pictures->foreground.empty()) {
+    result.foreground = options.pictures->foreground;
+    scale_light(scene.composite.foreground_gain, result.foreground);
+  }
   result.rgb = result.aurora;
-  add_sky(scene.sky, result.rgb);
+  compose(scene, result, result.rgb);
   return result;
+}
+
+Image sky_light(const Scene& scene) {
+  Image sky(scene.camera.width, scene.camera.height, {"R", "G", "B"});
+  add_sky(scene.sky, sky);
+  return sky;
 }
 
 Image display_picture(const Scene& scene, const Rendering& rendering) {
   Image shown = rendering.aurora;
   for (float& value : shown.data) value = std::max(value, 0.0f);
-  add_sky(scene.sky, shown);
+  compose(scene, rendering, shown);
   for (float& value : shown.data)
     value = static_cast<float>(srgb_encode(std::clamp<double>(value, 0.0, 1.0)));
   return shown;

@@ -4,9 +4,12 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "sim/base/image.h"
 #include "sim/scene/scene.h"
+#include "sim/view/composite.h"
 
 namespace vegard::sim {
 
@@ -14,20 +17,39 @@ struct RenderOptions {
   int threads = 0;                          ///< 0: all cores. The picture does not depend on it.
   std::function<void(double)> progress;     ///< told the finished share, from any thread
   const std::atomic<bool>* stop = nullptr;  ///< ends the work early with an empty Rendering
+  /// The pictures of the scene's [composite], at the camera's size; none: nothing behind or before the
+  /// aurora.
+  const CompositePictures* pictures = nullptr;
+  bool sheet_layers = false;  ///< each sheet by itself as well, for twice the work
+};
+
+/// The light of one sheet, or one system of arcs, as if it were alone.
+struct SheetLayer {
+  std::string name;
+  Image rayleigh;  ///< as in Rendering
+  Image aurora;    ///< as in Rendering
 };
 
 struct Rendering {
   Image rayleigh;  ///< one channel per emission line, named by its wavelength ("6300"), blurred, in rayleighs
   Image aurora;    ///< linear RGB of the aurora alone through the sensor, signed where a line is out of gamut
-  Image rgb;       ///< aurora + sky, linear, signed
+  Image rgb;       ///< linear, signed: foreground + (1 - mask) (aurora + sky + background + stars)
   std::uint64_t deflection_points = 0;
+
+  Image background;  ///< linear RGB of the picture behind the aurora, times its gain; empty: none
+  Image stars;       ///< linear RGB; empty: none
+  Image foreground;  ///< linear R, G, B times its gain and its mask, and A, the mask; empty: none
+  std::vector<SheetLayer> sheets;  ///< in the scene's order, if asked for
 };
 
 /// Renders a valid scene. The same scene gives the same bytes on every run and for every number of threads.
 Rendering render(const Scene& scene, const RenderOptions& options = {});
 
-/// What a display shows: the aurora's out-of-gamut light is clipped before the sky is added, as the fit has
-/// it; the sum is clipped at white and sRGB-encoded.
+/// Linear RGB of the sky alone: level, gradient and curvature.
+Image sky_light(const Scene& scene);
+
+/// What a display shows: the aurora's out-of-gamut light is clipped before anything is added, as the fit has
+/// it; the sum, behind its foreground, is clipped at white and sRGB-encoded.
 Image display_picture(const Scene& scene, const Rendering& rendering);
 
 }  // namespace vegard::sim

@@ -24,6 +24,7 @@ Scene busy_scene() {
   second.path_spread = 0.3;
   scene.sheets.push_back(second);
   scene.sheets[0].beams = 1500;
+  scene.stars.shown = true;
   return scene;
 }
 

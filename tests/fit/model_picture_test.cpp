@@ -41,6 +41,16 @@ TEST(ModelPicture, IsTheRenderingOfTheBestScenesExpectation) {
   EXPECT_EQ(picture.rayleigh.data, rendering.rayleigh.data);
 }
 
+// A fit's model is aurora and sky, whatever else the scene is composed of.
+TEST(ModelPicture, HasNoStars) {
+  const Photo photo = tests::small_photo();
+  FitResult result = tests::small_fit(photo);
+  const ModelPicture without = model_picture(result, photo, 1);
+  result.best.stars.shown = true;
+  result.best.composite.foreground = "is not read.png";
+  EXPECT_EQ(model_picture(result, photo, 1).rgb.data, without.rgb.data);
+}
+
 // Nor is it one realisation: neither jitter nor its random numbers are in it.
 TEST(ModelPicture, HasDenseBeamsWithoutJitter) {
   FitResult result = tests::small_fit(tests::small_photo());

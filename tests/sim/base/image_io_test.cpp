@@ -254,6 +254,110 @@ TEST(ImageIo, ASizeBeyondAnyMemoryIsRefusedUnread) {
   expect_error(ErrorKind::unreadable_input, [&] { read_exr(folder / "a.exr"); });
 }
 
+/// A picture of some other program's, in the file's own numbers.
+void put_picture(const std::string& path, const OIIO::ImageSpec& spec,
+                 const std::vector<std::uint16_t>& values) {
+  const auto output = OIIO::ImageOutput::create(path);
+  ASSERT_TRUE(output && output->open(path, spec) &&
+              output->write_image(OIIO::TypeDesc::UINT16, values.data()) && output->close())
+      << OIIO::geterror();
+}
+
+TEST(ImageIo, APictureIsReadAsItsOwnNumbers) {
+  TemporaryFolder folder;
+  const Image image = pattern(37, 23, {"R", "G", "B"});
+  for (const int bits : {8, 16}) {
+    for (const char* name : {"a.png", "a.tif"}) {
+      write_display(folder / name, image, bits, 0, {}, true);
+      const PictureFile file = read_picture(folder / name);
+      EXPECT_FALSE(file.floating);
+      ASSERT_EQ(file.image.channel_names, image.channel_names) << name;
+      ASSERT_EQ(file.image.data.size(), image.data.size());
+      const double half_step = 0.5 / ((1 << bits) - 1) + 1e-7;
+      for (std::size_t i = 0; i < image.data.size(); ++i)
+        ASSERT_NEAR(file.image.data[i], image.data[i], half_step);
+    }
+  }
+  write_exr(folder / "a.exr", image, {});
+  EXPECT_TRUE(read_picture(folder / "a.exr").floating);
+  EXPECT_EQ(read_picture(folder / "a.exr").image.data, image.data);
+  write_display(folder / "grey.png", pattern(5, 4, {"Y"}), 8, 0, {});
+  EXPECT_EQ(read_picture(folder / "grey.png").image.channel_names, std::vector<std::string>{"Y"});
+}
+
+TEST(ImageIo, APictureKeepsItsAlphaApartFromItsColour) {
+  TemporaryFolder folder;
+  for (const char* name : {"a.png", "a.tif"}) {
+    OIIO::ImageSpec spec(2, 1, 4, OIIO::TypeDesc::UINT16);
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    put_picture(folder / name, spec, {65535, 32768, 0, 16384, 65535, 65535, 65535, 0});
+    const PictureFile file = read_picture(folder / name);
+    ASSERT_EQ(file.image.channel_names, (std::vector<std::string>{"R", "G", "B", "A"})) << name;
+    EXPECT_FALSE(file.colour_times_alpha) << name;
+    EXPECT_NEAR(file.image.at(0, 0, 0), 1.0, 1e-4) << name;
+    EXPECT_NEAR(file.image.at(0, 0, 1), 0.5, 1e-4) << name;
+    EXPECT_NEAR(file.image.at(0, 0, 3), 0.25, 1e-4) << name;
+    EXPECT_EQ(file.image.at(1, 0, 3), 0.0f) << name;
+  }
+  const Image colours = pattern(3, 3, {"R", "G", "B", "A", "sky.R"});
+  write_exr(folder / "a.exr", colours, {});
+  const PictureFile exr = read_picture(folder / "a.exr");
+  EXPECT_TRUE(exr.colour_times_alpha) << "as EXR has it";
+  EXPECT_EQ(exr.image.channel_names, (std::vector<std::string>{"R", "G", "B", "A"}));
+  EXPECT_EQ(exr.image.at(1, 1, 3), colours.at(1, 1, 3));
+}
+
+TEST(ImageIo, APictureStandsUpright) {
+  TemporaryFolder folder;
+  // Stored as two rows of three; EXIF 2.3, tag 274: where its first row and column belong.
+  const std::vector<std::uint16_t> stored = {0, 13107, 26214, 39321, 52428, 65535};  // 0, 0.2 … 1
+  const std::vector<std::vector<int>> upright = {{0, 1, 2, 3, 4, 5}, {2, 1, 0, 5, 4, 3}, {5, 4, 3, 2, 1, 0},
+                                                 {3, 4, 5, 0, 1, 2}, {0, 3, 1, 4, 2, 5}, {3, 0, 4, 1, 5, 2},
+                                                 {5, 2, 4, 1, 3, 0}, {2, 5, 1, 4, 0, 3}};
+  for (int orientation = 1; orientation <= 8; ++orientation) {
+    OIIO::ImageSpec spec(3, 2, 1, OIIO::TypeDesc::UINT16);
+    spec.attribute("Orientation", orientation);
+    put_picture(folder / "a.tif", spec, stored);
+    const Image image = read_picture(folder / "a.tif").image;
+    ASSERT_EQ(image.width, orientation < 5 ? 3 : 2) << orientation;
+    for (std::size_t i = 0; i < 6; ++i)
+      EXPECT_NEAR(image.data[i], 0.2 * upright[orientation - 1][i], 1e-6) << orientation << " at " << i;
+  }
+}
+
+TEST(ImageIo, APictureCutAnywhereIsUnreadable) {
+  TemporaryFolder folder;
+  const Image image = pattern(40, 40, {"R", "G", "B"});
+  write_exr(folder / "a.exr", image, {});
+  for (const char* name : {"a.png", "a.tif", "a.jpg"}) write_display(folder / name, image, 8, 90, {});
+  for (const std::string kind : {"exr", "png", "tif", "jpg"}) {
+    const std::string bytes = bytes_of(folder / ("a." + kind));
+    for (std::size_t length = 0; length < bytes.size(); length += 97) {
+      put(folder / ("cut." + kind), bytes.substr(0, length));
+      expect_error(ErrorKind::unreadable_input, [&] { read_picture(folder / ("cut." + kind)); });
+    }
+    put(folder / ("cut." + kind), bytes.substr(0, bytes.size() - 1));
+    expect_error(ErrorKind::unreadable_input, [&] { read_picture(folder / ("cut." + kind)); });
+  }
+}
+
+TEST(ImageIo, WhatIsNoPictureIsUnreadable) {
+  TemporaryFolder folder;
+  const auto kind = ErrorKind::unreadable_input;
+  std::filesystem::create_directory(folder / "folder.png");
+  put(folder / "text.jpg", "not a picture at all");
+  put(folder / "a.bmp", "of another kind");
+  Image infinite = pattern(4, 4, {"R", "G", "B"});
+  infinite.at(2, 2, 1) = std::numeric_limits<float>::infinity();
+  write_exr(folder / "infinite.exr", infinite, {});
+  write_exr(folder / "colourless.exr", pattern(4, 4, {"rayleigh.5577", "rayleigh.6300"}), {});
+  write_display(folder / "a.png", pattern(8, 8, {"R", "G", "B"}), 8, 0, {});
+  std::filesystem::rename(folder / "a.png", folder / "png.jpg");
+  for (const char* name :
+       {"missing.png", "folder.png", "text.jpg", "a.bmp", "infinite.exr", "colourless.exr", "png.jpg"})
+    EXPECT_NE(expect_error(kind, [&] { read_picture(folder / name); }).find(name), std::string::npos);
+}
+
 TEST(ImageIo, AWrongFormatIsAUsageError) {
   TemporaryFolder folder;
   const Image image = pattern(8, 8, {"R", "G", "B"});

@@ -110,6 +110,73 @@ TEST(Render, PaperKernelsAreTruncatedAndKeepTheLight) {
   EXPECT_GT(difference, 1e-3 * sum_full);
 }
 
+TEST(Render, SheetLayersAddUpToTheWhole) {
+  Scene scene = tests::small_scene();
+  Sheet second = scene.sheets[0];
+  second.name = "second";
+  second.energy_kev = 8.0;
+  second.center_km.north = 240.0;
+  second.arcs = 2;
+  second.beams = 100;
+  scene.sheets.push_back(second);
+  RenderOptions options;
+  options.sheet_layers = true;
+  const Rendering r = render(scene, options);
+  ASSERT_EQ(r.sheets.size(), 2u) << "a system of arcs is one sheet";
+  EXPECT_EQ(r.sheets[1].name, "second");
+  double of_second = 0.0;
+  for (std::size_t i = 0; i < r.rayleigh.data.size(); ++i) {
+    const float sum = r.sheets[0].rayleigh.data[i] + r.sheets[1].rayleigh.data[i];
+    // 2^-24 of each rounding, of which the blur has dozens.
+    ASSERT_NEAR(sum, r.rayleigh.data[i], 3e-6 * r.rayleigh.data[i] + 1e-6);
+    of_second += r.sheets[1].rayleigh.data[i];
+  }
+  EXPECT_GT(of_second, 0.0);
+  for (std::size_t i = 0; i < r.aurora.data.size(); ++i)
+    ASSERT_NEAR(r.sheets[0].aurora.data[i] + r.sheets[1].aurora.data[i], r.aurora.data[i],
+                1e-5 * std::abs(r.aurora.data[i]) + 1e-6);
+  const Rendering plain = render(scene);
+  EXPECT_TRUE(plain.sheets.empty());
+  EXPECT_EQ(plain.rgb.data, r.rgb.data) << "layers change nothing else";
+}
+
+TEST(Render, IsTheSourcesComposite) {
+  Scene scene = tests::small_scene();
+  scene.sky.level = {0.004, 0.006, 0.012};
+  scene.stars.shown = true;
+  scene.composite.background_gain = 2.0;
+  scene.composite.foreground_gain = 0.5;
+  CompositePictures pictures;
+  pictures.background = Image(160, 120, {"R", "G", "B", "A"});
+  pictures.foreground = pictures.background;
+  for (std::size_t i = 0; i < pictures.background.data.size(); ++i) {
+    pictures.background.data[i] = 0.001f * static_cast<float>(i % 7);
+    pictures.foreground.data[i] = 0.01f * static_cast<float>(i % 5);
+  }
+  for (int x = 0; x < 160; ++x) pictures.foreground.at(x, 119, 3) = 1.0f;
+  RenderOptions options;
+  options.pictures = &pictures;
+  const Rendering r = render(scene, options);
+  const Image sky = sky_light(scene), shown = display_picture(scene, r);
+  double stars = 0.0;
+  for (int y = 0; y < 120; ++y) {
+    for (int x = 0; x < 160; ++x) {
+      const double mask = pictures.foreground.at(x, y, 3);
+      for (int c = 0; c < 3; ++c) {
+        const double rest = sky.at(x, y, c) + 2.0 * pictures.background.at(x, y, c) + r.stars.at(x, y, c);
+        const double before = 0.5 * pictures.foreground.at(x, y, c), aurora = r.aurora.at(x, y, c);
+        const double linear = before + (1.0 - mask) * (rest + aurora);
+        ASSERT_NEAR(r.rgb.at(x, y, c), linear, 1e-5 * std::abs(linear) + 1e-6);
+        const double clipped = std::min(1.0, before + (1.0 - mask) * (rest + std::max(0.0, aurora)));
+        ASSERT_NEAR(shown.at(x, y, c), srgb_encode(clipped), 1e-5);
+        stars += r.stars.at(x, y, c);
+      }
+    }
+  }
+  EXPECT_GT(stars, 0.0);
+  EXPECT_EQ(r.rgb.at(80, 119, 2), 0.5f * pictures.foreground.at(80, 119, 2)) << "nothing shines through";
+}
+
 TEST(Render, StopsWhenAsked) {
   const std::atomic<bool> stop{true};
   RenderOptions options;

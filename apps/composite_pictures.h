@@ -1,0 +1,21 @@
+// The pictures that a scene's [composite] names.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/scene/scene.h"
+#include "sim/view/composite.h"
+
+namespace vegard::apps {
+
+/// Reads them and fills them into the camera's frame; every picture of an animation can share them. Names are
+/// relative to the scene's file. A mask takes the place of the foreground's alpha; a mask without a
+/// foreground is a black one. Throws Error(unreadable_input) with the file and the scene's key; Error(scene)
+/// for a foreground that would hide the whole sky, having neither.
+sim::CompositePictures read_composite_pictures(const sim::Scene& scene);
+
+/// The files' names, of those that are given.
+std::vector<std::string> composite_files(const sim::Scene& scene);
+
+}  // namespace vegard::apps

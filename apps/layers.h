@@ -1,0 +1,19 @@
+// The layers of an EXR: what `vegard render --layers sheets` adds to the picture.
+#pragma once
+
+#include <vector>
+
+#include "sim/base/image.h"
+#include "sim/render/render.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::apps {
+
+/// Throws Error(scene) if a sheet is called like one of the layers that are no sheets.
+void check_layer_names(const sim::Scene& scene);
+
+/// Each sheet ("main.R", "main.rayleigh.6300"), the aurora, the sky, and what there is of background, stars,
+/// foreground (times its mask) and mask, as images whose channels are named as those of the file.
+std::vector<sim::Image> layers_of(const sim::Scene& scene, sim::Rendering&& rendering);
+
+}  // namespace vegard::apps
