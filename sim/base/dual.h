@@ -12,6 +12,7 @@ inline double square_root(double x) { return std::sqrt(x); }
 inline double sine(double x) { return std::sin(x); }
 inline double cosine(double x) { return std::cos(x); }
 inline double tangent(double x) { return std::tan(x); }
+inline double exponential(double x) { return std::exp(x); }
 inline double value_of(double x) { return x; }
 
 #include "sim/base/dual_body.h"
@@ -28,6 +29,11 @@ template <class D>
 Dual<double, D> tangent(const Dual<double, D>& a) {
   const double t = std::tan(a.v);
   return {t, a.d * (1.0 + t * t)};
+}
+template <class D>
+Dual<double, D> exponential(const Dual<double, D>& a) {
+  const double e = std::exp(a.v);
+  return {e, a.d * e};
 }
 
 }  // namespace vegard::sim

@@ -16,6 +16,13 @@ enum class Stream : std::uint32_t {
   cross_section = 2,  ///< place of a beam inside its layer
   path = 3,           ///< lengths and azimuths of a beam's deflections
   search = 5,         ///< trial points of a fit
+  slot_life = 6,      ///< when the folds and curls of a slot begin
+  fold = 7,           ///< where a fold stands and how far it has turned
+  curl = 8,           ///< where a curl stands
+  ray_light = 9,      ///< the light of rays
+  ray_length = 10,    ///< their extent above the peak
+  patch = 11,         ///< the light of patches
+  border = 12,        ///< the course of the lower border
   stars = 16,         ///< where stars stand, and their colours
 };
 

@@ -44,4 +44,18 @@ HeightProfile maxwellian_profile(const std::vector<double>& wavelengths_nm, doub
   return profile;
 }
 
+double peak_altitude_km(const HeightProfile& profile) {
+  int brightest = 0;
+  double most = 0.0;
+  for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
+    double sum = 0.0;
+    for (int l = 0; l < profile.lines; ++l)
+      sum += profile.rate[static_cast<std::size_t>(a) * profile.stride + l];
+    if (sum <= most) continue;
+    most = sum;
+    brightest = a;
+  }
+  return HeightProfile::kBottomKm + brightest * HeightProfile::kStepKm;
+}
+
 }  // namespace vegard::sim

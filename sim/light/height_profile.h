@@ -25,4 +25,7 @@ struct HeightProfile {
 /// energy inside the table.
 HeightProfile maxwellian_profile(const std::vector<double>& wavelengths_nm, double energy_kev);
 
+/// The altitude at which the lines together are brightest, in photons.
+double peak_altitude_km(const HeightProfile& profile);
+
 }  // namespace vegard::sim

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <type_traits>
 
 #include "sim/emit/aurora/beam.h"
+#include "sim/emit/aurora/beam_light.h"
 #include "sim/emit/aurora/motion.h"
 
 namespace vegard::sim {
@@ -57,7 +59,15 @@ void narrow(const Tangents<double, kTangentWidth>& from, double scale, float* to
 
 }  // namespace
 
-BeamLayout::BeamLayout(const Scene& scene, double beyond) : instants_s_(instants_s(scene.time)) {
+BeamLayout::BeamLayout(const Scene& scene, double beyond)
+    : instants_s_(instants_s(scene.time)), sheets_(scene.sheets), seed_(scene.seed) {
+  const bool stretched = std::any_of(sheets_.begin(), sheets_.end(),
+                                     [](const Sheet& sheet) { return sheet.ray_length_contrast > 0.0; });
+  peak_km_.assign(sheets_.size(), 0.0);
+  if (stretched) {
+    const std::vector<HeightProfile> profiles = height_profiles(scene);
+    std::transform(profiles.begin(), profiles.end(), peak_km_.begin(), peak_altitude_km);
+  }
   stretches_.resize(instants_s_.size());
   for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
     const Sheet& sheet = scene.sheets[s];
@@ -107,12 +117,22 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
     fall.across1[i] = k.fall.across1[i].v;
     fall.across2[i] = k.fall.across2[i].v;
   }
+  const Sheet& laid_out = sheets_[chunk.sheet];
+  const std::uint32_t arc_address = layer_address(chunk.sheet, chunk.arc, 0);
+  ArcLight light(laid_out, arc_address, seed_, instant, stretch.drifted_km);
+  const Folds folds(laid_out, arc_address, seed_, instant, stretch.drifted_km);
   for (int layer = 0; layer < sheet.layers; ++layer) {
     places_[chunk.sheet][chunk.arc][layer].fill(chunk.first, chunk.count, out.places.data());
+    if (layer == 0)
+      light.remember(stretch.along_km(out.places.front().s), stretch.along_km(out.places.back().s));
+    const LayerStructure structures{folds, Curls(laid_out, layer_address(chunk.sheet, chunk.arc, layer),
+                                                 seed_, instant, stretch.drifted_km)};
+    const LayerStructure* structure =
+        structures.folds.any() || structures.curls.any() ? &structures : nullptr;
     int place_in_group = kGroup;
     for (int b = chunk.first; b < chunk.first + chunk.count; ++b) {
       const BeamPlace& place = out.places[b - chunk.first];
-      const BeamFoot<double> foot = beam_foot(shape, stretch, place, layer, sheet.layers, literal);
+      const BeamFoot<double> foot = beam_foot(shape, stretch, place, layer, sheet.layers, literal, structure);
       if (foot.flux_km2_mw_m2 <= 0.0) continue;
       if (foot.east_km * foot.east_km + foot.north_km * foot.north_km > kFarthestKm * kFarthestKm) continue;
       const Beam<double> plain = start_beam(foot.east_km, foot.north_km, fall, k.observer_altitude_km,
@@ -128,6 +148,9 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
         fresh = BeamGroup{};
         fresh.layer_address = layer_address(chunk.sheet, chunk.arc, layer);
         fresh.sheet = chunk.sheet;
+        fresh.reads_elsewhere = light.reads_elsewhere();
+        fresh.peak_km = peak_km_[chunk.sheet];
+        std::fill(std::begin(fresh.stretch_above), std::end(fresh.stretch_above), 1.0);
         if (seeds != nullptr) out.chains.emplace_back(GroupChain{});
       }
       BeamGroup& group = out.groups.back();
@@ -141,7 +164,7 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
         put(beam.length_km, place_in_group, group.length_km);
         put(beam.vertical, place_in_group, group.vertical);
         const BeamFoot<FreeDual> free_foot =
-            beam_foot(free_shape, stretch, place, layer, sheet.layers, literal);
+            beam_foot(free_shape, stretch, place, layer, sheet.layers, literal, structure);
         GroupChain& chain = out.chains.back();
         narrow(free_foot.east_km.d, 1.0, chain.foot_east[place_in_group]);
         narrow(free_foot.north_km.d, 1.0, chain.foot_north[place_in_group]);
@@ -153,6 +176,13 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
         put(plain.vertical, place_in_group, group.vertical);
       }
       group.flux_km2_mw_m2[place_in_group] = foot.flux_km2_mw_m2;
+      if (light.any()) {
+        const BeamLight own =
+            light.at(stretch.along_km(place.s), aside_laid_out_km(laid_out, place, layer, instant));
+        group.flux_km2_mw_m2[place_in_group] *= own.factor;
+        group.altitude_shift_km[place_in_group] = own.altitude_shift_km;
+        group.stretch_above[place_in_group] = own.stretch_above;
+      }
       group.end_of_path[place_in_group] = 1.0 - place.depth * sheet.path_spread;
       group.index[place_in_group] = static_cast<std::uint32_t>(b);
       ++place_in_group;

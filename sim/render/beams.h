@@ -1,6 +1,7 @@
 // From sheets to groups of beams that the kernel lets fall.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "sim/emit/aurora/sheet.h"
@@ -44,6 +45,9 @@ class BeamLayout {
                PackedChunk& out) const;
 
   std::vector<double> instants_s_;
+  std::vector<Sheet> sheets_;    ///< as they were laid out: what their structures go by
+  std::vector<double> peak_km_;  ///< of their height profiles, where a structure asks for it
+  std::uint64_t seed_;
   std::vector<std::vector<StretchOfSheet>> stretches_;         ///< [instant][sheet]
   std::vector<std::vector<std::vector<LayerPlaces>>> places_;  ///< [sheet][arc][layer]
   std::vector<Chunk> chunks_;

@@ -34,7 +34,11 @@ struct BeamGroup {
   GroupNumber vertical;
   double flux_km2_mw_m2[kGroup];
   double end_of_path[kGroup];
+  double altitude_shift_km[kGroup];  ///< how much lower the light of a point is read than it stands
+  double stretch_above[kGroup];      ///< of the height profile above its peak; then not 0
   std::uint32_t index[kGroup];
+  bool reads_elsewhere = false;     ///< else shift and stretch are not looked at
+  double peak_km = 0.0;             ///< of the height profile, from which on it is stretched
   std::uint32_t layer_address = 0;  ///< sheet and layer, as in the random streams
   int sheet = 0;                    ///< which height profile
 };

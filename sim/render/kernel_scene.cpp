@@ -40,6 +40,7 @@ SheetShape<T> shape(const Scene& scene, int sheet, int arc, double instant_s, co
   shape.energy_flux_mw_m2 = seed(s.energy_flux_mw_m2) * substorm_level(scene.substorm, instant_s);
   shape.arc_offset_km = seed(s.arc_spacing_km) * (arc - 0.5 * (s.arcs - 1));
   shape.side = scene.field.inclination_deg < 0.0 ? -1.0 : 1.0;
+  shape.fold_stage = seed(s.fold_stage);
   return shape;
 }
 

@@ -115,6 +115,8 @@ class SampleMaker {
   }
 
   void begin(const BeamGroup& group) {
+    reads_elsewhere_ = group.reads_elsewhere;
+    peak_ = L((group.peak_km - HeightProfile::kBottomKm) / HeightProfile::kStepKm);
     for (int first = 0, part = 0; first < kGroup; first += Traits::lanes(), ++part) {
       P start[3], length;
       for (int i = 0; i < 3; ++i) fetch(group.start_in_enu_km[i], first, start[i]);
@@ -124,6 +126,8 @@ class SampleMaker {
       end_[part] = Traits::load(group.end_of_path + first);
       beams_[part].start(start, length, Traits::load_indices(group.index + first), group.layer_address,
                          keys_);
+      shift_[part] = Traits::load(group.altitude_shift_km + first) * L(1.0 / HeightProfile::kStepKm);
+      stretch_above_[part] = Traits::load(group.stretch_above + first);
       find_stretch_in_view(start, value_of(length), part);
     }
   }
@@ -192,9 +196,14 @@ class SampleMaker {
   HWY_INLINE void see(const FallenPoint<L, P>& point, int part, int first, int step, Block& block) {
     auto in_front = L(0.0f) < L(1.0f);
     SeenPoint<P> seen = see_point<L>(film_, point.position_in_enu_km, in_front);
-    const P above = (altitude_km(point.position_in_enu_km, L(scene_.observer_altitude_km)) -
-                     L(static_cast<float>(HeightProfile::kBottomKm))) *
-                    L(static_cast<float>(1.0 / HeightProfile::kStepKm));
+    P above = (altitude_km(point.position_in_enu_km, L(scene_.observer_altitude_km)) -
+               L(static_cast<float>(HeightProfile::kBottomKm))) *
+              L(static_cast<float>(1.0 / HeightProfile::kStepKm));
+    if (reads_elsewhere_) {
+      above = above - shift_[part];
+      const L shrink = select(peak_ < value_of(above), L(1.0f) / stretch_above_[part], L(1.0f));
+      above = (above - peak_) * shrink + peak_;
+    }
     const L h = value_of(above);
     if (scene_.nearest_cell) {
       seen.column = P(round_to_nearest(value_of(seen.column)));
@@ -223,6 +232,8 @@ class SampleMaker {
   FilmView<L, C> film_;
   FallingBeams<L, P, C> beams_[kGroup];
   P vertical_[kGroup];
+  L shift_[kGroup], stretch_above_[kGroup], peak_;  ///< in steps of the height profile
+  bool reads_elsewhere_ = false;
   L flux_[kGroup], end_[kGroup], first_in_view_[kGroup], last_in_view_[kGroup];
   double left_, right_, top_, bottom_;  ///< edges of the film and a cell more, as tangents
   double stray_;                        ///< from the straight line, as a fraction of the path

@@ -35,6 +35,15 @@ std::optional<Complaint> convert_focal_length(Scene& scene, int, const Values& v
   return std::nullopt;
 }
 
+/// The paper's n_p. How many beams a layer has is known by then, and how long it is: forms are read in their
+/// order, after all that is a row.
+std::optional<Complaint> convert_points_between_folds(Scene& scene, int index, const Values& values) {
+  Sheet& sheet = scene.sheets.at(index);
+  const double beams_per_km = sheet.beams_per_km > 0.0 ? sheet.beams_per_km : sheet.beams / sheet.length_km;
+  sheet.fold_spacing_km = values[0][0] / beams_per_km;
+  return std::nullopt;
+}
+
 std::vector<AlternativeForm> declare_forms() {
   const std::string point = "two numbers (east, north)";
   return {
@@ -52,10 +61,22 @@ std::vector<AlternativeForm> declare_forms() {
        100000.0,
        {"hfov_deg"},
        convert_focal_length},
+      {{{"sheet", "points_between_folds", "", "beams of a layer from one fold to the next", "a number"}},
+       {},
+       1.0,
+       10000000.0,
+       {"fold_spacing_km"},
+       convert_points_between_folds},
   };
 }
 
 }  // namespace
+
+std::string AlternativeForm::keys_text() const {
+  std::string text;
+  for (const FileKey& key : keys) text += (text.empty() ? "" : " and ") + key.key;
+  return text;
+}
 
 std::string AlternativeForm::replaces_text() const {
   std::string text;

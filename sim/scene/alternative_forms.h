@@ -17,7 +17,7 @@ struct FileKey {
   std::string type;  ///< in words: "two numbers (east, north)"
 };
 
-/// Two keys that stand, always together, for some rows of the same table.
+/// Keys that stand, always together, for some rows of the same table.
 struct AlternativeForm {
   std::vector<FileKey> keys;
   std::vector<std::string> components;  ///< of each key's value; empty: each is one number
@@ -27,6 +27,9 @@ struct AlternativeForm {
   /// Writes what the form says into the scene, one vector of numbers per key; a complaint if it says nothing
   /// usable.
   std::function<std::optional<Complaint>(Scene&, int sheet, const std::vector<std::vector<double>>&)> convert;
+
+  /// "start_km and end_km"
+  std::string keys_text() const;
 
   /// "center_km, bearing_deg, length_km"
   std::string replaces_text() const;

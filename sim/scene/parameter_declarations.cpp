@@ -177,8 +177,8 @@ std::vector<Declaration> declare() {
       Row("fold_spacing_jitter", &Sheet::fold_spacing_jitter).within(0, 1)
           .means("random shift of the folds, as a fraction of their spacing"),
       Row("fold_length_km", &Sheet::fold_length_km).in("km").within(0.01, 1000)
-          .means("stretch of the sine that a fold replaces"),
-      Row("fold_stage", &Sheet::fold_stage).within(0, 1)
+          .means("stretch of the sine that a fold replaces, at most the spacing"),
+      Row("fold_stage", &Sheet::fold_stage).within(0, 1).may_be_free(linear)
           .means("how far a fold has turned: 0 a ripple, about a half an overhang, 1 a horseshoe bend"),
       Row("fold_stage_spread", &Sheet::fold_stage_spread).within(0, 1)
           .means("how much less than that folds may have turned, as a fraction of it"),
@@ -188,9 +188,9 @@ std::vector<Declaration> declare() {
           .means("of a fold (more than 1 in nature); 0: folds last"),
       Row("curl_spacing_km", &Sheet::curl_spacing_km).in("km").within(0, 5000)
           .means("mean distance between curls (2 to 10 in nature); 0: no curls"),
-      Row("curl_radius_km", &Sheet::curl_radius_km).in("km").within(0.01, 100).means("of a curl"),
+      Row("curl_radius_km", &Sheet::curl_radius_km).in("km").within(0.01, 100).means("of a curl, at most the spacing"),
       Row("curl_turn_rad", &Sheet::curl_turn_rad).in("rad").within(-100, 100)
-          .means("angle by which a curl has wound up its centre, counter-clockwise seen against the fall"),
+          .means("angle by which a curl has wound up its centre, counter-clockwise seen against the field"),
       Row("curl_gather", &Sheet::curl_gather).within(0, 0.95)
           .means("how much closer beams stand in the centre of a curl, as a fraction of their spacing"),
       Row("curl_speed_km_s", &Sheet::curl_speed_km_s).in("km s⁻¹").within(-100, 100)
@@ -200,14 +200,14 @@ std::vector<Declaration> declare() {
       Row("ray_contrast", &Sheet::ray_contrast).within(0, 3)
           .means("standard deviation of the logarithm of the light from ray to ray; 0: no rays"),
       Row("ray_width_km", &Sheet::ray_width_km).in("km").within(0.01, 100)
-          .means("full width of a ray at half its height (1 or less in nature)"),
+          .means("full width of the rays' autocorrelation at half its height (1 or less in nature)"),
       Row("ray_length_contrast", &Sheet::ray_length_contrast).within(0, 2)
           .means("standard deviation of the logarithm of the rays' extent above the peak"),
       Row("ray_speed_km_s", &Sheet::ray_speed_km_s).in("km s⁻¹").within(-100, 100)
           .means("of the rays, from start to end"),
       Row("ray_lifetime_s", &Sheet::ray_lifetime_s).in("s").within(0, 1e6).means("of a ray; 0: rays last"),
       Row("patch_size_km", &Sheet::patch_size_km).in("km").within(0, 1000)
-          .means("of patches of light along and across the sheet; 0: no patches"),
+          .means("of patches of light along and across the sheet, full width of their autocorrelation; 0: no patches"),
       Row("patch_contrast", &Sheet::patch_contrast).within(0, 3)
           .means("standard deviation of the logarithm of the light from patch to patch"),
       Row("patch_lifetime_s", &Sheet::patch_lifetime_s).in("s").within(0, 1e6).means("of a patch; 0: patches last"),

@@ -4,9 +4,11 @@
 #include <variant>
 
 #include "sim/base/error.h"
+#include "sim/scene/line_of.h"
 #include "sim/scene/parameter_declarations.h"
 #include "sim/scene/parameter_table.h"
 #include "sim/scene/value_check.h"
+#include "sim/scene/value_words.h"
 
 namespace vegard::sim {
 namespace {
@@ -34,6 +36,25 @@ void check_sheet_names(const Scene& scene) {
     if (names.insert(sheet.name).second) continue;
     complain({"two sheets are called '" + sheet.name + "'", "a name of its own for each sheet", ""},
              {scene.file, 0, "sheet." + sheet.name + ".name"});
+  }
+}
+
+/// Structures keep to their slots, of which each has but one.
+void check_structures(const Scene& scene) {
+  const auto check = [&](const Sheet& sheet, const std::string& what, double size_km, double spacing_km,
+                         const std::string& size, const std::string& spacing) {
+    if (spacing_km <= 0.0 || size_km <= spacing_km) return;
+    // The message points at a key that the file has.
+    const std::string path = "sheet." + sheet.name + ".";
+    const std::string key = path + (line_of(scene, path + size) > 0 ? size : spacing);
+    complain({what + " would overlap: " + size + " is " + short_real_text(size_km) + ", " + spacing + " " +
+                  short_real_text(spacing_km),
+              size + " at most " + spacing, "lower the one or raise the other"},
+             {scene.file, 0, key});
+  };
+  for (const Sheet& sheet : scene.sheets) {
+    check(sheet, "folds", sheet.fold_length_km, sheet.fold_spacing_km, "fold_length_km", "fold_spacing_km");
+    check(sheet, "curls", sheet.curl_radius_km, sheet.curl_spacing_km, "curl_radius_km", "curl_spacing_km");
   }
 }
 
@@ -71,6 +92,7 @@ void validate(const Scene& scene) {
     if (const auto complaint = complaint_about(d, value)) complain(*complaint, {scene.file, 0, path.text});
   }
   check_sheet_names(scene);
+  check_structures(scene);
   check_region(scene);
   check_free_parameters(scene);
 }

@@ -23,7 +23,15 @@ Scene busy_scene() {
   second.energy_kev = 7.0;
   second.path_spread = 0.3;
   scene.sheets.push_back(second);
-  scene.sheets[0].beams = 1500;
+  Sheet& first = scene.sheets[0];
+  first.beams = 1500;
+  first.fold_spacing_km = 20.0;
+  first.curl_spacing_km = 6.0;
+  first.ray_contrast = 0.5;
+  first.ray_length_contrast = 0.3;
+  first.ray_lifetime_s = 1.0;
+  first.patch_size_km = 20.0;
+  first.border_amplitude_km = 4.0;
   scene.stars.shown = true;
   return scene;
 }

@@ -24,6 +24,8 @@ sim::Scene fit_scene() {
   scene.sheets[0].length_km = 280.0;
   scene.sheets[0].arcs = 2;
   scene.sheets[0].arc_spacing_km = 14.0;
+  scene.sheets[0].fold_spacing_km = 25.0;
+  scene.sheets[0].fold_length_km = 15.0;
   scene.sheets[0].beams = 4000;
   scene.blur.width_deg = {0.43, 0.25, 0.3};
   scene.sky.level = {0.02, 0.03, 0.05};

@@ -25,7 +25,18 @@ StretchOfSheet stretch_of(const Sheet& sheet, double instant_s) {
   const double bearing = sheet.bearing_deg * kRadiansPerDegree;
   const double east = sheet.center_km.east + sheet.drift_km_s.east * instant_s;
   const double north = sheet.center_km.north + sheet.drift_km_s.north * instant_s;
-  return {east * std::sin(bearing) + north * std::cos(bearing), sheet.length_km};
+  const double drifted =
+      (sheet.drift_km_s.east * std::sin(bearing) + sheet.drift_km_s.north * std::cos(bearing)) * instant_s;
+  return {east * std::sin(bearing) + north * std::cos(bearing), sheet.length_km, drifted};
+}
+
+double aside_laid_out_km(const Sheet& sheet, const BeamPlace& place, int layer, double instant_s) {
+  constexpr double kTwoPi = 6.283185307179586;
+  const double layer_part = sheet.layers > 1 ? static_cast<double>(layer) / (sheet.layers - 1) : 0.0;
+  const double phase = kTwoPi / sheet.wavelength_km *
+                           (place.s_of_phase * sheet.length_km - sheet.sine_speed_km_s * instant_s) +
+                       sheet.phase_rad + sheet.phase_shift_rad * layer_part;
+  return sheet.thickness_km * std::sin(phase) + sheet.width_km * place.across;
 }
 
 int beams_per_layer(const Sheet& sheet) {

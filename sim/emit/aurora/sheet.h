@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "sim/base/dual.h"
+#include "sim/emit/aurora/curl.h"
+#include "sim/emit/aurora/fold.h"
 #include "sim/scene/scene.h"
 
 namespace vegard::sim {
@@ -26,6 +28,7 @@ struct SheetShape {
   T energy_flux_mw_m2;
   T arc_offset_km;  ///< of this arc of a system, to the side of the sine's positive values
   double side;      ///< +1 in the northern hemisphere, -1 in the southern: the direction of u x B
+  T fold_stage{};
 };
 
 /// Where a beam stands on its layer, before any parameter is known: pure functions of the seed, frozen during
@@ -45,10 +48,23 @@ struct BeamPlace {
 struct StretchOfSheet {
   double center_km = 0.0;
   double length_km = 0.0;
+  double drifted_km = 0.0;  ///< how far the sheet has drifted along itself since the clock's zero
+
+  /// The coordinate of a beam's place: what the sheet's structures are anchored to, never a fit's to change.
+  double along_km(double s) const { return center_km + length_km * (s - 0.5); }
+};
+
+/// The folds and curls of one layer at an instant.
+struct LayerStructure {
+  Folds folds;
+  Curls curls;
 };
 
 /// The stretch that a sheet takes up at an instant: it drifts with the sheet.
 StretchOfSheet stretch_of(const Sheet& sheet, double instant_s);
+
+/// How far a beam was laid out to the side of the sine's positive values, counted from the straight line.
+double aside_laid_out_km(const Sheet& sheet, const BeamPlace& place, int layer, double instant_s);
 
 /// How many beams a layer has: as many as the scene says, or as its length asks for.
 int beams_per_layer(const Sheet& sheet);
@@ -101,12 +117,42 @@ struct BeamFoot {
                      ///< ends
 };
 
+template <class T>
+struct PlanePoint {
+  T x_km, aside_km;
+};
+
+/// Where folds and curls bring a beam that stands `across_km` beside its layer's sine, counted from its place
+/// on the straight line. Across a fold the cross-section turns with the curve.
+template <class T>
+PlanePoint<T> structured_point(const LayerSine<T>& layer, const LayerStructure& structure,
+                               const T& fold_stage, double along_km, const T& across_km) {
+  const auto curve_at = [&](double at_km) {
+    return folded_curve(layer, structure.folds.at(at_km), fold_stage, at_km - along_km);
+  };
+  double gathered_km = along_km;
+  if (structure.curls.any())
+    structure.curls.near(along_km, [&](const Curl& curl) { gathered_km = curl.gathered(gathered_km); });
+  const CurvePoint<T> curve = curve_at(gathered_km);
+  PlanePoint<T> point{curve.x_km - across_km * curve.turn_sin, curve.aside_km + across_km * curve.turn_cos};
+  if (structure.curls.any()) {
+    structure.curls.near(along_km, [&](const Curl& curl) {
+      const double hold = Curls::hold(along_km - curl.center_km, curl.radius_km);
+      if (curl.turn_rad == 0.0 || hold == 0.0) return;
+      const CurvePoint<T> center = curve_at(curl.center_km);
+      turn_about(center.x_km, center.aside_km, curl.radius_km, curl.turn_rad * hold, point.x_km,
+                 point.aside_km);
+    });
+  }
+  return point;
+}
+
 /// The foot of a beam. Equation (1) with P_i added: P = P_i + s u + w sin(phase) (u x B)/|u x B|, in the
 /// tangent plane. The area is Q's Gaussian cross-section, width sqrt(2 pi), times the beam's stretch of the
-/// arc.
+/// arc. `structure` may be null: a sine without folds and curls.
 template <class T>
 BeamFoot<T> beam_foot(const SheetShape<T>& sheet, const StretchOfSheet& stretch, const BeamPlace& place,
-                      int layer, int layers, bool literal) {
+                      int layer, int layers, bool literal, const LayerStructure* structure = nullptr) {
   constexpr double kTwoPi = 6.283185307179586, kSqrtTwoPi = 2.5066282746310002;
   const T u_east = sine(sheet.bearing_rad), u_north = cosine(sheet.bearing_rad);
   const T center_along = sheet.center_east_km * u_east + sheet.center_north_km * u_north;
@@ -132,8 +178,17 @@ BeamFoot<T> beam_foot(const SheetShape<T>& sheet, const StretchOfSheet& stretch,
   const double layer_part = layers > 1 ? static_cast<double>(layer) / (layers - 1) : 0.0;
   const T phase =
       from_start * kTwoPi / sheet.wavelength_km + sheet.phase_rad + sheet.phase_shift_rad * layer_part;
-  const T left = center_left + sheet.arc_offset_km * sheet.side +
-                 (sheet.thickness_km * sine(phase) + sheet.width_km * place.across) * sheet.side;
+  T aside;
+  if (structure == nullptr) {
+    aside = sheet.thickness_km * sine(phase) + sheet.width_km * place.across;
+  } else {
+    const LayerSine<T> curve{sheet.thickness_km, kTwoPi / sheet.wavelength_km, phase};
+    const PlanePoint<T> point = structured_point(curve, *structure, sheet.fold_stage,
+                                                 stretch.along_km(place.s), sheet.width_km * place.across);
+    along = along + point.x_km;
+    aside = point.aside_km;
+  }
+  const T left = center_left + sheet.arc_offset_km * sheet.side + aside * sheet.side;
   return {along * u_east - left * u_north, along * u_north + left * u_east,
           sheet.energy_flux_mw_m2 * sheet.width_km * share * kSqrtTwoPi};
 }

@@ -87,7 +87,38 @@ TEST(FilmDerivatives, EveryFreeNumberAgreesWithDifferences) {
   // An end inside the picture, so that the length counts.
   scene.sheets[0].center_km.east = 130.0;
   scene.sheets[0].length_km = 250.0;
+  // Folds, so that their stage counts.
+  scene.sheets[0].fold_spacing_km = 25.0;
+  scene.sheets[0].fold_length_km = 15.0;
   expect_derivatives(scene, 0.01);
+}
+
+TEST(FilmDerivatives, OfASheetFullOfStructureAgreeWithDifferences) {
+  Scene scene = tests::small_scene();
+  scene.time.start_s = 1.3;
+  Sheet& sheet = scene.sheets[0];
+  sheet.arcs = 2;
+  sheet.beams = 200;
+  sheet.arc_spacing_km = 14.0;
+  sheet.center_km.east = 130.0;
+  sheet.length_km = 250.0;
+  sheet.drift_km_s = {0.4, 0.1};
+  sheet.fold_spacing_km = 25.0;
+  sheet.fold_length_km = 15.0;
+  sheet.fold_stage = 0.8;
+  sheet.fold_speed_km_s = 2.0;
+  sheet.fold_lifetime_s = 3.0;
+  sheet.curl_spacing_km = 8.0;
+  sheet.curl_radius_km = 1.5;
+  sheet.curl_turn_rad = 1.5;
+  sheet.curl_lifetime_s = 0.5;
+  sheet.ray_contrast = 0.5;
+  sheet.ray_width_km = 3.0;
+  sheet.ray_length_contrast = 0.4;
+  sheet.patch_size_km = 30.0;
+  sheet.patch_contrast = 0.4;
+  sheet.border_amplitude_km = 4.0;
+  expect_derivatives(scene, 0.02);
 }
 
 TEST(FilmDerivatives, SouthernSheetsOfTheLiteralRuleAgreeWithDifferences) {
@@ -98,6 +129,8 @@ TEST(FilmDerivatives, SouthernSheetsOfTheLiteralRuleAgreeWithDifferences) {
   sheet.center_km = {-100.0, -200.0};
   sheet.arcs = 2;
   sheet.length_km = 250.0;
+  sheet.fold_spacing_km = 25.0;
+  sheet.fold_length_km = 15.0;
   sheet.spacing_rule = "literal";
   sheet.pitch_law = "product";
   sheet.pitch_step_rad = 0.4;

@@ -181,6 +181,7 @@ TEST(Resolve, NamesTheNearestPath) {
   EXPECT_EQ(hint("camera.fov_deg"), "did you mean 'camera.hfov_deg'?");
   EXPECT_EQ(hint("sheet.main.start_km"), "name center_km, bearing_deg, length_km instead");
   EXPECT_EQ(hint("camera.focal_length_mm"), "name hfov_deg instead");
+  EXPECT_EQ(hint("sheet.main.points_between_folds"), "name fold_spacing_km instead");
   EXPECT_NE(hint(""), "");
   EXPECT_NE(hint("sheet"), "");
   EXPECT_NE(hint("sheet.main"), "");

@@ -152,6 +152,17 @@ TEST(ParseScene, CentreBearingAndLengthGiveTheEndsBack) {
   EXPECT_NEAR(sheet.center_km.north + north, 215.7, 1e-11);
 }
 
+// The paper's n_p, the number of points from fold to fold: a layer of 800 beams on 400 km has 2 to a
+// kilometre.
+TEST(ParseScene, TurnsPointsBetweenFoldsIntoTheirSpacing) {
+  const auto spacing = [](const std::string& keys) {
+    return parse("[[sheet]]\npoints_between_folds = 60\n" + keys).sheets.at(0).fold_spacing_km;
+  };
+  EXPECT_DOUBLE_EQ(spacing("beams = 800\nlength_km = 400\n"), 30.0);
+  EXPECT_DOUBLE_EQ(spacing("beams = 800\nstart_km = [0, 0]\nend_km = [0, 200]\n"), 15.0);
+  EXPECT_DOUBLE_EQ(spacing("beams = 800\nbeams_per_km = 3\nlength_km = 400\n"), 20.0);
+}
+
 // A lens as long as half the sensor is wide sees 45 deg to either side; 50 mm on 36 mm are the textbook 39.6
 // deg.
 TEST(ParseScene, TurnsFocalLengthIntoFieldOfView) {
@@ -271,6 +282,16 @@ const Bad bad_scenes[] = {
      "nan is outside"},
     {"start_a_number", "[[sheet]]\nstart_km = 3\nend_km = [1, 2]\n", 2, "sheet.start_km",
      "two numbers (east, north)"},
+    {"folds_overlap", "[[sheet]]\nfold_spacing_km = 6\nfold_length_km = 6.5\n", 3,
+     "sheet.main.fold_length_km", "folds would overlap: fold_length_km is 6.5, fold_spacing_km 6"},
+    {"curls_overlap", "[[sheet]]\ncurl_radius_km = 3\ncurl_spacing_km = 2\n", 2, "sheet.main.curl_radius_km",
+     "curls would overlap"},
+    {"folds_by_points_and_by_spacing", "[[sheet]]\npoints_between_folds = 90\nfold_spacing_km = 6\n", 2,
+     "sheet.points_between_folds", "points_between_folds stands for fold_spacing_km"},
+    {"too_few_points_between_folds", "[[sheet]]\npoints_between_folds = 0\n", 2, "sheet.points_between_folds",
+     "0 is outside the limits"},
+    {"points_too_close", "[[sheet]]\npoints_between_folds = 2\n", 2, "sheet.main.fold_spacing_km",
+     "folds would overlap"},
     {"focal_length_alone", "[camera]\nfocal_length_mm = 18\n", 2, "camera.focal_length_mm",
      "needs sensor_width_mm"},
     {"focal_length_and_fov", "[camera]\nfocal_length_mm = 18\nsensor_width_mm = 36\nhfov_deg = 60\n", 3,

@@ -63,8 +63,8 @@ Falls fall(PitchLaw law, int beams, double path_step = 1.0 / 300.0) {
 }
 
 TEST(FallingBeams, AreDeflectedSixHundredTimesGiveOrTakeFourteen) {
-  // Renewals with uniform steps of at most 1/300 (docs/physics.md row B12): mean 600 - 1/3, deviation 14.1. Seed 12,
-  // 4000 beams: four standard errors are 0.9 and 0.63.
+  // Renewals with uniform steps of at most 1/300 (docs/physics.md row B12): mean 600 - 1/3, deviation 14.1.
+  // Seed 12, 4000 beams: four standard errors are 0.9 and 0.63.
   const Falls falls = fall(PitchLaw::reduced, 4000);
   EXPECT_NEAR(falls.mean_points, 600.0 - 1.0 / 3.0, 0.9);
   EXPECT_NEAR(falls.deviation_of_points, 14.14, 0.63);
@@ -72,8 +72,8 @@ TEST(FallingBeams, AreDeflectedSixHundredTimesGiveOrTakeFourteen) {
 }
 
 TEST(FallingBeams, SpreadByTheReadingOfEquationFour) {
-  // docs/physics.md row B14: 200 km, 2.5 degrees, 0.015 rad, d_t = 1/300. r^2 is exponentially distributed, so that
-  // the RMS of 4000 beams has a standard error of 0.8 %; four of them, and the figures' own rounding.
+  // docs/physics.md row B14: 200 km, 2.5 degrees, 0.015 rad, d_t = 1/300. r^2 is exponentially distributed,
+  // so that the RMS of 4000 beams has a standard error of 0.8 %; four of them, and the figures' own rounding.
   const auto expect_metres = [](PitchLaw law, double metres, double rounding) {
     EXPECT_NEAR(1000.0 * fall(law, 4000).spread_km, metres, 0.032 * metres + rounding);
   };

@@ -126,6 +126,61 @@ TEST(Sheet, PositiveSideIsTheLeftInTheNorthAndTheRightInTheSouth) {
   EXPECT_NEAR(foot_at(sheet, place_at(0.0)).north_km, 214.0, 1e-9);
 }
 
+Sheet structured() {
+  Sheet sheet = slanted();
+  sheet.fold_spacing_km = 30.0;
+  sheet.fold_length_km = 24.0;
+  sheet.fold_stage = 0.9;
+  sheet.curl_spacing_km = 9.0;
+  return sheet;
+}
+
+BeamFoot<double> structured_foot(const Sheet& sheet, const BeamPlace& place, double side = 1.0) {
+  SheetShape<double> shape = shape_of(sheet, side);
+  shape.fold_stage = sheet.fold_stage;
+  const LayerStructure structure{Folds(sheet, 0, 1, 0.0, 0.0), Curls(sheet, 0, 1, 0.0, 0.0)};
+  return beam_foot(shape, stretch_of(sheet, 0.0), place, 0, sheet.layers, false, &structure);
+}
+
+TEST(Sheet, FoldsAndCurlsMoveBeamsAndAreMirroredInTheSouth) {
+  const Sheet sheet = structured();
+  double moved = 0.0;
+  for (double s = 0.05; s < 1.0; s += 0.013) {
+    BeamPlace place = place_at(s);
+    place.across = 0.7;
+    const BeamFoot<double> north = structured_foot(sheet, place), south = structured_foot(sheet, place, -1.0);
+    EXPECT_NEAR(along_line(sheet, south), along_line(sheet, north), 1e-9);
+    EXPECT_NEAR(left_of_line(sheet, south), -left_of_line(sheet, north), 1e-9);
+    moved = std::max(moved, std::abs(along_line(sheet, north) - (s - 0.5) * 310.0));
+  }
+  EXPECT_GT(moved, 2.0);
+}
+
+TEST(Sheet, CrossSectionTurnsWithAFold) {
+  Sheet sheet = structured();
+  sheet.curl_spacing_km = 0.0;
+  double turned = 0.0;
+  for (double s = 0.05; s < 1.0; s += 0.0031) {
+    constexpr double h = 1e-7;
+    BeamPlace beside = place_at(s);
+    beside.across = 1.0;
+    const BeamFoot<double> here = structured_foot(sheet, place_at(s)), other = structured_foot(sheet, beside),
+                           next = structured_foot(sheet, place_at(s + h));
+    const double x = along_line(sheet, other) - along_line(sheet, here),
+                 y = left_of_line(sheet, other) - left_of_line(sheet, here);
+    EXPECT_NEAR(std::hypot(x, y), sheet.width_km, 1e-9);
+    // The angle from the curve's tangent to the cross-section is that from the sine's tangent to the left.
+    const double tangent = std::atan2(left_of_line(sheet, next) - left_of_line(sheet, here),
+                                      along_line(sheet, next) - along_line(sheet, here));
+    const double k = 2.0 * kPi / sheet.wavelength_km;
+    const double sines = std::atan(sheet.thickness_km * k * std::cos(sheet.phase_rad + k * s * 310.0));
+    const double difference = std::atan2(y, x) - tangent - (0.5 * kPi - sines);
+    EXPECT_NEAR(std::remainder(difference, 2.0 * kPi), 0.0, 1e-4) << s;
+    turned = std::max(turned, std::abs(std::remainder(tangent - sines, 2.0 * kPi)));
+  }
+  EXPECT_GT(turned, 1.0);
+}
+
 TEST(Sheet, SharesOfTheLightAddUpToItsLength) {
   for (const char* rule : {"stratified", "tied", "literal"}) {
     for (double beyond : {0.0, 0.5}) {

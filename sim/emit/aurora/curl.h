@@ -1,0 +1,82 @@
+// Curls: small vortices that gather a layer's beams and wind them up.
+//
+// Source: Baranoski et al. 2000, section 2.2 and figure 6b (curls 2 to 10 km apart, living for 0.25 to 0.75
+// s, electron beams evolving into rays) and section 3.1 (a beam stands for a curl); row B9 of
+// docs/physics.md. The map is ours. Beams are first gathered along the sheet about the curl's centre, x → x
+// (1 - g exp(-x²/R²)), which keeps their order and puts them 1 - g of their spacing apart at the centre: a
+// cluster of beams. Then they are turned about the centre by an angle that falls off as exp(-r²/R²): that
+// preserves areas, as a flow without sources does. Sense as for folds, counter-clockwise seen against B.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "sim/base/dual.h"
+#include "sim/emit/aurora/slot.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::sim {
+
+/// One curl at an instant.
+struct Curl {
+  double center_km = 0.0;  ///< along the sheet, as StretchOfSheet counts
+  double radius_km = 1.0;
+  double gather = 0.0;
+  double turn_rad = 0.0;
+
+  /// Where a beam at `along_km` is gathered to.
+  double gathered(double along_km) const {
+    const double x = along_km - center_km, q = x / radius_km;
+    return center_km + x * (1.0 - gather * std::exp(-q * q));
+  }
+};
+
+/// The curls of one layer at an instant.
+class Curls {
+ public:
+  Curls(const Sheet& sheet, std::uint32_t layer_address, std::uint64_t seed, double instant_s,
+        double drifted_km);
+
+  bool any() const { return spacing_km_ > 0.0; }
+
+  /// Calls see(curl) for every curl that reaches to a place along the sheet, from start to end.
+  template <class See>
+  void near(double along_km, const See& see) const {
+    const double reach = kReach * radius_km_;
+    const std::int64_t last = slot_at(along_km - moved_km_ + reach, spacing_km_);
+    for (std::int64_t slot = slot_at(along_km - moved_km_ - reach, spacing_km_); slot <= last; ++slot) {
+      const Curl curl = of_slot(slot);
+      if (std::abs(along_km - curl.center_km) < reach) see(curl);
+    }
+  }
+
+  /// 1 for beams that are laid out within five radii of a curl, then less, 0 from six on: on an even sheet
+  /// the turn is long gone there, but a fold may bring such beams back.
+  static double hold(double from_center_km, double radius_km) {
+    const double inside = std::clamp(kReach - std::abs(from_center_km) / radius_km, 0.0, 1.0);
+    return inside * inside * (3.0 - 2.0 * inside);
+  }
+
+ private:
+  static constexpr double kReach = 6.0;  // in radii
+
+  Curl of_slot(std::int64_t slot) const;
+
+  std::uint64_t seed_;
+  std::uint32_t address_;
+  double spacing_km_, radius_km_, gather_, turn_rad_, lifetime_s_, instant_s_, moved_km_;
+};
+
+/// Turns the point (x, aside) about a curl's centre: clockwise in (x, aside), which seen from below is
+/// counter-clockwise.
+template <class T>
+void turn_about(const T& center_x, const T& center_aside, double radius_km, double turn_rad, T& x, T& aside) {
+  const T dx = x - center_x, dy = aside - center_aside;
+  const T angle = exponential((dx * dx + dy * dy) * (-1.0 / (radius_km * radius_km))) * turn_rad;
+  const T c = cosine(angle), s = sine(angle);
+  x = center_x + dx * c + dy * s;
+  aside = center_aside + dy * c - dx * s;
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,206 @@
+#include "sim/emit/aurora/fold.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace vegard::sim {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kCenter = 14.0;  // of the fold of the tests, on the sine's flank
+constexpr double kHalf = 4.0;
+
+LayerSine<double> sine_at(double x_km) {
+  const double wave_number = 2.0 * kPi / 60.0;
+  return {3.0, wave_number, 0.4 + wave_number * x_km};
+}
+
+Fold fold_at(double x_km) {
+  Fold fold;
+  fold.from_center_km = x_km - kCenter;
+  fold.half_km = kHalf;
+  fold.here = std::abs(fold.from_center_km) < kHalf;
+  fold.stage = 1.0;
+  return fold;
+}
+
+/// The curve's point that belongs to a place, in coordinates of the sheet.
+CurvePoint<double> curve(double x_km, double stage) {
+  CurvePoint<double> point = folded_curve(sine_at(x_km), fold_at(x_km), stage, 0.0);
+  point.x_km += x_km;
+  return point;
+}
+
+struct Vector {
+  double x, y;
+};
+Vector slope(double x_km, double stage, double h) {
+  const CurvePoint<double> a = curve(x_km, stage), b = curve(x_km + h, stage);
+  return {(b.x_km - a.x_km) / h, (b.aside_km - a.aside_km) / h};
+}
+
+TEST(Fold, JoinsTheSineAndItsOwnHalvesWithoutAKink) {
+  constexpr double h = 1e-6;
+  for (double stage : {0.0, 0.3, 0.6, 1.0})
+    for (double x : {kCenter - kHalf, kCenter, kCenter + kHalf}) {
+      const CurvePoint<double> left = curve(x - h, stage), right = curve(x + h, stage);
+      EXPECT_NEAR(left.x_km, right.x_km, 1e-4);
+      EXPECT_NEAR(left.aside_km, right.aside_km, 1e-4);
+      EXPECT_NEAR(left.turn_cos, right.turn_cos, 1e-4);
+      EXPECT_NEAR(left.turn_sin, right.turn_sin, 1e-4);
+      const Vector before = slope(x - h, stage, -h), after = slope(x + h, stage, h);
+      EXPECT_NEAR(before.x, after.x, 1e-4) << stage << " " << x;
+      EXPECT_NEAR(before.y, after.y, 1e-4) << stage << " " << x;
+    }
+}
+
+TEST(Fold, LeavesTheSineOutsideUntouched) {
+  for (double x : {kCenter - kHalf - 1e-9, kCenter + kHalf + 1e-9, 30.0}) {
+    const CurvePoint<double> point = curve(x, 1.0);
+    EXPECT_EQ(point.x_km, x);
+    EXPECT_EQ(point.aside_km, sine_at(x).aside(0.0));
+    EXPECT_EQ(point.turn_cos, 1.0);
+    EXPECT_EQ(point.turn_sin, 0.0);
+  }
+}
+
+TEST(Fold, AtStageZeroIsTheSineWithinAMetre) {
+  // Cubic Hermite interpolation over a length l departs by no more than l⁴/384 of the fourth derivative: here
+  // 4⁴/384 · 3 (2π/60)⁴ = 0.24 m.
+  for (double x = kCenter - kHalf; x < kCenter + kHalf; x += 0.01) {
+    const CurvePoint<double> point = curve(x, 0.0);
+    EXPECT_NEAR(point.x_km, x, 1e-12);
+    EXPECT_NEAR(point.aside_km, sine_at(x).aside(0.0), 2.5e-4);
+  }
+}
+
+double least_advance(double stage) {
+  double least = 1.0;
+  for (double x = kCenter - kHalf; x < kCenter + kHalf; x += 0.01)
+    least = std::min(least, slope(x, stage, 1e-6).x);
+  return least;
+}
+
+TEST(Fold, RipplesThenOverhangs) {
+  EXPECT_NEAR(least_advance(0.0), 1.0, 1e-6);
+  EXPECT_GT(least_advance(0.25), 0.0);
+  EXPECT_LT(least_advance(0.6), 0.0);
+  EXPECT_LT(least_advance(1.0), least_advance(0.6));
+}
+
+TEST(Fold, TurnsItsMiddleByMoreThan150DegreesClockwiseSeenFromAbove) {
+  double before = 0.0;
+  for (double stage = 0.0; stage <= 1.0; stage += 0.125) {
+    const CurvePoint<double> middle = curve(kCenter, stage);
+    const double turned = -std::atan2(middle.turn_sin, middle.turn_cos) * 180.0 / kPi;
+    if (stage > 0.0) {
+      EXPECT_GT(turned, before);
+    }
+    before = turned;
+  }
+  EXPECT_GT(before, 150.0);
+  EXPECT_LT(before, 180.0);
+}
+
+TEST(Fold, DoesNotCrossItself) {
+  std::vector<Vector> points;
+  for (double x = kCenter - kHalf - 3.0; x < kCenter + kHalf + 3.0; x += 0.05) {
+    const CurvePoint<double> point = curve(x, 1.0);
+    points.push_back({point.x_km, point.aside_km});
+  }
+  const auto side = [](Vector a, Vector b, Vector p) {
+    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+  };
+  int crossings = 0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    for (std::size_t j = i + 2; j + 1 < points.size(); ++j)
+      crossings +=
+          side(points[i], points[i + 1], points[j]) * side(points[i], points[i + 1], points[j + 1]) < 0.0 &&
+          side(points[j], points[j + 1], points[i]) * side(points[j], points[j + 1], points[i + 1]) < 0.0;
+  EXPECT_EQ(crossings, 0);
+}
+
+Sheet folded_sheet() {
+  Sheet sheet;
+  sheet.fold_spacing_km = 20.0;
+  sheet.fold_length_km = 8.0;
+  sheet.fold_spacing_jitter = 1.0;
+  return sheet;
+}
+
+struct Stretch {
+  double center, from, to;
+};
+
+/// The folds between two places along the sheet, found as a beam finds them.
+std::vector<Stretch> folds_between(const Folds& folds, double first, double last) {
+  std::vector<Stretch> found;
+  for (double a = first; a < last; a += 0.25) {
+    const Fold fold = folds.at(a);
+    if (!fold.here) continue;
+    const double center = a - fold.from_center_km;
+    if (found.empty() || std::abs(found.back().center - center) > 1e-6)
+      found.push_back({center, center - fold.half_km, center + fold.half_km});
+  }
+  return found;
+}
+
+TEST(Folds, AreQuasiPeriodicAndNeverOverlap) {
+  const Sheet sheet = folded_sheet();
+  const std::vector<Stretch> found = folds_between(Folds(sheet, 0, 11, 0.0, 0.0), -10000.0, 10000.0);
+  ASSERT_NEAR(found.size(), 1000u, 2);
+  double square = 0.0;
+  for (std::size_t i = 1; i < found.size(); ++i) {
+    EXPECT_GE(found[i].from, found[i - 1].to - 1e-9);
+    const double distance = found[i].center - found[i - 1].center;
+    square += (distance - 20.0) * (distance - 20.0) / found.size();
+  }
+  EXPECT_NEAR((found.back().center - found.front().center) / (found.size() - 1), 20.0, 0.03);
+  // The difference of two uniform shifts over 12 km: a variance of 24. Its standard error is about 1;
+  // seed 11.
+  EXPECT_NEAR(square, 24.0, 4.0);
+  Sheet even = sheet;
+  even.fold_spacing_jitter = 0.0;
+  for (const Stretch& fold : folds_between(Folds(even, 0, 11, 0.0, 0.0), -100.0, 100.0))
+    EXPECT_NEAR(std::remainder(fold.center - 10.0, 20.0), 0.0, 1e-9);
+}
+
+TEST(Folds, TravelAtTheirSpeedAndWithTheSheet) {
+  Sheet sheet = folded_sheet();
+  sheet.fold_speed_km_s = 2.5;
+  const Folds before(sheet, 0, 11, 0.0, 0.0), after(sheet, 0, 11, 4.0, 3.0);
+  for (double a = 0.0; a < 100.0; a += 0.7) {
+    EXPECT_NEAR(after.at(a + 13.0).from_center_km, before.at(a).from_center_km, 1e-9);
+    EXPECT_EQ(after.at(a + 13.0).stage, before.at(a).stage);
+  }
+}
+
+TEST(Folds, AreBornAndDieWithoutAJump) {
+  Sheet sheet = folded_sheet();
+  sheet.fold_lifetime_s = 3.0;
+  sheet.fold_stage = 1.0;
+  double most = 0.0, moved = 0.0;
+  for (double t = 0.0; t < 9.0; t += 0.01) {
+    for (double a : {3.0, 9.0, 11.0, 27.0, 30.0}) {
+      const auto at = [&](double instant) {
+        return folded_curve(sine_at(0.0), Folds(sheet, 0, 11, instant, 0.0).at(a), 1.0, 0.0);
+      };
+      const CurvePoint<double> now = at(t), next = at(t + 1e-5);
+      EXPECT_NEAR(now.x_km, next.x_km, 2e-3) << t;
+      EXPECT_NEAR(now.aside_km, next.aside_km, 2e-3) << t;
+      EXPECT_NEAR(now.turn_cos, next.turn_cos, 2e-3) << t;
+      moved = std::max(moved, std::abs(now.x_km));
+    }
+    most = std::max(most, Folds(sheet, 0, 11, t, 0.0).at(10.0).stage);
+  }
+  EXPECT_GT(moved, 0.5);
+  EXPECT_GT(most, 0.5);
+  // Another generation, another stage.
+  EXPECT_NE(Folds(sheet, 0, 11, 1.0, 0.0).at(10.0).stage, Folds(sheet, 0, 11, 4.0, 0.0).at(10.0).stage);
+}
+
+}  // namespace
+}  // namespace vegard::sim
