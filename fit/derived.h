@@ -13,9 +13,9 @@ namespace vegard::fit {
 double nearest_distance_km(const sim::Sheet& sheet);
 
 /// Altitude below a line's peak where its volume emission rate has fallen to a tenth, and of the peak itself,
-/// km; from the height profile at the sheet's energy. Source of the tenth: docs/physics.md, row B19.
-double lower_border_km(double wavelength_nm, double energy_kev);
-double peak_altitude_km(double wavelength_nm, double energy_kev);
+/// km; from the sheet's own height profile. Source of the tenth: docs/physics.md, row B19.
+double lower_border_km(double wavelength_nm, const sim::Sheet& sheet);
+double peak_altitude_km(double wavelength_nm, const sim::Sheet& sheet);
 
 /// What the error bars of derived numbers are made from, in the free numbers' own units.
 struct ValueUncertainty {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace vegard::fit {
 namespace {
@@ -19,11 +20,22 @@ TEST(NearestDistance, IsThePerpendicularOrAnEnd) {
 
 TEST(Altitudes, ArePlacedAsTheSourcesHaveThem) {
   // docs/physics.md: 557.7 peaks at 126, 109 and 101 km for E0 = 1, 3 and 10 keV.
-  EXPECT_NEAR(peak_altitude_km(557.7, 1.0), 126.0, 1.0);
-  EXPECT_NEAR(peak_altitude_km(557.7, 3.0), 109.0, 1.0);
-  EXPECT_NEAR(peak_altitude_km(557.7, 10.0), 101.0, 1.0);
-  for (double energy : {1.0, 3.0, 10.0})
-    EXPECT_LT(lower_border_km(557.7, energy), peak_altitude_km(557.7, energy));
+  sim::Sheet sheet;
+  for (const auto& [energy, peak] : {std::pair{1.0, 126.0}, std::pair{3.0, 109.0}, std::pair{10.0, 101.0}}) {
+    sheet.energy_kev = energy;
+    EXPECT_NEAR(peak_altitude_km(557.7, sheet), peak, 1.0);
+    EXPECT_LT(lower_border_km(557.7, sheet), peak_altitude_km(557.7, sheet));
+  }
+}
+
+TEST(Altitudes, AreThoseOfAFormWhereTheSheetHasOne) {
+  // 557.7 nm makes up nearly all of the total between 110 and 125 km at 3 keV, so it follows the curve.
+  sim::Sheet sheet;
+  sheet.profile = "form";
+  sheet.peak_km = 118.0;
+  sheet.lower_km = 5.0;
+  EXPECT_NEAR(peak_altitude_km(557.7, sheet), 118.0, 0.5);
+  EXPECT_NEAR(lower_border_km(557.7, sheet), 113.0, 0.5);
 }
 
 TEST(DerivedNumbers, CarryErrorsAlongAndNoneAcrossWhatIsUndetermined) {
