@@ -174,9 +174,11 @@ std::string parameter_page() {
   }
   text +=
       "\n## Alternative forms\n\n"
-      "Keys that only a scene file knows. Two that stand for others come together and never beside those "
-      "others;\n"
-      "they are turned into them on reading, so `--set` and written scenes know the others only.\n\n"
+      "Keys that only a scene file knows. Those that stand for others never come beside them (and `start_km` "
+      "only with\n"
+      "`end_km`, `focal_length_mm` only with `sensor_width_mm`); they are turned into them on reading, so "
+      "`--set` and\n"
+      "written scenes know the others only.\n\n"
       "| key | unit | value | meaning |\n|---|---|---|---|\n";
   for (const sim::FileKey& key : sim::all_file_keys()) {
     text += fmt::format("| {} | {} | {} | {} |\n", code(key_path_of(key)), key.unit, cell(key.type),

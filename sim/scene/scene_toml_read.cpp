@@ -177,8 +177,7 @@ class Reader {
     for (const std::string& key : form.replaces) {
       if (values.get(key) == nullptr) continue;
       complain(
-          {given->key + " and " + key + " say the same in two ways", "one of the two forms",
-           form.keys.front().key + " and " + form.keys.back().key + " stand for " + form.replaces_text()},
+          {given->key + " and " + key + " say the same in two ways", "one of the two forms", form.words()},
           where);
     }
     std::vector<std::vector<double>> numbers;
@@ -199,8 +198,8 @@ class Reader {
     for (const double number : numbers) {
       if (number >= form.min && number <= form.max) continue;
       complain({short_real_text(number) + " is outside the limits",
-                key.type + " from " + short_real_text(form.min) + " to " + short_real_text(form.max) + " (" +
-                    key.unit + ")",
+                key.type + " from " + short_real_text(form.min) + " to " + short_real_text(form.max) +
+                    (key.unit.empty() ? "" : " (" + key.unit + ")"),
                 ""},
                where);
     }
