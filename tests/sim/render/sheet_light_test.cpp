@@ -49,7 +49,7 @@ Scene magnetic_zenith(double inclination_deg) {
 
 TEST(Brightness, OfIbcTwoIsTenKilorayleighAlongTheField) {
   // Source paper, table 1; docs/physics.md row B21. Beams and steps are random: from seed to seed the mean of
-  // the picture scatters by some 0.6 %.
+  // the picture scatters by 1 %.
   for (double inclination : {78.0, 50.0}) {
     for (const char* profile : {"maxwellian", "form"}) {
       Scene scene = magnetic_zenith(inclination);
