@@ -1,5 +1,7 @@
 #include "fit/derived.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,6 +15,7 @@ namespace {
 
 constexpr double kGreenNm = 557.7;
 constexpr double kBorder = 0.1;
+constexpr double kLeastRatio = 5.2, kMostRatio = 31.4;
 constexpr double kNoChange = 0.02;  // of the sum of what the parameters do one by one
 
 /// One line's profile and the place of its peak.
@@ -28,6 +31,8 @@ Peak peak_of(double wavelength_nm, const sim::Sheet& sheet) {
     if (peak.rate(i) > peak.rate(peak.at)) peak.at = i;
   return peak;
 }
+
+double wavelength_ratio(const sim::Sheet& sheet) { return sheet.wavelength_km / (2.0 * sheet.thickness_km); }
 
 }  // namespace
 
@@ -56,6 +61,22 @@ double peak_altitude_km(double wavelength_nm, const sim::Sheet& sheet) {
   const double a = peak.rate(peak.at - 1), b = peak.rate(peak.at), c = peak.rate(peak.at + 1);
   return sim::HeightProfile::altitude_km(
       peak.at + 0.5 * (a - c) / (a - 2.0 * b + c));  // the parabola through three points
+}
+
+double boundary_separation_km(const sim::Sheet& sheet) {
+  return 2.0 * sheet.thickness_km * std::abs(std::sin(0.5 * sheet.phase_shift_rad));
+}
+
+std::vector<std::string> unusual_sheets(const sim::Scene& scene) {
+  std::vector<std::string> notes;
+  for (const sim::Sheet& sheet : scene.sheets) {
+    const double ratio = wavelength_ratio(sheet);
+    if (ratio >= kLeastRatio && ratio <= kMostRatio) continue;
+    notes.push_back(fmt::format(
+        "the wavelength of the {} sheet is {:.3g} times twice its amplitude; nature prefers {} to {}",
+        sheet.name, ratio, kLeastRatio, kMostRatio));
+  }
+  return notes;
 }
 
 std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::vector<FreeNumber>& free,
@@ -104,6 +125,11 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
         [s](const sim::Scene& x) { return peak_altitude_km(kGreenNm, x.sheets[s]); });
     add("lower border of 557.7 nm (a tenth of the peak)" + of, "km",
         [s](const sim::Scene& x) { return lower_border_km(kGreenNm, x.sheets[s]); });
+    if (best.sheets[s].layers > 1)
+      add("largest distance between the boundaries" + of, "km",
+          [s](const sim::Scene& x) { return boundary_separation_km(x.sheets[s]); });
+    add("wavelength over twice the amplitude" + of, "",
+        [s](const sim::Scene& x) { return wavelength_ratio(x.sheets[s]); });
   }
   return result;
 }
