@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/base/earth.h"
+#include "sim/light/sheet_profile.h"
 
 namespace vegard::apps {
 namespace {
@@ -26,8 +27,9 @@ std::string place_of(const sim::Sheet& sheet) {
 }  // namespace
 
 std::string warning_if_out_of_view(const sim::Scene& scene, const sim::Image& rayleigh) {
-  const bool could_shine = std::any_of(scene.sheets.begin(), scene.sheets.end(),
-                                       [](const sim::Sheet& sheet) { return sheet.energy_flux_mw_m2 > 0.0; });
+  const bool could_shine = std::any_of(scene.sheets.begin(), scene.sheets.end(), [](const sim::Sheet& sheet) {
+    return sim::has_given_brightness(sheet) || sheet.energy_flux_mw_m2 > 0.0;
+  });
   const bool shines =
       std::any_of(rayleigh.data.begin(), rayleigh.data.end(), [](float value) { return value > 0.0f; });
   if (!could_shine || shines) return {};

@@ -11,6 +11,7 @@
 
 #include "apps/exit_code.h"
 #include "sim/scene/alternative_forms.h"
+#include "sim/scene/forms.h"
 #include "sim/scene/parameter_table.h"
 #include "sim/scene/scene_toml.h"
 
@@ -174,9 +175,11 @@ std::string parameter_page() {
   }
   text +=
       "\n## Alternative forms\n\n"
-      "Keys that only a scene file knows. Two that stand for others come together and never beside those "
-      "others;\n"
-      "they are turned into them on reading, so `--set` and written scenes know the others only.\n\n"
+      "Keys that only a scene file knows. Those that stand for others never come beside them (and `start_km` "
+      "only with\n"
+      "`end_km`, `focal_length_mm` only with `sensor_width_mm`); they are turned into them on reading, so "
+      "`--set` and\n"
+      "written scenes know the others only.\n\n"
       "| key | unit | value | meaning |\n|---|---|---|---|\n";
   for (const sim::FileKey& key : sim::all_file_keys()) {
     text += fmt::format("| {} | {} | {} | {} |\n", code(key_path_of(key)), key.unit, cell(key.type),
@@ -185,25 +188,71 @@ std::string parameter_page() {
   return text;
 }
 
-int run_params(const std::string& scene_file, bool as_markdown) {
-  print(as_markdown ? parameter_page() : parameter_listing(scene_file));
+std::string forms_page() {
+  std::string text =
+      "# Auroral forms\n\n"
+      "This page is the output of `vegard params --forms`; a test compares the two.\n\n"
+      "`form` in a `[[sheet]]` sets the keys below, and the sheet's other keys override what it sets. `--set "
+      "sheet.main.form=drapery`\n"
+      "sets them anew; a later `--set` of one of them counts. A written scene names the form and every key. "
+      "The forms are those of\n"
+      "Baranoski et al. 2000, section 2.3 (row B20 of [physics.md](physics.md)), with numbers in its ranges: "
+      "arcs "
+      "and bands 20 to\n"
+      "30 km tall between the tenths of their brightest light, rays 1 km wide or less and up to several "
+      "hundred "
+      "tall, folds about 20\n"
+      "and curls 2 to 10 km apart. Place, direction, motion and lifetimes are left to the scene; so is the "
+      "camera, which alone tells\n"
+      "a corona (the band overhead, the camera at the magnetic zenith) from a rayed band.\n\n"
+      "| form | |\n|---|---|\n";
+  for (const sim::Form& form : sim::forms()) text += fmt::format("| `{}` | {} |\n", form.name, form.meaning);
+  text += "\n| key |";
+  std::string rule = "|---|";
+  const std::vector<std::pair<std::string, std::string>>& keys = sim::forms().back().values;
+  for (const sim::Form& form : sim::forms()) {
+    if (form.values.empty()) continue;
+    text += " " + form.name + " |";
+    rule += "---|";
+  }
+  text += "\n" + rule + "\n";
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    text += "| `" + keys[k].first + "` |";
+    for (const sim::Form& form : sim::forms())
+      if (!form.values.empty()) text += " " + form.values[k].second + " |";
+    text += "\n";
+  }
+  return text;
+}
+
+int run_params(const std::string& scene_file, ParameterOutput output) {
+  print(output == ParameterOutput::page    ? parameter_page()
+        : output == ParameterOutput::forms ? forms_page()
+                                           : parameter_listing(scene_file));
   return good;
 }
 
 void add_params_command(CLI::App& app, int& exit_code) {
   struct Options {
     std::string scene_file;
-    bool as_markdown = false;
+    bool as_markdown = false, forms = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("params", "List every parameter: path, unit, default or value, limits, meaning");
   CLI::Option* scene =
       command->add_option("SCENE", options->scene_file, "Show the values of this scene file");
-  command->add_flag("--markdown", options->as_markdown, "Print the documentation page instead")
-      ->excludes(scene);
-  command->callback(
-      [options, &exit_code] { exit_code = run_params(options->scene_file, options->as_markdown); });
+  CLI::Option* page =
+      command->add_flag("--markdown", options->as_markdown, "Print the documentation page instead")
+          ->excludes(scene);
+  command->add_flag("--forms", options->forms, "Print what each auroral form sets, as a documentation page")
+      ->excludes(scene)
+      ->excludes(page);
+  command->callback([options, &exit_code] {
+    exit_code = run_params(options->scene_file, options->as_markdown ? ParameterOutput::page
+                                                : options->forms     ? ParameterOutput::forms
+                                                                     : ParameterOutput::listing);
+  });
 }
 
 }  // namespace vegard::apps

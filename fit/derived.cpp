@@ -1,17 +1,21 @@
 #include "fit/derived.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "sim/base/earth.h"
 #include "sim/light/height_profile.h"
+#include "sim/light/sheet_profile.h"
 
 namespace vegard::fit {
 namespace {
 
 constexpr double kGreenNm = 557.7;
 constexpr double kBorder = 0.1;
+constexpr double kLeastRatio = 5.2, kMostRatio = 31.4;
 constexpr double kNoChange = 0.02;  // of the sum of what the parameters do one by one
 
 /// One line's profile and the place of its peak.
@@ -19,17 +23,16 @@ struct Peak {
   sim::HeightProfile profile;
   int at = 0;
   double rate(int i) const { return profile.rate[static_cast<std::size_t>(i) * profile.stride]; }
-  static double altitude_km(double i) {
-    return sim::HeightProfile::kBottomKm + i * sim::HeightProfile::kStepKm;
-  }
 };
 
-Peak peak_of(double wavelength_nm, double energy_kev) {
-  Peak peak{sim::maxwellian_profile({wavelength_nm}, energy_kev), 0};
+Peak peak_of(double wavelength_nm, const sim::Sheet& sheet) {
+  Peak peak{sim::sheet_profile({wavelength_nm}, sheet), 0};
   for (int i = 1; i < sim::HeightProfile::kAltitudes; ++i)
     if (peak.rate(i) > peak.rate(peak.at)) peak.at = i;
   return peak;
 }
+
+double wavelength_ratio(const sim::Sheet& sheet) { return sheet.wavelength_km / (2.0 * sheet.thickness_km); }
 
 }  // namespace
 
@@ -41,20 +44,39 @@ double nearest_distance_km(const sim::Sheet& sheet) {
   return std::hypot(sheet.center_km.east + along * u_east, sheet.center_km.north + along * u_north);
 }
 
-double lower_border_km(double wavelength_nm, double energy_kev) {
-  const Peak peak = peak_of(wavelength_nm, energy_kev);
+double lower_border_km(double wavelength_nm, const sim::Sheet& sheet) {
+  const Peak peak = peak_of(wavelength_nm, sheet);
   const double border = kBorder * peak.rate(peak.at);
   int i = peak.at;
   while (i > 0 && peak.rate(i) > border) --i;
   const double above = peak.rate(i + 1) - peak.rate(i);
-  return Peak::altitude_km(i + (above > 0.0 ? std::max(0.0, (border - peak.rate(i)) / above) : 0.0));
+  return sim::HeightProfile::altitude_km(
+      i + (above > 0.0 ? std::max(0.0, (border - peak.rate(i)) / above) : 0.0));
 }
 
-double peak_altitude_km(double wavelength_nm, double energy_kev) {
-  const Peak peak = peak_of(wavelength_nm, energy_kev);
-  if (peak.at == 0 || peak.at == sim::HeightProfile::kAltitudes - 1) return Peak::altitude_km(peak.at);
+double peak_altitude_km(double wavelength_nm, const sim::Sheet& sheet) {
+  const Peak peak = peak_of(wavelength_nm, sheet);
+  if (peak.at == 0 || peak.at == sim::HeightProfile::kAltitudes - 1)
+    return sim::HeightProfile::altitude_km(peak.at);
   const double a = peak.rate(peak.at - 1), b = peak.rate(peak.at), c = peak.rate(peak.at + 1);
-  return Peak::altitude_km(peak.at + 0.5 * (a - c) / (a - 2.0 * b + c));  // the parabola through three points
+  return sim::HeightProfile::altitude_km(
+      peak.at + 0.5 * (a - c) / (a - 2.0 * b + c));  // the parabola through three points
+}
+
+double boundary_separation_km(const sim::Sheet& sheet) {
+  return 2.0 * sheet.thickness_km * std::abs(std::sin(0.5 * sheet.phase_shift_rad));
+}
+
+std::vector<std::string> unusual_sheets(const sim::Scene& scene) {
+  std::vector<std::string> notes;
+  for (const sim::Sheet& sheet : scene.sheets) {
+    const double ratio = wavelength_ratio(sheet);
+    if (ratio >= kLeastRatio && ratio <= kMostRatio) continue;
+    notes.push_back(fmt::format(
+        "the wavelength of the {} sheet is {:.3g} times twice its amplitude; nature prefers {} to {}",
+        sheet.name, ratio, kLeastRatio, kMostRatio));
+  }
+  return notes;
 }
 
 std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::vector<FreeNumber>& free,
@@ -100,9 +122,14 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
     add("mean electron energy" + of, "keV",
         [s](const sim::Scene& x) { return 2.0 * x.sheets[s].energy_kev; });
     add("peak altitude of 557.7 nm" + of, "km",
-        [s](const sim::Scene& x) { return peak_altitude_km(kGreenNm, x.sheets[s].energy_kev); });
+        [s](const sim::Scene& x) { return peak_altitude_km(kGreenNm, x.sheets[s]); });
     add("lower border of 557.7 nm (a tenth of the peak)" + of, "km",
-        [s](const sim::Scene& x) { return lower_border_km(kGreenNm, x.sheets[s].energy_kev); });
+        [s](const sim::Scene& x) { return lower_border_km(kGreenNm, x.sheets[s]); });
+    if (best.sheets[s].layers > 1)
+      add("largest distance between the boundaries" + of, "km",
+          [s](const sim::Scene& x) { return boundary_separation_km(x.sheets[s]); });
+    add("wavelength over twice the amplitude" + of, "",
+        [s](const sim::Scene& x) { return wavelength_ratio(x.sheets[s]); });
   }
   return result;
 }

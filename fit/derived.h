@@ -1,6 +1,7 @@
 // What follows from a scene's parameters and is what people publish.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "fit/fit_result.h"
@@ -13,9 +14,17 @@ namespace vegard::fit {
 double nearest_distance_km(const sim::Sheet& sheet);
 
 /// Altitude below a line's peak where its volume emission rate has fallen to a tenth, and of the peak itself,
-/// km; from the height profile at the sheet's energy. Source of the tenth: docs/physics.md, row B19.
-double lower_border_km(double wavelength_nm, double energy_kev);
-double peak_altitude_km(double wavelength_nm, double energy_kev);
+/// km; from the sheet's own height profile. Source of the tenth: docs/physics.md, row B19.
+double lower_border_km(double wavelength_nm, const sim::Sheet& sheet);
+double peak_altitude_km(double wavelength_nm, const sim::Sheet& sheet);
+
+/// Largest distance between the first and the last layer, km: 2 w |sin(Phi/2)|, which is less than twice the
+/// amplitude w that the source paper calls the thickness (docs/physics.md, row B2).
+double boundary_separation_km(const sim::Sheet& sheet);
+
+/// Sheets whose lambda / (2 w) lies outside of the 5.2 to 31.4 that nature prefers (the source paper, section
+/// 3.1.1; row B5), a sentence each. Worth knowing, and nothing against a fit.
+std::vector<std::string> unusual_sheets(const sim::Scene& scene);
 
 /// What the error bars of derived numbers are made from, in the free numbers' own units.
 struct ValueUncertainty {
@@ -23,8 +32,8 @@ struct ValueUncertainty {
   std::vector<std::vector<double>> undetermined;  ///< directions in which they say nothing
 };
 
-/// Distances, mean energies, border and peak altitudes of every sheet, with error bars carried over by
-/// differences. A number that would change along an undetermined direction has none.
+/// Distances, mean energies, border and peak altitudes and shapes of every sheet, with error bars carried
+/// over by differences. A number that would change along an undetermined direction has none.
 std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::vector<FreeNumber>& free,
                                            const std::vector<double>& values, const ValueUncertainty& known);
 

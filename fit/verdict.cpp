@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "fit/derived.h"
+
 namespace vegard::fit {
 namespace {
 
@@ -91,6 +93,8 @@ void judge(const Evidence& evidence, FitResult& result) {
         "parameter determined and inside its limits.",
         reduced, 100.0 * result.rms_over_peak);
   }
+  const std::vector<std::string> notes = unusual_sheets(result.best);
+  reasons.insert(reasons.end(), notes.begin(), notes.end());
 }
 
 }  // namespace vegard::fit

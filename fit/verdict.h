@@ -20,7 +20,8 @@ struct Evidence {
 /// Sets verdict, verdict_line and reasons. Failed: not converged, or no light of the model in the region.
 /// Doubtful: chi2 per degree of freedom outside 0.3-3; residuals that hang together so much that fewer than
 /// ten independent values are left per parameter; a parameter at a limit or without an error bar; no clear
-/// gain over a sky without aurora; an rms residual above a tenth of the peak; a second mode.
+/// gain over a sky without aurora; an rms residual above a tenth of the peak; a second mode. After the
+/// verdict's own reasons come notes that leave it as it is: unusual_sheets().
 void judge(const Evidence& evidence, FitResult& result);
 
 }  // namespace vegard::fit

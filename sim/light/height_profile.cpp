@@ -1,5 +1,6 @@
 #include "sim/light/height_profile.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -33,7 +34,7 @@ HeightProfile maxwellian_profile(const std::vector<double>& wavelengths_nm, doub
     const std::vector<double> rate_curvature = spline_curvature(knots, log_rate);
     const std::vector<double> slope_curvature = spline_curvature(knots, log_slope);
     for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
-      const double altitude = HeightProfile::kBottomKm + a * HeightProfile::kStepKm;
+      const double altitude = HeightProfile::altitude_km(a);
       const double rate = std::exp(spline_at(knots, log_rate, rate_curvature, altitude).value);
       const double slope = spline_at(knots, log_slope, slope_curvature, altitude).value;
       const std::size_t i = static_cast<std::size_t>(a) * profile.stride + l;
@@ -56,6 +57,22 @@ double peak_altitude_km(const HeightProfile& profile) {
     brightest = a;
   }
   return HeightProfile::kBottomKm + brightest * HeightProfile::kStepKm;
+}
+
+Column column_below(const HeightProfile& profile, int line, double top_km) {
+  Column column;
+  for (int a = 0; a + 1 < HeightProfile::kAltitudes; ++a) {
+    const double part =
+        std::clamp((top_km - HeightProfile::altitude_km(a)) / HeightProfile::kStepKm, 0.0, 1.0);
+    if (part == 0.0) break;
+    const std::size_t i = static_cast<std::size_t>(a) * profile.stride + line, next = i + profile.stride;
+    // Linear in between, so the mean over the part is the value in its middle.
+    const double weight = 0.1 * HeightProfile::kStepKm * part, middle = 0.5 * part;
+    column.rayleigh += weight * ((1.0 - middle) * profile.rate[i] + middle * profile.rate[next]);
+    column.d_rayleigh_d_ln_energy +=
+        weight * ((1.0 - middle) * profile.d_rate_d_ln_energy[i] + middle * profile.d_rate_d_ln_energy[next]);
+  }
+  return column;
 }
 
 }  // namespace vegard::sim

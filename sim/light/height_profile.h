@@ -18,7 +18,17 @@ struct HeightProfile {
   int stride = 4;                         ///< 4 or 8
   std::vector<float> rate;                ///< [altitude * stride + line]
   std::vector<float> d_rate_d_ln_energy;  ///< the exact derivative of `rate`
+
+  static constexpr double altitude_km(double row) { return kBottomKm + row * kStepKm; }
 };
+
+/// Rayleighs of a line seen from straight below, per mW m^-2: 0.1 times the integral of its rate over the
+/// kilometres from the profile's bottom to `top_km`.
+struct Column {
+  double rayleigh = 0.0;
+  double d_rayleigh_d_ln_energy = 0.0;
+};
+Column column_below(const HeightProfile& profile, int line, double top_km);
 
 /// The profile of Maxwellian electrons of characteristic energy E0 from the GLOW tables. Between the
 /// tabulated altitudes log(rate) is a natural cubic spline. Wavelengths must be those of emission_lines(),

@@ -8,6 +8,8 @@
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/beam_light.h"
 #include "sim/emit/aurora/motion.h"
+#include "sim/light/electron.h"
+#include "sim/light/sheet_profile.h"
 
 namespace vegard::sim {
 namespace {
@@ -57,6 +59,13 @@ void narrow(const Tangents<double, kTangentWidth>& from, double scale, float* to
   for (int i = 0; i < kTangentWidth; ++i) to[i] = static_cast<float>(from.t[i] * scale);
 }
 
+/// The vertical extent of a stretch of path, over which a beam's energy is spread. Where the brightness along
+/// the field is given, the beam is weaker by what that line of sight is longer than the vertical.
+template <class T>
+T light_per_path(const Sheet& sheet, const T& vertical) {
+  return has_given_brightness(sheet) ? vertical * vertical : vertical;
+}
+
 }  // namespace
 
 BeamLayout::BeamLayout(const Scene& scene, double beyond)
@@ -71,6 +80,8 @@ BeamLayout::BeamLayout(const Scene& scene, double beyond)
   stretches_.resize(instants_s_.size());
   for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
     const Sheet& sheet = scene.sheets[s];
+    path_steps_.push_back(sheet.step_rule == "energy" ? path_step_of(2.0 * sheet.energy_kev)
+                                                      : sheet.path_step);
     places_.emplace_back();
     for (int arc = 0; arc < sheet.arcs; ++arc) {
       places_.back().emplace_back();
@@ -162,7 +173,7 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
             start_beam(east, north, k.fall, k.observer_altitude_km, sheet.top_km, HeightProfile::kBottomKm);
         for (int i = 0; i < 3; ++i) put(beam.start_in_enu_km[i], place_in_group, group.start_in_enu_km[i]);
         put(beam.length_km, place_in_group, group.length_km);
-        put(beam.vertical, place_in_group, group.vertical);
+        put(light_per_path(sheet, beam.vertical), place_in_group, group.vertical);
         const BeamFoot<FreeDual> free_foot =
             beam_foot(free_shape, stretch, place, layer, sheet.layers, literal, structure);
         GroupChain& chain = out.chains.back();
@@ -173,7 +184,7 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
       } else {
         for (int i = 0; i < 3; ++i) put(plain.start_in_enu_km[i], place_in_group, group.start_in_enu_km[i]);
         put(plain.length_km, place_in_group, group.length_km);
-        put(plain.vertical, place_in_group, group.vertical);
+        put(light_per_path(sheet, plain.vertical), place_in_group, group.vertical);
       }
       group.flux_km2_mw_m2[place_in_group] = foot.flux_km2_mw_m2;
       if (light.any()) {

@@ -23,14 +23,16 @@ struct PackedChunk {
   std::vector<BeamPlace> places;   ///< room to work in
 };
 
-/// How a scene's beams are laid out: how many there are and where on their layers they stand. It stays as it
-/// is while the scene's continuous parameters change.
+/// How a scene's beams are laid out: how many there are, where on their layers they stand and in what steps
+/// they fall. It stays as it is while the scene's continuous parameters change.
 class BeamLayout {
  public:
   /// `beyond` lays out dark beams past the sheets' ends, so many sheet lengths on either side.
   BeamLayout(const Scene& scene, double beyond);
 
   const std::vector<Chunk>& chunks() const { return chunks_; }
+  /// d_t of a sheet's beams: as given, or by its electrons' mean energy, 2 E0.
+  double path_step(int sheet) const { return path_steps_[sheet]; }
   int instants() const { return static_cast<int>(instants_s_.size()); }
 
   /// Packs a chunk; the first for the light alone, the second with what derivatives need. What lies outside
@@ -48,6 +50,7 @@ class BeamLayout {
   std::vector<Sheet> sheets_;    ///< as they were laid out: what their structures go by
   std::vector<double> peak_km_;  ///< of their height profiles, where a structure asks for it
   std::uint64_t seed_;
+  std::vector<double> path_steps_;                             ///< [sheet]
   std::vector<std::vector<StretchOfSheet>> stretches_;         ///< [instant][sheet]
   std::vector<std::vector<std::vector<LayerPlaces>>> places_;  ///< [sheet][arc][layer]
   std::vector<Chunk> chunks_;

@@ -54,6 +54,15 @@ struct Exposer::Workspace {
   std::vector<std::vector<std::int64_t>> slot_films;
   std::vector<PackedChunk> slot_chunks;  // kept: their memory is large enough to cost something
 
+  /// One per sheet.
+  std::vector<KernelScene> kernels(const Scene& scene, const std::vector<HeightProfile>& profiles) const {
+    std::vector<KernelScene> all;
+    for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+      all.push_back(
+          kernel_scene(scene, scene.sheets[s], layout.path_step(static_cast<int>(s)), film, profiles));
+    return all;
+  }
+
   void clear_slots(int stride) {
     const std::size_t size = static_cast<std::size_t>(film.rows) * film.columns * stride;
     slot_films.resize(threads);
@@ -91,8 +100,7 @@ void Exposer::expose(const Scene& scene, Exposure& out, const std::function<void
   const int lines = static_cast<int>(scene.emission.lines.size());
   const int stride = lines <= 4 ? 4 : 8;
   const std::vector<HeightProfile> profiles = height_profiles(scene);
-  std::vector<KernelScene> kernels;
-  for (const Sheet& sheet : scene.sheets) kernels.push_back(kernel_scene(scene, sheet, w.film, profiles));
+  const std::vector<KernelScene> kernels = w.kernels(scene, profiles);
   w.clear_slots(stride);
   std::atomic<std::uint64_t> points{0};
   std::atomic<std::size_t> done{0};
@@ -118,8 +126,7 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<cons
   const int lines = static_cast<int>(scene.emission.lines.size());
   const int stride = lines <= 4 ? 4 : 8;
   const std::vector<HeightProfile> profiles = height_profiles(scene);
-  std::vector<KernelScene> kernels;
-  for (const Sheet& sheet : scene.sheets) kernels.push_back(kernel_scene(scene, sheet, w.film, profiles));
+  const std::vector<KernelScene> kernels = w.kernels(scene, profiles);
 
   const int passes = std::max<int>(1, static_cast<int>((free.size() + kTangentWidth - 1) / kTangentWidth));
   out.free = static_cast<int>(free.size());
@@ -194,9 +201,10 @@ void Exposer::expose_reference(const Scene& scene, std::vector<double>& rayleigh
   const std::vector<HeightProfile> profiles = height_profiles(scene);
   const std::size_t cells = static_cast<std::size_t>(w.film.rows) * w.film.columns;
   std::vector<double> film(cells * stride, 0.0);
+  const std::vector<KernelScene> kernels = w.kernels(scene, profiles);
   PackedChunk packed;
   for (const Chunk& chunk : w.layout.chunks()) {
-    const KernelScene k = kernel_scene(scene, scene.sheets[chunk.sheet], w.film, profiles);
+    const KernelScene& k = kernels[chunk.sheet];
     w.layout.pack(scene, chunk, k, packed);
     fall_on_film_reference(k, packed.groups.data(), packed.groups.size(), film.data());
   }
@@ -208,9 +216,10 @@ void Exposer::expose_reference(const Scene& scene, std::vector<double>& rayleigh
 void Exposer::record_splats(const Scene& scene, SplatRecord& record) {
   Workspace& w = *work_;
   const std::vector<HeightProfile> profiles = height_profiles(scene);
+  const std::vector<KernelScene> kernels = w.kernels(scene, profiles);
   PackedChunk packed;
   for (const Chunk& chunk : w.layout.chunks()) {
-    const KernelScene k = kernel_scene(scene, scene.sheets[chunk.sheet], w.film, profiles);
+    const KernelScene& k = kernels[chunk.sheet];
     w.layout.pack(scene, chunk, k, packed);
     sim::record_splats(k, packed.groups.data(), packed.groups.size(), record);
   }

@@ -41,9 +41,9 @@ double blur_sigma_px(const Scene& scene, int line);
 /// by 5" pixels at sigma 4.75 and 2.0, are 2.2 and 1.25 sigma (docs/physics.md row B25).
 int blur_radius_px(const Scene& scene, int line);
 
-/// Exposes one film again and again, as a fit does. The beams' places and random numbers follow from the
-/// scene that it was made with and stay frozen: later scenes may differ in every continuous parameter, not in
-/// their seed, sheets, layers, beams or film. Not for use by two threads at once.
+/// Exposes one film again and again, as a fit does. The beams' places, steps and random numbers follow from
+/// the scene that it was made with and stay frozen: later scenes may differ in every continuous parameter,
+/// not in their seed, sheets, layers, beams or film. Not for use by two threads at once.
 class Exposer {
  public:
   /// `beyond` lays out dark beams past the sheets' ends, so many sheet lengths on either side, for later

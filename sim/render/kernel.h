@@ -31,7 +31,7 @@ struct GroupNumber {
 struct BeamGroup {
   GroupNumber start_in_enu_km[3];
   GroupNumber length_km;
-  GroupNumber vertical;
+  GroupNumber vertical;  ///< how much of the light of a vertical kilometre a kilometre of path has
   double flux_km2_mw_m2[kGroup];
   double end_of_path[kGroup];
   double altitude_shift_km[kGroup];  ///< how much lower the light of a point is read than it stands

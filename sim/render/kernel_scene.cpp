@@ -3,6 +3,7 @@
 #include "sim/base/earth.h"
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/motion.h"
+#include "sim/light/sheet_profile.h"
 
 namespace vegard::sim {
 namespace {
@@ -37,7 +38,8 @@ SheetShape<T> shape(const Scene& scene, int sheet, int arc, double instant_s, co
   shape.phase_rad = seed(s.phase_rad) - T(s.sine_speed_km_s * instant_s * kTwoPi) / shape.wavelength_km;
   shape.phase_shift_rad = seed(s.phase_shift_rad);
   shape.width_km = seed(s.width_km);
-  shape.energy_flux_mw_m2 = seed(s.energy_flux_mw_m2) * substorm_level(scene.substorm, instant_s);
+  const T flux = has_given_brightness(s) ? T(1.0) : T(seed(s.energy_flux_mw_m2));
+  shape.energy_flux_mw_m2 = flux * substorm_level(scene.substorm, instant_s);
   shape.arc_offset_km = seed(s.arc_spacing_km) * (arc - 0.5 * (s.arcs - 1));
   shape.side = scene.field.inclination_deg < 0.0 ? -1.0 : 1.0;
   shape.fold_stage = seed(s.fold_stage);
@@ -66,7 +68,7 @@ SheetShape<FreeDual> shape_of(const Scene& scene, int sheet, int arc, double ins
   return shape<FreeDual>(scene, sheet, arc, instant_s, seed);
 }
 
-KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, const FilmGeometry& film,
+KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_step, const FilmGeometry& film,
                          const std::vector<HeightProfile>& profiles) {
   KernelScene k;
   k.fall = fall_frame(local(scene.field.inclination_deg, inclination),
@@ -74,7 +76,7 @@ KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, const FilmGeome
   k.deflection.law = pitch_law(sheet.pitch_law);
   k.deflection.loss_cone_rad = local(sheet.loss_cone_deg, loss_cone);
   k.deflection.pitch_step_rad = local(sheet.pitch_step_rad, pitch_step, 1.0);
-  k.deflection.path_step = sheet.path_step;
+  k.deflection.path_step = path_step;
   const Camera& c = scene.camera;
   k.view = pinhole_view(local(c.azimuth_deg, camera_azimuth), local(c.elevation_deg, camera_elevation),
                         local(c.roll_deg, camera_roll), local(c.hfov_deg, camera_hfov), c.width);
@@ -104,8 +106,7 @@ std::vector<const double*> local_input_addresses(const Scene& scene, const Sheet
 
 std::vector<HeightProfile> height_profiles(const Scene& scene) {
   std::vector<HeightProfile> all;
-  for (const Sheet& sheet : scene.sheets)
-    all.push_back(maxwellian_profile(scene.emission.lines, sheet.energy_kev));
+  for (const Sheet& sheet : scene.sheets) all.push_back(sheet_profile(scene.emission.lines, sheet));
   return all;
 }
 

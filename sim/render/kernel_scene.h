@@ -36,9 +36,9 @@ struct NoSeeds {
 SheetShape<double> shape_of(const Scene& scene, int sheet, int arc, double instant_s, const NoSeeds& seed);
 SheetShape<FreeDual> shape_of(const Scene& scene, int sheet, int arc, double instant_s, const Seeds& seed);
 
-/// What all beams of a sheet share. Kernel scenes differ between sheets in their deflections only. `profiles`
-/// must live as long as the result.
-KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, const FilmGeometry& film,
+/// What all beams of a sheet share. Kernel scenes differ between sheets in their deflections only.
+/// `path_step` is the layout's (sim/render/beams.h). `profiles` must live as long as the result.
+KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_step, const FilmGeometry& film,
                          const std::vector<HeightProfile>& profiles);
 
 /// Where in the scene the local inputs live, by LocalInput; null for those of a beam.

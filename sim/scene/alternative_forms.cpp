@@ -44,6 +44,29 @@ std::optional<Complaint> convert_points_between_folds(Scene& scene, int index, c
   return std::nullopt;
 }
 
+std::optional<Complaint> convert_ibc(Scene& scene, int index, const Values& values) {
+  scene.sheets.at(index).brightness_kilorayleigh = std::pow(10.0, values[0][0] - 1.0);
+  return std::nullopt;
+}
+
+/// The mean step is half the largest.
+std::optional<Complaint> convert_mean_collisions(Scene& scene, int index, const Values& values) {
+  scene.sheets.at(index).path_step = 2.0 / values[0][0];
+  return std::nullopt;
+}
+
+/// The first adiabatic invariant: what mirrors at 100 km has the pitch angle arcsin sqrt(B / B at 100 km).
+std::optional<Complaint> convert_field_ratio(Scene& scene, int index, const Values& values) {
+  scene.sheets.at(index).loss_cone_deg = std::asin(std::sqrt(values[0][0])) * degrees;
+  return std::nullopt;
+}
+
+/// A form of one key, a number.
+AlternativeForm one_number(const FileKey& key, double min, double max, const std::string& replaces,
+                           std::optional<Complaint> (*convert)(Scene&, int, const Values&)) {
+  return {{key}, {}, min, max, {replaces}, convert};
+}
+
 std::vector<AlternativeForm> declare_forms() {
   const std::string point = "two numbers (east, north)";
   return {
@@ -54,6 +77,17 @@ std::vector<AlternativeForm> declare_forms() {
        5000.0,
        {"center_km", "bearing_deg", "length_km"},
        convert_ends},
+      one_number({"sheet", "ibc", "", "international brightness coefficient, 10^(ibc - 1) kR", "a number"},
+                 1.0, 4.0, "brightness_kilorayleigh", convert_ibc),
+      one_number(
+          {"sheet", "mean_collisions", "", "mean number of deflections on a path, 2 / path_step", "a number"},
+          4.0, 200000.0, "path_step", convert_mean_collisions),
+      one_number({"sheet", "field_ratio", "",
+                  "field where the electrons set out to that at 100 km, sin² of the loss cone", "a number"},
+                 0.0, 0.24, "loss_cone_deg", convert_field_ratio),
+      one_number(
+          {"sheet", "points_between_folds", "", "beams of a layer from one fold to the next", "a number"},
+          1.0, 10000000.0, "fold_spacing_km", convert_points_between_folds),
       {{{"camera", "focal_length_mm", "mm", "true focal length of the lens", "a number"},
         {"camera", "sensor_width_mm", "mm", "width of the image on the sensor", "a number"}},
        {},
@@ -61,27 +95,20 @@ std::vector<AlternativeForm> declare_forms() {
        100000.0,
        {"hfov_deg"},
        convert_focal_length},
-      {{{"sheet", "points_between_folds", "", "beams of a layer from one fold to the next", "a number"}},
-       {},
-       1.0,
-       10000000.0,
-       {"fold_spacing_km"},
-       convert_points_between_folds},
   };
 }
 
 }  // namespace
 
-std::string AlternativeForm::keys_text() const {
-  std::string text;
-  for (const FileKey& key : keys) text += (text.empty() ? "" : " and ") + key.key;
-  return text;
-}
-
 std::string AlternativeForm::replaces_text() const {
   std::string text;
   for (const std::string& key : replaces) text += (text.empty() ? "" : ", ") + key;
   return text;
+}
+
+std::string AlternativeForm::words() const {
+  if (keys.size() == 1) return keys.front().key + " stands for " + replaces_text();
+  return keys.front().key + " and " + keys.back().key + " stand for " + replaces_text();
 }
 
 const std::vector<AlternativeForm>& alternative_forms() {

@@ -17,7 +17,7 @@ struct FileKey {
   std::string type;  ///< in words: "two numbers (east, north)"
 };
 
-/// Keys that stand, always together, for some rows of the same table.
+/// A key, or two that come always together, that stand for some rows of the same table.
 struct AlternativeForm {
   std::vector<FileKey> keys;
   std::vector<std::string> components;  ///< of each key's value; empty: each is one number
@@ -28,11 +28,11 @@ struct AlternativeForm {
   /// usable.
   std::function<std::optional<Complaint>(Scene&, int sheet, const std::vector<std::vector<double>>&)> convert;
 
-  /// "start_km and end_km"
-  std::string keys_text() const;
-
   /// "center_km, bearing_deg, length_km"
   std::string replaces_text() const;
+
+  /// "start_km and end_km stand for center_km, bearing_deg, length_km"
+  std::string words() const;
 };
 
 const std::vector<AlternativeForm>& alternative_forms();

@@ -76,6 +76,13 @@ void check_free_parameters(const Scene& scene) {
       if (!path.row->can_be_free) {
         complain({"this parameter cannot be free", "one that `vegard params` lists as free", ""}, origin);
       }
+      if (path.row->table == sheet_table && path.row->key == "energy_flux_mw_m2" &&
+          scene.sheets[path.sheet].brightness_kilorayleigh > 0.0) {
+        complain({"the sheet's brightness is given, so its energy flux counts for nothing",
+                  "a parameter that the light depends on",
+                  "leave it out of fit.free, or brightness_kilorayleigh (and ibc) out of the sheet"},
+                 origin);
+      }
       const auto [owner, is_first] = owners.emplace(path.text, &free);
       if (!is_first) {
         complain({"free twice, first as '" + owner->second->path + "'" +

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "sim/scene/emission_lines.h"
+#include "sim/scene/forms.h"
 #include "sim/scene/parameter_rules.h"
 
 namespace vegard::sim {
@@ -62,6 +63,7 @@ class Row {
     return d_.list_rule = check, *this;
   }
   Row& set_by(void (*set)(Scene&, const std::vector<double>&)) { return d_.set_list = set, *this; }
+  Row& then(void (*follow)(Scene&, int)) { return d_.then = follow, *this; }
   Row& named_by(std::string (*name)(const Scene&, int)) { return d_.list_component = name, *this; }
 
   operator Declaration() const { return d_; }
@@ -119,6 +121,8 @@ std::vector<Declaration> declare() {
           .means("how far the scene appears turned clockwise in the picture"),
 
       Row("name", &Sheet::name).rule(sheet_name_complaint).means("by which paths call the sheet"),
+      Row("form", &Sheet::form).one_of(form_names()).then(apply_form)
+          .means("preset of other keys of the sheet, which those keys override: docs/forms.md, vegard params --forms"),
       Row("center_km", &Sheet::center_km).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(linear)
           .means("middle between start and end, of the feet at 110 km altitude"),
       Row("bearing_deg", &Sheet::bearing_deg).in("deg").within(-720, 720).may_be_free(angle)

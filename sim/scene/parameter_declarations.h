@@ -51,6 +51,9 @@ struct Declaration {
   std::function<std::optional<Complaint>(double)> number_rule;
   std::function<std::optional<Complaint>(const std::string&)> text_rule;
 
+  /// What follows from a new value, of a scalar in a sheet.
+  void (*then)(Scene&, int sheet) = nullptr;
+
   bool is_in_sheet() const { return table == sheet_table; }
 };
 

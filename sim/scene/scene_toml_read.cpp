@@ -177,8 +177,7 @@ class Reader {
     for (const std::string& key : form.replaces) {
       if (values.get(key) == nullptr) continue;
       complain(
-          {given->key + " and " + key + " say the same in two ways", "one of the two forms",
-           form.keys_text() + (form.keys.size() > 1 ? " stand for " : " stands for ") + form.replaces_text()},
+          {given->key + " and " + key + " say the same in two ways", "one of the two forms", form.words()},
           where);
     }
     std::vector<std::vector<double>> numbers;

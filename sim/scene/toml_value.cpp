@@ -143,6 +143,7 @@ void assign_component(Scene& scene, const Declaration& d, int sheet, int compone
     return;
   }
   std::visit(Assign{d, node, origin}, d.at(scene, sheet, component));
+  if (d.then != nullptr) d.then(scene, sheet);
 }
 
 void assign_key(Scene& scene, const Declaration& d, int sheet, const toml::node& node, const Origin& origin) {

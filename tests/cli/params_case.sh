@@ -29,6 +29,9 @@ grep -q '^sheet\.<name>\.start_km ' out.txt || fail "the listing lacks the alter
 diff -u "$source/docs/parameters.md" parameters.md ||
   fail "docs/parameters.md is out of date: vegard params --markdown > docs/parameters.md"
 
+expect_exit 0 "" "$vegard" params --forms
+diff -u "$source/docs/forms.md" out.txt || fail "docs/forms.md is out of date: vegard params --forms > docs/forms.md"
+
 cat > scene.toml <<'SCENE'
 [[sheet]]
 name = "arc"
@@ -45,6 +48,7 @@ expect_exit 2 "bad.toml:1: sede: unknown key 'sede'; did you mean 'seed'?" "$veg
 expect_exit 3 "there is no such file" "$vegard" params missing.toml
 expect_exit 3 "is a directory" "$vegard" params .
 expect_exit 2 "SCENE excludes --markdown" "$vegard" params scene.toml --markdown
+expect_exit 2 "excludes" "$vegard" params scene.toml --forms
 expect_exit 2 "--loud" "$vegard" params --loud
 expect_exit 2 "parms" "$vegard" parms
 expect_exit 2 "which subcommand" "$vegard"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace vegard::fit {
 namespace {
@@ -19,11 +20,67 @@ TEST(NearestDistance, IsThePerpendicularOrAnEnd) {
 
 TEST(Altitudes, ArePlacedAsTheSourcesHaveThem) {
   // docs/physics.md: 557.7 peaks at 126, 109 and 101 km for E0 = 1, 3 and 10 keV.
-  EXPECT_NEAR(peak_altitude_km(557.7, 1.0), 126.0, 1.0);
-  EXPECT_NEAR(peak_altitude_km(557.7, 3.0), 109.0, 1.0);
-  EXPECT_NEAR(peak_altitude_km(557.7, 10.0), 101.0, 1.0);
-  for (double energy : {1.0, 3.0, 10.0})
-    EXPECT_LT(lower_border_km(557.7, energy), peak_altitude_km(557.7, energy));
+  sim::Sheet sheet;
+  for (const auto& [energy, peak] : {std::pair{1.0, 126.0}, std::pair{3.0, 109.0}, std::pair{10.0, 101.0}}) {
+    sheet.energy_kev = energy;
+    EXPECT_NEAR(peak_altitude_km(557.7, sheet), peak, 1.0);
+    EXPECT_LT(lower_border_km(557.7, sheet), peak_altitude_km(557.7, sheet));
+  }
+}
+
+TEST(Altitudes, AreThoseOfAFormWhereTheSheetHasOne) {
+  // 557.7 nm makes up nearly all of the total between 110 and 125 km at 3 keV, so it follows the curve.
+  sim::Sheet sheet;
+  sheet.profile = "form";
+  sheet.peak_km = 118.0;
+  sheet.lower_km = 5.0;
+  EXPECT_NEAR(peak_altitude_km(557.7, sheet), 118.0, 0.5);
+  EXPECT_NEAR(lower_border_km(557.7, sheet), 113.0, 0.5);
+}
+
+TEST(BoundarySeparation, IsTwiceTheAmplitudeTimesTheSineOfHalfTheShift) {
+  // The source paper's largest shift, 0.35 pi: 1.045 w.
+  sim::Sheet sheet;
+  sheet.thickness_km = 4.0;
+  sheet.phase_shift_rad = 0.35 * std::acos(-1.0);
+  EXPECT_NEAR(boundary_separation_km(sheet), 4.0 * 1.045, 2e-3);
+  sheet.phase_shift_rad *= -1.0;
+  EXPECT_NEAR(boundary_separation_km(sheet), 4.0 * 1.045, 2e-3);
+  sheet.phase_shift_rad = 0.0;
+  EXPECT_EQ(boundary_separation_km(sheet), 0.0);
+}
+
+TEST(UnusualSheets, AreThoseOutsideOfTheRangeThatNaturePrefers) {
+  sim::Scene scene;
+  scene.sheets.resize(1);
+  sim::Sheet& sheet = scene.sheets[0];
+  sheet.thickness_km = 2.0;
+  for (const auto& [wavelength_km, is_unusual] :
+       {std::pair{20.7, true}, std::pair{20.9, false}, std::pair{125.5, false}, std::pair{125.7, true}}) {
+    sheet.wavelength_km = wavelength_km;
+    EXPECT_EQ(unusual_sheets(scene).size(), is_unusual ? 1u : 0u) << wavelength_km;
+  }
+  EXPECT_NE(unusual_sheets(scene).at(0).find("main sheet is 31.4 times"), std::string::npos)
+      << unusual_sheets(scene)[0];
+}
+
+TEST(DerivedNumbers, TellTheShapeWithItsErrorAndNoBoundariesOfOneLayer) {
+  sim::Scene scene;
+  scene.sheets.resize(2);
+  scene.sheets[1].name = "thin";
+  scene.sheets[1].layers = 1;
+  scene.fit.free = {{"sheet.main.thickness_km", {}, {}, {}, {}, 0}};
+  const std::vector<DerivedNumber> derived =
+      derived_numbers(scene, free_numbers(scene), {3.0}, {{{0.04}}, {}});
+  int boundaries = 0;
+  for (const DerivedNumber& d : derived) {
+    if (d.name.find("between the boundaries") == std::string::npos) continue;
+    ++boundaries;
+    EXPECT_NEAR(d.value, 6.0 * std::sin(0.25), 1e-12);
+    ASSERT_TRUE(d.sigma.has_value());
+    EXPECT_NEAR(*d.sigma, 2.0 * std::sin(0.25) * 0.2, 1e-4);
+  }
+  EXPECT_EQ(boundaries, 1);
 }
 
 TEST(DerivedNumbers, CarryErrorsAlongAndNoneAcrossWhatIsUndetermined) {

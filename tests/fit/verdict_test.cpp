@@ -68,6 +68,17 @@ TEST(Judge, DoubtsForEachReasonByItself) {
   doubts(e, fine(), "another answer");
 }
 
+TEST(Judge, NotesAnUnusualSheetWithoutDoubt) {
+  FitResult r = fine();
+  r.best.sheets.resize(1);
+  r.best.sheets[0].wavelength_km = 10.0;
+  judge(clear(), r);
+  EXPECT_EQ(r.verdict, Verdict::good);
+  ASSERT_EQ(r.reasons.size(), 1u);
+  EXPECT_NE(r.reasons[0].find("nature prefers 5.2 to 31.4"), std::string::npos) << r.reasons[0];
+  EXPECT_EQ(r.verdict_line.find("nature"), std::string::npos);
+}
+
 TEST(Judge, NeverCallsAFailureASuccess) {
   FitResult r = fine();
   Evidence e = clear();

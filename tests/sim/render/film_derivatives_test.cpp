@@ -121,6 +121,19 @@ TEST(FilmDerivatives, OfASheetFullOfStructureAgreeWithDifferences) {
   expect_derivatives(scene, 0.02);
 }
 
+TEST(FilmDerivatives, AFormOfGivenBrightnessAgreesWithDifferences) {
+  Scene scene = tests::small_scene();
+  scene.sheets[0].center_km.east = 130.0;
+  scene.sheets[0].length_km = 250.0;
+  scene.sheets[0].arcs = 2;
+  scene.sheets[0].profile = "form";
+  scene.sheets[0].upper_km = 60.0;
+  scene.sheets[0].brightness_kilorayleigh = 10.0;
+  scene.sheets[0].step_rule = "energy";
+  scene.sheets[0].energy_kev = 4.0;
+  expect_derivatives(scene, 0.01);
+}
+
 TEST(FilmDerivatives, SouthernSheetsOfTheLiteralRuleAgreeWithDifferences) {
   Scene scene = tests::small_scene();
   scene.camera.azimuth_deg = 184.0;

@@ -140,8 +140,8 @@ TEST(ParameterTable, EveryValueIsReachedByItsPathSetAndReadBack) {
     } else {
       EXPECT_EQ(value_text(scene, path), text) << path.text;
     }
-    // Nothing else moved: setting the old text again restores every value.
-    if (path.row->key == "name" || path.row->table == "emission") continue;
+    // Nothing else moved: setting the old text again restores every value. (A form is there to move others.)
+    if (path.row->key == "name" || path.row->key == "form" || path.row->table == "emission") continue;
     set_from_text(scene, path.text, old);
     for (const ParameterPath& p : all_paths(before)) EXPECT_EQ(value_text(scene, p), value_text(before, p));
   }

@@ -170,6 +170,25 @@ TEST(ParseScene, TurnsFocalLengthIntoFieldOfView) {
   EXPECT_NEAR(parse("[camera]\nfocal_length_mm = 50\nsensor_width_mm = 36\n").camera.hfov_deg, 39.5978, 5e-5);
 }
 
+// Source paper, table 1: 1, 10, 100 and 1000 kR.
+TEST(ParseScene, TurnsTheBrightnessCoefficientIntoKilorayleigh) {
+  const auto brightness = [](const std::string& ibc) {
+    return parse("[[sheet]]\nibc = " + ibc + "\n").sheets.at(0).brightness_kilorayleigh;
+  };
+  EXPECT_NEAR(brightness("1"), 1.0, 1e-12);
+  EXPECT_NEAR(brightness("2"), 10.0, 1e-12);
+  EXPECT_NEAR(brightness("3"), 100.0, 1e-10);
+  EXPECT_NEAR(brightness("4"), 1000.0, 1e-9);
+  EXPECT_NEAR(brightness("2.5"), 31.6227766, 1e-6);
+}
+
+TEST(ParseScene, TurnsMeanCollisionsAndTheFieldRatioIntoStepAndLossCone) {
+  EXPECT_DOUBLE_EQ(parse("[[sheet]]\nmean_collisions = 300\n").sheets.at(0).path_step, 1.0 / 150.0);
+  // arcsin sqrt(B / B at 100 km): a field 500 times weaker far out leaves a cone of 2.56 degrees.
+  EXPECT_NEAR(parse("[[sheet]]\nfield_ratio = 0.002\n").sheets.at(0).loss_cone_deg, 2.5632, 5e-5);
+  EXPECT_NEAR(parse("[[sheet]]\nfield_ratio = 0\n").sheets.at(0).loss_cone_deg, 0.0, 1e-15);
+}
+
 struct Bad {
   const char* what;
   const char* text;
@@ -292,6 +311,16 @@ const Bad bad_scenes[] = {
      "0 is outside the limits"},
     {"points_too_close", "[[sheet]]\npoints_between_folds = 2\n", 2, "sheet.main.fold_spacing_km",
      "folds would overlap"},
+    {"ibc_and_brightness", "[[sheet]]\nibc = 2\nbrightness_kilorayleigh = 10\n", 2, "sheet.ibc",
+     "ibc and brightness_kilorayleigh say the same in two ways | one of the two forms | ibc stands for"},
+    {"ibc_too_bright", "[[sheet]]\nibc = 5\n", 2, "sheet.ibc",
+     "5 is outside the limits | a number from 1 to 4 |"},
+    {"no_collisions", "[[sheet]]\nmean_collisions = 0\n", 2, "sheet.mean_collisions", "from 4 to 200000"},
+    {"strong_field", "[[sheet]]\nfield_ratio = 0.5\n", 2, "sheet.field_ratio", "from 0 to 0.24"},
+    {"free_flux_of_given_brightness",
+     "[[sheet]]\nibc = 2\n[fit]\nfree = [\n\"sheet.main.energy_flux_mw_m2\"]\n", 5,
+     "sheet.main.energy_flux_mw_m2",
+     "the sheet's brightness is given, so its energy flux counts for nothing"},
     {"focal_length_alone", "[camera]\nfocal_length_mm = 18\n", 2, "camera.focal_length_mm",
      "needs sensor_width_mm"},
     {"focal_length_and_fov", "[camera]\nfocal_length_mm = 18\nsensor_width_mm = 36\nhfov_deg = 60\n", 3,
