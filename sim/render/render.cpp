@@ -1,8 +1,10 @@
 #include "sim/render/render.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/render/film.h"
+#include "sim/render/physical_blur.h"
 #include "sim/scene/emission_lines.h"
 #include "sim/view/blur.h"
 #include "sim/view/colour.h"
@@ -11,7 +13,10 @@
 
 namespace vegard::sim {
 
-Rendering render(const Scene& scene, const RenderOptions& options) {
+namespace {
+
+/// Adds the lines to the channels of `rayleigh`, each blurred by its angle; returns the deflection points.
+std::uint64_t add_lines_by_angle(const Scene& scene, const RenderOptions& options, Image& rayleigh) {
   const int width = scene.camera.width, height = scene.camera.height;
   const FilmGeometry film = film_for(scene, 0, 0, width, height, 1.0, 1.0);
   Exposure exposure;
@@ -19,13 +24,7 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
     Exposer exposer(scene, film, options.threads);
     exposer.expose(scene, exposure, options.progress, options.stop);
   }
-  Rendering result;
-  if (options.stop != nullptr && options.stop->load()) return result;
-  result.deflection_points = exposure.deflection_points;
-
-  std::vector<std::string> names;
-  for (double nm : scene.emission.lines) names.push_back(line_name(nm));
-  result.rayleigh = Image(width, height, names);
+  if (options.stop != nullptr && options.stop->load()) return 0;
   const int left = static_cast<int>(-film.x0_px), top = static_cast<int>(-film.y0_px);
   std::vector<float> down(exposure.cells()), both(exposure.cells());
   for (int l = 0; l < exposure.lines; ++l) {
@@ -36,8 +35,25 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
     blur_across(down.data(), both.data(), film.rows, film.columns, 1, kernel, options.threads);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
-        result.rayleigh.at(x, y, l) = both[static_cast<std::size_t>(y + top) * film.columns + x + left];
+        rayleigh.at(x, y, l) = both[static_cast<std::size_t>(y + top) * film.columns + x + left];
   }
+  return exposure.deflection_points;
+}
+
+}  // namespace
+
+Rendering render(const Scene& scene, const RenderOptions& options) {
+  std::vector<std::string> names;
+  for (double nm : scene.emission.lines) names.push_back(line_name(nm));
+  Image rayleigh(scene.camera.width, scene.camera.height, names);
+  const std::uint64_t points =
+      scene.blur.model == "physical"
+          ? add_lines_physically(scene, options.threads, options.progress, options.stop, rayleigh)
+          : add_lines_by_angle(scene, options, rayleigh);
+  Rendering result;
+  if (options.stop != nullptr && options.stop->load()) return result;
+  result.deflection_points = points;
+  result.rayleigh = std::move(rayleigh);
   result.aurora = rgb_from_rayleigh(
       result.rayleigh,
       rgb_per_kilorayleigh(scene.emission.lines, scene.sensor.primaries, scene.sensor.gain_per_kilorayleigh));
