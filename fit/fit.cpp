@@ -34,16 +34,18 @@ void check_sizes(const sim::Scene& scene, const Photo& photo) {
        scene.file, 0, "camera.width", "the photograph's size", "set camera.width and camera.height"});
 }
 
-/// A film that counts points, or puts each into one cell, has no derivative by the points' places.
+/// A film that counts points, or puts each into one cell, has no derivative by the points' places; nor has
+/// the physical blur any here.
 void check_film(const sim::Scene& scene) {
-  const auto refuse = [&](const char* key, const std::string& value, const char* needed) {
+  const auto refuse = [&](const char* key, const std::string& value, const char* needed, const char* hint) {
     if (value == needed) return;
-    throw sim::Error(sim::ErrorKind::scene,
-                     {"\"" + value + "\" cannot be fitted", scene.file, 0, key,
-                      "\"" + std::string(needed) + "\"", "the literal forward map is for rendering only"});
+    throw sim::Error(sim::ErrorKind::scene, {"\"" + value + "\" cannot be fitted", scene.file, 0, key,
+                                             "\"" + std::string(needed) + "\"", hint});
   };
-  refuse("film.weight", scene.film.weight, "rayleigh");
-  refuse("film.splat", scene.film.splat, "bilinear");
+  const char* literal = "the literal forward map is for rendering only";
+  refuse("film.weight", scene.film.weight, "rayleigh", literal);
+  refuse("film.splat", scene.film.splat, "bilinear", literal);
+  refuse("blur.model", scene.blur.model, "angle", "the physical blur is for rendering only");
 }
 
 /// 360 or 2 pi for an angle, 0 for anything else.

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 
 #include "sim/emit/aurora/motion.h"
 #include "sim/render/film.h"
+#include "sim/render/physical_blur.h"
 #include "sim/scene/emission_lines.h"
 #include "sim/view/blur.h"
 #include "sim/view/colour.h"
@@ -15,12 +17,17 @@
 namespace vegard::sim {
 namespace {
 
+/// A picture without light, of rayleighs per line.
+Image dark_lines(const Scene& scene) {
+  std::vector<std::string> names;
+  for (double nm : scene.emission.lines) names.push_back(line_name(nm));
+  return Image(scene.camera.width, scene.camera.height, names);
+}
+
 /// A film's light after the blur, in the picture's frame.
 Image blurred(const Scene& scene, const FilmGeometry& film, const Exposure& exposure, int threads) {
   const int width = scene.camera.width, height = scene.camera.height;
-  std::vector<std::string> names;
-  for (double nm : scene.emission.lines) names.push_back(line_name(nm));
-  Image rayleigh(width, height, names);
+  Image rayleigh = dark_lines(scene);
   const int left = static_cast<int>(-film.x0_px), top = static_cast<int>(-film.y0_px);
   std::vector<float> down(exposure.cells()), both(exposure.cells());
   for (int l = 0; l < exposure.lines; ++l) {
@@ -65,16 +72,26 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
 
   Rendering result;
   {
-    Exposer exposer(scene, film, options.threads);
+    std::optional<Exposer> exposer;
     Exposure exposure;
-    exposer.expose(scene, exposure, progress_of(0), options.stop);
+    if (scene.blur.model == "angle") exposer.emplace(scene, film, options.threads);
+    const auto lines_of = [&](std::size_t n, int only_sheet, std::uint64_t& points) {
+      if (!exposer) {
+        Image lines = dark_lines(scene);
+        points =
+            add_lines_physically(scene, options.threads, progress_of(n), options.stop, lines, only_sheet);
+        return lines;
+      }
+      exposer->expose(scene, exposure, progress_of(n), options.stop, only_sheet);
+      points = exposure.deflection_points;
+      return stopped() ? Image() : blurred(scene, film, exposure, options.threads);
+    };
+    result.rayleigh = lines_of(0, -1, result.deflection_points);
     if (stopped()) return {};
-    result.deflection_points = exposure.deflection_points;
-    result.rayleigh = blurred(scene, film, exposure, options.threads);
     for (std::size_t s = 0; s + 1 < exposures; ++s) {
-      exposer.expose(scene, exposure, progress_of(1 + s), options.stop, static_cast<int>(s));
+      std::uint64_t points_of_sheet = 0;
+      SheetLayer layer{scene.sheets[s].name, lines_of(1 + s, static_cast<int>(s), points_of_sheet), {}};
       if (stopped()) return {};
-      SheetLayer layer{scene.sheets[s].name, blurred(scene, film, exposure, options.threads), {}};
       layer.aurora = through_the_sensor(scene, layer.rayleigh);
       result.sheets.push_back(std::move(layer));
     }

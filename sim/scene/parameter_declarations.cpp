@@ -234,12 +234,13 @@ std::vector<Declaration> declare() {
 
       Row("blur", "width_deg", &Scene::blur, &Blur::width_deg).of({"<line>"}).named_by(name_by_line).in("deg")
           .within(0, 10).list_rule(blur_complaint).may_be_free(logarithmic)
-          .means("standard deviation per emission line, in the order of emission.lines; a component is "
-                 "called by its line's wavelength in ångström, such as blur.width_deg.6300"),
+          .means("standard deviation per emission line, in the order of emission.lines (of the model \"angle\"); a "
+                 "component is called by its line's wavelength in ångström, such as blur.width_deg.6300"),
       Row("blur", "kernel", &Scene::blur, &Blur::kernel).one_of({"full", "paper"})
-          .means("shape of the blur: untruncated, or truncated as in the paper"),
+          .means("shape of the blur by angle: untruncated, or truncated as in the paper"),
       Row("blur", "model", &Scene::blur, &Blur::model).one_of({"angle", "physical"})
-          .means("width_deg everywhere, or as far as the excited atoms come within their lifetimes"),
+          .means("width_deg everywhere; or as far as the excited atoms come within their lifetimes, wider higher "
+                 "up, none for prompt lines: width_deg and kernel are then not used, and a fit refuses it"),
       Row("blur", "wind_m_s", &Scene::blur, &Blur::wind_m_s).of({"east", "north"}).in("m s⁻¹").within(-2000, 2000)
           .means("wind that carries the excited atoms, of the physical model"),
 

@@ -46,10 +46,13 @@ Scene busy_scene() {
                                        << ": " << a[first] << " and " << b[first];
 }
 
-Rendering rendered(int threads) {
+Rendering rendered(int threads, const char* blur_model = "angle") {
   RenderOptions options;
   options.threads = threads;
-  return render(busy_scene(), options);
+  Scene scene = busy_scene();
+  scene.blur.model = blur_model;
+  scene.blur.wind_m_s = {80.0, -120.0};
+  return render(scene, options);
 }
 
 Exposure with_derivatives(int threads) {
@@ -79,6 +82,16 @@ TEST(SameBytes, OfAPictureForAnyThreadsAndRun) {
     const Rendering again = rendered(threads);
     EXPECT_TRUE(same_bytes(one.rayleigh.data, again.rayleigh.data)) << threads << " threads";
     EXPECT_TRUE(same_bytes(one.rgb.data, again.rgb.data)) << threads << " threads";
+    EXPECT_EQ(one.deflection_points, again.deflection_points);
+  }
+}
+
+TEST(SameBytes, OfAPhysicallyBlurredPictureForAnyThreads) {
+  const Rendering one = rendered(1, "physical");
+  EXPECT_FALSE(same_bytes(one.rayleigh.data, rendered(1).rayleigh.data));
+  for (int threads : {1, 2, 3}) {
+    const Rendering again = rendered(threads, "physical");
+    EXPECT_TRUE(same_bytes(one.rayleigh.data, again.rayleigh.data)) << threads << " threads";
     EXPECT_EQ(one.deflection_points, again.deflection_points);
   }
 }
@@ -138,7 +151,7 @@ class Only {
 
 TEST(SameBytes, OnEveryInstructionSet) {
   const std::string best = kernel_instruction_set();
-  const Rendering picture = rendered(2);
+  const Rendering picture = rendered(2), physical = rendered(2, "physical");
   const Exposure derivatives = with_derivatives(2), beams = with_beam_derivatives(2);
   int tried = 0;
   const std::int64_t available = hwy::SupportedTargets();
@@ -149,6 +162,7 @@ TEST(SameBytes, OnEveryInstructionSet) {
     ASSERT_STREQ(kernel_instruction_set(), hwy::TargetName(target));
     ++tried;
     EXPECT_TRUE(same_bytes(rendered(2).rgb.data, picture.rgb.data));
+    EXPECT_TRUE(same_bytes(rendered(2, "physical").rgb.data, physical.rgb.data));
     EXPECT_TRUE(same_bytes(with_derivatives(2).derivative, derivatives.derivative));
     EXPECT_TRUE(same_bytes(with_beam_derivatives(2).derivative, beams.derivative));
   }

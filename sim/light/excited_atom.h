@@ -1,0 +1,81 @@
+// The way of an excited atom from where an electron struck it to where it shines.
+//
+// Of the lines that the emission tables hold, three come from metastable atoms: 630.0 nm from O(1D), 557.7 nm
+// from O(1S), 520.0 nm from N(2D). Baranoski et al. 2000, section 2.1, give the lifetimes (docs/physics.md
+// rows B25 and B26).
+//
+// **How long.** Collisions can take the energy away (quenching), which leaves of the radiative lifetime T
+//
+//     tau(h) = 1 / (1/T + sum over gases of k_i n_i(h)),
+//
+// the mean age of the atoms that shine: whatever ends a life, ages are exponentially distributed with mean
+// tau, and those of the atoms that shine no less so. Coefficients k in cm^3 s^-1:
+//
+//     O(1D)   N2  2.0e-11 exp(107.8/T)   Streit et al. 1976, J. Chem. Phys. 65, 4761
+//             O2  2.9e-11 exp(67.5/T)    Streit et al. 1976
+//             O   8.0e-12                Abreu et al. 1986, Planet. Space Sci. 34, 1143
+//     O(1S)   O2  4.0e-12 exp(-865/T)    Slanger, Wood and Black 1972
+//             O   2.0e-14                Slanger and Black 1981
+//     N(2D)   O2  6.0e-12                Lin and Kaufman 1971
+//             O   6.9e-13                Fell et al. 1990
+//
+// They are those of GLOW (gchem.f90), where the height profiles come from, but for O(1D) + O, where GLOW has
+// 3.0e-12. Quenching by electrons and NO is left out.
+//
+// **How far.** Between collisions with a frequency nu the velocity along an axis follows Langevin's equation
+//
+//     dv = -nu v dt + sqrt(2 nu kT/m) dW,    v(0) thermal, of variance kT/m,
+//
+// so <v(s) v(t)> = kT/m exp(-nu |s - t|), and after a time t the place has the variance
+// 2 kT/m (nu t - 1 + exp(-nu t)) / nu^2 (Ornstein and Uhlenbeck 1930, Phys. Rev. 36, 823). The mean over
+// exponentially distributed t, with mean(nu t) = nu tau and mean(exp(-nu t)) = 1/(1 + nu tau), is
+//
+//     sigma^2 = 2 kT/m tau^2 / (1 + nu tau).
+//
+// Without collisions that is 2 kT/m tau^2, thermal flight (mean t^2 = 2 tau^2); with many, 2 D tau with
+// D = kT/(m nu), diffusion. The air is taken as uniform along the way, there is no gravity, and atoms are
+// born with the air's temperature. This is worst above 400 km, where sigma is no longer small beside the 50
+// km in which the density falls by e, and gravity pulls an atom down by tens of kilometres. O(1D) from the
+// recombination of O2+ is born hotter and comes farther.
+//
+// **Collisions.** From D = kT/(m nu) and the binary diffusion coefficient of O in N2 of the U.S. Standard
+// Atmosphere 1976 (its table 6, as there used for all of the air), D n = 6.986e18 (T/273.15 K)^0.75
+// cm^-1 s^-1, for N2 and O2; for O the same cross-section with the smaller reduced mass, so a D n that is
+// sqrt(10.18/8.00) times that. They mix by Blanc's law, 1/D = sum of 1/D_i. An excited atom is taken to
+// collide like one in the ground state, and N like O.
+//
+// **The wind** carries an atom w t: the mean is w tau, and the exponential spread of t adds (w tau)^2 to the
+// variance along the wind. A third of it is added to every axis: the total is right, its direction is not.
+#pragma once
+
+#include <vector>
+
+#include "sim/light/atmosphere.h"
+#include "sim/light/emission_line.h"
+
+namespace vegard::sim {
+
+/// True if the line's atoms shine within a millisecond, so that they come no farther than a metre.
+bool is_prompt(const EmissionLine& line);
+
+/// tau in seconds. A prompt line is not quenched.
+double effective_lifetime_s(const EmissionLine& line, const Air& air);
+
+/// kT/m of the line's atoms along one axis, in m^2 s^-2.
+double thermal_variance_m2_s2(const EmissionLine& line, const Air& air);
+
+/// nu in s^-1, of momentum transfer.
+double collision_frequency_s(const EmissionLine& line, const Air& air);
+
+/// sigma^2 along one axis, in the units of `thermal_variance` times s^2.
+double displacement_variance(double thermal_variance, double collision_frequency_s, double lifetime_s);
+
+/// What becomes of a line's light, at the altitudes of a HeightProfile.
+struct SpreadProfile {
+  std::vector<float> lifetime_s;
+  std::vector<float> variance_km2;  ///< along one axis, with the third of the wind's
+};
+
+SpreadProfile spread_profile(const EmissionLine& line, double wind_m_s);
+
+}  // namespace vegard::sim

@@ -1,0 +1,244 @@
+#include "sim/render/physical_blur.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+#include "sim/base/parallel.h"
+#include "sim/render/beams.h"
+#include "sim/render/film.h"
+#include "sim/render/kernel_levels.h"
+#include "sim/render/kernel_scene.h"
+#include "sim/view/level_ladder.h"
+
+namespace vegard::sim {
+namespace {
+
+double wind_km_s(const Scene& scene) {
+  return 1e-3 * std::hypot(scene.blur.wind_m_s.east, scene.blur.wind_m_s.north);
+}
+
+double diagonal_px(const Scene& scene) { return std::hypot(scene.camera.width, scene.camera.height); }
+
+/// The same scene with some of its lines only, and no other blur.
+Scene with_lines(const Scene& scene, const std::vector<double>& lines_nm) {
+  Scene part = scene;
+  part.emission.lines = lines_nm;
+  part.blur.width_deg.assign(lines_nm.size(), 0.0);
+  return part;
+}
+
+double highest_km(const Scene& scene) {
+  double top_km = HeightProfile::kBottomKm;
+  for (const Sheet& sheet : scene.sheets) top_km = std::max(top_km, sheet.top_km);
+  return top_km;
+}
+
+/// The most pixels that a kilometre at an altitude takes in the picture.
+class NearestScale {
+ public:
+  explicit NearestScale(const Scene& scene) : observer_km_(scene.site.altitude_m * 1e-3) {
+    const PinholeView<double> view = pinhole_view(scene.camera);
+    const double across = 0.5 * scene.camera.width / view.focal_px;
+    const double down = 0.5 * scene.camera.height / view.focal_px;
+    slant_ = std::sqrt(1.0 + across * across + down * down);
+    per_km_at_1_km_ = view.focal_px * slant_ * std::sqrt(0.5 * (1.0 + slant_ * slant_));
+    // The highest point of the picture is the zenith, if it shows, or lies on its border.
+    const double* up[3] = {&view.camera_from_enu[0][2], &view.camera_from_enu[1][2],
+                           &view.camera_from_enu[2][2]};
+    const bool zenith_shows =
+        *up[2] > 0.0 && std::abs(*up[0]) <= across * *up[2] && std::abs(*up[1]) <= down * *up[2];
+    const auto look = [&](double x, double y) {
+      highest_sine_ =
+          std::max(highest_sine_, (x * *up[0] + y * *up[1] + *up[2]) / std::sqrt(1.0 + x * x + y * y));
+    };
+    constexpr int kPointsOnAnEdge = 64;
+    for (int i = 0; i <= kPointsOnAnEdge; ++i) {
+      const double share = 2.0 * i / kPointsOnAnEdge - 1.0;
+      for (const double side : {-1.0, 1.0}) {
+        look(share * across, side * down);
+        look(side * across, share * down);
+      }
+    }
+    if (zenith_shows) highest_sine_ = 1.0;
+  }
+
+  double px_per_km(double altitude_km) const {
+    const double above = altitude_km - observer_km_, from_centre = kEarthRadiusKm + observer_km_;
+    const double b = from_centre * highest_sine_, c = above * (2.0 * from_centre + above);
+    return per_km_at_1_km_ / (c / (b + std::sqrt(b * b + c)));
+  }
+
+ private:
+  double observer_km_ = 0.0, highest_sine_ = -1.0, slant_ = 1.0, per_km_at_1_km_ = 0.0;
+};
+
+/// The largest of `km[a]` in pixels, over the altitudes up to top_km.
+template <class Kilometres>
+double largest_px(const Scene& scene, double top_km, const Kilometres& km) {
+  const NearestScale scale(scene);
+  double largest = 0.0;
+  for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
+    const double altitude_km = HeightProfile::kBottomKm + a * HeightProfile::kStepKm;
+    if (altitude_km > top_km) break;
+    largest = std::max(largest, km(a) * scale.px_per_km(altitude_km));
+  }
+  return largest;
+}
+
+/// The film that holds every level's and what the wind carries there.
+FilmGeometry film_of_all(const std::vector<BlurLevel>& levels, double carried_px) {
+  FilmGeometry all;
+  double right = 0.0, bottom = 0.0;
+  for (const BlurLevel& level : levels) {
+    const FilmGeometry& film = level.film;
+    all.x0_px = std::min(all.x0_px, film.x0_px);
+    all.y0_px = std::min(all.y0_px, film.y0_px);
+    right = std::max(right, film.x0_px + film.columns * film.cell_width_px);
+    bottom = std::max(bottom, film.y0_px + film.rows * film.cell_height_px);
+  }
+  const double beyond = std::ceil(carried_px);
+  all.x0_px -= beyond;
+  all.y0_px -= beyond;
+  all.columns = static_cast<int>(std::ceil(right + beyond - all.x0_px));
+  all.rows = static_cast<int>(std::ceil(bottom + beyond - all.y0_px));
+  return all;
+}
+
+/// One metastable line into one channel.
+std::uint64_t add_slow_line(const Scene& scene, const EmissionLine& line, const BeamLayout& layout,
+                            int threads, const std::function<void(double)>& progress,
+                            const std::atomic<bool>* stop, Image& rayleigh, int channel, int only_sheet) {
+  const SpreadProfile spread = spread_profile(line, 1e3 * wind_km_s(scene));
+  const double top_km = highest_km(scene);
+  const std::vector<BlurLevel> levels =
+      level_ladder(scene.camera.width, scene.camera.height, widest_spread_px(scene, spread, top_km));
+  const double carried_px =
+      std::min(diagonal_px(scene),
+               largest_px(scene, top_km, [&](int a) { return wind_km_s(scene) * spread.lifetime_s[a]; }));
+  std::vector<FilmGeometry> films;
+  std::vector<float> variances_px2;
+  std::vector<std::size_t> first_cell = {0};
+  for (const BlurLevel& level : levels) {
+    films.push_back(level.film);
+    variances_px2.push_back(static_cast<float>(level.variance_px2));
+    first_cell.push_back(first_cell.back() + level.cells());
+  }
+  KernelLevels kernel_levels;
+  kernel_levels.lifetime_s = spread.lifetime_s.data();
+  kernel_levels.variance_km2 = spread.variance_km2.data();
+  kernel_levels.wind_enu_km_s[0] = 1e-3 * scene.blur.wind_m_s.east;
+  kernel_levels.wind_enu_km_s[1] = 1e-3 * scene.blur.wind_m_s.north;
+  kernel_levels.count = static_cast<int>(levels.size());
+  kernel_levels.films = films.data();
+  kernel_levels.variance_px2 = variances_px2.data();
+
+  const Scene of_line = with_lines(scene, {line.wavelength_nm});
+  const std::vector<HeightProfile> profiles = height_profiles(of_line);
+  const FilmGeometry seen = film_of_all(levels, carried_px);
+  std::vector<KernelScene> kernels;
+  for (const Sheet& sheet : of_line.sheets) kernels.push_back(kernel_scene(of_line, sheet, seen, profiles));
+
+  struct Slot {
+    std::vector<std::int64_t> cells;  // of all levels
+    std::vector<std::int64_t*> films;
+    PackedChunk packed;
+  };
+  std::vector<Slot> slots(threads);
+  std::atomic<std::uint64_t> points{0};
+  std::atomic<std::size_t> done{0};
+  parallel_for(layout.chunks().size(), threads, [&](std::size_t c, int s) {
+    if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
+    Slot& slot = slots[s];
+    if (slot.cells.empty()) {
+      slot.cells.assign(first_cell.back(), 0);
+      for (std::size_t l = 0; l < levels.size(); ++l) slot.films.push_back(slot.cells.data() + first_cell[l]);
+    }
+    const Chunk& chunk = layout.chunks()[c];
+    if (only_sheet >= 0 && chunk.sheet != only_sheet) return;
+    layout.pack(of_line, chunk, kernels[chunk.sheet], slot.packed);
+    points += fall_on_levels(kernels[chunk.sheet], kernel_levels, slot.packed.groups.data(),
+                             slot.packed.groups.size(), slot.films.data());
+    const std::size_t finished = ++done;
+    if (progress) progress(static_cast<double>(finished) / static_cast<double>(layout.chunks().size()));
+  });
+  if (stop != nullptr && stop->load()) return points;
+
+  const double rayleighs_per_unit = 1.0 / (kFilmUnitsPerRayleigh * layout.instants());
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    std::vector<float> cells(levels[l].cells());
+    std::atomic<bool> lit{false};
+    parallel_for(static_cast<std::size_t>(levels[l].film.rows), threads, [&](std::size_t row, int) {
+      const std::size_t first = row * levels[l].film.columns;
+      std::int64_t any = 0;
+      for (std::size_t i = first; i < first + levels[l].film.columns; ++i) {
+        std::int64_t sum = 0;
+        for (const Slot& slot : slots)
+          if (!slot.cells.empty()) sum += slot.films[l][i];
+        any |= sum;
+        cells[i] = static_cast<float>(static_cast<double>(sum) * rayleighs_per_unit);
+      }
+      if (any != 0) lit = true;
+    });
+    if (lit) add_level(levels[l], cells, rayleigh, channel, threads);
+  }
+  return points;
+}
+
+/// The prompt lines at once, without any blur.
+std::uint64_t add_prompt_lines(const Scene& scene, const std::vector<int>& channels, int threads,
+                               const std::function<void(double)>& progress, const std::atomic<bool>* stop,
+                               Image& rayleigh, int only_sheet) {
+  std::vector<double> lines_nm;
+  for (const int channel : channels) lines_nm.push_back(scene.emission.lines[channel]);
+  const Scene prompt = with_lines(scene, lines_nm);
+  const FilmGeometry film = film_for(prompt, 0, 0, rayleigh.width, rayleigh.height, 1.0, 1.0);
+  Exposure exposure;
+  Exposer(prompt, film, threads).expose(prompt, exposure, progress, stop, only_sheet);
+  const int left = static_cast<int>(-film.x0_px), top = static_cast<int>(-film.y0_px);
+  for (std::size_t l = 0; l < channels.size(); ++l) {
+    const float* plane = exposure.rayleigh.data() + l * exposure.cells();
+    for (int y = 0; y < rayleigh.height; ++y)
+      for (int x = 0; x < rayleigh.width; ++x)
+        rayleigh.at(x, y, channels[l]) += plane[static_cast<std::size_t>(y + top) * film.columns + x + left];
+  }
+  return exposure.deflection_points;
+}
+
+}  // namespace
+
+double widest_spread_px(const Scene& scene, const SpreadProfile& spread, double top_km) {
+  const double widest = largest_px(
+      scene, top_km, [&](int a) { return std::sqrt(static_cast<double>(spread.variance_km2[a])); });
+  return std::min(0.5 * diagonal_px(scene), widest);
+}
+
+std::uint64_t add_lines_physically(const Scene& scene, int threads,
+                                   const std::function<void(double)>& progress, const std::atomic<bool>* stop,
+                                   Image& rayleigh, int only_sheet) {
+  const int used_threads = thread_count(threads);
+  std::vector<int> slow, prompt;
+  for (int l = 0; l < rayleigh.channels(); ++l)
+    (is_prompt(*find_emission_line(scene.emission.lines[l])) ? prompt : slow).push_back(l);
+  const std::size_t passes = slow.size() + (prompt.empty() ? 0 : 1);
+  std::size_t pass = 0;
+  std::function<void(double)> share;
+  if (progress)
+    share = [&](double of_pass) {
+      progress((static_cast<double>(pass) + of_pass) / static_cast<double>(passes));
+    };
+  std::uint64_t points = 0;
+  const BeamLayout layout(scene, 0.0);
+  for (const int l : slow) {
+    const EmissionLine& line = *find_emission_line(scene.emission.lines[l]);
+    points = std::max(points,
+                      add_slow_line(scene, line, layout, used_threads, share, stop, rayleigh, l, only_sheet));
+    ++pass;
+  }
+  if (!prompt.empty())
+    points = std::max(points, add_prompt_lines(scene, prompt, threads, share, stop, rayleigh, only_sheet));
+  return points;
+}
+
+}  // namespace vegard::sim
