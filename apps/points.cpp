@@ -41,6 +41,7 @@ int thinning(const Options& options, const sim::Scene& scene) {
 }
 
 int run(const Options& options) {
+  const std::atomic<bool>& stop = watch_for_interrupt();
   const sim::Scene scene = scene_of(options.scene);
   if (same_file(options.output, options.scene.file))
     refuse_same_file("--output", options.output, "the scene");
@@ -48,7 +49,6 @@ int run(const Options& options) {
     PointFile(options.output, scene, options.unit, 1, options.overwrite);
   }  // refused now, not after the work
 
-  const std::atomic<bool>& stop = watch_for_interrupt();
   ProgressBar bar("listing points");
   sim::PointOptions point_options;
   point_options.every = thinning(options, scene);

@@ -25,4 +25,17 @@ expect_exit 6 points "$small" -o no/such/folder/out.ply
 status=0
 (ulimit -f 64 && exec "$VEGARD" points "$small" -o full.ply >"$stdout" 2>"$stderr") || status=$?
 [[ $status -eq 6 ]] || fail "exit $status instead of 6 on a full disk"
+# Ctrl-C: exit 130 and nothing written.
+set -m # a job of its own; else the shell has it ignore the signal
+"$VEGARD" points "$small" -o long.ply --set sheet.main.beams=1000000 >"$stdout" 2>"$stderr" &
+job=$!
+until compgen -G '.long.partial-*' >/dev/null; do
+  kill -0 "$job" 2>/dev/null || fail "ended before it was interrupted"
+  sleep 0.02
+done
+kill -INT "$job"
+status=0
+wait "$job" || status=$?
+[[ $status -eq 130 ]] || fail "exit $status instead of 130"
+expect_stderr "interrupted"
 expect_only one.ply two.ply thin.csv
