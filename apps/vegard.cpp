@@ -5,10 +5,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include "apps/animate.h"
 #include "apps/command_line.h"
 #include "apps/exit_code.h"
 #include "apps/fit.h"
 #include "apps/params.h"
+#include "apps/points.h"
 #include "apps/profile.h"
 #include "apps/render.h"
 #include "fit/version.h"
@@ -36,6 +38,8 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", versions, "Print the versions of vegard and of its libraries");
   int exit_code = apps::good;
   apps::add_render_command(app, exit_code);
+  apps::add_animate_command(app, exit_code);
+  apps::add_points_command(app, exit_code);
   apps::add_profile_command(app, exit_code);
   apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
   apps::add_params_command(app, exit_code);

@@ -151,7 +151,7 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
       // A field line that does not descend would be negative light; one that grazes the Earth never comes
       // down to the bottom, and has no length.
       if (plain.vertical <= 0.0 || !(plain.length_km > 0.0)) continue;
-      if (out_of_sight(plain, k)) continue;
+      if (k.film.columns > 0 && out_of_sight(plain, k)) continue;
       if (place_in_group == kGroup) {
         place_in_group = 0;
         out.groups.emplace_back();

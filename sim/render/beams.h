@@ -36,7 +36,7 @@ class BeamLayout {
   int instants() const { return static_cast<int>(instants_s_.size()); }
 
   /// Packs a chunk; the first for the light alone, the second with what derivatives need. What lies outside
-  /// the film of `kernel`, or below the horizon, is left out.
+  /// the film of `kernel`, or below the horizon, is left out; a film without columns leaves nothing out.
   void pack(const Scene& scene, const Chunk& chunk, const KernelScene& kernel, PackedChunk& out) const;
   void pack(const Scene& scene, const Chunk& chunk, const KernelScene& kernel, const Seeds& seeds,
             PackedChunk& out) const;

@@ -10,6 +10,7 @@
 
 #include "sim/base/dual-inl.h"
 #include "sim/base/lanes-inl.h"
+#include "sim/render/points-inl.h"
 #include "sim/render/reference-inl.h"
 #include "sim/render/samples-inl.h"
 #include "sim/view/splat-inl.h"
@@ -156,6 +157,10 @@ std::uint64_t FallReference(const KernelScene& scene, const BeamGroup* groups, s
   return fall_reference(scene, groups, count, film);
 }
 
+void ListPoints(const KernelScene& scene, const BeamGroup* groups, std::size_t count, EmissionPoints& out) {
+  list_every_point(scene, groups, count, out);
+}
+
 /// From a group's local inputs to the free parameters: the chain rule, once per number.
 template <int kLocals>
 class Expansion {
@@ -289,6 +294,7 @@ namespace vegard::sim {
 HWY_EXPORT(FallOnFilm);
 HWY_EXPORT(RecordSplats);
 HWY_EXPORT(FallReference);
+HWY_EXPORT(ListPoints);
 HWY_EXPORT(FallWithTangents);
 HWY_EXPORT(SplatAll);
 HWY_EXPORT(InstructionSet);
@@ -301,6 +307,10 @@ std::uint64_t fall_on_film(const KernelScene& scene, const BeamGroup* groups, st
 std::uint64_t fall_on_film_reference(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                                      double* film) {
   return HWY_DYNAMIC_DISPATCH(FallReference)(scene, groups, count, film);
+}
+
+void list_points(const KernelScene& scene, const BeamGroup* groups, std::size_t count, EmissionPoints& out) {
+  HWY_DYNAMIC_DISPATCH(ListPoints)(scene, groups, count, out);
 }
 
 std::uint64_t fall_on_film_with_tangents(const KernelScene& scene, const SharedChain& shared,

@@ -10,6 +10,7 @@
 
 #include "sim/light/height_profile.h"
 #include "sim/light/sample.h"
+#include "sim/render/points.h"
 #include "sim/view/camera.h"
 #include "sim/view/tangent_film.h"
 
@@ -101,6 +102,9 @@ struct SplatRecord {
 /// Appends to `record` what fall_on_film would splat. Returns the number of deflection points computed.
 std::uint64_t record_splats(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                             SplatRecord& record);
+
+/// Appends the points of the groups to `out`, whether the film has them or not.
+void list_points(const KernelScene& scene, const BeamGroup* groups, std::size_t count, EmissionPoints& out);
 
 /// The instruction set that fall_on_film was dispatched to, "AVX3".
 const char* kernel_instruction_set();

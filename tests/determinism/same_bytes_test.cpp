@@ -46,6 +46,17 @@ Scene busy_scene() {
                                        << ": " << a[first] << " and " << b[first];
 }
 
+/// The same in motion, over four instants.
+Scene exposed_scene() {
+  Scene scene = busy_scene();
+  scene.sheets[0].beams = 600;
+  scene.sheets[0].drift_km_s = {8.5, -2.5};
+  scene.sheets[1].sine_speed_km_s = 20.0;
+  scene.time.exposure_s = 1.0;
+  scene.time.instants = 4;
+  return scene;
+}
+
 Rendering rendered(int threads, const char* blur_model = "angle") {
   RenderOptions options;
   options.threads = threads;
@@ -93,6 +104,25 @@ TEST(SameBytes, OfAPhysicallyBlurredPictureForAnyThreads) {
     const Rendering again = rendered(threads, "physical");
     EXPECT_TRUE(same_bytes(one.rayleigh.data, again.rayleigh.data)) << threads << " threads";
     EXPECT_EQ(one.deflection_points, again.deflection_points);
+  }
+}
+
+TEST(SameBytes, OfAnExposureOverInstantsForAnyThreads) {
+  const Scene scene = exposed_scene();
+  const FilmGeometry film = film_for(scene, 0, 0, 160, 120, 2.0, 1.0);
+  const std::vector<const double*> free = {&scene.sheets[0].center_km.north, &scene.sheets[1].energy_kev};
+  RenderOptions options;
+  options.threads = 1;
+  const Rendering one = render(scene, options);
+  Exposure derived;
+  Exposer(scene, film, 1).expose_with_derivatives(scene, free, derived);
+  for (int threads : {2, 3, 0}) {
+    options.threads = threads;
+    EXPECT_TRUE(same_bytes(one.rayleigh.data, render(scene, options).rayleigh.data)) << threads << " threads";
+    Exposure again;
+    Exposer(scene, film, threads).expose_with_derivatives(scene, free, again);
+    EXPECT_TRUE(same_bytes(derived.rayleigh, again.rayleigh)) << threads << " threads";
+    EXPECT_TRUE(same_bytes(derived.derivative, again.derivative)) << threads << " threads";
   }
 }
 

@@ -152,6 +152,24 @@ TEST(FilmDerivatives, SouthernSheetsOfTheLiteralRuleAgreeWithDifferences) {
   expect_derivatives(scene, 0.02);
 }
 
+TEST(FilmDerivatives, OfAnExposureOfADriftingSheetAgreeWithDifferences) {
+  Scene scene = tests::small_scene();
+  Sheet& sheet = scene.sheets[0];
+  sheet.center_km.east = 130.0;
+  sheet.length_km = 250.0;
+  sheet.beams = 50;
+  sheet.arcs = 2;
+  sheet.arc_spacing_km = 14.0;
+  sheet.drift_km_s = {4.0, 2.5};
+  sheet.sine_speed_km_s = 8.5;
+  scene.substorm.quiet = 0.1;
+  scene.substorm.onset_s = 10.0;
+  scene.time.start_s = 7.0;
+  scene.time.exposure_s = 6.0;  // 15 km to the north, and over the onset
+  scene.time.instants = 4;
+  expect_derivatives(scene, 0.01);
+}
+
 TEST(FilmDerivatives, TwoSheetsOtherPitchLawsAndFiveLinesAgreeWithDifferences) {
   Scene scene = tests::small_scene();
   scene.emission.lines = {630.0, 557.7, 427.8, 337.1, 777.4};

@@ -1,0 +1,103 @@
+#include "apps/camera_json.h"
+
+#include <cmath>
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "sim/base/earth.h"
+#include "sim/base/error.h"
+#include "sim/base/version.h"
+#include "sim/view/camera.h"
+
+namespace vegard::apps {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Beams are between a few and four thousand kilometres away.
+constexpr double kNearKm = 1.0, kFarKm = 10000.0;
+
+/// No "-0.0".
+double plain(double number) { return number + 0.0; }
+
+double vertical_field_of_view_deg(const sim::Camera& camera, double focal_px) {
+  return 2.0 * std::atan(0.5 * camera.height / focal_px) / sim::kRadiansPerDegree;
+}
+
+/// East-North-Up to OpenGL's eye space, whose y is up and whose z is backward. The observer is the origin.
+Json view_matrix(const sim::PinholeView<double>& view) {
+  Json rows = Json::array();
+  for (int i = 0; i < 3; ++i) {
+    const double sign = i == 0 ? 1.0 : -1.0;
+    Json row = Json::array();
+    for (int j = 0; j < 3; ++j) row.push_back(plain(sign * view.camera_from_enu[i][j]));
+    row.push_back(0.0);
+    rows.push_back(row);
+  }
+  rows.push_back({0.0, 0.0, 0.0, 1.0});
+  return rows;
+}
+
+/// As glFrustum has it (OpenGL 2.1 specification, section 2.11.2), symmetric.
+Json projection_matrix(const sim::Camera& camera, double focal_px) {
+  const double depth = kFarKm - kNearKm;
+  return {{2.0 * focal_px / camera.width, 0.0, 0.0, 0.0},
+          {0.0, 2.0 * focal_px / camera.height, 0.0, 0.0},
+          {0.0, 0.0, -(kFarKm + kNearKm) / depth, -2.0 * kFarKm * kNearKm / depth},
+          {0.0, 0.0, -1.0, 0.0}};
+}
+
+}  // namespace
+
+std::string camera_json(const sim::Scene& scene) {
+  const sim::Camera& camera = scene.camera;
+  if (camera.model != "pinhole") {
+    sim::ErrorDetails details;
+    details.key = "camera.model";
+    details.problem = "a camera of the model '" + camera.model + "' has no matrices";
+    details.expected = "\"pinhole\"";
+    details.hint = "leave out --camera-json";
+    throw sim::Error(sim::ErrorKind::scene, details);
+  }
+  const sim::PinholeView<double> view = sim::pinhole_view(camera);
+  Json json;
+  json["model"] = "pinhole";
+  json["image"] = {{"width_px", camera.width}, {"height_px", camera.height}};
+  json["intrinsics_px"] = {
+      {"fx", view.focal_px}, {"fy", view.focal_px}, {"cx", 0.5 * camera.width}, {"cy", 0.5 * camera.height}};
+  json["K"] = {
+      {view.focal_px, 0.0, 0.5 * camera.width}, {0.0, view.focal_px, 0.5 * camera.height}, {0.0, 0.0, 1.0}};
+  json["camera_from_enu"] = Json::array();
+  for (const auto& row : view.camera_from_enu)
+    json["camera_from_enu"].push_back({plain(row[0]), plain(row[1]), plain(row[2])});
+  json["opengl_view"] = view_matrix(view);
+  json["opengl_projection"] = projection_matrix(camera, view.focal_px);
+  json["near_km"] = kNearKm;
+  json["far_km"] = kFarKm;
+  json["field_of_view_deg"] = {{"horizontal", camera.hfov_deg},
+                               {"vertical", vertical_field_of_view_deg(camera, view.focal_px)}};
+  json["line_of_sight_deg"] = {
+      {"azimuth", camera.azimuth_deg}, {"elevation", camera.elevation_deg}, {"roll", camera.roll_deg}};
+  json["site"] = {{"latitude_deg", scene.site.latitude_deg},
+                  {"longitude_deg", scene.site.longitude_deg},
+                  {"altitude_m", scene.site.altitude_m}};
+  json["words"] = {
+      {"matrices", "row by row, to be multiplied with columns"},
+      {"world", "East-North-Up in km, right-handed, the observer at the origin, east and north at the site"},
+      {"pixels", "x to the right, y down, the centre of the first pixel at (0.5, 0.5)"},
+      {"K, camera_from_enu",
+       "camera axes are right, down, forward: (u, v, w) = K camera_from_enu (east, north, up), x = u/w, "
+       "y = v/w"},
+      {"opengl_view, opengl_projection",
+       "eye axes are right, up, backward, in km; clip space from -1 to 1, y up: x = width (1 + X/W)/2, "
+       "y = height (1 - Y/W)/2"}};
+  json["version"] = sim::version();
+  return json.dump(2) + "\n";
+}
+
+std::string camera_json_name(const std::string& picture) {
+  return std::filesystem::path(picture).replace_extension(".camera.json").string();
+}
+
+}  // namespace vegard::apps

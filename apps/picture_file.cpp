@@ -1,0 +1,82 @@
+#include "apps/picture_file.h"
+
+#include <utility>
+#include <vector>
+
+#include "apps/layers.h"
+#include "apps/usage_error.h"
+#include "sim/base/version.h"
+#include "sim/scene/scene_toml.h"
+
+namespace vegard::apps {
+namespace {
+
+int bits_of(const PictureOptions& options, sim::ImageFormat format) {
+  if (!options.bits) return format == sim::ImageFormat::tiff ? 16 : 8;
+  if (format == sim::ImageFormat::exr)
+    throw usage_error("--bits", "an EXR always holds 32-bit floats", "no --bits");
+  if (format == sim::ImageFormat::jpeg && *options.bits != 8)
+    throw usage_error("--bits", "a JPEG holds 8 bits", "8, or a .png or .tif");
+  return *options.bits;
+}
+
+sim::ImageAttributes attributes_of(const sim::Scene& scene) {
+  sim::ImageAttributes attributes = {
+      {"scene", sim::write_scene(scene)}, {"seed", std::to_string(scene.seed)}, {"version", sim::version()}};
+  if (!scene.site.time_utc.empty()) attributes["DateTime"] = scene.site.time_utc;
+  return attributes;
+}
+
+}  // namespace
+
+void add_picture_options(CLI::App& command, PictureOptions& options) {
+  command.add_option("--bits", options.bits, "Bits per channel (default: 8 for PNG, 16 for TIFF)")
+      ->check(CLI::IsMember({8, 16}));
+  command.add_option("--quality", options.quality, "Quality of a JPEG, 1 to 100 (default 92)")
+      ->check(CLI::Range(1, 100));
+}
+
+void check_picture_options(const std::string& path, const PictureOptions& options) {
+  const sim::ImageFormat format = sim::image_format(path);
+  bits_of(options, format);
+  if (options.quality && format != sim::ImageFormat::jpeg)
+    throw usage_error("--quality", "only a JPEG has a quality", "-o OUT.jpg");
+}
+
+sim::Image line_layer(const sim::Rendering& rendering) {
+  sim::Image layer = rendering.rayleigh;
+  for (std::string& name : layer.channel_names) name.insert(0, "rayleigh.");
+  return layer;
+}
+
+std::string encoded_picture(const std::string& path, const PictureOptions& options, const sim::Scene& scene,
+                            sim::Rendering&& rendering, const sim::Image& lines, bool with_layers) {
+  sim::ImageAttributes attributes = attributes_of(scene);
+  const sim::ImageFormat format = sim::image_format(path);
+  if (format == sim::ImageFormat::exr) {
+    attributes["units"] =
+        "R, G, B: linear sensor values, white = 1, negative where a line is out of gamut; rayleigh.*: "
+        "rayleighs, "
+        "by wavelength in tenths of a nanometre";
+    std::vector<const sim::Image*> images = {&rendering.rgb, &lines};
+    std::vector<sim::Image> layers;
+    if (with_layers) {
+      layers = layers_of(scene, std::move(rendering));
+      attributes["units"] += "; other layers' R, G, B: the same; mask: 1 where the foreground hides the sky";
+    }
+    for (const sim::Image& layer : layers) images.push_back(&layer);
+    return sim::encode_exr(images, attributes, path);
+  }
+  constexpr int kDefaultQuality = 92;
+  attributes["units"] = "sRGB-encoded";
+  return sim::encode_display(format, sim::display_picture(scene, rendering), bits_of(options, format),
+                             options.quality.value_or(kDefaultQuality), attributes, path);
+}
+
+std::string encoded_lines(const std::string& path, const sim::Scene& scene, const sim::Image& lines) {
+  sim::ImageAttributes attributes = attributes_of(scene);
+  attributes["units"] = "rayleighs, by wavelength in tenths of a nanometre";
+  return sim::encode_exr({&lines}, attributes, path);
+}
+
+}  // namespace vegard::apps

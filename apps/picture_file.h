@@ -1,0 +1,38 @@
+// A rendered picture as the bytes of its file: the same for a still and for a frame of an animation.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "sim/base/image.h"
+#include "sim/base/image_io.h"
+#include "sim/render/render.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::apps {
+
+/// What the command line says of a picture's file beside its name; empty: the default of its kind.
+struct PictureOptions {
+  std::optional<int> bits, quality;
+};
+
+/// Adds --bits and --quality; `options` must outlive the parsing.
+void add_picture_options(CLI::App& command, PictureOptions& options);
+
+/// Throws Error(usage) if a file of that name cannot be what the options want.
+void check_picture_options(const std::string& path, const PictureOptions& options);
+
+/// The lines' channels as the layer "rayleigh".
+sim::Image line_layer(const sim::Rendering& rendering);
+
+/// The bytes of the picture's file, its kind by the extension of `path`. `lines` is the line_layer().
+/// with_layers: an EXR gets those of apps/layers.h too, taken out of the rendering.
+std::string encoded_picture(const std::string& path, const PictureOptions& options, const sim::Scene& scene,
+                            sim::Rendering&& rendering, const sim::Image& lines, bool with_layers = false);
+
+/// The bytes of an EXR of the lines alone.
+std::string encoded_lines(const std::string& path, const sim::Scene& scene, const sim::Image& lines);
+
+}  // namespace vegard::apps

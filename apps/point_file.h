@@ -1,0 +1,55 @@
+// Points with their light as a file for programs of artists: PLY, or CSV.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/base/whole_file.h"
+#include "sim/render/points.h"
+#include "sim/scene/scene.h"
+#include "sim/view/colour.h"
+
+namespace vegard::apps {
+
+enum class PointFormat { ply, csv };
+
+/// By the extension, in either case. Throws Error(usage).
+PointFormat point_format(const std::string& path);
+
+/// A file of points that is written as they come; see docs/file_formats.md for what is in it.
+class PointFile {
+ public:
+  /// unit: "km" or "m". `every` is what the points were thinned by. Throws as sim::WholeFile.
+  PointFile(const std::string& path, const sim::Scene& scene, const std::string& unit, int every,
+            bool overwrite);
+
+  /// Throws Error(unwritable_output).
+  void write(const sim::EmissionPoints& points);
+
+  /// Fills in how many points there are and gives the file its name. Throws Error(unwritable_output,
+  /// existing_output).
+  void commit();
+
+ private:
+  struct Closer {
+    void operator()(std::FILE* stream) const { std::fclose(stream); }
+  };
+
+  std::string header() const;
+  void put(const std::string& bytes);
+
+  std::string path_;
+  PointFormat format_;
+  std::string unit_;
+  std::vector<std::string> remarks_, columns_;
+  std::vector<sim::Vector3> rgb_;  ///< of a line, per photon
+  float scale_;
+  std::uint64_t count_ = 0;
+  sim::WholeFile file_;
+  std::unique_ptr<std::FILE, Closer> stream_;
+};
+
+}  // namespace vegard::apps

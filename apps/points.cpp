@@ -1,0 +1,99 @@
+#include "apps/points.h"
+
+#include <atomic>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "apps/exit_code.h"
+#include "apps/interrupt.h"
+#include "apps/output_files.h"
+#include "apps/point_file.h"
+#include "apps/progress_bar.h"
+#include "apps/scene_options.h"
+#include "apps/usage_error.h"
+#include "sim/render/points.h"
+
+namespace vegard::apps {
+namespace {
+
+struct Options {
+  SceneOptions scene;
+  std::string output, unit = "km";
+  std::optional<std::uint64_t> most;
+  int threads = 0;
+  bool overwrite = false;
+};
+
+int thinning(const Options& options, const sim::Scene& scene) {
+  if (!options.most) return 1;
+  const std::atomic<bool>& stop = watch_for_interrupt();
+  const int every = sim::thinning_for(scene, *options.most, options.threads, &stop);
+  if (every == 0 && !stop.load())
+    throw usage_error("--max-points",
+                      fmt::format("one beam of each layer has more than {} points already", *options.most),
+                      "a larger number");
+  return every;
+}
+
+int run(const Options& options) {
+  const std::atomic<bool>& stop = watch_for_interrupt();
+  const sim::Scene scene = scene_of(options.scene);
+  if (same_file(options.output, options.scene.file))
+    refuse_same_file("--output", options.output, "the scene");
+  {
+    PointFile(options.output, scene, options.unit, 1, options.overwrite);
+  }  // refused now, not after the work
+
+  ProgressBar bar("listing points");
+  sim::PointOptions point_options;
+  point_options.every = thinning(options, scene);
+  point_options.threads = options.threads;
+  point_options.progress = [&bar](double share) { bar.update(share); };
+  point_options.stop = &stop;
+  std::uint64_t points = 0;
+  if (!stop.load()) {
+    PointFile file(options.output, scene, options.unit, point_options.every, options.overwrite);
+    points = sim::stream_points(scene, point_options,
+                                [&file](const sim::EmissionPoints& some) { file.write(some); });
+    if (!stop.load()) file.commit();
+  }
+  bar.finish();
+  if (stop.load()) {
+    std::fputs("vegard: interrupted, nothing is written\n", stderr);
+    return interrupted;
+  }
+  const std::string beams =
+      point_options.every == 1 ? "all beams" : fmt::format("one of {} beams", point_options.every);
+  std::printf("%s: %s\n", options.output.c_str(), fmt::format("{} points, {}", points, beams).c_str());
+  return good;
+}
+
+}  // namespace
+
+void add_points_command(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("points", "List every point that gives off light, for other programs to render");
+  add_scene_options(*command, options->scene);
+  command->add_option("-o,--output", options->output, "The file to write, its kind by its extension")
+      ->type_name("OUT.ply|csv")
+      ->required();
+  command->add_option("--unit", options->unit, "Of the positions (default: km)")
+      ->check(CLI::IsMember({"km", "m"}));
+  command
+      ->add_option("--max-points", options->most,
+                   "At most so many points: of neighbouring beams one is taken, with the light of all")
+      ->check(CLI::PositiveNumber)
+      ->type_name("NUMBER");
+  command->add_option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
+      ->check(CLI::Range(0, 1024));
+  command->add_flag("--overwrite", options->overwrite, "Replace an output that exists");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,121 @@
+#include "apps/resumption.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/composite_pictures.h"
+#include "sim/base/output_error.h"
+#include "sim/base/sha256.h"
+#include "sim/base/version.h"
+#include "sim/base/whole_file.h"
+#include "sim/scene/scene_toml.h"
+
+namespace vegard::apps {
+namespace fs = std::filesystem;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kManifest = "animation.json";
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+/// Numbers of all frames that stand in the folder, whether wanted or not.
+std::set<int> frames_on_disk(const FrameNames& names) {
+  std::set<int> found;
+  std::error_code error;
+  for (fs::directory_iterator entry(names.folder(), error), end; !error && entry != end;
+       entry.increment(error))
+    if (const std::optional<int> frame = names.frame_of(entry->path().filename().string()))
+      found.insert(*frame);
+  return found;
+}
+
+/// In what two manifests differ, in words.
+std::string difference(const std::string& mine, const std::string& theirs) {
+  const Json a = Json::parse(mine, nullptr, false), b = Json::parse(theirs, nullptr, false);
+  if (!b.is_object()) return "is no manifest of frames";
+  for (const auto& [key, value] : a.items())
+    if (!b.contains(key) || b[key] != value) return "is of another animation: its " + key + " differs";
+  return "is of another animation";
+}
+
+sim::Error other_animation(const std::string& file, const std::string& problem, const std::string& hint) {
+  sim::ErrorDetails details;
+  details.file = file;
+  details.problem = problem;
+  details.hint = hint;
+  return sim::Error(sim::ErrorKind::existing_output, details);
+}
+
+}  // namespace
+
+std::string manifest_text(const sim::Scene& scene, double frames_per_second, const FrameNames& names,
+                          const PictureOptions& picture) {
+  Json json;
+  json["frames"] = names.pattern();
+  json["frames_per_second"] = frames_per_second;
+  json["seed"] = scene.seed;
+  json["scene_sha256"] = sim::sha256(sim::write_scene(scene));
+  for (const std::string& file : composite_files(scene))
+    json["pictures_sha256"].push_back(sim::sha256(bytes_of(file)));
+  if (picture.bits) json["bits"] = *picture.bits;
+  if (picture.quality) json["quality"] = *picture.quality;
+  json["version"] = sim::version();
+  return json.dump(2) + "\n";
+}
+
+std::set<int> begin_or_resume(const FrameNames& names, const std::string& manifest,
+                              const std::vector<int>& frames, bool overwrite, bool own_folder) {
+  std::error_code error;
+  fs::create_directories(names.folder(), error);
+  if (error) throw sim::unwritable(names.folder(), error.value());
+
+  const std::string file = names.companion(kManifest);
+  const bool has_manifest = fs::exists(fs::symlink_status(file, error));
+  const std::set<int> found = frames_on_disk(names);
+  const std::set<int> wanted(frames.begin(), frames.end());
+  if (has_manifest && bytes_of(file) == manifest) {
+    std::set<int> finished;
+    std::set_intersection(found.begin(), found.end(), wanted.begin(), wanted.end(),
+                          std::inserter(finished, finished.end()));
+    return finished;
+  }
+
+  if (!overwrite) {
+    const std::string hint = "use --overwrite to replace the frames, or choose another name";
+    if (has_manifest) throw other_animation(file, difference(manifest, bytes_of(file)), hint);
+    if (!found.empty())
+      throw other_animation(names.file(*found.begin()), "exists already, and nothing says of which animation",
+                            hint);
+  }
+  for (const int frame : found)
+    if (!own_folder && wanted.count(frame) == 0)
+      throw other_animation(names.file(frame),
+                            "is of another animation and not among the frames to be written",
+                            "remove it, or choose another name");
+  for (const int frame : found) {
+    fs::remove(names.file(frame), error);
+    if (error) throw sim::unwritable(names.file(frame), error.value());
+  }
+  sim::write_whole(file, manifest, overwrite);
+  return {};
+}
+
+void remove_animation(const FrameNames& names) {
+  std::error_code ignored;
+  for (const int frame : frames_on_disk(names)) fs::remove(names.file(frame), ignored);
+  fs::remove(names.companion(kManifest), ignored);
+  fs::remove(names.folder(), ignored);
+}
+
+}  // namespace vegard::apps

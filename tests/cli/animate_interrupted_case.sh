@@ -1,0 +1,22 @@
+# Ctrl-C: exit 130, whole frames only, and the same command goes on to the same bytes.
+source "$(dirname "$0")/case.sh"
+scene_with 's/beams = 150/beams = 20000/; s/energy_kev = 3.0/energy_kev = 3.0\ndrift_km_s = [2.0, 0.0]/'
+set -m # a job of its own; else the shell has it ignore the signal
+"$VEGARD" animate scene.toml -o part/###.png --threads 1 >"$stdout" 2>"$stderr" &
+job=$!
+until [[ -e part/001.png ]]; do
+  kill -0 "$job" 2>/dev/null || fail "ended before it was interrupted"
+  sleep 0.02
+done
+kill -INT "$job"
+status=0
+wait "$job" || status=$?
+[[ $status -eq 130 ]] || fail "exit $status instead of 130"
+expect_stderr "the same command goes on"
+frames=$(find part -name '[0-9]*.png' | wc -l)
+[[ $frames -ge 2 && $frames -lt 60 ]] || fail "$frames frames after the interruption"
+[[ $(find part -type f | wc -l) -eq $((frames + 1)) ]] || fail "more than frames and a manifest is left"
+expect_exit 0 animate scene.toml -o part/###.png --frames "0:$frames"
+expect_stdout "$((frames + 1)) frames of 160 x 120 pixels, $frames of them finished before"
+expect_exit 0 animate scene.toml -o whole/###.png --frames "$frames:$frames"
+expect_same "part/$(printf %03d "$frames").png" "whole/$(printf %03d "$frames").png"

@@ -1,0 +1,28 @@
+# A movie: resumable frames in a folder beside it, which is gone when the movie is there.
+source "$(dirname "$0")/case.sh"
+options=(--set "sheet.main.drift_km_s=[20.0, 0.0]" --set sheet.main.beams=40 --frames 0:5 --fps 12.5)
+small=$SCENES/small.toml
+expect_exit 0 animate "$small" "${options[@]}" -o movie.mp4 --camera-json
+expect_stdout "6 frames of 160 x 120 pixels at 12.5 per second"
+[[ $(head -c 8 movie.mp4 | tail -c 4) == ftyp ]] || fail "movie.mp4 is no MP4"
+expect_only movie.mp4 movie.camera.json
+# The same again is the same, and nothing is replaced unasked.
+expect_exit 0 animate "$small" "${options[@]}" -o again.mp4 --threads 1
+expect_same movie.mp4 again.mp4
+expect_exit 2 animate "$small" "${options[@]}" -o movie.mp4
+expect_stderr "--overwrite"
+expect_same movie.mp4 again.mp4
+rm again.mp4
+# Frames that are there are used, if they are of this movie.
+echo "no movie" >movie.mp4
+expect_exit 0 animate "$small" "${options[@]}" -o movie.mp4.frames/########.png
+mv movie.mp4.frames/00000003.png kept.png
+expect_exit 0 animate "$small" "${options[@]}" -o movie.mp4 --overwrite
+expect_only movie.mp4 movie.camera.json kept.png
+# Odd sizes, and options of pictures.
+expect_exit 2 animate "$small" "${options[@]}" -o odd.mp4 --set camera.width=161
+expect_stderr "camera.width=162"
+expect_exit 2 animate "$small" "${options[@]}" -o odd.mp4 --bits 16
+expect_exit 2 animate "$small" "${options[@]}" -o odd.mp4 --quality 50
+expect_exit 6 animate "$small" "${options[@]}" -o no/such/folder/movie.mp4
+expect_only movie.mp4 movie.camera.json kept.png
