@@ -127,11 +127,12 @@ TEST(ArcLight, ChangesWithoutJumps) {
   sheet.border_lifetime_s = 1.0;
   const auto at = [&](double t) { return ArcLight(sheet, 0, 7, t, 0.0).at(12.3, 1.0); };
   double changed = 0.0;
-  for (double t = 0.0; t < 3.0; t += 0.01) {
-    const BeamLight now = at(t), next = at(t + 1e-6);
-    EXPECT_NEAR(next.factor / now.factor, 1.0, 1e-3);
-    EXPECT_NEAR(next.stretch_above / now.stretch_above, 1.0, 1e-3);
-    EXPECT_NEAR(next.altitude_shift_km, now.altitude_shift_km, 1e-3);
+  for (double t = 0.0; t < 2.0; t += 1e-3) {
+    // Slopes are normal, of 3 a second for the logarithm of the light and 10 km a second for the border.
+    const BeamLight now = at(t), next = at(t + 1e-3);
+    EXPECT_NEAR(next.factor / now.factor, 1.0, 0.015);
+    EXPECT_NEAR(next.stretch_above / now.stretch_above, 1.0, 0.015);
+    EXPECT_NEAR(next.altitude_shift_km, now.altitude_shift_km, 0.05);
     changed = std::max(changed, std::abs(now.factor / at(0.0).factor - 1.0));
   }
   EXPECT_GT(changed, 0.3);

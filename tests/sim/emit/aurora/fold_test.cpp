@@ -179,25 +179,26 @@ TEST(Folds, TravelAtTheirSpeedAndWithTheSheet) {
 }
 
 TEST(Folds, AreBornAndDieWithoutAJump) {
+  // Long folds on a short sine: at stage 0 they depart from it by 100 m, which would show when they are born.
   Sheet sheet = folded_sheet();
+  sheet.fold_length_km = 18.0;
   sheet.fold_lifetime_s = 3.0;
-  sheet.fold_stage = 1.0;
-  double most = 0.0, moved = 0.0;
-  for (double t = 0.0; t < 9.0; t += 0.01) {
-    for (double a : {3.0, 9.0, 11.0, 27.0, 30.0}) {
-      const auto at = [&](double instant) {
-        return folded_curve(sine_at(0.0), Folds(sheet, 0, 11, instant, 0.0).at(a), 1.0, 0.0);
-      };
-      const CurvePoint<double> now = at(t), next = at(t + 1e-5);
-      EXPECT_NEAR(now.x_km, next.x_km, 2e-3) << t;
-      EXPECT_NEAR(now.aside_km, next.aside_km, 2e-3) << t;
-      EXPECT_NEAR(now.turn_cos, next.turn_cos, 2e-3) << t;
+  const LayerSine<double> sine{3.0, 2.0 * kPi / 30.0, 0.7};
+  constexpr double step_s = 1e-3;
+  double moved = 0.0;
+  for (double a : {3.0, 9.0, 11.0, 27.0, 30.0}) {
+    const auto at = [&](double t) { return folded_curve(sine, Folds(sheet, 0, 11, t, 0.0).at(a), 1.0, 0.0); };
+    CurvePoint<double> before = at(0.0);
+    for (double t = step_s; t < 9.0; t += step_s) {
+      const CurvePoint<double> now = at(t);
+      // Some 10 km/s at most.
+      EXPECT_NEAR(now.x_km, before.x_km, 0.02) << t;
+      EXPECT_NEAR(now.aside_km, before.aside_km, 0.02) << t;
       moved = std::max(moved, std::abs(now.x_km));
+      before = now;
     }
-    most = std::max(most, Folds(sheet, 0, 11, t, 0.0).at(10.0).stage);
   }
   EXPECT_GT(moved, 0.5);
-  EXPECT_GT(most, 0.5);
   // Another generation, another stage.
   EXPECT_NE(Folds(sheet, 0, 11, 1.0, 0.0).at(10.0).stage, Folds(sheet, 0, 11, 4.0, 0.0).at(10.0).stage);
 }
