@@ -44,6 +44,20 @@ struct BeamGroup {
   int sheet = 0;                    ///< which height profile
 };
 
+/// At which altitude of the height profile the light is read for a point that stands at `altitude_km`.
+inline double altitude_read_km(const BeamGroup& group, int beam, double altitude_km) {
+  if (!group.reads_elsewhere) return altitude_km;
+  const double off = altitude_km - group.altitude_shift_km[beam] - group.peak_km;
+  return group.peak_km + (off > 0.0 ? off / group.stretch_above[beam] : off);
+}
+
+/// The other way round: where a point stands whose light is read at `read_km`.
+inline double altitude_of_read_km(const BeamGroup& group, int beam, double read_km) {
+  if (!group.reads_elsewhere) return read_km;
+  const double off = read_km - group.peak_km;
+  return group.peak_km + group.altitude_shift_km[beam] + (off > 0.0 ? off * group.stretch_above[beam] : off);
+}
+
 /// How a group's local inputs follow from the free parameters: derivatives of each beam's foot and log(flux).
 struct GroupChain {
   float foot_east[kGroup][kTangentWidth];

@@ -95,14 +95,12 @@ class AtomsWay {
   }
 
  private:
-  /// Where a sample is, in steps of the height profile: not where its light is read, see SampleMaker.
+  /// Where a sample is, in steps of the height profile: not where its light is read.
   static HWY_INLINE float stands_at(float read_at, const BeamGroup& group, int beam) {
     if (!group.reads_elsewhere) return read_at;
-    const float peak =
-        static_cast<float>((group.peak_km - HeightProfile::kBottomKm) / HeightProfile::kStepKm);
-    const float off = read_at - peak;
-    const float stretched = off > 0.0f ? off * static_cast<float>(group.stretch_above[beam]) : off;
-    return stretched + peak + static_cast<float>(group.altitude_shift_km[beam] / HeightProfile::kStepKm);
+    const double read_km = HeightProfile::kBottomKm + static_cast<double>(read_at) * HeightProfile::kStepKm;
+    return static_cast<float>((altitude_of_read_km(group, beam, read_km) - HeightProfile::kBottomKm) /
+                              HeightProfile::kStepKm);
   }
 
   const KernelScene& scene_;

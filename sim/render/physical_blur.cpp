@@ -138,7 +138,9 @@ std::uint64_t add_slow_line(const Scene& scene, const EmissionLine& line, const 
   const std::vector<HeightProfile> profiles = height_profiles(of_line);
   const FilmGeometry seen = film_of_all(levels, carried_px);
   std::vector<KernelScene> kernels;
-  for (const Sheet& sheet : of_line.sheets) kernels.push_back(kernel_scene(of_line, sheet, seen, profiles));
+  for (std::size_t s = 0; s < of_line.sheets.size(); ++s)
+    kernels.push_back(
+        kernel_scene(of_line, of_line.sheets[s], layout.path_step(static_cast<int>(s)), seen, profiles));
 
   struct Slot {
     std::vector<std::int64_t> cells;  // of all levels

@@ -20,8 +20,10 @@ namespace HWY_NAMESPACE {
 
 /// Appends the point to the list if it emits any light.
 inline void list_point(const FallenPoint<double, double>& point, double volume_cm3_mw_m2,
-                       const HeightProfile& profile, double observer_altitude_km, EmissionPoints& out) {
-  const double altitude = altitude_km(point.position_in_enu_km, observer_altitude_km);
+                       const BeamGroup& group, int beam, const HeightProfile& profile,
+                       double observer_altitude_km, EmissionPoints& out) {
+  const double altitude =
+      altitude_read_km(group, beam, altitude_km(point.position_in_enu_km, observer_altitude_km));
   const double h = (altitude - HeightProfile::kBottomKm) * (1.0 / HeightProfile::kStepKm);
   if (!(h >= 0.0 && h < HeightProfile::kAltitudes - 1)) return;
   const int below = static_cast<int>(h);
@@ -74,7 +76,7 @@ inline void list_every_point(const KernelScene& scene, const BeamGroup* groups, 
         falling.next_two(frame, deflection, keys, fallen);
         for (const auto& point : fallen)
           if (point.t <= end)
-            list_point(point, point.stretch_km * area, profile, scene.observer_altitude_km, out);
+            list_point(point, point.stretch_km * area, group, beam, profile, scene.observer_altitude_km, out);
       } while (fallen[1].t <= end);
     }
   }

@@ -57,7 +57,8 @@ std::uint64_t stream_points(const Scene& scene, const PointOptions& options,
   std::uint64_t total = 0;
   std::size_t done = 0;
   for (const Chunk& chunk : layout.chunks()) {
-    const KernelScene kernel = kernel_scene(still, still.sheets[chunk.sheet], no_film, profiles);
+    const KernelScene kernel =
+        kernel_scene(still, still.sheets[chunk.sheet], layout.path_step(chunk.sheet), no_film, profiles);
     layout.pack(still, chunk, kernel, packed);
     if (options.every > 1)
       Thinning(beams_per_layer(still.sheets[chunk.sheet]), options.every).apply(packed.groups);

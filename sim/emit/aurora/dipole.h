@@ -1,0 +1,45 @@
+// The field of a tilted dipole at the Earth's centre: its direction at any foot.
+//
+// Source: the dipole field, B ∝ n - 3 (n . r) r, where n points to the pole in the north; so tan(inclination)
+// is twice tan(magnetic latitude). A field line is straight along a beam and has the direction that the field
+// has at its foot (docs/physics.md).
+#pragma once
+
+#include <cmath>
+
+#include "sim/base/dual.h"
+#include "sim/base/earth.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::sim {
+
+/// The pole's direction in the observer's east, north and up.
+struct DipoleAxis {
+  double in_enu[3];
+};
+
+inline DipoleAxis dipole_axis(const Field& field, const Site& site) {
+  const double pole = field.pole_latitude_deg * kRadiansPerDegree,
+               here = site.latitude_deg * kRadiansPerDegree;
+  const double east = (field.pole_longitude_deg - site.longitude_deg) * kRadiansPerDegree;
+  return {{std::cos(pole) * std::sin(east),
+           std::sin(pole) * std::cos(here) - std::cos(pole) * std::sin(here) * std::cos(east),
+           std::sin(pole) * std::sin(here) + std::cos(pole) * std::cos(here) * std::cos(east)}};
+}
+
+/// The direction of fall, a unit vector in the observer's east, north and up, at the point of the tangent
+/// plane (east, north) at kFootAltitudeKm: along B where that points into the Earth, against it elsewhere.
+/// The foot must be closer to the observer than the Earth's radius.
+template <class T>
+void dipole_fall(const DipoleAxis& axis, const T& east_km, const T& north_km, T along[3]) {
+  constexpr double radius = kEarthRadiusKm + kFootAltitudeKm;
+  const T height = square_root(radius * radius - east_km * east_km - north_km * north_km);
+  const T place[3] = {east_km * (1.0 / radius), north_km * (1.0 / radius), height * (1.0 / radius)};
+  const double* n = axis.in_enu;
+  const T up = place[0] * n[0] + place[1] * n[1] + place[2] * n[2];
+  // |n - 3 (n . r) r|^2 = 1 + 3 (n . r)^2; its part along r is -2 (n . r).
+  const T size = square_root(up * up * 3.0 + 1.0) * (value_of(up) < 0.0 ? -1.0 : 1.0);
+  for (int i = 0; i < 3; ++i) along[i] = (T(n[i]) - up * place[i] * 3.0) / size;
+}
+
+}  // namespace vegard::sim
