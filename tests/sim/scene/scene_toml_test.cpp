@@ -290,6 +290,7 @@ const Bad bad_scenes[] = {
      "nan is outside"},
     {"start_a_number", "[[sheet]]\nstart_km = 3\nend_km = [1, 2]\n", 2, "sheet.start_km",
      "two numbers (east, north)"},
+    {"unknown_form", "[[sheet]]\nform = \"draperie\"\n", 2, "sheet.main.form", "did you mean \"drapery\"?"},
     {"ibc_and_brightness", "[[sheet]]\nibc = 2\nbrightness_kilorayleigh = 10\n", 2, "sheet.ibc",
      "ibc and brightness_kilorayleigh say the same in two ways | one of the two forms | ibc stands for"},
     {"ibc_too_bright", "[[sheet]]\nibc = 5\n", 2, "sheet.ibc",
