@@ -89,7 +89,9 @@ TEST(Film, BeamsAgreeWithLinesOfSightWithinTheirNoiseWhichFallsFasterThanTheRoot
       const double difference = tests::relative_rms(of_seed[0], truth);
       EXPECT_LT(difference, std::hypot(1.5 * noise, 0.0032)) << beams << " beams";
       EXPECT_GT(difference, 0.5 * noise) << beams << " beams";
-      if (noise_before > 0.0) EXPECT_LT(noise, noise_before / 8.0) << beams << " beams";
+      if (noise_before > 0.0) {
+        EXPECT_LT(noise, noise_before / 8.0) << beams << " beams";
+      }
       noise_before = noise;
     }
   }

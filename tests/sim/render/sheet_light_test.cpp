@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "sim/base/earth.h"
 #include "sim/light/form_profile.h"
 #include "sim/render/film.h"
+#include "sim/scene/scene_toml.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {
@@ -105,6 +107,7 @@ SideView side_view(const Sheet& of) {
   sheet.width_km = 0.01;
   sheet.layers = 1;
   sheet.beams = 4000;
+  sheet.beams_per_km = 0.0;
   scene.sheets = {sheet};
   const Exposure exposure = exposed(scene);
   SideView view;
@@ -131,6 +134,23 @@ TEST(FormOnFilm, FallsAsItsCurveDoes) {
   EXPECT_NEAR(view.altitude_of(0.1, false), 106.0, 0.4);
   EXPECT_NEAR(view.altitude_of(0.01, false), 110.0 - 4.0 * std::sqrt(2.0), 0.4);
   EXPECT_NEAR(view.altitude_of(0.1, true), 130.0, 1.0);
+}
+
+TEST(FormOnFilm, EvenArcsAndBandsAreTwentyToThirtyKilometresTall) {
+  // Source paper, sections 2.3 and 3.4: 20 to 30 km in all; a tenth within a few kilometres below the peak,
+  // a hundredth one or two below that.
+  for (const char* form : {"homogeneous_arc", "band"}) {
+    const Scene scene = parse_scene(std::string("[[sheet]]\nform = \"") + form + "\"\n", "x.toml");
+    const Sheet& sheet = scene.sheets[0];
+    const SideView view = side_view(sheet);
+    const double tenth = view.altitude_of(0.1, false), hundredth = view.altitude_of(0.01, false);
+    const double tall = view.altitude_of(0.1, true) - tenth;
+    EXPECT_GT(tall, 20.0) << form;
+    EXPECT_LT(tall, 30.0) << form;
+    EXPECT_NEAR(sheet.peak_km - tenth, sheet.lower_km, 0.5) << form;
+    EXPECT_GT(tenth - hundredth, 1.0) << form;
+    EXPECT_LT(tenth - hundredth, 2.3) << form;
+  }
 }
 
 TEST(StepRule, OfTheEnergyTakesTheStepsOfItsMeanAndKeepsThemWhileTheEnergyVaries) {

@@ -311,6 +311,7 @@ const Bad bad_scenes[] = {
      "0 is outside the limits"},
     {"points_too_close", "[[sheet]]\npoints_between_folds = 2\n", 2, "sheet.main.fold_spacing_km",
      "folds would overlap"},
+    {"unknown_form", "[[sheet]]\nform = \"draperie\"\n", 2, "sheet.main.form", "did you mean \"drapery\"?"},
     {"ibc_and_brightness", "[[sheet]]\nibc = 2\nbrightness_kilorayleigh = 10\n", 2, "sheet.ibc",
      "ibc and brightness_kilorayleigh say the same in two ways | one of the two forms | ibc stands for"},
     {"ibc_too_bright", "[[sheet]]\nibc = 5\n", 2, "sheet.ibc",
