@@ -182,13 +182,13 @@ int run(const Options& options) {
     return good;
   }
 
-  std::vector<std::string> pictures;
-  for (const int frame : frames) pictures.push_back(names.file(frame));
+  std::vector<std::string> files;
+  for (const int frame : frames) files.push_back(names.file(frame));
   std::string codec;
   {
     ProgressBar bar("encoding");
     codec = write_movie(
-        options.output, pictures, frames_per_second, options.overwrite,
+        options.output, files, frames_per_second, options.overwrite,
         [&bar](double share) { bar.update(share); }, &watch_for_interrupt());
   }
   if (codec.empty()) return tell_of_interruption(frames.size(), frames.size());
