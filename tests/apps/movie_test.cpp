@@ -66,7 +66,9 @@ TEST(Movie, ReadBackIsWhatWasRendered) {
     // H.264 at its usual quality halves the colours' resolution and smooths the grain: measured, 37 dB.
     const double own = psnr_db(read, rendered[count]);
     EXPECT_GT(own, 35.0) << count;
-    if (count > 0) EXPECT_GT(own, psnr_db(read, rendered[count - 1]) + 2.0) << "the frame before?";
+    if (count > 0) {
+      EXPECT_GT(own, psnr_db(read, rendered[count - 1]) + 2.0) << "the frame before?";
+    }
   }
   EXPECT_EQ(count, kFrames);
 }

@@ -56,8 +56,12 @@ TEST(SubstormLevel, HasNoStepAndNoKinkAndGrowsBeforeItFades) {
     EXPECT_LT(std::abs(slope), 1.001 * kSteepest) << t;
     // A smooth step's second derivative is at most 6 / length^2.
     EXPECT_LT(std::abs(slope - slope_before), 1.001 * kStep * 6.0 * 0.7 / (200.0 * 200.0)) << t;
-    if (t <= 1200.0) EXPECT_GE(slope, 0.0) << t;
-    if (t > 1200.0 + kStep) EXPECT_LE(slope, 0.0) << t;
+    if (t <= 1200.0) {
+      EXPECT_GE(slope, 0.0) << t;
+    }
+    if (t > 1200.0 + kStep) {
+      EXPECT_LE(slope, 0.0) << t;
+    }
     before = level;
     slope_before = slope;
   }
