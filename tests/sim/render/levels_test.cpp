@@ -143,13 +143,15 @@ class PointLight {
   std::vector<BeamGroup> groups(const FilmGeometry& on) const {
     const BeamLayout layout(scene, 0.0);
     PackedChunk packed;
-    layout.pack(scene, layout.chunks().front(), kernel_scene(scene, scene.sheets[0], on, profiles), packed);
+    layout.pack(scene, layout.chunks().front(),
+                kernel_scene(scene, scene.sheets[0], scene.sheets[0].path_step, on, profiles), packed);
     return packed.groups;
   }
 
   Image plain() const {
     std::vector<std::int64_t> units(480 * 480 * 4, 0);
-    const KernelScene kernel = kernel_scene(scene, scene.sheets[0], film, profiles);
+    const KernelScene kernel =
+        kernel_scene(scene, scene.sheets[0], scene.sheets[0].path_step, film, profiles);
     const std::vector<BeamGroup> fallen = groups(film);
     fall_on_film(kernel, fallen.data(), fallen.size(), units.data());
     Image picture(480, 480, {"light"});
@@ -181,7 +183,8 @@ class PointLight {
     for (auto& of_level : units) cells.push_back(of_level.data());
     kernel_levels.films = films.data();
     kernel_levels.variance_px2 = variances.data();
-    const KernelScene kernel = kernel_scene(scene, scene.sheets[0], seen, profiles);
+    const KernelScene kernel =
+        kernel_scene(scene, scene.sheets[0], scene.sheets[0].path_step, seen, profiles);
     const std::vector<BeamGroup> fallen = groups(seen);
     fall_on_levels(kernel, kernel_levels, fallen.data(), fallen.size(), cells.data());
     Image picture(480, 480, {"light"});
