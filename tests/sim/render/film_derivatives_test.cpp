@@ -130,6 +130,8 @@ TEST(FilmDerivatives, AFormOfGivenBrightnessAgreesWithDifferences) {
   scene.sheets[0].upper_km = 60.0;
   scene.sheets[0].brightness_kilorayleigh = 10.0;
   scene.sheets[0].step_rule = "energy";
+  scene.sheets[0].fold_spacing_km = 25.0;
+  scene.sheets[0].fold_length_km = 15.0;
   scene.sheets[0].energy_kev = 4.0;
   expect_derivatives(scene, 0.01);
 }
@@ -162,6 +164,8 @@ TEST(FilmDerivatives, OfAnExposureOfADriftingSheetAgreeWithDifferences) {
   sheet.arc_spacing_km = 14.0;
   sheet.drift_km_s = {4.0, 2.5};
   sheet.sine_speed_km_s = 8.5;
+  sheet.fold_spacing_km = 25.0;
+  sheet.fold_length_km = 15.0;
   scene.substorm.quiet = 0.1;
   scene.substorm.onset_s = 10.0;
   scene.time.start_s = 7.0;

@@ -50,9 +50,10 @@ Films films(double shift_km, double stretch, const ReadAt& read_at) {
   film.rows = scene.camera.height;
   const std::vector<HeightProfile> profiles = height_profiles(scene);
   const std::vector<HeightProfile> other = {reshaped(profiles[0], read_at)};
-  const KernelScene plain = kernel_scene(scene, scene.sheets[0], scene.sheets[0].path_step, film, profiles),
-                    with_other = kernel_scene(scene, scene.sheets[0], scene.sheets[0].path_step, film, other);
   const BeamLayout layout(scene, 0.0);
+  const double step = layout.path_step(0);
+  const KernelScene plain = kernel_scene(scene, scene.sheets[0], step, film, profiles),
+                    with_other = kernel_scene(scene, scene.sheets[0], step, film, other);
   const std::size_t size = static_cast<std::size_t>(film.rows) * film.columns * profiles[0].stride;
   Films result{std::vector<double>(size), std::vector<double>(size), std::vector<std::int64_t>(size)};
   PackedChunk packed;

@@ -154,9 +154,11 @@ TEST(FormOnFilm, EvenArcsAndBandsAreTwentyToThirtyKilometresTall) {
 }
 
 TEST(StepRule, OfTheEnergyTakesTheStepsOfItsMeanAndKeepsThemWhileTheEnergyVaries) {
-  // Mean energy 2 E0: 10 keV has d_t = 1/300, and twice as many points as 5 keV.
+  // Mean energy 2 E0: 10 keV has d_t = 1/300, and twice as many points as 5 keV. The sheet is short, so that
+  // all its beams are seen down to their ends: of the others points are counted by whole blocks.
   Scene scene = tests::small_scene();
   Sheet& sheet = scene.sheets[0];
+  sheet.length_km = 60.0;
   sheet.energy_kev = 5.0;
   const auto points = [&](Exposer& exposer) {
     Exposure exposure;
