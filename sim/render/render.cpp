@@ -11,6 +11,20 @@
 
 namespace vegard::sim {
 
+Image rayleigh_image(const Scene& scene, const Exposure& exposure, int threads) {
+  const int width = scene.camera.width, height = scene.camera.height;
+  const FilmGeometry& film = exposure.geometry;
+  std::vector<std::string> names;
+  for (double nm : scene.emission.lines) names.push_back(line_name(nm));
+  Image image(width, height, names);
+  const Window window{static_cast<int>(-film.y0_px), static_cast<int>(-film.x0_px), height, width};
+  for (int l = 0; l < exposure.lines; ++l)
+    blur_window(exposure.rayleigh.data() + l * exposure.cells(), film.rows, film.columns,
+                gaussian_kernel(blur_sigma_px(scene, l), blur_radius_px(scene, l)), window,
+                image.data.data() + l, image.channels(), threads);
+  return image;
+}
+
 Rendering render(const Scene& scene, const RenderOptions& options) {
   const int width = scene.camera.width, height = scene.camera.height;
   const FilmGeometry film = film_for(scene, 0, 0, width, height, 1.0, 1.0);
@@ -23,21 +37,7 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
   if (options.stop != nullptr && options.stop->load()) return result;
   result.deflection_points = exposure.deflection_points;
 
-  std::vector<std::string> names;
-  for (double nm : scene.emission.lines) names.push_back(line_name(nm));
-  result.rayleigh = Image(width, height, names);
-  const int left = static_cast<int>(-film.x0_px), top = static_cast<int>(-film.y0_px);
-  std::vector<float> down(exposure.cells()), both(exposure.cells());
-  for (int l = 0; l < exposure.lines; ++l) {
-    const double sigma = blur_sigma_px(scene, l);
-    const BlurKernel kernel = gaussian_kernel(sigma, blur_radius_px(scene, l));
-    const float* plane = exposure.rayleigh.data() + l * exposure.cells();
-    blur_down(plane, down.data(), film.rows, film.columns, 1, kernel, options.threads);
-    blur_across(down.data(), both.data(), film.rows, film.columns, 1, kernel, options.threads);
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x)
-        result.rayleigh.at(x, y, l) = both[static_cast<std::size_t>(y + top) * film.columns + x + left];
-  }
+  result.rayleigh = rayleigh_image(scene, exposure, options.threads);
   result.aurora = rgb_from_rayleigh(
       result.rayleigh,
       rgb_per_kilorayleigh(scene.emission.lines, scene.sensor.primaries, scene.sensor.gain_per_kilorayleigh));

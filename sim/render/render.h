@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "sim/base/image.h"
+#include "sim/render/film.h"
 #include "sim/scene/scene.h"
 
 namespace vegard::sim {
@@ -22,6 +23,9 @@ struct Rendering {
   Image rgb;       ///< aurora + sky, linear, signed
   std::uint64_t deflection_points = 0;
 };
+
+/// The blurred picture of a film at one cell to a pixel (film_for()): one channel per line, in rayleighs.
+Image rayleigh_image(const Scene& scene, const Exposure& exposure, int threads = 0);
 
 /// Renders a valid scene. The same scene gives the same bytes on every run and for every number of threads.
 Rendering render(const Scene& scene, const RenderOptions& options = {});

@@ -136,7 +136,8 @@ class SampleMaker {
   }
 
   /// Fills a block; false when every beam has come to its end or can no more be seen. Adds to `points` those
-  /// on a path.
+  /// on a path. Without kSee the beams only fall.
+  template <bool kSee = true>
   bool next_block(Block& block, std::uint64_t& points) {
     bool alive = false;
     block.first_step = kBlockSteps;
@@ -149,7 +150,7 @@ class SampleMaker {
         beams.next_four(deflection_, keys_, [&](int i, const FallenPoint<L, P>& point) {
           t = point.t;
           points += static_cast<std::uint64_t>(count(t <= end));
-          if (none(first_in_view <= t && t <= last_in_view)) {
+          if (!kSee || none(first_in_view <= t && t <= last_in_view)) {
             Traits::store(L(0.0f), block.light[step + i][0] + first);
             return;
           }

@@ -31,4 +31,14 @@ void blur_down(const float* in, float* out, int rows, int columns, int channels,
 void blur_across(const float* in, float* out, int rows, int columns, int channels, const BlurKernel& kernel,
                  int threads);
 
+/// The part of a plane that is wanted.
+struct Window {
+  int first_row = 0, first_column = 0, rows = 0, columns = 0;
+};
+
+/// blur_down() and then blur_across() of a plane of [rows][columns], one channel, with the same sums; of the
+/// result only the window is worked out. Its numbers go to out[(row * window.columns + column) * pitch].
+void blur_window(const float* in, int rows, int columns, const BlurKernel& kernel, const Window& window,
+                 float* out, int pitch, int threads);
+
 }  // namespace vegard::sim
