@@ -18,10 +18,10 @@ Image rayleigh_image(const Scene& scene, const Exposure& exposure, int threads) 
   for (double nm : scene.emission.lines) names.push_back(line_name(nm));
   Image image(width, height, names);
   const Window window{static_cast<int>(-film.y0_px), static_cast<int>(-film.x0_px), height, width};
+  std::vector<BlurKernel> kernels;
   for (int l = 0; l < exposure.lines; ++l)
-    blur_window(exposure.rayleigh.data() + l * exposure.cells(), film.rows, film.columns,
-                gaussian_kernel(blur_sigma_px(scene, l), blur_radius_px(scene, l)), window,
-                image.data.data() + l, image.channels(), threads);
+    kernels.push_back(gaussian_kernel(blur_sigma_px(scene, l), blur_radius_px(scene, l)));
+  blur_window(exposure.rayleigh.data(), film.rows, film.columns, kernels, window, image.data.data(), threads);
   return image;
 }
 

@@ -36,9 +36,9 @@ struct Window {
   int first_row = 0, first_column = 0, rows = 0, columns = 0;
 };
 
-/// blur_down() and then blur_across() of a plane of [rows][columns], one channel, with the same sums; of the
-/// result only the window is worked out. Its numbers go to out[(row * window.columns + column) * pitch].
-void blur_window(const float* in, int rows, int columns, const BlurKernel& kernel, const Window& window,
-                 float* out, int pitch, int threads);
+/// blur_down() and then blur_across() of planes of [rows][columns], as many as there are kernels, with the
+/// same sums; of the result only the window is worked out, [row][column][plane].
+void blur_window(const float* in, int rows, int columns, const std::vector<BlurKernel>& kernels,
+                 const Window& window, float* out, int threads);
 
 }  // namespace vegard::sim
