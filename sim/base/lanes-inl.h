@@ -75,26 +75,115 @@ HWY_INLINE void philox_keys(std::uint64_t seed, PhiloxKeys& keys) {
   }
 }
 
-/// philox4x32 of sim/base/random.h for every lane, the same bits. The even and the odd lanes travel apart,
-/// one to 64 bits, so that a product's high word is one shift away; what stands in the upper halves of its
-/// operands a multiplication does not see.
-struct PhiloxLanes {
-  using Wide = hn::RepartitionToWide<WordTag>;
-  hn::Vec<Wide> c[4];
+/// random_words(seed, Stream::path, quad, beam, layer) of sim/base/random.h for the beams of a pack, quad
+/// after quad, the same bits. The even and the odd lanes travel apart, one to 64 bits, so that a product's
+/// high word is one shift away; what stands in the upper halves of its operands a multiplication does not
+/// see.
+///
+/// Only the beam's index differs between lanes, and it enters the first round by a sum without carry. So the
+/// first round is the same for all lanes, and of the second and third the one product that differs is either
+/// the same for all quads or the only one to be worked out: two of the rounds cost next to nothing.
+class PathWords {
+ public:
+  HWY_INLINE void start(WordVector beams, std::uint32_t layer, const PhiloxKeys& keys) {
+    const WordTag d;
+    const std::uint64_t product = static_cast<std::uint64_t>(philox::kMultiplier1) * layer;
+    of_layer_ = static_cast<std::uint32_t>(product);
+    const auto c0 = hn::Xor(beams, hn::Set(d, static_cast<std::uint32_t>(product >> 32) ^ keys[0][0]));
+    of_beams_[0] = times(hn::BitCast(Wide(), c0), philox::kMultiplier0);
+    of_beams_[1] = times(hn::ShiftRight<32>(hn::BitCast(Wide(), c0)), philox::kMultiplier0);
+  }
 
-  HWY_INLINE void turn(const std::uint32_t key[2]) {
-    const Wide d;
-    const WordTag words;
-    const auto product = [&](hn::Vec<Wide> x, std::uint32_t factor) {
-      return hn::MulEven(hn::BitCast(words, x), hn::Set(words, factor));
-    };
-    const auto p0 = product(c[0], philox::kMultiplier0), p1 = product(c[2], philox::kMultiplier1);
-    c[0] = hn::Xor(hn::Xor(hn::ShiftRight<32>(p1), c[1]), hn::BitCast(d, hn::Set(words, key[0])));
-    c[2] = hn::Xor(hn::Xor(hn::ShiftRight<32>(p0), c[3]), hn::BitCast(d, hn::Set(words, key[1])));
+  HWY_INLINE void draw(std::uint32_t quad, const PhiloxKeys& keys, WordVector out[4]) const {
+    const std::uint64_t first = static_cast<std::uint64_t>(philox::kMultiplier0) * quad;
+    const std::uint32_t c2 = high(first) ^ static_cast<std::uint32_t>(Stream::path) ^ keys[0][1];
+    const std::uint64_t second = static_cast<std::uint64_t>(philox::kMultiplier1) * c2;
+    const std::uint64_t third =
+        static_cast<std::uint64_t>(philox::kMultiplier0) * (high(second) ^ of_layer_ ^ keys[1][0]);
+    hn::Vec<Wide> c[2][4];
+    for (int part = 0; part < 2; ++part) {
+      const auto p1 = times(
+          hn::Xor(hn::ShiftRight<32>(of_beams_[part]), all(static_cast<std::uint32_t>(first) ^ keys[1][1])),
+          philox::kMultiplier1);
+      c[part][0] = hn::Xor(hn::ShiftRight<32>(p1), all(static_cast<std::uint32_t>(second) ^ keys[2][0]));
+      c[part][1] = p1;
+      c[part][2] = hn::Xor(of_beams_[part], all(high(third) ^ keys[2][1]));
+      c[part][3] = all(static_cast<std::uint32_t>(third));
+      for (int round = 3; round < philox::kRounds; ++round) turn(c[part], keys[round]);
+    }
+    const WordTag d;
+    for (int i = 0; i < 4; ++i)
+      out[i] = hn::OddEven(hn::BitCast(d, hn::ShiftLeft<32>(c[1][i])), hn::BitCast(d, c[0][i]));
+  }
+
+ private:
+  using Wide = hn::RepartitionToWide<WordTag>;
+
+  static HWY_INLINE std::uint32_t high(std::uint64_t product) {
+    return static_cast<std::uint32_t>(product >> 32);
+  }
+  static HWY_INLINE hn::Vec<Wide> all(std::uint32_t word) {
+    return hn::BitCast(Wide(), hn::Set(WordTag(), word));
+  }
+  static HWY_INLINE hn::Vec<Wide> times(hn::Vec<Wide> x, std::uint32_t factor) {
+    return hn::MulEven(hn::BitCast(WordTag(), x), hn::Set(WordTag(), factor));
+  }
+  static HWY_INLINE void turn(hn::Vec<Wide> c[4], const std::uint32_t key[2]) {
+    const auto p0 = times(c[0], philox::kMultiplier0), p1 = times(c[2], philox::kMultiplier1);
+    c[0] = hn::Xor3(hn::ShiftRight<32>(p1), c[1], all(key[0]));
+    c[2] = hn::Xor3(hn::ShiftRight<32>(p0), c[3], all(key[1]));
     c[1] = p1;
     c[3] = p0;
   }
+
+  hn::Vec<Wide> of_beams_[2];  ///< products of the second round
+  std::uint32_t of_layer_;
 };
+
+/// The same for one beam.
+class PathWordsOfOne {
+ public:
+  HWY_INLINE void start(std::uint32_t beam, std::uint32_t layer, const PhiloxKeys&) {
+    beam_ = beam;
+    layer_ = layer;
+  }
+  HWY_INLINE void draw(std::uint32_t quad, const PhiloxKeys& keys, std::uint32_t out[4]) const {
+    const Words words =
+        philox4x32({quad, beam_, layer_, static_cast<std::uint32_t>(Stream::path)}, {keys[0][0], keys[0][1]});
+    for (int i = 0; i < 4; ++i) out[i] = words[i];
+  }
+
+ private:
+  std::uint32_t beam_, layer_;
+};
+
+// The numbers of a step, see sim/base/random.h. Both are exact in floats, so that packs and double agree.
+HWY_INLINE Pack upper_uniform(WordVector word) {
+  const auto integer = hn::BitCast(IntTag(), hn::ShiftRight<16>(word));
+  return (Pack(hn::ConvertTo(FloatTag(), integer)) + Pack(0.5f)) * Pack(1.0f / 65536.0f);
+}
+HWY_INLINE double upper_uniform(std::uint32_t word) { return sim::upper_uniform(word); }
+
+HWY_INLINE Pack place_in_quarter(WordVector word) {
+  const auto integer = hn::BitCast(IntTag(), hn::And(word, hn::Set(WordTag(), azimuth_bits::kPlace)));
+  return Pack(hn::ConvertTo(FloatTag(), integer)) * Pack(azimuth_bits::kCell) + Pack(azimuth_bits::kFirst);
+}
+HWY_INLINE double place_in_quarter(std::uint32_t word) {
+  return static_cast<double>(word & azimuth_bits::kPlace) * azimuth_bits::kCell + azimuth_bits::kFirst;
+}
+
+/// x, or -x where the word has that bit of its lower half.
+template <std::uint32_t kBit>
+HWY_INLINE Pack with_sign(Pack x, WordVector word) {
+  constexpr int kUp = kBit == azimuth_bits::kCosineSign ? 16 : 17;
+  static_assert(kBit << kUp == 0x80000000u, "the bit of a float's sign");
+  const auto sign = hn::And(hn::ShiftLeft<kUp>(word), hn::Set(WordTag(), 0x80000000u));
+  return hn::Xor(x.v, hn::BitCast(FloatTag(), sign));
+}
+template <std::uint32_t kBit>
+HWY_INLINE double with_sign(double x, std::uint32_t word) {
+  return (word & kBit) != 0 ? -x : x;
+}
 
 /// What the kernel needs to know of a lane type.
 template <class L>
@@ -104,6 +193,8 @@ template <>
 struct LaneTraits<Pack> {
   using Scalar = float;
   using Indices = WordVector;
+  using Words = WordVector;
+  using PathWords = HWY_NAMESPACE::PathWords;
   static HWY_INLINE int lanes() { return static_cast<int>(hn::Lanes(FloatTag())); }
   static HWY_INLINE Pack load(const double* from) {
     HWY_ALIGN float narrow[16];
@@ -112,69 +203,34 @@ struct LaneTraits<Pack> {
   }
   static HWY_INLINE void store(Pack p, float* to) { hn::StoreU(p.v, FloatTag(), to); }
   static HWY_INLINE WordVector load_indices(const std::uint32_t* from) { return hn::LoadU(WordTag(), from); }
-
-  /// The uniform numbers of two steps: {length, azimuth} of step 2*pair and of step 2*pair + 1.
-  static HWY_INLINE void uniforms(WordVector beams, std::uint32_t pair, std::uint32_t layer,
-                                  const PhiloxKeys& keys, Pack out[4]) {
-    const WordTag d;
-    const PhiloxLanes::Wide wide;
-    const WordVector stream = hn::Set(d, static_cast<std::uint32_t>(Stream::path));
-    PhiloxLanes even{{hn::BitCast(wide, hn::Set(d, pair)), hn::BitCast(wide, beams),
-                      hn::BitCast(wide, hn::Set(d, layer)), hn::BitCast(wide, stream)}};
-    PhiloxLanes odd = even;
-    odd.c[1] = hn::ShiftRight<32>(even.c[1]);
-    for (int round = 0; round < philox::kRounds; ++round) {
-      even.turn(keys[round]);
-      odd.turn(keys[round]);
-    }
-    for (int i = 0; i < 4; ++i)
-      out[i] =
-          unit_interval(hn::OddEven(hn::BitCast(d, hn::ShiftLeft<32>(odd.c[i])), hn::BitCast(d, even.c[i])));
-  }
-
- private:
-  static HWY_INLINE Pack unit_interval(WordVector w) {
-    const auto integer = hn::BitCast(IntTag(), hn::ShiftRight<8>(w));
-    // In (0, 1]: above one half the added half step rounds to the even neighbour.
-    return Pack(hn::ConvertTo(FloatTag(), integer)) * Pack(1.0f / 16777216.0f) + Pack(0.5f / 16777216.0f);
-  }
 };
 
 template <>
 struct LaneTraits<double> {
   using Scalar = double;
   using Indices = std::uint32_t;
+  using Words = std::uint32_t;
+  using PathWords = PathWordsOfOne;
   static HWY_INLINE int lanes() { return 1; }
   static HWY_INLINE double load(const double* from) { return *from; }
   static HWY_INLINE void store(double p, double* to) { *to = p; }
   static HWY_INLINE std::uint32_t load_indices(const std::uint32_t* from) { return *from; }
-  static HWY_INLINE void uniforms(std::uint32_t beam, std::uint32_t pair, std::uint32_t layer,
-                                  const PhiloxKeys& keys, double out[4]) {
-    const Words words =
-        philox4x32({pair, beam, layer, static_cast<std::uint32_t>(Stream::path)}, {keys[0][0], keys[0][1]});
-    // Rounded to float as the packs have it, so that both follow the same path.
-    for (int i = 0; i < 4; ++i)
-      out[i] = static_cast<float>(words[i] >> 8) * (1.0f / 16777216.0f) + 0.5f / 16777216.0f;
-  }
 };
 
-/// Sine and cosine of 2 pi * turns for turns in [0, 1]: absolute error below 3e-7 in floats. Minimax-like
-/// truncated Taylor series on an eighth of a turn, the same operations on every CPU.
-template <class L>
-HWY_INLINE void sine_cosine_of_turns(L turns, L& sine, L& cosine) {
-  const L quarter = round_to_nearest(turns * L(4.0f));
-  const L x = (turns * L(4.0f) - quarter) * L(1.57079632679489662);
+/// Cosine and sine of the azimuth in the lower half of a word: absolute error below 3e-7 in floats.
+/// Polynomials through the Chebyshev nodes of a quarter turn about its middle, where sine and cosine are (c +
+/// s) / sqrt(2) and (c - s) / sqrt(2); the root is in the coefficients.
+template <class L, class W>
+HWY_INLINE void random_direction(W word, L& cosine, L& sine) {
+  const L x = place_in_quarter(word) * L(1.57079632679489662);
   const L x2 = x * x;
   const L s =
-      x * (L(1.0f) - x2 * (L(1.0 / 6) - x2 * (L(1.0 / 120) - x2 * (L(1.0 / 5040) - x2 * L(1.0 / 362880)))));
-  const L c = L(1.0f) - x2 * (L(0.5f) - x2 * (L(1.0 / 24) - x2 * (L(1.0 / 720) - x2 * L(1.0 / 40320))));
-  // quarter is 0, 1, 2, 3 or 4: odd ones swap, signs follow.
-  const L half = quarter * L(0.5f);
-  const L odd = half - round_to_nearest(half - L(0.25f));  // 0 or 1/2
-  const auto even = odd < L(0.25f);
-  const L sin_size = select(even, s, c), cos_size = select(even, c, s);
-  sine = select(L(1.5f) < quarter && quarter < L(3.5f), L(0.0f) - sin_size, sin_size);
-  cosine = select(L(0.5f) < quarter && quarter < L(2.5f), L(0.0f) - cos_size, cos_size);
+      x * (L(0.7071067790070349) +
+           x2 * (L(-0.11785101711250609) + x2 * (L(0.005891639005092336) + x2 * L(-0.00013791342956252575))));
+  const L c = L(0.7071067616198383) + x2 * (L(-0.35355237532357464) +
+                                            x2 * (L(0.029454543523812313) + x2 * L(-0.0009606596645877552)));
+  cosine = with_sign<azimuth_bits::kCosineSign>(c - s, word);
+  sine = with_sign<azimuth_bits::kSineSign>(c + s, word);
 }
 
 /// Sine and cosine of an angle below a third of a radian; relative error below 1e-7.

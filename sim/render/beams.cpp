@@ -55,6 +55,18 @@ void put(const LocalDual& from, int place, GroupNumber& to) {
 }
 void put(double from, int place, GroupNumber& to) { to.value[place] = from; }
 
+/// A group of empty places; the derivatives are only looked at if there are any.
+void leave_empty(BeamGroup& group, bool with_derivatives) {
+  for (GroupNumber* number : {&group.start_in_enu_km[0], &group.start_in_enu_km[1], &group.start_in_enu_km[2],
+                              &group.length_km, &group.vertical}) {
+    std::fill_n(number->value, kGroup, 0.0);
+    if (with_derivatives) std::fill_n(number->tangent[0], local_inputs * kGroup, 0.0);
+  }
+  std::fill_n(group.flux_km2_mw_m2, kGroup, 0.0);
+  std::fill_n(group.end_of_path, kGroup, 0.0);
+  std::fill_n(group.index, kGroup, 0u);
+}
+
 void narrow(const Tangents<double, kTangentWidth>& from, double scale, float* to) {
   for (int i = 0; i < kTangentWidth; ++i) to[i] = static_cast<float>(from.t[i] * scale);
 }
@@ -156,7 +168,7 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
         place_in_group = 0;
         out.groups.emplace_back();
         BeamGroup& fresh = out.groups.back();
-        fresh = BeamGroup{};
+        leave_empty(fresh, seeds != nullptr);
         fresh.layer_address = layer_address(chunk.sheet, chunk.arc, layer);
         fresh.sheet = chunk.sheet;
         fresh.reads_elsewhere = light.reads_elsewhere();

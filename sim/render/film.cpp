@@ -51,7 +51,7 @@ struct Exposer::Workspace {
   FilmGeometry film;
   int threads = 1;
   BeamLayout layout;
-  std::vector<std::vector<std::int64_t>> slot_films;
+  std::vector<LargeVector<std::int64_t>> slot_films;
   std::vector<PackedChunk> slot_chunks;  // kept: their memory is large enough to cost something
 
   /// One per sheet.

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "sim/base/large_vector.h"
 #include "sim/scene/scene.h"
 #include "sim/view/camera.h"
 
@@ -19,7 +20,7 @@ struct SplatRecord;
 struct Exposure {
   FilmGeometry geometry;
   int lines = 0;
-  std::vector<float> rayleigh;  ///< [line][row][column]
+  LargeVector<float> rayleigh;  ///< [line][row][column]
   std::uint64_t deflection_points = 0;
 
   int free = 0;         ///< number of free parameters

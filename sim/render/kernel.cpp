@@ -83,7 +83,7 @@ struct BlockPlaces {
 };
 
 /// Gives every block with something to see to `take`.
-template <class Take>
+template <bool kSee = true, class Take>
 HWY_INLINE std::uint64_t fall_values(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                                      const Take& take) {
   SampleMaker<Pack, Pack, Pack, 0> maker(scene);
@@ -92,7 +92,7 @@ HWY_INLINE std::uint64_t fall_values(const KernelScene& scene, const BeamGroup* 
   for (std::size_t g = 0; g < count; ++g) {
     const float* profile = scene.profiles[groups[g].sheet].rate.data();
     maker.begin(groups[g]);
-    while (maker.next_block(block, points)) take(block, profile);
+    while (maker.template next_block<kSee>(block, points)) take(block, profile);
   }
   return points;
 }
@@ -137,6 +137,16 @@ std::uint64_t fall_and_record(const KernelScene& scene, const BeamGroup* groups,
         record.weights.insert(record.weights.end(), weights, weights + 4 * kQuartets);
       }
     }
+  });
+}
+
+std::uint64_t FallUntil(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                        FallPhase phase) {
+  if (phase == FallPhase::path)
+    return fall_values<false>(scene, groups, count, [](const SampleBlock<float, 0>&, const float*) {});
+  static thread_local BlockPlaces places;
+  return fall_values(scene, groups, count, [&](const SampleBlock<float, 0>& block, const float*) {
+    places.find(block, scene.film.columns);
   });
 }
 
@@ -291,6 +301,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace vegard::sim {
 
+HWY_EXPORT(FallUntil);
 HWY_EXPORT(FallOnFilm);
 HWY_EXPORT(RecordSplats);
 HWY_EXPORT(FallReference);
@@ -302,6 +313,11 @@ HWY_EXPORT(InstructionSet);
 std::uint64_t fall_on_film(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                            std::int64_t* film) {
   return HWY_DYNAMIC_DISPATCH(FallOnFilm)(scene, groups, count, film);
+}
+
+std::uint64_t fall_until(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                         FallPhase phase) {
+  return HWY_DYNAMIC_DISPATCH(FallUntil)(scene, groups, count, phase);
 }
 
 std::uint64_t fall_on_film_reference(const KernelScene& scene, const BeamGroup* groups, std::size_t count,

@@ -42,6 +42,8 @@ struct BeamGroup {
   double peak_km = 0.0;             ///< of the height profile, from which on it is stretched
   std::uint32_t layer_address = 0;  ///< sheet and layer, as in the random streams
   int sheet = 0;                    ///< which height profile
+
+  BeamGroup() {}  // NOLINT: the numbers are left to whoever packs the group, they are many
 };
 
 /// At which altitude of the height profile the light is read for a point that stands at `altitude_km`.
@@ -105,6 +107,16 @@ std::uint64_t fall_on_film_reference(const KernelScene& scene, const BeamGroup* 
 /// cells as the splat has them.
 void splat_on_film(const FilmGeometry& geometry, int stride, const float* column, const float* row,
                    const float* weights, std::size_t points, std::int64_t* film);
+
+/// How far fall_until() goes.
+enum class FallPhase {
+  path,     ///< deflection points in the beams' own frame
+  samples,  ///< and where on the film and how bright those in view are
+};
+
+/// The part of fall_on_film before the film, to no effect: for benchmarks.
+std::uint64_t fall_until(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                         FallPhase phase);
 
 /// The samples that fall_on_film splats, in its order, as splat_on_film takes them.
 struct SplatRecord {

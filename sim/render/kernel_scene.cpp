@@ -30,7 +30,9 @@ SheetShape<T> shape(const Scene& scene, int sheet, int arc, double instant_s, co
   SheetShape<T> shape;
   shape.center_east_km = seed(s.center_km.east) + s.drift_km_s.east * instant_s;
   shape.center_north_km = seed(s.center_km.north) + s.drift_km_s.north * instant_s;
-  shape.bearing_rad = seed(s.bearing_deg, kRadiansPerDegree);
+  const T bearing_rad = seed(s.bearing_deg, kRadiansPerDegree);
+  shape.along_east = sine(bearing_rad);
+  shape.along_north = cosine(bearing_rad);
   shape.length_km = seed(s.length_km);
   shape.thickness_km = seed(s.thickness_km);
   shape.wavelength_km = seed(s.wavelength_km);

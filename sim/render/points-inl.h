@@ -19,11 +19,13 @@ namespace vegard::sim {
 namespace HWY_NAMESPACE {
 
 /// Appends the point to the list if it emits any light.
-inline void list_point(const FallenPoint<double, double>& point, double volume_cm3_mw_m2,
-                       const BeamGroup& group, int beam, const HeightProfile& profile,
-                       double observer_altitude_km, EmissionPoints& out) {
-  const double altitude =
-      altitude_read_km(group, beam, altitude_km(point.position_in_enu_km, observer_altitude_km));
+inline void list_point(const double position_in_enu_km[3], double volume_cm3_mw_m2, const BeamGroup& group,
+                       int beam, const HeightProfile& profile, double observer_altitude_km,
+                       EmissionPoints& out) {
+  const double up = position_in_enu_km[2] + observer_altitude_km;
+  const double excess_km2 = up * (up + 2.0 * kEarthRadiusKm) + position_in_enu_km[0] * position_in_enu_km[0] +
+                            position_in_enu_km[1] * position_in_enu_km[1];
+  const double altitude = altitude_read_km(group, beam, altitude_km(excess_km2));
   const double h = (altitude - HeightProfile::kBottomKm) * (1.0 / HeightProfile::kStepKm);
   if (!(h >= 0.0 && h < HeightProfile::kAltitudes - 1)) return;
   const int below = static_cast<int>(h);
@@ -35,7 +37,7 @@ inline void list_point(const FallenPoint<double, double>& point, double volume_c
     shines = shines || out.photons_per_s.back() > 0.0f;
   }
   if (shines) {
-    for (const double x : point.position_in_enu_km) out.position_in_enu_km.push_back(static_cast<float>(x));
+    for (int i = 0; i < 3; ++i) out.position_in_enu_km.push_back(static_cast<float>(position_in_enu_km[i]));
   } else {
     out.photons_per_s.resize(out.photons_per_s.size() - profile.lines);
   }
@@ -70,14 +72,20 @@ inline void list_every_point(const KernelScene& scene, const BeamGroup* groups, 
       fetch(group.vertical, beam, vertical);
       const double area = vertical * group.flux_km2_mw_m2[beam] * kCm3PerKm3;
       FallingBeams<double, double, double> falling;
-      falling.start(start, length, group.index[beam], group.layer_address, keys);
-      FallenPoint<double, double> fallen[2];
-      do {
-        falling.next_two(frame, deflection, keys, fallen);
-        for (const auto& point : fallen)
-          if (point.t <= end)
-            list_point(point, point.stretch_km * area, group, beam, profile, scene.observer_altitude_km, out);
-      } while (fallen[1].t <= end);
+      falling.start(length, group.index[beam], group.layer_address, keys);
+      bool on_path = true;
+      while (on_path) {
+        falling.next_four(deflection, keys, [&](int, const FallenPoint<double, double>& point) {
+          on_path = point.t <= end;
+          if (!on_path) return;
+          double place[3];
+          for (int i = 0; i < 3; ++i)
+            place[i] = start[i] + point.along_km * frame.along[i] + point.across1_km * frame.across1[i] +
+                       point.across2_km * frame.across2[i];
+          list_point(place, point.stretch * length * area, group, beam, profile, scene.observer_altitude_km,
+                     out);
+        });
+      }
     }
   }
 }

@@ -24,25 +24,6 @@ Image dark_lines(const Scene& scene) {
   return Image(scene.camera.width, scene.camera.height, names);
 }
 
-/// A film's light after the blur, in the picture's frame.
-Image blurred(const Scene& scene, const FilmGeometry& film, const Exposure& exposure, int threads) {
-  const int width = scene.camera.width, height = scene.camera.height;
-  Image rayleigh = dark_lines(scene);
-  const int left = static_cast<int>(-film.x0_px), top = static_cast<int>(-film.y0_px);
-  std::vector<float> down(exposure.cells()), both(exposure.cells());
-  for (int l = 0; l < exposure.lines; ++l) {
-    const double sigma = blur_sigma_px(scene, l);
-    const BlurKernel kernel = gaussian_kernel(sigma, blur_radius_px(scene, l));
-    const float* plane = exposure.rayleigh.data() + l * exposure.cells();
-    blur_down(plane, down.data(), film.rows, film.columns, 1, kernel, threads);
-    blur_across(down.data(), both.data(), film.rows, film.columns, 1, kernel, threads);
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x)
-        rayleigh.at(x, y, l) = both[static_cast<std::size_t>(y + top) * film.columns + x + left];
-  }
-  return rayleigh;
-}
-
 Image through_the_sensor(const Scene& scene, const Image& rayleigh) {
   return rgb_from_rayleigh(rayleigh, rgb_per_kilorayleigh(scene.emission.lines, scene.sensor.primaries,
                                                           scene.sensor.gain_per_kilorayleigh));
@@ -57,6 +38,18 @@ void compose(const Scene& scene, const Rendering& layers, Image& rgb) {
 }
 
 }  // namespace
+
+Image rayleigh_image(const Scene& scene, const Exposure& exposure, int threads) {
+  const int width = scene.camera.width, height = scene.camera.height;
+  const FilmGeometry& film = exposure.geometry;
+  Image image = dark_lines(scene);
+  const Window window{static_cast<int>(-film.y0_px), static_cast<int>(-film.x0_px), height, width};
+  std::vector<BlurKernel> kernels;
+  for (int l = 0; l < exposure.lines; ++l)
+    kernels.push_back(gaussian_kernel(blur_sigma_px(scene, l), blur_radius_px(scene, l)));
+  blur_window(exposure.rayleigh.data(), film.rows, film.columns, kernels, window, image.data.data(), threads);
+  return image;
+}
 
 Rendering render(const Scene& scene, const RenderOptions& options) {
   const int width = scene.camera.width, height = scene.camera.height;
@@ -84,7 +77,7 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
       }
       exposer->expose(scene, exposure, progress_of(n), options.stop, only_sheet);
       points = exposure.deflection_points;
-      return stopped() ? Image() : blurred(scene, film, exposure, options.threads);
+      return stopped() ? Image() : rayleigh_image(scene, exposure, options.threads);
     };
     result.rayleigh = lines_of(0, -1, result.deflection_points);
     if (stopped()) return {};

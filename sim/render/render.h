@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/base/image.h"
+#include "sim/render/film.h"
 #include "sim/scene/scene.h"
 #include "sim/view/composite.h"
 
@@ -41,6 +42,9 @@ struct Rendering {
   Image foreground;  ///< linear R, G, B times its gain and its mask, and A, the mask; empty: none
   std::vector<SheetLayer> sheets;  ///< in the scene's order, if asked for
 };
+
+/// The blurred picture of a film at one cell to a pixel (film_for()): one channel per line, in rayleighs.
+Image rayleigh_image(const Scene& scene, const Exposure& exposure, int threads = 0);
 
 /// Renders a valid scene. The same scene gives the same bytes on every run and for every number of threads.
 Rendering render(const Scene& scene, const RenderOptions& options = {});

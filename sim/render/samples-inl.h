@@ -87,23 +87,27 @@ class SampleMaker {
 
   explicit SampleMaker(const KernelScene& scene) : scene_(scene) {
     for (int i = 0; i < 3; ++i) {
-      spread(scene.fall.along[i], frame_.along[i]);
-      spread(scene.fall.across1[i], frame_.across1[i]);
-      spread(scene.fall.across2[i], frame_.across2[i]);
-      for (int j = 0; j < 3; ++j)
-        spread(scene.view.camera_from_enu[i][j], film_.camera.camera_from_enu[i][j]);
+      spread(scene.fall.along[i], axes_[0][i]);
+      spread(scene.fall.across1[i], axes_[1][i]);
+      spread(scene.fall.across2[i], axes_[2][i]);
+      for (int a = 0; a < 3; ++a) {
+        const LocalDual* axis = a == 0 ? scene.fall.along : a == 1 ? scene.fall.across1 : scene.fall.across2;
+        const LocalDual* row = scene.view.camera_from_enu[i];
+        spread(axis[0] * row[0] + axis[1] * row[1] + axis[2] * row[2], axes_in_camera_[a][i]);
+        spread(row[a], camera_from_enu_[i][a]);
+      }
     }
     spread(scene.deflection.loss_cone_rad, deflection_.loss_cone_rad);
     spread(scene.deflection.pitch_step_rad, deflection_.pitch_step_rad);
     deflection_.law = scene.deflection.law;
     deflection_.path_step = scene.deflection.path_step;
-    spread(scene.view.focal_px, film_.camera.focal_px);
     const FilmGeometry& g = scene.film;
-    film_.column_scale = L(1.0 / g.cell_width_px);
-    film_.row_scale = L(1.0 / g.cell_height_px);
-    film_.column_offset = L((scene.center_x_px - g.x0_px) / g.cell_width_px - 0.5);
-    film_.row_offset = L((scene.center_y_px - g.y0_px) / g.cell_height_px - 0.5);
-    film_.per_cell_area = L(1.0f) / L(g.cell_width_px * g.cell_height_px);
+    const LocalDual& focal_px = scene.view.focal_px;
+    spread(focal_px * (1.0 / g.cell_width_px), film_.column_scale);
+    spread(focal_px * (1.0 / g.cell_height_px), film_.row_scale);
+    spread(LocalDual((scene.center_x_px - g.x0_px) / g.cell_width_px - 0.5), film_.column_offset);
+    spread(LocalDual((scene.center_y_px - g.y0_px) / g.cell_height_px - 0.5), film_.row_offset);
+    spread(focal_px * focal_px * (1.0 / (g.cell_width_px * g.cell_height_px)), film_.cells_per_steradian);
     philox_keys(scene.seed, keys_);
     const double focal = scene.view.focal_px.v;
     left_ = (g.x0_px - g.cell_width_px - scene.center_x_px) / focal;
@@ -115,64 +119,68 @@ class SampleMaker {
   }
 
   void begin(const BeamGroup& group) {
+    alive_ = true;
     reads_elsewhere_ = group.reads_elsewhere;
     peak_ = L((group.peak_km - HeightProfile::kBottomKm) / HeightProfile::kStepKm);
     for (int first = 0, part = 0; first < kGroup; first += Traits::lanes(), ++part) {
-      P start[3], length;
+      P start[3], length, vertical;
       for (int i = 0; i < 3; ++i) fetch(group.start_in_enu_km[i], first, start[i]);
       fetch(group.length_km, first, length);
-      fetch(group.vertical, first, vertical_[part]);
-      flux_[part] = Traits::load(group.flux_km2_mw_m2 + first) * L(0.1f);
+      fetch(group.vertical, first, vertical);
+      for (int i = 0; i < 3; ++i)
+        start_in_camera_km_[part][i] = start[0] * camera_from_enu_[i][0] + start[1] * camera_from_enu_[i][1] +
+                                       start[2] * camera_from_enu_[i][2];
+      altitude_[part].start(start, L(scene_.observer_altitude_km), axes_);
+      volume_[part] = length * vertical * (Traits::load(group.flux_km2_mw_m2 + first) * L(0.1f));
       end_[part] = Traits::load(group.end_of_path + first);
-      beams_[part].start(start, length, Traits::load_indices(group.index + first), group.layer_address,
-                         keys_);
       shift_[part] = Traits::load(group.altitude_shift_km + first) * L(1.0 / HeightProfile::kStepKm);
       stretch_above_[part] = Traits::load(group.stretch_above + first);
-      find_stretch_in_view(start, value_of(length), part);
+      beams_[part].start(length, Traits::load_indices(group.index + first), group.layer_address, keys_);
+      find_stretch_in_view(value_of(length), part);
     }
   }
 
-  /// Fills a block; false when every beam has come to its end or can no more be seen. Adds to `points` those
-  /// on a path.
+  /// Fills a block; false, and the block untouched, when every beam has come to its end or can no more be
+  /// seen. Adds to `points` those on a path. Without kSee the beams only fall.
+  template <bool kSee = true>
   bool next_block(Block& block, std::uint64_t& points) {
-    bool alive = false;
+    if (!alive_) return false;
+    alive_ = false;
     block.first_step = kBlockSteps;
     block.end_step = 0;
     for (int first = 0, part = 0; first < kGroup; first += Traits::lanes(), ++part) {
-      for (int step = 0; step < kBlockSteps; step += 2) {
-        FallenPoint<L, P> fallen[2];
-        beams_[part].next_two(frame_, deflection_, keys_, fallen);
-        for (int i = 0; i < 2; ++i) {
-          const L t = fallen[i].t;
-          points += static_cast<std::uint64_t>(count(t <= end_[part]));
-          alive |= !none(t <= last_in_view_[part]);
-          if (none(first_in_view_[part] <= t && t <= last_in_view_[part])) {
+      FallingBeams<L, P, C> beams = beams_[part];  // a copy: nothing that is stored can be part of it
+      const L end = end_[part], first_in_view = first_in_view_[part], last_in_view = last_in_view_[part];
+      L t(0.0f);
+      for (int step = 0; step < kBlockSteps; step += 4) {
+        beams.next_four(deflection_, keys_, [&](int i, const FallenPoint<L, P>& point) {
+          t = point.t;
+          points += static_cast<std::uint64_t>(count(t <= end));
+          if (!kSee || none(first_in_view <= t && t <= last_in_view)) {
             Traits::store(L(0.0f), block.light[step + i][0] + first);
-            continue;
+            return;
           }
           block.first_step = std::min(block.first_step, step + i);
           block.end_step = std::max(block.end_step, step + i + 1);
-          see(fallen[i], part, first, step + i, block);
-        }
+          see(point, part, first, step + i, block);
+        });
       }
+      alive_ |= !none(t <= last_in_view);
+      beams_[part] = beams;
     }
-    return alive;
+    return true;
   }
 
  private:
   /// The stretch of the path outside of which a beam surely misses the film. A point strays from the straight
   /// line by no more than its path times the pitch angle; the film's four edges are planes through the
   /// camera.
-  HWY_INLINE void find_stretch_in_view(const P start_in_enu_km[3], L length_km, int part) {
+  HWY_INLINE void find_stretch_in_view(L length_km, int part) {
     const L slack_km(0.05f);  // far above the rounding of floats
     L start[3], way[3];
     for (int i = 0; i < 3; ++i) {
-      const auto* row = scene_.view.camera_from_enu[i];
-      start[i] = way[i] = L(0.0f);
-      for (int j = 0; j < 3; ++j) {
-        start[i] = start[i] + value_of(start_in_enu_km[j]) * L(row[j].v);
-        way[i] = way[i] + length_km * L(row[j].v * scene_.fall.along[j].v);
-      }
+      start[i] = value_of(start_in_camera_km_[part][i]);
+      way[i] = length_km * value_of(axes_in_camera_[0][i]);
     }
     L first(0.0f), last = end_[part];
     const auto keep_inside = [&](int axis, double edge, double side) {
@@ -194,11 +202,16 @@ class SampleMaker {
   }
 
   HWY_INLINE void see(const FallenPoint<L, P>& point, int part, int first, int step, Block& block) {
+    const P way[3] = {point.along_km, point.across1_km, point.across2_km};
+    P in_camera[3];
+    for (int i = 0; i < 3; ++i)
+      in_camera[i] = start_in_camera_km_[part][i] + way[0] * axes_in_camera_[0][i] +
+                     (way[1] * axes_in_camera_[1][i] + way[2] * axes_in_camera_[2][i]);
     auto in_front = L(0.0f) < L(1.0f);
-    SeenPoint<P> seen = see_point<L>(film_, point.position_in_enu_km, in_front);
-    P above = (altitude_km(point.position_in_enu_km, L(scene_.observer_altitude_km)) -
-               L(static_cast<float>(HeightProfile::kBottomKm))) *
-              L(static_cast<float>(1.0 / HeightProfile::kStepKm));
+    SeenPoint<P> seen = see_point<L>(film_, in_camera, in_front);
+    P above =
+        (altitude_km(altitude_[part].excess_km2(way)) - L(static_cast<float>(HeightProfile::kBottomKm))) *
+        L(static_cast<float>(1.0 / HeightProfile::kStepKm));
     if (reads_elsewhere_) {
       above = above - shift_[part];
       const L shrink = select(peak_ < value_of(above), L(1.0f) / stretch_above_[part], L(1.0f));
@@ -216,9 +229,8 @@ class SampleMaker {
     const auto visible = on_path && in_front && L(0.0f) <= x && x < last_column && L(0.0f) <= y &&
                          y < last_row && L(0.0f) <= h &&
                          h < L(static_cast<float>(HeightProfile::kAltitudes - 1));
-    const P geometry = scene_.unit_weight
-                           ? P(L(1.0f))
-                           : point.stretch_km * vertical_[part] * seen.per_steradian_cell * flux_[part];
+    const P geometry =
+        scene_.unit_weight ? P(L(1.0f)) : volume_[part] * point.stretch * seen.per_steradian_cell;
     keep(seen.column, block.column[step], first);
     keep(seen.row, block.row[step], first);
     keep(only_where(visible, geometry), block.light[step], first);
@@ -227,14 +239,19 @@ class SampleMaker {
 
   const KernelScene& scene_;
   PhiloxKeys keys_;
-  FallFrame<C> frame_;
   Deflection<C> deflection_;
-  FilmView<L, C> film_;
+  C axes_[3][3];            ///< along, across1, across2 in east, north, up
+  C axes_in_camera_[3][3];  ///< and in right, down, forward
+  C camera_from_enu_[3][3];
+  FilmView<C> film_;
   FallingBeams<L, P, C> beams_[kGroup];
-  P vertical_[kGroup];
+  P start_in_camera_km_[kGroup][3];
+  BeamAltitude<P> altitude_[kGroup];
+  P volume_[kGroup];  ///< flux * area * length * cosine; 0.1 rayleighs for every photon cm^-3 s^-1 and km
+  L end_[kGroup], first_in_view_[kGroup], last_in_view_[kGroup];
   L shift_[kGroup], stretch_above_[kGroup], peak_;  ///< in steps of the height profile
   bool reads_elsewhere_ = false;
-  L flux_[kGroup], end_[kGroup], first_in_view_[kGroup], last_in_view_[kGroup];
+  bool alive_ = false;                  ///< some beam of the group goes on
   double left_, right_, top_, bottom_;  ///< edges of the film and a cell more, as tangents
   double stray_;                        ///< from the straight line, as a fraction of the path
 };

@@ -68,11 +68,18 @@ double below(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
 double density(double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * std::acos(-1.0)); }
 
 template <class Body>
-void for_rows(int rows, int threads, const Body& body) {
+void for_blocks(int rows, int threads, const Body& body) {
   const std::size_t tasks = static_cast<std::size_t>((rows + kRowsPerTask - 1) / kRowsPerTask);
   parallel_for(tasks, threads, [&](std::size_t task, int) {
     const int first = static_cast<int>(task) * kRowsPerTask;
-    for (int row = first; row < std::min(rows, first + kRowsPerTask); ++row) body(row);
+    body(first, std::min(rows, first + kRowsPerTask));
+  });
+}
+
+template <class Body>
+void for_rows(int rows, int threads, const Body& body) {
+  for_blocks(rows, threads, [&](int first, int end) {
+    for (int row = first; row < end; ++row) body(row);
   });
 }
 
@@ -143,6 +150,47 @@ void blur_across(const float* in, float* out, int rows, int columns, int channel
     HWY_DYNAMIC_DISPATCH(WeightedSum)
     (centre, before.data(), after.data(), kernel.weights.data(), radius, out + row * pitch,
      static_cast<std::size_t>(pitch));
+  });
+}
+
+void blur_window(const float* in, int rows, int columns, const std::vector<BlurKernel>& kernels,
+                 const Window& window, float* out, int threads) {
+  const std::ptrdiff_t pitch = static_cast<std::ptrdiff_t>(kernels.size());
+  for_blocks(window.rows, threads, [&](int first_row, int end_row) {
+    std::vector<float> down, both(window.columns);
+    std::vector<const float*> before, after;
+    for (std::ptrdiff_t plane = 0; plane < pitch; ++plane) {
+      const BlurKernel& kernel = kernels[plane];
+      const int radius = kernel.radius();
+      // What the window needs of a row that is blurred down; beyond the plane's edges it stays dark.
+      const int first = std::max(0, window.first_column - radius);
+      const int end = std::min(columns, window.first_column + window.columns + radius);
+      const int dark = first - (window.first_column - radius);
+      down.assign(static_cast<std::size_t>(window.columns) + 2 * radius, 0.0f);
+      before.assign(radius + 1, nullptr);
+      after.assign(radius + 1, nullptr);
+      for (int y = first_row; y < end_row; ++y) {
+        const int row = window.first_row + y;
+        const float* centre = in + (plane * rows + row) * columns + first;
+        for (int k = 1; k <= radius; ++k) {
+          const std::ptrdiff_t away = static_cast<std::ptrdiff_t>(k) * columns;
+          before[k] = row - k >= 0 ? centre - away : nullptr;
+          after[k] = row + k < rows ? centre + away : nullptr;
+        }
+        HWY_DYNAMIC_DISPATCH(WeightedSum)
+        (centre, before.data(), after.data(), kernel.weights.data(), radius, down.data() + dark,
+         static_cast<std::size_t>(end - first));
+        for (int k = 1; k <= radius; ++k) {
+          before[k] = down.data() + radius - k;
+          after[k] = down.data() + radius + k;
+        }
+        HWY_DYNAMIC_DISPATCH(WeightedSum)
+        (down.data() + radius, before.data(), after.data(), kernel.weights.data(), radius, both.data(),
+         both.size());
+        float* to = out + static_cast<std::ptrdiff_t>(y) * window.columns * pitch + plane;
+        for (int x = 0; x < window.columns; ++x) to[x * pitch] = both[x];
+      }
+    }
   });
 }
 

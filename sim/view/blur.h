@@ -31,4 +31,14 @@ void blur_down(const float* in, float* out, int rows, int columns, int channels,
 void blur_across(const float* in, float* out, int rows, int columns, int channels, const BlurKernel& kernel,
                  int threads);
 
+/// The part of a plane that is wanted.
+struct Window {
+  int first_row = 0, first_column = 0, rows = 0, columns = 0;
+};
+
+/// blur_down() and then blur_across() of planes of [rows][columns], as many as there are kernels, with the
+/// same sums; of the result only the window is worked out, [row][column][plane].
+void blur_window(const float* in, int rows, int columns, const std::vector<BlurKernel>& kernels,
+                 const Window& window, float* out, int threads);
+
 }  // namespace vegard::sim

@@ -22,44 +22,64 @@ struct SeenPoint {
   P per_steradian_cell;  ///< 1 / (r^2 Omega): what a volume in km^3 counts for in its cell, km^-2
 };
 
-template <class L, class C>
+/// From the camera's axes to the film. C is the type of what all beams share.
+template <class C>
 struct FilmView {
-  PinholeView<C> camera;
-  L column_scale, column_offset, row_scale,
-      row_offset;   ///< column = x in pixels from the axis * scale + offset
-  L per_cell_area;  ///< 1 / px^2
+  C column_scale, column_offset, row_scale, row_offset;  ///< column = x/z * scale + offset
+  C cells_per_steradian;                                 ///< on the axis: f^2 / (width * height of a cell)
 };
 
 /// Pinhole: Omega = cos^3(theta) / f^2 per pixel, so 1 / (r^2 Omega) = f^2 r / Z^3 (docs/physics.md).
+/// `in_camera_km` are right, down, forward.
 template <class L, class P, class C>
-HWY_INLINE SeenPoint<P> see_point(const FilmView<L, C>& film, const P enu_km[3],
+HWY_INLINE SeenPoint<P> see_point(const FilmView<C>& film, const P in_camera_km[3],
                                   decltype(L() < L())& in_front) {
-  P in_camera[3];
-  for (int i = 0; i < 3; ++i)
-    in_camera[i] = enu_km[0] * film.camera.camera_from_enu[i][0] +
-                   enu_km[1] * film.camera.camera_from_enu[i][1] +
-                   enu_km[2] * film.camera.camera_from_enu[i][2];
-  in_front = L(1e-3f) < value_of(in_camera[2]);
-  const P& depth = in_camera[2];
-  const P inverse = L(1.0f) / depth;
-  const P scale = inverse * film.camera.focal_px;
-  const P range = square_root(in_camera[0] * in_camera[0] + in_camera[1] * in_camera[1] + depth * depth);
+  in_front = L(1e-3f) < value_of(in_camera_km[2]);
+  const P inverse = L(1.0f) / in_camera_km[2];
+  const P x = in_camera_km[0] * inverse, y = in_camera_km[1] * inverse;
   SeenPoint<P> seen;
-  seen.column = in_camera[0] * scale * film.column_scale + film.column_offset;
-  seen.row = in_camera[1] * scale * film.row_scale + film.row_offset;
-  seen.per_steradian_cell = scale * scale * (range * inverse) * film.per_cell_area;
+  seen.column = x * film.column_scale + film.column_offset;
+  seen.row = y * film.row_scale + film.row_offset;
+  seen.per_steradian_cell =
+      inverse * inverse * square_root(x * x + y * y + L(1.0f)) * film.cells_per_steradian;
   return seen;
 }
 
-/// Altitude above the sphere of a point in the observer's frame. Written so that nothing large cancels.
-template <class L, class P>
-HWY_INLINE P altitude_km(const P enu_km[3], L observer_altitude_km) {
-  const P up = enu_km[2] + observer_altitude_km;
-  const P level2 = enu_km[0] * enu_km[0] + enu_km[1] * enu_km[1];
-  const L radius(static_cast<float>(kEarthRadiusKm));
-  const P distance = square_root((up + radius) * (up + radius) + level2);
-  return (up * (up + radius * L(2.0f)) + level2) / (distance + radius);
+/// Altitude above the Earth's sphere from `excess_km2` = (distance from its centre)^2 - R^2, without a root
+/// or a quotient: R (sqrt(1 + w) - 1), w = excess / R^2, by a polynomial through Chebyshev nodes, good to 2
+/// cm from 0 to 650 km and monotonic beyond, so that what is outside the height profile stays outside.
+template <class P>
+HWY_INLINE P altitude_km(const P& excess_km2) {
+  using L = decltype(value_of(excess_km2));
+  const P w = excess_km2 * L(1.0 / (kEarthRadiusKm * kEarthRadiusKm));
+  return excess_km2 * L(1.0 / kEarthRadiusKm) *
+         (w * (w * (w * (w * L(0.018779819854331855) + L(-0.037586261512127024)) + L(0.06239117512593812)) +
+               L(-0.1249971327886212)) +
+          L(0.49999998774279175));
 }
+
+/// The excess of altitude_km() for the points of a beam. They are handed over in an orthonormal frame from
+/// where the beam starts, in which the square is a sum of three squares.
+template <class P>
+struct BeamAltitude {
+  P at_start_km2, slope_km[3];
+
+  template <class L, class C>
+  HWY_INLINE void start(const P start_in_enu_km[3], L observer_altitude_km, const C axes[3][3]) {
+    const L diameter(static_cast<float>(2.0 * kEarthRadiusKm));
+    const P& east = start_in_enu_km[0];
+    const P& north = start_in_enu_km[1];
+    const P up = start_in_enu_km[2] + observer_altitude_km;
+    at_start_km2 = up * (up + diameter) + (east * east + north * north);
+    const P from_centre = up * L(2.0f) + diameter;
+    for (int a = 0; a < 3; ++a)
+      slope_km[a] = east * L(2.0f) * axes[a][0] + north * L(2.0f) * axes[a][1] + from_centre * axes[a][2];
+  }
+  HWY_INLINE P excess_km2(const P way_km[3]) const {
+    return at_start_km2 + way_km[0] * (way_km[0] + slope_km[0]) +
+           (way_km[1] * (way_km[1] + slope_km[1]) + way_km[2] * (way_km[2] + slope_km[2]));
+  }
+};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace vegard::sim

@@ -2,7 +2,7 @@
 
 namespace vegard::bench {
 
-sim::Scene arc_scene(int width, int height, int beams) {
+sim::Scene arc_scene(int width, int height, int beams, double path_step) {
   sim::Scene scene;
   scene.camera.width = width;
   scene.camera.height = height;
@@ -25,6 +25,7 @@ sim::Scene arc_scene(int width, int height, int beams) {
   sheet.energy_flux_mw_m2 = 4.8995;
   sheet.energy_kev = 4.32975;
   sheet.beams = beams;
+  sheet.path_step = path_step;
   scene.sheets = {sheet};
   scene.blur.width_deg = {0.1813, 0.0824, 0.0495};
   return scene;

@@ -36,7 +36,8 @@ Scene busy_scene() {
   return scene;
 }
 
-::testing::AssertionResult same_bytes(const std::vector<float>& a, const std::vector<float>& b) {
+template <class Floats>
+::testing::AssertionResult same_bytes(const Floats& a, const Floats& b) {
   if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " numbers and " << b.size();
   std::size_t differ = 0, first = 0;
   for (std::size_t i = a.size(); i-- > 0;)

@@ -19,12 +19,13 @@ HWY_BEFORE_NAMESPACE();
 namespace vegard::sim {
 namespace HWY_NAMESPACE {
 
-/// A deflection point of a group of beams. L is the lane type, P a position: L or a dual number over L.
+/// A deflection point of a group of beams, in the beams' own frame (FallFrame) from where they start. L is
+/// the lane type, P a position: L or a dual number over L.
 template <class L, class P>
 struct FallenPoint {
-  P position_in_enu_km[3];
-  P stretch_km;  ///< of the path that the point stands for
-  L t;           ///< along the path, 0 to 1
+  P along_km, across1_km, across2_km;
+  L stretch;  ///< of the path that the point stands for, as a fraction of it
+  L t;        ///< along the path, 0 to 1
 };
 
 /// Beams on their way down. C is the type of what all beams share.
@@ -32,49 +33,45 @@ template <class L, class P, class C>
 class FallingBeams {
  public:
   using Traits = LaneTraits<L>;
-  using Indices = typename Traits::Indices;
 
-  HWY_INLINE void start(const P start_in_enu_km[3], const P& length_km, Indices beams, std::uint32_t layer,
+  HWY_INLINE void start(const P& length_km, typename Traits::Indices beams, std::uint32_t layer,
                         const PhiloxKeys& keys) {
-    for (int i = 0; i < 3; ++i) start_[i] = start_in_enu_km[i];
     length_ = length_km;
-    beams_ = beams;
-    layer_ = layer;
     t_ = L(0.0f);
-    axial_ = across1_ = across2_ = P(L(0.0f));
-    pair_ = 0;
-    Traits::uniforms(beams_, 0, layer_, keys, ahead_);
+    along_ = across1_ = across2_ = P(L(0.0f));
+    quad_ = 0;
+    random_.start(beams, layer, keys);
+    random_.draw(quad_, keys, ahead_);
   }
 
-  /// The next two deflection points.
-  HWY_INLINE void next_two(const FallFrame<C>& frame, const Deflection<C>& deflection, const PhiloxKeys& keys,
-                           FallenPoint<L, P> out[2]) {
-    L now[4];
+  /// The next four deflection points, one after the other to `take(i, point)`, i from 0 to 3.
+  template <class Take>
+  HWY_INLINE void next_four(const Deflection<C>& deflection, const PhiloxKeys& keys, const Take& take) {
+    typename Traits::Words now[4];
     for (int i = 0; i < 4; ++i) now[i] = ahead_[i];
-    ++pair_;
-    Traits::uniforms(beams_, pair_, layer_, keys, ahead_);
-    deflect(frame, deflection, now[0], now[1], now[2], out[0]);
-    deflect(frame, deflection, now[2], now[3], ahead_[0], out[1]);
+    ++quad_;
+    random_.draw(quad_, keys, ahead_);
+    const L path_step(static_cast<float>(deflection.path_step));
+    L step = upper_uniform(now[0]) * path_step;
+    for (int i = 0; i < 4; ++i) {
+      const L next_step = upper_uniform(i < 3 ? now[i + 1] : ahead_[0]) * path_step;
+      deflect(deflection, step, now[i]);
+      take(i, FallenPoint<L, P>{along_, across1_, across2_, (step + next_step) * L(0.5f), t_});
+      step = next_step;
+    }
   }
 
  private:
-  HWY_INLINE void deflect(const FallFrame<C>& frame, const Deflection<C>& deflection, L nu, L mu, L next_nu,
-                          FallenPoint<L, P>& out) {
-    const L step_fraction = nu * L(static_cast<float>(deflection.path_step));
+  HWY_INLINE void deflect(const Deflection<C>& deflection, L step_fraction, typename Traits::Words word) {
     t_ = t_ + step_fraction;
     const P step = length_ * step_fraction;
     const C alpha = pitch(deflection);
     L sin_beta, cos_beta;
-    sine_cosine_of_turns(mu, sin_beta, cos_beta);
+    random_direction(word, cos_beta, sin_beta);
     const P aside = step * sine_of_small(alpha);
-    axial_ = axial_ + step * cosine_of_small(alpha);
+    along_ = along_ + step * cosine_of_small(alpha);
     across1_ = across1_ + aside * cos_beta;
     across2_ = across2_ + aside * sin_beta;
-    for (int i = 0; i < 3; ++i)
-      out.position_in_enu_km[i] =
-          start_[i] + axial_ * frame.along[i] + across1_ * frame.across1[i] + across2_ * frame.across2[i];
-    out.stretch_km = length_ * ((nu + next_nu) * L(static_cast<float>(0.5 * deflection.path_step)));
-    out.t = t_;
   }
 
   HWY_INLINE C pitch(const Deflection<C>& d) const {
@@ -91,10 +88,11 @@ class FallingBeams {
     return d.loss_cone_rad - d.pitch_step_rad * (L(1.0f) - t_);
   }
 
-  P start_[3], length_, axial_, across1_, across2_;
-  L t_, ahead_[4];
-  Indices beams_;
-  std::uint32_t layer_, pair_;
+  P length_, along_, across1_, across2_;
+  L t_;
+  typename Traits::PathWords random_;
+  typename Traits::Words ahead_[4];
+  std::uint32_t quad_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -18,7 +18,7 @@ namespace vegard::sim {
 template <class T>
 struct SheetShape {
   T center_east_km, center_north_km;
-  T bearing_rad;
+  T along_east, along_north;  ///< unit vector along the sheet: sine and cosine of the bearing
   T length_km;
   T thickness_km;
   T wavelength_km;
@@ -154,7 +154,7 @@ template <class T>
 BeamFoot<T> beam_foot(const SheetShape<T>& sheet, const StretchOfSheet& stretch, const BeamPlace& place,
                       int layer, int layers, bool literal, const LayerStructure* structure = nullptr) {
   constexpr double kTwoPi = 6.283185307179586, kSqrtTwoPi = 2.5066282746310002;
-  const T u_east = sine(sheet.bearing_rad), u_north = cosine(sheet.bearing_rad);
+  const T &u_east = sheet.along_east, &u_north = sheet.along_north;
   const T center_along = sheet.center_east_km * u_east + sheet.center_north_km * u_north;
   const T center_left = sheet.center_north_km * u_east - sheet.center_east_km * u_north;
   const T start = center_along - sheet.length_km * 0.5;

@@ -127,7 +127,7 @@ TEST(StructuredScene, MovesThePictureAndKeepsItsLight) {
   const auto total = [&](const Scene& s, std::vector<float>& rayleigh) {
     Exposure exposure;
     Exposer(s, film, 0).expose(s, exposure);
-    rayleigh = exposure.rayleigh;
+    rayleigh.assign(exposure.rayleigh.begin(), exposure.rayleigh.end());
     double sum = 0.0;
     for (float r : rayleigh) sum += r;
     return sum;

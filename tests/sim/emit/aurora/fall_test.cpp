@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "sim/base/earth.h"
 #include "sim/emit/aurora/beam.h"
@@ -22,7 +24,6 @@ struct Falls {
 
 Falls fall(PitchLaw law, int beams, double path_step = 1.0 / 300.0) {
   constexpr double kLengthKm = 200.0;
-  const FallFrame<double> frame = fall_frame<double>(90.0 * kRadiansPerDegree, 0.0);
   Deflection<double> deflection;
   deflection.law = law;
   deflection.loss_cone_rad = 2.5 * kRadiansPerDegree;
@@ -34,21 +35,17 @@ Falls fall(PitchLaw law, int beams, double path_step = 1.0 / 300.0) {
   double points2 = 0.0, spread2 = 0.0, light2 = 0.0;
   for (int b = 0; b < beams; ++b) {
     Beams beam;
-    const double start[3] = {3.0, -5.0, 300.0};
-    beam.start(start, kLengthKm, static_cast<std::uint32_t>(b), 0, keys);
+    beam.start(kLengthKm, static_cast<std::uint32_t>(b), 0, keys);
     int points = 0;
     double aside2 = 0.0, light = 0.0;
     for (bool falls = true; falls;) {
-      Point two[2];
-      beam.next_two(frame, deflection, keys, two);
-      for (const Point& point : two) {
+      beam.next_four(deflection, keys, [&](int, const Point& point) {
         falls = falls && point.t <= 1.0;
-        if (!falls) break;
+        if (!falls) return;
         ++points;
-        light += point.stretch_km;
-        aside2 = std::pow(point.position_in_enu_km[0] - start[0], 2) +
-                 std::pow(point.position_in_enu_km[1] - start[1], 2);
-      }
+        light += point.stretch * kLengthKm;
+        aside2 = std::pow(point.across1_km, 2) + std::pow(point.across2_km, 2);
+      });
     }
     result.mean_points += static_cast<double>(points) / beams;
     points2 += static_cast<double>(points) * points / beams;
@@ -93,7 +90,6 @@ TEST(FallingBeams, PointsStandForTheWholePath) {
 }
 
 TEST(FallingBeams, AZeroPitchFallsStraight) {
-  const FallFrame<double> frame = fall_frame<double>(70.0 * kRadiansPerDegree, 0.3);
   Deflection<double> deflection;
   deflection.law = PitchLaw::constant;
   deflection.loss_cone_rad = deflection.pitch_step_rad = 0.0;
@@ -101,47 +97,91 @@ TEST(FallingBeams, AZeroPitchFallsStraight) {
   HWY_NAMESPACE::PhiloxKeys keys;
   HWY_NAMESPACE::philox_keys(12, keys);
   Beams beam;
-  const double start[3] = {1.0, 2.0, 300.0};
-  beam.start(start, 150.0, 4, 2, keys);
-  for (int n = 0; n < 20; ++n) {
-    Point two[2];
-    beam.next_two(frame, deflection, keys, two);
-    for (const Point& p : two)
-      for (int i = 0; i < 3; ++i)
-        EXPECT_NEAR(p.position_in_enu_km[i], start[i] + 150.0 * p.t * frame.along[i], 1e-9);
+  beam.start(150.0, 4, 2, keys);
+  for (int n = 0; n < 10; ++n) {
+    beam.next_four(deflection, keys, [&](int, const Point& p) {
+      EXPECT_NEAR(p.along_km, 150.0 * p.t, 1e-9);
+      EXPECT_EQ(p.across1_km, 0.0);
+      EXPECT_EQ(p.across2_km, 0.0);
+    });
   }
 }
 
-TEST(SineCosineOfTurns, AreWithinTheirStatedError) {
-  for (double turns = 0.0; turns <= 1.0; turns += 1.0 / 4096) {
-    double s, c;
-    HWY_NAMESPACE::sine_cosine_of_turns(turns, s, c);
-    EXPECT_NEAR(s, std::sin(2.0 * std::acos(-1.0) * turns), 3e-7) << turns;
-    EXPECT_NEAR(c, std::cos(2.0 * std::acos(-1.0) * turns), 3e-7) << turns;
-    HWY_NAMESPACE::Pack ps, pc;
-    HWY_NAMESPACE::sine_cosine_of_turns(HWY_NAMESPACE::Pack(turns), ps, pc);
-    EXPECT_NEAR(hwy::HWY_NAMESPACE::GetLane(ps.v), s, 3e-7) << turns;
-    EXPECT_NEAR(hwy::HWY_NAMESPACE::GetLane(pc.v), c, 3e-7) << turns;
+TEST(FallingBeams, TakeTheirStepsFromOneWordEach) {
+  // The constant law: what goes aside is the step times the sine of one angle.
+  Deflection<double> deflection;
+  deflection.law = PitchLaw::constant;
+  deflection.loss_cone_rad = 0.1;
+  deflection.path_step = 0.01;
+  HWY_NAMESPACE::PhiloxKeys keys;
+  HWY_NAMESPACE::philox_keys(12, keys);
+  Beams beam;
+  beam.start(150.0, 4, 2, keys);
+  Point before{};
+  for (std::uint32_t quad = 0; quad < 5; ++quad) {
+    const Words words = random_words(12, Stream::path, quad, 4, 2);
+    beam.next_four(deflection, keys, [&](int i, const Point& p) {
+      EXPECT_NEAR(p.t - before.t, 0.01 * ((words[i] >> 16) + 0.5) / 65536.0, 1e-9);
+      const double aside = 150.0 * (p.t - before.t) * std::sin(0.1);
+      double cosine, sine;
+      HWY_NAMESPACE::random_direction(words[i], cosine, sine);
+      EXPECT_NEAR(p.across1_km - before.across1_km, aside * cosine, 1e-6);
+      EXPECT_NEAR(p.across2_km - before.across2_km, aside * sine, 1e-6);
+      before = p;
+    });
   }
+}
+
+TEST(RandomDirection, ComesInEveryOf65536EvenlySpacedAzimuths) {
+  const double turn = 2.0 * std::acos(-1.0);
+  std::vector<bool> seen(65536, false);
+  for (std::uint32_t lower = 0; lower < 65536; ++lower) {
+    const std::uint32_t word = 0xabcd0000u | lower;  // the upper half is of no account
+    double cosine, sine;
+    HWY_NAMESPACE::random_direction(word, cosine, sine);
+    const double cell = std::floor(std::atan2(sine, cosine) / turn * 65536.0),
+                 azimuth = (cell + 0.5) * turn / 65536.0;
+    seen[static_cast<std::size_t>(cell + 32768.0)] = true;
+    ASSERT_NEAR(cosine, std::cos(azimuth), 1e-7) << lower;
+    ASSERT_NEAR(sine, std::sin(azimuth), 1e-7) << lower;
+    HWY_NAMESPACE::Pack of_pack_cosine, of_pack_sine;
+    HWY_NAMESPACE::random_direction(hwy::HWY_NAMESPACE::Set(HWY_NAMESPACE::WordTag(), word), of_pack_cosine,
+                                    of_pack_sine);
+    ASSERT_NEAR(hwy::HWY_NAMESPACE::GetLane(of_pack_cosine.v), cosine, 3e-7) << lower;
+    ASSERT_NEAR(hwy::HWY_NAMESPACE::GetLane(of_pack_sine.v), sine, 3e-7) << lower;
+  }
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), true), 65536);
 }
 
 TEST(LanePacks, DrawTheRandomNumbersOfTheScalarKernel) {
   using HWY_NAMESPACE::LaneTraits;
   using HWY_NAMESPACE::Pack;
+  constexpr std::uint64_t kSeed = 0x123456789abcdefull;
   HWY_NAMESPACE::PhiloxKeys keys;
-  HWY_NAMESPACE::philox_keys(0x123456789abcdefull, keys);
+  HWY_NAMESPACE::philox_keys(kSeed, keys);
   std::uint32_t beams[16];
-  for (std::uint32_t i = 0; i < 16; ++i) beams[i] = 1000 + 77 * i;
-  for (std::uint32_t pair : {0u, 5u, 123456u}) {
-    Pack packs[4];
-    LaneTraits<Pack>::uniforms(LaneTraits<Pack>::load_indices(beams), pair, 3, keys, packs);
-    for (int lane = 0; lane < LaneTraits<Pack>::lanes(); ++lane) {
-      double scalar[4];
-      LaneTraits<double>::uniforms(beams[lane], pair, 3, keys, scalar);
-      for (int i = 0; i < 4; ++i) {
-        float lanes[16];
-        LaneTraits<Pack>::store(packs[i], lanes);
-        EXPECT_EQ(lanes[lane], static_cast<float>(scalar[i]));
+  for (std::uint32_t i = 0; i < 16; ++i) beams[i] = 1000 + 0x1234567u * i;
+  for (std::uint32_t layer : {0u, 3u, 0xffff0102u}) {
+    LaneTraits<Pack>::PathWords packs;
+    packs.start(LaneTraits<Pack>::load_indices(beams), layer, keys);
+    for (std::uint32_t quad : {0u, 1u, 5u, 123456u}) {
+      LaneTraits<Pack>::Words of_packs[4];
+      packs.draw(quad, keys, of_packs);
+      for (int lane = 0; lane < LaneTraits<Pack>::lanes(); ++lane) {
+        const Words expected = random_words(kSeed, Stream::path, quad, beams[lane], layer);
+        LaneTraits<double>::PathWords one;
+        one.start(beams[lane], layer, keys);
+        std::uint32_t of_one[4];
+        one.draw(quad, keys, of_one);
+        for (int i = 0; i < 4; ++i) {
+          std::uint32_t words[16];
+          hwy::HWY_NAMESPACE::StoreU(of_packs[i], HWY_NAMESPACE::WordTag(), words);
+          EXPECT_EQ(words[lane], expected[i]);
+          EXPECT_EQ(of_one[i], expected[i]);
+          float lengths[16];
+          LaneTraits<Pack>::store(HWY_NAMESPACE::upper_uniform(of_packs[i]), lengths);
+          EXPECT_EQ(lengths[lane], upper_uniform(expected[i]));
+        }
       }
     }
   }

@@ -17,7 +17,8 @@ constexpr double kPi = 3.14159265358979323846;
 SheetShape<double> shape_of(const Sheet& s, double side = 1.0) {
   return {s.center_km.east,
           s.center_km.north,
-          s.bearing_deg * kRadiansPerDegree,
+          std::sin(s.bearing_deg * kRadiansPerDegree),
+          std::cos(s.bearing_deg * kRadiansPerDegree),
           s.length_km,
           s.thickness_km,
           s.wavelength_km,
