@@ -27,4 +27,27 @@ void* allocate(std::size_t bytes) {
 
 void release(void* memory) { std::free(memory); }
 
+#ifdef __linux__
+void* allocate_zeroed(std::size_t bytes) {
+  if (bytes == 0) return nullptr;
+  void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) throw std::bad_alloc();
+  madvise(memory, bytes, MADV_HUGEPAGE);
+  return memory;
+}
+
+void release_zeroed(void* memory, std::size_t bytes) {
+  if (memory != nullptr) munmap(memory, bytes);
+}
+#else
+void* allocate_zeroed(std::size_t bytes) {
+  if (bytes == 0) return nullptr;
+  void* memory = std::calloc(bytes, 1);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+void release_zeroed(void* memory, std::size_t) { std::free(memory); }
+#endif
+
 }  // namespace vegard::sim::large_memory

@@ -1,6 +1,7 @@
 // Large arrays of numbers that are written from end to end: films and planes of light.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <new>
 #include <utility>
@@ -13,6 +14,11 @@ namespace large_memory {
 /// film in pages of 4 KiB takes about as long as to fill it with light.
 void* allocate(std::size_t bytes);
 void release(void* memory);
+
+/// The same with every byte 0: fresh from the system, which hands out zeros, so that nobody writes them
+/// twice.
+void* allocate_zeroed(std::size_t bytes);
+void release_zeroed(void* memory, std::size_t bytes);
 }  // namespace large_memory
 
 /// resize() leaves new numbers as they are in memory, unlike a plain vector's; assign() fills them.
@@ -45,5 +51,39 @@ struct LargeAllocator {
 
 template <class T>
 using LargeVector = std::vector<T, LargeAllocator<T>>;
+
+/// An array that begins as zeros.
+template <class T>
+class LargeZeros {
+ public:
+  LargeZeros() = default;
+  LargeZeros(LargeZeros&& other) noexcept
+      : memory_(std::exchange(other.memory_, nullptr)), size_(std::exchange(other.size_, 0)) {}
+  LargeZeros& operator=(LargeZeros&& other) noexcept {
+    std::swap(memory_, other.memory_);
+    std::swap(size_, other.size_);
+    return *this;
+  }
+  ~LargeZeros() { large_memory::release_zeroed(memory_, size_ * sizeof(T)); }
+
+  /// So many zeros, whatever it was before.
+  void reset(std::size_t size) {
+    if (size == size_) {
+      std::fill_n(data(), size_, T(0));
+      return;
+    }
+    LargeZeros fresh;
+    fresh.memory_ = large_memory::allocate_zeroed(size * sizeof(T));
+    fresh.size_ = size;
+    *this = std::move(fresh);
+  }
+
+  T* data() { return static_cast<T*>(memory_); }
+  const T& operator[](std::size_t i) const { return static_cast<const T*>(memory_)[i]; }
+
+ private:
+  void* memory_ = nullptr;
+  std::size_t size_ = 0;
+};
 
 }  // namespace vegard::sim

@@ -50,6 +50,11 @@ struct FallFrame {
   T across2[3];
 };
 
+/// Where the pole of a dipole field in the north is: a unit vector in the observer's east, north and up.
+struct DipoleAxis {
+  double in_enu[3];
+};
+
 /// How a beam is deflected (equation (4) of the source paper and its readings, docs/physics.md row B14).
 enum class PitchLaw : int { reduced, product, increment, constant };
 

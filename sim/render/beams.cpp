@@ -7,6 +7,7 @@
 
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/beam_light.h"
+#include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/motion.h"
 #include "sim/light/electron.h"
 #include "sim/light/sheet_profile.h"
@@ -18,7 +19,7 @@ constexpr double kFarthestKm = 4000;  // a foot farther than this is far below t
 
 /// True if nothing that falls from this beam can reach the film: both ends, and whatever strays from the line
 /// between them by the pitch angles, project outside the same edge.
-bool out_of_sight(const Beam<double>& beam, const KernelScene& k) {
+bool out_of_sight(const Beam<double>& beam, const double along[3], const KernelScene& k) {
   const double stray =
       beam.length_km * (std::abs(k.deflection.loss_cone_rad.v) + std::abs(k.deflection.pitch_step_rad.v));
   double x[2], y[2], nearest = 1e30;
@@ -27,8 +28,8 @@ bool out_of_sight(const Beam<double>& beam, const KernelScene& k) {
     for (int i = 0; i < 3; ++i) {
       in_camera[i] = 0.0;
       for (int j = 0; j < 3; ++j)
-        in_camera[i] += k.view.camera_from_enu[i][j].v *
-                        (beam.start_in_enu_km[j] + end * beam.length_km * k.fall.along[j].v);
+        in_camera[i] +=
+            k.view.camera_from_enu[i][j].v * (beam.start_in_enu_km[j] + end * beam.length_km * along[j]);
     }
     nearest = std::min(nearest, in_camera[2]);
     if (in_camera[2] > 0.0) {
@@ -55,6 +56,15 @@ void put(const LocalDual& from, int place, GroupNumber& to) {
 }
 void put(double from, int place, GroupNumber& to) { to.value[place] = from; }
 
+template <class T>
+void put(const FallFrame<T>& from, int place, GroupAxes& to) {
+  for (int i = 0; i < 3; ++i) {
+    put(from.along[i], place, to.axis[0][i]);
+    put(from.across1[i], place, to.axis[1][i]);
+    put(from.across2[i], place, to.axis[2][i]);
+  }
+}
+
 /// A group of empty places; the derivatives are only looked at if there are any.
 void leave_empty(BeamGroup& group, bool with_derivatives) {
   for (GroupNumber* number : {&group.start_in_enu_km[0], &group.start_in_enu_km[1], &group.start_in_enu_km[2],
@@ -64,6 +74,8 @@ void leave_empty(BeamGroup& group, bool with_derivatives) {
   }
   std::fill_n(group.flux_km2_mw_m2, kGroup, 0.0);
   std::fill_n(group.end_of_path, kGroup, 0.0);
+  std::fill_n(group.altitude_shift_km, kGroup, 0.0);
+  std::fill_n(group.stretch_above, kGroup, 1.0);
   std::fill_n(group.index, kGroup, 0u);
 }
 
@@ -126,6 +138,7 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
                          PackedChunk& out) const {
   out.groups.clear();
   out.chains.clear();
+  out.axes.clear();
   out.places.resize(chunk.count);
   const Sheet& sheet = scene.sheets[chunk.sheet];
   const bool literal = sheet.spacing_rule == "literal";
@@ -158,12 +171,14 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
       const BeamFoot<double> foot = beam_foot(shape, stretch, place, layer, sheet.layers, literal, structure);
       if (foot.flux_km2_mw_m2 <= 0.0) continue;
       if (foot.east_km * foot.east_km + foot.north_km * foot.north_km > kFarthestKm * kFarthestKm) continue;
-      const Beam<double> plain = start_beam(foot.east_km, foot.north_km, fall, k.observer_altitude_km,
+      const FallFrame<double> own =
+          k.beams_own_field ? dipole_fall_frame(k.dipole, foot.east_km, foot.north_km) : fall;
+      const Beam<double> plain = start_beam(foot.east_km, foot.north_km, own, k.observer_altitude_km,
                                             sheet.top_km, HeightProfile::kBottomKm);
       // A field line that does not descend would be negative light; one that grazes the Earth never comes
       // down to the bottom, and has no length.
       if (plain.vertical <= 0.0 || !(plain.length_km > 0.0)) continue;
-      if (k.film.columns > 0 && out_of_sight(plain, k)) continue;
+      if (k.film.columns > 0 && out_of_sight(plain, own.along, k)) continue;
       if (place_in_group == kGroup) {
         place_in_group = 0;
         out.groups.emplace_back();
@@ -173,16 +188,19 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
         fresh.sheet = chunk.sheet;
         fresh.reads_elsewhere = light.reads_elsewhere();
         fresh.peak_km = peak_km_[chunk.sheet];
-        std::fill(std::begin(fresh.stretch_above), std::end(fresh.stretch_above), 1.0);
         if (seeds != nullptr) out.chains.emplace_back(GroupChain{});
+        if (k.beams_own_field) out.axes.emplace_back(GroupAxes{});
       }
       BeamGroup& group = out.groups.back();
       if constexpr (std::is_same_v<T, LocalDual>) {
         LocalDual east(foot.east_km), north(foot.north_km);
         east.d.t[foot_east] = 1.0;
         north.d.t[foot_north] = 1.0;
+        const FallFrame<LocalDual> own_fall =
+            k.beams_own_field ? dipole_fall_frame(k.dipole, east, north) : k.fall;
+        if (k.beams_own_field) put(own_fall, place_in_group, out.axes.back());
         const Beam<LocalDual> beam =
-            start_beam(east, north, k.fall, k.observer_altitude_km, sheet.top_km, HeightProfile::kBottomKm);
+            start_beam(east, north, own_fall, k.observer_altitude_km, sheet.top_km, HeightProfile::kBottomKm);
         for (int i = 0; i < 3; ++i) put(beam.start_in_enu_km[i], place_in_group, group.start_in_enu_km[i]);
         put(beam.length_km, place_in_group, group.length_km);
         put(light_per_path(sheet, beam.vertical), place_in_group, group.vertical);
@@ -194,23 +212,25 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
         const double flux = free_foot.flux_km2_mw_m2.v;
         narrow(free_foot.flux_km2_mw_m2.d, flux > 0.0 ? 1.0 / flux : 0.0, chain.log_flux[place_in_group]);
       } else {
+        if (k.beams_own_field) put(own, place_in_group, out.axes.back());
         for (int i = 0; i < 3; ++i) put(plain.start_in_enu_km[i], place_in_group, group.start_in_enu_km[i]);
         put(plain.length_km, place_in_group, group.length_km);
         put(light_per_path(sheet, plain.vertical), place_in_group, group.vertical);
       }
       group.flux_km2_mw_m2[place_in_group] = foot.flux_km2_mw_m2;
       if (light.any()) {
-        const BeamLight own =
+        const BeamLight shone =
             light.at(stretch.along_km(place.s), aside_laid_out_km(laid_out, place, layer, instant));
-        group.flux_km2_mw_m2[place_in_group] *= own.factor;
-        group.altitude_shift_km[place_in_group] = own.altitude_shift_km;
-        group.stretch_above[place_in_group] = own.stretch_above;
+        group.flux_km2_mw_m2[place_in_group] *= shone.factor;
+        group.altitude_shift_km[place_in_group] = shone.altitude_shift_km;
+        group.stretch_above[place_in_group] = shone.stretch_above;
       }
       group.end_of_path[place_in_group] = 1.0 - place.depth * sheet.path_spread;
       group.index[place_in_group] = static_cast<std::uint32_t>(b);
       ++place_in_group;
     }
   }
+  for (std::size_t g = 0; g < out.axes.size(); ++g) out.groups[g].axes = &out.axes[g];
 }
 
 }  // namespace vegard::sim

@@ -20,6 +20,7 @@ struct Chunk {
 struct PackedChunk {
   std::vector<BeamGroup> groups;
   std::vector<GroupChain> chains;  ///< one per group, if derivatives are wanted
+  std::vector<GroupAxes> axes;     ///< one per group, where beams have a field of their own
   std::vector<BeamPlace> places;   ///< room to work in
 };
 

@@ -51,7 +51,7 @@ struct Exposer::Workspace {
   FilmGeometry film;
   int threads = 1;
   BeamLayout layout;
-  std::vector<LargeVector<std::int64_t>> slot_films;
+  std::vector<LargeZeros<std::int64_t>> slot_films;
   std::vector<PackedChunk> slot_chunks;  // kept: their memory is large enough to cost something
 
   /// One per sheet.
@@ -67,7 +67,7 @@ struct Exposer::Workspace {
     const std::size_t size = static_cast<std::size_t>(film.rows) * film.columns * stride;
     slot_films.resize(threads);
     slot_chunks.resize(threads);
-    parallel_for(slot_films.size(), threads, [&](std::size_t s, int) { slot_films[s].assign(size, 0); });
+    parallel_for(slot_films.size(), threads, [&](std::size_t s, int) { slot_films[s].reset(size); });
   }
 
   /// Sums the slots' films (integers: any order gives the same) into planes of rayleighs.

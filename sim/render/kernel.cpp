@@ -2,6 +2,7 @@
 #include "sim/render/kernel.h"
 
 #include <cstddef>
+#include <type_traits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/render/kernel.cpp"
@@ -86,7 +87,7 @@ struct BlockPlaces {
 template <bool kSee = true, class Take>
 HWY_INLINE std::uint64_t fall_values(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                                      const Take& take) {
-  SampleMaker<Pack, Pack, Pack, 0> maker(scene);
+  SampleMaker<Pack, Pack, Pack, Pack, 0> maker(scene);
   static thread_local SampleBlock<float, 0> block;
   std::uint64_t points = 0;
   for (std::size_t g = 0; g < count; ++g) {
@@ -197,11 +198,11 @@ class Expansion {
   Wide rows_[kLocals];
 };
 
-template <class P, class C, int kLocals, int kLines>
+template <class P, class C, class F, int kLocals, int kLines>
 std::uint64_t fall_tangents(const KernelScene& scene, const SharedChain& shared, const BeamGroup* groups,
                             const GroupChain* chains, std::size_t count, std::int64_t* film,
                             TangentFilm& tangents) {
-  SampleMaker<Pack, P, C, kLocals> maker(scene);
+  SampleMaker<Pack, P, C, F, kLocals> maker(scene);
   static thread_local SampleBlock<float, kLocals> block;
   Expansion<kLocals> expand(shared);
   std::uint64_t points = 0;
@@ -258,12 +259,17 @@ std::uint64_t fall_tangents_of_lines(const KernelScene& scene, const SharedChain
     if (tangents.lines() < kLines)
       return fall_tangents_of_lines<kLines - 1>(scene, shared, groups, chains, count, film, tangents);
   }
-  if (shared.only_beam_inputs) {
-    using P = LaneDual<Pack, beam_inputs>;
-    return fall_tangents<P, Pack, beam_inputs, kLines>(scene, shared, groups, chains, count, film, tangents);
-  }
-  using P = LaneDual<Pack, local_inputs>;
-  return fall_tangents<P, P, local_inputs, kLines>(scene, shared, groups, chains, count, film, tangents);
+  const auto fall = [&](auto position, auto common, auto axes, auto locals) {
+    return fall_tangents<decltype(position), decltype(common), decltype(axes), locals.value, kLines>(
+        scene, shared, groups, chains, count, film, tangents);
+  };
+  using Beams = LaneDual<Pack, beam_inputs>;
+  using All = LaneDual<Pack, local_inputs>;
+  constexpr std::integral_constant<int, beam_inputs> of_beams{};
+  constexpr std::integral_constant<int, local_inputs> of_all{};
+  if (!shared.only_beam_inputs) return fall(All(), All(), All(), of_all);
+  if (scene.beams_own_field) return fall(Beams(), Pack(), Beams(), of_beams);
+  return fall(Beams(), Pack(), Pack(), of_beams);
 }
 
 std::uint64_t FallWithTangents(const KernelScene& scene, const SharedChain& shared, const BeamGroup* groups,

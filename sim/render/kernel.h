@@ -28,6 +28,11 @@ struct GroupNumber {
   double tangent[local_inputs][kGroup];
 };
 
+/// Unit vectors in east, north, up of beams that each have a direction of their own: along, and two across.
+struct GroupAxes {
+  GroupNumber axis[3][3];
+};
+
 /// Sixteen beams of one layer. Empty places have end_of_path 0.
 struct BeamGroup {
   GroupNumber start_in_enu_km[3];
@@ -42,6 +47,7 @@ struct BeamGroup {
   double peak_km = 0.0;             ///< of the height profile, from which on it is stretched
   std::uint32_t layer_address = 0;  ///< sheet and layer, as in the random streams
   int sheet = 0;                    ///< which height profile
+  const GroupAxes* axes = nullptr;  ///< only where KernelScene::beams_own_field
 
   BeamGroup() {}  // NOLINT: the numbers are left to whoever packs the group, they are many
 };
@@ -69,7 +75,9 @@ struct GroupChain {
 
 /// What all beams share.
 struct KernelScene {
-  FallFrame<LocalDual> fall;
+  FallFrame<LocalDual> fall;     ///< of the uniform field
+  bool beams_own_field = false;  ///< the beams fall along BeamGroup::axes instead
+  DipoleAxis dipole{};           ///< of the field that beams have their own direction of
   Deflection<LocalDual> deflection;
   PinholeView<LocalDual> view;
   FilmGeometry film;

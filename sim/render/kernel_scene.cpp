@@ -2,6 +2,7 @@
 
 #include "sim/base/earth.h"
 #include "sim/emit/aurora/beam.h"
+#include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/motion.h"
 #include "sim/light/sheet_profile.h"
 
@@ -24,6 +25,12 @@ PitchLaw pitch_law(const std::string& name) {
   return PitchLaw::reduced;
 }
 
+/// In the northern magnetic hemisphere, that is.
+bool falls_along_field(const Scene& scene) {
+  if (scene.field.model == "dipole") return dipole_axis(scene.field, scene.site).in_enu[2] >= 0.0;
+  return scene.field.inclination_deg >= 0.0;
+}
+
 template <class T, class Seeding>
 SheetShape<T> shape(const Scene& scene, int sheet, int arc, double instant_s, const Seeding& seed) {
   const Sheet& s = scene.sheets[sheet];
@@ -43,7 +50,7 @@ SheetShape<T> shape(const Scene& scene, int sheet, int arc, double instant_s, co
   const T flux = has_given_brightness(s) ? T(1.0) : T(seed(s.energy_flux_mw_m2));
   shape.energy_flux_mw_m2 = flux * substorm_level(scene.substorm, instant_s);
   shape.arc_offset_km = seed(s.arc_spacing_km) * (arc - 0.5 * (s.arcs - 1));
-  shape.side = scene.field.inclination_deg < 0.0 ? -1.0 : 1.0;
+  shape.side = falls_along_field(scene) ? 1.0 : -1.0;
   shape.fold_stage = seed(s.fold_stage);
   return shape;
 }
@@ -75,6 +82,8 @@ KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_ste
   KernelScene k;
   k.fall = fall_frame(local(scene.field.inclination_deg, inclination),
                       local(scene.field.declination_deg, declination));
+  k.beams_own_field = scene.field.model == "dipole";
+  if (k.beams_own_field) k.dipole = dipole_axis(scene.field, scene.site);
   k.deflection.law = pitch_law(sheet.pitch_law);
   k.deflection.loss_cone_rad = local(sheet.loss_cone_deg, loss_cone);
   k.deflection.pitch_step_rad = local(sheet.pitch_step_rad, pitch_step, 1.0);

@@ -156,7 +156,7 @@ HWY_INLINE void splat_on_level(const FilmGeometry& film, float x_px, float y_px,
 
 inline std::uint64_t fall_and_spread(const KernelScene& scene, const KernelLevels& levels,
                                      const BeamGroup* groups, std::size_t count, std::int64_t* const* films) {
-  SampleMaker<Pack, Pack, Pack, 0> maker(scene);
+  SampleMaker<Pack, Pack, Pack, Pack, 0> maker(scene);
   static thread_local SampleBlock<float, 0> block;
   const AtomsWay way(scene, levels);
   SpreadSamples samples;

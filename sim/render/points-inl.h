@@ -43,17 +43,28 @@ inline void list_point(const double position_in_enu_km[3], double volume_cm3_mw_
   }
 }
 
+/// A beam's axes, as SampleMaker has them.
+inline FallFrame<double> frame_of(const KernelScene& scene, const BeamGroup& group, int beam) {
+  FallFrame<double> frame;
+  for (int i = 0; i < 3; ++i) {
+    if (scene.beams_own_field) {
+      fetch(group.axes->axis[0][i], beam, frame.along[i]);
+      fetch(group.axes->axis[1][i], beam, frame.across1[i]);
+      fetch(group.axes->axis[2][i], beam, frame.across2[i]);
+    } else {
+      spread(scene.fall.along[i], frame.along[i]);
+      spread(scene.fall.across1[i], frame.across1[i]);
+      spread(scene.fall.across2[i], frame.across2[i]);
+    }
+  }
+  return frame;
+}
+
 /// A point stands for the volume stretch * vertical * area, which emits as the height profile says.
 inline void list_every_point(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                              EmissionPoints& out) {
   constexpr double kCm3PerKm3 = 1e15;
-  FallFrame<double> frame;
   Deflection<double> deflection;
-  for (int i = 0; i < 3; ++i) {
-    spread(scene.fall.along[i], frame.along[i]);
-    spread(scene.fall.across1[i], frame.across1[i]);
-    spread(scene.fall.across2[i], frame.across2[i]);
-  }
   spread(scene.deflection.loss_cone_rad, deflection.loss_cone_rad);
   spread(scene.deflection.pitch_step_rad, deflection.pitch_step_rad);
   deflection.law = scene.deflection.law;
@@ -70,6 +81,7 @@ inline void list_every_point(const KernelScene& scene, const BeamGroup* groups, 
       for (int i = 0; i < 3; ++i) fetch(group.start_in_enu_km[i], beam, start[i]);
       fetch(group.length_km, beam, length);
       fetch(group.vertical, beam, vertical);
+      const FallFrame<double> frame = frame_of(scene, group, beam);
       const double area = vertical * group.flux_km2_mw_m2[beam] * kCm3PerKm3;
       FallingBeams<double, double, double> falling;
       falling.start(length, group.index[beam], group.layer_address, keys);

@@ -20,7 +20,7 @@ namespace HWY_NAMESPACE {
 
 inline std::uint64_t fall_reference(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                                     double* film) {
-  SampleMaker<double, double, double, 0> maker(scene);
+  SampleMaker<double, double, double, double, 0> maker(scene);
   static thread_local SampleBlock<double, 0> block;
   std::uint64_t points = 0;
   for (std::size_t g = 0; g < count; ++g) {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 #include "sim/base/dual-inl.h"
 #include "sim/base/lanes-inl.h"
@@ -78,24 +79,32 @@ HWY_INLINE LaneDual<L, kLocals> only_where(M mask, const LaneDual<L, kLocals>& x
   return r;
 }
 
-/// The chain from beams to samples. L: lane type; P: positions; C: what all beams share.
-template <class L, class P, class C, int kLocals>
+/// Three axes that a beam falls along and is deflected across, in two frames.
+template <class F>
+struct BeamAxes {
+  F in_enu[3][3];     ///< along, across1, across2
+  F in_camera[3][3];  ///< the same in right, down, forward
+};
+
+/// The chain from beams to samples. L: lane type; P: positions; C: what all beams share; F: the beams' axes,
+/// C where the field is uniform, P where each beam has its own.
+template <class L, class P, class C, class F, int kLocals>
 class SampleMaker {
  public:
   using Traits = LaneTraits<L>;
   using Block = SampleBlock<typename Traits::Scalar, kLocals>;
 
   explicit SampleMaker(const KernelScene& scene) : scene_(scene) {
-    for (int i = 0; i < 3; ++i) {
-      spread(scene.fall.along[i], axes_[0][i]);
-      spread(scene.fall.across1[i], axes_[1][i]);
-      spread(scene.fall.across2[i], axes_[2][i]);
-      for (int a = 0; a < 3; ++a) {
-        const LocalDual* axis = a == 0 ? scene.fall.along : a == 1 ? scene.fall.across1 : scene.fall.across2;
-        const LocalDual* row = scene.view.camera_from_enu[i];
-        spread(axis[0] * row[0] + axis[1] * row[1] + axis[2] * row[2], axes_in_camera_[a][i]);
-        spread(row[a], camera_from_enu_[i][a]);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) spread(scene.view.camera_from_enu[i][j], camera_from_enu_[i][j]);
+    if (!scene.beams_own_field) {
+      for (int i = 0; i < 3; ++i) {
+        spread(scene.fall.along[i], axes_[0].in_enu[0][i]);
+        spread(scene.fall.across1[i], axes_[0].in_enu[1][i]);
+        spread(scene.fall.across2[i], axes_[0].in_enu[2][i]);
       }
+      turn_to_camera(axes_[0]);
+      std::fill(axes_ + 1, axes_ + kGroup, axes_[0]);
     }
     spread(scene.deflection.loss_cone_rad, deflection_.loss_cone_rad);
     spread(scene.deflection.pitch_step_rad, deflection_.pitch_step_rad);
@@ -127,10 +136,11 @@ class SampleMaker {
       for (int i = 0; i < 3; ++i) fetch(group.start_in_enu_km[i], first, start[i]);
       fetch(group.length_km, first, length);
       fetch(group.vertical, first, vertical);
+      if (scene_.beams_own_field) set_axes(*group.axes, first, axes_[part]);
       for (int i = 0; i < 3; ++i)
         start_in_camera_km_[part][i] = start[0] * camera_from_enu_[i][0] + start[1] * camera_from_enu_[i][1] +
                                        start[2] * camera_from_enu_[i][2];
-      altitude_[part].start(start, L(scene_.observer_altitude_km), axes_);
+      altitude_[part].start(start, L(scene_.observer_altitude_km), axes_[part].in_enu);
       volume_[part] = length * vertical * (Traits::load(group.flux_km2_mw_m2 + first) * L(0.1f));
       end_[part] = Traits::load(group.end_of_path + first);
       shift_[part] = Traits::load(group.altitude_shift_km + first) * L(1.0 / HeightProfile::kStepKm);
@@ -152,7 +162,12 @@ class SampleMaker {
       FallingBeams<L, P, C> beams = beams_[part];  // a copy: nothing that is stored can be part of it
       const L end = end_[part], first_in_view = first_in_view_[part], last_in_view = last_in_view_[part];
       L t(0.0f);
+      bool over = false;  // nothing more to see of these beams
       for (int step = 0; step < kBlockSteps; step += 4) {
+        if (over) {
+          for (int i = 0; i < 4; ++i) Traits::store(L(0.0f), block.light[step + i][0] + first);
+          continue;
+        }
         beams.next_four(deflection_, keys_, [&](int i, const FallenPoint<L, P>& point) {
           t = point.t;
           points += static_cast<std::uint64_t>(count(t <= end));
@@ -164,14 +179,41 @@ class SampleMaker {
           block.end_step = std::max(block.end_step, step + i + 1);
           see(point, part, first, step + i, block);
         });
+        over = none(t <= last_in_view);
       }
-      alive_ |= !none(t <= last_in_view);
+      alive_ = alive_ || !over;
       beams_[part] = beams;
     }
     return true;
   }
 
  private:
+  HWY_INLINE void turn_to_camera(BeamAxes<F>& axes) const {
+    for (int a = 0; a < 3; ++a)
+      for (int i = 0; i < 3; ++i)
+        axes.in_camera[a][i] = axes.in_enu[a][0] * camera_from_enu_[i][0] +
+                               axes.in_enu[a][1] * camera_from_enu_[i][1] +
+                               axes.in_enu[a][2] * camera_from_enu_[i][2];
+  }
+
+  HWY_INLINE void set_axes(const GroupAxes& own_axes, int first, BeamAxes<F>& axes) const {
+    for (int a = 0; a < 3; ++a)
+      for (int i = 0; i < 3; ++i) {
+        P number;
+        fetch(own_axes.axis[a][i], first, number);
+        axes.in_enu[a][i] = own(number);
+      }
+    turn_to_camera(axes);
+  }
+  /// A beam's number as one of its axes. Where the axes are of another type they are the uniform field's, and
+  /// this is never called.
+  static HWY_INLINE F own(const P& x) {
+    if constexpr (std::is_same_v<F, P>)
+      return x;
+    else
+      return F(value_of(x));
+  }
+
   /// The stretch of the path outside of which a beam surely misses the film. A point strays from the straight
   /// line by no more than its path times the pitch angle; the film's four edges are planes through the
   /// camera.
@@ -180,7 +222,7 @@ class SampleMaker {
     L start[3], way[3];
     for (int i = 0; i < 3; ++i) {
       start[i] = value_of(start_in_camera_km_[part][i]);
-      way[i] = length_km * value_of(axes_in_camera_[0][i]);
+      way[i] = length_km * value_of(axes_[part].in_camera[0][i]);
     }
     L first(0.0f), last = end_[part];
     const auto keep_inside = [&](int axis, double edge, double side) {
@@ -205,8 +247,8 @@ class SampleMaker {
     const P way[3] = {point.along_km, point.across1_km, point.across2_km};
     P in_camera[3];
     for (int i = 0; i < 3; ++i)
-      in_camera[i] = start_in_camera_km_[part][i] + way[0] * axes_in_camera_[0][i] +
-                     (way[1] * axes_in_camera_[1][i] + way[2] * axes_in_camera_[2][i]);
+      in_camera[i] = start_in_camera_km_[part][i] + way[0] * axes_[part].in_camera[0][i] +
+                     (way[1] * axes_[part].in_camera[1][i] + way[2] * axes_[part].in_camera[2][i]);
     auto in_front = L(0.0f) < L(1.0f);
     SeenPoint<P> seen = see_point<L>(film_, in_camera, in_front);
     P above =
@@ -240,8 +282,7 @@ class SampleMaker {
   const KernelScene& scene_;
   PhiloxKeys keys_;
   Deflection<C> deflection_;
-  C axes_[3][3];            ///< along, across1, across2 in east, north, up
-  C axes_in_camera_[3][3];  ///< and in right, down, forward
+  BeamAxes<F> axes_[kGroup];
   C camera_from_enu_[3][3];
   FilmView<C> film_;
   FallingBeams<L, P, C> beams_[kGroup];

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "sim/base/error.h"
 #include "sim/scene/parameter_declarations.h"
@@ -66,6 +67,31 @@ void check_prior(const Scene& scene, const FreeParameter& free) {
   }
 }
 
+/// A parameter that the light does not depend on in this scene.
+std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const ParameterPath& path) {
+  const std::string expected = "a parameter that the light depends on";
+  const std::string& key = path.row->key;
+  if (path.row->table == "field" && scene.field.model == "dipole") {
+    return Complaint{"the field is a dipole's, so " + key + " counts for nothing", expected,
+                     "leave it out of fit.free, or set field.model to \"uniform\""};
+  }
+  if (path.row->table != sheet_table) return std::nullopt;
+  const Sheet& sheet = scene.sheets[path.sheet];
+  if (key == "energy_flux_mw_m2" && sheet.brightness_kilorayleigh > 0.0) {
+    return Complaint{"the sheet's brightness is given, so its energy flux counts for nothing", expected,
+                     "leave it out of fit.free, or brightness_kilorayleigh (and ibc) out of the sheet"};
+  }
+  if (key == "fold_stage" && sheet.fold_spacing_km == 0.0) {
+    return Complaint{"the sheet has no folds, so their stage counts for nothing", expected,
+                     "leave it out of fit.free, or set fold_spacing_km"};
+  }
+  if (key == "arc_spacing_km" && sheet.arcs == 1) {
+    return Complaint{"the sheet is a single arc, so the spacing of arcs counts for nothing", expected,
+                     "leave it out of fit.free, or set arcs"};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 void check_free_parameters(const Scene& scene) {
@@ -76,13 +102,7 @@ void check_free_parameters(const Scene& scene) {
       if (!path.row->can_be_free) {
         complain({"this parameter cannot be free", "one that `vegard params` lists as free", ""}, origin);
       }
-      if (path.row->table == sheet_table && path.row->key == "energy_flux_mw_m2" &&
-          scene.sheets[path.sheet].brightness_kilorayleigh > 0.0) {
-        complain({"the sheet's brightness is given, so its energy flux counts for nothing",
-                  "a parameter that the light depends on",
-                  "leave it out of fit.free, or brightness_kilorayleigh (and ibc) out of the sheet"},
-                 origin);
-      }
+      if (const auto idle = why_it_counts_for_nothing(scene, path)) complain(*idle, origin);
       const auto [owner, is_first] = owners.emplace(path.text, &free);
       if (!is_first) {
         complain({"free twice, first as '" + owner->second->path + "'" +

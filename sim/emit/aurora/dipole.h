@@ -9,14 +9,10 @@
 
 #include "sim/base/dual.h"
 #include "sim/base/earth.h"
+#include "sim/light/sample.h"
 #include "sim/scene/scene.h"
 
 namespace vegard::sim {
-
-/// The pole's direction in the observer's east, north and up.
-struct DipoleAxis {
-  double in_enu[3];
-};
 
 inline DipoleAxis dipole_axis(const Field& field, const Site& site) {
   const double pole = field.pole_latitude_deg * kRadiansPerDegree,
@@ -27,11 +23,11 @@ inline DipoleAxis dipole_axis(const Field& field, const Site& site) {
            std::sin(pole) * std::sin(here) + std::cos(pole) * std::cos(here) * std::cos(east)}};
 }
 
-/// The direction of fall, a unit vector in the observer's east, north and up, at the point of the tangent
-/// plane (east, north) at kFootAltitudeKm: along B where that points into the Earth, against it elsewhere.
-/// The foot must be closer to the observer than the Earth's radius.
+/// The frame of fall at the point of the tangent plane (east, north) at kFootAltitudeKm: along B where that
+/// points into the Earth, against it elsewhere; the first axis across is horizontal (to the east where the
+/// field is vertical). The foot must be closer to the observer than the Earth's radius.
 template <class T>
-void dipole_fall(const DipoleAxis& axis, const T& east_km, const T& north_km, T along[3]) {
+FallFrame<T> dipole_fall_frame(const DipoleAxis& axis, const T& east_km, const T& north_km) {
   constexpr double radius = kEarthRadiusKm + kFootAltitudeKm;
   const T height = square_root(radius * radius - east_km * east_km - north_km * north_km);
   const T place[3] = {east_km * (1.0 / radius), north_km * (1.0 / radius), height * (1.0 / radius)};
@@ -39,7 +35,18 @@ void dipole_fall(const DipoleAxis& axis, const T& east_km, const T& north_km, T 
   const T up = place[0] * n[0] + place[1] * n[1] + place[2] * n[2];
   // |n - 3 (n . r) r|^2 = 1 + 3 (n . r)^2; its part along r is -2 (n . r).
   const T size = square_root(up * up * 3.0 + 1.0) * (value_of(up) < 0.0 ? -1.0 : 1.0);
-  for (int i = 0; i < 3; ++i) along[i] = (T(n[i]) - up * place[i] * 3.0) / size;
+  FallFrame<T> f;
+  for (int i = 0; i < 3; ++i) f.along[i] = (T(n[i]) - up * place[i] * 3.0) / size;
+  const T level2 = f.along[0] * f.along[0] + f.along[1] * f.along[1];
+  const bool slanted = value_of(level2) > 1e-18;
+  const T level = slanted ? square_root(level2) : T(1.0);
+  f.across1[0] = slanted ? f.along[1] / level : T(1.0);
+  f.across1[1] = slanted ? -f.along[0] / level : T(0.0);
+  f.across1[2] = T(0.0);
+  f.across2[0] = f.along[2] * f.across1[1];
+  f.across2[1] = -f.along[2] * f.across1[0];
+  f.across2[2] = f.along[1] * f.across1[0] - f.along[0] * f.across1[1];
+  return f;
 }
 
 }  // namespace vegard::sim

@@ -14,9 +14,12 @@ constexpr int kMostBeams = 10000000;
 
 /// Van der Corput's sequence in base 2: the bits of i mirrored at the point.
 double van_der_corput(std::uint32_t i) {
-  std::uint32_t bits = 0;
-  for (int b = 0; b < 32; ++b) bits |= ((i >> b) & 1u) << (31 - b);
-  return (static_cast<double>(bits) + 0.5) / 4294967296.0;
+  i = (i >> 16) | (i << 16);
+  i = ((i >> 8) & 0x00ff00ffu) | ((i & 0x00ff00ffu) << 8);
+  i = ((i >> 4) & 0x0f0f0f0fu) | ((i & 0x0f0f0f0fu) << 4);
+  i = ((i >> 2) & 0x33333333u) | ((i & 0x33333333u) << 2);
+  i = ((i >> 1) & 0x55555555u) | ((i & 0x55555555u) << 1);
+  return (static_cast<double>(i) + 0.5) / 4294967296.0;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "sim/base/earth.h"
+#include "sim/emit/aurora/dipole.h"
 #include "sim/light/height_profile.h"
 #include "sim/render/kernel.h"
 #include "tests/support/block_means.h"
@@ -240,6 +241,32 @@ TEST(Film, FollowsTheReferenceInDouble) {
   std::vector<double> fast(exposure.rayleigh.begin(), exposure.rayleigh.end());
   EXPECT_LT(tests::relative_rms(fast, reference), 1e-3);
   EXPECT_GT(tests::relative_rms(fast, reference), 0.0);
+}
+
+TEST(Film, ABeamUnderADipoleFallsAsUnderTheUniformFieldOfItsFoot) {
+  Scene scene = one_beam(170.0);
+  scene.sheets[0].loss_cone_deg = 2.5;
+  scene.field.model = "dipole";
+  scene.site.latitude_deg = 67.0;
+  scene.site.longitude_deg = 25.0;
+  const Exposure under_dipole = exposed(scene, shifted_film(scene));
+  const EastNorth foot = scene.sheets[0].center_km;
+  const FallFrame<double> fall =
+      dipole_fall_frame(dipole_axis(scene.field, scene.site), foot.east, foot.north);
+  scene.field.model = "uniform";
+  const Exposure elsewhere = exposed(scene, shifted_film(scene));
+  scene.field.inclination_deg = std::asin(-fall.along[2]) / kRadiansPerDegree;
+  scene.field.declination_deg = std::atan2(fall.along[0], fall.along[1]) / kRadiansPerDegree;
+  const Exposure under_uniform = exposed(scene, shifted_film(scene));
+  const auto difference = [&](const Exposure& other) {
+    double off = 0.0;
+    for (std::size_t i = 0; i < other.rayleigh.size(); ++i)
+      off += std::abs(other.rayleigh[i] - under_dipole.rayleigh[i]);
+    return off / (total(under_dipole, 0) + total(under_dipole, 1) + total(under_dipole, 2));
+  };
+  EXPECT_GT(total(under_dipole, 1), 0.0);
+  EXPECT_LT(difference(under_uniform), 1e-3) << "floats, and a foot that the sine and width move by little";
+  EXPECT_GT(difference(elsewhere), 0.1) << "the default field is another";
 }
 
 TEST(Film, BeamsThatDoNotDescendAreDark) {

@@ -37,8 +37,13 @@ std::vector<double> photons_per_line(const EmissionPoints& points) {
   return sum;
 }
 
-TEST(Points, ProjectedGiveTheRayleighsOfTheFilm) {
+/// Under which field does not matter; the film's kernel and the points' loop have their axes from one place.
+class PointsUnder : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Field, PointsUnder, testing::Values("uniform", "dipole"));
+
+TEST_P(PointsUnder, ProjectedGiveTheRayleighsOfTheFilm) {
   Scene scene = tests::small_scene();
+  scene.field.model = GetParam();
   scene.sheets[0].arcs = 2;
   scene.sheets[0].path_spread = 0.3;
   scene.time.start_s = 3.0;
