@@ -61,3 +61,14 @@ scene_with() {
   sed "$1" "$SCENES/small.toml" >scene.toml
   ! cmp -s scene.toml "$SCENES/small.toml" || fail "'$1' changes nothing"
 }
+
+# wait_until_interruptible JOB: until the program listens for Ctrl-C, however busy the machine is.
+wait_until_interruptible() {
+  local caught
+  for _ in $(seq 600); do
+    caught=$(sed -n 's/^SigCgt:[[:space:]]*//p' "/proc/$1/status" 2>/dev/null) || caught=
+    [[ -n $caught ]] && (((0x${caught: -4} & 2) != 0)) && return 0
+    sleep 0.1
+  done
+  fail "the program never listens for Ctrl-C"
+}

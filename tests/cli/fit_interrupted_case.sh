@@ -6,7 +6,7 @@ set -m  # a job of its own; else the shell has it ignore the signal
   --threads 1 >"$stdout" 2>"$stderr" &
 job=$!
 # The first line of a stage says that the work is under way.
-for _ in $(seq 100); do
+for _ in $(seq 600); do
   [[ ! -s $stderr ]] || break
   sleep 0.1
 done

@@ -3,7 +3,7 @@ source "$(dirname "$0")/case.sh"
 set -m  # a job of its own; else the shell has it ignore the signal
 "$VEGARD" render "$SCENES/small.toml" -o out.exr --set sheet.main.beams=3000000 --threads 1 >"$stdout" 2>"$stderr" &
 job=$!
-sleep 1
+wait_until_interruptible "$job"
 kill -INT "$job"
 status=0
 wait "$job" || status=$?

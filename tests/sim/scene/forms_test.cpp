@@ -138,7 +138,9 @@ TEST(Forms, KeepToTheSourcesRanges) {
       EXPECT_LE(s.ray_width_km, 1.0);  // section 2.2
       EXPECT_GE(s.ray_width_km * s.beams_per_km, 4.0) << "a ray is more than a beam";
     }
-    if (s.fold_spacing_km > 0.0) EXPECT_NEAR(s.fold_spacing_km, 20.0, 10.0);
+    if (s.fold_spacing_km > 0.0) {
+      EXPECT_NEAR(s.fold_spacing_km, 20.0, 10.0);
+    }
     if (s.curl_spacing_km > 0.0) {
       EXPECT_GE(s.curl_spacing_km, 2.0);
       EXPECT_LE(s.curl_spacing_km, 10.0);
