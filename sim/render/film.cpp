@@ -175,18 +175,24 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<cons
       if (of_energy[s] >= 0) scale[of_energy[s]] = mean / static_cast<float>(scene.sheets[s].energy_kev);
     const std::size_t out_stride = static_cast<std::size_t>(out.free_stride);
     constexpr int kTile = TangentFilm::kTileColumns;
+    // Most tiles are lit by one share alone, or by two.
+    std::vector<std::vector<const float*>> lit((w.film.columns + kTile - 1) / kTile);
+    for (std::size_t tile = 0; tile < lit.size(); ++tile)
+      for (const auto& share : tangents)
+        if (share->tile_if_any(static_cast<int>(tile)) != nullptr)
+          lit[tile].push_back(share->tile_if_any(static_cast<int>(tile)));
     parallel_for(static_cast<std::size_t>(w.film.rows), w.threads, [&](std::size_t row, int) {
       for (int column = 0; column < w.film.columns; ++column) {
-        for (int l = 0; l < lines; ++l) {
+        const std::vector<const float*>& tiles = lit[column / kTile];
+        const std::size_t in_tile = (row * kTile + column % kTile) * lines * kTangentWidth;
+        float* to =
+            out.derivative.data() + ((row * w.film.columns + column) * out_stride + pass * kTangentWidth);
+        for (int l = 0; l < lines; ++l, to += cells * out_stride) {
           float sum[kTangentWidth] = {};
-          for (std::size_t shard = 0; shard < shards; ++shard) {
-            const float* tile = tangents[shard]->tile_if_any(column / kTile);
-            if (tile == nullptr) continue;
-            const float* cell = tile + ((row * kTile + column % kTile) * lines + l) * kTangentWidth;
+          for (const float* tile : tiles) {
+            const float* cell = tile + in_tile + static_cast<std::size_t>(l) * kTangentWidth;
             for (int i = 0; i < kTangentWidth; ++i) sum[i] += cell[i];
           }
-          float* to = out.derivative.data() +
-                      ((l * cells + row * w.film.columns + column) * out_stride + pass * kTangentWidth);
           for (int i = 0; i < kTangentWidth; ++i) to[i] = sum[i] * scale[i];
         }
       }
