@@ -4,6 +4,7 @@
 #include <cassert>
 #include <limits>
 
+#include "sim/emit/aurora/sheet.h"
 #include "sim/render/render.h"
 #include "sim/view/sky.h"
 
@@ -40,7 +41,8 @@ sim::Scene scene_of_expectation(const FitResult& result) {
   sim::Scene scene = result.best;
   for (sim::Sheet& sheet : scene.sheets) {
     sheet.spacing_jitter = 0.0;
-    sheet.beams = dense(sheet.beams);
+    sheet.beams = dense(sim::beams_per_layer(sheet));
+    sheet.beams_per_km = 0.0;
   }
   return scene;
 }

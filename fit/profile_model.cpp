@@ -5,6 +5,7 @@
 
 #include "fit/smoothing.h"
 #include "sim/base/parallel.h"
+#include "sim/emit/aurora/sheet.h"
 #include "sim/render/film.h"
 #include "sim/view/blur.h"
 #include "sim/view/colour.h"
@@ -53,7 +54,10 @@ struct ProfileModel::Workspace {
     std::vector<const double*> moved;
     for (std::size_t s = 0; s < from.sheets.size(); ++s) used_beams[s] = scene.sheets[s].beams;
     scene = from;
-    for (std::size_t s = 0; s < from.sheets.size(); ++s) scene.sheets[s].beams = used_beams[s];
+    for (std::size_t s = 0; s < from.sheets.size(); ++s) {
+      scene.sheets[s].beams = used_beams[s];
+      scene.sheets[s].beams_per_km = 0.0;
+    }
     for (const double* address : free) moved.push_back(counterpart(from, address));
     return moved;
   }
@@ -170,7 +174,8 @@ ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo, const Re
   w.scene = scene;
   w.used_beams.resize(scene.sheets.size());
   for (sim::Sheet& sheet : w.scene.sheets) {
-    sheet.beams = std::max(1, static_cast<int>(std::lround(sheet.beams * beams_share)));
+    sheet.beams = std::max(1, static_cast<int>(std::lround(sim::beams_per_layer(sheet) * beams_share)));
+    sheet.beams_per_km = 0.0;
     sheet.spacing_jitter = 0.0;  // the expectation is wanted, not one realisation
   }
   const int cell = cell_width(region, bands);

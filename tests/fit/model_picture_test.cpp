@@ -62,6 +62,12 @@ TEST(ModelPicture, HasDenseBeamsWithoutJitter) {
   // Who has many already pays for no more than four times as many.
   result.best.sheets[0].beams = 50000;
   EXPECT_EQ(scene_of_expectation(result).sheets[0].beams, 200000);
+  // As many as the length asks for, where the scene says so.
+  const int dense_beams = scene.sheets[0].beams;
+  result.best.sheets[0].beams = 1;
+  result.best.sheets[0].beams_per_km = 2000.0 / result.best.sheets[0].length_km;
+  EXPECT_EQ(scene_of_expectation(result).sheets[0].beams, dense_beams);
+  EXPECT_EQ(scene_of_expectation(result).sheets[0].beams_per_km, 0.0);
 }
 
 }  // namespace
