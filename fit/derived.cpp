@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "sim/base/earth.h"
 #include "sim/light/height_profile.h"
@@ -36,12 +37,19 @@ double wavelength_ratio(const sim::Sheet& sheet) { return sheet.wavelength_km / 
 
 }  // namespace
 
-double nearest_distance_km(const sim::Sheet& sheet) {
+double nearest_distance_km(const sim::Sheet& sheet, double instant_s) {
   const double bearing = sheet.bearing_deg * sim::kRadiansPerDegree;
   const double u_east = std::sin(bearing), u_north = std::cos(bearing), half = 0.5 * sheet.length_km;
-  const double along =
-      std::clamp(-(sheet.center_km.east * u_east + sheet.center_km.north * u_north), -half, half);
-  return std::hypot(sheet.center_km.east + along * u_east, sheet.center_km.north + along * u_north);
+  const double east = sheet.center_km.east + sheet.drift_km_s.east * instant_s;
+  const double north = sheet.center_km.north + sheet.drift_km_s.north * instant_s;
+  const double along = std::clamp(-(east * u_east + north * u_north), -half, half);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int arc = 0; arc < sheet.arcs; ++arc) {
+    const double aside = (arc - 0.5 * (sheet.arcs - 1)) * sheet.arc_spacing_km;
+    nearest = std::min(nearest, std::hypot(east + along * u_east - aside * u_north,
+                                           north + along * u_north + aside * u_east));
+  }
+  return nearest;
 }
 
 double lower_border_km(double wavelength_nm, const sim::Sheet& sheet) {
@@ -118,7 +126,8 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
   };
   for (std::size_t s = 0; s < best.sheets.size(); ++s) {
     const std::string of = " of the " + best.sheets[s].name + " sheet";
-    add("distance" + of, "km", [s](const sim::Scene& x) { return nearest_distance_km(x.sheets[s]); });
+    add("distance" + of, "km",
+        [s](const sim::Scene& x) { return nearest_distance_km(x.sheets[s], x.time.start_s); });
     add("mean electron energy" + of, "keV",
         [s](const sim::Scene& x) { return 2.0 * x.sheets[s].energy_kev; });
     add("peak altitude of 557.7 nm" + of, "km",

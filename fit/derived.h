@@ -10,8 +10,8 @@
 namespace vegard::fit {
 
 /// Distance along the tangent plane from the observer to the nearest point of a sheet's line from start to
-/// end, km.
-double nearest_distance_km(const sim::Sheet& sheet);
+/// end, km, where it has drifted to at an instant; of a system of arcs, to the nearest of them.
+double nearest_distance_km(const sim::Sheet& sheet, double instant_s = 0.0);
 
 /// Altitude below a line's peak where its volume emission rate has fallen to a tenth, and of the peak itself,
 /// km; from the sheet's own height profile. Source of the tenth: docs/physics.md, row B19.

@@ -107,7 +107,10 @@ void Exposer::expose(const Scene& scene, Exposure& out, const std::function<void
   parallel_for(w.layout.chunks().size(), w.threads, [&](std::size_t c, int slot) {
     if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
     const Chunk& chunk = w.layout.chunks()[c];
-    if (only_sheet >= 0 && chunk.sheet != only_sheet) return;
+    if (only_sheet >= 0 && chunk.sheet != only_sheet) {
+      ++done;
+      return;
+    }
     PackedChunk& packed = w.slot_chunks[slot];
     w.layout.pack(scene, chunk, kernels[chunk.sheet], packed);
     points += fall_on_film(kernels[chunk.sheet], packed.groups.data(), packed.groups.size(),

@@ -19,7 +19,8 @@ namespace vegard::sim {
 inline constexpr int kGroup = 16;  ///< beams that fall side by side
 
 /// A rayleigh on the value film is 2^20 units of a 64-bit integer: sums do not depend on their order, a
-/// thousandth of a rayleigh still has three digits, and a cell overflows at 8e12 rayleighs.
+/// thousandth of a rayleigh still has three digits. A cell overflows at 8e12 rayleighs, and one sample may
+/// add up to 2e9 (2^31): IBC 4, the brightest aurora, is 1e6 along the field.
 inline constexpr double kFilmUnitsPerRayleigh = 1048576.0;
 
 /// A number with its derivatives by the local inputs, for sixteen beams.

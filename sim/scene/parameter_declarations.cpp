@@ -72,6 +72,9 @@ class Row {
   Declaration d_;
 };
 
+/// Who asks for a number of beams does not want a form's, which goes by the length.
+void count_beams(Scene& scene, int sheet) { scene.sheets.at(sheet).beams_per_km = 0.0; }
+
 std::string index_name(const Scene&, int index) { return std::to_string(index); }
 
 std::string name_by_line(const Scene& scene, int index) {
@@ -140,7 +143,8 @@ std::vector<Declaration> declare() {
       Row("layers", &Sheet::layers).within(1, 100).means("number of sine curves in the sheet"),
       Row("width_km", &Sheet::width_km).in("km").within(0.01, 100).may_be_free(logarithmic)
           .means("standard deviation of a layer's Gaussian cross-section"),
-      Row("beams", &Sheet::beams).within(1, 10000000).means("number of electron beams in each layer"),
+      Row("beams", &Sheet::beams).within(1, 10000000).then(count_beams)
+          .means("number of electron beams in each layer; setting it sets beams_per_km to 0"),
       Row("energy_kev", &Sheet::energy_kev).in("keV").within(0.1, 20).may_be_free(logarithmic)
           .means("characteristic energy E0 of the Maxwellian electrons; their mean energy is twice that"),
       Row("energy_flux_mw_m2", &Sheet::energy_flux_mw_m2).in("mW m⁻²").within(0, 10000).may_be_free(logarithmic)
@@ -176,7 +180,7 @@ std::vector<Declaration> declare() {
           .means("how far below the peak a form's light has fallen to a tenth"),
       Row("upper_km", &Sheet::upper_km).in("km").within(1, 500)
           .means("how far above the peak a form's light has fallen to a tenth"),
-      Row("fold_spacing_km", &Sheet::fold_spacing_km).in("km").within(0, 5000)
+      Row("fold_spacing_km", &Sheet::fold_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
           .means("mean distance between folds (about 20 in nature); 0: no folds"),
       Row("fold_spacing_jitter", &Sheet::fold_spacing_jitter).within(0, 1)
           .means("random shift of the folds, as a fraction of their spacing"),
@@ -188,9 +192,9 @@ std::vector<Declaration> declare() {
           .means("how much less than that folds may have turned, as a fraction of it"),
       Row("fold_speed_km_s", &Sheet::fold_speed_km_s).in("km s⁻¹").within(-100, 100)
           .means("of the folds, from start to end (0 to 5 in nature)"),
-      Row("fold_lifetime_s", &Sheet::fold_lifetime_s).in("s").within(0, 1e6)
+      Row("fold_lifetime_s", &Sheet::fold_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
           .means("of a fold (more than 1 in nature); 0: folds last"),
-      Row("curl_spacing_km", &Sheet::curl_spacing_km).in("km").within(0, 5000)
+      Row("curl_spacing_km", &Sheet::curl_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
           .means("mean distance between curls (2 to 10 in nature); 0: no curls"),
       Row("curl_radius_km", &Sheet::curl_radius_km).in("km").within(0.01, 100).means("of a curl, at most the spacing"),
       Row("curl_turn_rad", &Sheet::curl_turn_rad).in("rad").within(-100, 100)
@@ -199,7 +203,7 @@ std::vector<Declaration> declare() {
           .means("how much closer beams stand in the centre of a curl, as a fraction of their spacing"),
       Row("curl_speed_km_s", &Sheet::curl_speed_km_s).in("km s⁻¹").within(-100, 100)
           .means("of the curls, from start to end (0 to 8 in nature, at most 90)"),
-      Row("curl_lifetime_s", &Sheet::curl_lifetime_s).in("s").within(0, 1e6)
+      Row("curl_lifetime_s", &Sheet::curl_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
           .means("of a curl (0.25 to 0.75 in nature); 0: curls last"),
       Row("ray_contrast", &Sheet::ray_contrast).within(0, 3)
           .means("standard deviation of the logarithm of the light from ray to ray; 0: no rays"),
@@ -209,19 +213,19 @@ std::vector<Declaration> declare() {
           .means("standard deviation of the logarithm of the rays' extent above the peak"),
       Row("ray_speed_km_s", &Sheet::ray_speed_km_s).in("km s⁻¹").within(-100, 100)
           .means("of the rays, from start to end"),
-      Row("ray_lifetime_s", &Sheet::ray_lifetime_s).in("s").within(0, 1e6).means("of a ray; 0: rays last"),
-      Row("patch_size_km", &Sheet::patch_size_km).in("km").within(0, 1000)
+      Row("ray_lifetime_s", &Sheet::ray_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint).means("of a ray; 0: rays last"),
+      Row("patch_size_km", &Sheet::patch_size_km).in("km").within(0, 1000).rule(none_or_some_complaint)
           .means("of patches of light along and across the sheet, full width of their autocorrelation; 0: no patches"),
       Row("patch_contrast", &Sheet::patch_contrast).within(0, 3)
           .means("standard deviation of the logarithm of the light from patch to patch"),
-      Row("patch_lifetime_s", &Sheet::patch_lifetime_s).in("s").within(0, 1e6).means("of a patch; 0: patches last"),
+      Row("patch_lifetime_s", &Sheet::patch_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint).means("of a patch; 0: patches last"),
       Row("border_amplitude_km", &Sheet::border_amplitude_km).in("km").within(0, 100)
           .means("by which the lower border goes up and down; 0: it is even"),
       Row("border_scale_km", &Sheet::border_scale_km).in("km").within(0.1, 1000)
           .means("length of the lower border's longest waves"),
       Row("border_octaves", &Sheet::border_octaves).within(1, 8)
           .means("of the lower border's waves, each half as long and half as high as the one before"),
-      Row("border_lifetime_s", &Sheet::border_lifetime_s).in("s").within(0, 1e6)
+      Row("border_lifetime_s", &Sheet::border_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
           .means("of the lower border's course; 0: it lasts"),
       Row("drift_km_s", &Sheet::drift_km_s).of({"east", "north"}).in("km s⁻¹").within(-100, 100)
           .means("velocity of the whole sheet (0.1 to 0.2 north to south in nature, 10 east to west)"),

@@ -61,6 +61,11 @@ std::optional<Complaint> inclination_complaint(double inclination_deg) {
                    "aurorae stand where the field is steep: 75 to 85 under the northern auroral oval"};
 }
 
+std::optional<Complaint> none_or_some_complaint(double value) {
+  if (value == 0.0 || value >= 1e-3) return std::nullopt;
+  return Complaint{short_real_text(value) + " is neither 0 nor enough", "0, or at least 0.001", ""};
+}
+
 std::optional<Complaint> sheet_name_complaint(const std::string& name) {
   const char* expected = "letters a-z, digits, '-' and '_'";
   if (name.empty()) return Complaint{"the name of a sheet is empty", expected, ""};

@@ -14,6 +14,10 @@ namespace vegard::sim {
 /// A nearly horizontal field would let beams run along the ground: at least 20 degrees.
 std::optional<Complaint> inclination_complaint(double inclination_deg);
 
+/// A time or length of which 0 says that there is none: else at least 0.001, or whoever asked for less would
+/// only lose what it belongs to in the rounding of the places and instants.
+std::optional<Complaint> none_or_some_complaint(double value);
+
 /// A name must be able to stand inside a path and must not be a sheet's key, or "sheet.width_km" would mean
 /// two things.
 std::optional<Complaint> sheet_name_complaint(const std::string& name);

@@ -39,7 +39,7 @@ void check_sheet_names(const Scene& scene) {
   }
 }
 
-/// Structures keep to their slots, of which each has but one.
+/// Structures keep to their slots, of which each has but one; and a form's light is where its beams are.
 void check_structures(const Scene& scene) {
   const auto check = [&](const Sheet& sheet, const std::string& what, double size_km, double spacing_km,
                          const std::string& size, const std::string& spacing) {
@@ -55,6 +55,14 @@ void check_structures(const Scene& scene) {
   for (const Sheet& sheet : scene.sheets) {
     check(sheet, "folds", sheet.fold_length_km, sheet.fold_spacing_km, "fold_length_km", "fold_spacing_km");
     check(sheet, "curls", sheet.curl_radius_km, sheet.curl_spacing_km, "curl_radius_km", "curl_spacing_km");
+    // Else a given brightness might have no light at all to be reached with.
+    if (sheet.profile == "form" && sheet.peak_km >= sheet.top_km) {
+      const std::string path = "sheet." + sheet.name + ".";
+      complain({"the form's light peaks at " + short_real_text(sheet.peak_km) +
+                    " km, above its beams, which start at " + short_real_text(sheet.top_km),
+                "peak_km below top_km", "lower the one or raise the other"},
+               {scene.file, 0, path + (line_of(scene, path + "peak_km") > 0 ? "peak_km" : "top_km")});
+    }
   }
 }
 

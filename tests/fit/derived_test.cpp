@@ -18,6 +18,19 @@ TEST(NearestDistance, IsThePerpendicularOrAnEnd) {
   EXPECT_NEAR(nearest_distance_km(sheet), std::hypot(100.0, 200.0), 1e-9);
 }
 
+TEST(NearestDistance, FollowsTheDriftAndTakesTheNearestArc) {
+  sim::Sheet sheet;
+  sheet.center_km = {0.0, 300.0};
+  sheet.bearing_deg = 90.0;
+  sheet.drift_km_s = {0.0, -2.5};
+  EXPECT_NEAR(nearest_distance_km(sheet, 40.0), 200.0, 1e-9);
+  sheet.arcs = 4;
+  sheet.arc_spacing_km = 30.0;
+  EXPECT_NEAR(nearest_distance_km(sheet, 40.0), 155.0, 1e-9);
+  sheet.bearing_deg = 270.0;  // the same arcs from the other end
+  EXPECT_NEAR(nearest_distance_km(sheet, 40.0), 155.0, 1e-9);
+}
+
 TEST(Altitudes, ArePlacedAsTheSourcesHaveThem) {
   // docs/physics.md: 557.7 peaks at 126, 109 and 101 km for E0 = 1, 3 and 10 keV.
   sim::Sheet sheet;

@@ -13,6 +13,7 @@
 #include <cstdint>
 
 #include "sim/base/dual.h"
+#include "sim/base/smooth_step.h"
 #include "sim/emit/aurora/slot.h"
 #include "sim/scene/scene.h"
 
@@ -54,8 +55,7 @@ class Curls {
   /// 1 for beams that are laid out within five radii of a curl, then less, 0 from six on: on an even sheet
   /// the turn is long gone there, but a fold may bring such beams back.
   static double hold(double from_center_km, double radius_km) {
-    const double inside = std::clamp(kReach - std::abs(from_center_km) / radius_km, 0.0, 1.0);
-    return inside * inside * (3.0 - 2.0 * inside);
+    return smooth_step(kReach - std::abs(from_center_km) / radius_km);
   }
 
  private:

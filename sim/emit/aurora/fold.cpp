@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include "sim/base/smooth_step.h"
 
 namespace vegard::sim {
 namespace {
@@ -9,11 +10,6 @@ namespace {
 // At stage 0 a fold still departs from the sine, by metres. So that it does not jump there when it is born,
 // it grows out of the sine while its strength is below this.
 constexpr double kWholeFrom = 0.25;
-
-double smooth_step(double x) {
-  const double inside = std::clamp(x, 0.0, 1.0);
-  return inside * inside * (3.0 - 2.0 * inside);
-}
 
 }  // namespace
 

@@ -1,18 +1,8 @@
 #include "sim/emit/aurora/motion.h"
 
-#include <algorithm>
+#include "sim/base/smooth_step.h"
 
 namespace vegard::sim {
-namespace {
-
-/// From 0 to 1 with level ends.
-double smooth_step(double x) {
-  const double inside = std::clamp(x, 0.0, 1.0);
-  return inside * inside * (3.0 - 2.0 * inside);
-}
-
-}  // namespace
-
 std::vector<double> instants_s(const Time& time) {
   std::vector<double> all;
   for (int k = 0; k < time.instants; ++k) all.push_back(time.start_s + k * time.exposure_s / time.instants);

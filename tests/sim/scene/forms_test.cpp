@@ -166,6 +166,18 @@ TEST(Forms, KeepToTheSourcesRanges) {
   EXPECT_GT(green_kilorayleigh("homogeneous_arc"), 5.0);
 }
 
+TEST(Forms, GivingTheBeamsWinsOverTheBeamsPerKilometre) {
+  const Scene scene = parse_scene("[[sheet]]\nform = \"rayed_arc\"\nbeams = 10\n", "scene.toml");
+  EXPECT_EQ(scene.sheets[0].beams, 10);
+  EXPECT_EQ(scene.sheets[0].beams_per_km, 0.0);
+  EXPECT_GT(sheet_of("rayed_arc").beams_per_km, 0.0);
+  Scene changed = parse_scene("[[sheet]]\nform = \"rayed_arc\"\n", "scene.toml");
+  set_from_text(changed, "sheet.main.beams", "77");
+  EXPECT_EQ(changed.sheets[0].beams_per_km, 0.0);
+  const Scene both = parse_scene("[[sheet]]\nbeams = 10\nbeams_per_km = 3\n", "scene.toml");
+  EXPECT_EQ(both.sheets[0].beams_per_km, 3.0) << "and back from a written scene, which has both";
+}
+
 TEST(Forms, ACoronaIsARayedBandSeenFromBelow) {
   Sheet corona = sheet_of("corona");
   corona.form = "rayed_band";
