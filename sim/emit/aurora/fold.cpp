@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include "sim/base/smooth_step.h"
 
 namespace vegard::sim {
