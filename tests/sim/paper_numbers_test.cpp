@@ -17,6 +17,7 @@
 #include "sim/render/kernel_scene.h"
 #include "sim/scene/scene_toml.h"
 #include "sim/view/blur.h"
+#include "tests/support/exposed.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {
@@ -24,18 +25,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-FilmGeometry whole_picture(const Scene& scene) {
-  FilmGeometry film;
-  film.columns = scene.camera.width;
-  film.rows = scene.camera.height;
-  return film;
-}
-
-Exposure exposed(const Scene& scene) {
-  Exposure exposure;
-  Exposer(scene, whole_picture(scene), 0).expose(scene, exposure);
-  return exposure;
-}
+using tests::exposed;
 
 // Section 3.1.1, equation (2): d_r = (D / n)(2 pi / lambda), so n increments are 2 pi D / lambda whatever n.
 TEST(PaperNumbers, PhaseAfterAllPointsIsTwoPiDOverLambda) {

@@ -9,23 +9,14 @@
 #include "sim/light/form_profile.h"
 #include "sim/render/film.h"
 #include "sim/scene/scene_toml.h"
+#include "tests/support/exposed.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {
 namespace {
 
-FilmGeometry whole_picture(const Scene& scene) {
-  FilmGeometry film;
-  film.columns = scene.camera.width;
-  film.rows = scene.camera.height;
-  return film;
-}
-
-Exposure exposed(const Scene& scene) {
-  Exposure exposure;
-  Exposer(scene, whole_picture(scene), 0).expose(scene, exposure);
-  return exposure;
-}
+using tests::exposed;
+using tests::whole_picture;
 
 /// A sheet 60 km wide through the magnetic zenith of a camera that looks there, 4 degrees across.
 Scene magnetic_zenith(double inclination_deg) {
