@@ -1,13 +1,15 @@
 // Numbers that Baranoski et al. 2000 state, measured on the simulator; docs/physics.md has the rows. Those
 // not here stand beside what they test: deflections and spread (rows B12, B14) in emit/aurora/fall_test.cpp,
 // the distance of the boundaries (B2) in emit/aurora/sheet_test.cpp, an electron's speed and collisions (B12)
-// in light/electron_test.cpp, a form's light against altitude (B19) and brightness (B21) in
-// render/sheet_light_test.cpp, the forms' ranges (B20) in scene/forms_test.cpp.
+// in light/electron_test.cpp, brightness (B21) in render/sheet_light_test.cpp, a form's light against
+// altitude (B19) and the forms' heights and brightness (B20) in render/forms_on_film_test.cpp, the forms'
+// other ranges (B20) in scene/forms_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "sim/base/earth.h"
 #include "sim/emit/aurora/motion.h"
@@ -17,6 +19,7 @@
 #include "sim/render/kernel_scene.h"
 #include "sim/scene/scene_toml.h"
 #include "sim/view/blur.h"
+#include "tests/support/exposed.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {
@@ -24,18 +27,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-FilmGeometry whole_picture(const Scene& scene) {
-  FilmGeometry film;
-  film.columns = scene.camera.width;
-  film.rows = scene.camera.height;
-  return film;
-}
-
-Exposure exposed(const Scene& scene) {
-  Exposure exposure;
-  Exposer(scene, whole_picture(scene), 0).expose(scene, exposure);
-  return exposure;
-}
+using tests::exposed;
 
 // Section 3.1.1, equation (2): d_r = (D / n)(2 pi / lambda), so n increments are 2 pi D / lambda whatever n.
 TEST(PaperNumbers, PhaseAfterAllPointsIsTwoPiDOverLambda) {
@@ -102,6 +94,40 @@ TEST(PaperNumbers, ASineTravelsAHundredAndFortyTwoMetresAFrame) {
     EXPECT_NEAR(north_at(1200, x + 170.0), north_at(0, x), 1e-9);
   }
   EXPECT_GT(std::abs(north_at(1, 13.0) - north_at(0, 13.0)), 0.005);
+}
+
+TEST(PaperNumbers, CurlsTravelAHundredAndFortyTwoMetresAFrame) {
+  Scene scene = tests::small_scene();
+  Sheet& sheet = scene.sheets[0];
+  sheet.curl_spacing_km = 8.0;
+  sheet.curl_speed_km_s = 8.5;
+  sheet.bearing_deg = 90.0;
+  sheet.thickness_km = 0.0;  // a straight line but for its curls
+  const StretchOfSheet stretch = stretch_of(sheet, 0.0);
+  const auto foot = [&](int frame, double from_start_km) {
+    Scene then = scene;
+    then.time.start_s = frame / scene.time.frames_per_second;
+    const double instant = instants_s(then.time).front();
+    const LayerStructure structure{Folds(sheet, 0, scene.seed, instant, 0.0),
+                                   Curls(sheet, 0, scene.seed, instant, 0.0)};
+    BeamPlace place;
+    place.s = place.s_of_phase = from_start_km / sheet.length_km;
+    return beam_foot(at_frame(scene, frame), stretch, place, 0, sheet.layers, false, &structure);
+  };
+  double wound = 0.0, moved = 0.0;
+  for (double x = 5.0; x < 200.0; x += 0.7) {
+    const auto start = foot(0, x);
+    for (const auto& [frame, travelled] : {std::pair(1, 0.1417), std::pair(1200, 170.0)}) {
+      const auto later = foot(frame, x + travelled);
+      // 0.1417 is rounded by 3.4e-5 km, and a curl shears by up to some three radians a radius.
+      EXPECT_NEAR(later.east_km - start.east_km, travelled, frame == 1 ? 2e-4 : 1e-9) << x;
+      EXPECT_NEAR(later.north_km, start.north_km, frame == 1 ? 2e-4 : 1e-9) << x;
+    }
+    wound = std::max(wound, std::abs(start.north_km - sheet.center_km.north));
+    moved = std::max(moved, std::abs(foot(1, x).north_km - start.north_km));
+  }
+  EXPECT_GT(wound, 0.2) << "no curl: the test would pass without any";
+  EXPECT_GT(moved, 0.05) << "the curls stand still";
 }
 
 // Section 4.3: sigma 4.75 and 2.0 px with supports of 21 by 21 and 5 by 5 px at 383 px and 35 degrees, none

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "sim/base/earth.h"
-#include "sim/render/film.h"
 #include "sim/view/camera.h"
+#include "tests/support/exposed.h"
 #include "tests/support/line_of_sight.h"
 #include "tests/support/small_scene.h"
 
@@ -63,11 +63,8 @@ inline std::vector<double> blocks_by_beams(const sim::Scene& scene, int line, in
   sim::Scene finer = scene;
   finer.camera.width *= pixels_per_pixel;
   finer.camera.height *= pixels_per_pixel;
-  sim::FilmGeometry film;
-  film.columns = finer.camera.width;
-  film.rows = finer.camera.height;
-  sim::Exposure exposure;
-  sim::Exposer(finer, film, 0).expose(finer, exposure);
+  const sim::FilmGeometry film = whole_picture(finer);
+  const sim::Exposure exposure = exposed(finer, film);
   const int block = kBlock * pixels_per_pixel;
   std::vector<double> blocks;
   for (int by = 1; by + 1 < scene.camera.height / kBlock; ++by)

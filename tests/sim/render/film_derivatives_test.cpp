@@ -15,6 +15,7 @@
 
 #include "sim/render/film.h"
 #include "sim/view/blur.h"
+#include "tests/support/exposed.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/small_scene.h"
 
@@ -154,9 +155,7 @@ TEST(FilmDerivatives, UnderADipoleAgreeWithDifferences) {
   expect_derivatives(scene, 0.01, "field");
   // What belongs to the beams alone goes through a kernel of its own.
   const std::vector<const double*> free = {&scene.sheets[0].center_km.north, &scene.sheets[0].bearing_deg};
-  FilmGeometry film;
-  film.columns = scene.camera.width;
-  film.rows = scene.camera.height;
+  const FilmGeometry film = tests::whole_picture(scene);
   Exposure alone, among_all;
   Exposer exposer(scene, film, 1);
   exposer.expose_with_derivatives(scene, free, alone);

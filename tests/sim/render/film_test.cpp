@@ -11,23 +11,14 @@
 #include "sim/light/height_profile.h"
 #include "sim/render/kernel.h"
 #include "tests/support/block_means.h"
+#include "tests/support/exposed.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {
 namespace {
 
-FilmGeometry whole_picture(const Scene& scene) {
-  FilmGeometry film;
-  film.columns = scene.camera.width;
-  film.rows = scene.camera.height;
-  return film;
-}
-
-Exposure exposed(const Scene& scene, const FilmGeometry& film) {
-  Exposure exposure;
-  Exposer(scene, film, 0).expose(scene, exposure);
-  return exposure;
-}
+using tests::exposed;
+using tests::whole_picture;
 
 double total(const Exposure& exposure, int line) {
   const auto first = exposure.rayleigh.begin() + static_cast<std::ptrdiff_t>(line * exposure.cells());

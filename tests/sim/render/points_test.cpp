@@ -8,6 +8,7 @@
 #include "sim/base/earth.h"
 #include "sim/light/height_profile.h"
 #include "sim/render/film.h"
+#include "tests/support/exposed.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {
@@ -50,9 +51,7 @@ TEST_P(PointsUnder, ProjectedGiveTheRayleighsOfTheFilm) {
   scene.sheets[0].drift_km_s = {0.0, 2.5};
   const EmissionPoints points = all_points(scene);
   const PinholeView<double> view = pinhole_view(scene.camera);
-  FilmGeometry film;
-  film.columns = scene.camera.width;
-  film.rows = scene.camera.height;
+  const FilmGeometry film = tests::whole_picture(scene);
   std::vector<double> sum(points.lines, 0.0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     double in_camera[3] = {}, range2 = 0.0;

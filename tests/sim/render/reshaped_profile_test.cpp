@@ -9,6 +9,7 @@
 #include "sim/render/film.h"
 #include "sim/render/kernel.h"
 #include "sim/render/kernel_scene.h"
+#include "tests/support/exposed.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {
@@ -45,9 +46,7 @@ template <class ReadAt>
 Films films(double shift_km, double stretch, const ReadAt& read_at) {
   Scene scene = tests::small_scene();
   scene.sheets[0].beams = 60;
-  FilmGeometry film;
-  film.columns = scene.camera.width;
-  film.rows = scene.camera.height;
+  const FilmGeometry film = tests::whole_picture(scene);
   const std::vector<HeightProfile> profiles = height_profiles(scene);
   const std::vector<HeightProfile> other = {reshaped(profiles[0], read_at)};
   const BeamLayout layout(scene, 0.0);
@@ -121,9 +120,7 @@ TEST(StructuredScene, MovesThePictureAndKeepsItsLight) {
   // a picture of 400 km by rays of 1 km has some 400 of them, a standard error of the light of 3 %; five of
   // it, and for patches of 5 km seven times as much. Seed of the small scene.
   Scene scene = tests::small_scene();
-  FilmGeometry film;
-  film.columns = scene.camera.width;
-  film.rows = scene.camera.height;
+  const FilmGeometry film = tests::whole_picture(scene);
   const auto total = [&](const Scene& s, std::vector<float>& rayleigh) {
     Exposure exposure;
     Exposer(s, film, 0).expose(s, exposure);
