@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -23,6 +24,26 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kManifest = "animation.json";
+
+/// What to say if an entry of the manifest is not the same.
+constexpr std::pair<const char*, const char*> kDifferences[] = {
+    {"frames", "the names of the frames differ"},
+    {"frames_per_second", "the frames per second differ"},
+    {"seed", "the seed differs"},
+    {"scene_sha256", "the scene differs"},
+    {"pictures_sha256", "a picture that the scene names differs"},
+    {"bits", "the bits per channel differ"},
+    {"quality", "the quality differs"},
+    {"version", "the version of vegard differs"}};
+
+/// The scene without what no frame depends on, or what the manifest has by itself.
+sim::Scene as_frames_see(const sim::Scene& scene) {
+  sim::Scene seen = scene;
+  seen.time.frames = sim::Time().frames;
+  seen.time.frames_per_second = sim::Time().frames_per_second;
+  seen.fit = sim::Fit();
+  return seen;
+}
 
 std::string bytes_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -44,8 +65,8 @@ std::set<int> frames_on_disk(const FrameNames& names) {
 std::string difference(const std::string& mine, const std::string& theirs) {
   const Json a = Json::parse(mine, nullptr, false), b = Json::parse(theirs, nullptr, false);
   if (!b.is_object()) return "is no manifest of frames";
-  for (const auto& [key, value] : a.items())
-    if (!b.contains(key) || b[key] != value) return "is of another animation: its " + key + " differs";
+  for (const auto& [key, words] : kDifferences)
+    if (a.value(key, Json()) != b.value(key, Json())) return std::string("is of another animation: ") + words;
   return "is of another animation";
 }
 
@@ -65,7 +86,7 @@ std::string manifest_text(const sim::Scene& scene, double frames_per_second, con
   json["frames"] = names.pattern();
   json["frames_per_second"] = frames_per_second;
   json["seed"] = scene.seed;
-  json["scene_sha256"] = sim::sha256(sim::write_scene(scene));
+  json["scene_sha256"] = sim::sha256(sim::write_scene(as_frames_see(scene)));
   for (const std::string& file : composite_files(scene))
     json["pictures_sha256"].push_back(sim::sha256(bytes_of(file)));
   if (picture.bits) json["bits"] = *picture.bits;
