@@ -132,9 +132,10 @@ std::set<int> begin_or_resume(const FrameNames& names, const std::string& manife
   return {};
 }
 
-void remove_animation(const FrameNames& names) {
+void remove_animation(const FrameNames& names, const std::vector<int>& frames) {
   std::error_code ignored;
-  for (const int frame : frames_on_disk(names)) fs::remove(names.file(frame), ignored);
+  for (const int frame : frames) fs::remove(names.file(frame), ignored);
+  if (!frames_on_disk(names).empty()) return;
   fs::remove(names.companion(kManifest), ignored);
   fs::remove(names.folder(), ignored);
 }

@@ -29,7 +29,7 @@ std::string manifest_text(const sim::Scene& scene, double frames_per_second, con
 std::set<int> begin_or_resume(const FrameNames& names, const std::string& manifest,
                               const std::vector<int>& frames, bool overwrite, bool own_folder);
 
-/// Removes the frames, the manifest, and the folder if nothing else is in it.
-void remove_animation(const FrameNames& names);
+/// Removes `frames`; the manifest if it has no frames any more, and then the folder if nothing else is in it.
+void remove_animation(const FrameNames& names, const std::vector<int>& frames);
 
 }  // namespace vegard::apps
