@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/composite_pictures.h"
+#include "sim/base/durable_rename.h"
 #include "sim/base/output_error.h"
 #include "sim/base/sha256.h"
 #include "sim/base/version.h"
@@ -61,6 +62,22 @@ std::set<int> frames_on_disk(const FrameNames& names) {
   return found;
 }
 
+/// What a process that was killed outright has left of the wanted frames. Those of other frames may be
+/// another machine's, at work in the same folder; its processes are not known here.
+void remove_orphans(const FrameNames& names, const std::set<int>& wanted) {
+  std::vector<fs::path> orphans;
+  std::error_code ignored;
+  for (fs::directory_iterator entry(names.folder(), ignored), end; !ignored && entry != end;
+       entry.increment(ignored)) {
+    const std::optional<sim::Partial> partial = sim::partial_of(entry->path().filename().string());
+    if (!partial || sim::is_alive(partial->process)) continue;
+    const std::optional<int> frame = names.frame_of(partial->target);
+    if (frame && wanted.count(*frame) != 0) orphans.push_back(entry->path());
+  }
+  for (const fs::path& orphan : orphans)
+    if (fs::is_regular_file(fs::symlink_status(orphan, ignored))) fs::remove(orphan, ignored);
+}
+
 /// In what two manifests differ, in words.
 std::string difference(const std::string& mine, const std::string& theirs) {
   const Json a = Json::parse(mine, nullptr, false), b = Json::parse(theirs, nullptr, false);
@@ -106,6 +123,7 @@ std::set<int> begin_or_resume(const FrameNames& names, const std::string& manife
   const std::set<int> found = frames_on_disk(names);
   const std::set<int> wanted(frames.begin(), frames.end());
   if (has_manifest && bytes_of(file) == manifest) {
+    remove_orphans(names, wanted);
     std::set<int> finished;
     std::set_intersection(found.begin(), found.end(), wanted.begin(), wanted.end(),
                           std::inserter(finished, finished.end()));
@@ -128,6 +146,7 @@ std::set<int> begin_or_resume(const FrameNames& names, const std::string& manife
     fs::remove(names.file(frame), error);
     if (error) throw sim::unwritable(names.file(frame), error.value());
   }
+  remove_orphans(names, wanted);
   sim::write_whole(file, manifest, overwrite);
   return {};
 }

@@ -24,8 +24,8 @@ std::string manifest_text(const sim::Scene& scene, double frames_per_second, con
 /// Makes the folder and the manifest, and gives those of the wanted `frames` that are finished. Throws
 /// Error(existing_output) if there are frames, or a manifest, of something else and `overwrite` is false; if
 /// it is true, the wanted frames among them are removed. Others of them would later be taken for frames of
-/// this animation: they are removed too if the folder is a movie's own, else it throws even then. Throws
-/// Error(unwritable_output).
+/// this animation: they are removed too if the folder is a movie's own, else it throws even then. What a
+/// killed process has left half written of the wanted frames is removed. Throws Error(unwritable_output).
 std::set<int> begin_or_resume(const FrameNames& names, const std::string& manifest,
                               const std::vector<int>& frames, bool overwrite, bool own_folder);
 
