@@ -192,7 +192,7 @@ int run(const Options& options) {
         [&bar](double share) { bar.update(share); }, &watch_for_interrupt());
   }
   if (codec.empty()) return tell_of_interruption(frames.size(), frames.size());
-  remove_animation(names);
+  remove_animation(names, frames);
   std::printf(
       "%s: %s\n", options.output.c_str(),
       fmt::format("{} frames of {} at {} per second, {}", frames.size(), size, frames_per_second, codec)

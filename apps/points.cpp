@@ -88,7 +88,7 @@ void add_points_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--max-points", options->most,
                    "At most so many points: of neighbouring beams one is taken, with the light of all")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}))
       ->type_name("NUMBER");
   command->add_option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       ->check(CLI::Range(0, 1024));

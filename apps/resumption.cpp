@@ -6,10 +6,12 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "apps/composite_pictures.h"
+#include "sim/base/durable_rename.h"
 #include "sim/base/output_error.h"
 #include "sim/base/sha256.h"
 #include "sim/base/version.h"
@@ -23,6 +25,26 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kManifest = "animation.json";
+
+/// What to say if an entry of the manifest is not the same.
+constexpr std::pair<const char*, const char*> kDifferences[] = {
+    {"frames", "the names of the frames differ"},
+    {"frames_per_second", "the frames per second differ"},
+    {"seed", "the seed differs"},
+    {"scene_sha256", "the scene differs"},
+    {"pictures_sha256", "a picture that the scene names differs"},
+    {"bits", "the bits per channel differ"},
+    {"quality", "the quality differs"},
+    {"version", "the version of vegard differs"}};
+
+/// The scene without what no frame depends on, or what the manifest has by itself.
+sim::Scene as_frames_see(const sim::Scene& scene) {
+  sim::Scene seen = scene;
+  seen.time.frames = sim::Time().frames;
+  seen.time.frames_per_second = sim::Time().frames_per_second;
+  seen.fit = sim::Fit();
+  return seen;
+}
 
 std::string bytes_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -40,12 +62,28 @@ std::set<int> frames_on_disk(const FrameNames& names) {
   return found;
 }
 
+/// What a process that was killed outright has left of the wanted frames. Those of other frames may be
+/// another machine's, at work in the same folder; its processes are not known here.
+void remove_orphans(const FrameNames& names, const std::set<int>& wanted) {
+  std::vector<fs::path> orphans;
+  std::error_code ignored;
+  for (fs::directory_iterator entry(names.folder(), ignored), end; !ignored && entry != end;
+       entry.increment(ignored)) {
+    const std::optional<sim::Partial> partial = sim::partial_of(entry->path().filename().string());
+    if (!partial || sim::is_alive(partial->process)) continue;
+    const std::optional<int> frame = names.frame_of(partial->target);
+    if (frame && wanted.count(*frame) != 0) orphans.push_back(entry->path());
+  }
+  for (const fs::path& orphan : orphans)
+    if (fs::is_regular_file(fs::symlink_status(orphan, ignored))) fs::remove(orphan, ignored);
+}
+
 /// In what two manifests differ, in words.
 std::string difference(const std::string& mine, const std::string& theirs) {
   const Json a = Json::parse(mine, nullptr, false), b = Json::parse(theirs, nullptr, false);
   if (!b.is_object()) return "is no manifest of frames";
-  for (const auto& [key, value] : a.items())
-    if (!b.contains(key) || b[key] != value) return "is of another animation: its " + key + " differs";
+  for (const auto& [key, words] : kDifferences)
+    if (a.value(key, Json()) != b.value(key, Json())) return std::string("is of another animation: ") + words;
   return "is of another animation";
 }
 
@@ -65,7 +103,7 @@ std::string manifest_text(const sim::Scene& scene, double frames_per_second, con
   json["frames"] = names.pattern();
   json["frames_per_second"] = frames_per_second;
   json["seed"] = scene.seed;
-  json["scene_sha256"] = sim::sha256(sim::write_scene(scene));
+  json["scene_sha256"] = sim::sha256(sim::write_scene(as_frames_see(scene)));
   for (const std::string& file : composite_files(scene))
     json["pictures_sha256"].push_back(sim::sha256(bytes_of(file)));
   if (picture.bits) json["bits"] = *picture.bits;
@@ -85,6 +123,7 @@ std::set<int> begin_or_resume(const FrameNames& names, const std::string& manife
   const std::set<int> found = frames_on_disk(names);
   const std::set<int> wanted(frames.begin(), frames.end());
   if (has_manifest && bytes_of(file) == manifest) {
+    remove_orphans(names, wanted);
     std::set<int> finished;
     std::set_intersection(found.begin(), found.end(), wanted.begin(), wanted.end(),
                           std::inserter(finished, finished.end()));
@@ -107,13 +146,15 @@ std::set<int> begin_or_resume(const FrameNames& names, const std::string& manife
     fs::remove(names.file(frame), error);
     if (error) throw sim::unwritable(names.file(frame), error.value());
   }
+  remove_orphans(names, wanted);
   sim::write_whole(file, manifest, overwrite);
   return {};
 }
 
-void remove_animation(const FrameNames& names) {
+void remove_animation(const FrameNames& names, const std::vector<int>& frames) {
   std::error_code ignored;
-  for (const int frame : frames_on_disk(names)) fs::remove(names.file(frame), ignored);
+  for (const int frame : frames) fs::remove(names.file(frame), ignored);
+  if (!frames_on_disk(names).empty()) return;
   fs::remove(names.companion(kManifest), ignored);
   fs::remove(names.folder(), ignored);
 }

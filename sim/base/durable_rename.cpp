@@ -1,11 +1,13 @@
 #include "sim/base/durable_rename.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <regex>
 
 namespace vegard::sim {
 namespace fs = std::filesystem;
@@ -49,5 +51,14 @@ std::string partial_name(const std::string& target, int attempt) {
                            std::to_string(attempt) + path.extension().string();
   return (path.parent_path() / name).string();
 }
+
+std::optional<Partial> partial_of(const std::string& name) {
+  static const std::regex form(R"(\.(.+)\.partial-([1-9][0-9]{0,8})-[0-9]+(\.[^.]*)?)");
+  std::smatch parts;
+  if (!std::regex_match(name, parts, form)) return {};
+  return Partial{parts.str(1) + parts.str(3), std::stoi(parts.str(2))};
+}
+
+bool is_alive(int process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
 
 }  // namespace vegard::sim

@@ -1,6 +1,7 @@
 // The file system calls under whole files and whole directories. All report by errno value, 0 for success.
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace vegard::sim {
@@ -16,5 +17,16 @@ int exchange_directories(const std::string& from, const std::string& to);
 
 /// ".stem.partial-<process>-<attempt>.ext" beside `target`.
 std::string partial_name(const std::string& target, int attempt);
+
+/// What a name without a folder, as partial_name makes it, says.
+struct Partial {
+  std::string target;  ///< without a folder
+  int process = 0;
+};
+/// None if it is no such name.
+std::optional<Partial> partial_of(const std::string& name);
+
+/// False if no process of this machine has that number.
+bool is_alive(int process);
 
 }  // namespace vegard::sim

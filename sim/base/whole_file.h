@@ -2,8 +2,8 @@
 //
 // Everything is written under a temporary name beside its target (".model.partial-812-0.exr") and renamed at
 // the very end, so that neither a full disk nor an interruption leaves half a file under a name that someone
-// trusts. A process that is killed outright may leave the temporary; its name says what it is and nothing
-// ever reads it.
+// trusts. A process that is killed outright may leave the temporary; its name says what it is (partial_of in
+// sim/base/durable_rename.h) and nothing ever reads it.
 //
 // A file above the shell's limit (ulimit -f) is reported as any other failed write only if the process
 // ignores SIGXFSZ; signals belong to the program, not to a library.

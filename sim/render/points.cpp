@@ -16,13 +16,14 @@ constexpr std::size_t kGroupsAtOnce = 32;  // whose points are held in memory
 
 /// Which beams of a layer are kept.
 struct Thinning {
-  int every, first;
+  int every, first, kept;
   double weight;  ///< of each of them: as many as the layer has for one that is kept
 
-  Thinning(int beams, int of_every) : every(of_every), first(std::min(of_every, beams) / 2) {
-    const int kept = (beams - first + every - 1) / every;
-    weight = static_cast<double>(beams) / kept;
-  }
+  Thinning(int beams, int of_every)
+      : every(of_every),
+        first(std::min(of_every, beams) / 2),
+        kept((beams - first + every - 1) / every),
+        weight(static_cast<double>(beams) / kept) {}
 
   void apply(std::vector<BeamGroup>& groups) const {
     for (BeamGroup& group : groups)
@@ -40,6 +41,21 @@ int most_beams_of_a_layer(const Scene& scene) {
   for (const Sheet& sheet : scene.sheets) most = std::max(most, beams_per_layer(sheet));
   return most;
 }
+
+/// About how many points there are: steps of the path are random, half of the largest in the mean.
+double expected_points(const Scene& scene, const BeamLayout& layout, int every) {
+  double points = 0.0;
+  for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
+    const Sheet& sheet = scene.sheets[s];
+    const double layers = static_cast<double>(sheet.arcs) * sheet.layers;
+    points +=
+        layers * Thinning(beams_per_layer(sheet), every).kept * 2.0 / layout.path_step(static_cast<int>(s));
+  }
+  return points;
+}
+
+/// Between two odd numbers.
+int odd_middle(int low, int high) { return low + (high - low) / 4 * 2; }
 
 }  // namespace
 
@@ -85,22 +101,39 @@ int thinning_for(const Scene& scene, std::uint64_t most, int threads, const std:
   PointOptions options;
   options.threads = threads;
   options.stop = stop;
-  const auto count = [&](int every) {
+  const auto stopped = [stop] { return stop != nullptr && stop->load(); };
+  const auto enough = [&](int every) {
     options.every = every;
-    return stream_points(scene, options, [](const EmissionPoints&) {});
+    return stream_points(scene, options, [](const EmissionPoints&) {}) <= most;
   };
-  const auto odd = [](double number) { return static_cast<int>(std::ceil(std::min(number, 1e9))) | 1; };
-  const int beams = most_beams_of_a_layer(scene);
-  // A few beams tell about how many points all of them have.
-  const int few = std::max(1, beams / 100) | 1;
-  const double estimate = static_cast<double>(count(few)) * few;
-  // From a little below the guess upwards, so that the smallest is not missed.
-  int every = odd(0.9 * estimate / static_cast<double>(most));
-  while (every <= beams && count(every) > most) {
-    if (stop != nullptr && stop->load()) return 0;
-    every += 2;
+  const int last = most_beams_of_a_layer(scene) | 1;  // one beam of each layer
+
+  // To count takes long. So the search begins where the expected count says, and widens from there.
+  Scene still = scene;
+  still.time.instants = 1;
+  const BeamLayout layout(still, 0.0);
+  int low = -1, high = last;  // `low` is too little, or below all
+  while (high - low > 2) {
+    const int middle = odd_middle(low, high);
+    (expected_points(still, layout, middle) <= static_cast<double>(most) ? high : low) = middle;
   }
-  return every <= beams ? every : 0;
+  const int guess = high;
+  low = -1;
+  high = last + 2;  // not yet known to be enough, and above all
+  (enough(guess) ? high : low) = guess;
+  for (int stride = 2; !stopped() && low == -1 && high > 1; stride *= 2) {
+    const int every = std::max(1, high - stride);
+    (enough(every) ? high : low) = every;
+  }
+  for (int stride = 2; !stopped() && high == last + 2 && low < last; stride *= 2) {
+    const int every = std::min(last, low + stride);
+    (enough(every) ? high : low) = every;
+  }
+  while (!stopped() && high > 1 && high - low > 2) {
+    const int middle = odd_middle(low, high);
+    (enough(middle) ? high : low) = middle;
+  }
+  return stopped() || high > last ? 0 : high;
 }
 
 }  // namespace vegard::sim

@@ -46,7 +46,10 @@ struct PointOptions {
 std::uint64_t stream_points(const Scene& scene, const PointOptions& options,
                             const std::function<void(const EmissionPoints&)>& sink);
 
-/// The smallest `every` with which stream_points gives no more than `most` points; 0 if there is none.
+/// An `every` with which stream_points gives no more than `most` points while `every` - 2 gives more (or is
+/// below 1): by bisection, the smallest, save that the number of points of a beam is random, so that a
+/// smaller one may by chance be just enough. 0 if one beam of each layer has more points already, or if
+/// `stop` ended the work.
 int thinning_for(const Scene& scene, std::uint64_t most, int threads,
                  const std::atomic<bool>* stop = nullptr);
 

@@ -90,7 +90,8 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
     }
   }
   result.aurora = through_the_sensor(scene, result.rayleigh);
-  if (scene.stars.shown) result.stars = star_light(scene, instants_s(scene.time));
+  if (scene.stars.shown) result.stars = star_light(scene, instants_s(scene.time), options.stop);
+  if (stopped()) return {};
   if (options.pictures != nullptr && !options.pictures->background.empty()) {
     result.background = Image(width, height, {"R", "G", "B"});
     add_light(options.pictures->background, scene.composite.background_gain, result.background);

@@ -131,7 +131,7 @@ std::array<double, 3> star_tint(double colour_index, const std::string& primarie
   return rgb;
 }
 
-Image star_light(const Scene& scene, const std::vector<double>& instants_s) {
+Image star_light(const Scene& scene, const std::vector<double>& instants_s, const std::atomic<bool>* stop) {
   const Camera& camera = scene.camera;
   Image light(camera.width, camera.height, {"R", "G", "B"});
   if (!scene.stars.shown) return light;
@@ -153,6 +153,7 @@ Image star_light(const Scene& scene, const std::vector<double>& instants_s) {
     const std::array<double, 3> tint = tints.at(one.colour_index);
     const double brightness = luminance_per_photon * star_photons_cm2_s(one.magnitude);
     for (const double instant : instants_s) {
+      if (stop != nullptr && stop->load(std::memory_order_relaxed)) return light;
       const std::array<double, 3> enu = star_direction(one, scene.site.latitude_deg, instant);
       if (enu[2] < lowest_up) continue;
       double in_camera[3] = {};

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -45,7 +46,9 @@ double star_photons_cm2_s(double magnitude);
 std::array<double, 3> star_tint(double colour_index, const std::string& primaries);
 
 /// Linear RGB of the scene's stars through its camera and sensor, the mean of the given instants; black if
-/// none are shown. What stands below the observer's horizon is hidden by the Earth.
-Image star_light(const Scene& scene, const std::vector<double>& instants_s);
+/// none are shown. What stands below the observer's horizon is hidden by the Earth. `stop` ends the work
+/// early; stars are missing then.
+Image star_light(const Scene& scene, const std::vector<double>& instants_s,
+                 const std::atomic<bool>* stop = nullptr);
 
 }  // namespace vegard::sim

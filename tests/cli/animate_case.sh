@@ -38,7 +38,7 @@ expect_stderr "sky/00.png"
 expect_same sky/00.png kept.png
 expect_exit 0 render "$SCENES/small.toml" -o sky/00.png --set camera.azimuth_deg=40 --overwrite
 expect_exit 2 animate scene.toml -o over/##.png "${behind[@]}"
-expect_stderr "its pictures_sha256 differs"
+expect_stderr "a picture that the scene names differs"
 rm sky/00.png
 expect_exit 3 animate scene.toml -o none/##.png "${behind[@]}"
 [[ ! -e none ]] || fail "a folder is left"
@@ -51,15 +51,23 @@ expect_stdout "4 frames of 160 x 120 pixels, 2 of them finished before"
 [[ $before == "$(stat -c %y exr/a_0001.exr exr/a_0003.exr)" ]] || fail "a finished frame was made again"
 (cd exr && expect_only a_0000.exr a_0001.exr a_0002.exr a_0003.exr a.animation.json)
 
+# How long it is, what a fit is told, and a rate that was said already make no other animation.
+expect_exit 0 animate scene.toml -o exr/a_####.exr --set time.frames=5 --set fit.bands=30
+expect_stdout "5 frames of 160 x 120 pixels, 4 of them finished before"
+rm exr/a_0004.exr
+expect_exit 0 animate scene.toml -o exr/a_####.exr --fps 7 --set time.frames_per_second=3
+expect_stdout "4 frames of 160 x 120 pixels, 4 of them finished before"
+
 # Another animation's frames are not replaced unasked, and never mixed with its own.
 cp exr/a_0000.exr old.exr
 for change in "--seed 8" "--fps 8" "--set sheet.main.energy_kev=4"; do
   # shellcheck disable=SC2086  # an option and its value
   expect_exit 2 animate scene.toml -o exr/a_####.exr $change
-  expect_stderr "of another animation"
+  expect_stderr "of another animation: the "
   expect_stderr "--overwrite"
   expect_one_message
 done
+expect_stderr "the scene differs"
 expect_exit 2 animate scene.toml -o exr/a_####.exr --seed 8 --frames 0:1 --overwrite
 expect_stderr "a_0002.exr"
 expect_same exr/a_0000.exr old.exr

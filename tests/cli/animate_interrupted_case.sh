@@ -20,3 +20,15 @@ expect_exit 0 animate scene.toml -o part/###.png --frames "0:$frames"
 expect_stdout "$((frames + 1)) frames of 160 x 120 pixels, $frames of them finished before"
 expect_exit 0 animate scene.toml -o whole/###.png --frames "$frames:$frames"
 expect_same "part/$(printf %03d "$frames").png" "whole/$(printf %03d "$frames").png"
+# What a process that was killed outright has left is removed; what a living one writes, or what is no part
+# of a frame to be made, is not.
+sleep 0 &
+dead=$!
+wait "$dead"
+mkdir half
+touch "half/.001.partial-$dead-0.png" "half/.000.partial-$$-0.png" "half/.009.partial-$dead-0.png" "half/.a.partial-$dead-0.png"
+expect_exit 0 animate scene.toml -o half/###.png --frames 0:1
+(cd half && expect_only 000.png 001.png animation.json ".000.partial-$$-0.png" ".009.partial-$dead-0.png" ".a.partial-$dead-0.png")
+touch "half/.002.partial-$dead-12.png"
+expect_exit 0 animate scene.toml -o half/###.png --frames 1:2
+[[ ! -e half/.002.partial-$dead-12.png ]] || fail "an orphan is left after going on"

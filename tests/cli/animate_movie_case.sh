@@ -19,6 +19,14 @@ expect_exit 0 animate "$small" "${options[@]}" -o movie.mp4.frames/########.png
 mv movie.mp4.frames/00000003.png kept.png
 expect_exit 0 animate "$small" "${options[@]}" -o movie.mp4 --overwrite
 expect_only movie.mp4 movie.camera.json kept.png
+# Those of a longer movie that was interrupted are left for it.
+expect_exit 0 animate "$small" "${options[@]}" -o long.mp4.frames/########.png
+few=("${options[@]:0:4}" --fps 12.5)
+expect_exit 0 animate "$small" "${few[@]}" -o long.mp4 --frames 0:3
+(cd long.mp4.frames && expect_only 00000004.png 00000005.png animation.json)
+expect_exit 0 animate "$small" "${few[@]}" -o long.mp4 --frames 4:5 --overwrite
+expect_only long.mp4 movie.mp4 movie.camera.json kept.png
+rm long.mp4
 # Odd sizes, and options of pictures.
 expect_exit 2 animate "$small" "${options[@]}" -o odd.mp4 --set camera.width=161
 expect_stderr "camera.width=162"

@@ -20,7 +20,16 @@ expect_exit 2 points "$small"
 expect_exit 2 points "$small" -o few.ply --max-points 100
 expect_stderr "--max-points"
 expect_exit 2 points "$small" -o few.ply --max-points 0
+expect_stderr "1 to 1000000000000"
+[[ $(wc -c <"$stderr") -lt 300 ]] || fail "a long message"
 expect_exit 2 points "$small" -o few.ply --unit mile
+# Without sheets there are no points, however many are allowed.
+sed '/^\[\[sheet\]\]/,/^$/d' "$small" >dark.toml
+expect_exit 0 points dark.toml -o none.csv
+expect_exit 0 points dark.toml -o thin_none.csv --max-points 100
+expect_stdout "0 points, all beams"
+expect_same none.csv thin_none.csv
+rm dark.toml none.csv thin_none.csv
 expect_exit 6 points "$small" -o no/such/folder/out.ply
 status=0
 (ulimit -f 64 && exec "$VEGARD" points "$small" -o full.ply >"$stdout" 2>"$stderr") || status=$?

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "sim/base/earth.h"
 #include "sim/light/height_profile.h"
@@ -145,6 +147,32 @@ TEST(Points, ThinningIsTheLeastThatIsEnough) {
     EXPECT_GT(all_points(scene, every - 2).size(), most);
   }
   EXPECT_EQ(thinning_for(scene, 1000, 0), 0) << "two layers with a beam of 600 points each";
+}
+
+TEST(Points, ThinningIsTheLeastForSheetsThatHaveLittleInCommon) {
+  // The second has most points of few beams, and the first of many.
+  Scene scene = tests::small_scene();
+  scene.sheets[0].beams = 2000;
+  scene.sheets[0].layers = 1;
+  scene.sheets[0].path_step = 1.0 / 10.0;
+  Sheet few = scene.sheets[0];
+  few.name = "few";
+  few.beams = 3;
+  few.path_step = 1.0 / 1000.0;
+  scene.sheets.push_back(few);
+  std::vector<std::size_t> counts;  // of 1, 3, 5, …
+  for (int every = 1; every <= 81; every += 2) counts.push_back(all_points(scene, every).size());
+  for (std::size_t most : {counts[0] - 1, counts[1], counts[5], counts[20], counts[35]}) {
+    const auto smallest =
+        std::find_if(counts.begin(), counts.end(), [most](std::size_t count) { return count <= most; });
+    EXPECT_EQ(thinning_for(scene, most, 0), 1 + 2 * (smallest - counts.begin())) << most;
+  }
+}
+
+TEST(Points, AreEnoughWhereThereAreNone) {
+  Scene scene = tests::small_scene();
+  scene.sheets.clear();
+  EXPECT_EQ(thinning_for(scene, 1, 0), 1);
 }
 
 TEST(Points, AreTheSameForAnyThreadsAndOfTheFirstInstant) {

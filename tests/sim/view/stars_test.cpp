@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "sim/base/earth.h"
@@ -229,6 +230,14 @@ TEST(Stars, GainAndShown) {
   EXPECT_NE(star_light(scene, {0.0}).data, three.data);
   scene.stars.shown = false;
   for (const float value : star_light(scene, {0.0}).data) ASSERT_EQ(value, 0.0f);
+}
+
+TEST(Stars, StopEarly) {
+  const Scene scene = starry_scene(60);
+  std::atomic<bool> stop(false);
+  EXPECT_EQ(star_light(scene, {0.0}, &stop).data, star_light(scene, {0.0}).data);
+  stop = true;
+  for (const float value : star_light(scene, {0.0}, &stop).data) ASSERT_EQ(value, 0.0f);
 }
 
 }  // namespace
