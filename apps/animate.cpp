@@ -12,6 +12,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -71,7 +72,11 @@ void check_movie(const Options& options, const sim::Scene& scene) {
   if (options.picture.bits || options.picture.quality)
     throw usage_error(options.picture.bits ? "--bits" : "--quality", "a movie is made from 8-bit PNG",
                       "-o frames/####.png beside it");
-  sim::WholeFile(options.output, options.overwrite);
+  // A folder that is missing is made with that of the frames.
+  const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
+  std::error_code ignored;
+  if (folder.empty() || std::filesystem::exists(folder, ignored))
+    sim::WholeFile(options.output, options.overwrite);
 }
 
 /// With --overwrite a slip of the pen would cost what cannot be had again.

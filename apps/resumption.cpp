@@ -1,7 +1,5 @@
 #include "apps/resumption.h"
 
-#include <algorithm>
-#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -51,7 +49,7 @@ std::string bytes_of(const std::string& path) {
   return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
-/// Numbers of all frames that stand in the folder, whether wanted or not.
+/// Numbers of all frames that stand in the folder, whether wanted or not, finished or not.
 std::set<int> frames_on_disk(const FrameNames& names) {
   std::set<int> found;
   std::error_code error;
@@ -60,6 +58,32 @@ std::set<int> frames_on_disk(const FrameNames& names) {
     if (const std::optional<int> frame = names.frame_of(entry->path().filename().string()))
       found.insert(*frame);
   return found;
+}
+
+/// Throws unless a file may stand there.
+void refuse_all_but_files(const std::string& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) sim::WholeFile(file, true);
+}
+
+/// Which of the wanted frames are whole. An empty file is none, and holds nothing that removing it could
+/// lose.
+std::set<int> finished_frames(const FrameNames& names, const std::set<int>& found,
+                              const std::set<int>& wanted) {
+  std::set<int> finished;
+  for (const int frame : found) {
+    if (wanted.count(frame) == 0) continue;
+    const std::string file = names.file(frame);
+    refuse_all_but_files(file);
+    std::error_code error;
+    if (!fs::is_empty(file, error)) {
+      finished.insert(frame);
+      continue;
+    }
+    fs::remove(file, error);
+    if (error) throw sim::unwritable(file, error.value());
+  }
+  return finished;
 }
 
 /// What a process that was killed outright has left of the wanted frames. Those of other frames may be
@@ -124,10 +148,7 @@ std::set<int> begin_or_resume(const FrameNames& names, const std::string& manife
   const std::set<int> wanted(frames.begin(), frames.end());
   if (has_manifest && bytes_of(file) == manifest) {
     remove_orphans(names, wanted);
-    std::set<int> finished;
-    std::set_intersection(found.begin(), found.end(), wanted.begin(), wanted.end(),
-                          std::inserter(finished, finished.end()));
-    return finished;
+    return finished_frames(names, found, wanted);
   }
 
   if (!overwrite) {
@@ -142,6 +163,7 @@ std::set<int> begin_or_resume(const FrameNames& names, const std::string& manife
       throw other_animation(names.file(frame),
                             "is of another animation and not among the frames to be written",
                             "remove it, or choose another name");
+  for (const int frame : found) refuse_all_but_files(names.file(frame));
   for (const int frame : found) {
     fs::remove(names.file(frame), error);
     if (error) throw sim::unwritable(names.file(frame), error.value());

@@ -51,6 +51,24 @@ expect_stdout "4 frames of 160 x 120 pixels, 2 of them finished before"
 [[ $before == "$(stat -c %y exr/a_0001.exr exr/a_0003.exr)" ]] || fail "a finished frame was made again"
 (cd exr && expect_only a_0000.exr a_0001.exr a_0002.exr a_0003.exr a.animation.json)
 
+# An empty file is no finished frame, and a folder none at all.
+: >exr/a_0002.exr
+expect_exit 0 animate same.toml -o exr/a_####.exr
+expect_stdout "4 frames of 160 x 120 pixels, 3 of them finished before"
+expect_file exr/a_0002.exr
+mv exr/a_0001.exr kept.exr
+mkdir exr/a_0001.exr
+for words in "" --overwrite "--seed 8 --overwrite"; do
+  # shellcheck disable=SC2086  # none, or options and their values
+  expect_exit 6 animate scene.toml -o exr/a_####.exr $words
+  expect_stderr "a_0001.exr"
+  expect_stderr "is a directory"
+  expect_one_message
+  expect_file exr/a_0000.exr
+done
+rmdir exr/a_0001.exr
+mv kept.exr exr/a_0001.exr
+
 # How long it is, what a fit is told, and a rate that was said already make no other animation.
 expect_exit 0 animate scene.toml -o exr/a_####.exr --set time.frames=5 --set fit.bands=30
 expect_stdout "5 frames of 160 x 120 pixels, 4 of them finished before"

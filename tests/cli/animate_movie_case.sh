@@ -32,5 +32,12 @@ expect_exit 2 animate "$small" "${options[@]}" -o odd.mp4 --set camera.width=161
 expect_stderr "camera.width=162"
 expect_exit 2 animate "$small" "${options[@]}" -o odd.mp4 --bits 16
 expect_exit 2 animate "$small" "${options[@]}" -o odd.mp4 --quality 50
-expect_exit 6 animate "$small" "${options[@]}" -o no/such/folder/movie.mp4
 expect_only movie.mp4 movie.camera.json kept.png
+# A missing folder is made, unless it cannot be.
+expect_exit 0 animate "$small" "${options[@]}" -o no/such/folder/movie.mp4
+expect_same no/such/folder/movie.mp4 movie.mp4
+for folder in kept.png kept.png/deeper; do
+  expect_exit 6 animate "$small" "${options[@]}" -o "$folder/movie.mp4"
+  expect_one_message
+done
+expect_only movie.mp4 movie.camera.json kept.png no
