@@ -1,0 +1,18 @@
+// The rows of the parameter table, a function per group of tables, in the order of a scene file.
+#pragma once
+
+#include <vector>
+
+#include "sim/scene/parameter_declarations.h"
+
+namespace vegard::sim {
+
+std::vector<Declaration> place_rows();
+std::vector<Declaration> sheet_rows();
+std::vector<Declaration> light_rows();
+std::vector<Declaration> sensor_rows();
+std::vector<Declaration> sky_rows();
+std::vector<Declaration> time_rows();
+std::vector<Declaration> fit_rows();
+
+}  // namespace vegard::sim
