@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <sstream>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
-#include "sim/base/embedded_table.h"
+#include "sim/base/csv_table.h"
 
 namespace vegard::sim {
 namespace {
@@ -18,23 +15,11 @@ struct Row {
 };
 
 std::vector<Row> read_rows() {
-  std::istringstream table{std::string(embedded_table("us76.csv"))};
-  std::string line;
-  std::getline(table, line);
+  const CsvTable table = embedded_csv_table("us76.csv");
   std::vector<Row> rows;
-  while (std::getline(table, line)) {
-    std::replace(line.begin(), line.end(), ',', ' ');
-    std::istringstream cells(line);
-    Row row;
-    double n2 = 0.0, o2 = 0.0, o = 0.0;
-    if (!(cells >> row.altitude_km >> row.temperature_k >> n2 >> o2 >> o))
-      throw std::runtime_error("the table of the atmosphere has a short row");
-    row.log_n2 = std::log(n2);
-    row.log_o2 = std::log(o2);
-    row.log_o = std::log(o);
-    rows.push_back(row);
-  }
-  if (rows.size() < 2) throw std::runtime_error("the table of the atmosphere is empty");
+  for (std::size_t r = 0; r < table.rows(); ++r)
+    rows.push_back({table.numbers[0][r], table.numbers[1][r], std::log(table.numbers[2][r]),
+                    std::log(table.numbers[3][r]), std::log(table.numbers[4][r])});
   return rows;
 }
 

@@ -1,9 +1,8 @@
 #include "sim/view/colour.h"
 
 #include <cassert>
-#include <sstream>
 
-#include "sim/base/embedded_table.h"
+#include "sim/base/csv_table.h"
 #include "sim/base/spline.h"
 
 namespace vegard::sim {
@@ -14,19 +13,9 @@ struct Observer {
   std::array<std::vector<double>, 3> bar, curvature;
 
   Observer() {
-    std::istringstream table{std::string(embedded_table("cie1931_2deg_5nm.csv"))};
-    std::string line;
-    std::getline(table, line);
-    for (double nm, value; std::getline(table, line);) {
-      std::istringstream row(line);
-      char comma;
-      row >> nm;
-      wavelength_nm.push_back(nm);
-      for (auto& column : bar) {
-        row >> comma >> value;
-        column.push_back(value);
-      }
-    }
+    const CsvTable table = embedded_csv_table("cie1931_2deg_5nm.csv");
+    wavelength_nm = table.numbers.at(0);
+    for (int i = 0; i < 3; ++i) bar[i] = table.numbers.at(1 + i);
     assert(wavelength_nm.size() == 81);
     for (int i = 0; i < 3; ++i) curvature[i] = spline_curvature(wavelength_nm, bar[i]);
   }

@@ -1,0 +1,41 @@
+// Tables of numbers as text: comma-separated, a line of column names first. The users' own and those of
+// data/.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vegard::sim {
+
+/// Numbers by column, as they stand in the file. Every column has as many as there are rows, at least one.
+struct CsvTable {
+  std::string name;                          ///< of the file, for messages
+  std::vector<std::string> columns;          ///< their names, without blanks about them
+  std::vector<std::vector<double>> numbers;  ///< [column][row]
+  std::vector<int> lines;                    ///< of every row in the file, from 1
+
+  std::size_t rows() const { return lines.size(); }
+  bool has(std::string_view column) const;
+
+  /// The numbers of a column. Throws Error(unreadable_input) that names the columns there are, if it is not
+  /// one of them.
+  const std::vector<double>& column(std::string_view column) const;
+
+  /// Throws Error(unreadable_input), at the row's line, unless the column's numbers increase.
+  void require_increasing(std::string_view column) const;
+
+  /// Throws Error(unreadable_input), at the row's line, unless they lie between the limits.
+  void require_within(std::string_view column, double min, double max) const;
+};
+
+/// Empty lines and those that begin with # are skipped; a byte order mark, carriage returns and blanks about
+/// a cell are allowed. Throws Error(unreadable_input) with file and line if there is no row, a row has more
+/// or fewer cells than there are columns, a cell is no finite number, or two columns have one name.
+CsvTable read_csv_table(std::string_view text, const std::string& name);
+
+/// The same of a table of data/ (sim/base/embedded_table.h).
+CsvTable embedded_csv_table(const std::string& name);
+
+}  // namespace vegard::sim
