@@ -3,6 +3,7 @@
 #include "sim/base/error.h"
 #include "sim/scene/parameter_table.h"
 #include "sim/scene/scene_toml.h"
+#include "sim/scene/table_files.h"
 
 namespace vegard::apps {
 namespace {
@@ -38,6 +39,7 @@ sim::Scene scene_of(const SceneOptions& options) {
   // - 1.
   if (!options.seed.empty()) sim::set_from_text(scene, "seed", options.seed);
   sim::validate(scene);
+  sim::read_table_files(scene);  // a change may have named another
   return scene;
 }
 

@@ -13,17 +13,19 @@
 #include "sim/base/whole_directory.h"
 #include "sim/base/whole_file.h"
 #include "sim/scene/scene_toml.h"
+#include "sim/scene/table_files.h"
 #include "sim/view/camera.h"
 
 namespace vegard::fit {
 namespace {
 
-std::string best_scene(const FitResult& result) {
+/// `best` is the result's, with its tables beside it.
+std::string best_scene(const FitResult& result, const sim::Scene& best) {
   std::string comment = "The best scene of a fit. vegard " + sim::version() +
                         "\nverdict: " + verdict_name(result.verdict) + "\n" + result.verdict_line + "\n";
   comment += fmt::format("chi2 {} with {} degrees of freedom", result.chi2, result.dof);
   if (!result.command.empty()) comment += "\n" + result.command;
-  return sim::write_scene(result.best, comment);
+  return sim::write_scene(best, comment);
 }
 
 sim::ImageAttributes attributes_of(const FitResult& result, const std::string& units) {
@@ -80,7 +82,10 @@ void write_run(const std::string& directory, bool overwrite, const FitResult& re
   const ModelPicture picture = model_picture(result, photo, context.threads);
   try {
     sim::write_whole(run.file("result.json"), result_json(result));
-    sim::write_whole(run.file("best.toml"), best_scene(result));
+    const sim::Scene best = sim::with_tables_beside(result.best);
+    sim::write_whole(run.file("best.toml"), best_scene(result, best));
+    for (const sim::TableFile& table : sim::table_files(best))
+      sim::write_whole(run.file(table.name), sim::table_text(best, table.path));
     sim::write_whole(run.file("profiles.csv"), profiles_csv(result, elevation_of_pixel));
     sim::write_whole(run.file("trace.csv"), trace_csv(result));
     write_pictures(run, result, picture);

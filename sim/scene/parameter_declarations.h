@@ -51,6 +51,9 @@ struct Declaration {
   std::function<std::optional<Complaint>(double)> number_rule;
   std::function<std::optional<Complaint>(const std::string&)> text_rule;
 
+  /// A text that may name a table (sim/scene/table_files.h).
+  bool names_table = false;
+
   /// What follows from a new value, of a scalar in a sheet.
   void (*then)(Scene&, int sheet) = nullptr;
 

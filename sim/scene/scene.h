@@ -99,7 +99,8 @@ struct Sheet {
   double arc_spacing_km = 30.0;  ///< between them
 
   double brightness_kilorayleigh = 0.0;  ///< if not 0, of 557.7 nm along the field, in place of Q
-  std::string profile = "maxwellian";    ///< light against altitude: "maxwellian" or "form"
+  std::string profile = "maxwellian";    ///< light against altitude: "maxwellian", "form" or "file"
+  std::string profile_file;              ///< CSV of a drawn or measured profile, beside the scene's file
   double peak_km = 110.0;                ///< of a form's light
   double lower_km = 4.0;                 ///< below the peak a form's light has fallen to a tenth
   double upper_km = 20.0;                ///< above the peak a form's light has fallen to a tenth
@@ -228,9 +229,11 @@ struct Scene {
   Time time;
   Substorm substorm;
   Fit fit;
-  // For messages only: neither is written to an output, nor does a result depend on it.
+  // Neither of these two is written to an output, nor does a result depend on it.
   std::string file;                  ///< where it was read from
   std::map<std::string, int> lines;  ///< of the keys in that file, by path (sim/scene/line_of.h)
+  /// The text of the tables that the scene names as files, by the key's path (sim/scene/table_files.h).
+  std::map<std::string, std::string> tables;
 };
 
 }  // namespace vegard::sim

@@ -13,6 +13,7 @@
 #include "sim/scene/nearest_name.h"
 #include "sim/scene/parameter_declarations.h"
 #include "sim/scene/scene_toml.h"
+#include "sim/scene/table_files.h"
 #include "sim/scene/toml_value.h"
 #include "sim/scene/value_words.h"
 
@@ -262,6 +263,10 @@ Scene parse_scene(const std::string& text, const std::string& name) {
   return scene;
 }
 
-Scene read_scene(const std::string& file) { return parse_scene(read_text(file), file); }
+Scene read_scene(const std::string& file) {
+  Scene scene = parse_scene(read_text(file), file);
+  read_table_files(scene);
+  return scene;
+}
 
 }  // namespace vegard::sim

@@ -67,6 +67,7 @@ class Row {
     return d_.list_rule = check, *this;
   }
   Row& set_by(void (*set)(Scene&, const std::vector<double>&)) { return d_.set_list = set, *this; }
+  Row& names_table() { return d_.names_table = true, *this; }
   Row& then(void (*follow)(Scene&, int)) { return d_.then = follow, *this; }
   Row& named_by(std::string (*name)(const Scene&, int)) { return d_.list_component = name, *this; }
 

@@ -70,8 +70,10 @@ std::vector<Declaration> sheet_rows() {
           .means("distance between them (10 to 100 in nature)"),
       Row("brightness_kilorayleigh", &Sheet::brightness_kilorayleigh).in("kR").within(0, 1e6)
           .means("of 557.7 nm seen along the field, at its peak across a layer, in place of the energy flux; 0: that says"),
-      Row("profile", &Sheet::profile).one_of({"maxwellian", "form"})
+      Row("profile", &Sheet::profile).one_of({"maxwellian", "form", "file"})
           .means("light against altitude: of Maxwellian electrons, or the form's measured curve with their ratios of lines"),
+      Row("profile_file", &Sheet::profile_file).names_table()
+          .means("of the profile \"file\": a CSV of altitude_km and, per line, photons cm⁻³ s⁻¹, beside the scene's file"),
       Row("peak_km", &Sheet::peak_km).in("km").within(85, 400).means("altitude of a form's brightest light"),
       Row("lower_km", &Sheet::lower_km).in("km").within(0.5, 100)
           .means("how far below the peak a form's light has fallen to a tenth"),
