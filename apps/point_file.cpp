@@ -14,6 +14,7 @@
 #include "sim/base/output_error.h"
 #include "sim/base/version.h"
 #include "sim/scene/emission_lines.h"
+#include "sim/view/line_colours.h"
 
 namespace vegard::apps {
 namespace {
@@ -68,7 +69,7 @@ PointFile::PointFile(const std::string& path, const sim::Scene& scene, const std
       unit_(unit),
       remarks_(remarks_on(scene, unit, every)),
       columns_({"x", "y", "z"}),
-      rgb_(sim::rgb_per_kilorayleigh(scene.emission.lines, scene.sensor.primaries, 1.0)),
+      rgb_(sim::line_colours_at_unit_gain(scene)),
       scale_(unit == "m" ? 1000.0f : 1.0f),
       file_(path, overwrite),
       stream_(std::fopen(file_.temporary().c_str(), "wb")) {

@@ -26,8 +26,8 @@ struct Peak {
   double rate(int i) const { return profile.rate[static_cast<std::size_t>(i) * profile.stride]; }
 };
 
-Peak peak_of(double wavelength_nm, const sim::Sheet& sheet) {
-  Peak peak{sim::sheet_profile({wavelength_nm}, sheet), 0};
+Peak peak_of(double wavelength_nm, const sim::Scene& scene, int sheet) {
+  Peak peak{sim::sheet_profile({wavelength_nm}, scene, sheet), 0};
   for (int i = 1; i < sim::HeightProfile::kAltitudes; ++i)
     if (peak.rate(i) > peak.rate(peak.at)) peak.at = i;
   return peak;
@@ -52,8 +52,8 @@ double nearest_distance_km(const sim::Sheet& sheet, double instant_s) {
   return nearest;
 }
 
-double lower_border_km(double wavelength_nm, const sim::Sheet& sheet) {
-  const Peak peak = peak_of(wavelength_nm, sheet);
+double lower_border_km(double wavelength_nm, const sim::Scene& scene, int sheet) {
+  const Peak peak = peak_of(wavelength_nm, scene, sheet);
   const double border = kBorder * peak.rate(peak.at);
   int i = peak.at;
   while (i > 0 && peak.rate(i) > border) --i;
@@ -62,8 +62,8 @@ double lower_border_km(double wavelength_nm, const sim::Sheet& sheet) {
       i + (above > 0.0 ? std::max(0.0, (border - peak.rate(i)) / above) : 0.0));
 }
 
-double peak_altitude_km(double wavelength_nm, const sim::Sheet& sheet) {
-  const Peak peak = peak_of(wavelength_nm, sheet);
+double peak_altitude_km(double wavelength_nm, const sim::Scene& scene, int sheet) {
+  const Peak peak = peak_of(wavelength_nm, scene, sheet);
   if (peak.at == 0 || peak.at == sim::HeightProfile::kAltitudes - 1)
     return sim::HeightProfile::altitude_km(peak.at);
   const double a = peak.rate(peak.at - 1), b = peak.rate(peak.at), c = peak.rate(peak.at + 1);
@@ -131,9 +131,9 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
     add("mean electron energy" + of, "keV",
         [s](const sim::Scene& x) { return 2.0 * x.sheets[s].energy_kev; });
     add("peak altitude of 557.7 nm" + of, "km",
-        [s](const sim::Scene& x) { return peak_altitude_km(kGreenNm, x.sheets[s]); });
+        [s](const sim::Scene& x) { return peak_altitude_km(kGreenNm, x, static_cast<int>(s)); });
     add("lower border of 557.7 nm (a tenth of the peak)" + of, "km",
-        [s](const sim::Scene& x) { return lower_border_km(kGreenNm, x.sheets[s]); });
+        [s](const sim::Scene& x) { return lower_border_km(kGreenNm, x, static_cast<int>(s)); });
     if (best.sheets[s].layers > 1)
       add("largest distance between the boundaries" + of, "km",
           [s](const sim::Scene& x) { return boundary_separation_km(x.sheets[s]); });

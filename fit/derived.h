@@ -14,9 +14,9 @@ namespace vegard::fit {
 double nearest_distance_km(const sim::Sheet& sheet, double instant_s = 0.0);
 
 /// Altitude below a line's peak where its volume emission rate has fallen to a tenth, and of the peak itself,
-/// km; from the sheet's own height profile. Source of the tenth: docs/physics.md, row B19.
-double lower_border_km(double wavelength_nm, const sim::Sheet& sheet);
-double peak_altitude_km(double wavelength_nm, const sim::Sheet& sheet);
+/// km; from the height profile of scene.sheets[sheet]. Source of the tenth: docs/physics.md, row B19.
+double lower_border_km(double wavelength_nm, const sim::Scene& scene, int sheet);
+double peak_altitude_km(double wavelength_nm, const sim::Scene& scene, int sheet);
 
 /// Largest distance between the first and the last layer, km: 2 w |sin(Phi/2)|, which is less than twice the
 /// amplitude w that the source paper calls the thickness (docs/physics.md, row B2).

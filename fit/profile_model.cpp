@@ -8,7 +8,7 @@
 #include "sim/emit/aurora/sheet.h"
 #include "sim/render/film.h"
 #include "sim/view/blur.h"
-#include "sim/view/colour.h"
+#include "sim/view/line_colours.h"
 
 namespace vegard::fit {
 namespace {
@@ -129,8 +129,7 @@ struct ProfileModel::Workspace {
 
   /// RGB per rayleigh at unit gain.
   std::vector<sim::Vector3> colours() const {
-    std::vector<sim::Vector3> weights_per_kilorayleigh =
-        sim::rgb_per_kilorayleigh(scene.emission.lines, scene.sensor.primaries, 1.0);
+    std::vector<sim::Vector3> weights_per_kilorayleigh = sim::line_colours_at_unit_gain(scene);
     for (sim::Vector3& rgb : weights_per_kilorayleigh)
       for (double& channel : rgb) channel *= 1e-3;
     return weights_per_kilorayleigh;

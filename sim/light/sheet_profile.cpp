@@ -18,7 +18,8 @@ HeightProfile of_unit_flux(const std::vector<double>& wavelengths_nm, const Shee
 
 bool has_given_brightness(const Sheet& sheet) { return sheet.brightness_kilorayleigh > 0.0; }
 
-HeightProfile sheet_profile(const std::vector<double>& wavelengths_nm, const Sheet& sheet) {
+HeightProfile sheet_profile(const std::vector<double>& wavelengths_nm, const Scene& scene, int index) {
+  const Sheet& sheet = scene.sheets[index];
   HeightProfile profile = of_unit_flux(wavelengths_nm, sheet);
   if (!has_given_brightness(sheet)) return profile;
   const Column green = column_below(of_unit_flux(kBrightnessLineNm, sheet), 0, sheet.top_km);
@@ -32,5 +33,7 @@ HeightProfile sheet_profile(const std::vector<double>& wavelengths_nm, const She
   }
   return profile;
 }
+
+std::vector<float> profile_slope(const std::vector<double>&, const Scene&, int, const double*) { return {}; }
 
 }  // namespace vegard::sim

@@ -1,4 +1,5 @@
-// The light of a sheet's beams against altitude, as the sheet asks for it.
+// The light of a sheet's beams against altitude, as the sheet asks for it: the one door to all emission
+// models.
 #pragma once
 
 #include <vector>
@@ -11,10 +12,15 @@ namespace vegard::sim {
 /// Whether a sheet's light is given by its brightness, and its energy flux counts for nothing.
 bool has_given_brightness(const Sheet& sheet);
 
-/// The sheet's profile: Maxwellian or of its form. Of a sheet of given brightness, scaled for an energy flux
-/// of 1: the column of 557.7 nm from the bottom up to top_km is then brightness_kilorayleigh seen vertically,
-/// whatever lines are asked for. (Seen along the field, where a path is longer by one over the cosine to the
-/// vertical, the beams are weaker by as much: sim/render/beams.cpp.)
-HeightProfile sheet_profile(const std::vector<double>& wavelengths_nm, const Sheet& sheet);
+/// The profile of scene.sheets[sheet], by the model that its key `profile` names. Of a sheet of given
+/// brightness, scaled for an energy flux of 1: the column of 557.7 nm from the bottom up to top_km is then
+/// brightness_kilorayleigh seen vertically, whatever lines are asked for. (Seen along the field, where a path
+/// is longer by one over the cosine to the vertical, the beams are weaker by as much: sim/render/beams.cpp.)
+HeightProfile sheet_profile(const std::vector<double>& wavelengths_nm, const Scene& scene, int sheet);
+
+/// d rate / d number, as HeightProfile::rate, for a number of the scene that shapes the sheet's profile other
+/// than by energy_kev, whose derivative the profile itself carries. Empty for a number that does not.
+std::vector<float> profile_slope(const std::vector<double>& wavelengths_nm, const Scene& scene, int sheet,
+                                 const double* number);
 
 }  // namespace vegard::sim

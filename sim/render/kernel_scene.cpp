@@ -117,7 +117,8 @@ std::vector<const double*> local_input_addresses(const Scene& scene, const Sheet
 
 std::vector<HeightProfile> height_profiles(const Scene& scene) {
   std::vector<HeightProfile> all;
-  for (const Sheet& sheet : scene.sheets) all.push_back(sheet_profile(scene.emission.lines, sheet));
+  for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+    all.push_back(sheet_profile(scene.emission.lines, scene, static_cast<int>(s)));
   return all;
 }
 

@@ -10,6 +10,7 @@
 #include "sim/scene/emission_lines.h"
 #include "sim/view/blur.h"
 #include "sim/view/colour.h"
+#include "sim/view/line_colours.h"
 #include "sim/view/sky.h"
 #include "sim/view/stars.h"
 #include "sim/view/transfer_curve.h"
@@ -25,8 +26,7 @@ Image dark_lines(const Scene& scene) {
 }
 
 Image through_the_sensor(const Scene& scene, const Image& rayleigh) {
-  return rgb_from_rayleigh(rayleigh, rgb_per_kilorayleigh(scene.emission.lines, scene.sensor.primaries,
-                                                          scene.sensor.gain_per_kilorayleigh));
+  return rgb_from_rayleigh(rayleigh, line_colours(scene));
 }
 
 /// Everything else in the picture around the aurora's light.

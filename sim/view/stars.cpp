@@ -8,6 +8,7 @@
 #include "sim/base/random.h"
 #include "sim/view/camera.h"
 #include "sim/view/colour.h"
+#include "sim/view/line_colours.h"
 
 namespace vegard::sim {
 namespace {
@@ -142,8 +143,8 @@ Image star_light(const Scene& scene, const std::vector<double>& instants_s, cons
   const double cos_of_dip = kEarthRadiusKm / from_centre_km;
   const double lowest_up = -std::sqrt(1.0 - cos_of_dip * cos_of_dip);
   // 1 R = 1e6 / 4 pi photons per cm2, s and sr.
-  const double luminance_per_photon = scene.stars.gain * scene.sensor.gain_per_kilorayleigh * 1e-3 * 4.0 *
-                                      kPi * 1e-6 / static_cast<double>(instants_s.size());
+  const double luminance_per_photon = scene.stars.gain * gain_per_kilorayleigh(scene) * 1e-3 * 4.0 * kPi *
+                                      1e-6 / static_cast<double>(instants_s.size());
   const Tints tints(scene.sensor.primaries);
 
   Spread across, down;

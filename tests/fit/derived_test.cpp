@@ -1,4 +1,5 @@
 #include "fit/derived.h"
+#include "tests/support/one_sheet.h"
 
 #include <gtest/gtest.h>
 
@@ -36,8 +37,9 @@ TEST(Altitudes, ArePlacedAsTheSourcesHaveThem) {
   sim::Sheet sheet;
   for (const auto& [energy, peak] : {std::pair{1.0, 126.0}, std::pair{3.0, 109.0}, std::pair{10.0, 101.0}}) {
     sheet.energy_kev = energy;
-    EXPECT_NEAR(peak_altitude_km(557.7, sheet), peak, 1.0);
-    EXPECT_LT(lower_border_km(557.7, sheet), peak_altitude_km(557.7, sheet));
+    EXPECT_NEAR(peak_altitude_km(557.7, tests::with_sheet(sheet), 0), peak, 1.0);
+    EXPECT_LT(lower_border_km(557.7, tests::with_sheet(sheet), 0),
+              peak_altitude_km(557.7, tests::with_sheet(sheet), 0));
   }
 }
 
@@ -47,8 +49,8 @@ TEST(Altitudes, AreThoseOfAFormWhereTheSheetHasOne) {
   sheet.profile = "form";
   sheet.peak_km = 118.0;
   sheet.lower_km = 5.0;
-  EXPECT_NEAR(peak_altitude_km(557.7, sheet), 118.0, 0.5);
-  EXPECT_NEAR(lower_border_km(557.7, sheet), 113.0, 0.5);
+  EXPECT_NEAR(peak_altitude_km(557.7, tests::with_sheet(sheet), 0), 118.0, 0.5);
+  EXPECT_NEAR(lower_border_km(557.7, tests::with_sheet(sheet), 0), 113.0, 0.5);
 }
 
 TEST(BoundarySeparation, IsTwiceTheAmplitudeTimesTheSineOfHalfTheShift) {

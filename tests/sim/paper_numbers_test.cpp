@@ -188,7 +188,7 @@ Scene plane_layer() {
 TEST(PaperNumbers, APlaneLayerHasItsRayleighsAtTheZenithAndFollowsTheSecantAwayFromIt) {
   Scene scene = plane_layer();
   const Sheet& sheet = scene.sheets[0];
-  const HeightProfile profile = sheet_profile(scene.emission.lines, sheet);
+  const HeightProfile profile = sheet_profile(scene.emission.lines, scene, 0);
   const double flux = sheet.energy_flux_mw_m2 * sheet.width_km * std::sqrt(2.0 * kPi) / sheet.arc_spacing_km;
   const int top = static_cast<int>((sheet.top_km - HeightProfile::kBottomKm) / HeightProfile::kStepKm);
   const auto along = [&](double elevation_deg) {

@@ -1,4 +1,5 @@
 #include "sim/light/sheet_profile.h"
+#include "tests/support/one_sheet.h"
 
 #include <gtest/gtest.h>
 
@@ -15,11 +16,11 @@ TEST(SheetProfile, OfAGivenBrightnessHasItInGreenWhateverTheLinesAndTheEnergy) {
     for (double energy : {0.4, 3.0, 12.0}) {
       sheet.profile = profile;
       sheet.energy_kev = energy;
-      const HeightProfile both = sheet_profile({427.8, 557.7}, sheet);
+      const HeightProfile both = sheet_profile({427.8, 557.7}, tests::with_sheet(sheet), 0);
       EXPECT_NEAR(column_below(both, 1, sheet.top_km).rayleigh, 10000.0, 0.01);
       EXPECT_NEAR(column_below(both, 1, sheet.top_km).d_rayleigh_d_ln_energy, 0.0, 0.1);
       sheet.brightness_kilorayleigh = 20.0;
-      const HeightProfile blue = sheet_profile({427.8}, sheet);
+      const HeightProfile blue = sheet_profile({427.8}, tests::with_sheet(sheet), 0);
       sheet.brightness_kilorayleigh = 10.0;
       for (int a = 0; a < HeightProfile::kAltitudes; a += 50)
         EXPECT_NEAR(blue.rate[4 * a], 2.0 * both.rate[4 * a], 1e-6 * blue.rate[4 * a]);
@@ -36,7 +37,7 @@ TEST(SheetProfile, DerivativeByTheEnergyIsThatOfTheRate) {
     sheet.profile = profile;
     const auto at = [&](double energy) {
       sheet.energy_kev = energy;
-      return sheet_profile({630.0, 557.7, 427.8}, sheet);
+      return sheet_profile({630.0, 557.7, 427.8}, tests::with_sheet(sheet), 0);
     };
     const HeightProfile here = at(3.0), more = at(3.0 * std::exp(h)), less = at(3.0 * std::exp(-h));
     for (int l = 0; l < 3; ++l) {

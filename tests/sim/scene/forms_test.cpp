@@ -9,6 +9,7 @@
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/parameter_table.h"
 #include "sim/scene/scene_toml.h"
+#include "tests/support/one_sheet.h"
 
 namespace vegard::sim {
 namespace {
@@ -84,7 +85,7 @@ TEST(Forms, AreWrittenWithEveryKeyAndReadBackTheSame) {
 
 /// Altitude below or above the peak of the total light where it has fallen to a share of it.
 double height_of(const Sheet& sheet, double share, bool above) {
-  const HeightProfile profile = sheet_profile({630.0, 557.7, 427.8}, sheet);
+  const HeightProfile profile = sheet_profile({630.0, 557.7, 427.8}, tests::with_sheet(sheet), 0);
   const auto total = [&](int a) {
     return profile.rate[a * 4] + profile.rate[a * 4 + 1] + profile.rate[a * 4 + 2];
   };
@@ -160,7 +161,7 @@ TEST(Forms, KeepToTheSourcesRanges) {
   const auto green_kilorayleigh = [](const char* name) {
     const Sheet s = sheet_of(name);
     return 1e-3 * s.layers * s.energy_flux_mw_m2 *
-           column_below(sheet_profile({557.7}, s), 0, s.top_km).rayleigh;
+           column_below(sheet_profile({557.7}, tests::with_sheet(s), 0), 0, s.top_km).rayleigh;
   };
   EXPECT_LT(green_kilorayleigh("diffuse_patches"), 1.0) << "difficult to see with the naked eye: below 1 kR";
   EXPECT_GT(green_kilorayleigh("homogeneous_arc"), 5.0);

@@ -1,0 +1,20 @@
+// What a scene's sensor makes of each of its emission lines.
+#pragma once
+
+#include <vector>
+
+#include "sim/scene/scene.h"
+#include "sim/view/colour.h"
+
+namespace vegard::sim {
+
+/// Linear sensor value (white = 1) of the luminance of 1 kR of 557.7 nm.
+double gain_per_kilorayleigh(const Scene& scene);
+
+/// Linear, signed RGB per kilorayleigh of every line of the scene, at a gain_per_kilorayleigh of 1.
+std::vector<Vector3> line_colours_at_unit_gain(const Scene& scene);
+
+/// The same at the scene's own gain.
+std::vector<Vector3> line_colours(const Scene& scene);
+
+}  // namespace vegard::sim
