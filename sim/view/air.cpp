@@ -68,10 +68,12 @@ double ozone_optical_depth(double wavelength_nm, double ozone_dobson) {
 }
 
 double pressure_share(double altitude_km) {
-  constexpr double kTropopauseKm = 11.0, kScaleHeightAboveKm = 6.34162;
-  const double below = std::min(altitude_km, kTropopauseKm);
-  const double share = std::pow(1.0 - 0.0065 * 1e3 * below / 288.15, 5.25588);
-  return share * std::exp(-(altitude_km - below) / kScaleHeightAboveKm);
+  constexpr double kStandardRadiusKm = 6356.766, kTropopauseKm = 11.0, kScaleHeightAboveKm = 6.34162;
+  // Geopotential altitude, in which gravity is constant.
+  const double potential_km = kStandardRadiusKm * altitude_km / (kStandardRadiusKm + altitude_km);
+  const double below = std::min(potential_km, kTropopauseKm);
+  return std::pow(1.0 - 6.5 * below / 288.15, 5.25588) *
+         std::exp(-(potential_km - below) / kScaleHeightAboveKm);
 }
 
 double sine_of_horizon(double observer_km) {

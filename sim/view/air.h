@@ -63,7 +63,7 @@ class AirColumn {
     const double place = std::sqrt((sine - lowest_sine_) / (1.0 - lowest_sine_)) * intervals();
     const int i = std::min(static_cast<int>(place), intervals() - 1);
     const double step = sine_at(i + 1) - sine_at(i);
-    const T t = (sine_of_elevation - sine_at(i)) / step;
+    const T t = (sine_of_elevation - sine_at(i)) * (1.0 / step);  // as a dual number divides
     const double y0 = log_column_[i], y1 = log_column_[i + 1];
     const double m0 = step * slope_[i], m1 = step * slope_[i + 1];
     const double c2 = 3.0 * (y1 - y0) - 2.0 * m0 - m1, c3 = 2.0 * (y0 - y1) + m0 + m1;

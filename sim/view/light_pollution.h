@@ -22,7 +22,7 @@ T light_pollution_share(const SightLine<T>& line, const LightPollution& town) {
   const T level = square_root(line.east * line.east + line.north * line.north + 1e-12);
   const T height =
       value_of(line.up) > 0.0 ? line.up * (-1.0 / std::sin(town.height_deg * kRadiansPerDegree)) : T(0.0);
-  return exponential(height - (level - towards) / (spread * spread));
+  return exponential(height - (level - towards) * (1.0 / (spread * spread)));
 }
 
 }  // namespace vegard::sim
