@@ -11,8 +11,8 @@
 namespace vegard::apps {
 namespace {
 
-constexpr std::array<const char*, 7> kOwnNames = {"aurora", "sky",        "background", "stars",
-                                                  "mask",   "foreground", "rayleigh"};
+constexpr std::array<const char*, 8> kOwnNames = {"aurora", "sky",  "night_sky",  "background",
+                                                  "stars",  "mask", "foreground", "rayleigh"};
 
 sim::Image named(const std::string& layer, sim::Image image) {
   for (std::string& name : image.channel_names) name.insert(0, layer + ".");
@@ -49,6 +49,7 @@ std::vector<sim::Image> layers_of(const sim::Scene& scene, sim::Rendering&& rend
   }
   layers.push_back(named("aurora", std::move(rendering.aurora)));
   layers.push_back(named("sky", sim::sky_light(scene)));
+  if (!rendering.night_sky.empty()) layers.push_back(named("night_sky", std::move(rendering.night_sky)));
   if (!rendering.background.empty()) layers.push_back(named("background", std::move(rendering.background)));
   if (!rendering.stars.empty()) layers.push_back(named("stars", std::move(rendering.stars)));
   if (!rendering.foreground.empty()) {

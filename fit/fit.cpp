@@ -13,6 +13,7 @@
 #include "fit/uncertainty.h"
 #include "fit/verdict.h"
 #include "sim/base/error.h"
+#include "sim/view/night_sky.h"
 
 namespace vegard::fit {
 namespace {
@@ -61,9 +62,11 @@ double tidy(const FreeNumber& n, double value) {
   return value - turn * std::floor(value / turn);
 }
 
-double chi2_without_aurora(const LinearPart& linear, std::size_t values) {
+/// The sky alone, with the night sky's known lights where the fit ended.
+double chi2_without_aurora(const LinearPart& linear, const ModelProfile& aurora) {
   ModelProfile dark;
-  dark.value.assign(values, 0.0);
+  dark.value.assign(aurora.value.size(), 0.0);
+  dark.offset = aurora.offset;
   return linear.solve(dark).chi2;
 }
 
@@ -107,7 +110,12 @@ void put_solution(const ProfileCost::Point& point, const ValueUncertainty& known
         ++lit;
       }
     }
-  if (lit > 0) r.best.sensor.gain_per_kilorayleigh = sum / lit;
+  if (lit > 0) {
+    // The night sky's lights keep the brightness that they had in the fit.
+    if (sim::has_night_sky(r.best))
+      r.best.sky.lights_gain *= r.best.sensor.gain_per_kilorayleigh / (sum / lit);
+    r.best.sensor.gain_per_kilorayleigh = sum / lit;
+  }
   static const char* const kTerm[3] = {"level", "gradient", "curvature"};
   std::array<double, 3>* const terms[3] = {&r.best.sky.level, &r.best.sky.gradient, &r.best.sky.curvature};
   for (int t = 0; t < 3; ++t)
@@ -235,7 +243,6 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
   log.stop = options.stop;
 
   Evidence evidence;
-  evidence.chi2_without_aurora = chi2_without_aurora(linear, r.data.mean.size());
   const SearchOutcome outcome =
       search(scene, free, {coarse, coarse_linear, full, linear}, options, log, r.trace);
   r.chi2_initial = outcome.chi2_initial;
@@ -253,6 +260,7 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
   EvaluationLog closing;
   const ProfileCost cost(scene, free, full, linear, closing);
   const ProfileCost::Point point = cost.at(values, true);
+  evidence.chi2_without_aurora = chi2_without_aurora(linear, point.aurora);
   const int held = static_cast<int>(std::count(point.solution.held.begin(), point.solution.held.end(), true));
   r.chi2 = point.chi2;
   const auto has_prior = [](const FreeNumber& number) { return number.prior.has_value(); };

@@ -6,6 +6,17 @@
 #include "sim/view/sky.h"
 
 namespace vegard::fit {
+namespace {
+
+/// Of the night sky's known lights.
+double offset_at(const ModelProfile& aurora, std::size_t i) {
+  return aurora.offset.empty() ? 0.0 : aurora.offset[i];
+}
+double offset_slope(const ModelProfile& aurora, std::size_t i, int parameter) {
+  return aurora.offset_derivative.empty() ? 0.0 : aurora.offset_derivative[i * aurora.free + parameter];
+}
+
+}  // namespace
 
 /// The normal equations, factorised, with held coefficients taken out.
 struct LinearPart::Normal {
@@ -79,7 +90,7 @@ LinearSolution LinearPart::solve(const ModelProfile& aurora) const {
     for (std::size_t k = 0; k < used_.size(); ++k) {
       const std::size_t i = used_[k];
       const Where& w = where_[k];
-      const double weighted = data_.mean[i] / (sigma_[i] * sigma_[i]);
+      const double weighted = (data_.mean[i] - offset_at(aurora, i)) / (sigma_[i] * sigma_[i]);
       if (!solution.held[w.gain]) right(w.gain) += weighted * aurora.value[i];
       for (int t = 0; t < sky_terms_; ++t) right(sky(t, w.channel)) += weighted * w.sky[t];
     }
@@ -111,19 +122,20 @@ LinearSolution LinearPart::solve(const ModelProfile& aurora) const {
 Eigen::MatrixXd LinearPart::coefficient_slopes(const ModelProfile& aurora, const LinearSolution& solution,
                                                const Normal& normal) const {
   const int n = coefficients(), p = aurora.free;
-  // With A(θ) c = model: dc = (AᵀWA)⁻¹ (dAᵀ W r − Aᵀ W dA c), and the residual falls by dA c + A dc.
+  // With A(θ) c + o(θ) = model: dc = (AᵀWA)⁻¹ (dAᵀ W r − Aᵀ W (dA c + do)), and the residual falls by
+  // dA c + do + A dc.
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, p);
   for (std::size_t k = 0; k < used_.size(); ++k) {
     const std::size_t i = used_[k];
     const Where& w = where_[k];
-    if (solution.held[w.gain]) continue;
+    const bool held = solution.held[w.gain];
     const double gain = solution.coefficients[w.gain];
     const double weight = 1.0 / (sigma_[i] * sigma_[i]), light = aurora.value[i];
     const double left_over = solution.residual[k] * sigma_[i];
     const double* grow = aurora.derivative.data() + i * p;
     for (int j = 0; j < p; ++j) {
-      const double change = weight * gain * grow[j];
-      right(w.gain, j) += weight * grow[j] * left_over - light * change;
+      const double change = weight * gain * grow[j] + weight * offset_slope(aurora, i, j);
+      if (!held) right(w.gain, j) += weight * grow[j] * left_over - light * change;
       for (int t = 0; t < sky_terms_; ++t) right(sky(t, w.channel), j) -= w.sky[t] * change;
     }
   }
@@ -142,7 +154,7 @@ void LinearPart::jacobian(const ModelProfile& aurora, const LinearSolution& solu
     const double gain = solution.coefficients[w.gain], light = aurora.value[i];
     const double* grow = aurora.derivative.data() + i * p;
     for (int j = 0; j < p; ++j) {
-      double change = 0.0;
+      double change = offset_slope(aurora, i, j);
       for (int t = 0; t < sky_terms_; ++t) change += dc(sky(t, w.channel), j) * w.sky[t];
       if (!held) change += gain * grow[j] + light * dc(w.gain, j);
       out[k * p + j] = -change / sigma_[i];
@@ -157,7 +169,7 @@ std::vector<double> LinearPart::model(const ModelProfile& aurora, const LinearSo
       const std::array<double, 3> basis = sky_basis(r);
       for (int c = 0; c < 3; ++c) {
         const std::size_t i = data_.index(b, r, c);
-        all[i] = solution.coefficients[gains_.column(b, c)] * aurora.value[i];
+        all[i] = offset_at(aurora, i) + solution.coefficients[gains_.column(b, c)] * aurora.value[i];
         for (int t = 0; t < sky_terms_; ++t) all[i] += solution.coefficients[sky(t, c)] * basis[t];
       }
     }

@@ -1,8 +1,8 @@
 // What is linear in a photograph's profile, solved exactly at every evaluation: exposure gains and the sky.
 //
 // Variable projection with the full derivative (Golub and Pereyra 1973, doi:10.1137/0710036; Kaufman's
-// shortcut drops a term and fails the difference test): data = sum of gains * aurora + sky level + sky
-// gradient * place.
+// shortcut drops a term and fails the difference test): data = night sky + sum of gains * aurora + sky
+// level + sky gradient * place, where the night sky's known lights (ModelProfile::offset) have no gain.
 #pragma once
 
 #include <Eigen/Core>

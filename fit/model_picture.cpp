@@ -6,6 +6,8 @@
 
 #include "sim/emit/aurora/sheet.h"
 #include "sim/render/render.h"
+#include "sim/view/composite.h"
+#include "sim/view/night_sky.h"
 #include "sim/view/sky.h"
 
 namespace vegard::fit {
@@ -50,7 +52,11 @@ sim::Scene scene_of_expectation(const FitResult& result) {
 ModelPicture model_picture(const FitResult& result, const Photo& photo, int threads) {
   assert(photo.linear.width == result.best.camera.width && photo.linear.height == result.best.camera.height);
   sim::Scene scene = scene_of_expectation(result);
+  const sim::Scene with_gain = scene;
   scene.sensor.gain_per_kilorayleigh = 1.0;
+  scene.airglow = {};  // added below, at the scene's own gain
+  scene.twilight = {};
+  scene.light_pollution = {};
   scene.stars.shown = false;  // a fit knows of no stars
   sim::RenderOptions options;
   options.threads = threads;
@@ -66,6 +72,8 @@ ModelPicture model_picture(const FitResult& result, const Photo& photo, int thre
         picture.rgb.at(x, y, c) = gain * std::max(picture.rgb.at(x, y, c), 0.0f);
     }
   sim::add_sky(scene.sky, picture.rgb);
+  if (sim::has_night_sky(with_gain))
+    sim::add_light(sim::night_sky_light(with_gain, threads), 1.0, picture.rgb);
   picture.rayleigh = std::move(rendering.rayleigh);
   picture.residual = photo.linear;
   for (std::size_t i = 0; i < picture.residual.data.size(); ++i)

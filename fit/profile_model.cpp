@@ -1,14 +1,17 @@
 #include "fit/profile_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "fit/smoothing.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/aurora/sheet.h"
+#include "sim/render/air_on_film.h"
 #include "sim/render/film.h"
 #include "sim/view/blur.h"
 #include "sim/view/line_colours.h"
+#include "sim/view/night_sky.h"
 
 namespace vegard::fit {
 namespace {
@@ -127,6 +130,56 @@ struct ProfileModel::Workspace {
     });
   }
 
+  /// Calls body(row, band, sums) with the bands' means of the night sky, one channel each. T is double or
+  /// SkyDual.
+  template <class T, class Body>
+  void night_sky(const Body& body) const {
+    const sim::SkyView<T> view(scene);
+    const sim::NightSky<T> sky(scene);
+    sim::parallel_for(static_cast<std::size_t>(region.height), threads, [&](std::size_t row, int) {
+      const double y = film.y0_px + (static_cast<double>(row) + top + 0.5) * film.cell_height_px;
+      for (int b = 0; b < bands; ++b) {
+        const BandWeights& w = weights[b];
+        std::array<T, 3> sum = {T(0.0), T(0.0), T(0.0)};
+        for (int i = 0; i < w.columns; ++i) {
+          const float* pixels = &w.pixels[(row * w.columns + i) * 3];
+          if (pixels[0] + pixels[1] + pixels[2] == 0.0f) continue;
+          const std::array<T, 3> light =
+              sky.light(view.at(film.x0_px + (w.first_column + i + 0.5) * film.cell_width_px, y));
+          for (int c = 0; c < 3; ++c) sum[c] = sum[c] + light[c] * static_cast<double>(pixels[c]);
+        }
+        for (int c = 0; c < 3; ++c)
+          body(value_index(b, static_cast<int>(row), c),
+               sum[c] * static_cast<double>(w.inverse[row * 3 + c]));
+      }
+    });
+  }
+
+  /// The night sky's lights alone.
+  void add_offset(ModelProfile& out) const {
+    out.offset.clear();
+    out.offset_derivative.clear();
+    if (!sim::has_night_sky(scene)) return;
+    out.offset.resize(out.value.size());
+    night_sky<double>([&](std::size_t i, double mean) { out.offset[i] = mean; });
+  }
+
+  /// The same with their derivatives by `free`. A free brightness counts even where it is 0.
+  void add_offset(const std::vector<const double*>& free, ModelProfile& out) const {
+    const std::vector<int> which = sim::sky_numbers_of(scene, free);
+    out.offset.clear();
+    out.offset_derivative.clear();
+    const bool any_free = std::any_of(which.begin(), which.end(), [](int k) { return k >= sim::sky_green; });
+    if (!sim::has_night_sky(scene) && !any_free) return;
+    out.offset.resize(out.value.size());
+    out.offset_derivative.assign(out.value.size() * free.size(), 0.0);
+    night_sky<sim::SkyDual>([&](std::size_t i, const sim::SkyDual& mean) {
+      out.offset[i] = mean.v;
+      for (std::size_t j = 0; j < which.size(); ++j)
+        if (which[j] >= 0) out.offset_derivative[i * free.size() + j] = mean.d.t[which[j]];
+    });
+  }
+
   /// RGB per rayleigh at unit gain.
   std::vector<sim::Vector3> colours() const {
     std::vector<sim::Vector3> weights_per_kilorayleigh = sim::line_colours_at_unit_gain(scene);
@@ -215,9 +268,11 @@ void ProfileModel::evaluate(const sim::Scene& scene, ModelProfile& out) {
   Workspace& w = *work_;
   w.adopt(scene, {});
   w.exposer->expose(w.scene, w.exposure);
+  sim::dim_by_air(w.scene, w.exposure, w.threads);
   out.free = 0;
   out.derivative.clear();
   w.finish_values(out);
+  w.add_offset(out);
   if (w.smooth_rows > 0.0) smooth(out, w.bands, w.region.height, w.smooth_rows);
 }
 
@@ -226,9 +281,11 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std:
   Workspace& w = *work_;
   const std::vector<const double*> moved = w.adopt(scene, free);
   w.exposer->expose_with_derivatives(w.scene, moved, w.exposure);
+  sim::dim_by_air(w.scene, moved, w.exposure, w.threads);
   w.finish_values(out);
   out.free = static_cast<int>(free.size());
   out.derivative.assign(out.value.size() * free.size(), 0.0);
+  w.add_offset(moved, out);
 
   const std::size_t cells = w.exposure.cells();
   const int stride = w.exposure.free_stride;

@@ -1,4 +1,5 @@
-// The profile that a scene's aurora would have, at unit gain and without the sky, with its exact derivatives.
+// The profile that a scene's aurora would have, at unit gain and without the sky, with its exact derivatives;
+// and that of the night sky's known lights, at the scene's own gain.
 #pragma once
 
 #include <memory>
@@ -15,6 +16,9 @@ struct ModelProfile {
   std::vector<double> value;
   int free = 0;
   std::vector<double> derivative;
+  /// Airglow, twilight and light pollution, which no gain scales; empty where the scene has none.
+  std::vector<double> offset;
+  std::vector<double> offset_derivative;  ///< as `derivative`
 };
 
 /// Renders the region of interest again and again. The film's cells are one pixel high and up to four wide:

@@ -59,6 +59,9 @@ void smooth(ModelProfile& model, int bands, int rows, double sigma_rows) {
   };
   smooth_rows(model.value, 3);
   if (model.free > 0) smooth_rows(model.derivative, static_cast<std::size_t>(3) * model.free);
+  if (!model.offset.empty()) smooth_rows(model.offset, 3);
+  if (!model.offset_derivative.empty())
+    smooth_rows(model.offset_derivative, static_cast<std::size_t>(3) * model.free);
 }
 
 }  // namespace vegard::fit

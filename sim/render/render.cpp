@@ -5,12 +5,14 @@
 #include <optional>
 
 #include "sim/emit/aurora/motion.h"
+#include "sim/render/air_on_film.h"
 #include "sim/render/film.h"
 #include "sim/render/physical_blur.h"
 #include "sim/scene/emission_lines.h"
 #include "sim/view/blur.h"
 #include "sim/view/colour.h"
 #include "sim/view/line_colours.h"
+#include "sim/view/night_sky.h"
 #include "sim/view/sky.h"
 #include "sim/view/stars.h"
 #include "sim/view/transfer_curve.h"
@@ -32,6 +34,7 @@ Image through_the_sensor(const Scene& scene, const Image& rayleigh) {
 /// Everything else in the picture around the aurora's light.
 void compose(const Scene& scene, const Rendering& layers, Image& rgb) {
   add_sky(scene.sky, rgb);
+  if (!layers.night_sky.empty()) add_light(layers.night_sky, 1.0, rgb);
   if (!layers.background.empty()) add_light(layers.background, 1.0, rgb);
   if (!layers.stars.empty()) add_light(layers.stars, 1.0, rgb);
   if (!layers.foreground.empty()) cover(layers.foreground, rgb);
@@ -73,11 +76,14 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
         Image lines = dark_lines(scene);
         points =
             add_lines_physically(scene, options.threads, progress_of(n), options.stop, lines, only_sheet);
+        dim_picture_by_air(scene, lines, options.threads);
         return lines;
       }
       exposer->expose(scene, exposure, progress_of(n), options.stop, only_sheet);
       points = exposure.deflection_points;
-      return stopped() ? Image() : rayleigh_image(scene, exposure, options.threads);
+      if (stopped()) return Image();
+      dim_by_air(scene, exposure, options.threads);
+      return rayleigh_image(scene, exposure, options.threads);
     };
     result.rayleigh = lines_of(0, -1, result.deflection_points);
     if (stopped()) return {};
@@ -90,6 +96,7 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
     }
   }
   result.aurora = through_the_sensor(scene, result.rayleigh);
+  if (has_night_sky(scene)) result.night_sky = night_sky_light(scene, options.threads);
   if (scene.stars.shown) result.stars = star_light(scene, instants_s(scene.time), options.stop);
   if (stopped()) return {};
   if (options.pictures != nullptr && !options.pictures->background.empty()) {

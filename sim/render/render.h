@@ -32,11 +32,14 @@ struct SheetLayer {
 };
 
 struct Rendering {
-  Image rayleigh;  ///< one channel per emission line, named by its wavelength ("6300"), blurred, in rayleighs
-  Image aurora;    ///< linear RGB of the aurora alone through the sensor, signed where a line is out of gamut
-  Image rgb;       ///< linear, signed: foreground + (1 - mask) (aurora + sky + background + stars)
+  Image rayleigh;  ///< one channel per emission line, named by its wavelength ("6300"), blurred, in
+                   ///< rayleighs, as they reach the camera: what the air takes is gone
+  Image aurora;  ///< linear RGB of the aurora alone through the sensor, signed where a line is out of gamut
+  Image rgb;     ///< linear, signed: foreground + (1 - mask) (aurora + sky + night_sky + background +
+                 ///< stars)
   std::uint64_t deflection_points = 0;
 
+  Image night_sky;   ///< linear RGB of airglow, twilight and light pollution; empty: none
   Image background;  ///< linear RGB of the picture behind the aurora, times its gain; empty: none
   Image stars;       ///< linear RGB; empty: none
   Image foreground;  ///< linear R, G, B times its gain and its mask, and A, the mask; empty: none

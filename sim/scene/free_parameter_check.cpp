@@ -75,6 +75,10 @@ std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const Par
     return Complaint{"the field is a dipole's, so " + key + " counts for nothing", expected,
                      "leave it out of fit.free, or set field.model to \"uniform\""};
   }
+  if (path.row->table == "air" && scene.air.model == "none") {
+    return Complaint{"there is no air, so " + key + " counts for nothing", expected,
+                     "leave it out of fit.free, or set air.model to \"standard\""};
+  }
   if (path.row->table != sheet_table) return std::nullopt;
   const Sheet& sheet = scene.sheets[path.sheet];
   if (key == "energy_flux_mw_m2" && sheet.brightness_kilorayleigh > 0.0) {

@@ -9,7 +9,8 @@ namespace {
 
 std::vector<Declaration> declare() {
   std::vector<Declaration> all;
-  for (const auto rows : {place_rows, sheet_rows, light_rows, sensor_rows, sky_rows, time_rows, fit_rows}) {
+  for (const auto rows :
+       {place_rows, sheet_rows, light_rows, sensor_rows, sky_rows, night_sky_rows, time_rows, fit_rows}) {
     std::vector<Declaration> group = rows();
     std::move(group.begin(), group.end(), std::back_inserter(all));
   }

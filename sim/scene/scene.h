@@ -168,6 +168,40 @@ struct Sky {
   std::array<double, 3> level{0.0, 0.0, 0.0};
   std::array<double, 3> gradient{0.0, 0.0, 0.0};
   std::array<double, 3> curvature{0.0, 0.0, 0.0};
+  double lights_gain = 1.0;  ///< times airglow, twilight and light pollution
+};
+
+/// What light loses on its way through the lower atmosphere.
+struct LowerAir {
+  std::string model = "none";          ///< or "standard"
+  double aerosol_optical_depth = 0.1;  ///< of the whole vertical column from sea level, at 550 nm
+  double angstrom_exponent = 1.3;      ///< of the aerosol's optical depth against wavelength
+  double aerosol_height_km = 2.0;      ///< scale height
+  double ozone_dobson = 300.0;
+};
+
+/// The night sky's own light at the zenith, above the air, in rayleighs; 0: none.
+struct Airglow {
+  double green_rayleigh = 0.0;   ///< 557.7 nm, at 97 km
+  double red_rayleigh = 0.0;     ///< 630.0 nm, at 250 km
+  double sodium_rayleigh = 0.0;  ///< 589.3 nm, at 92 km
+};
+
+/// The scattered light of a sun below the horizon.
+struct Twilight {
+  bool shown = false;
+  double sun_elevation_deg = -12.0;
+  double sun_azimuth_deg = 0.0;
+  double contrast = 10.0;  ///< of the horizon under the sun to the zenith
+};
+
+/// The glow of a town beyond the horizon.
+struct LightPollution {
+  double luminance_mcd_m2 = 0.0;  ///< at the horizon towards the town; 0: none
+  double azimuth_deg = 180.0;
+  double height_deg = 12.0;  ///< at which it has fallen to 1 / e
+  double spread_deg = 40.0;  ///< in azimuth, standard deviation
+  double colour_temperature_k = 3000.0;
 };
 
 /// Stars behind the aurora: random ones, as many of each magnitude as the sky has.
@@ -224,6 +258,10 @@ struct Scene {
   Film film;
   Sensor sensor;
   Sky sky;
+  LowerAir air;
+  Airglow airglow;
+  Twilight twilight;
+  LightPollution light_pollution;
   Stars stars;
   Composite composite;
   Time time;

@@ -8,6 +8,10 @@ std::vector<Vector3> line_colours_at_unit_gain(const Scene& scene) {
   return rgb_per_kilorayleigh(scene.emission.lines, scene.sensor.primaries, 1.0);
 }
 
+Vector3 line_colour(const Scene& scene, double wavelength_nm) {
+  return rgb_per_kilorayleigh({wavelength_nm}, scene.sensor.primaries, gain_per_kilorayleigh(scene)).front();
+}
+
 std::vector<Vector3> line_colours(const Scene& scene) {
   std::vector<Vector3> colours = line_colours_at_unit_gain(scene);
   for (Vector3& rgb : colours)

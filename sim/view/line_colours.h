@@ -14,7 +14,10 @@ double gain_per_kilorayleigh(const Scene& scene);
 /// Linear, signed RGB per kilorayleigh of every line of the scene, at a gain_per_kilorayleigh of 1.
 std::vector<Vector3> line_colours_at_unit_gain(const Scene& scene);
 
-/// The same at the scene's own gain.
+/// The same of light of any one wavelength, at the scene's own gain.
+Vector3 line_colour(const Scene& scene, double wavelength_nm);
+
+/// Those of the scene's lines at its own gain.
 std::vector<Vector3> line_colours(const Scene& scene);
 
 }  // namespace vegard::sim

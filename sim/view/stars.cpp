@@ -6,6 +6,7 @@
 #include "sim/base/earth.h"
 #include "sim/base/normal_quantile.h"
 #include "sim/base/random.h"
+#include "sim/view/air.h"
 #include "sim/view/camera.h"
 #include "sim/view/colour.h"
 #include "sim/view/line_colours.h"
@@ -17,6 +18,9 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kSiderealDayS = 86164.0905;
 constexpr double kPhotonsOfMagnitude0 = 1.0e6;  // V band: 1000 photons per cm2, s and 0.1 nm over 90 nm
 constexpr double kNarrowestPx = 0.5;            // a narrower star would flicker from pixel to pixel
+// Where sRGB's primaries are brightest to the eye, roughly: a star's channels are dimmed as these
+// wavelengths.
+constexpr std::array<double, 3> kChannelNm = {610.0, 550.0, 465.0};
 constexpr double kReach = 6.0;  // in standard deviations: beyond it even the brightest star is dark
 
 constexpr std::array<double, 7> kCounts = {4.0, 15.0, 49.0, 172.0, 511.0, 1600.0, 4800.0};  // at 0, 1 … 6
@@ -147,11 +151,17 @@ Image star_light(const Scene& scene, const std::vector<double>& instants_s, cons
                                       1e-6 / static_cast<double>(instants_s.size());
   const Tints tints(scene.sensor.primaries);
 
+  const AirAbove air(scene);
+  std::vector<LineDepths<double>> depths;
+  for (const double nm : kChannelNm)
+    depths.emplace_back(nm, scene.air.aerosol_optical_depth, scene.air.angstrom_exponent,
+                        scene.air.ozone_dobson);
+
   Spread across, down;
   const double count = std::floor(stars_brighter_than(scene.stars.faintest_magnitude) + 0.5);
   for (std::uint32_t number = 0; number < count; ++number) {
     const Star one = star(scene.seed, number);
-    const std::array<double, 3> tint = tints.at(one.colour_index);
+    const std::array<double, 3> above_the_air = tints.at(one.colour_index);
     const double brightness = luminance_per_photon * star_photons_cm2_s(one.magnitude);
     for (const double instant : instants_s) {
       if (stop != nullptr && stop->load(std::memory_order_relaxed)) return light;
@@ -168,6 +178,9 @@ Image star_light(const Scene& scene, const std::vector<double>& instants_s, cons
       if (x_px < -reach_px || x_px > camera.width + reach_px || y_px < -reach_px ||
           y_px > camera.height + reach_px)
         continue;
+      std::array<double, 3> tint = above_the_air;
+      if (!air.none())
+        for (int c = 0; c < 3; ++c) tint[c] *= depths[c].transmission(air.towards(enu[2]));
       const double steradians_of_pixel = forward * forward * forward / (view.focal_px * view.focal_px);
       across.set(x_px, sigma_px, camera.width);
       down.set(y_px, sigma_px, camera.height);

@@ -1,7 +1,8 @@
 // A random field of stars: as many of each magnitude as the sky has, evenly over the celestial sphere, which
 // turns about its pole. They are not the stars of any date.
 //
-// Sources: docs/physics.md, "Stars". Nothing of the air is in it: no refraction, extinction or twinkling.
+// Sources: docs/physics.md, "Stars". The air of [air] dims and reddens them, each channel as its wavelength
+// of 610, 550 or 465 nm; there is no refraction and no twinkling.
 #pragma once
 
 #include <array>

@@ -12,6 +12,7 @@ std::vector<Declaration> sheet_rows();
 std::vector<Declaration> light_rows();
 std::vector<Declaration> sensor_rows();
 std::vector<Declaration> sky_rows();
+std::vector<Declaration> night_sky_rows();
 std::vector<Declaration> time_rows();
 std::vector<Declaration> fit_rows();
 

@@ -12,6 +12,9 @@ std::vector<Declaration> sky_rows() {
           .means("how much brighter the sky is at the image's bottom than at its top, linear sensor value"),
       Row("sky", "curvature", &Scene::sky, &Sky::curvature).of({"red", "green", "blue"}).within(-1e6, 1e6)
           .means("bend of the sky's brightness: four times what top and bottom exceed the middle by"),
+      Row("sky", "lights_gain", &Scene::sky, &Sky::lights_gain).within(0, 1e12)
+          .means("times airglow, twilight and light pollution; a fit writes here by how much its gain is not "
+                 "gain_per_kilorayleigh"),
 
       Row("stars", "shown", &Scene::stars, &Stars::shown).means("whether there are stars behind the aurora"),
       Row("stars", "faintest_magnitude", &Scene::stars, &Stars::faintest_magnitude).in("mag").within(-2, 12)
