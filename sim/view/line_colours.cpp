@@ -15,4 +15,6 @@ std::vector<Vector3> line_colours(const Scene& scene) {
   return colours;
 }
 
+Matrix3 rgb_from_raw(const Scene&) { return {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}}; }
+
 }  // namespace vegard::sim
