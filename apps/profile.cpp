@@ -12,6 +12,8 @@
 #include "apps/elevation.h"
 #include "apps/output_files.h"
 #include "apps/scene_place.h"
+#include "apps/usage_error.h"
+#include "fit/line_brightness.h"
 #include "fit/photo.h"
 #include "fit/plot.h"
 #include "fit/profile.h"
@@ -21,6 +23,8 @@
 #include "sim/base/whole_file.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_toml.h"
+#include "sim/view/sensor_response.h"
+#include "sim/view/spectral_resolution.h"
 
 namespace vegard::apps {
 namespace {
@@ -31,7 +35,7 @@ struct Options {
   std::vector<int> roi_px;
   std::optional<int> bands;
   std::string decoding;
-  bool overwrite = false;
+  bool overwrite = false, lines = false;
 };
 
 std::string size_text(int width, int height) {
@@ -93,9 +97,19 @@ void check_outputs(const Options& options) {
   }
 }
 
+/// What to expect of it: lines closer than that are one to the sensor.
+void print_resolution(const sim::Scene& scene) {
+  const sim::SensorResponse response(scene);
+  for (const double nm : scene.emission.lines)
+    std::printf("%.1f nm: the sensor's window there is %.0f nm wide\n", nm,
+                sim::resolving_kernel(response, nm).fwhm_nm);
+}
+
 void run(const Options& options) {
   const PlotFormat format = plot_format(options.plot);
   check_outputs(options);
+  if (options.lines && options.scene.empty())
+    throw usage_error("--lines", "no sensor is known", "--scene with the sensor, its gain and the lines");
   std::optional<sim::Scene> scene;
   if (!options.scene.empty()) scene = sim::read_scene(options.scene);
   const sim::Fit defaults = scene ? scene->fit : sim::Fit{};
@@ -115,6 +129,15 @@ void run(const Options& options) {
     return fit::extract_profile(photo, region, options.bands.value_or(defaults.bands));
   });
 
+  std::optional<fit::LineBrightness> lines;
+  if (options.lines) {
+    try {
+      lines = fit::line_brightness(*scene, profile);
+    } catch (const sim::Error& error) {
+      throw with_place(error, *scene);
+    }
+  }
+
   // The plot is made before anything is written: what fails here leaves nothing behind.
   std::string plot;
   if (format != PlotFormat::none) {
@@ -125,7 +148,7 @@ void run(const Options& options) {
   sim::WholeFile table_file(options.output, options.overwrite);
   std::optional<sim::WholeFile> plot_file;
   if (format != PlotFormat::none) plot_file.emplace(options.plot, options.overwrite);
-  table_file.write(fit::profile_csv(photo, profile, elevation));
+  table_file.write(fit::profile_csv(photo, profile, elevation, lines ? &*lines : nullptr));
   if (plot_file) plot_file->write(plot);
   table_file.commit();
   if (plot_file) plot_file->commit();
@@ -134,6 +157,7 @@ void run(const Options& options) {
               size_text(photo.linear.width, photo.linear.height).c_str(), photo.decoding.c_str());
   std::printf("%s: %d bands of %d rows\n", options.output.c_str(), profile.bands, profile.rows);
   if (plot_file) std::printf("%s\n", options.plot.c_str());
+  if (lines) print_resolution(*scene);
 }
 
 }  // namespace
@@ -151,6 +175,8 @@ void add_profile_command(CLI::App& app, int& exit_code) {
   command->add_option("--bands", options->bands, "Equal column strips (default: the scene's, or 24)");
   command->add_option("--mask", options->mask, "An image of the same size: white = use");
   command->add_option("--scene", options->scene, "A scene whose camera took the photograph: adds elevations");
+  command->add_flag("--lines", options->lines,
+                    "Add rayleighs of the scene's lines, by its sensor, gain and sky (needs --scene)");
   add_decoding_option(*command, options->decoding);
   command->add_option("--plot", options->plot, "Draw the profiles too")->type_name("OUT.svg|OUT.png");
   command->add_flag("--overwrite", options->overwrite, "Replace outputs that exist");

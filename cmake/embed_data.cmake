@@ -4,7 +4,12 @@ set(VEGARD_EMBEDDED_TABLES
     ${PROJECT_SOURCE_DIR}/data/atmosphere/us76.csv
     ${PROJECT_SOURCE_DIR}/data/atmosphere/ozone_233k.csv
     ${PROJECT_SOURCE_DIR}/data/glow/ver_maxwellian.csv
-    ${PROJECT_SOURCE_DIR}/data/cie/cie1931_2deg_5nm.csv)
+    ${PROJECT_SOURCE_DIR}/data/cie/cie1931_2deg_5nm.csv
+    ${PROJECT_SOURCE_DIR}/data/cie/daylight_components_10nm.csv
+    ${PROJECT_SOURCE_DIR}/data/cameras/canon_5d_mark_ii.csv
+    ${PROJECT_SOURCE_DIR}/data/cameras/nikon_d200.csv
+    ${PROJECT_SOURCE_DIR}/data/cameras/nikon_d700.csv
+    ${PROJECT_SOURCE_DIR}/data/cameras/sony_a7s_ii.csv)
 add_custom_command(
   OUTPUT ${VEGARD_EMBEDDED_DATA}
   COMMAND ${CMAKE_COMMAND} -DOUTPUT=${VEGARD_EMBEDDED_DATA} "-DINPUTS=${VEGARD_EMBEDDED_TABLES}"

@@ -64,12 +64,15 @@ ModelPicture model_picture(const FitResult& result, const Photo& photo, int thre
 
   ModelPicture picture;
   picture.rgb = std::move(rendering.aurora);
+  // As in the fit, out-of-gamut light is clipped before gain and sky, or kept.
+  const bool clips = !keeps_negative_light(photo);
   for (int x = 0; x < picture.rgb.width; ++x)
     for (int c = 0; c < 3; ++c) {
       const auto gain = static_cast<float>(gain_at_column(result, x + 0.5, c));
-      // As in the fit, out-of-gamut light is clipped before gain and sky.
-      for (int y = 0; y < picture.rgb.height; ++y)
-        picture.rgb.at(x, y, c) = gain * std::max(picture.rgb.at(x, y, c), 0.0f);
+      for (int y = 0; y < picture.rgb.height; ++y) {
+        const float light = picture.rgb.at(x, y, c);
+        picture.rgb.at(x, y, c) = gain * (clips ? std::max(light, 0.0f) : light);
+      }
     }
   sim::add_sky(scene.sky, picture.rgb);
   if (sim::has_night_sky(with_gain))

@@ -215,6 +215,8 @@ Photo read_photo(const std::string& file, Decoding decoding) {
   return photo;
 }
 
+bool keeps_negative_light(const Photo& photo) { return photo.floating && !photo.srgb; }
+
 double code_step(const Photo& photo, double linear) {
   if (photo.floating) return 0.0;
   const double step = 1.0 / ((1 << photo.bits) - 1);

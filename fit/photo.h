@@ -33,6 +33,10 @@ struct Photo {
 /// (OpenCV hands back a full picture for a truncated JPEG: fit/image_file.h looks first).
 Photo read_photo(const std::string& file, Decoding decoding);
 
+/// True for floats that no display curve was undone of: they may hold the light of colours out of gamut,
+/// signed. All else had it clipped when it was written, and a model is to be clipped likewise.
+bool keeps_negative_light(const Photo& photo);
+
 /// The width in linear light of one step of the file's code at this linear value; 0 for float files.
 double code_step(const Photo& photo, double linear);
 

@@ -60,11 +60,19 @@ double row_elevation_deg(const Profile& profile, int band, int row,
 }
 
 std::string profile_csv(const Photo& photo, const Profile& profile,
-                        const ElevationOfPixel& elevation_of_pixel) {
+                        const ElevationOfPixel& elevation_of_pixel, const LineBrightness* lines) {
   std::string text = comments(photo, profile);
+  if (lines != nullptr)
+    text +=
+        "# rayleigh_*: of the line at so many tenths of a nanometre, with its standard error, by the scene's "
+        "sensor and sky\n";
   text +=
       "band,row_px,elevation_deg,r,g,b,sigma_r,sigma_g,sigma_b,n_r,n_g,n_b,chroma_r,chroma_g,"
-      "sigma_chroma_r,sigma_chroma_g\n";
+      "sigma_chroma_r,sigma_chroma_g";
+  const std::size_t line_count = lines != nullptr ? lines->names.size() : 0;
+  for (std::size_t l = 0; l < line_count; ++l)
+    text += ",rayleigh_" + lines->names[l] + ",sigma_rayleigh_" + lines->names[l];
+  text += '\n';
   for (int band = 0; band < profile.bands; ++band)
     for (int row = 0; row < profile.rows; ++row) {
       text += std::to_string(band) + "," + std::to_string(profile.region.y + row);
@@ -76,6 +84,11 @@ std::string profile_csv(const Photo& photo, const Profile& profile,
       const Chromaticity colour = chromaticity(profile, band, row);
       for (const double value : {colour.r, colour.g, colour.sigma_r, colour.sigma_g})
         append_number(text, value);
+      for (std::size_t l = 0; l < line_count; ++l) {
+        const std::size_t at = i / 3 * line_count + l;
+        append_number(text, lines->rayleigh[at]);
+        append_number(text, lines->sigma[at]);
+      }
       text += '\n';
     }
   return text;

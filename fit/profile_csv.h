@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "fit/line_brightness.h"
 #include "fit/photo.h"
 #include "fit/profile.h"
 
@@ -20,8 +21,9 @@ double row_elevation_deg(const Profile& profile, int band, int row,
 
 /// Comment lines ("# ...") that say what was measured and how, a line of column names, and one line per band
 /// and row. Numbers are the shortest that read back as the same double; what is unknown is left empty. No
-/// dates, no folders: the same photograph gives the same bytes.
+/// dates, no folders: the same photograph gives the same bytes. `lines` adds rayleigh_* and sigma_rayleigh_*.
 std::string profile_csv(const Photo& photo, const Profile& profile,
-                        const ElevationOfPixel& elevation_of_pixel = {});
+                        const ElevationOfPixel& elevation_of_pixel = {},
+                        const LineBrightness* lines = nullptr);
 
 }  // namespace vegard::fit

@@ -36,6 +36,7 @@ struct BandWeights {
 struct ProfileModel::Workspace {
   Region region;
   int bands = 0, threads = 1;
+  bool clips = true;  // the photograph has no negative light
   double smooth_rows = 0.0;
   sim::FilmGeometry film;
   int top = 0;  // film row of the region's first row
@@ -45,8 +46,9 @@ struct ProfileModel::Workspace {
   sim::Exposure exposure;
   std::vector<float> down, blurred, lines;  // planes
   std::vector<float> wide_down, wide_blurred;
-  std::vector<std::uint8_t> lit;  // [row][column][channel]: not clipped
-  sim::Scene scene;               // with this model's number of beams
+  std::vector<std::uint8_t> lit;     // [row][column][channel]: not clipped
+  std::vector<sim::Vector3> colour;  // RGB per rayleigh at unit gain, of the last evaluation
+  sim::Scene scene;                  // with this model's number of beams
 
   std::size_t value_index(int band, int row, int channel) const {
     return (static_cast<std::size_t>(band) * region.height + row) * 3 + channel;
@@ -103,7 +105,7 @@ struct ProfileModel::Workspace {
       sim::blur_across(down.data(), lines.data() + l * cells, film.rows, film.columns, 1,
                        kernel(l, film.cell_width_px), threads);
     }
-    const std::vector<sim::Vector3> colour = colours();
+    colour = colours();
     lit.resize(cells * 3);
     out.value.assign(static_cast<std::size_t>(bands) * region.height * 3, 0.0);
     sim::parallel_for(static_cast<std::size_t>(region.height), threads, [&](std::size_t row, int) {
@@ -113,8 +115,9 @@ struct ProfileModel::Workspace {
         for (int c = 0; c < 3; ++c) {
           double light = 0.0;
           for (int l = 0; l < count; ++l) light += colour[l][c] * lines[l * cells + first + column];
-          lit[(first + column) * 3 + c] = light > 0.0;
-          rgb[column * 3 + c] = static_cast<float>(std::max(light, 0.0));
+          const bool shows = !clips || light > 0.0;
+          lit[(first + column) * 3 + c] = shows;
+          rgb[column * 3 + c] = shows ? static_cast<float>(light) : 0.0f;
         }
       }
       for (int b = 0; b < bands; ++b) {
@@ -191,7 +194,6 @@ struct ProfileModel::Workspace {
   /// Adds the profile of a plane of derivatives, [row][column][stride], of line `l` to parameters first,
   /// first + 1, …
   void add_derivatives(const float* plane, int stride, int used, int first, int l, ModelProfile& out) const {
-    const sim::Vector3 colour = colours()[l];
     sim::parallel_for(static_cast<std::size_t>(region.height), threads, [&](std::size_t row, int) {
       std::vector<float> sum(static_cast<std::size_t>(stride));
       const std::size_t first_cell = (row + top) * film.columns;
@@ -206,7 +208,7 @@ struct ProfileModel::Workspace {
             const float* from = plane + cell * stride;
             for (int j = 0; j < stride; ++j) sum[j] += weight * from[j];
           }
-          const double scale = colour[c] * w.inverse[row * 3 + c];
+          const double scale = colour[l][c] * w.inverse[row * 3 + c];
           double* to = out.derivative.data() + value_index(b, static_cast<int>(row), c) * out.free + first;
           for (int j = 0; j < used; ++j) to[j] += scale * sum[j];
         }
@@ -221,6 +223,7 @@ ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo, const Re
   Workspace& w = *work_;
   w.region = region;
   w.bands = bands;
+  w.clips = !keeps_negative_light(photo);
   w.smooth_rows = smooth_rows;
   w.threads = sim::thread_count(threads);
   w.scene = scene;

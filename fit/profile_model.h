@@ -24,7 +24,8 @@ struct ModelProfile {
 /// Renders the region of interest again and again. The film's cells are one pixel high and up to four wide:
 /// profiles average over columns, and a band has at least a dozen of them (docs/fitting.md has what this
 /// costs: nothing that can be seen). Out-of-gamut light is clipped per cell, as in display_picture(), before
-/// columns are averaged with the photograph's own mask.
+/// columns are averaged with the photograph's own mask; of a photograph that keeps_negative_light() it is
+/// not.
 class ProfileModel {
  public:
   /// `beams_share` of the scene's beams are used, and the profiles are smoothed by `smooth_rows` (0: not at

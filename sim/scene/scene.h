@@ -157,7 +157,14 @@ struct Film {
 };
 
 struct Sensor {
-  std::string primaries = "srgb";  ///< "srgb" or "smpte-c"
+  std::string primaries = "srgb";       ///< or "smpte-c", "rec2020", "acescg"
+  std::string response = "cie";         ///< the CIE 1931 observer, a built-in camera, or a table "FILE.csv"
+  std::string response_per = "energy";  ///< what a table counts: "energy" or "photon"
+  std::array<double, 3> white_balance{1.0, 1.0, 1.0};  ///< gains of a camera's raw channels
+  std::string white_balance_rule = "given";            ///< or "daylight": D65 becomes neutral
+  std::string matrix_rule =
+      "none";  ///< from a camera's channels to the primaries: or "colorimetric", "given"
+  std::array<double, 9> matrix{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};  ///< the given one, by rows
   double gain_per_kilorayleigh =
       0.05;  ///< linear sensor value (white = 1) of the luminance of 1 kR of 557.7 nm
 };

@@ -66,6 +66,20 @@ void check_structures(const Scene& scene) {
   }
 }
 
+/// The observer has no raw channels: what would be ignored is refused.
+void check_response(const Scene& scene) {
+  const Sensor& sensor = scene.sensor;
+  if (sensor.response != "cie") return;
+  const Sensor none;
+  const bool balanced = sensor.white_balance_rule == "given" && sensor.white_balance != none.white_balance;
+  if (!balanced && sensor.matrix_rule != "given") return;
+  const std::string key = balanced ? "white_balance" : "matrix_rule";
+  complain({"the CIE observer has no raw channels to balance or to mix",
+            "sensor.response with a camera, or sensor." + key + " as it is without being set",
+            "a camera's name or a table"},
+           {scene.file, 0, "sensor." + key});
+}
+
 void check_region(const Scene& scene) {
   const auto& [x, y, width, height] = scene.fit.roi_px;
   const bool is_whole_image = x == 0 && y == 0 && width == 0 && height == 0;
@@ -101,6 +115,7 @@ void validate(const Scene& scene) {
   }
   check_sheet_names(scene);
   check_structures(scene);
+  check_response(scene);
   check_region(scene);
   check_free_parameters(scene);
 }

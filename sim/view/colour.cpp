@@ -26,25 +26,6 @@ struct Chromaticity {
   Vector3 xyz() const { return {x / y, 1.0, (1.0 - x - y) / y}; }
 };
 
-Matrix3 inverse(const Matrix3& m) {
-  const auto minor = [&](int r, int c) {
-    const int r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;
-    return m[r1][c1] * m[r2][c2] - m[r1][c2] * m[r2][c1];
-  };
-  const double determinant = m[0][0] * minor(0, 0) + m[0][1] * minor(0, 1) + m[0][2] * minor(0, 2);
-  Matrix3 result;
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) result[r][c] = minor(c, r) / determinant;
-  return result;
-}
-
-Vector3 product(const Matrix3& m, const Vector3& v) {
-  Vector3 r{};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) r[i] += m[i][j] * v[j];
-  return r;
-}
-
 /// The matrix whose white (equal RGB) is `white` and whose primaries have these chromaticities.
 Matrix3 rgb_from_xyz(const std::array<Chromaticity, 3>& primaries, const Chromaticity& white) {
   Matrix3 columns;
@@ -54,6 +35,17 @@ Matrix3 rgb_from_xyz(const std::array<Chromaticity, 3>& primaries, const Chromat
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) columns[r][c] *= share[c];
   return inverse(columns);
+}
+
+/// XYZ under one white to XYZ that look alike under another: the whites' ratio in the Bradford cone responses
+/// (Lam 1985; the matrix as in ICC.1:2010, annex E).
+Matrix3 bradford(const Chromaticity& from, const Chromaticity& to) {
+  constexpr Matrix3 kCones = {
+      {{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
+  const Vector3 old_white = product(kCones, from.xyz()), new_white = product(kCones, to.xyz());
+  Vector3 ratio;
+  for (int i = 0; i < 3; ++i) ratio[i] = new_white[i] / old_white[i];
+  return product(inverse(kCones), product(diagonal(ratio), kCones));
 }
 
 }  // namespace
@@ -70,27 +62,18 @@ Vector3 colour_matching(double wavelength_nm) {
 }
 
 Matrix3 rgb_from_xyz(const std::string& primaries) {
-  constexpr Chromaticity kD65{0.3127, 0.3290};
+  constexpr Chromaticity kD65{0.3127, 0.3290}, kAces{0.32168, 0.33767};
   if (primaries == "smpte-c") return rgb_from_xyz({{{0.630, 0.340}, {0.310, 0.595}, {0.155, 0.070}}}, kD65);
+  if (primaries == "rec2020") return rgb_from_xyz({{{0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}}}, kD65);
+  if (primaries == "acescg")
+    return product(rgb_from_xyz({{{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}}}, kAces),
+                   bradford(kD65, kAces));
   assert(primaries == "srgb");
   return rgb_from_xyz({{{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}}}, kD65);
 }
 
 Vector3 rgb_of_line(double wavelength_nm, const std::string& primaries) {
   return product(rgb_from_xyz(primaries), colour_matching(wavelength_nm));
-}
-
-std::vector<Vector3> rgb_per_kilorayleigh(const std::vector<double>& wavelengths_nm,
-                                          const std::string& primaries, double gain_per_kilorayleigh) {
-  constexpr double kGreenNm = 557.7;
-  const double green_luminance = colour_matching(kGreenNm)[1];
-  std::vector<Vector3> weights;
-  for (double nm : wavelengths_nm) {
-    Vector3 rgb = rgb_of_line(nm, primaries);
-    for (double& channel : rgb) channel *= gain_per_kilorayleigh * (kGreenNm / nm) / green_luminance;
-    weights.push_back(rgb);
-  }
-  return weights;
 }
 
 Image rgb_from_rayleigh(const Image& rayleigh, const std::vector<Vector3>& weights) {

@@ -9,6 +9,7 @@
 #include "sim/view/air.h"
 #include "sim/view/camera.h"
 #include "sim/view/colour.h"
+#include "sim/view/illuminants.h"
 #include "sim/view/line_colours.h"
 
 namespace vegard::sim {
@@ -43,8 +44,8 @@ double temperature_k(double colour_index) {
 /// Tints at even steps of the colour index, to be interpolated: a mean of tints of luminance 1 has it too.
 class Tints {
  public:
-  explicit Tints(const std::string& primaries) {
-    for (int i = 0; i <= kSteps; ++i) tints_.push_back(star_tint(kBluest + i * kStep, primaries));
+  explicit Tints(const SensorResponse& response) {
+    for (int i = 0; i <= kSteps; ++i) tints_.push_back(star_tint(kBluest + i * kStep, response));
   }
 
   std::array<double, 3> at(double colour_index) const {
@@ -119,20 +120,21 @@ double star_photons_cm2_s(double magnitude) {
   return kPhotonsOfMagnitude0 * std::pow(10.0, -0.4 * magnitude);
 }
 
-std::array<double, 3> star_tint(double colour_index, const std::string& primaries) {
-  constexpr double kSecondRadiationConstantNmK = 1.438776877e7;
+std::array<double, 3> star_tint(double colour_index, const SensorResponse& response) {
   const double temperature = temperature_k(colour_index);
-  std::array<double, 3> xyz{};
-  for (double nm = 380.0; nm <= 780.0; nm += 5.0) {
-    const double power =
-        std::pow(nm / 560.0, -5.0) / std::expm1(kSecondRadiationConstantNmK / (nm * temperature));
-    const Vector3 matching = colour_matching(nm);
-    for (int i = 0; i < 3; ++i) xyz[i] += power * matching[i];
+  std::array<double, 3> channels{};
+  double luminance = 0.0;
+  constexpr double kStepNm = 5.0;
+  for (double nm = response.first_nm(); nm <= response.last_nm(); nm += kStepNm) {
+    const double power = black_body_power(nm, temperature);
+    const Vector3 of_power = response.channels_of_power(nm);
+    for (int i = 0; i < 3; ++i) channels[i] += power * of_power[i];
+    luminance += power * colour_matching(nm)[1];
   }
-  const Matrix3 to_rgb = rgb_from_xyz(primaries);
+  const Matrix3& to_rgb = response.rgb_from_channels();
   std::array<double, 3> rgb{};
   for (int c = 0; c < 3; ++c)
-    for (int i = 0; i < 3; ++i) rgb[c] += to_rgb[c][i] * xyz[i] / xyz[1];
+    for (int i = 0; i < 3; ++i) rgb[c] += to_rgb[c][i] * channels[i] / luminance;
   return rgb;
 }
 
@@ -149,7 +151,7 @@ Image star_light(const Scene& scene, const std::vector<double>& instants_s, cons
   // 1 R = 1e6 / 4 pi photons per cm2, s and sr.
   const double luminance_per_photon = scene.stars.gain * gain_per_kilorayleigh(scene) * 1e-3 * 4.0 * kPi *
                                       1e-6 / static_cast<double>(instants_s.size());
-  const Tints tints(scene.sensor.primaries);
+  const Tints tints{SensorResponse(scene)};
 
   const AirAbove air(scene);
   std::vector<LineDepths<double>> depths;

@@ -13,6 +13,7 @@
 
 #include "sim/base/image.h"
 #include "sim/scene/scene.h"
+#include "sim/view/sensor_response.h"
 
 namespace vegard::sim {
 
@@ -42,9 +43,9 @@ std::array<double, 3> star_direction(const Star& star, double latitude_deg, doub
 /// Photons cm^-2 s^-1 in the V band: 1.0e6 at magnitude 0.
 double star_photons_cm2_s(double magnitude);
 
-/// Linear RGB of luminance 1, of a black body of the temperature that a colour index stands for (Ballesteros
-/// 2012, doi:10.1209/0295-5075/97/34008).
-std::array<double, 3> star_tint(double colour_index, const std::string& primaries);
+/// Linear RGB, through a sensor, of light of luminance 1 from a black body of the temperature that a colour
+/// index stands for (Ballesteros 2012, doi:10.1209/0295-5075/97/34008).
+std::array<double, 3> star_tint(double colour_index, const SensorResponse& response);
 
 /// Linear RGB of the scene's stars through its camera and sensor, the mean of the given instants; black if
 /// none are shown. What stands below the observer's horizon is hidden by the Earth. `stop` ends the work

@@ -194,11 +194,14 @@ TEST(Stars, TrailIsTheMeanOfItsInstants) {
 
 TEST(Stars, TintsHaveLuminanceOneAndTurnFromBlueToRed) {
   for (const char* primaries : {"srgb", "smpte-c"}) {
+    Scene scene;
+    scene.sensor.primaries = primaries;
+    const SensorResponse response(scene);
     // Y of linear RGB: the middle row of the inverse matrix, by Cramer's rule.
     const Matrix3 m = rgb_from_xyz(primaries);
     double redness_before = 0.0;
     for (double index = -0.3; index < 1.8; index += 0.3) {
-      const auto tint = star_tint(index, primaries);
+      const auto tint = star_tint(index, response);
       const double determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
                                  m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
                                  m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
@@ -213,7 +216,7 @@ TEST(Stars, TintsHaveLuminanceOneAndTurnFromBlueToRed) {
   }
   // The white of a display, D65, is daylight of 6504 K, by the same formula B - V = 0.48; a black body of
   // that temperature is a little redder.
-  const auto white = star_tint(0.48, "srgb");
+  const auto white = star_tint(0.48, SensorResponse(Scene{}));
   for (const double channel : white) EXPECT_NEAR(channel, 1.0, 0.06);
   EXPECT_GT(white[0], white[2]);
 }

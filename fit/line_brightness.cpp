@@ -1,0 +1,52 @@
+#include "fit/line_brightness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/view/line_colours.h"
+#include "sim/view/line_estimate.h"
+#include "sim/view/sky.h"
+
+namespace vegard::fit {
+namespace {
+
+// Of a picture without any noise, so that weights stay finite.
+constexpr double kLeastSigma = 1e-12;
+
+}  // namespace
+
+LineBrightness line_brightness(const sim::Scene& scene, const Profile& profile) {
+  std::vector<sim::Vector3> colours = sim::line_colours(scene);
+  for (sim::Vector3& rgb : colours)
+    for (double& channel : rgb) channel *= 1e-3;
+  const sim::LineEstimator estimator(std::move(colours));
+
+  LineBrightness result;
+  for (const double nm : scene.emission.lines) result.names.push_back(std::to_string(std::lround(10.0 * nm)));
+  for (int band = 0; band < profile.bands; ++band) {
+    for (int row = 0; row < profile.rows; ++row) {
+      const std::array<double, 3> basis =
+          sim::sky_basis((profile.region.y + row + 0.5) / scene.camera.height);
+      const std::size_t i = profile.index(band, row, 0);
+      sim::Vector3 rgb, sigma;
+      bool known = true;
+      for (int c = 0; c < 3; ++c) {
+        rgb[c] = profile.mean[i + c] - scene.sky.level[c] * basis[0] - scene.sky.gradient[c] * basis[1] -
+                 scene.sky.curvature[c] * basis[2];
+        sigma[c] = profile.standard_error[i + c];
+        known = known && std::isfinite(rgb[c]) && std::isfinite(sigma[c]);
+        sigma[c] = std::max(sigma[c], kLeastSigma);
+      }
+      const sim::LineEstimate estimate = known ? estimator.estimate(rgb, sigma) : sim::LineEstimate{};
+      for (int l = 0; l < estimator.lines(); ++l) {
+        constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+        result.rayleigh.push_back(known ? estimate.rayleigh[l] : kNaN);
+        result.sigma.push_back(known ? std::sqrt(estimate.covariance[l][l]) : kNaN);
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,21 @@
+// 3 x 3 matrices by rows, as colour has them.
+#pragma once
+
+#include <array>
+
+namespace vegard::sim {
+
+using Vector3 = std::array<double, 3>;
+using Matrix3 = std::array<Vector3, 3>;
+
+inline constexpr Matrix3 kIdentity3 = {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+
+Matrix3 diagonal(const Vector3& numbers);
+
+Vector3 product(const Matrix3& m, const Vector3& v);
+Matrix3 product(const Matrix3& a, const Matrix3& b);
+
+/// By cofactors. The matrix must have an inverse.
+Matrix3 inverse(const Matrix3& m);
+
+}  // namespace vegard::sim
