@@ -12,7 +12,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kFirstTau = -8.0, kLastTau = 6.0, kTauStep = 0.25;
+constexpr double kFirstTau = -14.0, kLastTau = 6.0, kTauStep = 0.125;
 constexpr double kLeastShare = 1e-14;  // a piece below that changes no float
 
 std::vector<LogRate> mono_rates(const EmissionLine& line, double energy_kev) {
