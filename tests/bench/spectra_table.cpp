@@ -1,12 +1,15 @@
 // Maxwellians made out of mono-energetic electrons beside those of GLOW's tables: the tables of
-// docs/validation.md, "Mono-energetic electrons". Prints Markdown.
+// docs/validation.md, "Mono-energetic electrons". Prints Markdown; with --plot OUT.svg draws height profiles
+// of the spectra side by side.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <string>
 #include <vector>
 
+#include "fit/plot.h"
 #include "sim/light/emission_line.h"
 #include "sim/light/emission_table.h"
 #include "sim/light/glow_air.h"
@@ -130,6 +133,46 @@ void print_lines() {
   }
 }
 
+double reach(bool as_in_glow, double energy) { return as_in_glow ? sim::range_energy_kev(energy) : energy; }
+
+/// The choices that were open, before the one correction: whose ion pairs a line's light is per, and how deep
+/// the electrons reach.
+void print_choices() {
+  struct Choice {
+    const char* words;
+    bool per_glows_pair, reaches_as_in_glow;
+  };
+  constexpr Choice kChoices[] = {{"Fang 2010, light per ion pair of GLOW", true, false},
+                                 {"the same, light per ion pair of its own Maxwellian", false, false},
+                                 {"with s(E), light per ion pair of GLOW", true, true},
+                                 {"with s(E), light per ion pair of its own Maxwellian", false, true}};
+  constexpr double kSome[] = {0.50119, 1.9953, 10.0};
+  fmt::print("\n| 427.8 nm |");
+  for (const double e0 : kSome) fmt::print(" E0 {:.1f} keV |", e0);
+  fmt::print("\n|---|---|---|---|\n");
+  for (const Choice& choice : kChoices) {
+    const auto pairs = [&](double energy) { return ion_pairs(reach(choice.reaches_as_in_glow, energy)); };
+    const auto light = [&](double energy) {
+      const double e0 = std::clamp(0.5 * energy, glow().energies_kev().front(), glow().energies_kev().back());
+      const Curve line = of_tables("ver_4278", e0);
+      const Curve per = choice.per_glows_pair ? of_tables("ionisation_electron", e0) : of_pieces(e0, pairs);
+      std::vector<sim::LogRate> rates = pairs(energy);
+      // Both with the floor that the tables' lines have.
+      const double floor = 1e-6 * *std::max_element(per.begin(), per.end());
+      for (std::size_t a = 0; a < rates.size(); ++a)
+        rates[a].value += std::log(line[a] / std::max(per[a], floor));
+      return rates;
+    };
+    fmt::print("| {} |", choice.words);
+    for (const double e0 : kSome) {
+      const Curve tables = of_tables("ver_4278", e0), made = of_pieces(e0, light);
+      fmt::print(" {:+.1f} %, {:+.1f} km, {:.1f} % |", 100.0 * (column(made) / column(tables) - 1.0),
+                 peak_km(made) - peak_km(tables), 100.0 * difference_of_shape(made, tables));
+    }
+    fmt::print("\n");
+  }
+}
+
 void print_spectra() {
   fmt::print(
       "\n| mean energy (keV) | Maxwellian: peak, tenth below it (km), column (R) | Gaussian, spread 0.2 | "
@@ -147,12 +190,44 @@ void print_spectra() {
   }
 }
 
+fit::Series series(const std::string& label, int colour, const sim::HeightProfile& profile) {
+  fit::Series s;
+  s.label = label;
+  s.colour = fit::distinct_colour(colour);
+  for (int a = 0; a < sim::HeightProfile::kAltitudes; ++a) {
+    if (sim::HeightProfile::altitude_km(a) > 200.0) break;
+    s.x.push_back(profile.rate[static_cast<std::size_t>(a) * profile.stride]);
+    s.y.push_back(sim::HeightProfile::altitude_km(a));
+  }
+  return s;
+}
+
+fit::Plot spectra_plot() {
+  fit::Plot plot;
+  plot.title = "Light of 557.7 nm by the electrons' spectrum";
+  plot.note = "per 1 mW/m^2";
+  for (const double mean : {2.0, 10.0}) {
+    fit::Panel panel;
+    panel.title = fmt::format("mean energy {:g} keV", mean);
+    panel.x.label = "photons per cm^3 and s";
+    panel.y.label = "altitude (km)";
+    panel.series.push_back(series("Maxwellian", 0, sim::maxwellian_profile({557.7}, 0.5 * mean)));
+    panel.series.push_back(series("Gaussian, spread 0.2", 1, sim::gaussian_profile({557.7}, mean, 0.2)));
+    panel.series.push_back(series("one energy", 2, sim::mono_profile({557.7}, mean)));
+    plot.panels.push_back(panel);
+  }
+  return plot;
+}
+
 }  // namespace
 }  // namespace vegard::bench
 
-int main() {
+int main(int argc, char** argv) {
   vegard::bench::print_ionisation();
+  vegard::bench::print_choices();
   vegard::bench::print_lines();
   vegard::bench::print_spectra();
+  if (argc == 3 && std::string(argv[1]) == "--plot")
+    std::ofstream(argv[2]) << vegard::fit::plot_svg(vegard::bench::spectra_plot());
   return 0;
 }

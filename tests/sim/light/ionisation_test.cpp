@@ -53,7 +53,7 @@ double maxwellian_of_pieces(double mass_column, double e0) {
 }
 
 TEST(Ionisation, OfAMaxwellianIsThatOfThePaperOnMaxwellians) {
-  // Two fits to model runs, each good to some per cent by its paper's account.
+  // Two fits to model runs; the older paper claims 5 % for the total and for the peak.
   for (const double e0 : {0.5, 1.0, 2.0, 5.0, 10.0}) {
     double sum = 0.0, sum_2008 = 0.0, peak = 0.0, peak_2008 = 0.0, at = 0.0, at_2008 = 0.0;
     for (double log_column = -19.0; log_column < -1.0; log_column += 0.02) {
