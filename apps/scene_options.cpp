@@ -1,6 +1,7 @@
 #include "apps/scene_options.h"
 
 #include "sim/base/error.h"
+#include "sim/light/sheet_profile.h"
 #include "sim/scene/parameter_table.h"
 #include "sim/scene/scene_toml.h"
 #include "sim/scene/table_files.h"
@@ -40,6 +41,7 @@ sim::Scene scene_of(const SceneOptions& options) {
   if (!options.seed.empty()) sim::set_from_text(scene, "seed", options.seed);
   sim::validate(scene);
   sim::read_table_files(scene);  // a change may have named another
+  sim::check_profiles(scene);
   return scene;
 }
 

@@ -3,6 +3,7 @@ set(VEGARD_EMBEDDED_DATA ${PROJECT_BINARY_DIR}/generated/embedded_data.cpp)
 set(VEGARD_EMBEDDED_TABLES
     ${PROJECT_SOURCE_DIR}/data/atmosphere/us76.csv
     ${PROJECT_SOURCE_DIR}/data/atmosphere/ozone_233k.csv
+    ${PROJECT_SOURCE_DIR}/data/glow/atmosphere.csv
     ${PROJECT_SOURCE_DIR}/data/glow/ver_maxwellian.csv
     ${PROJECT_SOURCE_DIR}/data/cie/cie1931_2deg_5nm.csv
     ${PROJECT_SOURCE_DIR}/data/cie/daylight_components_10nm.csv

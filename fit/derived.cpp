@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "sim/base/earth.h"
+#include "sim/light/electron_spectrum.h"
 #include "sim/light/height_profile.h"
 #include "sim/light/sheet_profile.h"
 
@@ -128,8 +129,9 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
     const std::string of = " of the " + best.sheets[s].name + " sheet";
     add("distance" + of, "km",
         [s](const sim::Scene& x) { return nearest_distance_km(x.sheets[s], x.time.start_s); });
-    add("mean electron energy" + of, "keV",
-        [s](const sim::Scene& x) { return 2.0 * x.sheets[s].energy_kev; });
+    if (sim::mean_energy_kev(best.sheets[s]))
+      add("mean electron energy" + of, "keV",
+          [s](const sim::Scene& x) { return *sim::mean_energy_kev(x.sheets[s]); });
     add("peak altitude of 557.7 nm" + of, "km",
         [s](const sim::Scene& x) { return peak_altitude_km(kGreenNm, x, static_cast<int>(s)); });
     add("lower border of 557.7 nm (a tenth of the peak)" + of, "km",

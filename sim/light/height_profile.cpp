@@ -10,37 +10,53 @@
 #include "sim/light/emission_table.h"
 
 namespace vegard::sim {
+namespace {
 
-HeightProfile maxwellian_profile(const std::vector<double>& wavelengths_nm, double energy_kev) {
-  const EmissionTable& table = EmissionTable::glow();
-  const std::vector<double>& knots = table.altitudes_km();
+constexpr double kLogDark = -69.0;  // 1e-30 of the peak; floats would soon lose their digits, and their speed
+
+}  // namespace
+
+HeightProfile dark_profile(int lines) {
   HeightProfile profile;
-  profile.lines = static_cast<int>(wavelengths_nm.size());
+  profile.lines = lines;
   assert(profile.lines <= 8);
   profile.stride = profile.lines <= 4 ? 4 : 8;
   const std::size_t size = static_cast<std::size_t>(HeightProfile::kAltitudes) * profile.stride;
   profile.rate.assign(size, 0.0f);
   profile.d_rate_d_ln_energy.assign(size, 0.0f);
+  return profile;
+}
+
+void sample_line(const std::vector<double>& altitudes_km, const std::vector<double>& log_rate,
+                 const std::vector<double>& log_slope, int line, HeightProfile& profile) {
+  // The spline is linear in its values, so the spline of the derivatives is the derivative of the spline.
+  const std::vector<double> rate_curvature = spline_curvature(altitudes_km, log_rate);
+  const std::vector<double> slope_curvature = spline_curvature(altitudes_km, log_slope);
+  const double dark = *std::max_element(log_rate.begin(), log_rate.end()) + kLogDark;
+  for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
+    const double altitude = HeightProfile::altitude_km(a);
+    const double log_here = spline_at(altitudes_km, log_rate, rate_curvature, altitude).value;
+    if (log_here < dark) continue;
+    const double rate = std::exp(log_here);
+    const double slope = spline_at(altitudes_km, log_slope, slope_curvature, altitude).value;
+    const std::size_t i = static_cast<std::size_t>(a) * profile.stride + line;
+    profile.rate[i] = static_cast<float>(rate);
+    profile.d_rate_d_ln_energy[i] = static_cast<float>(rate * slope);
+  }
+}
+
+HeightProfile maxwellian_profile(const std::vector<double>& wavelengths_nm, double energy_kev) {
+  const EmissionTable& table = EmissionTable::glow();
+  HeightProfile profile = dark_profile(static_cast<int>(wavelengths_nm.size()));
   for (int l = 0; l < profile.lines; ++l) {
     const EmissionLine* line = find_emission_line(wavelengths_nm[l]);
     assert(line != nullptr);
-    const std::vector<Emission1d> at_knots = table.at_energy(line->table_column, energy_kev);
     std::vector<double> log_rate, log_slope;
-    for (const Emission1d& e : at_knots) {
+    for (const Emission1d& e : table.at_energy(line->table_column, energy_kev)) {
       log_rate.push_back(std::log(e.rate));
       log_slope.push_back(e.d_rate_d_ln_energy / e.rate);
     }
-    // The spline is linear in its values, so the spline of the derivatives is the derivative of the spline.
-    const std::vector<double> rate_curvature = spline_curvature(knots, log_rate);
-    const std::vector<double> slope_curvature = spline_curvature(knots, log_slope);
-    for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
-      const double altitude = HeightProfile::altitude_km(a);
-      const double rate = std::exp(spline_at(knots, log_rate, rate_curvature, altitude).value);
-      const double slope = spline_at(knots, log_slope, slope_curvature, altitude).value;
-      const std::size_t i = static_cast<std::size_t>(a) * profile.stride + l;
-      profile.rate[i] = static_cast<float>(rate);
-      profile.d_rate_d_ln_energy[i] = static_cast<float>(rate * slope);
-    }
+    sample_line(table.altitudes_km(), log_rate, log_slope, l, profile);
   }
   return profile;
 }

@@ -30,6 +30,14 @@ struct Column {
 };
 Column column_below(const HeightProfile& profile, int line, double top_km);
 
+/// A profile of so many lines, at most 8, without light.
+HeightProfile dark_profile(int lines);
+
+/// Fills a line of a profile from ln(rate) and its derivative at some altitudes that reach from end to end:
+/// natural cubic splines of both. Below 1e-30 of the peak it is dark.
+void sample_line(const std::vector<double>& altitudes_km, const std::vector<double>& log_rate,
+                 const std::vector<double>& log_slope, int line, HeightProfile& profile);
+
 /// The profile of Maxwellian electrons of characteristic energy E0 from the GLOW tables. Between the
 /// tabulated altitudes log(rate) is a natural cubic spline. Wavelengths must be those of emission_lines(),
 /// energy inside the table.

@@ -2,16 +2,35 @@
 
 #include <cstddef>
 
+#include "sim/base/error.h"
+#include "sim/light/drawn_profile.h"
 #include "sim/light/form_profile.h"
+#include "sim/light/spectrum_profile.h"
+#include "sim/scene/table_files.h"
 
 namespace vegard::sim {
 namespace {
 
 const std::vector<double> kBrightnessLineNm = {557.7};
 
-HeightProfile of_unit_flux(const std::vector<double>& wavelengths_nm, const Sheet& sheet) {
-  if (sheet.profile != "form") return maxwellian_profile(wavelengths_nm, sheet.energy_kev);
-  return form_profile(wavelengths_nm, sheet.energy_kev, {sheet.peak_km, sheet.lower_km, sheet.upper_km});
+FormCurve form_curve(const Sheet& sheet) { return {sheet.peak_km, sheet.lower_km, sheet.upper_km}; }
+
+HeightProfile of_unit_flux(const std::vector<double>& wavelengths_nm, const Scene& scene,
+                           const Sheet& sheet) {
+  if (sheet.profile == "mono") return mono_profile(wavelengths_nm, sheet.energy_kev);
+  if (sheet.profile == "gaussian")
+    return gaussian_profile(wavelengths_nm, sheet.energy_kev, sheet.energy_spread);
+  if (sheet.profile == "file") return drawn_profile(wavelengths_nm, scene, sheet);
+  if (sheet.profile == "form") return form_profile(wavelengths_nm, sheet.energy_kev, form_curve(sheet));
+  return maxwellian_profile(wavelengths_nm, sheet.energy_kev);
+}
+
+/// Its derivative by a number; empty for one that it does not depend on, or by the energy alone.
+std::vector<float> slope_of_unit_flux(const std::vector<double>& wavelengths_nm, const Scene&,
+                                      const Sheet& sheet, const double* number) {
+  if (sheet.profile == "gaussian" && number == &sheet.energy_spread)
+    return gaussian_slope(wavelengths_nm, sheet.energy_kev, sheet.energy_spread);
+  return {};
 }
 
 }  // namespace
@@ -20,9 +39,9 @@ bool has_given_brightness(const Sheet& sheet) { return sheet.brightness_kilorayl
 
 HeightProfile sheet_profile(const std::vector<double>& wavelengths_nm, const Scene& scene, int index) {
   const Sheet& sheet = scene.sheets[index];
-  HeightProfile profile = of_unit_flux(wavelengths_nm, sheet);
+  HeightProfile profile = of_unit_flux(wavelengths_nm, scene, sheet);
   if (!has_given_brightness(sheet)) return profile;
-  const Column green = column_below(of_unit_flux(kBrightnessLineNm, sheet), 0, sheet.top_km);
+  const Column green = column_below(of_unit_flux(kBrightnessLineNm, scene, sheet), 0, sheet.top_km);
   const double scale = 1000.0 * sheet.brightness_kilorayleigh / green.rayleigh;
   const double growth = green.d_rayleigh_d_ln_energy / green.rayleigh;
   for (std::size_t i = 0; i < profile.rate.size(); ++i) {
@@ -34,6 +53,37 @@ HeightProfile sheet_profile(const std::vector<double>& wavelengths_nm, const Sce
   return profile;
 }
 
-std::vector<float> profile_slope(const std::vector<double>&, const Scene&, int, const double*) { return {}; }
+std::vector<float> profile_slope(const std::vector<double>& wavelengths_nm, const Scene& scene, int index,
+                                 const double* number) {
+  const Sheet& sheet = scene.sheets[index];
+  std::vector<float> slope = slope_of_unit_flux(wavelengths_nm, scene, sheet, number);
+  if (slope.empty() || !has_given_brightness(sheet)) return slope;
+  // The rate is scaled by brightness / green, and green changes too.
+  const HeightProfile profile = of_unit_flux(wavelengths_nm, scene, sheet);
+  HeightProfile green = of_unit_flux(kBrightnessLineNm, scene, sheet);
+  const double rayleigh = column_below(green, 0, sheet.top_km).rayleigh;
+  green.rate = slope_of_unit_flux(kBrightnessLineNm, scene, sheet, number);
+  const double growth = column_below(green, 0, sheet.top_km).rayleigh / rayleigh;
+  const double scale = 1000.0 * sheet.brightness_kilorayleigh / rayleigh;
+  for (std::size_t i = 0; i < slope.size(); ++i)
+    slope[i] = static_cast<float>((slope[i] - static_cast<double>(profile.rate[i]) * growth) * scale);
+  return slope;
+}
+
+void check_profiles(const Scene& scene) {
+  for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
+    const Sheet& sheet = scene.sheets[s];
+    if (sheet.profile != "file") continue;
+    of_unit_flux(scene.emission.lines, scene, sheet);
+    if (!has_given_brightness(sheet)) continue;
+    if (column_below(of_unit_flux(kBrightnessLineNm, scene, sheet), 0, sheet.top_km).rayleigh > 0.0) continue;
+    ErrorDetails details;
+    details.problem = "557.7 nm has no light below top_km, so that the sheet's brightness cannot be reached";
+    details.file = table_place(scene, sheet.profile_file);
+    details.expected = "a column of 557.7 nm that is not all zeros";
+    details.hint = "brightness_kilorayleigh (and ibc) is that of this line";
+    throw Error(ErrorKind::unreadable_input, details);
+  }
+}
 
 }  // namespace vegard::sim

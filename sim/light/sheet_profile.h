@@ -23,4 +23,8 @@ HeightProfile sheet_profile(const std::vector<double>& wavelengths_nm, const Sce
 std::vector<float> profile_slope(const std::vector<double>& wavelengths_nm, const Scene& scene, int sheet,
                                  const double* number);
 
+/// Throws Error(unreadable_input) if a profile that comes from a user's table cannot be used for the scene's
+/// lines and brightness. To be called when a scene has been read, before any work.
+void check_profiles(const Scene& scene);
+
 }  // namespace vegard::sim

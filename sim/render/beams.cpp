@@ -10,6 +10,7 @@
 #include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/motion.h"
 #include "sim/light/electron.h"
+#include "sim/light/electron_spectrum.h"
 #include "sim/light/sheet_profile.h"
 
 namespace vegard::sim {
@@ -104,8 +105,9 @@ BeamLayout::BeamLayout(const Scene& scene, double beyond)
   stretches_.resize(instants_s_.size());
   for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
     const Sheet& sheet = scene.sheets[s];
-    path_steps_.push_back(sheet.step_rule == "energy" ? path_step_of(2.0 * sheet.energy_kev)
-                                                      : sheet.path_step);
+    const std::optional<double> energy_kev = mean_energy_kev(sheet);
+    path_steps_.push_back(sheet.step_rule == "energy" && energy_kev ? path_step_of(*energy_kev)
+                                                                    : sheet.path_step);
     places_.emplace_back();
     for (int arc = 0; arc < sheet.arcs; ++arc) {
       places_.back().emplace_back();

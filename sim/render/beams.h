@@ -32,7 +32,7 @@ class BeamLayout {
   BeamLayout(const Scene& scene, double beyond);
 
   const std::vector<Chunk>& chunks() const { return chunks_; }
-  /// d_t of a sheet's beams: as given, or by its electrons' mean energy, 2 E0.
+  /// d_t of a sheet's beams: as given, or by its electrons' mean energy.
   double path_step(int sheet) const { return path_steps_[sheet]; }
   int instants() const { return static_cast<int>(instants_s_.size()); }
 

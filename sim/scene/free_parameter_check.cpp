@@ -81,6 +81,15 @@ std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const Par
   }
   if (path.row->table != sheet_table) return std::nullopt;
   const Sheet& sheet = scene.sheets[path.sheet];
+  if (key == "energy_kev" && sheet.profile == "file") {
+    return Complaint{
+        "the sheet's profile comes from a file, so the energy of its electrons counts for nothing", expected,
+        "leave it out of fit.free, or set profile to a spectrum of electrons"};
+  }
+  if (key == "energy_spread" && sheet.profile != "gaussian") {
+    return Complaint{"the sheet's profile is \"" + sheet.profile + "\", so energy_spread counts for nothing",
+                     expected, "leave it out of fit.free, or set profile to \"gaussian\""};
+  }
   if (key == "energy_flux_mw_m2" && sheet.brightness_kilorayleigh > 0.0) {
     return Complaint{"the sheet's brightness is given, so its energy flux counts for nothing", expected,
                      "leave it out of fit.free, or brightness_kilorayleigh (and ibc) out of the sheet"};

@@ -82,7 +82,7 @@ struct Sheet {
   int layers = 3;
   double width_km = 1.5;                    ///< standard deviation of a layer's Gaussian cross-section
   int beams = 2000;                         ///< per layer
-  double energy_kev = 3.0;                  ///< Maxwellian characteristic energy E0
+  double energy_kev = 3.0;                  ///< Maxwellian E0, or the energy of others
   double energy_flux_mw_m2 = 5.0;           ///< Q, the peak across a layer
   double path_spread = 0.0;                 ///< random depth, fraction of the path (ΔL)
   double loss_cone_deg = 2.5;               ///< pitch angle at the lower end of the path (α_D)
@@ -99,7 +99,8 @@ struct Sheet {
   double arc_spacing_km = 30.0;  ///< between them
 
   double brightness_kilorayleigh = 0.0;  ///< if not 0, of 557.7 nm along the field, in place of Q
-  std::string profile = "maxwellian";    ///< light against altitude: "maxwellian", "form" or "file"
+  std::string profile = "maxwellian";    ///< light against altitude: of a spectrum, a form or a file
+  double energy_spread = 0.2;            ///< of a Gaussian spectrum: standard deviation over energy_kev
   std::string profile_file;              ///< CSV of a drawn or measured profile, beside the scene's file
   double peak_km = 110.0;                ///< of a form's light
   double lower_km = 4.0;                 ///< below the peak a form's light has fallen to a tenth

@@ -7,6 +7,7 @@
 #include "sim/scene/line_of.h"
 #include "sim/scene/parameter_declarations.h"
 #include "sim/scene/parameter_table.h"
+#include "sim/scene/table_files.h"
 #include "sim/scene/value_check.h"
 #include "sim/scene/value_words.h"
 
@@ -80,6 +81,19 @@ void check_response(const Scene& scene) {
            {scene.file, 0, "sensor." + key});
 }
 
+/// What such a file has to hold is checked where it is used.
+void check_profile_files(const Scene& scene) {
+  for (const Sheet& sheet : scene.sheets) {
+    if (sheet.profile != "file" || is_table_file(sheet.profile_file)) continue;
+    const std::string path = "sheet." + sheet.name + ".";
+    const bool is_named = !sheet.profile_file.empty();
+    complain({is_named ? "'" + sheet.profile_file + "' is no CSV file by its name"
+                       : "the profile is to come from a file, but profile_file names none",
+              "profile_file = \"a name that ends in .csv\"", "the file stands beside the scene's"},
+             {scene.file, 0, path + (is_named ? "profile_file" : "profile")});
+  }
+}
+
 void check_region(const Scene& scene) {
   const auto& [x, y, width, height] = scene.fit.roi_px;
   const bool is_whole_image = x == 0 && y == 0 && width == 0 && height == 0;
@@ -116,6 +130,7 @@ void validate(const Scene& scene) {
   check_sheet_names(scene);
   check_structures(scene);
   check_response(scene);
+  check_profile_files(scene);
   check_region(scene);
   check_free_parameters(scene);
 }

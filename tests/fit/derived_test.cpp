@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace vegard::fit {
@@ -113,6 +114,22 @@ TEST(DerivedNumbers, CarryErrorsAlongAndNoneAcrossWhatIsUndetermined) {
   known.undetermined = {{0.0, 1.0}};
   derived = derived_numbers(scene, free, {0.0, 200.0}, known);
   EXPECT_FALSE(derived[0].sigma.has_value());
+}
+
+TEST(DerivedNumbers, HaveTheMeanEnergyOfTheSpectrumThatTheSheetHas) {
+  sim::Scene scene;
+  scene.sheets.resize(1);
+  scene.fit.free = {{"sheet.main.energy_kev", {}, {}, {}, {}, 0}};
+  const auto mean = [&](const std::string& profile) -> std::optional<DerivedNumber> {
+    scene.sheets[0].profile = profile;
+    for (const DerivedNumber& d : derived_numbers(scene, free_numbers(scene), {3.0}, {{{0.04}}, {}}))
+      if (d.name == "mean electron energy of the main sheet") return d;
+    return std::nullopt;
+  };
+  EXPECT_NEAR(mean("maxwellian")->value, 6.0, 1e-12);
+  EXPECT_NEAR(mean("mono")->value, 3.0, 1e-12);
+  EXPECT_NEAR(mean("mono")->sigma.value(), 0.2, 1e-6);
+  EXPECT_NEAR(mean("gaussian")->value, 3.0, 1e-5);
 }
 
 }  // namespace

@@ -43,7 +43,9 @@ std::vector<Declaration> sheet_rows() {
       Row("beams", &Sheet::beams).within(1, 10000000).then(count_beams)
           .means("number of electron beams in each layer; setting it sets beams_per_km to 0"),
       Row("energy_kev", &Sheet::energy_kev).in("keV").within(0.1, 20).may_be_free(logarithmic)
-          .means("characteristic energy E0 of the Maxwellian electrons; their mean energy is twice that"),
+          .means("characteristic energy E0 of Maxwellian electrons, whose mean energy is twice that; of the profiles \"mono\" and \"gaussian\" the electrons' energy, or the middle of their energies"),
+      Row("energy_spread", &Sheet::energy_spread).within(0.01, 1).may_be_free(logarithmic)
+          .means("of the profile \"gaussian\": standard deviation of the electrons' energies, as a fraction of energy_kev"),
       Row("energy_flux_mw_m2", &Sheet::energy_flux_mw_m2).in("mW m⁻²").within(0, 10000).may_be_free(logarithmic)
           .means("energy flux Q, at its peak across a layer"),
       Row("path_spread", &Sheet::path_spread).within(0, 1)
@@ -70,8 +72,8 @@ std::vector<Declaration> sheet_rows() {
           .means("distance between them (10 to 100 in nature)"),
       Row("brightness_kilorayleigh", &Sheet::brightness_kilorayleigh).in("kR").within(0, 1e6)
           .means("of 557.7 nm seen along the field, at its peak across a layer, in place of the energy flux; 0: that says"),
-      Row("profile", &Sheet::profile).one_of({"maxwellian", "form", "file"})
-          .means("light against altitude: of Maxwellian electrons, or the form's measured curve with their ratios of lines"),
+      Row("profile", &Sheet::profile).one_of({"maxwellian", "mono", "gaussian", "form", "file"})
+          .means("light against altitude: of electrons with a Maxwellian spectrum, a single energy, or a Gaussian one; the form's measured curve with the Maxwellian's ratios of lines; or that of profile_file"),
       Row("profile_file", &Sheet::profile_file).names_table()
           .means("of the profile \"file\": a CSV of altitude_km and, per line, photons cm⁻³ s⁻¹, beside the scene's file"),
       Row("peak_km", &Sheet::peak_km).in("km").within(85, 400).means("altitude of a form's brightest light"),

@@ -12,7 +12,7 @@ namespace {
 TEST(SheetProfile, OfAGivenBrightnessHasItInGreenWhateverTheLinesAndTheEnergy) {
   Sheet sheet;
   sheet.brightness_kilorayleigh = 10.0;
-  for (const char* profile : {"maxwellian", "form"}) {
+  for (const char* profile : {"maxwellian", "mono", "gaussian", "form"}) {
     for (double energy : {0.4, 3.0, 12.0}) {
       sheet.profile = profile;
       sheet.energy_kev = energy;
@@ -33,7 +33,7 @@ TEST(SheetProfile, DerivativeByTheEnergyIsThatOfTheRate) {
   constexpr double h = 0.01;
   Sheet sheet;
   sheet.brightness_kilorayleigh = 10.0;
-  for (const char* profile : {"maxwellian", "form"}) {
+  for (const char* profile : {"maxwellian", "mono", "gaussian", "form"}) {
     sheet.profile = profile;
     const auto at = [&](double energy) {
       sheet.energy_kev = energy;

@@ -106,6 +106,10 @@ TEST(StepRule, OfTheEnergyTakesTheStepsOfItsMeanAndKeepsThemWhileTheEnergyVaries
   EXPECT_EQ(points(of_energy), at_ten) << "frozen while a fit varies E0";
   Exposer fresh(scene, whole_picture(scene), 0);
   EXPECT_NEAR(static_cast<double>(points(fresh)) / static_cast<double>(at_ten), 0.5, 0.005);
+  sheet.profile = "mono";
+  sheet.energy_kev = 10.0;
+  Exposer of_one_energy(scene, whole_picture(scene), 0);
+  EXPECT_EQ(points(of_one_energy), at_ten) << "their mean is the energy itself";
 }
 
 }  // namespace

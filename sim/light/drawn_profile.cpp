@@ -1,0 +1,98 @@
+#include "sim/light/drawn_profile.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "sim/base/csv_table.h"
+#include "sim/base/error.h"
+#include "sim/scene/emission_lines.h"
+#include "sim/scene/table_files.h"
+#include "sim/scene/value_words.h"
+
+namespace vegard::sim {
+namespace {
+
+const std::string kAltitude = "altitude_km";
+
+[[noreturn]] void fail(const CsvTable& table, const std::string& problem, const std::string& expected,
+                       const std::string& hint = {}) {
+  ErrorDetails details;
+  details.problem = problem;
+  details.file = table.name;
+  details.expected = expected;
+  details.hint = hint;
+  throw Error(ErrorKind::unreadable_input, details);
+}
+
+/// The wavelength that a column's name says, in nm or, above 2000, in angstrom.
+std::optional<double> wavelength_in(std::string_view name) {
+  constexpr std::string_view kPrefix = "ver_";
+  if (name.substr(0, kPrefix.size()) == kPrefix) name.remove_prefix(kPrefix.size());
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  if (error != std::errc() || end != name.data() + name.size()) return std::nullopt;
+  constexpr double kLeastAngstrom = 2000.0;
+  return number >= kLeastAngstrom ? number / 10.0 : number;
+}
+
+std::string column_of(const CsvTable& table, double wavelength_nm) {
+  const std::string line = short_real_text(wavelength_nm) + " nm";
+  std::string found;
+  for (const std::string& name : table.columns) {
+    const std::optional<double> wavelength = wavelength_in(name);
+    if (!wavelength || std::abs(*wavelength - wavelength_nm) >= 0.05) continue;
+    if (!found.empty())
+      fail(table, "the columns '" + found + "' and '" + name + "' are both of " + line,
+           "one column per line");
+    found = name;
+  }
+  if (!found.empty()) return found;
+  std::string there;
+  for (const std::string& name : table.columns) there += (there.empty() ? "" : ", ") + name;
+  fail(table, "there is no column of " + line + " beside " + there,
+       "one called '" + line_name(wavelength_nm) + "' or '" + short_real_text(wavelength_nm) + "'",
+       "a line without light has a column of zeros");
+}
+
+CsvTable read_table(const Scene& scene, const Sheet& sheet) {
+  CsvTable table = read_csv_table(table_text(scene, "sheet." + sheet.name + ".profile_file"),
+                                  table_place(scene, sheet.profile_file));
+  table.require_increasing(kAltitude);
+  if (table.rows() < 2) fail(table, "a single row is no profile", "two altitudes at least");
+  const std::vector<double>& altitude = table.column(kAltitude);
+  if (altitude.back() <= HeightProfile::kBottomKm || altitude.front() >= HeightProfile::kTopKm)
+    fail(table, "the altitudes are all outside of the light's", "some between 80 and 640 km");
+  return table;
+}
+
+/// Straight between the rows, 0 beyond them.
+double rate_at(const std::vector<double>& altitudes, const std::vector<double>& rates, double altitude) {
+  if (altitude < altitudes.front() || altitude > altitudes.back()) return 0.0;
+  const auto above = std::upper_bound(altitudes.begin() + 1, altitudes.end() - 1, altitude);
+  const auto i = static_cast<std::size_t>(above - altitudes.begin());
+  const double share = (altitude - altitudes[i - 1]) / (altitudes[i] - altitudes[i - 1]);
+  return rates[i - 1] + (rates[i] - rates[i - 1]) * share;
+}
+
+}  // namespace
+
+HeightProfile drawn_profile(const std::vector<double>& wavelengths_nm, const Scene& scene,
+                            const Sheet& sheet) {
+  const CsvTable table = read_table(scene, sheet);
+  HeightProfile profile = dark_profile(static_cast<int>(wavelengths_nm.size()));
+  for (int l = 0; l < profile.lines; ++l) {
+    const std::string column = column_of(table, wavelengths_nm[l]);
+    table.require_within(column, 0.0, std::numeric_limits<float>::max());
+    for (int a = 0; a < HeightProfile::kAltitudes; ++a)
+      profile.rate[static_cast<std::size_t>(a) * profile.stride + l] = static_cast<float>(
+          rate_at(table.column(kAltitude), table.column(column), HeightProfile::altitude_km(a)));
+  }
+  return profile;
+}
+
+}  // namespace vegard::sim
