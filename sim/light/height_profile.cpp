@@ -6,12 +6,14 @@
 #include <cstddef>
 
 #include "sim/base/spline.h"
-#include "sim/light/emission_line.h"
 #include "sim/light/emission_table.h"
+#include "sim/light/flux_law.h"
+#include "sim/scene/emission_line.h"
 
 namespace vegard::sim {
 
-HeightProfile maxwellian_profile(const std::vector<double>& wavelengths_nm, double energy_kev) {
+HeightProfile maxwellian_profile(const std::vector<double>& wavelengths_nm, double energy_kev,
+                                 double energy_flux_mw_m2) {
   const EmissionTable& table = EmissionTable::glow();
   const std::vector<double>& knots = table.altitudes_km();
   HeightProfile profile;
@@ -25,10 +27,12 @@ HeightProfile maxwellian_profile(const std::vector<double>& wavelengths_nm, doub
     const EmissionLine* line = find_emission_line(wavelengths_nm[l]);
     assert(line != nullptr);
     const std::vector<Emission1d> at_knots = table.at_energy(line->table_column, energy_kev);
+    const FluxFactor flux = flux_factor(line->table_column, energy_kev, energy_flux_mw_m2);
+    const double log_scale = std::log(line->ratio) + flux.log_factor;
     std::vector<double> log_rate, log_slope;
     for (const Emission1d& e : at_knots) {
-      log_rate.push_back(std::log(e.rate));
-      log_slope.push_back(e.d_rate_d_ln_energy / e.rate);
+      log_rate.push_back(std::log(e.rate) + log_scale);
+      log_slope.push_back(e.d_rate_d_ln_energy / e.rate + flux.by_log_energy);
     }
     // The spline is linear in its values, so the spline of the derivatives is the derivative of the spline.
     const std::vector<double> rate_curvature = spline_curvature(knots, log_rate);
@@ -40,6 +44,22 @@ HeightProfile maxwellian_profile(const std::vector<double>& wavelengths_nm, doub
       const std::size_t i = static_cast<std::size_t>(a) * profile.stride + l;
       profile.rate[i] = static_cast<float>(rate);
       profile.d_rate_d_ln_energy[i] = static_cast<float>(rate * slope);
+    }
+  }
+  return profile;
+}
+
+HeightProfile maxwellian_profile_by_flux(const std::vector<double>& wavelengths_nm, double energy_kev,
+                                         double energy_flux_mw_m2) {
+  HeightProfile profile = maxwellian_profile(wavelengths_nm, energy_kev, energy_flux_mw_m2);
+  std::fill(profile.d_rate_d_ln_energy.begin(), profile.d_rate_d_ln_energy.end(), 0.0f);
+  if (energy_flux_mw_m2 <= 0.0) return profile;
+  for (int l = 0; l < profile.lines; ++l) {
+    const char* column = find_emission_line(wavelengths_nm[l])->table_column;
+    const double growth = flux_factor(column, energy_kev, energy_flux_mw_m2).by_log_flux / energy_flux_mw_m2;
+    for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
+      const std::size_t i = static_cast<std::size_t>(a) * profile.stride + l;
+      profile.d_rate_d_ln_energy[i] = static_cast<float>(profile.rate[i] * growth);
     }
   }
   return profile;

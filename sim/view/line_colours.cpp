@@ -1,11 +1,23 @@
 #include "sim/view/line_colours.h"
 
+#include "sim/scene/emission_line.h"
+
 namespace vegard::sim {
 
 double gain_per_kilorayleigh(const Scene& scene) { return scene.sensor.gain_per_kilorayleigh; }
 
 std::vector<Vector3> line_colours_at_unit_gain(const Scene& scene) {
-  return rgb_per_kilorayleigh(scene.emission.lines, scene.sensor.primaries, 1.0);
+  std::vector<Vector3> colours;
+  for (const double wavelength_nm : scene.emission.lines) {
+    Vector3 colour{};
+    for (const LineComponent& component : find_emission_line(wavelength_nm)->components) {
+      const Vector3 rgb =
+          rgb_per_kilorayleigh({component.wavelength_nm}, scene.sensor.primaries, 1.0).front();
+      for (int c = 0; c < 3; ++c) colour[c] += component.share * rgb[c];
+    }
+    colours.push_back(colour);
+  }
+  return colours;
 }
 
 std::vector<Vector3> line_colours(const Scene& scene) {

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "sim/light/emission_line.h"
 #include "sim/light/emission_table.h"
+#include "sim/scene/emission_line.h"
 
 namespace vegard::sim {
 namespace {

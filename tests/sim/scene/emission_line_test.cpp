@@ -1,4 +1,4 @@
-#include "sim/light/emission_line.h"
+#include "sim/scene/emission_line.h"
 
 #include <gtest/gtest.h>
 
