@@ -11,6 +11,7 @@
 #include "apps/decoding.h"
 #include "apps/elevation.h"
 #include "apps/output_files.h"
+#include "apps/plot_file.h"
 #include "apps/scene_place.h"
 #include "apps/usage_error.h"
 #include "fit/line_brightness.h"
@@ -72,22 +73,6 @@ auto naming_options(const Options& options, const std::optional<sim::Scene>& sce
   }
 }
 
-enum class PlotFormat { none, svg, png };
-
-PlotFormat plot_format(const std::string& file) {
-  if (file.empty()) return PlotFormat::none;
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  if (extension == ".svg") return PlotFormat::svg;
-  if (extension == ".png") return PlotFormat::png;
-  sim::ErrorDetails details;
-  details.key = "--plot";
-  details.problem = "'" + file + "' names no kind of picture";
-  details.expected = "a name that ends in .svg or .png";
-  throw sim::Error(sim::ErrorKind::usage, details);
-}
-
 /// With --overwrite a slip of the pen would cost the photograph.
 void check_outputs(const Options& options) {
   if (same_file(options.output, options.plot)) refuse_same_file("--plot", options.plot, "the table's name");
@@ -106,7 +91,7 @@ void print_resolution(const sim::Scene& scene) {
 }
 
 void run(const Options& options) {
-  const PlotFormat format = plot_format(options.plot);
+  const PlotFormat format = plot_format(options.plot, "--plot");
   check_outputs(options);
   if (options.lines && options.scene.empty())
     throw usage_error("--lines", "no sensor is known", "--scene with the sensor, its gain and the lines");

@@ -5,6 +5,8 @@ set(VEGARD_EMBEDDED_TABLES
     ${PROJECT_SOURCE_DIR}/data/atmosphere/ozone_233k.csv
     ${PROJECT_SOURCE_DIR}/data/glow/atmosphere.csv
     ${PROJECT_SOURCE_DIR}/data/glow/ver_maxwellian.csv
+    ${PROJECT_SOURCE_DIR}/data/glow/column_brightness.csv
+    ${PROJECT_SOURCE_DIR}/data/glow/linearity_Q.csv
     ${PROJECT_SOURCE_DIR}/data/cie/cie1931_2deg_5nm.csv
     ${PROJECT_SOURCE_DIR}/data/cie/daylight_components_10nm.csv
     ${PROJECT_SOURCE_DIR}/data/cameras/canon_5d_mark_ii.csv

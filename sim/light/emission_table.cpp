@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
+#include "sim/base/csv_table.h"
 #include "sim/base/embedded_table.h"
 #include "sim/base/spline.h"
 
@@ -12,13 +12,6 @@ namespace vegard::sim {
 namespace {
 
 constexpr double kFloorOfPeak = 1e-6;
-
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> cells;
-  std::stringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-  return cells;
-}
 
 }  // namespace
 
@@ -28,22 +21,17 @@ const EmissionTable& EmissionTable::glow() {
 }
 
 EmissionTable::EmissionTable(const std::string& csv) {
-  std::stringstream stream(csv);
-  std::string line;
-  if (!std::getline(stream, line)) throw std::runtime_error("the emission table is empty");
-  const std::vector<std::string> header = split(line);
-  std::map<std::string, std::vector<double>> rate;  // [energy * altitudes + altitude], as in the file
-  while (std::getline(stream, line)) {
-    const std::vector<std::string> cells = split(line);
-    if (cells.size() != header.size()) throw std::runtime_error("the emission table has a short row");
-    const double energy = std::stod(cells[0]), altitude = std::stod(cells[1]);
-    if (energies_kev_.empty() || energies_kev_.back() != energy) energies_kev_.push_back(energy);
-    if (energies_kev_.size() == 1) altitudes_km_.push_back(altitude);
-    for (std::size_t c = 2; c < cells.size(); ++c) rate[header[c]].push_back(std::stod(cells[c]));
+  const CsvTable table = read_csv_table(csv, "ver_maxwellian.csv");
+  const std::vector<double>&energy = table.numbers.at(0), &altitude = table.numbers.at(1);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (energies_kev_.empty() || energies_kev_.back() != energy[row]) energies_kev_.push_back(energy[row]);
+    if (energies_kev_.size() == 1) altitudes_km_.push_back(altitude[row]);
   }
-  for (double energy : energies_kev_) log_energies_.push_back(std::log(energy));
+  for (const double knot : energies_kev_) log_energies_.push_back(std::log(knot));
   const std::size_t energies = energies_kev_.size(), altitudes = altitudes_km_.size();
-  for (const auto& [name, values] : rate) {
+  for (std::size_t c = 2; c < table.columns.size(); ++c) {
+    const std::string& name = table.columns[c];
+    const std::vector<double>& values = table.numbers[c];
     if (values.size() != energies * altitudes)
       throw std::runtime_error("the emission table has a missing row");
     std::vector<double>& logs = log_rate_[name];

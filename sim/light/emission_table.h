@@ -22,8 +22,8 @@ class EmissionTable {
   /// The embedded table; parsed once.
   static const EmissionTable& glow();
 
-  /// Parses a table of this form; throws std::runtime_error on a malformed one (a damaged build, not a user's
-  /// file).
+  /// Parses a table of this form, energy by energy with the same altitudes; throws sim::Error or
+  /// std::runtime_error on a malformed one (a damaged build, not a user's file).
   explicit EmissionTable(const std::string& csv);
 
   const std::vector<double>& energies_kev() const { return energies_kev_; }

@@ -11,7 +11,7 @@ constexpr double kLnTen = 2.302585092994046;
 constexpr double kDark = 1e-30;  // of the peak; floats would soon lose their digits, and their speed
 constexpr double kTenthAbove = 3.8897201698674290;  // (1 + x) exp(-x) = 1/10
 
-/// Light of all lines of a profile, and its derivative by ln(E0).
+/// Light of all lines of a profile, and its derivative.
 struct Total {
   double rate = 0.0, slope = 0.0;
 };
@@ -26,19 +26,9 @@ Total total_at(const HeightProfile& profile, int altitude) {
   return total;
 }
 
-}  // namespace
-
-double form_intensity(const FormCurve& curve, double altitude_km) {
-  const double above = altitude_km - curve.peak_km;
-  if (above < 0.0) return std::exp(-kLnTen * (above / curve.lower_km) * (above / curve.lower_km));
-  const double x = kTenthAbove * above / curve.upper_km;
-  return (1.0 + x) * std::exp(-x);
-}
-
-HeightProfile form_profile(const std::vector<double>& wavelengths_nm, double energy_kev,
-                           const FormCurve& curve) {
-  HeightProfile profile = maxwellian_profile(wavelengths_nm, energy_kev);
-  const HeightProfile reference = maxwellian_profile(kTotalLinesNm, energy_kev);
+/// Moves the light of a profile to the curve, and its derivatives with it. `reference` is the profile of
+/// kTotalLinesNm.
+HeightProfile moved(HeightProfile profile, const HeightProfile& reference, const FormCurve& curve) {
   Total of_tables;
   double of_form = 0.0;
   for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
@@ -62,6 +52,27 @@ HeightProfile form_profile(const std::vector<double>& wavelengths_nm, double ene
     }
   }
   return profile;
+}
+
+}  // namespace
+
+double form_intensity(const FormCurve& curve, double altitude_km) {
+  const double above = altitude_km - curve.peak_km;
+  if (above < 0.0) return std::exp(-kLnTen * (above / curve.lower_km) * (above / curve.lower_km));
+  const double x = kTenthAbove * above / curve.upper_km;
+  return (1.0 + x) * std::exp(-x);
+}
+
+HeightProfile form_profile(const std::vector<double>& wavelengths_nm, double energy_kev,
+                           const FormCurve& curve, double energy_flux_mw_m2) {
+  return moved(maxwellian_profile(wavelengths_nm, energy_kev, energy_flux_mw_m2),
+               maxwellian_profile(kTotalLinesNm, energy_kev, energy_flux_mw_m2), curve);
+}
+
+HeightProfile form_profile_by_flux(const std::vector<double>& wavelengths_nm, double energy_kev,
+                                   const FormCurve& curve, double energy_flux_mw_m2) {
+  return moved(maxwellian_profile_by_flux(wavelengths_nm, energy_kev, energy_flux_mw_m2),
+               maxwellian_profile_by_flux(kTotalLinesNm, energy_kev, energy_flux_mw_m2), curve);
 }
 
 }  // namespace vegard::sim

@@ -27,6 +27,10 @@ double form_intensity(const FormCurve& curve, double altitude_km);
 /// ratios of the lines are those of the tables (or of their floor); over all altitudes the total is that of
 /// the tables.
 HeightProfile form_profile(const std::vector<double>& wavelengths_nm, double energy_kev,
-                           const FormCurve& curve);
+                           const FormCurve& curve, double energy_flux_mw_m2 = 1.0);
+
+/// The same, but with the derivative by the energy flux in mW m^-2 where that by ln(E0) is.
+HeightProfile form_profile_by_flux(const std::vector<double>& wavelengths_nm, double energy_kev,
+                                   const FormCurve& curve, double energy_flux_mw_m2);
 
 }  // namespace vegard::sim

@@ -40,8 +40,13 @@ void sample_line(const std::vector<double>& altitudes_km, const std::vector<doub
 
 /// The profile of Maxwellian electrons of characteristic energy E0 from the GLOW tables. Between the
 /// tabulated altitudes log(rate) is a natural cubic spline. Wavelengths must be those of emission_lines(),
-/// energy inside the table.
-HeightProfile maxwellian_profile(const std::vector<double>& wavelengths_nm, double energy_kev);
+/// energy inside the table. It is the light per mW m^-2 at this energy flux (sim/light/flux_law.h).
+HeightProfile maxwellian_profile(const std::vector<double>& wavelengths_nm, double energy_kev,
+                                 double energy_flux_mw_m2 = 1.0);
+
+/// The same, but with the derivative by the energy flux in mW m^-2 where that by ln(E0) is. 0 at a flux of 0.
+HeightProfile maxwellian_profile_by_flux(const std::vector<double>& wavelengths_nm, double energy_kev,
+                                         double energy_flux_mw_m2);
 
 /// The altitude at which the lines together are brightest, in photons.
 double peak_altitude_km(const HeightProfile& profile);

@@ -6,9 +6,9 @@
 #include <cstddef>
 
 #include "sim/base/spline.h"
-#include "sim/light/emission_line.h"
 #include "sim/light/emission_table.h"
 #include "sim/light/glow_air.h"
+#include "sim/scene/emission_line.h"
 
 namespace vegard::sim {
 namespace {

@@ -15,21 +15,40 @@ const std::vector<double> kBrightnessLineNm = {557.7};
 
 FormCurve form_curve(const Sheet& sheet) { return {sheet.peak_km, sheet.lower_km, sheet.upper_km}; }
 
+/// The flux at which the light per mW m^-2 is taken: the sheet's own, at the peak of a layer, for all of it.
+double flux_of(const Scene& scene, const Sheet& sheet) {
+  return scene.emission.flux_law == "linear" || has_given_brightness(sheet) ? 1.0 : sheet.energy_flux_mw_m2;
+}
+
 HeightProfile of_unit_flux(const std::vector<double>& wavelengths_nm, const Scene& scene,
                            const Sheet& sheet) {
   if (sheet.profile == "mono") return mono_profile(wavelengths_nm, sheet.energy_kev);
   if (sheet.profile == "gaussian")
     return gaussian_profile(wavelengths_nm, sheet.energy_kev, sheet.energy_spread);
   if (sheet.profile == "file") return drawn_profile(wavelengths_nm, scene, sheet);
-  if (sheet.profile == "form") return form_profile(wavelengths_nm, sheet.energy_kev, form_curve(sheet));
-  return maxwellian_profile(wavelengths_nm, sheet.energy_kev);
+  const double flux = flux_of(scene, sheet);
+  if (sheet.profile == "form") return form_profile(wavelengths_nm, sheet.energy_kev, form_curve(sheet), flux);
+  return maxwellian_profile(wavelengths_nm, sheet.energy_kev, flux);
+}
+
+/// d rate / d Q of a profile per unit flux; empty if there is none.
+std::vector<float> slope_by_flux(const std::vector<double>& wavelengths_nm, const Scene& scene,
+                                 const Sheet& sheet) {
+  if (scene.emission.flux_law == "linear" || has_given_brightness(sheet)) return {};
+  const double flux = sheet.energy_flux_mw_m2;
+  if (sheet.profile == "form")
+    return form_profile_by_flux(wavelengths_nm, sheet.energy_kev, form_curve(sheet), flux).d_rate_d_ln_energy;
+  if (sheet.profile == "maxwellian")
+    return maxwellian_profile_by_flux(wavelengths_nm, sheet.energy_kev, flux).d_rate_d_ln_energy;
+  return {};
 }
 
 /// Its derivative by a number; empty for one that it does not depend on, or by the energy alone.
-std::vector<float> slope_of_unit_flux(const std::vector<double>& wavelengths_nm, const Scene&,
+std::vector<float> slope_of_unit_flux(const std::vector<double>& wavelengths_nm, const Scene& scene,
                                       const Sheet& sheet, const double* number) {
   if (sheet.profile == "gaussian" && number == &sheet.energy_spread)
     return gaussian_slope(wavelengths_nm, sheet.energy_kev, sheet.energy_spread);
+  if (number == &sheet.energy_flux_mw_m2) return slope_by_flux(wavelengths_nm, scene, sheet);
   return {};
 }
 

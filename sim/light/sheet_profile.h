@@ -12,14 +12,16 @@ namespace vegard::sim {
 /// Whether a sheet's light is given by its brightness, and its energy flux counts for nothing.
 bool has_given_brightness(const Sheet& sheet);
 
-/// The profile of scene.sheets[sheet], by the model that its key `profile` names. Of a sheet of given
-/// brightness, scaled for an energy flux of 1: the column of 557.7 nm from the bottom up to top_km is then
+/// The profile of scene.sheets[sheet], by the model that its key `profile` names: the light per mW m^-2 at
+/// the sheet's own energy flux, by emission.flux_law. Of a sheet of given brightness, the model at an energy
+/// flux of 1, scaled for a flux of 1: the column of 557.7 nm from the bottom up to top_km is then
 /// brightness_kilorayleigh seen vertically, whatever lines are asked for. (Seen along the field, where a path
 /// is longer by one over the cosine to the vertical, the beams are weaker by as much: sim/render/beams.cpp.)
 HeightProfile sheet_profile(const std::vector<double>& wavelengths_nm, const Scene& scene, int sheet);
 
 /// d rate / d number, as HeightProfile::rate, for a number of the scene that shapes the sheet's profile other
-/// than by energy_kev, whose derivative the profile itself carries. Empty for a number that does not.
+/// than by energy_kev, whose derivative the profile itself carries. Empty for a number that does not. By
+/// energy_flux_mw_m2 it is the part that comes on top of proportion, d(rate per mW m^-2)/dQ.
 std::vector<float> profile_slope(const std::vector<double>& wavelengths_nm, const Scene& scene, int sheet,
                                  const double* number);
 

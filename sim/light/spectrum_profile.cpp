@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sim/light/emission_line.h"
 #include "sim/light/emission_table.h"
 #include "sim/light/mono_table.h"
+#include "sim/scene/emission_line.h"
 
 namespace vegard::sim {
 namespace {
@@ -16,7 +16,9 @@ constexpr double kFirstTau = -14.0, kLastTau = 6.0, kTauStep = 0.125;
 constexpr double kLeastShare = 1e-14;  // a piece below that changes no float
 
 std::vector<LogRate> mono_rates(const EmissionLine& line, double energy_kev) {
-  return MonoEnergeticTable::glow().at_energy(line.table_column, energy_kev);
+  std::vector<LogRate> rates = MonoEnergeticTable::glow().at_energy(line.table_column, energy_kev);
+  for (LogRate& rate : rates) rate.value += std::log(line.ratio);
+  return rates;
 }
 
 enum class By { log_energy, spread };

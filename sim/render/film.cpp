@@ -6,10 +6,10 @@
 #include <mutex>
 
 #include "sim/base/parallel.h"
-#include "sim/light/emission_line.h"
 #include "sim/render/beams.h"
 #include "sim/render/kernel.h"
 #include "sim/render/kernel_scene.h"
+#include "sim/scene/emission_line.h"
 #include "sim/view/tangent_film.h"
 
 namespace vegard::sim {

@@ -1,30 +1,17 @@
 #include "sim/scene/emission_lines.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
-#include "sim/base/embedded_table.h"
+#include "sim/scene/emission_line.h"
 
 namespace vegard::sim {
 namespace {
 
-std::vector<double> read_lines() {
-  const std::string_view table = embedded_table("ver_maxwellian.csv");
-  std::string_view head = table.substr(0, table.find_first_of("\r\n"));
+std::vector<double> wavelengths() {
   std::vector<double> lines;
-  while (!head.empty()) {
-    const std::size_t comma = std::min(head.find(','), head.size());
-    const std::string_view column = head.substr(0, comma);
-    head.remove_prefix(std::min(comma + 1, head.size()));
-    constexpr std::string_view prefix = "ver_";
-    if (column.substr(0, prefix.size()) != prefix) continue;
-    int angstrom = 0;
-    std::from_chars(column.data() + prefix.size(), column.data() + column.size(), angstrom);
-    lines.push_back(angstrom / 10.0);
-  }
-  std::sort(lines.begin(), lines.end());
+  for (const EmissionLine& line : emission_lines()) lines.push_back(line.wavelength_nm);
   return lines;
 }
 
@@ -38,11 +25,20 @@ double width_of(const Scene& scene, double line_nm, double otherwise) {
 }  // namespace
 
 const std::vector<double>& known_emission_lines_nm() {
-  static const std::vector<double> lines = read_lines();
+  static const std::vector<double> lines = wavelengths();
   return lines;
 }
 
-double default_blur_width_deg(double line_nm) { return width_of(Scene{}, line_nm, 0.0); }
+double default_blur_width_deg(double line_nm) {
+  const EmissionLine* line = find_emission_line(line_nm);
+  const Scene scene;
+  for (const double own_nm : scene.emission.lines) {
+    const EmissionLine* own = find_emission_line(own_nm);
+    if (line != nullptr && own != nullptr && std::string_view(line->table_column) == own->table_column)
+      return width_of(scene, own_nm, 0.0);
+  }
+  return 0.0;
+}
 
 void change_lines(Scene& scene, const std::vector<double>& lines_nm) {
   std::vector<double> widths;

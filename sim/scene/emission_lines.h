@@ -8,12 +8,12 @@
 
 namespace vegard::sim {
 
-/// Wavelengths in nm that the emission tables offer, ascending. Read from the head of the embedded
-/// ver_maxwellian.csv, so that a table with one more column needs no change here.
+/// Wavelengths in nm of emission_lines(), ascending.
 const std::vector<double>& known_emission_lines_nm();
 
 /// Standard deviation in degrees that a line gets if the scene says nothing: that of a default Scene for its
-/// own lines, none for the others, which are all short-lived.
+/// own lines and those that share a column of the tables with them (636.4 nm with 630.0 nm), none for the
+/// others.
 double default_blur_width_deg(double line_nm);
 
 /// Sets the lines; a line that stays keeps its blur, a new one gets the default.

@@ -142,6 +142,7 @@ struct Sheet {
 
 struct Emission {
   std::vector<double> lines = {630.0, 557.7, 427.8};  ///< wavelengths in nm
+  std::string flux_law = "column";  ///< light by energy flux: as GLOW's columns have it, or "linear"
 };
 
 struct Blur {

@@ -1,5 +1,6 @@
 #include "sim/view/line_colours.h"
 
+#include "sim/scene/emission_line.h"
 #include "sim/view/sensor_response.h"
 
 namespace vegard::sim {
@@ -9,12 +10,21 @@ double gain_per_kilorayleigh(const Scene& scene) { return scene.sensor.gain_per_
 std::vector<Vector3> line_colours_at_unit_gain(const Scene& scene) {
   const SensorResponse response(scene);
   std::vector<Vector3> colours;
-  for (const double nm : scene.emission.lines) colours.push_back(response.rgb_per_kilorayleigh(nm));
+  for (const double wavelength_nm : scene.emission.lines) {
+    Vector3 colour{};
+    for (const LineComponent& component : find_emission_line(wavelength_nm)->components) {
+      const Vector3 rgb = response.rgb_per_kilorayleigh(component.wavelength_nm);
+      for (int c = 0; c < 3; ++c) colour[c] += component.share * rgb[c];
+    }
+    colours.push_back(colour);
+  }
   return colours;
 }
 
 Vector3 line_colour(const Scene& scene, double wavelength_nm) {
-  return rgb_per_kilorayleigh({wavelength_nm}, scene.sensor.primaries, gain_per_kilorayleigh(scene)).front();
+  Vector3 colour = SensorResponse(scene).rgb_per_kilorayleigh(wavelength_nm);
+  for (double& channel : colour) channel *= gain_per_kilorayleigh(scene);
+  return colour;
 }
 
 std::vector<Vector3> line_colours(const Scene& scene) {

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "fit/plot.h"
-#include "sim/light/emission_line.h"
 #include "sim/light/emission_table.h"
 #include "sim/light/glow_air.h"
 #include "sim/light/mono_table.h"
 #include "sim/light/spectrum_profile.h"
+#include "sim/scene/emission_line.h"
 
 namespace vegard::bench {
 namespace {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/light/height_profile.h"
+#include "sim/light/sheet_profile.h"
 #include "sim/scene/scene.h"
 
 namespace vegard::tests {
@@ -19,8 +19,8 @@ class LineOfSight {
  public:
   explicit LineOfSight(const sim::Scene& scene, double step_km)
       : scene_(scene), step_km_(step_km), observer_km_(scene.site.altitude_m * 1e-3) {
-    for (const sim::Sheet& sheet : scene.sheets)
-      profiles_.push_back(sim::maxwellian_profile(scene.emission.lines, sheet.energy_kev));
+    for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+      profiles_.push_back(sim::sheet_profile(scene.emission.lines, scene, static_cast<int>(s)));
     const double degree = std::acos(-1.0) / 180.0;
     const double i = scene.field.inclination_deg * degree, d = scene.field.declination_deg * degree;
     const double sign = i < 0.0 ? -1.0 : 1.0;

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/light/emission_line.h"
 #include "sim/light/emission_table.h"
 #include "sim/light/glow_air.h"
 #include "sim/light/spectrum_profile.h"
+#include "sim/scene/emission_line.h"
 
 namespace vegard::sim {
 namespace {

@@ -54,5 +54,58 @@ TEST(SheetProfile, DerivativeByTheEnergyIsThatOfTheRate) {
   }
 }
 
+TEST(SheetProfile, FollowsTheColumnsOfItsEnergyFlux) {
+  Sheet sheet;
+  sheet.energy_kev = 20.0;
+  const auto green = [&](double flux, const char* law) {
+    sheet.energy_flux_mw_m2 = flux;
+    Scene scene = tests::with_sheet(sheet);
+    scene.emission.flux_law = law;
+    return column_below(sheet_profile({557.7}, scene, 0), 0, HeightProfile::kTopKm).rayleigh;
+  };
+  // 4723.8 R to 410.1 R above the background, data/glow/linearity_Q.csv.
+  for (const char* profile : {"maxwellian", "form"}) {
+    sheet.profile = profile;
+    EXPECT_EQ(green(10.0, "linear"), green(1.0, "linear"));
+    EXPECT_EQ(green(1.0, "column"), green(1.0, "linear"));
+    if (sheet.profile == "maxwellian")
+      EXPECT_NEAR(green(10.0, "column") / green(1.0, "column"), 1.1519, 1e-4);
+    EXPECT_GT(green(10.0, "column"), 1.05 * green(1.0, "column"));
+  }
+}
+
+TEST(SheetProfile, SlopesAreThoseOfTheRate) {
+  // Differences of floats over 2 % of Q, in a law that changes rates by a few per cent over a factor of ten.
+  constexpr double h = 0.1;
+  Sheet sheet;
+  sheet.energy_kev = 7.0;
+  const std::vector<double> lines = {630.0, 557.7, 427.8};
+  for (const char* profile : {"maxwellian", "form"}) {
+    sheet.profile = profile;
+    for (const double flux : {0.4, 5.0, 14.0}) {
+      const auto at = [&](double q) {
+        sheet.energy_flux_mw_m2 = q;
+        return sheet_profile(lines, tests::with_sheet(sheet), 0);
+      };
+      const HeightProfile here = at(flux), more = at(flux * (1.0 + h)), less = at(flux * (1.0 - h));
+      sheet.energy_flux_mw_m2 = flux;
+      const Scene scene = tests::with_sheet(sheet);
+      const std::vector<float> slope = profile_slope(lines, scene, 0, &scene.sheets[0].energy_flux_mw_m2);
+      ASSERT_EQ(slope.size(), here.rate.size());
+      double largest = 0.0;
+      for (std::size_t i = 0; i < slope.size(); ++i) {
+        const double difference = (static_cast<double>(more.rate[i]) - less.rate[i]) / (2 * h * flux);
+        EXPECT_NEAR(slope[i], difference, 3e-4 * here.rate[i] / flux + 1e-30) << profile << " " << flux;
+        largest = std::max<double>(largest, std::abs(slope[i]) * flux / std::max(here.rate[i], 1e-20f));
+      }
+      EXPECT_GT(largest, 0.01) << "there is something to test";
+    }
+  }
+  Scene scene = tests::with_sheet(sheet);
+  EXPECT_TRUE(profile_slope(lines, scene, 0, &scene.sheets[0].width_km).empty());
+  scene.emission.flux_law = "linear";
+  EXPECT_TRUE(profile_slope(lines, scene, 0, &scene.sheets[0].energy_flux_mw_m2).empty());
+}
+
 }  // namespace
 }  // namespace vegard::sim

@@ -8,7 +8,7 @@
 
 #include "sim/base/earth.h"
 #include "sim/emit/aurora/dipole.h"
-#include "sim/light/height_profile.h"
+#include "sim/light/sheet_profile.h"
 #include "sim/render/kernel.h"
 #include "tests/support/block_means.h"
 #include "tests/support/exposed.h"
@@ -48,7 +48,7 @@ TEST(Film, AColumnOfKnownEmissionGivesItsRayleighs) {
   scene.sheets = {sheet};
   FilmGeometry film = whole_picture(scene);
   const Exposure exposure = exposed(scene, film);
-  const HeightProfile profile = maxwellian_profile(scene.emission.lines, sheet.energy_kev);
+  const HeightProfile profile = sheet_profile(scene.emission.lines, scene, 0);
   for (int l = 0; l < 3; ++l) {
     double column = 0.0;
     const int top = static_cast<int>((sheet.top_km - HeightProfile::kBottomKm) / HeightProfile::kStepKm);

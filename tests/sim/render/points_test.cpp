@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/base/earth.h"
-#include "sim/light/height_profile.h"
+#include "sim/light/sheet_profile.h"
 #include "sim/render/film.h"
 #include "tests/support/exposed.h"
 #include "tests/support/small_scene.h"
@@ -101,7 +101,7 @@ TEST(Points, GiveOffTheLightOfTheSheetsWhereverTheCameraLooks) {
   const EmissionPoints points = all_points(scene);
   EXPECT_NEAR(static_cast<double>(points.size()), 1000 * 600.0, 4 * 14.0 * std::sqrt(1000.0));
   const std::vector<double> photons = photons_per_line(points);
-  const HeightProfile profile = maxwellian_profile(scene.emission.lines, sheet.energy_kev);
+  const HeightProfile profile = sheet_profile(scene.emission.lines, scene, 0);
   const int top = static_cast<int>((sheet.top_km - HeightProfile::kBottomKm) / HeightProfile::kStepKm);
   const double volume_per_km =
       1e15 * sheet.layers * sheet.energy_flux_mw_m2 * sheet.width_km * std::sqrt(2 * M_PI) * sheet.length_km;

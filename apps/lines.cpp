@@ -1,0 +1,153 @@
+#include "apps/lines.h"
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/exit_code.h"
+#include "apps/plot_file.h"
+#include "fit/quenching_plot.h"
+#include "sim/base/error.h"
+#include "sim/base/whole_file.h"
+#include "sim/scene/emission_line.h"
+
+namespace vegard::apps {
+namespace {
+
+std::string lifetime_text(double seconds) {
+  if (seconds >= 3600.0) return fmt::format("{:.0f} h", seconds / 3600.0);
+  if (seconds >= 1e-3) return fmt::format("{:g} s", seconds);
+  return seconds >= 1e-6 ? fmt::format("{:g} µs", seconds * 1e6) : fmt::format("{:.0f} ns", seconds * 1e9);
+}
+
+std::string column_text(const sim::EmissionLine& line) {
+  if (line.ratio_source[0] == '\0') return line.table_column;
+  return fmt::format("{:.4g} × {}", line.ratio, line.table_column);
+}
+
+std::string or_dash(const char* text) { return text[0] == '\0' ? "–" : text; }
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+void print(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
+  sim::ErrorDetails details;
+  details.problem = "the lines cannot be written to the standard output";
+  throw sim::Error(sim::ErrorKind::unwritable_output, details);
+}
+
+}  // namespace
+
+std::string line_listing() {
+  std::string text;
+  for (const sim::EmissionLine& line : sim::emission_lines()) {
+    text += fmt::format("{:5.1f} nm  {:3}  {}; lives {}; light: {}\n", line.wavelength_nm, line.species,
+                        line.transition, lifetime_text(line.lifetime_s), column_text(line));
+    if (line.ratio_source[0] != '\0') text += fmt::format("          ratio: {}\n", line.ratio_source);
+    if (line.blended_with[0] != '\0') text += fmt::format("          blended with {}\n", line.blended_with);
+  }
+  return text;
+}
+
+std::string line_page() {
+  std::string text =
+      "# Emission lines\n\n"
+      "This page is the output of `vegard lines --markdown`; a test compares the two. A scene takes up to "
+      "eight of these\n"
+      "lines (`emission.lines`). *Light* is the column of `data/glow/ver_maxwellian.csv`, or a ratio of "
+      "photons to one.\n"
+      "What a line is *blended with* stands so near that a filter of some nm passes both; it is not added to "
+      "the line.\n\n"
+      "| line | species | transition | lifetime | light | blended with |\n|---|---|---|---|---|---|\n";
+  for (const sim::EmissionLine& line : sim::emission_lines())
+    text += fmt::format("| {:.1f} nm | {} | {} | {} | {} | {} |\n", line.wavelength_nm, line.species,
+                        line.transition, lifetime_text(line.lifetime_s), column_text(line),
+                        or_dash(line.blended_with));
+  text += "\n## Where the ratios come from\n\n";
+  for (const sim::EmissionLine& line : sim::emission_lines())
+    if (line.ratio_source[0] != '\0')
+      text += fmt::format("- **{:.1f} nm**, {:.4g} × {}: {}.\n", line.wavelength_nm, line.ratio,
+                          line.table_column, line.ratio_source);
+  text +=
+      "\nThe height course of a line with a ratio is its column's. For the first positive bands that is an "
+      "approximation: they\n"
+      "are excited from 7.4 eV on, the second positive (0,0) band from 11 eV, and are quenched below 90 "
+      "km.\n";
+  for (const sim::EmissionLine& line : sim::emission_lines()) {
+    if (line.components.size() < 2) continue;
+    text += fmt::format(
+        "\n## The bands under {:.1f} nm\n\n"
+        "Shares of the photons: populations of the upper state measured in aurora (Gattinger and Vallance "
+        "Jones "
+        "1974,\n"
+        "Can. J. Phys. 52, 2343) times the Einstein coefficients of Vallance Jones 1974, \"Aurora\". A "
+        "camera's "
+        "colour of it\n"
+        "is that of all of them.\n\n"
+        "| nm | share |\n|---|---|\n",
+        line.wavelength_nm);
+    for (const sim::LineComponent& band : line.components)
+      text += fmt::format("| {:.1f} | {:.2f} % |\n", band.wavelength_nm, 100.0 * band.share);
+  }
+  text +=
+      "\n## Quenching\n\n"
+      "How much of the light of the slow lines collisions leave, and how long their atoms live, against "
+      "altitude "
+      "(`vegard lines\n"
+      "--quenching quenching.svg`; coefficients and sources in "
+      "[physics](physics.md#the-physical-blur)). The others are prompt.\n\n"
+      "![Quenching of the slow lines](pictures/quenching.svg)\n";
+  return text;
+}
+
+std::string line_csv() {
+  std::string text =
+      "wavelength_nm,species,transition,lifetime_s,table_column,ratio,ratio_source,blended_with,components\n";
+  for (const sim::EmissionLine& line : sim::emission_lines()) {
+    std::string components;
+    for (const sim::LineComponent& c : line.components)
+      components += fmt::format("{}{:.1f}:{:g}", components.empty() ? "" : " ", c.wavelength_nm, c.share);
+    text += fmt::format("{:.1f},{},{},{:g},{},{:.6g},{},{},{}\n", line.wavelength_nm, line.species,
+                        quoted(line.transition), line.lifetime_s, line.table_column, line.ratio,
+                        quoted(line.ratio_source), quoted(line.blended_with), components);
+  }
+  return text;
+}
+
+void add_lines_command(CLI::App& app, int& exit_code) {
+  struct Options {
+    bool markdown = false, csv = false, overwrite = false;
+    std::string quenching;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "lines", "List the emission lines: wavelength, species, lifetime, source; or plot their quenching");
+  CLI::Option* page =
+      command->add_flag("--markdown", options->markdown, "Print the documentation page instead");
+  CLI::Option* csv = command->add_flag("--csv", options->csv, "Print a table instead")->excludes(page);
+  CLI::Option* plot = command
+                          ->add_option("--quenching", options->quenching,
+                                       "Plot how collisions quench the slow lines, as .svg or .png")
+                          ->excludes(page)
+                          ->excludes(csv);
+  command->add_flag("--overwrite", options->overwrite, "Replace an existing plot")->needs(plot);
+  command->callback([options, &exit_code] {
+    if (!options->quenching.empty()) {
+      const PlotFormat format = plot_format(options->quenching, "--quenching");
+      sim::write_whole(options->quenching, plot_bytes(fit::quenching_plot(), format), options->overwrite);
+    } else {
+      print(options->markdown ? line_page() : options->csv ? line_csv() : line_listing());
+    }
+    exit_code = good;
+  });
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,57 @@
+#include "sim/scene/emission_line.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "sim/light/emission_table.h"
+#include "sim/scene/emission_lines.h"
+
+namespace vegard::sim {
+namespace {
+
+TEST(EmissionLines, AreOneListByWavelength) {
+  const std::vector<double>& known = known_emission_lines_nm();
+  ASSERT_EQ(known.size(), emission_lines().size());
+  EXPECT_TRUE(std::is_sorted(known.begin(), known.end()));
+  for (const double wavelength_nm : known)
+    EXPECT_EQ(find_emission_line(wavelength_nm)->wavelength_nm, wavelength_nm);
+  for (const double asked_for : {337.1, 391.4, 427.8, 520.0, 557.7, 630.0, 636.4, 777.4, 844.6})
+    EXPECT_NE(find_emission_line(asked_for), nullptr) << asked_for;
+  EXPECT_EQ(find_emission_line(600.0), nullptr);
+}
+
+TEST(EmissionLines, HaveAColumnOrARatioWithASource) {
+  const EmissionTable& table = EmissionTable::glow();
+  for (const EmissionLine& line : emission_lines()) {
+    EXPECT_TRUE(table.has(line.table_column)) << line.wavelength_nm;
+    const std::string own = "ver_" + std::to_string(std::lround(10.0 * line.wavelength_nm));
+    EXPECT_EQ(line.table_column == own, line.ratio == 1.0) << line.wavelength_nm;
+    EXPECT_EQ(line.table_column == own, std::string(line.ratio_source).empty()) << line.wavelength_nm;
+  }
+}
+
+TEST(EmissionLines, HaveComponentsWhoseSharesAddUpToOne) {
+  for (const EmissionLine& line : emission_lines()) {
+    double sum = 0.0;
+    bool named_after_one = false;
+    for (const LineComponent& component : line.components) {
+      sum += component.share;
+      named_after_one = named_after_one || component.wavelength_nm == line.wavelength_nm;
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-9) << line.wavelength_nm;
+    EXPECT_TRUE(named_after_one) << line.wavelength_nm;
+  }
+  EXPECT_EQ(find_emission_line(670.5)->components.size(), 29u);
+}
+
+TEST(EmissionLines, AreBlurredLikeTheLineFromTheSameAtoms) {
+  EXPECT_EQ(default_blur_width_deg(636.4), default_blur_width_deg(630.0));
+  EXPECT_GT(default_blur_width_deg(630.0), 0.0);
+  EXPECT_EQ(default_blur_width_deg(391.4), 0.0);
+}
+
+}  // namespace
+}  // namespace vegard::sim
