@@ -24,10 +24,11 @@ inline std::vector<FreePath> free_paths(const sim::Scene& scene) {
     if ((path.row->table == "airglow" || path.row->table == "light_pollution") &&
         *sim::real_value(scene, path) == 0.0)
       continue;
+    if (path.row->key == "energy_spread" && scene.sheets[path.sheet].profile != "gaussian") continue;
     const double value = *sim::real_value(scene, path);
     double step = path.row->scale == sim::ParameterScale::logarithmic && value > 0.0 ? 1e-4 * value : 1e-4;
     // The height profiles are floats: a wider step drowns their rounding.
-    if (path.row->key == "energy_kev") step = 5e-3 * value;
+    if (path.row->key == "energy_kev" || path.row->key == "energy_spread") step = 5e-3 * value;
     all.push_back({path, step});
   }
   return all;
