@@ -10,6 +10,7 @@
 #include "apps/interrupt.h"
 #include "apps/light_outside.h"
 #include "apps/progress_bar.h"
+#include "apps/rayleighs_only.h"
 #include "apps/scene_options.h"
 
 namespace vegard::apps {
@@ -23,6 +24,7 @@ struct Options {
 
 int run(const Options& options) {
   const sim::Scene scene = scene_of(options.scene);
+  require_rayleighs(scene, "vegard brightness");
   const std::atomic<bool>& stop = watch_for_interrupt();
   sim::Rendering rendering;
   {

@@ -20,6 +20,7 @@
 #include "apps/output_files.h"
 #include "apps/picture_file.h"
 #include "apps/progress_bar.h"
+#include "apps/rayleighs_only.h"
 #include "apps/scene_options.h"
 #include "apps/usage_error.h"
 #include "sim/base/image_io.h"
@@ -70,6 +71,7 @@ void check_outputs(const Options& options, const sim::Scene& scene) {
   } else if (options.picture.as_seen) {
     throw usage_error("--as-seen", "an EXR of lines holds rayleighs", "-o OUT beside it");
   }
+  if (options.picture.as_seen) require_rayleighs(scene, "--as-seen");
   if (!options.layers.empty()) {
     if (options.output.empty() || sim::image_format(options.output) != sim::ImageFormat::exr)
       throw usage_error("--layers", "only an EXR has layers", "-o OUT.exr");
