@@ -6,6 +6,7 @@
 #include "apps/layers.h"
 #include "apps/usage_error.h"
 #include "sim/base/version.h"
+#include "sim/render/as_seen.h"
 #include "sim/scene/scene_toml.h"
 
 namespace vegard::apps {
@@ -41,6 +42,8 @@ void check_picture_options(const std::string& path, const PictureOptions& option
   bits_of(options, format);
   if (options.quality && format != sim::ImageFormat::jpeg)
     throw usage_error("--quality", "only a JPEG has a quality", "-o OUT.jpg");
+  if (options.as_seen && format == sim::ImageFormat::exr)
+    throw usage_error("--as-seen", "an EXR holds the camera's linear values", "-o OUT.png, .tif or .jpg");
 }
 
 sim::Image line_layer(const sim::Rendering& rendering) {
@@ -69,7 +72,10 @@ std::string encoded_picture(const std::string& path, const PictureOptions& optio
   }
   constexpr int kDefaultQuality = 92;
   attributes["units"] = "sRGB-encoded";
-  return sim::encode_display(format, sim::display_picture(scene, rendering), bits_of(options, format),
+  const sim::Image shown = options.as_seen
+                               ? sim::picture_as_seen(scene, rendering, 1e-3 * options.seen_half_mcd)
+                               : sim::display_picture(scene, rendering);
+  return sim::encode_display(format, shown, bits_of(options, format),
                              options.quality.value_or(kDefaultQuality), attributes, path);
 }
 

@@ -16,6 +16,8 @@ namespace vegard::apps {
 /// What the command line says of a picture's file beside its name; empty: the default of its kind.
 struct PictureOptions {
   std::optional<int> bits, quality;
+  bool as_seen = false;         ///< as a dark-adapted eye sees it (sim/render/as_seen.h), not a camera
+  double seen_half_mcd = 20.0;  ///< the luminance that it then shows as half of white
 };
 
 /// Adds --bits and --quality; `options` must outlive the parsing.

@@ -20,6 +20,7 @@
 #include "apps/output_files.h"
 #include "apps/picture_file.h"
 #include "apps/progress_bar.h"
+#include "apps/rayleighs_only.h"
 #include "apps/scene_options.h"
 #include "apps/usage_error.h"
 #include "sim/base/image_io.h"
@@ -67,7 +68,10 @@ void check_outputs(const Options& options, const sim::Scene& scene) {
   } else if (options.picture.bits || options.picture.quality) {
     throw usage_error(options.picture.bits ? "--bits" : "--quality",
                       "an EXR of lines always holds 32-bit floats", "-o OUT beside it");
+  } else if (options.picture.as_seen) {
+    throw usage_error("--as-seen", "an EXR of lines holds rayleighs", "-o OUT beside it");
   }
+  if (options.picture.as_seen) require_rayleighs(scene, "--as-seen");
   if (!options.layers.empty()) {
     if (options.output.empty() || sim::image_format(options.output) != sim::ImageFormat::exr)
       throw usage_error("--layers", "only an EXR has layers", "-o OUT.exr");
@@ -166,6 +170,15 @@ void add_render_command(CLI::App& app, int& exit_code) {
   command->add_option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       ->check(CLI::Range(0, 1024));
   add_picture_options(*command, options->picture);
+  CLI::Option* as_seen =
+      command->add_flag("--as-seen", options->picture.as_seen,
+                        "As a dark-adapted eye sees it: faint light grey, bright light coloured");
+  command
+      ->add_option("--seen-half", options->picture.seen_half_mcd,
+                   "Luminance that --as-seen shows as half of white, in mcd m^-2 (default 20)")
+      ->check(CLI::Range(1e-3, 1e6))
+      ->type_name("MCD_M2")
+      ->needs(as_seen);
   command->add_flag("--camera-json", options->camera_json,
                     "Write the camera's matrices beside the picture, OUT.camera.json");
   command->add_flag("--overwrite", options->overwrite, "Replace outputs that exist");

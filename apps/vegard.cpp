@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/animate.h"
+#include "apps/brightness.h"
 #include "apps/command_line.h"
 #include "apps/exit_code.h"
 #include "apps/fit.h"
@@ -42,6 +43,7 @@ int run(int argc, char** argv) {
   apps::add_animate_command(app, exit_code);
   apps::add_points_command(app, exit_code);
   apps::add_profile_command(app, exit_code);
+  apps::add_brightness_command(app, exit_code);
   apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
   apps::add_params_command(app, exit_code);
   apps::add_lines_command(app, exit_code);

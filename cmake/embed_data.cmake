@@ -8,6 +8,7 @@ set(VEGARD_EMBEDDED_TABLES
     ${PROJECT_SOURCE_DIR}/data/glow/column_brightness.csv
     ${PROJECT_SOURCE_DIR}/data/glow/linearity_Q.csv
     ${PROJECT_SOURCE_DIR}/data/cie/cie1931_2deg_5nm.csv
+    ${PROJECT_SOURCE_DIR}/data/cie/cie1951_scotopic_5nm.csv
     ${PROJECT_SOURCE_DIR}/data/cie/daylight_components_10nm.csv
     ${PROJECT_SOURCE_DIR}/data/cameras/canon_5d_mark_ii.csv
     ${PROJECT_SOURCE_DIR}/data/cameras/nikon_d200.csv

@@ -158,6 +158,8 @@ struct Film {
   std::string weight = "rayleigh";  ///< or "unit": every point counts alike, the paper's forward map
 };
 
+/// From light to the numbers of a file (sim/view/sensor.h). Renders without noise know the primaries, the
+/// exposure, the vignetting and the tone curve only.
 struct Sensor {
   std::string primaries = "srgb";       ///< or "smpte-c", "rec2020", "acescg"
   std::string response = "cie";         ///< the CIE 1931 observer, a built-in camera, or a table "FILE.csv"
@@ -168,7 +170,26 @@ struct Sensor {
       "none";  ///< from a camera's channels to the primaries: or "colorimetric", "given"
   std::array<double, 9> matrix{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};  ///< the given one, by rows
   double gain_per_kilorayleigh =
-      0.05;  ///< linear sensor value (white = 1) of the luminance of 1 kR of 557.7 nm
+      0.05;                       ///< linear sensor value (white = 1) of the luminance of 1 kR of 557.7 nm
+  std::string exposure = "gain";  ///< or "camera": the gain follows from lens, pixel, time and ISO
+  double f_number = 2.0;
+  double lens_transmission = 0.85;
+  double pixel_um = 6.0;             ///< edge of a square pixel
+  double quantum_efficiency = 0.45;  ///< electrons per photon of 557.7 nm that reaches a green pixel
+  double full_well_e = 50000.0;      ///< what a pixel holds, and white at base_iso
+  double iso = 1600.0;               ///< white is full_well_e base_iso / iso electrons
+  double base_iso = 100.0;
+  double read_noise_e = 3.0;          ///< standard deviation
+  double dark_e_s = 0.1;              ///< dark current of a pixel
+  double black_level = 0.03;          ///< fraction of the largest digital number
+  int bits = 14;                      ///< of the analogue-digital converter
+  std::string mosaic = "rggb";        ///< filters of the upper left two by two pixels, or "none"
+  double vignetting_cos_power = 0.0;  ///< of the angle off the axis; 4: a simple lens
+  std::array<double, 3> vignetting{0.0, 0.0, 0.0};  ///< of r^2, r^4, r^6, r = 1 in the corners
+  std::string tone = "srgb";                        ///< or "linear", "gamma", "file"
+  double gamma = 2.2;
+  std::string tone_file;           ///< CSV of linear and encoded values, beside the scene's file
+  double calibration_error = 0.0;  ///< relative, of the absolute scale; 0: nobody has calibrated
 };
 
 /// Light behind the aurora, in linear sensor values per channel: level + gradient p + curvature (p^2 - 1/12),
@@ -250,7 +271,7 @@ struct Fit {
   bool band_brightness = true;      ///< a brightness per band (rays are uneven), else one
   bool white_balance_known = true;  ///< else a gain per channel, and colour says nothing about E0
   int sky_terms = 3;                ///< solved per channel: 1 level, 2 and gradient, 3 and curvature
-  std::string decoding = "auto";    ///< "auto", "srgb" or "linear"
+  std::string decoding = "auto";    ///< "auto", "srgb", "linear" or "sensor"
   double model_error = 0.03;        ///< unmodelled structure, as a fraction of the local brightness
   int scan_points = 24;             ///< wavelengths tried before the descent; 0: no search, only a descent
   int scan_descents = 6;            ///< of which this many are followed downhill

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <set>
@@ -94,6 +95,35 @@ void check_profile_files(const Scene& scene) {
   }
 }
 
+/// At the key that the file has, of two that do not go together.
+Origin origin_of(const Scene& scene, const std::string& key, const std::string& other) {
+  return {scene.file, 0, line_of(scene, key) > 0 || line_of(scene, other) == 0 ? key : other};
+}
+
+/// Whatever a curve or an exposure needs must be there, and a lens gives some light everywhere.
+void check_sensor(const Scene& scene) {
+  const Sensor& sensor = scene.sensor;
+  if (sensor.exposure == "camera" && scene.time.exposure_s <= 0.0)
+    complain({"a camera that is exposed for no time sees nothing", "time.exposure_s above 0",
+              "set time.exposure_s, or sensor.exposure = \"gain\""},
+             origin_of(scene, "sensor.exposure", "time.exposure_s"));
+  if (sensor.tone == "file" && !is_table_file(sensor.tone_file))
+    complain({"the tone \"file\" has no file", "sensor.tone_file, the name of a .csv", ""},
+             origin_of(scene, "sensor.tone_file", "sensor.tone"));
+  const auto& [r2, r4, r6] = sensor.vignetting;
+  constexpr int kSteps = 100;
+  constexpr double kLeast = 0.01;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double square = static_cast<double>(i) * i / (kSteps * kSteps);
+    const double light = 1.0 + square * (r2 + square * (r4 + square * r6));
+    if (light < kLeast)
+      complain({"the lens would give " + short_real_text(light) + " of its light at " +
+                    short_real_text(std::sqrt(square)) + " of the way to the corner",
+                "at least " + short_real_text(kLeast) + " everywhere", ""},
+               {scene.file, 0, "sensor.vignetting"});
+  }
+}
+
 void check_region(const Scene& scene) {
   const auto& [x, y, width, height] = scene.fit.roi_px;
   const bool is_whole_image = x == 0 && y == 0 && width == 0 && height == 0;
@@ -131,6 +161,7 @@ void validate(const Scene& scene) {
   check_structures(scene);
   check_response(scene);
   check_profile_files(scene);
+  check_sensor(scene);
   check_region(scene);
   check_free_parameters(scene);
 }

@@ -2,10 +2,17 @@
 
 #include "sim/scene/emission_line.h"
 #include "sim/view/sensor_response.h"
+#include "sim/view/sensor_scale.h"
 
 namespace vegard::sim {
 
-double gain_per_kilorayleigh(const Scene& scene) { return scene.sensor.gain_per_kilorayleigh; }
+double gain_per_kilorayleigh(const Scene& scene) {
+  if (scene.sensor.exposure == "gain") return scene.sensor.gain_per_kilorayleigh;
+  constexpr double kGreenNm = 557.7;
+  const double raw_green = raw_at_unit_gain(scene, kGreenNm)[1];
+  const double white_e = sensor_scale(scene.sensor, scene.time).white_e;
+  return green_electrons_per_kilorayleigh(scene.sensor, scene.time) / (white_e * raw_green);
+}
 
 std::vector<Vector3> line_colours_at_unit_gain(const Scene& scene) {
   const SensorResponse response(scene);
@@ -35,5 +42,12 @@ std::vector<Vector3> line_colours(const Scene& scene) {
 }
 
 Matrix3 rgb_from_raw(const Scene& scene) { return SensorResponse(scene).rgb_from_raw(); }
+
+Matrix3 raw_from_rgb(const Scene& scene) { return inverse(rgb_from_raw(scene)); }
+
+Vector3 raw_at_unit_gain(const Scene& scene, double wavelength_nm) {
+  const SensorResponse response(scene);
+  return product(inverse(response.rgb_from_raw()), response.rgb_per_kilorayleigh(wavelength_nm));
+}
 
 }  // namespace vegard::sim

@@ -8,7 +8,8 @@
 
 namespace vegard::sim {
 
-/// Linear sensor value (white = 1) of the luminance of 1 kR of 557.7 nm.
+/// Linear sensor value (white = 1) of the luminance of 1 kR of 557.7 nm: the scene's number, or of the
+/// exposure "camera" that which gives a green pixel its electrons (sim/view/sensor_scale.h).
 double gain_per_kilorayleigh(const Scene& scene);
 
 /// Linear, signed RGB per kilorayleigh of every line of the scene, at a gain_per_kilorayleigh of 1.
@@ -24,5 +25,12 @@ std::vector<Vector3> line_colours(const Scene& scene);
 /// white balance, then the matrix (docs/physics.md, "Cameras"). The identity for sensor.response = "cie",
 /// which has no raw channels of its own.
 Matrix3 rgb_from_raw(const Scene& scene);
+
+/// Its inverse.
+Matrix3 raw_from_rgb(const Scene& scene);
+
+/// Linear raw channels of 1 kR of light of a wavelength at a gain_per_kilorayleigh of 1. The exposure does not
+/// enter.
+Vector3 raw_at_unit_gain(const Scene& scene, double wavelength_nm);
 
 }  // namespace vegard::sim

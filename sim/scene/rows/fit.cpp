@@ -16,8 +16,8 @@ std::vector<Declaration> fit_rows() {
           .means("if false, each channel has a gain of its own and colour says nothing about the energy"),
       Row("fit", "sky_terms", &Scene::fit, &Fit::sky_terms).within(1, 3)
           .means("what is solved of the sky, per channel: 1 its level, 2 its gradient too, 3 its curvature too"),
-      Row("fit", "decoding", &Scene::fit, &Fit::decoding).one_of({"auto", "srgb", "linear"})
-          .means("how the photograph's numbers become linear light"),
+      Row("fit", "decoding", &Scene::fit, &Fit::decoding).one_of({"auto", "srgb", "linear", "sensor"})
+          .means("how the photograph's numbers become linear light; sensor: by sensor.tone and the vignetting"),
       Row("fit", "model_error", &Scene::fit, &Fit::model_error).within(0, 1)
           .means("unmodelled structure, as a fraction of the local brightness"),
       Row("fit", "scan_points", &Scene::fit, &Fit::scan_points).within(0, 1000000)

@@ -43,6 +43,44 @@ std::vector<Declaration> sensor_rows() {
           .means("from a camera's balanced channels to the primaries: `none` (they stay as they are), `colorimetric` (least squares, see physics.md) or `given` (matrix)"),
       Row("sensor", "matrix", &Scene::sensor, &Sensor::matrix).of({"rr", "rg", "rb", "gr", "gg", "gb", "br", "bg", "bb"}).within(-1e6, 1e6)
           .means("the given matrix, by rows: red, green, blue of the picture from red, green, blue of the camera"),
+      Row("sensor", "exposure", &Scene::sensor, &Sensor::exposure).one_of({"gain", "camera"})
+          .means("where the gain comes from: gain_per_kilorayleigh, or lens, pixel, time.exposure_s and iso"),
+      Row("sensor", "f_number", &Scene::sensor, &Sensor::f_number).within(0.5, 64)
+          .means("of the lens, of the exposure \"camera\""),
+      Row("sensor", "lens_transmission", &Scene::sensor, &Sensor::lens_transmission).within(0.01, 1)
+          .means("share of the light that the lens lets through, its filters included"),
+      Row("sensor", "pixel_um", &Scene::sensor, &Sensor::pixel_um).in("µm").within(0.5, 100)
+          .means("edge of a square pixel of the picture"),
+      Row("sensor", "quantum_efficiency", &Scene::sensor, &Sensor::quantum_efficiency).within(0.001, 1)
+          .means("electrons per photon of 557.7 nm on a green pixel; the response curves give the rest"),
+      Row("sensor", "full_well_e", &Scene::sensor, &Sensor::full_well_e).in("electrons").within(10, 1e9)
+          .means("what a pixel holds, and white at base_iso"),
+      Row("sensor", "iso", &Scene::sensor, &Sensor::iso).within(1, 1e7)
+          .means("white is full_well_e base_iso / iso electrons, for both exposures"),
+      Row("sensor", "base_iso", &Scene::sensor, &Sensor::base_iso).within(1, 1e7)
+          .means("the ISO at which white fills a pixel"),
+      Row("sensor", "read_noise_e", &Scene::sensor, &Sensor::read_noise_e).in("electrons").within(0, 10000)
+          .means("standard deviation of what reading a pixel adds"),
+      Row("sensor", "dark_e_s", &Scene::sensor, &Sensor::dark_e_s).in("electrons s⁻¹").within(0, 1e6)
+          .means("dark current of a pixel, over time.exposure_s"),
+      Row("sensor", "black_level", &Scene::sensor, &Sensor::black_level).within(0, 0.5)
+          .means("digital number without light, as a fraction of the largest"),
+      Row("sensor", "bits", &Scene::sensor, &Sensor::bits).within(8, 16)
+          .means("of the analogue-digital converter"),
+      Row("sensor", "mosaic", &Scene::sensor, &Sensor::mosaic).one_of({"rggb", "bggr", "grbg", "gbrg", "none"})
+          .means("colour filters of the upper left two by two pixels, row by row; none: every pixel sees all colours"),
+      Row("sensor", "vignetting_cos_power", &Scene::sensor, &Sensor::vignetting_cos_power).within(0, 16)
+          .means("light falls off as this power of the cosine of the angle off the axis (4: a simple lens); 0: it does not"),
+      Row("sensor", "vignetting", &Scene::sensor, &Sensor::vignetting).of({"r2", "r4", "r6"}).within(-10, 10)
+          .means("light falls off as 1 + r2 r² + r4 r⁴ + r6 r⁶ as well, r = 1 in the picture's corners"),
+      Row("sensor", "tone", &Scene::sensor, &Sensor::tone).one_of({"srgb", "linear", "gamma", "file"})
+          .means("curve from linear light to the numbers of a display file"),
+      Row("sensor", "gamma", &Scene::sensor, &Sensor::gamma).within(0.2, 5)
+          .means("of the tone \"gamma\": numbers are linear light to the power of 1 / this"),
+      Row("sensor", "tone_file", &Scene::sensor, &Sensor::tone_file).names_table()
+          .means("of the tone \"file\": a CSV of linear and encoded values, both increasing, beside the scene's file"),
+      Row("sensor", "calibration_error", &Scene::sensor, &Sensor::calibration_error).within(0, 10)
+          .means("relative standard uncertainty of the absolute scale, by whoever has calibrated it; 0: nobody has"),
   };
   // clang-format on
 }

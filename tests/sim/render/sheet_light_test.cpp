@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/base/earth.h"
+#include "sim/emit/aurora/sheet_brightness.h"
 #include "sim/render/film.h"
 #include "sim/scene/scene_toml.h"
 #include "tests/support/exposed.h"
@@ -75,6 +76,14 @@ TEST(Brightness, OfTheSourcesFourClassesIsOneToAThousandKilorayleighAlongTheFiel
             .brightness_kilorayleigh;
     EXPECT_NEAR(green_kilorayleigh(exposed(scene)) / kilorayleigh, 1.0, 0.035) << "IBC " << ibc;
   }
+}
+
+TEST(Brightness, AlongTheFieldIsWhatSheetBrightnessTells) {
+  // Scatters by 1 % from seed to seed, as above.
+  Scene scene = magnetic_zenith(60.0);
+  scene.sheets[0].energy_flux_mw_m2 = 4.0;
+  const double told = sheet_brightness(scene, 0).layer_green_kilorayleigh;
+  EXPECT_NEAR(green_kilorayleigh(exposed(scene)) / told, 1.0, 0.025);
 }
 
 TEST(Brightness, DoesNotDependOnTheEnergyFlux) {
