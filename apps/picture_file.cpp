@@ -7,6 +7,8 @@
 #include "apps/usage_error.h"
 #include "sim/base/version.h"
 #include "sim/scene/scene_toml.h"
+#include "sim/view/sensor.h"
+#include "sim/view/tone_curve.h"
 
 namespace vegard::apps {
 namespace {
@@ -27,6 +29,14 @@ sim::ImageAttributes attributes_of(const sim::Scene& scene) {
   return attributes;
 }
 
+sim::Image raw_of(const PictureOptions& options, const sim::Scene& scene, const sim::Rendering& rendering) {
+  return sim::raw_numbers(scene, sim::light_on_sensor(scene, rendering), options.frame, options.threads);
+}
+
+std::string noise_words(const PictureOptions& options) {
+  return "; noise of frame " + std::to_string(options.frame) + " of the seed";
+}
+
 }  // namespace
 
 void add_picture_options(CLI::App& command, PictureOptions& options) {
@@ -34,6 +44,9 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
       ->check(CLI::IsMember({8, 16}));
   command.add_option("--quality", options.quality, "Quality of a JPEG, 1 to 100 (default 92)")
       ->check(CLI::Range(1, 100));
+  command.add_flag(
+      "--photograph", options.photograph,
+      "Add what a camera adds, by the scene's sensor: photon and read noise, saturation, mosaic");
 }
 
 void check_picture_options(const std::string& path, const PictureOptions& options) {
@@ -49,6 +62,18 @@ sim::Image line_layer(const sim::Rendering& rendering) {
   return layer;
 }
 
+std::string encoded_raw(const std::string& path, const PictureOptions& options, const sim::Scene& scene,
+                        const sim::Rendering& rendering) {
+  sim::Image raw = raw_of(options, scene, rendering);
+  constexpr float kLargest = 65535.0f;
+  for (float& value : raw.data) value /= kLargest;
+  sim::ImageAttributes attributes = attributes_of(scene);
+  attributes["units"] = "raw numbers of " + std::to_string(scene.sensor.bits) + " bits, mosaic " +
+                        scene.sensor.mosaic + noise_words(options);
+  constexpr int kBits = 16, kNoQuality = 100;
+  return sim::encode_display(sim::image_format(path), raw, kBits, kNoQuality, attributes, path);
+}
+
 std::string encoded_picture(const std::string& path, const PictureOptions& options, const sim::Scene& scene,
                             sim::Rendering&& rendering, const sim::Image& lines, bool with_layers) {
   sim::ImageAttributes attributes = attributes_of(scene);
@@ -58,6 +83,11 @@ std::string encoded_picture(const std::string& path, const PictureOptions& optio
         "R, G, B: linear sensor values, white = 1, negative where a line is out of gamut; rayleigh.*: "
         "rayleighs, "
         "by wavelength in tenths of a nanometre";
+    if (options.photograph) {
+      rendering.rgb = sim::developed(scene, raw_of(options, scene, rendering));
+      attributes["units"] +=
+          "; R, G, B are a photograph's, dark in the corners as its lens has it" + noise_words(options);
+    }
     std::vector<const sim::Image*> images = {&rendering.rgb, &lines};
     std::vector<sim::Image> layers;
     if (with_layers) {
@@ -68,8 +98,12 @@ std::string encoded_picture(const std::string& path, const PictureOptions& optio
     return sim::encode_exr(images, attributes, path);
   }
   constexpr int kDefaultQuality = 92;
-  attributes["units"] = "sRGB-encoded";
-  return sim::encode_display(format, sim::display_picture(scene, rendering), bits_of(options, format),
+  attributes["units"] = sim::ToneCurve(scene).name() + (scene.sensor.tone == "linear" ? "" : "-encoded");
+  if (options.photograph) attributes["units"] += noise_words(options);
+  const sim::Image shown = options.photograph
+                               ? sim::encoded(scene, sim::developed(scene, raw_of(options, scene, rendering)))
+                               : sim::display_picture(scene, rendering);
+  return sim::encode_display(format, shown, bits_of(options, format),
                              options.quality.value_or(kDefaultQuality), attributes, path);
 }
 

@@ -1,6 +1,7 @@
 // A rendered picture as the bytes of its file: the same for a still and for a frame of an animation.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -16,9 +17,12 @@ namespace vegard::apps {
 /// What the command line says of a picture's file beside its name; empty: the default of its kind.
 struct PictureOptions {
   std::optional<int> bits, quality;
+  bool photograph = false;  ///< with the sensor's noise (sim/view/sensor.h)
+  std::uint32_t frame = 0;  ///< of an animation: each has its own noise
+  int threads = 0;          ///< for the noise; it does not depend on them
 };
 
-/// Adds --bits and --quality; `options` must outlive the parsing.
+/// Adds --bits, --quality and --photograph; `options` must outlive the parsing.
 void add_picture_options(CLI::App& command, PictureOptions& options);
 
 /// Throws Error(usage) if a file of that name cannot be what the options want.
@@ -31,6 +35,11 @@ sim::Image line_layer(const sim::Rendering& rendering);
 /// with_layers: an EXR gets those of apps/layers.h too, taken out of the rendering.
 std::string encoded_picture(const std::string& path, const PictureOptions& options, const sim::Scene& scene,
                             sim::Rendering&& rendering, const sim::Image& lines, bool with_layers = false);
+
+/// The bytes of a 16-bit PNG or TIFF of the sensor's raw numbers, those of the photograph: one channel behind
+/// a mosaic, else three.
+std::string encoded_raw(const std::string& path, const PictureOptions& options, const sim::Scene& scene,
+                        const sim::Rendering& rendering);
 
 /// The bytes of an EXR of the lines alone.
 std::string encoded_lines(const std::string& path, const sim::Scene& scene, const sim::Image& lines);

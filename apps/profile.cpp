@@ -12,6 +12,7 @@
 #include "apps/elevation.h"
 #include "apps/output_files.h"
 #include "apps/scene_place.h"
+#include "apps/usage_error.h"
 #include "fit/photo.h"
 #include "fit/plot.h"
 #include "fit/profile.h"
@@ -100,7 +101,10 @@ void run(const Options& options) {
   if (!options.scene.empty()) scene = sim::read_scene(options.scene);
   const sim::Fit defaults = scene ? scene->fit : sim::Fit{};
 
-  fit::Photo photo = fit::read_photo(options.image, decoding_of(options.decoding, defaults.decoding));
+  const fit::Decoding decoding = decoding_of(options.decoding, defaults.decoding);
+  if (decoding == fit::Decoding::sensor && !scene)
+    throw usage_error("--decoding", "no scene says what the sensor is", "--scene SCENE beside it");
+  fit::Photo photo = fit::read_photo(options.image, decoding, scene ? &*scene : nullptr);
   fit::ElevationOfPixel elevation;
   if (scene) {
     check_size(*scene, photo);

@@ -9,6 +9,7 @@
 #include "apps/command_line.h"
 #include "apps/exit_code.h"
 #include "apps/fit.h"
+#include "apps/linearise.h"
 #include "apps/params.h"
 #include "apps/points.h"
 #include "apps/profile.h"
@@ -42,6 +43,7 @@ int run(int argc, char** argv) {
   apps::add_points_command(app, exit_code);
   apps::add_profile_command(app, exit_code);
   apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
+  apps::add_linearise_command(app, exit_code);
   apps::add_params_command(app, exit_code);
   try {
     app.parse(argc, argv);
