@@ -31,10 +31,10 @@ Vector3 pixel(const Image& rgb, int x, int y) { return {rgb.at(x, y, 0), rgb.at(
 bool has_mosaic(const Scene& scene) { return scene.sensor.mosaic != "none"; }
 
 /// One pixel's number, of light that would free so many electrons.
-double number_of(const SensorScale& scale, std::uint64_t seed, double electrons, std::uint32_t pixel_index,
-                 std::uint32_t frame, std::uint32_t channel) {
+double number_of(const SensorScale& scale, double full_well_e, std::uint64_t seed, double electrons,
+                 std::uint32_t pixel_index, std::uint32_t frame, std::uint32_t channel) {
   double charge = poisson(electrons + scale.dark_e, seed, Stream::photon_noise, pixel_index, frame, channel);
-  charge = std::min(charge, scale.saturation_e);
+  charge = std::min(charge, full_well_e);
   if (scale.read_noise_e > 0.0) {
     const Words words = random_words(seed, Stream::read_noise, pixel_index, frame, channel);
     charge += scale.read_noise_e * normal_quantile(fine_uniform(words[0], words[1]));
@@ -98,7 +98,8 @@ Image raw_numbers(const Scene& scene, const Image& light, std::uint32_t frame, i
       for (int c = 0; c < raw.channels(); ++c) {
         const int filter = mosaic ? filter_of_pixel(scene.sensor.mosaic, x, y) : c;
         const double electrons = std::max(channels[filter], 0.0) * seen;
-        raw.at(x, y, c) = static_cast<float>(number_of(scale, scene.seed, electrons, index, frame, filter));
+        raw.at(x, y, c) = static_cast<float>(
+            number_of(scale, scene.sensor.full_well_e, scene.seed, electrons, index, frame, filter));
       }
     }
   });
@@ -134,8 +135,11 @@ void recover_light(const Scene& scene, Image& rgb, std::vector<std::uint8_t>& us
   const SensorScale scale = sensor_scale(scene.sensor, scene.time);
   const Matrix3 raw_of_rgb = raw_from_rgb(scene);
   const Vignetting vignetting(with_size_of(scene, rgb));
-  // Half a step of the converter below a full pixel.
-  const double full = (scale.saturation_e - scale.dark_e - 0.5 / scale.dn_per_electron) / scale.white_e;
+  // The largest number, or a full pixel as it may be read.
+  constexpr double kReadNoises = 5.0;
+  const double full_e = std::min(scale.white_e - 0.5 / scale.dn_per_electron,
+                                 scene.sensor.full_well_e - kReadNoises * scale.read_noise_e);
+  const double full = (full_e - scale.dark_e) / scale.white_e;
   std::vector<std::uint8_t> saturated(static_cast<std::size_t>(rgb.width) * rgb.height, 0);
   for (int y = 0; y < rgb.height; ++y)
     for (int x = 0; x < rgb.width; ++x) {
