@@ -104,6 +104,11 @@ TEST(PhotographOfASensor, GivesTheEnergyBack) {
     ASSERT_EQ(right.parameters[1].path, "sheet.main.energy_kev");
     const double sigma = right.parameters[1].sigma.value_or(0.0);
     const double error = right.parameters[1].value - truth.sheets[0].energy_kev;
+    const std::string name = mosaic;
+    RecordProperty("energy_kev_" + name, std::to_string(right.parameters[1].value));
+    RecordProperty("sigma_kev_" + name, std::to_string(sigma));
+    RecordProperty("chi2_per_dof_" + name, std::to_string(right.chi2 / right.dof));
+    RecordProperty("energy_kev_as_srgb_" + name, std::to_string(wrong.parameters[1].value));
     EXPECT_GT(sigma, 0.0);
     EXPECT_LT(std::abs(error), 3.0 * sigma) << mosaic;
     EXPECT_LT(std::abs(error), 0.05 * truth.sheets[0].energy_kev) << mosaic;

@@ -99,6 +99,9 @@ TEST_P(RoundTrip, FindsTheLightWithinItsNoise) {
         if (!mosaic || filter_of_pixel(scene.sensor.mosaic, x, y) == c)
           own.add(difference, of_truth.at(x, y, c));
       }
+    RecordProperty("mean_error_sigma_" + std::to_string(c),
+                   std::to_string(own.error / std::sqrt(own.variance)));
+    RecordProperty("chi2_" + std::to_string(c), std::to_string(own.chi2 / own.count));
     EXPECT_NEAR(own.error, 0.0, 4.0 * std::sqrt(own.variance)) << "channel " << c;
     EXPECT_NEAR(own.chi2 / own.count, 1.0, 4.0 * std::sqrt(2.0 / own.count)) << "channel " << c;
     // Interpolated pixels share their noise, a ninth of them at most being independent.
