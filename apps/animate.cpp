@@ -34,6 +34,7 @@
 #include "sim/base/whole_file.h"
 #include "sim/render/render.h"
 #include "sim/scene/parameter_table.h"
+#include "sim/view/tone_curve.h"
 
 namespace vegard::apps {
 namespace {
@@ -126,7 +127,10 @@ bool render_frames(const Options& options, const sim::Scene& scene, const sim::C
       warned = true;
     }
     const sim::Image lines = line_layer(rendering);
-    file.write(encoded_picture(names.file(frame), options.picture, now, std::move(rendering), lines));
+    PictureOptions picture = options.picture;
+    picture.frame = static_cast<std::uint32_t>(frame);
+    picture.threads = options.threads;
+    file.write(encoded_picture(names.file(frame), picture, now, std::move(rendering), lines));
     file.commit();
     finished.insert(frame);
   }
@@ -171,6 +175,8 @@ int run(const Options& options) {
     camera_json(scene);
   }
   const sim::CompositePictures pictures = read_composite_pictures(scene);
+  // A measured tone curve is read by whatever is encoded with it; here, before the work.
+  sim::ToneCurve check_of_the_curve(scene);
   std::set<int> finished =
       begin_or_resume(names, manifest_text(scene, frames_per_second, names, options.picture), frames,
                       options.overwrite, movie);

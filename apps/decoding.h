@@ -12,7 +12,7 @@ namespace vegard::apps {
 /// Adds --decoding; `word` stays empty if it is not given, and must outlive the parsing.
 void add_decoding_option(CLI::App& command, std::string& word);
 
-/// "auto", "srgb" or "linear": the command line's word, or where it is empty the scene's.
+/// "auto", "srgb", "linear" or "sensor": the command line's word, or where it is empty the scene's.
 fit::Decoding decoding_of(const std::string& word, const std::string& scene_word);
 
 }  // namespace vegard::apps

@@ -113,7 +113,8 @@ int run(const Options& options, const std::string& command) {
   // Now, not after the fit: someone may edit the file meanwhile.
   const std::string scene_sha256 = sha256_of(options.scene.file);
   fit::check_run_directory(options.out, options.overwrite);
-  fit::Photo photo = fit::read_photo(options.photo, decoding_of(options.decoding, scene.fit.decoding));
+  fit::Photo photo =
+      fit::read_photo(options.photo, decoding_of(options.decoding, scene.fit.decoding), &scene);
   if (!options.mask.empty()) fit::apply_mask(photo, options.mask);
 
   fit::FitResult result = fitted(options, scene, photo);

@@ -8,6 +8,8 @@
 #include "sim/base/version.h"
 #include "sim/render/as_seen.h"
 #include "sim/scene/scene_toml.h"
+#include "sim/view/sensor.h"
+#include "sim/view/tone_curve.h"
 
 namespace vegard::apps {
 namespace {
@@ -28,6 +30,28 @@ sim::ImageAttributes attributes_of(const sim::Scene& scene) {
   return attributes;
 }
 
+sim::Image raw_of(const PictureOptions& options, const sim::Scene& scene, const sim::Rendering& rendering) {
+  return sim::raw_numbers(scene, sim::light_on_sensor(scene, rendering), options.frame, options.threads);
+}
+
+std::string noise_words(const PictureOptions& options) {
+  return "; noise of frame " + std::to_string(options.frame) + " of the seed";
+}
+
+std::string encoding_words(const sim::Scene& scene, const PictureOptions& options) {
+  if (options.as_seen) return "sRGB-encoded";  // for the eye, whatever the sensor's tone
+  return sim::ToneCurve(scene).name() + (scene.sensor.tone == "linear" ? "" : "-encoded") +
+         (options.photograph ? noise_words(options) : "");
+}
+
+sim::Image shown_picture(const PictureOptions& options, const sim::Scene& scene,
+                         const sim::Rendering& rendering) {
+  if (options.as_seen) return sim::picture_as_seen(scene, rendering, 1e-3 * options.seen_half_mcd);
+  if (options.photograph)
+    return sim::encoded(scene, sim::developed(scene, raw_of(options, scene, rendering)));
+  return sim::display_picture(scene, rendering);
+}
+
 }  // namespace
 
 void add_picture_options(CLI::App& command, PictureOptions& options) {
@@ -35,6 +59,9 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
       ->check(CLI::IsMember({8, 16}));
   command.add_option("--quality", options.quality, "Quality of a JPEG, 1 to 100 (default 92)")
       ->check(CLI::Range(1, 100));
+  command.add_flag(
+      "--photograph", options.photograph,
+      "Add what a camera adds, by the scene's sensor: photon and read noise, saturation, mosaic");
 }
 
 void check_picture_options(const std::string& path, const PictureOptions& options) {
@@ -52,6 +79,18 @@ sim::Image line_layer(const sim::Rendering& rendering) {
   return layer;
 }
 
+std::string encoded_raw(const std::string& path, const PictureOptions& options, const sim::Scene& scene,
+                        const sim::Rendering& rendering) {
+  sim::Image raw = raw_of(options, scene, rendering);
+  constexpr float kLargest = 65535.0f;
+  for (float& value : raw.data) value /= kLargest;
+  sim::ImageAttributes attributes = attributes_of(scene);
+  attributes["units"] = "raw numbers of " + std::to_string(scene.sensor.bits) + " bits, mosaic " +
+                        scene.sensor.mosaic + noise_words(options);
+  constexpr int kBits = 16, kNoQuality = 100;
+  return sim::encode_display(sim::image_format(path), raw, kBits, kNoQuality, attributes, path);
+}
+
 std::string encoded_picture(const std::string& path, const PictureOptions& options, const sim::Scene& scene,
                             sim::Rendering&& rendering, const sim::Image& lines, bool with_layers) {
   sim::ImageAttributes attributes = attributes_of(scene);
@@ -61,6 +100,11 @@ std::string encoded_picture(const std::string& path, const PictureOptions& optio
         "R, G, B: linear sensor values, white = 1, negative where a line is out of gamut; rayleigh.*: "
         "rayleighs, "
         "by wavelength in tenths of a nanometre";
+    if (options.photograph) {
+      rendering.rgb = sim::developed(scene, raw_of(options, scene, rendering));
+      attributes["units"] +=
+          "; R, G, B are a photograph's, dark in the corners as its lens has it" + noise_words(options);
+    }
     std::vector<const sim::Image*> images = {&rendering.rgb, &lines};
     std::vector<sim::Image> layers;
     if (with_layers) {
@@ -71,10 +115,8 @@ std::string encoded_picture(const std::string& path, const PictureOptions& optio
     return sim::encode_exr(images, attributes, path);
   }
   constexpr int kDefaultQuality = 92;
-  attributes["units"] = "sRGB-encoded";
-  const sim::Image shown = options.as_seen
-                               ? sim::picture_as_seen(scene, rendering, 1e-3 * options.seen_half_mcd)
-                               : sim::display_picture(scene, rendering);
+  attributes["units"] = encoding_words(scene, options);
+  const sim::Image shown = shown_picture(options, scene, rendering);
   return sim::encode_display(format, shown, bits_of(options, format),
                              options.quality.value_or(kDefaultQuality), attributes, path);
 }

@@ -1,6 +1,7 @@
 // A rendered picture as the bytes of its file: the same for a still and for a frame of an animation.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -18,9 +19,12 @@ struct PictureOptions {
   std::optional<int> bits, quality;
   bool as_seen = false;         ///< as a dark-adapted eye sees it (sim/render/as_seen.h), not a camera
   double seen_half_mcd = 20.0;  ///< the luminance that it then shows as half of white
+  bool photograph = false;  ///< with the sensor's noise (sim/view/sensor.h)
+  std::uint32_t frame = 0;  ///< of an animation: each has its own noise
+  int threads = 0;          ///< for the noise; it does not depend on them
 };
 
-/// Adds --bits and --quality; `options` must outlive the parsing.
+/// Adds --bits, --quality and --photograph; `options` must outlive the parsing.
 void add_picture_options(CLI::App& command, PictureOptions& options);
 
 /// Throws Error(usage) if a file of that name cannot be what the options want.
@@ -33,6 +37,11 @@ sim::Image line_layer(const sim::Rendering& rendering);
 /// with_layers: an EXR gets those of apps/layers.h too, taken out of the rendering.
 std::string encoded_picture(const std::string& path, const PictureOptions& options, const sim::Scene& scene,
                             sim::Rendering&& rendering, const sim::Image& lines, bool with_layers = false);
+
+/// The bytes of a 16-bit PNG or TIFF of the sensor's raw numbers, those of the photograph: one channel behind
+/// a mosaic, else three.
+std::string encoded_raw(const std::string& path, const PictureOptions& options, const sim::Scene& scene,
+                        const sim::Rendering& rendering);
 
 /// The bytes of an EXR of the lines alone.
 std::string encoded_lines(const std::string& path, const sim::Scene& scene, const sim::Image& lines);

@@ -99,7 +99,10 @@ void run(const Options& options) {
   if (!options.scene.empty()) scene = sim::read_scene(options.scene);
   const sim::Fit defaults = scene ? scene->fit : sim::Fit{};
 
-  fit::Photo photo = fit::read_photo(options.image, decoding_of(options.decoding, defaults.decoding));
+  const fit::Decoding decoding = decoding_of(options.decoding, defaults.decoding);
+  if (decoding == fit::Decoding::sensor && !scene)
+    throw usage_error("--decoding", "no scene says what the sensor is", "--scene SCENE beside it");
+  fit::Photo photo = fit::read_photo(options.image, decoding, scene ? &*scene : nullptr);
   fit::ElevationOfPixel elevation;
   if (scene) {
     check_size(*scene, photo);

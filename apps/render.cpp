@@ -26,13 +26,14 @@
 #include "sim/base/image_io.h"
 #include "sim/base/whole_file.h"
 #include "sim/render/render.h"
+#include "sim/view/tone_curve.h"
 
 namespace vegard::apps {
 namespace {
 
 struct Options {
   SceneOptions scene;
-  std::string output, lines, layers;
+  std::string output, lines, raw, layers;
   PictureOptions picture;
   int threads = 0;
   bool overwrite = false, camera_json = false;
@@ -41,7 +42,9 @@ struct Options {
 /// Beside the picture, or where there is none beside its lines.
 std::string camera_file(const Options& options) {
   if (!options.camera_json) return {};
-  return camera_json_name(options.output.empty() ? options.lines : options.output);
+  for (const std::string& name : {options.output, options.lines, options.raw})
+    if (!name.empty()) return camera_json_name(name);
+  return {};
 }
 
 /// With --overwrite a slip of the pen would cost what cannot be had again.
@@ -49,6 +52,7 @@ void spare_inputs(const Options& options, const sim::Scene& scene) {
   const auto spare = [&](const std::string& input, const std::string& what) {
     if (same_file(options.output, input)) refuse_same_file("--output", options.output, what);
     if (same_file(options.lines, input)) refuse_same_file("--lines", options.lines, what);
+    if (same_file(options.raw, input)) refuse_same_file("--raw", options.raw, what);
     if (same_file(camera_file(options), input)) refuse_same_file("--camera-json", camera_file(options), what);
   };
   spare(options.scene.file, "the scene");
@@ -57,21 +61,36 @@ void spare_inputs(const Options& options, const sim::Scene& scene) {
 
 /// Refuses what would be refused at the end, before the work.
 void check_outputs(const Options& options, const sim::Scene& scene) {
-  if (options.output.empty() && options.lines.empty())
-    throw usage_error("--output", "nothing to write", "-o OUT, --lines OUT.exr or both");
+  if (options.output.empty() && options.lines.empty() && options.raw.empty())
+    throw usage_error("--output", "nothing to write", "-o OUT, --lines OUT.exr, --raw OUT.tif or several");
   if (same_file(options.output, options.lines))
     refuse_same_file("--lines", options.lines, "the picture's file");
+  for (const std::string& other : {options.output, options.lines})
+    if (same_file(options.raw, other)) refuse_same_file("--raw", options.raw, "another output");
   spare_inputs(options, scene);
   if (!options.output.empty()) {
     check_picture_options(options.output, options.picture);
     sim::WholeFile(options.output, options.overwrite);
-  } else if (options.picture.bits || options.picture.quality) {
-    throw usage_error(options.picture.bits ? "--bits" : "--quality",
-                      "an EXR of lines always holds 32-bit floats", "-o OUT beside it");
-  } else if (options.picture.as_seen) {
-    throw usage_error("--as-seen", "an EXR of lines holds rayleighs", "-o OUT beside it");
+  } else if (options.picture.bits || options.picture.quality || options.picture.photograph ||
+             options.picture.as_seen) {
+    throw usage_error(options.picture.bits         ? "--bits"
+                      : options.picture.quality    ? "--quality"
+                      : options.picture.photograph ? "--photograph"
+                                                   : "--as-seen",
+                      "without a picture it says nothing", "-o OUT beside it");
   }
   if (options.picture.as_seen) require_rayleighs(scene, "--as-seen");
+  if (options.picture.as_seen && options.picture.photograph)
+    throw usage_error("--as-seen", "an eye takes no photographs", "--as-seen or --photograph");
+  if (!options.raw.empty()) {
+    const sim::ImageFormat format = sim::image_format(options.raw);
+    if (format != sim::ImageFormat::png && format != sim::ImageFormat::tiff)
+      throw usage_error("--raw", "'" + options.raw + "' cannot hold 16-bit numbers",
+                        "a name that ends in .png or .tif");
+    sim::WholeFile(options.raw, options.overwrite);
+  }
+  // A measured tone curve is read by whatever is encoded with it; here, before the work.
+  sim::ToneCurve check_of_the_curve(scene);
   if (!options.layers.empty()) {
     if (options.output.empty() || sim::image_format(options.output) != sim::ImageFormat::exr)
       throw usage_error("--layers", "only an EXR has layers", "-o OUT.exr");
@@ -92,10 +111,12 @@ void check_outputs(const Options& options, const sim::Scene& scene) {
 /// All files are filled before any gets its name: a disk that fills up leaves none.
 void write_outputs(const Options& options, const sim::Scene& scene, sim::Rendering&& rendering) {
   const sim::Image lines = line_layer(rendering);
-  std::optional<sim::WholeFile> picture_file, lines_file, camera;
+  std::optional<sim::WholeFile> picture_file, lines_file, raw_file, camera;
   if (!options.output.empty()) picture_file.emplace(options.output, options.overwrite);
   if (!options.lines.empty()) lines_file.emplace(options.lines, options.overwrite);
+  if (!options.raw.empty()) raw_file.emplace(options.raw, options.overwrite);
   if (options.camera_json) camera.emplace(camera_file(options), options.overwrite);
+  if (raw_file) raw_file->write(encoded_raw(options.raw, options.picture, scene, rendering));
   if (picture_file)
     picture_file->write(encoded_picture(options.output, options.picture, scene, std::move(rendering), lines,
                                         !options.layers.empty()));
@@ -103,6 +124,7 @@ void write_outputs(const Options& options, const sim::Scene& scene, sim::Renderi
   if (camera) camera->write(camera_json(scene));
   if (picture_file) picture_file->commit();
   if (lines_file) lines_file->commit();
+  if (raw_file) raw_file->commit();
   if (camera) camera->commit();
 }
 
@@ -145,9 +167,9 @@ int run(const Options& options) {
 
   const std::string summary = facts(scene, rendering);
   write_outputs(options, scene, std::move(rendering));
-  std::string written = options.output;
-  if (!options.lines.empty()) written += (written.empty() ? "" : ", ") + options.lines;
-  if (options.camera_json) written += ", " + camera_file(options);
+  std::string written;
+  for (const std::string& name : {options.output, options.lines, options.raw, camera_file(options)})
+    if (!name.empty()) written += (written.empty() ? "" : ", ") + name;
   std::printf("%s: %s\n", written.c_str(), summary.c_str());
   return good;
 }
@@ -163,6 +185,8 @@ void add_render_command(CLI::App& app, int& exit_code) {
       ->type_name("OUT.exr|tif|png|jpg");
   command->add_option("--lines", options->lines, "Write the emission lines alone, in rayleighs")
       ->type_name("OUT.exr");
+  command->add_option("--raw", options->raw, "Write the sensor's raw numbers, those of --photograph, 16 bits")
+      ->type_name("OUT.png|tif");
   command
       ->add_option("--layers", options->layers,
                    "sheets: in an EXR, each sheet and whatever else the picture is made of, as layers")
@@ -182,7 +206,10 @@ void add_render_command(CLI::App& app, int& exit_code) {
   command->add_flag("--camera-json", options->camera_json,
                     "Write the camera's matrices beside the picture, OUT.camera.json");
   command->add_flag("--overwrite", options->overwrite, "Replace outputs that exist");
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command->callback([options, &exit_code] {
+    options->picture.threads = options->threads;
+    exit_code = run(*options);
+  });
 }
 
 }  // namespace vegard::apps

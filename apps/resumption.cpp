@@ -31,6 +31,8 @@ constexpr std::pair<const char*, const char*> kDifferences[] = {
     {"seed", "the seed differs"},
     {"scene_sha256", "the scene differs"},
     {"pictures_sha256", "a picture that the scene names differs"},
+    {"tables_sha256", "a table that the scene names differs"},
+    {"photograph", "--photograph differs"},
     {"bits", "the bits per channel differ"},
     {"quality", "the quality differs"},
     {"version", "the version of vegard differs"}};
@@ -130,6 +132,8 @@ std::string manifest_text(const sim::Scene& scene, double frames_per_second, con
   json["scene_sha256"] = sim::sha256(sim::write_scene(as_frames_see(scene)));
   for (const std::string& file : composite_files(scene))
     json["pictures_sha256"].push_back(sim::sha256(bytes_of(file)));
+  for (const auto& [path, text] : scene.tables) json["tables_sha256"][path] = sim::sha256(text);
+  if (picture.photograph) json["photograph"] = true;
   if (picture.bits) json["bits"] = *picture.bits;
   if (picture.quality) json["quality"] = *picture.quality;
   json["version"] = sim::version();

@@ -11,6 +11,7 @@
 #include "apps/exit_code.h"
 #include "apps/fit.h"
 #include "apps/lines.h"
+#include "apps/linearise.h"
 #include "apps/params.h"
 #include "apps/points.h"
 #include "apps/profile.h"
@@ -45,6 +46,7 @@ int run(int argc, char** argv) {
   apps::add_profile_command(app, exit_code);
   apps::add_brightness_command(app, exit_code);
   apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
+  apps::add_linearise_command(app, exit_code);
   apps::add_params_command(app, exit_code);
   apps::add_lines_command(app, exit_code);
   try {

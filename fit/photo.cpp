@@ -1,6 +1,7 @@
 #include "fit/photo.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <exception>
 #include <filesystem>
@@ -14,6 +15,7 @@
 #include "fit/image_file.h"
 #include "sim/base/error.h"
 #include "sim/base/sha256.h"
+#include "sim/view/sensor.h"
 #include "sim/view/transfer_curve.h"
 
 namespace vegard::fit {
@@ -157,7 +159,9 @@ void linearise_integers(const cv::Mat& codes, Photo& photo) {
   std::vector<float> linear_of_code(kLargest + 1);
   for (int code = 0; code <= kLargest; ++code) {
     const double stored = static_cast<double>(code) / kLargest;
-    linear_of_code[code] = static_cast<float>(photo.srgb ? sim::srgb_decode(stored) : stored);
+    linear_of_code[code] = static_cast<float>(photo.tone   ? photo.tone->decode(stored)
+                                              : photo.srgb ? sim::srgb_decode(stored)
+                                                           : stored);
   }
   for_each_code<Code>(codes, [&](int x, int y, int c, Code code) {
     const std::size_t i = photo.linear.index(x, y, c);
@@ -175,19 +179,26 @@ void linearise_floats(const cv::Mat& codes, Photo& photo) {
   });
 }
 
-std::string decoding_text(const ImageFile& file, bool srgb, Decoding asked) {
-  std::string text = srgb ? "sRGB (" : "linear (";
+std::string decoding_text(const ImageFile& file, const Photo& photo, Decoding asked) {
+  std::string text = photo.srgb ? "sRGB (" : "linear (";
+  if (photo.tone) text = "sensor: " + photo.tone->name() + " (";
   text += std::to_string(file.bits) + (file.floating ? "-bit float " : "-bit ") + format_name(file.format);
   return text + (asked == Decoding::automatic ? ", assumed)" : ", as asked)");
 }
 
 }  // namespace
 
-Photo read_photo(const std::string& file, Decoding decoding) {
+Photo read_photo(const std::string& file, Decoding decoding, const sim::Scene* scene) {
   const Pixels pixels = read_pixels(file);
   Photo photo;
   photo.srgb = decoding == Decoding::srgb || (decoding == Decoding::automatic && !pixels.file.floating);
-  photo.decoding = decoding_text(pixels.file, photo.srgb, decoding);
+  if (decoding == Decoding::sensor) {
+    assert(scene != nullptr);
+    sim::Scene decoded = *scene;
+    if (pixels.file.floating) decoded.sensor.tone = "linear";
+    photo.tone = std::make_shared<const sim::ToneCurve>(decoded);
+  }
+  photo.decoding = decoding_text(pixels.file, photo, decoding);
   // A PNG of fewer than 8 bits is stretched to 8 by libpng.
   photo.bits = std::max(8, pixels.file.bits);
   photo.floating = pixels.file.floating;
@@ -212,6 +223,7 @@ Photo read_photo(const std::string& file, Decoding decoding) {
       linearise_floats(pixels.codes, photo);
       break;
   }
+  if (photo.tone) sim::recover_light(*scene, photo.linear, photo.usable);
   return photo;
 }
 
@@ -220,6 +232,11 @@ bool keeps_negative_light(const Photo& photo) { return photo.floating && !photo.
 double code_step(const Photo& photo, double linear) {
   if (photo.floating) return 0.0;
   const double step = 1.0 / ((1 << photo.bits) - 1);
+  if (photo.tone) {
+    const double code =
+        std::clamp(photo.tone->encode(std::clamp(linear, 0.0, 1.0)), 0.5 * step, 1.0 - 0.5 * step);
+    return photo.tone->decode(code + 0.5 * step) - photo.tone->decode(code - 0.5 * step);
+  }
   if (!photo.srgb) return step;
   const double stored = std::clamp(sim::srgb_encode(linear), 0.0, 1.0);
   return sim::srgb_decode(stored + 0.5 * step) - sim::srgb_decode(stored - 0.5 * step);

@@ -2,26 +2,31 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "sim/base/image.h"
+#include "sim/scene/scene.h"
+#include "sim/view/tone_curve.h"
 
 namespace vegard::fit {
 
-enum class Decoding { automatic, srgb, linear };
+/// "sensor": by the tone curve and the vignetting of a scene's sensor (sim/view/sensor.h).
+enum class Decoding { automatic, srgb, linear, sensor };
 
 struct Photo {
   sim::Image linear;  ///< channels R, G, B; linear light, the file's largest value = 1
   std::vector<std::uint8_t>
-      usable;             ///< per pixel and channel, as in linear.data: 1 = not clipped, not masked
-  std::string decoding;   ///< which decoding was used and why: "sRGB (8-bit JPEG, assumed)"
-  bool srgb = true;       ///< that decoding: the sRGB curve, or none
-  int bits = 8;           ///< per channel in the file
-  bool floating = false;  ///< the file holds floats: no largest value, no quantisation
-  std::string file_name;  ///< without its folder
-  std::string sha256;     ///< of the file's bytes
-  std::string mask_name;  ///< of the mask applied, without its folder; empty if none
+      usable;            ///< per pixel and channel, as in linear.data: 1 = not clipped, not masked
+  std::string decoding;  ///< which decoding was used and why: "sRGB (8-bit JPEG, assumed)"
+  bool srgb = true;      ///< that decoding: the sRGB curve, or none
+  std::shared_ptr<const sim::ToneCurve> tone;  ///< that of a scene's sensor, in place of both
+  int bits = 8;                                ///< per channel in the file
+  bool floating = false;                       ///< the file holds floats: no largest value, no quantisation
+  std::string file_name;                       ///< without its folder
+  std::string sha256;                          ///< of the file's bytes
+  std::string mask_name;                       ///< of the mask applied, without its folder; empty if none
   std::string mask_sha256;
 };
 
@@ -31,13 +36,17 @@ struct Photo {
 /// usable; in float files only what is not finite (stored as 0) is unusable. Throws
 /// sim::Error(unreadable_input) for a file that is missing, truncated, of zero size or no image at all
 /// (OpenCV hands back a full picture for a truncated JPEG: fit/image_file.h looks first).
-Photo read_photo(const std::string& file, Decoding decoding);
+///
+/// Decoding::sensor needs the `scene`: integers go through its tone curve (floats are linear light), the
+/// light is divided by the vignetting, and what a full pixel has had a part in is not usable either.
+Photo read_photo(const std::string& file, Decoding decoding, const sim::Scene* scene = nullptr);
 
 /// True for floats that no display curve was undone of: they may hold the light of colours out of gamut,
 /// signed. All else had it clipped when it was written, and a model is to be clipped likewise.
 bool keeps_negative_light(const Photo& photo);
 
-/// The width in linear light of one step of the file's code at this linear value; 0 for float files.
+/// The width in linear light of one step of the file's code at this linear value; 0 for float files. Of a
+/// vignetted picture, that in its middle.
 double code_step(const Photo& photo, double linear);
 
 /// A mask: white (above half of the largest code, mean of the channels) = use. Must have the photograph's

@@ -1,30 +1,33 @@
 #!/usr/bin/env bash
 # Renders the scenes of data/gallery into docs/pictures/gallery: the pictures of docs/gallery.md.
-# usage: scripts/make_gallery.sh [SCENE ...]   (names without .toml; eye: eye.jpg, which needs ImageMagick's montage; default: all)
+# usage: scripts/make_gallery.sh [NAME ...]   (scenes without .toml, photographs, eye (needs ImageMagick's montage); default: all)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 vegard=build/release/vegard
 pictures=docs/pictures/gallery
 mkdir -p "$pictures"
-scenes=("$@")
-with_eye=no
-if [[ ${#scenes[@]} -eq 0 || ${scenes[*]} == eye ]]; then
-  with_eye=yes
-  [[ ${#scenes[@]} -eq 0 ]] || scenes=(-)
-fi
-if [[ ${#scenes[@]} -eq 0 ]]; then
+names=("$@")
+if [[ ${#names[@]} -eq 0 ]]; then
   for scene in data/gallery/*.toml; do
     name=$(basename "$scene" .toml)
-    [[ $name == dance ]] || scenes+=("$name")  # that one is for vegard animate
+    [[ $name == dance ]] || names+=("$name")  # that one is for vegard animate
   done
+  names+=(photographs eye)
 fi
-for name in "${scenes[@]}"; do
-  [[ $name != - ]] || continue
-  "$vegard" render "data/gallery/$name.toml" -o "$pictures/$name.jpg" --quality 88 --overwrite
-done
+
+# The drapery as photographs: one light, many electrons and few.
+make_photographs() {
+  local camera=(--set 'sensor.exposure="camera"' --set sensor.f_number=1.8 --set sensor.vignetting_cos_power=2.5
+    --set 'sky.level=[0.02, 0.03, 0.05]' --set camera.width=640 --set camera.height=427 --photograph --quality 88 --overwrite)
+  "$vegard" render data/gallery/drapery.toml "${camera[@]}" --set time.exposure_s=0.5 --set sensor.iso=51200 \
+    -o "$pictures/photograph_short.jpg"
+  "$vegard" render data/gallery/drapery.toml "${camera[@]}" --set time.exposure_s=16 --set sensor.iso=1600 \
+    -o "$pictures/photograph_long.jpg"
+}
 
 # The drapery with a brightest spot of 1, 10, 100 and 1000 kR: above by a camera exposed for it, below to the eye.
-if [[ $with_eye == yes ]]; then
+make_eye() {
+  local folder kilorayleigh seen
   folder=$(mktemp -d)
   trap 'rm -rf "$folder"' EXIT
   for kilorayleigh in 1 10 100 1000; do
@@ -39,4 +42,12 @@ if [[ $with_eye == yes ]]; then
   done
   montage "$folder"/camera{1,10,100,1000}.png "$folder"/eye{1,10,100,1000}.png -tile 4x2 -geometry +4+4 \
     -background black -quality 88 "$pictures/eye.jpg"
-fi
+}
+
+for name in "${names[@]}"; do
+  case $name in
+    photographs) make_photographs ;;
+    eye) make_eye ;;
+    *) "$vegard" render "data/gallery/$name.toml" -o "$pictures/$name.jpg" --quality 88 --overwrite ;;
+  esac
+done

@@ -25,6 +25,8 @@ enum class Stream : std::uint32_t {
   patch = 11,         ///< the light of patches
   border = 12,        ///< the course of the lower border
   stars = 16,         ///< where stars stand, and their colours
+  photon_noise = 24,  ///< a pixel's electrons
+  read_noise = 25,    ///< and what reading them adds
 };
 
 using Words = std::array<std::uint32_t, 4>;
@@ -62,6 +64,12 @@ inline Words random_words(std::uint64_t seed, Stream stream, std::uint32_t i, st
 /// Uniform in (0, 1), never 0 or 1, on the 2^24 centres that a float holds exactly.
 inline double uniform(std::uint32_t word) {
   return (static_cast<double>(word >> 8) + 0.5) * (1.0 / 16777216.0);
+}
+
+/// Uniform in (0, 1), never 0 or 1, on 2^52 centres that a double holds: for tails that matter.
+inline double fine_uniform(std::uint32_t upper, std::uint32_t lower) {
+  const std::uint64_t word = (static_cast<std::uint64_t>(upper) << 32 | lower) >> 12;
+  return (static_cast<double>(word) + 0.5) * (1.0 / 4503599627370496.0);
 }
 
 // One step of a beam's path takes one word, so that four words serve four steps: its upper half is the

@@ -13,9 +13,10 @@
 #include "sim/view/colour.h"
 #include "sim/view/line_colours.h"
 #include "sim/view/night_sky.h"
+#include "sim/view/sensor.h"
 #include "sim/view/sky.h"
 #include "sim/view/stars.h"
-#include "sim/view/transfer_curve.h"
+#include "sim/view/vignetting.h"
 
 namespace vegard::sim {
 namespace {
@@ -118,13 +119,17 @@ Image sky_light(const Scene& scene) {
   return sky;
 }
 
+Image light_on_sensor(const Scene& scene, const Rendering& rendering) {
+  Image light = rendering.aurora;
+  for (float& value : light.data) value = std::max(value, 0.0f);
+  compose(scene, rendering, light);
+  return light;
+}
+
 Image display_picture(const Scene& scene, const Rendering& rendering) {
-  Image shown = rendering.aurora;
-  for (float& value : shown.data) value = std::max(value, 0.0f);
-  compose(scene, rendering, shown);
-  for (float& value : shown.data)
-    value = static_cast<float>(srgb_encode(std::clamp<double>(value, 0.0, 1.0)));
-  return shown;
+  Image light = light_on_sensor(scene, rendering);
+  darken(Vignetting(scene), light);
+  return encoded(scene, light);
 }
 
 }  // namespace vegard::sim

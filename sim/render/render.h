@@ -55,8 +55,12 @@ Rendering render(const Scene& scene, const RenderOptions& options = {});
 /// Linear RGB of the sky alone: level, gradient and curvature.
 Image sky_light(const Scene& scene);
 
-/// What a display shows: the aurora's out-of-gamut light is clipped before anything is added, as the fit has
-/// it; the sum, behind its foreground, is clipped at white and sRGB-encoded.
+/// The light that falls on a sensor, before its lens darkens it: the aurora's out-of-gamut light is clipped
+/// before anything is added, as the fit has it.
+Image light_on_sensor(const Scene& scene, const Rendering& rendering);
+
+/// What a display shows, without noise: that light with the lens's vignetting, clipped at white and encoded
+/// by the scene's tone curve (sRGB unless it says otherwise).
 Image display_picture(const Scene& scene, const Rendering& rendering);
 
 }  // namespace vegard::sim

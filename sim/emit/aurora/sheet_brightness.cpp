@@ -5,6 +5,7 @@
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/motion.h"
+#include "sim/light/electron_spectrum.h"
 #include "sim/light/sheet_profile.h"
 
 namespace vegard::sim {
@@ -40,18 +41,14 @@ double green_column(const Scene& scene, int sheet) {
   return column_below(sheet_profile({kGreenNm}, scene, sheet), 0, scene.sheets[sheet].top_km).rayleigh;
 }
 
-/// A Maxwellian's is twice its characteristic energy; a drawn profile has no electrons.
-std::optional<double> mean_energy_of(const Sheet& sheet) {
-  if (sheet.profile != "maxwellian" && sheet.profile != "form") return std::nullopt;
-  return 2.0 * sheet.energy_kev;
-}
-
-/// What the sheet's light needs, before the substorm.
+/// What the sheet's light needs, before the substorm. Where the brightness is given, its profile is that of a
+/// flux of 1 (sim/light/sheet_profile.h), and so is the light per flux here.
 double energy_flux_of(const Scene& scene, int index, double vertical) {
   const Sheet& sheet = scene.sheets[index];
   if (!has_given_brightness(sheet)) return sheet.energy_flux_mw_m2;
   Scene by_flux = scene;
   by_flux.sheets[index].brightness_kilorayleigh = 0.0;
+  by_flux.sheets[index].energy_flux_mw_m2 = 1.0;
   return vertical * 1000.0 * sheet.brightness_kilorayleigh / green_column(by_flux, index);
 }
 
@@ -102,9 +99,9 @@ SheetBrightness sheet_brightness(const Scene& scene, int index) {
   for (std::size_t l = 0; l < scene.emission.lines.size(); ++l)
     result.layer_rayleigh[l] = per_column * column_below(profile, static_cast<int>(l), sheet.top_km).rayleigh;
   result.layer_green_kilorayleigh = 1e-3 * per_column * green_column(scene, index);
-  if (const std::optional<double> mean_energy_kev = mean_energy_of(sheet))
+  if (const std::optional<double> mean_energy = mean_energy_kev(sheet))
     result.power =
-        power_of(scene, sheet, result.level * energy_flux_of(scene, index, vertical), *mean_energy_kev);
+        power_of(scene, sheet, result.level * energy_flux_of(scene, index, vertical), *mean_energy);
   return result;
 }
 

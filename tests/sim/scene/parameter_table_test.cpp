@@ -121,7 +121,7 @@ TEST(ParameterTable, EveryValueIsReachedByItsPathSetAndReadBack) {
         if (text.empty()) text = std::to_string(path.row->min + 0.4375 * (path.row->max - path.row->min));
         break;
       case ParameterKind::integer:
-        text = path.row->max < 17 ? "2" : "17";
+        text = path.row->min > 2 ? "16" : path.row->max < 17 ? "2" : "17";
         break;
       case ParameterKind::boolean:
         text = old == "true" ? "false" : "true";

@@ -1,0 +1,123 @@
+#include "apps/linearise.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/exit_code.h"
+#include "apps/output_files.h"
+#include "apps/scene_options.h"
+#include "apps/usage_error.h"
+#include "fit/photo.h"
+#include "sim/base/error.h"
+#include "sim/base/image_io.h"
+#include "sim/base/version.h"
+#include "sim/base/whole_file.h"
+#include "sim/scene/scene_toml.h"
+#include "sim/view/sensor.h"
+
+namespace vegard::apps {
+namespace {
+
+struct Options {
+  std::string photo, output;
+  SceneOptions scene;
+  bool overwrite = false;
+};
+
+/// Linear floats of this program are read by it, whatever else by the fit's reader.
+fit::Photo read(const std::string& file, const sim::Scene& scene) {
+  if (!std::filesystem::path(file).has_extension() || sim::image_format(file) != sim::ImageFormat::exr)
+    return fit::read_photo(file, fit::Decoding::sensor, &scene);
+  const sim::Image all = sim::read_exr(file).image;
+  const std::vector<std::string> wanted = {"R", "G", "B"};
+  if (all.channels() < 3 || !std::equal(wanted.begin(), wanted.end(), all.channel_names.begin())) {
+    sim::ErrorDetails details;
+    details.file = file;
+    details.problem = "there is no picture in it";
+    details.expected = "the channels R, G and B";
+    throw sim::Error(sim::ErrorKind::unreadable_input, details);
+  }
+  fit::Photo photo;
+  photo.linear = sim::Image(all.width, all.height, wanted);
+  for (int y = 0; y < all.height; ++y)
+    for (int x = 0; x < all.width; ++x)
+      for (int c = 0; c < 3; ++c) photo.linear.at(x, y, c) = all.at(x, y, c);
+  photo.usable.assign(photo.linear.data.size(), 1);
+  photo.floating = true;
+  photo.decoding = "sensor: linear (EXR)";
+  sim::recover_light(scene, photo.linear, photo.usable);
+  return photo;
+}
+
+void check_size(const sim::Scene& scene, const fit::Photo& photo) {
+  if (scene.camera.width == photo.linear.width && scene.camera.height == photo.linear.height) return;
+  throw usage_error(
+      "camera.width",
+      fmt::format("the scene's camera has {} x {} pixels, the photograph {} x {}", scene.camera.width,
+                  scene.camera.height, photo.linear.width, photo.linear.height),
+      "one size",
+      fmt::format("--set camera.width={} --set camera.height={}", photo.linear.width, photo.linear.height));
+}
+
+int run(const Options& options) {
+  const sim::Scene scene = scene_of(options.scene);
+  if (sim::image_format(options.output) != sim::ImageFormat::exr)
+    throw usage_error("--output", "'" + options.output + "' cannot hold linear light and its variance",
+                      "a name that ends in .exr");
+  for (const std::string& input : {options.photo, options.scene.file})
+    if (same_file(options.output, input)) refuse_same_file("--output", options.output, "an input");
+  sim::WholeFile file(options.output, options.overwrite);
+  const fit::Photo photo = read(options.photo, scene);
+  check_size(scene, photo);
+
+  const double file_step = photo.floating ? 0.0 : 1.0 / ((1 << photo.bits) - 1);
+  sim::Image variance = sim::light_variance(scene, photo.linear, file_step);
+  sim::Image saturated = photo.linear;
+  std::size_t lost = 0;
+  for (std::size_t i = 0; i < photo.usable.size(); ++i) {
+    saturated.data[i] = photo.usable[i] ? 0.0f : 1.0f;
+    lost += photo.usable[i] ? 0 : 1;
+  }
+  for (std::string& name : variance.channel_names) name.insert(0, "variance.");
+  for (std::string& name : saturated.channel_names) name.insert(0, "saturated.");
+  const sim::ImageAttributes attributes = {
+      {"scene", sim::write_scene(scene)},
+      {"version", sim::version()},
+      {"photograph", photo.file_name},
+      {"decoding", photo.decoding},
+      {"units",
+       "R, G, B: linear sensor values, white = 1; variance.*: of these, without what JPEG does to them; "
+       "saturated.*: 1 where a full pixel has had a part in the value"}};
+  file.write(sim::encode_exr({&photo.linear, &variance, &saturated}, attributes, options.output));
+  file.commit();
+  std::printf("%s: %s\n", options.output.c_str(),
+              fmt::format("{} x {} pixels, {}, {:.2f} % of the values saturated", photo.linear.width,
+                          photo.linear.height, photo.decoding,
+                          100.0 * static_cast<double>(lost) / static_cast<double>(photo.usable.size()))
+                  .c_str());
+  return good;
+}
+
+}  // namespace
+
+void add_linearise_command(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "linearise", "Take a photograph back to linear light, with its variance, by a scene's sensor");
+  command->add_option("photo", options->photo, "JPEG, PNG, TIFF or EXR")->required()->type_name("PHOTO");
+  add_scene_options(*command, options->scene);
+  command->add_option("-o,--output", options->output, "The linear light to write")
+      ->required()
+      ->type_name("OUT.exr");
+  command->add_flag("--overwrite", options->overwrite, "Replace an output that exists");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace vegard::apps

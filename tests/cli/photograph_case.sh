@@ -1,0 +1,57 @@
+# A photograph has the sensor's noise, by the seed alone; it goes back to linear light; without the flag there is no noise.
+source "$(dirname "$0")/case.sh"
+camera=(--set 'sensor.exposure="camera"' --set time.exposure_s=8 --set sensor.vignetting_cos_power=4)
+for name in a.png a.tif a.jpg a.exr; do
+  expect_exit 0 render "$SCENES/small.toml" "${camera[@]}" -o "$name" --photograph --threads 1
+  expect_exit 0 render "$SCENES/small.toml" "${camera[@]}" -o "again-$name" --photograph --threads 2
+  expect_same "$name" "again-$name"
+  expect_exit 0 render "$SCENES/small.toml" "${camera[@]}" -o "clean-$name"
+  expect_different "$name" "clean-$name"
+done
+expect_exit 0 render "$SCENES/small.toml" "${camera[@]}" -o other.png --photograph --seed 8
+expect_different a.png other.png
+# The keys of the noise leave a picture without noise as it is.
+expect_exit 0 render "$SCENES/small.toml" --lines lines.exr -o b.exr
+expect_exit 0 render "$SCENES/small.toml" -o plain.png
+grep -qaF "sRGB-encoded" plain.png || fail "no units in plain.png"
+# The raw numbers are 16-bit and of one channel (PNG: depth in byte 24, colour type 0 in byte 25).
+expect_exit 0 render "$SCENES/small.toml" "${camera[@]}" --raw raw.png
+[[ $(od -An -tu1 -j24 -N2 raw.png | xargs) == "16 0" ]] || fail "raw.png is no grey picture of 16 bits"
+expect_exit 2 render "$SCENES/small.toml" --raw raw.jpg
+expect_stderr "cannot hold 16-bit numbers"
+expect_exit 2 render "$SCENES/small.toml" --raw raw2.png --photograph
+expect_stderr "--photograph"
+# Back to linear light.
+for name in a.png a.tif a.jpg a.exr; do
+  expect_exit 0 linearise "$name" "$SCENES/small.toml" "${camera[@]}" -o "linear-$name.exr"
+  expect_stdout "160 x 120 pixels, sensor: "
+  for text in variance.R saturated.G vegard:scene; do
+    grep -qaF "$text" "linear-$name.exr" || fail "no '$text' in linear-$name.exr"
+  done
+done
+expect_exit 2 linearise a.png "$SCENES/small.toml" "${camera[@]}" -o linear-a.png.exr
+expect_exit 2 linearise a.png "$SCENES/small.toml" -o out.png
+expect_exit 2 linearise a.png "$SCENES/small.toml" --set camera.width=80 -o out.exr
+expect_stderr "camera.width"
+expect_exit 2 profile a.png -o profile.csv --decoding sensor
+expect_stderr "no scene says what the sensor is"
+# A camera that is not exposed, a tone curve that is missing or none.
+expect_exit 2 render "$SCENES/small.toml" --set 'sensor.exposure="camera"' -o out.png
+expect_stderr "time.exposure_s"
+expect_exit 2 render "$SCENES/small.toml" --set 'sensor.tone="file"' -o out.png
+expect_stderr "sensor.tone_file"
+printf 'linear,encoded\n0,0\n0.2,0.6\n1,1\n' >curve.csv
+cp "$SCENES/small.toml" scene.toml
+printf '\n[sensor]\ntone = "file"\ntone_file = "curve.csv"\n' >>scene.toml
+expect_exit 0 render scene.toml -o measured.png --photograph
+grep -qaF "curve.csv-encoded" measured.png || fail "the curve's name is not in measured.png"
+printf 'linear,encoded\n0,0\n0.2,0.6\n0.3,0.5\n1,1\n' >curve.csv
+expect_exit 3 render scene.toml -o out.png
+expect_stderr "curve.csv"
+expect_one_message
+[[ ! -e out.png && ! -e out.exr ]] || fail "a refused run has left a file"
+# Frames have a noise of their own, and --photograph makes another animation.
+expect_exit 0 animate "$SCENES/small.toml" "${camera[@]}" -o frames/#.png --frames 0:1 --fps 1000 --photograph
+expect_different frames/0.png frames/1.png
+expect_exit 2 animate "$SCENES/small.toml" "${camera[@]}" -o frames/#.png --frames 0:1 --fps 1000
+expect_stderr "--photograph differs"
