@@ -38,17 +38,18 @@ sim::Scene fit_scene() {
   return scene;
 }
 
-/// A photograph of the scene: what the simulator renders, clipped as a display has it.
-Photo photo_of(const sim::Scene& scene) {
+/// A photograph of the scene: what the simulator renders, clipped as a display has it, or signed.
+Photo photo_of(const sim::Scene& scene, bool is_signed = false) {
   const sim::Rendering rendering = sim::render(scene);
   Photo photo;
   photo.linear = rendering.rgb;
-  for (std::size_t i = 0; i < photo.linear.data.size(); ++i)
-    photo.linear.data[i] += std::max(rendering.aurora.data[i], 0.0f) - rendering.aurora.data[i];
+  if (!is_signed)
+    for (std::size_t i = 0; i < photo.linear.data.size(); ++i)
+      photo.linear.data[i] += std::max(rendering.aurora.data[i], 0.0f) - rendering.aurora.data[i];
   photo.usable.assign(photo.linear.data.size(), 1);
   for (std::size_t i = 0; i < photo.usable.size(); i += 97) photo.usable[i] = 0;
   photo.floating = true;
-  photo.srgb = false;
+  photo.srgb = !is_signed;
   return photo;
 }
 
@@ -62,12 +63,12 @@ struct Fitting {
   EvaluationLog log;
   std::unique_ptr<ProfileCost> cost;
 
-  Fitting(sim::Scene with, const Region& region, int bands, const GainLayout& gains)
+  Fitting(sim::Scene with, const Region& region, int bands, const GainLayout& gains, bool is_signed = false)
       : scene(std::move(with)) {
     sim::Scene elsewhere = scene;
     elsewhere.sheets[0].center_km.north += 6.0;
     elsewhere.sheets[0].energy_kev *= 1.2;
-    const Photo photo = photo_of(elsewhere);
+    const Photo photo = photo_of(elsewhere, is_signed);
     free = free_numbers(scene);
     data = extract_profile(photo, region, bands);
     sigma = profile_sigma(data, 0.05);
@@ -151,6 +152,15 @@ TEST(ProfileCost, JacobianAgreesWithDifferencesForEveryFreeNumber) {
   expect_jacobian(fit);
 }
 
+TEST(ProfileCost, JacobianAgreesWithDifferencesWhereNothingIsClipped) {
+  sim::Scene scene = fit_scene();
+  scene.fit.free.resize(3);
+  scene.fit.free[0].path = "sheet.main.energy_kev";
+  scene.fit.free[1].path = "sheet.main.center_km.north";
+  scene.fit.free[2].path = "blur.width_deg.6300";
+  expect_jacobian(Fitting(scene, {20, 10, 120, 100}, 4, {4, true, false}, true));
+}
+
 TEST(ProfileCost, PriorsAreResidualsOfTheirOwn) {
   sim::Scene scene = fit_scene();
   scene.fit.free.resize(1);
@@ -197,8 +207,8 @@ TEST(ProfileCost, GivesUpWhenItsEvaluationsAreSpent) {
 
 /// How far the profile of `scene` is from that of a photograph of `truth`, as a fraction of its light. The
 /// film of the fit has cells up to four pixels wide and beams without jitter; sky and gain are known.
-double profile_error(const sim::Scene& truth, const sim::Scene& scene) {
-  const Photo photo = photo_of(truth);
+double profile_error(const sim::Scene& truth, const sim::Scene& scene, bool is_signed = false) {
+  const Photo photo = photo_of(truth, is_signed);
   const Region region{20, 10, 120, 100};
   const Profile data = extract_profile(photo, region, 2);
   ProfileModel model(scene, photo, region, 2, 1.0, 0.0, 0);

@@ -128,6 +128,7 @@ TEST(ParameterTable, EveryValueIsReachedByItsPathSetAndReadBack) {
         break;
       case ParameterKind::text:
         text = path.row->key == "name"       ? "\"other\""
+               : path.row->key == "response" ? "\"nikon_d700\""
                : path.row->key == "time_utc" ? "\"2019-09-01T05:00:00Z\""
                : path.row->choices.empty()   ? "\"picture.png\""
                                              : "\"" + path.row->choices.back() + "\"";
