@@ -51,6 +51,15 @@ struct DerivedNumber {
   std::string unit;
 };
 
+/// A free-form height profile with its band.
+struct FreeProfile {
+  std::string sheet;
+  double wavelength_nm = 0.0;
+  std::vector<double> altitude_km;
+  std::vector<double> rate;          ///< photons cm^-3 s^-1 per mW m^-2, in the scale that the fit holds
+  std::vector<double> lower, upper;  ///< of the 68 % interval at each altitude
+};
+
 /// One evaluation that was accepted, or the best of a stage.
 struct TraceRow {
   std::string stage;   ///< "scan", "descent 2", "polish"
@@ -72,6 +81,7 @@ struct FitResult {
   std::vector<FittedParameter> parameters;
   std::vector<SolvedNumber> solved;
   std::vector<DerivedNumber> derived;
+  std::vector<FreeProfile> profiles;  ///< of every sheet and line whose coefficients were free
   std::vector<std::vector<double>> correlation;  ///< of `parameters`; rows without an error bar hold zeros
 
   double chi2 = 0.0;

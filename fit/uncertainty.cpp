@@ -97,7 +97,7 @@ Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int r
       samplings > 1 ? Eigen::MatrixXd((all - own) / (samplings * (samplings - 1.0))) : own;
   const double believed = 1.0 / (inflation * inflation);
   information *= believed;
-  for (int i = 0; i < coordinates; ++i) information(i, i) += prior_information[i];
+  information += Eigen::Map<const RowMajor>(prior_information.data(), coordinates, coordinates);
 
   // Scaled to a unit diagonal, so that units do not matter.
   Eigen::VectorXd length = information.diagonal().cwiseMax(0.0).cwiseSqrt();

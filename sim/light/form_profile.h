@@ -29,4 +29,8 @@ double form_intensity(const FormCurve& curve, double altitude_km);
 HeightProfile form_profile(const std::vector<double>& wavelengths_nm, double energy_kev,
                            const FormCurve& curve);
 
+/// d rate / d one of the curve's numbers, as HeightProfile::rate.
+std::vector<float> form_slope(const std::vector<double>& wavelengths_nm, double energy_kev,
+                              const FormCurve& curve, double FormCurve::*number);
+
 }  // namespace vegard::sim
