@@ -157,6 +157,7 @@ ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::
     p.min = n.min;
     p.max = n.max;
     p.at_limit = n.at_limit(values[j]);
+    p.of_profile = n.path.row->key == "spline_rate";
     const double at = n.coordinate(values[j]);
     slopes.push_back(n.slope(at));
     const double sigma = u.sigma[j] * slopes[j];
@@ -316,7 +317,6 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
   r.derived = derived_numbers(r.best, free, tidied, known);
   r.rms_over_peak = rms_over_peak(r);
 
-  evidence.unknowns = static_cast<double>(n);
   if (profiles.prior.any()) {
     evidence.unknowns = profiles.determined;
     r.profiles = free_profiles(r.best, profiles.prior, known);

@@ -33,6 +33,7 @@ struct FittedParameter {
       sigma;  ///< 68 % half-width carried back through the transform; none if it has no error bar
   std::optional<std::pair<double, double>> interval68;  ///< carried back exactly, may be lopsided
   bool at_limit = false;
+  bool of_profile = false;   ///< a coefficient of one of FitResult::profiles, which say it better
   std::string why_no_sigma;  ///< in words, if sigma is missing
 };
 
@@ -81,7 +82,7 @@ struct FitResult {
   std::vector<FittedParameter> parameters;
   std::vector<SolvedNumber> solved;
   std::vector<DerivedNumber> derived;
-  std::vector<FreeProfile> profiles;  ///< of every sheet and line whose coefficients were free
+  std::vector<FreeProfile> profiles;             ///< of every sheet and line whose coefficients were free
   std::vector<std::vector<double>> correlation;  ///< of `parameters`; rows without an error bar hold zeros
 
   double chi2 = 0.0;

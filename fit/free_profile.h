@@ -8,8 +8,8 @@
 namespace vegard::fit {
 
 /// Every kilometre between the spline's ends. The band is rate * exp(-+ sigma), sigma the standard deviation
-/// of the rate by the coefficients' covariance over the rate: 68 % of each altitude by itself, of the shape in
-/// the scale that the fit holds (SplinePrior), and given everything that was not free.
+/// of the rate by the coefficients' covariance over the rate: 68 % of each altitude by itself, of the shape
+/// in the scale that the fit holds (SplinePrior), and given everything that was not free.
 std::vector<FreeProfile> free_profiles(const sim::Scene& best, const SplinePrior& prior,
                                        const ValueUncertainty& known);
 

@@ -28,8 +28,8 @@ struct EvaluationLog {
 };
 
 /// Some of a fit's parameters, the others held where the scene has them. Residuals: the profile's, then the
-/// priors' rows. The Jacobian is exact: tangents through the renderer, the linear part by variable projection,
-/// the transform's slope.
+/// priors' rows. The Jacobian is exact: tangents through the renderer, the linear part by variable
+/// projection, the transform's slope.
 class ProfileCost : public ceres::CostFunction {
  public:
   /// All references must outlive the cost. `base` holds the values of what is not free here.

@@ -4,10 +4,12 @@
 #include <cmath>
 
 #include "fit/smoothing.h"
+#include "sim/base/large_vector.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/aurora/sheet.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/render/film.h"
+#include "sim/scene/scene_toml.h"
 #include "sim/view/blur.h"
 #include "sim/view/line_colours.h"
 
@@ -82,11 +84,49 @@ struct ProfileModel::Workspace {
   std::vector<BandWeights> weights;
   std::vector<int> full_beams, used_beams;
   std::unique_ptr<sim::Exposer> exposer;
-  sim::Exposure exposure, shaped;
+  sim::Exposure exposure;
   std::vector<float> down, blurred, lines;  // planes
   std::vector<float> wide_down, wide_blurred;
   std::vector<std::uint8_t> lit;  // [row][column][channel]: not clipped
   sim::Scene scene;               // with this model's number of beams
+
+  // Blurred light of the profiles' slopes, by sheet: [line][rate][row][column]. Coefficients of splines do
+  // not change it, so it stays as long as nothing else in the scene changes.
+  std::vector<sim::LargeVector<float>> shaped;
+  std::vector<SheetShapers> shaped_by;
+  std::string shaped_in;
+
+  void shape(const ProfileShapers& shapers) {
+    sim::Scene rest = scene;
+    for (sim::Sheet& sheet : rest.sheets) sheet.spline_rate.clear();
+    std::string words = sim::write_scene(rest);
+    const auto same = [](const SheetShapers& a, const SheetShapers& b) { return a.rates == b.rates; };
+    if (words == shaped_in && std::equal(shaped_by.begin(), shaped_by.end(), shapers.of_sheet.begin(),
+                                         shapers.of_sheet.end(), same))
+      return;
+    shaped_in = std::move(words);
+    shaped_by = shapers.of_sheet;
+    shaped.resize(scene.sheets.size());
+    sim::Exposure light;
+    for (std::size_t s = 0; s < shaped.size(); ++s) {
+      const auto& rates = shapers.of_sheet[s].rates;
+      if (rates.empty()) continue;
+      exposer->expose_profiles(scene, static_cast<int>(s), rates, light);
+      const std::size_t cells = light.cells(), lines_count = scene.emission.lines.size();
+      shaped[s].resize(cells * lines_count * rates.size());
+      down.resize(cells);
+      for (std::size_t l = 0; l < lines_count; ++l) {
+        const sim::BlurKernel by_rows = kernel(static_cast<int>(l), film.cell_height_px);
+        const sim::BlurKernel by_columns = kernel(static_cast<int>(l), film.cell_width_px);
+        for (std::size_t i = 0; i < rates.size(); ++i) {
+          sim::blur_down(light.rayleigh.data() + i * cells, down.data(), film.rows, film.columns, 1, by_rows,
+                         threads);
+          sim::blur_across(down.data(), shaped[s].data() + (l * rates.size() + i) * cells, film.rows,
+                           film.columns, 1, by_columns, threads);
+        }
+      }
+    }
+  }
 
   std::size_t value_index(int band, int row, int channel) const {
     return (static_cast<std::size_t>(band) * region.height + row) * 3 + channel;
@@ -324,18 +364,12 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std:
       add(down, w.kernel(l, w.film.cell_width_px, true), 1.0 / w.film.cell_width_px);
     }
   }
-  for (std::size_t s = 0; s < shapers.of_sheet.size(); ++s) {
-    const SheetShapers& of_sheet = shapers.of_sheet[s];
-    if (of_sheet.rates.empty()) continue;
-    w.exposer->expose_profiles(w.scene, static_cast<int>(s), of_sheet.rates, w.shaped);
-    for (const Shaper& shaper : of_sheet.shapers) {
-      sim::blur_down(w.shaped.rayleigh.data() + shaper.rate * cells, w.down.data(), w.film.rows,
-                     w.film.columns, 1, w.kernel(shaper.line, w.film.cell_height_px), w.threads);
-      sim::blur_across(w.down.data(), w.blurred.data(), w.film.rows, w.film.columns, 1,
-                       w.kernel(shaper.line, w.film.cell_width_px), w.threads);
-      w.add_derivatives(w.blurred.data(), 1, {shaper.parameter}, shaper.line, out);
-    }
-  }
+  w.shape(shapers);
+  for (std::size_t s = 0; s < shapers.of_sheet.size(); ++s)
+    for (const Shaper& shaper : shapers.of_sheet[s].shapers)
+      w.add_derivatives(
+          w.shaped[s].data() + (shaper.line * shapers.of_sheet[s].rates.size() + shaper.rate) * cells, 1,
+          {shaper.parameter}, shaper.line, out);
   if (w.smooth_rows > 0.0) smooth(out, w.bands, w.region.height, w.smooth_rows);
 }
 

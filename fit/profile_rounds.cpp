@@ -38,8 +38,7 @@ std::vector<double> products(const std::vector<double>& jacobian, std::size_t ro
   const auto n = static_cast<Eigen::Index>(coordinates.slope.size());
   const Eigen::Map<const RowMajor> by_value(jacobian.data(), static_cast<Eigen::Index>(rows), n);
   const Eigen::VectorXd slope = Eigen::Map<const Eigen::VectorXd>(coordinates.slope.data(), n);
-  const RowMajor all =
-      factor * (slope.asDiagonal() * (by_value.transpose() * by_value) * slope.asDiagonal());
+  const RowMajor all = factor * (slope.asDiagonal() * (by_value.transpose() * by_value) * slope.asDiagonal());
   return std::vector<double>(all.data(), all.data() + n * n);
 }
 

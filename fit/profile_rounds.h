@@ -7,9 +7,9 @@
 namespace vegard::fit {
 
 struct SettledProfiles {
-  Descent descent;         ///< the last
-  SplinePrior prior;       ///< with the smoothness in force
-  double inflation = 1.0;  ///< with which the prior's rows are weighted (see append_rows)
+  Descent descent;          ///< the last
+  SplinePrior prior;        ///< with the smoothness in force
+  double inflation = 1.0;   ///< with which the prior's rows are weighted (see append_rows)
   double determined = 0.0;  ///< how many of the free numbers the data determine
 };
 

@@ -46,7 +46,18 @@ std::vector<SplineLine> spline_lines(const sim::Scene& scene, const std::vector<
     entry.numbers.push_back(static_cast<int>(j));
   }
   std::vector<SplineLine> lines;
-  for (const auto& [key, line] : found) lines.push_back(line);
+  for (auto& [key, line] : found) {
+    const sim::AltitudeSpline spline = sim::altitude_spline(scene.sheets[line.sheet]);
+    for (std::size_t i = 1; i + 1 < line.knots.size(); ++i) {
+      const int k = line.knots[i];
+      if (line.knots[i - 1] != k - 1 || line.knots[i + 1] != k + 1) continue;
+      const double below = spline.centre_km(k) - spline.centre_km(k - 1),
+                   above = spline.centre_km(k + 1) - spline.centre_km(k), mean = 0.5 * (below + above);
+      line.bends.push_back({{line.numbers[i - 1], line.numbers[i], line.numbers[i + 1]},
+                            {mean / below, -mean / below - mean / above, mean / above}});
+    }
+    lines.push_back(line);
+  }
   return lines;
 }
 
@@ -57,8 +68,7 @@ SplinePrior spline_prior(const sim::Scene& scene, const std::vector<FreeNumber>&
   std::size_t coefficients = 0, splines = 0;
   for (const sim::Sheet& sheet : scene.sheets) coefficients += sheet.spline_rate.size();
   for (const SplineLine& line : prior.lines) splines += line.numbers.size();
-  const bool all_sheets =
-      std::all_of(scene.sheets.begin(), scene.sheets.end(), sim::has_spline_profile);
+  const bool all_sheets = std::all_of(scene.sheets.begin(), scene.sheets.end(), sim::has_spline_profile);
   prior.holds_scale = prior.any() && all_sheets && splines == coefficients;
   if (!prior.holds_scale) return prior;
   double column = 0.0;
@@ -70,16 +80,13 @@ SplinePrior spline_prior(const sim::Scene& scene, const std::vector<FreeNumber>&
 }
 
 void append_rows(const SplinePrior& prior, const sim::Scene& scene, double weight, PriorRows& rows) {
-  for (std::size_t l = 0; l < prior.lines.size(); ++l) {
-    const SplineLine& line = prior.lines[l];
-    const double factor = weight * prior.smoothness[l];
-    for (std::size_t i = 1; i + 1 < line.numbers.size(); ++i) {
-      if (line.knots[i - 1] + 1 != line.knots[i] || line.knots[i] + 1 != line.knots[i + 1]) continue;
-      rows.add_of_logarithms({{line.numbers[i - 1], factor},
-                              {line.numbers[i], -2.0 * factor},
-                              {line.numbers[i + 1], factor}});
+  for (std::size_t l = 0; l < prior.lines.size(); ++l)
+    for (const Bend& bend : prior.lines[l].bends) {
+      std::vector<PriorRows::LogTerm> terms;
+      for (int i = 0; i < 3; ++i)
+        terms.push_back({bend.numbers[i], weight * prior.smoothness[l] * bend.factors[i]});
+      rows.add_of_logarithms(terms);
     }
-  }
   if (!prior.holds_scale) return;
   std::vector<PriorRows::Weight> weights;
   for (const SplineLine& line : prior.lines)
@@ -96,13 +103,10 @@ std::vector<double> most_probable_smoothness(const SplinePrior& prior, const std
   const Eigen::Map<const Eigen::VectorXd> optimum(at.data(), n);
   std::vector<Eigen::MatrixXd> differences;  // [line][row][coordinate]
   for (const SplineLine& line : prior.lines) {
-    const std::vector<int>& numbers = line.numbers;
-    const auto rows = static_cast<Eigen::Index>(std::max<std::size_t>(numbers.size(), 2) - 2);
-    differences.emplace_back(Eigen::MatrixXd::Zero(rows, n));
-    for (Eigen::Index i = 0; i < rows; ++i) {
-      differences.back()(i, numbers[i]) = differences.back()(i, numbers[i + 2]) = 1.0;
-      differences.back()(i, numbers[i + 1]) = -2.0;
-    }
+    differences.emplace_back(Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(line.bends.size()), n));
+    for (std::size_t r = 0; r < line.bends.size(); ++r)
+      for (int i = 0; i < 3; ++i)
+        differences.back()(static_cast<Eigen::Index>(r), line.bends[r].numbers[i]) = line.bends[r].factors[i];
   }
   const auto smoothness_information = [&](const std::vector<double>& smoothness) {
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);

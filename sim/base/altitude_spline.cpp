@@ -1,5 +1,6 @@
 #include "sim/base/altitude_spline.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -32,6 +33,18 @@ double AltitudeSpline::altitude_km(double interval) const {
 double AltitudeSpline::basis(int k, double altitude_km) const {
   if (altitude_km <= bottom_km_) return 0.0;
   return cubic_bump(std::log1p((altitude_km - bottom_km_) / kStretchKm) / interval_ - k);
+}
+
+AltitudeSpline::Local AltitudeSpline::at(double altitude_km) const {
+  Local local;
+  if (altitude_km <= bottom_km_) return local;
+  const double z = std::log1p((altitude_km - bottom_km_) / kStretchKm) / interval_;
+  if (z >= count_ + kIntervals - 1) return local;
+  const int last = static_cast<int>(z);
+  local.first = std::max(0, last - kIntervals + 1);
+  for (int k = local.first; k <= std::min(last, count_ - 1); ++k)
+    local.value[local.count++] = cubic_bump(z - k);
+  return local;
 }
 
 double AltitudeSpline::centre_km(int k) const { return altitude_km(k + 0.5 * kIntervals); }

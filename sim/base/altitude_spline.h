@@ -5,7 +5,7 @@ namespace vegard::sim {
 
 /// `count` basis functions between two altitudes, each a bump over four of count + 3 equal intervals of
 /// z = ln(1 + (h - bottom) / kStretchKm). So they are narrow low down and wide high up, as layers of the
-/// atmosphere are: with 24 from 80 to 500 km an interval is 2.4 km at the bottom, 6 km at 110 km and 26 km at
+/// atmosphere are: with 36 from 80 to 500 km an interval is 1.6 km at the bottom, 4 km at 110 km and 19 km at
 /// 280 km. Every basis function is positive, they sum to 1 but for the three intervals at either end, and
 /// there everything falls smoothly to 0. Source: de Boor, "A Practical Guide to Splines", chapters IX and X.
 class AltitudeSpline {
@@ -17,6 +17,12 @@ class AltitudeSpline {
 
   int count() const { return count_; }
   double basis(int k, double altitude_km) const;
+  /// The basis functions that are not 0 at an altitude, four or fewer: their values, and the first of them.
+  struct Local {
+    int first = 0, count = 0;
+    double value[4];
+  };
+  Local at(double altitude_km) const;
   /// Where basis function k is largest, and its coefficient about the curve's value.
   double centre_km(int k) const;
   /// Integral over all altitudes, km.

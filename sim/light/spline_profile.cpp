@@ -29,14 +29,13 @@ HeightProfile spline_profile(const std::vector<double>& wavelengths_nm, const Sc
   assert(sheet.spline_rate.size() == lines.size() * static_cast<std::size_t>(spline.count()));
   HeightProfile profile = dark_profile(wavelengths_nm);
   for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
-    std::vector<double> basis(spline.count());
-    for (int k = 0; k < spline.count(); ++k) basis[k] = spline.basis(k, HeightProfile::altitude_km(a));
+    const AltitudeSpline::Local local = spline.at(HeightProfile::altitude_km(a));
     for (int l = 0; l < profile.lines; ++l) {
       const auto found = std::find(lines.begin(), lines.end(), wavelengths_nm[l]);
       if (found == lines.end()) continue;
-      const int first = spline_rate_index(sheet, static_cast<int>(found - lines.begin()), 0);
+      const int first = spline_rate_index(sheet, static_cast<int>(found - lines.begin()), local.first);
       double rate = 0.0;
-      for (int k = 0; k < spline.count(); ++k) rate += sheet.spline_rate[first + k] * basis[k];
+      for (int k = 0; k < local.count; ++k) rate += sheet.spline_rate[first + k] * local.value[k];
       profile.rate[static_cast<std::size_t>(a) * profile.stride + l] = static_cast<float>(rate);
     }
   }

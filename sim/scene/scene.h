@@ -106,7 +106,7 @@ struct Sheet {
   double upper_km = 20.0;                ///< above the peak a form's light has fallen to a tenth
   double spline_bottom_km = 80.0;        ///< where a free-form profile begins, dark
   double spline_top_km = 500.0;          ///< and ends, dark
-  int spline_knots = 24;                 ///< its coefficients per line
+  int spline_knots = 36;                 ///< its coefficients per line
   /// Photons cm^-3 s^-1 per mW m^-2, [line][knot] (sim/scene/spline_rates.h); empty without such a profile.
   std::vector<double> spline_rate;
 

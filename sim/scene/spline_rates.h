@@ -22,8 +22,8 @@ inline int spline_rate_index(const Sheet& sheet, int line, int knot) {
 /// "5577_3", the fourth from the bottom of 557.7 nm.
 std::string spline_rate_component(const Scene& scene, int sheet, int index);
 
-/// Fills the coefficients of sheets with a free-form profile that have none: one broad layer about 120 km, the
-/// same for all lines, that knows nothing of any electrons.
+/// Fills the coefficients of sheets with a free-form profile that have none: one broad layer about 120 km,
+/// the same for all lines, that knows nothing of any electrons.
 void fill_spline_rates(Scene& scene);
 
 /// After a change from `before`: coefficients that were there for other lines or another number of knots are

@@ -79,7 +79,8 @@ void set_list(Scene& scene, const Declaration& d, int sheet, const std::vector<d
   d.set_list(scene, sheet, list);
 }
 
-void assign_list(Scene& scene, const Declaration& d, int sheet, const toml::node& node, const Origin& origin) {
+void assign_list(Scene& scene, const Declaration& d, int sheet, const toml::node& node,
+                 const Origin& origin) {
   std::vector<double> list;
   for (const toml::node& element : array_of(node, std::nullopt, origin, expected_vector(d))) {
     const double number = number_of(element, origin, expected_text(d));
