@@ -83,11 +83,21 @@ fit::FitResult fitted(const Options& options, const sim::Scene& scene, const fit
 void print_answer(const fit::FitResult& result, const std::string& report) {
   std::printf("%s\n", result.verdict_line.c_str());
   std::size_t widest = 0;
-  for (const fit::FittedParameter& p : result.parameters) widest = std::max(widest, p.path.size());
-  for (const fit::FittedParameter& p : result.parameters)
+  std::size_t coefficients = 0;
+  for (const fit::FittedParameter& p : result.parameters) {
+    if (p.of_profile)
+      ++coefficients;
+    else
+      widest = std::max(widest, p.path.size());
+  }
+  for (const fit::FittedParameter& p : result.parameters) {
+    if (p.of_profile) continue;
     std::printf("  %-*s  %s%s%s%s\n", static_cast<int>(widest), p.path.c_str(),
                 fit::number_with_error(p.value, p.sigma).c_str(), p.unit.empty() ? "" : " ", p.unit.c_str(),
                 p.at_limit ? "  (at a limit)" : "");
+  }
+  if (coefficients > 0)
+    std::printf("  %zu coefficients of free-form profiles: see profile.csv\n", coefficients);
   for (const fit::DerivedNumber& d : result.derived)
     std::printf("  %s: %s%s%s\n", d.name.c_str(), fit::number_with_error(d.value, d.sigma).c_str(),
                 d.unit.empty() ? "" : " ", d.unit.c_str());

@@ -11,6 +11,7 @@
 #include "sim/light/electron_spectrum.h"
 #include "sim/light/height_profile.h"
 #include "sim/light/sheet_profile.h"
+#include "sim/scene/spline_rates.h"
 
 namespace vegard::fit {
 namespace {
@@ -34,6 +35,31 @@ Peak peak_of(double wavelength_nm, const sim::Scene& scene, int sheet) {
   return peak;
 }
 
+/// The parabola through the three points about the peak has its own there.
+double altitude_of(const Peak& peak) {
+  if (peak.at == 0 || peak.at == sim::HeightProfile::kAltitudes - 1)
+    return sim::HeightProfile::altitude_km(peak.at);
+  const double a = peak.rate(peak.at - 1), b = peak.rate(peak.at), c = peak.rate(peak.at + 1);
+  return sim::HeightProfile::altitude_km(peak.at + 0.5 * (a - c) / (a - 2.0 * b + c));
+}
+
+/// Where the rate has fallen to `level` on the way from the peak down (-1) or up (1), or the profile ends.
+double altitude_of_fall_km(const Peak& peak, double level, int way) {
+  const int last = way < 0 ? 0 : sim::HeightProfile::kAltitudes - 1;
+  int i = peak.at;
+  while (i != last && peak.rate(i) > level) i += way;
+  const double before = i == peak.at ? 0.0 : peak.rate(i - way) - peak.rate(i);
+  return sim::HeightProfile::altitude_km(
+      i - way * (before > 0.0 ? std::max(0.0, (level - peak.rate(i)) / before) : 0.0));
+}
+
+/// A free-form profile has the scene's lines and no others.
+bool has_green(const sim::Scene& scene, int sheet) {
+  const auto& lines = scene.emission.lines;
+  return !sim::has_spline_profile(scene.sheets[sheet]) ||
+         std::find(lines.begin(), lines.end(), kGreenNm) != lines.end();
+}
+
 double wavelength_ratio(const sim::Sheet& sheet) { return sheet.wavelength_km / (2.0 * sheet.thickness_km); }
 
 }  // namespace
@@ -55,21 +81,17 @@ double nearest_distance_km(const sim::Sheet& sheet, double instant_s) {
 
 double lower_border_km(double wavelength_nm, const sim::Scene& scene, int sheet) {
   const Peak peak = peak_of(wavelength_nm, scene, sheet);
-  const double border = kBorder * peak.rate(peak.at);
-  int i = peak.at;
-  while (i > 0 && peak.rate(i) > border) --i;
-  const double above = peak.rate(i + 1) - peak.rate(i);
-  return sim::HeightProfile::altitude_km(
-      i + (above > 0.0 ? std::max(0.0, (border - peak.rate(i)) / above) : 0.0));
+  return altitude_of_fall_km(peak, kBorder * peak.rate(peak.at), -1);
+}
+
+HalfWidths half_widths_km(double wavelength_nm, const sim::Scene& scene, int sheet) {
+  const Peak peak = peak_of(wavelength_nm, scene, sheet);
+  const double half = 0.5 * peak.rate(peak.at), at = altitude_of(peak);
+  return {at - altitude_of_fall_km(peak, half, -1), altitude_of_fall_km(peak, half, 1) - at};
 }
 
 double peak_altitude_km(double wavelength_nm, const sim::Scene& scene, int sheet) {
-  const Peak peak = peak_of(wavelength_nm, scene, sheet);
-  if (peak.at == 0 || peak.at == sim::HeightProfile::kAltitudes - 1)
-    return sim::HeightProfile::altitude_km(peak.at);
-  const double a = peak.rate(peak.at - 1), b = peak.rate(peak.at), c = peak.rate(peak.at + 1);
-  return sim::HeightProfile::altitude_km(
-      peak.at + 0.5 * (a - c) / (a - 2.0 * b + c));  // the parabola through three points
+  return altitude_of(peak_of(wavelength_nm, scene, sheet));
 }
 
 double boundary_separation_km(const sim::Sheet& sheet) {
@@ -132,10 +154,16 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
     if (sim::mean_energy_kev(best.sheets[s]))
       add("mean electron energy" + of, "keV",
           [s](const sim::Scene& x) { return *sim::mean_energy_kev(x.sheets[s]); });
-    add("peak altitude of 557.7 nm" + of, "km",
-        [s](const sim::Scene& x) { return peak_altitude_km(kGreenNm, x, static_cast<int>(s)); });
-    add("lower border of 557.7 nm (a tenth of the peak)" + of, "km",
-        [s](const sim::Scene& x) { return lower_border_km(kGreenNm, x, static_cast<int>(s)); });
+    if (has_green(best, static_cast<int>(s))) {
+      add("peak altitude of 557.7 nm" + of, "km",
+          [s](const sim::Scene& x) { return peak_altitude_km(kGreenNm, x, static_cast<int>(s)); });
+      add("lower border of 557.7 nm (a tenth of the peak)" + of, "km",
+          [s](const sim::Scene& x) { return lower_border_km(kGreenNm, x, static_cast<int>(s)); });
+      add("half-width of 557.7 nm below its peak" + of, "km",
+          [s](const sim::Scene& x) { return half_widths_km(kGreenNm, x, static_cast<int>(s)).below_km; });
+      add("half-width of 557.7 nm above its peak" + of, "km",
+          [s](const sim::Scene& x) { return half_widths_km(kGreenNm, x, static_cast<int>(s)).above_km; });
+    }
     if (best.sheets[s].layers > 1)
       add("largest distance between the boundaries" + of, "km",
           [s](const sim::Scene& x) { return boundary_separation_km(x.sheets[s]); });

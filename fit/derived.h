@@ -18,6 +18,13 @@ double nearest_distance_km(const sim::Sheet& sheet, double instant_s = 0.0);
 double lower_border_km(double wavelength_nm, const sim::Scene& scene, int sheet);
 double peak_altitude_km(double wavelength_nm, const sim::Scene& scene, int sheet);
 
+/// How far below and above its peak a line's volume emission rate has fallen to half, km; to the ends of the
+/// profile if it does not.
+struct HalfWidths {
+  double below_km = 0.0, above_km = 0.0;
+};
+HalfWidths half_widths_km(double wavelength_nm, const sim::Scene& scene, int sheet);
+
 /// Largest distance between the first and the last layer, km: 2 w |sin(Phi/2)|, which is less than twice the
 /// amplitude w that the source paper calls the thickness (docs/physics.md, row B2).
 double boundary_separation_km(const sim::Sheet& sheet);
@@ -32,8 +39,8 @@ struct ValueUncertainty {
   std::vector<std::vector<double>> undetermined;  ///< directions in which they say nothing
 };
 
-/// Distances, mean energies, border and peak altitudes and shapes of every sheet, with error bars carried
-/// over by differences. A number that would change along an undetermined direction has none.
+/// Distances, mean energies, border and peak altitudes, half-widths and shapes of every sheet, with error
+/// bars carried over by differences. A number that would change along an undetermined direction has none.
 std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::vector<FreeNumber>& free,
                                            const std::vector<double>& values, const ValueUncertainty& known);
 

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "fit/derived.h"
 #include "fit/flat_directions.h"
 #include "fit/free_parameters.h"
+#include "fit/free_profile.h"
 #include "fit/noise_model.h"
+#include "fit/profile_rounds.h"
 #include "fit/search.h"
 #include "fit/smoothing.h"
 #include "fit/uncertainty.h"
@@ -68,6 +71,14 @@ double chi2_without_aurora(const LinearPart& linear, const ModelProfile& aurora)
   dark.value.assign(aurora.value.size(), 0.0);
   dark.offset = aurora.offset;
   return linear.solve(dark).chi2;
+}
+
+/// Of single numbers; what smooth profiles cost is no matter of data.
+double chi2_of_priors(const std::vector<FreeNumber>& free, const std::vector<double>& values) {
+  std::vector<double> residuals;
+  PriorRows(free).evaluate(values, residuals, nullptr);
+  return std::accumulate(residuals.begin(), residuals.end(), 0.0,
+                         [](double sum, double x) { return sum + x * x; });
 }
 
 double rms_over_peak(const FitResult& r) {
@@ -154,6 +165,7 @@ ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::
     p.min = n.min;
     p.max = n.max;
     p.at_limit = n.at_limit(values[j]);
+    p.of_profile = n.path.row->key == "spline_rate";
     const double at = n.coordinate(values[j]);
     slopes.push_back(n.slope(at));
     const double sigma = u.sigma[j] * slopes[j];
@@ -174,6 +186,14 @@ ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::
   return known;
 }
 
+/// By coordinate: a free-form profile's, which its smoothness bounds where the data do not.
+std::vector<bool> bounded_by_prior(const SplinePrior& prior, std::size_t coordinates) {
+  std::vector<bool> bounded(coordinates, false);
+  for (const SplineLine& line : prior.lines)
+    for (const int j : line.numbers) bounded[j] = true;
+  return bounded;
+}
+
 /// An interrupted fit is to end at once.
 Uncertainty no_uncertainty(std::size_t coordinates, double inflation) {
   Uncertainty u;
@@ -187,13 +207,19 @@ Uncertainty no_uncertainty(std::size_t coordinates, double inflation) {
 /// Error bars from several samplings of the same scene (see uncertainty.h).
 Uncertainty sampled_uncertainty(const sim::Scene& scene, const Photo& photo, const Region& region,
                                 const std::vector<FreeNumber>& free, const std::vector<double>& values,
-                                const LinearPart& linear, double inflation, int threads) {
+                                const LinearPart& linear, const SplinePrior& prior, double inflation,
+                                int threads) {
   const std::size_t n = free.size();
-  std::vector<double> slopes, prior_information;
-  for (std::size_t j = 0; j < n; ++j) {
-    slopes.push_back(free[j].slope(free[j].coordinate(values[j])));
-    prior_information.push_back(free[j].prior ? std::pow(slopes[j] / free[j].prior->sigma, 2) : 0.0);
-  }
+  std::vector<double> slopes;
+  for (std::size_t j = 0; j < n; ++j) slopes.push_back(free[j].slope(free[j].coordinate(values[j])));
+  PriorRows rows(free);
+  append_rows(prior, scene, 1.0, rows);
+  std::vector<double> ignored, by_value, prior_information(n * n, 0.0);
+  rows.evaluate(values, ignored, &by_value);
+  for (std::size_t r = 0; r < rows.count(); ++r)
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t k = 0; k < n; ++k)
+        prior_information[j * n + k] += by_value[r * n + j] * slopes[j] * by_value[r * n + k] * slopes[k];
   EvaluationLog closing;
   std::vector<std::vector<double>> jacobians;
   for (int sampling = 0; sampling < kSamplings; ++sampling) {
@@ -247,22 +273,29 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
       search(scene, free, {coarse, coarse_linear, full, linear}, options, log, r.trace);
   r.chi2_initial = outcome.chi2_initial;
   r.termination = outcome.best.termination;
-  evidence.converged = outcome.best.converged;
+  Descent best = outcome.best;
+  SettledProfiles profiles;
+  if (!spline_lines(scene, free).empty()) {
+    profiles = settle_profiles(scene, free, full, linear, r.data, best, log, r.trace);
+    best = profiles.descent;
+    r.termination = best.termination;
+  }
+  evidence.converged = best.converged;
   evidence.stopped = options.stop != nullptr && options.stop->load();
   if (evidence.stopped) r.termination = words_for_stop(log);
   evidence.out_of_evaluations = !evidence.converged && log.residuals >= log.limit;
-  std::vector<double> values = outcome.best.values;
+  std::vector<double> values = best.values;
   if (!evidence.converged && !log.best_values.empty()) values = log.best_values;
 
   // The last word: full model, exact Jacobian, whatever the limit on evaluations says.
   r.evaluations = log.residuals;
   r.jacobian_evaluations = log.jacobians;
   EvaluationLog closing;
-  const ProfileCost cost(scene, free, full, linear, closing);
+  const ProfileCost cost(scene, free, full, linear, closing, profiles.prior, profiles.inflation);
   const ProfileCost::Point point = cost.at(values, true);
   evidence.chi2_without_aurora = chi2_without_aurora(linear, point.aurora);
   const int held = static_cast<int>(std::count(point.solution.held.begin(), point.solution.held.end(), true));
-  r.chi2 = point.chi2;
+  r.chi2 = point.solution.chi2 + chi2_of_priors(free, values);
   const auto has_prior = [](const FreeNumber& number) { return number.prior.has_value(); };
   const int priors = static_cast<int>(std::count_if(free.begin(), free.end(), has_prior));
   r.dof = linear.residuals() + priors - unknowns + held;
@@ -271,7 +304,7 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
   const std::size_t n = free.size();
   Uncertainty u = evidence.stopped ? no_uncertainty(n, r.error_inflation)
                                    : sampled_uncertainty(scene, photo, region, free, values, linear,
-                                                         r.error_inflation, options.threads);
+                                                         profiles.prior, r.error_inflation, options.threads);
   if (!evidence.stopped)
     drop_flat_directions(
         [&](const std::vector<double>& step) {
@@ -280,7 +313,7 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
             moved[k] = free[k].value(free[k].coordinate(values[k]) + step[k]);
           return (cost.at(moved, false).chi2 - point.chi2) / (r.error_inflation * r.error_inflation);
         },
-        u);
+        bounded_by_prior(profiles.prior, n), u);
 
   r.best = scene;
   r.model = linear.model(point.aurora, point.solution);
@@ -292,6 +325,10 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
   r.derived = derived_numbers(r.best, free, tidied, known);
   r.rms_over_peak = rms_over_peak(r);
 
+  if (profiles.prior.any()) {
+    evidence.unknowns = profiles.determined;
+    r.profiles = free_profiles(r.best, profiles.prior, known);
+  }
   evidence.aurora_in_view = std::any_of(point.aurora.value.begin(), point.aurora.value.end(),
                                         [](double light) { return light > 0.0; });
   for (const Descent& other : outcome.others) {

@@ -33,6 +33,7 @@ struct FittedParameter {
       sigma;  ///< 68 % half-width carried back through the transform; none if it has no error bar
   std::optional<std::pair<double, double>> interval68;  ///< carried back exactly, may be lopsided
   bool at_limit = false;
+  bool of_profile = false;   ///< a coefficient of one of FitResult::profiles, which say it better
   std::string why_no_sigma;  ///< in words, if sigma is missing
 };
 
@@ -49,6 +50,15 @@ struct DerivedNumber {
   double value = 0.0;
   std::optional<double> sigma;
   std::string unit;
+};
+
+/// A free-form height profile with its band.
+struct FreeProfile {
+  std::string sheet;
+  double wavelength_nm = 0.0;
+  std::vector<double> altitude_km;
+  std::vector<double> rate;          ///< photons cm^-3 s^-1 per mW m^-2, in the scale that the fit holds
+  std::vector<double> lower, upper;  ///< of the 68 % interval at each altitude
 };
 
 /// One evaluation that was accepted, or the best of a stage.
@@ -72,6 +82,7 @@ struct FitResult {
   std::vector<FittedParameter> parameters;
   std::vector<SolvedNumber> solved;
   std::vector<DerivedNumber> derived;
+  std::vector<FreeProfile> profiles;             ///< of every sheet and line whose coefficients were free
   std::vector<std::vector<double>> correlation;  ///< of `parameters`; rows without an error bar hold zeros
 
   double chi2 = 0.0;

@@ -11,12 +11,13 @@ namespace {
 constexpr double kProbe = 3.0;            // standard deviations
 constexpr double kLeastRise = 0.25;       // of the parabola's
 constexpr double kOwes = 0.5;             // of a variance
+constexpr double kProbed = 0.1;           // of a normalised axis' square
 constexpr double kPartOfDirection = 0.5;  // of a standard deviation
 
 }  // namespace
 
 void drop_flat_directions(const std::function<double(const std::vector<double>& step)>& rise,
-                          Uncertainty& u) {
+                          const std::vector<bool>& bounded, Uncertainty& u) {
   const auto n = static_cast<Eigen::Index>(u.sigma.size());
   Eigen::VectorXd sigma(n);
   for (Eigen::Index i = 0; i < n; ++i) sigma(i) = std::sqrt(std::max(0.0, u.covariance[i][i]));
@@ -32,6 +33,10 @@ void drop_flat_directions(const std::function<double(const std::vector<double>& 
     if (axes.eigenvalues()(a) <= 0.0) continue;
     const Eigen::VectorXd axis =
         sigma.cwiseProduct(axes.eigenvectors().col(a)) * std::sqrt(axes.eigenvalues()(a));
+    double probed = 0.0;
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (!bounded[i]) probed += axes.eigenvectors()(i, a) * axes.eigenvectors()(i, a);
+    if (probed < kProbed) continue;
     bool flat = false;
     for (double side : {-kProbe, kProbe}) {
       std::vector<double> step(n);

@@ -14,6 +14,10 @@ namespace vegard::fit {
 /// inwards nothing). That axis is taken out of the covariance and joins the undetermined directions;
 /// coordinates that owe more than half of their error bar to it lose it. `rise(step)` is chi2 at the answer
 /// plus `step`, in coordinates, less chi2 at the answer, divided by the inflation squared.
-void drop_flat_directions(const std::function<double(const std::vector<double>& step)>& rise, Uncertainty& u);
+///
+/// `bounded` marks coordinates that something other than the data bounds: an axis that is all but theirs is
+/// not probed.
+void drop_flat_directions(const std::function<double(const std::vector<double>& step)>& rise,
+                          const std::vector<bool>& bounded, Uncertainty& u);
 
 }  // namespace vegard::fit

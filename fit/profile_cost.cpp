@@ -6,11 +6,11 @@
 namespace vegard::fit {
 
 ProfileCost::ProfileCost(const sim::Scene& base, const std::vector<FreeNumber>& free, ProfileModel& model,
-                         const LinearPart& linear, EvaluationLog& log)
-    : base_(base), free_(free), model_(model), linear_(linear), log_(log) {
-  int priors = 0;
-  for (const FreeNumber& number : free) priors += number.prior.has_value();
-  set_num_residuals(linear.residuals() + priors);
+                         const LinearPart& linear, EvaluationLog& log, const SplinePrior& prior,
+                         double prior_weight)
+    : base_(base), free_(free), model_(model), linear_(linear), log_(log), priors_(free) {
+  append_rows(prior, base, prior_weight, priors_);
+  set_num_residuals(linear.residuals() + static_cast<int>(priors_.count()));
   mutable_parameter_block_sizes()->push_back(static_cast<int>(free.size()));
 }
 
@@ -25,8 +25,9 @@ ProfileCost::Point ProfileCost::at(const std::vector<double>& values, bool with_
     model_.evaluate(scene, point.aurora);
   point.solution = linear_.solve(point.aurora);
   point.chi2 = point.solution.chi2;
-  for (std::size_t j = 0; j < free_.size(); ++j)
-    if (free_[j].prior) point.chi2 += std::pow((values[j] - free_[j].prior->mean) / free_[j].prior->sigma, 2);
+  std::vector<double> of_priors;
+  priors_.evaluate(values, of_priors, nullptr);
+  for (const double residual : of_priors) point.chi2 += residual * residual;
   ++log_.residuals;
   log_.jacobians += with_derivatives;
   return point;
@@ -51,16 +52,12 @@ bool ProfileCost::Evaluate(double const* const* parameters, double* residuals, d
       for (std::size_t j = 0; j < p; ++j)
         jacobians[0][k * p + j] = by_value[k * p + j] * free_[j].slope(parameters[0][j]);
   }
-  std::size_t row = point.solution.residual.size();
-  for (std::size_t j = 0; j < p; ++j) {
-    if (!free_[j].prior) continue;
-    residuals[row] = (values[j] - free_[j].prior->mean) / free_[j].prior->sigma;
-    if (with_derivatives) {
-      for (std::size_t i = 0; i < p; ++i) jacobians[0][row * p + i] = 0.0;
-      jacobians[0][row * p + j] = free_[j].slope(parameters[0][j]) / free_[j].prior->sigma;
-    }
-    ++row;
-  }
+  std::vector<double> of_priors, by_value;
+  priors_.evaluate(values, of_priors, with_derivatives ? &by_value : nullptr);
+  const std::size_t first = point.solution.residual.size();
+  std::copy(of_priors.begin(), of_priors.end(), residuals + first);
+  for (std::size_t i = 0; i < by_value.size(); ++i)
+    jacobians[0][first * p + i] = by_value[i] * free_[i % p].slope(parameters[0][i % p]);
   return true;
 }
 

@@ -10,7 +10,9 @@
 
 #include "fit/free_parameters.h"
 #include "fit/linear_part.h"
+#include "fit/prior_rows.h"
 #include "fit/profile_model.h"
+#include "fit/spline_prior.h"
 
 namespace vegard::fit {
 
@@ -25,14 +27,16 @@ struct EvaluationLog {
   bool exhausted() const { return residuals >= limit || (stop != nullptr && stop->load()); }
 };
 
-/// Some of a fit's parameters, the others held where the scene has them. Residuals: the profile's, then one
-/// per prior. The Jacobian is exact: tangents through the renderer, the linear part by variable projection,
-/// the transform's slope.
+/// Some of a fit's parameters, the others held where the scene has them. Residuals: the profile's, then the
+/// priors' rows. The Jacobian is exact: tangents through the renderer, the linear part by variable
+/// projection, the transform's slope.
 class ProfileCost : public ceres::CostFunction {
  public:
   /// All references must outlive the cost. `base` holds the values of what is not free here.
+  /// The rows of `prior` (fit/spline_prior.h) are taken times `prior_weight`.
   ProfileCost(const sim::Scene& base, const std::vector<FreeNumber>& free, ProfileModel& model,
-              const LinearPart& linear, EvaluationLog& log);
+              const LinearPart& linear, EvaluationLog& log, const SplinePrior& prior = {},
+              double prior_weight = 1.0);
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
 
@@ -51,6 +55,7 @@ class ProfileCost : public ceres::CostFunction {
   ProfileModel& model_;
   const LinearPart& linear_;
   EvaluationLog& log_;
+  PriorRows priors_;
 };
 
 }  // namespace vegard::fit

@@ -5,10 +5,13 @@
 #include <cmath>
 
 #include "fit/smoothing.h"
+#include "sim/base/large_vector.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/aurora/sheet.h"
+#include "sim/light/sheet_profile.h"
 #include "sim/render/air_on_film.h"
 #include "sim/render/film.h"
+#include "sim/scene/scene_toml.h"
 #include "sim/view/blur.h"
 #include "sim/view/line_colours.h"
 #include "sim/view/night_sky.h"
@@ -31,6 +34,48 @@ struct BandWeights {
   std::vector<float> inverse;  // [row][channel]: 1 / number of usable pixels, 0 if none
 };
 
+/// The light of a line grows with a parameter as that of a height profile, a row of SheetShapers::rates.
+struct Shaper {
+  int parameter = 0, line = 0;
+  std::size_t rate = 0;
+};
+struct SheetShapers {
+  std::vector<std::vector<float>> rates;  // each once: lines share their splines' basis
+  std::vector<Shaper> shapers;
+};
+struct ProfileShapers {
+  std::vector<SheetShapers> of_sheet;
+  std::vector<bool> alone;  // by parameter: it does nothing but shape a profile
+};
+
+/// What the free numbers do to the height profiles. The energy flux scales the light too, which the kernel
+/// has.
+ProfileShapers profile_shapers(const sim::Scene& scene, const std::vector<const double*>& free) {
+  ProfileShapers result;
+  result.of_sheet.resize(scene.sheets.size());
+  result.alone.assign(free.size(), false);
+  for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
+    SheetShapers& of_sheet = result.of_sheet[s];
+    for (std::size_t j = 0; j < free.size(); ++j) {
+      const std::vector<float> slope =
+          sim::profile_slope(scene.emission.lines, scene, static_cast<int>(s), free[j]);
+      if (slope.empty()) continue;
+      result.alone[j] = free[j] != &scene.sheets[s].energy_flux_mw_m2;
+      const std::size_t stride = slope.size() / sim::HeightProfile::kAltitudes;
+      for (std::size_t l = 0; l < scene.emission.lines.size(); ++l) {
+        std::vector<float> rate(sim::HeightProfile::kAltitudes);
+        for (std::size_t a = 0; a < rate.size(); ++a) rate[a] = slope[a * stride + l];
+        if (std::all_of(rate.begin(), rate.end(), [](float x) { return x == 0.0f; })) continue;
+        const auto found = std::find(of_sheet.rates.begin(), of_sheet.rates.end(), rate);
+        of_sheet.shapers.push_back({static_cast<int>(j), static_cast<int>(l),
+                                    static_cast<std::size_t>(found - of_sheet.rates.begin())});
+        if (found == of_sheet.rates.end()) of_sheet.rates.push_back(std::move(rate));
+      }
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 struct ProfileModel::Workspace {
@@ -49,6 +94,51 @@ struct ProfileModel::Workspace {
   std::vector<std::uint8_t> lit;     // [row][column][channel]: not clipped
   std::vector<sim::Vector3> colour;  // RGB per rayleigh at unit gain, of the last evaluation
   sim::Scene scene;                  // with this model's number of beams
+
+  // Blurred light of the profiles' slopes, by sheet: [line][rate][row][column]. Coefficients of splines do
+  // not change it, so it stays as long as nothing else in the scene changes.
+  std::vector<sim::LargeVector<float>> shaped;
+  std::vector<SheetShapers> shaped_by;
+  std::string shaped_in;
+
+  void shape(const ProfileShapers& shapers) {
+    sim::Scene rest = scene;
+    for (sim::Sheet& sheet : rest.sheets) sheet.spline_rate.clear();
+    std::string words = sim::write_scene(rest);
+    const auto same = [](const SheetShapers& a, const SheetShapers& b) { return a.rates == b.rates; };
+    if (words == shaped_in && std::equal(shaped_by.begin(), shaped_by.end(), shapers.of_sheet.begin(),
+                                         shapers.of_sheet.end(), same))
+      return;
+    shaped_in = std::move(words);
+    shaped_by = shapers.of_sheet;
+    shaped.resize(scene.sheets.size());
+    const std::vector<float> kept = sim::transmission_on_film(scene, film, threads);
+    sim::Exposure light;
+    std::vector<float> dimmed;
+    for (std::size_t s = 0; s < shaped.size(); ++s) {
+      const auto& rates = shapers.of_sheet[s].rates;
+      if (rates.empty()) continue;
+      exposer->expose_profiles(scene, static_cast<int>(s), rates, light);
+      const std::size_t cells = light.cells(), lines_count = scene.emission.lines.size();
+      shaped[s].resize(cells * lines_count * rates.size());
+      down.resize(cells);
+      for (std::size_t l = 0; l < lines_count; ++l) {
+        const sim::BlurKernel by_rows = kernel(static_cast<int>(l), film.cell_height_px);
+        const sim::BlurKernel by_columns = kernel(static_cast<int>(l), film.cell_width_px);
+        for (std::size_t i = 0; i < rates.size(); ++i) {
+          const float* plane = light.rayleigh.data() + i * cells;
+          if (!kept.empty()) {
+            dimmed.assign(plane, plane + cells);
+            for (std::size_t cell = 0; cell < cells; ++cell) dimmed[cell] *= kept[l * cells + cell];
+            plane = dimmed.data();
+          }
+          sim::blur_down(plane, down.data(), film.rows, film.columns, 1, by_rows, threads);
+          sim::blur_across(down.data(), shaped[s].data() + (l * rates.size() + i) * cells, film.rows,
+                           film.columns, 1, by_columns, threads);
+        }
+      }
+    }
+  }
 
   std::size_t value_index(int band, int row, int channel) const {
     return (static_cast<std::size_t>(band) * region.height + row) * 3 + channel;
@@ -78,8 +168,12 @@ struct ProfileModel::Workspace {
           reinterpret_cast<const char*>(address) - static_cast<const char*>(old_object);
       return reinterpret_cast<const double*>(static_cast<const char*>(new_object) + offset);
     };
-    for (std::size_t s = 0; s < from.sheets.size(); ++s)
+    for (std::size_t s = 0; s < from.sheets.size(); ++s) {
       if (inside(&from.sheets[s], sizeof(sim::Sheet))) return shifted(&from.sheets[s], &scene.sheets[s]);
+      const std::vector<double>& rates = from.sheets[s].spline_rate;
+      if (inside(rates.data(), rates.size() * sizeof(double)))
+        return shifted(rates.data(), scene.sheets[s].spline_rate.data());
+    }
     for (std::size_t l = 0; l < from.blur.width_deg.size(); ++l)
       if (address == &from.blur.width_deg[l]) return &scene.blur.width_deg[l];
     return shifted(&from, &scene);
@@ -191,9 +285,10 @@ struct ProfileModel::Workspace {
     return weights_per_kilorayleigh;
   }
 
-  /// Adds the profile of a plane of derivatives, [row][column][stride], of line `l` to parameters first,
-  /// first + 1, …
-  void add_derivatives(const float* plane, int stride, int used, int first, int l, ModelProfile& out) const {
+  /// Adds the profile of a plane of derivatives, [row][column][stride], of line `l`, to the parameters that
+  /// they belong to.
+  void add_derivatives(const float* plane, int stride, const std::vector<int>& parameters, int l,
+                       ModelProfile& out) const {
     sim::parallel_for(static_cast<std::size_t>(region.height), threads, [&](std::size_t row, int) {
       std::vector<float> sum(static_cast<std::size_t>(stride));
       const std::size_t first_cell = (row + top) * film.columns;
@@ -209,8 +304,8 @@ struct ProfileModel::Workspace {
             for (int j = 0; j < stride; ++j) sum[j] += weight * from[j];
           }
           const double scale = colour[l][c] * w.inverse[row * 3 + c];
-          double* to = out.derivative.data() + value_index(b, static_cast<int>(row), c) * out.free + first;
-          for (int j = 0; j < used; ++j) to[j] += scale * sum[j];
+          double* to = out.derivative.data() + value_index(b, static_cast<int>(row), c) * out.free;
+          for (std::size_t j = 0; j < parameters.size(); ++j) to[parameters[j]] += scale * sum[j];
         }
       }
     });
@@ -283,8 +378,21 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std:
                                              ModelProfile& out) {
   Workspace& w = *work_;
   const std::vector<const double*> moved = w.adopt(scene, free);
-  w.exposer->expose_with_derivatives(w.scene, moved, w.exposure);
-  sim::dim_by_air(w.scene, moved, w.exposure, w.threads);
+  const ProfileShapers shapers = profile_shapers(w.scene, moved);
+  std::vector<const double*> of_kernel;
+  std::vector<int> kernel_parameters;
+  for (std::size_t j = 0; j < moved.size(); ++j)
+    if (!shapers.alone[j]) {
+      of_kernel.push_back(moved[j]);
+      kernel_parameters.push_back(static_cast<int>(j));
+    }
+  if (of_kernel.empty()) {
+    w.exposer->expose(w.scene, w.exposure);
+    sim::dim_by_air(w.scene, w.exposure, w.threads);
+  } else {
+    w.exposer->expose_with_derivatives(w.scene, of_kernel, w.exposure);
+    sim::dim_by_air(w.scene, of_kernel, w.exposure, w.threads);
+  }
   w.finish_values(out);
   out.free = static_cast<int>(free.size());
   out.derivative.assign(out.value.size() * free.size(), 0.0);
@@ -300,11 +408,13 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std:
     const double sigma = sim::blur_sigma_px(w.scene, l);
     const sim::BlurKernel down = w.kernel(l, w.film.cell_height_px);
     const sim::BlurKernel across = w.kernel(l, w.film.cell_width_px);
-    sim::blur_down(w.exposure.derivative.data() + l * cells * stride, w.wide_down.data(), w.film.rows,
-                   w.film.columns, stride, down, w.threads);
-    sim::blur_across(w.wide_down.data(), w.wide_blurred.data(), w.film.rows, w.film.columns, stride, across,
-                     w.threads);
-    w.add_derivatives(w.wide_blurred.data(), stride, out.free, 0, l, out);
+    if (!of_kernel.empty()) {
+      sim::blur_down(w.exposure.derivative.data() + l * cells * stride, w.wide_down.data(), w.film.rows,
+                     w.film.columns, stride, down, w.threads);
+      sim::blur_across(w.wide_down.data(), w.wide_blurred.data(), w.film.rows, w.film.columns, stride, across,
+                       w.threads);
+      w.add_derivatives(w.wide_blurred.data(), stride, kernel_parameters, l, out);
+    }
 
     // The blur's own width, free or following the field of view: sigma = width * pixels / hfov.
     for (std::size_t j = 0; j < moved.size(); ++j) {
@@ -317,12 +427,18 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std:
         sim::blur_down(plane, w.down.data(), w.film.rows, w.film.columns, 1, first, w.threads);
         sim::blur_across(w.down.data(), w.blurred.data(), w.film.rows, w.film.columns, 1, second, w.threads);
         for (float& x : w.blurred) x *= static_cast<float>(growth * per_cell);
-        w.add_derivatives(w.blurred.data(), 1, 1, static_cast<int>(j), l, out);
+        w.add_derivatives(w.blurred.data(), 1, {static_cast<int>(j)}, l, out);
       };
       add(w.kernel(l, w.film.cell_height_px, true), across, 1.0 / w.film.cell_height_px);
       add(down, w.kernel(l, w.film.cell_width_px, true), 1.0 / w.film.cell_width_px);
     }
   }
+  w.shape(shapers);
+  for (std::size_t s = 0; s < shapers.of_sheet.size(); ++s)
+    for (const Shaper& shaper : shapers.of_sheet[s].shapers)
+      w.add_derivatives(
+          w.shaped[s].data() + (shaper.line * shapers.of_sheet[s].rates.size() + shaper.rate) * cells, 1,
+          {shaper.parameter}, shaper.line, out);
   if (w.smooth_rows > 0.0) smooth(out, w.bands, w.region.height, w.smooth_rows);
 }
 

@@ -145,6 +145,14 @@ std::string report_html(const FitResult& result, const Photo& photo, const Model
       "\u03c3 is half of the 68\u00a0% interval, carried back from the scale on which the search moves the "
       "parameter; the interval itself may be lopsided.",
       parameter_table_html(result));
+  if (!result.profiles.empty())
+    html += section("Height profiles",
+                    "Free of any electrons: for each line a smooth curve that is nowhere negative. Where "
+                    "gains are solved "
+                    "for, only its course and the lines\u2019 ratios mean anything: the column of "
+                    "557.7\u00a0nm is held at "
+                    "the start\u2019s. Beside this page: <code>profile.csv</code>.",
+                    "<div class=\"plots\">\n" + free_profiles_svg(result) + "</div>\n");
   html += profiles_section(result, pictures, elevation_of_pixel);
   html += fit_section(result);
   if (!result.solved.empty())

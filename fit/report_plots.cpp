@@ -5,6 +5,7 @@
 #include <map>
 
 #include "fit/compared_profile.h"
+#include "fit/number_text.h"
 #include "fit/plot.h"
 
 namespace vegard::fit {
@@ -15,6 +16,12 @@ constexpr int kTallPanel = 430;
 const char* const kChannelNames[3] = {"red", "green", "blue"};
 constexpr Colour kModelInk{40, 40, 40};
 const char* const kHowToRead = "Dots: photograph. Shaded: \u00b11 \u03c3. Thin line: model.";
+
+/// Near the line's own colour, and dark enough for white.
+Colour line_ink(double wavelength_nm) {
+  if (wavelength_nm > 600.0) return channel_colour(0);
+  return channel_colour(wavelength_nm > 500.0 ? 1 : 2);
+}
 
 void set_height_axis(const FitResult& result, const ElevationOfPixel& elevation_of_pixel, Axis& axis) {
   if (elevation_of_pixel) {
@@ -186,6 +193,44 @@ std::string colour_svg(const FitResult& result, const ElevationOfPixel& elevatio
   }
   plot.panel_width_px = 410;
   plot.panel_height_px = 300;
+  return plot_svg(plot);
+}
+
+std::string free_profiles_svg(const FitResult& result) {
+  if (result.profiles.empty()) return {};
+  Plot plot;
+  plot.title = "Volume emission rate";
+  plot.note =
+      "Shaded: 68 % of each altitude by itself, given all that was not free. A dashed end has a band wider "
+      "than a factor of two: there the curve is what the prior makes of its neighbours.";
+  for (const FreeProfile& profile : result.profiles) {
+    Panel panel;
+    panel.title = short_number(profile.wavelength_nm, 4) + " nm";
+    if (result.best.sheets.size() > 1) panel.title += ", " + profile.sheet;
+    Series known = curve("", {}, {}, line_ink(profile.wavelength_nm)), unknown = known;
+    known.band_along_x = true;
+    unknown.mark = Mark::dashed_line;
+    unknown.width_px = 1.0;
+    const double peak = *std::max_element(profile.rate.begin(), profile.rate.end());
+    for (std::size_t i = 0; i < profile.rate.size(); ++i) {
+      if (profile.rate[i] < 1e-3 * peak) continue;
+      const bool told = profile.upper[i] < 2.0 * profile.rate[i];
+      known.x.push_back(told ? profile.rate[i] : NAN);
+      known.low.push_back(told ? profile.lower[i] : NAN);
+      known.high.push_back(told ? profile.upper[i] : NAN);
+      known.y.push_back(profile.altitude_km[i]);
+      unknown.x.push_back(told ? NAN : profile.rate[i]);
+      unknown.y.push_back(profile.altitude_km[i]);
+    }
+    panel.series = {known, unknown};
+    panel.x.label = "cm\u207b\u00b3 s\u207b\u00b9 per mW m\u207b\u00b2";
+    panel.x.min = 0.0;
+    panel.y.label = "altitude (km)";
+    plot.panels.push_back(std::move(panel));
+  }
+  plot.columns = 3;
+  plot.panel_width_px = 260;
+  plot.panel_height_px = kTallPanel;
   return plot_svg(plot);
 }
 

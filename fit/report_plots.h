@@ -17,6 +17,10 @@ std::string mean_residual_svg(const FitResult& result, const ElevationOfPixel& e
 /// Chromaticity against height, of those means.
 std::string colour_svg(const FitResult& result, const ElevationOfPixel& elevation_of_pixel);
 
+/// Volume emission rate against altitude with its band, a panel for each line of a free-form profile, from
+/// where it has a thousandth of its peak; empty if there is none.
+std::string free_profiles_svg(const FitResult& result);
+
 /// Brightness against height in single bands, at most six, spread over the region.
 std::string band_profiles_svg(const FitResult& result, const ElevationOfPixel& elevation_of_pixel);
 

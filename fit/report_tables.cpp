@@ -52,6 +52,24 @@ std::string percent(double share) {
   return std::isfinite(share) ? fmt::format("{:.2f}&#160;%", 100.0 * share) : "\u2013";
 }
 
+/// What the table of correlations is made from. A free-form profile's neighbouring coefficients hang together
+/// and would fill pages.
+FitResult without_coefficients(const FitResult& whole) {
+  FitResult result;
+  result.best = whole.best;
+  std::vector<std::size_t> kept;
+  for (std::size_t j = 0; j < whole.parameters.size() && whole.correlation.size() == whole.parameters.size();
+       ++j)
+    if (!whole.parameters[j].of_profile) kept.push_back(j);
+  for (const std::size_t j : kept) {
+    result.parameters.push_back(whole.parameters[j]);
+    result.correlation.emplace_back();
+    for (const std::size_t k : kept)
+      if (k < whole.correlation[j].size()) result.correlation.back().push_back(whole.correlation[j][k]);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string derived_cards(const FitResult& result) {
@@ -69,7 +87,10 @@ std::string parameter_table_html(const FitResult& result) {
       "<table class=\"wide\">\n<thead><tr><th>Parameter</th><th class=\"number\">Value \u00b1 \u03c3</th>"
       "<th class=\"number\">68\u00a0% interval</th><th class=\"number\">Start</th>"
       "<th class=\"number\">Limits</th></tr></thead>\n<tbody>\n";
+  int coefficients = 0;
   for (const FittedParameter& p : result.parameters) {
+    coefficients += p.of_profile;
+    if (p.of_profile && p.sigma && !p.at_limit) continue;
     html += "<tr><td><code>" + html_text(p.path) + "</code><div class=\"soft\">" + html_text(p.meaning) +
             "</div></td><td class=\"number strong\">" +
             with_unit(number_with_error(p.value, p.sigma), p.unit);
@@ -81,7 +102,12 @@ std::string parameter_table_html(const FitResult& result) {
     if (p.at_limit) html += "<div class=\"flag\">at a limit</div>";
     html += "</td></tr>\n";
   }
-  return html + "</tbody>\n</table>\n";
+  html += "</tbody>\n</table>\n";
+  if (coefficients == 0) return html;
+  return html + fmt::format(
+                    "<p class=\"soft\">{} coefficients of free-form profiles are shown as curves instead; "
+                    "their numbers are in <code>result.json</code>.</p>\n",
+                    coefficients);
 }
 
 std::string solved_table(const FitResult& result) {
@@ -92,7 +118,8 @@ std::string solved_table(const FitResult& result) {
   return html + "</div>\n";
 }
 
-std::string correlation_table(const FitResult& result) {
+std::string correlation_table(const FitResult& whole) {
+  const FitResult result = without_coefficients(whole);
   const std::size_t n = result.parameters.size();
   if (n < 2 || result.correlation.size() != n) return {};
   const bool one_sheet = result.best.sheets.size() == 1;

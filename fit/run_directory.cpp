@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "fit/free_profiles_csv.h"
 #include "fit/model_picture.h"
 #include "fit/profiles_csv.h"
 #include "fit/report_html.h"
@@ -87,6 +88,7 @@ void write_run(const std::string& directory, bool overwrite, const FitResult& re
     for (const sim::TableFile& table : sim::table_files(best))
       sim::write_whole(run.file(table.name), sim::table_text(best, table.path));
     sim::write_whole(run.file("profiles.csv"), profiles_csv(result, elevation_of_pixel));
+    if (!result.profiles.empty()) sim::write_whole(run.file("profile.csv"), free_profiles_csv(result));
     sim::write_whole(run.file("trace.csv"), trace_csv(result));
     write_pictures(run, result, picture);
     sim::write_whole(run.file("report.html"), report_html(result, photo, picture, elevation_of_pixel));

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "fit/profile_rounds.h"
 #include "sim/base/random.h"
 
 namespace vegard::fit {
@@ -37,6 +38,10 @@ bool is_periodic(const FreeNumber& n) { return is(n, "wavelength_km") || is(n, "
 bool is_overall(const FreeNumber& n) {
   return is(n, "center_km") || is(n, "energy_kev") || is(n, "bearing_deg");
 }
+
+/// The coefficients of free-form profiles stay as they are until the polish: they would make up for whatever
+/// a trial has wrong.
+bool is_searched(const FreeNumber& n) { return !is(n, "spline_rate"); }
 
 bool is_thickness(const FreeNumber& n) { return is(n, "thickness_km"); }
 
@@ -75,7 +80,9 @@ class Search {
         log_(log),
         trace_(trace),
         coarse_(scene, free, models.coarse, models.coarse_linear, log),
-        full_(scene, free, models.full, models.full_linear, log) {}
+        full_(scene, free, models.full, models.full_linear, log,
+              spline_prior(scene, free, first_smoothness(scene)), kFirstPriorWeight),
+        searched_(indices(free, is_searched)) {}
 
   SearchOutcome run() {
     Values start;
@@ -85,7 +92,7 @@ class Search {
     trace_.push_back({"start", log_.residuals, outcome.chi2_initial, start});
 
     std::vector<Trial> ends = {tried(start)};
-    if (scene_.fit.scan_points > 0) {
+    if (scene_.fit.scan_points > 0 && !searched_.empty()) {
       std::vector<Trial> trials = scan(overall(ends.front()));
       trials.push_back(ends.front());  // whoever starts close is not to be led away
       sort(trials);
@@ -304,8 +311,6 @@ class Search {
 
   /// Short descents of everything from the best distinct trials.
   std::vector<Trial> descend_from(const std::vector<Trial>& trials, int most, const std::string& stage) {
-    std::vector<std::size_t> all(free_.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
     std::vector<Trial> starts;
     for (const Trial& trial : trials) {
       if (static_cast<int>(starts.size()) >= most) break;
@@ -315,7 +320,7 @@ class Search {
     std::vector<Trial> ends;
     for (std::size_t i = 0; i < starts.size() && !log_.exhausted(); ++i) {
       tell(stage + " " + std::to_string(i + 1), 0.4 + 0.4 * static_cast<double>(i) / starts.size());
-      ends.push_back(partial_descent(starts[i], all, stage));
+      ends.push_back(partial_descent(starts[i], searched_, stage));
       record(ends.back(), stage + " " + std::to_string(i + 1));
     }
     if (ends.empty()) ends.push_back(trials.front());
@@ -352,6 +357,7 @@ class Search {
   EvaluationLog& log_;
   std::vector<TraceRow>& trace_;
   const ProfileCost coarse_, full_;
+  const std::vector<std::size_t> searched_;
 };
 
 }  // namespace

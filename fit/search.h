@@ -5,6 +5,7 @@
 // beams, profiles smoothed down the rows, so that a lower border is felt from afar): (1) *overall* trials and
 // descents of what shapes the profile as a whole, (2) a *scan* of wavelengths, each with its best amplitude
 // and phase, (3) descents of everything from the best distinct trials; then (4) *polish* with the full model.
+// Coefficients of free-form profiles only take part in the polish.
 #pragma once
 
 #include <functional>

@@ -27,24 +27,32 @@ class Correlation {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Standard error of the mean, over the pairs of samplings, of the information along a direction; 0 for one
-/// sampling.
-double standard_error(const std::vector<std::vector<double>>& jacobians, int residuals, int coordinates,
-                      const Eigen::VectorXd& direction) {
-  std::vector<Eigen::VectorXd> along;
-  for (const std::vector<double>& jacobian : jacobians)
-    along.emplace_back(Eigen::Map<const RowMajor>(jacobian.data(), residuals, coordinates) * direction);
-  double sum = 0.0, square = 0.0;
-  int pairs = 0;
-  for (std::size_t a = 0; a < along.size(); ++a)
-    for (std::size_t b = a + 1; b < along.size(); ++b, ++pairs) {
-      const double product = along[a].dot(along[b]);
-      sum += product;
-      square += product * product;
+/// Standard error of the mean, over the pairs of samplings, of the information along each direction, a column
+/// of `directions`; 0 for one sampling.
+std::vector<double> standard_errors(const std::vector<std::vector<double>>& jacobians, int residuals,
+                                    int coordinates, const Eigen::MatrixXd& directions) {
+  constexpr Eigen::Index kAtOnce = 16;  // directions: memory
+  std::vector<double> errors;
+  for (Eigen::Index first = 0; first < directions.cols(); first += kAtOnce) {
+    const Eigen::Index some = std::min(kAtOnce, directions.cols() - first);
+    std::vector<Eigen::MatrixXd> along;
+    for (const std::vector<double>& jacobian : jacobians)
+      along.emplace_back(Eigen::Map<const RowMajor>(jacobian.data(), residuals, coordinates) *
+                         directions.middleCols(first, some));
+    for (Eigen::Index d = 0; d < some; ++d) {
+      double sum = 0.0, square = 0.0;
+      int pairs = 0;
+      for (std::size_t a = 0; a < along.size(); ++a)
+        for (std::size_t b = a + 1; b < along.size(); ++b, ++pairs) {
+          const double product = along[a].col(d).dot(along[b].col(d));
+          sum += product;
+          square += product * product;
+        }
+      const double variance = pairs < 2 ? 0.0 : std::max(0.0, (square - sum * sum / pairs) / (pairs - 1));
+      errors.push_back(pairs < 2 ? 0.0 : std::sqrt(variance / pairs));
     }
-  if (pairs < 2) return 0.0;
-  const double variance = std::max(0.0, (square - sum * sum / pairs) / (pairs - 1));
-  return std::sqrt(variance / pairs);
+  }
+  return errors;
 }
 
 }  // namespace
@@ -97,7 +105,7 @@ Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int r
       samplings > 1 ? Eigen::MatrixXd((all - own) / (samplings * (samplings - 1.0))) : own;
   const double believed = 1.0 / (inflation * inflation);
   information *= believed;
-  for (int i = 0; i < coordinates; ++i) information(i, i) += prior_information[i];
+  information += Eigen::Map<const RowMajor>(prior_information.data(), coordinates, coordinates);
 
   // Scaled to a unit diagonal, so that units do not matter.
   Eigen::VectorXd length = information.diagonal().cwiseMax(0.0).cwiseSqrt();
@@ -112,8 +120,9 @@ Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int r
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(coordinates, coordinates);
   std::vector<bool> undetermined(coordinates, false);
   std::vector<std::vector<double>> directions;
+  const std::vector<double> errors = standard_errors(jacobians, residuals, coordinates, scale * v);
   for (int k = 0; k < coordinates; ++k) {
-    const double doubt = believed * standard_error(jacobians, residuals, coordinates, scale * v.col(k));
+    const double doubt = believed * errors[k];
     if (value(k) > std::max(kRankTolerance * largest, kStandardErrors * doubt)) {
       covariance += v.col(k) * v.col(k).transpose() / value(k);
     } else {

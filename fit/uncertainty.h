@@ -29,7 +29,7 @@ double error_inflation(const Profile& data, const std::vector<std::size_t>& used
 /// own Monte-Carlo noise, whose square would pass for information, cancels. Directions whose information is
 /// within three standard errors of nothing, by the spread of the single products, or below 1e-12 of the
 /// largest, count as undetermined, and every coordinate that leans on one has no error bar.
-/// `prior_information` is added to the diagonal.
+/// `prior_information` is added to it, row-major [coordinate][coordinate].
 Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int residuals, int coordinates,
                         const std::vector<double>& prior_information, double inflation);
 

@@ -61,7 +61,9 @@ void judge(const Evidence& evidence, FitResult& result) {
         fmt::format("the rms residual is {:.1f} % of the profile's peak", 100.0 * result.rms_over_peak));
   const double together = result.error_inflation * result.error_inflation / std::max(1.0, reduced);
   const double independent = result.dof / std::max(1.0, together);
-  if (independent < kIndependentPerParameter * static_cast<double>(result.parameters.size()))
+  const double unknowns =
+      evidence.unknowns > 0.0 ? evidence.unknowns : static_cast<double>(result.parameters.size());
+  if (independent < kIndependentPerParameter * unknowns)
     reasons.push_back(
         fmt::format("the residuals form patterns, worth no more than {:.0f} independent values: see where "
                     "model and photograph differ",

@@ -13,6 +13,7 @@ struct Evidence {
   bool out_of_evaluations = false;
   bool aurora_in_view = true;  ///< the model has any light in the region
   double chi2_without_aurora = 0.0;
+  double unknowns = 0.0;     ///< that the data determine, where priors do the rest; 0: every parameter
   bool second_mode = false;  ///< another valley explains the data almost as well
   std::string second_mode_text;
 };

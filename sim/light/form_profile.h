@@ -33,4 +33,8 @@ HeightProfile form_profile(const std::vector<double>& wavelengths_nm, double ene
 HeightProfile form_profile_by_flux(const std::vector<double>& wavelengths_nm, double energy_kev,
                                    const FormCurve& curve, double energy_flux_mw_m2);
 
+/// d rate / d one of the curve's numbers, as HeightProfile::rate.
+std::vector<float> form_slope(const std::vector<double>& wavelengths_nm, double energy_kev,
+                              const FormCurve& curve, double energy_flux_mw_m2, double FormCurve::*number);
+
 }  // namespace vegard::sim

@@ -6,6 +6,8 @@
 #include "sim/light/drawn_profile.h"
 #include "sim/light/form_profile.h"
 #include "sim/light/spectrum_profile.h"
+#include "sim/light/spline_profile.h"
+#include "sim/scene/spline_rates.h"
 #include "sim/scene/table_files.h"
 
 namespace vegard::sim {
@@ -22,6 +24,7 @@ double flux_of(const Scene& scene, const Sheet& sheet) {
 
 HeightProfile of_unit_flux(const std::vector<double>& wavelengths_nm, const Scene& scene,
                            const Sheet& sheet) {
+  if (has_spline_profile(sheet)) return spline_profile(wavelengths_nm, scene, sheet);
   if (sheet.profile == "mono") return mono_profile(wavelengths_nm, sheet.energy_kev);
   if (sheet.profile == "gaussian")
     return gaussian_profile(wavelengths_nm, sheet.energy_kev, sheet.energy_spread);
@@ -49,6 +52,19 @@ std::vector<float> slope_of_unit_flux(const std::vector<double>& wavelengths_nm,
   if (sheet.profile == "gaussian" && number == &sheet.energy_spread)
     return gaussian_slope(wavelengths_nm, sheet.energy_kev, sheet.energy_spread);
   if (number == &sheet.energy_flux_mw_m2) return slope_by_flux(wavelengths_nm, scene, sheet);
+  if (has_spline_profile(sheet)) {
+    const std::vector<double>& rates = sheet.spline_rate;
+    for (std::size_t i = 0; i < rates.size(); ++i)
+      if (number == &rates[i]) return spline_slope(wavelengths_nm, scene, sheet, static_cast<int>(i));
+  }
+  if (sheet.profile == "form") {
+    const auto by = [&](double FormCurve::*of_curve) {
+      return form_slope(wavelengths_nm, sheet.energy_kev, form_curve(sheet), flux_of(scene, sheet), of_curve);
+    };
+    if (number == &sheet.peak_km) return by(&FormCurve::peak_km);
+    if (number == &sheet.lower_km) return by(&FormCurve::lower_km);
+    if (number == &sheet.upper_km) return by(&FormCurve::upper_km);
+  }
   return {};
 }
 

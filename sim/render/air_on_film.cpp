@@ -66,6 +66,17 @@ void dim_by_air(const Scene& scene, const std::vector<const double*>& free, Expo
                           });
 }
 
+std::vector<float> transmission_on_film(const Scene& scene, const FilmGeometry& film, int threads) {
+  const AirAbove air(scene);
+  if (air.none()) return {};
+  const std::size_t cells = static_cast<std::size_t>(film.rows) * film.columns;
+  std::vector<float> kept(cells * scene.emission.lines.size());
+  for_every_cell<double>(scene, air, film, threads, [&](std::size_t line, std::size_t cell, double share) {
+    kept[line * cells + cell] = static_cast<float>(share);
+  });
+  return kept;
+}
+
 void dim_picture_by_air(const Scene& scene, Image& rayleigh, int threads) {
   const AirAbove air(scene);
   if (air.none()) return;

@@ -22,6 +22,9 @@ void dim_by_air(const Scene& scene, Exposure& exposure, int threads = 0);
 void dim_by_air(const Scene& scene, const std::vector<const double*>& free, Exposure& exposure,
                 int threads = 0);
 
+/// That transmission itself, [line][row][column]; empty where scene.air.model is "none".
+std::vector<float> transmission_on_film(const Scene& scene, const FilmGeometry& film, int threads = 0);
+
 /// The same of a finished picture of the camera, one channel per line of the scene.
 void dim_picture_by_air(const Scene& scene, Image& rayleigh, int threads = 0);
 

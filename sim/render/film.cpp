@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "sim/base/parallel.h"
+#include "sim/light/sheet_profile.h"
 #include "sim/render/beams.h"
 #include "sim/render/kernel.h"
 #include "sim/render/kernel_scene.h"
@@ -63,6 +64,31 @@ struct Exposer::Workspace {
     return all;
   }
 
+  /// Lets the beams of one sheet, or of all (-1), fall on the slots' films. Returns the deflection points.
+  std::uint64_t fall(const Scene& scene, const std::vector<HeightProfile>& profiles, int stride,
+                     int only_sheet, const std::function<void(double)>& progress = {},
+                     const std::atomic<bool>* stop = nullptr) {
+    const std::vector<KernelScene> of_sheets = kernels(scene, profiles);
+    clear_slots(stride);
+    std::atomic<std::uint64_t> points{0};
+    std::atomic<std::size_t> done{0};
+    parallel_for(layout.chunks().size(), threads, [&](std::size_t c, int slot) {
+      if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
+      const Chunk& chunk = layout.chunks()[c];
+      if (only_sheet >= 0 && chunk.sheet != only_sheet) {
+        ++done;
+        return;
+      }
+      PackedChunk& packed = slot_chunks[slot];
+      layout.pack(scene, chunk, of_sheets[chunk.sheet], packed);
+      points += fall_on_film(of_sheets[chunk.sheet], packed.groups.data(), packed.groups.size(),
+                             slot_films[slot].data());
+      const std::size_t finished = ++done;
+      if (progress) progress(static_cast<double>(finished) / static_cast<double>(layout.chunks().size()));
+    });
+    return points;
+  }
+
   void clear_slots(int stride) {
     const std::size_t size = static_cast<std::size_t>(film.rows) * film.columns * stride;
     slot_films.resize(threads);
@@ -99,26 +125,7 @@ void Exposer::expose(const Scene& scene, Exposure& out, const std::function<void
   Workspace& w = *work_;
   const int lines = static_cast<int>(scene.emission.lines.size());
   const int stride = lines <= 4 ? 4 : 8;
-  const std::vector<HeightProfile> profiles = height_profiles(scene);
-  const std::vector<KernelScene> kernels = w.kernels(scene, profiles);
-  w.clear_slots(stride);
-  std::atomic<std::uint64_t> points{0};
-  std::atomic<std::size_t> done{0};
-  parallel_for(w.layout.chunks().size(), w.threads, [&](std::size_t c, int slot) {
-    if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
-    const Chunk& chunk = w.layout.chunks()[c];
-    if (only_sheet >= 0 && chunk.sheet != only_sheet) {
-      ++done;
-      return;
-    }
-    PackedChunk& packed = w.slot_chunks[slot];
-    w.layout.pack(scene, chunk, kernels[chunk.sheet], packed);
-    points += fall_on_film(kernels[chunk.sheet], packed.groups.data(), packed.groups.size(),
-                           w.slot_films[slot].data());
-    const std::size_t finished = ++done;
-    if (progress) progress(static_cast<double>(finished) / static_cast<double>(w.layout.chunks().size()));
-  });
-  out.deflection_points = points;
+  out.deflection_points = w.fall(scene, height_profiles(scene), stride, only_sheet, progress, stop);
   out.free = out.free_stride = 0;
   w.collect(lines, stride, out);
 }
@@ -199,6 +206,51 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<cons
           for (int i = 0; i < kTangentWidth; ++i) to[i] = sum[i] * scale[i];
         }
       }
+    });
+  }
+}
+
+void Exposer::expose_profiles(const Scene& scene, int sheet, const std::vector<std::vector<float>>& rates,
+                              Exposure& out) {
+  constexpr int kLanes = 8;
+  Workspace& w = *work_;
+  const HeightProfile own = sheet_profile(scene.emission.lines, scene, sheet);
+  const auto largest = [](const std::vector<float>& numbers) {
+    float most = 0.0f;
+    for (const float x : numbers) most = std::max(most, std::abs(x));
+    return most;
+  };
+  // As bright as the sheet's own light, so that the film's units are as fine for them as for it.
+  const float usual = largest(own.rate) > 0.0f ? largest(own.rate) : 1.0f;
+  out.geometry = w.film;
+  out.lines = static_cast<int>(rates.size());
+  out.free = out.free_stride = 0;
+  out.deflection_points = 0;
+  const std::size_t cells = out.cells();
+  out.rayleigh.resize(cells * rates.size());
+  std::vector<HeightProfile> profiles(scene.sheets.size());
+  HeightProfile& profile = profiles[sheet];
+  Exposure some;
+  for (std::size_t first = 0; first < rates.size(); first += kLanes) {
+    const int lanes = static_cast<int>(std::min<std::size_t>(kLanes, rates.size() - first));
+    profile.lines = lanes;
+    for (HeightProfile& each : profiles) each.stride = lanes <= 4 ? 4 : kLanes;
+    profile.rate.assign(static_cast<std::size_t>(HeightProfile::kAltitudes) * profile.stride, 0.0f);
+    std::vector<float> back(lanes, 0.0f);
+    for (int l = 0; l < lanes; ++l) {
+      const std::vector<float>& rate = rates[first + l];
+      assert(rate.size() == static_cast<std::size_t>(HeightProfile::kAltitudes));
+      const float most = largest(rate);
+      if (!(most > 0.0f)) continue;
+      back[l] = most / usual;
+      for (int a = 0; a < HeightProfile::kAltitudes; ++a)
+        profile.rate[static_cast<std::size_t>(a) * profile.stride + l] = rate[a] * (usual / most);
+    }
+    out.deflection_points += w.fall(scene, profiles, profile.stride, sheet);
+    w.collect(lanes, profile.stride, some);
+    parallel_for(static_cast<std::size_t>(lanes), w.threads, [&](std::size_t l, int) {
+      for (std::size_t i = 0; i < cells; ++i)
+        out.rayleigh[(first + l) * cells + i] = some.rayleigh[l * cells + i] * back[l];
     });
   }
 }

@@ -58,8 +58,17 @@ class Exposer {
   void expose(const Scene& scene, Exposure& out, const std::function<void(double)>& progress = {},
               const std::atomic<bool>* stop = nullptr, int only_sheet = -1);
 
-  /// `free` are addresses of numbers inside `scene` (see real_value() of the parameter table).
+  /// `free` are addresses of numbers inside `scene` (see real_value() of the parameter table). What they do
+  /// to the height profile, other than by energy_kev, is not in the derivatives: see expose_profiles().
   void expose_with_derivatives(const Scene& scene, const std::vector<const double*>& free, Exposure& out);
+
+  /// The light of one sheet alone, once for every height profile of `rates` ([altitude] as a line of
+  /// HeightProfile has them, signed) that is put in the place of its own: planes of rayleighs in their order,
+  /// with the same beams and random numbers as expose(). Light is linear in the profile, so d rate / d number
+  /// gives d film / d number exactly (profile_slope() of sim/light/sheet_profile.h). Eight profiles cost one
+  /// expose().
+  void expose_profiles(const Scene& scene, int sheet, const std::vector<std::vector<float>>& rates,
+                       Exposure& out);
 
   /// The same light computed in double by one thread; for tests.
   void expose_reference(const Scene& scene, std::vector<double>& rayleigh);

@@ -102,6 +102,18 @@ std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const Par
     return Complaint{"the sheet is a single arc, so the spacing of arcs counts for nothing", expected,
                      "leave it out of fit.free, or set arcs"};
   }
+  if (key == "spline_rate" && sheet.profile != "spline") {
+    return Complaint{"the sheet's profile is \"" + sheet.profile + "\", so spline_rate counts for nothing",
+                     expected, "leave it out of fit.free, or set the profile to \"spline\""};
+  }
+  if (key == "energy_kev" && sheet.profile == "spline") {
+    return Complaint{"the sheet's profile is free, so the electrons' energy counts for nothing", expected,
+                     "leave it out of fit.free; sheet." + sheet.name + ".spline_rate is the light"};
+  }
+  if ((key == "peak_km" || key == "lower_km" || key == "upper_km") && sheet.profile != "form") {
+    return Complaint{"the sheet's profile is \"" + sheet.profile + "\", so " + key + " counts for nothing",
+                     expected, "leave it out of fit.free, or set the profile to \"form\""};
+  }
   return std::nullopt;
 }
 

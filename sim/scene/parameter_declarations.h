@@ -42,10 +42,10 @@ struct Declaration {
   std::function<ValueRef(Scene&, int sheet, int component)> at;
 
   /// Only for a vector whose length the scene decides; `components` then holds one placeholder.
-  std::function<const std::vector<double>&(const Scene&)> list;
-  std::function<void(Scene&, const std::vector<double>&)> set_list;
-  std::function<std::optional<Complaint>(const Scene&, const std::vector<double>&)> list_rule;
-  std::function<std::string(const Scene&, int)> list_component;
+  std::function<const std::vector<double>&(const Scene&, int sheet)> list;
+  std::function<void(Scene&, int sheet, const std::vector<double>&)> set_list;
+  std::function<std::optional<Complaint>(const Scene&, const std::vector<double>&)> list_rule;  ///< or none
+  std::function<std::string(const Scene&, int sheet, int component)> list_component;
 
   /// What limits and choices cannot say.
   std::function<std::optional<Complaint>(double)> number_rule;
@@ -73,7 +73,7 @@ const ParameterRow& first_row_of(const Declaration& declaration);
 const Declaration* find_declaration(const std::string& table, const std::string& key);
 
 /// How many components the value has in this scene: 1 for a scalar.
-int component_count(const Declaration& declaration, const Scene& scene);
+int component_count(const Declaration& declaration, const Scene& scene, int sheet);
 
 /// "sheet.main.center_km", the path of the whole key.
 std::string key_path(const Declaration& declaration, const Scene& scene, int sheet);

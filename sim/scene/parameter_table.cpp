@@ -48,7 +48,9 @@ Table build_table() {
   for (const Declaration& d : declarations()) {
     const int rows = d.components.empty() ? 1 : static_cast<int>(d.components.size());
     for (int c = 0; c < rows; ++c) {
-      const ValueRef value = d.at(defaults, 0, c);
+      const bool is_empty = d.list && d.list(defaults, 0).empty();
+      double real = 0.0;
+      const ValueRef value = is_empty ? ValueRef(&real) : d.at(defaults, 0, c);  // lists hold reals
       ParameterRow row;
       row.table = d.table;
       row.key = d.key;
@@ -74,16 +76,16 @@ const Table& table() {
   return built;
 }
 
-std::string component_name(const Declaration& d, const Scene& scene, int c) {
-  if (d.list_component) return d.list_component(scene, c);
+std::string component_name(const Declaration& d, const Scene& scene, int sheet, int c) {
+  if (d.list_component) return d.list_component(scene, sheet, c);
   return d.components.empty() ? std::string() : d.components[c];
 }
 
 void append_paths(const Scene& scene, const Declaration& d, int sheet, std::vector<ParameterPath>& paths) {
   const std::string whole = key_path(d, scene, sheet);
   const ParameterRow* first = &first_row_of(d);
-  for (int c = 0; c < component_count(d, scene); ++c) {
-    const std::string name = component_name(d, scene, c);
+  for (int c = 0; c < component_count(d, scene, sheet); ++c) {
+    const std::string name = component_name(d, scene, sheet, c);
     paths.push_back({d.list ? first : first + c, sheet, c, name.empty() ? whole : whole + "." + name});
   }
 }
@@ -107,6 +109,14 @@ std::string vector_text(const ParameterPath& path) {
   for (const ParameterPath& p : all_paths(scene)) {
     known.push_back(p.text);
     if (vector_text(p) != p.text) known.push_back(vector_text(p));
+  }
+  const std::string list = "spline_rate";
+  for (const Sheet& sheet : scene.sheets) {
+    const std::string key = std::string(sheet_table) + "." + sheet.name + "." + list;
+    if (with_sheet_name(scene, path).compare(0, key.size(), key) != 0 || !sheet.spline_rate.empty()) continue;
+    details.problem = "the sheet has no coefficients of a free-form profile";
+    details.hint = "set its profile to \"spline\"";
+    throw Error(ErrorKind::scene, details);
   }
   if (scene.sheets.empty() && path.compare(0, 6, "sheet.") == 0) {
     details.hint = "the scene has no sheet";
@@ -133,8 +143,8 @@ const ParameterRow& first_row_of(const Declaration& declaration) {
   return table().rows[static_cast<std::size_t>(found - owners.begin())];
 }
 
-int component_count(const Declaration& d, const Scene& scene) {
-  if (d.list) return static_cast<int>(d.list(scene).size());
+int component_count(const Declaration& d, const Scene& scene, int sheet) {
+  if (d.list) return static_cast<int>(d.list(scene, sheet).size());
   return d.components.empty() ? 1 : static_cast<int>(d.components.size());
 }
 
@@ -149,7 +159,7 @@ std::string key_text(const Declaration& d, const Scene& scene, int sheet) {
   Scene& place = const_cast<Scene&>(scene);
   if (d.components.empty()) return words_of(d.at(place, sheet, 0));
   std::string text = "[";
-  for (int c = 0; c < component_count(d, scene); ++c)
+  for (int c = 0; c < component_count(d, scene, sheet); ++c)
     text += (c > 0 ? ", " : "") + words_of(d.at(place, sheet, c));
   return text + "]";
 }

@@ -99,12 +99,17 @@ struct Sheet {
   double arc_spacing_km = 30.0;  ///< between them
 
   double brightness_kilorayleigh = 0.0;  ///< if not 0, of 557.7 nm along the field, in place of Q
-  std::string profile = "maxwellian";    ///< light against altitude: of a spectrum, a form or a file
-  double energy_spread = 0.2;            ///< of a Gaussian spectrum: standard deviation over energy_kev
-  std::string profile_file;              ///< CSV of a drawn or measured profile, beside the scene's file
-  double peak_km = 110.0;                ///< of a form's light
-  double lower_km = 4.0;                 ///< below the peak a form's light has fallen to a tenth
-  double upper_km = 20.0;                ///< above the peak a form's light has fallen to a tenth
+  std::string profile = "maxwellian";  ///< light against altitude: of a spectrum, a form, a file or a spline
+  double energy_spread = 0.2;          ///< of a Gaussian spectrum: standard deviation over energy_kev
+  std::string profile_file;            ///< CSV of a drawn or measured profile, beside the scene's file
+  double peak_km = 110.0;              ///< of a form's light
+  double lower_km = 4.0;               ///< below the peak a form's light has fallen to a tenth
+  double upper_km = 20.0;              ///< above the peak a form's light has fallen to a tenth
+  double spline_bottom_km = 80.0;      ///< where a free-form profile begins, dark
+  double spline_top_km = 500.0;        ///< and ends, dark
+  int spline_knots = 36;               ///< its coefficients per line
+  /// Photons cm^-3 s^-1 per mW m^-2, [line][knot] (sim/scene/spline_rates.h); empty without such a profile.
+  std::vector<double> spline_rate;
 
   double fold_spacing_km = 0.0;      ///< mean distance of folds; 0: none
   double fold_spacing_jitter = 0.5;  ///< of their places, fraction of the spacing
@@ -273,6 +278,7 @@ struct Fit {
   int sky_terms = 3;                ///< solved per channel: 1 level, 2 and gradient, 3 and curvature
   std::string decoding = "auto";    ///< "auto", "srgb", "linear" or "sensor"
   double model_error = 0.03;        ///< unmodelled structure, as a fraction of the local brightness
+  double profile_smoothness = 0.0;  ///< of free-form profiles (fit/profile_prior.h); 0: the data decide
   int scan_points = 24;             ///< wavelengths tried before the descent; 0: no search, only a descent
   int scan_descents = 6;            ///< of which this many are followed downhill
 };

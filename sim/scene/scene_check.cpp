@@ -8,6 +8,7 @@
 #include "sim/scene/line_of.h"
 #include "sim/scene/parameter_declarations.h"
 #include "sim/scene/parameter_table.h"
+#include "sim/scene/spline_rates.h"
 #include "sim/scene/table_files.h"
 #include "sim/scene/value_check.h"
 #include "sim/scene/value_words.h"
@@ -124,6 +125,31 @@ void check_sensor(const Scene& scene) {
   }
 }
 
+/// As many coefficients as the lines ask for, between two altitudes, and of a brightness of their own.
+void check_splines(const Scene& scene) {
+  for (const Sheet& sheet : scene.sheets) {
+    if (!has_spline_profile(sheet)) continue;
+    const std::string path = "sheet." + sheet.name + ".";
+    const auto origin = [&](const std::string& key) { return Origin{scene.file, 0, path + key}; };
+    if (sheet.spline_bottom_km + 10.0 > sheet.spline_top_km)
+      complain({"the profile has no room between " + short_real_text(sheet.spline_bottom_km) + " and " +
+                    short_real_text(sheet.spline_top_km) + " km",
+                "spline_bottom_km at least 10 km below spline_top_km", ""},
+               origin("spline_top_km"));
+    const std::size_t lines = scene.emission.lines.size(),
+                      wanted = lines * static_cast<std::size_t>(sheet.spline_knots);
+    if (sheet.spline_rate.size() != wanted)
+      complain({std::to_string(sheet.spline_rate.size()) + " coefficients for " + std::to_string(lines) +
+                    " emission lines with " + std::to_string(sheet.spline_knots) + " knots each",
+                std::to_string(wanted) + " coefficients", "leave spline_rate out, and it is filled in"},
+               origin("spline_rate"));
+    if (sheet.brightness_kilorayleigh > 0.0)
+      complain({"a free-form profile has its own brightness", "brightness_kilorayleigh (and ibc) left out",
+                "the coefficients times energy_flux_mw_m2 are the light"},
+               origin("brightness_kilorayleigh"));
+  }
+}
+
 void check_region(const Scene& scene) {
   const auto& [x, y, width, height] = scene.fit.roi_px;
   const bool is_whole_image = x == 0 && y == 0 && width == 0 && height == 0;
@@ -146,8 +172,8 @@ void check_region(const Scene& scene) {
 
 void validate(const Scene& scene) {
   for (const Declaration& d : declarations()) {
-    if (!d.list) continue;
-    if (const auto complaint = d.list_rule(scene, d.list(scene))) {
+    if (!d.list_rule) continue;  // none of a sheet has one
+    if (const auto complaint = d.list_rule(scene, d.list(scene, -1))) {
       complain(*complaint, {scene.file, 0, key_path(d, scene, -1)});
     }
   }
@@ -162,6 +188,7 @@ void validate(const Scene& scene) {
   check_response(scene);
   check_profile_files(scene);
   check_sensor(scene);
+  check_splines(scene);
   check_region(scene);
   check_free_parameters(scene);
 }

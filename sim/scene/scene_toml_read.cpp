@@ -13,6 +13,7 @@
 #include "sim/scene/nearest_name.h"
 #include "sim/scene/parameter_declarations.h"
 #include "sim/scene/scene_toml.h"
+#include "sim/scene/spline_rates.h"
 #include "sim/scene/table_files.h"
 #include "sim/scene/toml_value.h"
 #include "sim/scene/value_words.h"
@@ -83,6 +84,7 @@ class Reader {
         read_table(table, -1, table_of(table));
       }
     }
+    fill_spline_rates(scene_);
     check_whole();
   }
 

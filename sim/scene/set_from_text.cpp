@@ -6,6 +6,7 @@
 #include "sim/scene/free_entry_keys.h"
 #include "sim/scene/free_parameters_toml.h"
 #include "sim/scene/parameter_table.h"
+#include "sim/scene/spline_rates.h"
 #include "sim/scene/toml_value.h"
 
 namespace vegard::sim {
@@ -53,9 +54,11 @@ void set_from_text(Scene& scene, const std::string& path, const std::string& tex
   };
   // First on a copy: a vector whose second component is wrong must not be half set, and the scene itself is
   // not replaced, since others may hold addresses into it.
+  const Scene before = scene;
   Scene trial = scene;
   assign(trial);
   assign(scene);
+  follow_spline_grid(before, scene);
   scene.lines.erase(key_path(d, scene, first.sheet));
 }
 

@@ -71,15 +71,23 @@ const toml::array& array_of(const toml::node& node, std::optional<std::size_t> c
   return *array;
 }
 
-void assign_list(Scene& scene, const Declaration& d, const toml::node& node, const Origin& origin) {
+void set_list(Scene& scene, const Declaration& d, int sheet, const std::vector<double>& list,
+              const Origin& origin) {
+  if (d.list_rule) {
+    if (const auto complaint = d.list_rule(scene, list)) complain(*complaint, origin);
+  }
+  d.set_list(scene, sheet, list);
+}
+
+void assign_list(Scene& scene, const Declaration& d, int sheet, const toml::node& node,
+                 const Origin& origin) {
   std::vector<double> list;
   for (const toml::node& element : array_of(node, std::nullopt, origin, expected_vector(d))) {
     const double number = number_of(element, origin, expected_text(d));
     if (const auto complaint = number_complaint(d, number)) complain(*complaint, at_node(origin, element));
     list.push_back(number);
   }
-  if (const auto complaint = d.list_rule(scene, list)) complain(*complaint, origin);
-  d.set_list(scene, list);
+  set_list(scene, d, sheet, list, origin);
 }
 
 }  // namespace
@@ -136,10 +144,9 @@ void assign_component(Scene& scene, const Declaration& d, int sheet, int compone
                       const Origin& origin) {
   if (d.list) {
     // Through the whole list, whose rule may forbid the new component beside the others.
-    std::vector<double> list = d.list(scene);
+    std::vector<double> list = d.list(scene, sheet);
     std::visit(Assign{d, node, origin}, ValueRef(&list.at(component)));
-    if (const auto complaint = d.list_rule(scene, list)) complain(*complaint, origin);
-    d.set_list(scene, list);
+    set_list(scene, d, sheet, list, origin);
     return;
   }
   std::visit(Assign{d, node, origin}, d.at(scene, sheet, component));
@@ -147,7 +154,7 @@ void assign_component(Scene& scene, const Declaration& d, int sheet, int compone
 }
 
 void assign_key(Scene& scene, const Declaration& d, int sheet, const toml::node& node, const Origin& origin) {
-  if (d.list) return assign_list(scene, d, node, origin);
+  if (d.list) return assign_list(scene, d, sheet, node, origin);
   if (d.components.empty()) return assign_component(scene, d, sheet, 0, node, origin);
   const toml::array& array = array_of(node, d.components.size(), origin, expected_vector(d));
   for (std::size_t c = 0; c < array.size(); ++c) {

@@ -25,7 +25,8 @@ TEST(FlatDirections, AParabolaHasNone) {
   for (double correlation : {0.0, 0.6, -0.95}) {
     Uncertainty u = two(correlation);
     const Uncertainty before = u;
-    drop_flat_directions([&](const std::vector<double>& x) { return parabola(before, x); }, u);
+    drop_flat_directions([&](const std::vector<double>& x) { return parabola(before, x); }, {false, false},
+                         u);
     EXPECT_TRUE(u.undetermined.empty());
     EXPECT_EQ(u.sigma, before.sigma);
   }
@@ -38,7 +39,7 @@ TEST(FlatDirections, AWallOnOneSideOnlyIsNoErrorBar) {
       [&](const std::vector<double>& x) {
         return parabola(before, {std::max(0.0, x[0]), x[1]});  // the first may fall as it likes
       },
-      u);
+      {false, false}, u);
   EXPECT_TRUE(std::isnan(u.sigma[0]));
   EXPECT_DOUBLE_EQ(u.sigma[1], 0.5);
   ASSERT_EQ(u.undetermined.size(), 1u);

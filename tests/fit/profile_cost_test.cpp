@@ -11,6 +11,7 @@
 
 #include "fit/noise_model.h"
 #include "sim/render/render.h"
+#include "sim/scene/spline_rates.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/small_scene.h"
 
@@ -247,6 +248,52 @@ TEST(ProfileModel, OfAnExposureOfADriftingSheetIsThePhotographsProfile) {
   sim::Scene still = scene;
   still.time.instants = 1;
   EXPECT_GT(profile_error(scene, still), 0.1) << "the motion counts";
+}
+
+/// Light is linear in a profile's coefficients, and no sample moves: the differences are as exact as floats.
+TEST(ProfileCost, JacobianOfAFreeFormProfileAgreesWithDifferences) {
+  sim::Scene scene = tests::small_scene();
+  scene.sheets[0].beams = 2000;
+  scene.sheets[0].profile = "spline";
+  scene.sheets[0].spline_knots = 10;
+  scene.blur.width_deg = {0.43, 0.25, 0.3};
+  sim::fill_spline_rates(scene);
+  scene.fit.free.push_back({"sheet.main.spline_rate", {}, {}, {}, {}, 0});
+  sim::Scene elsewhere = scene;
+  for (int k = 0; k < 30; ++k) elsewhere.sheets[0].spline_rate[k] *= 1.0 + 0.5 * std::sin(k);
+  const Photo photo = photo_of(elsewhere);
+  const Region region{20, 10, 120, 100};
+  const std::vector<FreeNumber> free = free_numbers(scene);
+  const Profile data = extract_profile(photo, region, 4);
+  const std::vector<double> sigma = profile_sigma(data, 0.05);
+  ProfileModel model(scene, photo, region, 4, 1.0, 0.0, 2);
+  const LinearPart linear(data, sigma, {4, true, false}, 3, scene.camera.height);
+  EvaluationLog log;
+  const ProfileCost cost(scene, free, model, linear, log, spline_prior(scene, free, 2.0), 3.0);
+  ASSERT_EQ(cost.num_residuals(), 4 * 100 * 3 + 3 * 8 + 1);
+  std::vector<double> u;
+  for (const FreeNumber& number : free) u.push_back(number.coordinate(number.start));
+  const std::size_t p = u.size(), n = static_cast<std::size_t>(cost.num_residuals());
+  std::vector<double> here(n), up(n), down(n), jacobian(n * p);
+  double* rows[] = {jacobian.data()};
+  const double* at[] = {u.data()};
+  ASSERT_TRUE(cost.Evaluate(at, here.data(), rows));
+  for (std::size_t j = 0; j < p; ++j) {
+    const double kept = u[j], step = 1e-3;  // 4 % of a coefficient
+    u[j] = kept + step;
+    ASSERT_TRUE(cost.Evaluate(at, up.data(), nullptr));
+    u[j] = kept - step;
+    ASSERT_TRUE(cost.Evaluate(at, down.data(), nullptr));
+    u[j] = kept;
+    double error = 0.0, size = 0.0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const double difference = (up[k] - down[k]) / (2.0 * step);
+      error += std::pow(jacobian[k * p + j] - difference, 2);
+      size += difference * difference;
+    }
+    ASSERT_GT(size, 0.0);
+    EXPECT_LT(std::sqrt(error / size), 2e-3) << free[j].path.text;
+  }
 }
 
 }  // namespace

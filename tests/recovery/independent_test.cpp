@@ -15,69 +15,25 @@
 #include "fit/fit.h"
 #include "sim/scene/parameter_table.h"
 #include "sim/scene/scene_toml.h"
+#include "tests/recovery/independent_picture.h"
 
 namespace vegard::fit {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kDegreesPerRadian = 57.29577951308232;
-
 const std::filesystem::path kShipped = std::filesystem::path(VEGARD_SOURCE_DIR) / "data/examples/h000";
-
-Json read_json(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  return Json::parse(stream);
-}
-
-/// The sheet that the picture was made from.
-sim::Sheet true_sheet(const Json& truth) {
-  const Json& from = truth.at("sheets").at(0);
-  const auto end = [&](const char* key) {
-    return sim::EastNorth{from.at(key).at(0).get<double>(), from.at(key).at(1).get<double>()};
-  };
-  const sim::EastNorth a = end("start_km"), b = end("end_km");
-  sim::Sheet sheet;
-  sheet.center_km = {0.5 * (a.east + b.east), 0.5 * (a.north + b.north)};
-  sheet.length_km = std::hypot(b.east - a.east, b.north - a.north);
-  sheet.bearing_deg = std::atan2(b.east - a.east, b.north - a.north) * kDegreesPerRadian;
-  sheet.thickness_km = from.at("thickness_km");
-  sheet.wavelength_km = from.at("wavelength_km");
-  sheet.phase_rad = from.at("phase_rad");
-  sheet.phase_shift_rad = from.at("phase_shift_rad");
-  sheet.layers = from.at("layers");
-  sheet.width_km = from.at("width_km");
-  sheet.energy_kev = from.at("E0_keV");
-  sheet.energy_flux_mw_m2 = from.at("Q");
-  return sheet;
-}
 
 /// The start that the shipped example has too: the place, the wave and the energy far off, the rest as it is.
 sim::Scene start_scene(const Json& truth) {
-  sim::Scene scene;
-  scene.site.latitude_deg = truth.at("site").at("latitude_deg");
-  scene.field.inclination_deg = truth.at("field").at("inclination_deg");
-  scene.field.declination_deg = truth.at("field").at("declination_deg");
-  const Json& camera = truth.at("camera");
-  scene.camera.width = camera.at("width");
-  scene.camera.height = camera.at("height");
-  scene.camera.hfov_deg = camera.at("hfov_deg");
-  scene.camera.azimuth_deg = camera.at("azimuth_deg");
-  scene.camera.elevation_deg = camera.at("elevation_deg");
-  scene.camera.roll_deg = camera.at("roll_deg");
-  sim::Sheet sheet = true_sheet(truth);
+  sim::Scene scene = known_scene(truth);
+  sim::Sheet& sheet = scene.sheets[0];
   sheet.center_km = {1.3 * sheet.center_km.east, 1.3 * sheet.center_km.north};
   sheet.bearing_deg += 5.0;
   sheet.energy_kev *= 2.0;
   sheet.thickness_km *= 1.3;
   sheet.wavelength_km *= 1.3;
   sheet.phase_rad = 0.0;
-  sheet.beams = 2000;
-  scene.sheets = {sheet};
-  const Json& blur_px = truth.at("photo").at("blur_px");
-  for (std::size_t line = 0; line < scene.blur.width_deg.size(); ++line)
-    scene.blur.width_deg[line] = blur_px.at(line).get<double>() * scene.camera.hfov_deg / scene.camera.width;
-  scene.fit.bands = 24;
   for (const char* key :
        {"center_km", "bearing_deg", "thickness_km", "wavelength_km", "phase_rad", "energy_kev"}) {
     sim::FreeParameter free;
@@ -100,7 +56,8 @@ void expect_targets(const FitResult& result, const sim::Sheet& truth) {
   EXPECT_NEAR(nearest_distance_km(found), distance, 0.08 * distance);
   EXPECT_LT(result.rms_over_peak, 0.04);
   EXPECT_GT(result.rms_over_peak, 0.0);
-  // Where no end of the arc is in view (h002), its place along itself trades off against the phase: a doubt, rightly.
+  // Where no end of the arc is in view (h002), its place along itself trades off against the phase: a doubt,
+  // rightly.
   EXPECT_TRUE(result.verdict == Verdict::good || result.verdict == Verdict::doubtful) << result.verdict_line;
 }
 
@@ -160,16 +117,6 @@ TEST(ShippedPhotograph, StartsWhereTheOthersDo) {
     // The file has four decimals.
     EXPECT_NEAR(*sim::real_value(shipped, path), *sim::real_value(built, path), 1.5e-4) << path.text;
   }
-}
-
-/// Where the other photographs lie, if they do: they are too large to ship.
-std::optional<std::filesystem::path> photographs() {
-  const char* const named = std::getenv("VEGARD_PHOTOS");
-  const std::filesystem::path folder =
-      named != nullptr ? std::filesystem::path(named)
-                       : std::filesystem::path(VEGARD_SOURCE_DIR) / "../shared/photos/independent";
-  if (!std::filesystem::is_directory(folder)) return {};
-  return folder;
 }
 
 class MorePhotographs : public ::testing::TestWithParam<const char*> {};

@@ -20,6 +20,9 @@ std::vector<Declaration> fit_rows() {
           .means("how the photograph's numbers become linear light; sensor: by sensor.tone and the vignetting"),
       Row("fit", "model_error", &Scene::fit, &Fit::model_error).within(0, 1)
           .means("unmodelled structure, as a fraction of the local brightness"),
+      Row("fit", "profile_smoothness", &Scene::fit, &Fit::profile_smoothness).within(0, 1e4)
+          .means("of a free-form profile: one over the standard deviation of the second differences of "
+                 "ln(spline_rate) from knot to knot; 0: what makes the data most probable, line by line"),
       Row("fit", "scan_points", &Scene::fit, &Fit::scan_points).within(0, 1000000)
           .means("wavelengths tried before the descents; 0: no search, one descent from the start"),
       Row("fit", "scan_descents", &Scene::fit, &Fit::scan_descents).within(0, 10000)

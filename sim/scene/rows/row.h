@@ -42,8 +42,8 @@ class Row {
     d_.key = std::move(key);
     d_.at = [=](Scene& scene, int, int c) { return component_of(scene.*in.*value, c); };
     if constexpr (std::is_same_v<Value, std::vector<double>>) {
-      d_.list = [=](const Scene& scene) -> const std::vector<double>& { return scene.*in.*value; };
-      d_.set_list = [=](Scene& scene, const std::vector<double>& list) { scene.*in.*value = list; };
+      d_.list = [=](const Scene& scene, int) -> const std::vector<double>& { return scene.*in.*value; };
+      d_.set_list = [=](Scene& scene, int, const std::vector<double>& list) { scene.*in.*value = list; };
     }
   }
 
@@ -52,6 +52,14 @@ class Row {
     d_.table = sheet_table;
     d_.key = std::move(key);
     d_.at = [=](Scene& scene, int sheet, int c) { return component_of(scene.sheets.at(sheet).*value, c); };
+    if constexpr (std::is_same_v<Value, std::vector<double>>) {
+      d_.list = [=](const Scene& scene, int sheet) -> const std::vector<double>& {
+        return scene.sheets.at(sheet).*value;
+      };
+      d_.set_list = [=](Scene& scene, int sheet, const std::vector<double>& list) {
+        scene.sheets.at(sheet).*value = list;
+      };
+    }
   }
 
   Row& means(std::string meaning) { return d_.meaning = std::move(meaning), *this; }
@@ -66,10 +74,19 @@ class Row {
   Row& list_rule(std::optional<Complaint> (*check)(const Scene&, const std::vector<double>&)) {
     return d_.list_rule = check, *this;
   }
-  Row& set_by(void (*set)(Scene&, const std::vector<double>&)) { return d_.set_list = set, *this; }
+  Row& set_by(void (*set)(Scene&, const std::vector<double>&)) {
+    d_.set_list = [=](Scene& scene, int, const std::vector<double>& list) { set(scene, list); };
+    return *this;
+  }
   Row& names_table() { return d_.names_table = true, *this; }
   Row& then(void (*follow)(Scene&, int)) { return d_.then = follow, *this; }
-  Row& named_by(std::string (*name)(const Scene&, int)) { return d_.list_component = name, *this; }
+  Row& named_by(std::string (*name)(const Scene&, int component)) {
+    d_.list_component = [=](const Scene& scene, int, int c) { return name(scene, c); };
+    return *this;
+  }
+  Row& named_by(std::string (*name)(const Scene&, int sheet, int component)) {
+    return d_.list_component = name, *this;
+  }
 
   operator Declaration() const { return d_; }
 

@@ -3,6 +3,7 @@
 #include "sim/scene/parameter_rules.h"
 #include "sim/scene/rows/row.h"
 #include "sim/scene/rows/rows.h"
+#include "sim/scene/spline_rates.h"
 
 namespace vegard::sim {
 namespace {
@@ -11,6 +12,10 @@ constexpr double pi = 3.14159265358979323846;
 constexpr auto linear = ParameterScale::linear;
 constexpr auto logarithmic = ParameterScale::logarithmic;
 constexpr auto angle = ParameterScale::angle;
+
+std::string spline_rate_name(const Scene& scene, int sheet, int index) {
+  return spline_rate_component(scene, sheet, index);
+}
 
 /// Who asks for a number of beams does not want a form's, which goes by the length.
 void count_beams(Scene& scene, int sheet) { scene.sheets.at(sheet).beams_per_km = 0.0; }
@@ -72,15 +77,27 @@ std::vector<Declaration> sheet_rows() {
           .means("distance between them (10 to 100 in nature)"),
       Row("brightness_kilorayleigh", &Sheet::brightness_kilorayleigh).in("kR").within(0, 1e6)
           .means("of 557.7 nm seen along the field, at its peak across a layer, in place of the energy flux; 0: that says"),
-      Row("profile", &Sheet::profile).one_of({"maxwellian", "mono", "gaussian", "form", "file"})
-          .means("light against altitude: of electrons with a Maxwellian spectrum, a single energy, or a Gaussian one; the form's measured curve with the Maxwellian's ratios of lines; or that of profile_file"),
+      Row("profile", &Sheet::profile).one_of({"maxwellian", "mono", "gaussian", "form", "file", "spline"})
+          .means("light against altitude: of electrons with a Maxwellian spectrum, a single energy, or a Gaussian one; the form's measured curve with the Maxwellian's ratios of lines; that of profile_file; or a free form of its own for each line"),
       Row("profile_file", &Sheet::profile_file).names_table()
           .means("of the profile \"file\": a CSV of altitude_km and, per line, photons cm⁻³ s⁻¹, beside the scene's file"),
-      Row("peak_km", &Sheet::peak_km).in("km").within(85, 400).means("altitude of a form's brightest light"),
-      Row("lower_km", &Sheet::lower_km).in("km").within(0.5, 100)
+      Row("peak_km", &Sheet::peak_km).in("km").within(85, 400).may_be_free(linear)
+          .means("altitude of a form's brightest light"),
+      Row("lower_km", &Sheet::lower_km).in("km").within(0.5, 100).may_be_free(logarithmic)
           .means("how far below the peak a form's light has fallen to a tenth"),
-      Row("upper_km", &Sheet::upper_km).in("km").within(1, 500)
+      Row("upper_km", &Sheet::upper_km).in("km").within(1, 500).may_be_free(logarithmic)
           .means("how far above the peak a form's light has fallen to a tenth"),
+      Row("spline_bottom_km", &Sheet::spline_bottom_km).in("km").within(80, 630)
+          .means("altitude at which a free-form profile begins, dark"),
+      Row("spline_top_km", &Sheet::spline_top_km).in("km").within(90, 640)
+          .means("altitude at which a free-form profile ends, dark"),
+      Row("spline_knots", &Sheet::spline_knots).within(4, 64)
+          .means("coefficients of a free-form profile per line, closer together low down"),
+      Row("spline_rate", &Sheet::spline_rate).of({"<line>_<n>"}).named_by(spline_rate_name)
+          .in("cm⁻³ s⁻¹ per mW m⁻²").within(1e-12, 1e6).may_be_free(logarithmic)
+          .means("coefficients of a free-form profile, about the emission rate at their altitudes: all of the first "
+                 "line from the bottom up, then the next line's, such as sheet.main.spline_rate.5577_3; "
+                 "empty: one broad layer for all lines"),
       Row("fold_spacing_km", &Sheet::fold_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
           .means("mean distance between folds (about 20 in nature); 0: no folds"),
       Row("fold_spacing_jitter", &Sheet::fold_spacing_jitter).within(0, 1)

@@ -1,0 +1,96 @@
+#include "fit/profile_rounds.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "fit/uncertainty.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr int kRounds = 5, kIterations = 40;
+constexpr double kSettled = 0.1;
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Coefficients go by their logarithms, the others by the solver's coordinates.
+struct Coordinates {
+  std::vector<double> at, slope;  // d value / d coordinate
+
+  Coordinates(const SplinePrior& prior, const std::vector<FreeNumber>& free,
+              const std::vector<double>& values) {
+    for (std::size_t j = 0; j < free.size(); ++j) {
+      at.push_back(free[j].coordinate(values[j]));
+      slope.push_back(free[j].slope(at.back()));
+    }
+    for (const SplineLine& line : prior.lines)
+      for (const int j : line.numbers) {
+        at[j] = std::log(values[j]);
+        slope[j] = values[j];
+      }
+  }
+};
+
+std::vector<double> products(const std::vector<double>& jacobian, std::size_t rows, double factor,
+                             const Coordinates& coordinates) {
+  const auto n = static_cast<Eigen::Index>(coordinates.slope.size());
+  const Eigen::Map<const RowMajor> by_value(jacobian.data(), static_cast<Eigen::Index>(rows), n);
+  const Eigen::VectorXd slope = Eigen::Map<const Eigen::VectorXd>(coordinates.slope.data(), n);
+  const RowMajor all = factor * (slope.asDiagonal() * (by_value.transpose() * by_value) * slope.asDiagonal());
+  return std::vector<double>(all.data(), all.data() + n * n);
+}
+
+double change(const std::vector<double>& a, const std::vector<double>& b) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(std::log(a[i] / b[i])));
+  return most;
+}
+
+}  // namespace
+
+double first_smoothness(const sim::Scene& scene) {
+  return scene.fit.profile_smoothness > 0.0 ? scene.fit.profile_smoothness : 1.0;
+}
+
+SettledProfiles settle_profiles(const sim::Scene& scene, const std::vector<FreeNumber>& free,
+                                ProfileModel& model, const LinearPart& linear, const Profile& data,
+                                const Descent& from, EvaluationLog& log, std::vector<TraceRow>& trace) {
+  SettledProfiles settled;
+  settled.descent = from;
+  settled.prior = spline_prior(scene, free, first_smoothness(scene));
+  settled.inflation = kFirstPriorWeight;
+  for (int round = 0; round < kRounds && !log.exhausted(); ++round) {
+    const ProfileCost before(scene, free, model, linear, log, settled.prior, settled.inflation);
+    const ProfileCost::Point point = before.at(settled.descent.values, true);
+    std::vector<double> jacobian, prior_jacobian, ignored;
+    linear.jacobian(point.aurora, point.solution, jacobian);
+    const int dof = linear.residuals() - linear.coefficients() - static_cast<int>(free.size());
+    const double inflation = error_inflation(data, linear.used(), point.solution.residual, dof);
+    const Coordinates coordinates(settled.prior, free, point.values);
+    SplinePrior of_scale = settled.prior;
+    of_scale.smoothness.assign(of_scale.lines.size(), 0.0);
+    PriorRows others(free);
+    append_rows(of_scale, scene, 1.0, others);
+    others.evaluate(point.values, ignored, &prior_jacobian);
+    SplinePrior prior = settled.prior;
+    const std::vector<double> probable = most_probable_smoothness(
+        prior,
+        products(jacobian, static_cast<std::size_t>(linear.residuals()), 1.0 / (inflation * inflation),
+                 coordinates),
+        products(prior_jacobian, others.count(), 1.0, coordinates), coordinates.at, &settled.determined);
+    if (scene.fit.profile_smoothness <= 0.0) prior.smoothness = probable;
+    const bool same = round > 0 && change(prior.smoothness, settled.prior.smoothness) < kSettled &&
+                      std::abs(std::log(inflation / settled.inflation)) < kSettled;
+    if (same) break;
+    settled.prior = prior;
+    settled.inflation = inflation;
+    const ProfileCost cost(scene, free, model, linear, log, prior, inflation);
+    settled.descent = descend(cost, free, point.values, kIterations,
+                              "polish, profiles " + std::to_string(round + 1), log, trace);
+  }
+  return settled;
+}
+
+}  // namespace vegard::fit
