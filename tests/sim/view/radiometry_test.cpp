@@ -8,9 +8,9 @@ namespace vegard::sim {
 namespace {
 
 TEST(Radiometry, AKilorayleighOfGreenIsAsBrightAsTheConversionOfTheLiteratureSays) {
-  // Baker and Romick 1976, doi:10.1364/AO.15.001966: 1 R at wavelength lambda in angstrom is 1.58e-11 /
-  // lambda W cm^-2 sr^-1 (with their rounding of h c).
-  const double w_m2_sr = 1.58e-11 / 5577.0 * 1e4;
+  // Baker and Romick 1976, doi:10.1364/AO.15.001966: 1 R is 1.58e-11 / lambda W cm^-2 sr^-1, lambda in
+  // nanometres. Their h c is rounded to three digits.
+  const double w_m2_sr = 1.58e-11 / 557.7 * 1e4;
   EXPECT_NEAR(radiance_w_m2_sr_per_rayleigh(557.7) / w_m2_sr, 1.0, 1e-3);
   // With 683 lm/W and V(557.7 nm) = 0.9983 (CIE, between 555 nm: 1.0000 and 560 nm: 0.9950).
   EXPECT_NEAR(luminance_cd_m2_per_rayleigh(557.7) / (683.0 * 0.9983 * w_m2_sr), 1.0, 2e-3);
