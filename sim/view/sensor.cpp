@@ -19,13 +19,6 @@ namespace {
 
 constexpr double kLeastLight = 0.01;  // of a lens, where it tells something
 
-Vector3 product(const Matrix3& m, const Vector3& v) {
-  Vector3 result{};
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) result[r] += m[r][c] * v[c];
-  return result;
-}
-
 Vector3 pixel(const Image& rgb, int x, int y) { return {rgb.at(x, y, 0), rgb.at(x, y, 1), rgb.at(x, y, 2)}; }
 
 bool has_mosaic(const Scene& scene) { return scene.sensor.mosaic != "none"; }
