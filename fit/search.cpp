@@ -278,7 +278,8 @@ class Search {
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(m, m);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(m), row(m);
     for (std::size_t k = 0; k < point.solution.residual.size(); ++k) {
-      for (std::size_t j = 0; j < n; ++j) row(static_cast<Eigen::Index>(j)) = in_phase[k * n + j];
+      for (std::size_t j = 0; j < n; ++j)
+        row(static_cast<Eigen::Index>(j)) = is_searched(free_[j]) ? in_phase[k * n + j] : 0.0;
       row(static_cast<Eigen::Index>(n)) = quadrature[k * n + sine.thickness];
       row(sine.phase) = 0.0;
       if (sine.wavelength >= 0) row(sine.wavelength) = 0.0;
