@@ -99,6 +99,7 @@ void print(const std::string& name, const FitResult& result, const sim::Scene& t
                 100.0 * z.share_within(1.0), 100.0 * z.share_within(2.0));
   }
   std::printf("\n");
+  std::fflush(stdout);
 }
 
 /// What such a fit is to reach: the targets for the green line.

@@ -54,7 +54,7 @@ TEST(ProfileExposure, OfAFormsNumbersAgreesWithDifferences) {
   scene.sheets[0].profile = "form";
   scene.sheets[0].peak_km = 113.1;
   scene.sheets[0].lower_km = 11.0;
-  // Floats' places on the film against doubles', and in numerator and denominator second differences.
+  // The places of floats on the film against those of doubles.
   expect_exact(scene, &Sheet::peak_km, 0.02, 3e-3);
   expect_exact(scene, &Sheet::lower_km, 0.02, 3e-3);
   expect_exact(scene, &Sheet::upper_km, 0.02, 3e-3);
