@@ -55,6 +55,7 @@ sim::Sheet true_sheet(const Json& truth) {
 /// The start that the shipped example has too: the place, the wave and the energy far off, the rest as it is.
 sim::Scene start_scene(const Json& truth) {
   sim::Scene scene;
+  scene.emission.flux_law = "linear";  // that of the program that made the pictures
   scene.site.latitude_deg = truth.at("site").at("latitude_deg");
   scene.field.inclination_deg = truth.at("field").at("inclination_deg");
   scene.field.declination_deg = truth.at("field").at("declination_deg");
