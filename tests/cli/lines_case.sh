@@ -50,4 +50,5 @@ beams = 50
 SCENE
 expect_exit 0 "" "$vegard" params lines.toml
 grep -q '^blur\.width_deg\.6364  *0\.43 ' out.txt || fail "636.4 nm is not blurred as 630.0 nm"
-expect_exit 2 "no emission line at 600 nm" "$vegard" params lines.toml --set emission.lines=[600]
+sed -i 's/391.4, /600, /' lines.toml
+expect_exit 2 "no emission line at 600 nm" "$vegard" params lines.toml

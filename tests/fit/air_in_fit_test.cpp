@@ -46,7 +46,7 @@ Photo photo_of(const sim::Scene& scene) {
     photo.linear.data[i] += std::max(rendering.aurora.data[i], 0.0f) - rendering.aurora.data[i];
   photo.usable.assign(photo.linear.data.size(), 1);
   photo.floating = true;
-  photo.srgb = false;
+  photo.srgb = true;  // a display's light, clipped where it is out of gamut
   return photo;
 }
 

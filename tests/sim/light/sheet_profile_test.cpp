@@ -68,8 +68,9 @@ TEST(SheetProfile, FollowsTheColumnsOfItsEnergyFlux) {
     sheet.profile = profile;
     EXPECT_EQ(green(10.0, "linear"), green(1.0, "linear"));
     EXPECT_EQ(green(1.0, "column"), green(1.0, "linear"));
-    if (sheet.profile == "maxwellian")
+    if (sheet.profile == "maxwellian") {
       EXPECT_NEAR(green(10.0, "column") / green(1.0, "column"), 1.1519, 1e-4);
+    }
     EXPECT_GT(green(10.0, "column"), 1.05 * green(1.0, "column"));
   }
 }
