@@ -291,6 +291,12 @@ Colour channel_colour(int channel) {
   return kChannels[channel];
 }
 
+Colour line_ink(double wavelength_nm) {
+  constexpr double kReddestGreen = 600.0, kBluestGreen = 540.0;
+  if (wavelength_nm > kReddestGreen) return channel_colour(0);
+  return channel_colour(wavelength_nm > kBluestGreen ? 1 : 2);
+}
+
 Colour distinct_colour(int index) {
   constexpr std::array<Colour, 7> kDistinct = {{{0, 114, 178},
                                                 {213, 94, 0},

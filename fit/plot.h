@@ -18,6 +18,9 @@ struct Colour {
 /// The colours of a photograph's channels, dark enough for lines on white.
 Colour channel_colour(int channel);
 
+/// Of an emission line: near its own colour, and dark enough for white.
+Colour line_ink(double wavelength_nm);
+
 /// For everything else: distinct to the colour-blind (after Okabe and Ito), repeating after seven.
 Colour distinct_colour(int index);
 

@@ -42,7 +42,7 @@ Plot quenching_plot() {
     if (sim::is_prompt(line) || !drawn.insert(line.table_column).second) continue;
     Series share, lifetime;
     share.label = label_of(line);
-    share.colour = distinct_colour(static_cast<int>(drawn.size()) - 1);
+    share.colour = line_ink(line.wavelength_nm);
     lifetime.label = share.label;
     lifetime.colour = share.colour;
     for (double altitude = kBottomKm; altitude <= kTopKm; altitude += kStepKm) {

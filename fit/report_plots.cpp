@@ -17,12 +17,6 @@ const char* const kChannelNames[3] = {"red", "green", "blue"};
 constexpr Colour kModelInk{40, 40, 40};
 const char* const kHowToRead = "Dots: photograph. Shaded: \u00b11 \u03c3. Thin line: model.";
 
-/// Near the line's own colour, and dark enough for white.
-Colour line_ink(double wavelength_nm) {
-  if (wavelength_nm > 600.0) return channel_colour(0);
-  return channel_colour(wavelength_nm > 500.0 ? 1 : 2);
-}
-
 void set_height_axis(const FitResult& result, const ElevationOfPixel& elevation_of_pixel, Axis& axis) {
   if (elevation_of_pixel) {
     axis.label = "elevation (\u00b0)";
