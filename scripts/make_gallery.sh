@@ -27,9 +27,9 @@ make_photographs() {
 
 # The drapery with a brightest spot of 1, 10, 100 and 1000 kR: above by a camera exposed for it, below to the eye.
 make_eye() {
-  local folder kilorayleigh seen
+  local kilorayleigh seen
   folder=$(mktemp -d)
-  trap 'rm -rf "$folder"' EXIT
+  trap 'rm -rf "$folder"' EXIT  # the folder outlives this function
   for kilorayleigh in 1 10 100 1000; do
     # The brightest spot has 0.14 of what one layer has along the field.
     seen=(data/gallery/drapery.toml
