@@ -50,7 +50,7 @@ BrightnessReport brightness_report(const sim::Scene& scene, const sim::Rendering
     std::vector<double> this_one(lines, 0.0);
     this_one[l] = 1.0;
     report.brightest.push_back(sim::brightest_spot(rendering.rayleigh, this_one, scene.camera));
-    luminance.push_back(sim::luminance_cd_m2_per_rayleigh(scene.emission.lines[l]));
+    luminance.push_back(sim::line_luminance_cd_m2_per_rayleigh(scene.emission.lines[l]));
   }
   report.most_luminous = sim::brightest_spot(rendering.rayleigh, luminance, scene.camera);
   report.eye = eye_report(report.most_luminous.value);

@@ -71,10 +71,11 @@ ExpectedCounts expected_counts(const Scene& scene) {
   counts.quantisation_e = 1.0 / (std::sqrt(12.0) * scale.dn_per_electron);
 
   const double gain = gain_per_kilorayleigh(scene);
-  for (const double nm : scene.emission.lines) {
+  const std::vector<Vector3> raw_of_line = raw_lines_at_unit_gain(scene);
+  for (std::size_t l = 0; l < raw_of_line.size(); ++l) {
     LineCounts line;
-    line.wavelength_nm = nm;
-    const Vector3 raw = raw_at_unit_gain(scene, nm);
+    line.wavelength_nm = scene.emission.lines[l];
+    const Vector3& raw = raw_of_line[l];
     double most = 0.0;
     for (int c = 0; c < 3; ++c) {
       line.electrons_per_kilorayleigh[c] = std::max(raw[c], 0.0) * gain * scale.white_e;

@@ -1,4 +1,5 @@
 #include "sim/view/eye.h"
+#include "sim/scene/emission_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,17 @@ EyeLight eye_light_per_rayleigh(double wavelength_nm) {
                  kScotopicEfficacy_lm_w * scotopic_efficiency(wavelength_nm) * radiance};
   for (double& value : light.xyz_cd_m2) value *= kLuminousEfficacy_lm_w * radiance;
   return light;
+}
+
+EyeLight line_eye_light_per_rayleigh(double line_nm) {
+  EyeLight sum;
+  for (const LineComponent& component : find_emission_line(line_nm)->components) {
+    EyeLight light = eye_light_per_rayleigh(component.wavelength_nm);
+    for (double& value : light.xyz_cd_m2) value *= component.share;
+    light.scotopic_cd_m2 *= component.share;
+    sum = sum + light;
+  }
+  return sum;
 }
 
 EyeLight eye_light_of_colour(const Vector3& xyz) {

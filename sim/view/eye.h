@@ -29,8 +29,9 @@ struct EyeLight {
   double scotopic_cd_m2 = 0.0;  ///< of the rods
 };
 
-/// One rayleigh of a line.
+/// One rayleigh of light of one wavelength, and of an emission line with all its components.
 EyeLight eye_light_per_rayleigh(double wavelength_nm);
+EyeLight line_eye_light_per_rayleigh(double line_nm);
 
 /// Light whose spectrum is not known, such as a picture's: its scotopic luminance by the approximation of
 /// Larson, Rushmeier and Piatko 1997, doi:10.1109/2945.646233, Y (1.33 (1 + (Y + Z)/X) - 1.68), at least 0.

@@ -9,7 +9,9 @@ namespace vegard::sim {
 double gain_per_kilorayleigh(const Scene& scene) {
   if (scene.sensor.exposure == "gain") return scene.sensor.gain_per_kilorayleigh;
   constexpr double kGreenNm = 557.7;
-  const double raw_green = raw_at_unit_gain(scene, kGreenNm)[1];
+  const SensorResponse response(scene);
+  const double raw_green =
+      product(inverse(response.rgb_from_raw()), response.rgb_per_kilorayleigh(kGreenNm))[1];
   const double white_e = sensor_scale(scene.sensor, scene.time).white_e;
   return green_electrons_per_kilorayleigh(scene.sensor, scene.time) / (white_e * raw_green);
 }
@@ -45,9 +47,11 @@ Matrix3 rgb_from_raw(const Scene& scene) { return SensorResponse(scene).rgb_from
 
 Matrix3 raw_from_rgb(const Scene& scene) { return inverse(rgb_from_raw(scene)); }
 
-Vector3 raw_at_unit_gain(const Scene& scene, double wavelength_nm) {
-  const SensorResponse response(scene);
-  return product(inverse(response.rgb_from_raw()), response.rgb_per_kilorayleigh(wavelength_nm));
+std::vector<Vector3> raw_lines_at_unit_gain(const Scene& scene) {
+  const Matrix3 raw_of_rgb = raw_from_rgb(scene);
+  std::vector<Vector3> raw;
+  for (const Vector3& rgb : line_colours_at_unit_gain(scene)) raw.push_back(product(raw_of_rgb, rgb));
+  return raw;
 }
 
 }  // namespace vegard::sim

@@ -29,8 +29,8 @@ Matrix3 rgb_from_raw(const Scene& scene);
 /// Its inverse.
 Matrix3 raw_from_rgb(const Scene& scene);
 
-/// Linear raw channels of 1 kR of light of a wavelength at a gain_per_kilorayleigh of 1. The exposure does not
-/// enter.
-Vector3 raw_at_unit_gain(const Scene& scene, double wavelength_nm);
+/// Linear raw channels of 1 kR of every line of the scene at a gain_per_kilorayleigh of 1. The exposure does
+/// not enter.
+std::vector<Vector3> raw_lines_at_unit_gain(const Scene& scene);
 
 }  // namespace vegard::sim

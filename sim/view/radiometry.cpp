@@ -1,5 +1,6 @@
 #include "sim/view/radiometry.h"
 
+#include "sim/scene/emission_line.h"
 #include "sim/view/colour.h"
 
 namespace vegard::sim {
@@ -12,6 +13,13 @@ double radiance_w_m2_sr_per_rayleigh(double wavelength_nm) {
 double luminance_cd_m2_per_rayleigh(double wavelength_nm) {
   return kLuminousEfficacy_lm_w * colour_matching(wavelength_nm)[1] *
          radiance_w_m2_sr_per_rayleigh(wavelength_nm);
+}
+
+double line_luminance_cd_m2_per_rayleigh(double line_nm) {
+  double luminance = 0.0;
+  for (const LineComponent& component : find_emission_line(line_nm)->components)
+    luminance += component.share * luminance_cd_m2_per_rayleigh(component.wavelength_nm);
+  return luminance;
 }
 
 double pixel_photons_s_per_rayleigh(const Optics& optics) {

@@ -18,6 +18,9 @@ double radiance_w_m2_sr_per_rayleigh(double wavelength_nm);
 /// cd m^-2 of one rayleigh at a wavelength, for the CIE 1931 observer.
 double luminance_cd_m2_per_rayleigh(double wavelength_nm);
 
+/// The same of one rayleigh of an emission line: a set of bands shines at the wavelengths of its components.
+double line_luminance_cd_m2_per_rayleigh(double line_nm);
+
 /// A lens and the pixels behind it.
 struct Optics {
   double f_number = 1.4;      ///< N

@@ -7,6 +7,7 @@
 #include "sim/view/colour.h"
 #include "sim/view/line_colours.h"
 #include "sim/view/radiometry.h"
+#include "sim/view/sensor_response.h"
 
 namespace vegard::sim {
 namespace {
@@ -45,6 +46,21 @@ TEST(ExpectedCounts, AreWhatTheGainOfThePictureSays) {
     EXPECT_NEAR(green(counts).electrons_per_kilorayleigh[1] / counts.white_e, line_colours(scene)[1][1],
                 1e-12);
   }
+}
+
+// The N2 bands reach from yellow to the infrared: their counts are those of all of them, not of the one that
+// they are called by.
+TEST(ExpectedCounts, OfASetOfBandsAreThoseOfAllOfThem) {
+  Scene scene = camera_scene();
+  scene.emission.lines = {670.5};
+  scene.sensor.response = "nikon_d700";
+  const double of_all = expected_counts(scene).lines.at(0).electrons_per_kilorayleigh[0];
+  const ExpectedCounts counts = expected_counts(scene);
+  EXPECT_NEAR(of_all / counts.white_e, line_colours(scene)[0][0], 1e-12 * of_all);
+  const SensorResponse response(scene);
+  const double of_one =
+      response.rgb_per_kilorayleigh(670.5)[0] * gain_per_kilorayleigh(scene) * counts.white_e;
+  EXPECT_GT(std::abs(of_all / of_one - 1.0), 0.2);
 }
 
 TEST(ExpectedCounts, AGivenGainDoesNotKnowTheLens) {
