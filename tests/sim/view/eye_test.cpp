@@ -47,7 +47,7 @@ TEST(Rods, ScotopicOverPhotopicLuminanceOfTheLinesIsThatOfTheTables) {
   EXPECT_NEAR(scotopic_over_photopic(555.016), 1.0, 2e-3);
 }
 
-// V' at 595 nm is some 400 times that at 670 nm: a few per cent of the photons near there are most of the
+// V' at 595 nm is some 300 times that at 670 nm: a few per cent of the photons near there are most of the
 // light.
 TEST(Eye, SeesAllBandsOfASetThatIsNamedAfterOne) {
   const EyeLight bands = line_eye_light_per_rayleigh(670.5), named = eye_light_per_rayleigh(670.5);
