@@ -5,6 +5,7 @@
 #include "sim/scene/parameter_table.h"
 #include "sim/scene/scene_toml.h"
 #include "sim/scene/table_files.h"
+#include "sim/view/sensor_response.h"
 
 namespace vegard::apps {
 namespace {
@@ -42,6 +43,7 @@ sim::Scene scene_of(const SceneOptions& options) {
   sim::validate(scene);
   sim::read_table_files(scene);  // a change may have named another
   sim::check_profiles(scene);
+  sim::SensorResponse check_of_the_response(scene);
   return scene;
 }
 

@@ -16,6 +16,7 @@
 #include "fit/uncertainty.h"
 #include "fit/verdict.h"
 #include "sim/base/error.h"
+#include "sim/view/line_colours.h"
 #include "sim/view/night_sky.h"
 
 namespace vegard::fit {
@@ -124,7 +125,8 @@ void put_solution(const ProfileCost::Point& point, const ValueUncertainty& known
   if (lit > 0) {
     // The night sky's lights keep the brightness that they had in the fit.
     if (sim::has_night_sky(r.best))
-      r.best.sky.lights_gain *= r.best.sensor.gain_per_kilorayleigh / (sum / lit);
+      r.best.sky.lights_gain *= sim::gain_per_kilorayleigh(r.best) / (sum / lit);
+    r.best.sensor.exposure = "gain";  // found, in place of what the camera's settings say
     r.best.sensor.gain_per_kilorayleigh = sum / lit;
   }
   static const char* const kTerm[3] = {"level", "gradient", "curvature"};

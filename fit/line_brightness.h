@@ -16,7 +16,7 @@ struct LineBrightness {
   std::vector<double> sigma;       ///< from the profile's standard errors, channels taken as independent
 };
 
-/// The profile less the scene's sky, through the inverse of the scene's line_colours(). What else shines
+/// The profile less the scene's sky and night sky, through the inverse of the scene's line_colours(). What else shines
 /// (stars, moon, other lines) is not known to it and ends up in the lines. Throws what sim::LineEstimator and
 /// sim::SensorResponse throw.
 LineBrightness line_brightness(const sim::Scene& scene, const Profile& profile);

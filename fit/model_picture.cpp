@@ -53,6 +53,7 @@ ModelPicture model_picture(const FitResult& result, const Photo& photo, int thre
   assert(photo.linear.width == result.best.camera.width && photo.linear.height == result.best.camera.height);
   sim::Scene scene = scene_of_expectation(result);
   const sim::Scene with_gain = scene;
+  scene.sensor.exposure = "gain";
   scene.sensor.gain_per_kilorayleigh = 1.0;
   scene.airglow = {};  // added below, at the scene's own gain
   scene.twilight = {};
@@ -75,8 +76,12 @@ ModelPicture model_picture(const FitResult& result, const Photo& photo, int thre
       }
     }
   sim::add_sky(scene.sky, picture.rgb);
-  if (sim::has_night_sky(with_gain))
-    sim::add_light(sim::night_sky_light(with_gain, threads), 1.0, picture.rgb);
+  if (sim::has_night_sky(with_gain)) {
+    sim::Image night_sky = sim::night_sky_light(with_gain, threads);
+    if (clips)
+      for (float& light : night_sky.data) light = std::max(light, 0.0f);
+    sim::add_light(night_sky, 1.0, picture.rgb);
+  }
   picture.rayleigh = std::move(rendering.rayleigh);
   picture.residual = photo.linear;
   for (std::size_t i = 0; i < picture.residual.data.size(); ++i)

@@ -27,6 +27,9 @@ int cell_width(const Region& region, int bands) {
   return std::clamp(region.width / bands / kCellsPerBand, 1, kWidestCell);
 }
 
+double value_of(double number) { return number; }
+double value_of(const sim::SkyDual& number) { return number.v; }
+
 /// Film columns that a band reaches, and how many usable pixels of the band each of them holds.
 struct BandWeights {
   int first_column = 0, columns = 0;
@@ -243,7 +246,9 @@ struct ProfileModel::Workspace {
           if (pixels[0] + pixels[1] + pixels[2] == 0.0f) continue;
           const std::array<T, 3> light =
               sky.light(view.at(film.x0_px + (w.first_column + i + 0.5) * film.cell_width_px, y));
-          for (int c = 0; c < 3; ++c) sum[c] = sum[c] + light[c] * static_cast<double>(pixels[c]);
+          for (int c = 0; c < 3; ++c)
+            if (!clips || value_of(light[c]) > 0.0)  // as the aurora
+              sum[c] = sum[c] + light[c] * static_cast<double>(pixels[c]);
         }
         for (int c = 0; c < 3; ++c)
           body(value_index(b, static_cast<int>(row), c),

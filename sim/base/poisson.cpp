@@ -41,7 +41,7 @@ double by_inversion(double mean, double uniform_number) {
 
 double poisson(double mean, std::uint64_t seed, Stream stream, std::uint32_t i, std::uint32_t j,
                std::uint32_t k) {
-  if (mean <= 0.0) return 0.0;
+  if (!(mean > 0.0)) return 0.0;  // of what is no number, too
   if (mean < kRejectionFrom || mean >= kNormalFrom) {
     const Words words = random_words(seed, stream, i, j, k);
     const double u = fine_uniform(words[0], words[1]);

@@ -32,10 +32,15 @@ Image through_the_sensor(const Scene& scene, const Image& rayleigh) {
   return rgb_from_rayleigh(rayleigh, line_colours(scene));
 }
 
-/// Everything else in the picture around the aurora's light.
-void compose(const Scene& scene, const Rendering& layers, Image& rgb) {
+void clip_below_0(Image& rgb) {
+  for (float& value : rgb.data) value = std::max(value, 0.0f);
+}
+
+/// Everything else in the picture around the aurora's light. `night_sky` is the layer of that name, or what a
+/// display shows of it.
+void compose(const Scene& scene, const Rendering& layers, const Image& night_sky, Image& rgb) {
   add_sky(scene.sky, rgb);
-  if (!layers.night_sky.empty()) add_light(layers.night_sky, 1.0, rgb);
+  if (!night_sky.empty()) add_light(night_sky, 1.0, rgb);
   if (!layers.background.empty()) add_light(layers.background, 1.0, rgb);
   if (!layers.stars.empty()) add_light(layers.stars, 1.0, rgb);
   if (!layers.foreground.empty()) cover(layers.foreground, rgb);
@@ -109,7 +114,7 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
     scale_light(scene.composite.foreground_gain, result.foreground);
   }
   result.rgb = result.aurora;
-  compose(scene, result, result.rgb);
+  compose(scene, result, result.night_sky, result.rgb);
   return result;
 }
 
@@ -119,15 +124,20 @@ Image sky_light(const Scene& scene) {
   return sky;
 }
 
-Image light_on_sensor(const Scene& scene, const Rendering& rendering) {
-  Image light = rendering.aurora;
-  for (float& value : light.data) value = std::max(value, 0.0f);
-  compose(scene, rendering, light);
+Image shown_light(const Scene& scene, const Rendering& rendering) {
+  Image light = rendering.aurora, night_sky = rendering.night_sky;
+  clip_below_0(light);
+  clip_below_0(night_sky);
+  compose(scene, rendering, night_sky, light);
   return light;
 }
 
+Image light_on_sensor(const Scene& scene, const Rendering& rendering) {
+  return scene.sensor.response == "cie" ? shown_light(scene, rendering) : rendering.rgb;
+}
+
 Image display_picture(const Scene& scene, const Rendering& rendering) {
-  Image light = light_on_sensor(scene, rendering);
+  Image light = shown_light(scene, rendering);
   darken(Vignetting(scene), light);
   return encoded(scene, light);
 }

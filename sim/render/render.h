@@ -34,9 +34,9 @@ struct SheetLayer {
 struct Rendering {
   Image rayleigh;  ///< one channel per emission line, named by its wavelength ("6300"), blurred, in
                    ///< rayleighs, as they reach the camera: what the air takes is gone
-  Image aurora;  ///< linear RGB of the aurora alone through the sensor, signed where a line is out of gamut
-  Image rgb;     ///< linear, signed: foreground + (1 - mask) (aurora + sky + night_sky + background +
-                 ///< stars)
+  Image aurora;    ///< linear RGB of the aurora alone through the sensor, signed where a line is out of gamut
+  Image rgb;       ///< linear, signed: foreground + (1 - mask) (aurora + sky + night_sky + background +
+                   ///< stars)
   std::uint64_t deflection_points = 0;
 
   Image night_sky;   ///< linear RGB of airglow, twilight and light pollution; empty: none
@@ -55,12 +55,17 @@ Rendering render(const Scene& scene, const RenderOptions& options = {});
 /// Linear RGB of the sky alone: level, gradient and curvature.
 Image sky_light(const Scene& scene);
 
-/// The light that falls on a sensor, before its lens darkens it: the aurora's out-of-gamut light is clipped
-/// before anything is added, as the fit has it.
+/// The light that a display shows, before a lens darkens it: out-of-gamut light of the aurora and of the
+/// night sky is clipped before anything is added, as the fit has it.
+Image shown_light(const Scene& scene, const Rendering& rendering);
+
+/// The light that falls on a sensor, before its lens darkens it, in linear RGB: of a camera's channels signed
+/// where its matrix makes it so, since none of its raw channels is negative; of the CIE observer, who has no
+/// raw channels, the shown light.
 Image light_on_sensor(const Scene& scene, const Rendering& rendering);
 
-/// What a display shows, without noise: that light with the lens's vignetting, clipped at white and encoded
-/// by the scene's tone curve (sRGB unless it says otherwise).
+/// What a display shows, without noise: the shown light with the lens's vignetting, clipped at white and
+/// encoded by the scene's tone curve (sRGB unless it says otherwise).
 Image display_picture(const Scene& scene, const Rendering& rendering);
 
 }  // namespace vegard::sim

@@ -15,6 +15,10 @@ Matrix3 diagonal(const Vector3& numbers);
 Vector3 product(const Matrix3& m, const Vector3& v);
 Matrix3 product(const Matrix3& a, const Matrix3& b);
 
+/// The determinant over the product of the rows' lengths: 1 for rows at right angles, 0 for a matrix without
+/// an inverse or with a row of zeros.
+double relative_determinant(const Matrix3& m);
+
 /// By cofactors. The matrix must have an inverse.
 Matrix3 inverse(const Matrix3& m);
 

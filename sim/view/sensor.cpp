@@ -83,9 +83,7 @@ Image raw_numbers(const Scene& scene, const Image& light, std::uint32_t frame, i
     const int y = static_cast<int>(row);
     for (int x = 0; x < light.width; ++x) {
       const double seen = vignetting.at(x + 0.5, y + 0.5) * scale.white_e;
-      Vector3 rgb = pixel(light, x, y);
-      for (double& value : rgb) value = std::max(value, 0.0);
-      const Vector3 channels = product(raw_of_rgb, rgb);
+      const Vector3 channels = product(raw_of_rgb, pixel(light, x, y));
       const auto index = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(light.width) +
                          static_cast<std::uint32_t>(x);
       for (int c = 0; c < raw.channels(); ++c) {

@@ -20,9 +20,10 @@
 
 namespace vegard::sim {
 
-/// What a converter gives for linear RGB light, which is taken for 0 where it is negative: whole numbers, in
-/// one channel "raw" behind a mosaic, else in R, G, B. The noise is a pure function of the scene's seed and
-/// the frame's number: pictures of one seed and different frames have independent noise.
+/// What a converter gives for linear RGB light, signed where a camera's matrix makes it so; raw channels
+/// below 0 count as 0. Whole numbers, in one channel "raw" behind a mosaic, else in R, G, B. The noise is a
+/// pure function of the scene's seed and the frame's number: pictures of one seed and different frames have
+/// independent noise.
 Image raw_numbers(const Scene& scene, const Image& light, std::uint32_t frame = 0, int threads = 0);
 
 /// Linear RGB of raw numbers, still as dark in the corners as the lens has it, negative where noise is.

@@ -5,6 +5,7 @@
 
 #include "sim/base/csv_table.h"
 #include "sim/base/error.h"
+#include "sim/scene/line_of.h"
 #include "sim/scene/table_files.h"
 #include "sim/view/colour.h"
 #include "sim/view/illuminants.h"
@@ -152,6 +153,20 @@ SensorResponse::SensorResponse(const Scene& scene) : is_cie_(scene.sensor.respon
   first_nm_ = table_.wavelength_nm.front();
   last_nm_ = table_.wavelength_nm.back();
   rgb_from_raw_ = rgb_of_raw(table_, scene.sensor);
+  constexpr double kLeastDeterminant = 1e-9;
+  // Not the other way round: what is no number is refused too.
+  if (!(relative_determinant(rgb_from_raw_) > kLeastDeterminant)) {
+    const bool is_given = scene.sensor.matrix_rule == "given";
+    ErrorDetails details;
+    details.file = scene.file;
+    details.key = is_given ? "sensor.matrix" : "sensor.response";
+    details.line = line_of(scene, details.key);
+    details.problem = is_given ? "the matrix has no inverse: two colours would become one"
+                               : "the three channels do not tell three colours apart";
+    details.expected = is_given ? "rows that are no multiples or sums of each other"
+                                : "red, green and blue channels that differ, none of them dark";
+    throw Error(ErrorKind::scene, details);
+  }
   rgb_from_channels_ = rgb_from_raw_;
 }
 

@@ -28,7 +28,7 @@ class SensorResponse {
  public:
   /// Throws Error(unreadable_input) if the scene names a table with other columns than wavelength_nm, red,
   /// green, blue, with negative numbers, with wavelengths that do not increase, or without any green at 557.7
-  /// nm, which sets the scale.
+  /// nm, which sets the scale; Error(scene) if white balance and matrix together have no inverse.
   explicit SensorResponse(const Scene& scene);
 
   double first_nm() const { return first_nm_; }  ///< outside of these the response is 0

@@ -41,9 +41,7 @@ void add_night_sky(sim::Scene& scene) {
 Photo photo_of(const sim::Scene& scene) {
   const sim::Rendering rendering = sim::render(scene);
   Photo photo;
-  photo.linear = rendering.rgb;
-  for (std::size_t i = 0; i < photo.linear.data.size(); ++i)
-    photo.linear.data[i] += std::max(rendering.aurora.data[i], 0.0f) - rendering.aurora.data[i];
+  photo.linear = sim::shown_light(scene, rendering);
   photo.usable.assign(photo.linear.data.size(), 1);
   photo.floating = true;
   photo.srgb = true;  // a display's light, clipped where it is out of gamut
@@ -181,6 +179,24 @@ TEST(AirInAFit, KnownAirGivesTheEnergyBackAndMissingAirBiasesIt) {
   RecordProperty("energy_without_air", std::to_string(without.parameters[0].value));
   EXPECT_GT(std::abs(without.parameters[0].value - 4.0), 5.0 * std::abs(with.parameters[0].value - 4.0));
   EXPECT_GT(without.chi2, 10.0 * with.chi2);
+}
+
+// Green airglow has no red in sRGB, or less than none: a display's picture of it on a black sky has lost
+// that, and the fit is not to count on it.
+TEST(AirInAFit, AirglowOnABlackSkyIsClippedAsThePhotographWas) {
+  sim::Scene truth = low_scene();
+  truth.air.model = "none";
+  truth.sky = {};
+  truth.sheets[0].energy_kev = 3.0;
+  truth.airglow.green_rayleigh = 2000.0;
+  const Photo photo = photo_of(truth);
+  sim::Scene start = truth;
+  start.sheets[0].energy_kev = 2.5;
+  start.fit.bands = 4;
+  start.fit.scan_points = 0;
+  set_free(start, {"sheet.main.energy_kev"});
+  const FitResult result = fit_with(start, photo);
+  EXPECT_NEAR(result.parameters[0].value, 3.0, 0.03);
 }
 
 TEST(AirInAFit, AerosolIsFoundBesideTheEnergy) {

@@ -216,6 +216,25 @@ TEST(Photograph, WithoutNoiseComesBackToTheStepsOfItsFile) {
   for (std::size_t i = 0; i < truth.data.size(); ++i) ASSERT_NEAR(found.light.data[i], truth.data[i], 1e-4);
 }
 
+// A matrix makes colours of raw numbers; the numbers are there before it.
+TEST(Photograph, RawNumbersOfACameraDoNotDependOnItsMatrix) {
+  Scene scene = photographed_scene();
+  scene.sensor.response = "sony_a7s_ii";
+  scene.sensor.exposure = "camera";
+  scene.sensor.mosaic = "none";
+  const auto raw_by = [&](const char* rule) {
+    scene.sensor.matrix_rule = rule;
+    scene.sensor.white_balance_rule = std::string(rule) == "none" ? "given" : "daylight";
+    scene.sky = {};  // it is given in the picture's own colours
+    return raw_numbers(scene, light_on_sensor(scene, render(scene)));
+  };
+  const Image without = raw_by("none"), with = raw_by("colorimetric");
+  // The same random numbers, so that only a rounding of the mean could make another number.
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < with.data.size(); ++i) differing += with.data[i] != without.data[i];
+  EXPECT_LT(differing, with.data.size() / 1000);
+}
+
 TEST(Photograph, RawNumbersAreTheExpectedCounts) {
   Scene scene = photographed_scene();
   scene.sensor.exposure = "camera";

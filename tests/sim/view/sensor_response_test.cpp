@@ -82,6 +82,15 @@ TEST(SensorResponse, BalanceAndMatrixLeadFromRawToPictures) {
   EXPECT_NEAR(rgb[0], 1.5 * 2.0 * raw[0] - 0.5 * raw[1], 1e-12);
 }
 
+TEST(SensorResponse, RefusesWhatHasNoWayBackToRawChannels) {
+  Scene scene = with("nikon_d700");
+  scene.sensor.matrix_rule = "given";
+  scene.sensor.matrix = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+  EXPECT_THROW(SensorResponse{scene}, Error);
+  scene.sensor.matrix = {1e-4, 0.0, 0.0, 0.0, 1e4, 0.0, 0.0, 0.0, 1.0};  // odd, but it has one
+  EXPECT_NO_THROW(SensorResponse{scene});
+}
+
 /// The observer's functions mixed, as a camera that meets Luther's condition has them.
 std::string luther_camera() {
   std::string text = "wavelength_nm,red,green,blue\n";
