@@ -11,6 +11,7 @@
 #include "sim/light/electron_spectrum.h"
 #include "sim/light/height_profile.h"
 #include "sim/light/sheet_profile.h"
+#include "sim/scene/emission_lines.h"
 #include "sim/scene/spline_rates.h"
 
 namespace vegard::fit {
@@ -55,9 +56,8 @@ double altitude_of_fall_km(const Peak& peak, double level, int way) {
 
 /// A free-form profile has the scene's lines and no others.
 bool has_green(const sim::Scene& scene, int sheet) {
-  const auto& lines = scene.emission.lines;
   return !sim::has_spline_profile(scene.sheets[sheet]) ||
-         std::find(lines.begin(), lines.end(), kGreenNm) != lines.end();
+         sim::line_index(scene.emission.lines, kGreenNm) >= 0;
 }
 
 double wavelength_ratio(const sim::Sheet& sheet) { return sheet.wavelength_km / (2.0 * sheet.thickness_km); }

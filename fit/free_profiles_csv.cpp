@@ -1,6 +1,9 @@
 #include "fit/free_profiles_csv.h"
 
-#include <cmath>
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "fit/csv_text.h"
 #include "sim/base/version.h"
@@ -26,24 +29,34 @@ std::string head(const FitResult& result) {
 }  // namespace
 
 std::string free_profiles_csv(const FitResult& result) {
-  std::string text = head(result);
+  std::vector<double> lines;  // of all sheets, in the order of their first mention
+  for (const FreeProfile& profile : result.profiles)
+    if (std::find(lines.begin(), lines.end(), profile.wavelength_nm) == lines.end())
+      lines.push_back(profile.wavelength_nm);
+  std::string text = head(result) + "sheet,altitude_km";
+  for (const double line_nm : lines) {
+    const std::string line = sim::line_name(line_nm);
+    text += ",rate_" + line + ",lower_" + line + ",upper_" + line;
+  }
+  text += "\n";
   for (std::size_t first = 0; first < result.profiles.size();) {
     std::size_t end = first;
     while (end < result.profiles.size() && result.profiles[end].sheet == result.profiles[first].sheet) ++end;
-    if (first == 0) {
-      text += "sheet,altitude_km";
-      for (std::size_t p = first; p < end; ++p) {
-        const std::string line = sim::line_name(result.profiles[p].wavelength_nm);
-        text += ",rate_" + line + ",lower_" + line + ",upper_" + line;
+    // A line may not be free in this sheet, or be dark where another is not.
+    std::map<double, std::vector<std::string>> rows;  // [altitude][line]
+    for (std::size_t p = first; p < end; ++p) {
+      const FreeProfile& profile = result.profiles[p];
+      const auto column = std::find(lines.begin(), lines.end(), profile.wavelength_nm) - lines.begin();
+      for (std::size_t i = 0; i < profile.altitude_km.size(); ++i) {
+        std::vector<std::string>& cells =
+            rows.try_emplace(profile.altitude_km[i], lines.size(), ",,,").first->second;
+        cells[column] = "," + csv_number(profile.rate[i]) + "," + csv_number(profile.lower[i]) + "," +
+                        csv_number(profile.upper[i]);
       }
-      text += "\n";
     }
-    for (std::size_t i = 0; i < result.profiles[first].altitude_km.size(); ++i) {
-      text +=
-          csv_cell(result.profiles[first].sheet) + "," + csv_number(result.profiles[first].altitude_km[i]);
-      for (std::size_t p = first; p < end; ++p)
-        text += "," + csv_number(result.profiles[p].rate[i]) + "," + csv_number(result.profiles[p].lower[i]) +
-                "," + csv_number(result.profiles[p].upper[i]);
+    for (const auto& [altitude_km, cells] : rows) {
+      text += csv_cell(result.profiles[first].sheet) + "," + csv_number(altitude_km);
+      for (const std::string& cell : cells) text += cell;
       text += "\n";
     }
     first = end;

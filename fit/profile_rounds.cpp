@@ -75,11 +75,12 @@ SettledProfiles settle_profiles(const sim::Scene& scene, const std::vector<FreeN
     append_rows(of_scale, scene, 1.0, others);
     others.evaluate(point.values, ignored, &prior_jacobian);
     SplinePrior prior = settled.prior;
-    const std::vector<double> probable = most_probable_smoothness(
-        prior,
-        products(jacobian, static_cast<std::size_t>(linear.residuals()), 1.0 / (inflation * inflation),
-                 coordinates),
-        products(prior_jacobian, others.count(), 1.0, coordinates), coordinates.at, &settled.determined);
+    const std::vector<double> probable =
+        most_probable_smoothness(prior,
+                                 products(jacobian, static_cast<std::size_t>(linear.residuals()),
+                                          1.0 / (inflation * inflation), coordinates),
+                                 products(prior_jacobian, others.count(), 1.0, coordinates), coordinates.at,
+                                 settled.inflation / inflation, &settled.determined);
     if (scene.fit.profile_smoothness <= 0.0) prior.smoothness = probable;
     const bool same = round > 0 && change(prior.smoothness, settled.prior.smoothness) < kSettled &&
                       std::abs(std::log(inflation / settled.inflation)) < kSettled;

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
+#include "sim/scene/emission_lines.h"
 #include "sim/scene/spline_rates.h"
 
 namespace vegard::fit {
@@ -13,6 +15,7 @@ namespace {
 
 constexpr double kGreenNm = 557.7;
 constexpr double kLeastSmoothness = 0.05, kMostSmoothness = 100.0;
+constexpr double kRankTolerance = 1e-12;
 constexpr int kMostRounds = 300;
 constexpr double kSettled = 1e-3;  // of a smoothness
 
@@ -21,9 +24,7 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 bool is_spline(const FreeNumber& number) { return number.path.row->key == "spline_rate"; }
 
 int scale_line(const sim::Scene& scene) {
-  const auto& lines = scene.emission.lines;
-  const auto green = std::find(lines.begin(), lines.end(), kGreenNm);
-  return green == lines.end() ? 0 : static_cast<int>(green - lines.begin());
+  return std::max(0, sim::line_index(scene.emission.lines, kGreenNm));
 }
 
 /// Of one coefficient in the column of its line, as the scene's sheets add up.
@@ -31,22 +32,48 @@ double column_weight(const sim::Sheet& sheet, int knot) {
   return sheet.energy_flux_mw_m2 * sim::altitude_spline(sheet).integral_km(knot);
 }
 
+/// Inverse of a sum of informations. Where something has none at all, neither data nor bends depend on it:
+/// its covariance is then 0, so that it takes no part.
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& information) {
+  const Eigen::Index n = information.rows();
+  // Scaled to a unit diagonal, so that units do not matter.
+  Eigen::VectorXd scale = information.diagonal().cwiseMax(0.0).cwiseSqrt();
+  for (Eigen::Index i = 0; i < n; ++i) scale(i) = scale(i) > 0.0 ? 1.0 / scale(i) : 1.0;
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * information * scale.asDiagonal();
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
+  const Eigen::LLT<Eigen::MatrixXd> factors(scaled);
+  if (factors.info() == Eigen::Success && factors.rcond() > kRankTolerance) {
+    result = factors.solve(Eigen::MatrixXd::Identity(n, n));
+  } else {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
+    const double least = kRankTolerance * eigen.eigenvalues().cwiseAbs().maxCoeff();
+    for (Eigen::Index k = 0; k < n; ++k)
+      if (eigen.eigenvalues()(k) > least)
+        result +=
+            eigen.eigenvectors().col(k) * eigen.eigenvectors().col(k).transpose() / eigen.eigenvalues()(k);
+  }
+  return scale.asDiagonal() * result * scale.asDiagonal();
+}
+
 }  // namespace
 
 std::vector<SplineLine> spline_lines(const sim::Scene& scene, const std::vector<FreeNumber>& free) {
-  std::map<std::pair<int, int>, SplineLine> found;
+  // Sorted at every level: coefficients may be listed one by one and in any order.
+  std::map<std::pair<int, int>, std::map<int, int>> found;  // [sheet, line][knot]
   for (std::size_t j = 0; j < free.size(); ++j) {
     if (!is_spline(free[j])) continue;
     const int sheet = free[j].path.sheet, knots = scene.sheets[sheet].spline_knots;
     const int line = free[j].path.component / knots;
-    SplineLine& entry = found[{sheet, line}];
-    entry.sheet = sheet;
-    entry.line = line;
-    entry.knots.push_back(free[j].path.component % knots);
-    entry.numbers.push_back(static_cast<int>(j));
+    found[{sheet, line}][free[j].path.component % knots] = static_cast<int>(j);
   }
   std::vector<SplineLine> lines;
-  for (auto& [key, line] : found) {
+  for (const auto& [key, numbers] : found) {
+    SplineLine line;
+    std::tie(line.sheet, line.line) = key;
+    for (const auto& [knot, number] : numbers) {
+      line.knots.push_back(knot);
+      line.numbers.push_back(number);
+    }
     const sim::AltitudeSpline spline = sim::altitude_spline(scene.sheets[line.sheet]);
     for (std::size_t i = 1; i + 1 < line.knots.size(); ++i) {
       const int k = line.knots[i];
@@ -97,7 +124,8 @@ void append_rows(const SplinePrior& prior, const sim::Scene& scene, double weigh
 
 std::vector<double> most_probable_smoothness(const SplinePrior& prior, const std::vector<double>& information,
                                              const std::vector<double>& other_information,
-                                             const std::vector<double>& at, double* determined) {
+                                             const std::vector<double>& at, double weight,
+                                             double* determined) {
   const auto n = static_cast<Eigen::Index>(at.size());
   const Eigen::Map<const RowMajor> data(information.data(), n, n), other(other_information.data(), n, n);
   const Eigen::Map<const Eigen::VectorXd> optimum(at.data(), n);
@@ -114,12 +142,11 @@ std::vector<double> most_probable_smoothness(const SplinePrior& prior, const std
       sum += smoothness[l] * smoothness[l] * differences[l].transpose() * differences[l];
     return sum;
   };
-  const Eigen::MatrixXd before = smoothness_information(prior.smoothness);
+  const Eigen::MatrixXd before = weight * weight * smoothness_information(prior.smoothness);
   std::vector<double> result = prior.smoothness;
   for (int round = 0; round < kMostRounds; ++round) {
     const Eigen::MatrixXd now = smoothness_information(result);
-    const Eigen::MatrixXd covariance =
-        Eigen::MatrixXd(data + other + now).ldlt().solve(Eigen::MatrixXd::Identity(n, n));
+    const Eigen::MatrixXd covariance = inverse(data + other + now);
     // At the optimum under `before` the data pull as hard as that did the other way.
     const Eigen::VectorXd moved = optimum + covariance * ((before - now) * optimum);
     if (determined != nullptr) *determined = (covariance * data).trace();

@@ -47,6 +47,13 @@ void change_lines(Scene& scene, const std::vector<double>& lines_nm) {
   scene.blur.width_deg = widths;
 }
 
+int line_index(const std::vector<double>& lines_nm, double line_nm) {
+  const EmissionLine* line = find_emission_line(line_nm);
+  for (std::size_t l = 0; line != nullptr && l < lines_nm.size(); ++l)
+    if (find_emission_line(lines_nm[l]) == line) return static_cast<int>(l);
+  return -1;
+}
+
 std::string line_name(double line_nm) { return std::to_string(std::lround(line_nm * 10.0)); }
 
 }  // namespace vegard::sim

@@ -19,6 +19,10 @@ double default_blur_width_deg(double line_nm);
 /// Sets the lines; a line that stays keeps its blur, a new one gets the default.
 void change_lines(Scene& scene, const std::vector<double>& lines_nm);
 
+/// Which of `lines_nm` is the line of emission_lines() that `line_nm` names, or -1. Either may be written
+/// with what find_emission_line() allows for.
+int line_index(const std::vector<double>& lines_nm, double line_nm);
+
 /// How a line is called in a path: its wavelength in angstrom, "6300".
 std::string line_name(double line_nm);
 

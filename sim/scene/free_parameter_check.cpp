@@ -67,7 +67,16 @@ void check_prior(const Scene& scene, const FreeParameter& free) {
   }
 }
 
-/// A parameter that the light does not depend on in this scene.
+/// Whether any coefficient of a sheet's free-form profile is free.
+bool has_free_spline(const Scene& scene, int sheet) {
+  for (const FreeParameter& free : scene.fit.free)
+    for (const ParameterPath& path : resolve_at(scene, free))
+      if (path.row->table == sheet_table && path.row->key == "spline_rate" && path.sheet == sheet)
+        return true;
+  return false;
+}
+
+/// A parameter that the light does not depend on in this scene, or that another stands for.
 std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const ParameterPath& path) {
   const std::string expected = "a parameter that the light depends on";
   const std::string& key = path.row->key;
@@ -93,6 +102,12 @@ std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const Par
   if (key == "energy_flux_mw_m2" && sheet.brightness_kilorayleigh > 0.0) {
     return Complaint{"the sheet's brightness is given, so its energy flux counts for nothing", expected,
                      "leave it out of fit.free, or brightness_kilorayleigh (and ibc) out of the sheet"};
+  }
+  if (key == "energy_flux_mw_m2" && sheet.profile == "spline" && has_free_spline(scene, path.sheet)) {
+    return Complaint{
+        "the sheet's spline_rate is free, so its energy flux counts for nothing: their product "
+        "is the light",
+        expected, "leave energy_flux_mw_m2 out of fit.free"};
   }
   if (key == "fold_stage" && sheet.fold_spacing_km == 0.0) {
     return Complaint{"the sheet has no folds, so their stage counts for nothing", expected,

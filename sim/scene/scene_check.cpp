@@ -125,7 +125,8 @@ void check_sensor(const Scene& scene) {
   }
 }
 
-/// As many coefficients as the lines ask for, between two altitudes, and of a brightness of their own.
+/// As many coefficients as the lines ask for, between two altitudes where the beams are, and of a brightness
+/// of their own.
 void check_splines(const Scene& scene) {
   for (const Sheet& sheet : scene.sheets) {
     if (!has_spline_profile(sheet)) continue;
@@ -136,6 +137,12 @@ void check_splines(const Scene& scene) {
                     short_real_text(sheet.spline_top_km) + " km",
                 "spline_bottom_km at least 10 km below spline_top_km", ""},
                origin("spline_top_km"));
+    // Above its beams a profile has no light, and coefficients there would be told by nothing.
+    if (sheet.spline_top_km > sheet.top_km)
+      complain({"the profile reaches up to " + short_real_text(sheet.spline_top_km) +
+                    " km, above its beams, which start at " + short_real_text(sheet.top_km),
+                "spline_top_km at most top_km", "lower the one or raise the other"},
+               origin_of(scene, path + "spline_top_km", path + "top_km"));
     const std::size_t lines = scene.emission.lines.size(),
                       wanted = lines * static_cast<std::size_t>(sheet.spline_knots);
     if (sheet.spline_rate.size() != wanted)

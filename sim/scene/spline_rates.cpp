@@ -62,12 +62,12 @@ void follow_spline_grid(const Scene& before, Scene& after) {
     if (!(sheet.spline_bottom_km < sheet.spline_top_km)) continue;
     std::vector<double> rates;
     for (const double line : lines) {
-      const auto found = std::find(old_lines.begin(), old_lines.end(), line);
-      if (!same_knots || found == old_lines.end()) {
+      const int found = line_index(old_lines, line);
+      if (!same_knots || found < 0) {
         append_layer(sheet, rates);
         continue;
       }
-      const auto first = old.spline_rate.begin() + (found - old_lines.begin()) * old.spline_knots;
+      const auto first = old.spline_rate.begin() + found * old.spline_knots;
       rates.insert(rates.end(), first, first + old.spline_knots);
     }
     sheet.spline_rate = rates;

@@ -1,4 +1,4 @@
-// profiles.csv and trace.csv.
+// profiles.csv, profile.csv and trace.csv.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fit/csv_text.h"
+#include "fit/free_profiles_csv.h"
 #include "fit/profiles_csv.h"
 #include "fit/trace_csv.h"
 #include "tests/support/small_fit.h"
@@ -39,6 +40,23 @@ TEST(CsvText, QuotesWhatWouldBreakALine) {
   EXPECT_EQ(csv_comment("a\nb"), "# a b\n");
   EXPECT_EQ(csv_number(std::nan("")), "");
   EXPECT_EQ(std::stod(csv_number(1.0 / 3.0)), 1.0 / 3.0);
+}
+
+TEST(FreeProfilesCsv, EveryColumnIsOfItsLineWhateverIsFreeInASheet) {
+  FitResult result;
+  result.profiles = {{"low", 557.7, {100.0, 101.0}, {1.0, 2.0}, {0.5, 1.5}, {2.0, 3.0}},
+                     {"low", 427.8, {101.0, 102.0}, {4.0, 5.0}, {3.0, 4.0}, {6.0, 7.0}},
+                     {"high", 630.0, {200.0}, {8.0}, {7.0}, {9.0}},
+                     {"high", 427.8, {200.0}, {0.25}, {0.125}, {0.5}}};
+  const auto lines = lines_without_comments(free_profiles_csv(result));
+  ASSERT_EQ(lines.size(), 5u);
+  EXPECT_EQ(lines[0],
+            "sheet,altitude_km,rate_5577,lower_5577,upper_5577,rate_4278,lower_4278,upper_4278,rate_6300,"
+            "lower_6300,upper_6300");
+  EXPECT_EQ(lines[1], "low,100,1,0.5,2,,,,,,");
+  EXPECT_EQ(lines[2], "low,101,2,1.5,3,4,3,6,,,");
+  EXPECT_EQ(lines[3], "low,102,,,,5,4,7,,,");
+  EXPECT_EQ(lines[4], "high,200,,,,0.25,0.125,0.5,8,7,9");
 }
 
 TEST(ProfilesCsv, HoldsEveryValueOfTheProfile) {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <cmath>
+#include <string>
 
 #include "sim/base/random.h"
 #include "sim/scene/scene_toml.h"
@@ -105,10 +107,88 @@ TEST(SplinePrior, TheMostProbableSmoothnessIsThatOfTheBendsLineByLine) {
   std::vector<double> information(n * n, 0.0), none(n * n, 0.0);
   for (std::size_t j = 0; j < n; ++j) information[j * n + j] = 1e8;  // 1e-4 on every logarithm
   double determined = 0.0;
-  const std::vector<double> smoothness = most_probable_smoothness(prior, information, none, at, &determined);
+  const std::vector<double> smoothness =
+      most_probable_smoothness(prior, information, none, at, 1.0, &determined);
   EXPECT_NEAR(std::log(smoothness[0] * spread[0]), 0.0, 0.27);
   EXPECT_NEAR(std::log(smoothness[1] * spread[1]), 0.0, 0.27);
   EXPECT_NEAR(determined, static_cast<double>(n), 0.1);
+}
+
+TEST(SplinePrior, CoefficientsListedOneByOneAndOutOfOrderAreAsSmooth) {
+  const sim::Scene scene = free_form();
+  sim::Scene backwards = scene;
+  backwards.fit.free.clear();
+  for (int k = 128; k-- > 0;) {
+    sim::FreeParameter one;
+    one.path = "sheet.main.spline_rate." + std::string(k < 64 ? "5577_" : "4278_") + std::to_string(k % 64);
+    backwards.fit.free.push_back(one);
+  }
+  const std::vector<FreeNumber> free = free_numbers(scene), other = free_numbers(backwards);
+  const std::vector<SplineLine> lines = spline_lines(scene, free), others = spline_lines(backwards, other);
+  ASSERT_EQ(others.size(), 2u);
+  for (std::size_t l = 0; l < 2; ++l) {
+    EXPECT_EQ(others[l].knots, lines[l].knots);
+    ASSERT_EQ(others[l].bends.size(), 62u);
+    for (std::size_t b = 0; b < 62; ++b)
+      for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(other[others[l].bends[b].numbers[i]].path.text,
+                  free[lines[l].bends[b].numbers[i]].path.text);
+        EXPECT_EQ(others[l].bends[b].factors[i], lines[l].bends[b].factors[i]);
+      }
+  }
+}
+
+/// Data 2 ln(c) = 2 target with an error of 1 each, and the prior they are seen under.
+struct Seen {
+  std::vector<FreeNumber> free = free_numbers(free_form());
+  SplinePrior prior = spline_prior(free_form(), free, 1.0);
+  Eigen::MatrixXd data = Eigen::MatrixXd::Identity(128, 128) * 4.0, bends = Eigen::MatrixXd::Zero(128, 128);
+  Eigen::VectorXd target{128};
+
+  Seen() {
+    for (int j = 0; j < 128; ++j) target(j) = std::sin(0.7 * j) + 0.3 * std::sin(2.9 * j * j);
+    for (const SplineLine& line : prior.lines)
+      for (const Bend& bend : line.bends)
+        for (int i = 0; i < 3; ++i)
+          for (int k = 0; k < 3; ++k)
+            bends(bend.numbers[i], bend.numbers[k]) += bend.factors[i] * bend.factors[k];
+  }
+  /// From the optimum under the bends times `weight`.
+  std::vector<double> smoothness(double weight) const {
+    const Eigen::VectorXd at = (data + weight * weight * bends).ldlt().solve(data * target);
+    const std::vector<double> information(data.data(), data.data() + data.size()), none(data.size(), 0.0);
+    return most_probable_smoothness(prior, information, none, {at.data(), at.data() + at.size()}, weight,
+                                    nullptr);
+  }
+};
+
+TEST(SplinePrior, TheMostProbableSmoothnessDoesNotDependOnTheWeightOfTheLastDescent) {
+  const Seen seen;
+  const std::vector<double> expected = seen.smoothness(1.0);
+  EXPECT_GT(expected[0], 0.06);
+  EXPECT_LT(expected[0], 90.0) << "neither limit";
+  for (const double weight : {0.2, 3.0, 10.0})
+    for (std::size_t l = 0; l < 2; ++l) EXPECT_NEAR(seen.smoothness(weight)[l] / expected[l], 1.0, 1e-6);
+}
+
+TEST(SplinePrior, ANumberThatIsTheScaleOverAgainTakesNoPart) {
+  // One coordinate more that does what all coefficients do together: one direction is told by nothing.
+  const Seen seen;
+  for (const double unit : {1.0, 1.0 / 3.0, 1e-3, 700.1}) {
+    Eigen::MatrixXd wider = Eigen::MatrixXd::Zero(128, 129);
+    wider.leftCols(128) = 2.0 * Eigen::MatrixXd::Identity(128, 128);
+    wider.col(128).setConstant(2.0 * unit);
+    const Eigen::MatrixXd product = wider.transpose() * wider;
+    const std::vector<double> information(product.data(), product.data() + product.size()),
+        none(product.size(), 0.0);
+    std::vector<double> at(129, 0.0);
+    double determined = 0.0;
+    const std::vector<double> smoothness =
+        most_probable_smoothness(seen.prior, information, none, at, 1.0, &determined);
+    EXPECT_GT(determined, 0.0);
+    EXPECT_LT(determined, 128.0);
+    for (const double s : smoothness) EXPECT_TRUE(std::isfinite(s));
+  }
 }
 
 }  // namespace

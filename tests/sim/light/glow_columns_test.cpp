@@ -62,7 +62,10 @@ TEST(GlowColumns, GrowWithTheEnergyAsTheirDifferencesDo) {
     }
 }
 
-TEST(GlowColumns, OfLinesWithARatioAreThatOfTheOtherLine) {
+TEST(GlowColumns, OfLinesWithARatioAreWiredToTheOtherLines) {
+  // The wiring only: that the ratio of a row is applied, and to the right column. The figures are the rows'
+  // own and checked by nothing here; their sources stand in sim/scene/emission_line.cpp.
+
   for (const double energy : {0.3, 3.0, 12.0}) {
     const double red = tests::program_column(630.0, energy).rayleigh;
     EXPECT_NEAR(red / tests::program_column(636.4, energy).rayleigh, 2.997, 1e-3);
