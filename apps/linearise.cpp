@@ -52,7 +52,7 @@ fit::Photo read(const std::string& file, const sim::Scene& scene) {
   photo.usable.assign(photo.linear.data.size(), 1);
   photo.floating = true;
   photo.decoding = "sensor: linear (EXR)";
-  sim::recover_light(scene, photo.linear, photo.usable);
+  sim::recover_light(scene, fit::file_step(photo), photo.linear, photo.usable);
   return photo;
 }
 
@@ -77,8 +77,7 @@ int run(const Options& options) {
   const fit::Photo photo = read(options.photo, scene);
   check_size(scene, photo);
 
-  const double file_step = photo.floating ? 0.0 : 1.0 / ((1 << photo.bits) - 1);
-  sim::Image variance = sim::light_variance(scene, photo.linear, file_step);
+  sim::Image variance = sim::light_variance(scene, photo.linear, fit::file_step(photo));
   sim::Image saturated = photo.linear;
   std::size_t lost = 0;
   for (std::size_t i = 0; i < photo.usable.size(); ++i) {

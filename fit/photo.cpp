@@ -223,15 +223,17 @@ Photo read_photo(const std::string& file, Decoding decoding, const sim::Scene* s
       linearise_floats(pixels.codes, photo);
       break;
   }
-  if (photo.tone) sim::recover_light(*scene, photo.linear, photo.usable);
+  if (photo.tone) sim::recover_light(*scene, file_step(photo), photo.linear, photo.usable);
   return photo;
 }
 
 bool keeps_negative_light(const Photo& photo) { return photo.floating && !photo.srgb; }
 
+double file_step(const Photo& photo) { return photo.floating ? 0.0 : 1.0 / ((1 << photo.bits) - 1); }
+
 double code_step(const Photo& photo, double linear) {
   if (photo.floating) return 0.0;
-  const double step = 1.0 / ((1 << photo.bits) - 1);
+  const double step = file_step(photo);
   if (photo.tone) {
     const double code =
         std::clamp(photo.tone->encode(std::clamp(linear, 0.0, 1.0)), 0.5 * step, 1.0 - 0.5 * step);

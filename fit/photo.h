@@ -45,6 +45,9 @@ Photo read_photo(const std::string& file, Decoding decoding, const sim::Scene* s
 /// signed. All else had it clipped when it was written, and a model is to be clipped likewise.
 bool keeps_negative_light(const Photo& photo);
 
+/// One step of the file's code, of 1 for white; 0 for float files.
+double file_step(const Photo& photo);
+
 /// The width in linear light of one step of the file's code at this linear value; 0 for float files. Of a
 /// vignetted picture, that in its middle.
 double code_step(const Photo& photo, double linear);

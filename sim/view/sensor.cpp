@@ -121,11 +121,13 @@ Image encoded(const Scene& scene, const Image& rgb) {
   return shown;
 }
 
-void recover_light(const Scene& scene, Image& rgb, std::vector<std::uint8_t>& usable) {
+void recover_light(const Scene& scene, double file_step, Image& rgb, std::vector<std::uint8_t>& usable) {
   assert(usable.size() == rgb.data.size() && rgb.channels() == 3);
   const SensorScale scale = sensor_scale(scene.sensor, scene.time);
   const Matrix3 raw_of_rgb = raw_from_rgb(scene);
   const Vignetting vignetting(with_size_of(scene, rgb));
+  const ToneCurve tone(scene);
+  const bool mixes = scene.sensor.matrix_rule != "none";
   // The largest number, or a full pixel as it may be read.
   constexpr double kReadNoises = 5.0;
   const double full_e = std::min(scale.white_e - 0.5 / scale.dn_per_electron,
@@ -134,9 +136,20 @@ void recover_light(const Scene& scene, Image& rgb, std::vector<std::uint8_t>& us
   std::vector<std::uint8_t> saturated(static_cast<std::size_t>(rgb.width) * rgb.height, 0);
   for (int y = 0; y < rgb.height; ++y)
     for (int x = 0; x < rgb.width; ++x) {
-      const Vector3 raw = product(raw_of_rgb, pixel(rgb, x, y));
-      saturated[static_cast<std::size_t>(y) * rgb.width + x] =
-          *std::max_element(raw.begin(), raw.end()) >= full;
+      const Vector3 decoded = pixel(rgb, x, y), raw = product(raw_of_rgb, decoded);
+      bool is_full = false;
+      for (int r = 0; r < 3; ++r) {
+        // What the file has rounded off may have brought a full channel below.
+        double margin = 0.0;
+        if (file_step > 0.0)
+          for (int c = 0; c < 3; ++c)
+            margin += 0.5 * std::abs(raw_of_rgb[r][c]) * step_at(tone, decoded[c], file_step);
+        is_full = is_full || raw[r] + margin >= full;
+      }
+      // Where a file has cut off one channel, a matrix has mixed what is missing into all raw ones.
+      if (mixes && file_step > 0.0)
+        is_full = is_full || *std::max_element(decoded.begin(), decoded.end()) >= 1.0 - 0.5 * file_step;
+      saturated[static_cast<std::size_t>(y) * rgb.width + x] = is_full;
     }
   if (has_mosaic(scene)) saturated = spread(saturated, rgb.width, rgb.height);
   for (int y = 0; y < rgb.height; ++y)

@@ -34,13 +34,16 @@ Image encoded(const Scene& scene, const Image& rgb);
 
 /// The way back from a file's decoded linear RGB: divides by the vignetting, and marks in `usable`, per pixel
 /// and channel as in the image's data, what a full pixel has had a part in, or where the lens gives less than
-/// a hundredth of its light, as 0. The image may have another size than the scene's camera.
-void recover_light(const Scene& scene, Image& rgb, std::vector<std::uint8_t>& usable);
+/// a hundredth of its light, as 0. The image may have another size than the scene's camera. `file_step` as in
+/// light_variance().
+void recover_light(const Scene& scene, double file_step, Image& rgb, std::vector<std::uint8_t>& usable);
 
 /// Variance of recovered light per pixel and channel: photons', dark, read and rounding noise through
 /// demosaicing, matrix and vignetting, and the file's own rounding to steps of `file_step` (1/255, 1/65535;
 /// 0: floats). `light` is the recovered light, whose own noise then enters, or better the true one.
-/// Neighbours behind a mosaic share pixels, and so their noise. Compression by JPEG is not in it.
+/// Neighbours behind a mosaic share pixels, and so their noise; channels behind a matrix share theirs, so
+/// that the variance of their sums is not the sum of these. What demosaicing makes up between pixels, and
+/// compression by JPEG, are not in it.
 Image light_variance(const Scene& scene, const Image& light, double file_step);
 
 }  // namespace vegard::sim

@@ -46,11 +46,11 @@ struct Recovered {
   std::vector<std::uint8_t> usable;
 };
 
-Recovered recovered(const Scene& scene, const Image& file) {
+Recovered recovered(const Scene& scene, const Image& file, double file_step) {
   const ToneCurve tone(scene);
   Recovered result{file, std::vector<std::uint8_t>(file.data.size(), 1)};
   for (float& value : result.light.data) value = static_cast<float>(tone.decode(value));
-  recover_light(scene, result.light, result.usable);
+  recover_light(scene, file_step, result.light, result.usable);
   return result;
 }
 
@@ -82,7 +82,8 @@ TEST_P(RoundTrip, FindsTheLightWithinItsNoise) {
   scene.tables["sensor.tone_file"] =
       "linear,encoded\n0,0\n0.02,0.2\n0.05,0.32\n0.1,0.45\n0.2,0.62\n0.4,0.8\n0.7,0.93\n1,1\n";
   const Image truth = light_on_sensor(scene, render(scene));
-  const Recovered found = recovered(scene, photograph_file(scene, truth, file_bits));
+  const Recovered found =
+      recovered(scene, photograph_file(scene, truth, file_bits), 1.0 / ((1 << file_bits) - 1));
   const double step = 1.0 / ((1 << file_bits) - 1);
   const Image of_truth = light_variance(scene, truth, step);
   const Image of_found = light_variance(scene, found.light, step);
@@ -138,7 +139,7 @@ TEST(Photograph, OfManyElectronsIsTheLight) {
   scene.sensor.full_well_e = 1e8, scene.sensor.iso = scene.sensor.base_iso;
   scene.sensor.bits = 16;
   const Image truth = light_on_sensor(scene, render(scene));
-  const Recovered found = recovered(scene, photograph_file(scene, truth, 16));
+  const Recovered found = recovered(scene, photograph_file(scene, truth, 16), 1.0 / 65535.0);
   double largest = 0.0;
   for (std::size_t i = 0; i < truth.data.size(); ++i)
     largest = std::max(largest, std::abs(static_cast<double>(found.light.data[i]) - truth.data[i]));
@@ -197,7 +198,7 @@ TEST(Photograph, SaturatesAndSaysSo) {
       const double full_dn = scale.black_dn + scale.saturation_e * scale.dn_per_electron;
       EXPECT_NEAR(raw.at(11, 0, 0), full_dn, 6.0 * scale.read_noise_e * scale.dn_per_electron + 0.5);
       Recovered found{developed(scene, raw), std::vector<std::uint8_t>(light.data.size(), 1)};
-      recover_light(scene, found.light, found.usable);
+      recover_light(scene, 0.0, found.light, found.usable);
       for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 12; ++x) {
           if (x == 5 || x == 6) continue;  // behind a mosaic they take from both sides
@@ -212,8 +213,28 @@ TEST(Photograph, WithoutNoiseComesBackToTheStepsOfItsFile) {
   scene.sensor.tone = "gamma";
   const Rendering rendering = render(scene);
   const Image truth = light_on_sensor(scene, rendering);
-  const Recovered found = recovered(scene, stored(display_picture(scene, rendering), 16));
+  const Recovered found = recovered(scene, stored(display_picture(scene, rendering), 16), 1.0 / 65535.0);
   for (std::size_t i = 0; i < truth.data.size(); ++i) ASSERT_NEAR(found.light.data[i], truth.data[i], 1e-4);
+}
+
+// With a gain below 1 a full green channel is stored at 0.6 of white, rounded to the file's steps: it is full
+// all the same.
+TEST(Photograph, FullChannelsAreFoundBehindAGainBelowOneAndAFilesSteps) {
+  Scene scene = photographed_scene();
+  scene.sensor.response = "nikon_d700";
+  scene.sensor.white_balance = {1.0, 0.6, 1.0};
+  scene.sensor.mosaic = "none";
+  scene.sensor.vignetting_cos_power = 0.0, scene.sensor.vignetting = {0.0, 0.0, 0.0};
+  scene.camera.width = 32, scene.camera.height = 16;
+  Image light(32, 16, {"R", "G", "B"});
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 32; ++x)
+      for (int c = 0; c < 3; ++c) light.at(x, y, c) = x < 16 ? 0.1f : (c == 1 ? 2.0f : 0.1f);
+  for (const int bits : {8, 16}) {
+    const Recovered found = recovered(scene, photograph_file(scene, light, bits), 1.0 / ((1 << bits) - 1));
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 32; ++x) ASSERT_EQ(found.usable[light.index(x, y, 1)], x < 16) << bits << " " << x;
+  }
 }
 
 // A matrix makes colours of raw numbers; the numbers are there before it.
