@@ -250,6 +250,46 @@ TEST(ProfileModel, OfAnExposureOfADriftingSheetIsThePhotographsProfile) {
   EXPECT_GT(profile_error(scene, still), 0.1) << "the motion counts";
 }
 
+/// The kernel's light grows in proportion to the energy flux; that the profile per unit of it changes as well
+/// is added from exposures of its slope. No sample moves: the differences are as exact as floats.
+TEST(ProfileModel, DerivativeByTheEnergyFluxHasTheFluxLawInIt) {
+  sim::Scene scene = tests::small_scene();
+  scene.emission.flux_law = "column";
+  scene.sheets[0].beams = 2000;
+  scene.sheets[0].energy_flux_mw_m2 = 1.0;
+  scene.blur.width_deg = {0.43, 0.25, 0.3};
+  scene.sheets.push_back(scene.sheets[0]);  // whose flux is not the one
+  scene.sheets[1].name = "other";
+  scene.sheets[1].center_km.north += 20.0;
+  double& flux = scene.sheets[0].energy_flux_mw_m2;
+  const Photo photo = photo_of(scene, true);  // nothing is clipped
+  ProfileModel model(scene, photo, {20, 10, 120, 100}, 4, 1.0, 0.0, 2);
+  ModelProfile here, up, down;
+  model.evaluate_with_derivatives(scene, {&flux}, here);
+  ASSERT_EQ(here.free, 1);
+  const double step = 0.02;
+  flux += step;
+  model.evaluate(scene, up);
+  flux -= 2.0 * step;
+  model.evaluate(scene, down);
+  flux += step;
+  sim::Scene dark = scene;
+  dark.sheets[0].energy_flux_mw_m2 = 0.0;
+  ModelProfile other;
+  model.evaluate(dark, other);
+  double error = 0.0, of_proportion = 0.0, size = 0.0;
+  ASSERT_EQ(here.derivative.size(), up.value.size());
+  for (std::size_t i = 0; i < up.value.size(); ++i) {
+    const double difference = (up.value[i] - down.value[i]) / (2.0 * step);
+    error += std::pow(here.derivative[i] - difference, 2);
+    of_proportion += std::pow((here.value[i] - other.value[i]) / flux - difference, 2);
+    size += difference * difference;
+  }
+  ASSERT_GT(size, 0.0);
+  EXPECT_LT(std::sqrt(error / size), 1e-4);
+  EXPECT_GT(std::sqrt(of_proportion / size), 5e-3) << "proportion alone is off by a hundredth";
+}
+
 /// Light is linear in a profile's coefficients, and no sample moves: the differences are as exact as floats.
 TEST(ProfileCost, JacobianOfAFreeFormProfileAgreesWithDifferences) {
   sim::Scene scene = tests::small_scene();
