@@ -16,10 +16,12 @@ ordered_json number(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
 
+/// null where all is dark: no pixel is brighter than another.
 void add_place(const sim::BrightSpot& spot, ordered_json& json) {
-  json["pixel"] = {spot.x, spot.y};
-  json["azimuth_deg"] = spot.azimuth_deg;
-  json["elevation_deg"] = spot.elevation_deg;
+  const bool is_lit = spot.value > 0.0;
+  json["pixel"] = is_lit ? ordered_json{spot.x, spot.y} : ordered_json(nullptr);
+  json["azimuth_deg"] = is_lit ? ordered_json(spot.azimuth_deg) : ordered_json(nullptr);
+  json["elevation_deg"] = is_lit ? ordered_json(spot.elevation_deg) : ordered_json(nullptr);
 }
 
 ordered_json sheet_json(const sim::SheetBrightness& sheet, int layers, const std::vector<double>& lines_nm) {
