@@ -12,6 +12,7 @@
 
 #include "apps/exit_code.h"
 #include "apps/output_files.h"
+#include "apps/picture_file.h"
 #include "apps/scene_options.h"
 #include "apps/usage_error.h"
 #include "fit/photo.h"
@@ -35,7 +36,16 @@ struct Options {
 fit::Photo read(const std::string& file, const sim::Scene& scene) {
   if (!std::filesystem::path(file).has_extension() || sim::image_format(file) != sim::ImageFormat::exr)
     return fit::read_photo(file, fit::Decoding::sensor, &scene);
-  const sim::Image all = sim::read_exr(file).image;
+  const sim::ExrFile exr = sim::read_exr(file);
+  const auto units = exr.attributes.find("units");
+  if (units != exr.attributes.end() && units->second.find(photograph_words) == std::string::npos) {
+    sim::ErrorDetails details;
+    details.file = file;
+    details.problem = "it is no photograph but linear light already";
+    details.expected = "a photograph, as render --photograph writes it";
+    throw sim::Error(sim::ErrorKind::unreadable_input, details);
+  }
+  const sim::Image& all = exr.image;
   const std::vector<std::string> wanted = {"R", "G", "B"};
   if (all.channels() < 3 || !std::equal(wanted.begin(), wanted.end(), all.channel_names.begin())) {
     sim::ErrorDetails details;

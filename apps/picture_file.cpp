@@ -102,8 +102,8 @@ std::string encoded_picture(const std::string& path, const PictureOptions& optio
         "by wavelength in tenths of a nanometre";
     if (options.photograph) {
       rendering.rgb = sim::developed(scene, raw_of(options, scene, rendering));
-      attributes["units"] +=
-          "; R, G, B are a photograph's, dark in the corners as its lens has it" + noise_words(options);
+      attributes["units"] += std::string("; ") + photograph_words +
+                             ", dark in the corners as its lens has it" + noise_words(options);
     }
     std::vector<const sim::Image*> images = {&rendering.rgb, &lines};
     std::vector<sim::Image> layers;

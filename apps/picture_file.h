@@ -14,14 +14,17 @@
 
 namespace vegard::apps {
 
+/// In the units of an EXR that --photograph has written.
+inline constexpr const char* photograph_words = "R, G, B are a photograph's";
+
 /// What the command line says of a picture's file beside its name; empty: the default of its kind.
 struct PictureOptions {
   std::optional<int> bits, quality;
   bool as_seen = false;         ///< as a dark-adapted eye sees it (sim/render/as_seen.h), not a camera
   double seen_half_mcd = 20.0;  ///< the luminance that it then shows as half of white
-  bool photograph = false;  ///< with the sensor's noise (sim/view/sensor.h)
-  std::uint32_t frame = 0;  ///< of an animation: each has its own noise
-  int threads = 0;          ///< for the noise; it does not depend on them
+  bool photograph = false;      ///< with the sensor's noise (sim/view/sensor.h)
+  std::uint32_t frame = 0;      ///< of an animation: each has its own noise
+  int threads = 0;              ///< for the noise; it does not depend on them
 };
 
 /// Adds --bits, --quality and --photograph; `options` must outlive the parsing.

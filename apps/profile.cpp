@@ -121,6 +121,12 @@ void run(const Options& options) {
   if (options.lines) {
     try {
       lines = fit::line_brightness(*scene, profile);
+      if (!photo.floating && scene->sensor.matrix_rule != "none")
+        std::fputs(
+            "vegard: the picture's file has cut off what its colour matrix put out of gamut, so that lines "
+            "of "
+            "little light are told wrong (sensor.matrix_rule = \"none\" has them right)\n",
+            stderr);
     } catch (const sim::Error& error) {
       throw with_place(error, *scene);
     }

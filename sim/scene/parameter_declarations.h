@@ -41,7 +41,7 @@ struct Declaration {
   /// `sheet` is read by the table "sheet" only.
   std::function<ValueRef(Scene&, int sheet, int component)> at;
 
-  /// Only for a vector whose length the scene decides; `components` then holds one placeholder.
+  /// Only for a vector whose length the scene decides; `components` then holds one stand-in.
   std::function<const std::vector<double>&(const Scene&, int sheet)> list;
   std::function<void(Scene&, int sheet, const std::vector<double>&)> set_list;
   std::function<std::optional<Complaint>(const Scene&, const std::vector<double>&)> list_rule;  ///< or none

@@ -31,6 +31,14 @@ for name in a.png a.tif a.jpg a.exr; do
 done
 expect_exit 2 linearise a.png "$SCENES/small.toml" "${camera[@]}" -o linear-a.png.exr
 expect_exit 2 linearise a.png "$SCENES/small.toml" -o out.png
+expect_exit 3 linearise b.exr "$SCENES/small.toml" "${camera[@]}" -o out.exr
+expect_stderr "linear light already"
+# Behind a matrix a display file has lost some of the light, and whoever asks for lines is told.
+behind=(--set 'sensor.response="nikon_d200"' --set 'sensor.matrix_rule="colorimetric"')
+expect_exit 0 render "$SCENES/small.toml" "${behind[@]}" -o behind.png
+{ cat "$SCENES/small.toml"; printf '\n[sensor]\nresponse = "nikon_d200"\nmatrix_rule = "colorimetric"\n'; } >behind.toml
+expect_exit 0 profile behind.png --scene behind.toml --lines -o behind.csv
+expect_stderr "out of gamut"
 expect_exit 2 linearise a.png "$SCENES/small.toml" --set camera.width=80 -o out.exr
 expect_stderr "camera.width"
 expect_exit 2 profile a.png -o profile.csv --decoding sensor

@@ -147,6 +147,16 @@ FitResult fit_with(const sim::Scene& scene, const Photo& photo) {
   return fit_photo(scene, photo, FitOptions());
 }
 
+/// The truth, but for an energy that is off and alone free.
+sim::Scene start_of_energy_alone(const sim::Scene& truth) {
+  sim::Scene start = truth;
+  start.sheets[0].energy_kev = 2.5;
+  start.fit.bands = 4;
+  start.fit.scan_points = 0;
+  set_free(start, {"sheet.main.energy_kev"});
+  return start;
+}
+
 /// A photograph through the air, noise-free but for the way the fit bins it. With the air known, E0 comes
 /// back; without, the blue that the air took reads as softer electrons.
 TEST(AirInAFit, KnownAirGivesTheEnergyBackAndMissingAirBiasesIt) {
@@ -154,11 +164,7 @@ TEST(AirInAFit, KnownAirGivesTheEnergyBackAndMissingAirBiasesIt) {
   truth.sheets[0].energy_kev = 4.0;
   add_night_sky(truth);
   const Photo photo = photo_of(truth);
-  sim::Scene start = truth;
-  start.sheets[0].energy_kev = 2.5;
-  start.fit.bands = 4;
-  start.fit.scan_points = 0;
-  set_free(start, {"sheet.main.energy_kev"});
+  const sim::Scene start = start_of_energy_alone(truth);
   const FitResult with = fit_with(start, photo);
   ASSERT_EQ(with.parameters.size(), 1u);
   EXPECT_NEAR(with.parameters[0].value, 4.0, 0.04);
@@ -190,11 +196,7 @@ TEST(AirInAFit, AirglowOnABlackSkyIsClippedAsThePhotographWas) {
   truth.sheets[0].energy_kev = 3.0;
   truth.airglow.green_rayleigh = 2000.0;
   const Photo photo = photo_of(truth);
-  sim::Scene start = truth;
-  start.sheets[0].energy_kev = 2.5;
-  start.fit.bands = 4;
-  start.fit.scan_points = 0;
-  set_free(start, {"sheet.main.energy_kev"});
+  const sim::Scene start = start_of_energy_alone(truth);
   const FitResult result = fit_with(start, photo);
   EXPECT_NEAR(result.parameters[0].value, 3.0, 0.03);
 }
