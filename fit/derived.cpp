@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 
+#include "fit/parameter_map.h"
 #include "sim/base/earth.h"
 #include "sim/light/electron_spectrum.h"
 #include "sim/light/height_profile.h"
@@ -126,7 +127,7 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
         sim::Scene moved = best;
         std::vector<double> v = values;
         v[j] = std::clamp(value, free[j].min, free[j].max);
-        put_values(moved, free, v);
+        ParameterMap(moved, free).put(v, moved);
         return number(moved);
       };
       slope[j] = (at(values[j] + step) - at(values[j] - step)) / (2.0 * step);

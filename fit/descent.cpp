@@ -66,9 +66,8 @@ std::string words_for_stop(const EvaluationLog& log) {
   return log.stop != nullptr && log.stop->load() ? "stopped by the user" : "stopped: the evaluations ran out";
 }
 
-Descent descend(const ProfileCost& cost, const std::vector<FreeNumber>& free,
-                const std::vector<double>& start, int iterations, const std::string& stage,
-                EvaluationLog& log, std::vector<TraceRow>& trace) {
+Descent descend(const ProfileCost& cost, const std::vector<double>& start, int iterations,
+                const std::string& stage, EvaluationLog& log, std::vector<TraceRow>& trace) {
   Descent result;
   if (log.exhausted()) {
     result.values = start;
@@ -76,6 +75,7 @@ Descent descend(const ProfileCost& cost, const std::vector<FreeNumber>& free,
     result.termination = words_for_stop(log);
     return result;
   }
+  const std::vector<FreeNumber>& free = cost.moved();
   std::vector<double> coordinates(free.size());
   for (std::size_t j = 0; j < free.size(); ++j) coordinates[j] = free[j].coordinate(start[j]);
 

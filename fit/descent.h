@@ -20,11 +20,10 @@ struct Descent {
 /// "stopped by the user" or "stopped: the evaluations ran out".
 std::string words_for_stop(const EvaluationLog& log);
 
-/// Runs Ceres (dense QR, of many parameters normal equations; one thread) from `start` for at most
-/// `iterations`. Every accepted step goes to `trace`. A log that is exhausted ends the descent after the step
-/// under way, or before the first.
-Descent descend(const ProfileCost& cost, const std::vector<FreeNumber>& free,
-                const std::vector<double>& start, int iterations, const std::string& stage,
-                EvaluationLog& log, std::vector<TraceRow>& trace);
+/// Of what the cost moves. Runs Ceres (dense QR, of many parameters normal equations; one thread) from
+/// `start` for at most `iterations`. Every accepted step goes to `trace`. A log that is exhausted ends the
+/// descent after the step under way, or before the first.
+Descent descend(const ProfileCost& cost, const std::vector<double>& start, int iterations,
+                const std::string& stage, EvaluationLog& log, std::vector<TraceRow>& trace);
 
 }  // namespace vegard::fit

@@ -1,4 +1,4 @@
-// The cost that Ceres minimises: whitened differences between the photograph's profiles and the model's.
+// The cost that Ceres minimises: whitened differences between photographs' statistics and a model's.
 #pragma once
 
 #include <ceres/cost_function.h>
@@ -8,10 +8,10 @@
 #include <limits>
 #include <vector>
 
+#include "fit/comparison.h"
 #include "fit/free_parameters.h"
-#include "fit/linear_part.h"
+#include "fit/parameter_map.h"
 #include "fit/prior_rows.h"
-#include "fit/profile_model.h"
 #include "fit/spline_prior.h"
 
 namespace vegard::fit {
@@ -27,34 +27,63 @@ struct EvaluationLog {
   bool exhausted() const { return residuals >= limit || (stop != nullptr && stop->load()); }
 };
 
-/// Some of a fit's parameters, the others held where the scene has them. Residuals: the profile's, then the
+/// One photograph's share of a cost.
+struct CostTerm {
+  sim::Scene scene;  ///< with whatever is not free
+  ParameterMap map;
+  Comparison* comparison = nullptr;  ///< must outlive the cost
+};
+
+/// Some of a fit's free numbers, the others held. Residuals: the photographs' one after the other, then the
 /// priors' rows. The Jacobian is exact: tangents through the renderer, the linear part by variable
-/// projection, the transform's slope.
+/// projection, the map's and the transforms' slopes.
 class ProfileCost : public ceres::CostFunction {
  public:
-  /// All references must outlive the cost. `base` holds the values of what is not free here.
-  /// The rows of `prior` (fit/spline_prior.h) are taken times `prior_weight`.
-  ProfileCost(const sim::Scene& base, const std::vector<FreeNumber>& free, ProfileModel& model,
-              const LinearPart& linear, EvaluationLog& log, const SplinePrior& prior = {},
-              double prior_weight = 1.0);
+  struct Options {
+    /// Indices of the free numbers that move; empty: all.
+    std::vector<int> moved;
+    /// Values of all free numbers, of which those that do not move stay; may be empty if all move.
+    std::vector<double> held;
+    /// Rows of free-form profiles (fit/spline_prior.h), taken times `prior_weight`.
+    SplinePrior prior;
+    double prior_weight = 1.0;
+  };
+
+  /// Log and comparisons must outlive the cost.
+  ProfileCost(const std::vector<FreeNumber>& free, const std::vector<CostTerm>& terms, EvaluationLog& log,
+              const Options& options);
+  ProfileCost(const std::vector<FreeNumber>& free, const std::vector<CostTerm>& terms, EvaluationLog& log);
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
 
+  /// The free numbers that move, in the order of the coordinates.
+  const std::vector<FreeNumber>& moved() const { return moved_; }
+  const std::vector<CostTerm>& terms() const { return terms_; }
+  /// Of the photographs alone.
+  int data_residuals() const { return data_residuals_; }
+
   /// The pieces behind an evaluation, for whoever needs more than residuals.
   struct Point {
-    std::vector<double> values;
-    ModelProfile aurora;
-    LinearSolution solution;
+    std::vector<double> values;  ///< of what moves
+    std::vector<Comparison::Point> of_photo;
     double chi2 = 0.0;  ///< priors included
   };
   Point at(const std::vector<double>& values, bool with_derivatives) const;
 
+  /// d residual / d value of the photographs, row-major [residual][moved], of a point with derivatives.
+  void data_jacobian(const Point& point, std::vector<double>& out) const;
+  /// Residuals of the photographs one after the other.
+  std::vector<double> data_residual(const Point& point) const;
+
  private:
-  sim::Scene base_;
-  const std::vector<FreeNumber>& free_;
-  ProfileModel& model_;
-  const LinearPart& linear_;
+  std::vector<double> all_values(const std::vector<double>& values) const;
+
+  const std::vector<CostTerm> terms_;
   EvaluationLog& log_;
+  const std::vector<double> held_;
+  std::vector<int> which_;
+  std::vector<FreeNumber> moved_;
+  int data_residuals_ = 0;
   PriorRows priors_;
 };
 

@@ -55,19 +55,22 @@ double first_smoothness(const sim::Scene& scene) {
 }
 
 SettledProfiles settle_profiles(const sim::Scene& scene, const std::vector<FreeNumber>& free,
-                                ProfileModel& model, const LinearPart& linear, const Profile& data,
-                                const Descent& from, EvaluationLog& log, std::vector<TraceRow>& trace) {
+                                const std::vector<CostTerm>& terms, const Descent& from, EvaluationLog& log,
+                                std::vector<TraceRow>& trace) {
   SettledProfiles settled;
   settled.descent = from;
   settled.prior = spline_prior(scene, free, first_smoothness(scene));
   settled.inflation = kFirstPriorWeight;
   for (int round = 0; round < kRounds && !log.exhausted(); ++round) {
-    const ProfileCost before(scene, free, model, linear, log, settled.prior, settled.inflation);
+    const ProfileCost before(free, terms, log, {{}, {}, settled.prior, settled.inflation});
     const ProfileCost::Point point = before.at(settled.descent.values, true);
     std::vector<double> jacobian, prior_jacobian, ignored;
-    linear.jacobian(point.aurora, point.solution, jacobian);
-    const int dof = linear.residuals() - linear.coefficients() - static_cast<int>(free.size());
-    const double inflation = error_inflation(data, linear.used(), point.solution.residual, dof);
+    before.data_jacobian(point, jacobian);
+    const int dof = terms.front().comparison->residuals() - terms.front().comparison->coefficients() -
+                    static_cast<int>(free.size());
+    const double inflation =
+        error_inflation(terms.front().comparison->data(), terms.front().comparison->linear().used(),
+                        point.of_photo.front().residual(), dof);
     const Coordinates coordinates(settled.prior, free, point.values);
     SplinePrior of_scale = settled.prior;
     of_scale.smoothness.assign(of_scale.lines.size(), 0.0);
@@ -77,7 +80,7 @@ SettledProfiles settle_profiles(const sim::Scene& scene, const std::vector<FreeN
     SplinePrior prior = settled.prior;
     const std::vector<double> probable =
         most_probable_smoothness(prior,
-                                 products(jacobian, static_cast<std::size_t>(linear.residuals()),
+                                 products(jacobian, static_cast<std::size_t>(before.data_residuals()),
                                           1.0 / (inflation * inflation), coordinates),
                                  products(prior_jacobian, others.count(), 1.0, coordinates), coordinates.at,
                                  settled.inflation / inflation, &settled.determined);
@@ -87,9 +90,9 @@ SettledProfiles settle_profiles(const sim::Scene& scene, const std::vector<FreeN
     if (same) break;
     settled.prior = prior;
     settled.inflation = inflation;
-    const ProfileCost cost(scene, free, model, linear, log, prior, inflation);
-    settled.descent = descend(cost, free, point.values, kIterations,
-                              "polish, profiles " + std::to_string(round + 1), log, trace);
+    const ProfileCost cost(free, terms, log, {{}, {}, prior, inflation});
+    settled.descent =
+        descend(cost, point.values, kIterations, "polish, profiles " + std::to_string(round + 1), log, trace);
   }
   return settled;
 }

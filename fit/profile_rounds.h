@@ -22,7 +22,7 @@ double first_smoothness(const sim::Scene& scene);
 /// Descents from `from`, with smoothness (unless fit.profile_smoothness says) and inflation taken anew before
 /// each, until neither changes by more than a tenth, or five times.
 SettledProfiles settle_profiles(const sim::Scene& scene, const std::vector<FreeNumber>& free,
-                                ProfileModel& model, const LinearPart& linear, const Profile& data,
-                                const Descent& from, EvaluationLog& log, std::vector<TraceRow>& trace);
+                                const std::vector<CostTerm>& terms, const Descent& from, EvaluationLog& log,
+                                std::vector<TraceRow>& trace);
 
 }  // namespace vegard::fit

@@ -12,11 +12,9 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kOverallTrials = 48;
 constexpr int kOverallDescents = 2;
 constexpr int kShortDescent = 12;  // iterations
 constexpr int kLongDescent = 60;
-constexpr int kPolished = 2;
 constexpr int kPhases = 12;         // where the sine's amplitude is fixed
 constexpr double kScanRange = 1.1;  // of log(wavelength): a factor 0.58 to 1.73 about the start
 constexpr double kPull = 0.3;       // of the distance: what a start may well be off by
@@ -79,9 +77,9 @@ class Search {
         options_(options),
         log_(log),
         trace_(trace),
-        coarse_(scene, free, models.coarse, models.coarse_linear, log),
-        full_(scene, free, models.full, models.full_linear, log,
-              spline_prior(scene, free, first_smoothness(scene)), kFirstPriorWeight),
+        coarse_(free, models.coarse, log),
+        full_(free, models.full, log,
+              {{}, {}, spline_prior(scene, free, first_smoothness(scene)), kFirstPriorWeight}),
         searched_(indices(free, is_searched)) {}
 
   SearchOutcome run() {
@@ -99,11 +97,11 @@ class Search {
       ends = descend_from(trials, scene_.fit.scan_descents, "descent");
     }
     std::vector<Descent> polished;
-    for (std::size_t i = 0; i < ends.size() && i < kPolished; ++i) {
+    for (std::size_t i = 0; i < ends.size() && static_cast<int>(i) < scene_.fit.polish_descents; ++i) {
       if (i > 0 && (log_.exhausted() || ends[i].chi2 > 1.5 * ends[0].chi2)) break;
       const std::string stage = "polish " + std::to_string(i + 1);
       tell(stage, 0.8 + 0.1 * static_cast<double>(i));
-      polished.push_back(descend(full_, free_, ends[i].values, kLongDescent, stage, log_, trace_));
+      polished.push_back(descend(full_, ends[i].values, kLongDescent, stage, log_, trace_));
       note(polished.back().values, polished.back().chi2, true);
     }
     const auto better = [](const Descent& a, const Descent& b) { return a.chi2 < b.chi2; };
@@ -117,7 +115,7 @@ class Search {
   void tell(const std::string& stage, double share) const {
     if (options_.progress)
       options_.progress(stage, log_.residuals,
-                        log_.best_is_full ? log_.best_chi2 / std::max(1, models_.full_linear.residuals())
+                        log_.best_is_full ? log_.best_chi2 / std::max(1, full_.data_residuals())
                                           : std::numeric_limits<double>::infinity(),
                         share);
   }
@@ -158,18 +156,18 @@ class Search {
 
   /// A descent of some parameters only, with the coarse model.
   Trial partial_descent(const Trial& from, const std::vector<std::size_t>& which, const std::string& stage) {
-    std::vector<FreeNumber> some;
+    std::vector<FreeNumber> pulled = free_;
     Values start;
+    ProfileCost::Options moving;
+    moving.held = from.values;
     for (std::size_t j : which) {
-      some.push_back(free_[j]);
-      if (!some.back().prior) some.back().prior = gentle_pull(free_[j]);
+      moving.moved.push_back(static_cast<int>(j));
+      if (!pulled[j].prior) pulled[j].prior = gentle_pull(free_[j]);
       start.push_back(from.values[j]);
     }
-    sim::Scene base = scene_;
-    put_values(base, free_, from.values);
-    const ProfileCost cost(base, some, models_.coarse, models_.coarse_linear, log_);
+    const ProfileCost cost(pulled, models_.coarse, log_, moving);
     std::vector<TraceRow> rows;
-    const Descent end = descend(cost, some, start, kShortDescent, stage, log_, rows);
+    const Descent end = descend(cost, start, kShortDescent, stage, log_, rows);
     Trial result = from;
     for (std::size_t k = 0; k < which.size(); ++k) result.values[which[k]] = end.values[k];
     result.chi2 = end.chi2;
@@ -187,7 +185,7 @@ class Search {
       straight[j] = inside(free_[j], kNearlyStraight * straight[j]);
     std::vector<Trial> trials = {tried(straight)};
     // One draw moves both components of a centre: outwards or inwards along its own direction.
-    for (int i = 0; i < kOverallTrials && !log_.exhausted(); ++i) {
+    for (int i = 0; i < scene_.fit.overall_trials && !log_.exhausted(); ++i) {
       const std::vector<double> u = even_point(i, 3, scene_.seed);
       Values values = straight;
       for (std::size_t j : which) {
@@ -266,25 +264,26 @@ class Search {
     values[sine.phase] = inside(free_[sine.phase], 0.0);
     const ProfileCost::Point point = coarse_.at(values, true);
     std::vector<double> in_phase, quadrature;
-    models_.coarse_linear.jacobian(point.aurora, point.solution, in_phase);
+    coarse_.data_jacobian(point, in_phase);
     Values turned = values;
     turned[sine.phase] = inside(free_[sine.phase], 0.5 * kPi);
     const ProfileCost::Point quarter = coarse_.at(turned, true);
-    models_.coarse_linear.jacobian(quarter.aurora, quarter.solution, quadrature);
+    coarse_.data_jacobian(quarter, quadrature);
 
     // Normal equations of residual + J step, columns: all coordinates but wavelength and phase, then
     // quadrature.
     const auto m = static_cast<Eigen::Index>(n + 1);
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(m, m);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(m), row(m);
-    for (std::size_t k = 0; k < point.solution.residual.size(); ++k) {
+    const std::vector<double> residual = coarse_.data_residual(point);
+    for (std::size_t k = 0; k < residual.size(); ++k) {
       for (std::size_t j = 0; j < n; ++j)
         row(static_cast<Eigen::Index>(j)) = is_searched(free_[j]) ? in_phase[k * n + j] : 0.0;
       row(static_cast<Eigen::Index>(n)) = quadrature[k * n + sine.thickness];
       row(sine.phase) = 0.0;
       if (sine.wavelength >= 0) row(sine.wavelength) = 0.0;
       normal.selfadjointView<Eigen::Lower>().rankUpdate(row);
-      right -= row * point.solution.residual[k];
+      right -= row * residual[k];
     }
     normal = normal.selfadjointView<Eigen::Lower>();
     for (Eigen::Index j = 0; j < m; ++j)

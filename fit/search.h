@@ -23,12 +23,9 @@ struct SearchOutcome {
   double chi2_initial = 0.0;    ///< of the full model at the user's start
 };
 
-/// What the search works on: two models of the same photograph, each with the data as it sees them.
+/// What the search works on: the same photographs twice.
 struct SearchModels {
-  ProfileModel& coarse;
-  const LinearPart& coarse_linear;
-  ProfileModel& full;
-  const LinearPart& full_linear;
+  std::vector<CostTerm> coarse, full;
 };
 
 SearchOutcome search(const sim::Scene& scene, const std::vector<FreeNumber>& free, const SearchModels& models,

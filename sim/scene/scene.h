@@ -256,9 +256,12 @@ struct Composite {
   std::string mask;  ///< white where the foreground hides the sky; empty: the foreground's alpha
 };
 
+/// What is known of a number beforehand. "normal": of the value; "log-normal": of ln(value), about
+/// ln(mean), sigma a fraction; "uniform": anywhere between the limits, which must be given.
 struct Prior {
   double mean = 0.0;
   double sigma = 0.0;
+  std::string law = "normal";
 };
 
 /// One entry of fit.free as the user wrote it. A path to a vector stands for all its components.
@@ -267,12 +270,35 @@ struct FreeParameter {
   std::optional<double> start, min, max;
   std::optional<Prior> prior;
   int line = 0;  ///< in the scene file, for messages
+  /// By which expressions of fit.tied call it; entries of one name are one number. Empty: by its path only.
+  std::string name;
+  std::string scale;  ///< "linear" or "logarithmic" in place of the table's; empty: the table's
+  std::string photo;  ///< the photograph that it belongs to alone, one of fit.photos; empty: shared by all
+};
+
+/// A number that follows from free ones: "sheet.b.energy_kev" = "0.8 * sheet.a.energy_kev".
+struct TiedParameter {
+  std::string path;
+  std::string equals;  ///< an expression of paths and names of fit.free
+  std::string photo;   ///< as in FreeParameter
+  int line = 0;
+};
+
+/// One of several photographs that are fitted together.
+struct PhotoEntry {
+  std::string name;  ///< by which fit.free calls it; the file's name without its ending if not given
+  std::string file, mask;
+  std::string decoding;                                  ///< in place of fit.decoding; empty: that
+  std::vector<std::pair<std::string, std::string>> set;  ///< path and TOML text of what it alone has
+  int line = 0;
 };
 
 struct Fit {
   std::array<int, 4> roi_px{0, 0, 0, 0};  ///< x, y, width, height; all zero: the whole image
   int bands = 24;
   std::vector<FreeParameter> free;
+  std::vector<TiedParameter> tied;
+  std::vector<PhotoEntry> photos;
   bool band_brightness = true;      ///< a brightness per band (rays are uneven), else one
   bool white_balance_known = true;  ///< else a gain per channel, and colour says nothing about E0
   int sky_terms = 3;                ///< solved per channel: 1 level, 2 and gradient, 3 and curvature
@@ -281,6 +307,25 @@ struct Fit {
   double profile_smoothness = 0.0;  ///< of free-form profiles (fit/profile_prior.h); 0: the data decide
   int scan_points = 24;             ///< wavelengths tried before the descent; 0: no search, only a descent
   int scan_descents = 6;            ///< of which this many are followed downhill
+  int overall_trials = 48;          ///< of distance, energy and bearing before that
+  int polish_descents = 2;          ///< ends of descents that are polished with the full model
+  double search_beams = 0.25;       ///< share of the beams in the search
+  double search_smoothing = 0.025;  ///< of profiles in the search, as a fraction of the region's height
+
+  // What is compared: weights of the statistics in chi2, 0: not at all (fit/statistic.h).
+  double profile_weight = 1.0;            ///< intensity along columns, elevation or the field line
+  double colour_weight = 0.0;             ///< log ratios of the channels along the same
+  double horizontal_weight = 0.0;         ///< intensity across the picture in a few strips
+  double border_weight = 0.0;             ///< the lower border's course from band to band
+  double image_weight = 0.0;              ///< a low-resolution image
+  double texture_weight = 0.0;            ///< autocovariance along the arc: ray spacing and contrast
+  std::string profile_along = "columns";  ///< "columns", "elevation" or "field"
+  int horizontal_strips = 4;
+  int image_cell_px = 16;
+
+  std::string photo_noise = "estimated";  ///< or "sensor": what [sensor] says
+  std::string loss = "none";              ///< of single residuals: "none", "huber" or "cauchy"
+  double loss_sigma = 3.0;                ///< from where on a residual counts less
 };
 
 struct Scene {

@@ -63,10 +63,8 @@ struct Problem {
   sim::Scene scene;
   fit::Region region;
   std::vector<fit::FreeNumber> free;
-  fit::Profile data;
-  std::vector<double> sigma;
-  fit::LinearPart linear;
   fit::ProfileModel model;
+  fit::Comparison comparison;
   fit::EvaluationLog log;
   fit::ProfileCost cost;
   std::vector<double> coordinates, residuals, jacobian;
@@ -76,21 +74,17 @@ struct Problem {
       : scene(with_free),
         region(fit::checked_region(scene.fit.roi_px, photo.linear.width, photo.linear.height)),
         free(fit::free_numbers(scene)),
-        data(fit::extract_profile(photo, region, scene.fit.bands)),
-        sigma(fit::profile_sigma(data, scene.fit.model_error)),
-        linear(data, sigma, gains(scene), scene.fit.sky_terms, photo.linear.height),
         model(scene, photo, region, scene.fit.bands, 1.0, 0.0, kThreads),
-        cost(scene, free, model, linear, log) {
+        comparison(scene, photo, fit::extract_profile(photo, region, scene.fit.bands), sigma(photo),
+                   {1.0, 0.0, kThreads}),
+        cost(free, {{scene, fit::ParameterMap(scene, free), &comparison}}, log) {
     for (const fit::FreeNumber& number : free) coordinates.push_back(number.coordinate(number.start));
     residuals.resize(cost.num_residuals());
     jacobian.resize(residuals.size() * free.size());
   }
 
-  static fit::GainLayout gains(const sim::Scene& scene) {
-    fit::GainLayout layout;
-    layout.bands = scene.fit.bands;
-    layout.per_band = scene.fit.band_brightness;
-    return layout;
+  std::vector<double> sigma(const fit::Photo& photo) const {
+    return fit::profile_sigma(fit::extract_profile(photo, region, scene.fit.bands), scene.fit.model_error);
   }
   bool residuals_only() {
     const double* blocks[] = {coordinates.data()};
@@ -106,6 +100,7 @@ struct Problem {
   }
   void linear_part() {
     std::vector<double> out;
+    const fit::LinearPart& linear = comparison.linear();
     linear.jacobian(profile, linear.solve(profile), out);
     benchmark::DoNotOptimize(out.data());
   }

@@ -77,10 +77,11 @@ TEST(AirInAFit, JacobianAgreesWithDifferences) {
   const std::vector<double> sigma = profile_sigma(data, 0.05);
   const std::vector<FreeNumber> free = free_numbers(scene);
   for (double smooth_rows : {0.0, 3.0}) {
-    ProfileModel model(scene, photo, kRegion, 4, 1.0, smooth_rows, 2);
-    const LinearPart linear(data, sigma, {4, true, false}, 2, scene.camera.height);
+    scene.fit.bands = 4;
+    scene.fit.sky_terms = 2;
+    Comparison comparison(scene, photo, data, sigma, {1.0, smooth_rows, 2});
     EvaluationLog log;
-    const ProfileCost cost(scene, free, model, linear, log);
+    const ProfileCost cost(free, {{scene, ParameterMap(scene, free), &comparison}}, log);
     std::vector<double> u;
     for (const FreeNumber& number : free) u.push_back(number.coordinate(number.start));
     const auto residuals = [&](const std::vector<double>& at, std::vector<double>* jacobian) {

@@ -1,4 +1,5 @@
 #include "fit/derived.h"
+#include "tests/support/free_paths.h"
 #include "tests/support/one_sheet.h"
 
 #include <gtest/gtest.h>
@@ -85,7 +86,7 @@ TEST(DerivedNumbers, TellTheShapeWithItsErrorAndNoBoundariesOfOneLayer) {
   scene.sheets.resize(2);
   scene.sheets[1].name = "thin";
   scene.sheets[1].layers = 1;
-  scene.fit.free = {{"sheet.main.thickness_km", {}, {}, {}, {}, 0}};
+  scene.fit.free = {tests::free_entry("sheet.main.thickness_km")};
   const std::vector<DerivedNumber> derived =
       derived_numbers(scene, free_numbers(scene), {3.0}, {{{0.04}}, {}});
   int boundaries = 0;
@@ -104,7 +105,7 @@ TEST(DerivedNumbers, CarryErrorsAlongAndNoneAcrossWhatIsUndetermined) {
   scene.sheets.resize(1);
   scene.sheets[0].center_km = {0.0, 200.0};
   scene.sheets[0].bearing_deg = 90.0;
-  scene.fit.free = {{"sheet.main.center_km", {}, {}, {}, {}, 0}};
+  scene.fit.free = {tests::free_entry("sheet.main.center_km")};
   const std::vector<FreeNumber> free = free_numbers(scene);
   // East is undetermined, north known to 2 km: the distance of a sheet that runs east is known all the same.
   ValueUncertainty known{{{0.0, 0.0}, {0.0, 4.0}}, {{1.0, 0.0}}};
@@ -119,7 +120,7 @@ TEST(DerivedNumbers, CarryErrorsAlongAndNoneAcrossWhatIsUndetermined) {
 TEST(DerivedNumbers, HaveTheMeanEnergyOfTheSpectrumThatTheSheetHas) {
   sim::Scene scene;
   scene.sheets.resize(1);
-  scene.fit.free = {{"sheet.main.energy_kev", {}, {}, {}, {}, 0}};
+  scene.fit.free = {tests::free_entry("sheet.main.energy_kev")};
   const auto mean = [&](const std::string& profile) -> std::optional<DerivedNumber> {
     scene.sheets[0].profile = profile;
     for (const DerivedNumber& d : derived_numbers(scene, free_numbers(scene), {3.0}, {{{0.04}}, {}}))

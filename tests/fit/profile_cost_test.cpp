@@ -57,10 +57,7 @@ Photo photo_of(const sim::Scene& scene, bool is_signed = false) {
 struct Fitting {
   sim::Scene scene;
   std::vector<FreeNumber> free;
-  Profile data;
-  std::vector<double> sigma;
-  std::unique_ptr<ProfileModel> model;
-  std::unique_ptr<LinearPart> linear;
+  std::unique_ptr<Comparison> comparison;
   EvaluationLog log;
   std::unique_ptr<ProfileCost> cost;
 
@@ -71,11 +68,14 @@ struct Fitting {
     elsewhere.sheets[0].energy_kev *= 1.2;
     const Photo photo = photo_of(elsewhere, is_signed);
     free = free_numbers(scene);
-    data = extract_profile(photo, region, bands);
-    sigma = profile_sigma(data, 0.05);
-    model = std::make_unique<ProfileModel>(scene, photo, region, bands, 1.0, 0.0, 2);
-    linear = std::make_unique<LinearPart>(data, sigma, gains, 3, scene.camera.height);
-    cost = std::make_unique<ProfileCost>(scene, free, *model, *linear, log);
+    const Profile data = extract_profile(photo, region, bands);
+    scene.fit.bands = gains.bands;
+    scene.fit.band_brightness = gains.per_band;
+    scene.fit.white_balance_known = !gains.per_channel;
+    comparison = std::make_unique<Comparison>(scene, photo, data, profile_sigma(data, 0.05),
+                                              Comparison::Resolution{1.0, 0.0, 2});
+    cost = std::make_unique<ProfileCost>(
+        free, std::vector<CostTerm>{{scene, ParameterMap(scene, free), comparison.get()}}, log);
   }
 
   std::vector<double> start() const {
@@ -298,7 +298,7 @@ TEST(ProfileCost, JacobianOfAFreeFormProfileAgreesWithDifferences) {
   scene.sheets[0].spline_knots = 10;
   scene.blur.width_deg = {0.43, 0.25, 0.3};
   sim::fill_spline_rates(scene);
-  scene.fit.free.push_back({"sheet.main.spline_rate", {}, {}, {}, {}, 0});
+  scene.fit.free.push_back(tests::free_entry("sheet.main.spline_rate"));
   sim::Scene elsewhere = scene;
   for (int k = 0; k < 30; ++k) elsewhere.sheets[0].spline_rate[k] *= 1.0 + 0.5 * std::sin(k);
   const Photo photo = photo_of(elsewhere);
@@ -306,10 +306,11 @@ TEST(ProfileCost, JacobianOfAFreeFormProfileAgreesWithDifferences) {
   const std::vector<FreeNumber> free = free_numbers(scene);
   const Profile data = extract_profile(photo, region, 4);
   const std::vector<double> sigma = profile_sigma(data, 0.05);
-  ProfileModel model(scene, photo, region, 4, 1.0, 0.0, 2);
-  const LinearPart linear(data, sigma, {4, true, false}, 3, scene.camera.height);
+  scene.fit.bands = 4;
+  Comparison comparison(scene, photo, data, sigma, {1.0, 0.0, 2});
   EvaluationLog log;
-  const ProfileCost cost(scene, free, model, linear, log, spline_prior(scene, free, 2.0), 3.0);
+  const ProfileCost cost(free, {{scene, ParameterMap(scene, free), &comparison}}, log,
+                         {{}, {}, spline_prior(scene, free, 2.0), 3.0});
   ASSERT_EQ(cost.num_residuals(), 4 * 100 * 3 + 3 * 8 + 1);
   std::vector<double> u;
   for (const FreeNumber& number : free) u.push_back(number.coordinate(number.start));

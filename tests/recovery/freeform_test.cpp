@@ -19,6 +19,7 @@
 #include "sim/scene/scene_toml.h"
 #include "sim/scene/spline_rates.h"
 #include "tests/recovery/independent_picture.h"
+#include "tests/support/free_paths.h"
 
 namespace vegard::fit {
 namespace {
@@ -30,7 +31,7 @@ sim::Scene free_form_scene(const nlohmann::json& truth) {
   scene.sheets[0].energy_kev = sim::Sheet{}.energy_kev;  // it is to count for nothing
   scene.sheets[0].profile = "spline";
   sim::fill_spline_rates(scene);
-  scene.fit.free.push_back({"sheet.main.spline_rate", {}, {}, {}, {}, 0});
+  scene.fit.free.push_back(tests::free_entry("sheet.main.spline_rate"));
   sim::validate(scene);
   return scene;
 }

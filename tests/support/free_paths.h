@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "sim/scene/parameter_table.h"
@@ -12,6 +13,13 @@ struct FreePath {
   sim::ParameterPath path;
   double step = 0.0;  ///< for central differences, in the parameter's unit
 };
+
+/// An entry of fit.free with nothing but its path.
+inline sim::FreeParameter free_entry(const std::string& path) {
+  sim::FreeParameter free;
+  free.path = path;
+  return free;
+}
 
 inline std::vector<FreePath> free_paths(const sim::Scene& scene) {
   std::vector<FreePath> all;

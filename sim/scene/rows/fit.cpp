@@ -27,6 +27,38 @@ std::vector<Declaration> fit_rows() {
           .means("wavelengths tried before the descents; 0: no search, one descent from the start"),
       Row("fit", "scan_descents", &Scene::fit, &Fit::scan_descents).within(0, 10000)
           .means("how many of the trials are followed downhill"),
+      Row("fit", "overall_trials", &Scene::fit, &Fit::overall_trials).within(0, 1000000)
+          .means("distances, energies and bearings tried before that"),
+      Row("fit", "polish_descents", &Scene::fit, &Fit::polish_descents).within(1, 1000)
+          .means("how many ends of descents are polished with all beams, unless they explain the data far worse"),
+      Row("fit", "search_beams", &Scene::fit, &Fit::search_beams).within(0.01, 1)
+          .means("share of the beams with which the search works"),
+      Row("fit", "search_smoothing", &Scene::fit, &Fit::search_smoothing).within(0, 0.5)
+          .means("standard deviation by which the search smooths profiles, as a fraction of the region's height"),
+      Row("fit", "profile_weight", &Scene::fit, &Fit::profile_weight).within(0, 100)
+          .means("of intensity profiles in chi2; 0: left out, as with the other weights"),
+      Row("fit", "colour_weight", &Scene::fit, &Fit::colour_weight).within(0, 100)
+          .means("of colour profiles: logarithms of red over green and of blue over green"),
+      Row("fit", "horizontal_weight", &Scene::fit, &Fit::horizontal_weight).within(0, 100)
+          .means("of intensity profiles across the picture"),
+      Row("fit", "border_weight", &Scene::fit, &Fit::border_weight).within(0, 100)
+          .means("of the lower border's course from band to band"),
+      Row("fit", "image_weight", &Scene::fit, &Fit::image_weight).within(0, 100)
+          .means("of a picture of low resolution"),
+      Row("fit", "texture_weight", &Scene::fit, &Fit::texture_weight).within(0, 100)
+          .means("of the autocovariance along the arc, which tells the rays' spacing wherever each of them stands"),
+      Row("fit", "profile_along", &Scene::fit, &Fit::profile_along).one_of({"columns", "elevation", "field"})
+          .means("what profiles run along: the picture's columns, the elevation, or the field line in the picture"),
+      Row("fit", "horizontal_strips", &Scene::fit, &Fit::horizontal_strips).within(1, 1000)
+          .means("strips of rows in which horizontal profiles are taken"),
+      Row("fit", "image_cell_px", &Scene::fit, &Fit::image_cell_px).in("px").within(2, 1000)
+          .means("of the picture of low resolution"),
+      Row("fit", "photo_noise", &Scene::fit, &Fit::photo_noise).one_of({"estimated", "sensor"})
+          .means("whether the photograph's noise is taken from the photograph or from [sensor]"),
+      Row("fit", "loss", &Scene::fit, &Fit::loss).one_of({"none", "huber", "cauchy"})
+          .means("how single residuals beyond loss_sigma are kept from ruling the fit"),
+      Row("fit", "loss_sigma", &Scene::fit, &Fit::loss_sigma).within(0.1, 100)
+          .means("from how many standard deviations on a residual counts less"),
   };
   // clang-format on
 }

@@ -1,0 +1,122 @@
+#include "fit/answer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/noise_model.h"
+#include "fit/turns.h"
+#include "sim/view/line_colours.h"
+#include "sim/view/night_sky.h"
+
+namespace vegard::fit {
+namespace {
+
+/// "it trades off against sheet.main.phase_rad", from the undetermined direction that a coordinate leans on
+/// most.
+std::string why_undetermined(const std::vector<FreeNumber>& free, const Uncertainty& u, std::size_t j) {
+  const std::vector<double>* most = nullptr;
+  for (const std::vector<double>& direction : u.undetermined)
+    if (most == nullptr || std::abs(direction[j]) > std::abs((*most)[j])) most = &direction;
+  std::string others;
+  for (std::size_t k = 0; most != nullptr && k < free.size(); ++k)
+    if (k != j && (*most)[k] != 0.0) others += (others.empty() ? "" : " and ") + free[k].path.text;
+  return others.empty() ? "the data do not bound it" : "it trades off against " + others;
+}
+
+}  // namespace
+
+ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::vector<double>& values,
+                                const Uncertainty& u, bool stopped, FitResult& r) {
+  ValueUncertainty known{u.covariance, u.undetermined};
+  std::vector<double> slopes;
+  for (std::size_t j = 0; j < free.size(); ++j) {
+    const FreeNumber& n = free[j];
+    FittedParameter p;
+    p.path = n.path.text;
+    p.unit = n.path.row->unit;
+    p.meaning = n.path.row->meaning;
+    p.value = without_turns(n, values[j]);
+    p.initial = n.start;
+    p.min = n.min;
+    p.max = n.max;
+    p.at_limit = n.at_limit(values[j]);
+    p.of_profile = n.path.row->key == "spline_rate";
+    const double at = n.coordinate(values[j]);
+    slopes.push_back(n.slope(at));
+    const double sigma = u.sigma[j] * slopes[j];
+    if (std::isfinite(sigma)) {
+      p.sigma = sigma;
+      const double shift = p.value - values[j];
+      p.interval68 = {n.value(at - u.sigma[j]) + shift, n.value(at + u.sigma[j]) + shift};
+    } else {
+      p.why_no_sigma = stopped ? "the fit was interrupted" : why_undetermined(free, u, j);
+    }
+    r.parameters.push_back(p);
+  }
+  r.correlation = u.correlation;
+  for (std::size_t j = 0; j < free.size(); ++j)
+    for (std::size_t k = 0; k < free.size(); ++k) known.covariance[j][k] *= slopes[j] * slopes[k];
+  for (std::vector<double>& direction : known.undetermined)
+    for (std::size_t j = 0; j < free.size(); ++j) direction[j] *= slopes[j];
+  return known;
+}
+
+void put_solution(const Comparison& comparison, const Comparison::Point& point, const ValueUncertainty& known,
+                  FitResult& r) {
+  const LinearPart& linear = comparison.linear();
+  const GainLayout& gains = comparison.gains();
+  const LinearSolution& solution = point.solution;
+  const std::vector<double> variance =
+      linear.coefficient_variance(point.aurora, solution, r.error_inflation, known.covariance);
+  static const char* const kChannel[3] = {"red", "green", "blue"};
+  const auto solved = [&](const std::string& name, int j) {
+    SolvedNumber s{name, solution.coefficients[j], {}};
+    if (variance[j] > 0.0) s.sigma = std::sqrt(variance[j]);
+    r.solved.push_back(s);
+  };
+  for (int b = 0; b < (gains.per_band ? gains.bands : 1); ++b)
+    for (int c = 0; c < (gains.per_channel ? 3 : 1); ++c)
+      solved(std::string("gain") + (gains.per_band ? ".band_" + std::to_string(b) : "") +
+                 (gains.per_channel ? std::string(".") + kChannel[c] : ""),
+             gains.column(b, c));
+  double sum = 0.0;
+  int lit = 0;
+  r.gain.assign(r.data.bands, std::vector<double>(3));
+  for (int b = 0; b < r.data.bands; ++b)
+    for (int c = 0; c < 3; ++c) {
+      r.gain[b][c] = solution.coefficients[gains.column(b, c)];
+      if (r.gain[b][c] > 0.0) {
+        sum += r.gain[b][c];
+        ++lit;
+      }
+    }
+  if (lit > 0) {
+    // The night sky's lights keep the brightness that they had in the fit.
+    if (sim::has_night_sky(r.best))
+      r.best.sky.lights_gain *= sim::gain_per_kilorayleigh(r.best) / (sum / lit);
+    r.best.sensor.exposure = "gain";  // found, in place of what the camera's settings say
+    r.best.sensor.gain_per_kilorayleigh = sum / lit;
+  }
+  static const char* const kTerm[3] = {"level", "gradient", "curvature"};
+  std::array<double, 3>* const terms[3] = {&r.best.sky.level, &r.best.sky.gradient, &r.best.sky.curvature};
+  for (int t = 0; t < 3; ++t)
+    for (int c = 0; c < 3; ++c) {
+      (*terms[t])[c] = t < linear.sky_terms() ? solution.coefficients[linear.sky(t, c)] : 0.0;
+      if (t < linear.sky_terms())
+        solved(std::string("sky.") + kTerm[t] + "." + kChannel[c], linear.sky(t, c));
+    }
+}
+
+double rms_over_peak(const FitResult& r) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < r.model.size(); ++i) {
+    if (r.sigma[i] <= 0.0) continue;
+    sum += std::pow(r.data.mean[i] - r.model[i], 2);
+    ++count;
+  }
+  const double peak = profile_peak(r.data);
+  return count > 0 && peak > 0.0 ? std::sqrt(sum / static_cast<double>(count)) / peak : 0.0;
+}
+
+}  // namespace vegard::fit

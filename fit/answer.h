@@ -1,0 +1,25 @@
+// From where a fit ended to what it says: parameters, gains and sky with their error bars, and the best
+// scene.
+#pragma once
+
+#include <vector>
+
+#include "fit/derived.h"
+#include "fit/fit_result.h"
+#include "fit/profile_cost.h"
+#include "fit/uncertainty.h"
+
+namespace vegard::fit {
+
+/// Parameters with their error bars into the result; returns what is known of combinations of them.
+ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::vector<double>& values,
+                                const Uncertainty& uncertainty, bool stopped, FitResult& result);
+
+/// Gains and sky of a photograph into the result and into its best scene.
+void put_solution(const Comparison& comparison, const Comparison::Point& point, const ValueUncertainty& known,
+                  FitResult& result);
+
+/// Root mean square residual over all rows, bands and channels, over the peak of the data's profile.
+double rms_over_peak(const FitResult& result);
+
+}  // namespace vegard::fit

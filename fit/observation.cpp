@@ -1,0 +1,68 @@
+#include "fit/observation.h"
+
+#include <string>
+
+#include "fit/noise_model.h"
+#include "fit/smoothing.h"
+#include "sim/base/error.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kSearchError = 0.1;  // the search weighs bright and dark alike
+constexpr double kSearchPeakShare = 0.5;
+
+void check_sizes(const sim::Scene& scene, const Photo& photo) {
+  if (photo.linear.width == scene.camera.width && photo.linear.height == scene.camera.height) return;
+  const auto size = [](int w, int h) { return std::to_string(w) + " x " + std::to_string(h); };
+  throw sim::Error(
+      sim::ErrorKind::scene,
+      {"the camera has " + size(scene.camera.width, scene.camera.height) + " pixels, " + photo.file_name +
+           " has " + size(photo.linear.width, photo.linear.height),
+       scene.file, 0, "camera.width", "the photograph's size", "set camera.width and camera.height"});
+}
+
+/// A film that counts points, or puts each into one cell, has no derivative by the points' places; nor has
+/// the physical blur any here.
+void check_film(const sim::Scene& scene) {
+  const auto refuse = [&](const char* key, const std::string& value, const char* needed, const char* hint) {
+    if (value == needed) return;
+    throw sim::Error(sim::ErrorKind::scene, {"\"" + value + "\" cannot be fitted", scene.file, 0, key,
+                                             "\"" + std::string(needed) + "\"", hint});
+  };
+  const char* literal = "the literal forward map is for rendering only";
+  refuse("film.weight", scene.film.weight, "rayleigh", literal);
+  refuse("film.splat", scene.film.splat, "bilinear", literal);
+  refuse("blur.model", scene.blur.model, "angle", "the physical blur is for rendering only");
+}
+
+}  // namespace
+
+Observation observed(const sim::Scene& scene, const Photo& photo, int threads) {
+  check_sizes(scene, photo);
+  check_film(scene);
+  Observation o;
+  o.photo = &photo;
+  o.scene = scene;
+  o.region = checked_region(scene.fit.roi_px, photo.linear.width, photo.linear.height);
+  const Profile data = extract_profile(photo, o.region, scene.fit.bands);
+  o.full = std::make_unique<Comparison>(scene, photo, data, profile_sigma(data, scene.fit.model_error),
+                                        Comparison::Resolution{1.0, 0.0, threads});
+  const double smooth_rows = scene.fit.search_smoothing * o.region.height;
+  const Profile smooth_data = smoothed(data, smooth_rows);
+  o.coarse = std::make_unique<Comparison>(
+      scene, photo, smooth_data, profile_sigma(smooth_data, kSearchError, kSearchPeakShare),
+      Comparison::Resolution{scene.fit.search_beams, smooth_rows, threads});
+  return o;
+}
+
+std::vector<CostTerm> cost_terms(const std::vector<Observation>& observations,
+                                 const std::vector<FreeNumber>& free, Detail detail) {
+  std::vector<CostTerm> terms;
+  for (const Observation& o : observations)
+    terms.push_back(
+        {o.scene, ParameterMap(o.scene, free), detail == Detail::full ? o.full.get() : o.coarse.get()});
+  return terms;
+}
+
+}  // namespace vegard::fit

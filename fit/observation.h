@@ -1,0 +1,30 @@
+// One photograph of a fit, with what is compared in it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "fit/comparison.h"
+#include "fit/photo.h"
+#include "fit/profile_cost.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::fit {
+
+struct Observation {
+  const Photo* photo = nullptr;
+  sim::Scene scene;  ///< as this photograph sees it, at the start
+  Region region;
+  std::unique_ptr<Comparison> coarse, full;  ///< for the search, and for the last word
+};
+
+/// Prepares a photograph. It must outlive the observation. Throws sim::Error(scene) if its size is not the
+/// camera's, the region does not lie inside, or the scene's film or blur has no derivative.
+Observation observed(const sim::Scene& scene, const Photo& photo, int threads);
+
+/// The terms of a cost over observations, which must outlive it, as `free` must.
+enum class Detail { coarse, full };
+std::vector<CostTerm> cost_terms(const std::vector<Observation>& observations,
+                                 const std::vector<FreeNumber>& free, Detail detail);
+
+}  // namespace vegard::fit
