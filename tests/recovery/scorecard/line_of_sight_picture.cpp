@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kFootKm = 110.0;
 // Feet and altitudes are worked out every kNodesKm along a line of sight and taken as linear between: over
-// that distance the Earth's curvature is 3 m.
-constexpr double kNodesKm = 12.0, kStepKm = 0.2;
+// that distance the Earth's curvature is 0.7 m.
+constexpr double kNodesKm = 6.0, kStepKm = 0.1;
 constexpr int kMostLines = 4;
 
 struct SheetLight {
