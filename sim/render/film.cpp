@@ -164,10 +164,8 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<cons
         const Sheet& sheet = scene.sheets[chunk.sheet];
         SharedChain shared;
         const std::vector<const double*> at = local_input_addresses(scene, sheet);
-        for (int k = 0; k < local_inputs; ++k) {
+        for (int k = 0; k < local_inputs; ++k)
           shared.parameter_of_local[k] = at[k] != nullptr ? seeds.parameter_at(at[k]) : -1;
-          if (shared.parameter_of_local[k] >= 0) shared.only_beam_inputs = false;
-        }
         shared.parameter_of_energy = of_energy.data();
         w.layout.pack(scene, chunk, kernels[chunk.sheet], seeds, packed);
         // The kernel's energy tangents are by log(E0).
