@@ -14,7 +14,9 @@
 
 namespace vegard::fit {
 
-/// chi2, the least that it can be with coordinate j held at `fixed`. `point` is all coordinates, a guess with
+/// chi2, the least that it can be with coordinate j held at `fixed`. Where priors share in it, give chi2 of
+/// the data over the inflation squared plus the priors' terms, and leave `inflation` at 1: so the covariance
+/// weighs them. `point` is all coordinates, a guess with
 /// point[j] == fixed on the way in, and where the least was found on the way out.
 using MinimisedChi2 = std::function<double(std::size_t j, double fixed, std::vector<double>& point)>;
 

@@ -195,23 +195,29 @@ std::vector<Member> members_of(const std::vector<SpokenNumber>& numbers,
 
 std::vector<SpokenNumber> spoken_numbers(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                                          const std::vector<double>& values) {
-  sim::Scene best = scene;
-  put_values(best, free, values);
+  std::vector<sim::EastNorth> centres;
+  for (const sim::Sheet& sheet : scene.sheets) centres.push_back(sheet.center_km);
+  const auto is_place = [](const sim::ParameterPath& path) {
+    return path.row->key == "center_km" && path.sheet >= 0;
+  };
+  for (std::size_t j = 0; j < free.size(); ++j)
+    if (const sim::ParameterPath& path = free[j].path; is_place(path))
+      (path.component == 0 ? centres[path.sheet].east : centres[path.sheet].north) = values[j];
   std::vector<SpokenNumber> numbers;
   for (std::size_t j = 0; j < free.size(); ++j) {
     const sim::ParameterPath& path = free[j].path;
     SpokenNumber n;
     n.path = path.text;
     n.noun = noun_of(path);
-    n.owner = owner_of(best, path);
+    n.owner = owner_of(scene, path);
     n.unit = path.row->unit;
     n.value = values[j];
     n.noticeable = noticeable_change(free[j], values[j]);
     n.sheet = path.sheet;
     n.of_profile = path.row->key == "spline_rate";
-    if (path.row->key == "center_km" && path.sheet >= 0) {
+    if (is_place(path)) {
       n.place = path.component == 0 ? SpokenNumber::Place::east : SpokenNumber::Place::north;
-      n.centre_km = best.sheets[path.sheet].center_km;
+      n.centre_km = centres[path.sheet];
     }
     numbers.push_back(n);
   }

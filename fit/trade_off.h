@@ -22,7 +22,7 @@ struct SpokenNumber {
   enum class Place { none, east, north } place = Place::none;  ///< a component of a sheet's centre
   int sheet = -1;
   bool other_component_free = false;  ///< of that centre
-  sim::EastNorth centre_km;             ///< of that sheet, from the observer
+  sim::EastNorth centre_km;           ///< of that sheet, from the observer
   bool of_profile = false;            ///< a coefficient of a free-form profile
 };
 
