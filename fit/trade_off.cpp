@@ -14,6 +14,7 @@ namespace {
 constexpr double kNoticeableShare = 0.1, kNoticeableDegrees = 10.0, kNoticeableRadians = 0.2;
 constexpr double kUnnoticed = 0.02;  // of what the most noticeable number of a direction changes by
 constexpr std::size_t kMostMembers = 3;
+constexpr double kNearlyAll = 0.9;  // of a step: along the line of sight, or across it
 
 /// Where the key without its unit is not what people say.
 const std::map<std::string, std::string>& nouns() {
@@ -117,11 +118,12 @@ Member place_member(const SpokenNumber& n, double east, double north, std::vecto
   return m;
 }
 
-/// East or north by itself. Where the other component is free too, only the compass tells them apart.
+/// East or north by itself. Where the other component is free too and neither points at the observer, only
+/// the compass tells them apart.
 Member lone_place_member(const SpokenNumber& n, double change, std::size_t index) {
   const bool east = n.place == SpokenNumber::Place::east;
   Member m = place_member(n, east ? change : 0.0, east ? 0.0 : change, {index});
-  if (!n.other_component_free) return m;
+  if (!n.other_component_free || std::abs(m.change) > kNearlyAll * std::abs(change)) return m;
   m.noun = east ? "place to the east" : "place to the north";
   m.change = change;
   m.more = east ? "to the east" : "to the north";

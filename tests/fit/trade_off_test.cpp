@@ -144,5 +144,14 @@ TEST(StrongCorrelations, TellEastFromNorthWhereBothAreFree) {
           "the east (one standard deviation) goes with 2.8 km to the south"}));
 }
 
+TEST(StrongCorrelations, TellDistanceWhereTheSheetStandsNearlyThatWay) {
+  const Talk talk({"sheet.main.center_km", "sheet.main.energy_kev"}, {58.0, 227.0});
+  // A step to the north goes outwards by 227 / hypot(58, 227) = 0.969 of itself.
+  EXPECT_EQ(strong_correlations(talk.numbers, {0.5, 0.16, 0.032},
+                                {{1.0, 0.0, 0.0}, {0.0, 1.0, -0.94}, {0.0, -0.94, 1.0}}),
+            (Words{"distance and energy of the main sheet are correlated by \u22120.94: 0.16 km further (one "
+                   "standard deviation) goes with 0.03 keV less"}));
+}
+
 }  // namespace
 }  // namespace vegard::fit
