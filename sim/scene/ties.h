@@ -1,0 +1,31 @@
+// The numbers of a scene that follow from others (fit.tied), in an order in which they can be worked out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/scene/expression.h"
+#include "sim/scene/parameter_table.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::sim {
+
+struct Tie {
+  ParameterPath path;  ///< what follows
+  Expression expression;
+
+  /// One of the numbers that it uses: a parameter of the scene, free, tied or fixed, or else a number of
+  /// fit.free by its name (`path.row` is null).
+  struct Input {
+    ParameterPath path;
+    std::string name;
+  };
+  std::vector<Input> inputs;  ///< in the order of expression.names()
+};
+
+/// The ties that hold in one photograph (a name of fit.photos; empty: where there is only one), each after
+/// those that it uses. Throws Error(scene) with the entry's line where a path or an expression cannot be
+/// understood, or where ties go in a circle.
+std::vector<Tie> ties_of(const Scene& scene, const std::string& photo = {});
+
+}  // namespace vegard::sim
