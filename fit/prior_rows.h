@@ -11,7 +11,8 @@ namespace vegard::fit {
 
 class PriorRows {
  public:
-  /// (value - mean) / sigma of every number that has a prior of its own.
+  /// (value - mean) / sigma of every number that has a normal prior of its own, (ln value - ln mean) / sigma
+  /// of every one with a log-normal prior; a uniform prior is no row, since the transform keeps the limits.
   explicit PriorRows(const std::vector<FreeNumber>& free);
 
   /// A row sum of factor * ln(value), of numbers above 0.

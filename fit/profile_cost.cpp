@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace vegard::fit {
@@ -58,6 +59,7 @@ ProfileCost::Point ProfileCost::at(const std::vector<double>& values, bool with_
                                  ? term.comparison->at(scene, term.map.motion(all, which_, scene))
                                  : term.comparison->at(scene));
     point.chi2 += point.of_photo.back().chi2;
+    if (!term.map.within_limits(all, scene)) point.chi2 = std::numeric_limits<double>::infinity();
   }
   std::vector<double> of_priors;
   priors_.evaluate(values, of_priors, nullptr);

@@ -144,7 +144,7 @@ std::string report_html(const FitResult& result, const Photo& photo, const Model
       "Parameters",
       "\u03c3 is half of the 68\u00a0% interval, carried back from the scale on which the search moves the "
       "parameter; the interval itself may be lopsided.",
-      parameter_table_html(result));
+      parameter_table_html(result) + tied_table(result));
   if (!result.profiles.empty())
     html += section("Height profiles",
                     "Free of any electrons: for each line a smooth curve that is nowhere negative. Where "

@@ -29,7 +29,7 @@ struct Trial {
   double chi2 = 0.0;
 };
 
-bool is(const FreeNumber& number, const char* key) { return number.path.row->key == key; }
+bool is(const FreeNumber& number, const char* key) { return number.key() == key; }
 bool is_periodic(const FreeNumber& n) { return is(n, "wavelength_km") || is(n, "phase_rad"); }
 
 /// What shapes the profile as a whole, rather than its course along the arc.

@@ -99,11 +99,6 @@ TEST(FreeNumbers, TakeVectorsApartAndStartWhereTheEntrySays) {
   EXPECT_EQ(numbers[2].start, 4.5);
   ASSERT_TRUE(numbers[2].prior);
   EXPECT_EQ(numbers[2].prior->mean, 5.0);
-
-  put_values(scene, numbers, {1.0, 2.0, 3.0});
-  EXPECT_EQ(scene.sheets[0].center_km.east, 1.0);
-  EXPECT_EQ(scene.sheets[0].energy_kev, 3.0);
-  EXPECT_EQ(addresses(scene, numbers)[1], &scene.sheets[0].center_km.north);
 }
 
 TEST(FreeNumbers, OfASceneWithoutAnyIsTheUsersError) {
