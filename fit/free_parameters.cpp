@@ -92,7 +92,7 @@ const std::string& FreeNumber::meaning() const {
 
 std::string FreeNumber::label() const {
   const std::string& text = has_path() ? path.text : name;
-  return photo.empty() ? text : text + " (" + photo + ")";
+  return photo.empty() ? text : text + " of " + photo;
 }
 
 bool FreeNumber::logarithmic() const {
@@ -115,7 +115,9 @@ double FreeNumber::coordinate(double value) const {
 double FreeNumber::value(double coordinate) const {
   if (finite(min) && finite(max)) {
     const double share = 1.0 / (1.0 + std::exp(-coordinate));
-    return logarithmic() ? min * std::exp(share * std::log(max / min)) : min + share * (max - min);
+    // Kept from a limit but for the rounding.
+    return std::clamp(logarithmic() ? min * std::exp(share * std::log(max / min)) : min + share * (max - min),
+                      min, max);
   }
   return logarithmic() ? min * std::exp(coordinate) : coordinate;
 }

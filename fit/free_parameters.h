@@ -37,7 +37,7 @@ struct FreeNumber {
   const std::string& unit() const;     ///< empty if it has none
   const std::string& meaning() const;  ///< one line
   bool is_angle() const { return has_path() && path.row->scale == sim::ParameterScale::angle; }
-  /// As a report calls it: "sheet.main.energy_kev", with the photograph's name if it is private to one.
+  /// The path or the name, and of which photograph if of one alone: "camera.roll_deg of south".
   std::string label() const;
 
   bool logarithmic() const;

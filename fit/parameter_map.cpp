@@ -10,14 +10,6 @@ bool belongs(const std::string& place_photo, const std::string& photo) {
   return place_photo.empty() || place_photo == photo;
 }
 
-constexpr double kRounding = 1e-9;  // of a limit
-
-bool is_within(const sim::ParameterPath& path, double value) {
-  const double min = path.row->min, max = path.row->max;
-  return std::isfinite(value) && value >= min - kRounding * std::abs(min) &&
-         value <= max + kRounding * std::abs(max);
-}
-
 }  // namespace
 
 ParameterMap::ParameterMap(const sim::Scene& scene, const std::vector<FreeNumber>& free,
@@ -64,20 +56,17 @@ std::vector<double> ParameterMap::input_values(const Following& following, const
   return inputs;
 }
 
-void ParameterMap::put(const std::vector<double>& values, sim::Scene& scene) const {
+bool ParameterMap::put(const std::vector<double>& values, sim::Scene& scene) const {
   for (const Place& place : places_) *sim::real_value(scene, place.path) = values[place.number];
+  bool within_limits = true;
   for (const Following& f : following_) {
     double& number = *sim::real_value(scene, f.tie.path);
     const double value = f.tie.expression.value(input_values(f, values, scene));
+    within_limits = within_limits && sim::is_within_limits(f.tie.path, value);
     // Without any value it stays as it is.
     if (!std::isnan(value)) number = std::clamp(value, f.tie.path.row->min, f.tie.path.row->max);
   }
-}
-
-bool ParameterMap::within_limits(const std::vector<double>& values, const sim::Scene& scene) const {
-  return std::all_of(following_.begin(), following_.end(), [&](const Following& f) {
-    return is_within(f.tie.path, f.tie.expression.value(input_values(f, values, scene)));
-  });
+  return within_limits;
 }
 
 std::vector<std::vector<double>> ParameterMap::tie_slopes(const std::vector<double>& values,
@@ -87,7 +76,7 @@ std::vector<std::vector<double>> ParameterMap::tie_slopes(const std::vector<doub
     std::vector<double> by_free(free_.size(), 0.0);
     const std::vector<double> inputs = input_values(f, values, scene);
     // Held at a limit, it does not move.
-    if (is_within(f.tie.path, f.tie.expression.value(inputs))) {
+    if (sim::is_within_limits(f.tie.path, f.tie.expression.value(inputs))) {
       const std::vector<double> by_input = f.tie.expression.slopes(inputs);
       for (std::size_t i = 0; i < f.inputs.size(); ++i) {
         const Input& input = f.inputs[i];

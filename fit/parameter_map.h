@@ -22,13 +22,9 @@ class ParameterMap {
   ParameterMap(const sim::Scene& scene, const std::vector<FreeNumber>& free, const std::string& photo = {});
 
   /// Writes all values, in the order of `free`, into a scene, and what follows from them. What would follow
-  /// beyond the limits of its parameter is held at the limit (within_limits() is false then), so that nobody
-  /// is asked to simulate nonsense.
-  void put(const std::vector<double>& values, sim::Scene& scene) const;
-
-  /// Whether all that follows from these values, which are put into `scene`, lies between the limits of its
-  /// parameter.
-  bool within_limits(const std::vector<double>& values, const sim::Scene& scene) const;
+  /// beyond the limits of its parameter is held at the limit, so that nobody is asked to simulate nonsense;
+  /// false is returned then.
+  bool put(const std::vector<double>& values, sim::Scene& scene) const;
 
   /// What changes in the scene when some of the free numbers (indices into `free`) do.
   struct Motion {

@@ -59,7 +59,8 @@ void check_values(const Scene& scene, const std::string& photo) {
     std::vector<double> inputs;
     for (const Tie::Input& input : tie.inputs)
       inputs.push_back(input.path.row != nullptr ? *real_value(start, input.path) : named.at(input.name));
-    const double value = tie.expression.value(inputs);
+    double value = tie.expression.value(inputs);
+    if (is_within_limits(tie.path, value)) value = std::clamp(value, tie.path.row->min, tie.path.row->max);
     *real_value(start, tie.path) = value;
     const auto entry = std::find_if(scene.fit.tied.begin(), scene.fit.tied.end(), [&](const auto& tied) {
       return meet(tied.photo, photo) && paths_of(scene, tied).front().text == tie.path.text;

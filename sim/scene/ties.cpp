@@ -1,6 +1,7 @@
 #include "sim/scene/ties.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "sim/base/error.h"
@@ -9,6 +10,8 @@
 
 namespace vegard::sim {
 namespace {
+
+constexpr double kRounding = 1e-9;  // of a limit
 
 bool belongs(const std::string& entry_photo, const std::string& photo) {
   return entry_photo.empty() || entry_photo == photo;
@@ -90,6 +93,12 @@ class Ordering {
 };
 
 }  // namespace
+
+bool is_within_limits(const ParameterPath& path, double value) {
+  const double min = path.row->min, max = path.row->max;
+  return std::isfinite(value) && value >= min - kRounding * std::abs(min) &&
+         value <= max + kRounding * std::abs(max);
+}
 
 std::vector<Tie> ties_of(const Scene& scene, const std::string& photo) {
   if (scene.fit.tied.empty()) return {};

@@ -23,6 +23,10 @@ struct Tie {
   std::vector<Input> inputs;  ///< in the order of expression.names()
 };
 
+/// Whether what an expression gives lies between the limits of the parameter that it is for, to rounding (a
+/// billionth of the limit).
+bool is_within_limits(const ParameterPath& path, double value);
+
 /// The ties that hold in one photograph (a name of fit.photos; empty: where there is only one), each after
 /// those that it uses. Throws Error(scene) with the entry's line where a path or an expression cannot be
 /// understood, or where ties go in a circle.
