@@ -13,6 +13,7 @@
 #include "fit/profile_rounds.h"
 #include "fit/sampled_uncertainty.h"
 #include "fit/search.h"
+#include "fit/steepest.h"
 #include "fit/turns.h"
 #include "fit/uncertainty.h"
 #include "fit/verdict.h"
@@ -65,6 +66,19 @@ double inflation_of(const std::vector<Observation>& observations, const ProfileC
                             2);
   }
   return std::sqrt(sum);
+}
+
+ComparedValues compared_values(const std::vector<Observation>& observations, int unknowns) {
+  ComparedValues compared;
+  compared.unknowns = unknowns;
+  for (const Observation& o : observations) {
+    const Region& region = o.region;
+    compared.regions_px.push_back({region.x, region.y, region.width, region.height});
+    compared.values += o.full->residuals();
+    for (const std::size_t i : o.full->linear().used())
+      compared.sum_of_weights += 1.0 / (o.full->sigma()[i] * o.full->sigma()[i]);
+  }
+  return compared;
 }
 
 int held_gains(const ProfileCost::Point& point) {
@@ -154,6 +168,9 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
   const int priors = static_cast<int>(std::count_if(free.begin(), free.end(), has_prior));
   r.dof = residuals + priors - unknowns + held_gains(point);
   r.error_inflation = inflation_of(observations, point, r.dof);
+
+  r.compared = compared_values(observations, unknowns - held_gains(point));
+  r.steepest_cosine = steepest_cosine(cost, values);
 
   const std::size_t n = free.size();
   Uncertainty u = evidence.stopped ? no_uncertainty(n, r.error_inflation)
