@@ -99,6 +99,10 @@ FileJournal::FileJournal(const std::string& file, const JournalSubject& subject,
 void FileJournal::open(const JournalSubject& subject, JournalMode mode) {
   std::error_code trouble;
   const std::string folder = fs::path(file_).parent_path().string();
+  for (fs::path missing = folder; !missing.empty() && !fs::exists(missing, trouble);
+       missing = missing.parent_path())
+    made_folders_.push_back(missing.string());
+  trouble.clear();
   if (!folder.empty()) fs::create_directories(folder, trouble);
   if (trouble) throw sim::unwritable(file_, trouble.value());
   descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
@@ -133,7 +137,7 @@ void FileJournal::open(const JournalSubject& subject, JournalMode mode) {
     steps_.clear();
     if (::ftruncate(descriptor_, 0) != 0) throw sim::unwritable(file_, errno);
     if (const int error = write_at(descriptor_, header, 0); error != 0) {
-      ::unlink(file_.c_str());
+      unlink();
       throw sim::unwritable(file_, error);
     }
     end_ = static_cast<long long>(header.size());
@@ -146,13 +150,19 @@ void FileJournal::open(const JournalSubject& subject, JournalMode mode) {
 
 FileJournal::~FileJournal() {
   if (descriptor_ < 0) return;
-  if (steps_.empty()) ::unlink(file_.c_str());
+  if (steps_.empty()) unlink();
   ::close(descriptor_);
+}
+
+void FileJournal::unlink() {
+  ::unlink(file_.c_str());
+  std::error_code in_use;
+  for (const std::string& folder : made_folders_) fs::remove(folder, in_use);
 }
 
 void FileJournal::remove() {
   if (descriptor_ < 0) return;
-  ::unlink(file_.c_str());
+  unlink();
   ::close(descriptor_);
   descriptor_ = -1;
 }

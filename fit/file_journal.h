@@ -28,7 +28,7 @@ class FileJournal final : public Journal {
   /// lifetime. Throws sim::Error(existing_output) for a journal that the mode refuses, one of another
   /// subject, one in use, and for a file that is no journal; sim::Error(unwritable_output).
   FileJournal(const std::string& file, const JournalSubject& subject, JournalMode mode);
-  /// Leaves the file, unless there is no step in it.
+  /// Leaves the file, unless there is no step in it; folders made for it go with it, unless they are in use.
   ~FileJournal() override;
   FileJournal(const FileJournal&) = delete;
   FileJournal& operator=(const FileJournal&) = delete;
@@ -48,8 +48,10 @@ class FileJournal final : public Journal {
   void open(const JournalSubject& subject, JournalMode mode);
   void read_steps(const std::string& bytes, std::size_t begin);
   void append(const std::string& line);
+  void unlink();
 
   const std::string file_;
+  std::vector<std::string> made_folders_;  ///< innermost first
   int descriptor_ = -1;
   long long end_ = 0;  ///< of the last whole line, bytes
   int found_ = 0;

@@ -9,11 +9,13 @@
 #include "fit/flat_directions.h"
 #include "fit/free_parameters.h"
 #include "fit/free_profile.h"
+#include "fit/journal.h"
 #include "fit/observation.h"
 #include "fit/profile_rounds.h"
 #include "fit/sampled_uncertainty.h"
 #include "fit/search.h"
 #include "fit/steepest.h"
+#include "fit/step_outputs.h"
 #include "fit/turns.h"
 #include "fit/uncertainty.h"
 #include "fit/verdict.h"
@@ -22,6 +24,7 @@
 namespace vegard::fit {
 namespace {
 
+constexpr double kShareBeforeErrorBars = 0.9;
 constexpr double kSecondMode = 4.0;  // difference of chi2 (two standard deviations) in units of the inflation
 
 /// The sky alone, with the night sky's known lights where the fit ended.
@@ -138,13 +141,16 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
 
   Evidence evidence;
   const SearchOutcome outcome =
-      search(scene, free, {cost_terms(observations, free, Detail::coarse), full}, options, log, r.trace);
+      search_outcome_of(recorded_step(options.journal, "the whole search", log, r.trace, [&] {
+        return output_of(search(scene, free, {cost_terms(observations, free, Detail::coarse), full}, options,
+                                log, r.trace));
+      }));
   r.chi2_initial = outcome.chi2_initial;
   r.termination = outcome.best.termination;
   Descent best = outcome.best;
   SettledProfiles profiles;
   if (!spline_lines(scene, free).empty()) {
-    profiles = settle_profiles(scene, free, full, best, log, r.trace);
+    profiles = settle_profiles(scene, free, full, best, log, r.trace, options.journal);
     best = profiles.descent;
     r.termination = best.termination;
   }
@@ -173,10 +179,9 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
   r.steepest_cosine = steepest_cosine(cost, values);
 
   const std::size_t n = free.size();
-  Uncertainty u = evidence.stopped ? no_uncertainty(n, r.error_inflation)
-                                   : sampled_uncertainty(observations, free, values, profiles.prior,
-                                                         r.error_inflation, options.threads);
-  if (!evidence.stopped)
+  const auto error_bars = [&] {
+    Uncertainty u =
+        sampled_uncertainty(observations, free, values, profiles.prior, r.error_inflation, options.threads);
     drop_flat_directions(
         [&](const std::vector<double>& step) {
           std::vector<double> moved(n);
@@ -185,6 +190,14 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
           return (cost.at(moved, false).chi2 - point.chi2) / (r.error_inflation * r.error_inflation);
         },
         bounded_by_prior(profiles.prior, n), u);
+    return output_of(u);
+  };
+  if (options.progress && !evidence.stopped)
+    options.progress("error bars", log.residuals, r.chi2 / std::max(1, r.dof), kShareBeforeErrorBars);
+  NullJournal nowhere;
+  Journal& journal = options.journal != nullptr ? *options.journal : nowhere;
+  const Uncertainty u = evidence.stopped ? no_uncertainty(n, r.error_inflation)
+                                         : uncertainty_of(journal.step("error bars", error_bars));
 
   const Comparison& first = *observations.front().full;
   const ParameterMap& map = full.front().map;

@@ -48,6 +48,62 @@ double change(const std::vector<double>& a, const std::vector<double>& b) {
   return most;
 }
 
+std::string stage_of(int round) { return "polish, profiles " + std::to_string(round + 1); }
+
+/// One round: smoothness and inflation as the residuals have them, and a descent with these. False if they
+/// are what they were, and nothing was done.
+bool another_round(const sim::Scene& scene, const std::vector<FreeNumber>& free,
+                   const std::vector<CostTerm>& terms, int round, SettledProfiles& settled,
+                   EvaluationLog& log, std::vector<TraceRow>& trace) {
+  const ProfileCost before(free, terms, log, {{}, {}, settled.prior, settled.inflation});
+  const ProfileCost::Point point = before.at(settled.descent.values, true);
+  std::vector<double> jacobian, prior_jacobian, ignored;
+  before.data_jacobian(point, jacobian);
+  const int dof = terms.front().comparison->residuals() - terms.front().comparison->coefficients() -
+                  static_cast<int>(free.size());
+  const double inflation =
+      error_inflation(terms.front().comparison->data(), terms.front().comparison->linear().used(),
+                      point.of_photo.front().residual(), dof);
+  const Coordinates coordinates(settled.prior, free, point.values);
+  SplinePrior of_scale = settled.prior;
+  of_scale.smoothness.assign(of_scale.lines.size(), 0.0);
+  PriorRows others(free);
+  append_rows(of_scale, scene, 1.0, others);
+  others.evaluate(point.values, ignored, &prior_jacobian);
+  SplinePrior prior = settled.prior;
+  const std::vector<double> probable =
+      most_probable_smoothness(prior,
+                               products(jacobian, static_cast<std::size_t>(before.data_residuals()),
+                                        1.0 / (inflation * inflation), coordinates),
+                               products(prior_jacobian, others.count(), 1.0, coordinates), coordinates.at,
+                               settled.inflation / inflation, &settled.determined);
+  if (scene.fit.profile_smoothness <= 0.0) prior.smoothness = probable;
+  const bool same = round > 0 && change(prior.smoothness, settled.prior.smoothness) < kSettled &&
+                    std::abs(std::log(inflation / settled.inflation)) < kSettled;
+  if (same) return false;
+  settled.prior = prior;
+  settled.inflation = inflation;
+  const ProfileCost cost(free, terms, log, {{}, {}, prior, inflation});
+  settled.descent = descend(cost, point.values, kIterations, stage_of(round), log, trace);
+  return true;
+}
+
+/// What a round changes of `settled`, as a step's output, and back.
+StepOutput output_of_round(const SettledProfiles& settled, bool went_on) {
+  StepOutput output = output_of(settled.descent);
+  output.numbers["smoothness"] = settled.prior.smoothness;
+  output.numbers["inflation, determined"] = {settled.inflation, settled.determined};
+  output.flags["went on"] = went_on;
+  return output;
+}
+
+void take(const StepOutput& output, SettledProfiles& settled) {
+  settled.descent = descent_of(output);
+  settled.prior.smoothness = output.numbers.at("smoothness");
+  settled.inflation = output.numbers.at("inflation, determined").at(0);
+  settled.determined = output.numbers.at("inflation, determined").at(1);
+}
+
 }  // namespace
 
 double first_smoothness(const sim::Scene& scene) {
@@ -56,43 +112,19 @@ double first_smoothness(const sim::Scene& scene) {
 
 SettledProfiles settle_profiles(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                                 const std::vector<CostTerm>& terms, const Descent& from, EvaluationLog& log,
-                                std::vector<TraceRow>& trace) {
+                                std::vector<TraceRow>& trace, Journal* journal) {
   SettledProfiles settled;
   settled.descent = from;
   settled.prior = spline_prior(scene, free, first_smoothness(scene));
   settled.inflation = kFirstPriorWeight;
   for (int round = 0; round < kRounds && !log.exhausted(); ++round) {
-    const ProfileCost before(free, terms, log, {{}, {}, settled.prior, settled.inflation});
-    const ProfileCost::Point point = before.at(settled.descent.values, true);
-    std::vector<double> jacobian, prior_jacobian, ignored;
-    before.data_jacobian(point, jacobian);
-    const int dof = terms.front().comparison->residuals() - terms.front().comparison->coefficients() -
-                    static_cast<int>(free.size());
-    const double inflation =
-        error_inflation(terms.front().comparison->data(), terms.front().comparison->linear().used(),
-                        point.of_photo.front().residual(), dof);
-    const Coordinates coordinates(settled.prior, free, point.values);
-    SplinePrior of_scale = settled.prior;
-    of_scale.smoothness.assign(of_scale.lines.size(), 0.0);
-    PriorRows others(free);
-    append_rows(of_scale, scene, 1.0, others);
-    others.evaluate(point.values, ignored, &prior_jacobian);
-    SplinePrior prior = settled.prior;
-    const std::vector<double> probable =
-        most_probable_smoothness(prior,
-                                 products(jacobian, static_cast<std::size_t>(before.data_residuals()),
-                                          1.0 / (inflation * inflation), coordinates),
-                                 products(prior_jacobian, others.count(), 1.0, coordinates), coordinates.at,
-                                 settled.inflation / inflation, &settled.determined);
-    if (scene.fit.profile_smoothness <= 0.0) prior.smoothness = probable;
-    const bool same = round > 0 && change(prior.smoothness, settled.prior.smoothness) < kSettled &&
-                      std::abs(std::log(inflation / settled.inflation)) < kSettled;
-    if (same) break;
-    settled.prior = prior;
-    settled.inflation = inflation;
-    const ProfileCost cost(free, terms, log, {{}, {}, prior, inflation});
-    settled.descent =
-        descend(cost, point.values, kIterations, "polish, profiles " + std::to_string(round + 1), log, trace);
+    const StepOutput output = recorded_step(journal, stage_of(round), log, trace, [&] {
+      SettledProfiles next = settled;
+      const bool went_on = another_round(scene, free, terms, round, next, log, trace);
+      return output_of_round(next, went_on);
+    });
+    take(output, settled);
+    if (!output.flags.at("went on")) break;
   }
   return settled;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fit/descent.h"
+#include "fit/journal.h"
 
 namespace vegard::fit {
 
@@ -20,9 +21,9 @@ inline constexpr double kFirstPriorWeight = 10.0;
 double first_smoothness(const sim::Scene& scene);
 
 /// Descents from `from`, with smoothness (unless fit.profile_smoothness says) and inflation taken anew before
-/// each, until neither changes by more than a tenth, or five times.
+/// each, until neither changes by more than a tenth, or five times. Every round is a step of `journal`.
 SettledProfiles settle_profiles(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                                 const std::vector<CostTerm>& terms, const Descent& from, EvaluationLog& log,
-                                std::vector<TraceRow>& trace);
+                                std::vector<TraceRow>& trace, Journal* journal = nullptr);
 
 }  // namespace vegard::fit

@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "fit/file_journal.h"
+#include "fit/step_outputs.h"
 #include "fit/step_record.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/full_disk.h"
@@ -309,6 +310,36 @@ TEST(RecordedStep, ADescentComesBack) {
   EXPECT_EQ(back.chi2_initial, descent.chi2_initial);
   EXPECT_EQ(back.converged, descent.converged);
   EXPECT_EQ(back.termination, descent.termination);
+}
+
+TEST(StepOutputs, ASearchAndErrorBarsComeBack) {
+  fit::SearchOutcome outcome;
+  outcome.best = {{1.0, 2.0}, 3.0, 4.0, true, "converged"};
+  outcome.others = {{{1.5, 2.5}, 3.5, 4.5, false, "not"}, {{}, 5.0, 6.0, true, "yes"}};
+  outcome.chi2_initial = 99.0;
+  const fit::SearchOutcome back = fit::search_outcome_of(fit::output_of(outcome));
+  EXPECT_EQ(back.chi2_initial, 99.0);
+  EXPECT_EQ(back.best.values, outcome.best.values);
+  ASSERT_EQ(back.others.size(), 2u);
+  EXPECT_EQ(back.others[0].values, outcome.others[0].values);
+  EXPECT_EQ(back.others[0].termination, "not");
+  EXPECT_EQ(back.others[1].chi2, 5.0);
+  EXPECT_TRUE(back.others[1].converged);
+
+  fit::Uncertainty u;
+  u.sigma = {0.5, std::nan("")};
+  u.correlation = {{1.0, 0.25}, {0.25, 1.0}};
+  u.covariance = {{0.25, 0.1}, {0.1, 0.5}};
+  u.undetermined = {{0.0, 1.0}};
+  u.inflation = 1.75;
+  const fit::Uncertainty same = fit::uncertainty_of(fit::output_of(u));
+  EXPECT_TRUE(same_bits(same.sigma, u.sigma));
+  EXPECT_EQ(same.correlation, u.correlation);
+  EXPECT_EQ(same.covariance, u.covariance);
+  EXPECT_EQ(same.undetermined, u.undetermined);
+  EXPECT_EQ(same.inflation, 1.75);
+  u.undetermined.clear();
+  EXPECT_TRUE(fit::uncertainty_of(fit::output_of(u)).undetermined.empty());
 }
 
 }  // namespace
