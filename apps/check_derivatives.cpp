@@ -63,6 +63,11 @@ ExitCode check_derivatives(const sim::Scene& scene, const fit::Photo& photo, int
   }
   if (differ > 0) std::printf("%ld of %zu derivatives differ from differences.\n", differ, checks.size());
   if (idle > 0) std::printf("%ld of %zu parameters have no effect on what is fitted.\n", idle, checks.size());
+  if (idle == static_cast<long>(checks.size()))
+    std::printf(
+        "Is the model's light anywhere near the photograph's at this start? Where it is not, the gains are "
+        "held at "
+        "0:\ncheck the best.toml of a run instead.\n");
   return doubted;
 }
 

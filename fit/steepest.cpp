@@ -17,7 +17,7 @@ double steepest_cosine(const ceres::CostFunction& cost, const std::vector<double
     return std::numeric_limits<double>::quiet_NaN();
   double chi2 = 0.0;
   for (const double r : residuals) chi2 += r * r;
-  double steepest = 0.0;
+  double steepest = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t j = 0; j < n; ++j) {
     if (j < left_out.size() && left_out[j]) continue;
     double along = 0.0, square = 0.0;
@@ -25,7 +25,8 @@ double steepest_cosine(const ceres::CostFunction& cost, const std::vector<double
       along += jacobian[k * n + j] * residuals[k];
       square += jacobian[k * n + j] * jacobian[k * n + j];
     }
-    if (square > 0.0 && chi2 > 0.0) steepest = std::max(steepest, std::abs(along) / std::sqrt(square * chi2));
+    if (square > 0.0 && chi2 > 0.0)
+      steepest = std::fmax(steepest, std::abs(along) / std::sqrt(square * chi2));
   }
   return steepest;
 }

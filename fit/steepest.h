@@ -11,8 +11,8 @@ namespace vegard::fit {
 
 /// Largest |cos| of the angle between the residuals and a column of the Jacobian. Its square is the share of
 /// chi2 that moving this one coordinate would take away, were the model linear: 0 at a minimum, 1 where one
-/// coordinate could remove all. Columns without effect, and those of `left_out`, do not count; NaN if the
-/// cost cannot be evaluated.
+/// coordinate could remove all. Columns without effect, and those of `left_out`, do not count; NaN if none is
+/// left, or the cost cannot be evaluated.
 double steepest_cosine(const ceres::CostFunction& cost, const std::vector<double>& coordinates,
                        const std::vector<bool>& left_out = {});
 

@@ -109,7 +109,7 @@ void ask_of_the_parameters(const FitResult& r, Checks& checks) {
     if (!p.moved && p.sigma)
       standing.push_back(p.path + " did not move from its start, though the data have a say in it");
   }
-  const bool started_at_answer = moved == 0 && !(r.steepest_cosine > kLevelCosine);
+  const bool started_at_answer = moved == 0 && r.steepest_cosine <= kLevelCosine;
   if (started_at_answer) standing.clear();
   const std::string all = number_of(r.parameters.size(), "parameter");
   checks.ask("moved",

@@ -43,23 +43,32 @@ expect_same_answer whole runs/cut
 expect_exit 2 "${fit[@]}" --out runs/cut --resume
 expect_stderr "--overwrite"
 
-rm -r runs
-set -m # a job of its own; else the shell has it ignore the signal
-start_until 1
-kill -INT "$job"
-status=0
-wait "$job" || status=$?
+# Ctrl-C, at once and after a step: the best so far is a run, which --resume goes on with and replaces.
+set -m # jobs of their own; else the shell has them ignore the signal
+for steps in 0 1; do
+  rm -r runs
+  if [[ $steps -eq 0 ]]; then
+    : >"$stderr"
+    "$VEGARD" "${fit[@]}" --out runs/cut --threads 1 >"$stdout" 2>"$stderr" &
+    job=$!
+    until [[ -s $stderr ]]; do sleep 0.01; done # the first stage is under way
+  else
+    start_until "$steps"
+  fi
+  kill -INT "$job"
+  status=0
+  wait "$job" || status=$?
+  # After the search nothing is left that could be cut short.
+  [[ $status -eq 130 || ($steps -gt 0 && $status -eq 0) ]] || fail "exit $status instead of 130"
+  if [[ $status -eq 130 ]]; then
+    expect_stderr "--resume goes on"
+    grep -qF '"verdict": "interrupted"' runs/cut/result.json || fail "another verdict"
+    expect_exit 0 "${fit[@]}" --out runs/cut --resume
+  fi
+  expect_same_answer whole runs/cut
+  [[ ! -e runs/cut.part ]] || fail "the journal is left"
+done
 set +m
-if [[ $status -eq 130 ]]; then
-  expect_stderr "--resume goes on"
-  grep -qF '"verdict": "interrupted"' runs/cut/result.json || fail "another verdict"
-  [[ -e runs/cut.part ]] || fail "the steps are lost"
-  expect_exit 0 "${fit[@]}" --out runs/cut --resume
-  expect_stderr "going on after"
-else # the signal came after the last step that could be cut short
-  [[ $status -eq 0 ]] || fail "exit $status instead of 130"
-fi
-expect_same_answer whole runs/cut
 
 # --overwrite discards what was cut off, even of another fit; what is no journal stays.
 mv torn.part other.part

@@ -44,5 +44,11 @@ TEST(SteepestCosine, IsNothingAtTheMinimum) {
   EXPECT_NEAR(steepest_cosine(cost, {-3e3, -4.0 / 50.0, 7.0}), 0.0, 1e-15);
 }
 
+TEST(SteepestCosine, IsUnknownWhereNothingHasAnEffect) {
+  const Linear cost({3.0, 4.0}, {{0.0, 0.0}, {1.0, 0.0}});
+  EXPECT_TRUE(std::isnan(steepest_cosine(cost, {0.0, 0.0}, {false, true})));
+  EXPECT_NEAR(steepest_cosine(cost, {0.0, 0.0}), 0.6, 1e-15);
+}
+
 }  // namespace
 }  // namespace vegard::fit
