@@ -44,6 +44,14 @@ struct SolvedNumber {
   std::optional<double> sigma;
 };
 
+/// One of the statistics that photograph and model were compared by (fit/statistics.h).
+struct ComparedStatistic {
+  std::string name;  ///< "profile", "colour"
+  double weight = 1.0;
+  int residuals = 0;
+  double chi2 = 0.0;  ///< weight included
+};
+
 /// What follows from the parameters and is what people publish.
 struct DerivedNumber {
   std::string name;  ///< "distance of the main sheet"
@@ -87,6 +95,7 @@ struct FitResult {
 
   double chi2 = 0.0;
   double chi2_initial = 0.0;
+  std::vector<ComparedStatistic> statistics;  ///< what chi2 is made of, priors aside
   int dof = 0;
   double rms_over_peak =
       0.0;  ///< rms residual over all rows, bands, channels / peak of the data's profile above the sky

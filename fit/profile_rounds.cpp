@@ -68,9 +68,7 @@ SettledProfiles settle_profiles(const sim::Scene& scene, const std::vector<FreeN
     before.data_jacobian(point, jacobian);
     const int dof = terms.front().comparison->residuals() - terms.front().comparison->coefficients() -
                     static_cast<int>(free.size());
-    const double inflation =
-        error_inflation(terms.front().comparison->data(), terms.front().comparison->linear().used(),
-                        point.of_photo.front().residual(), dof);
+    const double inflation = terms.front().comparison->error_inflation(point.of_photo.front(), dof);
     const Coordinates coordinates(settled.prior, free, point.values);
     SplinePrior of_scale = settled.prior;
     of_scale.smoothness.assign(of_scale.lines.size(), 0.0);

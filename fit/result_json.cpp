@@ -61,6 +61,12 @@ std::string result_json(const FitResult& result) {
   json["chi2"] = number(result.chi2);
   json["chi2_initial"] = number(result.chi2_initial);
   json["dof"] = result.dof;
+  json["statistics"] = Json::array();
+  for (const ComparedStatistic& s : result.statistics)
+    json["statistics"].push_back({{"name", s.name},
+                                  {"weight", number(s.weight)},
+                                  {"residuals", s.residuals},
+                                  {"chi2", number(s.chi2)}});
   json["rms_over_peak"] = number(result.rms_over_peak);
   json["error_inflation"] = number(result.error_inflation);
   json["termination"] = result.termination;
