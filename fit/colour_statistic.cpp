@@ -10,6 +10,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kBright = 5.0;        ///< standard deviations
+constexpr double kNoiseAbove = 3.0;    ///< standard deviations
 constexpr double kDarkestShare = 0.2;  ///< of the photograph's light
 
 struct Logarithm {
@@ -22,10 +23,26 @@ Logarithm logarithm(double x, double darkest) {
   return {std::log(darkest) + x / darkest - 1.0, 1.0 / darkest};
 }
 
+/// The profile's 5th percentile lies below the sky by about a standard deviation of its noise, which matters
+/// where light is faint: the mean of what it may be noise of.
+std::array<double, 3> dark_level(const Profile& data) {
+  const std::array<double, 3> least = sky_level(data);
+  std::array<double, 3> sum{}, count{};
+  for (std::size_t i = 0; i < data.mean.size(); ++i) {
+    if (data.count[i] == 0) continue;
+    const double own = std::isfinite(data.standard_error[i]) ? data.standard_error[i] : 0.0;
+    if (data.mean[i] > least[i % 3] + kNoiseAbove * own) continue;
+    sum[i % 3] += data.mean[i];
+    count[i % 3] += 1.0;
+  }
+  for (int c = 0; c < 3; ++c) sum[c] = count[c] > 0.0 ? sum[c] / count[c] : least[c];
+  return sum;
+}
+
 }  // namespace
 
 ColourStatistic::ColourStatistic(const Profile& data, const std::vector<double>& sigma, double weight) {
-  const std::array<double, 3> sky = sky_level(data);
+  const std::array<double, 3> sky = dark_level(data);
   for (std::size_t bin = 0; bin < data.mean.size() / 3; ++bin) {
     const auto light = [&](int c) { return data.mean[bin * 3 + c] - sky[c]; };
     const auto bright = [&](int c) {

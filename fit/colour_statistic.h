@@ -13,10 +13,11 @@ namespace vegard::fit {
 /// bin alike (exposure, the sheet's brightness, rays) does nothing to it. Data: photograph less the solved
 /// sky; model: its aurora.
 ///
-/// Noise: the relative errors of both channels in quadrature. Bins whose light above the sky, the profile's
-/// 5th percentile, is less than five of its standard deviations in either channel are left out. A logarithm
+/// Noise: the relative errors of both channels in quadrature. Bins whose light above the sky (the mean of
+/// what lies at the profile's 5th percentile) is less than five of its standard deviations in either channel
+/// are left out. A logarithm
 /// of so noisy a number is low by half its relative variance on average: that of the photograph's own noise
-/// is added back. Below a fifth of the light that the photograph had above its 5th percentile, the logarithm
+/// is added back. Below a fifth of the light that the photograph had above that, the logarithm
 /// goes on as its tangent, so that a sky that takes all the light away, or a model without any, has a
 /// residual too.
 class ColourStatistic : public Statistic {
