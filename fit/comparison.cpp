@@ -135,6 +135,13 @@ double Comparison::chi2_without_aurora(const Point& point) const {
   return point.chi2 - point.solution.chi2 + linear_chi2;
 }
 
+std::vector<Statistic::Solved> Comparison::solved_by_statistics(const sim::Scene& scene) const {
+  std::vector<Statistic::Solved> all;
+  for (const Statistics::Other& other : statistics_->others())
+    for (Statistic::Solved& solved : other.statistic->solved(scene)) all.push_back(std::move(solved));
+  return all;
+}
+
 std::vector<Comparison::Share> Comparison::shares(const Point& point) const {
   std::vector<Share> all;
   const std::vector<std::size_t>& used = linear().used();

@@ -85,6 +85,9 @@ class Comparison {
   /// aurora stay as they are.
   double chi2_without_aurora(const Point& point) const;
 
+  /// What statistics have solved for beside the coefficients.
+  std::vector<Statistic::Solved> solved_by_statistics(const sim::Scene& scene) const;
+
   /// What each statistic has to do with a point's chi2, weight included.
   struct Share {
     std::string name;

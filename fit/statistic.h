@@ -40,6 +40,13 @@ class Statistic {
   /// Writes (data - model) / sigma, of a standard deviation of 1 where the model is right. If `jacobian` is
   /// not null, also d residual / d parameter, row-major [residual][parameter], and `light` must have slopes.
   virtual void evaluate(const StatisticInput& input, double* residual, double* jacobian) const = 0;
+
+  /// What a statistic has solved for by itself, with its standard deviation for a scene that is right.
+  struct Solved {
+    std::string name;
+    double value = 0.0, sigma = 0.0;
+  };
+  virtual std::vector<Solved> solved(const sim::Scene& /*scene*/) const { return {}; }
 };
 
 }  // namespace vegard::fit

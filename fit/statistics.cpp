@@ -7,6 +7,7 @@
 #include "fit/colour_statistic.h"
 #include "fit/noise_model.h"
 #include "fit/smoothing.h"
+#include "fit/texture_statistic.h"
 
 namespace vegard::fit {
 namespace {
@@ -58,6 +59,9 @@ Statistics::Statistics(const sim::Scene& scene, const Photo& photo, Profile data
   if (fit.border_weight > 0.0)
     others_.push_back(
         {fit.border_weight, std::make_unique<const BorderStatistic>(profile_, sigma_, fit.border_weight)});
+  if (fit.texture_weight > 0.0)
+    others_.push_back({fit.texture_weight, std::make_unique<const TextureStatistic>(
+                                               scene, photo, profile_.region, fit.texture_weight)});
   for (const Other& other : others_) residuals_ += static_cast<int>(other.statistic->residuals());
 }
 
