@@ -109,9 +109,16 @@ double Comparison::error_inflation(const Point& point, int dof) const {
   const ProfilePart part = profile_part(point);
   if (part.used.size() == point.whitened.size())
     return fit::error_inflation(data(), part.used, part.residual, dof);
-  // So many degrees of freedom that the residuals' size does not matter.
-  const double together =
-      fit::error_inflation(data(), part.used, part.residual, std::numeric_limits<int>::max());
+  // The profile's, compared or not; so many degrees of freedom that their size does not matter.
+  std::vector<std::size_t> used;
+  std::vector<double> residual;
+  const std::vector<double> model = profile_model(point);
+  for (std::size_t i = 0; i < model.size(); ++i) {
+    if (sigma()[i] <= 0.0) continue;
+    used.push_back(i);
+    residual.push_back((data().mean[i] - model[i]) / sigma()[i]);
+  }
+  const double together = fit::error_inflation(data(), used, residual, std::numeric_limits<int>::max());
   return std::sqrt(std::max(1.0, point.chi2 / std::max(1, dof))) * together;
 }
 

@@ -74,8 +74,8 @@ class Comparison {
     std::vector<double> residual;
   };
   ProfilePart profile_part(const Point& point) const;
-  /// fit::error_inflation() of a point: how residuals hang together is the profile's to say, how large they
-  /// are all statistics'.
+  /// fit::error_inflation() of a point: how residuals hang together is the profile's to say, compared or
+  /// not; how large they are, all statistics'.
   double error_inflation(const Point& point, int dof) const;
   /// Model of the profile in the data's units, at all values.
   std::vector<double> profile_model(const Point& point) const;

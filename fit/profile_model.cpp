@@ -6,6 +6,7 @@
 
 #include "fit/bin_weights.h"
 #include "fit/smoothing.h"
+#include "fit/spread_runs.h"
 #include "sim/base/large_vector.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/aurora/sheet.h"
@@ -23,7 +24,7 @@ namespace {
 constexpr int kWidestCell = 4;
 constexpr int kCellsPerBand = 12;
 constexpr int kCellsPerNarrowBin = 4;
-constexpr std::size_t kBinsPerTask = 64;
+constexpr std::size_t kBinsPerTask = 64, kRowsPerTask = 16;
 constexpr double kBeyond = 0.5;  // sheet lengths by which a fit may move an end
 
 /// The first grid's bins are wide, as those of bands are; others may be narrow.
@@ -89,13 +90,17 @@ struct ProfileModel::Workspace {
   double smooth_rows = 0.0;
   sim::FilmGeometry film;
   BinWeights weights;
+  std::vector<std::vector<std::size_t>> runs_of_row;  // of the weights, by film row
   std::vector<int> full_beams, used_beams;
   std::unique_ptr<sim::Exposer> exposer;
   sim::Exposure exposure;
   std::vector<float> down, blurred, lines;  // planes
-  std::vector<float> wide_down, wide_blurred;
-  std::vector<std::uint8_t> lit;     // [row][column][channel]: not clipped
-  std::vector<float> rgb;            // likewise: light at unit gain, clipped
+  std::vector<std::uint8_t> lit;            // [row][column][channel]: not clipped
+  std::vector<float> rgb;                   // likewise: light at unit gain, clipped
+  // As weights.pixels, 0 where the light is clipped, [cell of a run] within [channel] within the run: what
+  // the derivatives of the cells count for.
+  std::vector<float> shown;
+  std::vector<double> slopes;        // [run][channel][stride]
   std::vector<sim::Vector3> colour;  // RGB per rayleigh at unit gain, of the last evaluation
   sim::Scene scene;                  // with this model's number of beams
 
@@ -245,6 +250,20 @@ struct ProfileModel::Workspace {
     });
   }
 
+  /// After finish_values().
+  void find_shown() {
+    shown.resize(weights.pixels.size());
+    for_every_bin([&](std::size_t bin) {
+      for_every_run(bin, [&](const BinWeights::Run& run, std::size_t first) {
+        const float* pixels = &weights.pixels[run.first_pixels];
+        for (int c = 0; c < 3; ++c)
+          for (int i = 0; i < run.columns; ++i)
+            shown[run.first_pixels + static_cast<std::size_t>(c) * run.columns + i] =
+                lit[(first + i) * 3 + c] ? pixels[i * 3 + c] : 0.0f;
+      });
+    });
+  }
+
   /// Calls body(value index, mean) with the bins' means of the night sky. T is double or SkyDual.
   template <class T, class Body>
   void night_sky(const Body& body) const {
@@ -302,26 +321,69 @@ struct ProfileModel::Workspace {
     return weights_per_kilorayleigh;
   }
 
-  /// Adds the profile of a plane of derivatives, [row][column][stride], of line `l`, to the parameters that
-  /// they belong to.
-  void add_derivatives(const float* plane, int stride, const std::vector<int>& parameters, int l,
-                       ModelProfile& out) const {
+  /// Adds the profile of a plane of derivatives that is blurred already, [row][column], of line `l`, to that
+  /// of a parameter.
+  void add_plane(const float* plane, int parameter, int l, ModelProfile& out) const {
     for_every_bin([&](std::size_t bin) {
-      std::vector<float> sum(static_cast<std::size_t>(stride));
-      for (int c = 0; c < 3; ++c) {
-        std::fill(sum.begin(), sum.end(), 0.0f);
-        for_every_run(bin, [&](const BinWeights::Run& run, std::size_t first) {
-          for (int i = 0; i < run.columns; ++i) {
-            const std::size_t cell = first + i;
-            if (!lit[cell * 3 + c]) continue;
-            const float weight = weights.pixels[run.first_pixels + static_cast<std::size_t>(i) * 3 + c];
-            const float* from = plane + cell * stride;
-            for (int j = 0; j < stride; ++j) sum[j] += weight * from[j];
+      float sum[3] = {};
+      for_every_run(bin, [&](const BinWeights::Run& run, std::size_t first) {
+        for (int c = 0; c < 3; ++c) {
+          const float* weight = &shown[run.first_pixels + static_cast<std::size_t>(c) * run.columns];
+          for (int i = 0; i < run.columns; ++i) sum[c] += weight[i] * plane[first + i];
+        }
+      });
+      for (int c = 0; c < 3; ++c)
+        out.derivative[(bin * 3 + c) * out.free + parameter] +=
+            colour[l][c] * weights.inverse[bin * 3 + c] * sum[c];
+    });
+  }
+
+  /// Blurs the exposure's derivatives and adds their profiles to those of `parameters`. The blur along a row
+  /// and the sum over a run's cells are one sum with other weights, and there are fewer runs than cells.
+  void add_exposed(const std::vector<int>& parameters, ModelProfile& out) {
+    const std::size_t cells = exposure.cells(), stride = static_cast<std::size_t>(exposure.free_stride);
+    std::vector<sim::BlurKernel> by_rows, by_columns;
+    for (int l = 0; l < exposure.lines; ++l) {
+      by_rows.push_back(kernel(l, film.cell_height_px));
+      by_columns.push_back(kernel(l, film.cell_width_px));
+    }
+    slopes.assign(weights.runs.size() * 3 * stride, 0.0);
+    const std::size_t tasks = (static_cast<std::size_t>(film.rows) + kRowsPerTask - 1) / kRowsPerTask;
+    sim::parallel_for(tasks, threads, [&](std::size_t task, int) {
+      std::vector<float> wide(film.columns * stride);
+      for (int l = 0; l < exposure.lines; ++l) {
+        SpreadRuns spread(by_columns[l], film.columns);
+        for (std::size_t row = task * kRowsPerTask;
+             row < std::min<std::size_t>(film.rows, (task + 1) * kRowsPerTask); ++row) {
+          if (runs_of_row[row].empty()) continue;
+          sim::blur_down_row(exposure.derivative.data() + l * cells * stride, wide.data(), film.rows,
+                             film.columns, static_cast<int>(stride), by_rows[l], static_cast<int>(row));
+          for (std::size_t i = 0; i < runs_of_row[row].size(); ++i) {
+            const std::size_t index = runs_of_row[row][i];
+            const BinWeights::Run& run = weights.runs[index];
+            const float* of_run = &shown[run.first_pixels];
+            const float *before = nullptr, *sum = nullptr;
+            for (int c = 0; c < 3; ++c, of_run += run.columns) {
+              // Two channels often show the same cells.
+              if (before == nullptr || !std::equal(of_run, of_run + run.columns, before))
+                sum = spread.sum(i * 3 + c, run, of_run, wide.data(), stride);
+              before = of_run;
+              if (sum == nullptr) continue;
+              double* to = slopes.data() + (index * 3 + c) * stride;
+              for (std::size_t j = 0; j < stride; ++j) to[j] += colour[l][c] * sum[j];
+            }
           }
-        });
-        const double scale = colour[l][c] * weights.inverse[bin * 3 + c];
-        double* to = out.derivative.data() + (bin * 3 + c) * out.free;
-        for (std::size_t j = 0; j < parameters.size(); ++j) to[parameters[j]] += scale * sum[j];
+        }
+      }
+    });
+    for_every_bin([&](std::size_t bin) {
+      for (std::size_t r = weights.first_run[bin]; r < weights.first_run[bin + 1]; ++r) {
+        for (int c = 0; c < 3; ++c) {
+          const double* from = slopes.data() + (r * 3 + c) * stride;
+          double* to = out.derivative.data() + (bin * 3 + c) * out.free;
+          for (std::size_t j = 0; j < parameters.size(); ++j)
+            to[parameters[j]] += weights.inverse[bin * 3 + c] * from[j];
+        }
       }
     });
   }
@@ -353,6 +415,8 @@ ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo,
   w.film = sim::film_for(scene, region.x, region.y, region.width, region.height, cell, 1.0);
   w.exposer = std::make_unique<sim::Exposer>(w.scene, w.film, threads, kBeyond);
   w.weights = bin_weights(photo, grids, w.film);
+  w.runs_of_row.resize(w.film.rows);
+  for (std::size_t r = 0; r < w.weights.runs.size(); ++r) w.runs_of_row[w.weights.runs[r].row].push_back(r);
 }
 
 ProfileModel::~ProfileModel() = default;
@@ -391,28 +455,19 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std:
     sim::dim_by_air(w.scene, of_kernel, w.exposure, w.threads);
   }
   w.finish_values(out);
+  w.find_shown();
   out.free = static_cast<int>(free.size());
   out.derivative.assign(out.value.size() * free.size(), 0.0);
   w.add_offset(moved, out);
 
   const std::size_t cells = w.exposure.cells();
-  const int stride = w.exposure.free_stride;
-  w.wide_down.resize(cells * stride);
-  w.wide_blurred.resize(cells * stride);
+  if (!of_kernel.empty()) w.add_exposed(kernel_parameters, out);
   w.down.resize(cells);
   w.blurred.resize(cells);
   for (int l = 0; l < w.exposure.lines; ++l) {
     const double sigma = sim::blur_sigma_px(w.scene, l);
     const sim::BlurKernel down = w.kernel(l, w.film.cell_height_px);
     const sim::BlurKernel across = w.kernel(l, w.film.cell_width_px);
-    if (!of_kernel.empty()) {
-      sim::blur_down(w.exposure.derivative.data() + l * cells * stride, w.wide_down.data(), w.film.rows,
-                     w.film.columns, stride, down, w.threads);
-      sim::blur_across(w.wide_down.data(), w.wide_blurred.data(), w.film.rows, w.film.columns, stride, across,
-                       w.threads);
-      w.add_derivatives(w.wide_blurred.data(), stride, kernel_parameters, l, out);
-    }
-
     // The blur's own width, free or following the field of view: sigma = width * pixels / hfov.
     for (std::size_t j = 0; j < moved.size(); ++j) {
       double growth = 0.0;
@@ -424,7 +479,7 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std:
         sim::blur_down(plane, w.down.data(), w.film.rows, w.film.columns, 1, first, w.threads);
         sim::blur_across(w.down.data(), w.blurred.data(), w.film.rows, w.film.columns, 1, second, w.threads);
         for (float& x : w.blurred) x *= static_cast<float>(growth * per_cell);
-        w.add_derivatives(w.blurred.data(), 1, {static_cast<int>(j)}, l, out);
+        w.add_plane(w.blurred.data(), static_cast<int>(j), l, out);
       };
       add(w.kernel(l, w.film.cell_height_px, true), across, 1.0 / w.film.cell_height_px);
       add(down, w.kernel(l, w.film.cell_width_px, true), 1.0 / w.film.cell_width_px);
@@ -433,9 +488,8 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std:
   w.shape(shapers);
   for (std::size_t s = 0; s < shapers.of_sheet.size(); ++s)
     for (const Shaper& shaper : shapers.of_sheet[s].shapers)
-      w.add_derivatives(
-          w.shaped[s].data() + (shaper.line * shapers.of_sheet[s].rates.size() + shaper.rate) * cells, 1,
-          {shaper.parameter}, shaper.line, out);
+      w.add_plane(w.shaped[s].data() + (shaper.line * shapers.of_sheet[s].rates.size() + shaper.rate) * cells,
+                  shaper.parameter, shaper.line, out);
   if (w.smooth_rows > 0.0) smooth(out, w.grids, w.smooth_rows);
 }
 

@@ -1,0 +1,78 @@
+#include "tests/recovery/scorecard/one_case.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+
+#include "fit/fit.h"
+#include "fit/photo.h"
+#include "sim/scene/scene_toml.h"
+#include "tests/recovery/scorecard/photograph.h"
+#include "tests/recovery/scorecard/score.h"
+#include "tests/recovery/scorecard/truth.h"
+#include "tests/recovery/scorecard/wide_start.h"
+
+namespace vegard::scorecard {
+namespace {
+
+void put(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+struct Case {
+  Truth truth;
+  sim::Scene start;
+  std::string jpeg;
+};
+
+Case made(int scene, const CaseOptions& options) {
+  Case result;
+  result.truth = truth(options.set, scene);
+  result.start = options.from_truth ? start_at_truth(result.truth) : wide_start(result.truth);
+  const Photograph photo = photograph(result.truth, options.threads);
+  result.jpeg = photo.jpeg;
+  if (!options.keep.empty()) {
+    std::filesystem::create_directories(options.keep);
+    const std::string name = options.keep + fmt::format("/s{:04d}", scene);
+    const std::string of = fmt::format("Scene {} of set {} of the recovery scorecard: ", scene, options.set);
+    put(name + ".jpg", photo.jpeg);
+    put(name + "_truth.toml", sim::write_scene(photo.scene, of + "the truth."));
+    put(name + "_start.toml", sim::write_scene(result.start, of + "what the fit starts from."));
+  }
+  return result;
+}
+
+/// Files can only be read by their names.
+fit::Photo read(const std::string& jpeg, int scene) {
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / fmt::format("vegard-scorecard-{}-{}.jpg", getpid(), scene);
+  put(file, jpeg);
+  fit::Photo photo = fit::read_photo(file.string(), fit::Decoding::automatic);
+  std::filesystem::remove(file);
+  return photo;
+}
+
+}  // namespace
+
+void make_case(int scene, const CaseOptions& options) { made(scene, options); }
+
+Row run_case(int scene, const CaseOptions& options) {
+  const Case made_case = made(scene, options);
+  const fit::Photo photo = read(made_case.jpeg, scene);
+  fit::FitOptions fit_options;
+  fit_options.threads = options.threads;
+  fit_options.max_evaluations = options.max_evaluations;
+  const auto before = std::chrono::steady_clock::now();
+  const fit::FitResult result = fit::fit_photo(made_case.start, photo, fit_options);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - before;
+  Row row = score(made_case.truth, made_case.start, result);
+  row.scene = scene;
+  row.set = std::to_string(options.set);
+  row.seconds = taken.count();
+  return row;
+}
+
+}  // namespace vegard::scorecard

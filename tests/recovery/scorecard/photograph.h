@@ -1,0 +1,20 @@
+// The photograph of a true scene: exposed, noisy, eight bits, JPEG.
+#pragma once
+
+#include <string>
+
+#include "sim/scene/scene.h"
+#include "tests/recovery/scorecard/truth.h"
+
+namespace vegard::scorecard {
+
+struct Photograph {
+  std::string jpeg;  ///< the file's bytes; sRGB, quality 92
+  sim::Scene scene;  ///< the truth's, with the gain that it was exposed with
+};
+
+/// A pure function of the truth. Noise: photons, 8000 electrons at white, and 0.0015 of white for reading, as
+/// one normal number per pixel and channel. threads: 0 for all cores.
+Photograph photograph(const Truth& truth, int threads);
+
+}  // namespace vegard::scorecard

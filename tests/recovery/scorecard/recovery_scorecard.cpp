@@ -1,0 +1,119 @@
+// The recovery scorecard: scenes drawn at random, photographed, fitted from one wide start, and scored.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/recovery/scorecard/card.h"
+#include "tests/recovery/scorecard/one_case.h"
+#include "tests/recovery/scorecard/summary.h"
+
+namespace vegard::scorecard {
+namespace {
+
+struct Options {
+  CaseOptions of_case;
+  int first = 0, count = 12, jobs = 2;
+  bool make_only = false;
+  std::string card;
+  std::vector<std::string> to_sum_up;
+};
+
+/// Every row is in the file as soon as it is known; at the end they stand in order.
+class CardFile {
+ public:
+  explicit CardFile(std::string file) : file_(std::move(file)) {
+    if (!file_.empty()) stream_.open(file_);
+    if (stream_.is_open()) stream_ << csv_header() << std::flush;
+  }
+  void add(const Row& row) {
+    const std::scoped_lock lock(mutex_);
+    rows_[row.scene] = row;
+    if (stream_.is_open()) stream_ << csv_row(row) << std::flush;
+    std::fprintf(stderr, "scene %d: %s, %s%s, %d evaluations, %.0f s\n", row.scene, row.verdict.c_str(),
+                 row.recovered != 0 ? "recovered" : "missed ", row.missed.c_str(), row.evaluations,
+                 row.seconds);
+  }
+  std::vector<Row> close() {
+    std::vector<Row> rows;
+    for (const auto& [number, row] : rows_) rows.push_back(row);
+    if (stream_.is_open()) {
+      stream_.close();
+      stream_.open(file_);
+      stream_ << csv_header();
+      for (const Row& row : rows) stream_ << csv_row(row);
+      stream_.close();
+    }
+    return rows;
+  }
+
+ private:
+  std::string file_;
+  std::ofstream stream_;
+  std::mutex mutex_;
+  std::map<int, Row> rows_;
+};
+
+std::vector<Row> played(const Options& options) {
+  CardFile card(options.card);
+  std::atomic<int> next{options.first};
+  const auto work = [&] {
+    for (int scene = next++; scene < options.first + options.count; scene = next++) {
+      if (options.make_only)
+        make_case(scene, options.of_case);
+      else
+        card.add(run_case(scene, options.of_case));
+    }
+  };
+  std::vector<std::thread> workers;
+  for (int j = 0; j < options.jobs; ++j) workers.emplace_back(work);
+  for (std::thread& worker : workers) worker.join();
+  return card.close();
+}
+
+int run(int argc, char** argv) {
+  Options options;
+  CLI::App app("Recovery scorecard: fits of scenes of which the truth is known");
+  app.add_option("--seed", options.of_case.set, "The set of scenes")->capture_default_str();
+  app.add_option("--first", options.first, "Number of the first scene")->capture_default_str();
+  app.add_option("--count", options.count, "How many scenes")->capture_default_str();
+  app.add_option("--jobs", options.jobs, "Scenes side by side, one thread each")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  app.add_option("--max-evaluations", options.of_case.max_evaluations, "Of a fit")->capture_default_str();
+  app.add_option("--keep", options.of_case.keep, "Folder for photographs, truths and starts");
+  app.add_flag("--make-only", options.make_only, "Photographs only (with --keep)");
+  app.add_flag("--from-truth", options.of_case.from_truth, "Start at the truth, without a search");
+  app.add_option("-o,--out", options.card, "The card, a CSV file");
+  app.add_option("--summary", options.to_sum_up, "Print the tables of these cards, and do nothing else");
+  CLI11_PARSE(app, argc, argv);
+
+  std::vector<Row> rows;
+  if (options.to_sum_up.empty()) {
+    rows = played(options);
+  } else {
+    for (const std::string& file : options.to_sum_up)
+      for (const Row& row : read_card(file)) rows.push_back(row);
+  }
+  if (!rows.empty()) std::printf("%s", summary(rows).c_str());
+  return 0;
+}
+
+}  // namespace
+}  // namespace vegard::scorecard
+
+int main(int argc, char** argv) {
+  try {
+    return vegard::scorecard::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "recovery_scorecard: %s\n", error.what());
+    return 1;
+  }
+}
