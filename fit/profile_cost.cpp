@@ -28,6 +28,7 @@ ProfileCost::ProfileCost(const std::vector<FreeNumber>& free, const std::vector<
       log_(log),
       held_(options.held),
       anchors_(options.anchors),
+      prior_weight_(options.prior_weight),
       which_(all_or(options.moved, free.size())),
       moved_(picked(free, which_)),
       priors_(moved_, options.prior_weight) {

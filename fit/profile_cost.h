@@ -65,6 +65,7 @@ class ProfileCost : public ceres::CostFunction {
   const std::vector<FreeNumber>& moved() const { return moved_; }
   const std::vector<CostTerm>& terms() const { return terms_; }
   const std::vector<PhaseAnchor>& anchors() const { return anchors_; }
+  double prior_weight() const { return prior_weight_; }
   /// Of the photographs alone.
   int data_residuals() const { return data_residuals_; }
 
@@ -94,6 +95,7 @@ class ProfileCost : public ceres::CostFunction {
   EvaluationLog& log_;
   const std::vector<double> held_;
   const std::vector<PhaseAnchor> anchors_;
+  const double prior_weight_;
   std::vector<int> which_;
   std::vector<FreeNumber> moved_;
   int data_residuals_ = 0;
