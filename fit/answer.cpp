@@ -19,7 +19,7 @@ std::string why_undetermined(const std::vector<FreeNumber>& free, const Uncertai
     if (most == nullptr || std::abs(direction[j]) > std::abs((*most)[j])) most = &direction;
   std::string others;
   for (std::size_t k = 0; most != nullptr && k < free.size(); ++k)
-    if (k != j && (*most)[k] != 0.0) others += (others.empty() ? "" : " and ") + free[k].path.text;
+    if (k != j && (*most)[k] != 0.0) others += (others.empty() ? "" : " and ") + free[k].label();
   return others.empty() ? "the data do not bound it" : "it trades off against " + others;
 }
 
@@ -32,15 +32,15 @@ ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::
   for (std::size_t j = 0; j < free.size(); ++j) {
     const FreeNumber& n = free[j];
     FittedParameter p;
-    p.path = n.path.text;
-    p.unit = n.path.row->unit;
-    p.meaning = n.path.row->meaning;
+    p.path = n.label();
+    p.unit = n.unit();
+    p.meaning = n.meaning();
     p.value = without_turns(n, values[j]);
     p.initial = n.start;
     p.min = n.min;
     p.max = n.max;
     p.at_limit = n.at_limit(values[j]);
-    p.of_profile = n.path.row->key == "spline_rate";
+    p.of_profile = n.key() == "spline_rate";
     const double at = n.coordinate(values[j]);
     slopes.push_back(n.slope(at));
     const double sigma = u.sigma[j] * slopes[j];
@@ -59,6 +59,18 @@ ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::
   for (std::vector<double>& direction : known.undetermined)
     for (std::size_t j = 0; j < free.size(); ++j) direction[j] *= slopes[j];
   return known;
+}
+
+std::vector<TiedNumber> tied_numbers(const ParameterMap& map, const std::vector<double>& values,
+                                     const sim::Scene& scene, const ValueUncertainty& known) {
+  std::vector<TiedNumber> result;
+  for (const ParameterMap::Dependent& d : map.dependents(values, scene)) {
+    TiedNumber tied{d.path.text, d.path.row->unit, d.path.row->meaning, d.equals, 0.0, {}};
+    tied.value = *sim::real_value(scene, d.path);
+    tied.sigma = combined_sigma(d.slopes, known);
+    result.push_back(tied);
+  }
+  return result;
 }
 
 void put_solution(const Comparison& comparison, const Comparison::Point& point, const ValueUncertainty& known,

@@ -52,10 +52,18 @@ Comparison::Point Comparison::at(const sim::Scene& scene) {
 
 Comparison::Point Comparison::at(const sim::Scene& scene, const ParameterMap::Motion& motion) {
   Point point;
-  model_.evaluate_with_derivatives(scene, motion.numbers, point.aurora);
+  if (motion.numbers.empty()) {
+    // What moves is nothing of this photograph's.
+    model_.evaluate(scene, point.aurora);
+    point.aurora.free = static_cast<int>(motion.moved);
+    point.aurora.derivative.assign(point.aurora.value.size() * motion.moved, 0.0);
+    point.aurora.offset_derivative.assign(point.aurora.offset.size() * motion.moved, 0.0);
+  } else {
+    model_.evaluate_with_derivatives(scene, motion.numbers, point.aurora);
+  }
   if (!motion.slopes.empty()) {
     const std::size_t values = point.aurora.value.size(), numbers = motion.numbers.size();
-    const std::size_t moved = numbers == 0 ? 0 : motion.slopes.size() / numbers;
+    const std::size_t moved = motion.moved;
     contract(point.aurora.derivative, values, motion.slopes, numbers, moved);
     contract(point.aurora.offset_derivative, values, motion.slopes, numbers, moved);
     point.aurora.free = static_cast<int>(moved);

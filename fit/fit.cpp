@@ -11,6 +11,7 @@
 #include "fit/free_profile.h"
 #include "fit/inflation.h"
 #include "fit/observation.h"
+#include "fit/prior_rows.h"
 #include "fit/profile_rounds.h"
 #include "fit/sampled_uncertainty.h"
 #include "fit/search.h"
@@ -62,6 +63,18 @@ double log_of_limits(const std::vector<FreeNumber>& free, const std::vector<doub
   return sum;
 }
 
+/// What follows from others is where they start, not where the scene happens to have it: beams are laid out
+/// there.
+sim::Scene with_ties(const sim::Scene& given, const std::vector<FreeNumber>& free) {
+  const ParameterMap map(given, free);
+  if (map.is_plain()) return given;
+  std::vector<double> start;
+  for (const FreeNumber& number : free) start.push_back(number.start);
+  sim::Scene scene = given;
+  map.put(start, scene);
+  return scene;
+}
+
 int held_gains(const std::vector<Observation>& observations, const ProfileCost::Point& point) {
   int held = 0;
   for (std::size_t o = 0; o < observations.size(); ++o)
@@ -95,9 +108,8 @@ void look_for_second_mode(const std::vector<FreeNumber>& free, const std::vector
           apart(free[j], other.values[j], values[j]) <= 3.0 * *r.parameters[j].sigma)
         continue;
       evidence.second_mode = true;
-      evidence.second_mode_text = "another answer explains the data almost as well, with " +
-                                  free[j].path.text + " = " +
-                                  std::to_string(without_turns(free[j], other.values[j]));
+      evidence.second_mode_text = "another answer explains the data almost as well, with " + free[j].label() +
+                                  " = " + std::to_string(without_turns(free[j], other.values[j]));
       break;
     }
   }
@@ -105,10 +117,11 @@ void look_for_second_mode(const std::vector<FreeNumber>& free, const std::vector
 
 }  // namespace
 
-FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOptions& options) {
+FitResult fit_photo(const sim::Scene& given, const Photo& photo, const FitOptions& options) {
   std::vector<Observation> observations;
+  const std::vector<FreeNumber> free = free_numbers(given);
+  const sim::Scene scene = with_ties(given, free);
   observations.push_back(observed(scene, photo, options.threads));
-  const std::vector<FreeNumber> free = free_numbers(scene);
   const std::vector<CostTerm> full = cost_terms(observations, free, Detail::full);
 
   FitResult r;
@@ -137,10 +150,8 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
   r.chi2_initial = outcome.chi2_initial;
   r.termination = outcome.best.termination;
   Descent best = outcome.best;
-  const auto has_prior = [](const FreeNumber& number) { return number.prior.has_value(); };
-  const int priors = static_cast<int>(std::count_if(free.begin(), free.end(), has_prior));
   Settled settled;
-  if (priors > 0 || !spline_lines(scene, free).empty()) {
+  if (PriorRows(free).count() > 0 || !spline_lines(scene, free).empty()) {
     settled = settle(scene, free, full, best, log, r.trace);
     best = settled.descent;
     r.termination = best.termination;
@@ -164,7 +175,7 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
   evidence.chi2_without_aurora = chi2_without_aurora(observations, point);
   r.chi2 = chi2_of_priors(free, values);
   for (const Comparison::Point& p : point.of_photo) r.chi2 += p.chi2;
-  r.dof = residuals + priors - unknowns + held_gains(observations, point);
+  r.dof = residuals + static_cast<int>(PriorRows(free).count()) - unknowns + held_gains(observations, point);
   r.error_inflation = joint_inflation(cost, point, unknowns);
   r.statistics = compared_statistics(observations, point);
 
@@ -192,6 +203,8 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
   std::vector<double> tidied;
   for (const FittedParameter& p : r.parameters) tidied.push_back(p.value);
   map.put(tidied, r.best);
+  r.tied = tied_numbers(map, tidied, r.best, known);
+  start_from(free, tidied, r.best);
   put_solution(first, point.of_photo.front(), known, r);
   r.derived = derived_numbers(r.best, free, tidied, known);
   r.rms_over_peak = rms_over_peak(r);

@@ -77,7 +77,7 @@ class ProfileCost : public ceres::CostFunction {
   struct Point {
     std::vector<double> values;  ///< of what moves
     std::vector<Comparison::Point> of_photo;
-    double chi2 = 0.0;  ///< priors included
+    double chi2 = 0.0;  ///< priors included; infinite where a tie leads beyond its parameter's limits
   };
   Point at(const std::vector<double>& values, bool with_derivatives) const;
 

@@ -37,12 +37,13 @@ struct Trial {
   double chi2 = 0.0;
 };
 
-bool is(const FreeNumber& number, const char* key) { return number.path.row->key == key; }
+bool is(const FreeNumber& number, const char* key) { return number.key() == key; }
 bool is_periodic(const FreeNumber& n) { return is(n, "wavelength_km") || is(n, "phase_rad"); }
 
 /// What shapes the profile as a whole, rather than its course along the arc.
 bool is_overall(const FreeNumber& n) {
-  return is(n, "center_km") || is(n, "energy_kev") || is(n, "bearing_deg") || is(n, "energy_flux_mw_m2");
+  return is(n, "center_km") || is(n, "energy_kev") || is(n, "bearing_deg") || is(n, "energy_flux_mw_m2") ||
+         !n.has_path();
 }
 
 /// The coefficients of free-form profiles stay as they are until the polish: they would make up for whatever
@@ -215,8 +216,7 @@ class Search {
 
   /// Range of the overall trials of a bearing, degrees: between limits that the user has set, most of it.
   static double turned_by(const FreeNumber& n) {
-    const bool limited = n.min > n.path.row->min && n.max < n.path.row->max;
-    return limited ? std::max(kBearings, 0.6 * (n.max - n.min)) : kBearings;
+    return n.limited() ? std::max(kBearings, 0.6 * (n.max - n.min)) : kBearings;
   }
 
   /// Trials of distance, bearing and energy around the start, and short descents from the best. A sine with
@@ -242,6 +242,7 @@ class Search {
             std::exp((u[1] - 0.5) * kDistances) * (s > 0 ? std::exp((u[1 + 2 * s] - 0.5) * kApart) : 1.0);
         if (is(n, "center_km")) values[j] *= distance;
         if (is(n, "energy_kev")) values[j] *= std::exp((u[2 + 2 * s] - 0.5) * kEnergies);
+        if (!n.has_path()) values[j] = n.min + u[1] * (n.max - n.min);
         if (is(n, "bearing_deg")) values[j] += (u[0] - 0.5) * turned_by(n);
         values[j] = inside(n, values[j]);
       }
@@ -390,8 +391,7 @@ class Search {
   /// The wavelength at a share of the scan. Between limits that the user has set, even steps of the wave
   /// number, by which the phase at the ends of what is in view goes; else a range about the start.
   static double scanned_wavelength(const FreeNumber& n, double start_km, double share) {
-    if (n.min > n.path.row->min && n.max < n.path.row->max)
-      return 1.0 / (1.0 / n.max + share * (1.0 / n.min - 1.0 / n.max));
+    if (n.limited()) return 1.0 / (1.0 / n.max + share * (1.0 / n.min - 1.0 / n.max));
     return start_km * std::exp(kScanRange * (share - 0.5));
   }
 

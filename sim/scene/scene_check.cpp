@@ -198,6 +198,7 @@ void validate(const Scene& scene) {
   check_splines(scene);
   check_region(scene);
   check_free_parameters(scene);
+  check_tied_parameters(scene);
 }
 
 }  // namespace vegard::sim

@@ -21,6 +21,7 @@ TEST(ResultJson, HasTheDocumentedKeysInTheirOrder) {
                                             "verdict_line",
                                             "reasons",
                                             "parameters",
+                                            "tied",
                                             "solved",
                                             "derived",
                                             "correlation",

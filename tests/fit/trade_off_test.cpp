@@ -111,7 +111,7 @@ TEST(WhyUndetermined, CarriesTheDirectionBackThroughTheTransforms) {
     for (std::size_t j = 0; j < n; ++j)
       jacobian.push_back(by_value[j] * talk.free[j].slope(talk.free[j].coordinate(talk.values[j])));
   }
-  const Uncertainty u = uncertainty({jacobian}, kResiduals, 3, std::vector<double>(9, 0.0), 1.0);
+  const Uncertainty u = uncertainty({jacobian}, kResiduals, 3, no_prior_knowledge(3), 1.0);
   ASSERT_TRUE(std::isnan(u.sigma[0]) && std::isnan(u.sigma[2]) && !std::isnan(u.sigma[1]));
   const std::string expected =
       "distance and energy of the main sheet trade off: 10 km further with 0.3 keV less looks the same";
