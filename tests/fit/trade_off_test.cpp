@@ -85,8 +85,14 @@ TEST(TradeOff, SpeaksOfEveryNumberThatMayBeFree) {
                            "light_pollution.luminance_mcd_m2", "sheet.main.energy_flux_mw_m2"}) {
     sim::Scene scene = tests::small_scene();
     std::vector<FreeNumber> free;
-    for (const sim::ParameterPath& p : sim::resolve(scene, path))
-      free.push_back({p, *sim::real_value(scene, p), p.row->min, p.row->max, {}});
+    for (const sim::ParameterPath& p : sim::resolve(scene, path)) {
+      FreeNumber number;
+      number.path = p;
+      number.start = *sim::real_value(scene, p);
+      number.min = p.row->min;
+      number.max = p.row->max;
+      free.push_back(number);
+    }
     std::vector<double> values;
     for (const FreeNumber& n : free) values.push_back(n.start);
     for (const SpokenNumber& n : spoken_numbers(scene, free, values)) {
