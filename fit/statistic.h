@@ -41,7 +41,8 @@ class Statistic {
   /// not null, also d residual / d parameter, row-major [residual][parameter], and `light` must have slopes.
   virtual void evaluate(const StatisticInput& input, double* residual, double* jacobian) const = 0;
 
-  /// What a statistic has solved for by itself, with its standard deviation for a scene that is right.
+  /// What a statistic has solved for by itself, with its standard deviation for a scene that is right; 0:
+  /// none.
   struct Solved {
     std::string name;
     double value = 0.0, sigma = 0.0;

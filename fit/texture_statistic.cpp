@@ -153,7 +153,7 @@ std::vector<double> pooled(const std::vector<Row>& rows, int longest) {
 /// `by_distance`: covariance of the logarithm of light and noise by distance in pixels.
 TextureStatistic::Stretch TextureStatistic::stretch_of(const Row& row, const std::vector<int>& lags,
                                                        const std::vector<double>& by_distance,
-                                                       double weight) {
+                                                       double model_error, double weight) {
   const std::size_t n = lags.size();
   Eigen::MatrixXd covariance(row.width, row.width);
   for (int i = 0; i < row.width; ++i)
@@ -182,6 +182,7 @@ TextureStatistic::Stretch TextureStatistic::stretch_of(const Row& row, const std
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t l = 0; l < n; ++l)
       of_lags(k, l) = 2.0 * (times_covariance[k].array() * times_covariance[l].transpose().array()).sum();
+  of_lags.diagonal().array() += std::pow(model_error, 4);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(of_lags);
   for (Eigen::Index a = axes.eigenvalues().size(); a-- > 0;) {
     const double variance = axes.eigenvalues()(a);
@@ -215,8 +216,9 @@ TextureStatistic::TextureStatistic(const sim::Scene& scene, const Photo& photo, 
     }
   }
   noise /= columns;
-  // Noise alone would leave 0 +- noise / sqrt(pairs) between neighbours.
-  if (!(neighbours / pairs > kClear * noise / std::sqrt(pairs))) return;
+  // Noise alone would leave 0 +- noise / sqrt(pairs) between neighbours, model error up to its square.
+  const double of_errors = scene.fit.model_error * scene.fit.model_error;
+  if (!(neighbours / pairs > std::max(of_errors, kClear * noise / std::sqrt(pairs)))) return;
 
   std::vector<int> lags;
   for (const int lag : kLags)
@@ -226,7 +228,7 @@ TextureStatistic::TextureStatistic(const sim::Scene& scene, const Photo& photo, 
     std::vector<double> by_distance(row.width, 0.0);
     std::copy_n(all.begin(), std::min<std::size_t>(all.size(), row.width), by_distance.begin());
     by_distance[0] += std::max(0.0, row.noise - noise);
-    stretches_.push_back(stretch_of(row, lags, by_distance, weight));
+    stretches_.push_back(stretch_of(row, lags, by_distance, scene.fit.model_error, weight));
   }
   // A noisy covariance would weigh lags by chance, and those most that chance has made small: what the rays
   // found with it would have takes its place.
@@ -240,7 +242,7 @@ TextureStatistic::TextureStatistic(const sim::Scene& scene, const Photo& photo, 
     for (int d = 0; seen[s] && d < rows[s].width; ++d)
       by_distance[d] = ray_log_covariance(found, seen[s]->smear_km2, d * seen[s]->km_per_px);
     by_distance[0] += std::max(rows[s].noise, 1e-6 * by_distance[0]);
-    stretches_[s] = stretch_of(rows[s], lags, by_distance, weight);
+    stretches_[s] = stretch_of(rows[s], lags, by_distance, scene.fit.model_error, weight);
     residuals_ += stretches_[s].residuals;
   }
 }
@@ -418,8 +420,12 @@ std::vector<Statistic::Solved> TextureStatistic::solved(const sim::Scene& scene)
   if (residuals_ == 0) return {};
   const Solution s = solve(views(scene));
   const double contrast = std::exp(s.ln_contrast), width = std::exp(s.ln_width);
-  return {{"rays.contrast", contrast, contrast * std::sqrt(s.variance[0])},
-          {"rays.width_km", width, width * std::sqrt(s.variance[1])}};
+  // An error as large as the number itself is none.
+  const auto sigma = [](double value, double variance_of_log) {
+    return variance_of_log < 1.0 ? value * std::sqrt(variance_of_log) : 0.0;
+  };
+  return {{"rays.contrast", contrast, sigma(contrast, s.variance[0])},
+          {"rays.width_km", width, sigma(width, s.variance[1])}};
 }
 
 }  // namespace vegard::fit

@@ -38,7 +38,7 @@ class TextureStatistic : public Statistic {
   TextureStatistic(const sim::Scene& scene, const Photo& photo, const Region& region, double weight);
 
   std::string name() const override { return "texture"; }
-  /// None if the light along the bands is as even as its noise.
+  /// None if the light along the bands is as even as its noise and the model error.
   std::size_t residuals() const override { return residuals_; }
   void evaluate(const StatisticInput& input, double* residual, double* jacobian) const override;
   std::vector<Solved> solved(const sim::Scene& scene) const override;
@@ -64,7 +64,7 @@ class TextureStatistic : public Statistic {
   };
 
   static Stretch stretch_of(const Row& row, const std::vector<int>& lags,
-                            const std::vector<double>& by_distance, double weight);
+                            const std::vector<double>& by_distance, double model_error, double weight);
   Views views(const sim::Scene& scene) const;
   std::vector<double> residual_of(const Views& views, double ln_contrast, double ln_width) const;
   std::array<std::vector<double>, 2> slopes(const Views& views, const std::array<double, 2>& at) const;
