@@ -122,6 +122,10 @@ void put_solution(const Comparison& comparison, const Comparison::Point& point, 
       if (t < linear.sky_terms())
         solved(std::string("sky.") + kTerm[t] + "." + kChannel[c], linear.sky(t, c));
     }
+  for (const Statistic::Solved& s : comparison.solved_by_statistics(r.best)) {
+    r.solved.push_back({s.name, s.value, {}});
+    if (s.sigma > 0.0) r.solved.back().sigma = s.sigma;
+  }
 }
 
 double rms_over_peak(const FitResult& r) {

@@ -5,10 +5,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
+#include "fit/bin_grid.h"
 #include "fit/photo.h"
-#include "fit/profile.h"
 #include "sim/view/camera.h"
 
 namespace vegard::fit {
@@ -29,8 +30,10 @@ struct BinWeights {
   std::size_t bins() const { return first_run.size() - 1; }
 };
 
-/// The bins of extract_profile(), in its order (band after band, rows from the top), on a film whose cells
-/// are one pixel high and a whole number of pixels wide, with cell borders at the region's upper left corner.
-BinWeights bins_of_rows(const Photo& photo, const Region& region, int bands, const sim::FilmGeometry& film);
+/// The bins of some grids, one grid's after the other's, on a film whose cells are one pixel high and a whole
+/// number of pixels wide, with cell borders at the grids' region's upper left corner. A pixel's light is that
+/// of the cell that it lies in.
+BinWeights bin_weights(const Photo& photo, const std::vector<std::shared_ptr<const BinGrid>>& grids,
+                       const sim::FilmGeometry& film);
 
 }  // namespace vegard::fit

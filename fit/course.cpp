@@ -74,7 +74,8 @@ std::vector<std::vector<CoursePoint>> courses(Comparison& comparison, const sim:
   comparison.jacobian(point, jacobian);
 
   const Profile& data = comparison.data();
-  const std::vector<std::size_t>& used = comparison.linear().used();
+  // The profile's rows come first; where it is not compared, there are no courses.
+  const auto [used, residuals] = comparison.profile_part(point);
   const auto n = static_cast<Eigen::Index>(sheets);
   std::vector<Eigen::MatrixXd> normal(data.bands, Eigen::MatrixXd::Zero(n, n));
   std::vector<Eigen::VectorXd> right(data.bands, Eigen::VectorXd::Zero(n));
@@ -86,7 +87,7 @@ std::vector<std::vector<CoursePoint>> courses(Comparison& comparison, const sim:
     for (std::size_t s = 0; s < sheets; ++s)
       slope(static_cast<Eigen::Index>(s)) = lines[s].aside[0] * jacobian[(k * sheets + s) * 2] +
                                             lines[s].aside[1] * jacobian[(k * sheets + s) * 2 + 1];
-    const double residual = point.residual()[k];
+    const double residual = residuals[k];
     normal[band].noalias() += slope * slope.transpose();
     right[band] -= slope * residual;
     chi2[band] += residual * residual;

@@ -32,13 +32,8 @@ constexpr double kSecondMode = 4.0;  // difference of chi2 (two standard deviati
 /// The sky alone, with the night sky's known lights where the fit ended.
 double chi2_without_aurora(const std::vector<Observation>& observations, const ProfileCost::Point& point) {
   double chi2 = 0.0;
-  for (std::size_t o = 0; o < observations.size(); ++o) {
-    const ModelProfile& aurora = point.of_photo[o].aurora;
-    ModelProfile dark;
-    dark.value.assign(aurora.value.size(), 0.0);
-    dark.offset = aurora.offset;
-    chi2 += observations[o].full->linear().solve(dark).chi2;
-  }
+  for (std::size_t o = 0; o < observations.size(); ++o)
+    chi2 += observations[o].full->chi2_without_aurora(point.of_photo[o]);
   return chi2;
 }
 
@@ -91,17 +86,32 @@ ComparedValues compared_values(const std::vector<Observation>& observations, int
     const Region& region = o.region;
     compared.regions_px.push_back({region.x, region.y, region.width, region.height});
     compared.values += o.full->residuals();
-    for (const std::size_t i : o.full->linear().used())
-      compared.sum_of_weights += 1.0 / (o.full->sigma()[i] * o.full->sigma()[i]);
+    for (const double sigma : o.full->sigma())
+      if (sigma > 0.0) compared.sum_of_weights += 1.0 / (sigma * sigma);
   }
   return compared;
 }
 
-int held_gains(const ProfileCost::Point& point) {
+int held_gains(const std::vector<Observation>& observations, const ProfileCost::Point& point) {
   int held = 0;
-  for (const Comparison::Point& p : point.of_photo)
-    held += static_cast<int>(std::count(p.solution.held.begin(), p.solution.held.end(), true));
+  for (std::size_t o = 0; o < observations.size(); ++o)
+    held += observations[o].full->held_gains(point.of_photo[o]);
   return held;
+}
+
+/// Of all photographs together, statistic by statistic.
+std::vector<ComparedStatistic> compared_statistics(const std::vector<Observation>& observations,
+                                                   const ProfileCost::Point& point) {
+  std::vector<ComparedStatistic> all;
+  for (std::size_t o = 0; o < observations.size(); ++o)
+    for (const Comparison::Share& share : observations[o].full->shares(point.of_photo[o])) {
+      auto found = std::find_if(all.begin(), all.end(),
+                                [&](const ComparedStatistic& s) { return s.name == share.name; });
+      if (found == all.end()) found = all.insert(all.end(), {share.name, share.weight, 0, 0.0});
+      found->residuals += share.residuals;
+      found->chi2 += share.chi2;
+    }
+  return all;
 }
 
 /// An end of another descent that explains the data almost as well, at another place.
@@ -144,9 +154,8 @@ FitResult fit_photo(const sim::Scene& given, const Photo& photo, const FitOption
   if (residuals <= unknowns)
     throw sim::Error(
         sim::ErrorKind::unreadable_input,
-        {"only " + std::to_string(residuals) + " usable profile values in the region of interest",
-         photo.file_name, 0, "fit.roi_px", "more than " + std::to_string(unknowns),
-         "is everything masked or clipped?"});
+        {"only " + std::to_string(residuals) + " usable values in the region of interest", photo.file_name, 0,
+         "fit.roi_px", "more than " + std::to_string(unknowns), "is everything masked or clipped?"});
 
   EvaluationLog log;
   log.limit = options.max_evaluations;
@@ -186,10 +195,11 @@ FitResult fit_photo(const sim::Scene& given, const Photo& photo, const FitOption
   evidence.chi2_without_aurora = chi2_without_aurora(observations, point);
   r.chi2 = chi2_of_priors(free, values);
   for (const Comparison::Point& p : point.of_photo) r.chi2 += p.chi2;
-  r.dof = residuals + static_cast<int>(PriorRows(free).count()) - unknowns + held_gains(point);
+  r.dof = residuals + static_cast<int>(PriorRows(free).count()) - unknowns + held_gains(observations, point);
   r.error_inflation = joint_inflation(cost, point, unknowns);
+  r.statistics = compared_statistics(observations, point);
 
-  r.compared = compared_values(observations, unknowns - held_gains(point));
+  r.compared = compared_values(observations, unknowns - held_gains(observations, point));
   r.steepest_cosine = steepest_cosine(cost, values);
 
   const std::size_t n = free.size();
@@ -218,7 +228,7 @@ FitResult fit_photo(const sim::Scene& given, const Photo& photo, const FitOption
   const Comparison& first = *observations.front().full;
   const ParameterMap& map = full.front().map;
   r.best = scene;
-  r.model = first.linear().model(point.of_photo.front().aurora, point.of_photo.front().solution);
+  r.model = first.profile_model(point.of_photo.front());
   const ValueUncertainty known = put_parameters(free, values, u, evidence.stopped, r);
   std::vector<double> tidied;
   for (const FittedParameter& p : r.parameters) tidied.push_back(p.value);

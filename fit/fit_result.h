@@ -59,6 +59,14 @@ struct SolvedNumber {
   std::optional<double> sigma;
 };
 
+/// One of the statistics that photograph and model were compared by (fit/statistics.h).
+struct ComparedStatistic {
+  std::string name;  ///< "profile", "colour"
+  double weight = 1.0;
+  int residuals = 0;
+  double chi2 = 0.0;  ///< weight included
+};
+
 /// What follows from the parameters and is what people publish.
 struct DerivedNumber {
   std::string name;  ///< "distance of the main sheet"
@@ -125,6 +133,7 @@ struct FitResult {
 
   double chi2 = 0.0;
   double chi2_initial = 0.0;
+  std::vector<ComparedStatistic> statistics;  ///< what chi2 is made of, priors aside
   int dof = 0;
   ComparedValues compared;
   /// Largest |cosine| between the residuals and a column of the Jacobian at the end (fit/steepest.h); NaN if

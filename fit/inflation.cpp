@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "fit/uncertainty.h"
-
 namespace vegard::fit {
 
 double joint_inflation(const ProfileCost& cost, const ProfileCost::Point& point, int unknowns) {
@@ -12,8 +10,7 @@ double joint_inflation(const ProfileCost& cost, const ProfileCost::Point& point,
     const Comparison& of = *cost.terms()[t].comparison;
     const double share = static_cast<double>(of.residuals()) / cost.data_residuals();
     const int dof = of.residuals() - static_cast<int>(std::lround(share * unknowns));
-    sum += share *
-           std::pow(error_inflation(of.data(), of.linear().used(), point.of_photo[t].residual(), dof), 2);
+    sum += share * std::pow(of.error_inflation(point.of_photo[t], dof), 2);
   }
   return std::sqrt(sum);
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <utility>
 
 #include "sim/view/sky.h"
 
@@ -23,23 +24,28 @@ struct LinearPart::Normal {
   Eigen::LDLT<Eigen::MatrixXd> factors;
 };
 
-LinearPart::LinearPart(const Profile& data, const std::vector<double>& sigma, const GainLayout& gains,
-                       int sky_terms, int picture_height)
-    : data_(data), sigma_(sigma), gains_(gains), sky_terms_(sky_terms), picture_height_(picture_height) {
-  for (int b = 0; b < data.bands; ++b) {
-    for (int r = 0; r < data.rows; ++r) {
-      for (int c = 0; c < 3; ++c) {
-        const std::size_t i = data.index(b, r, c);
-        if (sigma[i] <= 0.0) continue;
-        used_.push_back(i);
-        where_.push_back({gains.column(b, c), c, sky_basis(r)});
-      }
-    }
+LinearPart::LinearPart(LinearBins bins, const GainLayout& gains, int sky_terms)
+    : bins_(std::move(bins)), gains_(gains), sky_terms_(sky_terms) {
+  for (std::size_t i = 0; i < bins_.sigma.size(); ++i) {
+    if (bins_.sigma[i] <= 0.0) continue;
+    const int c = static_cast<int>(i % 3);
+    used_.push_back(i);
+    where_.push_back({gains.column(bins_.band[i / 3], c), c, sky_basis(i / 3)});
   }
 }
 
-std::array<double, 3> LinearPart::sky_basis(int row) const {
-  return sim::sky_basis((data_.region.y + row + 0.5) / picture_height_);
+LinearPart::LinearPart(const Profile& data, const std::vector<double>& sigma, const GainLayout& gains,
+                       int sky_terms, int picture_height)
+    : LinearPart(
+          [&] {
+            LinearBins bins;
+            bins.append(data, sigma, picture_height);
+            return bins;
+          }(),
+          gains, sky_terms) {}
+
+std::array<double, 3> LinearPart::sky_basis(std::size_t bin) const {
+  return sim::sky_basis(bins_.place[bin]);
 }
 
 LinearPart::Normal LinearPart::normal_matrix(const ModelProfile& aurora,
@@ -49,7 +55,7 @@ LinearPart::Normal LinearPart::normal_matrix(const ModelProfile& aurora,
   for (std::size_t k = 0; k < used_.size(); ++k) {
     const std::size_t i = used_[k];
     const Where& w = where_[k];
-    const double weight = 1.0 / (sigma_[i] * sigma_[i]), light = aurora.value[i];
+    const double weight = 1.0 / (bins_.sigma[i] * bins_.sigma[i]), light = aurora.value[i];
     normal(w.gain, w.gain) += weight * light * light;
     for (int t = 0; t < sky_terms_; ++t) {
       normal(sky(t, w.channel), w.gain) += weight * light * w.sky[t];
@@ -90,7 +96,7 @@ LinearSolution LinearPart::solve(const ModelProfile& aurora) const {
     for (std::size_t k = 0; k < used_.size(); ++k) {
       const std::size_t i = used_[k];
       const Where& w = where_[k];
-      const double weighted = (data_.mean[i] - offset_at(aurora, i)) / (sigma_[i] * sigma_[i]);
+      const double weighted = (bins_.mean[i] - offset_at(aurora, i)) / (bins_.sigma[i] * bins_.sigma[i]);
       if (!solution.held[w.gain]) right(w.gain) += weighted * aurora.value[i];
       for (int t = 0; t < sky_terms_; ++t) right(sky(t, w.channel)) += weighted * w.sky[t];
     }
@@ -112,7 +118,7 @@ LinearSolution LinearPart::solve(const ModelProfile& aurora) const {
   const std::vector<double> all = model(aurora, solution);
   for (std::size_t k = 0; k < used_.size(); ++k) {
     const std::size_t i = used_[k];
-    solution.residual[k] = (data_.mean[i] - all[i]) / sigma_[i];
+    solution.residual[k] = (bins_.mean[i] - all[i]) / bins_.sigma[i];
     solution.chi2 += solution.residual[k] * solution.residual[k];
   }
   return solution;
@@ -130,8 +136,8 @@ Eigen::MatrixXd LinearPart::coefficient_slopes(const ModelProfile& aurora, const
     const Where& w = where_[k];
     const bool held = solution.held[w.gain];
     const double gain = solution.coefficients[w.gain];
-    const double weight = 1.0 / (sigma_[i] * sigma_[i]), light = aurora.value[i];
-    const double left_over = solution.residual[k] * sigma_[i];
+    const double weight = 1.0 / (bins_.sigma[i] * bins_.sigma[i]), light = aurora.value[i];
+    const double left_over = solution.residual[k] * bins_.sigma[i];
     const double* grow = aurora.derivative.data() + i * p;
     for (int j = 0; j < p; ++j) {
       const double change = weight * gain * grow[j] + weight * offset_slope(aurora, i, j);
@@ -157,23 +163,55 @@ void LinearPart::jacobian(const ModelProfile& aurora, const LinearSolution& solu
       double change = offset_slope(aurora, i, j);
       for (int t = 0; t < sky_terms_; ++t) change += dc(sky(t, w.channel), j) * w.sky[t];
       if (!held) change += gain * grow[j] + light * dc(w.gain, j);
-      out[k * p + j] = -change / sigma_[i];
+      out[k * p + j] = -change / bins_.sigma[i];
     }
   }
 }
 
 std::vector<double> LinearPart::model(const ModelProfile& aurora, const LinearSolution& solution) const {
   std::vector<double> all(aurora.value.size());
-  for (int b = 0; b < data_.bands; ++b)
-    for (int r = 0; r < data_.rows; ++r) {
-      const std::array<double, 3> basis = sky_basis(r);
-      for (int c = 0; c < 3; ++c) {
-        const std::size_t i = data_.index(b, r, c);
-        all[i] = offset_at(aurora, i) + solution.coefficients[gains_.column(b, c)] * aurora.value[i];
-        for (int t = 0; t < sky_terms_; ++t) all[i] += solution.coefficients[sky(t, c)] * basis[t];
-      }
+  for (std::size_t bin = 0; bin < bins_.band.size(); ++bin) {
+    const std::array<double, 3> basis = sky_basis(bin);
+    for (int c = 0; c < 3; ++c) {
+      const std::size_t i = bin * 3 + c;
+      all[i] =
+          offset_at(aurora, i) + solution.coefficients[gains_.column(bins_.band[bin], c)] * aurora.value[i];
+      for (int t = 0; t < sky_terms_; ++t) all[i] += solution.coefficients[sky(t, c)] * basis[t];
     }
+  }
   return all;
+}
+
+SolvedLight LinearPart::light(const ModelProfile& aurora, const LinearSolution& solution,
+                              std::size_t values) const {
+  const int p = aurora.derivative.empty() ? 0 : aurora.free;
+  SolvedLight light;
+  light.free = p;
+  light.aurora.resize(values);
+  light.behind.resize(values);
+  Eigen::MatrixXd dc;
+  if (p > 0) {
+    dc = coefficient_slopes(aurora, solution, normal_matrix(aurora, solution.held));
+    light.aurora_slope.resize(values * p);
+    light.behind_slope.resize(values * p);
+  }
+  for (std::size_t i = 0; i < values; ++i) {
+    const int c = static_cast<int>(i % 3), g = gains_.column(bins_.band[i / 3], c);
+    const std::array<double, 3> basis = sky_basis(i / 3);
+    const double gain = solution.coefficients[g];
+    light.aurora[i] = gain * aurora.value[i];
+    light.behind[i] = offset_at(aurora, i);
+    for (int t = 0; t < sky_terms_; ++t) light.behind[i] += solution.coefficients[sky(t, c)] * basis[t];
+    for (int j = 0; j < p; ++j) {
+      double grow = gain * aurora.derivative[i * p + j];
+      if (!solution.held[g]) grow += aurora.value[i] * dc(g, j);
+      light.aurora_slope[i * p + j] = grow;
+      double behind = offset_slope(aurora, i, j);
+      for (int t = 0; t < sky_terms_; ++t) behind += dc(sky(t, c), j) * basis[t];
+      light.behind_slope[i * p + j] = behind;
+    }
+  }
+  return light;
 }
 
 std::vector<double> LinearPart::coefficient_variance(

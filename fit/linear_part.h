@@ -1,4 +1,5 @@
-// What is linear in a photograph's profile, solved exactly at every evaluation: exposure gains and the sky.
+// What is linear in a photograph's mean light, solved exactly at every evaluation: exposure gains and the
+// sky.
 //
 // Variable projection with the full derivative (Golub and Pereyra 1973, doi:10.1137/0710036; Kaufman's
 // shortcut drops a term and fails the difference test): data = night sky + sum of gains * aurora + sky
@@ -9,8 +10,9 @@
 #include <array>
 #include <vector>
 
-#include "fit/profile.h"
+#include "fit/linear_bins.h"
 #include "fit/profile_model.h"
+#include "fit/statistic.h"
 
 namespace vegard::fit {
 
@@ -37,6 +39,8 @@ struct LinearSolution {
 class LinearPart {
  public:
   /// `sky_terms`: 1 level, 2 and gradient, 3 and curvature. Values whose sigma is 0 are left out.
+  LinearPart(LinearBins bins, const GainLayout& gains, int sky_terms);
+  /// Of one profile alone.
   LinearPart(const Profile& data, const std::vector<double>& sigma, const GainLayout& gains, int sky_terms,
              int picture_height);
 
@@ -45,7 +49,7 @@ class LinearPart {
   /// Index of a sky term of a channel among the coefficients.
   int sky(int term, int channel) const { return gains_.count() + 3 * term + channel; }
   int sky_terms() const { return sky_terms_; }
-  const std::vector<std::size_t>& used() const { return used_; }  ///< indices into the profile
+  const std::vector<std::size_t>& used() const { return used_; }  ///< indices into the bins' values
 
   /// Solves the weighted least squares problem for this aurora.
   LinearSolution solve(const ModelProfile& aurora) const;
@@ -54,7 +58,10 @@ class LinearPart {
   /// coefficients included. aurora must carry derivatives.
   void jacobian(const ModelProfile& aurora, const LinearSolution& solution, std::vector<double>& out) const;
 
-  /// Model profile in the data's units, at all values (also those not used).
+  /// The first `values` values' light of the aurora and behind it, with slopes if aurora has derivatives.
+  SolvedLight light(const ModelProfile& aurora, const LinearSolution& solution, std::size_t values) const;
+
+  /// Model in the data's units, at all values (also those not used).
   std::vector<double> model(const ModelProfile& aurora, const LinearSolution& solution) const;
 
   /// Variances of the coefficients: their own at fixed aurora, times inflation squared, and what they owe to
@@ -69,12 +76,11 @@ class LinearPart {
   Eigen::MatrixXd coefficient_slopes(const ModelProfile& aurora, const LinearSolution& solution,
                                      const Normal& normal) const;
   Normal normal_matrix(const ModelProfile& aurora, const std::vector<bool>& held) const;
-  std::array<double, 3> sky_basis(int row) const;
+  std::array<double, 3> sky_basis(std::size_t bin) const;
 
-  const Profile& data_;
-  const std::vector<double>& sigma_;
+  LinearBins bins_;
   GainLayout gains_;
-  int sky_terms_, picture_height_;
+  int sky_terms_;
   std::vector<std::size_t> used_;
   struct Where {
     int gain, channel;

@@ -45,14 +45,15 @@ Observation observed(const sim::Scene& scene, const Photo& photo, int threads) {
   o.photo = &photo;
   o.scene = scene;
   o.region = checked_region(scene.fit.roi_px, photo.linear.width, photo.linear.height);
-  const Profile data = extract_profile(photo, o.region, scene.fit.bands);
+  const Profile data = extract_profile(photo, std::make_shared<const BinGrid>(profile_bins(scene, o.region)));
   o.full = std::make_unique<Comparison>(scene, photo, data, profile_sigma(data, scene.fit.model_error),
                                         Comparison::Resolution{1.0, 0.0, threads});
   const double smooth_rows = scene.fit.search_smoothing * o.region.height;
   const Profile smooth_data = smoothed(data, smooth_rows);
   o.coarse = std::make_unique<Comparison>(
       scene, photo, smooth_data, profile_sigma(smooth_data, kSearchError, kSearchPeakShare),
-      Comparison::Resolution{scene.fit.search_beams, smooth_rows, threads});
+      Comparison::Resolution{scene.fit.search_beams, smooth_rows, threads,
+                             Statistics::ModelError{kSearchError, kSearchPeakShare}});
   return o;
 }
 

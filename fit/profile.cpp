@@ -12,15 +12,6 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr int kRowsEachSide = 7;  ///< of the pool: 15 rows of 30 pixels give the noise to 4 %
-
-[[noreturn]] void refuse(const std::string& key, const std::string& problem, const std::string& expected) {
-  sim::ErrorDetails details;
-  details.key = key;
-  details.problem = problem;
-  details.expected = expected;
-  throw sim::Error(sim::ErrorKind::scene, details);
-}
 
 /// A sum of squares and what its expectation is in units of the variance.
 struct Scatter {
@@ -32,125 +23,107 @@ struct Scatter {
   }
 };
 
-/// What one row of one band and channel tells.
-struct RowSum {
+/// What one bin tells in one channel.
+struct BinSum {
   int count = 0;
   double mean = kNaN;
   Scatter neighbours;  ///< of differences of neighbours about their mean
   Scatter values;      ///< of the values about their mean: for bands too narrow or too torn for the other
 };
 
-RowSum sum_row(const Photo& photo, int y, int begin, int end, int channel) {
-  RowSum row;
+BinSum sum_bin(const Photo& photo, const BinGrid& grid, std::size_t bin, int channel) {
+  BinSum sums;
   double sum = 0.0, squares = 0.0, difference_sum = 0.0;
   int pairs = 0, runs = 0;
   // Squares are taken about the first value: no digits are lost to a bright mean.
-  double first = 0.0, previous = 0.0;
-  bool previous_usable = false, run_counted = false;
-  std::size_t i = photo.linear.index(begin, y, channel);
-  for (int x = begin; x < end; ++x, i += 3) {
-    if (!photo.usable[i]) {
-      previous_usable = false;
-      continue;
+  double first = 0.0;
+  for (std::size_t r = grid.first_run[bin]; r < grid.first_run[bin + 1]; ++r) {
+    const BinGrid::Run& run = grid.runs[r];
+    double previous = 0.0;
+    bool previous_usable = false, run_counted = false;
+    std::size_t i = photo.linear.index(run.begin, run.y, channel);
+    for (int x = run.begin; x < run.end; ++x, i += 3) {
+      if (!photo.usable[i]) {
+        previous_usable = false;
+        continue;
+      }
+      const double value = photo.linear.data[i];
+      if (sums.count == 0) first = value;
+      ++sums.count;
+      sum += value - first;
+      squares += (value - first) * (value - first);
+      if (previous_usable) {
+        const double difference = value - previous;
+        difference_sum += difference;
+        sums.neighbours.squares += difference * difference;
+        ++pairs;
+        if (!run_counted) ++runs;
+        run_counted = true;
+      } else {
+        run_counted = false;
+      }
+      previous = value;
+      previous_usable = true;
     }
-    const double value = photo.linear.data[i];
-    if (row.count == 0) first = value;
-    ++row.count;
-    sum += value - first;
-    squares += (value - first) * (value - first);
-    if (previous_usable) {
-      const double difference = value - previous;
-      difference_sum += difference;
-      row.neighbours.squares += difference * difference;
-      ++pairs;
-      if (!run_counted) ++runs;
-      run_counted = true;
-    } else {
-      run_counted = false;
-    }
-    previous = value;
-    previous_usable = true;
   }
-  if (row.count > 0) row.mean = first + sum / row.count;
-  if (row.count > 1) {
-    row.values.squares = std::max(0.0, squares - sum * sum / row.count);
-    row.values.freedom = row.count - 1;
+  if (sums.count > 0) sums.mean = first + sum / sums.count;
+  if (sums.count > 1) {
+    sums.values.squares = std::max(0.0, squares - sum * sum / sums.count);
+    sums.values.freedom = sums.count - 1;
   }
   if (pairs > 0) {
     // For independent noise of variance v a squared difference is 2 v on average; the sum of a run of
     // differences is its last value less its first, 2 v on average when squared, which the mean difference
     // takes with it.
-    row.neighbours.squares = std::max(0.0, row.neighbours.squares - difference_sum * difference_sum / pairs);
-    row.neighbours.freedom = 2.0 * (pairs - static_cast<double>(runs) / pairs);
+    sums.neighbours.squares =
+        std::max(0.0, sums.neighbours.squares - difference_sum * difference_sum / pairs);
+    sums.neighbours.freedom = 2.0 * (pairs - static_cast<double>(runs) / pairs);
   }
-  return row;
+  return sums;
 }
 
-/// The rows of one band and channel into the profile.
-void fill(const Photo& photo, int band, int channel, Profile& profile) {
-  const Region& region = profile.region;
-  const int begin = band_begin(region, profile.bands, band),
-            end = band_begin(region, profile.bands, band + 1);
-  std::vector<RowSum> rows(profile.rows);
-  for (int r = 0; r < profile.rows; ++r) rows[r] = sum_row(photo, region.y + r, begin, end, channel);
-  for (int r = 0; r < profile.rows; ++r) {
-    const std::size_t i = profile.index(band, r, channel);
-    profile.count[i] = rows[r].count;
-    profile.mean[i] = rows[r].mean;
-    if (rows[r].count < 2) continue;
+/// The bins of one group and channel into the profile.
+void fill(const Photo& photo, int group, int channel, Profile& profile) {
+  const BinGrid& grid = *profile.grid;
+  std::vector<BinSum> bins(grid.positions);
+  for (int p = 0; p < grid.positions; ++p) bins[p] = sum_bin(photo, grid, grid.bin(group, p), channel);
+  for (int p = 0; p < grid.positions; ++p) {
+    const std::size_t i = profile.index(group, p, channel);
+    profile.count[i] = bins[p].count;
+    profile.mean[i] = bins[p].mean;
+    if (bins[p].count < 2) continue;
     Scatter neighbours, values;
-    const int last = std::min(profile.rows - 1, r + kRowsEachSide);
-    for (int k = std::max(0, r - kRowsEachSide); k <= last; ++k) {
-      neighbours.add(rows[k].neighbours);
-      values.add(rows[k].values);
+    const int last = std::min(grid.positions - 1, p + grid.pooled);
+    for (int k = std::max(0, p - grid.pooled); k <= last; ++k) {
+      neighbours.add(bins[k].neighbours);
+      values.add(bins[k].values);
     }
     const Scatter& noise = neighbours.freedom > 0.0 ? neighbours : values;
-    const double step = code_step(photo, rows[r].mean);
+    const double step = code_step(photo, bins[p].mean);
     const double variance = std::max(noise.squares / noise.freedom, step * step / 12.0);
-    profile.standard_error[i] = std::sqrt(variance / rows[r].count);
+    profile.standard_error[i] = std::sqrt(variance / bins[p].count);
   }
 }
 
 }  // namespace
 
-Region checked_region(const std::array<int, 4>& roi_px, int image_width, int image_height) {
-  const auto [x, y, width, height] = roi_px;
-  if (x == 0 && y == 0 && width == 0 && height == 0) return {0, 0, image_width, image_height};
-  const std::string image = std::to_string(image_width) + " x " + std::to_string(image_height);
-  const bool inside =
-      x >= 0 && y >= 0 && width > 0 && height > 0 && x <= image_width - width && y <= image_height - height;
-  if (!inside) {
-    std::string text;
-    for (const int number : roi_px) text += (text.empty() ? "[" : ", ") + std::to_string(number);
-    refuse("fit.roi_px", "the region " + text + "] does not lie inside the image of " + image + " pixels",
-           "[x, y, width, height] with x + width at most " + std::to_string(image_width) +
-               " and y + height at most " + std::to_string(image_height));
-  }
-  return {x, y, width, height};
-}
-
-int band_begin(const Region& region, int bands, int band) {
-  assert(bands > 0 && band >= 0 && band <= bands);
-  return region.x + static_cast<int>(static_cast<long long>(region.width) * band / bands);
-}
-
 Profile extract_profile(const Photo& photo, const Region& region, int bands) {
+  return extract_profile(photo, std::make_shared<const BinGrid>(column_bins(region, bands)));
+}
+
+Profile extract_profile(const Photo& photo, const std::shared_ptr<const BinGrid>& grid) {
   assert(photo.linear.channels() == 3 && photo.usable.size() == photo.linear.data.size());
-  assert(region.x >= 0 && region.y >= 0 && region.x + region.width <= photo.linear.width &&
-         region.y + region.height <= photo.linear.height);
-  if (bands < 1 || bands > region.width)
-    refuse("fit.bands", std::to_string(bands) + " bands do not fit into the region",
-           "1 to " + std::to_string(region.width) + ", its width in pixels");
   Profile profile;
-  profile.region = region;
-  profile.bands = bands;
-  profile.rows = region.height;
-  const std::size_t size = static_cast<std::size_t>(bands) * profile.rows * 3;
+  profile.region = grid->region;
+  profile.bands = grid->groups;
+  profile.rows = grid->positions;
+  profile.grid = grid;
+  const std::size_t size = grid->bins() * 3;
   profile.mean.assign(size, kNaN);
   profile.standard_error.assign(size, kNaN);
   profile.count.assign(size, 0);
-  for (int band = 0; band < bands; ++band)
-    for (int channel = 0; channel < 3; ++channel) fill(photo, band, channel, profile);
+  for (int group = 0; group < grid->groups; ++group)
+    for (int channel = 0; channel < 3; ++channel) fill(photo, group, channel, profile);
   return profile;
 }
 

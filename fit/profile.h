@@ -1,27 +1,18 @@
-// The statistic that is compared: mean intensity per image row, band and channel.
+// Mean intensities of a photograph in bins: vertical profiles by band, and whatever else has bins.
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
+#include "fit/bin_grid.h"
 #include "fit/photo.h"
+#include "fit/region.h"
 
 namespace vegard::fit {
 
-/// Region of interest in pixels. All zero stands for the whole image.
-struct Region {
-  int x = 0, y = 0, width = 0, height = 0;
-};
-
-/// Throws sim::Error(scene) with key "fit.roi_px" if the region does not lie inside an image of this size.
-Region checked_region(const std::array<int, 4>& roi_px, int image_width, int image_height);
-
-/// First column of band b inside the region (b == bands gives its end): equal strips, exact to a pixel.
-int band_begin(const Region& region, int bands, int band);
-
-/// Vertical profiles. Everything is indexed [(band * rows + row) * 3 + channel]; row 0 is the region's top
-/// row.
+/// Profiles. Everything is indexed [(band * rows + row) * 3 + channel]. Of vertical ones, row 0 is the
+/// region's top row; of others (fit/bin_grid.h), bands are the grid's groups and rows its positions.
 struct Profile {
   Region region;
   int bands = 0;
@@ -30,6 +21,7 @@ struct Profile {
   std::vector<double>
       standard_error;      ///< of the mean, from the pixel noise (see extract_profile); NaN where count < 2
   std::vector<int> count;  ///< usable pixels
+  std::shared_ptr<const BinGrid> grid;  ///< null: of vertical profiles along columns
 
   std::size_t index(int band, int row, int channel) const {
     return (static_cast<std::size_t>(band) * rows + row) * 3 + channel;
@@ -45,6 +37,9 @@ struct Profile {
 /// a mean of which they were a part is too low: its count tells. Throws sim::Error(scene) with key
 /// "fit.bands" unless 1 <= bands <= the region's width.
 Profile extract_profile(const Photo& photo, const Region& region, int bands);
+
+/// The same in any bins. Noise is pooled over BinGrid::pooled positions to either side.
+Profile extract_profile(const Photo& photo, const std::shared_ptr<const BinGrid>& grid);
 
 /// Share of red and of green in a row's light, with standard errors from those of the three channels, taken
 /// as independent; NaN where the light is unknown or its sum is not positive.

@@ -23,11 +23,17 @@ namespace {
 
 constexpr int kWidestCell = 4;
 constexpr int kCellsPerBand = 12;
+constexpr int kCellsPerNarrowBin = 4;
 constexpr std::size_t kBinsPerTask = 64, kRowsPerTask = 16;
 constexpr double kBeyond = 0.5;  // sheet lengths by which a fit may move an end
 
-int cell_width(const Region& region, int bands) {
-  return std::clamp(region.width / bands / kCellsPerBand, 1, kWidestCell);
+/// The first grid's bins are wide, as those of bands are; others may be narrow.
+int cell_width(const std::vector<std::shared_ptr<const BinGrid>>& grids) {
+  const BinGrid& first = *grids.front();
+  int cell = std::clamp(first.narrowest_px / kCellsPerBand, 1, kWidestCell);
+  for (std::size_t g = 1; g < grids.size(); ++g)
+    cell = std::min(cell, std::max(1, grids[g]->narrowest_px / kCellsPerNarrowBin));
+  return cell;
 }
 
 double value_of(double number) { return number; }
@@ -78,8 +84,8 @@ ProfileShapers profile_shapers(const sim::Scene& scene, const std::vector<const 
 }  // namespace
 
 struct ProfileModel::Workspace {
-  Region region;
-  int bands = 0, threads = 1;
+  std::vector<std::shared_ptr<const BinGrid>> grids;
+  int threads = 1;
   bool clips = true;  // the photograph has no negative light
   double smooth_rows = 0.0;
   sim::FilmGeometry film;
@@ -388,10 +394,15 @@ struct ProfileModel::Workspace {
 
 ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo, const Region& region, int bands,
                            double beams_share, double smooth_rows, int threads)
+    : ProfileModel(scene, photo, {std::make_shared<const BinGrid>(column_bins(region, bands))}, beams_share,
+                   smooth_rows, threads) {}
+
+ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo,
+                           const std::vector<std::shared_ptr<const BinGrid>>& grids, double beams_share,
+                           double smooth_rows, int threads)
     : work_(std::make_unique<Workspace>()) {
   Workspace& w = *work_;
-  w.region = region;
-  w.bands = bands;
+  w.grids = grids;
   w.clips = !keeps_negative_light(photo);
   w.smooth_rows = smooth_rows;
   w.threads = sim::thread_count(threads);
@@ -403,10 +414,11 @@ ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo, const Re
     sheet.spacing_jitter = 0.0;  // the expectation is wanted, not one realisation
     w.first_rates.push_back(sheet.spline_rate);
   }
-  const int cell = cell_width(region, bands);
+  const int cell = cell_width(grids);
+  const Region& region = grids.front()->region;
   w.film = sim::film_for(scene, region.x, region.y, region.width, region.height, cell, 1.0);
   w.exposer = std::make_unique<sim::Exposer>(w.scene, w.film, threads, kBeyond);
-  w.weights = bins_of_rows(photo, region, bands, w.film);
+  w.weights = bin_weights(photo, grids, w.film);
   w.runs_of_row.resize(w.film.rows);
   for (std::size_t r = 0; r < w.weights.runs.size(); ++r) w.runs_of_row[w.weights.runs[r].row].push_back(r);
 }
@@ -424,7 +436,7 @@ void ProfileModel::evaluate(const sim::Scene& scene, ModelProfile& out) {
   out.derivative.clear();
   w.finish_values(out);
   w.add_offset(out);
-  if (w.smooth_rows > 0.0) smooth(out, w.bands, w.region.height, w.smooth_rows);
+  if (w.smooth_rows > 0.0) smooth(out, w.grids, w.smooth_rows);
 }
 
 void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std::vector<const double*>& free,
@@ -482,7 +494,7 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std:
     for (const Shaper& shaper : shapers.of_sheet[s].shapers)
       w.add_plane(w.shaped[s].data() + (shaper.line * shapers.of_sheet[s].rates.size() + shaper.rate) * cells,
                   shaper.parameter, shaper.line, out);
-  if (w.smooth_rows > 0.0) smooth(out, w.bands, w.region.height, w.smooth_rows);
+  if (w.smooth_rows > 0.0) smooth(out, w.grids, w.smooth_rows);
 }
 
 }  // namespace vegard::fit

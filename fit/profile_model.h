@@ -32,6 +32,10 @@ class ProfileModel {
   /// all): coarse models search, the full one decides.
   ProfileModel(const sim::Scene& scene, const Photo& photo, const Region& region, int bands,
                double beams_share, double smooth_rows, int threads);
+  /// In the bins of some grids of one region, one grid's after the other's, from one rendering.
+  ProfileModel(const sim::Scene& scene, const Photo& photo,
+               const std::vector<std::shared_ptr<const BinGrid>>& grids, double beams_share,
+               double smooth_rows, int threads);
   ~ProfileModel();
 
   /// The scene may differ from the constructor's in continuous parameters only.

@@ -170,8 +170,13 @@ std::string statistics_table(const FitResult& result) {
   html += row("\u03c7\u00b2", html_text(short_number(result.chi2, 6)),
               "Sum of the squared residuals, each in units of its \u03c3; at the start it was " +
                   html_text(short_number(result.chi2_initial, 6)) + ".");
+  if (result.statistics.size() > 1)
+    for (const ComparedStatistic& s : result.statistics)
+      html += row("\u03c7\u00b2 of the " + html_text(s.name), html_text(short_number(s.chi2, 6)),
+                  fmt::format("From {} residuals, with the weight {}.", s.residuals,
+                              html_text(short_number(s.weight, 3))));
   html += row("Degrees of freedom", std::to_string(result.dof),
-              "Profile values that were used, less the numbers that were fitted or solved for.");
+              "Residuals, less the numbers that were fitted or solved for.");
   html += row(
       "rms / peak", percent(result.rms_over_peak),
       "Root mean square of the residuals over all rows, bands and channels, as a share of the profile\u2019s "

@@ -161,6 +161,12 @@ std::string result_json(const FitResult& result) {
                       {"sum_of_weights", number(result.compared.sum_of_weights)},
                       {"unknowns", result.compared.unknowns}};
   json["steepest_cosine"] = number(result.steepest_cosine);
+  json["statistics"] = Json::array();
+  for (const ComparedStatistic& s : result.statistics)
+    json["statistics"].push_back({{"name", s.name},
+                                  {"weight", number(s.weight)},
+                                  {"residuals", s.residuals},
+                                  {"chi2", number(s.chi2)}});
   json["rms_over_peak"] = number(result.rms_over_peak);
   json["error_inflation"] = number(result.error_inflation);
   json["termination"] = result.termination;

@@ -75,9 +75,8 @@ Uncertainty sampled_uncertainty(const std::vector<Observation>& observations,
       // Beams are laid out where the answer is.
       terms[o].map.put(values, terms[o].scene);
       terms[o].scene.seed += static_cast<std::uint64_t>(sampling);
-      const Comparison& full = *observations[o].full;
-      others.push_back(std::make_unique<Comparison>(terms[o].scene, *observations[o].photo, full.data(),
-                                                    full.sigma(),
+      others.push_back(std::make_unique<Comparison>(terms[o].scene, *observations[o].photo,
+                                                    *observations[o].full,
                                                     Comparison::Resolution{1.0, kSmoothRows, threads}));
       terms[o].comparison = others.back().get();
     }

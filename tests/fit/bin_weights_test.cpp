@@ -5,6 +5,8 @@
 
 #include <cstddef>
 
+#include "fit/profile.h"
+
 namespace vegard::fit {
 namespace {
 
@@ -28,8 +30,8 @@ TEST(BinWeights, OfRowsGiveTheMeansOfThePhotographWithItsMask) {
   film.y0_px = 4.0 - 2.0;
   film.columns = 25;
   film.rows = 16;
-  const BinWeights weights = bins_of_rows(photo, region, 3, film);
   const Profile profile = extract_profile(photo, region, 3);
+  const BinWeights weights = bin_weights(photo, {profile.grid}, film);
   ASSERT_EQ(weights.bins() * 3, profile.mean.size());
   for (std::size_t bin = 0; bin < weights.bins(); ++bin) {
     for (int c = 0; c < 3; ++c) {

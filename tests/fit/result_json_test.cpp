@@ -31,6 +31,7 @@ TEST(ResultJson, HasTheDocumentedKeysInTheirOrder) {
                                             "dof",
                                             "compared",
                                             "steepest_cosine",
+                                            "statistics",
                                             "rms_over_peak",
                                             "error_inflation",
                                             "termination",
@@ -58,6 +59,11 @@ TEST(ResultJson, KeepsEveryNumberExactly) {
   EXPECT_EQ(json["parameters"][0]["interval68"][1].get<double>(), 4.46);
   EXPECT_EQ(json["seed"].get<std::uint64_t>(), 9223372036854775807u);
   EXPECT_EQ(json["dof"], 110);
+  ASSERT_EQ(json["statistics"].size(), 2u);
+  EXPECT_EQ(json["statistics"][1]["name"], "colour");
+  EXPECT_EQ(json["statistics"][1]["weight"], 0.5);
+  EXPECT_EQ(json["statistics"][1]["residuals"], 20);
+  EXPECT_EQ(json["statistics"][1]["chi2"], 23.456);
   EXPECT_EQ(json["verdict"], "doubtful");
   EXPECT_EQ(json["version"], sim::version());
   EXPECT_EQ(json["command"], result.command);

@@ -62,6 +62,7 @@ inline fit::FitResult small_fit(const fit::Photo& photo) {
   result.chi2 = 123.456;
   result.chi2_initial = 4e5;
   result.dof = 110;
+  result.statistics = {{"profile", 1.0, 100, 100.0}, {"colour", 0.5, 20, 23.456}};
   result.rms_over_peak = std::nan("");
   result.error_inflation = 1.5;
   result.termination = "Function tolerance reached.";

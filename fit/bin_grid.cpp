@@ -1,0 +1,243 @@
+#include "fit/bin_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "sim/base/earth.h"
+#include "sim/base/error.h"
+#include "sim/view/camera.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr int kNoBin = -1;
+constexpr int kRowsEachSide = 7;   ///< 15 rows of 30 pixels give the noise to 4 %
+constexpr int kHorizontalBin = 8;  ///< pixels
+constexpr int kCellsEachSide = 1;
+
+/// Puts every pixel into the bin that bin_of(x, y) names.
+template <class BinOf>
+void gather(const BinOf& bin_of, BinGrid& grid) {
+  struct Found {
+    int bin;
+    BinGrid::Run run;
+  };
+  std::vector<Found> found;
+  std::vector<std::size_t> runs_of(grid.bins() + 1, 0);
+  const Region& region = grid.region;
+  for (int y = region.y; y < region.y + region.height; ++y) {
+    int bin = kNoBin;
+    for (int x = region.x; x < region.x + region.width; ++x) {
+      const int here = bin_of(x, y);
+      if (here != bin && here != kNoBin) {
+        found.push_back({here, {y, x, x}});
+        ++runs_of[here + 1];
+      }
+      bin = here;
+      if (bin != kNoBin) found.back().run.end = x + 1;
+    }
+  }
+  for (std::size_t b = 0; b < grid.bins(); ++b) runs_of[b + 1] += runs_of[b];
+  grid.first_run = runs_of;
+  grid.runs.resize(found.size());
+  for (const Found& f : found) grid.runs[runs_of[f.bin]++] = f.run;
+
+  grid.row.resize(grid.bins());
+  for (std::size_t b = 0; b < grid.bins(); ++b) {
+    double sum = 0.0, pixels = 0.0;
+    for (std::size_t r = grid.first_run[b]; r < grid.first_run[b + 1]; ++r) {
+      const double width = grid.runs[r].end - grid.runs[r].begin;
+      sum += width * (grid.runs[r].y - region.y);
+      pixels += width;
+    }
+    grid.row[b] = pixels > 0.0 ? sum / pixels : static_cast<double>(b % grid.positions);
+  }
+}
+
+/// Band of every column, counted from the region's left.
+std::vector<int> bands_of_columns(const Region& region, int bands) {
+  std::vector<int> band(region.width);
+  for (int b = 0; b < bands; ++b)
+    std::fill(band.begin() + (band_begin(region, bands, b) - region.x),
+              band.begin() + (band_begin(region, bands, b + 1) - region.x), b);
+  return band;
+}
+
+BinGrid vertical(const Region& region, int bands) {
+  if (bands < 1 || bands > region.width) {
+    sim::ErrorDetails details;
+    details.key = "fit.bands";
+    details.problem = std::to_string(bands) + " bands do not fit into the region";
+    details.expected = "1 to " + std::to_string(region.width) + ", its width in pixels";
+    throw sim::Error(sim::ErrorKind::scene, details);
+  }
+  BinGrid grid;
+  grid.region = region;
+  grid.groups = bands;
+  grid.positions = region.height;
+  grid.pooled = kRowsEachSide;
+  grid.narrowest_px = region.width / bands;
+  for (int b = 0; b < bands; ++b) grid.band.insert(grid.band.end(), region.height, b);
+  return grid;
+}
+
+/// Bands of the bins of another grid, by where their centres lie among the profiles' bins; where there is
+/// none, by column.
+void take_bands(const BinGrid& profiles, BinGrid& grid) {
+  const Region& region = profiles.region;
+  const std::vector<int> of_column = bands_of_columns(region, profiles.groups);
+  std::vector<int> of_pixel(static_cast<std::size_t>(region.width) * region.height, kNoBin);
+  for (std::size_t b = 0; b < profiles.bins(); ++b)
+    for (std::size_t r = profiles.first_run[b]; r < profiles.first_run[b + 1]; ++r) {
+      const BinGrid::Run& run = profiles.runs[r];
+      int* row = of_pixel.data() + static_cast<std::size_t>(run.y - region.y) * region.width - region.x;
+      std::fill(row + run.begin, row + run.end, profiles.band[b]);
+    }
+  grid.band.assign(grid.bins(), 0);
+  for (std::size_t b = 0; b < grid.bins(); ++b) {
+    if (grid.first_run[b] == grid.first_run[b + 1]) continue;
+    const BinGrid::Run &first = grid.runs[grid.first_run[b]], &last = grid.runs[grid.first_run[b + 1] - 1];
+    const int x = (first.begin + last.end) / 2 - region.x, y = (first.y + last.y) / 2 - region.y;
+    const int band = of_pixel[static_cast<std::size_t>(y) * region.width + x];
+    grid.band[b] = band != kNoBin ? band : of_column[x];
+  }
+}
+
+}  // namespace
+
+BinGrid column_bins(const Region& region, int bands) {
+  BinGrid grid = vertical(region, bands);
+  const std::vector<int> band = bands_of_columns(region, bands);
+  gather([&](int x, int y) { return band[x - region.x] * region.height + y - region.y; }, grid);
+  return grid;
+}
+
+BinGrid elevation_bins(const Region& region, int bands, const sim::Camera& camera) {
+  BinGrid grid = vertical(region, bands);
+  const std::vector<int> band = bands_of_columns(region, bands);
+  const sim::PinholeView<double> view = sim::pinhole_view(camera);
+  const auto sine_of_elevation = [&](double x_px, double y_px) {
+    const double ray[3] = {x_px - 0.5 * camera.width, y_px - 0.5 * camera.height, view.focal_px};
+    double up = 0.0, square = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      up += view.camera_from_enu[i][2] * ray[i];
+      square += ray[i] * ray[i];
+    }
+    return up / std::sqrt(square);
+  };
+  // Borders of positions down the middle column. Beyond the zenith the elevation falls again: only what lies
+  // on the side of the column's lower end counts.
+  std::vector<double> border(region.height + 1);
+  for (int k = 0; k <= region.height; ++k)
+    border[k] = sine_of_elevation(region.x + 0.5 * region.width, region.y + k);
+  const int top = static_cast<int>(std::max_element(border.begin(), border.end()) - border.begin());
+  gather(
+      [&](int x, int y) {
+        const double s = sine_of_elevation(x + 0.5, y + 0.5);
+        if (s > border[top] || s <= border[region.height]) return kNoBin;
+        const auto below = std::lower_bound(border.begin() + top, border.end(), s, std::greater<double>());
+        const int position = std::max(0, static_cast<int>(below - border.begin()) - 1);
+        return band[x - region.x] * region.height + position;
+      },
+      grid);
+  return grid;
+}
+
+BinGrid field_bins(const Region& region, int bands, const sim::Camera& camera, const sim::Field& field) {
+  BinGrid grid = vertical(region, bands);
+  const std::vector<int> band = bands_of_columns(region, bands);
+  const sim::PinholeView<double> view = sim::pinhole_view(camera);
+  // Against the field in the north, with it in the south: upwards.
+  const double inclination = field.inclination_deg * sim::kRadiansPerDegree,
+               declination = field.declination_deg * sim::kRadiansPerDegree;
+  const double sign = field.inclination_deg < 0.0 ? -1.0 : 1.0;
+  const double up[3] = {-sign * std::cos(inclination) * std::sin(declination),
+                        -sign * std::cos(inclination) * std::cos(declination), sign * std::sin(inclination)};
+  double line[3] = {0.0, 0.0, 0.0};
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) line[i] += view.camera_from_enu[i][k] * up[k];
+  // From x, y the picture of the line moves on by f * line - line_forward * (x, y), for a small step along
+  // it: towards the line's vanishing point.
+  const auto slope = [&](double x, double y, double* down) {
+    *down = view.focal_px * line[1] - line[2] * y;
+    return (view.focal_px * line[0] - line[2] * x) / *down;
+  };
+  const double middle = region.y + 0.5 * region.height;
+  double down_middle = 0.0;
+  slope(0.0, middle - 0.5 * camera.height, &down_middle);
+  gather(
+      [&](int x, int y) {
+        double down = 0.0;
+        const double across = slope(x + 0.5 - 0.5 * camera.width, y + 0.5 - 0.5 * camera.height, &down);
+        if (!(down * down_middle > 0.0)) return kNoBin;
+        const double column = std::floor(x + 0.5 + across * (middle - y - 0.5)) - region.x;
+        if (!(column >= 0.0 && column < region.width)) return kNoBin;
+        return band[static_cast<int>(column)] * region.height + y - region.y;
+      },
+      grid);
+  return grid;
+}
+
+BinGrid profile_bins(const sim::Scene& scene, const Region& region) {
+  const sim::Fit& fit = scene.fit;
+  if (fit.profile_along == "elevation") return elevation_bins(region, fit.bands, scene.camera);
+  if (fit.profile_along != "field") return column_bins(region, fit.bands);
+  if (scene.field.model != "uniform") {
+    sim::ErrorDetails details;
+    details.key = "fit.profile_along";
+    details.problem = "profiles along the field line need a uniform field";
+    details.expected = "field.model = \"uniform\", or \"columns\" or \"elevation\" here";
+    throw sim::Error(sim::ErrorKind::scene, details);
+  }
+  return field_bins(region, fit.bands, scene.camera, scene.field);
+}
+
+BinGrid horizontal_bins(const BinGrid& profiles, int strips) {
+  BinGrid grid;
+  grid.region = profiles.region;
+  const Region& region = grid.region;
+  const int bands = profiles.groups;
+  const int each = std::max(1, region.width / bands / kHorizontalBin);
+  grid.groups = std::min(strips, region.height);
+  grid.positions = bands * each;
+  std::vector<int> position(region.width);
+  for (int b = 0; b < bands; ++b) {
+    const int begin = band_begin(region, bands, b) - region.x,
+              end = band_begin(region, bands, b + 1) - region.x;
+    for (int x = begin; x < end; ++x) position[x] = b * each + (x - begin) * each / (end - begin);
+  }
+  grid.position_px = static_cast<double>(region.width) / grid.positions;
+  grid.narrowest_px = region.width / grid.positions;
+  gather(
+      [&](int x, int y) {
+        const int strip =
+            static_cast<int>(static_cast<long long>(y - region.y) * grid.groups / region.height);
+        return strip * grid.positions + position[x - region.x];
+      },
+      grid);
+  take_bands(profiles, grid);
+  return grid;
+}
+
+BinGrid image_bins(const BinGrid& profiles, int cell_px) {
+  BinGrid grid;
+  grid.region = profiles.region;
+  const Region& region = grid.region;
+  const int cell = std::min({cell_px, region.width, region.height});
+  grid.groups = region.height / cell;
+  grid.positions = region.width / cell;
+  grid.pooled = kCellsEachSide;
+  grid.position_px = 0.0;
+  grid.narrowest_px = cell;
+  gather(
+      [&](int x, int y) {
+        const int across = (x - region.x) / cell, down = (y - region.y) / cell;
+        return across < grid.positions && down < grid.groups ? down * grid.positions + across : kNoBin;
+      },
+      grid);
+  take_bands(profiles, grid);
+  return grid;
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,17 @@
+#include "fit/linear_bins.h"
+
+namespace vegard::fit {
+
+void LinearBins::append(const Profile& data, const std::vector<double>& sigma_of_data, int picture_height) {
+  mean.insert(mean.end(), data.mean.begin(), data.mean.end());
+  sigma.insert(sigma.end(), sigma_of_data.begin(), sigma_of_data.end());
+  for (int b = 0; b < data.bands; ++b)
+    for (int r = 0; r < data.rows; ++r) {
+      const std::size_t bin = data.index(b, r, 0) / 3;
+      const double row = data.grid != nullptr ? data.grid->row[bin] : r;
+      band.push_back(data.grid != nullptr ? data.grid->band[bin] : b);
+      place.push_back((data.region.y + row + 0.5) / picture_height);
+    }
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,20 @@
+// Mean light in bins, of whatever statistics are linear in the gains and the sky.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fit/profile.h"
+
+namespace vegard::fit {
+
+struct LinearBins {
+  std::vector<double> mean, sigma;  ///< [bin][channel]; a sigma of 0: not used
+  std::vector<int> band;            ///< [bin]: whose gain it has
+  std::vector<double> place;        ///< [bin]: down the picture, 0 top to 1 bottom, for the sky
+
+  /// A profile's bins after those that are there.
+  void append(const Profile& data, const std::vector<double>& sigma_of_data, int picture_height);
+};
+
+}  // namespace vegard::fit

@@ -1,0 +1,22 @@
+// How the light of rays varies along a picture's row, on average over all places where rays may stand.
+#pragma once
+
+namespace vegard::fit {
+
+/// What rays are like (sim::Sheet::ray_contrast, ray_width_km).
+struct Rays {
+  double contrast = 0.5;  ///< standard deviation of the logarithm of the light along the sheet
+  double width_km = 1.0;  ///< full width of its autocorrelation at half its height
+};
+
+/// Covariance of the logarithm of the light at two places `apart_km` along the sheet, seen through a Gaussian
+/// smear of the variance `smear_km2` along it.
+///
+/// The light of rays is log-normal, exp(c g - c^2 / 2), with the autocorrelation rho = exp(-4 ln 2 (d / w)^2)
+/// of g (docs/physics.md, Rays): its covariance is exp(c^2 rho) - 1 = sum of c^2n rho^n / n!, each term a
+/// Gaussian of variance w^2 / (8 n ln 2), to which the smear adds twice its own. The logarithm of light that
+/// is log-normal still, to a good approximation (Fenton 1960, doi:10.1109/TCOM.1960.1097606: sums of
+/// log-normal numbers), has the covariance ln(1 + that).
+double ray_log_covariance(const Rays& rays, double smear_km2, double apart_km);
+
+}  // namespace vegard::fit

@@ -1,0 +1,68 @@
+#include "fit/statistics.h"
+
+#include <cmath>
+#include <utility>
+
+#include "fit/border_statistic.h"
+#include "fit/colour_statistic.h"
+#include "fit/noise_model.h"
+#include "fit/smoothing.h"
+#include "fit/texture_statistic.h"
+
+namespace vegard::fit {
+namespace {
+
+/// A weight multiplies chi2. Where it is 1, not a bit of sigma changes.
+std::vector<double> weighted(std::vector<double> sigma, double weight) {
+  for (double& s : sigma) s = weight > 0.0 ? s / std::sqrt(weight) : 0.0;
+  return sigma;
+}
+
+}  // namespace
+
+GainLayout gain_layout(const sim::Scene& scene) {
+  return {scene.fit.bands, scene.fit.band_brightness, !scene.fit.white_balance_known};
+}
+
+Statistics::Statistics(const sim::Scene& scene, const Photo& photo, Profile data, std::vector<double> sigma,
+                       double smooth_px, const ModelError& model_error)
+    : profile_(std::move(data)), sigma_(std::move(sigma)) {
+  const sim::Fit& fit = scene.fit;
+  if (profile_.grid == nullptr)
+    profile_.grid = std::make_shared<const BinGrid>(column_bins(profile_.region, profile_.bands));
+  profile_counts_ = fit.profile_weight > 0.0;
+  linear_counts_ = profile_counts_ || fit.horizontal_weight > 0.0 || fit.image_weight > 0.0;
+
+  const int height = photo.linear.height;
+  LinearBins bins;
+  bins.append(profile_, weighted(sigma_, linear_counts_ ? fit.profile_weight : 1.0), height);
+  grids_.push_back(profile_.grid);
+  if (profile_counts_) linear_ones_.push_back({"profile", fit.profile_weight, 0, bins.mean.size()});
+  const auto add = [&](const char* name, double weight, BinGrid grid) {
+    grids_.push_back(std::make_shared<const BinGrid>(std::move(grid)));
+    const Profile in_bins = smoothed_by_px(extract_profile(photo, grids_.back()), smooth_px);
+    const std::size_t first = bins.mean.size();
+    bins.append(in_bins,
+                weighted(fit::profile_sigma(in_bins, model_error.share, model_error.peak_share), weight),
+                height);
+    linear_ones_.push_back({name, weight, first, bins.mean.size() - first});
+  };
+  if (fit.horizontal_weight > 0.0)
+    add("horizontal", fit.horizontal_weight, horizontal_bins(*profile_.grid, fit.horizontal_strips));
+  if (fit.image_weight > 0.0) add("image", fit.image_weight, image_bins(*profile_.grid, fit.image_cell_px));
+  linear_ = std::make_unique<const LinearPart>(std::move(bins), gain_layout(scene), fit.sky_terms);
+  if (linear_counts_) residuals_ = linear_->residuals();
+
+  if (fit.colour_weight > 0.0)
+    others_.push_back(
+        {fit.colour_weight, std::make_unique<const ColourStatistic>(profile_, sigma_, fit.colour_weight)});
+  if (fit.border_weight > 0.0)
+    others_.push_back(
+        {fit.border_weight, std::make_unique<const BorderStatistic>(profile_, sigma_, fit.border_weight)});
+  if (fit.texture_weight > 0.0)
+    others_.push_back({fit.texture_weight, std::make_unique<const TextureStatistic>(
+                                               scene, photo, profile_.region, fit.texture_weight)});
+  for (const Other& other : others_) residuals_ += static_cast<int>(other.statistic->residuals());
+}
+
+}  // namespace vegard::fit
