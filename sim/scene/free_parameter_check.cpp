@@ -137,6 +137,7 @@ std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const Par
 void check_free_parameters(const Scene& scene) {
   std::map<std::string, const FreeParameter*> owners;
   for (const FreeParameter& free : scene.fit.free) {
+    if (!free.photo.empty()) continue;  // checked in the photograph's own scene (check_photos)
     for (const ParameterPath& path : resolve_at(scene, free)) {
       const Origin origin{scene.file, free.line, path.text};
       if (!path.row->can_be_free) {

@@ -12,6 +12,8 @@
 #include "sim/scene/line_of.h"
 #include "sim/scene/nearest_name.h"
 #include "sim/scene/parameter_declarations.h"
+#include "sim/scene/photo_entries_toml.h"
+#include "sim/scene/photo_entry_keys.h"
 #include "sim/scene/scene_toml.h"
 #include "sim/scene/spline_rates.h"
 #include "sim/scene/table_files.h"
@@ -165,6 +167,10 @@ class Reader {
       if (free != nullptr) {
         scene_.fit.free =
             read_free_parameters(*free, origin(*free, std::string(free_table) + "." + free_key));
+      }
+      if (const toml::node* photos = values->get(photo_key)) {
+        scene_.fit.photos =
+            read_photo_entries(*photos, origin(*photos, std::string(free_table) + "." + photo_key));
       }
     }
   }

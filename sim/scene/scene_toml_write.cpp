@@ -3,6 +3,7 @@
 #include "sim/scene/free_entry_keys.h"
 #include "sim/scene/free_parameters_toml.h"
 #include "sim/scene/parameter_declarations.h"
+#include "sim/scene/photo_entries_toml.h"
 #include "sim/scene/scene_toml.h"
 
 namespace vegard::sim {
@@ -59,7 +60,8 @@ std::string table_lines(const Scene& scene, const std::string& table, int sheet)
     if (d.table == table) text += key_line(scene, d, sheet);
   }
   if (table == free_table)
-    text += std::string(free_key) + " = " + free_parameters_text(scene.fit.free) + "\n";
+    text += std::string(free_key) + " = " + free_parameters_text(scene.fit.free) + "\n" +
+            photo_entries_text(scene.fit.photos);
   return text;
 }
 
