@@ -1,6 +1,7 @@
 #include "fit/fit.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -85,27 +86,44 @@ void look_for_second_mode(const std::vector<FreeNumber>& free, const std::vector
           apart(free[j], other.values[j], values[j]) <= 3.0 * *r.parameters[j].sigma)
         continue;
       evidence.second_mode = true;
-      evidence.second_mode_text = "another answer explains the data almost as well, with " +
-                                  free[j].path.text + " = " +
-                                  std::to_string(without_turns(free[j], other.values[j]));
+      evidence.second_mode_text = "another answer explains the data almost as well, with " + free[j].label() +
+                                  " = " + std::to_string(without_turns(free[j], other.values[j]));
       break;
     }
   }
 }
 
-}  // namespace
+/// What each photograph has of the answer. Several leave what is theirs in the best scene's entries.
+void put_photos(const std::vector<Observation>& observations, const std::vector<CostTerm>& terms,
+                const std::vector<FreeNumber>& free, const std::vector<double>& values,
+                const ProfileCost::Point& point, const ValueUncertainty& known, FitResult& r) {
+  for (std::size_t o = 0; o < observations.size(); ++o) {
+    const Comparison& full = *observations[o].full;
+    FittedPhoto fitted;
+    fitted.name = observations[o].frame.name;
+    fitted.decoding = observations[o].photo->decoding;
+    fitted.data = full.data();
+    fitted.sigma = full.sigma();
+    fitted.model = full.linear().model(point.of_photo[o].aurora, point.of_photo[o].solution);
+    fitted.chi2 = point.of_photo[o].chi2;
+    fitted.best = observations[o].scene;
+    terms[o].map.put(values, fitted.best);
+    put_solution(full, point.of_photo[o], known, r.error_inflation, fitted);
+    fitted.rms_over_peak = rms_over_peak(fitted);
+    r.rms_over_peak = std::max(r.rms_over_peak, fitted.rms_over_peak);
+    if (!fitted.name.empty())
+      r.best.fit.photos[o] = entry_of_best(r.best.fit.photos[o], fitted, free, r.parameters);
+    r.photos.push_back(std::move(fitted));
+  }
+}
 
-FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOptions& options) {
-  std::vector<Observation> observations;
-  observations.push_back(observed(scene, photo, options.threads));
+FitResult fit_observations(const sim::Scene& scene, const std::vector<Observation>& observations,
+                           const FitOptions& options) {
   const std::vector<FreeNumber> free = free_numbers(scene);
   const std::vector<CostTerm> full = cost_terms(observations, free, Detail::full);
 
   FitResult r;
   r.seed = scene.seed;
-  r.decoding = photo.decoding;
-  r.data = observations.front().full->data();
-  r.sigma = observations.front().full->sigma();
   int unknowns = static_cast<int>(free.size()), residuals = 0;
   for (const Observation& o : observations) {
     unknowns += o.full->coefficients();
@@ -115,7 +133,7 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
     throw sim::Error(
         sim::ErrorKind::unreadable_input,
         {"only " + std::to_string(residuals) + " usable profile values in the region of interest",
-         photo.file_name, 0, "fit.roi_px", "more than " + std::to_string(unknowns),
+         observations.front().photo->file_name, 0, "fit.roi_px", "more than " + std::to_string(unknowns),
          "is everything masked or clipped?"});
 
   EvaluationLog log;
@@ -169,17 +187,14 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
         },
         bounded_by_prior(profiles.prior, n), u);
 
-  const Comparison& first = *observations.front().full;
-  const ParameterMap& map = full.front().map;
-  r.best = scene;
-  r.model = first.linear().model(point.of_photo.front().aurora, point.of_photo.front().solution);
   const ValueUncertainty known = put_parameters(free, values, u, evidence.stopped, r);
   std::vector<double> tidied;
   for (const FittedParameter& p : r.parameters) tidied.push_back(p.value);
-  map.put(tidied, r.best);
-  put_solution(first, point.of_photo.front(), known, r);
+  r.best = scene;
+  ParameterMap(scene, free).put(tidied, r.best);
+  put_photos(observations, full, free, tidied, point, known, r);
+  if (observations.size() == 1 && r.photos.front().name.empty()) r.best = r.photos.front().best;
   r.derived = derived_numbers(r.best, free, tidied, known);
-  r.rms_over_peak = rms_over_peak(r);
 
   if (profiles.prior.any()) {
     evidence.unknowns = profiles.determined;
@@ -192,6 +207,24 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
   look_for_second_mode(free, values, outcome.others, r, evidence);
   judge(evidence, r);
   return r;
+}
+
+}  // namespace
+
+FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOptions& options) {
+  std::vector<Observation> observations;
+  observations.push_back(observed(scene, photo, options.threads));
+  return fit_observations(scene, observations, options);
+}
+
+FitResult fit_photos(const sim::Scene& scene, const std::vector<Photo>& photos, const FitOptions& options) {
+  assert(photos.size() == scene.fit.photos.size() && !photos.empty());
+  std::vector<Observation> observations;
+  for (std::size_t i = 0; i < photos.size(); ++i) {
+    const FramedScene framed = framed_scene(scene, scene.fit.photos[i]);
+    observations.push_back(observed(framed.scene, photos[i], options.threads, framed.frame));
+  }
+  return fit_observations(scene, observations, options);
 }
 
 }  // namespace vegard::fit

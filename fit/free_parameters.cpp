@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/error.h"
+#include "sim/scene/photo_scene.h"
 
 namespace vegard::fit {
 namespace {
@@ -54,10 +55,13 @@ bool FreeNumber::at_limit(double value) const {
 std::vector<FreeNumber> free_numbers(const sim::Scene& scene) {
   std::vector<FreeNumber> numbers;
   for (const sim::FreeParameter& entry : scene.fit.free) {
-    for (const sim::ParameterPath& path : sim::resolve(scene, entry.path)) {
+    const sim::PhotoEntry* photo = sim::find_photo(scene, entry.photo);
+    const sim::Scene own = photo == nullptr ? scene : sim::scene_of_photo_at_home(scene, *photo);
+    for (const sim::ParameterPath& path : sim::resolve(own, entry.path)) {
       FreeNumber number;
       number.path = path;
-      number.start = entry.start.value_or(*sim::real_value(scene, path));
+      number.photo = entry.photo;
+      number.start = entry.start.value_or(*sim::real_value(own, path));
       number.min = entry.min.value_or(path.row->min);
       number.max = entry.max.value_or(path.row->max);
       number.prior = entry.prior;

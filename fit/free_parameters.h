@@ -19,7 +19,10 @@ struct FreeNumber {
   double start = 0.0;
   double min = 0.0, max = 0.0;  ///< the user's limits, else the table's; +-infinity where there is none
   std::optional<sim::Prior> prior;
+  std::string photo;  ///< the photograph that it belongs to alone; empty: shared by all
 
+  /// The path, and of which photograph if of one alone: "camera.roll_deg of south".
+  std::string label() const { return photo.empty() ? path.text : path.text + " of " + photo; }
   bool logarithmic() const { return path.row->scale == sim::ParameterScale::logarithmic && min > 0.0; }
   /// The solver's coordinate of a value strictly inside the limits, and back; a value at or beyond a limit is
   /// first moved inside by a millionth of the range.

@@ -13,8 +13,11 @@ std::string derived_cards(const FitResult& result);
 /// Path, meaning, value ± sigma, unit, 68 % interval, start, limits.
 std::string parameter_table_html(const FitResult& result);
 
-/// Gains and sky.
-std::string solved_table(const FitResult& result);
+/// Gains and sky of a photograph.
+std::string solved_table(const FittedPhoto& fitted);
+
+/// chi2 and rms of each photograph, and how it was decoded.
+std::string photos_table(const FitResult& result);
 
 /// Coloured cells; empty for fewer than two parameters.
 std::string correlation_table(const FitResult& result);
