@@ -10,12 +10,13 @@
 #include "apps/command_line.h"
 #include "apps/exit_code.h"
 #include "apps/fit.h"
-#include "apps/lines.h"
 #include "apps/linearise.h"
+#include "apps/lines.h"
 #include "apps/params.h"
 #include "apps/points.h"
 #include "apps/profile.h"
 #include "apps/render.h"
+#include "apps/sequence.h"
 #include "fit/version.h"
 #include "sim/base/error.h"
 #include "sim/base/image_io.h"
@@ -46,6 +47,7 @@ int run(int argc, char** argv) {
   apps::add_profile_command(app, exit_code);
   apps::add_brightness_command(app, exit_code);
   apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
+  apps::add_sequence_command(app, exit_code, apps::command_line(argc, argv));
   apps::add_linearise_command(app, exit_code);
   apps::add_params_command(app, exit_code);
   apps::add_lines_command(app, exit_code);
