@@ -14,22 +14,20 @@ constexpr std::size_t kMostForQr = 40;
 
 class Tracer : public ceres::IterationCallback {
  public:
-  Tracer(const std::vector<FreeNumber>& free, const std::vector<double>& coordinates,
-         const std::string& stage, const EvaluationLog& log, std::vector<TraceRow>& trace)
-      : free_(free), coordinates_(coordinates), stage_(stage), log_(log), trace_(trace) {}
+  Tracer(const ProfileCost& cost, const std::vector<double>& coordinates, const std::string& stage,
+         const EvaluationLog& log, std::vector<TraceRow>& trace)
+      : cost_(cost), coordinates_(coordinates), stage_(stage), log_(log), trace_(trace) {}
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
     if (summary.step_is_successful || summary.iteration == 0) {
-      TraceRow row{stage_, log_.residuals, 2.0 * summary.cost, {}};
-      for (std::size_t j = 0; j < free_.size(); ++j) row.values.push_back(free_[j].value(coordinates_[j]));
-      trace_.push_back(std::move(row));
+      trace_.push_back({stage_, log_.residuals, 2.0 * summary.cost, cost_.values(coordinates_.data())});
     }
     // Not an abort, which would be a failure and leave the best point behind.
     return log_.exhausted() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
 
  private:
-  const std::vector<FreeNumber>& free_;
+  const ProfileCost& cost_;
   const std::vector<double>& coordinates_;
   const std::string& stage_;
   const EvaluationLog& log_;
@@ -75,20 +73,19 @@ Descent descend(const ProfileCost& cost, const std::vector<double>& start, int i
     result.termination = words_for_stop(log);
     return result;
   }
-  const std::vector<FreeNumber>& free = cost.moved();
-  std::vector<double> coordinates(free.size());
-  for (std::size_t j = 0; j < free.size(); ++j) coordinates[j] = free[j].coordinate(start[j]);
+  std::vector<double> coordinates = cost.coordinates(start);
 
   ceres::Problem::Options ownership;
   ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::Problem problem(ownership);
   problem.AddResidualBlock(const_cast<ProfileCost*>(&cost), nullptr, coordinates.data());
 
-  Tracer tracer(free, coordinates, stage, log, trace);
+  Tracer tracer(cost, coordinates, stage, log, trace);
   ceres::Solver::Options options;
   // Orthogonalising tens of thousands of rows by a hundred columns takes longer than the rest, and gains
   // nothing where the columns are logarithms and the priors' rows tie them together.
-  options.linear_solver_type = free.size() > kMostForQr ? ceres::DENSE_NORMAL_CHOLESKY : ceres::DENSE_QR;
+  options.linear_solver_type =
+      coordinates.size() > kMostForQr ? ceres::DENSE_NORMAL_CHOLESKY : ceres::DENSE_QR;
   options.num_threads = 1;  // the simulator has the threads, and adds in a fixed order
   options.max_num_iterations = iterations;
   options.function_tolerance = kFunctionTolerance;
@@ -99,7 +96,7 @@ Descent descend(const ProfileCost& cost, const std::vector<double>& start, int i
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
 
-  for (std::size_t j = 0; j < free.size(); ++j) result.values.push_back(free[j].value(coordinates[j]));
+  result.values = cost.values(coordinates.data());
   result.chi2 = 2.0 * summary.final_cost;
   result.chi2_initial = 2.0 * summary.initial_cost;
   result.converged = summary.termination_type == ceres::CONVERGENCE;

@@ -10,6 +10,7 @@
 #include "fit/flat_directions.h"
 #include "fit/free_parameters.h"
 #include "fit/free_profile.h"
+#include "fit/inflation.h"
 #include "fit/observation.h"
 #include "fit/profile_rounds.h"
 #include "fit/sampled_uncertainty.h"
@@ -53,19 +54,18 @@ std::vector<bool> bounded_by_prior(const SplinePrior& prior, std::size_t coordin
   return bounded;
 }
 
-/// Of all photographs together: squares by degrees of freedom.
-double inflation_of(const std::vector<Observation>& observations, const ProfileCost::Point& point, int dof) {
+/// How much likelier a step from some values makes the coordinates, as far as their limits go: between two
+/// limits every value is alike likely, and so the coordinate has a logistic distribution.
+double log_of_limits(const std::vector<FreeNumber>& free, const std::vector<double>& values,
+                     const std::vector<double>& step) {
+  const auto log_density = [](double u) { return -std::abs(u) - 2.0 * std::log1p(std::exp(-std::abs(u))); };
   double sum = 0.0;
-  int residuals = 0;
-  for (std::size_t o = 0; o < observations.size(); ++o) residuals += observations[o].full->residuals();
-  for (std::size_t o = 0; o < observations.size(); ++o) {
-    const Comparison& full = *observations[o].full;
-    const double share = static_cast<double>(full.residuals()) / residuals;
-    sum += share * std::pow(error_inflation(full.data(), full.linear().used(), point.of_photo[o].residual(),
-                                            static_cast<int>(std::lround(share * dof))),
-                            2);
+  for (std::size_t j = 0; j < free.size(); ++j) {
+    if (!std::isfinite(free[j].min) || !std::isfinite(free[j].max)) continue;
+    const double at = free[j].coordinate(values[j]);
+    sum += log_density(at + step[j]) - log_density(at);
   }
-  return std::sqrt(sum);
+  return sum;
 }
 
 int held_gains(const ProfileCost::Point& point) {
@@ -146,10 +146,12 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<Observatio
   r.chi2_initial = outcome.chi2_initial;
   r.termination = outcome.best.termination;
   Descent best = outcome.best;
-  SettledProfiles profiles;
-  if (!spline_lines(scene, free).empty()) {
-    profiles = settle_profiles(scene, free, full, best, log, r.trace);
-    best = profiles.descent;
+  const auto has_prior = [](const FreeNumber& number) { return number.prior.has_value(); };
+  const int priors = static_cast<int>(std::count_if(free.begin(), free.end(), has_prior));
+  Settled settled;
+  if (priors > 0 || !spline_lines(scene, free).empty()) {
+    settled = settle(scene, free, full, best, log, r.trace);
+    best = settled.descent;
     r.termination = best.termination;
   }
   evidence.converged = best.converged;
@@ -163,29 +165,32 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<Observatio
   r.evaluations = log.residuals;
   r.jacobian_evaluations = log.jacobians;
   EvaluationLog closing;
-  const ProfileCost cost(free, full, closing, {{}, {}, profiles.prior, profiles.inflation});
+  sim::Scene there = scene;
+  ParameterMap(scene, free).put(values, there);
+  const std::vector<PhaseAnchor> anchors = phase_anchors(there, free, values);
+  const ProfileCost cost(free, full, closing, {{}, {}, settled.prior, settled.inflation, anchors});
   const ProfileCost::Point point = cost.at(values, true);
   evidence.chi2_without_aurora = chi2_without_aurora(observations, point);
   r.chi2 = chi2_of_priors(free, values);
   for (const Comparison::Point& p : point.of_photo) r.chi2 += p.chi2;
-  const auto has_prior = [](const FreeNumber& number) { return number.prior.has_value(); };
-  const int priors = static_cast<int>(std::count_if(free.begin(), free.end(), has_prior));
   r.dof = residuals + priors - unknowns + held_gains(point);
-  r.error_inflation = inflation_of(observations, point, r.dof);
+  r.error_inflation = joint_inflation(cost, point, unknowns);
 
   const std::size_t n = free.size();
   Uncertainty u = evidence.stopped ? no_uncertainty(n, r.error_inflation)
-                                   : sampled_uncertainty(observations, free, values, profiles.prior,
+                                   : sampled_uncertainty(observations, free, values, settled.prior, anchors,
                                                          r.error_inflation, options.threads);
   if (!evidence.stopped)
     drop_flat_directions(
         [&](const std::vector<double>& step) {
-          std::vector<double> moved(n);
-          for (std::size_t k = 0; k < n; ++k)
-            moved[k] = free[k].value(free[k].coordinate(values[k]) + step[k]);
-          return (cost.at(moved, false).chi2 - point.chi2) / (r.error_inflation * r.error_inflation);
+          std::vector<double> moved = cost.coordinates(values);
+          for (std::size_t k = 0; k < n; ++k) moved[k] += step[k];
+          moved = cost.values(moved.data());
+          return (cost.at(moved, false).chi2 - point.chi2) / (r.error_inflation * r.error_inflation) -
+                 2.0 * log_of_limits(free, values, step);
         },
-        bounded_by_prior(profiles.prior, n), u);
+        bounded_by_prior(settled.prior, n), u);
+  without_anchors(anchors, free, values, u);
 
   const ValueUncertainty known = put_parameters(free, values, u, evidence.stopped, r);
   std::vector<double> tidied;
@@ -196,9 +201,9 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<Observatio
   if (observations.size() == 1 && r.photos.front().name.empty()) r.best = r.photos.front().best;
   r.derived = derived_numbers(r.best, free, tidied, known);
 
-  if (profiles.prior.any()) {
-    evidence.unknowns = profiles.determined;
-    r.profiles = free_profiles(r.best, profiles.prior, known);
+  if (settled.prior.any()) {
+    evidence.unknowns = settled.determined;
+    r.profiles = free_profiles(r.best, settled.prior, known);
   }
   evidence.aurora_in_view =
       std::any_of(point.of_photo.begin(), point.of_photo.end(), [](const Comparison::Point& p) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "fit/judged_errors.h"
 #include "fit/profile.h"
 #include "sim/scene/scene.h"
 
@@ -99,6 +100,12 @@ struct FitResult {
   std::vector<DerivedNumber> derived;
   std::vector<FreeProfile> profiles;             ///< of every sheet and line whose coefficients were free
   std::vector<std::vector<double>> correlation;  ///< of `parameters`; rows without an error bar hold zeros
+  std::vector<std::string> trade_offs;           ///< a sentence for each strong correlation
+
+  // The judges of the error bars, where they were asked for.
+  std::vector<ProfiledInterval> profile_intervals;
+  std::optional<BootstrapErrors> bootstrap;
+  std::optional<ChainErrors> chain;
 
   double chi2 = 0.0;
   double chi2_initial = 0.0;

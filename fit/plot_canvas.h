@@ -1,6 +1,7 @@
 // What a plot is drawn on: the few strokes that SVG and PNG both can.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,9 @@ PlotSize plot_size(const Plot& plot);
 
 /// Draws all of it on a white ground of plot_size().
 void draw_plot(const Plot& plot, PlotCanvas& canvas);
+
+/// A whole SVG document of what `draw` draws, as plot_svg() makes it.
+std::string drawn_svg(const std::string& title, PlotSize size, const std::function<void(PlotCanvas&)>& draw);
 
 /// Roughly: the width of a text in a sans-serif face, as wide as they come (DejaVu Sans), so that nothing is
 /// cut off.

@@ -97,15 +97,18 @@ class SvgCanvas : public PlotCanvas {
 
 }  // namespace
 
-std::string plot_svg(const Plot& plot) {
+std::string drawn_svg(const std::string& title, PlotSize size, const std::function<void(PlotCanvas&)>& draw) {
   SvgCanvas canvas;
-  draw_plot(plot, canvas);
-  const PlotSize size = plot_size(plot);
+  draw(canvas);
   const std::string w = number(size.width), h = number(size.height);
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " +
          w + " " + h +
          "\" role=\"img\" font-family=\"'Helvetica Neue', Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n" +
-         "<title>" + escaped(plot.title) + "</title>\n" + canvas.svg() + "</svg>\n";
+         "<title>" + escaped(title) + "</title>\n" + canvas.svg() + "</svg>\n";
+}
+
+std::string plot_svg(const Plot& plot) {
+  return drawn_svg(plot.title, plot_size(plot), [&](PlotCanvas& canvas) { draw_plot(plot, canvas); });
 }
 
 }  // namespace vegard::fit

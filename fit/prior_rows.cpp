@@ -4,11 +4,11 @@
 
 namespace vegard::fit {
 
-PriorRows::PriorRows(const std::vector<FreeNumber>& free) {
+PriorRows::PriorRows(const std::vector<FreeNumber>& free, double weight) {
   for (std::size_t j = 0; j < free.size(); ++j) {
     if (!free[j].prior) continue;
     Row row;
-    row.factor = 1.0 / free[j].prior->sigma;
+    row.factor = weight / free[j].prior->sigma;
     row.target = free[j].prior->mean;
     row.terms = {{static_cast<int>(j), 1.0}};
     rows_.push_back(row);

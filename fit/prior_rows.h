@@ -11,8 +11,8 @@ namespace vegard::fit {
 
 class PriorRows {
  public:
-  /// (value - mean) / sigma of every number that has a prior of its own.
-  explicit PriorRows(const std::vector<FreeNumber>& free);
+  /// (value - mean) / sigma of every number that has a prior of its own, times `weight`.
+  explicit PriorRows(const std::vector<FreeNumber>& free, double weight = 1.0);
 
   /// A row sum of factor * ln(value), of numbers above 0.
   struct LogTerm {

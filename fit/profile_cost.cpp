@@ -27,9 +27,10 @@ ProfileCost::ProfileCost(const std::vector<FreeNumber>& free, const std::vector<
     : terms_(terms),
       log_(log),
       held_(options.held),
+      anchors_(options.anchors),
       which_(all_or(options.moved, free.size())),
       moved_(picked(free, which_)),
-      priors_(moved_) {
+      priors_(moved_, options.prior_weight) {
   append_rows(options.prior, terms_.front().scene, options.prior_weight, priors_);
   for (const CostTerm& term : terms_) data_residuals_ += term.comparison->residuals();
   set_num_residuals(data_residuals_ + static_cast<int>(priors_.count()));
@@ -45,6 +46,20 @@ std::vector<double> ProfileCost::all_values(const std::vector<double>& values) c
   std::vector<double> all = held_;
   for (std::size_t k = 0; k < which_.size(); ++k) all[which_[k]] = values[k];
   return all;
+}
+
+std::vector<double> ProfileCost::values(double const* coordinates) const {
+  std::vector<double> values(moved_.size());
+  for (std::size_t j = 0; j < values.size(); ++j) values[j] = moved_[j].value(coordinates[j]);
+  for (const PhaseAnchor& a : anchors_) values[a.phase] -= a.more(values[a.wavelength]);
+  return values;
+}
+
+std::vector<double> ProfileCost::coordinates(const std::vector<double>& values) const {
+  std::vector<double> in_view = values;
+  for (const PhaseAnchor& a : anchors_) in_view[a.phase] += a.more(values[a.wavelength]);
+  for (std::size_t j = 0; j < in_view.size(); ++j) in_view[j] = moved_[j].coordinate(in_view[j]);
+  return in_view;
 }
 
 ProfileCost::Point ProfileCost::at(const std::vector<double>& values, bool with_derivatives) const {
@@ -88,33 +103,37 @@ std::vector<double> ProfileCost::data_residual(const Point& point) const {
   return all;
 }
 
-bool ProfileCost::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
+void ProfileCost::by_coordinates(const std::vector<double>& values, std::vector<double>& jacobian) const {
   const std::size_t p = moved_.size();
-  std::vector<double> values(p), slopes(p);
-  for (std::size_t j = 0; j < p; ++j) {
-    values[j] = moved_[j].value(parameters[0][j]);
-    slopes[j] = moved_[j].slope(parameters[0][j]);
+  const std::vector<double> at = coordinates(values);
+  std::vector<double> slopes(p);
+  for (std::size_t j = 0; j < p; ++j) slopes[j] = moved_[j].slope(at[j]);
+  for (std::size_t first = 0; first < jacobian.size(); first += p) {
+    double* row = &jacobian[first];
+    for (const PhaseAnchor& a : anchors_) row[a.wavelength] -= row[a.phase] * a.slope(values[a.wavelength]);
+    for (std::size_t j = 0; j < p; ++j) row[j] *= slopes[j];
   }
+}
+
+bool ProfileCost::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
   const bool with_derivatives = jacobians != nullptr && jacobians[0] != nullptr;
   // Of a trial step Ceres takes the refusal quietly, and its callback then ends the descent. A Jacobian that
   // is refused it calls a failure, and writes so to stderr, whatever the logging type.
   if (log_.exhausted() && !with_derivatives) return false;
-  const Point point = at(values, with_derivatives);
+  const std::vector<double> here = values(parameters[0]);
+  const Point point = at(here, with_derivatives);
   if (!std::isfinite(point.chi2)) return false;
 
-  const std::vector<double> of_data = data_residual(point);
-  std::copy(of_data.begin(), of_data.end(), residuals);
-  if (with_derivatives) {
-    std::vector<double> by_value;
-    data_jacobian(point, by_value);
-    for (std::size_t k = 0; k < of_data.size(); ++k)
-      for (std::size_t j = 0; j < p; ++j) jacobians[0][k * p + j] = by_value[k * p + j] * slopes[j];
-  }
-  std::vector<double> of_priors, by_value;
-  priors_.evaluate(values, of_priors, with_derivatives ? &by_value : nullptr);
-  const std::size_t first = of_data.size();
-  std::copy(of_priors.begin(), of_priors.end(), residuals + first);
-  for (std::size_t i = 0; i < by_value.size(); ++i) jacobians[0][first * p + i] = by_value[i] * slopes[i % p];
+  std::vector<double> all = data_residual(point), of_priors, by_value, priors_by_value;
+  priors_.evaluate(here, of_priors, with_derivatives ? &priors_by_value : nullptr);
+  all.insert(all.end(), of_priors.begin(), of_priors.end());
+  std::copy(all.begin(), all.end(), residuals);
+  if (!with_derivatives) return true;
+
+  data_jacobian(point, by_value);
+  by_value.insert(by_value.end(), priors_by_value.begin(), priors_by_value.end());
+  by_coordinates(here, by_value);
+  std::copy(by_value.begin(), by_value.end(), jacobians[0]);
   return true;
 }
 

@@ -11,6 +11,7 @@
 #include "fit/comparison.h"
 #include "fit/free_parameters.h"
 #include "fit/parameter_map.h"
+#include "fit/phase_anchor.h"
 #include "fit/prior_rows.h"
 #include "fit/spline_prior.h"
 
@@ -44,9 +45,13 @@ class ProfileCost : public ceres::CostFunction {
     std::vector<int> moved;
     /// Values of all free numbers, of which those that do not move stay; may be empty if all move.
     std::vector<double> held;
-    /// Rows of free-form profiles (fit/spline_prior.h), taken times `prior_weight`.
+    /// Rows of free-form profiles (fit/spline_prior.h), beside the numbers' own priors. All are taken times
+    /// `prior_weight`: where the data's chi2 is to be divided by an inflation squared, rows times the
+    /// inflation make the sum of both right.
     SplinePrior prior;
     double prior_weight = 1.0;
+    /// Of the numbers that move. The solver's coordinate of a phase then is that of the phase in view.
+    std::vector<PhaseAnchor> anchors = {};
   };
 
   /// Log and comparisons must outlive the cost.
@@ -59,8 +64,13 @@ class ProfileCost : public ceres::CostFunction {
   /// The free numbers that move, in the order of the coordinates.
   const std::vector<FreeNumber>& moved() const { return moved_; }
   const std::vector<CostTerm>& terms() const { return terms_; }
+  const std::vector<PhaseAnchor>& anchors() const { return anchors_; }
   /// Of the photographs alone.
   int data_residuals() const { return data_residuals_; }
+
+  /// The values of what moves, from the solver's coordinates and back.
+  std::vector<double> values(double const* coordinates) const;
+  std::vector<double> coordinates(const std::vector<double>& values) const;
 
   /// The pieces behind an evaluation, for whoever needs more than residuals.
   struct Point {
@@ -72,6 +82,8 @@ class ProfileCost : public ceres::CostFunction {
 
   /// d residual / d value of the photographs, row-major [residual][moved], of a point with derivatives.
   void data_jacobian(const Point& point, std::vector<double>& out) const;
+  /// Rows of derivatives by values become rows of derivatives by the solver's coordinates.
+  void by_coordinates(const std::vector<double>& values, std::vector<double>& jacobian) const;
   /// Residuals of the photographs one after the other.
   std::vector<double> data_residual(const Point& point) const;
 
@@ -81,6 +93,7 @@ class ProfileCost : public ceres::CostFunction {
   const std::vector<CostTerm> terms_;
   EvaluationLog& log_;
   const std::vector<double> held_;
+  const std::vector<PhaseAnchor> anchors_;
   std::vector<int> which_;
   std::vector<FreeNumber> moved_;
   int data_residuals_ = 0;

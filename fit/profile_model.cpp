@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "fit/bin_weights.h"
 #include "fit/smoothing.h"
+#include "fit/spread_runs.h"
 #include "sim/base/large_vector.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/aurora/sheet.h"
@@ -21,6 +23,7 @@ namespace {
 
 constexpr int kWidestCell = 4;
 constexpr int kCellsPerBand = 12;
+constexpr std::size_t kBinsPerTask = 64, kRowsPerTask = 16;
 constexpr double kBeyond = 0.5;  // sheet lengths by which a fit may move an end
 
 int cell_width(const Region& region, int bands) {
@@ -29,13 +32,6 @@ int cell_width(const Region& region, int bands) {
 
 double value_of(double number) { return number; }
 double value_of(const sim::SkyDual& number) { return number.v; }
-
-/// Film columns that a band reaches, and how many usable pixels of the band each of them holds.
-struct BandWeights {
-  int first_column = 0, columns = 0;
-  std::vector<float> pixels;   // [row][column - first_column][channel]
-  std::vector<float> inverse;  // [row][channel]: 1 / number of usable pixels, 0 if none
-};
 
 /// The light of a line grows with a parameter as that of a height profile, a row of SheetShapers::rates.
 struct Shaper {
@@ -87,14 +83,18 @@ struct ProfileModel::Workspace {
   bool clips = true;  // the photograph has no negative light
   double smooth_rows = 0.0;
   sim::FilmGeometry film;
-  int top = 0;  // film row of the region's first row
-  std::vector<BandWeights> weights;
+  BinWeights weights;
+  std::vector<std::vector<std::size_t>> runs_of_row;  // of the weights, by film row
   std::vector<int> full_beams, used_beams;
   std::unique_ptr<sim::Exposer> exposer;
   sim::Exposure exposure;
   std::vector<float> down, blurred, lines;  // planes
-  std::vector<float> wide_down, wide_blurred;
-  std::vector<std::uint8_t> lit;     // [row][column][channel]: not clipped
+  std::vector<std::uint8_t> lit;            // [row][column][channel]: not clipped
+  std::vector<float> rgb;                   // likewise: light at unit gain, clipped
+  // As weights.pixels, 0 where the light is clipped, [cell of a run] within [channel] within the run: what
+  // the derivatives of the cells count for.
+  std::vector<float> shown;
+  std::vector<double> slopes;        // [run][channel][stride]
   std::vector<sim::Vector3> colour;  // RGB per rayleigh at unit gain, of the last evaluation
   sim::Scene scene;                  // with this model's number of beams
 
@@ -143,8 +143,24 @@ struct ProfileModel::Workspace {
     }
   }
 
-  std::size_t value_index(int band, int row, int channel) const {
-    return (static_cast<std::size_t>(band) * region.height + row) * 3 + channel;
+  /// Calls body(bin) for every bin, on all threads.
+  template <class Body>
+  void for_every_bin(const Body& body) const {
+    sim::parallel_for(
+        (weights.bins() + kBinsPerTask - 1) / kBinsPerTask, threads, [&](std::size_t task, int) {
+          const std::size_t first = task * kBinsPerTask;
+          for (std::size_t bin = first; bin < std::min(weights.bins(), first + kBinsPerTask); ++bin)
+            body(bin);
+        });
+  }
+
+  /// Calls body(run, index) for every run of a bin; index: of the run's first cell on the film.
+  template <class Body>
+  void for_every_run(std::size_t bin, const Body& body) const {
+    for (std::size_t r = weights.first_run[bin]; r < weights.first_run[bin + 1]; ++r) {
+      const BinWeights::Run& run = weights.runs[r];
+      body(run, static_cast<std::size_t>(run.row) * film.columns + run.first_column);
+    }
   }
 
   /// Copies the numbers of `from`; the addresses in `free` follow to the copy.
@@ -204,56 +220,65 @@ struct ProfileModel::Workspace {
     }
     colour = colours();
     lit.resize(cells * 3);
-    out.value.assign(static_cast<std::size_t>(bands) * region.height * 3, 0.0);
-    sim::parallel_for(static_cast<std::size_t>(region.height), threads, [&](std::size_t row, int) {
-      std::vector<float> rgb(static_cast<std::size_t>(film.columns) * 3, 0.0f);
-      const std::size_t first = (row + top) * film.columns;
-      for (int column = 0; column < film.columns; ++column) {
+    rgb.resize(cells * 3);
+    sim::parallel_for(static_cast<std::size_t>(film.rows), threads, [&](std::size_t row, int) {
+      for (std::size_t cell = row * film.columns; cell < (row + 1) * film.columns; ++cell) {
         for (int c = 0; c < 3; ++c) {
           double light = 0.0;
-          for (int l = 0; l < count; ++l) light += colour[l][c] * lines[l * cells + first + column];
+          for (int l = 0; l < count; ++l) light += colour[l][c] * lines[l * cells + cell];
           const bool shows = !clips || light > 0.0;
-          lit[(first + column) * 3 + c] = shows;
-          rgb[column * 3 + c] = shows ? static_cast<float>(light) : 0.0f;
+          lit[cell * 3 + c] = shows;
+          rgb[cell * 3 + c] = shows ? static_cast<float>(light) : 0.0f;
         }
       }
-      for (int b = 0; b < bands; ++b) {
-        const BandWeights& w = weights[b];
-        double sum[3] = {0.0, 0.0, 0.0};
-        for (int i = 0; i < w.columns; ++i)
-          for (int c = 0; c < 3; ++c)
-            sum[c] += static_cast<double>(w.pixels[(row * w.columns + i) * 3 + c]) *
-                      rgb[(w.first_column + i) * 3 + c];
-        for (int c = 0; c < 3; ++c)
-          out.value[value_index(b, static_cast<int>(row), c)] = sum[c] * w.inverse[row * 3 + c];
-      }
+    });
+    out.value.resize(weights.bins() * 3);
+    for_every_bin([&](std::size_t bin) {
+      double sum[3] = {0.0, 0.0, 0.0};
+      for_every_run(bin, [&](const BinWeights::Run& run, std::size_t first) {
+        const float *pixels = &weights.pixels[run.first_pixels], *light = &rgb[first * 3];
+        for (int i = 0; i < run.columns; ++i)
+          for (int c = 0; c < 3; ++c) sum[c] += static_cast<double>(pixels[i * 3 + c]) * light[i * 3 + c];
+      });
+      for (int c = 0; c < 3; ++c) out.value[bin * 3 + c] = sum[c] * weights.inverse[bin * 3 + c];
     });
   }
 
-  /// Calls body(row, band, sums) with the bands' means of the night sky, one channel each. T is double or
-  /// SkyDual.
+  /// After finish_values().
+  void find_shown() {
+    shown.resize(weights.pixels.size());
+    for_every_bin([&](std::size_t bin) {
+      for_every_run(bin, [&](const BinWeights::Run& run, std::size_t first) {
+        const float* pixels = &weights.pixels[run.first_pixels];
+        for (int c = 0; c < 3; ++c)
+          for (int i = 0; i < run.columns; ++i)
+            shown[run.first_pixels + static_cast<std::size_t>(c) * run.columns + i] =
+                lit[(first + i) * 3 + c] ? pixels[i * 3 + c] : 0.0f;
+      });
+    });
+  }
+
+  /// Calls body(value index, mean) with the bins' means of the night sky. T is double or SkyDual.
   template <class T, class Body>
   void night_sky(const Body& body) const {
     const sim::SkyView<T> view(scene);
     const sim::NightSky<T> sky(scene);
-    sim::parallel_for(static_cast<std::size_t>(region.height), threads, [&](std::size_t row, int) {
-      const double y = film.y0_px + (static_cast<double>(row) + top + 0.5) * film.cell_height_px;
-      for (int b = 0; b < bands; ++b) {
-        const BandWeights& w = weights[b];
-        std::array<T, 3> sum = {T(0.0), T(0.0), T(0.0)};
-        for (int i = 0; i < w.columns; ++i) {
-          const float* pixels = &w.pixels[(row * w.columns + i) * 3];
+    for_every_bin([&](std::size_t bin) {
+      std::array<T, 3> sum = {T(0.0), T(0.0), T(0.0)};
+      for_every_run(bin, [&](const BinWeights::Run& run, std::size_t) {
+        const double y = film.y0_px + (run.row + 0.5) * film.cell_height_px;
+        for (int i = 0; i < run.columns; ++i) {
+          const float* pixels = &weights.pixels[run.first_pixels + static_cast<std::size_t>(i) * 3];
           if (pixels[0] + pixels[1] + pixels[2] == 0.0f) continue;
           const std::array<T, 3> light =
-              sky.light(view.at(film.x0_px + (w.first_column + i + 0.5) * film.cell_width_px, y));
+              sky.light(view.at(film.x0_px + (run.first_column + i + 0.5) * film.cell_width_px, y));
           for (int c = 0; c < 3; ++c)
             if (!clips || value_of(light[c]) > 0.0)  // as the aurora
               sum[c] = sum[c] + light[c] * static_cast<double>(pixels[c]);
         }
-        for (int c = 0; c < 3; ++c)
-          body(value_index(b, static_cast<int>(row), c),
-               sum[c] * static_cast<double>(w.inverse[row * 3 + c]));
-      }
+      });
+      for (int c = 0; c < 3; ++c)
+        body(bin * 3 + c, sum[c] * static_cast<double>(weights.inverse[bin * 3 + c]));
     });
   }
 
@@ -285,32 +310,73 @@ struct ProfileModel::Workspace {
   /// RGB per rayleigh at unit gain.
   std::vector<sim::Vector3> colours() const {
     std::vector<sim::Vector3> weights_per_kilorayleigh = sim::line_colours_at_unit_gain(scene);
-    for (sim::Vector3& rgb : weights_per_kilorayleigh)
-      for (double& channel : rgb) channel *= 1e-3;
+    for (sim::Vector3& of_line : weights_per_kilorayleigh)
+      for (double& channel : of_line) channel *= 1e-3;
     return weights_per_kilorayleigh;
   }
 
-  /// Adds the profile of a plane of derivatives, [row][column][stride], of line `l`, to the parameters that
-  /// they belong to.
-  void add_derivatives(const float* plane, int stride, const std::vector<int>& parameters, int l,
-                       ModelProfile& out) const {
-    sim::parallel_for(static_cast<std::size_t>(region.height), threads, [&](std::size_t row, int) {
-      std::vector<float> sum(static_cast<std::size_t>(stride));
-      const std::size_t first_cell = (row + top) * film.columns;
-      for (int b = 0; b < bands; ++b) {
-        const BandWeights& w = weights[b];
+  /// Adds the profile of a plane of derivatives that is blurred already, [row][column], of line `l`, to that
+  /// of a parameter.
+  void add_plane(const float* plane, int parameter, int l, ModelProfile& out) const {
+    for_every_bin([&](std::size_t bin) {
+      float sum[3] = {};
+      for_every_run(bin, [&](const BinWeights::Run& run, std::size_t first) {
         for (int c = 0; c < 3; ++c) {
-          std::fill(sum.begin(), sum.end(), 0.0f);
-          for (int i = 0; i < w.columns; ++i) {
-            const std::size_t cell = first_cell + w.first_column + i;
-            if (!lit[cell * 3 + c]) continue;
-            const float weight = w.pixels[(row * w.columns + i) * 3 + c];
-            const float* from = plane + cell * stride;
-            for (int j = 0; j < stride; ++j) sum[j] += weight * from[j];
+          const float* weight = &shown[run.first_pixels + static_cast<std::size_t>(c) * run.columns];
+          for (int i = 0; i < run.columns; ++i) sum[c] += weight[i] * plane[first + i];
+        }
+      });
+      for (int c = 0; c < 3; ++c)
+        out.derivative[(bin * 3 + c) * out.free + parameter] +=
+            colour[l][c] * weights.inverse[bin * 3 + c] * sum[c];
+    });
+  }
+
+  /// Blurs the exposure's derivatives and adds their profiles to those of `parameters`. The blur along a row
+  /// and the sum over a run's cells are one sum with other weights, and there are fewer runs than cells.
+  void add_exposed(const std::vector<int>& parameters, ModelProfile& out) {
+    const std::size_t cells = exposure.cells(), stride = static_cast<std::size_t>(exposure.free_stride);
+    std::vector<sim::BlurKernel> by_rows, by_columns;
+    for (int l = 0; l < exposure.lines; ++l) {
+      by_rows.push_back(kernel(l, film.cell_height_px));
+      by_columns.push_back(kernel(l, film.cell_width_px));
+    }
+    slopes.assign(weights.runs.size() * 3 * stride, 0.0);
+    const std::size_t tasks = (static_cast<std::size_t>(film.rows) + kRowsPerTask - 1) / kRowsPerTask;
+    sim::parallel_for(tasks, threads, [&](std::size_t task, int) {
+      std::vector<float> wide(film.columns * stride);
+      for (int l = 0; l < exposure.lines; ++l) {
+        SpreadRuns spread(by_columns[l], film.columns);
+        for (std::size_t row = task * kRowsPerTask;
+             row < std::min<std::size_t>(film.rows, (task + 1) * kRowsPerTask); ++row) {
+          if (runs_of_row[row].empty()) continue;
+          sim::blur_down_row(exposure.derivative.data() + l * cells * stride, wide.data(), film.rows,
+                             film.columns, static_cast<int>(stride), by_rows[l], static_cast<int>(row));
+          for (std::size_t i = 0; i < runs_of_row[row].size(); ++i) {
+            const std::size_t index = runs_of_row[row][i];
+            const BinWeights::Run& run = weights.runs[index];
+            const float* of_run = &shown[run.first_pixels];
+            const float *before = nullptr, *sum = nullptr;
+            for (int c = 0; c < 3; ++c, of_run += run.columns) {
+              // Two channels often show the same cells.
+              if (before == nullptr || !std::equal(of_run, of_run + run.columns, before))
+                sum = spread.sum(i * 3 + c, run, of_run, wide.data(), stride);
+              before = of_run;
+              if (sum == nullptr) continue;
+              double* to = slopes.data() + (index * 3 + c) * stride;
+              for (std::size_t j = 0; j < stride; ++j) to[j] += colour[l][c] * sum[j];
+            }
           }
-          const double scale = colour[l][c] * w.inverse[row * 3 + c];
-          double* to = out.derivative.data() + value_index(b, static_cast<int>(row), c) * out.free;
-          for (std::size_t j = 0; j < parameters.size(); ++j) to[parameters[j]] += scale * sum[j];
+        }
+      }
+    });
+    for_every_bin([&](std::size_t bin) {
+      for (std::size_t r = weights.first_run[bin]; r < weights.first_run[bin + 1]; ++r) {
+        for (int c = 0; c < 3; ++c) {
+          const double* from = slopes.data() + (r * 3 + c) * stride;
+          double* to = out.derivative.data() + (bin * 3 + c) * out.free;
+          for (std::size_t j = 0; j < parameters.size(); ++j)
+            to[parameters[j]] += weights.inverse[bin * 3 + c] * from[j];
         }
       }
     });
@@ -335,32 +401,10 @@ ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo, const Re
   }
   const int cell = cell_width(region, bands);
   w.film = sim::film_for(scene, region.x, region.y, region.width, region.height, cell, 1.0);
-  w.top = static_cast<int>(std::lround(region.y - w.film.y0_px));
-  const int left = static_cast<int>(std::lround((region.x - w.film.x0_px) / cell));
   w.exposer = std::make_unique<sim::Exposer>(w.scene, w.film, threads, kBeyond);
-
-  w.weights.resize(bands);
-  for (int b = 0; b < bands; ++b) {
-    BandWeights& band = w.weights[b];
-    const int begin = band_begin(region, bands, b) - region.x,
-              end = band_begin(region, bands, b + 1) - region.x;
-    band.first_column = left + begin / cell;
-    band.columns = (end - 1) / cell - begin / cell + 1;
-    band.pixels.assign(static_cast<std::size_t>(region.height) * band.columns * 3, 0.0f);
-    band.inverse.assign(static_cast<std::size_t>(region.height) * 3, 0.0f);
-    for (int row = 0; row < region.height; ++row) {
-      for (int c = 0; c < 3; ++c) {
-        int count = 0;
-        for (int x = begin; x < end; ++x) {
-          if (!photo.usable[photo.linear.index(region.x + x, region.y + row, c)]) continue;
-          band.pixels[(static_cast<std::size_t>(row) * band.columns + x / cell - begin / cell) * 3 + c] +=
-              1.0f;
-          ++count;
-        }
-        if (count > 0) band.inverse[row * 3 + c] = 1.0f / static_cast<float>(count);
-      }
-    }
-  }
+  w.weights = bins_of_rows(photo, region, bands, w.film);
+  w.runs_of_row.resize(w.film.rows);
+  for (std::size_t r = 0; r < w.weights.runs.size(); ++r) w.runs_of_row[w.weights.runs[r].row].push_back(r);
 }
 
 ProfileModel::~ProfileModel() = default;
@@ -399,28 +443,19 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std:
     sim::dim_by_air(w.scene, of_kernel, w.exposure, w.threads);
   }
   w.finish_values(out);
+  w.find_shown();
   out.free = static_cast<int>(free.size());
   out.derivative.assign(out.value.size() * free.size(), 0.0);
   w.add_offset(moved, out);
 
   const std::size_t cells = w.exposure.cells();
-  const int stride = w.exposure.free_stride;
-  w.wide_down.resize(cells * stride);
-  w.wide_blurred.resize(cells * stride);
+  if (!of_kernel.empty()) w.add_exposed(kernel_parameters, out);
   w.down.resize(cells);
   w.blurred.resize(cells);
   for (int l = 0; l < w.exposure.lines; ++l) {
     const double sigma = sim::blur_sigma_px(w.scene, l);
     const sim::BlurKernel down = w.kernel(l, w.film.cell_height_px);
     const sim::BlurKernel across = w.kernel(l, w.film.cell_width_px);
-    if (!of_kernel.empty()) {
-      sim::blur_down(w.exposure.derivative.data() + l * cells * stride, w.wide_down.data(), w.film.rows,
-                     w.film.columns, stride, down, w.threads);
-      sim::blur_across(w.wide_down.data(), w.wide_blurred.data(), w.film.rows, w.film.columns, stride, across,
-                       w.threads);
-      w.add_derivatives(w.wide_blurred.data(), stride, kernel_parameters, l, out);
-    }
-
     // The blur's own width, free or following the field of view: sigma = width * pixels / hfov.
     for (std::size_t j = 0; j < moved.size(); ++j) {
       double growth = 0.0;
@@ -432,7 +467,7 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std:
         sim::blur_down(plane, w.down.data(), w.film.rows, w.film.columns, 1, first, w.threads);
         sim::blur_across(w.down.data(), w.blurred.data(), w.film.rows, w.film.columns, 1, second, w.threads);
         for (float& x : w.blurred) x *= static_cast<float>(growth * per_cell);
-        w.add_derivatives(w.blurred.data(), 1, {static_cast<int>(j)}, l, out);
+        w.add_plane(w.blurred.data(), static_cast<int>(j), l, out);
       };
       add(w.kernel(l, w.film.cell_height_px, true), across, 1.0 / w.film.cell_height_px);
       add(down, w.kernel(l, w.film.cell_width_px, true), 1.0 / w.film.cell_width_px);
@@ -441,9 +476,8 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std:
   w.shape(shapers);
   for (std::size_t s = 0; s < shapers.of_sheet.size(); ++s)
     for (const Shaper& shaper : shapers.of_sheet[s].shapers)
-      w.add_derivatives(
-          w.shaped[s].data() + (shaper.line * shapers.of_sheet[s].rates.size() + shaper.rate) * cells, 1,
-          {shaper.parameter}, shaper.line, out);
+      w.add_plane(w.shaped[s].data() + (shaper.line * shapers.of_sheet[s].rates.size() + shaper.rate) * cells,
+                  shaper.parameter, shaper.line, out);
   if (w.smooth_rows > 0.0) smooth(out, w.bands, w.region.height, w.smooth_rows);
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "fit/uncertainty.h"
+#include "fit/inflation.h"
 
 namespace vegard::fit {
 namespace {
@@ -54,45 +54,48 @@ double first_smoothness(const sim::Scene& scene) {
   return scene.fit.profile_smoothness > 0.0 ? scene.fit.profile_smoothness : 1.0;
 }
 
-SettledProfiles settle_profiles(const sim::Scene& scene, const std::vector<FreeNumber>& free,
-                                const std::vector<CostTerm>& terms, const Descent& from, EvaluationLog& log,
-                                std::vector<TraceRow>& trace) {
-  SettledProfiles settled;
+Settled settle(const sim::Scene& scene, const std::vector<FreeNumber>& free,
+               const std::vector<CostTerm>& terms, const Descent& from, EvaluationLog& log,
+               std::vector<TraceRow>& trace) {
+  Settled settled;
   settled.descent = from;
   settled.prior = spline_prior(scene, free, first_smoothness(scene));
   settled.inflation = kFirstPriorWeight;
+  int unknowns = static_cast<int>(free.size());
+  for (const CostTerm& term : terms) unknowns += term.comparison->coefficients();
   for (int round = 0; round < kRounds && !log.exhausted(); ++round) {
-    const ProfileCost before(free, terms, log, {{}, {}, settled.prior, settled.inflation});
-    const ProfileCost::Point point = before.at(settled.descent.values, true);
-    std::vector<double> jacobian, prior_jacobian, ignored;
-    before.data_jacobian(point, jacobian);
-    const int dof = terms.front().comparison->residuals() - terms.front().comparison->coefficients() -
-                    static_cast<int>(free.size());
-    const double inflation =
-        error_inflation(terms.front().comparison->data(), terms.front().comparison->linear().used(),
-                        point.of_photo.front().residual(), dof);
-    const Coordinates coordinates(settled.prior, free, point.values);
-    SplinePrior of_scale = settled.prior;
-    of_scale.smoothness.assign(of_scale.lines.size(), 0.0);
-    PriorRows others(free);
-    append_rows(of_scale, scene, 1.0, others);
-    others.evaluate(point.values, ignored, &prior_jacobian);
+    const bool any_profiles = settled.prior.any();
+    const ProfileCost before(free, terms, log, {{}, {}, settled.prior, settled.inflation, {}});
+    const ProfileCost::Point point = before.at(settled.descent.values, any_profiles);
+    const double inflation = joint_inflation(before, point, unknowns);
     SplinePrior prior = settled.prior;
-    const std::vector<double> probable =
-        most_probable_smoothness(prior,
-                                 products(jacobian, static_cast<std::size_t>(before.data_residuals()),
-                                          1.0 / (inflation * inflation), coordinates),
-                                 products(prior_jacobian, others.count(), 1.0, coordinates), coordinates.at,
-                                 settled.inflation / inflation, &settled.determined);
-    if (scene.fit.profile_smoothness <= 0.0) prior.smoothness = probable;
-    const bool same = round > 0 && change(prior.smoothness, settled.prior.smoothness) < kSettled &&
+    if (any_profiles) {
+      std::vector<double> jacobian, prior_jacobian, ignored;
+      before.data_jacobian(point, jacobian);
+      const Coordinates coordinates(settled.prior, free, point.values);
+      SplinePrior of_scale = settled.prior;
+      of_scale.smoothness.assign(of_scale.lines.size(), 0.0);
+      PriorRows others(free);
+      append_rows(of_scale, scene, 1.0, others);
+      others.evaluate(point.values, ignored, &prior_jacobian);
+      const std::vector<double> probable =
+          most_probable_smoothness(prior,
+                                   products(jacobian, static_cast<std::size_t>(before.data_residuals()),
+                                            1.0 / (inflation * inflation), coordinates),
+                                   products(prior_jacobian, others.count(), 1.0, coordinates), coordinates.at,
+                                   settled.inflation / inflation, &settled.determined);
+      if (scene.fit.profile_smoothness <= 0.0) prior.smoothness = probable;
+    }
+    const bool same = (round > 0 || !any_profiles) &&
+                      change(prior.smoothness, settled.prior.smoothness) < kSettled &&
                       std::abs(std::log(inflation / settled.inflation)) < kSettled;
     if (same) break;
     settled.prior = prior;
     settled.inflation = inflation;
-    const ProfileCost cost(free, terms, log, {{}, {}, prior, inflation});
+    const ProfileCost cost(
+        free, terms, log, {{}, {}, prior, inflation, phase_anchors(terms.front().scene, free, point.values)});
     settled.descent =
-        descend(cost, point.values, kIterations, "polish, profiles " + std::to_string(round + 1), log, trace);
+        descend(cost, point.values, kIterations, "polish, again " + std::to_string(round + 1), log, trace);
   }
   return settled;
 }

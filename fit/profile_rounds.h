@@ -1,12 +1,13 @@
-// Free-form profiles take a few descents: how smooth they are follows from how well they fit, and how well
-// they fit from how smooth they are.
+// Where something is believed beforehand, a fit takes a few descents: how much a prior weighs beside the data
+// follows from how well they are fitted, and how well they are fitted from that; and so with the smoothness
+// of free-form profiles.
 #pragma once
 
 #include "fit/descent.h"
 
 namespace vegard::fit {
 
-struct SettledProfiles {
+struct Settled {
   Descent descent;          ///< the last
   SplinePrior prior;        ///< with the smoothness in force
   double inflation = 1.0;   ///< with which the prior's rows are weighted (see append_rows)
@@ -19,10 +20,11 @@ inline constexpr double kFirstPriorWeight = 10.0;
 /// Smoothness for a first descent: the user's, or one that lets second differences be about 1.
 double first_smoothness(const sim::Scene& scene);
 
-/// Descents from `from`, with smoothness (unless fit.profile_smoothness says) and inflation taken anew before
-/// each, until neither changes by more than a tenth, or five times.
-SettledProfiles settle_profiles(const sim::Scene& scene, const std::vector<FreeNumber>& free,
-                                const std::vector<CostTerm>& terms, const Descent& from, EvaluationLog& log,
-                                std::vector<TraceRow>& trace);
+/// Descents from `from`, with inflation and smoothness (unless fit.profile_smoothness says) taken anew before
+/// each, until neither changes by more than a tenth, or five times. For fits with priors or free-form
+/// profiles.
+Settled settle(const sim::Scene& scene, const std::vector<FreeNumber>& free,
+               const std::vector<CostTerm>& terms, const Descent& from, EvaluationLog& log,
+               std::vector<TraceRow>& trace);
 
 }  // namespace vegard::fit

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "fit/corner_plot.h"
 #include "fit/html_text.h"
+#include "fit/judged_table.h"
 #include "fit/number_text.h"
 #include "fit/report_pictures.h"
 #include "fit/report_plots.h"
@@ -104,19 +106,29 @@ std::string profiles_section(const ShownPhoto& shown, const ReportPictures& pict
       html);
 }
 
+std::string trade_off_list(const FitResult& result) {
+  std::string items;
+  for (const std::string& sentence : result.trade_offs) items += "<li>" + html_text(sentence) + "</li>\n";
+  return items.empty() ? items : "<ul class=\"soft\">\n" + items + "</ul>\n";
+}
+
 std::string fit_section(const FitResult& result) {
   const std::string correlation = correlation_table(result);
   std::string html = statistics_table(result) + "<div class=\"two\">\n";
   if (result.photos.size() > 1) html += "<div><h3>The photographs</h3>\n" + photos_table(result) + "</div>\n";
   if (!correlation.empty())
     html += "<div><h3>Correlation of the parameters</h3>\n" + correlation +
-            "<p class=\"soft\">Near \u00b11 the photograph cannot tell two parameters apart.</p></div>\n";
+            "<p class=\"soft\">Near \u00b11 the photograph cannot tell two parameters apart.</p>\n" +
+            trade_off_list(result) + "</div>\n";
   if (!result.trace.empty())
     html += "<div><h3>&#160;</h3>\n" + trace_svg(result) +
             "<p class=\"soft\">Lines: the best so far. Start and polish (solid) are of the full model; "
             "overall, scan and descent (dashed) go by smoothed profiles with wider errors, so that their "
             "\u03c7\u00b2 cannot be compared with the others\u2019.</p></div>\n";
-  return section("How well it fits", "", html + "</div>\n");
+  html += "</div>\n";
+  const std::string corner = corner_plot_svg(corner_data(result));
+  if (!corner.empty()) html += "<div class=\"plots\">\n" + corner + "</div>\n";
+  return section("How well it fits", "", html);
 }
 
 std::string sky_words(int terms) {
@@ -179,6 +191,13 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
       "\u03c3 is half of the 68\u00a0% interval, carried back from the scale on which the search moves the "
       "parameter; the interval itself may be lopsided.",
       parameter_table_html(result));
+  const std::string judged = judged_table(result);
+  if (!judged.empty())
+    html += section(
+        "Judging the error bars",
+        "The same intervals by means that do not take \u03c7\u00b2 for a parabola. Flagged: more than "
+        "half as wide again as the curvature has it, or narrower than two thirds.",
+        judged);
   if (!result.profiles.empty())
     html += section("Height profiles",
                     "Free of any electrons: for each line a smooth curve that is nowhere negative. Where "

@@ -1,6 +1,7 @@
 #include "fit/result_json.h"
 
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -57,6 +58,88 @@ Json photos_of(const FitResult& result) {
   return json;
 }
 
+Json pair(const std::pair<double, double>& interval) {
+  return Json::array({number(interval.first), number(interval.second)});
+}
+
+Json rows(const std::vector<std::vector<double>>& matrix) {
+  Json json = Json::array();
+  for (const std::vector<double>& row : matrix) {
+    Json cells = Json::array();
+    for (const double value : row) cells.push_back(number(value));
+    json.push_back(std::move(cells));
+  }
+  return json;
+}
+
+/// One entry for each parameter, from vectors in their order.
+Json by_parameter(const FitResult& result, const std::function<void(std::size_t, Json&)>& fill) {
+  Json json = Json::array();
+  for (std::size_t j = 0; j < result.parameters.size(); ++j) {
+    Json entry;
+    entry["path"] = result.parameters[j].path;
+    fill(j, entry);
+    json.push_back(std::move(entry));
+  }
+  return json;
+}
+
+Json profile_intervals(const FitResult& result) {
+  Json json = Json::array();
+  for (const ProfiledInterval& p : result.profile_intervals) {
+    Json entry;
+    entry["path"] = result.parameters[p.parameter].path;
+    entry["interval68"] = Json::array({number(p.lower68), number(p.upper68)});
+    entry["interval95"] = Json::array({number(p.lower95), number(p.upper95)});
+    entry["whole"] = p.whole;
+    entry["found_better"] = p.found_better;
+    entry["rise"] = Json::array();
+    for (const double rise : p.rise) entry["rise"].push_back(number(rise));
+    entry["values"] = rows(p.values);
+    json.push_back(std::move(entry));
+  }
+  return json;
+}
+
+Json bootstrap(const FitResult& result) {
+  const BootstrapErrors& b = *result.bootstrap;
+  Json json;
+  json["bands"] = b.bands;
+  json["replicates"] = b.replicates;
+  json["failed"] = b.failed;
+  json["refitted"] = b.refitted;
+  json["parameters"] = by_parameter(result, [&](std::size_t j, Json& entry) {
+    if (j >= b.sigma.size()) return;
+    entry["sigma"] = number(b.sigma[j]);
+    entry["interval68"] = pair(b.interval68[j]);
+    entry["interval95"] = pair(b.interval95[j]);
+  });
+  json["correlation"] = rows(b.correlation);
+  return json;
+}
+
+/// Without the samples, which would be megabytes.
+Json chain(const FitResult& result) {
+  const ChainErrors& c = *result.chain;
+  Json json;
+  json["walkers"] = c.walkers;
+  json["burn_in"] = c.burn_in;
+  json["steps"] = c.steps;
+  json["acceptance"] = number(c.acceptance);
+  json["long_enough"] = c.long_enough;
+  json["parameters"] = by_parameter(result, [&](std::size_t j, Json& entry) {
+    if (j >= c.sigma.size()) return;
+    entry["median"] = number(c.median[j]);
+    entry["sigma"] = number(c.sigma[j]);
+    entry["interval68"] = pair(c.interval68[j]);
+    entry["interval95"] = pair(c.interval95[j]);
+    entry["autocorrelation_steps"] = number(c.autocorrelation_steps[j]);
+    entry["effective_samples"] = number(c.effective[j]);
+  });
+  json["correlation"] = rows(c.correlation);
+  return json;
+}
+
 }  // namespace
 
 std::string result_json(const FitResult& result) {
@@ -75,12 +158,11 @@ std::string result_json(const FitResult& result) {
   for (const DerivedNumber& d : result.derived)
     json["derived"].push_back(
         {{"name", d.name}, {"value", number(d.value)}, {"sigma", number(d.sigma)}, {"unit", d.unit}});
-  json["correlation"] = Json::array();
-  for (const std::vector<double>& row : result.correlation) {
-    Json cells = Json::array();
-    for (const double value : row) cells.push_back(number(value));
-    json["correlation"].push_back(std::move(cells));
-  }
+  json["correlation"] = rows(result.correlation);
+  if (!result.trade_offs.empty()) json["trade_offs"] = result.trade_offs;
+  if (!result.profile_intervals.empty()) json["profile_intervals"] = profile_intervals(result);
+  if (result.bootstrap) json["bootstrap"] = bootstrap(result);
+  if (result.chain) json["chain"] = chain(result);
   json["chi2"] = number(result.chi2);
   json["chi2_initial"] = number(result.chi2_initial);
   json["dof"] = result.dof;

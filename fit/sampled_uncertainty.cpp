@@ -1,14 +1,34 @@
 #include "fit/sampled_uncertainty.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 
 #include "fit/prior_rows.h"
+#include "fit/turns.h"
 
 namespace vegard::fit {
 namespace {
 
-constexpr int kSamplings = 8;
+constexpr int kSamplings = 12;
+/// Derivatives are smooth down the rows, and their noise is not: a little less information, and much less
+/// noise in it.
+constexpr double kSmoothRows = 2.0;
+
+/// A value that is alike likely between two limits, on its own scale, has a logistic distribution in the
+/// solver's coordinate, of variance pi^2 / 3. An angle is known to a turn beforehand, however many its limits
+/// allow.
+double limit_variance(const FreeNumber& n, double slope) {
+  constexpr double kPi = 3.141592653589793;
+  const double turn = full_turn(n);
+  const double of_turn = turn > 0.0 && slope > 0.0 ? turn * turn / (12.0 * slope * slope)
+                                                   : std::numeric_limits<double>::infinity();
+  const double of_limits = std::isfinite(n.min) && std::isfinite(n.max)
+                               ? kPi * kPi / 3.0
+                               : std::numeric_limits<double>::infinity();
+  return std::min(of_turn, of_limits);
+}
 
 }  // namespace
 
@@ -23,19 +43,28 @@ Uncertainty no_uncertainty(std::size_t coordinates, double inflation) {
 
 Uncertainty sampled_uncertainty(const std::vector<Observation>& observations,
                                 const std::vector<FreeNumber>& free, const std::vector<double>& values,
-                                const SplinePrior& prior, double inflation, int threads) {
+                                const SplinePrior& prior, const std::vector<PhaseAnchor>& anchors,
+                                double inflation, int threads) {
   const std::size_t n = free.size();
-  std::vector<double> slopes;
-  for (std::size_t j = 0; j < n; ++j) slopes.push_back(free[j].slope(free[j].coordinate(values[j])));
+  const ProfileCost::Options anchored = {{}, {}, {}, 1.0, anchors};
+  EvaluationLog closing;
+  const ProfileCost here(free, cost_terms(observations, free, Detail::full), closing, anchored);
+  PriorKnowledge known = no_prior_knowledge(n);
   PriorRows rows(free);
   append_rows(prior, observations.front().scene, 1.0, rows);
-  std::vector<double> ignored, by_value, prior_information(n * n, 0.0);
+  std::vector<double> ignored, by_value;
   rows.evaluate(values, ignored, &by_value);
+  here.by_coordinates(values, by_value);
   for (std::size_t r = 0; r < rows.count(); ++r)
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t k = 0; k < n; ++k)
-        prior_information[j * n + k] += by_value[r * n + j] * slopes[j] * by_value[r * n + k] * slopes[k];
-  EvaluationLog closing;
+        known.information[j * n + k] += by_value[r * n + j] * by_value[r * n + k];
+  for (std::size_t j = 0; j < n; ++j) {
+    known.limit_variance[j] = limit_variance(free[j], free[j].slope(free[j].coordinate(values[j])));
+    known.has_prior[j] = free[j].prior.has_value();
+  }
+  for (const SplineLine& line : prior.lines)
+    for (const int j : line.numbers) known.has_prior[j] = true;
   std::vector<std::vector<double>> jacobians;
   int residuals = 0;
   for (int sampling = 0; sampling < kSamplings; ++sampling) {
@@ -47,16 +76,17 @@ Uncertainty sampled_uncertainty(const std::vector<Observation>& observations,
       terms[o].scene.seed += static_cast<std::uint64_t>(sampling);
       const Comparison& full = *observations[o].full;
       others.push_back(std::make_unique<Comparison>(terms[o].scene, *observations[o].photo, full.data(),
-                                                    full.sigma(), Comparison::Resolution{1.0, 0.0, threads}));
+                                                    full.sigma(),
+                                                    Comparison::Resolution{1.0, kSmoothRows, threads}));
       terms[o].comparison = others.back().get();
     }
-    const ProfileCost cost(free, terms, closing);
+    const ProfileCost cost(free, terms, closing, anchored);
     jacobians.emplace_back();
     cost.data_jacobian(cost.at(values, true), jacobians.back());
     residuals = cost.data_residuals();
-    for (std::size_t k = 0; k < jacobians.back().size(); ++k) jacobians.back()[k] *= slopes[k % n];
+    cost.by_coordinates(values, jacobians.back());
   }
-  return uncertainty(jacobians, residuals, static_cast<int>(n), prior_information, inflation);
+  return uncertainty(jacobians, residuals, static_cast<int>(n), known, inflation);
 }
 
 }  // namespace vegard::fit

@@ -8,9 +8,11 @@
 
 namespace vegard::fit {
 
+/// By the solver's coordinates with these anchors.
 Uncertainty sampled_uncertainty(const std::vector<Observation>& observations,
                                 const std::vector<FreeNumber>& free, const std::vector<double>& values,
-                                const SplinePrior& prior, double inflation, int threads);
+                                const SplinePrior& prior, const std::vector<PhaseAnchor>& anchors,
+                                double inflation, int threads);
 
 /// Of an interrupted fit, which is to end at once: nothing is known.
 Uncertainty no_uncertainty(std::size_t coordinates, double inflation);

@@ -17,7 +17,9 @@ constexpr int kShortDescent = 12;  // iterations
 constexpr int kLongDescent = 60;
 constexpr int kPhases = 12;         // where the sine's amplitude is fixed
 constexpr double kScanRange = 1.1;  // of log(wavelength): a factor 0.58 to 1.73 about the start
-constexpr double kPull = 0.3;       // of the distance: what a start may well be off by
+// Ranges of the overall trials: of logarithms, and degrees.
+constexpr double kDistances = 1.4, kApart = 0.6, kEnergies = 3.0, kBearings = 24.0;
+constexpr double kPull = 0.3;  // of the distance: what a start may well be off by
 constexpr double kNearlyStraight = 0.1;
 constexpr double kDamping = 1e-4;
 constexpr double kPi = 3.141592653589793;
@@ -34,7 +36,7 @@ bool is_periodic(const FreeNumber& n) { return is(n, "wavelength_km") || is(n, "
 
 /// What shapes the profile as a whole, rather than its course along the arc.
 bool is_overall(const FreeNumber& n) {
-  return is(n, "center_km") || is(n, "energy_kev") || is(n, "bearing_deg");
+  return is(n, "center_km") || is(n, "energy_kev") || is(n, "bearing_deg") || is(n, "energy_flux_mw_m2");
 }
 
 /// The coefficients of free-form profiles stay as they are until the polish: they would make up for whatever
@@ -79,7 +81,7 @@ class Search {
         trace_(trace),
         coarse_(free, models.coarse, log),
         full_(free, models.full, log,
-              {{}, {}, spline_prior(scene, free, first_smoothness(scene)), kFirstPriorWeight}),
+              {{}, {}, spline_prior(scene, free, first_smoothness(scene)), kFirstPriorWeight, {}}),
         searched_(indices(free, is_searched)) {}
 
   SearchOutcome run() {
@@ -101,7 +103,13 @@ class Search {
       if (i > 0 && (log_.exhausted() || ends[i].chi2 > 1.5 * ends[0].chi2)) break;
       const std::string stage = "polish " + std::to_string(i + 1);
       tell(stage, 0.8 + 0.1 * static_cast<double>(i));
-      polished.push_back(descend(full_, ends[i].values, kLongDescent, stage, log_, trace_));
+      const ProfileCost cost(free_, models_.full, log_,
+                             {{},
+                              {},
+                              spline_prior(scene_, free_, first_smoothness(scene_)),
+                              kFirstPriorWeight,
+                              anchors(free_, {}, ends[i].values)});
+      polished.push_back(descend(cost, ends[i].values, kLongDescent, stage, log_, trace_));
       note(polished.back().values, polished.back().chi2, true);
     }
     const auto better = [](const Descent& a, const Descent& b) { return a.chi2 < b.chi2; };
@@ -128,6 +136,20 @@ class Search {
     log_.best_is_full = full;
     log_.best_chi2 = chi2;
     log_.best_values = values;
+  }
+
+  /// At some values of all free numbers, for those that are to move (none named: all).
+  std::vector<PhaseAnchor> anchors(const std::vector<FreeNumber>& free, const std::vector<int>& moved,
+                                   const Values& values) const {
+    sim::Scene scene = scene_;
+    models_.full.front().map.put(values, scene);
+    std::vector<FreeNumber> some;
+    Values of_some;
+    for (const int j : moved) {
+      some.push_back(free[j]);
+      of_some.push_back(values[j]);
+    }
+    return moved.empty() ? phase_anchors(scene, free, values) : phase_anchors(scene, some, of_some);
   }
 
   Trial tried(const Values& values) {
@@ -165,6 +187,7 @@ class Search {
       if (!pulled[j].prior) pulled[j].prior = gentle_pull(free_[j]);
       start.push_back(from.values[j]);
     }
+    moving.anchors = anchors(pulled, moving.moved, from.values);
     const ProfileCost cost(pulled, models_.coarse, log_, moving);
     std::vector<TraceRow> rows;
     const Descent end = descend(cost, start, kShortDescent, stage, log_, rows);
@@ -184,15 +207,20 @@ class Search {
     for (std::size_t j : indices(free_, is_thickness))
       straight[j] = inside(free_[j], kNearlyStraight * straight[j]);
     std::vector<Trial> trials = {tried(straight)};
-    // One draw moves both components of a centre: outwards or inwards along its own direction.
-    for (int i = 0; i < scene_.fit.overall_trials && !log_.exhausted(); ++i) {
-      const std::vector<double> u = even_point(i, 3, scene_.seed);
+    const int sheets = static_cast<int>(scene_.sheets.size());
+    for (int i = 0; i < sheets * scene_.fit.overall_trials && !log_.exhausted(); ++i) {
+      // All sheets together go out or in and turn; then each has a distance and an energy of its own. One
+      // draw moves both components of a centre: along its own direction.
+      const std::vector<double> u = even_point(i, 1 + 2 * sheets, scene_.seed);
       Values values = straight;
       for (std::size_t j : which) {
         const FreeNumber& n = free_[j];
-        if (is(n, "center_km")) values[j] *= std::exp((u[0] - 0.5) * 1.4);
-        if (is(n, "energy_kev")) values[j] *= std::exp((u[1] - 0.5) * 3.0);
-        if (is(n, "bearing_deg")) values[j] += (u[2] - 0.5) * 24.0;
+        const int s = std::max(0, n.path.sheet);
+        const double distance =
+            std::exp((u[1] - 0.5) * kDistances) * (s > 0 ? std::exp((u[1 + 2 * s] - 0.5) * kApart) : 1.0);
+        if (is(n, "center_km")) values[j] *= distance;
+        if (is(n, "energy_kev")) values[j] *= std::exp((u[2 + 2 * s] - 0.5) * kEnergies);
+        if (is(n, "bearing_deg")) values[j] += (u[0] - 0.5) * kBearings;
         values[j] = inside(n, values[j]);
       }
       trials.push_back(tried(values));
@@ -222,6 +250,14 @@ class Search {
     return sine;
   }
 
+  /// The wavelength at a share of the scan. Between limits that the user has set, even steps of the wave
+  /// number, by which the phase at the ends of what is in view goes; else a range about the start.
+  static double scanned_wavelength(const FreeNumber& n, double start_km, double share) {
+    if (n.min > n.path.row->min && n.max < n.path.row->max)
+      return 1.0 / (1.0 / n.max + share * (1.0 / n.min - 1.0 / n.max));
+    return start_km * std::exp(kScanRange * (share - 0.5));
+  }
+
   /// Trials of wavelength and phase, sheet by sheet, from a sheet that is all but straight. The wavelengths'
   /// steps are as fine as the phase at the far end of the arc asks for; the seed shifts their origin.
   std::vector<Trial> scan(const Trial& from) {
@@ -235,11 +271,10 @@ class Search {
       for (int w = 0; w < wavelengths && !log_.exhausted(); ++w) {
         tell("scan", 0.1 + 0.3 * w / wavelengths);
         Values values = base.values;
-        if (sine.wavelength >= 0) {
-          const double u = (w + shift[0]) / wavelengths - 0.5;
-          values[sine.wavelength] =
-              inside(free_[sine.wavelength], values[sine.wavelength] * std::exp(kScanRange * u));
-        }
+        if (sine.wavelength >= 0)
+          values[sine.wavelength] = inside(free_[sine.wavelength],
+                                           scanned_wavelength(free_[sine.wavelength], values[sine.wavelength],
+                                                              (w + shift[0]) / wavelengths));
         if (sine.phase >= 0 && sine.thickness >= 0)
           trials.push_back(straightest_sine(values, sine));
         else

@@ -9,8 +9,10 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kRankTolerance = 1e-12;
-constexpr double kStandardErrors = 3.0;
-constexpr double kLeans = 0.1;  // component of an undetermined direction that spoils a coordinate
+constexpr double kStandardErrors = 2.0;
+constexpr double kLeans = 0.1;      // of the largest part of an undetermined direction: what belongs to it
+constexpr double kLeftOpen = 0.25;  // of the variance inside the limits
+constexpr double kAsGoodAsNoLimit = 1e5;  // standard deviations
 
 /// Mean product of pairs of residuals over the mean square.
 class Correlation {
@@ -88,8 +90,14 @@ double error_inflation(const Profile& data, const std::vector<std::size_t>& used
   return std::sqrt(std::max(1.0, chi2 / std::max(1, dof)) * together);
 }
 
+PriorKnowledge no_prior_knowledge(std::size_t coordinates) {
+  return {std::vector<double>(coordinates * coordinates, 0.0),
+          std::vector<double>(coordinates, std::numeric_limits<double>::infinity()),
+          std::vector<bool>(coordinates, false)};
+}
+
 Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int residuals, int coordinates,
-                        const std::vector<double>& prior_information, double inflation) {
+                        const PriorKnowledge& prior, double inflation) {
   const auto samplings = static_cast<double>(jacobians.size());
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(residuals, coordinates);
   Eigen::MatrixXd own = Eigen::MatrixXd::Zero(coordinates, coordinates);
@@ -101,58 +109,64 @@ Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int r
   // (Σ J)ᵀ(Σ J) − Σ JᵀJ holds the products of different samplings only. One sampling alone has to do with its
   // own.
   const Eigen::MatrixXd all = sum.transpose() * sum;
-  Eigen::MatrixXd information =
-      samplings > 1 ? Eigen::MatrixXd((all - own) / (samplings * (samplings - 1.0))) : own;
   const double believed = 1.0 / (inflation * inflation);
-  information *= believed;
-  information += Eigen::Map<const RowMajor>(prior_information.data(), coordinates, coordinates);
+  const Eigen::MatrixXd of_data =
+      believed * (samplings > 1 ? Eigen::MatrixXd((all - own) / (samplings * (samplings - 1.0))) : own);
+  const Eigen::MatrixXd of_priors =
+      Eigen::Map<const RowMajor>(prior.information.data(), coordinates, coordinates);
 
   // Scaled to a unit diagonal, so that units do not matter.
-  Eigen::VectorXd length = information.diagonal().cwiseMax(0.0).cwiseSqrt();
+  Eigen::VectorXd length = (of_data + of_priors).diagonal().cwiseMax(0.0).cwiseSqrt();
   for (int i = 0; i < coordinates; ++i)
     if (!(length(i) > 0.0)) length(i) = 1.0;
   const Eigen::MatrixXd scale = length.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale * information * scale);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale * of_data * scale);
   const Eigen::VectorXd& value = eigen.eigenvalues();
   const Eigen::MatrixXd& v = eigen.eigenvectors();
   const double largest = coordinates > 0 ? value(coordinates - 1) : 0.0;
-
-  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(coordinates, coordinates);
-  std::vector<bool> undetermined(coordinates, false);
-  std::vector<std::vector<double>> directions;
   const std::vector<double> errors = standard_errors(jacobians, residuals, coordinates, scale * v);
-  for (int k = 0; k < coordinates; ++k) {
-    const double doubt = believed * errors[k];
-    if (value(k) > std::max(kRankTolerance * largest, kStandardErrors * doubt)) {
-      covariance += v.col(k) * v.col(k).transpose() / value(k);
-    } else {
-      Eigen::VectorXd direction = v.col(k).cwiseQuotient(length);
-      for (int i = 0; i < coordinates; ++i) {
-        if (v(i, k) * v(i, k) > kLeans * kLeans)
-          undetermined[i] = true;
-        else
-          direction(i) = 0.0;
-      }
-      direction /= direction.cwiseAbs().maxCoeff();
-      directions.emplace_back(direction.data(), direction.data() + coordinates);
-    }
+  Eigen::MatrixXd information = scale * of_priors * scale;
+  for (int k = 0; k < coordinates; ++k)
+    if (value(k) > std::max(kRankTolerance * largest, kStandardErrors * believed * errors[k]))
+      information += value(k) * v.col(k) * v.col(k).transpose();
+  Eigen::VectorXd limit(coordinates);  // standard deviations, scaled
+  for (int i = 0; i < coordinates; ++i) {
+    limit(i) = std::min(kAsGoodAsNoLimit, std::sqrt(prior.limit_variance[i]) * length(i));
+    information(i, i) += 1.0 / (limit(i) * limit(i));
   }
+  const Eigen::MatrixXd covariance =
+      information.ldlt().solve(Eigen::MatrixXd::Identity(coordinates, coordinates));
+
   Uncertainty result;
   result.inflation = inflation;
-  result.undetermined = directions;
+  const Eigen::MatrixXd shrink = limit.cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> left(shrink * covariance * shrink);
+  for (int k = 0; k < coordinates; ++k) {
+    if (left.eigenvalues()(k) < kLeftOpen) continue;
+    const Eigen::VectorXd leaning = limit.cwiseProduct(left.eigenvectors().col(k));
+    Eigen::VectorXd direction = leaning.cwiseQuotient(length);
+    const double most = leaning.cwiseAbs().maxCoeff();
+    for (int i = 0; i < coordinates; ++i)
+      if (std::abs(leaning(i)) < kLeans * most) direction(i) = 0.0;
+    direction /= direction.cwiseAbs().maxCoeff();
+    result.undetermined.emplace_back(direction.data(), direction.data() + coordinates);
+  }
   result.covariance.assign(coordinates, std::vector<double>(coordinates));
   for (int i = 0; i < coordinates; ++i)
     for (int k = 0; k < coordinates; ++k)
       result.covariance[i][k] = covariance(i, k) / (length(i) * length(k));
   result.sigma.resize(coordinates);
   result.correlation.assign(coordinates, std::vector<double>(coordinates, 0.0));
+  const auto known = [&](int i) {
+    return std::isfinite(covariance(i, i)) &&
+           (prior.has_prior[i] || covariance(i, i) < kLeftOpen * limit(i) * limit(i));
+  };
   for (int i = 0; i < coordinates; ++i) {
-    const bool known = !undetermined[i] && information(i, i) > 0.0 && std::isfinite(covariance(i, i));
     result.sigma[i] =
-        known ? std::sqrt(covariance(i, i)) / length(i) : std::numeric_limits<double>::quiet_NaN();
+        known(i) ? std::sqrt(covariance(i, i)) / length(i) : std::numeric_limits<double>::quiet_NaN();
     for (int k = 0; k < coordinates; ++k) {
       const double both = std::sqrt(covariance(i, i) * covariance(k, k));
-      if (known && !undetermined[k] && both > 0.0) result.correlation[i][k] = covariance(i, k) / both;
+      if (known(i) && known(k) && both > 0.0) result.correlation[i][k] = covariance(i, k) / both;
     }
   }
   return result;

@@ -27,6 +27,8 @@ enum class Stream : std::uint32_t {
   stars = 16,         ///< where stars stand, and their colours
   photon_noise = 24,  ///< a pixel's electrons
   read_noise = 25,    ///< and what reading them adds
+  ensemble = 32,      ///< the walkers of a fit's sampler
+  bootstrap = 33,     ///< which bands a fit's bootstrap draws
 };
 
 using Words = std::array<std::uint32_t, 4>;

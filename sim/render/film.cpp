@@ -53,7 +53,8 @@ struct Exposer::Workspace {
   int threads = 1;
   BeamLayout layout;
   std::vector<LargeZeros<std::int64_t>> slot_films;
-  std::vector<PackedChunk> slot_chunks;  // kept: their memory is large enough to cost something
+  std::vector<PackedChunk> slot_chunks;                // kept: their memory is large enough to cost something
+  std::vector<std::unique_ptr<TangentFilm>> tangents;  // of the shares of the beams, likewise
 
   /// One per sheet.
   std::vector<KernelScene> kernels(const Scene& scene, const std::vector<HeightProfile>& profiles) const {
@@ -116,7 +117,7 @@ struct Exposer::Workspace {
 };
 
 Exposer::Exposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond)
-    : work_(new Workspace{film, thread_count(threads), BeamLayout(scene, beyond), {}, {}}) {}
+    : work_(new Workspace{film, thread_count(threads), BeamLayout(scene, beyond), {}, {}, {}}) {}
 
 Exposer::~Exposer() = default;
 
@@ -153,10 +154,14 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<cons
     for (const Sheet& sheet : scene.sheets) of_energy.push_back(seeds.parameter_at(&sheet.energy_kev));
 
     w.clear_slots(stride);
-    std::vector<std::unique_ptr<TangentFilm>> tangents(shards);
+    std::vector<std::unique_ptr<TangentFilm>>& tangents = w.tangents;
+    tangents.resize(shards);
     std::atomic<std::uint64_t> points{0};
     parallel_for(shards, w.threads, [&](std::size_t shard, int slot) {
-      tangents[shard] = std::make_unique<TangentFilm>(w.film.columns, w.film.rows, lines);
+      if (tangents[shard] && tangents[shard]->lines() == lines)
+        tangents[shard]->clear();
+      else
+        tangents[shard] = std::make_unique<TangentFilm>(w.film.columns, w.film.rows, lines);
       PackedChunk& packed = w.slot_chunks[slot];
       for (std::size_t c = w.layout.chunks().size() * shard / shards;
            c < w.layout.chunks().size() * (shard + 1) / shards; ++c) {
@@ -164,10 +169,8 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<cons
         const Sheet& sheet = scene.sheets[chunk.sheet];
         SharedChain shared;
         const std::vector<const double*> at = local_input_addresses(scene, sheet);
-        for (int k = 0; k < local_inputs; ++k) {
+        for (int k = 0; k < local_inputs; ++k)
           shared.parameter_of_local[k] = at[k] != nullptr ? seeds.parameter_at(at[k]) : -1;
-          if (shared.parameter_of_local[k] >= 0) shared.only_beam_inputs = false;
-        }
         shared.parameter_of_energy = of_energy.data();
         w.layout.pack(scene, chunk, kernels[chunk.sheet], seeds, packed);
         // The kernel's energy tangents are by log(E0).

@@ -83,12 +83,20 @@ struct BlockPlaces {
   }
 };
 
+/// A thread's block. A function of its own, so that there is one of a kind: what is thread_local is taken out
+/// of every thread's stack, used or not, and too much of it leaves none.
+template <int kLocals>
+SampleBlock<float, kLocals>& block_of_thread() {
+  static thread_local SampleBlock<float, kLocals> block;
+  return block;
+}
+
 /// Gives every block with something to see to `take`.
 template <bool kSee = true, class Take>
 HWY_INLINE std::uint64_t fall_values(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                                      const Take& take) {
   SampleMaker<Pack, Pack, Pack, Pack, 0> maker(scene);
-  static thread_local SampleBlock<float, 0> block;
+  SampleBlock<float, 0>& block = block_of_thread<0>();
   std::uint64_t points = 0;
   for (std::size_t g = 0; g < count; ++g) {
     const float* profile = scene.profiles[groups[g].sheet].rate.data();
@@ -176,8 +184,8 @@ void ListPoints(const KernelScene& scene, const BeamGroup* groups, std::size_t c
 template <int kLocals>
 class Expansion {
  public:
-  Expansion(const SharedChain& shared) {
-    for (int k = beam_inputs; k < kLocals; ++k) rows_[k] = one_hot(shared.parameter_of_local[k]);
+  Expansion(const SharedChain& shared, const int* inputs) {
+    for (int k = beam_inputs; k < kLocals; ++k) rows_[k] = one_hot(shared.parameter_of_local[inputs[k]]);
   }
   static HWY_INLINE Wide one_hot(int parameter) {
     HWY_ALIGN float row[kTangentWidth] = {};
@@ -198,13 +206,31 @@ class Expansion {
   Wide rows_[kLocals];
 };
 
+/// The local inputs that the kernel is to carry: the beams' own, then those of the shared ones that are free,
+/// then others, so that any number of the first will do.
+class CarriedInputs {
+ public:
+  explicit CarriedInputs(const SharedChain& shared) {
+    for (int k = 0; k < local_inputs; ++k)
+      if (k < beam_inputs || shared.parameter_of_local[k] >= 0) inputs_[needed_++] = k;
+    int count = needed_;
+    for (int k = beam_inputs; k < local_inputs; ++k)
+      if (shared.parameter_of_local[k] < 0) inputs_[count++] = k;
+  }
+  const int* inputs() const { return inputs_; }
+  int needed() const { return needed_; }
+
+ private:
+  int inputs_[local_inputs], needed_ = 0;
+};
+
 template <class P, class C, class F, int kLocals, int kLines>
-std::uint64_t fall_tangents(const KernelScene& scene, const SharedChain& shared, const BeamGroup* groups,
-                            const GroupChain* chains, std::size_t count, std::int64_t* film,
-                            TangentFilm& tangents) {
-  SampleMaker<Pack, P, C, F, kLocals> maker(scene);
-  static thread_local SampleBlock<float, kLocals> block;
-  Expansion<kLocals> expand(shared);
+std::uint64_t fall_tangents(const KernelScene& scene, const SharedChain& shared, const CarriedInputs& carried,
+                            const BeamGroup* groups, const GroupChain* chains, std::size_t count,
+                            std::int64_t* film, TangentFilm& tangents) {
+  SampleMaker<Pack, P, C, F, kLocals> maker(scene, carried.inputs());
+  SampleBlock<float, kLocals>& block = block_of_thread<kLocals>();
+  Expansion<kLocals> expand(shared, carried.inputs());
   std::uint64_t points = 0;
   constexpr int kStride = kLines <= 4 ? 4 : 8;  // as in the profiles
   const auto cell_at = [&](int column, int row) {
@@ -259,15 +285,20 @@ std::uint64_t fall_tangents_of_lines(const KernelScene& scene, const SharedChain
     if (tangents.lines() < kLines)
       return fall_tangents_of_lines<kLines - 1>(scene, shared, groups, chains, count, film, tangents);
   }
+  const CarriedInputs carried(shared);
   const auto fall = [&](auto position, auto common, auto axes, auto locals) {
     return fall_tangents<decltype(position), decltype(common), decltype(axes), locals.value, kLines>(
-        scene, shared, groups, chains, count, film, tangents);
+        scene, shared, carried, groups, chains, count, film, tangents);
+  };
+  const auto fall_with = [&](auto locals) {
+    using All = LaneDual<Pack, locals.value>;
+    return fall(All(), All(), All(), locals);
   };
   using Beams = LaneDual<Pack, beam_inputs>;
-  using All = LaneDual<Pack, local_inputs>;
   constexpr std::integral_constant<int, beam_inputs> of_beams{};
-  constexpr std::integral_constant<int, local_inputs> of_all{};
-  if (!shared.only_beam_inputs) return fall(All(), All(), All(), of_all);
+  if (carried.needed() > 6) return fall_with(std::integral_constant<int, local_inputs>());
+  if (carried.needed() > 4) return fall_with(std::integral_constant<int, 6>());
+  if (carried.needed() > beam_inputs) return fall_with(std::integral_constant<int, 4>());
   if (scene.beams_own_field) return fall(Beams(), Pack(), Beams(), of_beams);
   return fall(Beams(), Pack(), Pack(), of_beams);
 }

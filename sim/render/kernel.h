@@ -94,7 +94,6 @@ struct KernelScene {
 struct SharedChain {
   int parameter_of_local[local_inputs];      ///< index of the free parameter, -1 if it is not free
   const int* parameter_of_energy = nullptr;  ///< per sheet, -1 if not free
-  bool only_beam_inputs = true;              ///< no shared input is free: the cheaper kernel will do
 };
 
 /// Lets the groups fall on `film`, [row][column][stride] integers, stride as in the profiles. Returns the

@@ -35,27 +35,29 @@ struct SampleBlock {
   int first_step, end_step;                      ///< there is nothing to see outside these
 };
 
-// Numbers with kLocals derivatives, in and out of arrays.
+// Numbers with kLocals derivatives, in and out of arrays. `inputs` are the local inputs that they are by.
+inline constexpr int kFirstInputs[local_inputs] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+
 template <class L, int kLocals>
 using LaneDual = Dual<L, Tangents<L, kLocals>>;
 
 template <class L>
-HWY_INLINE void fetch(const GroupNumber& from, int first, L& to) {
+HWY_INLINE void fetch(const GroupNumber& from, int first, L& to, const int* = nullptr) {
   to = LaneTraits<L>::load(from.value + first);
 }
 template <class L, int kLocals>
-HWY_INLINE void fetch(const GroupNumber& from, int first, LaneDual<L, kLocals>& to) {
+HWY_INLINE void fetch(const GroupNumber& from, int first, LaneDual<L, kLocals>& to, const int* inputs) {
   to.v = LaneTraits<L>::load(from.value + first);
-  for (int k = 0; k < kLocals; ++k) to.d.t[k] = LaneTraits<L>::load(from.tangent[k] + first);
+  for (int k = 0; k < kLocals; ++k) to.d.t[k] = LaneTraits<L>::load(from.tangent[inputs[k]] + first);
 }
 template <class L>
-HWY_INLINE void spread(const LocalDual& from, L& to) {
+HWY_INLINE void spread(const LocalDual& from, L& to, const int* = nullptr) {
   to = L(from.v);
 }
 template <class L, int kLocals>
-HWY_INLINE void spread(const LocalDual& from, LaneDual<L, kLocals>& to) {
+HWY_INLINE void spread(const LocalDual& from, LaneDual<L, kLocals>& to, const int* inputs) {
   to.v = L(from.v);
-  for (int k = 0; k < kLocals; ++k) to.d.t[k] = L(from.d.t[k]);
+  for (int k = 0; k < kLocals; ++k) to.d.t[k] = L(from.d.t[inputs[k]]);
 }
 template <class L, class S>
 HWY_INLINE void keep(const L& from, S (*to)[kGroup], int first) {
@@ -94,29 +96,32 @@ class SampleMaker {
   using Traits = LaneTraits<L>;
   using Block = SampleBlock<typename Traits::Scalar, kLocals>;
 
-  explicit SampleMaker(const KernelScene& scene) : scene_(scene) {
+  /// `inputs`: the kLocals local inputs that the derivatives are by, the beams' own first.
+  explicit SampleMaker(const KernelScene& scene, const int* inputs = kFirstInputs)
+      : scene_(scene), inputs_(inputs) {
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) spread(scene.view.camera_from_enu[i][j], camera_from_enu_[i][j]);
+      for (int j = 0; j < 3; ++j) spread(scene.view.camera_from_enu[i][j], camera_from_enu_[i][j], inputs_);
     if (!scene.beams_own_field) {
       for (int i = 0; i < 3; ++i) {
-        spread(scene.fall.along[i], axes_[0].in_enu[0][i]);
-        spread(scene.fall.across1[i], axes_[0].in_enu[1][i]);
-        spread(scene.fall.across2[i], axes_[0].in_enu[2][i]);
+        spread(scene.fall.along[i], axes_[0].in_enu[0][i], inputs_);
+        spread(scene.fall.across1[i], axes_[0].in_enu[1][i], inputs_);
+        spread(scene.fall.across2[i], axes_[0].in_enu[2][i], inputs_);
       }
       turn_to_camera(axes_[0]);
       std::fill(axes_ + 1, axes_ + kGroup, axes_[0]);
     }
-    spread(scene.deflection.loss_cone_rad, deflection_.loss_cone_rad);
-    spread(scene.deflection.pitch_step_rad, deflection_.pitch_step_rad);
+    spread(scene.deflection.loss_cone_rad, deflection_.loss_cone_rad, inputs_);
+    spread(scene.deflection.pitch_step_rad, deflection_.pitch_step_rad, inputs_);
     deflection_.law = scene.deflection.law;
     deflection_.path_step = scene.deflection.path_step;
     const FilmGeometry& g = scene.film;
     const LocalDual& focal_px = scene.view.focal_px;
-    spread(focal_px * (1.0 / g.cell_width_px), film_.column_scale);
-    spread(focal_px * (1.0 / g.cell_height_px), film_.row_scale);
-    spread(LocalDual((scene.center_x_px - g.x0_px) / g.cell_width_px - 0.5), film_.column_offset);
-    spread(LocalDual((scene.center_y_px - g.y0_px) / g.cell_height_px - 0.5), film_.row_offset);
-    spread(focal_px * focal_px * (1.0 / (g.cell_width_px * g.cell_height_px)), film_.cells_per_steradian);
+    spread(focal_px * (1.0 / g.cell_width_px), film_.column_scale, inputs_);
+    spread(focal_px * (1.0 / g.cell_height_px), film_.row_scale, inputs_);
+    spread(LocalDual((scene.center_x_px - g.x0_px) / g.cell_width_px - 0.5), film_.column_offset, inputs_);
+    spread(LocalDual((scene.center_y_px - g.y0_px) / g.cell_height_px - 0.5), film_.row_offset, inputs_);
+    spread(focal_px * focal_px * (1.0 / (g.cell_width_px * g.cell_height_px)), film_.cells_per_steradian,
+           inputs_);
     philox_keys(scene.seed, keys_);
     const double focal = scene.view.focal_px.v;
     left_ = (g.x0_px - g.cell_width_px - scene.center_x_px) / focal;
@@ -133,9 +138,9 @@ class SampleMaker {
     peak_ = L((group.peak_km - HeightProfile::kBottomKm) / HeightProfile::kStepKm);
     for (int first = 0, part = 0; first < kGroup; first += Traits::lanes(), ++part) {
       P start[3], length, vertical;
-      for (int i = 0; i < 3; ++i) fetch(group.start_in_enu_km[i], first, start[i]);
-      fetch(group.length_km, first, length);
-      fetch(group.vertical, first, vertical);
+      for (int i = 0; i < 3; ++i) fetch(group.start_in_enu_km[i], first, start[i], inputs_);
+      fetch(group.length_km, first, length, inputs_);
+      fetch(group.vertical, first, vertical, inputs_);
       if (scene_.beams_own_field) set_axes(*group.axes, first, axes_[part]);
       for (int i = 0; i < 3; ++i)
         start_in_camera_km_[part][i] = start[0] * camera_from_enu_[i][0] + start[1] * camera_from_enu_[i][1] +
@@ -200,7 +205,7 @@ class SampleMaker {
     for (int a = 0; a < 3; ++a)
       for (int i = 0; i < 3; ++i) {
         P number;
-        fetch(own_axes.axis[a][i], first, number);
+        fetch(own_axes.axis[a][i], first, number, inputs_);
         axes.in_enu[a][i] = own(number);
       }
     turn_to_camera(axes);
@@ -280,6 +285,7 @@ class SampleMaker {
   }
 
   const KernelScene& scene_;
+  const int* inputs_;
   PhiloxKeys keys_;
   Deflection<C> deflection_;
   BeamAxes<F> axes_[kGroup];

@@ -116,20 +116,25 @@ BlurKernel gaussian_kernel_derivative(double sigma, int radius) {
   return kernel;
 }
 
+void blur_down_row(const float* in, float* out, int rows, int columns, int channels, const BlurKernel& kernel,
+                   int row) {
+  const std::ptrdiff_t pitch = static_cast<std::ptrdiff_t>(columns) * channels;
+  const int radius = kernel.radius();
+  std::vector<const float*> before(radius + 1, nullptr), after(radius + 1, nullptr);
+  for (int k = 1; k <= radius; ++k) {
+    if (row - k >= 0) before[k] = in + (row - k) * pitch;
+    if (row + k < rows) after[k] = in + (row + k) * pitch;
+  }
+  HWY_DYNAMIC_DISPATCH(WeightedSum)
+  (in + row * pitch, before.data(), after.data(), kernel.weights.data(), radius, out,
+   static_cast<std::size_t>(pitch));
+}
+
 void blur_down(const float* in, float* out, int rows, int columns, int channels, const BlurKernel& kernel,
                int threads) {
   const std::ptrdiff_t pitch = static_cast<std::ptrdiff_t>(columns) * channels;
-  const int radius = kernel.radius();
-  for_rows(rows, threads, [&](int row) {
-    std::vector<const float*> before(radius + 1, nullptr), after(radius + 1, nullptr);
-    for (int k = 1; k <= radius; ++k) {
-      if (row - k >= 0) before[k] = in + (row - k) * pitch;
-      if (row + k < rows) after[k] = in + (row + k) * pitch;
-    }
-    HWY_DYNAMIC_DISPATCH(WeightedSum)
-    (in + row * pitch, before.data(), after.data(), kernel.weights.data(), radius, out + row * pitch,
-     static_cast<std::size_t>(pitch));
-  });
+  for_rows(rows, threads,
+           [&](int row) { blur_down_row(in, out + row * pitch, rows, columns, channels, kernel, row); });
 }
 
 void blur_across(const float* in, float* out, int rows, int columns, int channels, const BlurKernel& kernel,

@@ -31,6 +31,10 @@ void blur_down(const float* in, float* out, int rows, int columns, int channels,
 void blur_across(const float* in, float* out, int rows, int columns, int channels, const BlurKernel& kernel,
                  int threads);
 
+/// One row of what blur_down() gives, [columns][channels].
+void blur_down_row(const float* in, float* out, int rows, int columns, int channels, const BlurKernel& kernel,
+                   int row);
+
 /// The part of a plane that is wanted.
 struct Window {
   int first_row = 0, first_column = 0, rows = 0, columns = 0;

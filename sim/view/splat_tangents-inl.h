@@ -57,25 +57,25 @@ struct Wide {
 
 using WideDual = Dual<float, Wide>;
 
-/// Adds the tangents of weight * light[line] for every line of one cell.
-template <int kLines>
-HWY_INLINE void add_tangents(const WideDual& weight, const WideDual* light, float* cell) {
-  for (int l = 0; l < kLines; ++l) (weight.d * light[l].v + light[l].d * weight.v).add_to(cell + 16 * l);
-}
-
 /// Spreads the tangents of a sample's light over four cells, bilinear as in splat(). `cell_at(column, row)`
 /// gives a cell's tangents, [line][16], 64-byte aligned; those of the cell below stand `row_pitch` floats on.
 template <int kLines, class CellAt>
 HWY_INLINE void splat_tangents(const WideDual& column, const WideDual& row, const WideDual* light,
                                std::ptrdiff_t row_pitch, const CellAt& cell_at) {
   const int c = static_cast<int>(column.v), r = static_cast<int>(row.v);
-  const WideDual right = column - static_cast<float>(c), lower = row - static_cast<float>(r);
-  const WideDual left = 1.0f - right, upper = 1.0f - lower;
+  const float right = column.v - static_cast<float>(c), lower = row.v - static_cast<float>(r);
   float *const here = cell_at(c, r), *const beside = cell_at(c + 1, r);
-  add_tangents<kLines>(left * upper, light, here);
-  add_tangents<kLines>(right * upper, light, beside);
-  add_tangents<kLines>(left * lower, light, here + row_pitch);
-  add_tangents<kLines>(right * lower, light, beside + row_pitch);
+  for (int l = 0; l < kLines; ++l) {
+    // What one column or row gets, the other lacks.
+    const float light_right = light[l].v * right, light_left = light[l].v - light_right;
+    const Wide in_right = light[l].d * right + column.d * light[l].v, in_left = light[l].d - in_right;
+    const Wide low_right = in_right * lower + row.d * light_right,
+               low_left = in_left * lower + row.d * light_left;
+    (in_left - low_left).add_to(here + 16 * l);
+    (in_right - low_right).add_to(beside + 16 * l);
+    low_left.add_to(here + row_pitch + 16 * l);
+    low_right.add_to(beside + row_pitch + 16 * l);
+  }
 }
 
 }  // namespace HWY_NAMESPACE

@@ -1,6 +1,7 @@
 // The film of derivatives.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -20,18 +21,22 @@ class TangentFilm {
 
   /// [(row * kTileColumns + column in tile) * lines + line][kTangentWidth], made (zeroed) if need be.
   float* tile(int index) {
-    if (!tiles_[index]) make_tile(index);
-    return tiles_[index].get();
+    if (lit_[index] == nullptr) light(index);
+    return lit_[index];
   }
-  const float* tile_if_any(int index) const { return tiles_[index].get(); }
+  const float* tile_if_any(int index) const { return lit_[index]; }
+
+  /// As new; the memory is kept.
+  void clear() { std::fill(lit_.begin(), lit_.end(), nullptr); }
 
  private:
   struct Free {
     void operator()(float* p) const;
   };
-  void make_tile(int index);
+  void light(int index);
   int columns_, rows_, lines_;
-  std::vector<std::unique_ptr<float[], Free>> tiles_;
+  std::vector<std::unique_ptr<float[], Free>> tiles_;  // all that ever were
+  std::vector<float*> lit_;                            // those in use; else null
 };
 
 }  // namespace vegard::sim

@@ -115,6 +115,52 @@ TEST(ReportHtml, StandsWithoutAnAnswer) {
   EXPECT_FALSE(page.has(">inf"));
 }
 
+/// Both parameters have error bars, by all judges: the bootstrap's of the energy is three times as wide.
+FitResult judged_result() {
+  FitResult result = small_result();
+  result.parameters[1].sigma = 0.02;
+  result.parameters[1].interval68 = {0.31, 0.35};
+  result.correlation = {{1.0, -0.95}, {-0.95, 1.0}};
+  result.trade_offs = {"energy & phase are correlated"};
+  ProfiledInterval p;
+  p.parameter = 1;
+  p.lower68 = 0.312;
+  p.lower95 = 0.29;
+  result.profile_intervals = {p};
+  BootstrapErrors b;
+  b.bands = 24;
+  b.replicates = 1000;
+  b.sigma = {0.37, 0.02};
+  b.interval68 = b.interval95 = {{3.96, 4.71}, {0.31, 0.35}};
+  result.bootstrap = b;
+  ChainErrors c;
+  c.walkers = 8;
+  c.steps = 500;
+  c.acceptance = 0.31;
+  c.median = {4.33, 0.33};
+  c.sigma = {0.13, 0.02};
+  c.interval68 = c.interval95 = {{4.2, 4.47}, {0.31, 0.35}};
+  c.effective = {400.0, 123.0};
+  c.autocorrelation_steps = {10.0, 32.5};
+  c.samples = {4.3, 0.33, 4.4, 0.32, 4.2, 0.35};
+  result.chain = c;
+  return result;
+}
+
+TEST(ReportHtml, ShowsTheJudgesOfTheErrorBars) {
+  const Page page(judged_result());
+  EXPECT_EQ(unbalanced_tag(page.html), "");
+  EXPECT_TRUE(page.has("<h2>Judging the error bars</h2>"));
+  EXPECT_TRUE(page.has("3.96 to 4.71 <span class=\"flag\">\u00d7&#160;3</span>"));
+  EXPECT_TRUE(page.has("above 0.312"));
+  EXPECT_TRUE(page.has("1000 draws of 24 bands"));
+  EXPECT_TRUE(page.has("worth 123 independent samples"));
+  EXPECT_TRUE(page.has("too short"));
+  EXPECT_TRUE(page.has("energy &amp; phase are correlated"));
+  EXPECT_TRUE(page.has("Every parameter against every other"));
+  EXPECT_FALSE(Page(small_result()).has("Judging the error bars"));
+}
+
 TEST(ReportHtml, IsTheSameEveryTime) { EXPECT_EQ(Page(small_result()).html, Page(small_result()).html); }
 
 // RFC 4648, section 10.

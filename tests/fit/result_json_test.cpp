@@ -85,6 +85,39 @@ TEST(ResultJson, OfSeveralPhotographsHoldsWhatEachHas) {
   EXPECT_FALSE(json["parameters"][0].contains("photo"));
 }
 
+TEST(ResultJson, HoldsTheJudgesWhereTheyWereAsked) {
+  FitResult result = tests::small_fit(tests::small_photo());
+  Json json = Json::parse(result_json(result));
+  for (const char* key : {"trade_offs", "profile_intervals", "bootstrap", "chain"})
+    EXPECT_FALSE(json.contains(key)) << key;
+  ProfiledInterval p;
+  p.parameter = 1;
+  p.upper68 = 0.4;
+  p.rise = {0.0, 1.2};
+  p.values = {{4.3, 0.3}, {4.4, 0.41}};
+  result.profile_intervals = {p};
+  result.bootstrap.emplace();
+  result.bootstrap->bands = 24;
+  result.bootstrap->sigma = {0.1, 0.2};
+  result.bootstrap->interval68 = result.bootstrap->interval95 = {{4.2, 4.4}, {0.1, 0.5}};
+  result.chain.emplace();
+  ChainErrors& c = *result.chain;
+  c.median = c.sigma = c.autocorrelation_steps = c.effective = {1.0, 2.0};
+  c.interval68 = c.interval95 = {{4.2, 4.4}, {0.1, std::nan("")}};
+  c.samples = {1.0, 2.0};
+  result.trade_offs = {"a sentence"};
+  json = Json::parse(result_json(result));
+  EXPECT_EQ(json["trade_offs"][0], "a sentence");
+  EXPECT_EQ(json["profile_intervals"][0]["path"], "sheet.main.phase_rad");
+  EXPECT_TRUE(json["profile_intervals"][0]["interval68"][0].is_null());
+  EXPECT_EQ(json["profile_intervals"][0]["interval68"][1], 0.4);
+  EXPECT_EQ(json["profile_intervals"][0]["values"][1][1], 0.41);
+  EXPECT_EQ(json["bootstrap"]["parameters"][1]["sigma"], 0.2);
+  EXPECT_EQ(json["chain"]["parameters"][1]["effective_samples"], 2.0);
+  EXPECT_TRUE(json["chain"]["parameters"][1]["interval95"][1].is_null());
+  EXPECT_FALSE(json["chain"].contains("samples"));
+}
+
 TEST(ResultJson, SurvivesAFileNameThatIsNoText) {
   const Photo photo = tests::small_photo();
   FitResult result = tests::small_fit(photo);

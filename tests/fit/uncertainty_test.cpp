@@ -30,7 +30,7 @@ std::vector<std::vector<double>> line_jacobians(int samplings, double noise, boo
 }
 
 TEST(Uncertainty, OfAStraightLineIsTheTextbooks) {
-  const Uncertainty u = uncertainty(line_jacobians(2, 0.0, false), kResiduals, 2, {0.0, 0.0, 0.0, 0.0}, 1.5);
+  const Uncertainty u = uncertainty(line_jacobians(2, 0.0, false), kResiduals, 2, no_prior_knowledge(2), 1.5);
   EXPECT_NEAR(u.sigma[0], 1.5 / std::sqrt(kResiduals), 1e-9);
   EXPECT_NEAR(u.sigma[1], 1.5 / std::sqrt(kResiduals / 3.0), 1e-6);
   EXPECT_NEAR(u.correlation[0][1], 0.0, 1e-9);
@@ -41,16 +41,16 @@ TEST(Uncertainty, DoesNotTakeMonteCarloNoiseForInformation) {
   // Noise of 3 in every entry: one Jacobian's own square would hold nine times the information that there is.
   // The mean of the six products of four samplings has a standard error of about 9 sqrt(4000) / sqrt(6) = 232
   // on 4000, 6 %, so 3 % on sigma; three of those.
-  const Uncertainty u = uncertainty(line_jacobians(4, 3.0, false), kResiduals, 2, {0.0, 0.0, 0.0, 0.0}, 1.0);
+  const Uncertainty u = uncertainty(line_jacobians(4, 3.0, false), kResiduals, 2, no_prior_knowledge(2), 1.0);
   EXPECT_NEAR(u.sigma[0] * std::sqrt(kResiduals), 1.0, 0.09);
   const Uncertainty naive =
-      uncertainty(line_jacobians(1, 3.0, false), kResiduals, 2, {0.0, 0.0, 0.0, 0.0}, 1.0);
+      uncertainty(line_jacobians(1, 3.0, false), kResiduals, 2, no_prior_knowledge(2), 1.0);
   EXPECT_NEAR(naive.sigma[0] * std::sqrt(kResiduals), std::sqrt(0.1), 0.02);
 }
 
 TEST(Uncertainty, NamesWhatTradesOff) {
-  const Uncertainty u = uncertainty(line_jacobians(2, 0.0, true), kResiduals, 3,
-                                    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, 1.0);
+  PriorKnowledge known = no_prior_knowledge(3);
+  const Uncertainty u = uncertainty(line_jacobians(2, 0.0, true), kResiduals, 3, known, 1.0);
   EXPECT_TRUE(std::isnan(u.sigma[0]));
   EXPECT_FALSE(std::isnan(u.sigma[1]));
   EXPECT_TRUE(std::isnan(u.sigma[2]));
@@ -58,8 +58,9 @@ TEST(Uncertainty, NamesWhatTradesOff) {
   EXPECT_NEAR(u.undetermined[0][0] / u.undetermined[0][2], -2.0, 1e-6);
   EXPECT_EQ(u.undetermined[0][1], 0.0);
   // A prior on one of them settles both.
-  const Uncertainty settled = uncertainty(line_jacobians(2, 0.0, true), kResiduals, 3,
-                                          {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 4.0}, 1.0);
+  known.information[8] = 4.0;
+  known.has_prior[2] = true;
+  const Uncertainty settled = uncertainty(line_jacobians(2, 0.0, true), kResiduals, 3, known, 1.0);
   EXPECT_NEAR(settled.sigma[2], 0.5, 1e-3);
   EXPECT_NEAR(settled.sigma[0], 1.0, 1e-2);
 }

@@ -30,7 +30,7 @@ void add_free_of_sheet(sim::Scene& scene, const std::string& sheet) {
   sim::FreeParameter phase;
   phase.path = of + "phase_rad";
   scene.fit.free.push_back(phase);
-  add_free(scene, of + "width_km", 0.3, 4.0);
+  add_free(scene, of + "width_km", 0.3, 4.0, sim::Prior{1.2, 0.4});
   add_free(scene, of + "phase_shift_rad", -1.0, 2.0, sim::Prior{0.3, 0.2});
 }
 
