@@ -111,12 +111,17 @@ void print_answer(const fit::FitResult& result, const std::string& report) {
     else
       widest = std::max(widest, p.path.size());
   }
+  for (const fit::TiedNumber& t : result.tied) widest = std::max(widest, t.path.size());
   for (const fit::FittedParameter& p : result.parameters) {
     if (p.of_profile) continue;
     std::printf("  %-*s  %s%s%s%s\n", static_cast<int>(widest), p.path.c_str(),
                 fit::number_with_error(p.value, p.sigma).c_str(), p.unit.empty() ? "" : " ", p.unit.c_str(),
                 p.at_limit ? "  (at a limit)" : "");
   }
+  for (const fit::TiedNumber& t : result.tied)
+    std::printf("  %-*s  %s%s%s = %s\n", static_cast<int>(widest), t.path.c_str(),
+                fit::number_with_error(t.value, t.sigma).c_str(), t.unit.empty() ? "" : " ", t.unit.c_str(),
+                t.equals.c_str());
   if (coefficients > 0)
     std::printf("  %zu coefficients of free-form profiles: see profile.csv\n", coefficients);
   for (const fit::DerivedNumber& d : result.derived)

@@ -36,14 +36,14 @@ ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::
     FittedParameter p;
     p.path = n.label();
     p.photo = n.photo;
-    p.unit = n.path.row->unit;
-    p.meaning = n.path.row->meaning;
+    p.unit = n.unit();
+    p.meaning = n.meaning();
     p.value = without_turns(n, values[j]);
     p.initial = n.start;
     p.min = n.min;
     p.max = n.max;
     p.at_limit = n.at_limit(values[j]);
-    p.of_profile = n.path.row->key == "spline_rate";
+    p.of_profile = n.key() == "spline_rate";
     const double at = n.coordinate(values[j]);
     slopes.push_back(n.slope(at));
     const double sigma = u.sigma[j] * slopes[j];
@@ -62,6 +62,18 @@ ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::
   for (std::vector<double>& direction : known.undetermined)
     for (std::size_t j = 0; j < free.size(); ++j) direction[j] *= slopes[j];
   return known;
+}
+
+std::vector<TiedNumber> tied_numbers(const ParameterMap& map, const std::vector<double>& values,
+                                     const sim::Scene& scene, const ValueUncertainty& known) {
+  std::vector<TiedNumber> result;
+  for (const ParameterMap::Dependent& d : map.dependents(values, scene)) {
+    TiedNumber tied{d.path.text, d.path.row->unit, d.path.row->meaning, d.equals, 0.0, {}};
+    tied.value = *sim::real_value(scene, d.path);
+    tied.sigma = combined_sigma(d.slopes, known);
+    result.push_back(tied);
+  }
+  return result;
 }
 
 void put_solution(const Comparison& comparison, const Comparison::Point& point, const ValueUncertainty& known,
@@ -119,8 +131,13 @@ sim::PhotoEntry entry_of_best(const sim::PhotoEntry& entry, const FittedPhoto& f
     best.set.erase(std::remove_if(best.set.begin(), best.set.end(), has_path), best.set.end());
     best.set.emplace_back(path, value);
   };
-  for (std::size_t j = 0; j < free.size(); ++j)
-    if (free[j].photo == entry.name) set(free[j].path.text, sim::real_text(parameters[j].value));
+  for (std::size_t j = 0; j < free.size(); ++j) {
+    const auto set_at = [&](const sim::ParameterPath& path, const std::string& photo) {
+      if (photo == entry.name) set(path.text, sim::real_text(parameters[j].value));
+    };
+    set_at(free[j].path, free[j].photo);
+    for (const FreePlace& place : free[j].also) set_at(place.path, place.photo);
+  }
   for (const char* key : {"sensor.exposure", "sensor.gain_per_kilorayleigh", "sky.level", "sky.gradient",
                           "sky.curvature", "sky.lights_gain"})
     for (const sim::ParameterPath& path : sim::resolve(fitted.best, key))

@@ -15,6 +15,10 @@ namespace vegard::fit {
 ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::vector<double>& values,
                                 const Uncertainty& uncertainty, bool stopped, FitResult& result);
 
+/// What follows from the parameters' values, which are put into `scene`, with error bars.
+std::vector<TiedNumber> tied_numbers(const ParameterMap& map, const std::vector<double>& values,
+                                     const sim::Scene& scene, const ValueUncertainty& known);
+
 /// Gains and sky of a photograph, solved numbers and into its best scene.
 void put_solution(const Comparison& comparison, const Comparison::Point& point, const ValueUncertainty& known,
                   double error_inflation, FittedPhoto& fitted);

@@ -8,7 +8,7 @@ namespace {
 /// Derivatives by numbers, [value][number], become those by what moves the numbers.
 void contract(std::vector<double>& derivative, std::size_t values, const std::vector<double>& slopes,
               std::size_t numbers, std::size_t moved) {
-  if (derivative.empty() && numbers > 0) return;
+  if (derivative.empty()) return;
   std::vector<double> by_moved(values * moved, 0.0);
   for (std::size_t i = 0; i < values; ++i)
     for (std::size_t k = 0; k < numbers; ++k) {
@@ -44,10 +44,18 @@ Comparison::Point Comparison::at(const sim::Scene& scene) {
 
 Comparison::Point Comparison::at(const sim::Scene& scene, const ParameterMap::Motion& motion) {
   Point point;
-  model_.evaluate_with_derivatives(scene, motion.numbers, point.aurora);
-  if (!motion.slopes.empty() || motion.numbers.size() != motion.moved) {
-    const std::size_t values = point.aurora.value.size(), numbers = motion.numbers.size(),
-                      moved = motion.moved;
+  if (motion.numbers.empty()) {
+    // What moves is nothing of this photograph's.
+    model_.evaluate(scene, point.aurora);
+    point.aurora.free = static_cast<int>(motion.moved);
+    point.aurora.derivative.assign(point.aurora.value.size() * motion.moved, 0.0);
+    point.aurora.offset_derivative.assign(point.aurora.offset.size() * motion.moved, 0.0);
+  } else {
+    model_.evaluate_with_derivatives(scene, motion.numbers, point.aurora);
+  }
+  if (!motion.slopes.empty()) {
+    const std::size_t values = point.aurora.value.size(), numbers = motion.numbers.size();
+    const std::size_t moved = motion.moved;
     contract(point.aurora.derivative, values, motion.slopes, numbers, moved);
     contract(point.aurora.offset_derivative, values, motion.slopes, numbers, moved);
     point.aurora.free = static_cast<int>(moved);

@@ -111,9 +111,28 @@ std::vector<std::string> unusual_sheets(const sim::Scene& scene) {
   return notes;
 }
 
+std::optional<double> combined_sigma(const std::vector<double>& slope, const ValueUncertainty& known) {
+  double variance = 0.0;
+  for (std::size_t j = 0; j < slope.size(); ++j)
+    for (std::size_t k = 0; k < slope.size(); ++k)
+      if (slope[j] != 0.0 && slope[k] != 0.0) variance += slope[j] * slope[k] * known.covariance[j][k];
+  const auto changes_along = [&](const std::vector<double>& direction) {
+    double sum = 0.0, size = 0.0;
+    for (std::size_t j = 0; j < slope.size(); ++j) {
+      sum += slope[j] * direction[j];
+      size += std::abs(slope[j] * direction[j]);
+    }
+    return std::abs(sum) > kNoChange * size;
+  };
+  if (std::any_of(known.undetermined.begin(), known.undetermined.end(), changes_along)) return std::nullopt;
+  if (!std::isfinite(variance) || variance <= 0.0) return std::nullopt;
+  return std::sqrt(variance);
+}
+
 std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::vector<FreeNumber>& free,
                                            const std::vector<double>& values, const ValueUncertainty& known) {
   const std::vector<std::vector<double>>& covariance = known.covariance;
+  const ParameterMap map(best, free);
   std::vector<DerivedNumber> result;
   const auto add = [&](const std::string& name, const std::string& unit,
                        const std::function<double(const sim::Scene&)>& number) {
@@ -127,25 +146,12 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
         sim::Scene moved = best;
         std::vector<double> v = values;
         v[j] = std::clamp(value, free[j].min, free[j].max);
-        ParameterMap(moved, free).put(v, moved);
+        map.put(v, moved);
         return number(moved);
       };
       slope[j] = (at(values[j] + step) - at(values[j] - step)) / (2.0 * step);
     }
-    double variance = 0.0;
-    for (std::size_t j = 0; j < free.size(); ++j)
-      for (std::size_t k = 0; k < free.size(); ++k)
-        if (slope[j] != 0.0 && slope[k] != 0.0) variance += slope[j] * slope[k] * covariance[j][k];
-    const auto changes_along = [&](const std::vector<double>& direction) {
-      double sum = 0.0, size = 0.0;
-      for (std::size_t j = 0; j < free.size(); ++j) {
-        sum += slope[j] * direction[j];
-        size += std::abs(slope[j] * direction[j]);
-      }
-      return std::abs(sum) > kNoChange * size;
-    };
-    if (std::any_of(known.undetermined.begin(), known.undetermined.end(), changes_along)) variance = 0.0;
-    if (std::isfinite(variance) && variance > 0.0) d.sigma = std::sqrt(variance);
+    d.sigma = combined_sigma(slope, known);
     result.push_back(d);
   };
   for (std::size_t s = 0; s < best.sheets.size(); ++s) {

@@ -1,6 +1,7 @@
 // What follows from a scene's parameters and is what people publish.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,10 @@ struct ValueUncertainty {
   std::vector<std::vector<double>> covariance;    ///< inside what the data determine
   std::vector<std::vector<double>> undetermined;  ///< directions in which they say nothing
 };
+
+/// The error bar of a number with these slopes by the free numbers; none if it would change along an
+/// undetermined direction, or does not depend on any.
+std::optional<double> combined_sigma(const std::vector<double>& slopes, const ValueUncertainty& known);
 
 /// Distances, mean energies, border and peak altitudes, half-widths and shapes of every sheet, with error
 /// bars carried over by differences. A number that would change along an undetermined direction has none.

@@ -9,6 +9,10 @@ namespace {
 
 constexpr double kFunctionTolerance = 3e-5;  // of the cost: far below what an error bar could show
 constexpr double kParameterTolerance = 1e-7;
+/// Of chi2 over the inflation squared: a seventh of a standard deviation. A model with its own Monte-Carlo
+/// noise creeps on for dozens of steps like that.
+constexpr double kNegligible = 0.02;
+constexpr int kSmallSteps = 2;
 
 constexpr std::size_t kMostForQr = 40;
 
@@ -22,9 +26,17 @@ class Tracer : public ceres::IterationCallback {
     if (summary.step_is_successful || summary.iteration == 0) {
       trace_.push_back({stage_, log_.residuals, 2.0 * summary.cost, cost_.values(coordinates_.data())});
     }
+    const bool little = summary.step_is_successful && summary.iteration > 0 &&
+                        2.0 * summary.cost_change < kNegligible * cost_.prior_weight() * cost_.prior_weight();
+    small_steps_ = little ? small_steps_ + 1 : 0;
+    level_ = small_steps_ >= kSmallSteps;
+    if (level_) return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
     // Not an abort, which would be a failure and leave the best point behind.
     return log_.exhausted() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
+
+  /// The last steps were of no account.
+  bool level() const { return level_; }
 
  private:
   const ProfileCost& cost_;
@@ -32,6 +44,8 @@ class Tracer : public ceres::IterationCallback {
   const std::string& stage_;
   const EvaluationLog& log_;
   std::vector<TraceRow>& trace_;
+  int small_steps_ = 0;
+  bool level_ = false;
 };
 
 bool begins_with(const std::string& text, const char* beginning) { return text.rfind(beginning, 0) == 0; }
@@ -99,9 +113,12 @@ Descent descend(const ProfileCost& cost, const std::vector<double>& start, int i
   result.values = cost.values(coordinates.data());
   result.chi2 = 2.0 * summary.final_cost;
   result.chi2_initial = 2.0 * summary.initial_cost;
-  result.converged = summary.termination_type == ceres::CONVERGENCE;
-  result.termination =
-      summary.termination_type == ceres::USER_SUCCESS ? words_for_stop(log) : in_words(summary);
+  result.converged = summary.termination_type == ceres::CONVERGENCE || tracer.level();
+  if (tracer.level())
+    result.termination = "converged: another step would hardly change chi2";
+  else
+    result.termination =
+        summary.termination_type == ceres::USER_SUCCESS ? words_for_stop(log) : in_words(summary);
   return result;
 }
 

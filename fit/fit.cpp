@@ -12,6 +12,7 @@
 #include "fit/free_profile.h"
 #include "fit/inflation.h"
 #include "fit/observation.h"
+#include "fit/prior_rows.h"
 #include "fit/profile_rounds.h"
 #include "fit/sampled_uncertainty.h"
 #include "fit/search.h"
@@ -68,6 +69,19 @@ double log_of_limits(const std::vector<FreeNumber>& free, const std::vector<doub
   return sum;
 }
 
+/// What follows from others is where they start, not where the scene happens to have it: beams are laid out
+/// there.
+sim::Scene with_ties(const sim::Scene& given, const std::vector<FreeNumber>& free,
+                     const PhotoFrame& frame = {}) {
+  const ParameterMap map(given, free, frame);
+  if (map.is_plain()) return given;
+  std::vector<double> start;
+  for (const FreeNumber& number : free) start.push_back(number.start);
+  sim::Scene scene = given;
+  map.put(start, scene);
+  return scene;
+}
+
 int held_gains(const ProfileCost::Point& point) {
   int held = 0;
   for (const Comparison::Point& p : point.of_photo)
@@ -108,6 +122,10 @@ void put_photos(const std::vector<Observation>& observations, const std::vector<
     fitted.chi2 = point.of_photo[o].chi2;
     fitted.best = observations[o].scene;
     terms[o].map.put(values, fitted.best);
+    if (!fitted.name.empty()) {  // a scene by itself, where no other photograph is known
+      fitted.best.fit.free.clear();
+      fitted.best.fit.tied.clear();
+    }
     put_solution(full, point.of_photo[o], known, r.error_inflation, fitted);
     fitted.rms_over_peak = rms_over_peak(fitted);
     r.rms_over_peak = std::max(r.rms_over_peak, fitted.rms_over_peak);
@@ -117,9 +135,8 @@ void put_photos(const std::vector<Observation>& observations, const std::vector<
   }
 }
 
-FitResult fit_observations(const sim::Scene& scene, const std::vector<Observation>& observations,
-                           const FitOptions& options) {
-  const std::vector<FreeNumber> free = free_numbers(scene);
+FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber>& free,
+                           const std::vector<Observation>& observations, const FitOptions& options) {
   const std::vector<CostTerm> full = cost_terms(observations, free, Detail::full);
 
   FitResult r;
@@ -146,10 +163,8 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<Observatio
   r.chi2_initial = outcome.chi2_initial;
   r.termination = outcome.best.termination;
   Descent best = outcome.best;
-  const auto has_prior = [](const FreeNumber& number) { return number.prior.has_value(); };
-  const int priors = static_cast<int>(std::count_if(free.begin(), free.end(), has_prior));
   Settled settled;
-  if (priors > 0 || !spline_lines(scene, free).empty()) {
+  if (PriorRows(free).count() > 0 || !spline_lines(scene, free).empty()) {
     settled = settle(scene, free, full, best, log, r.trace);
     best = settled.descent;
     r.termination = best.termination;
@@ -173,7 +188,7 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<Observatio
   evidence.chi2_without_aurora = chi2_without_aurora(observations, point);
   r.chi2 = chi2_of_priors(free, values);
   for (const Comparison::Point& p : point.of_photo) r.chi2 += p.chi2;
-  r.dof = residuals + priors - unknowns + held_gains(point);
+  r.dof = residuals + static_cast<int>(PriorRows(free).count()) - unknowns + held_gains(point);
   r.error_inflation = joint_inflation(cost, point, unknowns);
 
   const std::size_t n = free.size();
@@ -196,9 +211,15 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<Observatio
   std::vector<double> tidied;
   for (const FittedParameter& p : r.parameters) tidied.push_back(p.value);
   r.best = scene;
-  ParameterMap(scene, free).put(tidied, r.best);
+  const ParameterMap shared(scene, free);
+  shared.put(tidied, r.best);
+  r.tied = tied_numbers(shared, tidied, r.best, known);
+  start_from(free, tidied, r.best);
   put_photos(observations, full, free, tidied, point, known, r);
-  if (observations.size() == 1 && r.photos.front().name.empty()) r.best = r.photos.front().best;
+  if (observations.size() == 1 && r.photos.front().name.empty()) {
+    start_from(free, tidied, r.photos.front().best);
+    r.best = r.photos.front().best;
+  }
   r.derived = derived_numbers(r.best, free, tidied, known);
 
   if (settled.prior.any()) {
@@ -216,20 +237,25 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<Observatio
 
 }  // namespace
 
-FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOptions& options) {
+FitResult fit_photo(const sim::Scene& given, const Photo& photo, const FitOptions& options) {
+  const std::vector<FreeNumber> free = free_numbers(given);
+  const sim::Scene scene = with_ties(given, free);
   std::vector<Observation> observations;
   observations.push_back(observed(scene, photo, options.threads));
-  return fit_observations(scene, observations, options);
+  return fit_observations(scene, free, observations, options);
 }
 
-FitResult fit_photos(const sim::Scene& scene, const std::vector<Photo>& photos, const FitOptions& options) {
-  assert(photos.size() == scene.fit.photos.size() && !photos.empty());
+FitResult fit_photos(const sim::Scene& given, const std::vector<Photo>& photos, const FitOptions& options) {
+  assert(photos.size() == given.fit.photos.size() && !photos.empty());
+  const std::vector<FreeNumber> free = free_numbers(given);
+  const sim::Scene scene = with_ties(given, free);
   std::vector<Observation> observations;
   for (std::size_t i = 0; i < photos.size(); ++i) {
     const FramedScene framed = framed_scene(scene, scene.fit.photos[i]);
-    observations.push_back(observed(framed.scene, photos[i], options.threads, framed.frame));
+    observations.push_back(
+        observed(with_ties(framed.scene, free, framed.frame), photos[i], options.threads, framed.frame));
   }
-  return fit_observations(scene, observations, options);
+  return fit_observations(scene, free, observations, options);
 }
 
 }  // namespace vegard::fit

@@ -39,6 +39,16 @@ struct FittedParameter {
   std::string why_no_sigma;  ///< in words, if sigma is missing
 };
 
+/// A number that follows from others (fit.tied), or is the same as another by its name.
+struct TiedNumber {
+  std::string path;
+  std::string unit;
+  std::string meaning;
+  std::string equals;  ///< the expression, or the path of the number that it is
+  double value = 0.0;
+  std::optional<double> sigma;  ///< to first order; none where it leans on what has no error bar
+};
+
 /// A number that was solved for, not searched: a gain or a sky term.
 struct SolvedNumber {
   std::string name;  ///< "gain.band_3", "sky.level.red"
@@ -97,6 +107,7 @@ struct FitResult {
   std::string verdict_line;          ///< one sentence: whether to believe it, and why
   std::vector<std::string> reasons;  ///< what speaks against it, or is worth knowing; may be empty
   std::vector<FittedParameter> parameters;
+  std::vector<TiedNumber> tied;
   std::vector<DerivedNumber> derived;
   std::vector<FreeProfile> profiles;             ///< of every sheet and line whose coefficients were free
   std::vector<std::vector<double>> correlation;  ///< of `parameters`; rows without an error bar hold zeros

@@ -14,16 +14,35 @@
 
 namespace vegard::fit {
 
-struct FreeNumber {
+/// A parameter that a free number is, in one photograph (a name of fit.photos) or in all (empty).
+struct FreePlace {
   sim::ParameterPath path;
+  std::string photo;
+};
+
+struct FreeNumber {
+  sim::ParameterPath path;      ///< its first place; `row` is null for a number that only expressions use
+  std::string photo;            ///< of that place
+  std::vector<FreePlace> also;  ///< further places, of entries with the same name
+  std::string name;             ///< by which expressions call it, or empty
+  bool in_expressions = false;  ///< whether any uses it
   double start = 0.0;
   double min = 0.0, max = 0.0;  ///< the user's limits, else the table's; +-infinity where there is none
   std::optional<sim::Prior> prior;
-  std::string photo;  ///< the photograph that it belongs to alone; empty: shared by all
+  std::optional<sim::ParameterScale> scale;  ///< in place of the table's
 
-  /// The path, and of which photograph if of one alone: "camera.roll_deg of south".
-  std::string label() const { return photo.empty() ? path.text : path.text + " of " + photo; }
-  bool logarithmic() const { return path.row->scale == sim::ParameterScale::logarithmic && min > 0.0; }
+  bool has_path() const { return path.row != nullptr; }
+  const std::string& key() const;      ///< "center_km"; empty without a path
+  const std::string& table() const;    ///< "sheet"; empty without a path
+  const std::string& unit() const;     ///< empty if it has none
+  const std::string& meaning() const;  ///< one line
+  bool is_angle() const { return has_path() && path.row->scale == sim::ParameterScale::angle; }
+  /// The path or the name, and of which photograph if of one alone: "camera.roll_deg of south".
+  std::string label() const;
+
+  /// Whether the user has set both limits.
+  bool limited() const { return !has_path() || (min > path.row->min && max < path.row->max); }
+  bool logarithmic() const;
   /// The solver's coordinate of a value strictly inside the limits, and back; a value at or beyond a limit is
   /// first moved inside by a millionth of the range.
   double coordinate(double value) const;
@@ -34,12 +53,12 @@ struct FreeNumber {
   bool at_limit(double value) const;
 };
 
-/// scene.fit.free, vectors taken apart, in the order of the scene file. `start` is the entry's, else the
-/// scene's value. Throws sim::Error(scene) when there is none.
+/// scene.fit.free, vectors taken apart and entries of one name put together, in the order of the scene file.
+/// `start` is the (first) entry's, else the scene's value. Throws sim::Error(scene) when there is none.
 std::vector<FreeNumber> free_numbers(const sim::Scene& scene);
 
-/// Writes values into a scene, and finds where they live in it.
-void put_values(sim::Scene& scene, const std::vector<FreeNumber>& free, const std::vector<double>& values);
-std::vector<const double*> addresses(const sim::Scene& scene, const std::vector<FreeNumber>& free);
+/// Makes `values` what a fit of this scene starts from: of fit.free, numbers without a path and those of one
+/// photograph start there, the others from the scene's own values, which are to be the same.
+void start_from(const std::vector<FreeNumber>& free, const std::vector<double>& values, sim::Scene& scene);
 
 }  // namespace vegard::fit

@@ -40,9 +40,9 @@ std::vector<PhaseAnchor> phase_anchors(const sim::Scene& scene, const std::vecto
                                        const std::vector<double>& values) {
   std::vector<PhaseAnchor> anchors;
   for (std::size_t p = 0; p < moved.size(); ++p) {
-    if (moved[p].path.row->key != "phase_rad") continue;
+    if (moved[p].key() != "phase_rad") continue;
     for (std::size_t w = 0; w < moved.size(); ++w)
-      if (moved[w].path.row->key == "wavelength_km" && moved[w].path.sheet == moved[p].path.sheet)
+      if (moved[w].key() == "wavelength_km" && moved[w].path.sheet == moved[p].path.sheet)
         anchors.push_back({static_cast<int>(p), static_cast<int>(w),
                            distance_in_view_km(scene, scene.sheets[moved[p].path.sheet]), values[w]});
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 
 #include "sim/scene/photo_scene.h"
 
@@ -20,22 +19,11 @@ std::array<const double*, Station::kNumbers> numbers_of(const sim::Sheet& sheet)
 
 }  // namespace
 
-std::vector<std::optional<sim::ParameterPath>> PhotoFrame::places(const sim::Scene& scene,
-                                                                  const std::vector<FreeNumber>& free) const {
-  std::map<std::string, sim::ParameterPath> known;
-  if (!name.empty())
-    for (sim::ParameterPath& path : sim::all_paths(scene)) known.emplace(path.text, path);
-  std::vector<std::optional<sim::ParameterPath>> places;
-  for (const FreeNumber& number : free) {
-    places.emplace_back();
-    if (!number.photo.empty() && number.photo != name) continue;
-    if (name.empty()) {
-      places.back() = number.path;
-    } else if (const auto found = known.find(number.path.text); found != known.end()) {
-      places.back() = found->second;  // by its name: lines may stand elsewhere in a list
-    }
-  }
-  return places;
+std::optional<sim::ParameterPath> PhotoFrame::place(const sim::Scene& scene,
+                                                    const sim::ParameterPath& path) const {
+  for (sim::ParameterPath& here : sim::all_paths(scene))
+    if (here.text == path.text) return std::move(here);
+  return {};
 }
 
 void PhotoFrame::go_home(sim::Scene& scene) const {

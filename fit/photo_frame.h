@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/free_parameters.h"
+#include "sim/scene/parameter_table.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/station.h"
 
@@ -20,10 +20,8 @@ struct PhotoFrame {
   sim::Station station;
   std::vector<sim::Sheet> sheets_at_home;  ///< of its scene before they were carried over
 
-  /// Where each free number is in the photograph's scene; none for another photograph's own, or for one of a
-  /// line that this one does not have.
-  std::vector<std::optional<sim::ParameterPath>> places(const sim::Scene& scene,
-                                                        const std::vector<FreeNumber>& free) const;
+  /// Where a number of the shared scene is in the photograph's; none if that has no such line.
+  std::optional<sim::ParameterPath> place(const sim::Scene& scene, const sim::ParameterPath& path) const;
 
   /// Gives a scene's sheets the places that they have at home, for free numbers to be written into, and
   /// carries them over again. Nothing happens to a photograph of the scene's own site.

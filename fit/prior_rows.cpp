@@ -2,11 +2,18 @@
 
 #include <cmath>
 
+#include "sim/scene/free_entry_keys.h"
+
 namespace vegard::fit {
 
 PriorRows::PriorRows(const std::vector<FreeNumber>& free, double weight) {
   for (std::size_t j = 0; j < free.size(); ++j) {
-    if (!free[j].prior) continue;
+    if (!free[j].prior || free[j].prior->law == sim::uniform_law) continue;
+    if (free[j].prior->law == sim::log_normal_law) {
+      add_of_sum(weight / free[j].prior->sigma, std::log(free[j].prior->mean), 0.0,
+                 {{static_cast<int>(j), 1.0}});
+      continue;
+    }
     Row row;
     row.factor = weight / free[j].prior->sigma;
     row.target = free[j].prior->mean;

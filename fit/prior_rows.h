@@ -11,7 +11,9 @@ namespace vegard::fit {
 
 class PriorRows {
  public:
-  /// (value - mean) / sigma of every number that has a prior of its own, times `weight`.
+  /// (value - mean) / sigma of every number that has a normal prior of its own, (ln value - ln mean) / sigma
+  /// of every one with a log-normal prior; a uniform prior is no row, since the transform keeps the limits.
+  /// All times `weight`.
   explicit PriorRows(const std::vector<FreeNumber>& free, double weight = 1.0);
 
   /// A row sum of factor * ln(value), of numbers above 0.

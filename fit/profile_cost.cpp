@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace vegard::fit {
@@ -28,6 +29,7 @@ ProfileCost::ProfileCost(const std::vector<FreeNumber>& free, const std::vector<
       log_(log),
       held_(options.held),
       anchors_(options.anchors),
+      prior_weight_(options.prior_weight),
       which_(all_or(options.moved, free.size())),
       moved_(picked(free, which_)),
       priors_(moved_, options.prior_weight) {
@@ -68,11 +70,12 @@ ProfileCost::Point ProfileCost::at(const std::vector<double>& values, bool with_
   const std::vector<double> all = all_values(values);
   for (const CostTerm& term : terms_) {
     sim::Scene scene = term.scene;
-    term.map.put(all, scene);
+    const bool within_limits = term.map.put(all, scene);
     point.of_photo.push_back(with_derivatives
                                  ? term.comparison->at(scene, term.map.motion(all, which_, scene))
                                  : term.comparison->at(scene));
     point.chi2 += point.of_photo.back().chi2;
+    if (!within_limits) point.chi2 = std::numeric_limits<double>::infinity();
   }
   std::vector<double> of_priors;
   priors_.evaluate(values, of_priors, nullptr);

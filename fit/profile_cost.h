@@ -65,6 +65,7 @@ class ProfileCost : public ceres::CostFunction {
   const std::vector<FreeNumber>& moved() const { return moved_; }
   const std::vector<CostTerm>& terms() const { return terms_; }
   const std::vector<PhaseAnchor>& anchors() const { return anchors_; }
+  double prior_weight() const { return prior_weight_; }
   /// Of the photographs alone.
   int data_residuals() const { return data_residuals_; }
 
@@ -76,7 +77,7 @@ class ProfileCost : public ceres::CostFunction {
   struct Point {
     std::vector<double> values;  ///< of what moves
     std::vector<Comparison::Point> of_photo;
-    double chi2 = 0.0;  ///< priors included
+    double chi2 = 0.0;  ///< priors included; infinite where a tie leads beyond its parameter's limits
   };
   Point at(const std::vector<double>& values, bool with_derivatives) const;
 
@@ -94,6 +95,7 @@ class ProfileCost : public ceres::CostFunction {
   EvaluationLog& log_;
   const std::vector<double> held_;
   const std::vector<PhaseAnchor> anchors_;
+  const double prior_weight_;
   std::vector<int> which_;
   std::vector<FreeNumber> moved_;
   int data_residuals_ = 0;

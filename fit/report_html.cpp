@@ -190,7 +190,7 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
       "Parameters",
       "\u03c3 is half of the 68\u00a0% interval, carried back from the scale on which the search moves the "
       "parameter; the interval itself may be lopsided.",
-      parameter_table_html(result));
+      parameter_table_html(result) + tied_table(result));
   const std::string judged = judged_table(result);
   if (!judged.empty())
     html += section(

@@ -110,6 +110,20 @@ std::string parameter_table_html(const FitResult& result) {
                     coefficients);
 }
 
+std::string tied_table(const FitResult& result) {
+  if (result.tied.empty()) return {};
+  std::string html =
+      "<table class=\"wide\">\n<thead><tr><th>Tied parameter</th><th class=\"number\">Value \u00b1 "
+      "\u03c3</th>"
+      "<th>Equals</th></tr></thead>\n<tbody>\n";
+  for (const TiedNumber& t : result.tied)
+    html += "<tr><td><code>" + html_text(t.path) + "</code><div class=\"soft\">" + html_text(t.meaning) +
+            "</div></td><td class=\"number strong\">" +
+            with_unit(number_with_error(t.value, t.sigma), t.unit) + "</td><td>= <code>" +
+            html_text(t.equals) + "</code></td></tr>\n";
+  return html + "</tbody>\n</table>\n";
+}
+
 std::string solved_table(const FittedPhoto& fitted) {
   std::string html = "<div class=\"many\">\n";
   for (const SolvedNumber& s : fitted.solved)

@@ -13,6 +13,9 @@ std::string derived_cards(const FitResult& result);
 /// Path, meaning, value ± sigma, unit, 68 % interval, start, limits.
 std::string parameter_table_html(const FitResult& result);
 
+/// Path, meaning, value ± sigma, unit, what it equals; empty if nothing is tied.
+std::string tied_table(const FitResult& result);
+
 /// Gains and sky of a photograph.
 std::string solved_table(const FittedPhoto& fitted);
 

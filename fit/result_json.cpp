@@ -149,6 +149,14 @@ std::string result_json(const FitResult& result) {
   json["reasons"] = result.reasons;
   json["parameters"] = Json::array();
   for (const FittedParameter& p : result.parameters) json["parameters"].push_back(parameter(p));
+  json["tied"] = Json::array();
+  for (const TiedNumber& t : result.tied)
+    json["tied"].push_back({{"path", t.path},
+                            {"meaning", t.meaning},
+                            {"value", number(t.value)},
+                            {"unit", t.unit},
+                            {"sigma", number(t.sigma)},
+                            {"equals", t.equals}});
   const bool several = result.photos.size() > 1;
   if (several)
     json["photos"] = photos_of(result);

@@ -7,6 +7,7 @@
 
 #include "fit/prior_rows.h"
 #include "fit/turns.h"
+#include "sim/scene/free_entry_keys.h"
 
 namespace vegard::fit {
 namespace {
@@ -61,7 +62,7 @@ Uncertainty sampled_uncertainty(const std::vector<Observation>& observations,
         known.information[j * n + k] += by_value[r * n + j] * by_value[r * n + k];
   for (std::size_t j = 0; j < n; ++j) {
     known.limit_variance[j] = limit_variance(free[j], free[j].slope(free[j].coordinate(values[j])));
-    known.has_prior[j] = free[j].prior.has_value();
+    known.has_prior[j] = free[j].prior && free[j].prior->law != sim::uniform_law;
   }
   for (const SplineLine& line : prior.lines)
     for (const int j : line.numbers) known.has_prior[j] = true;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "fit/course.h"
 #include "fit/profile_rounds.h"
 #include "sim/base/random.h"
 
@@ -19,7 +20,12 @@ constexpr int kPhases = 12;         // where the sine's amplitude is fixed
 constexpr double kScanRange = 1.1;  // of log(wavelength): a factor 0.58 to 1.73 about the start
 // Ranges of the overall trials: of logarithms, and degrees.
 constexpr double kDistances = 1.4, kApart = 0.6, kEnergies = 3.0, kBearings = 24.0;
-constexpr double kPull = 0.3;  // of the distance: what a start may well be off by
+constexpr double kPull = 0.3;                // of the distance: what a start may well be off by
+constexpr double kCoarsePriorWeight = 20.0;  // residuals of smoothed profiles hang together
+constexpr int kSines = 8, kSinesOfEach = 3;  // of one sheet alone, and of each of several
+constexpr double kHopeless = 4.0;            // times the chi2 of the best trial: not worth a descent
+constexpr int kCourseRounds = 2;
+constexpr double kNearWaveNumber = 2e-3;  // per km, by which a round may move it: half a wave in 250 km
 constexpr double kNearlyStraight = 0.1;
 constexpr double kDamping = 1e-4;
 constexpr double kPi = 3.141592653589793;
@@ -31,12 +37,13 @@ struct Trial {
   double chi2 = 0.0;
 };
 
-bool is(const FreeNumber& number, const char* key) { return number.path.row->key == key; }
+bool is(const FreeNumber& number, const char* key) { return number.key() == key; }
 bool is_periodic(const FreeNumber& n) { return is(n, "wavelength_km") || is(n, "phase_rad"); }
 
 /// What shapes the profile as a whole, rather than its course along the arc.
 bool is_overall(const FreeNumber& n) {
-  return is(n, "center_km") || is(n, "energy_kev") || is(n, "bearing_deg") || is(n, "energy_flux_mw_m2");
+  return is(n, "center_km") || is(n, "energy_kev") || is(n, "bearing_deg") || is(n, "energy_flux_mw_m2") ||
+         !n.has_path();
 }
 
 /// The coefficients of free-form profiles stay as they are until the polish: they would make up for whatever
@@ -79,7 +86,7 @@ class Search {
         options_(options),
         log_(log),
         trace_(trace),
-        coarse_(free, models.coarse, log),
+        coarse_(free, models.coarse, log, coarse_options()),
         full_(free, models.full, log,
               {{}, {}, spline_prior(scene, free, first_smoothness(scene)), kFirstPriorWeight, {}}),
         searched_(indices(free, is_searched)) {}
@@ -93,7 +100,9 @@ class Search {
 
     std::vector<Trial> ends = {tried(start)};
     if (scene_.fit.scan_points > 0 && !searched_.empty()) {
-      std::vector<Trial> trials = scan(overall(ends.front()));
+      const Trial straight = overall(ends.front());
+      std::vector<Trial> trials = by_course(straight);
+      if (trials.empty()) trials = scan(straight);
       trials.push_back(ends.front());  // whoever starts close is not to be led away
       sort(trials);
       ends = descend_from(trials, scene_.fit.scan_descents, "descent");
@@ -120,6 +129,12 @@ class Search {
   }
 
  private:
+  static ProfileCost::Options coarse_options() {
+    ProfileCost::Options options;
+    options.prior_weight = kCoarsePriorWeight;
+    return options;
+  }
+
   void tell(const std::string& stage, double share) const {
     if (options_.progress)
       options_.progress(stage, log_.residuals,
@@ -184,10 +199,12 @@ class Search {
     moving.held = from.values;
     for (std::size_t j : which) {
       moving.moved.push_back(static_cast<int>(j));
-      if (!pulled[j].prior) pulled[j].prior = gentle_pull(free_[j]);
+      if (!pulled[j].prior && (pulled[j].prior = gentle_pull(free_[j])))
+        pulled[j].prior->sigma *= kCoarsePriorWeight;
       start.push_back(from.values[j]);
     }
     moving.anchors = anchors(pulled, moving.moved, from.values);
+    moving.prior_weight = kCoarsePriorWeight;
     const ProfileCost cost(pulled, models_.coarse, log_, moving);
     std::vector<TraceRow> rows;
     const Descent end = descend(cost, start, kShortDescent, stage, log_, rows);
@@ -195,6 +212,11 @@ class Search {
     for (std::size_t k = 0; k < which.size(); ++k) result.values[which[k]] = end.values[k];
     result.chi2 = end.chi2;
     return result;
+  }
+
+  /// Range of the overall trials of a bearing, degrees: between limits that the user has set, most of it.
+  static double turned_by(const FreeNumber& n) {
+    return n.limited() ? std::max(kBearings, 0.6 * (n.max - n.min)) : kBearings;
   }
 
   /// Trials of distance, bearing and energy around the start, and short descents from the best. A sine with
@@ -220,7 +242,8 @@ class Search {
             std::exp((u[1] - 0.5) * kDistances) * (s > 0 ? std::exp((u[1 + 2 * s] - 0.5) * kApart) : 1.0);
         if (is(n, "center_km")) values[j] *= distance;
         if (is(n, "energy_kev")) values[j] *= std::exp((u[2 + 2 * s] - 0.5) * kEnergies);
-        if (is(n, "bearing_deg")) values[j] += (u[0] - 0.5) * kBearings;
+        if (!n.has_path()) values[j] = n.min + u[1] * (n.max - n.min);
+        if (is(n, "bearing_deg")) values[j] += (u[0] - 0.5) * turned_by(n);
         values[j] = inside(n, values[j]);
       }
       trials.push_back(tried(values));
@@ -250,11 +273,125 @@ class Search {
     return sine;
   }
 
+  /// Wavelengths between which a sheet's sine is looked for.
+  std::pair<double, double> wavelengths_of(const Sine& sine, int sheet, const Values& values) const {
+    if (sine.wavelength < 0) {
+      const double fixed = scene_.sheets[sheet].wavelength_km;
+      return {fixed, fixed};
+    }
+    const FreeNumber& n = free_[sine.wavelength];
+    return {scanned_wavelength(n, values[sine.wavelength], 1.0),
+            scanned_wavelength(n, values[sine.wavelength], 0.0)};
+  }
+
+  sim::Scene scene_at(const Values& values) const {
+    sim::Scene scene = scene_;
+    models_.coarse.front().map.put(values, scene);
+    return scene;
+  }
+
+  std::vector<std::vector<CoursePoint>> courses_at(const Values& values) {
+    ++log_.residuals;
+    ++log_.jacobians;
+    return courses(*models_.coarse.front().comparison, scene_at(values));
+  }
+
+  /// Puts a sine found from a sheet's course into its free numbers.
+  void take(const SineThroughCourse& found, int s, Values& values) const {
+    const sim::Scene scene = scene_at(values);
+    const sim::Sheet& sheet = scene.sheets[s];
+    const double bearing = sheet.bearing_deg * kPi / 180.0,
+                 side = scene.field.inclination_deg < 0.0 ? -1.0 : 1.0;
+    const double along[2] = {std::sin(bearing), std::cos(bearing)};
+    const double aside[2] = {-side * along[1], side * along[0]};
+    int centre[2] = {-1, -1};
+    for (std::size_t j = 0; j < free_.size(); ++j)
+      if (is(free_[j], "center_km") && free_[j].path.sheet == s)
+        centre[free_[j].path.component] = static_cast<int>(j);
+    const auto move = [&](int j, double by) {
+      if (j >= 0) values[j] = inside(free_[j], values[j] + by);
+    };
+    // The centre moves aside; if one of its components is held, the other goes further.
+    double shift[2] = {found.offset_km * aside[0], found.offset_km * aside[1]};
+    if (centre[0] < 0 || centre[1] < 0) {
+      const int only = centre[0] >= 0 ? 0 : 1;
+      shift[1 - only] = 0.0;
+      shift[only] = std::abs(aside[only]) > 0.2 ? found.offset_km / aside[only] : 0.0;
+    }
+    move(centre[0], shift[0]);
+    move(centre[1], shift[1]);
+    const double moved_along = shift[0] * along[0] + shift[1] * along[1];
+    for (std::size_t j = 0; j < free_.size(); ++j)
+      if (is(free_[j], "bearing_deg") && free_[j].path.sheet == s)
+        move(static_cast<int>(j), -side * std::atan(found.slope) * 180.0 / kPi);
+    const Sine sine = sine_of(s);
+    if (sine.wavelength >= 0) values[sine.wavelength] = inside(free_[sine.wavelength], found.wavelength_km);
+    if (sine.thickness >= 0) values[sine.thickness] = inside(free_[sine.thickness], found.amplitude_km);
+    if (sine.phase >= 0)
+      values[sine.phase] =
+          inside(free_[sine.phase], std::remainder(found.phase_rad - 0.5 * sheet.phase_shift_rad +
+                                                       2.0 * kPi * moved_along / found.wavelength_km,
+                                                   2.0 * kPi));
+  }
+
+  /// Trials of the sheets' sines from their courses; none where the bands do not show enough of a sheet.
+  std::vector<Trial> by_course(const Trial& straight) {
+    std::vector<int> waved;
+    for (std::size_t s = 0; s < scene_.sheets.size(); ++s) {
+      const Sine sine = sine_of(static_cast<int>(s));
+      if (sine.phase >= 0 && sine.thickness >= 0) waved.push_back(static_cast<int>(s));
+    }
+    if (waved.empty()) return {};
+    tell("course", 0.1);
+    const auto found = courses_at(straight.values);
+    std::vector<Values> starts = {straight.values};
+    for (const int s : waved) {
+      const Sine sine = sine_of(s);
+      const auto [least, most] = wavelengths_of(sine, s, straight.values);
+      const std::vector<SineThroughCourse> sines =
+          sines_through(found[s], 0.5 * scene_at(straight.values).sheets[s].length_km, least, most,
+                        free_[sine.thickness].start, waved.size() > 1 ? kSinesOfEach : kSines);
+      if (sines.empty()) return {};
+      std::vector<Values> more;
+      for (const Values& start : starts)
+        for (const SineThroughCourse& candidate : sines) {
+          more.push_back(start);
+          take(candidate, s, more.back());
+        }
+      starts = std::move(more);
+    }
+    std::vector<Trial> trials = {straight};
+    for (std::size_t i = 0; i < starts.size() && !log_.exhausted(); ++i) {
+      tell("course", 0.1 + 0.3 * static_cast<double>(i) / static_cast<double>(starts.size()));
+      Trial best = tried(starts[i]);
+      Values values = starts[i];
+      for (int round = 0; round < kCourseRounds && !log_.exhausted(); ++round) {
+        const auto again = courses_at(values);
+        for (const int s : waved) {
+          const Sine sine = sine_of(s);
+          const double length = scene_at(values).sheets[s].length_km;
+          const double now = sine.wavelength >= 0 ? values[sine.wavelength] : scene_.sheets[s].wavelength_km;
+          const auto [least, most] = wavelengths_of(sine, s, straight.values);
+          const double near = sine.wavelength >= 0 ? kNearWaveNumber : 0.0;
+          const std::vector<SineThroughCourse> sines =
+              sines_through(again[s], 0.5 * length, std::max(least, 1.0 / (1.0 / now + near)),
+                            1.0 / std::max(1.0 / most, 1.0 / now - near), free_[sine.thickness].start, 1);
+          if (!sines.empty()) take(sines.front(), s, values);
+        }
+        const Trial next = tried(values);
+        if (next.chi2 < best.chi2) best = next;
+      }
+      trials.push_back(best);
+    }
+    sort(trials);
+    record(trials.front(), "course");
+    return trials;
+  }
+
   /// The wavelength at a share of the scan. Between limits that the user has set, even steps of the wave
   /// number, by which the phase at the ends of what is in view goes; else a range about the start.
   static double scanned_wavelength(const FreeNumber& n, double start_km, double share) {
-    if (n.min > n.path.row->min && n.max < n.path.row->max)
-      return 1.0 / (1.0 / n.max + share * (1.0 / n.min - 1.0 / n.max));
+    if (n.limited()) return 1.0 / (1.0 / n.max + share * (1.0 / n.min - 1.0 / n.max));
     return start_km * std::exp(kScanRange * (share - 0.5));
   }
 
@@ -349,6 +486,7 @@ class Search {
     std::vector<Trial> starts;
     for (const Trial& trial : trials) {
       if (static_cast<int>(starts.size()) >= most) break;
+      if (!starts.empty() && trial.chi2 > kHopeless * starts.front().chi2) break;
       const auto near = [&](const Trial& other) { return same_valley(trial.values, other.values); };
       if (std::none_of(starts.begin(), starts.end(), near)) starts.push_back(trial);
     }

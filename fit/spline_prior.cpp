@@ -21,7 +21,7 @@ constexpr double kSettled = 1e-3;  // of a smoothness
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-bool is_spline(const FreeNumber& number) { return number.path.row->key == "spline_rate"; }
+bool is_spline(const FreeNumber& number) { return number.key() == "spline_rate"; }
 
 int scale_line(const sim::Scene& scene) {
   return std::max(0, sim::line_index(scene.emission.lines, kGreenNm));

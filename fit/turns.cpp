@@ -5,8 +5,9 @@
 namespace vegard::fit {
 
 double full_turn(const FreeNumber& number) {
-  if (number.path.row->scale != sim::ParameterScale::angle) return 0.0;
-  return number.path.row->unit == "rad" ? 2.0 * std::acos(-1.0) : 360.0;
+  // A formula may well tell a turn from none: half of it is half a turn.
+  if (!number.is_angle() || number.in_expressions) return 0.0;
+  return number.unit() == "rad" ? 2.0 * std::acos(-1.0) : 360.0;
 }
 
 double without_turns(const FreeNumber& number, double value) {

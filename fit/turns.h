@@ -5,7 +5,7 @@
 
 namespace vegard::fit {
 
-/// 360 or 2 pi for an angle, 0 for anything else.
+/// 360 or 2 pi for an angle, 0 for anything else, and for an angle that expressions use.
 double full_turn(const FreeNumber& number);
 
 /// An angle without needless turns, unless the user's own limits say which turn is meant.

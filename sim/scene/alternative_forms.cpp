@@ -141,9 +141,17 @@ std::vector<FileKey> all_file_keys() {
   for (const FreeNumberKey& key : free_number_keys()) {
     keys.push_back({entry, key.key, "", key.meaning + " (in the parameter's unit)", "a number"});
   }
+  for (const FreeTextKey& key : free_text_keys()) keys.push_back({entry, key.key, "", key.meaning, key.type});
   for (const FreePriorKey& key : free_prior_keys()) {
     keys.push_back({entry + "." + free_prior_key, key.key, "", key.meaning, "a number"});
   }
+  keys.push_back({entry + "." + free_prior_key, prior_law_key, "",
+                  "of the prior; uniform: nothing but min and max is known",
+                  "\"normal\", \"log-normal\" or \"uniform\""});
+  keys.push_back(
+      {table, tied_key, "", "what follows from what is fitted", "an array of tables with the keys below"});
+  for (const TiedKey& key : tied_keys())
+    keys.push_back({table + "." + tied_key, key.key, "", key.meaning, key.type});
   const std::string photo = table + "." + photo_key;
   keys.push_back({table, photo_key, "", "photographs that are fitted together",
                   "tables [[fit.photo]] with the keys below"});

@@ -1,4 +1,5 @@
-// The keys of a scene file that are no rows of the parameter table: other ways to say the same, and fit.free.
+// The keys of a scene file that are no rows of the parameter table: other ways to say the same, fit.free and
+// fit.tied.
 #pragma once
 
 #include <functional>
@@ -40,7 +41,8 @@ const std::vector<AlternativeForm>& alternative_forms();
 /// The form that has this key, or null.
 const AlternativeForm* find_alternative_form(const std::string& key);
 
-/// Every key of a scene file that is no row: the forms', fit.free and what its entries hold. For listings.
+/// Every key of a scene file that is no row: the forms', fit.free and fit.tied, and what their
+/// entries hold. For listings.
 std::vector<FileKey> all_file_keys();
 
 }  // namespace vegard::sim

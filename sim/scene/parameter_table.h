@@ -71,11 +71,11 @@ std::string value_text(const Scene& scene, const ParameterPath& path);
 /// Sets one path from TOML text ("3.5", "\"smpte-c\"", "[1.0, 2.0]"); a bare word is taken as a text. Checks
 /// type and limits of what is set; throws Error(scene) with `path` (or its component) as its key and leaves
 /// the scene as it was. What several values must agree on (names of sheets, fit.free, fit.roi_px) is left to
-/// validate() after the last of a series. `path` may also be fit.free. A line that stays in a new
+/// validate() after the last of a series. `path` may be fit.free or fit.tied. A line that stays in a new
 /// emission.lines keeps its blur.
 void set_from_text(Scene& scene, const std::string& path, const std::string& text);
 
-/// Checks a whole scene: limits, finite numbers, choices, unique sheet names, lengths of vectors, fit.free.
+/// Checks a whole scene: limits, finite numbers, choices, unique sheet names, lengths of vectors, [fit].
 /// Throws Error(scene) with the scene's file.
 void validate(const Scene& scene);
 

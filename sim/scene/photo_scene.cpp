@@ -68,31 +68,36 @@ std::set<std::string> paths_set_by(const Scene& scene, const PhotoEntry& entry) 
 
 /// A number that is free for all photographs is none that one of them has for itself.
 void check_shared_free(const Scene& scene, const PhotoEntry& entry, const Scene& own) {
-  std::set<std::string> alone = paths_set_by(own, entry);
-  std::set<std::string> free_alone;
-  for (const FreeParameter& free : scene.fit.free)
-    if (free.photo == entry.name)
-      for (const ParameterPath& path : resolve(own, free.path)) free_alone.insert(path.text);
+  const std::set<std::string> alone = paths_set_by(own, entry);
   for (const FreeParameter& free : scene.fit.free) {
-    if (!free.photo.empty()) continue;
-    for (const ParameterPath& path : resolve(scene, free.path)) {
-      if (alone.count(path.text) == 0 && free_alone.count(path.text) == 0) continue;
-      complain({"free for all photographs, but '" + entry.name + "' " +
-                    (free_alone.count(path.text) > 0 ? "frees" : "sets") + " it for itself",
-                "shared by all or a matter of each", "give the entry of fit.free photo = \"NAME\""},
-               {scene.file, free.line, path.text});
-    }
+    if (!free.photo.empty() || free.path.empty()) continue;
+    for (const ParameterPath& path : resolve(scene, free.path))
+      if (alone.count(path.text) > 0)
+        complain({"free for all photographs, but '" + entry.name + "' sets it for itself",
+                  "shared by all or a matter of each", "give the entry of fit.free photo = \"NAME\""},
+                 {scene.file, free.line, path.text});
   }
+}
+
+/// Of fit.free what belongs to the photograph alone, as if there were no other, and no ties, which may be to
+/// what is shared.
+void leave_only_own(const PhotoEntry& entry, Scene& own) {
+  std::vector<FreeParameter>& free = own.fit.free;
+  free.erase(
+      std::remove_if(free.begin(), free.end(), [&](const FreeParameter& f) { return f.photo != entry.name; }),
+      free.end());
+  for (FreeParameter& f : free) f.photo.clear();
+  own.fit.tied.clear();
 }
 
 void check_one(const Scene& scene, const PhotoEntry& entry) {
   with_entrys_line(scene, entry, [&] {
-    const Scene at_home = scene_of_photo_at_home(scene, entry);
+    Scene at_home = scene_of_photo_at_home(scene, entry);
+    leave_only_own(entry, at_home);
     validate(at_home);
     check_shared_free(scene, entry, at_home);
     Scene there = at_home;
     there.fit.free.clear();
-    there.fit.tied.clear();
     carry_sheets(station_of_photo(scene, at_home), there);
     validate(there);
   });
@@ -103,14 +108,6 @@ void check_one(const Scene& scene, const PhotoEntry& entry) {
 Scene scene_of_photo_at_home(const Scene& scene, const PhotoEntry& entry) {
   Scene own = scene;
   own.fit.photos.clear();
-  const auto keep_own = [&](auto& entries) {
-    entries.erase(
-        std::remove_if(entries.begin(), entries.end(), [&](const auto& e) { return e.photo != entry.name; }),
-        entries.end());
-    for (auto& e : entries) e.photo.clear();
-  };
-  keep_own(own.fit.free);
-  keep_own(own.fit.tied);
   with_entrys_line(scene, entry, [&] {
     // Lines first: others are lists with an element for each of them.
     for (const bool lines : {true, false})
@@ -133,6 +130,7 @@ Station station_of_photo(const Scene& scene, const Scene& of_photo) {
 
 Scene scene_of_photo(const Scene& scene, const PhotoEntry& entry) {
   Scene own = scene_of_photo_at_home(scene, entry);
+  leave_only_own(entry, own);
   carry_sheets(station_of_photo(scene, own), own);
   return own;
 }
@@ -145,7 +143,6 @@ const PhotoEntry* find_photo(const Scene& scene, const std::string& name) {
 
 void check_photos(const Scene& scene) {
   std::map<std::string, int> line_of_name;
-  std::vector<std::string> names;
   for (const PhotoEntry& entry : scene.fit.photos) {
     if (entry.file.empty())
       complain({"the photograph has no file", "file = \"the name of an image\"", ""},
@@ -168,13 +165,7 @@ void check_photos(const Scene& scene) {
           {"'" + entry.decoding + "' is no decoding",
            expected_text(*find_declaration(free_table, "decoding")), nearest_hint(entry.decoding, decodings)},
           origin_of(scene, entry, "decoding"));
-    names.push_back(entry.name);
   }
-  for (const FreeParameter& free : scene.fit.free)
-    if (!free.photo.empty() && line_of_name.count(free.photo) == 0)
-      complain({"no photograph is called '" + free.photo + "'", "one of [[fit.photo]]",
-                nearest_hint(free.photo, names)},
-               {scene.file, free.line, free.path});
   for (const PhotoEntry& entry : scene.fit.photos) check_one(scene, entry);
 }
 

@@ -8,15 +8,16 @@
 
 namespace vegard::sim {
 
-/// With what the entry sets, and of fit.free and fit.tied only what belongs to it alone (taken as if there
-/// were no other photograph). The sheets stay in the frame of the scene's own site, whatever the entry's is.
-/// Throws Error(scene) with the entry's line for a path or a value that is none.
+/// With what the entry sets, and with no other photograph. The sheets stay in the frame of the scene's own
+/// site, whatever the entry's is, and fit.free and fit.tied are those of the scene. Throws Error(scene) with
+/// the entry's line for a path or a value that is none.
 Scene scene_of_photo_at_home(const Scene& scene, const PhotoEntry& entry);
 
 /// From the frame of the scene's sheets to that of the photograph's site.
 Station station_of_photo(const Scene& scene, const Scene& of_photo);
 
-/// The same as scene_of_photo_at_home with the sheets in the photograph's own frame: what it sees.
+/// What the photograph sees, a scene by itself: with the sheets in the frame of its own site, of fit.free
+/// only what belongs to it alone, and without ties.
 Scene scene_of_photo(const Scene& scene, const PhotoEntry& entry);
 
 /// The entry of this name, or null.

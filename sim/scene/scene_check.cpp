@@ -199,6 +199,7 @@ void validate(const Scene& scene) {
   check_splines(scene);
   check_region(scene);
   check_free_parameters(scene);
+  check_tied_parameters(scene);
   check_photos(scene);
 }
 

@@ -168,6 +168,9 @@ class Reader {
         scene_.fit.free =
             read_free_parameters(*free, origin(*free, std::string(free_table) + "." + free_key));
       }
+      if (const toml::node* tied = values->get(tied_key))
+        scene_.fit.tied =
+            read_tied_parameters(*tied, origin(*tied, std::string(free_table) + "." + tied_key));
       if (const toml::node* photos = values->get(photo_key)) {
         scene_.fit.photos =
             read_photo_entries(*photos, origin(*photos, std::string(free_table) + "." + photo_key));

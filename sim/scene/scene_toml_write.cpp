@@ -59,9 +59,12 @@ std::string table_lines(const Scene& scene, const std::string& table, int sheet)
   for (const Declaration& d : declarations()) {
     if (d.table == table) text += key_line(scene, d, sheet);
   }
-  if (table == free_table)
-    text += std::string(free_key) + " = " + free_parameters_text(scene.fit.free) + "\n" +
-            photo_entries_text(scene.fit.photos);
+  if (table == free_table) {
+    text += std::string(free_key) + " = " + free_parameters_text(scene.fit.free) + "\n";
+    if (!scene.fit.tied.empty())
+      text += std::string(tied_key) + " = " + tied_parameters_text(scene.fit.tied) + "\n";
+    text += photo_entries_text(scene.fit.photos);
+  }
   return text;
 }
 

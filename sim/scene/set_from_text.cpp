@@ -35,12 +35,18 @@ void set_free_parameters(Scene& scene, const std::string& text, const Origin& or
   scene.fit.free = read_free_parameters(*table.get("value"), origin);
 }
 
+void set_tied_parameters(Scene& scene, const std::string& text, const Origin& origin) {
+  const toml::table table = parse_value(text, false, "an array of tables { path, equals }", origin);
+  scene.fit.tied = read_tied_parameters(*table.get("value"), origin);
+}
+
 }  // namespace
 
 void set_from_text(Scene& scene, const std::string& path, const std::string& text) {
   // Lines would be those of `text`: the origin has none.
   const Origin origin{"", 0, path};
   if (path == std::string(free_table) + "." + free_key) return set_free_parameters(scene, text, origin);
+  if (path == std::string(free_table) + "." + tied_key) return set_tied_parameters(scene, text, origin);
 
   const ParameterPath first = resolve(scene, path).front();
   const Declaration& d = declaration_of(*first.row);

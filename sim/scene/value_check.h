@@ -27,7 +27,15 @@ std::optional<Complaint> number_complaint(const Declaration& declaration, double
 /// None of the choices, or against the rule.
 std::optional<Complaint> text_complaint(const Declaration& declaration, const std::string& text);
 
-/// Paths, limits and priors of fit.free. Throws Error(scene) with the scene's file and the entry's line.
+/// A name that is none of fit.photos; empty stands for all photographs.
+std::optional<Complaint> photo_complaint(const Scene& scene, const std::string& photo);
+
+/// Paths, names, limits, scales and priors of fit.free. Throws Error(scene) with the scene's file and the
+/// entry's line.
 void check_free_parameters(const Scene& scene);
+
+/// Paths and expressions of fit.tied, at the numbers that fit.free starts from. To be called after
+/// check_free_parameters(). Throws Error(scene) with the scene's file and the entry's line.
+void check_tied_parameters(const Scene& scene);
 
 }  // namespace vegard::sim

@@ -6,7 +6,8 @@ cat "$SCENES/small.toml" - >both.toml <<'TOML'
 
 [fit]
 bands = 4
-free = ["sheet.main.center_km.north", "sheet.main.energy_kev"]
+free = ["sheet.main.center_km.north", "sheet.main.energy_kev",
+  { path = "camera.elevation_deg", photo = "far", prior = { mean = 40.0, sigma = 0.1 } }]
 model_error = 0.01
 scan_points = 0
 
@@ -25,10 +26,11 @@ expect_exit 0 render "$SCENES/small.toml" -o pictures/north.png --set site.latit
   --set camera.elevation_deg=40 --set sheet.main.center_km.north=152.2 --set sheet.main.center_km.east=19.6
 expect_exit 0 fit both.toml --out runs/both --set sheet.main.center_km.north=228 --set sheet.main.energy_kev=3.6
 expect_stdout "Believable"
+expect_stdout "camera.elevation_deg of far"
 found=$(find runs/both -mindepth 1 -printf '%f\n' | LC_ALL=C sort | xargs)
 [[ $found == "best.toml model-far.exr model-south.exr profiles-far.csv profiles-south.csv report.html residual-far.exr residual-south.exr result.json trace.csv" ]] ||
   fail "the run holds: $found"
-for text in '"photos": [' '"name": "south"' '"name": "far"' '"name": "north.png"'; do
+for text in '"photos": [' '"name": "south"' '"name": "far"' '"name": "north.png"' '"photo": "far"'; do
   grep -qF -- "$text" runs/both/result.json || fail "no '$text' in result.json"
 done
 # The best scene finds its photographs from where it stands.

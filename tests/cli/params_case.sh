@@ -43,6 +43,19 @@ expect_exit 0 "" "$vegard" params scene.toml
 grep -q '^sheet\.arc\.energy_kev  *4\.25  *keV  *0\.1 to 20  *yes ' out.txt || fail "no value of the scene"
 grep -q '^blur\.width_deg\.5577  *0\.18 ' out.txt || fail "no component by its line"
 
+cat > tied.toml <<'SCENE'
+[[sheet]]
+[fit]
+free = ["sheet.main.width_km", { name = "t", start = 2, min = 1, max = 9 }]
+tied = [{ path = "sheet.main.thickness_km", equals = "t + sheet.width_km" }]
+SCENE
+expect_exit 0 "" "$vegard" params tied.toml
+grep -q '^sheet\.main\.width_km .* yes ' out.txt || fail "a free parameter is not listed as free"
+grep -q '^sheet\.main\.thickness_km .* tied ' out.txt || fail "a tied parameter is not listed as tied"
+sed -i 's/t + sheet/t + shet/' tied.toml
+expect_exit 2 "tied.toml:4: sheet.main.thickness_km: the expression has an unknown name, 'shet.width_km'" "$vegard" \
+  params tied.toml
+
 echo 'sede = 1' > bad.toml
 expect_exit 2 "bad.toml:1: sede: unknown key 'sede'; did you mean 'seed'?" "$vegard" params bad.toml
 expect_exit 3 "there is no such file" "$vegard" params missing.toml

@@ -95,8 +95,8 @@ TEST(AirInAFit, JacobianAgreesWithDifferences) {
     std::vector<double> jacobian;
     EXPECT_EQ(residuals(u, &jacobian), residuals(u, nullptr));
     for (std::size_t j = 0; j < free.size(); ++j) {
-      SCOPED_TRACE(free[j].path.text);
-      const std::string& table = free[j].path.row->table;
+      SCOPED_TRACE(free[j].label());
+      const std::string& table = free[j].table();
       double step = 5e-4 * free[j].start;
       if (table == "camera") step = 1.5e-3;
       if (table == "air" || table == "airglow" || table == "light_pollution") step = 0.02 * free[j].start;

@@ -73,7 +73,7 @@ TEST(FreeNumber, NeverLeavesItsLimitsAndSaysWhenItIsAtOne) {
   EXPECT_TRUE(number.logarithmic());
   for (double u : {-1e6, -40.0, 0.0, 40.0, 1e6}) {
     EXPECT_GE(number.value(u), 1.0);
-    EXPECT_LE(number.value(u), 10.0 * (1 + 1e-15));
+    EXPECT_LE(number.value(u), 10.0) << "or a best scene would not be read again";
   }
   EXPECT_NEAR(number.value(0.0), std::sqrt(10.0), 1e-12) << "the middle of the logarithm";
   EXPECT_TRUE(std::isfinite(number.coordinate(1.0)));
@@ -99,11 +99,6 @@ TEST(FreeNumbers, TakeVectorsApartAndStartWhereTheEntrySays) {
   EXPECT_EQ(numbers[2].start, 4.5);
   ASSERT_TRUE(numbers[2].prior);
   EXPECT_EQ(numbers[2].prior->mean, 5.0);
-
-  put_values(scene, numbers, {1.0, 2.0, 3.0});
-  EXPECT_EQ(scene.sheets[0].center_km.east, 1.0);
-  EXPECT_EQ(scene.sheets[0].energy_kev, 3.0);
-  EXPECT_EQ(addresses(scene, numbers)[1], &scene.sheets[0].center_km.north);
 }
 
 TEST(FreeNumbers, OfASceneWithoutAnyIsTheUsersError) {

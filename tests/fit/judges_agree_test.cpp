@@ -47,8 +47,8 @@ struct Problem {
 TEST(JudgesOfUncertainty, AgreeWhereTheModelIsLinear) {
   const Problem p;
   const std::vector<double> data_jacobian(p.rows.jacobian.begin(), p.rows.jacobian.end() - kUnknowns);
-  std::vector<double> prior(9, 0.0);
-  prior[8] = 0.01;
+  PriorKnowledge prior = no_prior_knowledge(kUnknowns);
+  prior.information[8] = 0.01;
   const Uncertainty u = uncertainty({data_jacobian}, kRows, kUnknowns, prior, 1.0);
   const std::vector<double> answer(kUnknowns, 0.0);
 

@@ -96,13 +96,14 @@ struct Fitting {
 /// In the scene's unit: moves the light by about a hundredth of a pixel. Shorter, and the rounding of floats
 /// shows; longer, and samples cross from cell to cell.
 double step_of(const FreeNumber& number) {
-  const std::string& key = number.path.row->key;
+  const std::string& key = number.key();
   if (key == "center_km") return 0.004;
   if (key == "inclination_deg" || key == "declination_deg") return 0.01;
   if (key == "loss_cone_deg") return 0.008;
   if (key == "pitch_step_rad") return 1.5e-4;
   if (key == "length_km") return 0.01;
-  if (number.path.row->table == "camera") return 1.5e-3;
+  if (number.table() == "camera") return 1.5e-3;
+  if (!number.has_path()) return 0.004;  // a distance
   return number.logarithmic() ? 5e-4 * number.start : 5e-4;
 }
 
@@ -113,7 +114,7 @@ void expect_jacobian(const Fitting& fit) {
   EXPECT_EQ(with, without) << "residuals do not depend on whether derivatives are wanted";
   const std::size_t p = u.size();
   for (std::size_t j = 0; j < p; ++j) {
-    SCOPED_TRACE(fit.free[j].path.text);
+    SCOPED_TRACE(fit.free[j].label());
     double step = step_of(fit.free[j]);
     step /= fit.free[j].slope(u[j]);
     std::vector<double> more = u, less = u;
@@ -127,7 +128,7 @@ void expect_jacobian(const Fitting& fit) {
       size += difference * difference;
     }
     EXPECT_GT(size, 0.0);
-    const std::string& key = fit.free[j].path.row->key;
+    const std::string& key = fit.free[j].key();
     const bool weak = key == "loss_cone_deg" || key == "pitch_step_rad";
     EXPECT_LT(std::sqrt(error / size), weak ? 0.1 : 0.03);
   }
@@ -160,6 +161,52 @@ TEST(ProfileCost, JacobianAgreesWithDifferencesWhereNothingIsClipped) {
   scene.fit.free[1].path = "sheet.main.center_km.north";
   scene.fit.free[2].path = "blur.width_deg.6300";
   expect_jacobian(Fitting(scene, {20, 10, 120, 100}, 4, {4, true, false}, true));
+}
+
+/// One energy for two sheets, a sheet that keeps its distance from the other, and a number that is no
+/// parameter's.
+TEST(ProfileCost, JacobianAgreesWithDifferencesWhereNumbersAreTied) {
+  sim::Scene scene = tests::small_scene();
+  scene.sheets[0].beams = 4000;
+  scene.sheets[0].name = "a";
+  scene.sheets.push_back(scene.sheets[0]);
+  scene.sheets[1].name = "b-2";
+  scene.sheets[1].center_km.north = 230.0;
+  scene.blur.width_deg = {0.43, 0.25, 0.3};
+  const auto add = [&](const char* path, const char* name) {
+    scene.fit.free.push_back(tests::free_entry(path));
+    scene.fit.free.back().name = name;
+  };
+  add("sheet.a.energy_kev", "e");
+  add("sheet.b-2.energy_kev", "e");
+  add("sheet.a.center_km.north", "");
+  add("sheet.a.bearing_deg", "");
+  add("", "gap");
+  scene.fit.free.back().start = 40.0;
+  scene.fit.free.back().min = 10.0;
+  scene.fit.free.back().max = 90.0;
+  scene.fit.free.back().prior = sim::Prior{50.0, 0.2, "log-normal"};
+  scene.fit.tied = {
+      {"sheet.b-2.center_km.north", "sheet.a.center_km.north + gap * sin_deg(sheet.a.bearing_deg)", "", 0},
+      {"sheet.b-2.bearing_deg", "sheet.a.bearing_deg", "", 0}};
+  sim::validate(scene);
+  const Fitting fit(scene, {20, 10, 120, 100}, 4, {4, true, false});
+  ASSERT_EQ(fit.free.size(), 4u);
+  EXPECT_EQ(fit.cost->num_residuals(), 4 * 100 * 3 + 1);
+  expect_jacobian(fit);
+}
+
+TEST(ProfileCost, IsInfiniteWhereATieLeavesItsLimits) {
+  sim::Scene scene = tests::small_scene();
+  scene.fit.free = {tests::free_entry("sheet.main.energy_kev")};
+  scene.fit.tied = {{"camera.hfov_deg", "20 * sheet.main.energy_kev", "", 0}};
+  const Fitting fit(scene, {0, 0, 160, 120}, 2, {2, false, false});
+  EXPECT_TRUE(std::isfinite(fit.cost->at({3.0}, false).chi2));
+  EXPECT_FALSE(std::isfinite(fit.cost->at({15.0}, false).chi2));
+  std::vector<double> r(fit.cost->num_residuals());
+  const double u = fit.free[0].coordinate(15.0);
+  const double* parameters[] = {&u};
+  EXPECT_FALSE(fit.cost->Evaluate(parameters, r.data(), nullptr)) << "the solver takes a shorter step then";
 }
 
 TEST(ProfileCost, PriorsAreResidualsOfTheirOwn) {
@@ -333,7 +380,7 @@ TEST(ProfileCost, JacobianOfAFreeFormProfileAgreesWithDifferences) {
       size += difference * difference;
     }
     ASSERT_GT(size, 0.0);
-    EXPECT_LT(std::sqrt(error / size), 2e-3) << free[j].path.text;
+    EXPECT_LT(std::sqrt(error / size), 2e-3) << free[j].label();
   }
 }
 

@@ -17,13 +17,28 @@ TEST(ResultJson, HasTheDocumentedKeysInTheirOrder) {
   const Json json = Json::parse(result_json(tests::small_fit(photo)));
   std::vector<std::string> keys;
   for (const auto& [key, value] : json.items()) keys.push_back(key);
-  EXPECT_EQ(keys,
-            (std::vector<std::string>{
-                "verdict",       "verdict_line",    "reasons",     "parameters",   "solved",
-                "derived",       "correlation",     "chi2",        "chi2_initial", "dof",
-                "rms_over_peak", "error_inflation", "termination", "evaluations",  "jacobian_evaluations",
-                "seed",          "version",         "libraries",   "command",      "inputs",
-                "decoding"}));
+  EXPECT_EQ(keys, (std::vector<std::string>{"verdict",
+                                            "verdict_line",
+                                            "reasons",
+                                            "parameters",
+                                            "tied",
+                                            "solved",
+                                            "derived",
+                                            "correlation",
+                                            "chi2",
+                                            "chi2_initial",
+                                            "dof",
+                                            "rms_over_peak",
+                                            "error_inflation",
+                                            "termination",
+                                            "evaluations",
+                                            "jacobian_evaluations",
+                                            "seed",
+                                            "version",
+                                            "libraries",
+                                            "command",
+                                            "inputs",
+                                            "decoding"}));
   keys.clear();
   for (const auto& [key, value] : json["parameters"][0].items()) keys.push_back(key);
   EXPECT_EQ(keys, (std::vector<std::string>{"path", "meaning", "value", "unit", "sigma", "interval68",

@@ -85,8 +85,13 @@ TEST(TradeOff, SpeaksOfEveryNumberThatMayBeFree) {
                            "light_pollution.luminance_mcd_m2", "sheet.main.energy_flux_mw_m2"}) {
     sim::Scene scene = tests::small_scene();
     std::vector<FreeNumber> free;
-    for (const sim::ParameterPath& p : sim::resolve(scene, path))
-      free.push_back({p, *sim::real_value(scene, p), p.row->min, p.row->max, {}});
+    for (const sim::ParameterPath& p : sim::resolve(scene, path)) {
+      free.emplace_back();
+      free.back().path = p;
+      free.back().start = *sim::real_value(scene, p);
+      free.back().min = p.row->min;
+      free.back().max = p.row->max;
+    }
     std::vector<double> values;
     for (const FreeNumber& n : free) values.push_back(n.start);
     for (const SpokenNumber& n : spoken_numbers(scene, free, values)) {
@@ -111,7 +116,7 @@ TEST(WhyUndetermined, CarriesTheDirectionBackThroughTheTransforms) {
     for (std::size_t j = 0; j < n; ++j)
       jacobian.push_back(by_value[j] * talk.free[j].slope(talk.free[j].coordinate(talk.values[j])));
   }
-  const Uncertainty u = uncertainty({jacobian}, kResiduals, 3, std::vector<double>(9, 0.0), 1.0);
+  const Uncertainty u = uncertainty({jacobian}, kResiduals, 3, no_prior_knowledge(3), 1.0);
   ASSERT_TRUE(std::isnan(u.sigma[0]) && std::isnan(u.sigma[2]) && !std::isnan(u.sigma[1]));
   const std::string expected =
       "distance and energy of the main sheet trade off: 10 km further with 0.3 keV less looks the same";

@@ -19,6 +19,7 @@ clean_tree() {
   put sim/base/image_io.cpp '#include <OpenImageIO/imageio.h>'
   put sim/base/whole_file.h '#include <string>  // not <iostream>, no std::cout, no printf()'
   put sim/scene/scene_toml.cpp '#include <toml++/toml.h>'
+  put sim/scene/expression.cpp '#include <muParser.h>'
   put sim/light/field.h '#include "sim/scene/scene.h"'
   put sim/emit/aurora/beam.h '#include "sim/light/field.h"'
   put sim/view/film.cpp $'#include "hwy/highway.h"\n#include "sim/view/camera.h"\nstd::snprintf(text, 9, "%g", x);'
@@ -81,6 +82,8 @@ refuses sim/base/bad.cpp '#include <OpenImageIO/imageio.h>'
 refuses fit/bad.cpp '#include <OpenImageIO/imagebuf.h>'
 refuses fit/bad.cpp '#include <toml++/toml.h>'
 refuses sim/base/bad.cpp '#include <toml.hpp>'
+refuses sim/scene/bad.cpp '#include <muParser.h>'
+refuses fit/bad.cpp '#include <muParserError.h>'
 
 # Rule 6.
 refuses sim/base/bad.cpp '#include <iostream>'

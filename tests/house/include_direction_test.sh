@@ -70,6 +70,8 @@ check_sources() {
       if (target ~ /^OpenImageIO\// && FILENAME != "sim/base/image_io.cpp")
         complain("OpenImageIO belongs in sim/base/image_io.cpp only")
       if (target ~ /^toml(\+\+)?[\/.]/ && from != "sim/scene") complain("TOML parsing belongs in sim/scene only")
+      if (target ~ /^muParser/ && FILENAME != "sim/scene/expression.cpp")
+        complain("muParser belongs in sim/scene/expression.cpp only")
 
       # Rule 6: libraries do not print, physics does no input or output.
       if (library && target ~ /^(iostream|print|syncstream)$/) complain("libraries do not print (<" target ">)")

@@ -238,6 +238,9 @@ TEST(SetFromText, SetsWhatIsFree) {
   set_from_text(scene, "fit.free", "[\"sheet.main.energy_kev\", { path = \"camera.hfov_deg\", min = 50 }]");
   ASSERT_EQ(scene.fit.free.size(), 2u);
   EXPECT_EQ(scene.fit.free[1].min, 50.0);
+  set_from_text(scene, "fit.tied", "[{ path = \"camera.roll_deg\", equals = \"camera.hfov_deg / 30\" }]");
+  ASSERT_EQ(scene.fit.tied.size(), 1u);
+  EXPECT_EQ(scene.fit.tied[0].equals, "camera.hfov_deg / 30");
 }
 
 TEST(SetFromText, RefusesWhatIsWrongAndLeavesTheScene) {

@@ -117,7 +117,7 @@ TEST(Photographs, WhatAllShareNoneMaySetOrFreeForItself) {
   free.path = "sheet.main.energy_kev";
   free.photo = "home";
   scene.fit.free.push_back(free);
-  EXPECT_NE(tests::expect_error(ErrorKind::scene, [&] { validate(scene); }).find("frees it for itself"),
+  EXPECT_NE(tests::expect_error(ErrorKind::scene, [&] { validate(scene); }).find("free twice"),
             std::string::npos);
 }
 

@@ -48,10 +48,20 @@ void expect_same(const Scene& a, const Scene& b) {
     EXPECT_EQ(x.start, y.start);
     EXPECT_EQ(x.min, y.min);
     EXPECT_EQ(x.max, y.max);
+    EXPECT_EQ(x.name, y.name);
+    EXPECT_EQ(x.scale, y.scale);
+    EXPECT_EQ(x.photo, y.photo);
     ASSERT_EQ(x.prior.has_value(), y.prior.has_value());
     if (!x.prior) continue;
     EXPECT_EQ(x.prior->mean, y.prior->mean);
     EXPECT_EQ(x.prior->sigma, y.prior->sigma);
+    EXPECT_EQ(x.prior->law, y.prior->law);
+  }
+  ASSERT_EQ(a.fit.tied.size(), b.fit.tied.size());
+  for (std::size_t i = 0; i < a.fit.tied.size(); ++i) {
+    EXPECT_EQ(a.fit.tied[i].path, b.fit.tied[i].path);
+    EXPECT_EQ(a.fit.tied[i].equals, b.fit.tied[i].equals);
+    EXPECT_EQ(a.fit.tied[i].photo, b.fit.tied[i].photo);
   }
 }
 
@@ -363,7 +373,120 @@ const Bad bad_scenes[] = {
     {"free_prior_without_sigma", "[fit]\nfree = [{ path = \"camera.hfov_deg\", prior = { mean = 5 } }]\n", 2,
      "fit.free.prior", "the prior has no sigma"},
     {"free_prior_number", "[fit]\nfree = [{ path = \"camera.hfov_deg\", prior = 3 }]\n", 2, "fit.free.prior",
-     "a table { mean, sigma }"},
+     "a table { mean, sigma }, with a law"},
+    {"free_prior_of_no_law",
+     "[fit]\nfree = [{ path = \"camera.hfov_deg\", prior = { mean = 5, sigma = 1, law = \"flat\" } }]\n", 2,
+     "camera.hfov_deg", "\"flat\" is no law"},
+    {"free_prior_uniform_with_mean",
+     "[fit]\nfree = [{ path = \"camera.hfov_deg\", prior = { mean = 5, law = \"uniform\" } }]\n", 2,
+     "fit.free.prior.mean", "a uniform prior has no mean"},
+    {"free_prior_uniform_without_limits",
+     "[fit]\nfree = [{ path = \"camera.hfov_deg\", min = 50, prior = { law = \"uniform\" } }]\n", 2,
+     "camera.hfov_deg", "min and max beside it"},
+    {"free_prior_log_normal_about_zero",
+     "[fit]\nfree = [{ path = \"camera.hfov_deg\", prior = { mean = 0, sigma = 1, law = \"log-normal\" } "
+     "}]\n",
+     2, "camera.hfov_deg", "the mean 0.0 has no logarithm"},
+    {"free_prior_log_normal_of_a_sign",
+     "[fit]\nfree = [{ path = \"camera.roll_deg\", prior = { mean = 1, sigma = 1, law = \"log-normal\" } "
+     "}]\n",
+     2, "camera.roll_deg", "a min of 0 or above"},
+    {"free_scale", "[fit]\nfree = [{ path = \"camera.hfov_deg\", scale = \"log\" }]\n", 2, "camera.hfov_deg",
+     "\"log\" is no scale"},
+    {"free_scale_without_room",
+     "[[sheet]]\n[fit]\nfree = [{ path = \"sheet.main.center_km.north\", scale = \"logarithmic\" }]\n", 3,
+     "sheet.main.center_km.north", "a min above 0"},
+    {"free_of_no_photo", "[fit]\nfree = [{ path = \"camera.hfov_deg\", photo = \"left\" }]\n", 2,
+     "camera.hfov_deg", "no photograph is called 'left'"},
+    {"name_of_a_vector",
+     "[[sheet]]\n[fit]\nfree = [{ path = \"sheet.main.center_km\", name = \"centre\" }]\n", 3,
+     "sheet.main.center_km", "would be that of 2 numbers | a path to one number | name the components"},
+    {"name_is_a_path", "[fit]\nfree = [{ path = \"camera.hfov_deg\", name = \"camera.roll_deg\" }]\n", 2,
+     "camera.hfov_deg", "is a parameter's path"},
+    {"name_is_a_function", "[fit]\nfree = [{ path = \"camera.hfov_deg\", name = \"sin\" }]\n", 2,
+     "camera.hfov_deg", "is a word of expressions"},
+    {"name_is_a_difference", "[fit]\nfree = [{ path = \"camera.hfov_deg\", name = \"a-b\" }]\n", 2,
+     "camera.hfov_deg", "cannot stand in an expression"},
+    {"name_in_two_units",
+     "[[sheet]]\n[fit]\nfree = [\n{ path = \"camera.hfov_deg\", name = \"x\" },\n{ path = "
+     "\"sheet.main.width_km\", name = \"x\" }]\n",
+     5, "sheet.main.width_km", "the name 'x' in line 4 is that of a number in deg, this one is in km"},
+    {"name_on_two_scales",
+     "[[sheet]]\n[[sheet]]\nname = \"b\"\n[fit]\nfree = [{ path = \"sheet.main.energy_kev\", name = \"e\" "
+     "},\n"
+     "{ path = \"sheet.b.energy_kev\", name = \"e\", scale = \"linear\" }]\n",
+     6, "sheet.b.energy_kev", "the name 'e' in line 5 is that of a number on another scale"},
+    {"name_with_two_starts",
+     "[[sheet]]\n[[sheet]]\nname = \"b\"\n[fit]\nfree = [{ path = \"sheet.main.energy_kev\", name = \"e\" "
+     "},\n"
+     "{ path = \"sheet.b.energy_kev\", name = \"e\", start = 4 }]\n",
+     6, "sheet.b.energy_kev", "start 4.0, but the name 'e' in line 5 has none"},
+    {"name_with_two_priors",
+     "[[sheet]]\n[[sheet]]\nname = \"b\"\n[fit]\nfree = [{ path = \"sheet.main.energy_kev\", name = \"e\" "
+     "},\n"
+     "{ path = \"sheet.b.energy_kev\", name = \"e\", prior = { mean = 4, sigma = 1 } }]\n",
+     6, "sheet.b.energy_kev", "a prior other than the name 'e' in line 5 has"},
+    {"name_of_a_number_and_a_path",
+     "[[sheet]]\n[fit]\nfree = [{ name = \"e\", start = 2, min = 1, max = 3 },\n{ path = "
+     "\"sheet.main.energy_kev\", name = \"e\" }]\n",
+     4, "sheet.main.energy_kev", "is that of another number"},
+    {"number_without_max", "[fit]\nfree = [{ name = \"x\", start = 2, min = 1 }]\n", 2, "x",
+     "a number without a path needs a max"},
+    {"number_out_of_order", "[fit]\nfree = [{ name = \"x\", start = 2, min = 3, max = 4 }]\n", 2, "x",
+     "start 2.0 is not between"},
+    {"number_without_use", "[fit]\nfree = [{ name = \"x\", start = 2, min = 1, max = 3 }]\n", 2, "x",
+     "no expression of fit.tied uses it"},
+    {"tied_no_array", "[fit]\ntied = 3\n", 2, "fit.tied", "an array of tables { path, equals }"},
+    {"tied_text", "[fit]\ntied = [\n\"x\"]\n", 3, "fit.tied", "a table { path, equals }"},
+    {"tied_without_expression", "[fit]\ntied = [{ path = \"camera.hfov_deg\" }]\n", 2, "fit.tied",
+     "the entry has no equals"},
+    {"tied_unknown_key", "[fit]\ntied = [{ path = \"camera.hfov_deg\", equal = \"3\" }]\n", 2,
+     "fit.tied.equal", "did you mean 'equals'?"},
+    {"tied_unknown_path", "[fit]\ntied = [{ path = \"camera.hfov\", equals = \"3\" }]\n", 2, "camera.hfov",
+     "'camera.hfov_deg'"},
+    {"tied_width", "[fit]\ntied = [{ path = \"camera.width\", equals = \"30\" }]\n", 2, "camera.width",
+     "cannot be tied"},
+    {"tied_vector", "[[sheet]]\n[fit]\ntied = [{ path = \"sheet.main.center_km\", equals = \"30\" }]\n", 3,
+     "sheet.main.center_km", "tie the components one by one"},
+    {"tied_idle", "[fit]\ntied = [{ path = \"air.aerosol_optical_depth\", equals = \"0.1\" }]\n", 2,
+     "air.aerosol_optical_depth", "there is no air"},
+    {"tied_and_free",
+     "[[sheet]]\n[fit]\nfree = [\"sheet.main.center_km\"]\ntied = [{ path = \"sheet.main.center_km.north\", "
+     "equals = \"100\" }]\n",
+     4, "sheet.main.center_km.north", "both tied and free, free as 'sheet.main.center_km' in line 3"},
+    {"tied_twice",
+     "[fit]\ntied = [{ path = \"camera.hfov_deg\", equals = \"60\" },\n{ path = \"camera.hfov_deg\", equals "
+     "= "
+     "\"50\" }]\n",
+     3, "camera.hfov_deg", "tied twice, first in line 2"},
+    {"tied_to_an_unknown_name",
+     "[[sheet]]\n[fit]\nfree = [{ name = \"distance\", start = 2, min = 1, max = 3 }]\ntied = [{ path = "
+     "\"sheet.main.center_km.north\", equals = \"2 * distanse\" }]\n",
+     4, "sheet.main.center_km.north", "an unknown name, 'distanse'"},
+    {"tied_to_an_unknown_path",
+     "[[sheet]]\nname = \"a-b\"\n[fit]\ntied = [{ path = \"sheet.a-b.energy_kev\", equals = "
+     "\"sheet.a-b.widht_km\" }]\n",
+     4, "sheet.a-b.energy_kev", "did you mean 'sheet.a-b.width_km'?"},
+    {"tied_to_nonsense",
+     "[fit]\ntied = [{ path = \"camera.hfov_deg\", equals = \"60 + * camera.roll_deg\" }]\n", 2,
+     "camera.hfov_deg", "cannot be understood at character 6, '* camera.roll_deg'"},
+    {"tied_in_a_circle",
+     "[fit]\ntied = [{ path = \"camera.hfov_deg\", equals = \"60 + camera.roll_deg\" },\n{ path = "
+     "\"camera.roll_deg\", equals = \"camera.hfov_deg / 60\" }]\n",
+     2, "camera.hfov_deg",
+     "in a circle: camera.hfov_deg, which needs camera.roll_deg, which needs camera.hfov_deg"},
+    {"tied_to_itself", "[fit]\ntied = [{ path = \"camera.hfov_deg\", equals = \"camera.hfov_deg + 1\" }]\n",
+     2, "camera.hfov_deg", "in a circle"},
+    {"tied_out_of_limits",
+     "[[sheet]]\n[fit]\nfree = [{ path = \"sheet.main.energy_kev\", start = 5 }]\ntied = [{ path = "
+     "\"camera.hfov_deg\", equals = \"40 * sheet.energy_kev\" }]\n",
+     4, "camera.hfov_deg", "'40 * sheet.energy_kev' gives: 200 is outside the limits"},
+    {"tied_to_no_number",
+     "[fit]\ntied = [{ path = \"camera.hfov_deg\", equals = \"sqrt(camera.roll_deg - 1)\" }]\n", 2,
+     "camera.hfov_deg", "is no usable number"},
+    {"tied_of_no_photo",
+     "[fit]\ntied = [{ path = \"camera.hfov_deg\", equals = \"60\", photo = \"left\" }]\n", 2,
+     "camera.hfov_deg", "no photograph is called 'left'"},
     {"free_prior_sigma_negative",
      "[fit]\nfree = [{ path = \"camera.hfov_deg\", prior = { mean = 5, sigma = -1 } }]\n", 2,
      "camera.hfov_deg", "a number above 0"},
@@ -404,7 +527,7 @@ TEST(ReadScene, ReadsAFileAndRemembersItsName) {
 }
 
 TEST(WriteScene, ReadsBackTheSame) {
-  Scene scene = parse(R"(
+  Scene scene = parse(R"toml(
 seed = 9223372036854775807
 [site]
 time_utc = "2019-09-01T05:00:00.25Z"
@@ -418,8 +541,18 @@ energy_kev = 0.1
 lines = [427.8, 337.1]
 [fit]
 white_balance_known = false
-free = ["sheet.main.center_km", { path = "sheet.far.energy_kev", start = 0.3333333333333333, prior = { mean = 1, sigma = 1e-3 } }]
-)");
+free = [
+  "sheet.main.center_km", 
+  { path = "sheet.far.energy_kev", start = 0.3333333333333333, prior = { mean = 1, sigma = 1e-3 } },
+  { path = "sheet.far.width_km", name = "w", scale = "linear", prior = { mean = 1, sigma = 0.5, law = "log-normal" } },
+  { path = "sheet.main.width_km", name = "w", scale = "linear" },
+  { name = "tilt", start = 0.25, min = -1, max = 1, prior = { law = "uniform" } },
+]
+tied = [
+  { path = "sheet.far.center_km.east", equals = "sheet.main.center_km.east + 30 * sin(tilt)" },
+  { path = "sheet.far.center_km.north", equals = "sheet.main.center_km.north - 0.5 * w" },
+]
+)toml");
   scene.sensor.gain_per_kilorayleigh = 1e-9;
   scene.sky.level = {1.0 / 3.0, 5e-324, -0.0};
   const std::string text = write_scene(scene, "found by a fit\nin two lines: \x01 \xff København");
