@@ -9,9 +9,9 @@ enum ExitCode : int {
   good = 0,
   internal_error = 1,  ///< a fault of vegard itself or of the machine: no memory, an exception nobody foresaw
   bad_usage = 2,       ///< wrong words on the command line, a bad scene, an output that exists
-  unreadable_input = 3,   ///< a photograph, mask, scene or table that cannot be read
-  not_converged = 4,      ///< the fit did not converge
-  doubted = 5,            ///< the fit converged to an answer that the verdict doubts
+  unreadable_input = 3,  ///< a photograph, mask, scene or table that cannot be read
+  not_converged = 4,     ///< the fit did not converge
+  doubted = 5,  ///< the fit converged to an answer that the verdict doubts; a derivative that differs
   unwritable_output = 6,  ///< an output that cannot be written
   interrupted = 130,      ///< Ctrl-C
 };

@@ -7,13 +7,16 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include "apps/check_derivatives.h"
 #include "apps/decoding.h"
 #include "apps/exit_code.h"
 #include "apps/interrupt.h"
@@ -21,11 +24,16 @@
 #include "apps/progress_bar.h"
 #include "apps/scene_options.h"
 #include "apps/scene_place.h"
+#include "apps/usage_error.h"
+#include "fit/file_journal.h"
 #include "fit/fit.h"
 #include "fit/number_text.h"
 #include "fit/photo.h"
 #include "fit/run_directory.h"
+#include "fit/version.h"
 #include "sim/base/sha256.h"
+#include "sim/base/version.h"
+#include "sim/scene/scene_toml.h"
 
 namespace vegard::apps {
 namespace {
@@ -36,6 +44,8 @@ struct Options {
   int threads = 0;
   int max_evaluations = fit::FitOptions().max_evaluations;
   bool overwrite = false;
+  bool resume = false;
+  bool check_derivatives = false;
 };
 
 std::string sha256_of(const std::string& path) {
@@ -74,11 +84,11 @@ class Account {
   void tell(const std::string& stage, int evaluations, double chi2_per_dof, double share) {
     const std::string text = fmt::format("{}: {} evaluations, chi2 / dof {}", stage, evaluations,
                                          fit::short_number(chi2_per_dof, 3));
-    if (isatty(STDERR_FILENO) == 1) {
-      bar_.update(share, text);
-    } else if (stages_.insert(stage).second) {
-      std::fprintf(stderr, "%s\n", text.c_str());
-    }
+    bar_.update(share, text);
+    if (isatty(STDERR_FILENO) == 1 || !stages_.insert(stage).second) return;
+    const std::optional<double> to_go = bar_.seconds_to_go();
+    std::fprintf(stderr, "%s (%s%s)\n", text.c_str(), duration_text(bar_.elapsed_seconds()).c_str(),
+                 to_go ? (", about " + duration_text(*to_go) + " to go").c_str() : "");
   }
 
  private:
@@ -86,12 +96,45 @@ class Account {
   std::set<std::string> stages_;
 };
 
-fit::FitResult fitted(const Options& options, const sim::Scene& scene,
-                      const std::vector<fit::Photo>& photos) {
+/// All that the answer depends on. Comments and the order of keys in the scene's file do not count.
+fit::JournalSubject subject_of(const Options& options, const sim::Scene& scene,
+                               const std::vector<fit::Photo>& photos) {
+  fit::JournalSubject subject = {
+      {"the version of vegard", sim::version()},
+      {"the version of a library",
+       fit::ceres_version() + ", " + sim::eigen_version() + ", " + fit::opencv_version()},
+      {"the scene", sim::sha256(sim::write_scene(scene))}};
+  for (const auto& [path, text] : scene.tables)
+    subject.push_back({"the table of " + path, sim::sha256(text)});
+  for (const fit::Photo& photo : photos) {
+    subject.push_back({"the photograph", photo.sha256});
+    subject.push_back({"the mask", photo.mask_sha256});
+    subject.push_back({"the decoding", photo.decoding});
+  }
+  subject.push_back({"--max-evaluations", std::to_string(options.max_evaluations)});
+  return subject;
+}
+
+/// A run that Ctrl-C has left is what --resume goes on with; any other is kept.
+bool is_interrupted_run(const std::string& directory) {
+  std::ifstream file(directory + "/result.json", std::ios::binary);
+  const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
+  return json.is_object() &&
+         json.value("verdict", "") == std::string(fit::verdict_name(fit::Verdict::interrupted));
+}
+
+fit::JournalMode journal_mode(const Options& options) {
+  if (options.resume) return fit::JournalMode::resume;
+  return options.overwrite ? fit::JournalMode::overwrite : fit::JournalMode::fresh;
+}
+
+fit::FitResult fitted(const Options& options, const sim::Scene& scene, const std::vector<fit::Photo>& photos,
+                      fit::Journal& journal) {
   Account account;
   fit::FitOptions fit_options;
   fit_options.threads = options.threads;
   fit_options.max_evaluations = options.max_evaluations;
+  fit_options.journal = &journal;
   fit_options.progress = [&account](const std::string& stage, int evaluations, double chi2_per_dof,
                                     double share) { account.tell(stage, evaluations, chi2_per_dof, share); };
   fit_options.stop = &watch_for_interrupt();
@@ -148,15 +191,34 @@ int run(const Options& options, const std::string& command) {
   const sim::Scene scene = scene_of(options.scene);
   // Now, not after the fit: someone may edit the file meanwhile.
   const std::string scene_sha256 = sha256_of(options.scene.file);
-  fit::check_run_directory(options.out, options.overwrite);
+  const bool replaces = options.overwrite || (options.resume && is_interrupted_run(options.out));
+  if (!options.check_derivatives) {
+    if (options.out.empty()) throw usage_error("--out", "is missing", "the run's directory to write");
+    fit::check_run_directory(options.out, replaces);
+  }
   const std::vector<fit::Photo> photos = photos_of(options, scene);
+  if (options.check_derivatives) {
+    if (!scene.fit.photos.empty())
+      throw usage_error("--check-derivatives", "is for one photograph", "a scene without [[fit.photo]]");
+    return check_derivatives(scene, photos.front(), options.threads);
+  }
 
-  fit::FitResult result = fitted(options, scene, photos);
+  fit::FileJournal journal(fit::journal_file(options.out), subject_of(options, scene, photos),
+                           journal_mode(options));
+  if (journal.found() > 0)
+    std::fprintf(stderr, "vegard: going on after %d finished steps\n", journal.found());
+  fit::FitResult result = fitted(options, scene, photos, journal);
+  if (!journal.problem().empty())
+    std::fprintf(stderr, "vegard: this fit cannot be resumed: %s\n", journal.problem().c_str());
   result.inputs = inputs_of(options.scene.file, scene_sha256, photos);
   result.command = command;
   fit::RunContext context;
   context.threads = options.threads;
-  fit::write_run(options.out, options.overwrite, result, photos, context);
+  fit::write_run(options.out, replaces, result, photos, context);
+  if (result.verdict != fit::Verdict::interrupted)
+    journal.remove();
+  else
+    std::fputs("vegard: interrupted; the same command with --resume goes on\n", stderr);
   print_answer(result, options.out + "/report.html");
   return exit_code_of(result.verdict);
 }
@@ -172,7 +234,7 @@ void add_fit_command(CLI::App& app, int& exit_code, const std::string& command_l
       ->add_option("--photo", options->photo,
                    "JPEG, PNG or TIFF; left out: those of the scene's [[fit.photo]]")
       ->type_name("IMAGE");
-  command->add_option("--out", options->out, "The run's directory to write")->required()->type_name("RUN");
+  command->add_option("--out", options->out, "The run's directory to write")->type_name("RUN");
   command->add_option("--mask", options->mask, "An image of the same size: white = use")->type_name("IMAGE");
   add_decoding_option(*command, options->decoding);
   command->add_option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
@@ -180,7 +242,12 @@ void add_fit_command(CLI::App& app, int& exit_code, const std::string& command_l
   command->add_option("--max-evaluations", options->max_evaluations, "Stop after so many evaluations")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  command->add_flag("--overwrite", options->overwrite, "Replace a run that exists");
+  command->add_flag("--overwrite", options->overwrite,
+                    "Replace a run that exists; without --resume, discard the steps of one that was cut off");
+  command->add_flag("--resume", options->resume,
+                    "Go on with a fit that was cut off, from the finished steps in RUN.part");
+  command->add_flag("--check-derivatives", options->check_derivatives,
+                    "Only compare every free parameter's derivative with differences (no --out needed)");
   command->callback([options, &exit_code, command_line] { exit_code = run(*options, command_line); });
 }
 

@@ -35,12 +35,18 @@ std::string duration_text(double seconds) {
   return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
 }
 
-std::string progress_line(const std::string& label, double share, double elapsed_seconds, int columns) {
-  share = std::clamp(share, 0.0, 1.0);
-  std::string right = fmt::format(" {:3.0f} %", 100.0 * share);
-  // Before that the rate says nothing.
-  constexpr double kLeastShare = 0.02;
-  if (share >= kLeastShare) right += ", " + duration_text(elapsed_seconds * (1.0 - share) / share) + " to go";
+std::optional<double> seconds_to_go(const ProgressPoint& from, const ProgressPoint& now) {
+  constexpr double kLeastShare = 0.02;  // before that the pace says nothing
+  const double done = now.share - from.share;
+  if (!(done >= kLeastShare)) return {};
+  return (now.elapsed_seconds - from.elapsed_seconds) * (1.0 - now.share) / done;
+}
+
+std::string progress_line(const std::string& label, const ProgressPoint& now,
+                          std::optional<double> seconds_to_go, int columns) {
+  const double share = std::clamp(now.share, 0.0, 1.0);
+  std::string right = fmt::format(" {:3.0f} %, {}", 100.0 * share, duration_text(now.elapsed_seconds));
+  if (seconds_to_go) right += ", " + duration_text(*seconds_to_go) + " to go";
   const int room = columns - 1 - static_cast<int>(label.size() + right.size()) - 4;
   std::string line = label;
   if (room >= 5) {
@@ -60,26 +66,40 @@ ProgressBar::~ProgressBar() { finish(); }
 
 void ProgressBar::update(double share) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (std::isfinite(share)) share_ = std::max(share_, share);
+  note(share);
   show();
 }
 
 void ProgressBar::update(double share, const std::string& label) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (std::isfinite(share)) share_ = std::max(share_, share);
+  note(share);
   label_ = label;
   show();
 }
 
+void ProgressBar::note(double share) {
+  if (std::isfinite(share)) share_ = std::max(share_, std::min(share, 1.0));
+  const double elapsed = seconds(Clock::now() - start_);
+  if (elapsed < kQuietSeconds) first_ = {share_, elapsed};
+}
+
+double ProgressBar::elapsed_seconds() const { return seconds(Clock::now() - start_); }
+
+std::optional<double> ProgressBar::seconds_to_go() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return apps::seconds_to_go(first_, {share_, elapsed_seconds()});
+}
+
 void ProgressBar::show() {
   const Clock::time_point now = Clock::now();
-  const double elapsed = seconds(now - start_);
-  if (!on_terminal_ || elapsed < kQuietSeconds) return;
+  const ProgressPoint point{share_, seconds(now - start_)};
+  if (!on_terminal_ || point.elapsed_seconds < kQuietSeconds) return;
   if (shown_ && seconds(now - last_) < kSecondsBetween) return;
   last_ = now;
   shown_ = true;
   // \r and "erase to the end of the line".
-  std::fprintf(stderr, "\r%s\033[K", progress_line(label_, share_, elapsed, terminal_columns()).c_str());
+  std::fprintf(stderr, "\r%s\033[K",
+               progress_line(label_, point, apps::seconds_to_go(first_, point), terminal_columns()).c_str());
   std::fflush(stderr);
 }
 

@@ -13,6 +13,8 @@
 namespace vegard::fit {
 namespace {
 
+constexpr double kStandsStill = 1e-6;  // of the start, or of one unit where that is more
+
 /// "it trades off against sheet.main.phase_rad", from the undetermined direction that a coordinate leans on
 /// most.
 std::string why_undetermined(const std::vector<FreeNumber>& free, const Uncertainty& u, std::size_t j) {
@@ -44,11 +46,14 @@ ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::
     p.max = n.max;
     p.at_limit = n.at_limit(values[j]);
     p.of_profile = n.key() == "spline_rate";
+    const double way = apart(n, values[j], n.start);
+    p.moved = way > kStandsStill * (n.logarithmic() ? std::abs(n.start) : std::max(1.0, std::abs(n.start)));
     const double at = n.coordinate(values[j]);
     slopes.push_back(n.slope(at));
     const double sigma = u.sigma[j] * slopes[j];
     if (std::isfinite(sigma)) {
       p.sigma = sigma;
+      p.moved_sigma = way / sigma;
       const double shift = p.value - values[j];
       p.interval68 = {n.value(at - u.sigma[j]) + shift, n.value(at + u.sigma[j]) + shift};
     } else {

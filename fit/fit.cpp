@@ -11,11 +11,14 @@
 #include "fit/free_parameters.h"
 #include "fit/free_profile.h"
 #include "fit/inflation.h"
+#include "fit/journal.h"
 #include "fit/observation.h"
 #include "fit/prior_rows.h"
 #include "fit/profile_rounds.h"
 #include "fit/sampled_uncertainty.h"
 #include "fit/search.h"
+#include "fit/steepest.h"
+#include "fit/step_outputs.h"
 #include "fit/turns.h"
 #include "fit/uncertainty.h"
 #include "fit/verdict.h"
@@ -24,6 +27,7 @@
 namespace vegard::fit {
 namespace {
 
+constexpr double kShareBeforeErrorBars = 0.9;
 constexpr double kSecondMode = 4.0;  // difference of chi2 (two standard deviations) in units of the inflation
 
 /// The sky alone, with the night sky's known lights where the fit ended.
@@ -80,6 +84,19 @@ sim::Scene with_ties(const sim::Scene& given, const std::vector<FreeNumber>& fre
   sim::Scene scene = given;
   map.put(start, scene);
   return scene;
+}
+
+ComparedValues compared_values(const std::vector<Observation>& observations, int unknowns) {
+  ComparedValues compared;
+  compared.unknowns = unknowns;
+  for (const Observation& o : observations) {
+    const Region& region = o.region;
+    compared.regions_px.push_back({region.x, region.y, region.width, region.height});
+    compared.values += o.full->residuals();
+    for (const std::size_t i : o.full->linear().used())
+      compared.sum_of_weights += 1.0 / (o.full->sigma()[i] * o.full->sigma()[i]);
+  }
+  return compared;
 }
 
 int held_gains(const ProfileCost::Point& point) {
@@ -159,13 +176,16 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
 
   Evidence evidence;
   const SearchOutcome outcome =
-      search(scene, free, {cost_terms(observations, free, Detail::coarse), full}, options, log, r.trace);
+      search_outcome_of(recorded_step(options.journal, "the whole search", log, r.trace, [&] {
+        return output_of(search(scene, free, {cost_terms(observations, free, Detail::coarse), full}, options,
+                                log, r.trace));
+      }));
   r.chi2_initial = outcome.chi2_initial;
   r.termination = outcome.best.termination;
   Descent best = outcome.best;
   Settled settled;
   if (PriorRows(free).count() > 0 || !spline_lines(scene, free).empty()) {
-    settled = settle(scene, free, full, best, log, r.trace);
+    settled = settle(scene, free, full, best, log, r.trace, options.journal);
     best = settled.descent;
     r.termination = best.termination;
   }
@@ -191,11 +211,13 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
   r.dof = residuals + static_cast<int>(PriorRows(free).count()) - unknowns + held_gains(point);
   r.error_inflation = joint_inflation(cost, point, unknowns);
 
+  r.compared = compared_values(observations, unknowns - held_gains(point));
+  r.steepest_cosine = steepest_cosine(cost, values);
+
   const std::size_t n = free.size();
-  Uncertainty u = evidence.stopped ? no_uncertainty(n, r.error_inflation)
-                                   : sampled_uncertainty(observations, free, values, settled.prior, anchors,
-                                                         r.error_inflation, options.threads);
-  if (!evidence.stopped)
+  const auto error_bars = [&] {
+    Uncertainty u = sampled_uncertainty(observations, free, values, settled.prior, anchors, r.error_inflation,
+                                        options.threads);
     drop_flat_directions(
         [&](const std::vector<double>& step) {
           std::vector<double> moved = cost.coordinates(values);
@@ -205,7 +227,15 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
                  2.0 * log_of_limits(free, values, step);
         },
         bounded_by_prior(settled.prior, n), u);
-  without_anchors(anchors, free, values, u);
+    without_anchors(anchors, free, values, u);
+    return output_of(u);
+  };
+  if (options.progress && !evidence.stopped)
+    options.progress("error bars", log.residuals, r.chi2 / std::max(1, r.dof), kShareBeforeErrorBars);
+  NullJournal nowhere;
+  Journal& journal = options.journal != nullptr ? *options.journal : nowhere;
+  const Uncertainty u = evidence.stopped ? no_uncertainty(n, r.error_inflation)
+                                         : uncertainty_of(journal.step("error bars", error_bars));
 
   const ValueUncertainty known = put_parameters(free, values, u, evidence.stopped, r);
   std::vector<double> tidied;

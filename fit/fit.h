@@ -12,6 +12,8 @@
 
 namespace vegard::fit {
 
+class Journal;
+
 struct FitOptions {
   int threads = 0;             ///< of the simulator; 0: all cores. The result does not depend on it.
   int max_evaluations = 2000;  ///< of the residuals, search and descents together
@@ -19,7 +21,8 @@ struct FitOptions {
   /// smoothed profiles have been looked at), finished share 0..1 (a guess).
   std::function<void(const std::string& stage, int evaluations, double chi2_per_dof, double share)> progress;
   const std::atomic<bool>* stop =
-      nullptr;  ///< set by Ctrl-C: the best so far comes back with verdict interrupted
+      nullptr;                 ///< set by Ctrl-C: the best so far comes back with verdict interrupted
+  Journal* journal = nullptr;  ///< where finished steps are kept and looked up; null: nowhere
 };
 
 /// Fits scene.fit.free to the vertical profiles of `photo`. The photograph must have the camera's size.

@@ -1,7 +1,9 @@
 // What a fit has found, complete enough to write a run directory and a report from it.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -35,8 +37,10 @@ struct FittedParameter {
       sigma;  ///< 68 % half-width carried back through the transform; none if it has no error bar
   std::optional<std::pair<double, double>> interval68;  ///< carried back exactly, may be lopsided
   bool at_limit = false;
-  bool of_profile = false;   ///< a coefficient of one of FitResult::profiles, which say it better
-  std::string why_no_sigma;  ///< in words, if sigma is missing
+  bool moved = true;                  ///< further than rounding from `initial`
+  std::optional<double> moved_sigma;  ///< how far, in units of sigma; none without an error bar
+  bool of_profile = false;            ///< a coefficient of one of FitResult::profiles, which say it better
+  std::string why_no_sigma;           ///< in words, if sigma is missing
 };
 
 /// A number that follows from others (fit.tied), or is the same as another by its name.
@@ -102,10 +106,26 @@ struct FittedPhoto {
   std::string decoding;
 };
 
+/// One of the questions behind a verdict.
+struct Check {
+  std::string name;  ///< "level": a word or two
+  bool passed = false;
+  std::string words;  ///< what was found, in a sentence's part
+};
+
+/// What the model was compared with: two fits can be weighed against each other if it is the same for both.
+struct ComparedValues {
+  std::vector<std::array<int, 4>> regions_px;  ///< of every photograph: x, y, width, height
+  int values = 0;                              ///< statistics with a sigma, of all photographs
+  double sum_of_weights = 0.0;                 ///< of 1 / sigma^2
+  int unknowns = 0;                            ///< free and solved for, less what is held
+};
+
 struct FitResult {
   Verdict verdict = Verdict::failed;
   std::string verdict_line;          ///< one sentence: whether to believe it, and why
   std::vector<std::string> reasons;  ///< what speaks against it, or is worth knowing; may be empty
+  std::vector<Check> checks;         ///< what the verdict has asked, in its order
   std::vector<FittedParameter> parameters;
   std::vector<TiedNumber> tied;
   std::vector<DerivedNumber> derived;
@@ -121,6 +141,10 @@ struct FitResult {
   double chi2 = 0.0;
   double chi2_initial = 0.0;
   int dof = 0;
+  ComparedValues compared;
+  /// Largest |cosine| between the residuals and a column of the Jacobian at the end (fit/steepest.h); NaN if
+  /// it is not known.
+  double steepest_cosine = std::numeric_limits<double>::quiet_NaN();
   double rms_over_peak = 0.0;    ///< of the photograph that has the largest
   double error_inflation = 1.0;  ///< factor on the error bars for correlated residuals and chi2 / dof above 1
   std::string termination;       ///< in words, Ceres' own after ours

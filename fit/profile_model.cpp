@@ -103,10 +103,13 @@ struct ProfileModel::Workspace {
   std::vector<sim::LargeVector<float>> shaped;
   std::vector<SheetShapers> shaped_by;
   std::string shaped_in;
+  // The coefficients that the model was made with. The scale on which the slopes' light is rounded goes by
+  // these, not by those at which it happens to be asked for first: it is to be the same after a resumption.
+  std::vector<std::vector<double>> first_rates;
 
   void shape(const ProfileShapers& shapers) {
     sim::Scene rest = scene;
-    for (sim::Sheet& sheet : rest.sheets) sheet.spline_rate.clear();
+    for (std::size_t s = 0; s < rest.sheets.size(); ++s) rest.sheets[s].spline_rate = first_rates[s];
     std::string words = sim::write_scene(rest);
     const auto same = [](const SheetShapers& a, const SheetShapers& b) { return a.rates == b.rates; };
     if (words == shaped_in && std::equal(shaped_by.begin(), shaped_by.end(), shapers.of_sheet.begin(),
@@ -121,7 +124,7 @@ struct ProfileModel::Workspace {
     for (std::size_t s = 0; s < shaped.size(); ++s) {
       const auto& rates = shapers.of_sheet[s].rates;
       if (rates.empty()) continue;
-      exposer->expose_profiles(scene, static_cast<int>(s), rates, light);
+      exposer->expose_profiles(rest, static_cast<int>(s), rates, light);
       const std::size_t cells = light.cells(), lines_count = scene.emission.lines.size();
       shaped[s].resize(cells * lines_count * rates.size());
       down.resize(cells);
@@ -398,6 +401,7 @@ ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo, const Re
     sheet.beams = std::max(1, static_cast<int>(std::lround(sim::beams_per_layer(sheet) * beams_share)));
     sheet.beams_per_km = 0.0;
     sheet.spacing_jitter = 0.0;  // the expectation is wanted, not one realisation
+    w.first_rates.push_back(sheet.spline_rate);
   }
   const int cell = cell_width(region, bands);
   w.film = sim::film_for(scene, region.x, region.y, region.width, region.height, cell, 1.0);

@@ -48,6 +48,65 @@ double change(const std::vector<double>& a, const std::vector<double>& b) {
   return most;
 }
 
+std::string stage_of(int round) { return "polish, again " + std::to_string(round + 1); }
+
+/// One round: inflation and smoothness as the residuals have them, and a descent with these. False if they
+/// are what they were, and nothing was done.
+bool another_round(const sim::Scene& scene, const std::vector<FreeNumber>& free,
+                   const std::vector<CostTerm>& terms, int round, int unknowns, Settled& settled,
+                   EvaluationLog& log, std::vector<TraceRow>& trace) {
+  const bool any_profiles = settled.prior.any();
+  const ProfileCost before(free, terms, log, {{}, {}, settled.prior, settled.inflation, {}});
+  const ProfileCost::Point point = before.at(settled.descent.values, any_profiles);
+  const double inflation = joint_inflation(before, point, unknowns);
+  SplinePrior prior = settled.prior;
+  if (any_profiles) {
+    std::vector<double> jacobian, prior_jacobian, ignored;
+    before.data_jacobian(point, jacobian);
+    const Coordinates coordinates(settled.prior, free, point.values);
+    SplinePrior of_scale = settled.prior;
+    of_scale.smoothness.assign(of_scale.lines.size(), 0.0);
+    PriorRows others(free);
+    append_rows(of_scale, scene, 1.0, others);
+    others.evaluate(point.values, ignored, &prior_jacobian);
+    const std::vector<double> probable =
+        most_probable_smoothness(prior,
+                                 products(jacobian, static_cast<std::size_t>(before.data_residuals()),
+                                          1.0 / (inflation * inflation), coordinates),
+                                 products(prior_jacobian, others.count(), 1.0, coordinates), coordinates.at,
+                                 settled.inflation / inflation, &settled.determined);
+    if (scene.fit.profile_smoothness <= 0.0) prior.smoothness = probable;
+  }
+  const bool same = (round > 0 || !any_profiles) &&
+                    change(prior.smoothness, settled.prior.smoothness) < kSettled &&
+                    std::abs(std::log(inflation / settled.inflation)) < kSettled;
+  if (same) return false;
+  settled.prior = prior;
+  settled.inflation = inflation;
+  sim::Scene there = scene;
+  terms.front().map.put(point.values, there);
+  const ProfileCost cost(free, terms, log,
+                         {{}, {}, prior, inflation, phase_anchors(there, free, point.values)});
+  settled.descent = descend(cost, point.values, kIterations, stage_of(round), log, trace);
+  return true;
+}
+
+/// What a round changes of `settled`, as a step's output, and back.
+StepOutput output_of_round(const Settled& settled, bool went_on) {
+  StepOutput output = output_of(settled.descent);
+  output.numbers["smoothness"] = settled.prior.smoothness;
+  output.numbers["inflation, determined"] = {settled.inflation, settled.determined};
+  output.flags["went on"] = went_on;
+  return output;
+}
+
+void take(const StepOutput& output, Settled& settled) {
+  settled.descent = descent_of(output);
+  settled.prior.smoothness = output.numbers.at("smoothness");
+  settled.inflation = output.numbers.at("inflation, determined").at(0);
+  settled.determined = output.numbers.at("inflation, determined").at(1);
+}
+
 }  // namespace
 
 double first_smoothness(const sim::Scene& scene) {
@@ -56,7 +115,7 @@ double first_smoothness(const sim::Scene& scene) {
 
 Settled settle(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                const std::vector<CostTerm>& terms, const Descent& from, EvaluationLog& log,
-               std::vector<TraceRow>& trace) {
+               std::vector<TraceRow>& trace, Journal* journal) {
   Settled settled;
   settled.descent = from;
   settled.prior = spline_prior(scene, free, first_smoothness(scene));
@@ -64,38 +123,13 @@ Settled settle(const sim::Scene& scene, const std::vector<FreeNumber>& free,
   int unknowns = static_cast<int>(free.size());
   for (const CostTerm& term : terms) unknowns += term.comparison->coefficients();
   for (int round = 0; round < kRounds && !log.exhausted(); ++round) {
-    const bool any_profiles = settled.prior.any();
-    const ProfileCost before(free, terms, log, {{}, {}, settled.prior, settled.inflation, {}});
-    const ProfileCost::Point point = before.at(settled.descent.values, any_profiles);
-    const double inflation = joint_inflation(before, point, unknowns);
-    SplinePrior prior = settled.prior;
-    if (any_profiles) {
-      std::vector<double> jacobian, prior_jacobian, ignored;
-      before.data_jacobian(point, jacobian);
-      const Coordinates coordinates(settled.prior, free, point.values);
-      SplinePrior of_scale = settled.prior;
-      of_scale.smoothness.assign(of_scale.lines.size(), 0.0);
-      PriorRows others(free);
-      append_rows(of_scale, scene, 1.0, others);
-      others.evaluate(point.values, ignored, &prior_jacobian);
-      const std::vector<double> probable =
-          most_probable_smoothness(prior,
-                                   products(jacobian, static_cast<std::size_t>(before.data_residuals()),
-                                            1.0 / (inflation * inflation), coordinates),
-                                   products(prior_jacobian, others.count(), 1.0, coordinates), coordinates.at,
-                                   settled.inflation / inflation, &settled.determined);
-      if (scene.fit.profile_smoothness <= 0.0) prior.smoothness = probable;
-    }
-    const bool same = (round > 0 || !any_profiles) &&
-                      change(prior.smoothness, settled.prior.smoothness) < kSettled &&
-                      std::abs(std::log(inflation / settled.inflation)) < kSettled;
-    if (same) break;
-    settled.prior = prior;
-    settled.inflation = inflation;
-    const ProfileCost cost(
-        free, terms, log, {{}, {}, prior, inflation, phase_anchors(terms.front().scene, free, point.values)});
-    settled.descent =
-        descend(cost, point.values, kIterations, "polish, again " + std::to_string(round + 1), log, trace);
+    const StepOutput output = recorded_step(journal, stage_of(round), log, trace, [&] {
+      Settled next = settled;
+      const bool went_on = another_round(scene, free, terms, round, unknowns, next, log, trace);
+      return output_of_round(next, went_on);
+    });
+    take(output, settled);
+    if (!output.flags.at("went on")) break;
   }
   return settled;
 }

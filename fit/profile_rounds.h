@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fit/descent.h"
+#include "fit/journal.h"
 
 namespace vegard::fit {
 
@@ -22,9 +23,9 @@ double first_smoothness(const sim::Scene& scene);
 
 /// Descents from `from`, with inflation and smoothness (unless fit.profile_smoothness says) taken anew before
 /// each, until neither changes by more than a tenth, or five times. For fits with priors or free-form
-/// profiles.
+/// profiles. Every round is a step of `journal`.
 Settled settle(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                const std::vector<CostTerm>& terms, const Descent& from, EvaluationLog& log,
-               std::vector<TraceRow>& trace);
+               std::vector<TraceRow>& trace, Journal* journal = nullptr);
 
 }  // namespace vegard::fit

@@ -29,6 +29,17 @@ std::string verdict_word(Verdict verdict) {
   return {};
 }
 
+/// What the verdict has asked; in words what was found where that is not among the reasons already.
+std::string checks_list(const FitResult& result) {
+  if (result.checks.empty()) return {};
+  std::string html = "<ul class=\"checks\">\n";
+  for (const Check& check : result.checks)
+    html += std::string("<li class=\"") + (check.passed ? "passed" : "missed") + "\"><b>" +
+            (check.passed ? "\u2713 " : "\u2717 ") + html_text(check.name) + "</b> " +
+            html_text(check.passed ? check.words : "not passed") + "</li>\n";
+  return html + "</ul>";
+}
+
 /// The verdict on top; reasons that its line does not tell already stand below it.
 std::string verdict_band(const FitResult& result) {
   std::string html = std::string("<div class=\"verdict ") + verdict_name(result.verdict) +
@@ -39,6 +50,7 @@ std::string verdict_band(const FitResult& result) {
     if (result.verdict_line.find(reason) == std::string::npos)
       reasons += "<li>" + html_text(reason) + "</li>";
   if (!reasons.empty()) html += "<ul>" + reasons + "</ul>";
+  html += checks_list(result);
   return html + "</div>\n</div></div>\n";
 }
 

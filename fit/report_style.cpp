@@ -18,6 +18,8 @@ h1 { margin: 2px 0 0; font-size: 30px; font-weight: 600; letter-spacing: -0.01em
 .verdict .word { font-size: 24px; font-weight: 700; white-space: nowrap; }
 .verdict .line { font-size: 17px; }
 .verdict ul { margin: 6px 0 0; padding-left: 20px; font-size: 15px; }
+.verdict .checks { list-style: none; padding: 0; margin-top: 12px; font-size: 13px; columns: 2 340px; column-gap: 28px; opacity: 0.92; }
+.verdict .checks li { break-inside: avoid; } .verdict .missed { font-weight: 700; }
 .good { background: #17784a; } .doubtful { background: #a35f00; } .failed { background: #a82a22; }
 .interrupted { background: #596372; }
 section { background: var(--paper); border: 1px solid var(--line); border-radius: 10px; padding: 22px 24px 24px;

@@ -36,6 +36,8 @@ Json parameter(const FittedParameter& p) {
   json["min"] = number(p.min);
   json["max"] = number(p.max);
   json["at_limit"] = p.at_limit;
+  json["moved"] = p.moved;
+  json["moved_sigma"] = number(p.moved_sigma);
   return json;
 }
 
@@ -147,6 +149,9 @@ std::string result_json(const FitResult& result) {
   json["verdict"] = verdict_name(result.verdict);
   json["verdict_line"] = result.verdict_line;
   json["reasons"] = result.reasons;
+  json["checks"] = Json::array();
+  for (const Check& check : result.checks)
+    json["checks"].push_back({{"name", check.name}, {"passed", check.passed}, {"words", check.words}});
   json["parameters"] = Json::array();
   for (const FittedParameter& p : result.parameters) json["parameters"].push_back(parameter(p));
   json["tied"] = Json::array();
@@ -174,6 +179,11 @@ std::string result_json(const FitResult& result) {
   json["chi2"] = number(result.chi2);
   json["chi2_initial"] = number(result.chi2_initial);
   json["dof"] = result.dof;
+  json["compared"] = {{"regions_px", result.compared.regions_px},
+                      {"values", result.compared.values},
+                      {"sum_of_weights", number(result.compared.sum_of_weights)},
+                      {"unknowns", result.compared.unknowns}};
+  json["steepest_cosine"] = number(result.steepest_cosine);
   json["rms_over_peak"] = number(result.rms_over_peak);
   json["error_inflation"] = number(result.error_inflation);
   json["termination"] = result.termination;

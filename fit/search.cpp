@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "fit/course.h"
+#include "fit/journal.h"
 #include "fit/profile_rounds.h"
 #include "sim/base/random.h"
 
@@ -36,6 +37,23 @@ struct Trial {
   Values values;
   double chi2 = 0.0;
 };
+
+StepOutput output_of(const std::vector<Trial>& trials) {
+  StepOutput output;
+  for (const Trial& trial : trials) {
+    std::vector<double>& numbers = output.numbers["trial " + std::to_string(output.numbers.size() + 1000000)];
+    numbers = trial.values;
+    numbers.push_back(trial.chi2);
+  }
+  return output;
+}
+
+std::vector<Trial> trials_of(const StepOutput& output) {
+  std::vector<Trial> trials;
+  for (const auto& [name, numbers] : output.numbers)
+    trials.push_back({Values(numbers.begin(), numbers.end() - 1), numbers.back()});
+  return trials;
+}
 
 bool is(const FreeNumber& number, const char* key) { return number.key() == key; }
 bool is_periodic(const FreeNumber& n) { return is(n, "wavelength_km") || is(n, "phase_rad"); }
@@ -100,9 +118,10 @@ class Search {
 
     std::vector<Trial> ends = {tried(start)};
     if (scene_.fit.scan_points > 0 && !searched_.empty()) {
-      const Trial straight = overall(ends.front());
-      std::vector<Trial> trials = by_course(straight);
-      if (trials.empty()) trials = scan(straight);
+      const Trial straight =
+          trials_step("overall", [&] { return std::vector<Trial>{overall(ends.front())}; }).front();
+      std::vector<Trial> trials = trials_step("course", [&] { return by_course(straight); });
+      if (trials.empty()) trials = trials_step("scan", [&] { return scan(straight); });
       trials.push_back(ends.front());  // whoever starts close is not to be led away
       sort(trials);
       ends = descend_from(trials, scene_.fit.scan_descents, "descent");
@@ -118,8 +137,11 @@ class Search {
                               spline_prior(scene_, free_, first_smoothness(scene_)),
                               kFirstPriorWeight,
                               anchors(free_, {}, ends[i].values)});
-      polished.push_back(descend(cost, ends[i].values, kLongDescent, stage, log_, trace_));
-      note(polished.back().values, polished.back().chi2, true);
+      polished.push_back(descent_of(recorded_step(options_.journal, stage, log_, trace_, [&] {
+        const Descent end = descend(cost, ends[i].values, kLongDescent, stage, log_, trace_);
+        note(end.values, end.chi2, true);
+        return output_of(end);
+      })));
     }
     const auto better = [](const Descent& a, const Descent& b) { return a.chi2 < b.chi2; };
     std::stable_sort(polished.begin(), polished.end(), better);
@@ -133,6 +155,11 @@ class Search {
     ProfileCost::Options options;
     options.prior_weight = kCoarsePriorWeight;
     return options;
+  }
+
+  /// Trials found by a step of the journal.
+  std::vector<Trial> trials_step(const std::string& name, const std::function<std::vector<Trial>()>& work) {
+    return trials_of(recorded_step(options_.journal, name, log_, trace_, [&] { return output_of(work()); }));
   }
 
   void tell(const std::string& stage, double share) const {
@@ -493,8 +520,12 @@ class Search {
     std::vector<Trial> ends;
     for (std::size_t i = 0; i < starts.size() && !log_.exhausted(); ++i) {
       tell(stage + " " + std::to_string(i + 1), 0.4 + 0.4 * static_cast<double>(i) / starts.size());
-      ends.push_back(partial_descent(starts[i], searched_, stage));
-      record(ends.back(), stage + " " + std::to_string(i + 1));
+      const std::string name = stage + " " + std::to_string(i + 1);
+      ends.push_back(trials_step(name, [&] {
+                       const Trial end = partial_descent(starts[i], searched_, stage);
+                       record(end, name);
+                       return std::vector<Trial>{end};
+                     }).front());
     }
     if (ends.empty()) ends.push_back(trials.front());
     sort(ends);

@@ -59,8 +59,8 @@ std::string owner_of(const sim::Scene& scene, const sim::ParameterPath& path) {
 }
 
 double noticeable_change(const FreeNumber& number, double value) {
-  if (number.path.row->unit == "deg") return kNoticeableDegrees;
-  if (number.path.row->unit == "rad") return kNoticeableRadians;
+  if (number.unit() == "deg") return kNoticeableDegrees;
+  if (number.unit() == "rad") return kNoticeableRadians;
   const double share = kNoticeableShare * std::abs(value);
   if (share > 0.0) return share;
   const double range = number.max - number.min;
@@ -200,7 +200,7 @@ std::vector<SpokenNumber> spoken_numbers(const sim::Scene& scene, const std::vec
   std::vector<sim::EastNorth> centres;
   for (const sim::Sheet& sheet : scene.sheets) centres.push_back(sheet.center_km);
   const auto is_place = [](const sim::ParameterPath& path) {
-    return path.row->key == "center_km" && path.sheet >= 0;
+    return path.row != nullptr && path.row->key == "center_km" && path.sheet >= 0;
   };
   for (std::size_t j = 0; j < free.size(); ++j)
     if (const sim::ParameterPath& path = free[j].path; is_place(path))
@@ -209,14 +209,14 @@ std::vector<SpokenNumber> spoken_numbers(const sim::Scene& scene, const std::vec
   for (std::size_t j = 0; j < free.size(); ++j) {
     const sim::ParameterPath& path = free[j].path;
     SpokenNumber n;
-    n.path = path.text;
-    n.noun = noun_of(path);
-    n.owner = owner_of(scene, path);
-    n.unit = path.row->unit;
+    n.path = free[j].label();
+    n.noun = free[j].has_path() ? noun_of(path) : free[j].name;
+    if (free[j].has_path()) n.owner = owner_of(scene, path);
+    n.unit = free[j].unit();
     n.value = values[j];
     n.noticeable = noticeable_change(free[j], values[j]);
     n.sheet = path.sheet;
-    n.of_profile = path.row->key == "spline_rate";
+    n.of_profile = free[j].key() == "spline_rate";
     if (is_place(path)) {
       n.place = path.component == 0 ? SpokenNumber::Place::east : SpokenNumber::Place::north;
       n.centre_km = centres[path.sheet];

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "fit/derived.h"
+#include "fit/number_text.h"
 
 namespace vegard::fit {
 namespace {
@@ -13,11 +15,108 @@ constexpr double kLeastChi2 = 0.3, kMostChi2 = 3.0;
 constexpr double kMostRms = 0.10;
 constexpr double kIndependentPerParameter = 10.0;
 constexpr double kLeastGain = 0.5;  // of the chi2 that a dark sky leaves
+constexpr double kLevelCosine =
+    0.02;  // moving one parameter could take 0.04 % off chi2; a descent ends at 0.003 %
+constexpr double kNoRise = 1e-6;  // of chi2 at the start: rounding
 
 std::string joined(const std::vector<std::string>& reasons) {
   std::string text;
   for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
   return text;
+}
+
+/// Asks questions and keeps the answers.
+class Checks {
+ public:
+  explicit Checks(FitResult& result) : result_(result) {
+    result_.checks.clear();
+    result_.reasons.clear();
+  }
+
+  /// Passed unless something speaks against it: then that becomes reasons of the verdict.
+  void ask(const std::string& name, const std::string& found, const std::vector<std::string>& against) {
+    result_.checks.push_back({name, against.empty(), against.empty() ? found : joined(against)});
+    result_.reasons.insert(result_.reasons.end(), against.begin(), against.end());
+  }
+
+  void ask(const std::string& name, const std::string& found, bool passed, const std::string& against) {
+    ask(name, found, passed ? std::vector<std::string>() : std::vector<std::string>{against});
+  }
+
+ private:
+  FitResult& result_;
+};
+
+std::string number_of(std::size_t count, const char* thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+/// That the way of the search leads somewhere: down, to a level place.
+void ask_of_the_way(const FitResult& r, Checks& checks) {
+  if (std::isfinite(r.chi2_initial) && r.chi2_initial > 0.0)
+    checks.ask(
+        "chi2 fell",
+        fmt::format("from {} at the start to {}", short_number(r.chi2_initial, 4), short_number(r.chi2, 4)),
+        r.chi2 <= (1.0 + kNoRise) * r.chi2_initial,
+        fmt::format("chi2 is {} and was {} at the start: the search has lost its way",
+                    short_number(r.chi2, 4), short_number(r.chi2_initial, 4)));
+  if (std::isfinite(r.steepest_cosine)) {
+    const std::string share =
+        fmt::format("{} %", short_number(100.0 * r.steepest_cosine * r.steepest_cosine, 2));
+    checks.ask("level at the end", "moving any one parameter could take no more than " + share + " off chi2",
+               r.steepest_cosine <= kLevelCosine,
+               "chi2 still falls at the end: moving one parameter could take " + share + " off it");
+  }
+}
+
+/// That the model is as good as the data ask for.
+void ask_of_the_misfit(const Evidence& evidence, const FitResult& r, Checks& checks) {
+  const double reduced = r.dof > 0 ? r.chi2 / r.dof : 0.0;
+  std::vector<std::string> against;
+  if (reduced > kMostChi2)
+    against.push_back(
+        fmt::format("chi2 per degree of freedom is {:.2g}: the model misses something in the data", reduced));
+  if (reduced < kLeastChi2)
+    against.push_back(
+        fmt::format("chi2 per degree of freedom is {:.2g}: fit.model_error is larger than what the model "
+                    "misses, so chi2 proves little",
+                    reduced));
+  checks.ask("chi2 per degree of freedom", fmt::format("{:.2f}", reduced), against);
+  const double percent = 100.0 * r.rms_over_peak;
+  checks.ask("rms residual", fmt::format("{:.1f} % of the profile's peak", percent),
+             !(r.rms_over_peak > kMostRms),
+             fmt::format("the rms residual is {:.1f} % of the profile's peak", percent));
+  const double together = r.error_inflation * r.error_inflation / std::max(1.0, reduced);
+  const double independent = r.dof / std::max(1.0, together);
+  const double unknowns =
+      evidence.unknowns > 0.0 ? evidence.unknowns : static_cast<double>(r.parameters.size());
+  checks.ask(
+      "independent values", fmt::format("{:.0f}", independent),
+      independent >= kIndependentPerParameter * unknowns,
+      fmt::format("the residuals form patterns, worth no more than {:.0f} independent values: see where "
+                  "model and photograph differ",
+                  independent));
+}
+
+/// That every parameter is found, not merely left somewhere.
+void ask_of_the_parameters(const FitResult& r, Checks& checks) {
+  std::vector<std::string> at_limit, without_bar, standing;
+  std::size_t moved = 0;
+  for (const FittedParameter& p : r.parameters) {
+    moved += p.moved;
+    if (p.at_limit) at_limit.push_back(p.path + " is at a limit");
+    if (!p.sigma) without_bar.push_back(p.path + " has no error bar: " + p.why_no_sigma);
+    if (!p.moved && p.sigma)
+      standing.push_back(p.path + " did not move from its start, though the data have a say in it");
+  }
+  const bool started_at_answer = moved == 0 && r.steepest_cosine <= kLevelCosine;
+  if (started_at_answer) standing.clear();
+  const std::string all = number_of(r.parameters.size(), "parameter");
+  checks.ask("moved",
+             started_at_answer ? "nothing: the start was the answer" : fmt::format("{} of {}", moved, all),
+             standing);
+  checks.ask("inside the limits", all, at_limit);
+  checks.ask("error bars", all, without_bar);
 }
 
 }  // namespace
@@ -38,43 +137,27 @@ const char* verdict_name(Verdict verdict) {
 
 void judge(const Evidence& evidence, FitResult& result) {
   std::vector<std::string>& reasons = result.reasons;
-  reasons.clear();
+  Checks checks(result);
   const double reduced = result.dof > 0 ? result.chi2 / result.dof : 0.0;
   if (!evidence.aurora_in_view && !evidence.stopped) {
     result.verdict = Verdict::failed;
-    reasons.push_back(
-        "no light of the scene's sheets falls into the region of interest: check where the sheets "
-        "are and where the camera points");
+    checks.ask("light in view", "", false,
+               "no light of the scene's sheets falls into the region of interest: check where the sheets "
+               "are and where the camera points");
     result.verdict_line = "Do not believe it: " + reasons.front() + ".";
     return;
   }
-  if (reduced > kMostChi2)
-    reasons.push_back(
-        fmt::format("chi2 per degree of freedom is {:.2g}: the model misses something in the data", reduced));
-  if (reduced < kLeastChi2)
-    reasons.push_back(
-        fmt::format("chi2 per degree of freedom is {:.2g}: fit.model_error is larger than what the model "
-                    "misses, so chi2 proves little",
-                    reduced));
-  if (result.rms_over_peak > kMostRms)
-    reasons.push_back(
-        fmt::format("the rms residual is {:.1f} % of the profile's peak", 100.0 * result.rms_over_peak));
-  const double together = result.error_inflation * result.error_inflation / std::max(1.0, reduced);
-  const double independent = result.dof / std::max(1.0, together);
-  const double unknowns =
-      evidence.unknowns > 0.0 ? evidence.unknowns : static_cast<double>(result.parameters.size());
-  if (independent < kIndependentPerParameter * unknowns)
-    reasons.push_back(
-        fmt::format("the residuals form patterns, worth no more than {:.0f} independent values: see where "
-                    "model and photograph differ",
-                    independent));
-  for (const FittedParameter& p : result.parameters) {
-    if (p.at_limit) reasons.push_back(p.path + " is at a limit");
-    if (!p.sigma) reasons.push_back(p.path + " has no error bar: " + p.why_no_sigma);
-  }
-  if (result.chi2 > kLeastGain * evidence.chi2_without_aurora)
-    reasons.push_back("a sky without any aurora explains the data almost as well");
-  if (evidence.second_mode) reasons.push_back(evidence.second_mode_text);
+  result.checks.push_back({"converged", evidence.converged && !evidence.stopped, result.termination});
+  ask_of_the_way(result, checks);
+  ask_of_the_misfit(evidence, result, checks);
+  ask_of_the_parameters(result, checks);
+  checks.ask(
+      "aurora or none",
+      fmt::format("a sky without any aurora has chi2 {}", short_number(evidence.chi2_without_aurora, 4)),
+      !(result.chi2 > kLeastGain * evidence.chi2_without_aurora),
+      "a sky without any aurora explains the data almost as well");
+  checks.ask("one answer", "no other end of the search explains the data as well", !evidence.second_mode,
+             evidence.second_mode_text);
 
   if (evidence.stopped) {
     result.verdict = Verdict::interrupted;

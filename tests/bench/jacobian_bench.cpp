@@ -44,6 +44,12 @@ sim::Scene scene_with_free(int beams, const std::vector<std::string>& paths) {
   return scene;
 }
 
+std::vector<const double*> addresses(const sim::Scene& scene, const std::vector<fit::FreeNumber>& free) {
+  std::vector<const double*> result;
+  for (const fit::FreeNumber& number : free) result.push_back(sim::real_value(scene, number.path));
+  return result;
+}
+
 /// A photograph of the scene as this program renders it, every pixel usable.
 fit::Photo photo_of(const sim::Scene& scene) {
   sim::RenderOptions options;
@@ -96,7 +102,7 @@ struct Problem {
     return cost.Evaluate(blocks, residuals.data(), jacobians);
   }
   void profile_with_derivatives() {
-    model.evaluate_with_derivatives(scene, fit::addresses(scene, free), profile);
+    model.evaluate_with_derivatives(scene, addresses(scene, free), profile);
   }
   void linear_part() {
     std::vector<double> out;
@@ -142,7 +148,7 @@ struct ModelExposure {
 
   explicit ModelExposure(const Problem& p)
       : scene(p.scene),
-        free(fit::addresses(p.scene, p.free)),
+        free(addresses(p.scene, p.free)),
         exposer(p.scene,
                 sim::film_for(p.scene, 0, 0, p.scene.camera.width, p.scene.camera.height, kCellWidth, 1.0),
                 kThreads, kBeyond) {}

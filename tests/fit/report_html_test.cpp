@@ -98,6 +98,13 @@ TEST(ReportHtml, TellsAReasonOnce) {
   EXPECT_FALSE(page.has("<li>sheet.main.energy_kev is at a limit</li>"));
 }
 
+TEST(ReportHtml, ListsTheVerdictsChecks) {
+  const Page page(small_result());
+  EXPECT_TRUE(
+      page.has("<li class=\"passed\"><b>\u2713 converged</b> another step would hardly change chi2</li>"));
+  EXPECT_TRUE(page.has("<li class=\"missed\"><b>\u2717 inside the limits</b> not passed</li>"));
+}
+
 TEST(ReportHtml, StandsWithoutAnAnswer) {
   FitResult result = small_result();
   result.verdict = Verdict::failed;

@@ -20,6 +20,7 @@ TEST(ResultJson, HasTheDocumentedKeysInTheirOrder) {
   EXPECT_EQ(keys, (std::vector<std::string>{"verdict",
                                             "verdict_line",
                                             "reasons",
+                                            "checks",
                                             "parameters",
                                             "tied",
                                             "solved",
@@ -28,6 +29,8 @@ TEST(ResultJson, HasTheDocumentedKeysInTheirOrder) {
                                             "chi2",
                                             "chi2_initial",
                                             "dof",
+                                            "compared",
+                                            "steepest_cosine",
                                             "rms_over_peak",
                                             "error_inflation",
                                             "termination",
@@ -42,7 +45,8 @@ TEST(ResultJson, HasTheDocumentedKeysInTheirOrder) {
   keys.clear();
   for (const auto& [key, value] : json["parameters"][0].items()) keys.push_back(key);
   EXPECT_EQ(keys, (std::vector<std::string>{"path", "meaning", "value", "unit", "sigma", "interval68",
-                                            "why_no_sigma", "initial", "min", "max", "at_limit"}));
+                                            "why_no_sigma", "initial", "min", "max", "at_limit", "moved",
+                                            "moved_sigma"}));
 }
 
 TEST(ResultJson, KeepsEveryNumberExactly) {
@@ -59,6 +63,11 @@ TEST(ResultJson, KeepsEveryNumberExactly) {
   EXPECT_EQ(json["command"], result.command);
   EXPECT_EQ(json["inputs"][1]["sha256"], std::string(64, 'a'));
   EXPECT_EQ(json["correlation"][0][0], 1.0);
+  EXPECT_EQ(json["checks"][1]["name"], "inside the limits");
+  EXPECT_EQ(json["checks"][1]["passed"], false);
+  EXPECT_EQ(json["compared"]["regions_px"][0][3], 30);
+  EXPECT_EQ(json["compared"]["sum_of_weights"].get<double>(), 1e4 / 3.0);
+  EXPECT_EQ(json["parameters"][0]["moved_sigma"].get<double>(), 35.1);
 }
 
 TEST(ResultJson, SaysNullForWhatIsUnknownOrNotFinite) {
@@ -69,6 +78,8 @@ TEST(ResultJson, SaysNullForWhatIsUnknownOrNotFinite) {
   const std::string text = result_json(result);
   const Json json = Json::parse(text);
   EXPECT_TRUE(json["rms_over_peak"].is_null());
+  EXPECT_TRUE(json["steepest_cosine"].is_null());
+  EXPECT_TRUE(json["parameters"][1]["moved_sigma"].is_null());
   EXPECT_TRUE(json["chi2"].is_null());
   EXPECT_TRUE(json["correlation"][0][1].is_null());
   EXPECT_TRUE(json["parameters"][1]["sigma"].is_null());

@@ -15,6 +15,9 @@ FitResult fine() {
   FittedParameter p;
   p.path = "sheet.main.energy_kev";
   p.sigma = 0.1;
+  p.moved_sigma = 3.0;
+  r.chi2_initial = 5e5;
+  r.steepest_cosine = 0.001;
   r.parameters.push_back(p);
   return r;
 }
@@ -59,6 +62,16 @@ TEST(Judge, DoubtsForEachReasonByItself) {
   r = fine();
   r.parameters[0].sigma.reset();
   doubts(clear(), r, "no error bar");
+  r = fine();
+  r.chi2_initial = 999.0;
+  doubts(clear(), r, "lost its way");
+  r = fine();
+  r.steepest_cosine = 0.03;
+  doubts(clear(), r, "still falls");
+  r = fine();
+  r.parameters.push_back(r.parameters[0]);
+  r.parameters[0].moved = false;
+  doubts(clear(), r, "did not move");
   Evidence e = clear();
   e.chi2_without_aurora = 1900.0;
   doubts(e, fine(), "without any aurora");
@@ -66,6 +79,50 @@ TEST(Judge, DoubtsForEachReasonByItself) {
   e.second_mode = true;
   e.second_mode_text = "another answer";
   doubts(e, fine(), "another answer");
+}
+
+TEST(Judge, KeepsWhatItAskedAndWhatItFound) {
+  FitResult r = fine();
+  r.chi2 = 3100.0;
+  r.termination = "converged";
+  judge(clear(), r);
+  std::vector<std::string> names, failed;
+  for (const Check& check : r.checks) {
+    names.push_back(check.name);
+    EXPECT_FALSE(check.words.empty()) << check.name;
+    if (!check.passed) failed.push_back(check.name);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"converged", "chi2 fell", "level at the end",
+                                             "chi2 per degree of freedom", "rms residual",
+                                             "independent values", "moved", "inside the limits", "error bars",
+                                             "aurora or none", "one answer"}));
+  EXPECT_EQ(failed, std::vector<std::string>{"chi2 per degree of freedom"});
+  judge(clear(), r);
+  EXPECT_EQ(r.checks.size(), names.size()) << "judged again, not twice";
+}
+
+TEST(Judge, AStartThatIsTheAnswerIsNoReasonToDoubt) {
+  FitResult r = fine();
+  r.parameters.push_back(r.parameters[0]);
+  for (FittedParameter& p : r.parameters) p.moved = false;
+  judge(clear(), r);
+  EXPECT_EQ(r.verdict, Verdict::good) << r.verdict_line;
+  // All stand still on a slope: nothing was searched.
+  r.steepest_cosine = 0.5;
+  judge(clear(), r);
+  EXPECT_EQ(r.verdict, Verdict::doubtful);
+  EXPECT_EQ(r.reasons.size(), 3u);
+}
+
+TEST(Judge, AParameterWithoutInfluenceDoesNotHaveToMove) {
+  FitResult r = fine();
+  r.parameters.push_back(r.parameters[0]);
+  r.parameters[1].moved = false;
+  r.parameters[1].sigma.reset();
+  r.parameters[1].why_no_sigma = "the data do not bound it";
+  judge(clear(), r);
+  ASSERT_EQ(r.reasons.size(), 1u);
+  EXPECT_NE(r.reasons[0].find("no error bar"), std::string::npos);
 }
 
 TEST(Judge, NotesAnUnusualSheetWithoutDoubt) {

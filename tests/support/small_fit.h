@@ -31,6 +31,9 @@ inline fit::FitResult small_fit(const fit::Photo& photo) {
   result.verdict = fit::Verdict::doubtful;
   result.verdict_line = "Doubtful: sheet.main.energy_kev is at a limit.";
   result.reasons = {"sheet.main.energy_kev is at a limit", "something <else>"};
+  result.checks = {{"converged", true, "another step would hardly change chi2"},
+                   {"inside the limits", false, "sheet.main.energy_kev is at a limit"}};
+  result.compared = {{{0, 0, 40, 30}}, 120, 1e4 / 3.0, 10};
   fit::FittedParameter energy;
   energy.path = "sheet.main.energy_kev";
   energy.unit = "keV";
@@ -42,6 +45,7 @@ inline fit::FitResult small_fit(const fit::Photo& photo) {
   energy.sigma = 0.1234;
   energy.interval68 = {4.21, 4.46};
   energy.at_limit = true;
+  energy.moved_sigma = 35.1;
   fit::FittedParameter phase;
   phase.path = "sheet.main.phase_rad";
   phase.unit = "rad";

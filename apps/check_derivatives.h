@@ -1,0 +1,14 @@
+// `vegard fit SCENE --photo P --check-derivatives`: every free parameter's derivative beside differences.
+#pragma once
+
+#include "apps/exit_code.h"
+#include "fit/photo.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::apps {
+
+/// Prints a table. `good` if all derivatives agree with differences, `doubted` if one does not or has no
+/// effect, `interrupted` after Ctrl-C.
+ExitCode check_derivatives(const sim::Scene& scene, const fit::Photo& photo, int threads);
+
+}  // namespace vegard::apps

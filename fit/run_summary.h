@@ -1,0 +1,40 @@
+// What a run's result.json says, as far as models are compared by it.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vegard::fit {
+
+struct RunSummary {
+  struct Parameter {
+    double value = 0.0;
+    std::optional<double> sigma;
+    std::string unit;
+  };
+
+  std::string name;     ///< of the run's directory, as it was called
+  std::string verdict;  ///< verdict_name()
+  std::map<std::string, Parameter> parameters;
+  std::vector<std::string> paths;  ///< of the parameters, in the run's order
+  double chi2 = 0.0;
+  int dof = 0;
+  double error_inflation = 1.0;
+
+  /// Role and SHA-256 of the photographs and masks, in the run's order.
+  std::vector<std::array<std::string, 2>> pictures;
+  std::string decoding;
+  std::vector<std::array<int, 4>> regions_px;
+  int values = 0;  ///< that were compared
+  double sum_of_weights = 0.0;
+  int unknowns = 0;  ///< free and solved for
+};
+
+/// Reads DIRECTORY/result.json. Throws sim::Error(unreadable_input) if it is missing, no JSON, or lacks what
+/// is needed (a run of an older version, a fit that found nothing).
+RunSummary read_run(const std::string& directory);
+
+}  // namespace vegard::fit
