@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@
 #include "apps/decoding.h"
 #include "apps/exit_code.h"
 #include "apps/interrupt.h"
+#include "apps/photographs.h"
 #include "apps/progress_bar.h"
 #include "apps/scene_options.h"
 #include "apps/scene_place.h"
@@ -46,19 +48,34 @@ struct Options {
   bool check_derivatives = false;
 };
 
-std::string name_of(const std::string& path) { return path.substr(path.rfind('/') + 1); }
-
 std::string sha256_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   return sim::sha256(std::string(std::istreambuf_iterator<char>(file), {}));
 }
 
-std::vector<fit::InputFile> inputs_of(const Options& options, const std::string& scene_sha256,
-                                      const fit::Photo& photo) {
-  std::vector<fit::InputFile> inputs = {{"scene", name_of(options.scene.file), scene_sha256},
-                                        {"photo", photo.file_name, photo.sha256}};
-  if (!photo.mask_name.empty()) inputs.push_back({"mask", photo.mask_name, photo.mask_sha256});
-  return inputs;
+/// That of the command line, or those that the scene names.
+std::vector<fit::Photo> photos_of(const Options& options, const sim::Scene& scene) {
+  const auto refuse = [](const std::string& key, const std::string& problem, const std::string& hint) {
+    sim::ErrorDetails details;
+    details.key = key;
+    details.problem = problem;
+    details.hint = hint;
+    throw sim::Error(sim::ErrorKind::usage, details);
+  };
+  if (scene.fit.photos.empty()) {
+    if (options.photo.empty())
+      refuse("--photo", "no photograph is given", "name one, or several in the scene's [[fit.photo]]");
+    std::vector<fit::Photo> photos;
+    photos.push_back(
+        fit::read_photo(options.photo, decoding_of(options.decoding, scene.fit.decoding), &scene));
+    if (!options.mask.empty()) fit::apply_mask(photos.back(), options.mask);
+    return photos;
+  }
+  for (const auto& [key, word] :
+       {std::pair{"--photo", &options.photo}, {"--mask", &options.mask}, {"--decoding", &options.decoding}})
+    if (!word->empty())
+      refuse(key, "the scene names its photographs itself", "leave it out, or [[fit.photo]] of the scene");
+  return photographs_of(scene);
 }
 
 /// What the fit tells while it works: a bar on a terminal, elsewhere one line a stage.
@@ -80,7 +97,8 @@ class Account {
 };
 
 /// All that the answer depends on. Comments and the order of keys in the scene's file do not count.
-fit::JournalSubject subject_of(const Options& options, const sim::Scene& scene, const fit::Photo& photo) {
+fit::JournalSubject subject_of(const Options& options, const sim::Scene& scene,
+                               const std::vector<fit::Photo>& photos) {
   fit::JournalSubject subject = {
       {"the version of vegard", sim::version()},
       {"the version of a library",
@@ -88,9 +106,11 @@ fit::JournalSubject subject_of(const Options& options, const sim::Scene& scene, 
       {"the scene", sim::sha256(sim::write_scene(scene))}};
   for (const auto& [path, text] : scene.tables)
     subject.push_back({"the table of " + path, sim::sha256(text)});
-  subject.push_back({"the photograph", photo.sha256});
-  subject.push_back({"the mask", photo.mask_sha256});
-  subject.push_back({"the decoding", photo.decoding});
+  for (const fit::Photo& photo : photos) {
+    subject.push_back({"the photograph", photo.sha256});
+    subject.push_back({"the mask", photo.mask_sha256});
+    subject.push_back({"the decoding", photo.decoding});
+  }
   subject.push_back({"--max-evaluations", std::to_string(options.max_evaluations)});
   return subject;
 }
@@ -108,7 +128,7 @@ fit::JournalMode journal_mode(const Options& options) {
   return options.overwrite ? fit::JournalMode::overwrite : fit::JournalMode::fresh;
 }
 
-fit::FitResult fitted(const Options& options, const sim::Scene& scene, const fit::Photo& photo,
+fit::FitResult fitted(const Options& options, const sim::Scene& scene, const std::vector<fit::Photo>& photos,
                       fit::Journal& journal) {
   Account account;
   fit::FitOptions fit_options;
@@ -118,7 +138,10 @@ fit::FitResult fitted(const Options& options, const sim::Scene& scene, const fit
   fit_options.progress = [&account](const std::string& stage, int evaluations, double chi2_per_dof,
                                     double share) { account.tell(stage, evaluations, chi2_per_dof, share); };
   fit_options.stop = &watch_for_interrupt();
-  return placing_errors(scene, [&] { return fit::fit_photo(scene, photo, fit_options); });
+  return placing_errors(scene, [&] {
+    return scene.fit.photos.empty() ? fit::fit_photo(scene, photos.front(), fit_options)
+                                    : fit::fit_photos(scene, photos, fit_options);
+  });
 }
 
 void print_answer(const fit::FitResult& result, const std::string& report) {
@@ -173,23 +196,25 @@ int run(const Options& options, const std::string& command) {
     if (options.out.empty()) throw usage_error("--out", "is missing", "the run's directory to write");
     fit::check_run_directory(options.out, replaces);
   }
-  fit::Photo photo =
-      fit::read_photo(options.photo, decoding_of(options.decoding, scene.fit.decoding), &scene);
-  if (!options.mask.empty()) fit::apply_mask(photo, options.mask);
-  if (options.check_derivatives) return check_derivatives(scene, photo, options.threads);
+  const std::vector<fit::Photo> photos = photos_of(options, scene);
+  if (options.check_derivatives) {
+    if (!scene.fit.photos.empty())
+      throw usage_error("--check-derivatives", "is for one photograph", "a scene without [[fit.photo]]");
+    return check_derivatives(scene, photos.front(), options.threads);
+  }
 
-  fit::FileJournal journal(fit::journal_file(options.out), subject_of(options, scene, photo),
+  fit::FileJournal journal(fit::journal_file(options.out), subject_of(options, scene, photos),
                            journal_mode(options));
   if (journal.found() > 0)
     std::fprintf(stderr, "vegard: going on after %d finished steps\n", journal.found());
-  fit::FitResult result = fitted(options, scene, photo, journal);
+  fit::FitResult result = fitted(options, scene, photos, journal);
   if (!journal.problem().empty())
     std::fprintf(stderr, "vegard: this fit cannot be resumed: %s\n", journal.problem().c_str());
-  result.inputs = inputs_of(options, scene_sha256, photo);
+  result.inputs = inputs_of(options.scene.file, scene_sha256, photos);
   result.command = command;
   fit::RunContext context;
   context.threads = options.threads;
-  fit::write_run(options.out, replaces, result, photo, context);
+  fit::write_run(options.out, replaces, result, photos, context);
   if (result.verdict != fit::Verdict::interrupted)
     journal.remove();
   else
@@ -202,9 +227,13 @@ int run(const Options& options, const std::string& command) {
 
 void add_fit_command(CLI::App& app, int& exit_code, const std::string& command_line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("fit", "Fit a scene to a photograph, and write a report");
+  CLI::App* command =
+      app.add_subcommand("fit", "Fit a scene to a photograph or to several, and write a report");
   add_scene_options(*command, options->scene);
-  command->add_option("--photo", options->photo, "JPEG, PNG or TIFF")->required()->type_name("IMAGE");
+  command
+      ->add_option("--photo", options->photo,
+                   "JPEG, PNG or TIFF; left out: those of the scene's [[fit.photo]]")
+      ->type_name("IMAGE");
   command->add_option("--out", options->out, "The run's directory to write")->type_name("RUN");
   command->add_option("--mask", options->mask, "An image of the same size: white = use")->type_name("IMAGE");
   add_decoding_option(*command, options->decoding);

@@ -1,4 +1,4 @@
-// `vegard fit SCENE --photo IMAGE --out RUN`: a scene fitted to a photograph.
+// `vegard fit SCENE [--photo IMAGE] --out RUN`: a scene fitted to a photograph, or to those that it names.
 #pragma once
 
 #include <string>

@@ -17,6 +17,7 @@
 #include "apps/points.h"
 #include "apps/profile.h"
 #include "apps/render.h"
+#include "apps/sequence.h"
 #include "fit/version.h"
 #include "sim/base/error.h"
 #include "sim/base/image_io.h"
@@ -48,6 +49,7 @@ int run(int argc, char** argv) {
   apps::add_brightness_command(app, exit_code);
   apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
   apps::add_compare_command(app, exit_code);
+  apps::add_sequence_command(app, exit_code, apps::command_line(argc, argv));
   apps::add_linearise_command(app, exit_code);
   apps::add_params_command(app, exit_code);
   apps::add_lines_command(app, exit_code);

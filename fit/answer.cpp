@@ -5,6 +5,8 @@
 
 #include "fit/noise_model.h"
 #include "fit/turns.h"
+#include "sim/scene/parameter_table.h"
+#include "sim/scene/value_words.h"
 #include "sim/view/line_colours.h"
 #include "sim/view/night_sky.h"
 
@@ -35,6 +37,7 @@ ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::
     const FreeNumber& n = free[j];
     FittedParameter p;
     p.path = n.label();
+    p.photo = n.photo;
     p.unit = n.unit();
     p.meaning = n.meaning();
     p.value = without_turns(n, values[j]);
@@ -79,12 +82,12 @@ std::vector<TiedNumber> tied_numbers(const ParameterMap& map, const std::vector<
 }
 
 void put_solution(const Comparison& comparison, const Comparison::Point& point, const ValueUncertainty& known,
-                  FitResult& r) {
+                  double error_inflation, FittedPhoto& r) {
   const LinearPart& linear = comparison.linear();
   const GainLayout& gains = comparison.gains();
   const LinearSolution& solution = point.solution;
   const std::vector<double> variance =
-      linear.coefficient_variance(point.aurora, solution, r.error_inflation, known.covariance);
+      linear.coefficient_variance(point.aurora, solution, error_inflation, known.covariance);
   static const char* const kChannel[3] = {"red", "green", "blue"};
   const auto solved = [&](const std::string& name, int j) {
     SolvedNumber s{name, solution.coefficients[j], {}};
@@ -128,7 +131,30 @@ void put_solution(const Comparison& comparison, const Comparison::Point& point, 
   }
 }
 
-double rms_over_peak(const FitResult& r) {
+sim::PhotoEntry entry_of_best(const sim::PhotoEntry& entry, const FittedPhoto& fitted,
+                              const std::vector<FreeNumber>& free,
+                              const std::vector<FittedParameter>& parameters) {
+  sim::PhotoEntry best = entry;
+  const auto set = [&](const std::string& path, const std::string& value) {
+    const auto has_path = [&](const auto& pair) { return pair.first == path; };
+    best.set.erase(std::remove_if(best.set.begin(), best.set.end(), has_path), best.set.end());
+    best.set.emplace_back(path, value);
+  };
+  for (std::size_t j = 0; j < free.size(); ++j) {
+    const auto set_at = [&](const sim::ParameterPath& path, const std::string& photo) {
+      if (photo == entry.name) set(path.text, sim::real_text(parameters[j].value));
+    };
+    set_at(free[j].path, free[j].photo);
+    for (const FreePlace& place : free[j].also) set_at(place.path, place.photo);
+  }
+  for (const char* key : {"sensor.exposure", "sensor.gain_per_kilorayleigh", "sky.level", "sky.gradient",
+                          "sky.curvature", "sky.lights_gain"})
+    for (const sim::ParameterPath& path : sim::resolve(fitted.best, key))
+      set(path.text, sim::value_text(fitted.best, path));
+  return best;
+}
+
+double rms_over_peak(const FittedPhoto& r) {
   double sum = 0.0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < r.model.size(); ++i) {

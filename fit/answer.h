@@ -19,11 +19,17 @@ ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::
 std::vector<TiedNumber> tied_numbers(const ParameterMap& map, const std::vector<double>& values,
                                      const sim::Scene& scene, const ValueUncertainty& known);
 
-/// Gains and sky of a photograph into the result and into its best scene.
+/// Gains and sky of a photograph, solved numbers and into its best scene.
 void put_solution(const Comparison& comparison, const Comparison::Point& point, const ValueUncertainty& known,
-                  FitResult& result);
+                  double error_inflation, FittedPhoto& fitted);
+
+/// An entry with what a photograph alone has as the fit found it, gain, sky and its own free numbers: what
+/// its best scene has and the shared one does not. `parameters` are all of the fit's.
+sim::PhotoEntry entry_of_best(const sim::PhotoEntry& entry, const FittedPhoto& fitted,
+                              const std::vector<FreeNumber>& free,
+                              const std::vector<FittedParameter>& parameters);
 
 /// Root mean square residual over all rows, bands and channels, over the peak of the data's profile.
-double rms_over_peak(const FitResult& result);
+double rms_over_peak(const FittedPhoto& fitted);
 
 }  // namespace vegard::fit

@@ -13,28 +13,28 @@ struct Cell {
   double data = kNaN, sigma = kNaN, model = kNaN;
 };
 
-Cell mean_over_bands(const FitResult& result, int first_band, int end_band, int row, int channel) {
+Cell mean_over_bands(const FittedPhoto& fitted, int first_band, int end_band, int row, int channel) {
   double count = 0.0, data = 0.0, model = 0.0, variance = 0.0;
   for (int band = first_band; band < end_band; ++band) {
-    const std::size_t i = result.data.index(band, row, channel);
-    if (i >= result.sigma.size() || i >= result.model.size()) continue;
-    const double n = result.data.count[i];
-    if (n == 0 || !(result.sigma[i] > 0.0)) continue;
+    const std::size_t i = fitted.data.index(band, row, channel);
+    if (i >= fitted.sigma.size() || i >= fitted.model.size()) continue;
+    const double n = fitted.data.count[i];
+    if (n == 0 || !(fitted.sigma[i] > 0.0)) continue;
     count += n;
-    data += n * result.data.mean[i];
-    model += n * result.model[i];
-    variance += std::pow(n * result.sigma[i], 2);
+    data += n * fitted.data.mean[i];
+    model += n * fitted.model[i];
+    variance += std::pow(n * fitted.sigma[i], 2);
   }
   if (count == 0.0) return {};
   return {data / count, std::sqrt(variance) / count, model / count};
 }
 
-Cell mean_over_rows(const FitResult& result, int first_band, int end_band, int first_row, int end_row,
+Cell mean_over_rows(const FittedPhoto& fitted, int first_band, int end_band, int first_row, int end_row,
                     int channel) {
   int rows = 0;
   double data = 0.0, model = 0.0, variance = 0.0;
   for (int row = first_row; row < end_row; ++row) {
-    const Cell cell = mean_over_bands(result, first_band, end_band, row, channel);
+    const Cell cell = mean_over_bands(fitted, first_band, end_band, row, channel);
     if (!std::isfinite(cell.data)) continue;
     ++rows;
     data += cell.data;
@@ -60,9 +60,9 @@ Chromaticity colour_of(const std::array<std::vector<double>, 3>& light,
 
 }  // namespace
 
-ComparedProfile compared_profile(const FitResult& result, int first_band, int end_band, int most_points,
+ComparedProfile compared_profile(const FittedPhoto& fitted, int first_band, int end_band, int most_points,
                                  const ElevationOfPixel& elevation_of_pixel) {
-  const Profile& data = result.data;
+  const Profile& data = fitted.data;
   const int rows_each = std::max(1, (data.rows + most_points - 1) / most_points);
   const double middle =
       0.5 * (band_begin(data.region, data.bands, first_band) + band_begin(data.region, data.bands, end_band));
@@ -72,7 +72,7 @@ ComparedProfile compared_profile(const FitResult& result, int first_band, int en
     const double y_px = data.region.y + 0.5 * (row + end_row);
     profile.height.push_back(elevation_of_pixel ? elevation_of_pixel(middle, y_px) : y_px);
     for (int c = 0; c < 3; ++c) {
-      const Cell cell = mean_over_rows(result, first_band, end_band, row, end_row, c);
+      const Cell cell = mean_over_rows(fitted, first_band, end_band, row, end_row, c);
       profile.data[c].push_back(cell.data);
       profile.sigma[c].push_back(cell.sigma);
       profile.model[c].push_back(cell.model);

@@ -1,6 +1,7 @@
 #include "fit/fit.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -69,8 +70,9 @@ double log_of_limits(const std::vector<FreeNumber>& free, const std::vector<doub
 
 /// What follows from others is where they start, not where the scene happens to have it: beams are laid out
 /// there.
-sim::Scene with_ties(const sim::Scene& given, const std::vector<FreeNumber>& free) {
-  const ParameterMap map(given, free);
+sim::Scene with_ties(const sim::Scene& given, const std::vector<FreeNumber>& free,
+                     const PhotoFrame& frame = {}) {
+  const ParameterMap map(given, free, frame);
   if (map.is_plain()) return given;
   std::vector<double> start;
   for (const FreeNumber& number : free) start.push_back(number.start);
@@ -132,20 +134,40 @@ void look_for_second_mode(const std::vector<FreeNumber>& free, const std::vector
   }
 }
 
-}  // namespace
+/// What each photograph has of the answer. Several leave what is theirs in the best scene's entries.
+void put_photos(const std::vector<Observation>& observations, const std::vector<CostTerm>& terms,
+                const std::vector<FreeNumber>& free, const std::vector<double>& values,
+                const ProfileCost::Point& point, const ValueUncertainty& known, FitResult& r) {
+  for (std::size_t o = 0; o < observations.size(); ++o) {
+    const Comparison& full = *observations[o].full;
+    FittedPhoto fitted;
+    fitted.name = observations[o].frame.name;
+    fitted.decoding = observations[o].photo->decoding;
+    fitted.data = full.data();
+    fitted.sigma = full.sigma();
+    fitted.model = full.profile_model(point.of_photo[o]);
+    fitted.chi2 = point.of_photo[o].chi2;
+    fitted.best = observations[o].scene;
+    terms[o].map.put(values, fitted.best);
+    if (!fitted.name.empty()) {  // a scene by itself, where no other photograph is known
+      fitted.best.fit.free.clear();
+      fitted.best.fit.tied.clear();
+    }
+    put_solution(full, point.of_photo[o], known, r.error_inflation, fitted);
+    fitted.rms_over_peak = rms_over_peak(fitted);
+    r.rms_over_peak = std::max(r.rms_over_peak, fitted.rms_over_peak);
+    if (!fitted.name.empty())
+      r.best.fit.photos[o] = entry_of_best(r.best.fit.photos[o], fitted, free, r.parameters);
+    r.photos.push_back(std::move(fitted));
+  }
+}
 
-FitResult fit_photo(const sim::Scene& given, const Photo& photo, const FitOptions& options) {
-  std::vector<Observation> observations;
-  const std::vector<FreeNumber> free = free_numbers(given);
-  const sim::Scene scene = with_ties(given, free);
-  observations.push_back(observed(scene, photo, options.threads));
+FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber>& free,
+                           const std::vector<Observation>& observations, const FitOptions& options) {
   const std::vector<CostTerm> full = cost_terms(observations, free, Detail::full);
 
   FitResult r;
   r.seed = scene.seed;
-  r.decoding = photo.decoding;
-  r.data = observations.front().full->data();
-  r.sigma = observations.front().full->sigma();
   int unknowns = static_cast<int>(free.size()), residuals = 0;
   for (const Observation& o : observations) {
     unknowns += o.full->coefficients();
@@ -154,8 +176,9 @@ FitResult fit_photo(const sim::Scene& given, const Photo& photo, const FitOption
   if (residuals <= unknowns)
     throw sim::Error(
         sim::ErrorKind::unreadable_input,
-        {"only " + std::to_string(residuals) + " usable values in the region of interest", photo.file_name, 0,
-         "fit.roi_px", "more than " + std::to_string(unknowns), "is everything masked or clipped?"});
+        {"only " + std::to_string(residuals) + " usable values in the region of interest",
+         observations.front().photo->file_name, 0, "fit.roi_px", "more than " + std::to_string(unknowns),
+         "is everything masked or clipped?"});
 
   EvaluationLog log;
   log.limit = options.max_evaluations;
@@ -188,7 +211,7 @@ FitResult fit_photo(const sim::Scene& given, const Photo& photo, const FitOption
   r.jacobian_evaluations = log.jacobians;
   EvaluationLog closing;
   sim::Scene there = scene;
-  full.front().map.put(values, there);
+  ParameterMap(scene, free).put(values, there);
   const std::vector<PhaseAnchor> anchors = phase_anchors(there, free, values);
   const ProfileCost cost(free, full, closing, {{}, {}, settled.prior, settled.inflation, anchors});
   const ProfileCost::Point point = cost.at(values, true);
@@ -225,19 +248,20 @@ FitResult fit_photo(const sim::Scene& given, const Photo& photo, const FitOption
   const Uncertainty u = evidence.stopped ? no_uncertainty(n, r.error_inflation)
                                          : uncertainty_of(journal.step("error bars", error_bars));
 
-  const Comparison& first = *observations.front().full;
-  const ParameterMap& map = full.front().map;
-  r.best = scene;
-  r.model = first.profile_model(point.of_photo.front());
   const ValueUncertainty known = put_parameters(free, values, u, evidence.stopped, r);
   std::vector<double> tidied;
   for (const FittedParameter& p : r.parameters) tidied.push_back(p.value);
-  map.put(tidied, r.best);
-  r.tied = tied_numbers(map, tidied, r.best, known);
+  r.best = scene;
+  const ParameterMap shared(scene, free);
+  shared.put(tidied, r.best);
+  r.tied = tied_numbers(shared, tidied, r.best, known);
   start_from(free, tidied, r.best);
-  put_solution(first, point.of_photo.front(), known, r);
+  put_photos(observations, full, free, tidied, point, known, r);
+  if (observations.size() == 1 && r.photos.front().name.empty()) {
+    start_from(free, tidied, r.photos.front().best);
+    r.best = r.photos.front().best;
+  }
   r.derived = derived_numbers(r.best, free, tidied, known);
-  r.rms_over_peak = rms_over_peak(r);
 
   if (settled.prior.any()) {
     evidence.unknowns = settled.determined;
@@ -250,6 +274,29 @@ FitResult fit_photo(const sim::Scene& given, const Photo& photo, const FitOption
   look_for_second_mode(free, values, outcome.others, r, evidence);
   judge(evidence, r);
   return r;
+}
+
+}  // namespace
+
+FitResult fit_photo(const sim::Scene& given, const Photo& photo, const FitOptions& options) {
+  const std::vector<FreeNumber> free = free_numbers(given);
+  const sim::Scene scene = with_ties(given, free);
+  std::vector<Observation> observations;
+  observations.push_back(observed(scene, photo, options.threads));
+  return fit_observations(scene, free, observations, options);
+}
+
+FitResult fit_photos(const sim::Scene& given, const std::vector<Photo>& photos, const FitOptions& options) {
+  assert(photos.size() == given.fit.photos.size() && !photos.empty());
+  const std::vector<FreeNumber> free = free_numbers(given);
+  const sim::Scene scene = with_ties(given, free);
+  std::vector<Observation> observations;
+  for (std::size_t i = 0; i < photos.size(); ++i) {
+    const FramedScene framed = framed_scene(scene, scene.fit.photos[i]);
+    observations.push_back(
+        observed(with_ties(framed.scene, free, framed.frame), photos[i], options.threads, framed.frame));
+  }
+  return fit_observations(scene, free, observations, options);
 }
 
 }  // namespace vegard::fit

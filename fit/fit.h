@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "fit/fit_result.h"
 #include "fit/photo.h"
@@ -29,5 +30,10 @@ struct FitOptions {
 /// the region); numerical trouble is a verdict, never an exception. A sheet that cannot be seen is a verdict
 /// too (failed).
 FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOptions& options);
+
+/// Fits scene.fit.free to several photographs at once: those of scene.fit.photos, in their order. A number
+/// that belongs to one photograph moves that one's scene; sheets are given in the frame of the scene's own
+/// site and carried over to a photograph's (fit/photo_frame.h). Throws as fit_photo() does.
+FitResult fit_photos(const sim::Scene& scene, const std::vector<Photo>& photos, const FitOptions& options);
 
 }  // namespace vegard::fit

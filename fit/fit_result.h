@@ -26,7 +26,8 @@ enum class Verdict {
 const char* verdict_name(Verdict verdict);
 
 struct FittedParameter {
-  std::string path;  ///< "sheet.main.center_km.east"
+  std::string path;   ///< "sheet.main.center_km.east"; "camera.roll_deg of south" if a photograph's own
+  std::string photo;  ///< that photograph's name; empty: shared by all
   std::string unit;
   std::string meaning;
   double value = 0.0;
@@ -98,6 +99,21 @@ struct InputFile {
   std::string sha256;
 };
 
+/// What belongs to one photograph of a fit.
+struct FittedPhoto {
+  std::string name;           ///< of its entry; empty if it is the only one
+  sim::Scene best;            ///< the best scene as it sees it, with its own gain and sky written into it
+  Profile data;               ///< of the photograph
+  std::vector<double> sigma;  ///< total standard deviation of every profile value, indexed as in `data`
+  std::vector<double> model;  ///< profile of the best model, sky included, indexed as in `data`
+  std::vector<std::vector<double>> gain;  ///< [band][channel]: what the aurora was multiplied by
+  std::vector<SolvedNumber> solved;
+  double chi2 = 0.0;  ///< its share
+  double rms_over_peak =
+      0.0;  ///< rms residual over all rows, bands, channels / peak of its profile above the sky
+  std::string decoding;
+};
+
 /// One of the questions behind a verdict.
 struct Check {
   std::string name;  ///< "level": a word or two
@@ -120,7 +136,6 @@ struct FitResult {
   std::vector<Check> checks;         ///< what the verdict has asked, in its order
   std::vector<FittedParameter> parameters;
   std::vector<TiedNumber> tied;
-  std::vector<SolvedNumber> solved;
   std::vector<DerivedNumber> derived;
   std::vector<FreeProfile> profiles;             ///< of every sheet and line whose coefficients were free
   std::vector<std::vector<double>> correlation;  ///< of `parameters`; rows without an error bar hold zeros
@@ -139,22 +154,19 @@ struct FitResult {
   /// Largest |cosine| between the residuals and a column of the Jacobian at the end (fit/steepest.h); NaN if
   /// it is not known.
   double steepest_cosine = std::numeric_limits<double>::quiet_NaN();
-  double rms_over_peak =
-      0.0;  ///< rms residual over all rows, bands, channels / peak of the data's profile above the sky
+  double rms_over_peak = 0.0;    ///< of the photograph that has the largest
   double error_inflation = 1.0;  ///< factor on the error bars for correlated residuals and chi2 / dof above 1
   std::string termination;       ///< in words, Ceres' own after ours
   int evaluations = 0;           ///< of the residuals, search included
   int jacobian_evaluations = 0;
   std::uint64_t seed = 0;
 
-  sim::Scene best;            ///< the scene with the best values, gain and sky written into it
-  Profile data;               ///< of the photograph
-  std::vector<double> sigma;  ///< total standard deviation of every profile value, indexed as in `data`
-  std::vector<double> model;  ///< profile of the best model, sky included, indexed as in `data`
-  std::vector<std::vector<double>> gain;  ///< [band][channel]: what the aurora was multiplied by
+  /// The scene with the best values, gain and sky written into it. Of several photographs: what they share,
+  /// each one's own in its entry of fit.photos.
+  sim::Scene best;
+  std::vector<FittedPhoto> photos;  ///< at least one; in the order of fit.photos
   std::vector<TraceRow> trace;
 
-  std::string decoding;  ///< of the photograph
   std::vector<InputFile> inputs;
   std::string command;
 };

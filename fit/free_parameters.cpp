@@ -5,6 +5,7 @@
 
 #include "sim/base/error.h"
 #include "sim/scene/free_entry_keys.h"
+#include "sim/scene/photo_scene.h"
 #include "sim/scene/ties.h"
 
 namespace vegard::fit {
@@ -145,13 +146,15 @@ std::vector<FreeNumber> free_numbers(const sim::Scene& scene) {
       numbers.push_back(number_of(scene, entry, {}));
       continue;
     }
-    for (const sim::ParameterPath& path : sim::resolve(scene, entry.path)) {
+    const sim::PhotoEntry* photo = sim::find_photo(scene, entry.photo);
+    const sim::Scene own = photo == nullptr ? scene : sim::scene_of_photo_at_home(scene, *photo);
+    for (const sim::ParameterPath& path : sim::resolve(own, entry.path)) {
       if (FreeNumber* first = named(numbers, entry.name)) {
         first->also.push_back({path, entry.photo});
         first->min = std::max(first->min, path.row->min);
         first->max = std::min(first->max, path.row->max);
       } else {
-        numbers.push_back(number_of(scene, entry, path));
+        numbers.push_back(number_of(own, entry, path));
       }
     }
   }

@@ -24,23 +24,23 @@ int dense(int beams) {
 
 }  // namespace
 
-double gain_at_column(const FitResult& result, double x_px, int channel) {
-  const int bands = static_cast<int>(result.gain.size());
-  if (bands == 0) return result.best.sensor.gain_per_kilorayleigh;
-  const Region& region = result.data.region;
+double gain_at_column(const FittedPhoto& fitted, double x_px, int channel) {
+  const int bands = static_cast<int>(fitted.gain.size());
+  if (bands == 0) return fitted.best.sensor.gain_per_kilorayleigh;
+  const Region& region = fitted.data.region;
   const auto centre = [&](int band) {
     return 0.5 * (band_begin(region, bands, band) + band_begin(region, bands, band + 1));
   };
   int right = 0;
   while (right < bands && centre(right) < x_px) ++right;
-  if (right == 0) return result.gain.front()[channel];
-  if (right == bands) return result.gain.back()[channel];
+  if (right == 0) return fitted.gain.front()[channel];
+  if (right == bands) return fitted.gain.back()[channel];
   const double t = (x_px - centre(right - 1)) / (centre(right) - centre(right - 1));
-  return (1.0 - t) * result.gain[right - 1][channel] + t * result.gain[right][channel];
+  return (1.0 - t) * fitted.gain[right - 1][channel] + t * fitted.gain[right][channel];
 }
 
-sim::Scene scene_of_expectation(const FitResult& result) {
-  sim::Scene scene = result.best;
+sim::Scene scene_of_expectation(const FittedPhoto& fitted) {
+  sim::Scene scene = fitted.best;
   for (sim::Sheet& sheet : scene.sheets) {
     sheet.spacing_jitter = 0.0;
     sheet.beams = dense(sim::beams_per_layer(sheet));
@@ -49,9 +49,9 @@ sim::Scene scene_of_expectation(const FitResult& result) {
   return scene;
 }
 
-ModelPicture model_picture(const FitResult& result, const Photo& photo, int threads) {
-  assert(photo.linear.width == result.best.camera.width && photo.linear.height == result.best.camera.height);
-  sim::Scene scene = scene_of_expectation(result);
+ModelPicture model_picture(const FittedPhoto& fitted, const Photo& photo, int threads) {
+  assert(photo.linear.width == fitted.best.camera.width && photo.linear.height == fitted.best.camera.height);
+  sim::Scene scene = scene_of_expectation(fitted);
   const sim::Scene with_gain = scene;
   scene.sensor.exposure = "gain";
   scene.sensor.gain_per_kilorayleigh = 1.0;
@@ -69,7 +69,7 @@ ModelPicture model_picture(const FitResult& result, const Photo& photo, int thre
   const bool clips = !keeps_negative_light(photo);
   for (int x = 0; x < picture.rgb.width; ++x)
     for (int c = 0; c < 3; ++c) {
-      const auto gain = static_cast<float>(gain_at_column(result, x + 0.5, c));
+      const auto gain = static_cast<float>(gain_at_column(fitted, x + 0.5, c));
       for (int y = 0; y < picture.rgb.height; ++y) {
         const float light = picture.rgb.at(x, y, c);
         picture.rgb.at(x, y, c) = gain * (clips ? std::max(light, 0.0f) : light);

@@ -19,14 +19,14 @@ struct ModelPicture {
 
 /// What a column of the picture is multiplied by: a band's gain at the band's centre, linear between two
 /// centres, so that the picture has no seams, and level outside of the outermost. (The fit itself has one
-/// gain in all of a band.) result.gain may be empty: then the best scene's own.
-double gain_at_column(const FitResult& result, double x_px, int channel);
+/// gain in all of a band.) fitted.gain may be empty: then the best scene's own.
+double gain_at_column(const FittedPhoto& fitted, double x_px, int channel);
 
-/// result.best as the picture has it: spacing_jitter 0 and 4 to 16 times the beams in every sheet.
-sim::Scene scene_of_expectation(const FitResult& result);
+/// fitted.best as the picture has it: spacing_jitter 0 and 4 to 16 times the beams in every sheet.
+sim::Scene scene_of_expectation(const FittedPhoto& fitted);
 
-/// Renders scene_of_expectation(result). The photograph must have its camera's size. threads: 0 for all
+/// Renders scene_of_expectation(fitted). The photograph must have its camera's size. threads: 0 for all
 /// cores.
-ModelPicture model_picture(const FitResult& result, const Photo& photo, int threads);
+ModelPicture model_picture(const FittedPhoto& fitted, const Photo& photo, int threads);
 
 }  // namespace vegard::fit

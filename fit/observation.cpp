@@ -38,12 +38,13 @@ void check_film(const sim::Scene& scene) {
 
 }  // namespace
 
-Observation observed(const sim::Scene& scene, const Photo& photo, int threads) {
+Observation observed(const sim::Scene& scene, const Photo& photo, int threads, const PhotoFrame& frame) {
   check_sizes(scene, photo);
   check_film(scene);
   Observation o;
   o.photo = &photo;
   o.scene = scene;
+  o.frame = frame;
   o.region = checked_region(scene.fit.roi_px, photo.linear.width, photo.linear.height);
   const Profile data = extract_profile(photo, std::make_shared<const BinGrid>(profile_bins(scene, o.region)));
   o.full = std::make_unique<Comparison>(scene, photo, data, profile_sigma(data, scene.fit.model_error),
@@ -61,8 +62,8 @@ std::vector<CostTerm> cost_terms(const std::vector<Observation>& observations,
                                  const std::vector<FreeNumber>& free, Detail detail) {
   std::vector<CostTerm> terms;
   for (const Observation& o : observations)
-    terms.push_back(
-        {o.scene, ParameterMap(o.scene, free), detail == Detail::full ? o.full.get() : o.coarse.get()});
+    terms.push_back({o.scene, ParameterMap(o.scene, free, o.frame),
+                     detail == Detail::full ? o.full.get() : o.coarse.get()});
   return terms;
 }
 

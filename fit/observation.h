@@ -14,13 +14,14 @@ namespace vegard::fit {
 struct Observation {
   const Photo* photo = nullptr;
   sim::Scene scene;  ///< as this photograph sees it, at the start
+  PhotoFrame frame;  ///< what sets it apart from others
   Region region;
   std::unique_ptr<Comparison> coarse, full;  ///< for the search, and for the last word
 };
 
 /// Prepares a photograph. It must outlive the observation. Throws sim::Error(scene) if its size is not the
 /// camera's, the region does not lie inside, or the scene's film or blur has no derivative.
-Observation observed(const sim::Scene& scene, const Photo& photo, int threads);
+Observation observed(const sim::Scene& scene, const Photo& photo, int threads, const PhotoFrame& frame = {});
 
 /// The terms of a cost over observations, which must outlive it, as `free` must.
 enum class Detail { coarse, full };

@@ -14,12 +14,24 @@ bool belongs(const std::string& place_photo, const std::string& photo) {
 
 ParameterMap::ParameterMap(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                            const std::string& photo)
-    : free_(free) {
+    : ParameterMap(scene, free, PhotoFrame{photo, {}, {}}) {}
+
+ParameterMap::ParameterMap(const sim::Scene& scene, const std::vector<FreeNumber>& free,
+                           const PhotoFrame& frame)
+    : free_(free), frame_(frame) {
+  const std::string& photo = frame.name;
   for (std::size_t j = 0; j < free.size(); ++j) {
     const int number = static_cast<int>(j);
     if (free[j].has_path() && belongs(free[j].photo, photo)) places_.push_back({free[j].path, number});
     for (const FreePlace& place : free[j].also)
       if (belongs(place.photo, photo)) places_.push_back({place.path, number});
+  }
+  if (!photo.empty()) {
+    // Its lines may stand elsewhere in a list, or be missing.
+    std::vector<Place> here;
+    for (const Place& place : places_)
+      if (const auto path = frame_.place(scene, place.path)) here.push_back({*path, place.number});
+    places_ = std::move(here);
   }
   for (const sim::Tie& tie : sim::ties_of(scene, photo)) {
     Following following{tie, {}, std::vector<bool>(free.size(), false)};
@@ -57,6 +69,13 @@ std::vector<double> ParameterMap::input_values(const Following& following, const
 }
 
 bool ParameterMap::put(const std::vector<double>& values, sim::Scene& scene) const {
+  frame_.go_home(scene);
+  const bool within_limits = put_at_home(values, scene);
+  frame_.carry(scene);
+  return within_limits;
+}
+
+bool ParameterMap::put_at_home(const std::vector<double>& values, sim::Scene& scene) const {
   for (const Place& place : places_) *sim::real_value(scene, place.path) = values[place.number];
   bool within_limits = true;
   for (const Following& f : following_) {
@@ -92,6 +111,19 @@ std::vector<std::vector<double>> ParameterMap::tie_slopes(const std::vector<doub
 
 ParameterMap::Motion ParameterMap::motion(const std::vector<double>& values, const std::vector<int>& moved,
                                           const sim::Scene& scene) const {
+  if (!frame_.station.is_elsewhere()) return motion_at_home(values, moved, scene, scene);
+  sim::Scene at_home = scene;
+  frame_.go_home(at_home);
+  put_at_home(values, at_home);
+  Motion motion = motion_at_home(values, moved, at_home, scene);
+  frame_.carry(at_home, scene, motion.numbers, motion.slopes);
+  return motion;
+}
+
+/// Addresses inside `scene`, slopes by the numbers of `at_home`.
+ParameterMap::Motion ParameterMap::motion_at_home(const std::vector<double>& values,
+                                                  const std::vector<int>& moved, const sim::Scene& at_home,
+                                                  const sim::Scene& scene) const {
   Motion motion;
   motion.moved = moved.size();
   std::vector<int> number_of_row;  // the free number that a row is, by its index in `moved`; -1: a tie
@@ -115,7 +147,7 @@ ParameterMap::Motion ParameterMap::motion(const std::vector<double>& values, con
     is_identity = false;
   }
   if (is_identity) return motion;
-  const std::vector<std::vector<double>> of_ties = tie_slopes(values, scene);
+  const std::vector<std::vector<double>> of_ties = tie_slopes(values, at_home);
   motion.slopes.assign(motion.numbers.size() * moved.size(), 0.0);
   for (std::size_t row = 0; row < motion.numbers.size(); ++row)
     for (std::size_t k = 0; k < moved.size(); ++k) {

@@ -2,13 +2,15 @@
 //
 // Most free numbers are numbers of the scene themselves. Some are several of them at once (entries of
 // fit.free with one name), some are none and only stand in expressions, and some numbers of the scene follow
-// from others (fit.tied). The map is the one place that knows.
+// from others (fit.tied). The map is the one place that knows, and of several photographs it knows whose each
+// is, and of a station elsewhere (fit/photo_frame.h).
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "fit/free_parameters.h"
+#include "fit/photo_frame.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/ties.h"
 
@@ -20,6 +22,8 @@ class ParameterMap {
   /// with. `photo` is the photograph's name, as entries of fit.free and fit.tied that belong to it alone say
   /// it; those of another are left out.
   ParameterMap(const sim::Scene& scene, const std::vector<FreeNumber>& free, const std::string& photo = {});
+  /// The same for a photograph of a frame of its own.
+  ParameterMap(const sim::Scene& scene, const std::vector<FreeNumber>& free, const PhotoFrame& frame);
 
   /// Writes all values, in the order of `free`, into a scene, and what follows from them. What would follow
   /// beyond the limits of its parameter is held at the limit, so that nobody is asked to simulate nonsense;
@@ -66,6 +70,9 @@ class ParameterMap {
     std::vector<bool> uses;  ///< by free number: whether it depends on it, through whatever else
   };
 
+  bool put_at_home(const std::vector<double>& values, sim::Scene& scene) const;
+  Motion motion_at_home(const std::vector<double>& values, const std::vector<int>& moved,
+                        const sim::Scene& at_home, const sim::Scene& scene) const;
   std::vector<double> input_values(const Following& following, const std::vector<double>& values,
                                    const sim::Scene& scene) const;
   /// d tie / d free, [tie][free].
@@ -73,6 +80,7 @@ class ParameterMap {
                                               const sim::Scene& scene) const;
 
   const std::vector<FreeNumber>& free_;
+  PhotoFrame frame_;
   std::vector<Place> places_;  ///< in the order of `free`
   std::vector<Following> following_;
 };

@@ -14,13 +14,14 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 /// A fit that found nothing may come without a model.
 double at(const std::vector<double>& values, std::size_t i) { return i < values.size() ? values[i] : kNaN; }
 
-std::string head(const FitResult& result) {
+std::string head(const FitResult& result, const FittedPhoto& fitted) {
   std::string text = csv_comment("vertical profiles: what the fit compared");
   text += csv_comment("vegard: " + sim::version());
   for (const InputFile& input : result.inputs)
     text += csv_comment(input.role + ": " + input.name + " (sha256 " + input.sha256 + ")");
-  text += csv_comment("decoding: " + result.decoding);
-  const Region& region = result.data.region;
+  if (!fitted.name.empty()) text += csv_comment("of the photograph " + fitted.name);
+  text += csv_comment("decoding: " + fitted.decoding);
+  const Region& region = fitted.data.region;
   text += csv_comment("roi_px: [" + std::to_string(region.x) + ", " + std::to_string(region.y) + ", " +
                       std::to_string(region.width) + ", " + std::to_string(region.height) + "]");
   text += csv_comment("row_px: row of the image, counted from 0 at the top; its centre is at row_px + 0.5");
@@ -36,10 +37,11 @@ std::string head(const FitResult& result) {
 
 }  // namespace
 
-std::string profiles_csv(const FitResult& result, const ElevationOfPixel& elevation_of_pixel) {
+std::string profiles_csv(const FitResult& result, const FittedPhoto& fitted,
+                         const ElevationOfPixel& elevation_of_pixel) {
   static const char* const kChannels[3] = {"r", "g", "b"};
-  const Profile& data = result.data;
-  std::string text = head(result);
+  const Profile& data = fitted.data;
+  std::string text = head(result, fitted);
   text += "band,row_px,elevation_deg,channel,data,sigma,model,residual_over_sigma,count\n";
   for (int band = 0; band < data.bands; ++band)
     for (int row = 0; row < data.rows; ++row) {
@@ -47,10 +49,10 @@ std::string profiles_csv(const FitResult& result, const ElevationOfPixel& elevat
                                 csv_number(row_elevation_deg(data, band, row, elevation_of_pixel)) + ",";
       for (int c = 0; c < 3; ++c) {
         const std::size_t i = data.index(band, row, c);
-        const double sigma = at(result.sigma, i);
-        const double residual = sigma > 0.0 ? (data.mean[i] - at(result.model, i)) / sigma : kNaN;
+        const double sigma = at(fitted.sigma, i);
+        const double residual = sigma > 0.0 ? (data.mean[i] - at(fitted.model, i)) / sigma : kNaN;
         text += place + kChannels[c] + "," + csv_number(data.mean[i]) + "," + csv_number(sigma) + "," +
-                csv_number(at(result.model, i)) + "," + csv_number(residual) + "," +
+                csv_number(at(fitted.model, i)) + "," + csv_number(residual) + "," +
                 std::to_string(data.count[i]) + "\n";
       }
     }

@@ -10,6 +10,7 @@ namespace vegard::fit {
 
 /// One line per band, row and channel: data, sigma, model, residual / sigma, count. What is unknown or was
 /// not used is empty.
-std::string profiles_csv(const FitResult& result, const ElevationOfPixel& elevation_of_pixel);
+std::string profiles_csv(const FitResult& result, const FittedPhoto& fitted,
+                         const ElevationOfPixel& elevation_of_pixel);
 
 }  // namespace vegard::fit

@@ -64,14 +64,21 @@ std::string figure(const std::string& uri, const std::string& name, const std::s
          "</figcaption></figure>\n";
 }
 
-std::string pictures_section(const ReportPictures& pictures) {
+/// A section's title; of several photographs it says whose it is.
+std::string title_for(const std::string& title, const ShownPhoto& shown) {
+  return shown.fitted->name.empty() ? title : html_text(shown.fitted->name) + ": " + title;
+}
+
+std::string pictures_section(const ShownPhoto& shown, const ReportPictures& pictures) {
   const std::string brightness =
       pictures.brightness == 1.0
           ? std::string()
           : " Shown " + html_text(short_number(pictures.brightness, 2)) + " times as bright as it is.";
   const std::string scale = html_text(short_number(pictures.residual_scale, 2));
   return section(
-      "Photograph, model, residual", "",
+      title_for(shown.fitted->name.empty() ? "Photograph, model, residual" : "photograph, model, residual",
+                shown),
+      "",
       "<div class=\"three\">\n" +
           figure(pictures.photo, "Photograph",
                  "Framed: the region that was fitted, with its bands." + brightness) +
@@ -86,11 +93,12 @@ std::string pictures_section(const ReportPictures& pictures) {
           "</div>\n");
 }
 
-std::string profiles_section(const FitResult& result, const ReportPictures& pictures,
-                             const ElevationOfPixel& elevation_of_pixel) {
-  std::string html = "<div class=\"plots\">\n" + mean_profile_svg(result, elevation_of_pixel) +
-                     mean_residual_svg(result, elevation_of_pixel) + colour_svg(result, elevation_of_pixel) +
-                     band_profiles_svg(result, elevation_of_pixel) + "</div>\n";
+std::string profiles_section(const ShownPhoto& shown, const ReportPictures& pictures) {
+  const FittedPhoto& fitted = *shown.fitted;
+  const ElevationOfPixel& elevation_of_pixel = shown.elevation_of_pixel;
+  std::string html = "<div class=\"plots\">\n" + mean_profile_svg(fitted, elevation_of_pixel) +
+                     mean_residual_svg(fitted, elevation_of_pixel) + colour_svg(fitted, elevation_of_pixel) +
+                     band_profiles_svg(fitted, elevation_of_pixel) + "</div>\n";
   if (!pictures.misfit.empty())
     html +=
         "<h3>What is left, row by row and band by band</h3>\n<div class=\"misfit\">\n"
@@ -104,7 +112,7 @@ std::string profiles_section(const FitResult& result, const ReportPictures& pict
         "the model "
         "does not have. Grey was not used.</p>\n</div>\n";
   return section(
-      "Vertical profiles",
+      title_for(fitted.name.empty() ? "Vertical profiles" : "vertical profiles", shown),
       "This is what was fitted: the mean light of every row, in every band and channel. \u03c3 holds the "
       "noise of the photograph and the model error that the scene allows for.",
       html);
@@ -119,6 +127,7 @@ std::string trade_off_list(const FitResult& result) {
 std::string fit_section(const FitResult& result) {
   const std::string correlation = correlation_table(result);
   std::string html = statistics_table(result) + "<div class=\"two\">\n";
+  if (result.photos.size() > 1) html += "<div><h3>The photographs</h3>\n" + photos_table(result) + "</div>\n";
   if (!correlation.empty())
     html += "<div><h3>Correlation of the parameters</h3>\n" + correlation +
             "<p class=\"soft\">Near \u00b11 the photograph cannot tell two parameters apart.</p>\n" +
@@ -139,26 +148,51 @@ std::string sky_words(int terms) {
   return terms == 2 ? "a level and a gradient" : "a level, a gradient and a curvature";
 }
 
-std::string title_of(const FitResult& result, const Photo& photo) {
+std::string title_of(const FitResult& result, const std::vector<ShownPhoto>& photos) {
+  std::string title;
   for (const InputFile& input : result.inputs)
-    if (input.role == "photo") return input.name;
-  return photo.file_name;
+    if (input.role == "photo") title += (title.empty() ? "" : ", ") + input.name;
+  return title.empty() ? photos.front().photo->file_name : title;
+}
+
+std::string solved_section(const ShownPhoto& shown) {
+  const FittedPhoto& fitted = *shown.fitted;
+  if (fitted.solved.empty()) return {};
+  return section(
+      title_for(fitted.name.empty() ? "Solved along the way" : "solved along the way", shown),
+      "Linear numbers, exact at every step of the search: the gain is the linear light of one kilorayleigh "
+      "of 557.7\u00a0nm; the sky, over the picture\u2019s height, is " +
+          sky_words(fitted.best.fit.sky_terms) + ".",
+      solved_table(fitted));
+}
+
+/// The names of the files that each photograph has.
+std::string files_of(const std::vector<ShownPhoto>& photos) {
+  std::string text;
+  for (const ShownPhoto& shown : photos) {
+    const std::string name = shown.fitted->name.empty() ? std::string() : "-" + html_text(shown.fitted->name);
+    for (const char* stem : {"profiles", "model", "residual"})
+      text += (text.empty() ? "" : ", ") + std::string("<code>") + stem + name +
+              (std::string(stem) == "profiles" ? ".csv" : ".exr") + "</code>";
+  }
+  return text;
 }
 
 }  // namespace
 
-std::string report_html(const FitResult& result, const Photo& photo, const ModelPicture& model,
-                        const ElevationOfPixel& elevation_of_pixel) {
-  const ReportPictures pictures = report_pictures(result, photo, model);
-  const std::string title = html_text(title_of(result, photo));
+std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& photos) {
+  std::vector<ReportPictures> pictures;
+  for (const ShownPhoto& shown : photos)
+    pictures.push_back(report_pictures(*shown.fitted, *shown.photo, *shown.model));
+  const std::string title = html_text(title_of(result, photos));
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en-GB\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
       title + ": " + verdict_name(result.verdict) + "</title>\n<style>" + kReportStyle +
-      "</style>\n</head>\n<body>\n<header><div class=\"head\">\n<p>A simulated aurora, fitted to a "
-      "photograph</p>\n<h1>" +
-      title + "</h1>\n</div></header>\n" + verdict_band(result) + "<main>\n";
-  html += pictures_section(pictures);
+      "</style>\n</head>\n<body>\n<header><div class=\"head\">\n<p>A simulated aurora, fitted to " +
+      (photos.size() == 1 ? std::string("a photograph") : std::to_string(photos.size()) + " photographs") +
+      "</p>\n<h1>" + title + "</h1>\n</div></header>\n" + verdict_band(result) + "<main>\n";
+  for (std::size_t i = 0; i < photos.size(); ++i) html += pictures_section(photos[i], pictures[i]);
   const std::string cards = derived_cards(result);
   const bool believed = result.verdict == Verdict::good;
   if (!cards.empty())
@@ -184,21 +218,15 @@ std::string report_html(const FitResult& result, const Photo& photo, const Model
                     "557.7\u00a0nm is held at "
                     "the start\u2019s. Beside this page: <code>profile.csv</code>.",
                     "<div class=\"plots\">\n" + free_profiles_svg(result) + "</div>\n");
-  html += profiles_section(result, pictures, elevation_of_pixel);
+  for (std::size_t i = 0; i < photos.size(); ++i) html += profiles_section(photos[i], pictures[i]);
   html += fit_section(result);
-  if (!result.solved.empty())
-    html += section(
-        "Solved along the way",
-        "Linear numbers, exact at every step of the search: the gain is the linear light of one kilorayleigh "
-        "of 557.7\u00a0nm; the sky, over the picture\u2019s height, is " +
-            sky_words(result.best.fit.sky_terms) + ".",
-        solved_table(result));
+  for (const ShownPhoto& shown : photos) html += solved_section(shown);
   html += section("Where it comes from", "", provenance_table(result));
   html +=
       "<footer>Beside this page: <code>result.json</code> (all numbers), <code>best.toml</code> (the best "
       "scene), "
-      "<code>profiles.csv</code>, <code>trace.csv</code>, <code>model.exr</code>, "
-      "<code>residual.exr</code>.</footer>\n</main>\n</body>\n</html>\n";
+      "<code>trace.csv</code>, " +
+      files_of(photos) + ".</footer>\n</main>\n</body>\n</html>\n";
   return html;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "fit/fit_result.h"
 #include "fit/model_picture.h"
@@ -10,9 +11,16 @@
 
 namespace vegard::fit {
 
-/// The whole page: pictures as data URIs, plots as inline SVG, no script. The same result gives the same
-/// bytes.
-std::string report_html(const FitResult& result, const Photo& photo, const ModelPicture& model,
-                        const ElevationOfPixel& elevation_of_pixel);
+/// A photograph of the fit as the page shows it; what it points to must outlive the call.
+struct ShownPhoto {
+  const FittedPhoto* fitted = nullptr;
+  const Photo* photo = nullptr;
+  const ModelPicture* model = nullptr;
+  ElevationOfPixel elevation_of_pixel;
+};
+
+/// The whole page: pictures as data URIs, plots as inline SVG, no script. Of several photographs each has its
+/// own sections. The same result gives the same bytes.
+std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& photos);
 
 }  // namespace vegard::fit

@@ -149,11 +149,11 @@ cv::Vec3b misfit_colour(double sigmas) {
   return colour;
 }
 
-std::string misfit_uri(const FitResult& result) {
+std::string misfit_uri(const FittedPhoto& fitted) {
   constexpr int kWidth = 232, kHeight = 240, kGap = 12;
-  const Profile& data = result.data;
-  if (data.rows == 0 || data.bands == 0 || result.model.size() != data.mean.size() ||
-      result.sigma.size() != data.mean.size())
+  const Profile& data = fitted.data;
+  if (data.rows == 0 || data.bands == 0 || fitted.model.size() != data.mean.size() ||
+      fitted.sigma.size() != data.mean.size())
     return {};
   cv::Mat picture(kHeight, 3 * kWidth + 2 * kGap, CV_8UC3, cv::Scalar::all(255));
   for (int c = 0; c < 3; ++c) {
@@ -162,7 +162,7 @@ std::string misfit_uri(const FitResult& result) {
       for (int band = 0; band < data.bands; ++band) {
         const std::size_t i = data.index(band, row, c);
         cells.at<float>(row, band) =
-            result.sigma[i] > 0.0 ? static_cast<float>((data.mean[i] - result.model[i]) / result.sigma[i])
+            fitted.sigma[i] > 0.0 ? static_cast<float>((data.mean[i] - fitted.model[i]) / fitted.sigma[i])
                                   : NAN;
       }
     for (int y = 0; y < kHeight; ++y)
@@ -175,17 +175,17 @@ std::string misfit_uri(const FitResult& result) {
 
 }  // namespace
 
-ReportPictures report_pictures(const FitResult& result, const Photo& photo, const ModelPicture& model) {
+ReportPictures report_pictures(const FittedPhoto& fitted, const Photo& photo, const ModelPicture& model) {
   ReportPictures pictures;
   pictures.brightness = brightness_for(photo);
   const auto for_the_eye = [&](float light) {
     return sim::srgb_encode(std::clamp(pictures.brightness * light, 0.0, 1.0));
   };
-  const Region& region = result.data.region;
+  const Region& region = fitted.data.region;
   const Region part = shown_part(region, photo.linear.width, photo.linear.height);
   const auto shrunk_part = [&](const sim::Image& image) { return shrunk(cropped(image, part)); };
   cv::Mat shown = to_bytes(shrunk_part(with_unused_dimmed(photo)), for_the_eye);
-  draw_region(shown, result.data, part, static_cast<double>(shown.cols) / part.width);
+  draw_region(shown, fitted.data, part, static_cast<double>(shown.cols) / part.width);
   pictures.photo = png_uri(shown);
   pictures.model = png_uri(to_bytes(shrunk_part(only_inside(model.rgb, region)), for_the_eye));
 
@@ -196,7 +196,7 @@ ReportPictures report_pictures(const FitResult& result, const Photo& photo, cons
   pictures.residual = png_uri(to_bytes(shrunk_part(only_inside(model.residual, region)), [&](float light) {
     return 0.5 + 0.5 * light / pictures.residual_scale;
   }));
-  pictures.misfit = misfit_uri(result);
+  pictures.misfit = misfit_uri(fitted);
   return pictures;
 }
 

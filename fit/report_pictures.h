@@ -19,6 +19,6 @@ struct ReportPictures {
   double residual_scale = 1.0;  ///< linear light at which the residual's picture is black or white
 };
 
-ReportPictures report_pictures(const FitResult& result, const Photo& photo, const ModelPicture& model);
+ReportPictures report_pictures(const FittedPhoto& fitted, const Photo& photo, const ModelPicture& model);
 
 }  // namespace vegard::fit

@@ -17,15 +17,15 @@ const char* const kChannelNames[3] = {"red", "green", "blue"};
 constexpr Colour kModelInk{40, 40, 40};
 const char* const kHowToRead = "Dots: photograph. Shaded: \u00b11 \u03c3. Thin line: model.";
 
-void set_height_axis(const FitResult& result, const ElevationOfPixel& elevation_of_pixel, Axis& axis) {
+void set_height_axis(const FittedPhoto& fitted, const ElevationOfPixel& elevation_of_pixel, Axis& axis) {
   if (elevation_of_pixel) {
     axis.label = "elevation (\u00b0)";
     return;
   }
   axis.label = "row (px)";
   axis.reversed = true;
-  axis.min = result.data.region.y;
-  axis.max = result.data.region.y + result.data.rows;
+  axis.min = fitted.data.region.y;
+  axis.max = fitted.data.region.y + fitted.data.rows;
 }
 
 Series points(const std::vector<double>& x, const std::vector<double>& sigma,
@@ -73,8 +73,8 @@ Panel brightness_panel(const ComparedProfile& profile, double diameter_px) {
   return panel;
 }
 
-ComparedProfile mean_of_all(const FitResult& result, const ElevationOfPixel& elevation_of_pixel) {
-  return compared_profile(result, 0, result.data.bands, kMeanPoints, elevation_of_pixel);
+ComparedProfile mean_of_all(const FittedPhoto& fitted, const ElevationOfPixel& elevation_of_pixel) {
+  return compared_profile(fitted, 0, fitted.data.bands, kMeanPoints, elevation_of_pixel);
 }
 
 Series upright(double x, const std::vector<double>& height, Colour colour, Mark mark) {
@@ -126,20 +126,20 @@ struct BestSoFar {
 
 }  // namespace
 
-std::string mean_profile_svg(const FitResult& result, const ElevationOfPixel& elevation_of_pixel) {
+std::string mean_profile_svg(const FittedPhoto& fitted, const ElevationOfPixel& elevation_of_pixel) {
   Plot plot;
   plot.title = "Brightness";
   plot.note = kHowToRead;
-  plot.panels.push_back(brightness_panel(mean_of_all(result, elevation_of_pixel), 4.4));
+  plot.panels.push_back(brightness_panel(mean_of_all(fitted, elevation_of_pixel), 4.4));
   plot.panels[0].x.label = "linear light, mean over the bands";
-  set_height_axis(result, elevation_of_pixel, plot.panels[0].y);
+  set_height_axis(fitted, elevation_of_pixel, plot.panels[0].y);
   plot.panel_width_px = 520;
   plot.panel_height_px = kTallPanel;
   return plot_svg(plot);
 }
 
-std::string mean_residual_svg(const FitResult& result, const ElevationOfPixel& elevation_of_pixel) {
-  const ComparedProfile profile = mean_of_all(result, elevation_of_pixel);
+std::string mean_residual_svg(const FittedPhoto& fitted, const ElevationOfPixel& elevation_of_pixel) {
+  const ComparedProfile profile = mean_of_all(fitted, elevation_of_pixel);
   Plot plot;
   plot.title = "What is left";
   plot.note = "Dashed: \u00b11 \u03c3.";
@@ -164,15 +164,15 @@ std::string mean_residual_svg(const FitResult& result, const ElevationOfPixel& e
   panel.x.label = "(photograph \u2212 model) / \u03c3";
   panel.x.min = -widest;
   panel.x.max = widest;
-  set_height_axis(result, elevation_of_pixel, panel.y);
+  set_height_axis(fitted, elevation_of_pixel, panel.y);
   plot.panels.push_back(std::move(panel));
   plot.panel_width_px = 300;
   plot.panel_height_px = kTallPanel;
   return plot_svg(plot);
 }
 
-std::string colour_svg(const FitResult& result, const ElevationOfPixel& elevation_of_pixel) {
-  const ComparedProfile profile = mean_of_all(result, elevation_of_pixel);
+std::string colour_svg(const FittedPhoto& fitted, const ElevationOfPixel& elevation_of_pixel) {
+  const ComparedProfile profile = mean_of_all(fitted, elevation_of_pixel);
   const ComparedColour colour = compared_colour(profile);
   Plot plot;
   plot.title = "Colour";
@@ -183,7 +183,7 @@ std::string colour_svg(const FitResult& result, const ElevationOfPixel& elevatio
                                     channel_colour(1)));
   for (Panel& panel : plot.panels) {
     panel.title.clear();
-    set_height_axis(result, elevation_of_pixel, panel.y);
+    set_height_axis(fitted, elevation_of_pixel, panel.y);
   }
   plot.panel_width_px = 410;
   plot.panel_height_px = 300;
@@ -228,8 +228,8 @@ std::string free_profiles_svg(const FitResult& result) {
   return plot_svg(plot);
 }
 
-std::string band_profiles_svg(const FitResult& result, const ElevationOfPixel& elevation_of_pixel) {
-  const Profile& data = result.data;
+std::string band_profiles_svg(const FittedPhoto& fitted, const ElevationOfPixel& elevation_of_pixel) {
+  const Profile& data = fitted.data;
   const int panels = std::min(data.bands, kMostBands);
   Plot plot;
   plot.title = "Single bands";
@@ -239,7 +239,7 @@ std::string band_profiles_svg(const FitResult& result, const ElevationOfPixel& e
   for (int p = 0; p < panels; ++p) {
     const int band = (2 * p + 1) * data.bands / (2 * panels);
     Panel panel =
-        brightness_panel(compared_profile(result, band, band + 1, kBandPoints, elevation_of_pixel), 3.4);
+        brightness_panel(compared_profile(fitted, band, band + 1, kBandPoints, elevation_of_pixel), 3.4);
     panel.title = "band " + std::to_string(band) + ", columns " +
                   std::to_string(band_begin(data.region, data.bands, band)) + "\u2013" +
                   std::to_string(band_begin(data.region, data.bands, band + 1) - 1);
@@ -247,7 +247,7 @@ std::string band_profiles_svg(const FitResult& result, const ElevationOfPixel& e
   }
   if (panels == 0) plot.panels.emplace_back();
   plot.panels[0].x.label = "linear light";
-  set_height_axis(result, elevation_of_pixel, plot.panels[0].y);
+  set_height_axis(fitted, elevation_of_pixel, plot.panels[0].y);
   plot.shared_axes = true;
   plot.columns = 3;
   plot.panel_width_px = 296;

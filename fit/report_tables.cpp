@@ -124,12 +124,26 @@ std::string tied_table(const FitResult& result) {
   return html + "</tbody>\n</table>\n";
 }
 
-std::string solved_table(const FitResult& result) {
+std::string solved_table(const FittedPhoto& fitted) {
   std::string html = "<div class=\"many\">\n";
-  for (const SolvedNumber& s : result.solved)
+  for (const SolvedNumber& s : fitted.solved)
     html += "<div><code>" + html_text(s.name) + "</code><span>" +
             html_text(number_with_error(s.value, s.sigma)) + "</span></div>\n";
   return html + "</div>\n";
+}
+
+std::string photos_table(const FitResult& result) {
+  std::string html =
+      "<table>\n<thead><tr><th>Photograph</th><th class=\"number\">\u03c7\u00b2</th>"
+      "<th class=\"number\">Values</th><th class=\"number\">rms / peak</th></tr></thead>\n<tbody>\n";
+  for (const FittedPhoto& photo : result.photos) {
+    const auto values =
+        std::count_if(photo.sigma.begin(), photo.sigma.end(), [](double sigma) { return sigma > 0.0; });
+    html += "<tr><th scope=\"row\">" + html_text(photo.name) + "</th><td class=\"number\">" +
+            html_text(short_number(photo.chi2, 6)) + "</td><td class=\"number\">" + std::to_string(values) +
+            "</td><td class=\"number\">" + percent(photo.rms_over_peak) + "</td></tr>\n";
+  }
+  return html + "</tbody>\n</table>\n";
 }
 
 std::string correlation_table(const FitResult& whole) {
@@ -204,7 +218,9 @@ std::string provenance_table(const FitResult& result) {
   for (const InputFile& input : result.inputs)
     html += entry("Input: " + html_text(input.role), html_text(input.name) + "<div class=\"hash\">SHA-256 " +
                                                          html_text(input.sha256) + "</div>");
-  html += entry("Decoding", html_text(result.decoding));
+  for (const FittedPhoto& photo : result.photos)
+    html += entry("Decoding" + (photo.name.empty() ? std::string() : ": " + html_text(photo.name)),
+                  html_text(photo.decoding));
   return html + "</tbody>\n</table>\n";
 }
 

@@ -16,8 +16,11 @@ std::string parameter_table_html(const FitResult& result);
 /// Path, meaning, value ± sigma, unit, what it equals; empty if nothing is tied.
 std::string tied_table(const FitResult& result);
 
-/// Gains and sky.
-std::string solved_table(const FitResult& result);
+/// Gains and sky of a photograph.
+std::string solved_table(const FittedPhoto& fitted);
+
+/// chi2 and rms of each photograph, and how it was decoded.
+std::string photos_table(const FitResult& result);
 
 /// Coloured cells; empty for fewer than two parameters.
 std::string correlation_table(const FitResult& result);

@@ -20,7 +20,9 @@ Json number(const std::optional<double>& value) { return value ? number(*value) 
 
 Json parameter(const FittedParameter& p) {
   Json json;
-  json["path"] = p.path;
+  const std::string whose = " of " + p.photo;
+  json["path"] = p.photo.empty() ? p.path : p.path.substr(0, p.path.size() - whose.size());
+  if (!p.photo.empty()) json["photo"] = p.photo;
   json["meaning"] = p.meaning;
   json["value"] = number(p.value);
   json["unit"] = p.unit;
@@ -36,6 +38,25 @@ Json parameter(const FittedParameter& p) {
   json["at_limit"] = p.at_limit;
   json["moved"] = p.moved;
   json["moved_sigma"] = number(p.moved_sigma);
+  return json;
+}
+
+Json solved_numbers(const FittedPhoto& photo) {
+  Json json = Json::array();
+  for (const SolvedNumber& s : photo.solved)
+    json.push_back({{"name", s.name}, {"value", number(s.value)}, {"sigma", number(s.sigma)}});
+  return json;
+}
+
+/// Of several photographs: what is each one's own.
+Json photos_of(const FitResult& result) {
+  Json json = Json::array();
+  for (const FittedPhoto& photo : result.photos)
+    json.push_back({{"name", photo.name},
+                    {"chi2", number(photo.chi2)},
+                    {"rms_over_peak", number(photo.rms_over_peak)},
+                    {"solved", solved_numbers(photo)},
+                    {"decoding", photo.decoding}});
   return json;
 }
 
@@ -141,9 +162,11 @@ std::string result_json(const FitResult& result) {
                             {"unit", t.unit},
                             {"sigma", number(t.sigma)},
                             {"equals", t.equals}});
-  json["solved"] = Json::array();
-  for (const SolvedNumber& s : result.solved)
-    json["solved"].push_back({{"name", s.name}, {"value", number(s.value)}, {"sigma", number(s.sigma)}});
+  const bool several = result.photos.size() > 1;
+  if (several)
+    json["photos"] = photos_of(result);
+  else
+    json["solved"] = result.photos.empty() ? Json::array() : solved_numbers(result.photos.front());
   json["derived"] = Json::array();
   for (const DerivedNumber& d : result.derived)
     json["derived"].push_back(
@@ -180,7 +203,7 @@ std::string result_json(const FitResult& result) {
   json["inputs"] = Json::array();
   for (const InputFile& input : result.inputs)
     json["inputs"].push_back({{"role", input.role}, {"name", input.name}, {"sha256", input.sha256}});
-  json["decoding"] = result.decoding;
+  if (!several) json["decoding"] = result.photos.empty() ? "" : result.photos.front().decoding;
   // A file's name may hold bytes that are no UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
+#include <filesystem>
+
 #include "fit/free_profiles_csv.h"
 #include "fit/model_picture.h"
 #include "fit/profiles_csv.h"
@@ -29,9 +32,29 @@ std::string best_scene(const FitResult& result, const sim::Scene& best) {
   return sim::write_scene(best, comment);
 }
 
-sim::ImageAttributes attributes_of(const FitResult& result, const std::string& units) {
+/// "model-NAME.exr"; without a name "model.exr".
+std::string file_of(const FittedPhoto& fitted, const std::string& stem, const std::string& ending) {
+  return stem + (fitted.name.empty() ? "" : "-" + fitted.name) + ending;
+}
+
+/// Photographs stand beside the scene that was fitted: from the run's directory they are called differently.
+void rename_photos(const std::string& directory, sim::Scene& best) {
+  if (best.fit.photos.empty()) return;
+  namespace fs = std::filesystem;
+  const fs::path from = fs::absolute(fs::path(best.file)).parent_path(), to = fs::absolute(directory);
+  const auto rename = [&](std::string& file) {
+    if (!file.empty()) file = (from / file).lexically_normal().lexically_relative(to.lexically_normal());
+  };
+  for (sim::PhotoEntry& entry : best.fit.photos) {
+    rename(entry.file);
+    rename(entry.mask);
+  }
+}
+
+sim::ImageAttributes attributes_of(const FitResult& result, const FittedPhoto& fitted,
+                                   const std::string& units) {
   sim::ImageAttributes attributes = {
-      {"scene", sim::write_scene(result.best)},
+      {"scene", sim::write_scene(fitted.best)},
       {"seed", std::to_string(result.seed)},
       {"version", sim::version()},
       {"verdict", verdict_name(result.verdict)},
@@ -39,25 +62,26 @@ sim::ImageAttributes attributes_of(const FitResult& result, const std::string& u
       {"model",
        "the expectation that was fitted: the scene without its spacing_jitter and "
        "with more beams"}};
-  if (!result.best.site.time_utc.empty()) attributes["DateTime"] = result.best.site.time_utc;
+  if (!fitted.best.site.time_utc.empty()) attributes["DateTime"] = fitted.best.site.time_utc;
   return attributes;
 }
 
-void write_pictures(const sim::WholeDirectory& run, const FitResult& result, const ModelPicture& picture) {
+void write_pictures(const sim::WholeDirectory& run, const FitResult& result, const FittedPhoto& fitted,
+                    const ModelPicture& picture) {
   sim::Image lines = picture.rayleigh;
   for (std::string& name : lines.channel_names) name.insert(0, "rayleigh.");
   sim::ImageAttributes attributes = attributes_of(
-      result,
+      result, fitted,
       "R, G, B: linear light of the photograph, sky included; rayleigh.*: rayleighs before any gain, by "
       "wavelength in tenths of a nanometre");
   attributes["gain"] =
       "of every column: the bands' gains at the bands' centres, linear between them, level outside; the fit "
       "itself has "
       "one gain in all of a band";
-  sim::write_exr(run.file("model.exr"), {&picture.rgb, &lines}, attributes);
+  sim::write_exr(run.file(file_of(fitted, "model", ".exr")), {&picture.rgb, &lines}, attributes);
   sim::write_exr(
-      run.file("residual.exr"), picture.residual,
-      attributes_of(result, "R, G, B: photograph - model, linear light of the photograph, signed"));
+      run.file(file_of(fitted, "residual", ".exr")), picture.residual,
+      attributes_of(result, fitted, "R, G, B: photograph - model, linear light of the photograph, signed"));
 }
 
 /// An error inside of the temporary directory is one of the directory that the user named.
@@ -74,28 +98,44 @@ void check_run_directory(const std::string& directory, bool overwrite) {
   sim::WholeDirectory(directory, overwrite);
 }
 
-void write_run(const std::string& directory, bool overwrite, const FitResult& result, const Photo& photo,
-               const RunContext& context) {
+void write_run(const std::string& directory, bool overwrite, const FitResult& result,
+               const std::vector<Photo>& photos, const RunContext& context) {
+  assert(photos.size() == result.photos.size());
   sim::WholeDirectory run(directory, overwrite);
-  const ElevationOfPixel elevation_of_pixel = [&](double x_px, double y_px) {
-    return sim::direction_of_pixel(result.best.camera, x_px, y_px).elevation_deg;
-  };
-  const ModelPicture picture = model_picture(result, photo, context.threads);
+  std::vector<ModelPicture> pictures;
+  std::vector<ShownPhoto> shown;
+  for (std::size_t i = 0; i < photos.size(); ++i)
+    pictures.push_back(model_picture(result.photos[i], photos[i], context.threads));
+  for (std::size_t i = 0; i < photos.size(); ++i)
+    shown.push_back({&result.photos[i], &photos[i], &pictures[i],
+                     [&camera = result.photos[i].best.camera](double x_px, double y_px) {
+                       return sim::direction_of_pixel(camera, x_px, y_px).elevation_deg;
+                     }});
   try {
     sim::write_whole(run.file("result.json"), result_json(result));
-    const sim::Scene best = sim::with_tables_beside(result.best);
-    sim::write_whole(run.file("best.toml"), best_scene(result, best));
+    sim::Scene best = sim::with_tables_beside(result.best);
     for (const sim::TableFile& table : sim::table_files(best))
       sim::write_whole(run.file(table.name), sim::table_text(best, table.path));
-    sim::write_whole(run.file("profiles.csv"), profiles_csv(result, elevation_of_pixel));
+    rename_photos(directory, best);
+    sim::write_whole(run.file("best.toml"), best_scene(result, best));
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+      const FittedPhoto& fitted = result.photos[i];
+      sim::write_whole(run.file(file_of(fitted, "profiles", ".csv")),
+                       profiles_csv(result, fitted, shown[i].elevation_of_pixel));
+      write_pictures(run, result, fitted, pictures[i]);
+    }
     if (!result.profiles.empty()) sim::write_whole(run.file("profile.csv"), free_profiles_csv(result));
     sim::write_whole(run.file("trace.csv"), trace_csv(result));
-    write_pictures(run, result, picture);
-    sim::write_whole(run.file("report.html"), report_html(result, photo, picture, elevation_of_pixel));
+    sim::write_whole(run.file("report.html"), report_html(result, shown));
     run.commit();
   } catch (const sim::Error& error) {
     throw about(directory, run.temporary(), error);
   }
+}
+
+void write_run(const std::string& directory, bool overwrite, const FitResult& result, const Photo& photo,
+               const RunContext& context) {
+  write_run(directory, overwrite, result, std::vector<Photo>{photo}, context);
 }
 
 }  // namespace vegard::fit

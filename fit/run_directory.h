@@ -1,8 +1,9 @@
 // One fit as a directory: result.json, best.toml, profiles.csv, trace.csv, model.exr, residual.exr,
-// report.html.
+// report.html. Of several photographs: profiles-NAME.csv, model-NAME.exr and residual-NAME.exr for each.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "fit/fit_result.h"
 #include "fit/photo.h"
@@ -17,10 +18,13 @@ struct RunContext {
 /// Throws as write_run would, without writing: to be asked before the long work.
 void check_run_directory(const std::string& directory, bool overwrite);
 
-/// Writes all of it; the directory appears whole or not at all. The same result and photograph give the same
-/// bytes. Throws sim::Error(existing_output) if there is such a directory and overwrite is false, or
-/// something that is no run; sim::Error(unwritable_output) if the disk is full or closed, and nothing is left
-/// behind then.
+/// Writes all of it; the directory appears whole or not at all. The same result and photographs, in the order
+/// of result.photos, give the same bytes; best.toml names several by their way from the directory, which
+/// starts at `result.best.file`. Throws sim::Error(existing_output) if there is such a directory and
+/// overwrite is false, or something that is no run; sim::Error(unwritable_output) if the disk is full or
+/// closed, and nothing is left behind then.
+void write_run(const std::string& directory, bool overwrite, const FitResult& result,
+               const std::vector<Photo>& photos, const RunContext& context);
 void write_run(const std::string& directory, bool overwrite, const FitResult& result, const Photo& photo,
                const RunContext& context);
 

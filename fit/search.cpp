@@ -184,7 +184,7 @@ class Search {
   std::vector<PhaseAnchor> anchors(const std::vector<FreeNumber>& free, const std::vector<int>& moved,
                                    const Values& values) const {
     sim::Scene scene = scene_;
-    models_.full.front().map.put(values, scene);
+    ParameterMap(scene_, free_).put(values, scene);
     std::vector<FreeNumber> some;
     Values of_some;
     for (const int j : moved) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/scene/free_entry_keys.h"
+#include "sim/scene/photo_entry_keys.h"
 
 namespace vegard::sim {
 namespace {
@@ -151,6 +152,14 @@ std::vector<FileKey> all_file_keys() {
       {table, tied_key, "", "what follows from what is fitted", "an array of tables with the keys below"});
   for (const TiedKey& key : tied_keys())
     keys.push_back({table + "." + tied_key, key.key, "", key.meaning, key.type});
+  const std::string photo = table + "." + photo_key;
+  keys.push_back({table, photo_key, "", "photographs that are fitted together",
+                  "tables [[fit.photo]] with the keys below"});
+  for (const PhotoTextKey& key : photo_text_keys()) {
+    keys.push_back({photo, key.key, "", key.meaning, "a text"});
+  }
+  keys.push_back({photo, photo_set_key, "", "what this photograph alone has: its camera, site, time …",
+                  "a table of path = value"});
   return keys;
 }
 

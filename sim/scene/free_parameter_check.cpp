@@ -212,7 +212,10 @@ void check_free_parameters(const Scene& scene) {
       if (!path.row->can_be_free) {
         complain({"this parameter cannot be free", "one that `vegard params` lists as free", ""}, origin);
       }
-      if (const auto idle = why_it_counts_for_nothing(scene, path)) complain(*idle, origin);
+      // What one photograph has for itself is looked at in its own scene (check_photos).
+      const bool is_shared = free.photo.empty();
+      if (is_shared)
+        if (const auto idle = why_it_counts_for_nothing(scene, path)) complain(*idle, origin);
       for (const FreeParameter* owner : owners[path.text]) {
         if (meet(owner->photo, free.photo))
           complain({"free twice, first as '" + owner->path + "'" + line_words(owner->line),
@@ -220,7 +223,7 @@ void check_free_parameters(const Scene& scene) {
                    origin);
       }
       owners[path.text].push_back(&free);
-      if (first == named.end()) check_numbers(scene, free, path);
+      if (first == named.end() && is_shared) check_numbers(scene, free, path);
       lower_limit = std::min(lower_limit, free.min.value_or(path.row->min));
     }
     if (first != named.end()) check_same_number(scene, *first->second, free);

@@ -8,6 +8,7 @@
 #include "sim/scene/line_of.h"
 #include "sim/scene/parameter_declarations.h"
 #include "sim/scene/parameter_table.h"
+#include "sim/scene/photo_scene.h"
 #include "sim/scene/spline_rates.h"
 #include "sim/scene/table_files.h"
 #include "sim/scene/value_check.h"
@@ -199,6 +200,7 @@ void validate(const Scene& scene) {
   check_region(scene);
   check_free_parameters(scene);
   check_tied_parameters(scene);
+  check_photos(scene);
 }
 
 }  // namespace vegard::sim

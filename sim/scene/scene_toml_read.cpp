@@ -12,6 +12,8 @@
 #include "sim/scene/line_of.h"
 #include "sim/scene/nearest_name.h"
 #include "sim/scene/parameter_declarations.h"
+#include "sim/scene/photo_entries_toml.h"
+#include "sim/scene/photo_entry_keys.h"
 #include "sim/scene/scene_toml.h"
 #include "sim/scene/spline_rates.h"
 #include "sim/scene/table_files.h"
@@ -169,6 +171,10 @@ class Reader {
       if (const toml::node* tied = values->get(tied_key))
         scene_.fit.tied =
             read_tied_parameters(*tied, origin(*tied, std::string(free_table) + "." + tied_key));
+      if (const toml::node* photos = values->get(photo_key)) {
+        scene_.fit.photos =
+            read_photo_entries(*photos, origin(*photos, std::string(free_table) + "." + photo_key));
+      }
     }
   }
 

@@ -3,6 +3,7 @@
 #include "sim/scene/free_entry_keys.h"
 #include "sim/scene/free_parameters_toml.h"
 #include "sim/scene/parameter_declarations.h"
+#include "sim/scene/photo_entries_toml.h"
 #include "sim/scene/scene_toml.h"
 
 namespace vegard::sim {
@@ -62,6 +63,7 @@ std::string table_lines(const Scene& scene, const std::string& table, int sheet)
     text += std::string(free_key) + " = " + free_parameters_text(scene.fit.free) + "\n";
     if (!scene.fit.tied.empty())
       text += std::string(tied_key) + " = " + tied_parameters_text(scene.fit.tied) + "\n";
+    text += photo_entries_text(scene.fit.photos);
   }
   return text;
 }

@@ -170,7 +170,7 @@ TEST(AirInAFit, KnownAirGivesTheEnergyBackAndMissingAirBiasesIt) {
   ASSERT_EQ(with.parameters.size(), 1u);
   EXPECT_NEAR(with.parameters[0].value, 4.0, 0.04);
   // What the best scene renders is what the fit saw, the night sky at its own gain included.
-  const ModelPicture picture = model_picture(with, photo, 0);
+  const ModelPicture picture = model_picture(with.photos[0], photo, 0);
   double residual = 0.0, light = 0.0;
   for (std::size_t i = 0; i < picture.rgb.data.size(); ++i) {
     residual += std::pow(picture.residual.data[i], 2);

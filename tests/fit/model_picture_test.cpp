@@ -12,7 +12,7 @@ namespace {
 
 // Two bands of 20 columns: centres at 10 and 30.
 TEST(ModelPicture, JoinsTheGainsBetweenTheBandsCentres) {
-  const FitResult result = tests::small_fit(tests::small_photo());
+  const FittedPhoto result = tests::small_fit(tests::small_photo()).photos[0];
   EXPECT_DOUBLE_EQ(gain_at_column(result, 0.5, 0), 0.06);
   EXPECT_DOUBLE_EQ(gain_at_column(result, 10.0, 0), 0.06);
   EXPECT_DOUBLE_EQ(gain_at_column(result, 20.0, 0), 0.05);
@@ -24,7 +24,7 @@ TEST(ModelPicture, JoinsTheGainsBetweenTheBandsCentres) {
 // sky.
 TEST(ModelPicture, IsTheRenderingOfTheBestScenesExpectation) {
   const Photo photo = tests::small_photo();
-  FitResult result = tests::small_fit(photo);
+  FittedPhoto result = tests::small_fit(photo).photos[0];
   result.gain = {{0.05, 0.05, 0.05}};
   result.best.sensor.gain_per_kilorayleigh = 0.05;
   const ModelPicture picture = model_picture(result, photo, 1);
@@ -44,7 +44,7 @@ TEST(ModelPicture, IsTheRenderingOfTheBestScenesExpectation) {
 // A fit's model is aurora and sky, whatever else the scene is composed of.
 TEST(ModelPicture, HasNoStars) {
   const Photo photo = tests::small_photo();
-  FitResult result = tests::small_fit(photo);
+  FittedPhoto result = tests::small_fit(photo).photos[0];
   const ModelPicture without = model_picture(result, photo, 1);
   result.best.stars.shown = true;
   result.best.composite.foreground = "is not read.png";
@@ -53,7 +53,7 @@ TEST(ModelPicture, HasNoStars) {
 
 // Nor is it one realisation: neither jitter nor its random numbers are in it.
 TEST(ModelPicture, HasDenseBeamsWithoutJitter) {
-  FitResult result = tests::small_fit(tests::small_photo());
+  FittedPhoto result = tests::small_fit(tests::small_photo()).photos[0];
   result.best.sheets[0].beams = 2000;
   const sim::Scene scene = scene_of_expectation(result);
   EXPECT_GT(result.best.sheets[0].spacing_jitter, 0.0);

@@ -164,6 +164,7 @@ TEST(ParameterMap, OfAPhotographKnowsItsOwnNumbersOnly) {
   scene.fit.photos.resize(2);
   scene.fit.photos[0].name = "left";
   scene.fit.photos[1].name = "right";
+  for (sim::PhotoEntry& photo : scene.fit.photos) photo.file = photo.name + ".png";
   scene.fit.free = {tests::free_entry("camera.hfov_deg"), tests::free_entry("camera.hfov_deg"),
                     tests::free_entry("sheet.main.energy_kev")};
   scene.fit.free[0].photo = "left";

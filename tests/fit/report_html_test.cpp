@@ -39,8 +39,11 @@ std::string unbalanced_tag(const std::string& html) {
 
 struct Page {
   explicit Page(FitResult result, const Photo& photo = tests::small_photo())
-      : html(report_html(result, photo, model_picture(result, photo, 1),
-                         [](double, double y_px) { return 60.0 - y_px; })) {}
+      : html(page(result, photo, model_picture(result.photos[0], photo, 1))) {}
+  static std::string page(const FitResult& result, const Photo& photo, const ModelPicture& model) {
+    return report_html(
+        result, {{&result.photos[0], &photo, &model, [](double, double y_px) { return 60.0 - y_px; }}});
+  }
   bool has(const std::string& text) const { return html.find(text) != std::string::npos; }
   std::string html;
 };
@@ -107,10 +110,10 @@ TEST(ReportHtml, StandsWithoutAnAnswer) {
   result.verdict = Verdict::failed;
   result.parameters.clear();
   result.correlation.clear();
-  result.model.clear();
-  result.gain.clear();
+  result.photos[0].model.clear();
+  result.photos[0].gain.clear();
   result.trace.clear();
-  result.solved.clear();
+  result.photos[0].solved.clear();
   result.derived.clear();
   result.dof = 0;
   const Page page(result);

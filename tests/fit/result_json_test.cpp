@@ -96,6 +96,27 @@ TEST(ResultJson, SaysNullForWhatIsUnknownOrNotFinite) {
   EXPECT_TRUE(json["solved"][1]["sigma"].is_null());
 }
 
+TEST(ResultJson, OfSeveralPhotographsHoldsWhatEachHas) {
+  const Photo photo = tests::small_photo();
+  FitResult result = tests::small_fit(photo);
+  result.photos.push_back(result.photos[0]);
+  result.photos[0].name = "south";
+  result.photos[1].name = "north";
+  result.photos[1].solved = {{"gain", 0.07, 0.002}};
+  result.parameters[1].path = "camera.roll_deg of north";
+  result.parameters[1].photo = "north";
+  const Json json = Json::parse(result_json(result));
+  EXPECT_FALSE(json.contains("solved"));
+  EXPECT_FALSE(json.contains("decoding"));
+  ASSERT_EQ(json["photos"].size(), 2u);
+  EXPECT_EQ(json["photos"][0]["name"], "south");
+  EXPECT_EQ(json["photos"][0]["solved"].size(), 3u);
+  EXPECT_EQ(json["photos"][1]["solved"][0]["value"], 0.07);
+  EXPECT_EQ(json["parameters"][1]["path"], "camera.roll_deg");
+  EXPECT_EQ(json["parameters"][1]["photo"], "north");
+  EXPECT_FALSE(json["parameters"][0].contains("photo"));
+}
+
 TEST(ResultJson, HoldsTheJudgesWhereTheyWereAsked) {
   FitResult result = tests::small_fit(tests::small_photo());
   Json json = Json::parse(result_json(result));

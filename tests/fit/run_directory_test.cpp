@@ -60,14 +60,14 @@ TEST_F(RunDirectory, HoldsTheBestSceneAsAScene) {
 }
 
 TEST_F(RunDirectory, HoldsThePictures) {
-  result.best.site.time_utc = "2019-09-05T22:11:12Z";
+  result.photos[0].best.site.time_utc = "2019-09-05T22:11:12Z";
   write("run");
   const sim::ExrFile model = sim::read_exr(folder / "run/model.exr");
   EXPECT_EQ(model.image.channel_names,
             (std::vector<std::string>{"R", "G", "B", "rayleigh.4278", "rayleigh.5577", "rayleigh.6300"}));
   EXPECT_EQ(model.attributes.at("seed"), "9223372036854775807");
   EXPECT_NE(model.attributes.at("gain").find("linear between"), std::string::npos);
-  EXPECT_EQ(model.attributes.at("scene"), sim::write_scene(result.best));
+  EXPECT_EQ(model.attributes.at("scene"), sim::write_scene(result.photos[0].best));
   const sim::ExrFile residual = sim::read_exr(folder / "run/residual.exr");
   for (int c = 0; c < 3; ++c)
     EXPECT_FLOAT_EQ(residual.image.at(7, 5, c), photo.linear.at(7, 5, c) - model.image.at(7, 5, c));

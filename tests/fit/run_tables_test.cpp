@@ -62,29 +62,29 @@ TEST(FreeProfilesCsv, EveryColumnIsOfItsLineWhateverIsFreeInASheet) {
 TEST(ProfilesCsv, HoldsEveryValueOfTheProfile) {
   const Photo photo = tests::small_photo();
   const FitResult result = tests::small_fit(photo);
-  const auto lines =
-      lines_without_comments(profiles_csv(result, [](double, double y_px) { return 100.0 - y_px; }));
-  ASSERT_EQ(lines.size(), 1 + result.data.mean.size());
+  const auto lines = lines_without_comments(
+      profiles_csv(result, result.photos[0], [](double, double y_px) { return 100.0 - y_px; }));
+  ASSERT_EQ(lines.size(), 1 + result.photos[0].data.mean.size());
   EXPECT_EQ(lines[0], "band,row_px,elevation_deg,channel,data,sigma,model,residual_over_sigma,count");
   // The first value has sigma 0: not used, no residual.
   EXPECT_EQ(cells(lines[1])[7], "");
-  const std::size_t i = result.data.index(1, 7, 2);
+  const std::size_t i = result.photos[0].data.index(1, 7, 2);
   const auto row = cells(lines[1 + i]);
   EXPECT_EQ(row[0], "1");
   EXPECT_EQ(row[1], "7");
   EXPECT_EQ(row[2], "92.5");
   EXPECT_EQ(row[3], "b");
-  EXPECT_EQ(std::stod(row[4]), result.data.mean[i]);
-  EXPECT_EQ(std::stod(row[6]), result.model[i]);
-  EXPECT_DOUBLE_EQ(std::stod(row[7]), (result.data.mean[i] - result.model[i]) / 0.01);
-  EXPECT_EQ(row[8], std::to_string(result.data.count[i]));
+  EXPECT_EQ(std::stod(row[4]), result.photos[0].data.mean[i]);
+  EXPECT_EQ(std::stod(row[6]), result.photos[0].model[i]);
+  EXPECT_DOUBLE_EQ(std::stod(row[7]), (result.photos[0].data.mean[i] - result.photos[0].model[i]) / 0.01);
+  EXPECT_EQ(row[8], std::to_string(result.photos[0].data.count[i]));
 }
 
 TEST(ProfilesCsv, StandsWithoutAModel) {
   const Photo photo = tests::small_photo();
   FitResult result = tests::small_fit(photo);
-  result.model.clear();
-  const auto lines = lines_without_comments(profiles_csv(result, {}));
+  result.photos[0].model.clear();
+  const auto lines = lines_without_comments(profiles_csv(result, result.photos[0], {}));
   EXPECT_EQ(cells(lines[5])[6], "");
   EXPECT_EQ(cells(lines[5])[7], "");
 }

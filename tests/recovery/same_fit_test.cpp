@@ -46,8 +46,8 @@ void expect_same(const FitResult& a, const FitResult& b) {
     EXPECT_EQ(a.parameters[j].interval68, b.parameters[j].interval68) << a.parameters[j].path;
   }
   EXPECT_EQ(a.correlation, b.correlation);
-  EXPECT_EQ(a.gain, b.gain);
-  EXPECT_EQ(a.model, b.model);
+  EXPECT_EQ(a.photos[0].gain, b.photos[0].gain);
+  EXPECT_EQ(a.photos[0].model, b.photos[0].model);
   ASSERT_EQ(a.trace.size(), b.trace.size());
   for (std::size_t i = 0; i < a.trace.size(); ++i) {
     EXPECT_EQ(a.trace[i].stage, b.trace[i].stage);

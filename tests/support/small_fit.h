@@ -55,7 +55,8 @@ inline fit::FitResult small_fit(const fit::Photo& photo) {
   phase.max = kInfinity;
   phase.why_no_sigma = "the data do not determine it";
   result.parameters = {energy, phase};
-  result.solved = {
+  fit::FittedPhoto fitted;
+  fitted.solved = {
       {"gain.band_0", 0.06, 0.001}, {"gain.band_1", 0.05, {}}, {"sky.level.red", 0.0068, 0.0001}};
   result.derived = {{"distance of the main sheet", 220.1, 3.2, "km"}};
   result.correlation = {{1.0, 0.0}, {0.0, 0.0}};
@@ -81,17 +82,20 @@ inline fit::FitResult small_fit(const fit::Photo& photo) {
   result.best.sky.level = {0.01, 0.02, 0.03};
   result.best.sky.gradient = {0.0, 0.01, -0.01};
 
-  result.data = fit::extract_profile(
+  fitted.data = fit::extract_profile(
       photo, fit::checked_region({0, 0, 0, 0}, photo.linear.width, photo.linear.height), 2);
-  result.sigma.assign(result.data.mean.size(), 0.01);
-  result.model = result.data.mean;
-  for (double& light : result.model) light *= 0.98;
-  result.sigma[0] = 0.0;  // not used
-  result.gain = {{0.06, 0.06, 0.06}, {0.04, 0.04, 0.04}};
+  fitted.sigma.assign(fitted.data.mean.size(), 0.01);
+  fitted.model = fitted.data.mean;
+  for (double& light : fitted.model) light *= 0.98;
+  fitted.sigma[0] = 0.0;  // not used
+  fitted.gain = {{0.06, 0.06, 0.06}, {0.04, 0.04, 0.04}};
+  fitted.best = result.best;
+  fitted.rms_over_peak = result.rms_over_peak;
+  fitted.decoding = photo.decoding;
+  result.photos = {fitted};
   result.trace = {{"start", 1, 4e5, {8.66, 0.0}},
                   {"scan, \"wide\"", 100, 300.0, {5.0, 0.1}},
                   {"polish", 321, 123.456, {4.33, 1.0 / 3.0}}};
-  result.decoding = photo.decoding;
   result.inputs = {{"scene", "h000.toml", std::string(64, 'b')}, {"photo", photo.file_name, photo.sha256}};
   result.command = "vegard fit h000.toml --photo 'a <b> & \"c\".jpg' --out run";
   return result;

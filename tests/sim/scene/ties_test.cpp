@@ -38,6 +38,7 @@ TEST(Ties, OfOnePhotographAreItsOwn) {
   scene.fit.photos.resize(2);
   scene.fit.photos[0].name = "left";
   scene.fit.photos[1].name = "right";
+  for (PhotoEntry& photo : scene.fit.photos) photo.file = photo.name + ".png";
   scene.fit.tied = {{"camera.hfov_deg", "50", "left", 0},
                     {"camera.hfov_deg", "60", "right", 0},
                     {"sheet.main.length_km", "camera.hfov_deg * 4", "", 0}};
