@@ -21,7 +21,6 @@ namespace {
 constexpr double kGreenNm = 557.7;
 constexpr double kBorder = 0.1;
 constexpr double kLeastRatio = 5.2, kMostRatio = 31.4;
-constexpr double kNoChange = 0.02;  // of the sum of what the parameters do one by one
 
 /// One line's profile and the place of its peak.
 struct Peak {
@@ -116,15 +115,17 @@ std::optional<double> combined_sigma(const std::vector<double>& slope, const Val
   for (std::size_t j = 0; j < slope.size(); ++j)
     for (std::size_t k = 0; k < slope.size(); ++k)
       if (slope[j] != 0.0 && slope[k] != 0.0) variance += slope[j] * slope[k] * known.covariance[j][k];
-  const auto changes_along = [&](const std::vector<double>& direction) {
-    double sum = 0.0, size = 0.0;
+  // A direction that only the limits bound spoils what owes it half of its variance.
+  const auto spoils = [&](const std::vector<double>& direction) {
+    double reach = std::numeric_limits<double>::infinity(), along = 0.0;
     for (std::size_t j = 0; j < slope.size(); ++j) {
-      sum += slope[j] * direction[j];
-      size += std::abs(slope[j] * direction[j]);
+      if (direction[j] == 0.0) continue;
+      reach = std::min(reach, std::sqrt(std::max(0.0, known.covariance[j][j])) / std::abs(direction[j]));
+      along += slope[j] * direction[j];
     }
-    return std::abs(sum) > kNoChange * size;
+    return std::isfinite(reach) && along * along * reach * reach > 0.5 * variance;
   };
-  if (std::any_of(known.undetermined.begin(), known.undetermined.end(), changes_along)) return std::nullopt;
+  if (std::any_of(known.undetermined.begin(), known.undetermined.end(), spoils)) return std::nullopt;
   if (!std::isfinite(variance) || variance <= 0.0) return std::nullopt;
   return std::sqrt(variance);
 }

@@ -1,8 +1,11 @@
 #include "fit/observation.h"
 
+#include <array>
+#include <cmath>
 #include <string>
 
 #include "fit/noise_model.h"
+#include "fit/realisation.h"
 #include "fit/smoothing.h"
 #include "sim/base/error.h"
 
@@ -36,6 +39,30 @@ void check_film(const sim::Scene& scene) {
   refuse("blur.model", scene.blur.model, "angle", "the physical blur is for rendering only");
 }
 
+/// What the simulation's own sampling leaves in a profile, as a fraction of its brightness.
+double sampling_error_of(const sim::Scene& scene, const Photo& photo, const Profile& data, int threads) {
+  std::array<ModelProfile, 2> samplings;
+  for (std::size_t i = 0; i < samplings.size(); ++i) {
+    sim::Scene other = scene;
+    other.seed += i;
+    ProfileModel(other, photo, data.region, data.bands, 1.0, kProfileSmoothing_px, threads)
+        .evaluate(other, samplings[i]);
+  }
+  return sampling_error(samplings[0].value, samplings[1].value, data.bands);
+}
+
+/// The photograph's noise, structure that the model does not have, and the model's sampling, in quadrature.
+std::vector<double> whole_sigma(const sim::Scene& scene, const Photo& photo, const Profile& data,
+                                int threads) {
+  const double of_model = std::hypot(scene.fit.model_error, sampling_error_of(scene, photo, data, threads));
+  std::vector<double> sigma = profile_sigma(data, of_model);
+  if (scene.fit.profile_along != "columns") return sigma;
+  const std::vector<double> of_rays = realisation_sigma(photo, data.region, data.bands, kProfileSmoothing_px);
+  for (std::size_t i = 0; i < sigma.size(); ++i)
+    if (sigma[i] > 0.0) sigma[i] = std::hypot(sigma[i], of_rays[i]);
+  return sigma;
+}
+
 }  // namespace
 
 Observation observed(const sim::Scene& scene, const Photo& photo, int threads, const PhotoFrame& frame) {
@@ -46,11 +73,12 @@ Observation observed(const sim::Scene& scene, const Photo& photo, int threads, c
   o.scene = scene;
   o.frame = frame;
   o.region = checked_region(scene.fit.roi_px, photo.linear.width, photo.linear.height);
-  const Profile data = extract_profile(photo, std::make_shared<const BinGrid>(profile_bins(scene, o.region)));
-  o.full = std::make_unique<Comparison>(scene, photo, data, profile_sigma(data, scene.fit.model_error),
-                                        Comparison::Resolution{1.0, 0.0, threads});
+  const Profile rows = extract_profile(photo, std::make_shared<const BinGrid>(profile_bins(scene, o.region)));
+  const Profile data = smoothed_by_px(rows, kProfileSmoothing_px);
+  o.full = std::make_unique<Comparison>(scene, photo, data, whole_sigma(scene, photo, data, threads),
+                                        Comparison::Resolution{1.0, kProfileSmoothing_px, threads});
   const double smooth_rows = scene.fit.search_smoothing * o.region.height;
-  const Profile smooth_data = smoothed(data, smooth_rows);
+  const Profile smooth_data = smoothed(rows, smooth_rows);
   o.coarse = std::make_unique<Comparison>(
       scene, photo, smooth_data, profile_sigma(smooth_data, kSearchError, kSearchPeakShare),
       Comparison::Resolution{scene.fit.search_beams, smooth_rows, threads,

@@ -11,6 +11,11 @@
 
 namespace vegard::fit {
 
+/// By how many pixels (standard deviation) profiles are smoothed even for the last word. A sampling of beams
+/// leaves noise in a model's derivatives, independent from row to row, which roughens chi2 so that descents
+/// creep and its curvature is too large; what the sheet does to a profile is as smooth as this.
+inline constexpr double kProfileSmoothing_px = 2.0;
+
 struct Observation {
   const Photo* photo = nullptr;
   sim::Scene scene;  ///< as this photograph sees it, at the start

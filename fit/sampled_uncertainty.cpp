@@ -13,9 +13,6 @@ namespace vegard::fit {
 namespace {
 
 constexpr int kSamplings = 12;
-/// Derivatives are smooth down the rows, and their noise is not: a little less information, and much less
-/// noise in it.
-constexpr double kSmoothRows = 2.0;
 
 /// A value that is alike likely between two limits, on its own scale, has a logistic distribution in the
 /// solver's coordinate, of variance pi^2 / 3. An angle is known to a turn beforehand, however many its limits
@@ -75,9 +72,9 @@ Uncertainty sampled_uncertainty(const std::vector<Observation>& observations,
       // Beams are laid out where the answer is.
       terms[o].map.put(values, terms[o].scene);
       terms[o].scene.seed += static_cast<std::uint64_t>(sampling);
-      others.push_back(std::make_unique<Comparison>(terms[o].scene, *observations[o].photo,
-                                                    *observations[o].full,
-                                                    Comparison::Resolution{1.0, kSmoothRows, threads}));
+      others.push_back(
+          std::make_unique<Comparison>(terms[o].scene, *observations[o].photo, *observations[o].full,
+                                       Comparison::Resolution{1.0, kProfileSmoothing_px, threads}));
       terms[o].comparison = others.back().get();
     }
     const ProfileCost cost(free, terms, closing, anchored);

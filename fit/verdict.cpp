@@ -76,11 +76,6 @@ void ask_of_the_misfit(const Evidence& evidence, const FitResult& r, Checks& che
   if (reduced > kMostChi2)
     against.push_back(
         fmt::format("chi2 per degree of freedom is {:.2g}: the model misses something in the data", reduced));
-  if (reduced < kLeastChi2)
-    against.push_back(
-        fmt::format("chi2 per degree of freedom is {:.2g}: fit.model_error is larger than what the model "
-                    "misses, so chi2 proves little",
-                    reduced));
   checks.ask("chi2 per degree of freedom", fmt::format("{:.2f}", reduced), against);
   const double percent = 100.0 * r.rms_over_peak;
   checks.ask("rms residual", fmt::format("{:.1f} % of the profile's peak", percent),
@@ -178,7 +173,13 @@ void judge(const Evidence& evidence, FitResult& result) {
         "parameter determined and inside its limits.",
         reduced, 100.0 * result.rms_over_peak);
   }
-  const std::vector<std::string> notes = unusual_sheets(result.best);
+  // Worth knowing, and nothing against the answer: error bars are not made smaller for it.
+  std::vector<std::string> notes = unusual_sheets(result.best);
+  if (reduced < kLeastChi2)
+    notes.push_back(fmt::format(
+        "chi2 per degree of freedom is {:.2g}: fit.model_error is larger than what the model misses, so chi2 "
+        "proves little",
+        reduced));
   reasons.insert(reasons.end(), notes.begin(), notes.end());
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
 constexpr double kNearest = 130.0, kFarthest = 320.0;
-constexpr int kBeams = 3000;  // of a layer: twice those of the fit (wide_start.h)
+constexpr int kBeams = 5000;  // of a layer: more than those of the fit (wide_start.h)
 
 /// The row where the lower border crosses the picture's middle, as a fraction of its height: in the lower
 /// third, with room below for where an oblique arc comes lower.

@@ -45,6 +45,7 @@ sim::Scene wide_start(const Truth& truth) {
   scene.camera = truth.scene.camera;
   scene.blur = truth.scene.blur;
   scene.fit.bands = 24;
+  scene.fit.search_beams = 0.15;
   double north = 205.0;
   for (const sim::Sheet& known : truth.scene.sheets) {
     sim::Sheet sheet;
@@ -59,7 +60,7 @@ sim::Scene wide_start(const Truth& truth) {
     sheet.phase_rad = 0.0;
     sheet.phase_shift_rad = 0.3;
     sheet.width_km = 1.0;
-    sheet.beams = 1500;
+    sheet.beams = 3000;
     sheet.energy_flux_mw_m2 = kFlux;
     scene.sheets.push_back(sheet);
     north += 30.0;
