@@ -54,6 +54,9 @@ bool begins_with(const std::string& text, const char* beginning) { return text.r
 std::string in_words(const ceres::Solver::Summary& summary) {
   std::string words;
   switch (summary.termination_type) {
+    case ceres::USER_SUCCESS:  // the tracer, and not because the evaluations ran out
+      words = "converged: the last steps hardly changed chi2";
+      break;
     case ceres::CONVERGENCE:
       words = "converged";
       if (begins_with(summary.message, "Function tolerance"))
@@ -114,11 +117,8 @@ Descent descend(const ProfileCost& cost, const std::vector<double>& start, int i
   result.chi2 = 2.0 * summary.final_cost;
   result.chi2_initial = 2.0 * summary.initial_cost;
   result.converged = summary.termination_type == ceres::CONVERGENCE || tracer.level();
-  if (tracer.level())
-    result.termination = "converged: another step would hardly change chi2";
-  else
-    result.termination =
-        summary.termination_type == ceres::USER_SUCCESS ? words_for_stop(log) : in_words(summary);
+  const bool stopped = summary.termination_type == ceres::USER_SUCCESS && !tracer.level();
+  result.termination = stopped ? words_for_stop(log) : in_words(summary);
   return result;
 }
 

@@ -13,7 +13,7 @@ struct Descent {
   std::vector<double> values;  ///< where it ended
   double chi2 = 0.0;           ///< there; infinity if nothing was evaluated
   double chi2_initial = 0.0;
-  bool converged = false;   ///< by Ceres' tests of the cost, the step or the gradient
+  bool converged = false;  ///< by Ceres' tests of the cost, the step or the gradient, or two negligible steps
   std::string termination;  ///< in words, Ceres' own after ours
 };
 

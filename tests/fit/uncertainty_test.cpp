@@ -65,6 +65,66 @@ TEST(Uncertainty, NamesWhatTradesOff) {
   EXPECT_NEAR(settled.sigma[0], 1.0, 1e-2);
 }
 
+/// The straight line's columns, and a third that the data say nothing of: noise of its own in every sampling.
+std::vector<std::vector<double>> with_nuisance(int samplings, double noise) {
+  std::vector<std::vector<double>> result;
+  std::mt19937 random(17);
+  std::normal_distribution<double> normal;
+  for (const std::vector<double>& line : line_jacobians(samplings, 0.0, false)) {
+    std::vector<double> j;
+    for (int k = 0; k < kResiduals; ++k) {
+      j.insert(j.end(), line.begin() + 2 * k, line.begin() + 2 * k + 2);
+      j.push_back(noise > 0.0 ? noise * normal(random) : 0.0);
+    }
+    result.push_back(j);
+  }
+  return result;
+}
+
+TEST(Uncertainty, WhatOnlyLimitsBoundHasNoErrorBarAndLeavesOthersTheirs) {
+  PriorKnowledge known = no_prior_knowledge(3);
+  known.limit_variance = {3.0, 3.0, 3.0};
+  for (const double noise : {0.0, 0.1}) {
+    SCOPED_TRACE(noise);
+    const Uncertainty u = uncertainty(with_nuisance(8, noise), kResiduals, 3, known, 2.0);
+    EXPECT_TRUE(std::isnan(u.sigma[2]));
+    ASSERT_EQ(u.undetermined.size(), 1u);
+    EXPECT_EQ(u.undetermined[0], (std::vector<double>{0.0, 0.0, 1.0}));
+    // The line's own, with inflation and limits. Noise of 0.1 is correlated with a column by about
+    // 0.1 sqrt(4000) on 4000, a 600th, and what it takes of the variance is less than a thousandth.
+    EXPECT_NEAR(u.sigma[0], 1.0 / std::sqrt(kResiduals / 4.0 + 1.0 / 3.0), 1e-3 * u.sigma[0]);
+    EXPECT_NEAR(u.sigma[1], 1.0 / std::sqrt(kResiduals / 12.0 + 1.0 / 3.0), 1e-3 * u.sigma[1]);
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(u.correlation[2][k], 0.0);
+    EXPECT_NEAR(u.covariance[2][2], 3.0, 1e-2) << "for combinations: all that the limits leave open";
+  }
+}
+
+TEST(Uncertainty, WhatOnlyAPriorBoundsHasThePriorsErrorBar) {
+  PriorKnowledge known = no_prior_knowledge(3);
+  known.information[8] = 1.0 / (0.2 * 0.2);
+  known.has_prior[2] = true;
+  const Uncertainty u = uncertainty(with_nuisance(4, 0.0), kResiduals, 3, known, 2.0);
+  EXPECT_NEAR(u.sigma[2], 0.2, 1e-6) << "the inflation is the data's alone";
+  EXPECT_NEAR(u.sigma[0], 2.0 / std::sqrt(kResiduals), 1e-9);
+  EXPECT_TRUE(u.undetermined.empty());
+  // Wider than the limits, it leaves the coordinate undetermined, but it was asked for.
+  known.information[8] = 1.0 / (5.0 * 5.0);
+  known.limit_variance[2] = 3.0;
+  const Uncertainty wide = uncertainty(with_nuisance(4, 0.0), kResiduals, 3, known, 2.0);
+  EXPECT_NEAR(wide.sigma[2], 1.0 / std::sqrt(1.0 / 25.0 + 1.0 / 3.0), 1e-6);
+  EXPECT_EQ(wide.undetermined.size(), 1u);
+}
+
+TEST(Uncertainty, IsUndeterminedWhereDataLeaveMoreThanAQuarterOfTheLimitsVariance) {
+  // One column: information n, so that the variance is 1 / (n + 1 / limit).
+  const std::vector<std::vector<double>> one(2, std::vector<double>(10, 1.0));
+  PriorKnowledge known = no_prior_knowledge(1);
+  known.limit_variance = {0.29};  // 1 / (10 + 3.45): 0.256 of it
+  EXPECT_TRUE(std::isnan(uncertainty(one, 10, 1, known, 1.0).sigma[0]));
+  known.limit_variance = {0.31};  // 0.244 of it
+  EXPECT_NEAR(uncertainty(one, 10, 1, known, 1.0).sigma[0], 1.0 / std::sqrt(10.0 + 1.0 / 0.31), 1e-9);
+}
+
 TEST(ErrorInflation, CountsResidualsThatGoTogether) {
   Profile p;
   p.bands = 4;
