@@ -338,9 +338,24 @@ class Search {
     const auto move = [&](int j, double by) {
       if (j >= 0) values[j] = inside(free_[j], values[j] + by);
     };
-    // The centre moves aside; if one of its components is held, the other goes further.
+    // The centre moves aside; if one of its components is held, the other goes further. If it follows from a
+    // number without a place in the scene, that moves.
     double shift[2] = {found.offset_km * aside[0], found.offset_km * aside[1]};
-    if (centre[0] < 0 || centre[1] < 0) {
+    if (centre[0] < 0 && centre[1] < 0) {
+      shift[0] = shift[1] = 0.0;
+      for (std::size_t j = 0; j < free_.size(); ++j) {
+        if (free_[j].has_path()) continue;
+        Values further = values;
+        further[j] = inside(free_[j], values[j] + 1.0);
+        const sim::EastNorth there = scene_at(further).sheets[s].center_km;
+        const double by[2] = {there.east - sheet.center_km.east, there.north - sheet.center_km.north};
+        const double sideways = by[0] * aside[0] + by[1] * aside[1];
+        if (std::abs(sideways) < 0.2) continue;
+        move(static_cast<int>(j), found.offset_km / sideways);
+        for (int c = 0; c < 2; ++c) shift[c] = by[c] * found.offset_km / sideways;
+        break;
+      }
+    } else if (centre[0] < 0 || centre[1] < 0) {
       const int only = centre[0] >= 0 ? 0 : 1;
       shift[1 - only] = 0.0;
       shift[only] = std::abs(aside[only]) > 0.2 ? found.offset_km / aside[only] : 0.0;
