@@ -46,6 +46,8 @@ struct Options {
   bool overwrite = false;
   bool resume = false;
   bool check_derivatives = false;
+  bool intervals = false;
+  int bootstrap = 0, mcmc = 0;
 };
 
 std::string sha256_of(const std::string& path) {
@@ -120,7 +122,8 @@ bool is_interrupted_run(const std::string& directory) {
   std::ifstream file(directory + "/result.json", std::ios::binary);
   const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
   return json.is_object() &&
-         json.value("verdict", "") == std::string(fit::verdict_name(fit::Verdict::interrupted));
+         (json.value("verdict", "") == std::string(fit::verdict_name(fit::Verdict::interrupted)) ||
+          json.value("judges_cut_short", false));
 }
 
 fit::JournalMode journal_mode(const Options& options) {
@@ -135,6 +138,9 @@ fit::FitResult fitted(const Options& options, const sim::Scene& scene, const std
   fit_options.threads = options.threads;
   fit_options.max_evaluations = options.max_evaluations;
   fit_options.journal = &journal;
+  fit_options.intervals = options.intervals;
+  fit_options.bootstrap = options.bootstrap;
+  fit_options.mcmc = options.mcmc;
   fit_options.progress = [&account](const std::string& stage, int evaluations, double chi2_per_dof,
                                     double share) { account.tell(stage, evaluations, chi2_per_dof, share); };
   fit_options.stop = &watch_for_interrupt();
@@ -215,12 +221,17 @@ int run(const Options& options, const std::string& command) {
   fit::RunContext context;
   context.threads = options.threads;
   fit::write_run(options.out, replaces, result, photos, context);
-  if (result.verdict != fit::Verdict::interrupted)
-    journal.remove();
-  else
+  if (result.verdict == fit::Verdict::interrupted)
     std::fputs("vegard: interrupted; the same command with --resume goes on\n", stderr);
+  else if (result.judges_cut_short)
+    std::fputs(
+        "vegard: the fit is finished, the judges of its error bars were interrupted; the same command with "
+        "--resume goes on\n",
+        stderr);
+  else
+    journal.remove();
   print_answer(result, options.out + "/report.html");
-  return exit_code_of(result.verdict);
+  return result.judges_cut_short ? interrupted : exit_code_of(result.verdict);
 }
 
 }  // namespace
@@ -242,6 +253,18 @@ void add_fit_command(CLI::App& app, int& exit_code, const std::string& command_l
   command->add_option("--max-evaluations", options->max_evaluations, "Stop after so many evaluations")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
+  command->add_flag("--intervals", options->intervals,
+                    "Judge the error bars by profile likelihood: all others give way, for each parameter");
+  command
+      ->add_option("--bootstrap", options->bootstrap,
+                   "Judge the error bars by drawing the bands anew so many times (1000 is plenty)")
+      ->type_name("N")
+      ->check(CLI::Range(2, 1000000));
+  command
+      ->add_option("--mcmc", options->mcmc,
+                   "Judge the error bars by a Markov chain of so many steps, a quarter more before them")
+      ->type_name("STEPS")
+      ->check(CLI::Range(2, 1000000));
   command->add_flag("--overwrite", options->overwrite,
                     "Replace a run that exists; without --resume, discard the steps of one that was cut off");
   command->add_flag("--resume", options->resume,

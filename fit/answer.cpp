@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fit/noise_model.h"
+#include "fit/trade_off.h"
 #include "fit/turns.h"
 #include "sim/scene/parameter_table.h"
 #include "sim/scene/value_words.h"
@@ -15,22 +16,29 @@ namespace {
 
 constexpr double kStandsStill = 1e-6;  // of the start, or of one unit where that is more
 
-/// "it trades off against sheet.main.phase_rad", from the undetermined direction that a coordinate leans on
-/// most.
-std::string why_undetermined(const std::vector<FreeNumber>& free, const Uncertainty& u, std::size_t j) {
-  const std::vector<double>* most = nullptr;
-  for (const std::vector<double>& direction : u.undetermined)
-    if (most == nullptr || std::abs(direction[j]) > std::abs((*most)[j])) most = &direction;
-  std::string others;
-  for (std::size_t k = 0; most != nullptr && k < free.size(); ++k)
-    if (k != j && (*most)[k] != 0.0) others += (others.empty() ? "" : " and ") + free[k].label();
-  return others.empty() ? "the data do not bound it" : "it trades off against " + others;
+constexpr std::size_t kMostSentences = 4;
+
+/// A sentence for each direction in which the data say nothing, in the numbers' own units.
+std::vector<std::string> undetermined_words(const std::vector<SpokenNumber>& numbers,
+                                            const std::vector<std::vector<double>>& directions) {
+  std::vector<std::string> all;
+  for (const std::vector<double>& direction : directions) {
+    const std::string words = trade_off_words(numbers, direction);
+    if (!words.empty() && std::find(all.begin(), all.end(), words) == all.end()) all.push_back(words);
+  }
+  if (all.size() <= kMostSentences) return all;
+  const std::size_t more = all.size() - kMostSentences;
+  all.resize(kMostSentences);
+  all.push_back(std::to_string(more) + " more " + (more == 1 ? "change" : "changes") +
+                " that the data cannot tell");
+  return all;
 }
 
 }  // namespace
 
-ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::vector<double>& values,
-                                const Uncertainty& u, bool stopped, FitResult& r) {
+ValueUncertainty put_parameters(const sim::Scene& scene, const std::vector<FreeNumber>& free,
+                                const std::vector<double>& values, const Uncertainty& u, bool stopped,
+                                FitResult& r) {
   ValueUncertainty known{u.covariance, u.undetermined};
   std::vector<double> slopes;
   for (std::size_t j = 0; j < free.size(); ++j) {
@@ -57,7 +65,7 @@ ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::
       const double shift = p.value - values[j];
       p.interval68 = {n.value(at - u.sigma[j]) + shift, n.value(at + u.sigma[j]) + shift};
     } else {
-      p.why_no_sigma = stopped ? "the fit was interrupted" : why_undetermined(free, u, j);
+      p.why_no_sigma = stopped ? "the fit was interrupted" : why_undetermined(scene, free, values, u, j);
     }
     r.parameters.push_back(p);
   }
@@ -66,6 +74,11 @@ ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::
     for (std::size_t k = 0; k < free.size(); ++k) known.covariance[j][k] *= slopes[j] * slopes[k];
   for (std::vector<double>& direction : known.undetermined)
     for (std::size_t j = 0; j < free.size(); ++j) direction[j] *= slopes[j];
+  const std::vector<SpokenNumber> spoken = spoken_numbers(scene, free, values);
+  std::vector<double> sigma;
+  for (std::size_t j = 0; j < free.size(); ++j) sigma.push_back(u.sigma[j] * slopes[j]);
+  r.trade_offs = strong_correlations(spoken, sigma, u.correlation);
+  r.undetermined = undetermined_words(spoken, known.undetermined);
   return known;
 }
 

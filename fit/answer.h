@@ -11,9 +11,11 @@
 
 namespace vegard::fit {
 
-/// Parameters with their error bars into the result; returns what is known of combinations of them.
-ValueUncertainty put_parameters(const std::vector<FreeNumber>& free, const std::vector<double>& values,
-                                const Uncertainty& uncertainty, bool stopped, FitResult& result);
+/// Parameters with their error bars into the result, and what trades off in words; returns what is known of
+/// combinations of them.
+ValueUncertainty put_parameters(const sim::Scene& scene, const std::vector<FreeNumber>& free,
+                                const std::vector<double>& values, const Uncertainty& uncertainty,
+                                bool stopped, FitResult& result);
 
 /// What follows from the parameters' values, which are put into `scene`, with error bars.
 std::vector<TiedNumber> tied_numbers(const ParameterMap& map, const std::vector<double>& values,

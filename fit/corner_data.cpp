@@ -2,17 +2,9 @@
 #include <cmath>
 
 #include "fit/corner_plot.h"
+#include "fit/short_path.h"
 
 namespace vegard::fit {
-namespace {
-
-std::string short_name(const FittedParameter& p, bool one_sheet) {
-  if (!one_sheet || p.path.compare(0, 6, "sheet.") != 0) return p.path;
-  const std::size_t dot = p.path.find('.', 6);
-  return dot == std::string::npos ? p.path : p.path.substr(dot + 1);
-}
-
-}  // namespace
 
 CornerData corner_data(const FitResult& result) {
   CornerData data;
@@ -26,11 +18,11 @@ CornerData corner_data(const FitResult& result) {
     if (p.sigma || (has_chain && result.chain->sigma[j] > 0.0))
       shown.push_back(j);
     else
-      data.left_out.push_back(short_name(p, one_sheet));
+      data.left_out.push_back(short_path(p.path, one_sheet));
   }
   for (const std::size_t j : shown) {
     const FittedParameter& p = result.parameters[j];
-    data.parameters.push_back({short_name(p, one_sheet), p.unit, p.value, p.sigma});
+    data.parameters.push_back({short_path(p.path, one_sheet), p.unit, p.value, p.sigma});
     data.correlation.emplace_back();
     for (const std::size_t k : shown) data.correlation.back().push_back(result.correlation[j][k]);
   }

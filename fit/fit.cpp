@@ -12,6 +12,7 @@
 #include "fit/free_profile.h"
 #include "fit/inflation.h"
 #include "fit/journal.h"
+#include "fit/judges.h"
 #include "fit/observation.h"
 #include "fit/prior_rows.h"
 #include "fit/profile_rounds.h"
@@ -163,7 +164,8 @@ void put_photos(const std::vector<Observation>& observations, const std::vector<
 }
 
 FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber>& free,
-                           const std::vector<Observation>& observations, const FitOptions& options) {
+                           const std::vector<Observation>& observations, const FitOptions& asked) {
+  const FitOptions options = leaving_room_for_judges(asked, free.size());
   const std::vector<CostTerm> full = cost_terms(observations, free, Detail::full);
 
   FitResult r;
@@ -174,11 +176,10 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
     residuals += o.full->residuals();
   }
   if (residuals <= unknowns)
-    throw sim::Error(
-        sim::ErrorKind::unreadable_input,
-        {"only " + std::to_string(residuals) + " usable values in the region of interest",
-         observations.front().photo->file_name, 0, "fit.roi_px", "more than " + std::to_string(unknowns),
-         "is everything masked or clipped?"});
+    throw sim::Error(sim::ErrorKind::unreadable_input,
+                     {"only " + std::to_string(residuals) + " usable values in the region of interest",
+                      observations.front().photo->file_name, 0, "fit.roi_px",
+                      "more than " + std::to_string(unknowns), "is everything masked or clipped?"});
 
   EvaluationLog log;
   log.limit = options.max_evaluations;
@@ -248,7 +249,7 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
   const Uncertainty u = evidence.stopped ? no_uncertainty(n, r.error_inflation)
                                          : uncertainty_of(journal.step("error bars", error_bars));
 
-  const ValueUncertainty known = put_parameters(free, values, u, evidence.stopped, r);
+  const ValueUncertainty known = put_parameters(scene, free, values, u, evidence.stopped, r);
   std::vector<double> tidied;
   for (const FittedParameter& p : r.parameters) tidied.push_back(p.value);
   r.best = scene;
@@ -273,6 +274,9 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
       });
   look_for_second_mode(free, values, outcome.others, r, evidence);
   judge(evidence, r);
+  if (r.verdict == Verdict::good || r.verdict == Verdict::doubtful)
+    judge_error_bars({scene, free, observations, values, settled.prior, r.error_inflation, u}, asked, journal,
+                     r);
   return r;
 }
 

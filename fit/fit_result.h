@@ -140,11 +140,13 @@ struct FitResult {
   std::vector<FreeProfile> profiles;             ///< of every sheet and line whose coefficients were free
   std::vector<std::vector<double>> correlation;  ///< of `parameters`; rows without an error bar hold zeros
   std::vector<std::string> trade_offs;           ///< a sentence for each strong correlation
+  std::vector<std::string> undetermined;         ///< a sentence for each change that the data cannot tell
 
   // The judges of the error bars, where they were asked for.
   std::vector<ProfiledInterval> profile_intervals;
   std::optional<BootstrapErrors> bootstrap;
   std::optional<ChainErrors> chain;
+  bool judges_cut_short = false;  ///< the user stopped: the rest is the whole answer all the same
 
   double chi2 = 0.0;
   double chi2_initial = 0.0;

@@ -7,6 +7,7 @@
 
 #include "fit/html_text.h"
 #include "fit/number_text.h"
+#include "fit/short_path.h"
 #include "fit/version.h"
 #include "sim/base/version.h"
 
@@ -18,13 +19,6 @@ std::string with_unit(const std::string& number, const std::string& unit) {
   if (unit.empty()) return html_text(number);
   if (unit == "deg") return html_text(number) + "\u00b0";
   return html_text(number) + "&#160;<span class=\"unit\">" + html_text(unit) + "</span>";
-}
-
-/// With one sheet its name says nothing: "energy_kev" for "sheet.main.energy_kev".
-std::string short_path(const std::string& path, bool one_sheet) {
-  if (!one_sheet || path.compare(0, 6, "sheet.") != 0) return path;
-  const std::size_t dot = path.find('.', 6);
-  return dot == std::string::npos ? path : path.substr(dot + 1);
 }
 
 /// Digits enough to see the width of the interval.

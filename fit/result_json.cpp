@@ -173,9 +173,11 @@ std::string result_json(const FitResult& result) {
         {{"name", d.name}, {"value", number(d.value)}, {"sigma", number(d.sigma)}, {"unit", d.unit}});
   json["correlation"] = rows(result.correlation);
   if (!result.trade_offs.empty()) json["trade_offs"] = result.trade_offs;
+  if (!result.undetermined.empty()) json["undetermined"] = result.undetermined;
   if (!result.profile_intervals.empty()) json["profile_intervals"] = profile_intervals(result);
   if (result.bootstrap) json["bootstrap"] = bootstrap(result);
   if (result.chain) json["chain"] = chain(result);
+  if (result.judges_cut_short) json["judges_cut_short"] = true;
   json["chi2"] = number(result.chi2);
   json["chi2_initial"] = number(result.chi2_initial);
   json["dof"] = result.dof;

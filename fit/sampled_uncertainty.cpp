@@ -3,20 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 #include "fit/prior_rows.h"
+#include "fit/sampled_jacobians.h"
 #include "fit/turns.h"
 #include "sim/scene/free_entry_keys.h"
 
 namespace vegard::fit {
-namespace {
 
-constexpr int kSamplings = 12;
-
-/// A value that is alike likely between two limits, on its own scale, has a logistic distribution in the
-/// solver's coordinate, of variance pi^2 / 3. An angle is known to a turn beforehand, however many its limits
-/// allow.
 double limit_variance(const FreeNumber& n, double slope) {
   constexpr double kPi = 3.141592653589793;
   const double turn = full_turn(n);
@@ -27,8 +21,6 @@ double limit_variance(const FreeNumber& n, double slope) {
                                : std::numeric_limits<double>::infinity();
   return std::min(of_turn, of_limits);
 }
-
-}  // namespace
 
 Uncertainty no_uncertainty(std::size_t coordinates, double inflation) {
   Uncertainty u;
@@ -63,27 +55,8 @@ Uncertainty sampled_uncertainty(const std::vector<Observation>& observations,
   }
   for (const SplineLine& line : prior.lines)
     for (const int j : line.numbers) known.has_prior[j] = true;
-  std::vector<std::vector<double>> jacobians;
-  int residuals = 0;
-  for (int sampling = 0; sampling < kSamplings; ++sampling) {
-    std::vector<std::unique_ptr<Comparison>> others;
-    std::vector<CostTerm> terms = cost_terms(observations, free, Detail::full);
-    for (std::size_t o = 0; o < terms.size(); ++o) {
-      // Beams are laid out where the answer is.
-      terms[o].map.put(values, terms[o].scene);
-      terms[o].scene.seed += static_cast<std::uint64_t>(sampling);
-      others.push_back(
-          std::make_unique<Comparison>(terms[o].scene, *observations[o].photo, *observations[o].full,
-                                       Comparison::Resolution{1.0, kProfileSmoothing_px, threads}));
-      terms[o].comparison = others.back().get();
-    }
-    const ProfileCost cost(free, terms, closing, anchored);
-    jacobians.emplace_back();
-    cost.data_jacobian(cost.at(values, true), jacobians.back());
-    residuals = cost.data_residuals();
-    cost.by_coordinates(values, jacobians.back());
-  }
-  return uncertainty(jacobians, residuals, static_cast<int>(n), known, inflation);
+  return uncertainty(sampled_jacobians(observations, free, values, anchors, threads), here.data_residuals(),
+                     static_cast<int>(n), known, inflation);
 }
 
 }  // namespace vegard::fit

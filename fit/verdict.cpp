@@ -7,6 +7,7 @@
 
 #include "fit/derived.h"
 #include "fit/number_text.h"
+#include "fit/short_path.h"
 
 namespace vegard::fit {
 namespace {
@@ -93,14 +94,35 @@ void ask_of_the_misfit(const Evidence& evidence, const FitResult& r, Checks& che
                   independent));
 }
 
+/// Each change that the data cannot tell is told once, then all that lean on one. Why each of them does
+/// stands beside it in the report.
+std::vector<std::string> without_error_bar(const FitResult& r) {
+  std::vector<std::string> names;
+  std::size_t coefficients = 0;
+  for (const FittedParameter& p : r.parameters) {
+    if (p.sigma) continue;
+    if (p.of_profile)
+      ++coefficients;
+    else
+      names.push_back(short_path(p.path, r.best.sheets.size() == 1));
+  }
+  if (coefficients > 0) names.push_back(number_of(coefficients, "coefficient") + " of free-form profiles");
+  if (names.empty()) return {};
+  std::vector<std::string> reasons = r.undetermined;
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    list += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  reasons.push_back("no error bar for " + list);
+  return reasons;
+}
+
 /// That every parameter is found, not merely left somewhere.
 void ask_of_the_parameters(const FitResult& r, Checks& checks) {
-  std::vector<std::string> at_limit, without_bar, standing;
+  std::vector<std::string> at_limit, standing;
   std::size_t moved = 0;
   for (const FittedParameter& p : r.parameters) {
     moved += p.moved;
     if (p.at_limit) at_limit.push_back(p.path + " is at a limit");
-    if (!p.sigma) without_bar.push_back(p.path + " has no error bar: " + p.why_no_sigma);
     if (!p.moved && p.sigma)
       standing.push_back(p.path + " did not move from its start, though the data have a say in it");
   }
@@ -111,7 +133,7 @@ void ask_of_the_parameters(const FitResult& r, Checks& checks) {
              started_at_answer ? "nothing: the start was the answer" : fmt::format("{} of {}", moved, all),
              standing);
   checks.ask("inside the limits", all, at_limit);
-  checks.ask("error bars", all, without_bar);
+  checks.ask("error bars", all, without_error_bar(r));
 }
 
 }  // namespace

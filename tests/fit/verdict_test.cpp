@@ -125,6 +125,23 @@ TEST(Judge, AParameterWithoutInfluenceDoesNotHaveToMove) {
   EXPECT_NE(r.reasons[0].find("no error bar"), std::string::npos);
 }
 
+TEST(Judge, TellsATradeOffOnceThoughManyLeanOnIt) {
+  FitResult r = fine();
+  r.best.sheets.resize(1);
+  r.parameters.push_back(r.parameters[0]);
+  r.parameters[1].path = "sheet.main.center_km.north";
+  for (FittedParameter& p : r.parameters) {
+    p.sigma.reset();
+    p.why_no_sigma = "told in the report";
+  }
+  r.undetermined = {"distance and energy of the main sheet trade off: this with that looks the same"};
+  judge(clear(), r);
+  ASSERT_GE(r.reasons.size(), 2u);
+  EXPECT_EQ(r.reasons[0], r.undetermined[0]);
+  EXPECT_EQ(r.reasons[1], "no error bar for energy_kev and center_km.north");
+  EXPECT_EQ(r.verdict_line.find("told in the report"), std::string::npos) << r.verdict_line;
+}
+
 TEST(Judge, NotesAnUnusualSheetWithoutDoubt) {
   FitResult r = fine();
   r.best.sheets.resize(1);
