@@ -119,9 +119,9 @@ std::vector<ComparedStatistic> compared_statistics(const std::vector<Observation
 
 /// An end of another descent that explains the data almost as well, at another place.
 void look_for_second_mode(const std::vector<FreeNumber>& free, const std::vector<double>& values,
-                          const std::vector<Descent>& others, const FitResult& r, Evidence& evidence) {
-  for (const Descent& other : others) {
-    const double difference = (other.chi2 - r.chi2) / (r.error_inflation * r.error_inflation);
+                          const SearchOutcome& outcome, const FitResult& r, Evidence& evidence) {
+  for (const Descent& other : outcome.others) {
+    const double difference = (other.chi2 - outcome.best.chi2) / (r.error_inflation * r.error_inflation);
     if (difference > kSecondMode) continue;
     for (std::size_t j = 0; j < free.size(); ++j) {
       if (!r.parameters[j].sigma ||
@@ -272,7 +272,7 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
       std::any_of(point.of_photo.begin(), point.of_photo.end(), [](const Comparison::Point& p) {
         return std::any_of(p.aurora.value.begin(), p.aurora.value.end(), [](double x) { return x > 0.0; });
       });
-  look_for_second_mode(free, values, outcome.others, r, evidence);
+  look_for_second_mode(free, values, outcome, r, evidence);
   judge(evidence, r);
   if (r.verdict == Verdict::good || r.verdict == Verdict::doubtful)
     judge_error_bars({scene, free, observations, values, settled.prior, r.error_inflation, u}, asked, journal,

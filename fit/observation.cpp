@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "fit/measured_profile.h"
 #include "fit/noise_model.h"
 #include "fit/realisation.h"
 #include "fit/smoothing.h"
@@ -73,7 +74,8 @@ Observation observed(const sim::Scene& scene, const Photo& photo, int threads, c
   o.scene = scene;
   o.frame = frame;
   o.region = checked_region(scene.fit.roi_px, photo.linear.width, photo.linear.height);
-  const Profile rows = extract_profile(photo, std::make_shared<const BinGrid>(profile_bins(scene, o.region)));
+  const Profile rows =
+      measured_profile(scene, photo, std::make_shared<const BinGrid>(profile_bins(scene, o.region)));
   const Profile data = smoothed_by_px(rows, kProfileSmoothing_px);
   o.full = std::make_unique<Comparison>(scene, photo, data, whole_sigma(scene, photo, data, threads),
                                         Comparison::Resolution{1.0, kProfileSmoothing_px, threads});

@@ -26,6 +26,7 @@ std::vector<FreeNumber> picked(const std::vector<FreeNumber>& free, const std::v
 ProfileCost::ProfileCost(const std::vector<FreeNumber>& free, const std::vector<CostTerm>& terms,
                          EvaluationLog& log, const Options& options)
     : terms_(terms),
+      loss_(terms.front().scene.fit),
       log_(log),
       held_(options.held),
       anchors_(options.anchors),
@@ -74,9 +75,11 @@ ProfileCost::Point ProfileCost::at(const std::vector<double>& values, bool with_
     point.of_photo.push_back(with_derivatives
                                  ? term.comparison->at(scene, term.map.motion(all, which_, scene))
                                  : term.comparison->at(scene));
-    point.chi2 += point.of_photo.back().chi2;
+    if (!loss_.any()) point.chi2 += point.of_photo.back().chi2;
     if (!within_limits) point.chi2 = std::numeric_limits<double>::infinity();
   }
+  if (loss_.any())
+    for (const double residual : data_residual(point)) point.chi2 += residual * residual;
   std::vector<double> of_priors;
   priors_.evaluate(values, of_priors, nullptr);
   for (const double residual : of_priors) point.chi2 += residual * residual;
@@ -91,18 +94,26 @@ void ProfileCost::data_jacobian(const Point& point, std::vector<double>& out) co
   std::vector<double> part;
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     terms_[t].comparison->jacobian(point.of_photo[t], part);
-    if (terms_.size() == 1) {
+    if (terms_.size() == 1)
       out.swap(part);
-      return;
-    }
-    out.insert(out.end(), part.begin(), part.end());
+    else
+      out.insert(out.end(), part.begin(), part.end());
   }
+  if (!loss_.any()) return;
+  const std::size_t p = moved_.size();
+  std::size_t row = 0;
+  for (const Comparison::Point& of_photo : point.of_photo)
+    for (const double residual : of_photo.residual()) {
+      const double slope = loss_.slope(residual);
+      for (std::size_t j = 0; j < p; ++j) out[row * p + j] *= slope;
+      ++row;
+    }
 }
 
 std::vector<double> ProfileCost::data_residual(const Point& point) const {
   std::vector<double> all;
   for (const Comparison::Point& of_photo : point.of_photo)
-    all.insert(all.end(), of_photo.residual().begin(), of_photo.residual().end());
+    for (const double residual : of_photo.residual()) all.push_back(loss_.residual(residual));
   return all;
 }
 

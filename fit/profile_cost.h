@@ -13,6 +13,7 @@
 #include "fit/parameter_map.h"
 #include "fit/phase_anchor.h"
 #include "fit/prior_rows.h"
+#include "fit/robust_loss.h"
 #include "fit/spline_prior.h"
 
 namespace vegard::fit {
@@ -85,13 +86,14 @@ class ProfileCost : public ceres::CostFunction {
   void data_jacobian(const Point& point, std::vector<double>& out) const;
   /// Rows of derivatives by values become rows of derivatives by the solver's coordinates.
   void by_coordinates(const std::vector<double>& values, std::vector<double>& jacobian) const;
-  /// Residuals of the photographs one after the other.
+  /// Residuals of the photographs one after the other, as the scene's fit.loss has them.
   std::vector<double> data_residual(const Point& point) const;
 
  private:
   std::vector<double> all_values(const std::vector<double>& values) const;
 
   const std::vector<CostTerm> terms_;
+  const RobustLoss loss_;
   EvaluationLog& log_;
   const std::vector<double> held_;
   const std::vector<PhaseAnchor> anchors_;

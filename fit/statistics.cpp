@@ -5,6 +5,7 @@
 
 #include "fit/border_statistic.h"
 #include "fit/colour_statistic.h"
+#include "fit/measured_profile.h"
 #include "fit/noise_model.h"
 #include "fit/smoothing.h"
 #include "fit/texture_statistic.h"
@@ -40,7 +41,7 @@ Statistics::Statistics(const sim::Scene& scene, const Photo& photo, Profile data
   if (profile_counts_) linear_ones_.push_back({"profile", fit.profile_weight, 0, bins.mean.size()});
   const auto add = [&](const char* name, double weight, BinGrid grid) {
     grids_.push_back(std::make_shared<const BinGrid>(std::move(grid)));
-    const Profile in_bins = smoothed_by_px(extract_profile(photo, grids_.back()), smooth_px);
+    const Profile in_bins = smoothed_by_px(measured_profile(scene, photo, grids_.back()), smooth_px);
     const std::size_t first = bins.mean.size();
     bins.append(in_bins,
                 weighted(fit::profile_sigma(in_bins, model_error.share, model_error.peak_share), weight),

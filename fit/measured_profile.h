@@ -1,0 +1,19 @@
+// A photograph's profile with the noise that the scene says it has.
+#pragma once
+
+#include <memory>
+
+#include "fit/bin_grid.h"
+#include "fit/photo.h"
+#include "fit/profile.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::fit {
+
+/// extract_profile(); with fit.photo_noise = "sensor" the standard errors are those of photons, dark current,
+/// reading and rounding by [sensor] (sim::light_variance()), pixels taken as independent, in place of what
+/// neighbours differ by.
+Profile measured_profile(const sim::Scene& scene, const Photo& photo,
+                         const std::shared_ptr<const BinGrid>& grid);
+
+}  // namespace vegard::fit
