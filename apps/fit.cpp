@@ -108,10 +108,11 @@ fit::JournalSubject subject_of(const Options& options, const sim::Scene& scene,
       {"the scene", sim::sha256(sim::write_scene(scene))}};
   for (const auto& [path, text] : scene.tables)
     subject.push_back({"the table of " + path, sim::sha256(text)});
-  for (const fit::Photo& photo : photos) {
-    subject.push_back({"the photograph", photo.sha256});
-    subject.push_back({"the mask", photo.mask_sha256});
-    subject.push_back({"the decoding", photo.decoding});
+  for (std::size_t i = 0; i < photos.size(); ++i) {
+    const std::string which = photos.size() > 1 ? " " + std::to_string(i + 1) : "";
+    subject.push_back({"the photograph" + which, photos[i].sha256});
+    subject.push_back({"the mask" + which, photos[i].mask_sha256});
+    subject.push_back({"the decoding" + which, photos[i].decoding});
   }
   subject.push_back({"--max-evaluations", std::to_string(options.max_evaluations)});
   return subject;

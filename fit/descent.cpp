@@ -116,6 +116,10 @@ Descent descend(const ProfileCost& cost, const std::vector<double>& start, int i
   result.values = cost.values(coordinates.data());
   result.chi2 = 2.0 * summary.final_cost;
   result.chi2_initial = 2.0 * summary.initial_cost;
+  if (summary.initial_cost < 0.0) {  // Ceres' word for a start that could not be evaluated
+    result.values = start;
+    result.chi2 = result.chi2_initial = std::numeric_limits<double>::infinity();
+  }
   result.converged = summary.termination_type == ceres::CONVERGENCE || tracer.level();
   const bool stopped = summary.termination_type == ceres::USER_SUCCESS && !tracer.level();
   result.termination = stopped ? words_for_stop(log) : in_words(summary);

@@ -89,8 +89,8 @@ ComparedValues compared_values(const std::vector<Observation>& observations, int
     const Region& region = o.region;
     compared.regions_px.push_back({region.x, region.y, region.width, region.height});
     compared.values += o.full->residuals();
-    for (const double sigma : o.full->sigma())
-      if (sigma > 0.0) compared.sum_of_weights += 1.0 / (sigma * sigma);
+    compared.sum_of_weights += o.sum_of_weights;
+    compared.sampling_error = std::max(compared.sampling_error, o.sampling_error);
   }
   return compared;
 }
@@ -205,7 +205,7 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
   if (evidence.stopped) r.termination = words_for_stop(log);
   evidence.out_of_evaluations = !evidence.converged && log.residuals >= log.limit;
   std::vector<double> values = best.values;
-  if (!evidence.converged && !log.best_values.empty()) values = log.best_values;
+  if (!std::isfinite(best.chi2) && !log.best_values.empty()) values = log.best_values;
 
   // The last word: full model, exact Jacobian, whatever the limit on evaluations says.
   r.evaluations = log.residuals;

@@ -30,10 +30,10 @@ struct FitOptions {
   int mcmc = 0;            ///< kept steps of a Markov chain; 0: none
 };
 
-/// Fits scene.fit.free to the vertical profiles of `photo`. The photograph must have the camera's size.
-/// Throws sim::Error for input that cannot be used (no free parameter, sizes that differ, nothing usable in
-/// the region); numerical trouble is a verdict, never an exception. A sheet that cannot be seen is a verdict
-/// too (failed).
+/// Fits scene.fit.free to `photo`, by the statistics that scene.fit weighs. The photograph must have the
+/// camera's size. Throws sim::Error for input that cannot be used (no free parameter, sizes that differ,
+/// nothing usable in the region); numerical trouble is a verdict, never an exception. A sheet that cannot be
+/// seen is a verdict too (failed).
 FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOptions& options);
 
 /// Fits scene.fit.free to several photographs at once: those of scene.fit.photos, in their order. A number

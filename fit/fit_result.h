@@ -125,8 +125,9 @@ struct Check {
 struct ComparedValues {
   std::vector<std::array<int, 4>> regions_px;  ///< of every photograph: x, y, width, height
   int values = 0;                              ///< statistics with a sigma, of all photographs
-  double sum_of_weights = 0.0;                 ///< of 1 / sigma^2
-  int unknowns = 0;                            ///< free and solved for, less what is held
+  double sum_of_weights = 0.0;  ///< of 1 / sigma^2, the simulation's own sampling left out of sigma
+  double sampling_error = 0.0;  ///< that sampling's, as a fraction of the brightness; the largest
+  int unknowns = 0;             ///< free and solved for, less what is held
 };
 
 struct FitResult {

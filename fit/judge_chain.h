@@ -16,8 +16,8 @@ int burn_in_of_chain(int steps);
 /// The chain in the numbers' own coordinates. Its density is exp(-chi2 / 2), chi2 of the data over the
 /// inflation squared and that of priors, times the coordinates' share in the values' volume; a number
 /// without a prior is alike likely everywhere between its limits (judged_values.h), and no angle leaves the
-/// half turn to either side of the answer. Every twenty steps are a step of the journal. With `stop` raised it
-/// comes back unfinished.
+/// half turn to either side of the answer. Every twenty steps are a step of the journal. With `stop` raised
+/// it comes back unfinished.
 EnsembleState chain_of_fit(const JudgedFit& fit, int steps, const std::atomic<bool>* stop, Journal& journal,
                            const std::function<void(double share)>& progress);
 

@@ -52,16 +52,23 @@ double sampling_error_of(const sim::Scene& scene, const Photo& photo, const Prof
   return sampling_error(samplings[0].value, samplings[1].value, data.bands);
 }
 
-/// The photograph's noise, structure that the model does not have, and the model's sampling, in quadrature.
+/// The photograph's noise and structure that the model does not have, of which `model_error` is a share, in
+/// quadrature.
 std::vector<double> whole_sigma(const sim::Scene& scene, const Photo& photo, const Profile& data,
-                                int threads) {
-  const double of_model = std::hypot(scene.fit.model_error, sampling_error_of(scene, photo, data, threads));
-  std::vector<double> sigma = profile_sigma(data, of_model);
+                                double model_error) {
+  std::vector<double> sigma = profile_sigma(data, model_error);
   if (scene.fit.profile_along != "columns") return sigma;
   const std::vector<double> of_rays = realisation_sigma(photo, data.region, data.bands, kProfileSmoothing_px);
   for (std::size_t i = 0; i < sigma.size(); ++i)
     if (sigma[i] > 0.0) sigma[i] = std::hypot(sigma[i], of_rays[i]);
   return sigma;
+}
+
+double weights(const std::vector<double>& sigma) {
+  double sum = 0.0;
+  for (const double s : sigma)
+    if (s > 0.0) sum += 1.0 / (s * s);
+  return sum;
 }
 
 }  // namespace
@@ -77,8 +84,12 @@ Observation observed(const sim::Scene& scene, const Photo& photo, int threads, c
   const Profile rows =
       measured_profile(scene, photo, std::make_shared<const BinGrid>(profile_bins(scene, o.region)));
   const Profile data = smoothed_by_px(rows, kProfileSmoothing_px);
-  o.full = std::make_unique<Comparison>(scene, photo, data, whole_sigma(scene, photo, data, threads),
-                                        Comparison::Resolution{1.0, kProfileSmoothing_px, threads});
+  o.sampling_error = sampling_error_of(scene, photo, data, threads);
+  o.sum_of_weights = weights(whole_sigma(scene, photo, data, scene.fit.model_error));
+  const double model_error = std::hypot(scene.fit.model_error, o.sampling_error);
+  o.full = std::make_unique<Comparison>(
+      scene, photo, data, whole_sigma(scene, photo, data, model_error),
+      Comparison::Resolution{1.0, kProfileSmoothing_px, threads, Statistics::ModelError{model_error}});
   const double smooth_rows = scene.fit.search_smoothing * o.region.height;
   const Profile smooth_data = smoothed(rows, smooth_rows);
   o.coarse = std::make_unique<Comparison>(

@@ -21,6 +21,8 @@ struct Observation {
   sim::Scene scene;  ///< as this photograph sees it, at the start
   PhotoFrame frame;  ///< what sets it apart from others
   Region region;
+  double sum_of_weights = 0.0;               ///< of the profile's 1 / sigma^2, the model's sampling left out
+  double sampling_error = 0.0;               ///< of the model, as a fraction of the brightness
   std::unique_ptr<Comparison> coarse, full;  ///< for the search, and for the last word
 };
 

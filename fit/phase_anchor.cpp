@@ -40,7 +40,8 @@ std::vector<PhaseAnchor> phase_anchors(const sim::Scene& scene, const std::vecto
                                        const std::vector<double>& values) {
   std::vector<PhaseAnchor> anchors;
   for (std::size_t p = 0; p < moved.size(); ++p) {
-    if (moved[p].key() != "phase_rad") continue;
+    // Limits of the user's are those of the phase at the start.
+    if (moved[p].key() != "phase_rad" || moved[p].limited()) continue;
     for (std::size_t w = 0; w < moved.size(); ++w)
       if (moved[w].key() == "wavelength_km" && moved[w].path.sheet == moved[p].path.sheet)
         anchors.push_back({static_cast<int>(p), static_cast<int>(w),

@@ -83,7 +83,7 @@ bool another_round(const sim::Scene& scene, const std::vector<FreeNumber>& free,
   if (same) return false;
   settled.prior = prior;
   settled.inflation = inflation;
-  sim::Scene there = scene;
+  sim::Scene there = terms.front().scene;
   terms.front().map.put(point.values, there);
   const ProfileCost cost(free, terms, log,
                          {{}, {}, prior, inflation, phase_anchors(there, free, point.values)});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "fit/noise_model.h"
 #include "fit/smoothing.h"
@@ -18,7 +19,7 @@ constexpr double kBright = 0.2;       // of the peak
 constexpr std::array<double, kParts> kPlace = {-1.5, -0.5, 0.5, 1.5};
 constexpr double kPlaces2 = 5.0;  // sum of their squares
 
-/// Excess variance of the parts' shapes, row by row, of one band and channel.
+/// Excess variance of the parts' shapes, row by row, of one band and channel; NaN where a part has no pixels.
 std::vector<double> excess(const Profile& parts, int band, int channel, double sky) {
   const auto part = [&](int k, int row) { return parts.index(band * kParts + k, row, channel); };
   const auto complete = [&](int row) {
@@ -35,7 +36,7 @@ std::vector<double> excess(const Profile& parts, int band, int channel, double s
     for (int k = 0; k < kParts; ++k) with_mean[k] += mean[r] * (parts.mean[part(k, r)] - sky);
     mean2 += mean[r] * mean[r];
   }
-  std::vector<double> variance(parts.rows, 0.0);
+  std::vector<double> variance(parts.rows, std::numeric_limits<double>::quiet_NaN());
   if (!(mean2 > 0.0)) return variance;
   for (int r = 0; r < parts.rows; ++r) {
     if (!complete(r)) continue;
@@ -68,9 +69,14 @@ std::vector<double> realisation_sigma(const Photo& photo, const Region& region, 
       for (int r = 0; r < parts.rows; ++r) {
         const int first = std::max(0, r - kRowsEachSide), last = std::min(parts.rows - 1, r + kRowsEachSide);
         double sum = 0.0;
-        for (int k = first; k <= last; ++k) sum += single[k];
+        int count = 0;
+        for (int k = first; k <= last; ++k) {
+          if (std::isnan(single[k])) continue;
+          sum += single[k];
+          ++count;
+        }
         sigma[(static_cast<std::size_t>(b) * parts.rows + r) * 3 + c] =
-            std::sqrt(std::max(0.0, sum / (last - first + 1)) / kIndependent);
+            std::sqrt(std::max(0.0, sum / std::max(1, count)) / kIndependent);
       }
     }
   return sigma;

@@ -184,6 +184,7 @@ std::string result_json(const FitResult& result) {
   json["compared"] = {{"regions_px", result.compared.regions_px},
                       {"values", result.compared.values},
                       {"sum_of_weights", number(result.compared.sum_of_weights)},
+                      {"sampling_error", number(result.compared.sampling_error)},
                       {"unknowns", result.compared.unknowns}};
   json["steepest_cosine"] = number(result.steepest_cosine);
   json["statistics"] = Json::array();

@@ -8,6 +8,7 @@
 namespace vegard::fit {
 namespace {
 
+constexpr double kAlikeSampling = 1.5, kLeastSampling = 5e-3;
 constexpr double kSameWeights = 1e-9;  // of the sum: rounding
 
 FittedModel model_of(const RunSummary& run) {
@@ -28,6 +29,10 @@ std::string difference(const RunSummary& a, const RunSummary& b) {
   if (a.values != b.values) return "another number of values (fit.bands, say)";
   if (std::abs(a.sum_of_weights - b.sum_of_weights) > kSameWeights * a.sum_of_weights)
     return "other weights (fit.model_error, say)";
+  // It is in the weights, and chi2 of unlike weights say nothing of the models.
+  if (std::max(a.sampling_error, b.sampling_error) >
+      kAlikeSampling * std::max(kLeastSampling, std::min(a.sampling_error, b.sampling_error)))
+    return "a model sampled far better or worse (sheet beams, say)";
   return {};
 }
 

@@ -44,6 +44,7 @@ RunSummary summary_of(const Json& json) {
   run.regions_px = compared.at("regions_px").get<std::vector<std::array<int, 4>>>();
   run.values = compared.at("values").get<int>();
   run.sum_of_weights = compared.at("sum_of_weights").get<double>();
+  run.sampling_error = compared.at("sampling_error").get<double>();
   run.unknowns = compared.at("unknowns").get<int>();
   return run;
 }

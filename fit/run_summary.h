@@ -30,7 +30,8 @@ struct RunSummary {
   std::vector<std::array<int, 4>> regions_px;
   int values = 0;  ///< that were compared
   double sum_of_weights = 0.0;
-  int unknowns = 0;  ///< free and solved for
+  double sampling_error = 0.0;  ///< of the model, as a fraction of the brightness
+  int unknowns = 0;             ///< free and solved for
 };
 
 /// Reads DIRECTORY/result.json. Throws sim::Error(unreadable_input) if it is missing, no JSON, or lacks what

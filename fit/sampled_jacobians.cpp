@@ -23,9 +23,9 @@ std::vector<std::vector<double>> sampled_jacobians(const std::vector<Observation
       // Beams are laid out where the answer is.
       terms[o].map.put(values, terms[o].scene);
       terms[o].scene.seed += static_cast<std::uint64_t>(sampling);
-      others.push_back(std::make_unique<Comparison>(terms[o].scene, *observations[o].photo,
-                                                    *observations[o].full,
-                                                    Comparison::Resolution{1.0, kProfileSmoothing_px, threads}));
+      others.push_back(
+          std::make_unique<Comparison>(terms[o].scene, *observations[o].photo, *observations[o].full,
+                                       Comparison::Resolution{1.0, kProfileSmoothing_px, threads}));
       terms[o].comparison = others.back().get();
     }
     const ProfileCost cost(free, terms, closing, {{}, {}, {}, 1.0, anchors});

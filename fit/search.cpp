@@ -79,6 +79,13 @@ std::vector<std::size_t> indices(const std::vector<FreeNumber>& free, bool (*bel
 
 double inside(const FreeNumber& n, double value) { return n.value(n.coordinate(value)); }
 
+/// A phase, by whole turns between its limits if it can be, else nearest to 0.
+double turned_inside(const FreeNumber& n, double phase_rad) {
+  double near = std::remainder(phase_rad, 2.0 * kPi);
+  if (n.limited()) near += 2.0 * kPi * std::ceil((n.min - near) / (2.0 * kPi));
+  return inside(n, near);
+}
+
 /// A point of a seeded low-discrepancy sequence (Roberts' R_d, additive recurrence) in `dimensions`
 /// dimensions.
 std::vector<double> even_point(int i, int dimensions, std::uint64_t seed) {
@@ -269,7 +276,9 @@ class Search {
             std::exp((u[1] - 0.5) * kDistances) * (s > 0 ? std::exp((u[1 + 2 * s] - 0.5) * kApart) : 1.0);
         if (is(n, "center_km")) values[j] *= distance;
         if (is(n, "energy_kev")) values[j] *= std::exp((u[2 + 2 * s] - 0.5) * kEnergies);
-        if (!n.has_path()) values[j] = n.min + u[1] * (n.max - n.min);
+        if (!n.has_path())
+          values[j] =
+              n.logarithmic() ? n.min * std::pow(n.max / n.min, u[1]) : n.min + u[1] * (n.max - n.min);
         if (is(n, "bearing_deg")) values[j] += (u[0] - 0.5) * turned_by(n);
         values[j] = inside(n, values[j]);
       }
@@ -303,7 +312,7 @@ class Search {
   /// Wavelengths between which a sheet's sine is looked for.
   std::pair<double, double> wavelengths_of(const Sine& sine, int sheet, const Values& values) const {
     if (sine.wavelength < 0) {
-      const double fixed = scene_.sheets[sheet].wavelength_km;
+      const double fixed = scene_at(values).sheets[sheet].wavelength_km;
       return {fixed, fixed};
     }
     const FreeNumber& n = free_[sine.wavelength];
@@ -311,16 +320,20 @@ class Search {
             scanned_wavelength(n, values[sine.wavelength], 0.0)};
   }
 
+  /// At home, in the frame of the free numbers.
   sim::Scene scene_at(const Values& values) const {
     sim::Scene scene = scene_;
-    models_.coarse.front().map.put(values, scene);
+    ParameterMap(scene_, free_).put(values, scene);
     return scene;
   }
 
   std::vector<std::vector<CoursePoint>> courses_at(const Values& values) {
     ++log_.residuals;
     ++log_.jacobians;
-    return courses(*models_.coarse.front().comparison, scene_at(values));
+    const CostTerm& first = models_.coarse.front();
+    sim::Scene scene = first.scene;
+    first.map.put(values, scene);
+    return courses(*first.comparison, scene);
   }
 
   /// Puts a sine found from a sheet's course into its free numbers.
@@ -369,11 +382,11 @@ class Search {
     const Sine sine = sine_of(s);
     if (sine.wavelength >= 0) values[sine.wavelength] = inside(free_[sine.wavelength], found.wavelength_km);
     if (sine.thickness >= 0) values[sine.thickness] = inside(free_[sine.thickness], found.amplitude_km);
-    if (sine.phase >= 0)
-      values[sine.phase] =
-          inside(free_[sine.phase], std::remainder(found.phase_rad - 0.5 * sheet.phase_shift_rad +
-                                                       2.0 * kPi * moved_along / found.wavelength_km,
-                                                   2.0 * kPi));
+    if (sine.phase >= 0) {
+      const double of_mean_layer = sheet.layers > 1 ? 0.5 * sheet.phase_shift_rad : 0.0;
+      values[sine.phase] = turned_inside(
+          free_[sine.phase], found.phase_rad - of_mean_layer + 2.0 * kPi * moved_along / found.wavelength_km);
+    }
   }
 
   /// Trials of the sheets' sines from their courses; none where the bands do not show enough of a sheet.
@@ -412,7 +425,7 @@ class Search {
         for (const int s : waved) {
           const Sine sine = sine_of(s);
           const double length = scene_at(values).sheets[s].length_km;
-          const double now = sine.wavelength >= 0 ? values[sine.wavelength] : scene_.sheets[s].wavelength_km;
+          const double now = scene_at(values).sheets[s].wavelength_km;
           const auto [least, most] = wavelengths_of(sine, s, straight.values);
           const double near = sine.wavelength >= 0 ? kNearWaveNumber : 0.0;
           const std::vector<SineThroughCourse> sines =

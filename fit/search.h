@@ -3,9 +3,10 @@
 // The landscape is smooth in distance, energy and bearing, and periodic in wavelength and phase: descents
 // that start with the wavelength a few per cent off end in wrong places. So, with a coarse model (fewer
 // beams, profiles smoothed down the rows, so that a lower border is felt from afar): (1) *overall* trials and
-// descents of what shapes the profile as a whole, (2) a *scan* of wavelengths, each with its best amplitude
-// and phase, (3) descents of everything from the best distinct trials; then (4) *polish* with the full model.
-// Coefficients of free-form profiles only take part in the polish.
+// descents of what shapes the profile as a whole, (2) the sheets' *course* through the bands (fit/course.h),
+// or, where it does not show, a *scan* of wavelengths, each with its best amplitude and phase, (3) descents
+// of everything from the best distinct trials; then (4) *polish* with the full model. Coefficients of
+// free-form profiles only take part in the polish.
 #pragma once
 
 #include <functional>

@@ -14,7 +14,14 @@ sim::Scene started_at(const sim::Scene& scene, const std::vector<double>& values
   const std::vector<FreeNumber> free = free_numbers(scene);
   sim::Scene warm = scene;
   warm.fit.free.clear();
-  for (const sim::FreeParameter& entry : scene.fit.free)
+  for (const sim::FreeParameter& entry : scene.fit.free) {
+    if (entry.path.empty()) {  // a number that only expressions use
+      warm.fit.free.push_back(entry);
+      for (std::size_t j = 0; j < free.size() && j < values.size(); ++j)
+        if (free[j].name == entry.name)
+          warm.fit.free.back().start = std::clamp(values[j], free[j].min, free[j].max);
+      continue;
+    }
     for (const sim::ParameterPath& path : sim::resolve(scene, entry.path)) {
       sim::FreeParameter one = entry;
       one.path = path.text;
@@ -22,6 +29,7 @@ sim::Scene started_at(const sim::Scene& scene, const std::vector<double>& values
         if (free[j].path.text == path.text) one.start = std::clamp(values[j], free[j].min, free[j].max);
       warm.fit.free.push_back(one);
     }
+  }
   return warm;
 }
 

@@ -304,7 +304,7 @@ struct Fit {
   int sky_terms = 3;                ///< solved per channel: 1 level, 2 and gradient, 3 and curvature
   std::string decoding = "auto";    ///< "auto", "srgb", "linear" or "sensor"
   double model_error = 0.02;        ///< unmodelled structure, as a fraction of the local brightness
-  double profile_smoothness = 0.0;  ///< of free-form profiles (fit/profile_prior.h); 0: the data decide
+  double profile_smoothness = 0.0;  ///< of free-form profiles (fit/spline_prior.h); 0: the data decide
   int scan_points = 24;             ///< wavelengths tried before the descent; 0: no search, only a descent
   int scan_descents = 6;            ///< of which this many are followed downhill
   int overall_trials = 48;          ///< of distance, energy and bearing before that

@@ -212,7 +212,9 @@ TEST(PhaseAnchor, WithoutAnchorsTheCovarianceIsThatOfThePhaseAtTheStart) {
       const double both = std::sqrt(expected(i, i) * expected(j, j));
       EXPECT_NEAR(u_bars.covariance[i][j], expected(i, j), 1e-6 * both) << i << ", " << j;
       EXPECT_NEAR(u_bars.correlation[i][j], expected(i, j) / both, 1e-6);
-      if (i == j) EXPECT_NEAR(u_bars.sigma[i], both / u_bars.sigma[i], 1e-6 * u_bars.sigma[i]);
+      if (i == j) {
+        EXPECT_NEAR(u_bars.sigma[i], both / u_bars.sigma[i], 1e-6 * u_bars.sigma[i]);
+      }
     }
   for (std::size_t i = 0; i < p; ++i) {
     double direction = t[i][1] + 0.5 * t[i][4];

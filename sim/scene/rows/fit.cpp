@@ -24,7 +24,7 @@ std::vector<Declaration> fit_rows() {
           .means("of a free-form profile: one over the standard deviation of the second differences of "
                  "ln(spline_rate) from knot to knot; 0: what makes the data most probable, line by line"),
       Row("fit", "scan_points", &Scene::fit, &Fit::scan_points).within(0, 1000000)
-          .means("wavelengths tried before the descents; 0: no search, one descent from the start"),
+          .means("wavelengths tried before the descents where bands do not show a sheet's course; 0: no search, one descent from the start"),
       Row("fit", "scan_descents", &Scene::fit, &Fit::scan_descents).within(0, 10000)
           .means("how many of the trials are followed downhill"),
       Row("fit", "overall_trials", &Scene::fit, &Fit::overall_trials).within(0, 1000000)
