@@ -32,8 +32,6 @@ sim::Scene two_sines() {
                            "sheet.near.wavelength_km", "sheet.far.phase_rad", "sheet.far.thickness_km"})
     scene.fit.free.push_back(tests::free_entry(path));
   // Limits bend the coordinates, so that slopes are not 1.
-  scene.fit.free[0].min = -4.0;
-  scene.fit.free[0].max = 5.0;
   scene.fit.free[1].min = 40.0;
   scene.fit.free[1].max = 200.0;
   return scene;

@@ -49,6 +49,7 @@ TEST(ReadRun, FindsWhatWasWritten) {
   EXPECT_EQ(run.regions_px, result.compared.regions_px);
   EXPECT_EQ(run.values, 120);
   EXPECT_EQ(run.sum_of_weights, 1e4 / 3.0);
+  EXPECT_EQ(run.sampling_error, 0.004);
   EXPECT_EQ(run.unknowns, 10);
 }
 

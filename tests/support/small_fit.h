@@ -33,7 +33,7 @@ inline fit::FitResult small_fit(const fit::Photo& photo) {
   result.reasons = {"sheet.main.energy_kev is at a limit", "something <else>"};
   result.checks = {{"converged", true, "another step would hardly change chi2"},
                    {"inside the limits", false, "sheet.main.energy_kev is at a limit"}};
-  result.compared = {{{0, 0, 40, 30}}, 120, 1e4 / 3.0, 10};
+  result.compared = {{{0, 0, 40, 30}}, 120, 1e4 / 3.0, 0.004, 10};
   fit::FittedParameter energy;
   energy.path = "sheet.main.energy_kev";
   energy.unit = "keV";
