@@ -9,6 +9,7 @@
 #include "fit/course.h"
 #include "fit/journal.h"
 #include "fit/profile_rounds.h"
+#include "fit/sine_numbers.h"
 #include "sim/base/random.h"
 
 namespace vegard::fit {
@@ -78,13 +79,6 @@ std::vector<std::size_t> indices(const std::vector<FreeNumber>& free, bool (*bel
 }
 
 double inside(const FreeNumber& n, double value) { return n.value(n.coordinate(value)); }
-
-/// A phase, by whole turns between its limits if it can be, else nearest to 0.
-double turned_inside(const FreeNumber& n, double phase_rad) {
-  double near = std::remainder(phase_rad, 2.0 * kPi);
-  if (n.limited()) near += 2.0 * kPi * std::ceil((n.min - near) / (2.0 * kPi));
-  return inside(n, near);
-}
 
 /// A point of a seeded low-discrepancy sequence (Roberts' R_d, additive recurrence) in `dimensions`
 /// dimensions.
@@ -294,23 +288,10 @@ class Search {
     return ends.front();
   }
 
-  /// The free numbers of one sheet's sine; -1 for what is not free.
-  struct Sine {
-    int wavelength = -1, phase = -1, thickness = -1;
-  };
-  Sine sine_of(int sheet) const {
-    Sine sine;
-    for (std::size_t j = 0; j < free_.size(); ++j) {
-      if (free_[j].path.sheet != sheet) continue;
-      if (is(free_[j], "wavelength_km")) sine.wavelength = static_cast<int>(j);
-      if (is(free_[j], "phase_rad")) sine.phase = static_cast<int>(j);
-      if (is_thickness(free_[j])) sine.thickness = static_cast<int>(j);
-    }
-    return sine;
-  }
+  SineNumbers sine_of(int sheet) const { return sine_numbers(free_, sheet); }
 
   /// Wavelengths between which a sheet's sine is looked for.
-  std::pair<double, double> wavelengths_of(const Sine& sine, int sheet, const Values& values) const {
+  std::pair<double, double> wavelengths_of(const SineNumbers& sine, int sheet, const Values& values) const {
     if (sine.wavelength < 0) {
       const double fixed = scene_at(values).sheets[sheet].wavelength_km;
       return {fixed, fixed};
@@ -336,64 +317,11 @@ class Search {
     return courses(*first.comparison, scene);
   }
 
-  /// Puts a sine found from a sheet's course into its free numbers.
-  void take(const SineThroughCourse& found, int s, Values& values) const {
-    const sim::Scene scene = scene_at(values);
-    const sim::Sheet& sheet = scene.sheets[s];
-    const double bearing = sheet.bearing_deg * kPi / 180.0,
-                 side = scene.field.inclination_deg < 0.0 ? -1.0 : 1.0;
-    const double along[2] = {std::sin(bearing), std::cos(bearing)};
-    const double aside[2] = {-side * along[1], side * along[0]};
-    int centre[2] = {-1, -1};
-    for (std::size_t j = 0; j < free_.size(); ++j)
-      if (is(free_[j], "center_km") && free_[j].path.sheet == s)
-        centre[free_[j].path.component] = static_cast<int>(j);
-    const auto move = [&](int j, double by) {
-      if (j >= 0) values[j] = inside(free_[j], values[j] + by);
-    };
-    // The centre moves aside; if one of its components is held, the other goes further. If it follows from a
-    // number without a place in the scene, that moves.
-    double shift[2] = {found.offset_km * aside[0], found.offset_km * aside[1]};
-    if (centre[0] < 0 && centre[1] < 0) {
-      shift[0] = shift[1] = 0.0;
-      for (std::size_t j = 0; j < free_.size(); ++j) {
-        if (free_[j].has_path()) continue;
-        Values further = values;
-        further[j] = inside(free_[j], values[j] + 1.0);
-        const sim::EastNorth there = scene_at(further).sheets[s].center_km;
-        const double by[2] = {there.east - sheet.center_km.east, there.north - sheet.center_km.north};
-        const double sideways = by[0] * aside[0] + by[1] * aside[1];
-        if (std::abs(sideways) < 0.2) continue;
-        move(static_cast<int>(j), found.offset_km / sideways);
-        for (int c = 0; c < 2; ++c) shift[c] = by[c] * found.offset_km / sideways;
-        break;
-      }
-    } else if (centre[0] < 0 || centre[1] < 0) {
-      const int only = centre[0] >= 0 ? 0 : 1;
-      shift[1 - only] = 0.0;
-      shift[only] = std::abs(aside[only]) > 0.2 ? found.offset_km / aside[only] : 0.0;
-    }
-    move(centre[0], shift[0]);
-    move(centre[1], shift[1]);
-    const double moved_along = shift[0] * along[0] + shift[1] * along[1];
-    for (std::size_t j = 0; j < free_.size(); ++j)
-      if (is(free_[j], "bearing_deg") && free_[j].path.sheet == s)
-        move(static_cast<int>(j), -side * std::atan(found.slope) * 180.0 / kPi);
-    const Sine sine = sine_of(s);
-    if (sine.wavelength >= 0) values[sine.wavelength] = inside(free_[sine.wavelength], found.wavelength_km);
-    if (sine.thickness >= 0) values[sine.thickness] = inside(free_[sine.thickness], found.amplitude_km);
-    if (sine.phase >= 0) {
-      const double of_mean_layer = sheet.layers > 1 ? 0.5 * sheet.phase_shift_rad : 0.0;
-      values[sine.phase] = turned_inside(
-          free_[sine.phase], found.phase_rad - of_mean_layer + 2.0 * kPi * moved_along / found.wavelength_km);
-    }
-  }
-
   /// Trials of the sheets' sines from their courses; none where the bands do not show enough of a sheet.
   std::vector<Trial> by_course(const Trial& straight) {
     std::vector<int> waved;
     for (std::size_t s = 0; s < scene_.sheets.size(); ++s) {
-      const Sine sine = sine_of(static_cast<int>(s));
+      const SineNumbers sine = sine_of(static_cast<int>(s));
       if (sine.phase >= 0 && sine.thickness >= 0) waved.push_back(static_cast<int>(s));
     }
     if (waved.empty()) return {};
@@ -401,7 +329,7 @@ class Search {
     const auto found = courses_at(straight.values);
     std::vector<Values> starts = {straight.values};
     for (const int s : waved) {
-      const Sine sine = sine_of(s);
+      const SineNumbers sine = sine_of(s);
       const auto [least, most] = wavelengths_of(sine, s, straight.values);
       const std::vector<SineThroughCourse> sines =
           sines_through(found[s], 0.5 * scene_at(straight.values).sheets[s].length_km, least, most,
@@ -411,7 +339,7 @@ class Search {
       for (const Values& start : starts)
         for (const SineThroughCourse& candidate : sines) {
           more.push_back(start);
-          take(candidate, s, more.back());
+          take_sine(scene_, free_, candidate, s, more.back());
         }
       starts = std::move(more);
     }
@@ -423,7 +351,7 @@ class Search {
       for (int round = 0; round < kCourseRounds && !log_.exhausted(); ++round) {
         const auto again = courses_at(values);
         for (const int s : waved) {
-          const Sine sine = sine_of(s);
+          const SineNumbers sine = sine_of(s);
           const double length = scene_at(values).sheets[s].length_km;
           const double now = scene_at(values).sheets[s].wavelength_km;
           const auto [least, most] = wavelengths_of(sine, s, straight.values);
@@ -431,7 +359,7 @@ class Search {
           const std::vector<SineThroughCourse> sines =
               sines_through(again[s], 0.5 * length, std::max(least, 1.0 / (1.0 / now + near)),
                             1.0 / std::max(1.0 / most, 1.0 / now - near), free_[sine.thickness].start, 1);
-          if (!sines.empty()) take(sines.front(), s, values);
+          if (!sines.empty()) take_sine(scene_, free_, sines.front(), s, values);
         }
         const Trial next = tried(values);
         if (next.chi2 < best.chi2) best = next;
@@ -456,7 +384,7 @@ class Search {
     std::vector<Trial> trials = {from};
     const std::vector<double> shift = even_point(0, 2, scene_.seed + 1);
     for (std::size_t s = 0; s < scene_.sheets.size(); ++s) {
-      const Sine sine = sine_of(static_cast<int>(s));
+      const SineNumbers sine = sine_of(static_cast<int>(s));
       if (sine.wavelength < 0 && sine.phase < 0) continue;
       const Trial base = trials.front();
       const int wavelengths = sine.wavelength < 0 ? 1 : scene_.fit.scan_points;
@@ -486,7 +414,7 @@ class Search {
   /// linear in a and b, so two Jacobians of a nearly straight sheet, with phases 0 and a quarter turn, give a
   /// and b together with the steps of everything else but the wavelength. One evaluation then tells what the
   /// trial is worth.
-  Trial straightest_sine(Values values, const Sine& sine) {
+  Trial straightest_sine(Values values, const SineNumbers& sine) {
     const std::size_t n = free_.size();
     values[sine.phase] = inside(free_[sine.phase], 0.0);
     const ProfileCost::Point point = coarse_.at(values, true);

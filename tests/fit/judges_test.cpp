@@ -13,6 +13,7 @@
 #include "fit/result_json.h"
 #include "sim/render/render.h"
 #include "tests/support/free_paths.h"
+#include "tests/support/rendered_photo.h"
 #include "tests/support/small_scene.h"
 #include "tests/support/temporary_folder.h"
 
@@ -36,19 +37,9 @@ sim::Scene judged_scene() {
   return scene;
 }
 
-Photo photo_of(const sim::Scene& scene) {
-  Photo photo;
-  photo.linear = sim::render(scene).rgb;
-  photo.usable.assign(photo.linear.data.size(), 1);
-  photo.floating = true;
-  photo.srgb = false;
-  photo.decoding = "linear";
-  return photo;
-}
-
 /// With white noise far above what the model misses: residuals are what the error bars take them for.
 Photo noisy_photo(const sim::Scene& scene) {
-  Photo photo = photo_of(scene);
+  Photo photo = tests::linear_photo(scene);
   float peak = 0.0f;
   for (const float light : photo.linear.data) peak = std::max(peak, light);
   std::mt19937 random(11);
@@ -91,7 +82,7 @@ TEST(JudgesOfAFit, BootstrapAndChainAgreeWithTheCurvatureWhereNoiseIsWhite) {
 TEST(JudgesOfAFit, IntervalsAreTheCurvaturesWhereChi2IsSmooth) {
   sim::Scene scene = judged_scene();
   scene.sheets[0].layers = 3;
-  const Photo photo = photo_of(scene);
+  const Photo photo = tests::linear_photo(scene);
   FitOptions options;
   options.intervals = true;
   const FitResult r = fit_photo(scene, photo, options);

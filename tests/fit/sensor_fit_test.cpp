@@ -9,6 +9,7 @@
 #include "fit/fit.h"
 #include "fit/line_brightness.h"
 #include "sim/render/render.h"
+#include "tests/support/rendered_photo.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::fit {
@@ -29,17 +30,6 @@ sim::Scene scene_of(const std::string& response) {
   return scene;
 }
 
-/// What a linear EXR or float TIFF of the scene holds.
-Photo linear_photo(const sim::Scene& scene) {
-  Photo photo;
-  photo.linear = sim::render(scene).rgb;
-  photo.usable.assign(photo.linear.data.size(), 1);
-  photo.floating = true;
-  photo.srgb = false;
-  photo.decoding = "linear";
-  return photo;
-}
-
 /// The fit of E0 with another sensor in the scene than that of the photograph, or the same.
 FitResult fitted(const sim::Scene& truth, const std::string& response, const Photo& photo) {
   sim::Scene scene = truth;
@@ -56,7 +46,7 @@ FitResult fitted(const sim::Scene& truth, const std::string& response, const Pho
 
 TEST(SensorFit, CamerasPictureGivesTheEnergyToAFitThatKnowsTheCamera) {
   const sim::Scene truth = scene_of("nikon_d700");
-  const Photo photo = linear_photo(truth);
+  const Photo photo = tests::linear_photo(truth);
   const double known = fitted(truth, "nikon_d700", photo).parameters[0].value,
                taken_for_another = fitted(truth, "cie", photo).parameters[0].value;
   // The fit's film has wider cells than the picture and averages beams: 1 %, as in profile_cost_test.
@@ -68,7 +58,7 @@ TEST(SensorFit, SignedLightOfALinearPictureIsNotClipped) {
   sim::Scene truth = scene_of("cie");
   truth.emission.lines = {630.0, 557.7};  // no blue makes up for what these two leave of it
   truth.blur.width_deg = {0.43, 0.18};
-  Photo photo = linear_photo(truth);
+  Photo photo = tests::linear_photo(truth);
   float least = 0.0f;
   for (const float value : photo.linear.data) least = std::min(least, value);
   ASSERT_LT(least, 0.0f) << "the lines are out of gamut";
@@ -86,7 +76,7 @@ TEST(LineBrightness, IsThatOfTheRendering) {
   for (const char* response : {"cie", "sony_a7s_ii"}) {
     sim::Scene scene = scene_of(response);
     scene.sky.gradient = {0.001, 0.002, 0.0};
-    const Photo photo = linear_photo(scene);
+    const Photo photo = tests::linear_photo(scene);
     const Region region{0, 0, 160, 120};
     const LineBrightness lines = line_brightness(scene, extract_profile(photo, region, 4));
     ASSERT_EQ(lines.names, (std::vector<std::string>{"6300", "5577", "4278"}));

@@ -11,6 +11,7 @@
 #include "sim/render/render.h"
 #include "sim/scene/scene_toml.h"
 #include "tests/support/free_paths.h"
+#include "tests/support/rendered_photo.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::fit {
@@ -36,19 +37,9 @@ sim::Scene two_sheets() {
   return scene;
 }
 
-Photo photo_of(const sim::Scene& scene) {
-  Photo photo;
-  photo.linear = sim::render(scene).rgb;
-  photo.usable.assign(photo.linear.data.size(), 1);
-  photo.floating = true;
-  photo.srgb = false;
-  photo.decoding = "linear";
-  return photo;
-}
-
 TEST(TiedFit, TwoSheetsShareOneEnergyAndKeepTheirDistance) {
   const sim::Scene truth = two_sheets();
-  const Photo photo = photo_of(truth);
+  const Photo photo = tests::linear_photo(truth);
   sim::Scene scene = truth;
   scene.fit.free = {tests::free_entry("sheet.near.energy_kev"), tests::free_entry("sheet.far.energy_kev"),
                     tests::free_entry("sheet.near.center_km.north")};
@@ -91,7 +82,7 @@ TEST(TiedFit, AnAngleInAFormulaKeepsItsTurns) {
   scene.fit.free = {tests::free_entry("sheet.near.phase_rad")};
   scene.fit.free[0].start = 2.0 * std::acos(-1.0) + 0.05;
   scene.fit.tied = {{"sheet.far.phase_rad", "1 - pi + sheet.near.phase_rad / 2", "", 0}};
-  const FitResult result = fit_photo(scene, photo_of(truth), {});
+  const FitResult result = fit_photo(scene, tests::linear_photo(truth), {});
   const double turn = 2.0 * std::acos(-1.0), value = result.parameters[0].value;
   ASSERT_TRUE(result.parameters[0].sigma);
   EXPECT_LT(std::abs(value - turn), 3.0 * *result.parameters[0].sigma);

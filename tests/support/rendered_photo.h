@@ -21,4 +21,15 @@ inline fit::Photo rendered_photo(const sim::Scene& scene) {
   return photo;
 }
 
+/// What a linear EXR or float TIFF of the scene holds: signed, without noise.
+inline fit::Photo linear_photo(const sim::Scene& scene) {
+  fit::Photo photo;
+  photo.linear = sim::render(scene).rgb;
+  photo.usable.assign(photo.linear.data.size(), 1);
+  photo.floating = true;
+  photo.srgb = false;
+  photo.decoding = "linear";
+  return photo;
+}
+
 }  // namespace vegard::tests
