@@ -7,6 +7,7 @@
 
 #include "apps/animate.h"
 #include "apps/brightness.h"
+#include "apps/calibrate.h"
 #include "apps/command_line.h"
 #include "apps/compare.h"
 #include "apps/exit_code.h"
@@ -47,6 +48,7 @@ int run(int argc, char** argv) {
   apps::add_points_command(app, exit_code);
   apps::add_profile_command(app, exit_code);
   apps::add_brightness_command(app, exit_code);
+  apps::add_calibrate_command(app, exit_code);
   apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
   apps::add_compare_command(app, exit_code);
   apps::add_sequence_command(app, exit_code, apps::command_line(argc, argv));
