@@ -12,7 +12,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kSide_px = 460.0, kLeft_px = 62.0, kTop_px = 58.0, kRight_px = 190.0, kBottom_px = 30.0;
+constexpr double kSide_px = 460.0, kLeft_px = 62.0, kTop_px = 58.0, kRight_px = 216.0, kBottom_px = 30.0;
 constexpr double kMargin = 0.12;  // of the map's width, on each side
 constexpr double kLeastHalf_km = 60.0, kFarthest_km = 1500.0;
 constexpr double kSineShows_px = 1.0;  // amplitude
