@@ -174,9 +174,14 @@ void print_answer(const fit::FitResult& result, const std::string& report) {
                 t.equals.c_str());
   if (coefficients > 0)
     std::printf("  %zu coefficients of free-form profiles: see profile.csv\n", coefficients);
-  for (const fit::DerivedNumber& d : result.derived)
-    std::printf("  %s: %s%s%s\n", d.name.c_str(), fit::number_with_error(d.value, d.sigma).c_str(),
-                d.unit.empty() ? "" : " ", d.unit.c_str());
+  for (const fit::DerivedNumber& d : result.derived) {
+    if (d.is_detail) continue;  // in the report
+    if (!d.why_none.empty())
+      std::printf("  %s: %s\n", d.name.c_str(), d.why_none.c_str());
+    else
+      std::printf("  %s: %s%s%s\n", d.name.c_str(), fit::number_with_error(d.value, d.sigma).c_str(),
+                  d.unit.empty() ? "" : " ", d.unit.c_str());
+  }
   std::printf("%s\n", report.c_str());
 }
 
