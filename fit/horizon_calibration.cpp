@@ -186,6 +186,9 @@ void check(const HorizonProblem& p) {
            "points far apart from each other");
   if (!p.sky && std::abs(a.x_px - b.x_px) < std::max(1.0, p.point_error_px))
     refuse("--points", "the horizon stands upright in the picture: on which side is the sky?", "--sky X,Y");
+  if (!p.hfov_deg && p.dip_deg <= 0.0)
+    refuse("--hfov", "a straight horizon says nothing about the field of view", "--hfov or --focal-35mm",
+           "seen from far above (--altitude-m) it is bent, and does");
   const std::size_t unknowns = free_numbers(p).size();
   if (p.points.size() < unknowns)
     refuse("--points",
@@ -193,9 +196,6 @@ void check(const HorizonProblem& p) {
                (p.free_dip ? "the dip" : "the field of view") + " beside elevation and roll",
            "at least " + std::to_string(unknowns) + " points",
            p.free_dip ? "" : "or give --hfov or --focal-35mm");
-  if (!p.hfov_deg && p.dip_deg <= 0.0)
-    refuse("--hfov", "a straight horizon says nothing about the field of view", "--hfov or --focal-35mm",
-           "seen from far above (--altitude-m) it is bent, and does");
 }
 
 /// A horizon that bends says by itself where the sky is.
