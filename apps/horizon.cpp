@@ -1,5 +1,6 @@
 #include "apps/horizon.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -70,6 +71,19 @@ void read_camera(const Options& options, HorizonCamera& camera) {
     const fit::PictureFieldOfView view = fit::picture_field_of_view(metadata);
     problem.hfov_deg = view.hfov_deg;
     camera.hfov_source = view.hfov_deg ? view.source : "from the horizon's bending";
+    camera.hfov_rounding_deg = view.rounding_deg;
+  }
+}
+
+/// By how much the elevation would differ with the focal length at the ends of what its rounding leaves open.
+void measure_rounding(HorizonCamera& camera) {
+  if (!camera.hfov_rounding_deg) return;
+  for (const double sign : {-1.0, 1.0}) {
+    fit::HorizonProblem problem = camera.problem;
+    *problem.hfov_deg += sign * *camera.hfov_rounding_deg;
+    const double moved =
+        fit::calibrate_horizon(problem).elevation_deg.value - camera.found.elevation_deg.value;
+    camera.elevation_rounding_deg = std::max(camera.elevation_rounding_deg, std::abs(moved));
   }
 }
 
@@ -119,6 +133,9 @@ void print_answer(const HorizonCamera& camera) {
   std::printf("  camera.azimuth_deg    %s\n",
               camera.azimuth_deg ? (fit::short_number(*camera.azimuth_deg) + " (given)").c_str()
                                  : "0 (assumed: a horizon does not tell it; --azimuth)");
+  if (camera.hfov_rounding_deg)
+    std::printf("  the focal length is rounded: the elevation is known to within %.2f deg by that\n",
+                camera.elevation_rounding_deg);
   std::printf("  rms %.2f px; error bars from %s px a point\n", found.rms_px,
               fit::short_number(found.used_error_px, 3).c_str());
   std::string residuals;
@@ -138,6 +155,7 @@ int run(const Options& options) {
   problem.dip_deg = fit::horizon_dip_deg(1e-3 * options.altitude_m.value_or(0.0), options.layer_km);
   problem.point_error_px = options.point_error_px;
   camera.found = fit::calibrate_horizon(problem);
+  measure_rounding(camera);
   if (!options.output.empty()) {
     sim::WholeFile file(options.output, options.overwrite);
     file.write(horizon_toml(camera));

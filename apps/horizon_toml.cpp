@@ -66,8 +66,11 @@ std::string horizon_toml(const HorizonCamera& camera) {
   text += line("hfov_deg", real(found.hfov_deg.value), with_error(found.hfov_deg, camera.hfov_source));
   text += line("azimuth_deg", real(camera.azimuth_deg.value_or(0.0)),
                camera.azimuth_deg ? "given" : "assumed: a horizon does not tell it");
-  text += line("elevation_deg", real(found.elevation_deg.value),
-               with_error(found.elevation_deg, "from the horizon"));
+  std::string elevation_from = with_error(found.elevation_deg, "from the horizon");
+  if (camera.hfov_rounding_deg)
+    elevation_from += fmt::format(", and within {:.2f} deg by the rounding of the focal length",
+                                  camera.elevation_rounding_deg);
+  text += line("elevation_deg", real(found.elevation_deg.value), elevation_from);
   text += line("roll_deg", real(found.roll_deg.value), with_error(found.roll_deg, "from the horizon"));
   return text;
 }

@@ -14,6 +14,10 @@ struct HorizonCamera {
   fit::HorizonProblem problem;
   fit::HorizonCalibration found;
   std::string hfov_source;
+  /// Half a millimetre of a rounded 35 mm equivalent, in degrees, and what it does to the elevation; no part
+  /// of the error bars, which are those at the given field of view.
+  std::optional<double> hfov_rounding_deg;
+  double elevation_rounding_deg = 0.0;
   std::optional<double> azimuth_deg;  ///< given by the user
   std::optional<double> altitude_m;   ///< of the observer above what makes the horizon
   fit::PhotoFacts facts;              ///< of the picture

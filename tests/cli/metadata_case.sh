@@ -34,6 +34,11 @@ expect_one_message
 expect_exit 0 describe "$photo"
 expect_stdout "no field of view"
 
+# The rounding of the focal length is more than the error of a point: it is said.
+expect_exit 0 horizon phone.jpg --points 10,400 700,410 -o camera.toml
+expect_stdout "the focal length is rounded"
+grep -q '^elevation_deg = .*by the rounding of the focal length' camera.toml || fail "the rounding is not told"
+
 # A scene without a camera takes it; one with a camera keeps it; and nothing at all with --no-metadata.
 echo 'seed = 1' >empty.toml
 expect_exit 0 profile phone.jpg -o taken.csv --scene empty.toml --bands 1

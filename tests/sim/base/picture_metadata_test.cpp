@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 
 #include "sim/base/error.h"
 #include "sim/base/random.h"
@@ -194,6 +196,25 @@ TEST(PictureMetadata, OtherFilesSayNothingAndMissingOnesAreRefused) {
   tests::expect_error(ErrorKind::unreadable_input, [] { read_picture_metadata("/nowhere/photo.jpg"); });
   const tests::TemporaryFile file("phone.jpg", tests::jpeg_with_exif(3, 2, tests::phone_exif().bytes()));
   expect_phone(read_picture_metadata(file.path()));
+}
+
+// A phone's picture of its own making, where the folder of real pictures is at hand.
+TEST(PictureMetadata, OfARealPhone) {
+  const char* folder = std::getenv("VEGARD_PHOTOS");
+  const std::string path = (folder != nullptr ? std::string(folder) : VEGARD_SOURCE_DIR "/../shared/photos") +
+                           "/yellowknife_huawei_2019.jpg";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
+  const PictureMetadata found = read_picture_metadata(path);
+  EXPECT_EQ(found.make, "HUAWEI");
+  EXPECT_EQ(found.focal_length_35mm_mm, 27.0);
+  EXPECT_EQ(found.iso, 1600.0);
+  EXPECT_NEAR(*found.exposure_s, 30.0, 0.01);
+  EXPECT_EQ(found.gps_time_utc, "2019-03-01T07:16:01Z");
+  EXPECT_NEAR(*found.latitude_deg, 62.4163, 1e-4);
+  EXPECT_NEAR(*found.longitude_deg, -114.2889, 1e-4);
+  EXPECT_EQ(found.orientation, 1);  // the file says 0, which is none
+  EXPECT_EQ(found.width_px, 4618);
+  EXPECT_EQ(found.height_px, 3464);
 }
 
 TEST(TakenUtc, CrossesTheDateAndTheYear) {
