@@ -66,11 +66,13 @@ PhotoDefaults with_photo_defaults(const sim::Scene& scene, const sim::PictureMet
                                   const std::set<std::string>& also_given) {
   const Given given(scene, also_given);
   const PhotoFacts known = photo_facts(metadata);
+  const bool has_size = metadata.width_px == scene.camera.width && metadata.height_px == scene.camera.height;
   PhotoDefaults defaults;
   defaults.scene = scene;
   for (const PhotoFact& fact : known.facts) {
     if (is_settled(given, fact.path)) continue;
     if (fact.path == "camera.hfov_deg" && scene.camera.model != "pinhole") continue;
+    if (has_size && (fact.path == "camera.width" || fact.path == "camera.height")) continue;
     try {
       sim::set_from_text(defaults.scene, fact.path, fact.value);
     } catch (const sim::Error& error) {

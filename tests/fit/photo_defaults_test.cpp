@@ -167,6 +167,16 @@ TEST(PhotoDefaults, APictureThatSaysNothingChangesNothing) {
   EXPECT_EQ(sim::write_scene(defaults.scene), sim::write_scene(scene));
 }
 
+// Of a picture without words only its size is known: that of the default camera is no news.
+TEST(PhotoDefaults, ASizeThatIsThereAnywayIsNotTaken) {
+  sim::PictureMetadata m;
+  m.width_px = sim::Camera().width, m.height_px = sim::Camera().height;
+  EXPECT_TRUE(with_photo_defaults(parsed(""), m).taken.empty());
+  m.height_px = sim::Camera().height + 1;
+  EXPECT_EQ(paths_of(with_photo_defaults(parsed(""), m).taken),
+            (std::vector<std::string>{"camera.width", "camera.height"}));
+}
+
 // The field does not follow the place silently, nor does it silently stay.
 TEST(PhotoDefaults, SayWhatBecomesOfTheMagneticField) {
   EXPECT_TRUE(
