@@ -11,6 +11,7 @@
 
 #include "fit/foot_line.h"
 #include "fit/judged_errors.h"
+#include "fit/photo_facts.h"
 #include "fit/profile.h"
 #include "sim/scene/scene.h"
 
@@ -176,6 +177,7 @@ struct FitResult {
   std::vector<TraceRow> trace;
 
   std::vector<InputFile> inputs;
+  std::vector<PhotoFact> from_photograph;  ///< what the scene did not give and was taken from there
   std::string command;
 };
 

@@ -228,6 +228,8 @@ std::string provenance_table(const FitResult& result) {
   for (const InputFile& input : result.inputs)
     html += entry("Input: " + html_text(input.role), html_text(input.name) + "<div class=\"hash\">SHA-256 " +
                                                          html_text(input.sha256) + "</div>");
+  for (const PhotoFact& fact : result.from_photograph)
+    html += entry("From the photograph", html_text(fact_text(fact)));
   for (const FittedPhoto& photo : result.photos)
     html += entry("Decoding" + (photo.name.empty() ? std::string() : ": " + html_text(photo.name)),
                   html_text(photo.decoding));

@@ -212,6 +212,8 @@ std::string result_json(const FitResult& result) {
   json["inputs"] = Json::array();
   for (const InputFile& input : result.inputs)
     json["inputs"].push_back({{"role", input.role}, {"name", input.name}, {"sha256", input.sha256}});
+  for (const PhotoFact& fact : result.from_photograph)
+    json["from_photograph"].push_back({{"path", fact.path}, {"value", fact.value}, {"source", fact.source}});
   if (!several) json["decoding"] = result.photos.empty() ? "" : result.photos.front().decoding;
   // A file's name may hold bytes that are no UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

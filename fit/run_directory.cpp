@@ -30,6 +30,7 @@ std::string best_scene(const FitResult& result, const sim::Scene& best) {
                         "\nverdict: " + verdict_name(result.verdict) + "\n" + result.verdict_line + "\n";
   comment += fmt::format("chi2 {} with {} degrees of freedom", result.chi2, result.dof);
   if (!result.command.empty()) comment += "\n" + result.command;
+  for (const PhotoFact& fact : result.from_photograph) comment += "\nfrom the photograph: " + fact_text(fact);
   return sim::write_scene(best, comment);
 }
 
