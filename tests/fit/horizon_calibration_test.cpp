@@ -29,15 +29,15 @@ sim::Camera camera_of(double elevation_deg, double roll_deg, double hfov_deg = 7
 /// Where the camera sees the direction, by the simulator's own matrix; nothing behind it or beside the
 /// picture.
 std::optional<PixelPoint> seen(const sim::Camera& camera, double azimuth_deg, double elevation_deg) {
-  const sim::PinholeView<double> view = sim::pinhole_view(camera);
+  const sim::CameraView<double> view = sim::camera_view(camera);
   const double az = azimuth_deg * kRadiansPerDegree, el = elevation_deg * kRadiansPerDegree;
   const double enu[3] = {std::sin(az) * std::cos(el), std::cos(az) * std::cos(el), std::sin(el)};
   double in_camera[3] = {0.0, 0.0, 0.0};
   for (int r = 0; r < 3; ++r)
     for (int i = 0; i < 3; ++i) in_camera[r] += view.camera_from_enu[r][i] * enu[i];
   if (in_camera[2] <= 0.0) return std::nullopt;
-  const PixelPoint point{0.5 * camera.width + view.focal_px * in_camera[0] / in_camera[2],
-                         0.5 * camera.height + view.focal_px * in_camera[1] / in_camera[2]};
+  const PixelPoint point{0.5 * camera.width + view.lens.focal_px * in_camera[0] / in_camera[2],
+                         0.5 * camera.height + view.lens.focal_px * in_camera[1] / in_camera[2]};
   const bool inside =
       point.x_px >= 0.0 && point.x_px <= camera.width && point.y_px >= 0.0 && point.y_px <= camera.height;
   return inside ? std::optional<PixelPoint>(point) : std::nullopt;
