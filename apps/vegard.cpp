@@ -13,6 +13,7 @@
 #include "apps/fit.h"
 #include "apps/linearise.h"
 #include "apps/lines.h"
+#include "apps/mask.h"
 #include "apps/params.h"
 #include "apps/points.h"
 #include "apps/profile.h"
@@ -46,6 +47,7 @@ int run(int argc, char** argv) {
   apps::add_animate_command(app, exit_code);
   apps::add_points_command(app, exit_code);
   apps::add_profile_command(app, exit_code);
+  apps::add_mask_command(app, exit_code);
   apps::add_brightness_command(app, exit_code);
   apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
   apps::add_compare_command(app, exit_code);
