@@ -25,7 +25,7 @@ struct CircleFound {
 /// draws) the one that most rays agree with is refined by least squares of the distances, of the points
 /// within its tolerance only; and that from the new centre again. None if less than a third of the rays that
 /// cross the circle inside the picture agree, or if their points are in less than a quarter of its
-/// circumference.
+/// circumference; none in pictures of less than 64 pixels.
 std::optional<CircleFound> find_circle(const Photo& photo);
 
 /// Pixels whose centres are farther from the circle's centre than its radius less the margin.

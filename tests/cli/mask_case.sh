@@ -8,6 +8,9 @@ expect_stdout "polygon          172800 px  50.000 %; 172800 px by it first, oran
 expect_stdout "used             172800 px  50.000 %"
 expect_starts half.png 89504e470d0a1a0a
 expect_starts shown.png 89504e470d0a1a0a
+# Two polygons are two, not one of six corners.
+expect_exit 0 mask "$photo" -o two.png --polygon 0,0 10,0 10,10 0,10 --polygon 100,0 110,0 110,10 100,10
+expect_stdout "polygon             200 px"
 # Every command that takes a mask takes it; a band of what is left out has nothing in its rows.
 expect_exit 0 profile "$photo" -o half.csv --mask half.png --bands 2
 expect_exit 0 profile "$photo" -o all.csv --bands 2
@@ -76,7 +79,7 @@ expect_one_message
 expect_exit 3 mask half.csv -o no.png --stars
 expect_stderr half.csv
 expect_one_message
-expect_only a.csv a.png all.csv b.csv b.png half.csv half.png shown.png small.png
+expect_only a.csv a.png all.csv b.csv b.png half.csv half.png shown.png small.png two.png
 # Real photographs, where they are beside the repository.
 photos=${VEGARD_PHOTOS:-$SOURCE/../shared/photos}
 if [[ ! -d $photos ]]; then
