@@ -15,6 +15,7 @@
 #include "apps/horizon.h"
 #include "apps/linearise.h"
 #include "apps/lines.h"
+#include "apps/mask.h"
 #include "apps/params.h"
 #include "apps/points.h"
 #include "apps/profile.h"
@@ -50,6 +51,7 @@ int run(int argc, char** argv) {
   apps::add_describe_command(app, exit_code);
   apps::add_horizon_command(app, exit_code);
   apps::add_profile_command(app, exit_code);
+  apps::add_mask_command(app, exit_code);
   apps::add_brightness_command(app, exit_code);
   apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
   apps::add_compare_command(app, exit_code);
