@@ -13,6 +13,7 @@
 #include "apps/output_files.h"
 #include "apps/photo_metadata.h"
 #include "apps/plot_file.h"
+#include "apps/scene_options.h"
 #include "apps/scene_place.h"
 #include "apps/usage_error.h"
 #include "fit/line_brightness.h"
@@ -33,7 +34,7 @@ namespace {
 
 /// As given on the command line: what is empty there follows from the scene.
 struct Options {
-  std::string image, output, mask, scene, plot;
+  std::string image, output, mask, scene, camera, plot;
   std::vector<int> roi_px;
   std::optional<int> bands;
   std::string decoding;
@@ -77,7 +78,7 @@ auto naming_options(const Options& options, const std::optional<sim::Scene>& sce
 /// With --overwrite a slip of the pen would cost the photograph.
 void check_outputs(const Options& options) {
   if (same_file(options.output, options.plot)) refuse_same_file("--plot", options.plot, "the table's name");
-  for (const std::string& input : {options.image, options.mask, options.scene}) {
+  for (const std::string& input : {options.image, options.mask, options.scene, options.camera}) {
     if (same_file(options.output, input)) refuse_same_file("--output", options.output, "an input");
     if (same_file(options.plot, input)) refuse_same_file("--plot", options.plot, "an input");
   }
@@ -99,6 +100,7 @@ void run(const Options& options) {
   std::optional<sim::Scene> scene;
   if (!options.scene.empty()) {
     scene = sim::read_scene(options.scene);
+    if (!options.camera.empty()) take_camera(*scene, options.camera);
     if (!options.no_metadata) take_from_photograph(*scene, options.image, {});
   }
   const sim::Fit defaults = scene ? scene->fit : sim::Fit{};
@@ -173,6 +175,9 @@ void add_profile_command(CLI::App& app, int& exit_code) {
   command->add_option("--bands", options->bands, "Equal column strips (default: the scene's, or 24)");
   command->add_option("--mask", options->mask, "An image of the same size: white = use");
   command->add_option("--scene", options->scene, "A scene whose camera took the photograph: adds elevations");
+  command->add_option("--camera", options->camera, "Take [camera] and [site] from this file (needs --scene)")
+      ->needs("--scene")
+      ->type_name("CAMERA.toml");
   command->add_flag("--lines", options->lines,
                     "Add rayleighs of the scene's lines, by its sensor, gain and sky (needs --scene)");
   add_decoding_option(*command, options->decoding);

@@ -42,9 +42,11 @@ void take_camera(sim::Scene& scene, const std::string& camera_file) {
   }
   // A lens is one thing: what the file does not say is at its default, not the scene's.
   if (has_camera) scene.camera = given.camera;
-  for (const auto& [path, line] : given.lines)
+  for (const auto& [path, line] : given.lines) {
     if (begins_with(path, "site."))
       sim::set_from_text(scene, path, sim::value_text(given, sim::resolve(given, path).front()));
+    scene.lines[path] = 0;  // it was given, but in no line of the scene's own file
+  }
 }
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
