@@ -97,6 +97,7 @@ std::vector<fit::StarSighting> recognised(const CalibrateOptions& options, const
   settings.first_magnitude = std::min(settings.first_magnitude, options.faintest);
   settings.twist_deg = options.twist_deg;
   settings.shift_px = options.shift_px;
+  settings.scale_share = 0.01 * options.scale_percent;
   settings.first_radius_px = options.radius_px;
   settings.free =
       lens.only.empty() ? fit::free_numbers({start.model, 0, false, false}, lens.centre_free) : lens.only;
@@ -107,6 +108,10 @@ std::vector<fit::StarSighting> recognised(const CalibrateOptions& options, const
       "(%.1f would by chance)\n",
       points.size(), found.stars.size(), found.in_frame, options.faintest, found.last_radius_px,
       found.by_chance);
+  if (!fit::is_trustworthy(found))
+    std::printf(
+        "note: so few may be an accident of the search: look at --overlay, try a brighter "
+        "--catalogue-magnitude, another --lens, --scale or mirrored in --camera\n");
   start = found.camera;
   return found.stars;
 }

@@ -119,6 +119,10 @@ void add_calibrate_options(CLI::App& command, CalibrateOptions& options) {
                   "Finding stars: how far its centre may be off, in pixels (default 12)")
       ->check(CLI::Range(0.0, 200.0));
   command
+      .add_option("--scale", options.scale_percent,
+                  "Finding stars: how far its focal_px may be off, in percent (default 0)")
+      ->check(CLI::Range(0.0, 50.0));
+  command
       .add_option("--radius", options.radius_px,
                   "Finding stars: how near a point of light must be at first, in pixels (default 12)")
       ->check(CLI::Range(2.5, 500.0));

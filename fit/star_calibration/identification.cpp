@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kSearchWidth_px = 2.5;  // how near a point counts while turning
 constexpr double kTwistStep_deg = 0.5;
+constexpr double kScaleStep = 0.03;  // 5 px at the edge of a circle of 160 px
 
 /// Points by place, for nearest neighbours.
 class PointGrid {
@@ -81,21 +82,25 @@ SkyCamera searched(const SkyCamera& rough, const Frame& frame, const std::vector
   double most = agreement(rough, frame, sky, settings.first_magnitude + 1.0, grid);
   const int twists = static_cast<int>(settings.twist_deg / kTwistStep_deg);
   const int shifts = static_cast<int>(std::ceil(settings.shift_px / kSearchWidth_px));
+  const int scales = static_cast<int>(std::ceil(settings.scale_share / kScaleStep));
   for (int twist = -twists; twist <= twists; ++twist) {
     SkyCamera turned = rough;
     turned.numbers[turn_about_forward] = twist * kTwistStep_deg * sim::kRadiansPerDegree;
     turned = with_turns_made(turned);
-    for (int down = -shifts; down <= shifts; ++down)
-      for (int right = -shifts; right <= shifts; ++right) {
-        SkyCamera camera = turned;
-        camera.numbers[centre_x_number] += right * kSearchWidth_px;
-        camera.numbers[centre_y_number] += down * kSearchWidth_px;
-        const double sum = agreement(camera, frame, sky, settings.first_magnitude + 1.0, grid);
-        if (sum > most) {
-          most = sum;
-          best = camera;
+    for (int scale = -scales; scale <= scales; ++scale) {
+      turned.numbers[focal_px_number] = rough.numbers[focal_px_number] * (1.0 + scale * kScaleStep);
+      for (int down = -shifts; down <= shifts; ++down)
+        for (int right = -shifts; right <= shifts; ++right) {
+          SkyCamera camera = turned;
+          camera.numbers[centre_x_number] += right * kSearchWidth_px;
+          camera.numbers[centre_y_number] += down * kSearchWidth_px;
+          const double sum = agreement(camera, frame, sky, settings.first_magnitude + 1.0, grid);
+          if (sum > most) {
+            most = sum;
+            best = camera;
+          }
         }
-      }
+    }
   }
   return best;
 }
@@ -153,6 +158,11 @@ double chance_matches(const SkyCamera& camera, const Frame& frame, const std::ve
 }
 
 }  // namespace
+
+bool is_trustworthy(const Identification& found) {
+  const auto n = static_cast<double>(found.stars.size());
+  return n >= 0.2 * found.in_frame && n >= 5.0 + 3.0 * found.by_chance;
+}
 
 Identification identify(const SkyCamera& rough, const Frame& frame, const std::vector<StarSighting>& sky,
                         const std::vector<FoundStar>& points, const IdentificationSettings& settings) {

@@ -19,8 +19,9 @@ namespace vegard::fit {
 struct IdentificationSettings {
   double first_radius_px = 12.0, last_radius_px = 2.5;
   double first_magnitude = 2.5, faintest = 4.0;
-  double twist_deg = 5.0;  ///< how far the camera may be turned about its axis; 180: nothing is known
-  double shift_px = 12.0;  ///< how far its centre may be off
+  double twist_deg = 5.0;    ///< how far the camera may be turned about its axis; 180: nothing is known
+  double shift_px = 12.0;    ///< how far its centre may be off
+  double scale_share = 0.0;  ///< how far its focal_px may be off, as a share of it
   int rounds = 5;
   std::vector<LensNumber> free;  ///< while growing
 };
@@ -32,6 +33,10 @@ struct Identification {
   double by_chance = 0.0;           ///< how many would have a point that near if points were strewn at random
   double last_radius_px = 0.0;
 };
+
+/// Whether more stars were recognised than a search through many cameras brings together of points strewn at
+/// random: a fifth of those that should be seen, and five more than three times those by chance.
+bool is_trustworthy(const Identification& found);
 
 /// `sky`: catalogue_sky(), the brightest first.
 Identification identify(const SkyCamera& rough, const Frame& frame, const std::vector<StarSighting>& sky,

@@ -99,9 +99,18 @@ class Chooser {
       candidate.form = form;
       candidate.free = free_numbers(form, settings_.centre_free);
       candidate.fit = starts[form.model];
+      drop_other_terms(candidate);
       if (!candidate.fit.good) candidate.objection = "no star comes out near its place";
       choice_.candidates.push_back(candidate);
     }
+  }
+
+  /// The start may have terms that this form has not.
+  static void drop_other_terms(LensCandidate& candidate) {
+    const SkyCamera plain;
+    for (int i = aspect_ratio_number; i < lens_numbers; ++i)
+      if (std::find(candidate.free.begin(), candidate.free.end(), i) == candidate.free.end())
+        candidate.fit.camera.numbers[i] = plain.numbers[i];
   }
 
   CameraFit start_of(sim::LensModel model) const {

@@ -85,12 +85,12 @@ TEST(LensChoice, ChoosesTheLensThatTookThePicture) {
 }
 
 // A term that is not there has chi2 of one degree of freedom, and is taken if that is above ln 80 + 2 = 6.4,
-// in 1.2 % of draws; two in one of exp(-(2 ln 80 + 2) / 2) = 0.5 %. Of 30 draws 2 % then: more than four
-// would come once in 1e4 times.
+// in 1.2 % of draws; two in one in exp(-(2 ln 80 + 2) / 2) = 0.5 %. Of 20 draws that is 0.3: more than three
+// would come in less than one in a thousand times.
 TEST(LensChoice, AddsNoTermsToIt) {
   const fit::SkyCamera truth = known_camera(LensModel::equisolid, 165.0, 200.0, 84.0, 12.0);
   int plain = 0;
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     fit::LensSettings settings;
     settings.model = LensModel::equisolid;
     settings.start = truth;
@@ -98,7 +98,7 @@ TEST(LensChoice, AddsNoTermsToIt) {
         fit::words_of(fit::calibrate(settings, star_field(truth, 40, 0.2, seed), kFrame, "stars").form) ==
         "equisolid";
   }
-  EXPECT_GE(plain, 26);
+  EXPECT_GE(plain, 17);
 }
 
 // And terms that are there are found. (Most of what decentring does a tilt does as well.)

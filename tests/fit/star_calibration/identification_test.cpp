@@ -55,6 +55,7 @@ class RealSky : public testing::Test {
     }
     // Four fifths of the stars in the frame have a point; a few of the strewn ones lie near the others.
     EXPECT_GE(right, static_cast<int>(0.75 * found.in_frame));
+    EXPECT_TRUE(fit::is_trustworthy(found));
     EXPECT_LE(static_cast<int>(found.stars.size()) - right, 2 + static_cast<int>(found.by_chance));
   }
 };
@@ -72,7 +73,29 @@ TEST_F(RealSky, FindsTheTurnThatNobodyKnows) {
   rough.camera_from_enu = fit::rotation_of(0.0, 90.0, -63.0);
   fit::IdentificationSettings settings;
   settings.twist_deg = 180.0;
+  settings.shift_px = 2.5;
   expect_found(rough, settings);
+}
+
+TEST_F(RealSky, FindsItsScaleToo) {
+  fit::SkyCamera rough = truth;
+  rough.camera_from_enu = fit::rotation_of(0.0, 89.0, 174.0);
+  rough.numbers[fit::focal_px_number] = 178.0;
+  fit::IdentificationSettings settings;
+  settings.twist_deg = 6.0;
+  settings.shift_px = 5.0;
+  settings.scale_share = 0.12;
+  expect_found(rough, settings);
+}
+
+// Points strewn at random are nobody's stars, however long one searches.
+TEST_F(RealSky, DoesNotTrustAnAccident) {
+  std::vector<fit::FoundStar> points = points_of(truth, {}, 0.0, 150);
+  fit::IdentificationSettings settings;
+  settings.twist_deg = 90.0;
+  settings.shift_px = 5.0;
+  settings.free = fit::free_numbers({sim::LensModel::equisolid, 0, false, false}, true);
+  EXPECT_FALSE(fit::is_trustworthy(fit::identify(truth, kFrame, sky, points, settings)));
 }
 
 TEST(CatalogueSky, IsAboveAndApart) {

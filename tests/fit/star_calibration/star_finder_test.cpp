@@ -9,13 +9,13 @@
 namespace vegard::tests {
 namespace {
 
-/// Gaussian stars on a sloping ground, with noise.
+/// Gaussian stars on a ground that grows by `slope` a pixel to the right, with noise.
 sim::Image sky_with(const std::vector<std::array<double, 3>>& stars, double width_px, double noise,
-                    std::uint64_t seed) {
+                    std::uint64_t seed, double slope = 0.0) {
   sim::Image image(80, 60, {"R", "G", "B"});
   for (int y = 0; y < 60; ++y)
     for (int x = 0; x < 80; ++x) {
-      double light = 0.1 + 0.001 * x + noise * normal(seed, x, y);
+      double light = 0.1 + slope * x + noise * normal(seed, x, y);
       for (const auto& star : stars) {
         const double dx = x + 0.5 - star[0], dy = y + 0.5 - star[1];
         light += star[2] * std::exp(-0.5 * (dx * dx + dy * dy) / (width_px * width_px));
@@ -32,11 +32,18 @@ TEST(StarFinder, CentresToAHundredthOfAPixel) {
     const auto found = fit::find_stars(sky_with(truth, width_px, 0.0, 1));
     ASSERT_EQ(found.size(), 3u) << width_px;
     for (int i = 0; i < 3; ++i) {
-      // The ground's slope of 0.001 a pixel pulls the faintest by a little.
-      EXPECT_NEAR(found[i].x_px, truth[i][0], i == 2 ? 0.06 : 0.02) << width_px;
+      EXPECT_NEAR(found[i].x_px, truth[i][0], 0.01) << width_px;
       EXPECT_NEAR(found[i].y_px, truth[i][1], 0.01) << width_px;
     }
   }
+}
+
+// A slope s pulls a star of height A and the weight's own width, sigma, by 4 sigma^2 s / A: 5.76 s / A.
+TEST(StarFinder, IsPulledByASlopeAsItSays) {
+  const auto found = fit::find_stars(sky_with({{35.0, 30.5, 0.3}}, 1.2, 0.0, 1, 0.001));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].x_px - 35.0, 5.76 * 0.001 / 0.3, 0.1 * 5.76 * 0.001 / 0.3);
+  EXPECT_NEAR(found[0].y_px, 30.5, 1e-3);
 }
 
 // The errors told are those made: chi2 over 100 draws of two coordinates has a standard deviation of 0.1 of
