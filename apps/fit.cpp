@@ -19,6 +19,7 @@
 #include "apps/check_derivatives.h"
 #include "apps/decoding.h"
 #include "apps/exit_code.h"
+#include "apps/filter_options.h"
 #include "apps/interrupt.h"
 #include "apps/photo_metadata.h"
 #include "apps/photographs.h"
@@ -42,6 +43,7 @@ namespace {
 struct Options {
   SceneOptions scene;
   std::string photo, mask, decoding, out;
+  std::vector<std::string> filters;
   int threads = 0;
   int max_evaluations = fit::FitOptions().max_evaluations;
   bool overwrite = false;
@@ -67,14 +69,24 @@ std::vector<fit::Photo> photos_of(const Options& options, const sim::Scene& scen
     throw sim::Error(sim::ErrorKind::usage, details);
   };
   if (scene.fit.photos.empty()) {
-    if (options.photo.empty())
+    if (!options.photo.empty() && !options.filters.empty())
+      refuse("--line", "a photograph is given as well", "leave out --photo");
+    if (options.photo.empty() && options.filters.empty())
       refuse("--photo", "no photograph is given", "name one, or several in the scene's [[fit.photo]]");
     std::vector<fit::Photo> photos;
-    photos.push_back(
-        fit::read_photo(options.photo, decoding_of(options.decoding, scene.fit.decoding), &scene));
+    const fit::Decoding decoding = decoding_of(options.decoding, scene.fit.decoding);
+    if (options.filters.empty()) {
+      photos.push_back(fit::read_photo(options.photo, decoding, &scene));
+    } else {
+      check_filters(scene);
+      photos.push_back(
+          fit::read_filters(filter_files(options.filters), scene.emission.lines, decoding, &scene));
+    }
     if (!options.mask.empty()) fit::apply_mask(photos.back(), options.mask);
     return photos;
   }
+  if (!options.filters.empty())
+    refuse("--line", "the scene names its photographs itself", "leave it out, or [[fit.photo]] of the scene");
   for (const auto& [key, word] :
        {std::pair{"--photo", &options.photo}, {"--mask", &options.mask}, {"--decoding", &options.decoding}})
     if (!word->empty())
@@ -255,8 +267,9 @@ void add_fit_command(CLI::App& app, int& exit_code, const std::string& command_l
   add_scene_options(*command, options->scene);
   command
       ->add_option("--photo", options->photo,
-                   "JPEG, PNG or TIFF; left out: those of the scene's [[fit.photo]]")
+                   "A photograph of any format that is read; left out: those of the scene's [[fit.photo]]")
       ->type_name("IMAGE");
+  add_filter_option(*command, options->filters);
   command->add_option("--out", options->out, "The run's directory to write")->type_name("RUN");
   command->add_option("--mask", options->mask, "An image of the same size: white = use")->type_name("IMAGE");
   add_decoding_option(*command, options->decoding);

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "apps/decoding.h"
+#include "fit/number_text.h"
 #include "sim/base/error.h"
 #include "sim/scene/photo_scene.h"
 
@@ -44,7 +45,11 @@ std::vector<fit::InputFile> inputs_of(const std::string& scene_file, const std::
   std::vector<fit::InputFile> inputs = {
       {"scene", std::filesystem::path(scene_file).filename().string(), scene_sha256}};
   for (const fit::Photo& photo : photos) {
-    inputs.push_back({"photo", photo.file_name, photo.sha256});
+    if (photo.filters.empty()) inputs.push_back({"photo", photo.file_name, photo.sha256});
+    for (const fit::PhotoPart& part : photo.filters)
+      if (part.wavelength_nm > 0.0)
+        inputs.push_back(
+            {"photo " + fit::short_number(part.wavelength_nm) + " nm", part.file_name, part.sha256});
     if (!photo.mask_name.empty()) inputs.push_back({"mask", photo.mask_name, photo.mask_sha256});
   }
   return inputs;

@@ -10,6 +10,7 @@
 
 #include "apps/decoding.h"
 #include "apps/elevation.h"
+#include "apps/filter_options.h"
 #include "apps/output_files.h"
 #include "apps/photo_metadata.h"
 #include "apps/plot_file.h"
@@ -25,6 +26,7 @@
 #include "sim/base/whole_file.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_toml.h"
+#include "sim/view/filter_response.h"
 #include "sim/view/sensor_response.h"
 #include "sim/view/spectral_resolution.h"
 
@@ -34,6 +36,7 @@ namespace {
 /// As given on the command line: what is empty there follows from the scene.
 struct Options {
   std::string image, output, mask, scene, plot;
+  std::vector<std::string> filters;
   std::vector<int> roi_px;
   std::optional<int> bands;
   std::string decoding;
@@ -77,7 +80,9 @@ auto naming_options(const Options& options, const std::optional<sim::Scene>& sce
 /// With --overwrite a slip of the pen would cost the photograph.
 void check_outputs(const Options& options) {
   if (same_file(options.output, options.plot)) refuse_same_file("--plot", options.plot, "the table's name");
-  for (const std::string& input : {options.image, options.mask, options.scene}) {
+  std::vector<std::string> inputs = {options.image, options.mask, options.scene};
+  for (const fit::FilterFile& filter : filter_files(options.filters)) inputs.push_back(filter.file);
+  for (const std::string& input : inputs) {
     if (same_file(options.output, input)) refuse_same_file("--output", options.output, "an input");
     if (same_file(options.plot, input)) refuse_same_file("--plot", options.plot, "an input");
   }
@@ -89,6 +94,18 @@ void print_resolution(const sim::Scene& scene) {
   for (const double nm : scene.emission.lines)
     std::printf("%.1f nm: the sensor's window there is %.0f nm wide\n", nm,
                 sim::resolving_kernel(response, nm).fwhm_nm);
+}
+
+fit::Photo photo_of(const Options& options, fit::Decoding decoding, const std::optional<sim::Scene>& scene) {
+  const sim::Scene* const known = scene ? &*scene : nullptr;
+  if (options.image.empty() == options.filters.empty())
+    throw usage_error("IMAGE", options.image.empty() ? "no photograph is given" : "--line is given as well",
+                      "a photograph, or --line NM=FILE for each of its filters");
+  if (options.filters.empty()) return fit::read_photo(options.image, decoding, known);
+  if (options.lines) check_filters(*scene);
+  const bool ordered = scene && sim::sees_through_filters(*scene);
+  return fit::read_filters(filter_files(options.filters),
+                           ordered ? scene->emission.lines : std::vector<double>{}, decoding, known);
 }
 
 void run(const Options& options) {
@@ -106,7 +123,7 @@ void run(const Options& options) {
   const fit::Decoding decoding = decoding_of(options.decoding, defaults.decoding);
   if (decoding == fit::Decoding::sensor && !scene)
     throw usage_error("--decoding", "no scene says what the sensor is", "--scene SCENE beside it");
-  fit::Photo photo = fit::read_photo(options.image, decoding, scene ? &*scene : nullptr);
+  fit::Photo photo = photo_of(options, decoding, scene);
   fit::ElevationOfPixel elevation;
   if (scene) {
     check_size(*scene, photo);
@@ -125,7 +142,7 @@ void run(const Options& options) {
   if (options.lines) {
     try {
       lines = fit::line_brightness(*scene, profile);
-      if (!photo.floating && scene->sensor.matrix_rule != "none")
+      if (!photo.floating && photo.filters.empty() && scene->sensor.matrix_rule != "none")
         std::fputs(
             "vegard: the picture's file has cut off what its colour matrix put out of gamut, so that lines "
             "of "
@@ -164,7 +181,8 @@ void add_profile_command(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "profile", "Measure a photograph: mean light per row and band, as CSV and as a plot");
-  command->add_option("IMAGE", options->image, "JPEG, PNG or TIFF")->required();
+  command->add_option("IMAGE", options->image, "A photograph of any format that is read");
+  add_filter_option(*command, options->filters);
   command->add_option("-o,--output", options->output, "The table to write")->required()->type_name("OUT.csv");
   command->add_option("--roi", options->roi_px, "Region of interest in pixels (default: the scene's, or all)")
       ->delimiter(',')

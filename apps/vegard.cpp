@@ -23,6 +23,7 @@
 #include "apps/sequence.h"
 #include "fit/version.h"
 #include "sim/base/error.h"
+#include "sim/base/fits_io.h"
 #include "sim/base/image_io.h"
 #include "sim/base/version.h"
 
@@ -33,7 +34,7 @@ using namespace vegard;
 std::string versions() {
   return "vegard " + sim::version() + "\nCeres " + fit::ceres_version() + "\nOpenCV " +
          fit::opencv_version() + "\nEigen " + sim::eigen_version() + "\nOpenImageIO " +
-         sim::image_library_version();
+         sim::image_library_version() + "\nCFITSIO " + sim::fits_library_version();
 }
 
 int report(const std::string& message, int exit_code) {
