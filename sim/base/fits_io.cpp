@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "sim/base/error.h"
+#include "sim/base/fits_card_order.h"
 #include "sim/base/pixel_limit.h"
 #include "sim/base/whole_file.h"
 
@@ -52,9 +53,11 @@ class Reader {
     if (bytes.substr(0, 9) != "SIMPLE  =")
       refuse(ErrorKind::unreadable_input, name, "this is no FITS file",
              "a file that begins with SIMPLE  =", "unpack it first if it is compressed");
+    padded_ = with_cards_in_order(bytes);
+    if (!padded_.empty()) bytes = padded_;
     // Some writers leave the last block short, which CFITSIO does not read.
     if (bytes.size() % kBlock != 0) {
-      padded_.assign(bytes);
+      if (padded_.empty()) padded_.assign(bytes);
       padded_.resize((bytes.size() / kBlock + 1) * kBlock, '\0');
       bytes = padded_;
     }

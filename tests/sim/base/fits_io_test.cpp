@@ -156,6 +156,19 @@ TEST(FitsIo, KeywordsComeAsText) {
   EXPECT_EQ(file.keywords.at("DONE"), "T");
 }
 
+TEST(FitsIo, KeywordsBetweenTheAxesDoNoHarm) {
+  const std::string sound = fits_image(16, {3, 1}, {1, 2, 3}, fits_card("SITE", "'PKR'"));
+  std::string odd = sound;
+  // SIMPLE BITPIX NAXIS NAXIS1 NAXIS2 SITE -> SIMPLE BITPIX NAXIS SITE NAXIS2 NAXIS1
+  odd.replace(3 * 80, 80, sound.substr(5 * 80, 80)).replace(5 * 80, 80, sound.substr(3 * 80, 80));
+  for (const std::size_t size : {odd.size(), std::size_t{2880 + 6}}) {
+    const FitsImage file = read(odd.substr(0, size));
+    EXPECT_EQ(file.image.data, (std::vector<float>{1, 2, 3}));
+    EXPECT_EQ(file.keywords.at("SITE"), "PKR");
+  }
+  EXPECT_NE(unreadable(odd.substr(0, 2880 + 5)).find("truncated"), std::string::npos);
+}
+
 TEST(FitsIo, WhatIsWrittenComesBackBitForBit) {
   Image image(3, 2, {"a", "b"});
   for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = 0.1f * static_cast<float>(i) - 0.3f;
