@@ -9,6 +9,7 @@
 #include "apps/brightness.h"
 #include "apps/command_line.h"
 #include "apps/compare.h"
+#include "apps/directions.h"
 #include "apps/exit_code.h"
 #include "apps/fit.h"
 #include "apps/linearise.h"
@@ -46,6 +47,7 @@ int run(int argc, char** argv) {
   apps::add_animate_command(app, exit_code);
   apps::add_points_command(app, exit_code);
   apps::add_profile_command(app, exit_code);
+  apps::add_directions_command(app, exit_code);
   apps::add_brightness_command(app, exit_code);
   apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
   apps::add_compare_command(app, exit_code);
