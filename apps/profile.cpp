@@ -12,6 +12,7 @@
 #include "apps/direction_maps.h"
 #include "apps/direction_profile.h"
 #include "apps/elevation.h"
+#include "apps/keogram.h"
 #include "apps/output_files.h"
 #include "apps/plot_file.h"
 #include "apps/scene_place.h"
@@ -35,6 +36,8 @@ namespace {
 /// As given on the command line: what is empty there follows from the scene.
 struct Options {
   std::string image, output, mask, scene, plot;
+  std::vector<std::string> images, keogram;  ///< image: the only one of a profile
+  std::string times;
   std::vector<int> roi_px;
   std::optional<int> bands;
   std::string decoding;
@@ -177,14 +180,52 @@ void run(const Options& options) {
   if (options.lines) print_resolution(*scene);
 }
 
+Options of_one_image(const Options& options) {
+  if (options.images.size() != 1)
+    throw usage_error("IMAGE", "a profile is of one image", "one, or --keogram OUT beside it");
+  if (options.output.empty()) throw usage_error("--output", "no table is named", "-o OUT.csv");
+  if (!options.times.empty()) throw usage_error("--times", "a profile needs none", "--keogram OUT beside it");
+  Options one = options;
+  one.image = options.images.front();
+  return one;
+}
+
+KeogramOptions keogram_options(const Options& options) {
+  const bool of_profiles = !options.output.empty() || !options.plot.empty() || options.bands ||
+                           options.lines || options.sectors.asked();
+  if (of_profiles)
+    throw usage_error("--keogram", "it takes the place of a profile",
+                      "no --output, --plot, --bands, --lines, --azimuths or --directions beside it");
+  check_sector_options(options.sectors);
+  KeogramOptions keogram;
+  keogram.images = options.images;
+  keogram.outputs = options.keogram;
+  keogram.mask = options.mask;
+  keogram.scene = options.scene;
+  keogram.decoding = options.decoding;
+  keogram.times = options.times;
+  keogram.roi_px = options.roi_px;
+  keogram.maps = options.maps;
+  keogram.overwrite = options.overwrite;
+  return keogram;
+}
+
 }  // namespace
 
 void add_profile_command(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "profile", "Measure a photograph: mean light per row and band, as CSV and as a plot");
-  command->add_option("IMAGE", options->image, "JPEG, PNG or TIFF")->required();
-  command->add_option("-o,--output", options->output, "The table to write")->required()->type_name("OUT.csv");
+  command->add_option("IMAGE", options->images, "JPEG, PNG or TIFF; with --keogram a list of them")
+      ->required();
+  command->add_option("-o,--output", options->output, "The table to write")->type_name("OUT.csv");
+  command
+      ->add_option("--keogram", options->keogram,
+                   "A keogram of all images in place of a profile of one (see vegard keogram)")
+      ->allow_extra_args(false)
+      ->type_name("OUT.png|.svg|.exr|.csv");
+  command->add_option("--times", options->times, "With --keogram: when each was taken, lines of FILE,TIME")
+      ->type_name("TIMES.csv");
   command->add_option("--roi", options->roi_px, "Region of interest in pixels (default: the scene's, or all)")
       ->delimiter(',')
       ->expected(4)
@@ -200,7 +241,10 @@ void add_profile_command(CLI::App& app, int& exit_code) {
   command->add_option("--plot", options->plot, "Draw the profiles too")->type_name("OUT.svg|OUT.png");
   command->add_flag("--overwrite", options->overwrite, "Replace outputs that exist");
   command->callback([options, &exit_code] {
-    run(*options);
+    if (options->keogram.empty())
+      run(of_one_image(*options));
+    else
+      run_keogram(keogram_options(*options));
     exit_code = 0;
   });
 }

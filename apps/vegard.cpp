@@ -12,6 +12,7 @@
 #include "apps/directions.h"
 #include "apps/exit_code.h"
 #include "apps/fit.h"
+#include "apps/keogram.h"
 #include "apps/linearise.h"
 #include "apps/lines.h"
 #include "apps/params.h"
@@ -47,6 +48,7 @@ int run(int argc, char** argv) {
   apps::add_animate_command(app, exit_code);
   apps::add_points_command(app, exit_code);
   apps::add_profile_command(app, exit_code);
+  apps::add_keogram_command(app, exit_code);
   apps::add_directions_command(app, exit_code);
   apps::add_brightness_command(app, exit_code);
   apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
