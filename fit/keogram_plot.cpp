@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fit/number_text.h"
+#include "fit/plot_axis.h"
 #include "fit/time_ticks.h"
 #include "sim/base/utc_seconds.h"
 #include "sim/view/transfer_curve.h"
@@ -146,9 +147,16 @@ void label_times(const Keogram& keogram, Panel& panel) {
     case PictureTimes::Kind::clock:
       panel.x.label = "time (s)";
       break;
-    case PictureTimes::Kind::number:
+    case PictureTimes::Kind::number: {
+      const AxisTicks chosen = axis_ticks(begin, end, static_cast<int>(kPanelWidth / kTickDistance));
+      for (std::size_t i = 0; i < chosen.places.size(); ++i) {
+        if (chosen.places[i] != std::floor(chosen.places[i])) continue;
+        panel.x.tick_places.push_back(chosen.places[i]);
+        panel.x.tick_labels.push_back(std::to_string(std::lround(chosen.places[i])));
+      }
       panel.x.label = "picture";
       break;
+    }
   }
   panel.x.label += " \u2013 times: " + keogram.time_source;
 }
@@ -184,8 +192,7 @@ Plot keogram_plot(const Keogram& keogram, const KeogramLook& look) {
                keogram.columns.front().file_name;
   plot.note = look.channel ? std::string(names[*look.channel]) + " channel" : "in colour";
   plot.note += ", light from " + short_number(scale.black, 4) + " (black) to " +
-               short_number(scale.white, 4) + " (white), shown by the sRGB curve; " + keogram.decoding +
-               "; times: " + keogram.time_source;
+               short_number(scale.white, 4) + " (white), shown by the sRGB curve; " + keogram.decoding;
   Panel panel;
   panel.raster = raster_of(keogram, look, scale, spans);
   label_positions(keogram.line, panel);

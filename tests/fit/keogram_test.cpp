@@ -193,6 +193,18 @@ TEST(Keogram, OfManyPicturesThatFallOnOnePixelTheMeanIsShown) {
   }
 }
 
+TEST(Keogram, PicturesWithoutTimesAreCounted) {
+  const sim::DirectionMap map = tests::fisheye_map(20, 9.0);
+  Keogram keogram;
+  keogram.line = column_line({0, 0, 20, 20}, 4);
+  keogram.time_source = "not known";
+  for (int i = 0; i < 3; ++i) add_picture(picture(map, 0.0, "p.tif"), i, keogram);
+  const Axis x = keogram_plot(keogram).panels[0].x;
+  EXPECT_EQ(x.tick_labels, (std::vector<std::string>{"0", "1", "2"}));
+  EXPECT_EQ(x.tick_places, (std::vector<double>{0.0, 1.0, 2.0}));
+  EXPECT_EQ(x.label, "picture \u2013 times: not known");
+}
+
 TEST(Keogram, RefusesPicturesThatDoNotBelongTogether) {
   const sim::DirectionMap map = tests::fisheye_map(kSize, 58.0);
   Keogram keogram = night(kBegin);
