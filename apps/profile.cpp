@@ -14,6 +14,7 @@
 #include "apps/elevation.h"
 #include "apps/keogram.h"
 #include "apps/output_files.h"
+#include "apps/photo_metadata.h"
 #include "apps/plot_file.h"
 #include "apps/scene_place.h"
 #include "apps/usage_error.h"
@@ -43,7 +44,7 @@ struct Options {
   std::string decoding;
   MapOptions maps;
   SectorOptions sectors;
-  bool overwrite = false, lines = false;
+  bool overwrite = false, lines = false, no_metadata = false;
 };
 
 std::string size_text(int width, int height) {
@@ -145,7 +146,10 @@ void run(const Options& options) {
   if (options.lines && options.scene.empty())
     throw usage_error("--lines", "no sensor is known", "--scene with the sensor, its gain and the lines");
   std::optional<sim::Scene> scene;
-  if (!options.scene.empty()) scene = sim::read_scene(options.scene);
+  if (!options.scene.empty()) {
+    scene = sim::read_scene(options.scene);
+    if (!options.no_metadata) take_from_photograph(*scene, options.image, {});
+  }
   const sim::Fit defaults = scene ? scene->fit : sim::Fit{};
 
   const fit::Decoding decoding = decoding_of(options.decoding, defaults.decoding);
@@ -238,6 +242,7 @@ void add_profile_command(CLI::App& app, int& exit_code) {
   add_map_options(*command, options->maps);
   add_sector_options(*command, options->sectors);
   add_decoding_option(*command, options->decoding);
+  add_no_metadata_option(*command, options->no_metadata);
   command->add_option("--plot", options->plot, "Draw the profiles too")->type_name("OUT.svg|OUT.png");
   command->add_flag("--overwrite", options->overwrite, "Replace outputs that exist");
   command->callback([options, &exit_code] {
