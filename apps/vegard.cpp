@@ -10,9 +10,11 @@
 #include "apps/command_line.h"
 #include "apps/compare.h"
 #include "apps/describe.h"
+#include "apps/directions.h"
 #include "apps/exit_code.h"
 #include "apps/fit.h"
 #include "apps/horizon.h"
+#include "apps/keogram.h"
 #include "apps/linearise.h"
 #include "apps/lines.h"
 #include "apps/mask.h"
@@ -52,6 +54,8 @@ int run(int argc, char** argv) {
   apps::add_describe_command(app, exit_code);
   apps::add_horizon_command(app, exit_code);
   apps::add_profile_command(app, exit_code);
+  apps::add_keogram_command(app, exit_code);
+  apps::add_directions_command(app, exit_code);
   apps::add_mask_command(app, exit_code);
   apps::add_brightness_command(app, exit_code);
   apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
