@@ -1,4 +1,5 @@
-// Image files: linear EXR and display pictures, in and out. The only place that knows of OpenImageIO.
+// Image files: linear EXR and display pictures, in and out. OpenImageIO is behind this door and those of
+// sim/base/image_io/, and nowhere else.
 //
 // Files appear whole or not at all (whole_file.h). The same image and attributes give the same bytes on every
 // run and for every number of threads: no clock, machine or path goes into a file.
