@@ -1,3 +1,5 @@
+#include <OpenImageIO/filesystem.h>
+
 #include <algorithm>
 #include <cassert>
 #include <set>
@@ -58,17 +60,19 @@ void write_exr(const std::string& path, const Image& image, const ImageAttribute
   write_exr(path, std::vector<const Image*>{&image}, attributes, overwrite);
 }
 
-ExrFile read_exr(const std::string& path) {
-  configure_library();
+namespace {
+
+/// `memory`: the bytes, if they are not to be read from `path`.
+ExrFile read(const std::string& path, OIIO::Filesystem::IOProxy* memory) {
   const auto unreadable = [&](const std::string& problem) {
     return failure(ErrorKind::unreadable_input, path, problem);
   };
-  check_is_file(path);
   // By name, so that a picture in another format that happens to be called .exr is not read as something
   // else.
   const auto input = OIIO::ImageInput::create("openexr");
   OIIO::ImageSpec spec;
-  if (!input || !input->open(path, spec)) {
+  const bool in_memory = input && memory != nullptr && input->set_ioproxy(memory);
+  if (!input || (memory != nullptr && !in_memory) || !input->open(in_memory ? "image.exr" : path, spec)) {
     throw unreadable("cannot be read as EXR: " + (input ? input->geterror() : OIIO::geterror()));
   }
   if (spec.deep) throw unreadable("is a deep EXR, which has no single value per pixel");
@@ -92,6 +96,20 @@ ExrFile read_exr(const std::string& path) {
     }
   }
   return result;
+}
+
+}  // namespace
+
+ExrFile read_exr(const std::string& path) {
+  configure_library();
+  check_is_file(path);
+  return read(path, nullptr);
+}
+
+ExrFile read_exr_bytes(std::string_view bytes, const std::string& name) {
+  configure_library();
+  OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+  return read(name, &memory);
 }
 
 }  // namespace vegard::sim

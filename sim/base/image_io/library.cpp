@@ -68,6 +68,17 @@ void check_size(const OIIO::ImageSpec& spec, const std::string& path) {
   }
 }
 
+std::string decoder_version(const std::string& format) {
+  // "openexr:OpenEXR 3.1.5;raw:libraw 0.20.2-Release;..."
+  const std::string all = ";" + std::string(OIIO::get_string_attribute("library_list"));
+  const std::size_t at = all.find(";" + format + ":");
+  if (at == std::string::npos) return {};
+  const std::size_t begin = at + format.size() + 2;
+  std::string words = all.substr(begin, all.find(';', begin) - begin);
+  if (words.compare(0, 6, "libraw") == 0) words.replace(0, 6, "LibRaw");
+  return words;
+}
+
 std::string encode(const std::string& file_name, const std::string& name, const OIIO::ImageSpec& spec,
                    const void* pixels) {
   configure_library();

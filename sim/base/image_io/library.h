@@ -24,6 +24,9 @@ void check_is_file(const std::string& path);
 /// floats).
 void check_size(const OIIO::ImageSpec& spec, const std::string& path);
 
+/// What decodes a format and its version, "LibRaw 0.20.2-Release" of "raw"; "" if the library does not say.
+std::string decoder_version(const std::string& format);
+
 /// The whole file in memory. Encoders that write to a disk themselves do not all look at what their last,
 /// buffered bytes came to; WholeFile does. The encoder is that of the extension of `file_name`; errors are
 /// about `name`. Throws Error(unwritable_output).
