@@ -19,9 +19,9 @@ std::string name_of(const std::string& file) { return std::filesystem::path(file
 }  // namespace
 
 void add_map_options(CLI::App& command, MapOptions& options) {
-  command.add_option(
-      "--azimuth-map", options.azimuth_map,
-      "Azimuth of every pixel in degrees: EXR (channel azimuth_deg, or its only one) or TIFF of floats");
+  command.add_option("--azimuth-map", options.azimuth_map,
+                     "Azimuth of every pixel in degrees: FITS, EXR (channel azimuth_deg, or its only one) or "
+                     "TIFF of floats");
   command.add_option("--elevation-map", options.elevation_map,
                      "Elevation of every pixel (channel elevation_deg; default: the file of --azimuth-map)");
 }

@@ -10,6 +10,10 @@ expect_exit 2 directions "$scene" -o maps.exr
 expect_stderr "--overwrite"
 expect_exit 2 directions "$scene" -o maps.png
 expect_stderr "--output"
+# A FITS file for each.
+expect_exit 0 directions "$scene" -o maps.fits
+expect_stdout "maps_el.fits: 160 x 120 pixels"
+expect_starts maps_az.fits 53494d504c45
 
 expect_exit 0 render "$scene" -o sky.png
 rows() { grep -v '^#' "$1" | tail -n +2; }
@@ -20,6 +24,8 @@ grep -q '^<svg' scene.svg || fail "no SVG"
 # Maps of the same camera give the same numbers; all around as well as by name.
 expect_exit 0 profile sky.png -o maps.csv --azimuth-map maps.exr --elevation-map maps.exr --azimuths 350,0,10 --elevation-step 2
 cmp -s <(rows scene.csv) <(rows maps.csv) || fail "camera and maps disagree"
+expect_exit 0 profile sky.png -o fits.csv --azimuth-map maps_az.fits --elevation-map maps_el.fits --azimuths 350,0,10 --elevation-step 2
+cmp -s <(rows scene.csv) <(rows fits.csv) || fail "camera and FITS disagree"
 expect_exit 0 profile sky.png -o around.csv --azimuth-map maps.exr --directions 8 --dark 0.01,0.01,0.01
 expect_stdout "8 directions of 90 steps"
 # Rows have the maps' elevations where no direction is asked for.

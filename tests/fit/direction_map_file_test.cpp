@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <limits>
 
 #include "sim/base/image_io.h"
@@ -51,6 +54,55 @@ TEST(DirectionMapFile, ComesBackFromAnExrAsItWas) {
   sim::write_exr(folder / "az.exr", azimuth, {});
   sim::write_exr(folder / "el.exr", elevation, {});
   expect_equal(map, read_direction_map(folder / "az.exr", folder / "el.exr"));
+}
+
+TEST(DirectionMapFile, ComesBackFromFitsAsItWas) {
+  const tests::TemporaryFolder folder;
+  const sim::DirectionMap map = odd_map();
+  const FitsMaps files = encode_fits_maps(map);
+  tests::put(folder / "az.FIT", files.azimuth);
+  tests::put(folder / "el.fits", files.elevation);
+  expect_equal(map, read_direction_map(folder / "az.FIT", folder / "el.fits"));
+  constexpr std::size_t kWithinTheNumbers = 2890;  // a header of 2880 bytes, 24 of numbers, blanks
+  tests::put(folder / "cut.fits", files.azimuth.substr(0, kWithinTheNumbers));
+  for (const char* name : {"cut.fits", "none.fits"})
+    EXPECT_NE(tests::expect_error(sim::ErrorKind::unreadable_input,
+                                  [&] { read_angles(folder / name, "azimuth_deg"); })
+                  .find(name),
+              std::string::npos);
+}
+
+// What the maps of one team hold, docs/keograms.md: they look straight up between two rows, and not below ten
+// degrees.
+TEST(DirectionMapFile, PublishedMapsAreReadAsTheyAreMeant) {
+  const char* const named = std::getenv("VEGARD_PHOTOS");
+  const std::filesystem::path photos =
+      named != nullptr ? named : std::filesystem::path(VEGARD_SOURCE_DIR) / "../shared/photos";
+  const std::string base = (photos / "dasc/PKR_DASC_0558_20150213_").string();
+  if (!std::filesystem::exists(base + "Az.FIT")) GTEST_SKIP() << "no photographs at " << photos;
+  const sim::DirectionMap map = read_direction_map(base + "Az.FIT", base + "El.FIT");
+  ASSERT_EQ(map.width, 512);
+  ASSERT_EQ(map.height, 512);
+  float lowest = 90.0f, highest = 0.0f;
+  std::size_t at = 0, nowhere = 0;
+  for (std::size_t i = 0; i < map.elevation_deg.size(); ++i) {
+    if (std::isnan(map.elevation_deg[i])) {
+      ++nowhere;
+      continue;
+    }
+    lowest = std::min(lowest, map.elevation_deg[i]);
+    if (map.elevation_deg[i] > highest) at = i;
+    highest = std::max(highest, map.elevation_deg[i]);
+  }
+  EXPECT_EQ(nowhere, 105322u);
+  EXPECT_EQ(lowest, 10.0f);
+  EXPECT_NEAR(highest, 89.82, 0.005);
+  EXPECT_EQ(at % 512, 243u);
+  EXPECT_EQ(at / 512, 511u - 249u) << "the first row that is stored is the lowest";
+  // As one sees it lying on the back: a quarter turn counter-clockwise, from the right to the top, is a
+  // quarter turn to the east.
+  const float right = map.azimuth_deg[map.index(343, 262)], top = map.azimuth_deg[map.index(243, 162)];
+  EXPECT_NEAR(std::remainder(top - right - 90.0, 360.0), 0.0, 1.0);
 }
 
 TEST(DirectionMapFile, RefusesFilesThatHoldNoAngles) {
