@@ -99,7 +99,7 @@ void run(const Options& options) {
   if (!options.scene.empty()) scene = sim::read_scene(options.scene);
   const sim::Fit defaults = scene ? scene->fit : sim::Fit{};
 
-  const fit::Decoding decoding = decoding_of(options.decoding, defaults.decoding);
+  const fit::Decoding decoding = decoding_of(options.decoding, defaults.decoding, scene ? &*scene : nullptr);
   if (decoding == fit::Decoding::sensor && !scene)
     throw usage_error("--decoding", "no scene says what the sensor is", "--scene SCENE beside it");
   fit::Photo photo = fit::read_photo(options.image, decoding, scene ? &*scene : nullptr);

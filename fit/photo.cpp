@@ -175,23 +175,36 @@ void linearise_floats(const cv::Mat& codes, Photo& photo) {
     const std::size_t i = photo.linear.index(x, y, c);
     const bool finite = std::isfinite(value);
     photo.usable[i] = finite;
-    photo.linear.data[i] = !finite ? 0.0f : photo.srgb ? static_cast<float>(sim::srgb_decode(value)) : value;
+    photo.linear.data[i] = !finite      ? 0.0f
+                           : photo.tone ? static_cast<float>(photo.tone->decode(value))
+                           : photo.srgb ? static_cast<float>(sim::srgb_decode(value))
+                                        : value;
   });
 }
 
-std::string decoding_text(const ImageFile& file, const Photo& photo, Decoding asked) {
+std::string decoding_text(const ImageFile& file, const Photo& photo, const Decoding& asked) {
   std::string text = photo.srgb ? "sRGB (" : "linear (";
-  if (photo.tone) text = "sensor: " + photo.tone->name() + " (";
+  if (asked.curve) text = asked.words + " (";
+  if (asked.kind == Decoding::Kind::sensor) text = "sensor: " + photo.tone->name() + " (";
+  if (photo.unknowns > 0) text = "unknown, taken as sRGB (";
+  if (photo.unknowns > 1) text = "unknown with two exponents, taken as sRGB (";
   text += std::to_string(file.bits) + (file.floating ? "-bit float " : "-bit ") + format_name(file.format);
   return text + (asked == Decoding::automatic ? ", assumed)" : ", as asked)");
 }
 
 }  // namespace
 
-Photo read_photo(const std::string& file, Decoding decoding, const sim::Scene* scene) {
+Photo read_photo(const std::string& file, const Decoding& decoding, const sim::Scene* scene) {
   const Pixels pixels = read_pixels(file);
   Photo photo;
-  photo.srgb = decoding == Decoding::srgb || (decoding == Decoding::automatic && !pixels.file.floating);
+  photo.srgb = decoding == Decoding::automatic
+                   ? !pixels.file.floating
+                   : decoding.kind != Decoding::Kind::linear && decoding.kind != Decoding::Kind::sensor;
+  photo.tone = decoding.curve;
+  photo.unknowns = decoding.unknowns;
+  if (photo.unknowns > 0 && pixels.file.floating)
+    refuse(file, "an unknown curve is found of integers only, and this file holds floats",
+           "JPEG, PNG or TIFF of integers", "floats are linear light as a rule: --decoding linear");
   if (decoding == Decoding::sensor) {
     assert(scene != nullptr);
     sim::Scene decoded = *scene;
@@ -223,7 +236,7 @@ Photo read_photo(const std::string& file, Decoding decoding, const sim::Scene* s
       linearise_floats(pixels.codes, photo);
       break;
   }
-  if (photo.tone) sim::recover_light(*scene, file_step(photo), photo.linear, photo.usable);
+  if (decoding == Decoding::sensor) sim::recover_light(*scene, file_step(photo), photo.linear, photo.usable);
   return photo;
 }
 

@@ -6,27 +6,26 @@
 #include <string>
 #include <vector>
 
+#include "fit/decoding.h"
 #include "sim/base/image.h"
 #include "sim/scene/scene.h"
 #include "sim/view/tone_curve.h"
 
 namespace vegard::fit {
 
-/// "sensor": by the tone curve and the vignetting of a scene's sensor (sim/view/sensor.h).
-enum class Decoding { automatic, srgb, linear, sensor };
-
 struct Photo {
   sim::Image linear;  ///< channels R, G, B; linear light, the file's largest value = 1
   std::vector<std::uint8_t>
       usable;            ///< per pixel and channel, as in linear.data: 1 = not clipped, not masked
   std::string decoding;  ///< which decoding was used and why: "sRGB (8-bit JPEG, assumed)"
-  bool srgb = true;      ///< that decoding: the sRGB curve, or none
-  std::shared_ptr<const sim::ToneCurve> tone;  ///< that of a scene's sensor, in place of both
-  int bits = 8;                                ///< per channel in the file
-  bool floating = false;                       ///< the file holds floats: no largest value, no quantisation
-  std::string file_name;                       ///< without its folder
-  std::string sha256;                          ///< of the file's bytes
-  std::string mask_name;                       ///< of the mask applied, without its folder; empty if none
+  bool srgb = true;      ///< that decoding: a display's curve (sRGB, if `tone` does not say which), or none
+  std::shared_ptr<const sim::ToneCurve> tone;  ///< any other curve, a scene's sensor's too, in its place
+  int unknowns = 0;       ///< the curve is unknown, taken as sRGB, and so many numbers of it are to be found
+  int bits = 8;           ///< per channel in the file
+  bool floating = false;  ///< the file holds floats: no largest value, no quantisation
+  std::string file_name;  ///< without its folder
+  std::string sha256;     ///< of the file's bytes
+  std::string mask_name;  ///< of the mask applied, without its folder; empty if none
   std::string mask_sha256;
 };
 
@@ -39,7 +38,8 @@ struct Photo {
 ///
 /// Decoding::sensor needs the `scene`: integers go through its tone curve (floats are linear light), the
 /// light is divided by the vignetting, and what a full pixel has had a part in is not usable either.
-Photo read_photo(const std::string& file, Decoding decoding, const sim::Scene* scene = nullptr);
+/// Decoding::unknown is for integers: floats are refused.
+Photo read_photo(const std::string& file, const Decoding& decoding, const sim::Scene* scene = nullptr);
 
 /// True for floats that no display curve was undone of: they may hold the light of colours out of gamut,
 /// signed. All else had it clipped when it was written, and a model is to be clipped likewise.
