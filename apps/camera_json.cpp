@@ -26,7 +26,7 @@ double vertical_field_of_view_deg(const sim::Camera& camera, double focal_px) {
 }
 
 /// East-North-Up to OpenGL's eye space, whose y is up and whose z is backward. The observer is the origin.
-Json view_matrix(const sim::PinholeView<double>& view) {
+Json view_matrix(const sim::CameraView<double>& view) {
   Json rows = Json::array();
   for (int i = 0; i < 3; ++i) {
     const double sign = i == 0 ? 1.0 : -1.0;
@@ -39,19 +39,30 @@ Json view_matrix(const sim::PinholeView<double>& view) {
   return rows;
 }
 
-/// As glFrustum has it (OpenGL 2.1 specification, section 2.11.2), symmetric.
-Json projection_matrix(const sim::Camera& camera, double focal_px) {
+/// As glFrustum has it (OpenGL 2.1 specification, section 2.11.2).
+Json projection_matrix(const sim::Camera& camera, const sim::Lens<double>& lens) {
   const double depth = kFarKm - kNearKm;
-  return {{2.0 * focal_px / camera.width, 0.0, 0.0, 0.0},
-          {0.0, 2.0 * focal_px / camera.height, 0.0, 0.0},
-          {0.0, 0.0, -(kFarKm + kNearKm) / depth, -2.0 * kFarKm * kNearKm / depth},
-          {0.0, 0.0, -1.0, 0.0}};
+  return {
+      {2.0 * lens.focal_px / camera.width, 0.0, plain(1.0 - 2.0 * lens.principal_x_px / camera.width), 0.0},
+      {0.0, 2.0 * lens.focal_px * lens.aspect / camera.height,
+       plain(2.0 * lens.principal_y_px / camera.height - 1.0), 0.0},
+      {0.0, 0.0, -(kFarKm + kNearKm) / depth, -2.0 * kFarKm * kNearKm / depth},
+      {0.0, 0.0, -1.0, 0.0}};
 }
 
 }  // namespace
 
 std::string camera_json(const sim::Scene& scene) {
   const sim::Camera& camera = scene.camera;
+  const sim::CameraView<double> view = sim::camera_view(camera);
+  if (camera.model == "pinhole" && (!sim::is_plain_pinhole(view.lens) || camera.mirrored)) {
+    sim::ErrorDetails details;
+    details.key = "camera";
+    details.problem = "a camera with distortion, or one that is mirrored, has no matrices";
+    details.expected = "camera.k1, k2, k3, p1 and p2 of 0, camera.mirrored = false";
+    details.hint = "leave out --camera-json";
+    throw sim::Error(sim::ErrorKind::scene, details);
+  }
   if (camera.model != "pinhole") {
     sim::ErrorDetails details;
     details.key = "camera.model";
@@ -60,23 +71,23 @@ std::string camera_json(const sim::Scene& scene) {
     details.hint = "leave out --camera-json";
     throw sim::Error(sim::ErrorKind::scene, details);
   }
-  const sim::PinholeView<double> view = sim::pinhole_view(camera);
+  const sim::Lens<double>& lens = view.lens;
+  const double across_px = lens.focal_px, down_px = lens.focal_px * lens.aspect;
   Json json;
   json["model"] = "pinhole";
   json["image"] = {{"width_px", camera.width}, {"height_px", camera.height}};
   json["intrinsics_px"] = {
-      {"fx", view.focal_px}, {"fy", view.focal_px}, {"cx", 0.5 * camera.width}, {"cy", 0.5 * camera.height}};
-  json["K"] = {
-      {view.focal_px, 0.0, 0.5 * camera.width}, {0.0, view.focal_px, 0.5 * camera.height}, {0.0, 0.0, 1.0}};
+      {"fx", across_px}, {"fy", down_px}, {"cx", lens.principal_x_px}, {"cy", lens.principal_y_px}};
+  json["K"] = {{across_px, 0.0, lens.principal_x_px}, {0.0, down_px, lens.principal_y_px}, {0.0, 0.0, 1.0}};
   json["camera_from_enu"] = Json::array();
   for (const auto& row : view.camera_from_enu)
     json["camera_from_enu"].push_back({plain(row[0]), plain(row[1]), plain(row[2])});
   json["opengl_view"] = view_matrix(view);
-  json["opengl_projection"] = projection_matrix(camera, view.focal_px);
+  json["opengl_projection"] = projection_matrix(camera, lens);
   json["near_km"] = kNearKm;
   json["far_km"] = kFarKm;
   json["field_of_view_deg"] = {{"horizontal", camera.hfov_deg},
-                               {"vertical", vertical_field_of_view_deg(camera, view.focal_px)}};
+                               {"vertical", vertical_field_of_view_deg(camera, down_px)}};
   json["line_of_sight_deg"] = {
       {"azimuth", camera.azimuth_deg}, {"elevation", camera.elevation_deg}, {"roll", camera.roll_deg}};
   json["site"] = {{"latitude_deg", scene.site.latitude_deg},

@@ -20,6 +20,7 @@
 #include "apps/decoding.h"
 #include "apps/exit_code.h"
 #include "apps/interrupt.h"
+#include "apps/photo_metadata.h"
 #include "apps/photographs.h"
 #include "apps/progress_bar.h"
 #include "apps/scene_options.h"
@@ -48,6 +49,7 @@ struct Options {
   bool resume = false;
   bool check_derivatives = false;
   bool intervals = false;
+  bool no_metadata = false;
   int bootstrap = 0, mcmc = 0;
 };
 
@@ -177,9 +179,14 @@ void print_answer(const fit::FitResult& result, const std::string& report) {
                 t.equals.c_str());
   if (coefficients > 0)
     std::printf("  %zu coefficients of free-form profiles: see profile.csv\n", coefficients);
-  for (const fit::DerivedNumber& d : result.derived)
-    std::printf("  %s: %s%s%s\n", d.name.c_str(), fit::number_with_error(d.value, d.sigma).c_str(),
-                d.unit.empty() ? "" : " ", d.unit.c_str());
+  for (const fit::DerivedNumber& d : result.derived) {
+    if (d.is_detail) continue;  // in the report
+    if (!d.why_none.empty())
+      std::printf("  %s: %s\n", d.name.c_str(), d.why_none.c_str());
+    else
+      std::printf("  %s: %s%s%s\n", d.name.c_str(), fit::number_with_error(d.value, d.sigma).c_str(),
+                  d.unit.empty() ? "" : " ", d.unit.c_str());
+  }
   for (const fit::FittedPhoto& photo : result.photos)
     std::printf("decoding%s: %s\n", photo.name.empty() ? "" : (" of " + photo.name).c_str(),
                 photo.decoding.c_str());
@@ -203,7 +210,7 @@ ExitCode exit_code_of(fit::Verdict verdict) {
 }
 
 int run(const Options& options, const std::string& command) {
-  const sim::Scene scene = scene_of(options.scene);
+  sim::Scene scene = scene_of(options.scene);
   // Now, not after the fit: someone may edit the file meanwhile.
   const std::string scene_sha256 = sha256_of(options.scene.file);
   const bool replaces = options.overwrite || (options.resume && is_interrupted_run(options.out));
@@ -211,6 +218,9 @@ int run(const Options& options, const std::string& command) {
     if (options.out.empty()) throw usage_error("--out", "is missing", "the run's directory to write");
     fit::check_run_directory(options.out, replaces);
   }
+  std::vector<fit::PhotoFact> from_photograph;
+  if (scene.fit.photos.empty() && !options.photo.empty() && !options.no_metadata)
+    from_photograph = take_from_photograph(scene, options.photo, options.scene.changes);
   std::vector<fit::Photo> photos = photos_of(options, scene);
   if (options.check_derivatives) {
     if (!scene.fit.photos.empty())
@@ -227,6 +237,7 @@ int run(const Options& options, const std::string& command) {
     std::fprintf(stderr, "vegard: this fit cannot be resumed: %s\n", journal.problem().c_str());
   result.inputs = inputs_of(options.scene.file, scene_sha256, photos);
   result.command = command;
+  result.from_photograph = from_photograph;
   fit::RunContext context;
   context.threads = options.threads;
   fit::write_run(options.out, replaces, result, photos, context);
@@ -257,6 +268,7 @@ void add_fit_command(CLI::App& app, int& exit_code, const std::string& command_l
   command->add_option("--out", options->out, "The run's directory to write")->type_name("RUN");
   command->add_option("--mask", options->mask, "An image of the same size: white = use")->type_name("IMAGE");
   add_decoding_option(*command, options->decoding);
+  add_no_metadata_option(*command, options->no_metadata);
   command->add_option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       ->check(CLI::Range(0, 1024));
   command->add_option("--max-evaluations", options->max_evaluations, "Stop after so many evaluations")

@@ -11,6 +11,7 @@
 #include "apps/decoding.h"
 #include "apps/elevation.h"
 #include "apps/output_files.h"
+#include "apps/photo_metadata.h"
 #include "apps/plot_file.h"
 #include "apps/scene_place.h"
 #include "apps/usage_error.h"
@@ -36,7 +37,7 @@ struct Options {
   std::vector<int> roi_px;
   std::optional<int> bands;
   std::string decoding;
-  bool overwrite = false, lines = false;
+  bool overwrite = false, lines = false, no_metadata = false;
 };
 
 std::string size_text(int width, int height) {
@@ -96,7 +97,10 @@ void run(const Options& options) {
   if (options.lines && options.scene.empty())
     throw usage_error("--lines", "no sensor is known", "--scene with the sensor, its gain and the lines");
   std::optional<sim::Scene> scene;
-  if (!options.scene.empty()) scene = sim::read_scene(options.scene);
+  if (!options.scene.empty()) {
+    scene = sim::read_scene(options.scene);
+    if (!options.no_metadata) take_from_photograph(*scene, options.image, {});
+  }
   const sim::Fit defaults = scene ? scene->fit : sim::Fit{};
 
   const fit::Decoding decoding = decoding_of(options.decoding, defaults.decoding, scene ? &*scene : nullptr);
@@ -172,6 +176,7 @@ void add_profile_command(CLI::App& app, int& exit_code) {
   command->add_flag("--lines", options->lines,
                     "Add rayleighs of the scene's lines, by its sensor, gain and sky (needs --scene)");
   add_decoding_option(*command, options->decoding);
+  add_no_metadata_option(*command, options->no_metadata);
   command->add_option("--plot", options->plot, "Draw the profiles too")->type_name("OUT.svg|OUT.png");
   command->add_flag("--overwrite", options->overwrite, "Replace outputs that exist");
   command->callback([options, &exit_code] {

@@ -9,10 +9,13 @@
 #include "apps/brightness.h"
 #include "apps/command_line.h"
 #include "apps/compare.h"
+#include "apps/describe.h"
 #include "apps/exit_code.h"
 #include "apps/fit.h"
+#include "apps/horizon.h"
 #include "apps/linearise.h"
 #include "apps/lines.h"
+#include "apps/mask.h"
 #include "apps/params.h"
 #include "apps/points.h"
 #include "apps/profile.h"
@@ -45,7 +48,10 @@ int run(int argc, char** argv) {
   apps::add_render_command(app, exit_code);
   apps::add_animate_command(app, exit_code);
   apps::add_points_command(app, exit_code);
+  apps::add_describe_command(app, exit_code);
+  apps::add_horizon_command(app, exit_code);
   apps::add_profile_command(app, exit_code);
+  apps::add_mask_command(app, exit_code);
   apps::add_brightness_command(app, exit_code);
   apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
   apps::add_compare_command(app, exit_code);

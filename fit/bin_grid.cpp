@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "sim/base/earth.h"
@@ -116,27 +117,27 @@ BinGrid column_bins(const Region& region, int bands) {
 BinGrid elevation_bins(const Region& region, int bands, const sim::Camera& camera) {
   BinGrid grid = vertical(region, bands);
   const std::vector<int> band = bands_of_columns(region, bands);
-  const sim::PinholeView<double> view = sim::pinhole_view(camera);
+  const sim::CameraView<double> view = sim::camera_view(camera);
   const auto sine_of_elevation = [&](double x_px, double y_px) {
-    const double ray[3] = {x_px - 0.5 * camera.width, y_px - 0.5 * camera.height, view.focal_px};
-    double up = 0.0, square = 0.0;
-    for (int i = 0; i < 3; ++i) {
-      up += view.camera_from_enu[i][2] * ray[i];
-      square += ray[i] * ray[i];
-    }
-    return up / std::sqrt(square);
+    double enu[3];
+    return sim::enu_of_pixel(view, x_px, y_px, enu) ? enu[2] : std::numeric_limits<double>::quiet_NaN();
   };
   // Borders of positions down the middle column. Beyond the zenith the elevation falls again: only what lies
   // on the side of the column's lower end counts.
   std::vector<double> border(region.height + 1);
   for (int k = 0; k <= region.height; ++k)
     border[k] = sine_of_elevation(region.x + 0.5 * region.width, region.y + k);
-  const int top = static_cast<int>(std::max_element(border.begin(), border.end()) - border.begin());
+  // Nor does what the lens has no image of.
+  int top = 0, end = region.height;
+  while (end > 0 && std::isnan(border[end])) --end;
+  for (int k = 0; k <= end; ++k)
+    if (std::isnan(border[top]) || border[k] > border[top]) top = k;
   gather(
       [&](int x, int y) {
         const double s = sine_of_elevation(x + 0.5, y + 0.5);
-        if (s > border[top] || s <= border[region.height]) return kNoBin;
-        const auto below = std::lower_bound(border.begin() + top, border.end(), s, std::greater<double>());
+        if (!(s <= border[top] && s > border[end])) return kNoBin;
+        const auto below =
+            std::lower_bound(border.begin() + top, border.begin() + end + 1, s, std::greater<double>());
         const int position = std::max(0, static_cast<int>(below - border.begin()) - 1);
         return band[x - region.x] * region.height + position;
       },
@@ -147,7 +148,7 @@ BinGrid elevation_bins(const Region& region, int bands, const sim::Camera& camer
 BinGrid field_bins(const Region& region, int bands, const sim::Camera& camera, const sim::Field& field) {
   BinGrid grid = vertical(region, bands);
   const std::vector<int> band = bands_of_columns(region, bands);
-  const sim::PinholeView<double> view = sim::pinhole_view(camera);
+  const sim::CameraView<double> view = sim::camera_view(camera);
   // Against the field in the north, with it in the south: upwards.
   const double inclination = field.inclination_deg * sim::kRadiansPerDegree,
                declination = field.declination_deg * sim::kRadiansPerDegree;
@@ -157,23 +158,41 @@ BinGrid field_bins(const Region& region, int bands, const sim::Camera& camera, c
   double line[3] = {0.0, 0.0, 0.0};
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) line[i] += view.camera_from_enu[i][k] * up[k];
-  // From x, y the picture of the line moves on by f * line - line_forward * (x, y), for a small step along
-  // it: towards the line's vanishing point.
-  const auto slope = [&](double x, double y, double* down) {
-    *down = view.focal_px * line[1] - line[2] * y;
-    return (view.focal_px * line[0] - line[2] * x) / *down;
-  };
+  // The pictures of field lines are great circles through the magnetic zenith: a pixel is on the one whose
+  // angle about the zenith it has, counted from that of the region's middle.
   const double middle = region.y + 0.5 * region.height;
-  double down_middle = 0.0;
-  slope(0.0, middle - 0.5 * camera.height, &down_middle);
+  double ahead[3];
+  if (!unproject(view.lens, region.x + 0.5 * region.width, middle, ahead)) return grid;
+  double across[3], ahead_along = 0.0;
+  for (int i = 0; i < 3; ++i) ahead_along += ahead[i] * line[i];
+  for (int i = 0; i < 3; ++i) ahead[i] -= ahead_along * line[i];
+  for (int i = 0; i < 3; ++i)
+    across[i] = line[(i + 1) % 3] * ahead[(i + 2) % 3] - line[(i + 2) % 3] * ahead[(i + 1) % 3];
+  const auto angle = [&](double x_px, double y_px) {
+    double ray[3], x = 0.0, y = 0.0;
+    if (!unproject(view.lens, x_px, y_px, ray)) return std::numeric_limits<double>::quiet_NaN();
+    for (int i = 0; i < 3; ++i) {
+      x += ray[i] * ahead[i];
+      y += ray[i] * across[i];
+    }
+    return std::atan2(y, x);
+  };
+  // Which column the middle row has an angle in; the angle runs one way from the middle outwards.
+  std::vector<double> border(region.width + 1);
+  for (int k = 0; k <= region.width; ++k) border[k] = angle(region.x + k, middle);
+  const int half = region.width / 2;
+  const double way = border[std::min(half + 1, region.width)] < border[std::max(half - 1, 0)] ? -1.0 : 1.0;
+  int first = half, last = half;
+  while (first > 0 && way * border[first - 1] < way * border[first]) --first;
+  while (last < region.width && way * border[last + 1] > way * border[last]) ++last;
   gather(
       [&](int x, int y) {
-        double down = 0.0;
-        const double across = slope(x + 0.5 - 0.5 * camera.width, y + 0.5 - 0.5 * camera.height, &down);
-        if (!(down * down_middle > 0.0)) return kNoBin;
-        const double column = std::floor(x + 0.5 + across * (middle - y - 0.5)) - region.x;
-        if (!(column >= 0.0 && column < region.width)) return kNoBin;
-        return band[static_cast<int>(column)] * region.height + y - region.y;
+        const double here = way * angle(x + 0.5, y + 0.5);
+        if (!(here >= way * border[first] && here < way * border[last])) return kNoBin;
+        const auto above = std::upper_bound(border.begin() + first, border.begin() + last + 1, here,
+                                            [way](double value, double of) { return value < way * of; });
+        const int column = static_cast<int>(above - border.begin()) - 1;
+        return band[std::clamp(column, 0, region.width - 1)] * region.height + y - region.y;
       },
       grid);
   return grid;

@@ -7,91 +7,180 @@
 #include <functional>
 #include <limits>
 
-#include "fit/parameter_map.h"
+#include "fit/foot_line.h"
+#include "fit/line_light.h"
 #include "sim/base/earth.h"
 #include "sim/light/electron_spectrum.h"
-#include "sim/light/height_profile.h"
-#include "sim/light/sheet_profile.h"
 #include "sim/scene/emission_lines.h"
-#include "sim/scene/spline_rates.h"
 
 namespace vegard::fit {
 namespace {
 
-constexpr double kGreenNm = 557.7;
-constexpr double kBorder = 0.1;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kGreenNm = 557.7, kRedNm = 630.0, kBlueNm = 427.8;
 constexpr double kLeastRatio = 5.2, kMostRatio = 31.4;
 
-/// One line's profile and the place of its peak.
-struct Peak {
-  sim::HeightProfile profile;
-  int at = 0;
-  double rate(int i) const { return profile.rate[static_cast<std::size_t>(i) * profile.stride]; }
+double wavelength_ratio(const sim::Sheet& sheet) { return sheet.wavelength_km / (2.0 * sheet.thickness_km); }
+
+/// What a number will be called, and the words for when it has no value.
+struct Label {
+  std::string name, unit, why_none;
+  bool is_detail = false;
 };
 
-Peak peak_of(double wavelength_nm, const sim::Scene& scene, int sheet) {
-  Peak peak{sim::sheet_profile({wavelength_nm}, scene, sheet), 0};
-  for (int i = 1; i < sim::HeightProfile::kAltitudes; ++i)
-    if (peak.rate(i) > peak.rate(peak.at)) peak.at = i;
-  return peak;
+/// Numbers that are worked out together.
+struct Group {
+  std::vector<Label> labels;
+  DeltaMethod::Numbers numbers;  ///< as many as labels
+};
+
+Group one(const Label& label, const std::function<double(const sim::Scene&)>& number) {
+  return {{label}, [number](const sim::Scene& x) { return std::vector<double>{number(x)}; }};
 }
 
-/// The parabola through the three points about the peak has its own there.
-double altitude_of(const Peak& peak) {
-  if (peak.at == 0 || peak.at == sim::HeightProfile::kAltitudes - 1)
-    return sim::HeightProfile::altitude_km(peak.at);
-  const double a = peak.rate(peak.at - 1), b = peak.rate(peak.at), c = peak.rate(peak.at + 1);
-  return sim::HeightProfile::altitude_km(peak.at + 0.5 * (a - c) / (a - 2.0 * b + c));
+/// A number that nothing can be said of.
+Group none(const Label& label) {
+  return one(label, [](const sim::Scene&) { return kNaN; });
 }
 
-/// Where the rate has fallen to `level` on the way from the peak down (-1) or up (1), or the profile ends.
-double altitude_of_fall_km(const Peak& peak, double level, int way) {
-  const int last = way < 0 ? 0 : sim::HeightProfile::kAltitudes - 1;
-  int i = peak.at;
-  while (i != last && peak.rate(i) > level) i += way;
-  const double before = i == peak.at ? 0.0 : peak.rate(i - way) - peak.rate(i);
-  return sim::HeightProfile::altitude_km(
-      i - way * (before > 0.0 ? std::max(0.0, (level - peak.rate(i)) / before) : 0.0));
+void add_energies(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
+  const sim::Sheet& sheet = best.sheets[s];
+  if (!sim::mean_energy_kev(sheet)) {
+    groups.push_back(
+        none({"mean electron energy" + of, "keV", "the height profile is not that of known electrons"}));
+    return;
+  }
+  // For mono-energetic and Gaussian electrons it is the mean energy itself.
+  if (sheet.profile == "maxwellian" || sheet.profile == "form")
+    groups.push_back(one({"characteristic energy E0" + of, "keV", ""},
+                         [s](const sim::Scene& x) { return x.sheets[s].energy_kev; }));
+  groups.push_back(one({"mean electron energy" + of, "keV", ""},
+                       [s](const sim::Scene& x) { return *sim::mean_energy_kev(x.sheets[s]); }));
 }
 
-/// A free-form profile has the scene's lines and no others.
-bool has_green(const sim::Scene& scene, int sheet) {
-  return !sim::has_spline_profile(scene.sheets[sheet]) ||
-         sim::line_index(scene.emission.lines, kGreenNm) >= 0;
+/// Altitudes of the line that tells the border, the peaks of all lines.
+void add_altitudes(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
+  const double border = border_line_nm(best, s);
+  std::vector<double> lines;
+  if (border > 0.0) lines.push_back(border);
+  for (const double line : best.emission.lines)
+    if (sim::line_index(lines, line) < 0 && has_line(line, best, s)) lines.push_back(line);
+  for (const double nm : lines) {
+    const std::string line = line_words(nm);
+    const bool is_detail = nm != border;
+    Group group{
+        {{"peak altitude of " + line + of, "km", "it is brightest at an end of its profile", is_detail}}, {}};
+    if (!is_detail) {
+      group.labels.push_back({"lower border of " + line + " (a tenth of the peak)" + of, "km",
+                              "the light has not fallen to a tenth at 80 km, where its profile ends"});
+      group.labels.push_back({"half-width of " + line + " below its peak" + of, "km", "", true});
+      group.labels.push_back({"half-width of " + line + " above its peak" + of, "km", "", true});
+    }
+    group.numbers = [nm, s, is_detail](const sim::Scene& x) {
+      const LineLight light = line_light(nm, x, s);
+      std::vector<double> numbers = {light.peak_at_an_end ? kNaN : light.peak_km};
+      if (!is_detail)
+        numbers.insert(numbers.end(), {light.lower_border_km, light.half_below_km, light.half_above_km});
+      return numbers;
+    };
+    groups.push_back(std::move(group));
+  }
 }
 
-double wavelength_ratio(const sim::Sheet& sheet) { return sheet.wavelength_km / (2.0 * sheet.thickness_km); }
+void add_ratios(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
+  for (const double nm : {kRedNm, kBlueNm}) {
+    const Label label{fmt::format("I({:.1f})/I({:.1f}) along the field{}", nm, kGreenNm, of), "", ""};
+    Label absent = label;
+    for (const double needed : {nm, kGreenNm})
+      if (!has_line(needed, best, s)) absent.why_none = "the height profile has no " + line_words(needed);
+    if (!absent.why_none.empty()) {
+      groups.push_back(none(absent));
+      continue;
+    }
+    absent.why_none = "557.7 nm is dark";
+    groups.push_back(one(absent, [nm, s](const sim::Scene& x) {
+      const double green = line_light(kGreenNm, x, s).column_rayleigh;
+      return green > 0.0 ? line_light(nm, x, s).column_rayleigh / green : kNaN;
+    }));
+  }
+}
+
+void add_feet(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
+  if (!is_latitude_given(best)) {
+    groups.push_back(none({"geographic coordinates of the feet" + of, "deg",
+                           "the site is not given: site.latitude_deg and site.longitude_deg"}));
+    return;
+  }
+  const std::string beyond = "the foot lies beyond the edge of the Earth";
+  const bool with_longitude = is_longitude_given(best);
+  Group group;
+  for (const char* which : {"the nearest foot", "the middle foot", "the first foot", "the last foot"}) {
+    const bool is_detail = which != std::string("the nearest foot");
+    const std::string foot = std::string(" of ") + which + of;
+    group.labels.push_back({"latitude" + foot, "deg", beyond, is_detail});
+    if (!with_longitude) continue;
+    group.labels.push_back({"longitude" + foot, "deg", beyond, is_detail});
+    group.labels.push_back({"geomagnetic latitude" + foot, "deg", beyond, is_detail});
+  }
+  group.numbers = [s, with_longitude](const sim::Scene& x) {
+    const FootPoints feet = foot_points(x.sheets[s], x.time.start_s);
+    std::vector<double> numbers;
+    for (const sim::EastNorth& foot : {feet.nearest, feet.middle, feet.start, feet.end}) {
+      const PlaceOnEarth place = place_of_foot(x, foot);
+      numbers.push_back(place.latitude_deg);
+      if (!with_longitude) continue;
+      // Differences go by the longitude from the site, which does not jump at 180 degrees.
+      numbers.push_back(x.site.longitude_deg + place.longitude_from_site_deg);
+      numbers.push_back(place.magnetic_latitude_deg);
+    }
+    return numbers;
+  };
+  groups.push_back(std::move(group));
+  if (!with_longitude)
+    groups.push_back(none(
+        {"longitude and geomagnetic latitude of the feet" + of, "deg", "site.longitude_deg is not given"}));
+}
+
+std::vector<Group> groups_of(const sim::Scene& best) {
+  std::vector<Group> groups;
+  for (int s = 0; s < static_cast<int>(best.sheets.size()); ++s) {
+    const std::string of = " of the " + best.sheets[s].name + " sheet";
+    groups.push_back(one({"distance" + of, "km", ""}, [s](const sim::Scene& x) {
+      return nearest_distance_km(x.sheets[s], x.time.start_s);
+    }));
+    add_energies(best, s, of, groups);
+    add_altitudes(best, s, of, groups);
+    add_ratios(best, s, of, groups);
+    if (best.sheets[s].layers > 1)
+      groups.push_back(one({"largest distance between the boundaries" + of, "km", "", true},
+                           [s](const sim::Scene& x) { return boundary_separation_km(x.sheets[s]); }));
+    groups.push_back(one({"wavelength over twice the amplitude" + of, "", "", true},
+                         [s](const sim::Scene& x) { return wavelength_ratio(x.sheets[s]); }));
+    add_feet(best, s, of, groups);
+  }
+  return groups;
+}
+
+bool is_longitude(const Label& label) { return label.name.compare(0, 9, "longitude") == 0; }
 
 }  // namespace
 
 double nearest_distance_km(const sim::Sheet& sheet, double instant_s) {
-  const double bearing = sheet.bearing_deg * sim::kRadiansPerDegree;
-  const double u_east = std::sin(bearing), u_north = std::cos(bearing), half = 0.5 * sheet.length_km;
-  const double east = sheet.center_km.east + sheet.drift_km_s.east * instant_s;
-  const double north = sheet.center_km.north + sheet.drift_km_s.north * instant_s;
-  const double along = std::clamp(-(east * u_east + north * u_north), -half, half);
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int arc = 0; arc < sheet.arcs; ++arc) {
-    const double aside = (arc - 0.5 * (sheet.arcs - 1)) * sheet.arc_spacing_km;
-    nearest = std::min(nearest, std::hypot(east + along * u_east - aside * u_north,
-                                           north + along * u_north + aside * u_east));
-  }
-  return nearest;
+  const sim::EastNorth foot = foot_points(sheet, instant_s).nearest;
+  return std::hypot(foot.east, foot.north);
 }
 
 double lower_border_km(double wavelength_nm, const sim::Scene& scene, int sheet) {
-  const Peak peak = peak_of(wavelength_nm, scene, sheet);
-  return altitude_of_fall_km(peak, kBorder * peak.rate(peak.at), -1);
+  return line_light(wavelength_nm, scene, sheet).lower_border_km;
 }
 
 HalfWidths half_widths_km(double wavelength_nm, const sim::Scene& scene, int sheet) {
-  const Peak peak = peak_of(wavelength_nm, scene, sheet);
-  const double half = 0.5 * peak.rate(peak.at), at = altitude_of(peak);
-  return {at - altitude_of_fall_km(peak, half, -1), altitude_of_fall_km(peak, half, 1) - at};
+  const LineLight light = line_light(wavelength_nm, scene, sheet);
+  return {light.half_below_km, light.half_above_km};
 }
 
 double peak_altitude_km(double wavelength_nm, const sim::Scene& scene, int sheet) {
-  return altitude_of(peak_of(wavelength_nm, scene, sheet));
+  return line_light(wavelength_nm, scene, sheet).peak_km;
 }
 
 double boundary_separation_km(const sim::Sheet& sheet) {
@@ -110,75 +199,46 @@ std::vector<std::string> unusual_sheets(const sim::Scene& scene) {
   return notes;
 }
 
-std::optional<double> combined_sigma(const std::vector<double>& slope, const ValueUncertainty& known) {
-  double variance = 0.0;
-  for (std::size_t j = 0; j < slope.size(); ++j)
-    for (std::size_t k = 0; k < slope.size(); ++k)
-      if (slope[j] != 0.0 && slope[k] != 0.0) variance += slope[j] * slope[k] * known.covariance[j][k];
-  // A direction that only the limits bound spoils what owes it half of its variance.
-  const auto spoils = [&](const std::vector<double>& direction) {
-    double reach = std::numeric_limits<double>::infinity(), along = 0.0;
-    for (std::size_t j = 0; j < slope.size(); ++j) {
-      if (direction[j] == 0.0) continue;
-      reach = std::min(reach, std::sqrt(std::max(0.0, known.covariance[j][j])) / std::abs(direction[j]));
-      along += slope[j] * direction[j];
-    }
-    return std::isfinite(reach) && along * along * reach * reach > 0.5 * variance;
-  };
-  if (std::any_of(known.undetermined.begin(), known.undetermined.end(), spoils)) return std::nullopt;
-  if (!std::isfinite(variance) || variance <= 0.0) return std::nullopt;
-  return std::sqrt(variance);
-}
-
 std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::vector<FreeNumber>& free,
                                            const std::vector<double>& values, const ValueUncertainty& known) {
-  const std::vector<std::vector<double>>& covariance = known.covariance;
-  const ParameterMap map(best, free);
+  const DeltaMethod estimates(best, free, values, known);
   std::vector<DerivedNumber> result;
-  const auto add = [&](const std::string& name, const std::string& unit,
-                       const std::function<double(const sim::Scene&)>& number) {
-    DerivedNumber d{name, number(best), {}, unit};
-    std::vector<double> slope(free.size());
-    for (std::size_t j = 0; j < free.size(); ++j) {
-      const double step = 1e-2 * (std::isfinite(covariance[j][j]) && covariance[j][j] > 0.0
-                                      ? std::sqrt(covariance[j][j])
-                                      : 1e-3 * std::max(1.0, std::abs(values[j])));
-      const auto at = [&](double value) {
-        sim::Scene moved = best;
-        std::vector<double> v = values;
-        v[j] = std::clamp(value, free[j].min, free[j].max);
-        map.put(v, moved);
-        return number(moved);
-      };
-      slope[j] = (at(values[j] + step) - at(values[j] - step)) / (2.0 * step);
+  for (const Group& group : groups_of(best)) {
+    const std::vector<DeltaMethod::Estimate> found = estimates(group.numbers);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const Label& label = group.labels[i];
+      DerivedNumber d{label.name, found[i].value, {}, label.unit, {}, {}, label.is_detail};
+      if (!std::isfinite(d.value)) {
+        d.value = kNaN;
+        d.why_none = label.why_none;
+      } else {
+        if (is_longitude(label)) d.value = wrapped_longitude_deg(d.value);
+        d.sigma = found[i].sigma;
+        if (!d.sigma)
+          d.why_no_sigma = found[i].moves ? "the data do not determine it" : "it follows from what was fixed";
+      }
+      result.push_back(std::move(d));
     }
-    d.sigma = combined_sigma(slope, known);
-    result.push_back(d);
-  };
-  for (std::size_t s = 0; s < best.sheets.size(); ++s) {
-    const std::string of = " of the " + best.sheets[s].name + " sheet";
-    add("distance" + of, "km",
-        [s](const sim::Scene& x) { return nearest_distance_km(x.sheets[s], x.time.start_s); });
-    if (sim::mean_energy_kev(best.sheets[s]))
-      add("mean electron energy" + of, "keV",
-          [s](const sim::Scene& x) { return *sim::mean_energy_kev(x.sheets[s]); });
-    if (has_green(best, static_cast<int>(s))) {
-      add("peak altitude of 557.7 nm" + of, "km",
-          [s](const sim::Scene& x) { return peak_altitude_km(kGreenNm, x, static_cast<int>(s)); });
-      add("lower border of 557.7 nm (a tenth of the peak)" + of, "km",
-          [s](const sim::Scene& x) { return lower_border_km(kGreenNm, x, static_cast<int>(s)); });
-      add("half-width of 557.7 nm below its peak" + of, "km",
-          [s](const sim::Scene& x) { return half_widths_km(kGreenNm, x, static_cast<int>(s)).below_km; });
-      add("half-width of 557.7 nm above its peak" + of, "km",
-          [s](const sim::Scene& x) { return half_widths_km(kGreenNm, x, static_cast<int>(s)).above_km; });
-    }
-    if (best.sheets[s].layers > 1)
-      add("largest distance between the boundaries" + of, "km",
-          [s](const sim::Scene& x) { return boundary_separation_km(x.sheets[s]); });
-    add("wavelength over twice the amplitude" + of, "",
-        [s](const sim::Scene& x) { return wavelength_ratio(x.sheets[s]); });
   }
   return result;
+}
+
+std::vector<FootBand> foot_bands(const sim::Scene& best, const std::vector<FreeNumber>& free,
+                                 const std::vector<double>& values, const ValueUncertainty& known) {
+  const DeltaMethod estimates(best, free, values, known);
+  std::vector<FootBand> bands;
+  for (std::size_t s = 0; s < best.sheets.size(); ++s) {
+    FootBand band{best.sheets[s].name, band_places_km(best.sheets[s]), {}};
+    for (const DeltaMethod::Estimate& aside : estimates([&](const sim::Scene& x) {
+           return aside_km(best.sheets[s], x.sheets[s], x.time.start_s, band.along_km);
+         })) {
+      if (!aside.sigma) break;
+      band.sigma_km.push_back(*aside.sigma);
+    }
+    if (band.sigma_km.size() != band.along_km.size()) band.sigma_km.clear();
+    bands.push_back(std::move(band));
+  }
+  return bands;
 }
 
 }  // namespace vegard::fit

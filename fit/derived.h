@@ -1,10 +1,10 @@
 // What follows from a scene's parameters and is what people publish.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "fit/delta_method.h"
 #include "fit/fit_result.h"
 #include "fit/free_parameters.h"
 
@@ -14,13 +14,10 @@ namespace vegard::fit {
 /// end, km, where it has drifted to at an instant; of a system of arcs, to the nearest of them.
 double nearest_distance_km(const sim::Sheet& sheet, double instant_s = 0.0);
 
-/// Altitude below a line's peak where its volume emission rate has fallen to a tenth, and of the peak itself,
-/// km; from the height profile of scene.sheets[sheet]. Source of the tenth: docs/physics.md, row B19.
+/// Of a line's light along the field: what fit/line_light.h says.
 double lower_border_km(double wavelength_nm, const sim::Scene& scene, int sheet);
 double peak_altitude_km(double wavelength_nm, const sim::Scene& scene, int sheet);
 
-/// How far below and above its peak a line's volume emission rate has fallen to half, km; to the ends of the
-/// profile if it does not.
 struct HalfWidths {
   double below_km = 0.0, above_km = 0.0;
 };
@@ -34,19 +31,15 @@ double boundary_separation_km(const sim::Sheet& sheet);
 /// 3.1.1; row B5), a sentence each. Worth knowing, and nothing against a fit.
 std::vector<std::string> unusual_sheets(const sim::Scene& scene);
 
-/// What the error bars of derived numbers are made from, in the free numbers' own units.
-struct ValueUncertainty {
-  std::vector<std::vector<double>> covariance;    ///< inside what the data determine
-  std::vector<std::vector<double>> undetermined;  ///< directions in which they say nothing
-};
-
-/// The error bar of a number with these slopes by the free numbers; none if it would change along an
-/// undetermined direction, or does not depend on any.
-std::optional<double> combined_sigma(const std::vector<double>& slopes, const ValueUncertainty& known);
-
-/// Distances, mean energies, border and peak altitudes, half-widths and shapes of every sheet, with error
-/// bars carried over by differences. A number that would change along an undetermined direction has none.
+/// Of every sheet, with error bars by the delta method: distance, E0 and mean energy, lower border, peak
+/// altitudes and half-widths, ratios of lines along the field, shape, and the geographic and geomagnetic
+/// coordinates of its feet. docs/fitting.md, "Derived numbers", has the list. A number that cannot be told is
+/// there all the same and says why.
 std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::vector<FreeNumber>& free,
                                            const std::vector<double>& values, const ValueUncertainty& known);
+
+/// How far each sheet's line may be off.
+std::vector<FootBand> foot_bands(const sim::Scene& best, const std::vector<FreeNumber>& free,
+                                 const std::vector<double>& values, const ValueUncertainty& known);
 
 }  // namespace vegard::fit

@@ -7,6 +7,7 @@
 
 #include "fit/answer.h"
 #include "fit/derived.h"
+#include "fit/energy_flux.h"
 #include "fit/fit_observations.h"
 #include "fit/flat_directions.h"
 #include "fit/free_parameters.h"
@@ -15,6 +16,7 @@
 #include "fit/journal.h"
 #include "fit/judges.h"
 #include "fit/observation.h"
+#include "fit/photo_line_ratio.h"
 #include "fit/prior_rows.h"
 #include "fit/profile_rounds.h"
 #include "fit/sampled_uncertainty.h"
@@ -151,6 +153,29 @@ void put_photos(const std::vector<Observation>& observations, const std::vector<
   }
 }
 
+DerivedNumber exponent_of(const FittedCurve::Exponent& e) {
+  DerivedNumber number;
+  number.name = "exponent of the transfer curve over sRGB " + e.name;
+  number.value = e.value;
+  number.sigma = e.sigma;
+  return number;
+}
+
+/// What follows from the answer and is what people publish.
+void put_derived(const std::vector<Observation>& observations, const std::vector<FreeNumber>& free,
+                 const std::vector<double>& values, const ValueUncertainty& known, bool stopped,
+                 FitResult& r) {
+  r.derived = derived_numbers(r.best, free, values, known);
+  r.foot_bands = foot_bands(r.best, free, values, known);
+  std::vector<const sim::Scene*> scenes;
+  for (const Observation& observation : observations) scenes.push_back(&observation.scene);
+  for (DerivedNumber& flux : energy_fluxes(scenes, r)) r.derived.push_back(std::move(flux));
+  for (DerivedNumber& ratio : photo_line_ratios(r)) r.derived.push_back(std::move(ratio));
+  if (!stopped) return;
+  for (DerivedNumber& d : r.derived)
+    if (!d.why_no_sigma.empty()) d.why_no_sigma = "the fit was interrupted";
+}
+
 }  // namespace
 
 sim::Scene with_ties(const sim::Scene& given, const std::vector<FreeNumber>& free, const PhotoFrame& frame) {
@@ -271,11 +296,10 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
     start_from(free, tidied, r.photos.front().best);
     r.best = r.photos.front().best;
   }
-  r.derived = derived_numbers(r.best, free, tidied, known);
+  put_derived(observations, free, tidied, known, evidence.stopped, r);
   if (curve != nullptr) {
     r.curve = curve->fitted;
-    for (const FittedCurve::Exponent& e : curve->fitted.exponents)
-      r.derived.push_back({"exponent of the transfer curve over sRGB " + e.name, e.value, e.sigma, ""});
+    for (const FittedCurve::Exponent& e : curve->fitted.exponents) r.derived.push_back(exponent_of(e));
     evidence.curve_words = curve->fitted.words;
     evidence.against_curve = curve->against;
   }

@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "fit/foot_line.h"
 #include "fit/judged_errors.h"
+#include "fit/photo_facts.h"
 #include "fit/profile.h"
 #include "sim/scene/scene.h"
 
@@ -88,10 +90,13 @@ struct ComparedStatistic {
 
 /// What follows from the parameters and is what people publish.
 struct DerivedNumber {
-  std::string name;  ///< "distance of the main sheet"
-  double value = 0.0;
+  std::string name;    ///< "distance of the main sheet"
+  double value = 0.0;  ///< NaN if it cannot be told
   std::optional<double> sigma;
   std::string unit;
+  std::string why_none{};      ///< in words, if there is no value
+  std::string why_no_sigma{};  ///< in words, if there is a value without an error bar; may be empty
+  bool is_detail = false;      ///< for tables, not for the few numbers that one wants to see first
 };
 
 /// A free-form height profile with its band.
@@ -157,6 +162,7 @@ struct FitResult {
   std::vector<TiedNumber> tied;
   std::vector<DerivedNumber> derived;
   std::optional<FittedCurve> curve;              ///< of a photograph whose transfer curve was unknown
+  std::vector<FootBand> foot_bands;              ///< one per sheet
   std::vector<FreeProfile> profiles;             ///< of every sheet and line whose coefficients were free
   std::vector<std::vector<double>> correlation;  ///< of `parameters`; rows without an error bar hold zeros
   std::vector<std::string> trade_offs;           ///< a sentence for each strong correlation
@@ -190,6 +196,7 @@ struct FitResult {
   std::vector<TraceRow> trace;
 
   std::vector<InputFile> inputs;
+  std::vector<PhotoFact> from_photograph;  ///< what the scene did not give and was taken from there
   std::string command;
 };
 

@@ -64,6 +64,8 @@ LineBrightness line_brightness(const sim::Scene& scene, const Profile& profile) 
         constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
         result.rayleigh.push_back(known ? estimate.rayleigh[l] : kNaN);
         result.sigma.push_back(known ? std::sqrt(estimate.covariance[l][l]) : kNaN);
+        for (int k = 0; k < estimator.lines(); ++k)
+          result.covariance.push_back(known ? estimate.covariance[l][k] : kNaN);
       }
     }
   }

@@ -279,8 +279,9 @@ struct ProfileModel::Workspace {
         for (int i = 0; i < run.columns; ++i) {
           const float* pixels = &weights.pixels[run.first_pixels + static_cast<std::size_t>(i) * 3];
           if (pixels[0] + pixels[1] + pixels[2] == 0.0f) continue;
-          const std::array<T, 3> light =
-              sky.light(view.at(film.x0_px + (run.first_column + i + 0.5) * film.cell_width_px, y));
+          const double x = film.x0_px + (run.first_column + i + 0.5) * film.cell_width_px;
+          if (!view.sees(x, y)) continue;
+          const std::array<T, 3> light = sky.light(view.at(x, y));
           for (int c = 0; c < 3; ++c)
             if (!clips || value_of(light[c]) > 0.0)  // as the aurora
               sum[c] = sum[c] + light[c] * static_cast<double>(pixels[c]);
@@ -475,8 +476,9 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std:
     // The blur's own width, free or following the field of view: sigma = width * pixels / hfov.
     for (std::size_t j = 0; j < moved.size(); ++j) {
       double growth = 0.0;
-      if (moved[j] == &w.scene.blur.width_deg[l]) growth = w.scene.camera.width / w.scene.camera.hfov_deg;
-      if (moved[j] == &w.scene.camera.hfov_deg) growth = -sigma / w.scene.camera.hfov_deg;
+      if (moved[j] == &w.scene.blur.width_deg[l]) growth = sim::pixels_per_degree(w.scene.camera);
+      if (moved[j] == sim::camera_number_address(w.scene.camera, sim::scale_number))
+        growth = sigma * sim::pixels_per_degree_growth(w.scene.camera);
       if (growth == 0.0 || sigma <= 0.0) continue;
       const float* plane = w.exposure.rayleigh.data() + l * cells;
       const auto add = [&](const sim::BlurKernel& first, const sim::BlurKernel& second, double per_cell) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "fit/corner_plot.h"
+#include "fit/foot_map.h"
 #include "fit/html_text.h"
 #include "fit/judged_table.h"
 #include "fit/number_text.h"
@@ -193,11 +194,13 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
       (photos.size() == 1 ? std::string("a photograph") : std::to_string(photos.size()) + " photographs") +
       "</p>\n<h1>" + title + "</h1>\n</div></header>\n" + verdict_band(result) + "<main>\n";
   for (std::size_t i = 0; i < photos.size(); ++i) html += pictures_section(photos[i], pictures[i]);
-  const std::string cards = derived_cards(result);
+  const std::string cards = derived_cards(result) + derived_table(result);
   const bool believed = result.verdict == Verdict::good;
   if (!cards.empty())
     html += section("What it says about the aurora",
                     believed ? "" : "The verdict above speaks against leaning on these numbers.", cards);
+  if (const std::string map = foot_map_svg(result); !map.empty())
+    html += section("Where it stands", "", "<div class=\"plots\">\n" + map + "</div>\n");
   html += section(
       "Parameters",
       "\u03c3 is half of the 68\u00a0% interval, carried back from the scale on which the search moves the "
@@ -225,7 +228,7 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
   html +=
       "<footer>Beside this page: <code>result.json</code> (all numbers), <code>best.toml</code> (the best "
       "scene), "
-      "<code>trace.csv</code>, " +
+      "<code>map.svg</code>, <code>trace.csv</code>, " +
       files_of(photos) + ".</footer>\n</main>\n</body>\n</html>\n";
   return html;
 }

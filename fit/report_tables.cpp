@@ -67,13 +67,29 @@ FitResult without_coefficients(const FitResult& whole) {
 }  // namespace
 
 std::string derived_cards(const FitResult& result) {
-  if (result.derived.empty()) return {};
-  std::string html = "<div class=\"cards\">\n";
-  for (const DerivedNumber& d : result.derived)
-    html += "<div class=\"card\"><div class=\"big\">" +
-            with_unit(number_with_error(d.value, d.sigma), d.unit) + "</div><div>" + html_text(d.name) +
-            "</div></div>\n";
-  return html + "</div>\n";
+  std::string cards;
+  for (const DerivedNumber& d : result.derived) {
+    if (d.is_detail || !d.why_none.empty()) continue;
+    cards += "<div class=\"card\"><div class=\"big\">" +
+             with_unit(number_with_error(d.value, d.sigma), d.unit) + "</div><div>" + html_text(d.name) +
+             "</div></div>\n";
+  }
+  return cards.empty() ? cards : "<div class=\"cards\">\n" + cards + "</div>\n";
+}
+
+std::string derived_table(const FitResult& result) {
+  std::string rows;
+  for (const DerivedNumber& d : result.derived) {
+    if (!d.is_detail && d.why_none.empty()) continue;
+    rows += "<tr><td>" + html_text(d.name) + "</td><td class=\"number\">" +
+            (d.why_none.empty() ? with_unit(number_with_error(d.value, d.sigma), d.unit) : "\u2013") +
+            "</td><td class=\"soft\">" + html_text(d.why_none.empty() ? d.why_no_sigma : d.why_none) +
+            "</td></tr>\n";
+  }
+  if (rows.empty()) return rows;
+  return "<table class=\"wide\">\n<thead><tr><th>Also</th><th class=\"number\">Value \u00b1 \u03c3</th>"
+         "<th></th></tr></thead>\n<tbody>\n" +
+         rows + "</tbody>\n</table>\n";
 }
 
 std::string parameter_table_html(const FitResult& result) {
@@ -212,6 +228,8 @@ std::string provenance_table(const FitResult& result) {
   for (const InputFile& input : result.inputs)
     html += entry("Input: " + html_text(input.role), html_text(input.name) + "<div class=\"hash\">SHA-256 " +
                                                          html_text(input.sha256) + "</div>");
+  for (const PhotoFact& fact : result.from_photograph)
+    html += entry("From the photograph", html_text(fact_text(fact)));
   for (const FittedPhoto& photo : result.photos)
     html += entry("Decoding" + (photo.name.empty() ? std::string() : ": " + html_text(photo.name)),
                   html_text(photo.decoding));

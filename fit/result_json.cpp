@@ -18,6 +18,8 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 
 Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
 
+Json words(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
 Json parameter(const FittedParameter& p) {
   Json json;
   const std::string whose = " of " + p.photo;
@@ -186,8 +188,12 @@ std::string result_json(const FitResult& result) {
     json["solved"] = result.photos.empty() ? Json::array() : solved_numbers(result.photos.front());
   json["derived"] = Json::array();
   for (const DerivedNumber& d : result.derived)
-    json["derived"].push_back(
-        {{"name", d.name}, {"value", number(d.value)}, {"sigma", number(d.sigma)}, {"unit", d.unit}});
+    json["derived"].push_back({{"name", d.name},
+                               {"value", number(d.value)},
+                               {"sigma", number(d.sigma)},
+                               {"unit", d.unit},
+                               {"why_none", words(d.why_none)},
+                               {"why_no_sigma", words(d.why_no_sigma)}});
   if (result.curve) json["curve"] = curve(*result.curve);
   json["correlation"] = rows(result.correlation);
   if (!result.trade_offs.empty()) json["trade_offs"] = result.trade_offs;
@@ -224,6 +230,8 @@ std::string result_json(const FitResult& result) {
   json["inputs"] = Json::array();
   for (const InputFile& input : result.inputs)
     json["inputs"].push_back({{"role", input.role}, {"name", input.name}, {"sha256", input.sha256}});
+  for (const PhotoFact& fact : result.from_photograph)
+    json["from_photograph"].push_back({{"path", fact.path}, {"value", fact.value}, {"source", fact.source}});
   if (!several) json["decoding"] = result.photos.empty() ? "" : result.photos.front().decoding;
   // A file's name may hold bytes that are no UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <filesystem>
 
+#include "fit/foot_map.h"
 #include "fit/free_profiles_csv.h"
 #include "fit/model_picture.h"
 #include "fit/profiles_csv.h"
@@ -31,6 +32,7 @@ std::string best_scene(const FitResult& result, const sim::Scene& best) {
   for (const FittedPhoto& photo : result.photos)
     comment += "\ndecoding" + (photo.name.empty() ? "" : " of " + photo.name) + ": " + photo.decoding;
   if (!result.command.empty()) comment += "\n" + result.command;
+  for (const PhotoFact& fact : result.from_photograph) comment += "\nfrom the photograph: " + fact_text(fact);
   return sim::write_scene(best, comment);
 }
 
@@ -129,6 +131,8 @@ void write_run(const std::string& directory, bool overwrite, const FitResult& re
     }
     if (!result.profiles.empty()) sim::write_whole(run.file("profile.csv"), free_profiles_csv(result));
     sim::write_whole(run.file("trace.csv"), trace_csv(result));
+    if (const std::string map = foot_map_svg(result); !map.empty())
+      sim::write_whole(run.file("map.svg"), map);
     sim::write_whole(run.file("report.html"), report_html(result, shown));
     run.commit();
   } catch (const sim::Error& error) {

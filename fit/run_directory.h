@@ -1,5 +1,6 @@
-// One fit as a directory: result.json, best.toml, profiles.csv, trace.csv, model.exr, residual.exr,
-// report.html. Of several photographs: profiles-NAME.csv, model-NAME.exr and residual-NAME.exr for each.
+// One fit as a directory: result.json, best.toml, profiles.csv, trace.csv, map.svg, model.exr,
+// residual.exr, report.html. Of several photographs: profiles-NAME.csv, model-NAME.exr and residual-NAME.exr
+// for each.
 #pragma once
 
 #include <string>

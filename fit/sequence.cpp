@@ -1,10 +1,9 @@
 #include "fit/sequence.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "fit/energy_flux.h"
 #include "fit/free_parameters.h"
-#include "sim/view/line_colours.h"
 
 namespace vegard::fit {
 namespace {
@@ -35,19 +34,6 @@ sim::Scene started_at(const sim::Scene& scene, const std::vector<double>& values
 
 bool is_better(const FitResult& a, const FitResult& b) {
   return a.verdict != b.verdict ? a.verdict < b.verdict : a.chi2 < b.chi2;
-}
-
-/// The relative standard deviation of the mean of a photograph's gains; none if none of them has one.
-std::optional<double> relative_sigma_of_gain(const FittedPhoto& photo) {
-  double sum = 0.0, variance = 0.0;
-  for (const SolvedNumber& solved : photo.solved) {
-    if (solved.name.compare(0, 4, "gain") != 0 || solved.value <= 0.0) continue;
-    if (!solved.sigma) return {};
-    sum += solved.value;
-    variance += *solved.sigma * *solved.sigma;
-  }
-  if (sum <= 0.0) return {};
-  return std::sqrt(variance) / sum;
 }
 
 }  // namespace
@@ -86,21 +72,20 @@ SequenceRow sequence_row(const std::string& frame, double time_s, const sim::Sce
     if (!p.of_profile) row.numbers.push_back({p.path, p.unit, p.value, p.sigma});
   }
   const FittedPhoto& fitted = result.photos.front();
-  if (scene.sensor.calibration_error > 0.0) {
-    const double share = fitted.best.sensor.gain_per_kilorayleigh / sim::gain_per_kilorayleigh(scene);
-    const std::optional<double> of_gain = relative_sigma_of_gain(fitted);
-    for (const sim::Sheet& sheet : fitted.best.sheets) {
-      const std::string path = "sheet." + sheet.name + ".energy_flux_mw_m2";
-      const auto is_it = [&](const FittedParameter& p) { return p.path == path; };
-      if (sheet.brightness_kilorayleigh > 0.0 ||
-          std::any_of(result.parameters.begin(), result.parameters.end(), is_it))
-        continue;
-      SequenceNumber flux{path, "mW m\u207b\u00b2", sheet.energy_flux_mw_m2 * share, {}};
-      if (of_gain) flux.sigma = flux.value * std::hypot(*of_gain, scene.sensor.calibration_error);
-      row.numbers.push_back(flux);
-    }
+  for (std::size_t s = 0; s < fitted.best.sheets.size(); ++s) {
+    const std::string path = "sheet." + fitted.best.sheets[s].name + ".energy_flux_mw_m2";
+    const auto is_it = [&](const auto& own) { return own.path == path; };
+    if (std::any_of(result.parameters.begin(), result.parameters.end(), is_it) ||
+        std::any_of(result.tied.begin(), result.tied.end(), is_it))
+      continue;
+    std::string why_none;
+    if (const auto flux = found_flux(scene, fitted, static_cast<int>(s), why_none))
+      row.numbers.push_back({path, "mW m\u207b\u00b2", flux->mw_m2, flux->sigma});
   }
-  for (const DerivedNumber& d : result.derived) row.numbers.push_back({d.name, d.unit, d.value, d.sigma});
+  // Q stands above, under the path that it has where it is free; what a number never has needs no column.
+  for (const DerivedNumber& d : result.derived)
+    if (d.name.compare(0, 13, "energy flux Q") != 0 && d.why_none.empty())
+      row.numbers.push_back({d.name, d.unit, d.value, d.sigma});
   return row;
 }
 

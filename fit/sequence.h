@@ -44,9 +44,7 @@ FrameFit fit_frame(const sim::Scene& scene, const Photo& photo, double time_s, c
                    const FitOptions& options);
 
 /// All free numbers, and what follows from them; and where nobody has freed it but the sensor's scale is
-/// known (sensor.calibration_error above 0), the energy flux of each sheet by the gain that the fit found:
-/// the scene's times found / known gain. Its sigma is that of the mean of the bands' gains, taken as
-/// independent, and the calibration's.
+/// known, the energy flux of each sheet by the gain that the fit found (fit/energy_flux.h).
 SequenceRow sequence_row(const std::string& frame, double time_s, const sim::Scene& scene,
                          const FrameFit& fit, const Photo& photo);
 

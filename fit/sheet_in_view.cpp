@@ -27,22 +27,21 @@ double depth_km2(const sim::Sheet& sheet) {
 
 std::optional<SheetInView> sheet_in_view(const sim::Scene& scene, const sim::Sheet& sheet, double x_px,
                                          double y_px) {
-  const sim::PinholeView<double> view = sim::pinhole_view(scene.camera);
-  const double ray[3] = {x_px - 0.5 * scene.camera.width, y_px - 0.5 * scene.camera.height, view.focal_px};
-  double east = 0.0, north = 0.0;
-  for (int r = 0; r < 3; ++r) {
-    east += view.camera_from_enu[r][0] * ray[r];
-    north += view.camera_from_enu[r][1] * ray[r];
-  }
+  const sim::CameraView<double> view = sim::camera_view(scene.camera);
+  // By how much the line of sight turns from column to column: a difference across one pixel.
+  double here[3], left[3], right[3];
+  if (!sim::enu_of_pixel(view, x_px, y_px, here) || !sim::enu_of_pixel(view, x_px - 0.5, y_px, left) ||
+      !sim::enu_of_pixel(view, x_px + 0.5, y_px, right))
+    return std::nullopt;
+  const double east = here[0], north = here[1];
   const double bearing = sheet.bearing_deg * sim::kRadiansPerDegree;
   const double u_east = std::sin(bearing), u_north = std::cos(bearing);
   // Across the sheet: (u_north, -u_east). The line of sight r (east, north) meets the line at r = offset /
-  // across, along it by r (east, north) . u; from column to column the line of sight turns by a row of the
-  // camera's axes.
+  // across, along it by r (east, north) . u.
   const double offset = sheet.center_km.east * u_north - sheet.center_km.north * u_east;
   const double across = east * u_north - north * u_east, along = east * u_east + north * u_north;
   if (!(offset * across > 0.0)) return std::nullopt;
-  const double turn_east = view.camera_from_enu[0][0], turn_north = view.camera_from_enu[0][1];
+  const double turn_east = right[0] - left[0], turn_north = right[1] - left[1];
   const double turn_across = turn_east * u_north - turn_north * u_east,
                turn_along = turn_east * u_east + turn_north * u_north;
   SheetInView seen;

@@ -13,6 +13,7 @@ inline double sine(double x) { return std::sin(x); }
 inline double cosine(double x) { return std::cos(x); }
 inline double tangent(double x) { return std::tan(x); }
 inline double exponential(double x) { return std::exp(x); }
+inline double arctangent(double y, double x) { return std::atan2(y, x); }
 inline double value_of(double x) { return x; }
 
 #include "sim/base/dual_body.h"
@@ -29,6 +30,12 @@ template <class D>
 Dual<double, D> tangent(const Dual<double, D>& a) {
   const double t = std::tan(a.v);
   return {t, a.d * (1.0 + t * t)};
+}
+/// The angle of (x, y), from x to y.
+template <class D>
+Dual<double, D> arctangent(const Dual<double, D>& y, const Dual<double, D>& x) {
+  const double square = x.v * x.v + y.v * y.v;
+  return {std::atan2(y.v, x.v), y.d * (x.v / square) - x.d * (y.v / square)};
 }
 template <class D>
 Dual<double, D> exponential(const Dual<double, D>& a) {

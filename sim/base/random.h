@@ -29,6 +29,7 @@ enum class Stream : std::uint32_t {
   read_noise = 25,    ///< and what reading them adds
   ensemble = 32,      ///< the walkers of a fit's sampler
   bootstrap = 33,     ///< which bands a fit's bootstrap draws
+  circle = 40,        ///< triples of points, in the search for a fisheye's circle
 };
 
 using Words = std::array<std::uint32_t, 4>;

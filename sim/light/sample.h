@@ -18,23 +18,27 @@ enum LocalInput : int {
   foot_north,
   inclination,
   declination,
-  camera_azimuth,
-  camera_elevation,
-  camera_roll,
-  camera_hfov,
   loss_cone,
   pitch_step,
-  local_inputs,     ///< how many there are
-  beam_inputs = 2,  ///< how many of them differ from beam to beam
+  first_camera_input,  ///< from here on one for every CameraNumber (sim/view/camera.h)
+  camera_inputs = 12,  ///< how many of those there are
+  local_inputs = first_camera_input + camera_inputs,  ///< how many there are in all
+  beam_inputs = 2,                                    ///< how many of them differ from beam to beam
+  place_inputs = 4,  ///< how many the place of a beam depends on: the first ones
 };
+
+/// The most local inputs that one pass of the kernel carries.
+inline constexpr int kMostCarried = 10;
 
 /// Free parameters that one pass of the kernel carries: one vector register of floats.
 inline constexpr int kTangentWidth = 16;
 
+/// Of what the place of a beam depends on alone.
+using PlaceDual = Dual<double, Tangents<double, place_inputs>>;
 using LocalDual = Dual<double, Tangents<double, local_inputs>>;
 using FreeDual = Dual<double, Tangents<double, kTangentWidth>>;
 
-/// A beam that starts to fall. T is double, or LocalDual where derivatives are wanted.
+/// A beam that starts to fall. T is double, or PlaceDual where derivatives are wanted.
 template <class T>
 struct Beam {
   T start_in_enu_km[3];

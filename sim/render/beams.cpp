@@ -19,41 +19,31 @@ namespace {
 constexpr double kFarthestKm = 4000;  // a foot farther than this is far below the horizon
 
 /// True if nothing that falls from this beam can reach the film: both ends, and whatever strays from the line
-/// between them by the pitch angles, project outside the same edge.
+/// between them by the pitch angles, are beyond the same edge.
 bool out_of_sight(const Beam<double>& beam, const double along[3], const KernelScene& k) {
-  const double stray =
-      beam.length_km * (std::abs(k.deflection.loss_cone_rad.v) + std::abs(k.deflection.pitch_step_rad.v));
-  double x[2], y[2], nearest = 1e30;
-  for (int end = 0; end < 2; ++end) {
-    double in_camera[3];
-    for (int i = 0; i < 3; ++i) {
-      in_camera[i] = 0.0;
-      for (int j = 0; j < 3; ++j)
-        in_camera[i] +=
-            k.view.camera_from_enu[i][j].v * (beam.start_in_enu_km[j] + end * beam.length_km * along[j]);
-    }
-    nearest = std::min(nearest, in_camera[2]);
-    if (in_camera[2] > 0.0) {
-      x[end] = in_camera[0] / in_camera[2];
-      y[end] = in_camera[1] / in_camera[2];
+  const double slack_km = 0.05;  // far above the rounding of the kernel's floats
+  const double stray = 1.25 * beam.length_km *
+                       (std::abs(k.deflection.loss_cone_rad.v) + std::abs(k.deflection.pitch_step_rad.v));
+  double start[3], end[3];
+  for (int i = 0; i < 3; ++i) {
+    start[i] = end[i] = 0.0;
+    for (int j = 0; j < 3; ++j) {
+      start[i] += k.view.camera_from_enu[i][j].v * beam.start_in_enu_km[j];
+      end[i] += k.view.camera_from_enu[i][j].v * (beam.start_in_enu_km[j] + beam.length_km * along[j]);
     }
   }
-  if (nearest <= 2.0 * stray + 1.0) return false;
-  const double focal = k.view.focal_px.v;
-  const double farthest = std::max({std::abs(x[0]), std::abs(x[1]), std::abs(y[0]), std::abs(y[1])});
-  const double margin = stray / (nearest - stray) * (1.0 + farthest) * focal + 2.0;
-  const FilmGeometry& f = k.film;
-  const double left = f.x0_px - k.center_x_px - margin;
-  const double right = f.x0_px + f.columns * f.cell_width_px - k.center_x_px + margin;
-  const double top = f.y0_px - k.center_y_px - margin;
-  const double bottom = f.y0_px + f.rows * f.cell_height_px - k.center_y_px + margin;
-  return std::max(x[0], x[1]) * focal < left || std::min(x[0], x[1]) * focal > right ||
-         std::max(y[0], y[1]) * focal < top || std::min(y[0], y[1]) * focal > bottom;
+  for (int edge = 0; edge < k.edges.count; ++edge) {
+    const double* n = k.edges.outward[edge];
+    const auto beyond = [n](const double at[3]) { return at[0] * n[0] + at[1] * n[1] + at[2] * n[2]; };
+    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    if (std::min(beyond(start), beyond(end)) > (stray + slack_km) * length) return true;
+  }
+  return false;
 }
 
-void put(const LocalDual& from, int place, GroupNumber& to) {
+void put(const PlaceDual& from, int place, GroupNumber& to) {
   to.value[place] = from.v;
-  for (int k = 0; k < local_inputs; ++k) to.tangent[k][place] = from.d.t[k];
+  for (int k = 0; k < place_inputs; ++k) to.tangent[k][place] = from.d.t[k];
 }
 void put(double from, int place, GroupNumber& to) { to.value[place] = from; }
 
@@ -71,7 +61,7 @@ void leave_empty(BeamGroup& group, bool with_derivatives) {
   for (GroupNumber* number : {&group.start_in_enu_km[0], &group.start_in_enu_km[1], &group.start_in_enu_km[2],
                               &group.length_km, &group.vertical}) {
     std::fill_n(number->value, kGroup, 0.0);
-    if (with_derivatives) std::fill_n(number->tangent[0], local_inputs * kGroup, 0.0);
+    if (with_derivatives) std::fill_n(number->tangent[0], place_inputs * kGroup, 0.0);
   }
   std::fill_n(group.flux_km2_mw_m2, kGroup, 0.0);
   std::fill_n(group.end_of_path, kGroup, 0.0);
@@ -132,7 +122,7 @@ void BeamLayout::pack(const Scene& scene, const Chunk& chunk, const KernelScene&
 }
 void BeamLayout::pack(const Scene& scene, const Chunk& chunk, const KernelScene& kernel, const Seeds& seeds,
                       PackedChunk& out) const {
-  pack_as<LocalDual>(scene, chunk, kernel, &seeds, out);
+  pack_as<PlaceDual>(scene, chunk, kernel, &seeds, out);
 }
 
 template <class T>
@@ -194,14 +184,14 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
         if (k.beams_own_field) out.axes.emplace_back(GroupAxes{});
       }
       BeamGroup& group = out.groups.back();
-      if constexpr (std::is_same_v<T, LocalDual>) {
-        LocalDual east(foot.east_km), north(foot.north_km);
+      if constexpr (std::is_same_v<T, PlaceDual>) {
+        PlaceDual east(foot.east_km), north(foot.north_km);
         east.d.t[foot_east] = 1.0;
         north.d.t[foot_north] = 1.0;
-        const FallFrame<LocalDual> own_fall =
+        const FallFrame<PlaceDual> own_fall =
             k.beams_own_field ? dipole_fall_frame(k.dipole, east, north) : k.fall;
         if (k.beams_own_field) put(own_fall, place_in_group, out.axes.back());
-        const Beam<LocalDual> beam =
+        const Beam<PlaceDual> beam =
             start_beam(east, north, own_fall, k.observer_altitude_km, sheet.top_km, HeightProfile::kBottomKm);
         for (int i = 0; i < 3; ++i) put(beam.start_in_enu_km[i], place_in_group, group.start_in_enu_km[i]);
         put(beam.length_km, place_in_group, group.length_km);

@@ -8,6 +8,7 @@
 #include "sim/base/parallel.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/render/beams.h"
+#include "sim/render/derivative_passes.h"
 #include "sim/render/kernel.h"
 #include "sim/render/kernel_scene.h"
 #include "sim/scene/emission_line.h"
@@ -18,10 +19,19 @@ namespace {
 
 constexpr int kShards = 8;  // of the derivatives; fixed, so that sums do not depend on the threads
 
+/// Distortion that is free may be none at present.
+bool frees_distortion(const Camera& camera, const std::vector<const double*>& free) {
+  for (int n = k1_number; n <= p2_number; ++n)
+    if (std::find(free.begin(), free.end(), camera_number_address(camera, static_cast<CameraNumber>(n))) !=
+        free.end())
+      return true;
+  return false;
+}
+
 }  // namespace
 
 double blur_sigma_px(const Scene& scene, int line) {
-  return scene.blur.width_deg[line] * scene.camera.width / scene.camera.hfov_deg;
+  return scene.blur.width_deg[line] * pixels_per_degree(scene.camera);
 }
 
 int blur_radius_px(const Scene& scene, int line) {
@@ -137,19 +147,20 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<cons
   const int lines = static_cast<int>(scene.emission.lines.size());
   const int stride = lines <= 4 ? 4 : 8;
   const std::vector<HeightProfile> profiles = height_profiles(scene);
-  const std::vector<KernelScene> kernels = w.kernels(scene, profiles);
+  std::vector<KernelScene> kernels = w.kernels(scene, profiles);
+  if (frees_distortion(scene.camera, free))
+    for (KernelScene& kernel : kernels) kernel.plain_pinhole = false;
 
-  const int passes = std::max<int>(1, static_cast<int>((free.size() + kTangentWidth - 1) / kTangentWidth));
+  const std::vector<DerivativePass> passes = derivative_passes(scene, free);
   out.free = static_cast<int>(free.size());
-  out.free_stride = passes * kTangentWidth;
+  out.free_stride = static_cast<int>(passes.back().first) + kTangentWidth;
   const std::size_t cells = static_cast<std::size_t>(w.film.rows) * w.film.columns;
   out.derivative.resize(cells * lines * out.free_stride);
 
   const std::size_t shards =
       std::min<std::size_t>(kShards, std::max<std::size_t>(1, w.layout.chunks().size()));
-  for (int pass = 0; pass < passes; ++pass) {
-    const std::size_t first = static_cast<std::size_t>(pass) * kTangentWidth;
-    const Seeds seeds(free, first, std::min<std::size_t>(kTangentWidth, free.size() - first));
+  for (const DerivativePass& pass : passes) {
+    const Seeds seeds(free, pass.first, pass.count);
     std::vector<int> of_energy;
     for (const Sheet& sheet : scene.sheets) of_energy.push_back(seeds.parameter_at(&sheet.energy_kev));
 
@@ -198,8 +209,8 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<cons
       for (int column = 0; column < w.film.columns; ++column) {
         const std::vector<const float*>& tiles = lit[column / kTile];
         const std::size_t in_tile = (row * kTile + column % kTile) * lines * kTangentWidth;
-        float* to =
-            out.derivative.data() + ((row * w.film.columns + column) * out_stride + pass * kTangentWidth);
+        // What a pass has no parameters for is zero, and is written over by the next one.
+        float* to = out.derivative.data() + ((row * w.film.columns + column) * out_stride + pass.first);
         for (int l = 0; l < lines; ++l, to += cells * out_stride) {
           float sum[kTangentWidth] = {};
           for (const float* tile : tiles) {

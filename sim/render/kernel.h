@@ -12,6 +12,7 @@
 #include "sim/light/sample.h"
 #include "sim/render/points.h"
 #include "sim/view/camera.h"
+#include "sim/view/film_edges.h"
 #include "sim/view/tangent_film.h"
 
 namespace vegard::sim {
@@ -23,10 +24,10 @@ inline constexpr int kGroup = 16;  ///< beams that fall side by side
 /// add up to 2e9 (2^31): IBC 4, the brightest aurora, is 1e6 along the field.
 inline constexpr double kFilmUnitsPerRayleigh = 1048576.0;
 
-/// A number with its derivatives by the local inputs, for sixteen beams.
+/// A number with its derivatives by the local inputs that it hangs on, for sixteen beams.
 struct GroupNumber {
   double value[kGroup];
-  double tangent[local_inputs][kGroup];
+  double tangent[place_inputs][kGroup];
 };
 
 /// Unit vectors in east, north, up of beams that each have a direction of their own: along, and two across.
@@ -76,14 +77,16 @@ struct GroupChain {
 
 /// What all beams share.
 struct KernelScene {
-  FallFrame<LocalDual> fall;     ///< of the uniform field
+  FallFrame<PlaceDual> fall;     ///< of the uniform field
   bool beams_own_field = false;  ///< the beams fall along BeamGroup::axes instead
   DipoleAxis dipole{};           ///< of the field that beams have their own direction of
   Deflection<LocalDual> deflection;
-  PinholeView<LocalDual> view;
+  CameraView<LocalDual> view;
+  bool plain_pinhole = true;  ///< no distortion, and none whose derivatives are wanted
   FilmGeometry film;
-  double center_x_px = 0.0, center_y_px = 0.0;  ///< the principal point
+  FilmEdges edges;  ///< of the film; none where a film without columns leaves nothing out
   double observer_altitude_km = 0.0;
+  bool earth_hides = false;   ///< some of the film looks below the horizon
   bool nearest_cell = false;  ///< the paper's forward map, instead of bilinear
   bool unit_weight = false;   ///< every point counts alike, instead of rayleighs
   std::uint64_t seed = 0;

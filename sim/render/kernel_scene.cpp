@@ -1,5 +1,8 @@
 #include "sim/render/kernel_scene.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "sim/base/earth.h"
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/dipole.h"
@@ -12,10 +15,35 @@ namespace {
 constexpr double kTwoPi = 6.283185307179586;
 
 /// A scene number (in degrees) as a local input, in radians.
-LocalDual local(double degrees, LocalInput input, double scale = kRadiansPerDegree) {
-  LocalDual dual(degrees * scale);
+template <class T>
+T local(double degrees, int input, double scale = kRadiansPerDegree) {
+  T dual(degrees * scale);
   dual.d.t[input] = scale;
   return dual;
+}
+
+/// Whether any of the film looks below the horizon: its border, or the nadir itself.
+bool looks_below_horizon(const CameraView<double>& view, const FilmGeometry& film, double altitude_km) {
+  const double radius = kEarthRadiusKm / (kEarthRadiusKm + std::max(0.0, altitude_km));
+  const double lowest = -std::sqrt(1.0 - radius * radius);
+  const auto below = [&](double column, double row) {
+    double enu[3];
+    return !enu_of_pixel(view, film.x0_px + column * film.cell_width_px,
+                         film.y0_px + row * film.cell_height_px, enu) ||
+           enu[2] <= lowest;
+  };
+  constexpr int kPieces = 64;
+  for (int i = 0; i <= kPieces; ++i) {
+    const double across = static_cast<double>(film.columns) * i / kPieces,
+                 down = static_cast<double>(film.rows) * i / kPieces;
+    if (below(across, 0.0) || below(across, film.rows) || below(0.0, down) || below(film.columns, down))
+      return true;
+  }
+  const double nadir[3] = {0.0, 0.0, -1.0};
+  double x_px = 0.0, y_px = 0.0;
+  return pixel_of_enu(view, nadir, x_px, y_px) && x_px >= film.x0_px && y_px >= film.y0_px &&
+         x_px <= film.x0_px + film.columns * film.cell_width_px &&
+         y_px <= film.y0_px + film.rows * film.cell_height_px;
 }
 
 PitchLaw pitch_law(const std::string& name) {
@@ -80,21 +108,25 @@ SheetShape<FreeDual> shape_of(const Scene& scene, int sheet, int arc, double ins
 KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_step, const FilmGeometry& film,
                          const std::vector<HeightProfile>& profiles) {
   KernelScene k;
-  k.fall = fall_frame(local(scene.field.inclination_deg, inclination),
-                      local(scene.field.declination_deg, declination));
+  k.fall = fall_frame(local<PlaceDual>(scene.field.inclination_deg, inclination),
+                      local<PlaceDual>(scene.field.declination_deg, declination));
   k.beams_own_field = scene.field.model == "dipole";
   if (k.beams_own_field) k.dipole = dipole_axis(scene.field, scene.site);
   k.deflection.law = pitch_law(sheet.pitch_law);
-  k.deflection.loss_cone_rad = local(sheet.loss_cone_deg, loss_cone);
-  k.deflection.pitch_step_rad = local(sheet.pitch_step_rad, pitch_step, 1.0);
+  k.deflection.loss_cone_rad = local<LocalDual>(sheet.loss_cone_deg, loss_cone);
+  k.deflection.pitch_step_rad = local<LocalDual>(sheet.pitch_step_rad, pitch_step, 1.0);
   k.deflection.path_step = path_step;
-  const Camera& c = scene.camera;
-  k.view = pinhole_view(local(c.azimuth_deg, camera_azimuth), local(c.elevation_deg, camera_elevation),
-                        local(c.roll_deg, camera_roll), local(c.hfov_deg, camera_hfov), c.width);
+  k.view = camera_view<LocalDual>(scene.camera, [&](CameraNumber which) {
+    return local<LocalDual>(*camera_number_address(scene.camera, which), first_camera_input + which, 1.0);
+  });
+  k.plain_pinhole = is_plain_pinhole(k.view.lens);
   k.film = film;
-  k.center_x_px = 0.5 * c.width;
-  k.center_y_px = 0.5 * c.height;
   k.observer_altitude_km = scene.site.altitude_m * 1e-3;
+  if (film.columns > 0) {
+    const CameraView<double> plain = camera_view(scene.camera);
+    k.edges = film_edges(plain.lens, film);
+    k.earth_hides = looks_below_horizon(plain, film, k.observer_altitude_km);
+  }
   k.nearest_cell = scene.film.splat == "nearest";
   k.unit_weight = scene.film.weight == "unit";
   k.seed = scene.seed;
@@ -106,10 +138,9 @@ std::vector<const double*> local_input_addresses(const Scene& scene, const Sheet
   std::vector<const double*> at(local_inputs, nullptr);
   at[inclination] = &scene.field.inclination_deg;
   at[declination] = &scene.field.declination_deg;
-  at[camera_azimuth] = &scene.camera.azimuth_deg;
-  at[camera_elevation] = &scene.camera.elevation_deg;
-  at[camera_roll] = &scene.camera.roll_deg;
-  at[camera_hfov] = &scene.camera.hfov_deg;
+  static_assert(camera_inputs == camera_numbers);
+  for (int n = 0; n < camera_numbers; ++n)
+    at[first_camera_input + n] = camera_number_address(scene.camera, static_cast<CameraNumber>(n));
   at[loss_cone] = &sheet.loss_cone_deg;
   at[pitch_step] = &sheet.pitch_step_rad;
   return at;

@@ -40,10 +40,12 @@ class AtomsWay {
       wind_km_s_[i] = static_cast<float>(wind);
       blows_ = blows_ || wind != 0.0;
     }
-    focal_px_ = static_cast<float>(scene.view.focal_px.v);
+    focal_px_ = static_cast<float>(scene.view.lens.focal_px.v);
+    center_x_px_ = scene.view.lens.principal_x_px.v;
+    center_y_px_ = scene.view.lens.principal_y_px.v;
     const FilmGeometry& film = scene.film;
-    x_offset_px_ = static_cast<float>(film.x0_px + 0.5 - scene.center_x_px);
-    y_offset_px_ = static_cast<float>(film.y0_px + 0.5 - scene.center_y_px);
+    x_offset_px_ = static_cast<float>(film.x0_px + 0.5 - center_x_px_);
+    y_offset_px_ = static_cast<float>(film.y0_px + 0.5 - center_y_px_);
   }
 
   HWY_INLINE void follow(const SampleBlock<float, 0>& block, int step, const BeamGroup& group,
@@ -84,8 +86,8 @@ class AtomsWay {
         if (!scene_.unit_weight) light = light * nearer * nearer * (square_root(one + x * x + y * y) / slant);
         light = select(in_front, light, Pack(0.0f));
       }
-      store(x * focal + Pack(scene_.center_x_px), out.x_px);
-      store(y * focal + Pack(scene_.center_y_px), out.y_px);
+      store(x * focal + Pack(center_x_px_), out.x_px);
+      store(y * focal + Pack(center_y_px_), out.y_px);
       // Off the axis a pinhole draws the sphere as an ellipse: f/Z across, f/Z sqrt(1 + tan^2) outwards. The
       // mean of the two variances stands for both.
       const Pack scale = focal / z;
@@ -106,6 +108,7 @@ class AtomsWay {
   const KernelScene& scene_;
   const KernelLevels& levels_;
   float up_[3], wind_km_s_[3], focal_px_, x_offset_px_, y_offset_px_;
+  double center_x_px_, center_y_px_;
   bool blows_ = false;
 };
 
@@ -156,7 +159,7 @@ HWY_INLINE void splat_on_level(const FilmGeometry& film, float x_px, float y_px,
 
 inline std::uint64_t fall_and_spread(const KernelScene& scene, const KernelLevels& levels,
                                      const BeamGroup* groups, std::size_t count, std::int64_t* const* films) {
-  SampleMaker<Pack, Pack, Pack, Pack, 0> maker(scene);
+  SampleMaker<PinholeFilm, Pack, Pack, Pack, Pack, 0> maker(scene);
   static thread_local SampleBlock<float, 0> block;
   const AtomsWay way(scene, levels);
   SpreadSamples samples;

@@ -39,11 +39,11 @@ double highest_km(const Scene& scene) {
 class NearestScale {
  public:
   explicit NearestScale(const Scene& scene) : observer_km_(scene.site.altitude_m * 1e-3) {
-    const PinholeView<double> view = pinhole_view(scene.camera);
-    const double across = 0.5 * scene.camera.width / view.focal_px;
-    const double down = 0.5 * scene.camera.height / view.focal_px;
+    const CameraView<double> view = camera_view(scene.camera);
+    const double across = 0.5 * scene.camera.width / view.lens.focal_px;
+    const double down = 0.5 * scene.camera.height / view.lens.focal_px;
     slant_ = std::sqrt(1.0 + across * across + down * down);
-    per_km_at_1_km_ = view.focal_px * slant_ * std::sqrt(0.5 * (1.0 + slant_ * slant_));
+    per_km_at_1_km_ = view.lens.focal_px * slant_ * std::sqrt(0.5 * (1.0 + slant_ * slant_));
     // The highest point of the picture is the zenith, if it shows, or lies on its border.
     const double* up[3] = {&view.camera_from_enu[0][2], &view.camera_from_enu[1][2],
                            &view.camera_from_enu[2][2]};

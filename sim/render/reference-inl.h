@@ -18,9 +18,10 @@ HWY_BEFORE_NAMESPACE();
 namespace vegard::sim {
 namespace HWY_NAMESPACE {
 
+template <template <class> class Film>
 inline std::uint64_t fall_reference(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                                     double* film) {
-  SampleMaker<double, double, double, double, 0> maker(scene);
+  SampleMaker<Film, double, double, double, double, 0> maker(scene);
   static thread_local SampleBlock<double, 0> block;
   std::uint64_t points = 0;
   for (std::size_t g = 0; g < count; ++g) {

@@ -36,7 +36,7 @@ struct SampleBlock {
 };
 
 // Numbers with kLocals derivatives, in and out of arrays. `inputs` are the local inputs that they are by.
-inline constexpr int kFirstInputs[local_inputs] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+inline constexpr int kFirstInputs[kMostCarried] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
 
 template <class L, int kLocals>
 using LaneDual = Dual<L, Tangents<L, kLocals>>;
@@ -48,16 +48,19 @@ HWY_INLINE void fetch(const GroupNumber& from, int first, L& to, const int* = nu
 template <class L, int kLocals>
 HWY_INLINE void fetch(const GroupNumber& from, int first, LaneDual<L, kLocals>& to, const int* inputs) {
   to.v = LaneTraits<L>::load(from.value + first);
-  for (int k = 0; k < kLocals; ++k) to.d.t[k] = LaneTraits<L>::load(from.tangent[inputs[k]] + first);
+  for (int k = 0; k < kLocals; ++k)
+    to.d.t[k] = inputs[k] < place_inputs ? LaneTraits<L>::load(from.tangent[inputs[k]] + first) : L(0.0f);
 }
-template <class L>
-HWY_INLINE void spread(const LocalDual& from, L& to, const int* = nullptr) {
+template <class L, int kOwn>
+HWY_INLINE void spread(const sim::Dual<double, sim::Tangents<double, kOwn>>& from, L& to,
+                       const int* = nullptr) {
   to = L(from.v);
 }
-template <class L, int kLocals>
-HWY_INLINE void spread(const LocalDual& from, LaneDual<L, kLocals>& to, const int* inputs) {
+template <class L, int kLocals, int kOwn>
+HWY_INLINE void spread(const sim::Dual<double, sim::Tangents<double, kOwn>>& from, LaneDual<L, kLocals>& to,
+                       const int* inputs) {
   to.v = L(from.v);
-  for (int k = 0; k < kLocals; ++k) to.d.t[k] = L(from.d.t[inputs[k]]);
+  for (int k = 0; k < kLocals; ++k) to.d.t[k] = inputs[k] < kOwn ? L(from.d.t[inputs[k]]) : L(0.0f);
 }
 template <class L, class S>
 HWY_INLINE void keep(const L& from, S (*to)[kGroup], int first) {
@@ -88,9 +91,9 @@ struct BeamAxes {
   F in_camera[3][3];  ///< the same in right, down, forward
 };
 
-/// The chain from beams to samples. L: lane type; P: positions; C: what all beams share; F: the beams' axes,
-/// C where the field is uniform, P where each beam has its own.
-template <class L, class P, class C, class F, int kLocals>
+/// The chain from beams to samples. Film: PinholeFilm or LensFilm; L: lane type; P: positions; C: what all
+/// beams share; F: the beams' axes, C where the field is uniform, P where each beam has its own.
+template <template <class> class Film, class L, class P, class C, class F, int kLocals>
 class SampleMaker {
  public:
   using Traits = LaneTraits<L>;
@@ -114,20 +117,10 @@ class SampleMaker {
     spread(scene.deflection.pitch_step_rad, deflection_.pitch_step_rad, inputs_);
     deflection_.law = scene.deflection.law;
     deflection_.path_step = scene.deflection.path_step;
-    const FilmGeometry& g = scene.film;
-    const LocalDual& focal_px = scene.view.focal_px;
-    spread(focal_px * (1.0 / g.cell_width_px), film_.column_scale, inputs_);
-    spread(focal_px * (1.0 / g.cell_height_px), film_.row_scale, inputs_);
-    spread(LocalDual((scene.center_x_px - g.x0_px) / g.cell_width_px - 0.5), film_.column_offset, inputs_);
-    spread(LocalDual((scene.center_y_px - g.y0_px) / g.cell_height_px - 0.5), film_.row_offset, inputs_);
-    spread(focal_px * focal_px * (1.0 / (g.cell_width_px * g.cell_height_px)), film_.cells_per_steradian,
-           inputs_);
+    film_.set(scene.view.lens, scene.film,
+              [this](const LocalDual& number, C& to) { spread(number, to, inputs_); });
     philox_keys(scene.seed, keys_);
-    const double focal = scene.view.focal_px.v;
-    left_ = (g.x0_px - g.cell_width_px - scene.center_x_px) / focal;
-    right_ = (g.x0_px + (g.columns + 1) * g.cell_width_px - scene.center_x_px) / focal;
-    top_ = (g.y0_px - g.cell_height_px - scene.center_y_px) / focal;
-    bottom_ = (g.y0_px + (g.rows + 1) * g.cell_height_px - scene.center_y_px) / focal;
+    for (int i = 0; i < 3; ++i) up_[i] = scene.view.camera_from_enu[i][2].v;
     stray_ =
         1.25 * (std::abs(scene.deflection.loss_cone_rad.v) + std::abs(scene.deflection.pitch_step_rad.v));
   }
@@ -220,8 +213,7 @@ class SampleMaker {
   }
 
   /// The stretch of the path outside of which a beam surely misses the film. A point strays from the straight
-  /// line by no more than its path times the pitch angle; the film's four edges are planes through the
-  /// camera.
+  /// line by no more than its path times the pitch angle; the film's edges are planes through the camera.
   HWY_INLINE void find_stretch_in_view(L length_km, int part) {
     const L slack_km(0.05f);  // far above the rounding of floats
     L start[3], way[3];
@@ -230,22 +222,36 @@ class SampleMaker {
       way[i] = length_km * value_of(axes_[part].in_camera[0][i]);
     }
     L first(0.0f), last = end_[part];
-    const auto keep_inside = [&](int axis, double edge, double side) {
-      const L outward(side), depth(-side * edge), length(std::sqrt(1.0 + edge * edge));
-      const L beyond = start[axis] * outward + start[2] * depth - slack_km * length;
-      const L grow = way[axis] * outward + way[2] * depth - length_km * L(stray_) * length;
+    for (int edge = 0; edge < scene_.edges.count; ++edge) {
+      const double* n = scene_.edges.outward[edge];
+      const L length(std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]));
+      const L beyond = start[0] * L(n[0]) + start[1] * L(n[1]) + start[2] * L(n[2]) - slack_km * length;
+      const L grow = way[0] * L(n[0]) + way[1] * L(n[1]) + way[2] * L(n[2]) - length_km * L(stray_) * length;
       const L crossing = L(0.0f) - beyond / select(grow < L(0.0f), grow, L(-1e-30f));
       const L leaving = L(0.0f) - beyond / select(L(0.0f) < grow, grow, L(1e-30f));
       const auto outside = L(0.0f) < beyond;
       first = select(outside && first < crossing, crossing, first);
       last = select(beyond <= L(0.0f) && leaving < last, leaving, last);
-    };
-    keep_inside(0, left_, -1.0);
-    keep_inside(0, right_, 1.0);
-    keep_inside(1, top_, -1.0);
-    keep_inside(1, bottom_, 1.0);
+    }
     first_in_view_[part] = first;
     last_in_view_[part] = last;
+  }
+
+  /// Whether the Earth's sphere leaves the view of a point free. Seen from the Earth's centre the line of
+  /// sight sinks by u = -up . point over its length l; it is nearest to the centre, at the square of the
+  /// distance o^2 - (o u / l)^2 with o = R + observer's altitude, before it reaches the point if o u < l^2.
+  HWY_INLINE auto before_the_earth(const P in_camera_km[3]) const {
+    const double altitude = scene_.observer_altitude_km, from_centre = kEarthRadiusKm + altitude;
+    L length2(0.0f), sinks(0.0f);
+    for (int i = 0; i < 3; ++i) {
+      const L x = value_of(in_camera_km[i]);
+      length2 = length2 + x * x;
+      sinks = sinks - x * L(up_[i] * from_centre);
+    }
+    const L above_surface_km2(std::max(0.0, altitude * (altitude + 2.0 * kEarthRadiusKm)));
+    const L hidden = select(L(0.0f) < sinks && sinks < length2 && above_surface_km2 * length2 < sinks * sinks,
+                            L(1.0f), L(0.0f));
+    return hidden < L(0.5f);
   }
 
   HWY_INLINE void see(const FallenPoint<L, P>& point, int part, int first, int step, Block& block) {
@@ -255,7 +261,8 @@ class SampleMaker {
       in_camera[i] = start_in_camera_km_[part][i] + way[0] * axes_[part].in_camera[0][i] +
                      (way[1] * axes_[part].in_camera[1][i] + way[2] * axes_[part].in_camera[2][i]);
     auto in_front = L(0.0f) < L(1.0f);
-    SeenPoint<P> seen = see_point<L>(film_, in_camera, in_front);
+    SeenPoint<P> seen = film_.template see<L>(in_camera, in_front);
+    if (scene_.earth_hides) in_front = in_front && before_the_earth(in_camera);
     P above =
         (altitude_km(altitude_[part].excess_km2(way)) - L(static_cast<float>(HeightProfile::kBottomKm))) *
         L(static_cast<float>(1.0 / HeightProfile::kStepKm));
@@ -290,7 +297,7 @@ class SampleMaker {
   Deflection<C> deflection_;
   BeamAxes<F> axes_[kGroup];
   C camera_from_enu_[3][3];
-  FilmView<C> film_;
+  Film<C> film_;
   FallingBeams<L, P, C> beams_[kGroup];
   P start_in_camera_km_[kGroup][3];
   BeamAltitude<P> altitude_[kGroup];
@@ -298,9 +305,9 @@ class SampleMaker {
   L end_[kGroup], first_in_view_[kGroup], last_in_view_[kGroup];
   L shift_[kGroup], stretch_above_[kGroup], peak_;  ///< in steps of the height profile
   bool reads_elsewhere_ = false;
-  bool alive_ = false;                  ///< some beam of the group goes on
-  double left_, right_, top_, bottom_;  ///< edges of the film and a cell more, as tangents
-  double stray_;                        ///< from the straight line, as a fraction of the path
+  bool alive_ = false;  ///< some beam of the group goes on
+  double up_[3];        ///< the vertical at the observer, in the camera's axes
+  double stray_;        ///< from the straight line, as a fraction of the path
 };
 
 }  // namespace HWY_NAMESPACE

@@ -25,6 +25,17 @@ std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const Par
     return Complaint{"the field is a dipole's, so " + key + " counts for nothing", expected,
                      "leave it out of fit.free, or set field.model to \"uniform\""};
   }
+  if (path.row->table == "camera") {
+    const std::string& model = scene.camera.model;
+    const bool pinhole = model == "pinhole", radial = key == "k1" || key == "k2" || key == "k3";
+    if ((key == "hfov_deg" && !pinhole) || (key == "focal_px" && pinhole) ||
+        (radial && !pinhole && model != "polynomial")) {
+      return Complaint{"the lens is \"" + model + "\", so " + key + " counts for nothing", expected,
+                       radial    ? "leave it out of fit.free, or set camera.model to \"polynomial\""
+                       : pinhole ? "a pinhole has camera.hfov_deg"
+                                 : "this lens has camera.focal_px"};
+    }
+  }
   if (path.row->table == "air" && scene.air.model == "none") {
     return Complaint{"there is no air, so " + key + " counts for nothing", expected,
                      "leave it out of fit.free, or set air.model to \"standard\""};

@@ -57,14 +57,27 @@ struct Substorm {
   double recovery_s = 3600.0;
 };
 
+/// A camera: a lens (sim/view/lens.h) before pixels. Each lens has its own measure of scale: a pinhole its
+/// field of view, all others focal_px.
 struct Camera {
+  /// "pinhole" (with Brown's distortion), "equidistant", "equisolid", "stereographic", "orthographic" or
+  /// "polynomial" (with terms of the angle off the axis)
   std::string model = "pinhole";
   int width = 720;
   int height = 480;
-  double hfov_deg = 60.0;
-  double azimuth_deg = 0.0;
+  double hfov_deg = 60.0;    ///< of a pinhole without distortion, across the picture's width
+  double focal_px = 300.0;   ///< of the other lenses: pixels to a radian on the axis, across the picture
+  double azimuth_deg = 0.0;  ///< of the lens's axis, which the principal point looks along
   double elevation_deg = 30.0;
   double roll_deg = 0.0;
+  double principal_x_px = 0.0;  ///< of the principal point, to the right of the picture's middle
+  double principal_y_px = 0.0;  ///< and below it
+  double aspect = 1.0;          ///< scale down the picture over scale across it
+  bool mirrored = false;        ///< left and right are exchanged
+  /// Radial terms. Pinhole: of r^2, r^4, r^6 (Brown, as OpenCV has them); polynomial: of theta^2, theta^4,
+  /// theta^6 over the equidistant lens.
+  double k1 = 0.0, k2 = 0.0, k3 = 0.0;
+  double p1 = 0.0, p2 = 0.0;  ///< decentring terms, as OpenCV has them
 };
 
 /// One sheet of precipitating electrons, or a system of like ones side by side (rows B1-B17, B28-B29 of the

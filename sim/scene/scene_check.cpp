@@ -84,6 +84,20 @@ void check_response(const Scene& scene) {
            {scene.file, 0, "sensor." + key});
 }
 
+/// The way of excited atoms is drawn for a plain pinhole only: what would be ignored is refused.
+void check_blur(const Scene& scene) {
+  if (scene.blur.model != "physical") return;
+  const Camera& c = scene.camera;
+  const bool is_plain = c.model == "pinhole" && c.k1 == 0.0 && c.k2 == 0.0 && c.k3 == 0.0 && c.p1 == 0.0 &&
+                        c.p2 == 0.0 && c.aspect == 1.0 && !c.mirrored && c.principal_x_px == 0.0 &&
+                        c.principal_y_px == 0.0;
+  if (!is_plain)
+    complain(
+        {"the physical blur is drawn by a pinhole without distortion only, its axis in the picture's middle",
+         "blur.model = \"angle\" with this camera", ""},
+        {scene.file, 0, "blur.model"});
+}
+
 /// What such a file has to hold is checked where it is used.
 void check_profile_files(const Scene& scene) {
   for (const Sheet& sheet : scene.sheets) {
@@ -194,6 +208,7 @@ void validate(const Scene& scene) {
   check_sheet_names(scene);
   check_structures(scene);
   check_response(scene);
+  check_blur(scene);
   check_profile_files(scene);
   check_sensor(scene);
   check_splines(scene);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/view/camera.h"
 #include "sim/view/line_colours.h"
 #include "sim/view/sensor_scale.h"
 
@@ -12,11 +13,18 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// Angle between the axis and a corner of the picture; a fisheye's is taken for 90 degrees at most.
+/// Angle between the axis and the farthest corner of the picture; a fisheye's is taken for 90 degrees at
+/// most.
 double corner_angle(const Camera& camera) {
-  const double half_width = std::tan(std::min(camera.hfov_deg, 179.0) * kPi / 360.0);
-  const double half_height = half_width * camera.height / camera.width;
-  return std::atan(std::hypot(half_width, half_height));
+  const Lens<double> lens = camera_view(camera).lens;
+  double least = 1.0;
+  for (const double x_px : {0.0, static_cast<double>(camera.width)})
+    for (const double y_px : {0.0, static_cast<double>(camera.height)}) {
+      double in_camera[3] = {0.0, 0.0, 0.0};
+      unproject(lens, x_px, y_px, in_camera);
+      least = std::min(least, std::max(in_camera[2], 0.0));
+    }
+  return std::acos(least);
 }
 
 /// Half the width of a range as a standard uncertainty.

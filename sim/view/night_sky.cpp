@@ -73,6 +73,7 @@ Image night_sky_light(const Scene& scene, int threads) {
   parallel_for(static_cast<std::size_t>(light.height), threads, [&](std::size_t row, int) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < light.width; ++x) {
+      if (!view.sees(x + 0.5, y + 0.5)) continue;
       const std::array<double, 3> rgb = sky.light(view.at(x + 0.5, y + 0.5));
       for (int c = 0; c < 3; ++c) light.at(x, y, c) = static_cast<float>(rgb[c]);
     }

@@ -9,6 +9,7 @@
 #include "sim/base/dual-inl.h"
 #include "sim/base/earth.h"
 #include "sim/base/lanes-inl.h"
+#include "sim/light/sample.h"
 #include "sim/view/camera.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,28 +23,56 @@ struct SeenPoint {
   P per_steradian_cell;  ///< 1 / (r^2 Omega): what a volume in km^3 counts for in its cell, km^-2
 };
 
-/// From the camera's axes to the film. C is the type of what all beams share.
+/// From places in units of the lens's focal_px to the film. C is the type of what all beams share.
 template <class C>
-struct FilmView {
-  C column_scale, column_offset, row_scale, row_offset;  ///< column = x/z * scale + offset
+struct PlaceOnFilm {
+  C column_scale, column_offset, row_scale, row_offset;  ///< column = x * scale + offset
   C cells_per_steradian;                                 ///< on the axis: f^2 / (width * height of a cell)
+
+  /// `spread(number, to)` takes a number of the scene to one of the lanes.
+  template <class Spread>
+  void set(const Lens<LocalDual>& lens, const FilmGeometry& film, const Spread& spread) {
+    const double per_column = 1.0 / film.cell_width_px, per_row = 1.0 / film.cell_height_px;
+    const LocalDual down_px = lens.focal_px * lens.aspect;
+    spread(lens.focal_px * (lens.side * per_column), column_scale);
+    spread(down_px * per_row, row_scale);
+    spread((lens.principal_x_px - film.x0_px) * per_column - 0.5, column_offset);
+    spread((lens.principal_y_px - film.y0_px) * per_row - 0.5, row_offset);
+    spread(lens.focal_px * down_px * (per_column * per_row), cells_per_steradian);
+  }
+
+  template <class L, class P>
+  HWY_INLINE SeenPoint<P> seen(const P& x, const P& y, const P& per_steradian) const {
+    SeenPoint<P> point;
+    point.column = x * column_scale + column_offset;
+    point.row = y * row_scale + row_offset;
+    point.per_steradian_cell = per_steradian * cells_per_steradian;
+    return point;
+  }
 };
 
-/// Pinhole: Omega = cos^3(theta) / f^2 per pixel, so 1 / (r^2 Omega) = f^2 r / Z^3 (docs/physics.md).
-/// `in_camera_km` are right, down, forward.
-template <class L, class P, class C>
-HWY_INLINE SeenPoint<P> see_point(const FilmView<C>& film, const P in_camera_km[3],
-                                  decltype(L() < L())& in_front) {
-  in_front = L(1e-3f) < value_of(in_camera_km[2]);
-  const P inverse = L(1.0f) / in_camera_km[2];
-  const P x = in_camera_km[0] * inverse, y = in_camera_km[1] * inverse;
-  SeenPoint<P> seen;
-  seen.column = x * film.column_scale + film.column_offset;
-  seen.row = y * film.row_scale + film.row_offset;
-  seen.per_steradian_cell =
-      inverse * inverse * square_root(x * x + y * y + L(1.0f)) * film.cells_per_steradian;
-  return seen;
-}
+/// A pinhole without distortion before the film.
+template <class C>
+class PinholeFilm {
+ public:
+  template <class Spread>
+  void set(const Lens<LocalDual>& lens, const FilmGeometry& film, const Spread& spread) {
+    place_.set(lens, film, spread);
+  }
+
+  /// Omega = cos^3(theta) / f^2 per pixel, so 1 / (r^2 Omega) = f^2 r / Z^3 (docs/physics.md). `in_camera_km`
+  /// are right, down, forward.
+  template <class L, class P>
+  HWY_INLINE SeenPoint<P> see(const P in_camera_km[3], decltype(L() < L())& in_front) const {
+    in_front = L(1e-3f) < value_of(in_camera_km[2]);
+    const P inverse = L(1.0f) / in_camera_km[2];
+    const P x = in_camera_km[0] * inverse, y = in_camera_km[1] * inverse;
+    return place_.template seen<L>(x, y, inverse * inverse * square_root(x * x + y * y + L(1.0f)));
+  }
+
+ private:
+  PlaceOnFilm<C> place_;
+};
 
 /// Altitude above the Earth's sphere from `excess_km2` = (distance from its centre)^2 - R^2, without a root
 /// or a quotient: R (sqrt(1 + w) - 1), w = excess / R^2, by a polynomial through Chebyshev nodes, good to 2

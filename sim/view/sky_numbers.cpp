@@ -2,20 +2,12 @@
 
 #include <cassert>
 
-#include "sim/base/earth.h"
-
 namespace vegard::sim {
 
 const double* sky_number_address(const Scene& scene, SkyNumber which) {
+  if (which >= first_sky_camera && which < sky_numbers)
+    return camera_number_address(scene.camera, static_cast<CameraNumber>(which - first_sky_camera));
   switch (which) {
-    case sky_camera_azimuth:
-      return &scene.camera.azimuth_deg;
-    case sky_camera_elevation:
-      return &scene.camera.elevation_deg;
-    case sky_camera_roll:
-      return &scene.camera.roll_deg;
-    case sky_camera_hfov:
-      return &scene.camera.hfov_deg;
     case sky_aerosol_depth:
       return &scene.air.aerosol_optical_depth;
     case sky_angstrom:
@@ -28,7 +20,7 @@ const double* sky_number_address(const Scene& scene, SkyNumber which) {
       return &scene.airglow.sodium_rayleigh;
     case sky_pollution:
       return &scene.light_pollution.luminance_mcd_m2;
-    case sky_numbers:
+    default:
       break;
   }
   assert(false);
@@ -57,12 +49,11 @@ SkyDual sky_number<SkyDual>(const Scene& scene, SkyNumber which) {
 
 template <class T>
 SkyView<T>::SkyView(const Scene& scene)
-    : view_(pinhole_view<T>(sky_number<T>(scene, sky_camera_azimuth) * kRadiansPerDegree,
-                            sky_number<T>(scene, sky_camera_elevation) * kRadiansPerDegree,
-                            sky_number<T>(scene, sky_camera_roll) * kRadiansPerDegree,
-                            sky_number<T>(scene, sky_camera_hfov) * kRadiansPerDegree, scene.camera.width)),
-      width_px_(scene.camera.width),
-      height_px_(scene.camera.height) {}
+    : view_(camera_view<T>(scene.camera,
+                           [&](CameraNumber which) {
+                             return sky_number<T>(scene, static_cast<SkyNumber>(first_sky_camera + which));
+                           })),
+      plain_(values_of(view_.lens)) {}
 
 template class SkyView<double>;
 template class SkyView<SkyDual>;

@@ -11,17 +11,14 @@
 namespace vegard::sim {
 
 enum SkyNumber : int {
-  sky_camera_azimuth,
-  sky_camera_elevation,
-  sky_camera_roll,
-  sky_camera_hfov,
   sky_aerosol_depth,
   sky_angstrom,
   sky_green,
   sky_red,
   sky_sodium,
   sky_pollution,
-  sky_numbers
+  first_sky_camera,  ///< from here on one for every CameraNumber
+  sky_numbers = first_sky_camera + camera_numbers
 };
 
 /// Tangents by the scene's own units (degrees, rayleighs, mcd m^-2).
@@ -49,20 +46,22 @@ class SkyView {
  public:
   explicit SkyView(const Scene& scene);
 
+  /// Outside of the lens's picture, where nothing is to be seen, straight up.
   SightLine<T> at(double x_px, double y_px) const {
-    const T right = T(x_px - 0.5 * width_px_), down = T(y_px - 0.5 * height_px_);
-    const auto& m = view_.camera_from_enu;
-    const T& f = view_.focal_px;
-    const T scale = 1.0 / square_root(right * right + down * down + f * f);
-    SightLine<T> line;
-    T* const to[3] = {&line.east, &line.north, &line.up};
-    for (int i = 0; i < 3; ++i) *to[i] = (right * m[0][i] + down * m[1][i] + f * m[2][i]) * scale;
-    return line;
+    T enu[3];
+    if (!enu_of_pixel(view_, x_px, y_px, enu)) return {T(0.0), T(0.0), T(1.0)};
+    return {enu[0], enu[1], enu[2]};
+  }
+
+  /// Whether the lens has an image of anything there.
+  bool sees(double x_px, double y_px) const {
+    double in_camera[3];
+    return is_plain_pinhole(plain_) || unproject(plain_, x_px, y_px, in_camera);
   }
 
  private:
-  PinholeView<T> view_;
-  double width_px_, height_px_;
+  CameraView<T> view_;
+  Lens<double> plain_;
 };
 
 }  // namespace vegard::sim

@@ -142,9 +142,8 @@ Image star_light(const Scene& scene, const std::vector<double>& instants_s, cons
   const Camera& camera = scene.camera;
   Image light(camera.width, camera.height, {"R", "G", "B"});
   if (!scene.stars.shown) return light;
-  const PinholeView<double> view = pinhole_view(camera);
-  // As for the blur, a pixel is hfov / width of an angle.
-  const double sigma_px = std::max(kNarrowestPx, scene.stars.width_deg * camera.width / camera.hfov_deg);
+  const CameraView<double> view = camera_view(camera);
+  const double sigma_px = std::max(kNarrowestPx, scene.stars.width_deg * pixels_per_degree(camera));
   const double from_centre_km = kEarthRadiusKm + std::max(0.0, scene.site.altitude_m) * 1e-3;
   const double cos_of_dip = kEarthRadiusKm / from_centre_km;
   const double lowest_up = -std::sqrt(1.0 - cos_of_dip * cos_of_dip);
@@ -169,13 +168,8 @@ Image star_light(const Scene& scene, const std::vector<double>& instants_s, cons
       if (stop != nullptr && stop->load(std::memory_order_relaxed)) return light;
       const std::array<double, 3> enu = star_direction(one, scene.site.latitude_deg, instant);
       if (enu[2] < lowest_up) continue;
-      double in_camera[3] = {};
-      for (int r = 0; r < 3; ++r)
-        for (int i = 0; i < 3; ++i) in_camera[r] += view.camera_from_enu[r][i] * enu[i];
-      const double forward = in_camera[2];
-      if (forward <= 0.0) continue;
-      const double x_px = 0.5 * camera.width + view.focal_px * in_camera[0] / forward;
-      const double y_px = 0.5 * camera.height + view.focal_px * in_camera[1] / forward;
+      double x_px = 0.0, y_px = 0.0;
+      if (!pixel_of_enu(view, enu.data(), x_px, y_px)) continue;
       const double reach_px = kReach * sigma_px;
       if (x_px < -reach_px || x_px > camera.width + reach_px || y_px < -reach_px ||
           y_px > camera.height + reach_px)
@@ -183,7 +177,8 @@ Image star_light(const Scene& scene, const std::vector<double>& instants_s, cons
       std::array<double, 3> tint = above_the_air;
       if (!air.none())
         for (int c = 0; c < 3; ++c) tint[c] *= depths[c].transmission(air.towards(enu[2]));
-      const double steradians_of_pixel = forward * forward * forward / (view.focal_px * view.focal_px);
+      const double steradians_of_pixel = pixel_steradians(view.lens, x_px, y_px);
+      if (!(steradians_of_pixel > 0.0)) continue;
       across.set(x_px, sigma_px, camera.width);
       down.set(y_px, sigma_px, camera.height);
       for (std::size_t j = 0; j < down.shares.size(); ++j) {

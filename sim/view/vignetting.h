@@ -7,6 +7,7 @@
 
 #include "sim/base/image.h"
 #include "sim/scene/scene.h"
+#include "sim/view/camera.h"
 
 namespace vegard::sim {
 
@@ -19,8 +20,9 @@ class Vignetting {
 
  private:
   Camera camera_;
+  Lens<double> lens_;
   double cos_power_;
-  std::array<double, 3> polynomial_, axis_;
+  std::array<double, 3> polynomial_;
   bool none_;
 };
 

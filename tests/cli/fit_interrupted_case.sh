@@ -17,5 +17,5 @@ wait "$job" || status=$?
 grep -qF '"verdict": "interrupted"' run/result.json || fail "another verdict"
 grep -qF '"termination": "stopped by the user"' run/result.json || fail "another end"
 ! grep -qiE 'logging|terminating|trust_region' "$stderr" || fail "the solver's log is among the messages"
-for file in best.toml model.exr profiles.csv report.html residual.exr trace.csv; do expect_file "run/$file"; done
+for file in best.toml map.svg model.exr profiles.csv report.html residual.exr trace.csv; do expect_file "run/$file"; done
 expect_exit 0 render run/best.toml -o best.png --set sheet.main.beams=50

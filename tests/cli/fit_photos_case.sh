@@ -28,7 +28,7 @@ expect_exit 0 fit both.toml --out runs/both --set sheet.main.center_km.north=228
 expect_stdout "Believable"
 expect_stdout "camera.elevation_deg of far"
 found=$(find runs/both -mindepth 1 -printf '%f\n' | LC_ALL=C sort | xargs)
-[[ $found == "best.toml model-far.exr model-south.exr profiles-far.csv profiles-south.csv report.html residual-far.exr residual-south.exr result.json trace.csv" ]] ||
+[[ $found == "best.toml map.svg model-far.exr model-south.exr profiles-far.csv profiles-south.csv report.html residual-far.exr residual-south.exr result.json trace.csv" ]] ||
   fail "the run holds: $found"
 for text in '"photos": [' '"name": "south"' '"name": "far"' '"name": "north.png"' '"photo": "far"'; do
   grep -qF -- "$text" runs/both/result.json || fail "no '$text' in result.json"

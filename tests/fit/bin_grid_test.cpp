@@ -85,7 +85,7 @@ TEST(BinGrid, BandsAlongTheFieldHoldFieldLines) {
   constexpr int kBands = 11;
   const BinGrid grid = field_bins(kRegion, kBands, scene.camera, scene.field);
   const std::vector<int> of = bin_of_pixels(grid);
-  const sim::PinholeView<double> view = sim::pinhole_view(scene.camera);
+  const sim::CameraView<double> view = sim::camera_view(scene.camera);
   const double i = scene.field.inclination_deg * sim::kRadiansPerDegree,
                d = scene.field.declination_deg * sim::kRadiansPerDegree;
   const double down[3] = {std::cos(i) * std::sin(d), std::cos(i) * std::cos(d), -std::sin(i)};
@@ -94,10 +94,10 @@ TEST(BinGrid, BandsAlongTheFieldHoldFieldLines) {
     for (int r = 0; r < 3; ++r)
       for (int k = 0; k < 3; ++k) camera[r] += view.camera_from_enu[r][k] * enu[k];
     const int x = static_cast<int>(
-                      std::floor(0.5 * scene.camera.width + view.focal_px * camera[0] / camera[2])) -
+                      std::floor(0.5 * scene.camera.width + view.lens.focal_px * camera[0] / camera[2])) -
                   kRegion.x,
               y = static_cast<int>(
-                      std::floor(0.5 * scene.camera.height + view.focal_px * camera[1] / camera[2])) -
+                      std::floor(0.5 * scene.camera.height + view.lens.focal_px * camera[1] / camera[2])) -
                   kRegion.y;
     if (x < 0 || x >= kRegion.width || y < 0 || y >= kRegion.height) return -1;
     const int bin = of[static_cast<std::size_t>(y) * kRegion.width + x];

@@ -75,7 +75,7 @@ TEST(ReportHtml, ShowsPicturesPlotsAndNumbers) {
        at = page.html.find("role=\"img\"", at + 1))
     ++plots;
   EXPECT_EQ(pictures, 4u);
-  EXPECT_EQ(plots, 5u);
+  EXPECT_EQ(plots, 6u);
   EXPECT_TRUE(page.has("class=\"verdict doubtful\""));
   EXPECT_TRUE(page.has("4.33 \u00b1 0.12"));
   EXPECT_TRUE(page.has("220.1 \u00b1 3.2"));

@@ -38,8 +38,8 @@ class RunDirectory : public ::testing::Test {
 
 TEST_F(RunDirectory, HoldsAllFilesAndNothingElse) {
   write("run");
-  EXPECT_EQ(files("run"), (std::set<std::string>{"best.toml", "model.exr", "profiles.csv", "report.html",
-                                                 "residual.exr", "result.json", "trace.csv"}));
+  EXPECT_EQ(files("run"), (std::set<std::string>{"best.toml", "map.svg", "model.exr", "profiles.csv",
+                                                 "report.html", "residual.exr", "result.json", "trace.csv"}));
   EXPECT_EQ(folder.entries(), 1);
 }
 

@@ -124,7 +124,7 @@ class Sight {
 sim::Image line_of_sight_rayleighs(const sim::Scene& scene, int threads) {
   assert(scene.field.model == "uniform" && scene.emission.lines.size() <= kMostLines);
   const Sight sight(scene);
-  const sim::PinholeView<double> view = sim::pinhole_view(scene.camera);
+  const sim::CameraView<double> view = sim::camera_view(scene.camera);
   sim::Exposure film;
   film.geometry = sim::film_for(scene, 0, 0, scene.camera.width, scene.camera.height, 1.0, 1.0);
   film.lines = static_cast<int>(scene.emission.lines.size());
@@ -138,7 +138,7 @@ sim::Image line_of_sight_rayleighs(const sim::Scene& scene, int threads) {
         std::array<double, 3> direction;
         for (int i = 0; i < 3; ++i)
           direction[i] = view.camera_from_enu[0][i] * x + view.camera_from_enu[1][i] * y +
-                         view.camera_from_enu[2][i] * view.focal_px;
+                         view.camera_from_enu[2][i] * view.lens.focal_px;
         const double size = std::hypot(direction[0], direction[1], direction[2]);
         for (double& d : direction) d /= size;
         sight.add_light(direction, 0.5, rayleigh);

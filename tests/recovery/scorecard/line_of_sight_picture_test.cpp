@@ -34,7 +34,7 @@ TEST(LineOfSightPicture, IsThatOfTheSlowReference) {
   for (sim::Sheet& sheet : scene.sheets) sheet.ray_contrast = sheet.fold_spacing_km = 0.0;
   const sim::Image picture = line_of_sight_rayleighs(scene, 0);
   const tests::LineOfSight slow(scene, 0.05);
-  const sim::PinholeView<double> view = sim::pinhole_view(scene.camera);
+  const sim::CameraView<double> view = sim::camera_view(scene.camera);
   double peak = 0.0, worst = 0.0;
   for (int y = 0; y < 16; y += 3)
     for (int x = 0; x < 24; x += 5)
@@ -44,7 +44,7 @@ TEST(LineOfSightPicture, IsThatOfTheSlowReference) {
           double d[3];
           for (int i = 0; i < 3; ++i)
             d[i] = view.camera_from_enu[0][i] * (x + 0.5 - 12.0) +
-                   view.camera_from_enu[1][i] * (y + part - 8.0) + view.camera_from_enu[2][i] * view.focal_px;
+                   view.camera_from_enu[1][i] * (y + part - 8.0) + view.camera_from_enu[2][i] * view.lens.focal_px;
           const double size = std::hypot(d[0], d[1], d[2]);
           for (double& component : d) component /= size;
           expected += 0.5 * slow.rayleigh(d, line);

@@ -65,7 +65,7 @@ std::vector<std::string> missed_criteria(const SheetRow& sheet) {
 
 double waves_in_view(const sim::Scene& scene, int index) {
   const sim::Sheet& sheet = scene.sheets[index];
-  const sim::PinholeView<double> view = sim::pinhole_view(scene.camera);
+  const sim::CameraView<double> view = sim::camera_view(scene.camera);
   const sim::FallFrame<double> fall = sim::fall_frame(scene.field.inclination_deg * sim::kRadiansPerDegree,
                                                       scene.field.declination_deg * sim::kRadiansPerDegree);
   const double bearing = sheet.bearing_deg * sim::kRadiansPerDegree;
@@ -79,8 +79,8 @@ double waves_in_view(const sim::Scene& scene, int index) {
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) camera[i] += view.camera_from_enu[i][j] * beam.start_in_enu_km[j];
       if (camera[2] <= 0.0) continue;
-      const double x = view.focal_px * camera[0] / camera[2] + 0.5 * scene.camera.width;
-      const double y = view.focal_px * camera[1] / camera[2] + 0.5 * scene.camera.height;
+      const double x = view.lens.focal_px * camera[0] / camera[2] + 0.5 * scene.camera.width;
+      const double y = view.lens.focal_px * camera[1] / camera[2] + 0.5 * scene.camera.height;
       if (x >= 0.0 && x <= scene.camera.width && y >= 0.0 && y <= scene.camera.height) return true;
     }
     return false;

@@ -111,7 +111,7 @@ Truth truth(std::uint64_t set, int number) {
       scene.camera.height * (draws.between(Draw::border_row, kHighestBorder, kLowestBorder) - 0.5);
   scene.camera.elevation_deg =
       border_elevation_deg(farthest) +
-      std::atan(below_px / sim::pinhole_view(scene.camera).focal_px) / sim::kRadiansPerDegree;
+      std::atan(below_px / sim::camera_view(scene.camera).lens.focal_px) / sim::kRadiansPerDegree;
 
   // As those of the independent pictures: a level times 0.6 + 0.8 (row / height)^2.
   static constexpr Draw kSky[3] = {Draw::sky_red, Draw::sky_green, Draw::sky_blue};

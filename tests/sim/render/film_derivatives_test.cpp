@@ -101,6 +101,31 @@ TEST(FilmDerivatives, EveryFreeNumberAgreesWithDifferences) {
   expect_derivatives(scene, 0.01);
 }
 
+/// A lens of every kind that differs in what its numbers do.
+class FilmDerivativesThrough : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Lens, FilmDerivativesThrough, testing::Values("pinhole", "equisolid", "polynomial"));
+
+TEST_P(FilmDerivativesThrough, AgreeWithDifferences) {
+  Scene scene = tests::small_scene();
+  scene.camera.model = GetParam();
+  scene.camera.focal_px = 130.0;
+  scene.camera.principal_x_px = -6.0;
+  scene.camera.aspect = 1.05;
+  scene.camera.mirrored = true;
+  if (scene.camera.model != "equisolid") {
+    scene.camera.k1 = -0.06;
+    scene.camera.k2 = 0.01;
+  }
+  scene.camera.p1 = 0.003;
+  scene.sheets[0].arcs = 2;
+  scene.sheets[0].arc_spacing_km = 14.0;
+  scene.sheets[0].center_km.east = 130.0;
+  scene.sheets[0].length_km = 250.0;
+  scene.sheets[0].fold_spacing_km = 25.0;
+  scene.sheets[0].fold_length_km = 15.0;
+  expect_derivatives(scene, 0.01);
+}
+
 TEST(FilmDerivatives, OfASheetFullOfStructureAgreeWithDifferences) {
   Scene scene = tests::small_scene();
   scene.time.start_s = 1.3;

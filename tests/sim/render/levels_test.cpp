@@ -204,7 +204,7 @@ void place_in_camera(const PointLight& light, double altitude_km, double to[3]) 
   const double north = light.scene.sheets[0].center_km.north;
   // Beams are parallel to the observer's vertical here: the same distance to the north at every altitude.
   const double up = std::sqrt(std::pow(kEarthRadiusKm + altitude_km, 2) - north * north) - kEarthRadiusKm;
-  const PinholeView<double> view = pinhole_view(light.scene.camera);
+  const CameraView<double> view = camera_view(light.scene.camera);
   for (int i = 0; i < 3; ++i) to[i] = view.camera_from_enu[i][1] * north + view.camera_from_enu[i][2] * up;
 }
 
@@ -216,7 +216,7 @@ TEST(FallOnLevels, GivesAPointTheVarianceOfItsAtomsAndKeepsItsLight) {
       const Moments before = moments_of(light.plain()), after = moments_of(light.spread(spread));
       double place[3];
       place_in_camera(light, altitude_km, place);
-      const double focal = pinhole_view(light.scene.camera).focal_px;
+      const double focal = camera_view(light.scene.camera).lens.focal_px;
       const double x = place[0] / place[2], y = place[1] / place[2], scale = focal / place[2];
       const auto a = static_cast<std::size_t>((altitude_km - 80.0) / HeightProfile::kStepKm);
       const double expected = spread.variance_km2[a] * scale * scale * (1.0 + 0.5 * (x * x + y * y));
@@ -255,15 +255,15 @@ TEST(FallOnLevels, MovesTheLightWithTheWind) {
   const Moments north = moments_of(light.spread(drift, {0.0, 500.0}));
   double place[3];
   place_in_camera(light, kAltitude, place);
-  const PinholeView<double> view = pinhole_view(light.scene.camera);
+  const CameraView<double> view = camera_view(light.scene.camera);
   const double carried_km = 15.0;
-  EXPECT_NEAR(east.x - before.x, view.focal_px * carried_km / place[2], 0.02);
+  EXPECT_NEAR(east.x - before.x, view.lens.focal_px * carried_km / place[2], 0.02);
   EXPECT_NEAR(east.y, before.y, 0.02);
   EXPECT_NEAR(east.total / before.total, std::hypot(1.0, carried_km / std::hypot(place[1], place[2])), 1e-3)
       << "r / Z^3 grows with the distance at the same depth";
   const double moved[2] = {place[1] + view.camera_from_enu[1][1] * carried_km,
                            place[2] + view.camera_from_enu[2][1] * carried_km};
-  EXPECT_NEAR(north.y - before.y, view.focal_px * (moved[0] / moved[1] - place[1] / place[2]), 0.02);
+  EXPECT_NEAR(north.y - before.y, view.lens.focal_px * (moved[0] / moved[1] - place[1] / place[2]), 0.02);
   const double r = std::hypot(place[1], place[2]), moved_r = std::hypot(moved[0], moved[1]);
   EXPECT_NEAR(north.total / before.total, moved_r / r * std::pow(place[2] / moved[1], 3), 1e-3);
 }

@@ -57,10 +57,10 @@ double total(const Image& image, int channel) {
 int row_of(const Scene& scene, double altitude_km) {
   const double north = scene.sheets[0].center_km.north;
   const double up = std::sqrt(std::pow(kEarthRadiusKm + altitude_km, 2) - north * north) - kEarthRadiusKm;
-  const PinholeView<double> view = pinhole_view(scene.camera);
+  const CameraView<double> view = camera_view(scene.camera);
   const double y = (view.camera_from_enu[1][1] * north + view.camera_from_enu[1][2] * up) /
                    (view.camera_from_enu[2][1] * north + view.camera_from_enu[2][2] * up);
-  return static_cast<int>(0.5 * scene.camera.height + view.focal_px * y);
+  return static_cast<int>(0.5 * scene.camera.height + view.lens.focal_px * y);
 }
 
 /// RMS width of a row's light about the picture's middle, in pixels.
@@ -132,12 +132,12 @@ TEST(PhysicalBlur, KnowsTheWidestThatThePictureCanShow) {
   for (const double elevation_deg : {20.0, 60.0, 85.0}) {
     Scene scene = tests::small_scene();
     scene.camera.elevation_deg = elevation_deg;
-    const PinholeView<double> view = pinhole_view(scene.camera);
+    const CameraView<double> view = camera_view(scene.camera);
     double widest = 0.0;
     for (int y = 0; y <= scene.camera.height; y += 4)
       for (int x = 0; x <= scene.camera.width; x += 4)
         for (double h = 100.0; h <= 400.0; h += 10.0) {
-          const double tx = (x - 80) / view.focal_px, ty = (y - 60) / view.focal_px;
+          const double tx = (x - 80) / view.lens.focal_px, ty = (y - 60) / view.lens.focal_px;
           const double slant = std::sqrt(1.0 + tx * tx + ty * ty);
           const double sine =
               std::sin(direction_of_pixel(scene.camera, x, y).elevation_deg * kRadiansPerDegree);
@@ -146,7 +146,7 @@ TEST(PhysicalBlur, KnowsTheWidestThatThePictureCanShow) {
           const double sigma_km =
               std::sqrt(spread.variance_km2[static_cast<std::size_t>((h - HeightProfile::kBottomKm) * 4.0)]);
           widest = std::max(
-              widest, sigma_km * view.focal_px * slant / range * std::sqrt(0.5 * (1.0 + slant * slant)));
+              widest, sigma_km * view.lens.focal_px * slant / range * std::sqrt(0.5 * (1.0 + slant * slant)));
         }
     const double bound = widest_spread_px(scene, spread, 400.0);
     EXPECT_GE(bound, 0.999 * widest) << elevation_deg;

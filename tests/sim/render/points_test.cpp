@@ -10,28 +10,14 @@
 #include "sim/base/earth.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/render/film.h"
+#include "tests/support/all_points.h"
 #include "tests/support/exposed.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {
 namespace {
 
-EmissionPoints all_points(const Scene& scene, int every = 1, int threads = 0) {
-  EmissionPoints all;
-  all.lines = static_cast<int>(scene.emission.lines.size());
-  PointOptions options;
-  options.every = every;
-  options.threads = threads;
-  const std::uint64_t count = stream_points(scene, options, [&](const EmissionPoints& some) {
-    EXPECT_EQ(some.lines, all.lines);
-    all.position_in_enu_km.insert(all.position_in_enu_km.end(), some.position_in_enu_km.begin(),
-                                  some.position_in_enu_km.end());
-    all.photons_per_s.insert(all.photons_per_s.end(), some.photons_per_s.begin(), some.photons_per_s.end());
-  });
-  EXPECT_EQ(count, all.size());
-  EXPECT_EQ(all.photons_per_s.size(), all.size() * all.lines);
-  return all;
-}
+using tests::all_points;
 
 std::vector<double> photons_per_line(const EmissionPoints& points) {
   std::vector<double> sum(points.lines, 0.0);
@@ -52,7 +38,7 @@ TEST_P(PointsUnder, ProjectedGiveTheRayleighsOfTheFilm) {
   scene.time.start_s = 3.0;
   scene.sheets[0].drift_km_s = {0.0, 2.5};
   const EmissionPoints points = all_points(scene);
-  const PinholeView<double> view = pinhole_view(scene.camera);
+  const CameraView<double> view = camera_view(scene.camera);
   const FilmGeometry film = tests::whole_picture(scene);
   std::vector<double> sum(points.lines, 0.0);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -64,11 +50,11 @@ TEST_P(PointsUnder, ProjectedGiveTheRayleighsOfTheFilm) {
     }
     if (in_camera[2] <= 0.0) continue;
     // In cells, (0, 0) the centre of the first; the bilinear splat takes what has four of them around it.
-    const double column = in_camera[0] / in_camera[2] * view.focal_px + 0.5 * film.columns - 0.5;
-    const double row = in_camera[1] / in_camera[2] * view.focal_px + 0.5 * film.rows - 0.5;
+    const double column = in_camera[0] / in_camera[2] * view.lens.focal_px + 0.5 * film.columns - 0.5;
+    const double row = in_camera[1] / in_camera[2] * view.lens.focal_px + 0.5 * film.rows - 0.5;
     if (column < 0.0 || column >= film.columns - 1 || row < 0.0 || row >= film.rows - 1) continue;
     const double cosine = in_camera[2] / std::sqrt(range2);
-    const double steradian = std::pow(cosine, 3) / (view.focal_px * view.focal_px);
+    const double steradian = std::pow(cosine, 3) / (view.lens.focal_px * view.lens.focal_px);
     for (int l = 0; l < points.lines; ++l)
       sum[l] += 1e-16 * points.photons_per_s[i * points.lines + l] / (range2 * steradian);
   }

@@ -14,12 +14,12 @@ constexpr double kDegree = kRadiansPerDegree;
 std::array<double, 2> pixel_of(const Camera& camera, double azimuth_deg, double elevation_deg) {
   const double az = azimuth_deg * kDegree, el = elevation_deg * kDegree;
   const double enu[3] = {std::sin(az) * std::cos(el), std::cos(az) * std::cos(el), std::sin(el)};
-  const PinholeView<double> view = pinhole_view(camera);
+  const CameraView<double> view = camera_view(camera);
   double c[3] = {0, 0, 0};
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) c[i] += view.camera_from_enu[i][j] * enu[j];
-  return {0.5 * camera.width + view.focal_px * c[0] / c[2],
-          0.5 * camera.height + view.focal_px * c[1] / c[2]};
+  return {0.5 * camera.width + view.lens.focal_px * c[0] / c[2],
+          0.5 * camera.height + view.lens.focal_px * c[1] / c[2]};
 }
 
 Camera tilted() {
@@ -48,7 +48,7 @@ TEST(Camera, DirectionOfPixelUndoesTheProjection) {
 }
 
 TEST(Camera, ViewIsARotation) {
-  const PinholeView<double> view = pinhole_view(tilted());
+  const CameraView<double> view = camera_view(tilted());
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       double dot = 0.0;
@@ -67,7 +67,7 @@ TEST(Camera, LooksToItsAzimuthFromNorthToTheEastAndElevation) {
   EXPECT_GT(direction_of_pixel(camera, 320.5, 200.0).elevation_deg, 24.0) << "up in the picture is up";
   camera.azimuth_deg = 90.0;
   camera.elevation_deg = 0.0;
-  const PinholeView<double> east = pinhole_view(camera);
+  const CameraView<double> east = camera_view(camera);
   EXPECT_NEAR(east.camera_from_enu[2][0], 1.0, 1e-14);
   EXPECT_NEAR(east.camera_from_enu[0][1], -1.0, 1e-14) << "facing east, the right is the south";
 }

@@ -1,5 +1,6 @@
 // Altitudes and projection over double and over packs, for the instruction set that this file is compiled
 // for.
+#include "sim/view/lens-inl.h"
 #include "sim/view/project-inl.h"
 
 #include <gtest/gtest.h>
@@ -58,22 +59,85 @@ TEST(BeamAltitude, IsTheExcessOfThePointOverTheSphere) {
     }
 }
 
-TEST(SeePoint, WeighsByTheSquareOfTheDistanceAndTheSolidAngle) {
-  // A pixel at the tangents (x, y) subtends (1 + x^2 + y^2)^(-3/2) / f^2.
-  HWY_NAMESPACE::FilmView<double> film{700.0, 320.0, 350.0, 200.0, 700.0 * 350.0};
-  const double point[3] = {40.0, -90.0, 210.0};
-  bool in_front = false;
-  const auto seen = HWY_NAMESPACE::see_point<double>(film, point, in_front);
-  EXPECT_TRUE(in_front);
-  const double x = point[0] / point[2], y = point[1] / point[2];
-  EXPECT_NEAR(seen.column, 700.0 * x + 320.0, 1e-10);
-  EXPECT_NEAR(seen.row, 350.0 * y + 200.0, 1e-10);
-  const double r2 = 40.0 * 40.0 + 90.0 * 90.0 + 210.0 * 210.0;
-  const double solid_angle = std::pow(1.0 + x * x + y * y, -1.5) / (700.0 * 350.0);
-  EXPECT_NEAR(seen.per_steradian_cell * r2 * solid_angle, 1.0, 1e-12);
+/// Points of the sky before a camera, seen by a film of the kernel, beside the lens as it is defined.
+template <template <class> class Film>
+void expect_seen_as_projected(const Camera& camera, double tolerance) {
+  const Lens<double> lens = camera_view(camera).lens;
+  const Lens<LocalDual> dual = camera_view<LocalDual>(camera, [&](CameraNumber which) {
+                                 return LocalDual(*camera_number_address(camera, which));
+                               }).lens;
+  FilmGeometry geometry;
+  geometry.x0_px = -7.0;
+  geometry.y0_px = -5.0;
+  geometry.cell_width_px = 1.0;
+  geometry.cell_height_px = 2.0;
+  geometry.columns = camera.width + 14;
+  geometry.rows = camera.height / 2 + 5;
+  Film<double> film;
+  film.set(dual, geometry, [](const LocalDual& number, double& to) { to = number.v; });
+  int seen_points = 0;
+  for (double polar = 0.02; polar < 1.9; polar += 0.13)
+    for (double turn = 0.1; turn < 6.2; turn += 0.7) {
+      const double range = 300.0 + 40.0 * turn;
+      const double point[3] = {range * std::sin(polar) * std::cos(turn),
+                               range * std::sin(polar) * std::sin(turn), range * std::cos(polar)};
+      double x = 0.0, y = 0.0;
+      bool visible = false;
+      const auto seen = film.template see<double>(point, visible);
+      if (!project(lens, point, x, y)) {
+        EXPECT_FALSE(visible) << polar << " rad off the axis";
+        continue;
+      }
+      if (x < 0.0 || y < 0.0 || x > camera.width || y > camera.height) continue;
+      ++seen_points;
+      EXPECT_TRUE(visible);
+      EXPECT_NEAR(seen.column, x + 7.0 - 0.5, tolerance);
+      EXPECT_NEAR(seen.row, (y + 5.0) / 2.0 - 0.5, tolerance);
+      const double steradians_of_cell = 2.0 * pixel_steradians(lens, x, y);
+      EXPECT_NEAR(seen.per_steradian_cell * range * range * steradians_of_cell, 1.0, 1e-6);
+    }
+  EXPECT_GT(seen_points, 40);
+}
+
+TEST(PinholeFilm, SeesPointsWhereTheLensDrawsThem) {
+  Camera camera;
+  camera.hfov_deg = 100.0;
+  camera.aspect = 0.96;
+  camera.mirrored = true;
+  camera.principal_x_px = 12.0;
+  expect_seen_as_projected<HWY_NAMESPACE::PinholeFilm>(camera, 1e-9);
+  HWY_NAMESPACE::PinholeFilm<double> film;
+  film.set(Lens<LocalDual>{}, FilmGeometry{}, [](const LocalDual&, double& to) { to = 1.0; });
+  bool in_front = true;
   const double behind[3] = {1.0, 1.0, -5.0};
-  HWY_NAMESPACE::see_point<double>(film, behind, in_front);
+  film.see<double>(behind, in_front);
   EXPECT_FALSE(in_front);
+}
+
+class LensFilmOf : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Model, LensFilmOf,
+                         testing::Values("pinhole", "equidistant", "equisolid", "stereographic",
+                                         "orthographic", "polynomial"));
+
+TEST_P(LensFilmOf, SeesPointsWhereTheLensDrawsThem) {
+  Camera camera;
+  camera.model = GetParam();
+  camera.width = 720;
+  camera.height = 640;
+  camera.hfov_deg = 105.0;
+  camera.focal_px = 200.0;
+  camera.principal_x_px = -11.0;
+  camera.aspect = 1.04;
+  camera.mirrored = true;
+  if (camera.model == "pinhole" || camera.model == "polynomial") {
+    camera.k1 = -0.05;
+    camera.k2 = 0.004;
+    camera.k3 = 0.0003;
+  }
+  camera.p1 = 0.003;
+  camera.p2 = -0.002;
+  // The series is good to 1e-7 of a radian times the focal length.
+  expect_seen_as_projected<HWY_NAMESPACE::LensFilm>(camera, 3e-5);
 }
 
 }  // namespace

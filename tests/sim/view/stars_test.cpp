@@ -132,7 +132,7 @@ TEST(Stars, GiveTheLightThatTheirMagnitudesSay) {
   const Scene scene = starry_scene(180);
   const double in_picture = photons_in(scene, star_light(scene, {0.0}));
   // The same stars without any picture: those whose directions meet the frame.
-  const PinholeView<double> view = pinhole_view(scene.camera);
+  const CameraView<double> view = camera_view(scene.camera);
   double expected = 0.0;
   for (std::uint32_t i = 0; i < stars_brighter_than(scene.stars.faintest_magnitude); ++i) {
     const Star one = star(scene.seed, i);
@@ -141,8 +141,8 @@ TEST(Stars, GiveTheLightThatTheirMagnitudesSay) {
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c) in_camera[r] += view.camera_from_enu[r][c] * enu[c];
     if (in_camera[2] <= 0.0) continue;
-    const double x = view.focal_px * in_camera[0] / in_camera[2],
-                 y = view.focal_px * in_camera[1] / in_camera[2];
+    const double x = view.lens.focal_px * in_camera[0] / in_camera[2],
+                 y = view.lens.focal_px * in_camera[1] / in_camera[2];
     if (std::abs(x) < 0.5 * scene.camera.width && std::abs(y) < 0.5 * scene.camera.height)
       expected += star_photons_cm2_s(one.magnitude);
   }

@@ -1,0 +1,41 @@
+// What the options of vegard mask ask for, found in a photograph.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/mask/horizon.h"
+#include "fit/mask/hot_pixels.h"
+#include "fit/mask/mask_picture.h"
+#include "fit/mask/saturated.h"
+#include "fit/mask/stars.h"
+#include "fit/photo.h"
+
+namespace vegard::apps {
+
+struct MaskRequest {
+  std::vector<std::string> drawn;                  ///< masks' files
+  std::vector<std::vector<std::string>> polygons;  ///< words "x,y"
+  std::string circle;                              ///< "auto", "x,y,radius", or empty
+  std::vector<std::string> horizon;                ///< "auto", words "x,y", or none
+  bool text = false, saturated = false, hot = false, stars = false;
+  double circle_margin_px = 2.0, horizon_margin_px = 2.0;
+  fit::SaturationSettings saturation;
+  fit::HotPixelSettings hot_pixels;
+  fit::StarSettings star;
+
+  bool empty() const;
+};
+
+struct MaskParts {
+  std::vector<fit::MaskPart> parts;
+  std::vector<std::string> notes;  ///< a line each: what was found
+  std::optional<fit::Horizon> horizon;
+};
+
+/// Throws Error(usage) for what cannot be read or found, Error(unreadable_input) for a drawn mask that is
+/// none.
+MaskParts mask_parts(const fit::Photo& photo, const MaskRequest& request);
+
+}  // namespace vegard::apps

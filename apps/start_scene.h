@@ -1,0 +1,17 @@
+// A scene to begin with, made of what a picture says of itself.
+#pragma once
+
+#include <string>
+
+#include "fit/photo_facts.h"
+
+namespace vegard::apps {
+
+/// A scene file of the keys that one will want to look at. Behind every value stands where it comes from:
+/// the picture, or that it is assumed. What the picture says outside of a key's limits stands in a comment.
+std::string start_scene(const std::string& photo_name, const fit::PhotoFacts& facts);
+
+/// `words` as a comment may hold them: printable ASCII, '?' for the rest.
+std::string comment_words(std::string words);
+
+}  // namespace vegard::apps

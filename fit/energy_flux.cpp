@@ -1,0 +1,104 @@
+#include "fit/energy_flux.h"
+
+#include <cmath>
+#include <limits>
+
+#include "sim/scene/spline_rates.h"
+#include "sim/view/expected_counts.h"
+#include "sim/view/line_colours.h"
+
+namespace vegard::fit {
+namespace {
+
+/// The relative standard deviation of the mean of a photograph's gains; none if one of them has none.
+std::optional<double> relative_sigma_of_gain(const FittedPhoto& photo) {
+  double sum = 0.0, variance = 0.0;
+  for (const SolvedNumber& solved : photo.solved) {
+    if (solved.name.compare(0, 4, "gain") != 0 || solved.value <= 0.0) continue;
+    if (!solved.sigma) return {};
+    sum += solved.value;
+    variance += *solved.sigma * *solved.sigma;
+  }
+  if (sum <= 0.0) return {};
+  return std::sqrt(variance) / sum;
+}
+
+/// Of the scale; none if nobody has said what it is.
+std::optional<double> relative_sigma_of_scale(const sim::Scene& known) {
+  if (known.sensor.calibration_error > 0.0) return known.sensor.calibration_error;
+  if (known.sensor.exposure != "camera") return {};
+  return sim::expected_counts(known).relative_uncertainty;
+}
+
+/// If it is a number of the fit's own, it is that.
+bool is_own_number(const FitResult& result, const std::string& path, DerivedNumber& d) {
+  for (const FittedParameter& p : result.parameters)
+    if (p.path == path) {
+      d.value = p.value;
+      d.sigma = p.sigma;
+      d.why_no_sigma = p.why_no_sigma;
+      return true;
+    }
+  for (const TiedNumber& t : result.tied)
+    if (t.path == path) {
+      d.value = t.value;
+      d.sigma = t.sigma;
+      if (!d.sigma) d.why_no_sigma = "the data do not determine it";
+      return true;
+    }
+  return false;
+}
+
+}  // namespace
+
+std::optional<FoundFlux> found_flux(const sim::Scene& known, const FittedPhoto& fitted, int index,
+                                    std::string& why_none) {
+  const sim::Sheet& sheet = fitted.best.sheets[index];
+  const std::optional<double> of_scale = relative_sigma_of_scale(known);
+  if (!of_scale)
+    why_none = "not calibrated: sensor.calibration_error is 0";
+  else if (sheet.brightness_kilorayleigh > 0.0)
+    why_none = "the sheet's brightness was given in its place";
+  else if (sim::has_spline_profile(sheet))
+    why_none = "a free-form height profile has a scale of its own";
+  else if (!known.fit.white_balance_known)
+    why_none = "not calibrated: every channel has a gain of its own";
+  else
+    why_none.clear();
+  if (!why_none.empty()) return {};
+  const double share = sim::gain_per_kilorayleigh(fitted.best) / sim::gain_per_kilorayleigh(known);
+  FoundFlux flux{sheet.energy_flux_mw_m2 * share, {}};
+  if (const std::optional<double> of_gain = relative_sigma_of_gain(fitted))
+    flux.sigma = flux.mw_m2 * std::hypot(*of_gain, *of_scale);
+  return flux;
+}
+
+std::vector<DerivedNumber> energy_fluxes(const std::vector<const sim::Scene*>& known,
+                                         const FitResult& result) {
+  std::vector<DerivedNumber> fluxes;
+  for (std::size_t s = 0; s < result.best.sheets.size(); ++s) {
+    const std::string& name = result.best.sheets[s].name;
+    DerivedNumber d;
+    d.name = "energy flux Q of the " + name + " sheet";
+    d.unit = "mW m\u207b\u00b2";
+    if (!is_own_number(result, "sheet." + name + ".energy_flux_mw_m2", d)) {
+      d.value = std::numeric_limits<double>::quiet_NaN();
+      for (std::size_t i = 0; i < result.photos.size() && i < known.size(); ++i) {
+        std::string why_none;
+        const auto flux = found_flux(*known[i], result.photos[i], static_cast<int>(s), why_none);
+        if (d.why_none.empty()) d.why_none = why_none;
+        if (!flux || (d.sigma && !(flux->sigma && *flux->sigma < *d.sigma))) continue;
+        d.value = flux->mw_m2;
+        d.sigma = flux->sigma;
+      }
+      if (std::isfinite(d.value)) {
+        d.why_none.clear();
+        if (!d.sigma) d.why_no_sigma = "the gain has none";
+      }
+    }
+    fluxes.push_back(std::move(d));
+  }
+  return fluxes;
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,30 @@
+// Times of day and calendar as cameras write them: the proleptic Gregorian calendar, minutes of 60 seconds
+// (a leap second is the 61st), offsets from UTC in minutes.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace vegard::sim {
+
+struct CivilTime {
+  int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0;
+  std::string subsecond;  ///< digits after the point; empty: none were given
+};
+
+/// A day of the calendar, from the year 1 to 9999, and a time of that day.
+bool is_possible(const CivilTime& time);
+
+/// "2019-03-01T00:16:30.922622", of a time that is possible.
+std::string iso_text(const CivilTime& time);
+
+/// The other way round, a blank for the T allowed; nothing for what is no possible time of that form.
+std::optional<CivilTime> civil_time(const std::string& iso_text);
+
+/// Of "Z", "+05:30", "-07:00", at most 14 hours; nothing for anything else.
+std::optional<int> offset_minutes(const std::string& text);
+
+/// `minutes` later, or earlier if negative; less than a month.
+CivilTime minutes_later(CivilTime time, int minutes);
+
+}  // namespace vegard::sim
