@@ -27,6 +27,7 @@
 #include "apps/scene_options.h"
 #include "apps/scene_place.h"
 #include "apps/usage_error.h"
+#include "fit/curve_fit.h"
 #include "fit/file_journal.h"
 #include "fit/fit.h"
 #include "fit/number_text.h"
@@ -74,7 +75,7 @@ std::vector<fit::Photo> photos_of(const Options& options, const sim::Scene& scen
     if (options.photo.empty() && options.filters.empty())
       refuse("--photo", "no photograph is given", "name one, or several in the scene's [[fit.photo]]");
     std::vector<fit::Photo> photos;
-    const fit::Decoding decoding = decoding_of(options.decoding, scene.fit.decoding);
+    const fit::Decoding decoding = decoding_of(options.decoding, scene.fit.decoding, &scene);
     if (options.filters.empty()) {
       photos.push_back(fit::read_photo(options.photo, decoding, &scene));
     } else {
@@ -146,7 +147,8 @@ fit::JournalMode journal_mode(const Options& options) {
   return options.overwrite ? fit::JournalMode::overwrite : fit::JournalMode::fresh;
 }
 
-fit::FitResult fitted(const Options& options, const sim::Scene& scene, const std::vector<fit::Photo>& photos,
+/// A photograph whose transfer curve was unknown is decoded by what was found of it afterwards.
+fit::FitResult fitted(const Options& options, const sim::Scene& scene, std::vector<fit::Photo>& photos,
                       fit::Journal& journal) {
   Account account;
   fit::FitOptions fit_options;
@@ -160,8 +162,9 @@ fit::FitResult fitted(const Options& options, const sim::Scene& scene, const std
                                     double share) { account.tell(stage, evaluations, chi2_per_dof, share); };
   fit_options.stop = &watch_for_interrupt();
   return placing_errors(scene, [&] {
-    return scene.fit.photos.empty() ? fit::fit_photo(scene, photos.front(), fit_options)
-                                    : fit::fit_photos(scene, photos, fit_options);
+    if (!scene.fit.photos.empty()) return fit::fit_photos(scene, photos, fit_options);
+    return photos.front().unknowns > 0 ? fit::fit_photo_and_curve(scene, photos.front(), fit_options)
+                                       : fit::fit_photo(scene, photos.front(), fit_options);
   });
 }
 
@@ -196,6 +199,11 @@ void print_answer(const fit::FitResult& result, const std::string& report) {
       std::printf("  %s: %s%s%s\n", d.name.c_str(), fit::number_with_error(d.value, d.sigma).c_str(),
                   d.unit.empty() ? "" : " ", d.unit.c_str());
   }
+  for (const fit::FittedPhoto& photo : result.photos)
+    std::printf("decoding%s: %s\n", photo.name.empty() ? "" : (" of " + photo.name).c_str(),
+                photo.decoding.c_str());
+  if (result.curve)
+    std::printf("to take the curve as known: --decoding %s\n", result.curve->decoding_word.c_str());
   std::printf("%s\n", report.c_str());
 }
 
@@ -225,7 +233,7 @@ int run(const Options& options, const std::string& command) {
   std::vector<fit::PhotoFact> from_photograph;
   if (scene.fit.photos.empty() && !options.photo.empty() && !options.no_metadata)
     from_photograph = take_from_photograph(scene, options.photo, options.scene.changes);
-  const std::vector<fit::Photo> photos = photos_of(options, scene);
+  std::vector<fit::Photo> photos = photos_of(options, scene);
   if (options.check_derivatives) {
     if (!scene.fit.photos.empty())
       throw usage_error("--check-derivatives", "is for one photograph", "a scene without [[fit.photo]]");

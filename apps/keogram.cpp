@@ -99,7 +99,7 @@ void choose_line(const KeogramOptions& options, const sim::Scene* scene, const f
 
 fit::Keogram measure(const KeogramOptions& options, const TimedPictures& pictures, const sim::Scene* scene) {
   const fit::Decoding decoding =
-      decoding_of(options.decoding, scene != nullptr ? scene->fit.decoding : sim::Fit{}.decoding);
+      decoding_of(options.decoding, scene != nullptr ? scene->fit.decoding : sim::Fit{}.decoding, scene);
   if (decoding == fit::Decoding::sensor && scene == nullptr)
     throw usage_error("--decoding", "no scene says what the sensor is", "--scene SCENE beside it");
   fit::Keogram keogram;

@@ -16,8 +16,10 @@ std::string beside(const std::string& scene_file, const std::string& name) {
 
 fit::Photo photograph_of(const sim::Scene& scene, const sim::PhotoEntry& entry) {
   const sim::Scene own = sim::scene_of_photo(scene, entry);
-  fit::Photo photo =
-      fit::read_photo(beside(scene.file, entry.file), decoding_of(entry.decoding, scene.fit.decoding), &own);
+  const fit::Decoding decoding = entry.decoding.empty()
+                                     ? decoding_of("", scene.fit.decoding, &scene)
+                                     : decoding_of("", entry.decoding, nullptr, beside(scene.file, ""));
+  fit::Photo photo = fit::read_photo(beside(scene.file, entry.file), decoding, &own);
   if (!entry.mask.empty()) fit::apply_mask(photo, beside(scene.file, entry.mask));
   return photo;
 }

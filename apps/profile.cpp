@@ -92,7 +92,8 @@ void print_resolution(const sim::Scene& scene) {
                 sim::resolving_kernel(response, nm).fwhm_nm);
 }
 
-fit::Photo photo_of(const Options& options, fit::Decoding decoding, const std::optional<sim::Scene>& scene) {
+fit::Photo photo_of(const Options& options, const fit::Decoding& decoding,
+                    const std::optional<sim::Scene>& scene) {
   const sim::Scene* const known = scene ? &*scene : nullptr;
   if (options.image.empty() == options.filters.empty())
     throw usage_error("IMAGE", options.image.empty() ? "no photograph is given" : "--line is given as well",
@@ -169,7 +170,7 @@ void run(const Options& options) {
   }
   const sim::Fit defaults = scene ? scene->fit : sim::Fit{};
 
-  const fit::Decoding decoding = decoding_of(options.decoding, defaults.decoding);
+  const fit::Decoding decoding = decoding_of(options.decoding, defaults.decoding, scene ? &*scene : nullptr);
   if (decoding == fit::Decoding::sensor && !scene)
     throw usage_error("--decoding", "no scene says what the sensor is", "--scene SCENE beside it");
   fit::Photo photo = photo_of(options, decoding, scene);

@@ -63,7 +63,7 @@ FilterFile filter_file(const std::string& text) {
 }
 
 Photo read_filters(const std::vector<FilterFile>& files, const std::vector<double>& lines_nm,
-                   Decoding decoding, const sim::Scene* scene) {
+                   const Decoding& decoding, const sim::Scene* scene) {
   if (files.empty() || files.size() > kChannels)
     refuse(std::to_string(files.size()) + " filters are given", "one to three");
   Photo stack;

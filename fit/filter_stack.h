@@ -24,6 +24,6 @@ FilterFile filter_file(const std::string& text);
 /// names. Each file is decoded by itself, its white being 1. Throws sim::Error(unreadable_input), or
 /// Error(usage) for filters that do not fit together.
 Photo read_filters(const std::vector<FilterFile>& files, const std::vector<double>& lines_nm,
-                   Decoding decoding, const sim::Scene* scene = nullptr);
+                   const Decoding& decoding, const sim::Scene* scene = nullptr);
 
 }  // namespace vegard::fit

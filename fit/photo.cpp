@@ -73,23 +73,33 @@ void linearise(const PictureCodes& codes, Photo& photo) {
   }
 }
 
-std::string decoding_text(const PictureCodes& codes, const Photo& photo, Decoding asked) {
+std::string decoding_text(const PictureCodes& codes, const Photo& photo, const Decoding& asked) {
   std::string text = photo.srgb ? "sRGB (" : "linear (";
-  if (photo.tone) text = "sensor: " + photo.tone->name() + " (";
+  if (asked.curve) text = asked.words + " (";
+  if (asked.kind == Decoding::Kind::sensor) text = "sensor: " + photo.tone->name() + " (";
+  if (photo.unknowns > 0) text = "unknown, taken as sRGB (";
+  if (photo.unknowns > 1) text = "unknown with two exponents, taken as sRGB (";
   return text + codes.kind + (asked == Decoding::automatic ? ", assumed)" : ", as asked)");
 }
 
 }  // namespace
 
-Photo read_photo(const std::string& file, Decoding decoding, const sim::Scene* scene) {
+Photo read_photo(const std::string& file, const Decoding& decoding, const sim::Scene* scene) {
   return read_photo_bytes(read_bytes(file), file, decoding, scene);
 }
 
-Photo read_photo_bytes(std::string_view bytes, const std::string& file, Decoding decoding,
+Photo read_photo_bytes(std::string_view bytes, const std::string& file, const Decoding& decoding,
                        const sim::Scene* scene) {
   PictureCodes codes = picture_codes(bytes, file);
   Photo photo;
-  photo.srgb = decoding == Decoding::srgb || (decoding == Decoding::automatic && !codes.linear);
+  photo.srgb = decoding == Decoding::automatic
+                   ? !codes.linear
+                   : decoding.kind != Decoding::Kind::linear && decoding.kind != Decoding::Kind::sensor;
+  photo.tone = decoding.curve;
+  photo.unknowns = decoding.unknowns;
+  if (photo.unknowns > 0 && codes.floating)
+    refuse_image(file, "an unknown curve is found of integers only, and this file holds floats",
+                 "JPEG, PNG or TIFF of integers", "floats are linear light as a rule: --decoding linear");
   if (decoding == Decoding::sensor) {
     assert(scene != nullptr);
     sim::Scene decoded = *scene;
@@ -112,7 +122,7 @@ Photo read_photo_bytes(std::string_view bytes, const std::string& file, Decoding
                  "", "scale or crop it first");
   }
   linearise(codes, photo);
-  if (photo.tone) sim::recover_light(*scene, file_step(photo), photo.linear, photo.usable);
+  if (decoding == Decoding::sensor) sim::recover_light(*scene, file_step(photo), photo.linear, photo.usable);
   return photo;
 }
 
