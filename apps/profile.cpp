@@ -17,6 +17,7 @@
 #include "apps/output_files.h"
 #include "apps/photo_metadata.h"
 #include "apps/plot_file.h"
+#include "apps/scene_options.h"
 #include "apps/scene_place.h"
 #include "apps/usage_error.h"
 #include "fit/line_brightness.h"
@@ -38,7 +39,7 @@ namespace {
 
 /// As given on the command line: what is empty there follows from the scene.
 struct Options {
-  std::string image, output, mask, scene, plot;
+  std::string image, output, mask, scene, camera, plot;
   std::vector<std::string> filters;
   std::vector<std::string> images, keogram;  ///< image: the only one of a profile
   std::string times;
@@ -75,7 +76,11 @@ auto naming_options(const Options& options, const std::optional<sim::Scene>& sce
 /// With --overwrite a slip of the pen would cost the photograph.
 void check_outputs(const Options& options) {
   if (same_file(options.output, options.plot)) refuse_same_file("--plot", options.plot, "the table's name");
-  std::vector<std::string> inputs = {options.image, options.mask, options.scene, options.maps.azimuth_map,
+  std::vector<std::string> inputs = {options.image,
+                                     options.mask,
+                                     options.scene,
+                                     options.camera,
+                                     options.maps.azimuth_map,
                                      options.maps.elevation_map};
   for (const fit::FilterFile& filter : filter_files(options.filters)) inputs.push_back(filter.file);
   for (const std::string& input : inputs) {
@@ -166,6 +171,7 @@ void run(const Options& options) {
   std::optional<sim::Scene> scene;
   if (!options.scene.empty()) {
     scene = sim::read_scene(options.scene);
+    if (!options.camera.empty()) take_camera(*scene, options.camera);
     if (!options.no_metadata && !options.image.empty()) take_from_photograph(*scene, options.image, {});
   }
   const sim::Fit defaults = scene ? scene->fit : sim::Fit{};
@@ -256,6 +262,9 @@ void add_profile_command(CLI::App& app, int& exit_code) {
   command->add_option("--bands", options->bands, "Equal column strips (default: the scene's, or 24)");
   command->add_option("--mask", options->mask, "An image of the same size: white = use");
   command->add_option("--scene", options->scene, "A scene whose camera took the photograph: adds elevations");
+  command->add_option("--camera", options->camera, "Take [camera] and [site] from this file (needs --scene)")
+      ->needs("--scene")
+      ->type_name("CAMERA.toml");
   command->add_flag("--lines", options->lines,
                     "Add rayleighs of the scene's lines, by its sensor, gain and sky (needs --scene)");
   add_map_options(*command, options->maps);

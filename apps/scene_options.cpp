@@ -22,10 +22,39 @@ void change(sim::Scene& scene, const std::string& words) {
   sim::set_from_text(scene, words.substr(0, equals), words.substr(equals + 1));
 }
 
+bool begins_with(const std::string& text, const char* beginning) { return text.rfind(beginning, 0) == 0; }
+
 }  // namespace
+
+void take_camera(sim::Scene& scene, const std::string& camera_file) {
+  const sim::Scene given = sim::read_scene(camera_file);
+  bool has_camera = false;
+  for (const auto& [path, line] : given.lines) {
+    has_camera = has_camera || begins_with(path, "camera.");
+    if (begins_with(path, "camera.") || begins_with(path, "site.")) continue;
+    sim::ErrorDetails details;
+    details.file = camera_file;
+    details.line = line;
+    details.key = path;
+    details.problem = "a camera's file says more than its camera";
+    details.expected = "[camera] and [site]";
+    throw sim::Error(sim::ErrorKind::scene, details);
+  }
+  // A lens is one thing: what the file does not say is at its default, not the scene's.
+  if (has_camera) scene.camera = given.camera;
+  for (const auto& [path, line] : given.lines) {
+    if (begins_with(path, "site."))
+      sim::set_from_text(scene, path, sim::value_text(given, sim::resolve(given, path).front()));
+    scene.lines[path] = 0;  // it was given, but in no line of the scene's own file
+  }
+}
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
   command.add_option("SCENE", options.file, "The scene file (TOML)")->required();
+  command
+      .add_option("--camera", options.camera_file,
+                  "Take [camera] and [site] from this file, as vegard calibrate writes it")
+      ->type_name("CAMERA.toml");
   // One value an occurrence: else it would swallow a SCENE that follows it.
   command
       .add_option("--set", options.changes, "Change one value of the scene (repeatable; see vegard params)")
@@ -36,6 +65,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
 
 sim::Scene scene_of(const SceneOptions& options) {
   sim::Scene scene = sim::read_scene(options.file);
+  if (!options.camera_file.empty()) take_camera(scene, options.camera_file);
   for (const std::string& words : options.changes) change(scene, words);
   // The table's limits hold here too: a scene is to be written again, and TOML has no integers above 2^63
   // - 1.

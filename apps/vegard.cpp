@@ -7,6 +7,7 @@
 
 #include "apps/animate.h"
 #include "apps/brightness.h"
+#include "apps/calibrate.h"
 #include "apps/command_line.h"
 #include "apps/compare.h"
 #include "apps/describe.h"
@@ -58,6 +59,7 @@ int run(int argc, char** argv) {
   apps::add_directions_command(app, exit_code);
   apps::add_mask_command(app, exit_code);
   apps::add_brightness_command(app, exit_code);
+  apps::add_calibrate_command(app, exit_code);
   apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
   apps::add_compare_command(app, exit_code);
   apps::add_sequence_command(app, exit_code, apps::command_line(argc, argv));

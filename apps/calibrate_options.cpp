@@ -1,0 +1,206 @@
+#include "apps/calibrate_options.h"
+
+#include <algorithm>
+
+#include "apps/decoding.h"
+#include "apps/usage_error.h"
+#include "sim/view/celestial/instant.h"
+
+namespace vegard::apps {
+namespace {
+
+/// "k1,k2,p,aspect" or "none".
+void read_terms(const std::string& words, fit::LensForm& form) {
+  form.radial = 0;
+  form.decentring = form.aspect = false;
+  for (std::size_t begin = 0; begin <= words.size();) {
+    const std::size_t end = std::min(words.find(',', begin), words.size());
+    const std::string word = words.substr(begin, end - begin);
+    begin = end + 1;
+    if (word == "k1" || word == "k2" || word == "k3")
+      form.radial = std::max(form.radial, word[1] - '0');
+    else if (word == "p")
+      form.decentring = true;
+    else if (word == "aspect")
+      form.aspect = true;
+    else if (word != "none")
+      throw usage_error("--terms", "no term '" + word + "'", "some of k1, k2, k3, p, aspect; or none");
+  }
+}
+
+bool is_lens_form(const fit::LensForm& form) {
+  const std::vector<fit::LensForm> forms = fit::lens_forms();
+  return std::any_of(forms.begin(), forms.end(),
+                     [&](const fit::LensForm& one) { return fit::words_of(one) == fit::words_of(form); });
+}
+
+void add_free(const std::string& word, const fit::LensForm& form, std::vector<fit::LensNumber>& free) {
+  const auto add = [&](fit::LensNumber number) {
+    if (std::find(free.begin(), free.end(), number) == free.end()) free.push_back(number);
+  };
+  if (word == "rotation") {
+    for (const auto number : {fit::turn_about_right, fit::turn_about_down, fit::turn_about_forward})
+      add(number);
+  } else if (word == "centre") {
+    add(fit::centre_x_number);
+    add(fit::centre_y_number);
+  } else if (word == "focal") {
+    add(fit::focal_px_number);
+  } else if (word == "aspect") {
+    add(fit::aspect_ratio_number);
+  } else if (word == "radial") {
+    if (form.radial == 0)
+      throw usage_error("--free", "the lens of --camera has no radial terms", "terms that it has");
+    for (int i = 0; i < form.radial; ++i) add(static_cast<fit::LensNumber>(fit::radial_1_number + i));
+  } else if (word == "decentring") {
+    add(fit::decentring_1_number);
+    add(fit::decentring_2_number);
+  } else {
+    throw usage_error("--free", "nothing is called '" + word + "'",
+                      "some of rotation, centre, focal, aspect, radial, decentring");
+  }
+}
+
+}  // namespace
+
+void add_calibrate_options(CLI::App& command, CalibrateOptions& options) {
+  command.add_option(
+      "STARS", options.stars,
+      "A table of recognised stars: x_px, y_px and azimuth_deg with elevation_deg or zenith_deg; or ra_deg "
+      "and dec_deg; or star. Without it they are found in --image");
+  command
+      .add_option("-o,--output", options.output, "The camera to write: a scene file with [camera] and [site]")
+      ->required()
+      ->type_name("CAMERA.toml");
+  command.add_option("--image", options.image,
+                     "The picture the stars are in: its size, and what to draw them on");
+  command.add_option("--time", options.time, "When the picture was taken, ISO 8601 in UTC")
+      ->type_name("TIME");
+  command.add_option("--site", options.site, "Where: degrees north and east, metres above the sea")
+      ->delimiter(',')
+      ->expected(2, 3)
+      ->type_name("LAT,LON[,HEIGHT]");
+  command.add_option("--camera", options.camera, "A rough camera, or an earlier one, to start from")
+      ->type_name("CAMERA.toml");
+  command
+      .add_option("--free", options.free,
+                  "Fit only these of --camera, and hold the rest: rotation, centre, focal, aspect, radial, "
+                  "decentring")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command.add_option("--lens", options.lens,
+                     "Only this lens: pinhole, equidistant, equisolid, stereographic, "
+                     "orthographic or polynomial (default: the simplest the stars justify)");
+  command.add_option("--terms", options.terms, "With --lens: just these of k1, k2, k3, p, aspect; or none");
+  command.add_flag("--hold-centre", options.centre_held,
+                   "Hold the lens's centre in the middle of the picture");
+  command.add_option("--size", options.size_px, "The picture's size in pixels, where --image is not given")
+      ->delimiter(',')
+      ->expected(2)
+      ->type_name("W,H");
+  command.add_option(
+      "--first-pixel", options.first_pixel,
+      "Where the table has the centre of the first pixel (default 0.5; others count from 0 or 1)");
+  command.add_flag("--no-refraction", options.vacuum,
+                   "Stars by name or right ascension: no air above the observer");
+  command
+      .add_option("--centre", options.centre_px,
+                  "The lens's centre in the picture, where --camera's is another's")
+      ->delimiter(',')
+      ->expected(2)
+      ->type_name("X,Y");
+  command
+      .add_option(
+          "--twist", options.twist_deg,
+          "Finding stars: how far --camera may be turned about its axis, in degrees (default 5; 180: all)")
+      ->check(CLI::Range(0.0, 180.0));
+  command
+      .add_option("--shift", options.shift_px,
+                  "Finding stars: how far its centre may be off, in pixels (default 12)")
+      ->check(CLI::Range(0.0, 200.0));
+  command
+      .add_option("--radius", options.radius_px,
+                  "Finding stars: how near a point of light must be at first, in pixels (default 12)")
+      ->check(CLI::Range(2.5, 500.0));
+  command
+      .add_option("--catalogue-magnitude", options.faintest,
+                  "Finding stars: the faintest (default 4, at most 4.5)")
+      ->check(CLI::Range(-2.0, 4.5));
+  command
+      .add_option("--least-elevation", options.least_elevation_deg,
+                  "Finding stars: the lowest, in degrees (default 5)")
+      ->check(CLI::Range(-1.0, 90.0));
+  command
+      .add_option("--signal", options.least_signal,
+                  "Finding stars: how far a point must stand out of the noise around it (default 4)")
+      ->check(CLI::Range(1.0, 1e6));
+  command.add_option("--mask", options.mask, "An image of the picture's size: white = look for stars there");
+  add_decoding_option(command, options.decoding);
+  command.add_option("--residuals", options.residuals, "Write the stars' residuals")->type_name("OUT.csv");
+  command.add_option("--json", options.json, "Write all of it: lenses, numbers, correlations, stars")
+      ->type_name("OUT.json");
+  command.add_option("--plot", options.plot, "Draw the residuals")->type_name("OUT.svg|OUT.png");
+  command.add_option("--overlay", options.overlay, "Draw the stars on the picture")->type_name("OUT.png");
+  command.add_flag("--overwrite", options.overwrite, "Replace outputs that exist");
+}
+
+fit::SkyOfPicture sky_of(const CalibrateOptions& options, const std::optional<sim::Scene>& camera_scene) {
+  fit::SkyOfPicture sky;
+  if (!options.time.empty()) {
+    sky.julian_date = sim::julian_date(options.time);
+    if (!sky.julian_date)
+      throw usage_error("--time", "'" + options.time + "' is no time",
+                        "ISO 8601 in UTC such as 2014-02-21T19:30:40Z");
+  }
+  if (!options.site.empty()) {
+    sim::Observer observer{options.site[0], options.site[1], options.site.size() > 2 ? options.site[2] : 0.0,
+                           !options.vacuum};
+    if (!(observer.latitude_deg >= -90.0 && observer.latitude_deg <= 90.0) ||
+        !(observer.longitude_deg >= -180.0 && observer.longitude_deg <= 360.0))
+      throw usage_error("--site", "no such place", "latitude -90 to 90, longitude -180 to 360");
+    sky.observer = observer;
+  } else if (camera_scene && camera_scene->lines.count("site.latitude_deg") != 0 &&
+             camera_scene->lines.count("site.longitude_deg") != 0) {
+    sky.observer = sim::Observer{camera_scene->site.latitude_deg, camera_scene->site.longitude_deg,
+                                 camera_scene->site.altitude_m, !options.vacuum};
+  }
+  return sky;
+}
+
+fit::LensSettings lens_settings(const CalibrateOptions& options, const std::optional<fit::SkyCamera>& start) {
+  fit::LensSettings settings;
+  settings.centre_free = !options.centre_held;
+  settings.start = start;
+  if (!options.free.empty()) {
+    if (!start) throw usage_error("--free", "nothing to hold", "--camera beside it");
+    if (!options.lens.empty() || !options.terms.empty())
+      throw usage_error("--free", "the lens of --camera is held", "neither --lens nor --terms");
+    const fit::LensForm form = fit::form_of(*start);
+    for (const std::string& word : options.free) add_free(word, form, settings.only);
+  }
+  if (options.lens.empty()) {
+    if (!options.terms.empty()) throw usage_error("--terms", "terms of which lens?", "--lens beside it");
+    return settings;
+  }
+  fit::LensForm form;
+  bool known = false;
+  for (const fit::LensForm& one : fit::lens_forms())
+    if (options.lens == fit::name_of(one.model)) {
+      form.model = one.model;
+      known = true;
+    }
+  if (!known)
+    throw usage_error("--lens", "no lens '" + options.lens + "'",
+                      "pinhole, equidistant, equisolid, stereographic, orthographic or polynomial");
+  settings.model = form.model;
+  if (!options.terms.empty()) {
+    read_terms(options.terms, form);
+    if (!is_lens_form(form))
+      throw usage_error("--terms", "a lens " + fit::words_of(form) + " is not known",
+                        "radial terms with pinhole and polynomial alone, at least k1 with polynomial");
+    settings.form = form;
+  }
+  return settings;
+}
+
+}  // namespace vegard::apps

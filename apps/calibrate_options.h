@@ -1,0 +1,38 @@
+// What `vegard calibrate` was asked for.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "fit/star_calibration/lens_choice.h"
+#include "fit/star_calibration/star_table.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::apps {
+
+/// As given on the command line.
+struct CalibrateOptions {
+  std::string stars, image, output, camera, time;
+  std::string residuals, json, plot, overlay, mask, decoding;
+  std::string lens, terms;
+  std::vector<std::string> free;
+  std::vector<double> site, centre_px;
+  std::vector<int> size_px;
+  double first_pixel = 0.5, faintest = 4.0, least_elevation_deg = 5.0, twist_deg = 5.0, shift_px = 12.0,
+         radius_px = 12.0, least_signal = 4.0;
+  bool vacuum = false, centre_held = false, overwrite = false;
+};
+
+/// `options` must outlive the parsing.
+void add_calibrate_options(CLI::App& command, CalibrateOptions& options);
+
+/// --time and --site, or the site of --camera. Throws Error(usage).
+fit::SkyOfPicture sky_of(const CalibrateOptions& options, const std::optional<sim::Scene>& camera_scene);
+
+/// --lens, --terms, --free, --hold-centre; `start` is the camera of --camera. Throws Error(usage).
+fit::LensSettings lens_settings(const CalibrateOptions& options, const std::optional<fit::SkyCamera>& start);
+
+}  // namespace vegard::apps

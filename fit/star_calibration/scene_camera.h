@@ -1,0 +1,28 @@
+// A calibration's camera as a scene has it, and back.
+#pragma once
+
+#include <string>
+
+#include "fit/star_calibration/calibration.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::fit {
+
+/// A scene's camera in a frame of this size: its centre keeps its place to the frame's middle.
+SkyCamera sky_camera_of(const sim::Camera& camera, const Frame& frame);
+
+/// The calibrated camera. Numbers beyond the limits of a scene are for sim::validate() to find.
+sim::Camera scene_camera_of(const Calibration& calibration);
+
+/// Where, when and from what the calibration was made; for the head of its files.
+struct CalibrationOrigin {
+  std::string stars;  ///< the table or picture the stars come from, without its folder
+  std::string image;
+  bool site_known = false;
+  sim::Site site;  ///< with time_utc, if it is known
+};
+
+/// A scene file with [camera] and, where it is known, [site]; lens, rms, error bars and version in comments.
+std::string camera_toml(const Calibration& calibration, const CalibrationOrigin& origin);
+
+}  // namespace vegard::fit

@@ -1,0 +1,56 @@
+# A camera from its stars, and that camera in a scene.
+source "$(dirname "$0")/case.sh"
+# Twelve stars as an equidistant lens of 15 px to a radian sees them, axis to the zenith, centre at (33, 23).
+stars_to() {
+  awk -v wrong="$1" 'BEGIN {
+    print "name,azimuth_deg,zenith_deg,x_px,y_px"
+    for (i = 0; i < 12; ++i) {
+      azimuth = 77 * i % 360; zenith = 8 + 6 * i; r = 15 * zenith * atan2(0, -1) / 180; a = azimuth * atan2(0, -1) / 180
+      printf "star %d,%g,%g,%.6f,%.6f\n", i, azimuth, zenith, 33 + r * sin(a) + (i == wrong ? 6 : 0), 23 + r * cos(a)
+    }
+  }'
+}
+stars_to -1 >stars.csv
+expect_exit 0 calibrate stars.csv -o camera.toml --size 64,48 --site 65,20,100 --time 2020-01-01T20:00:00Z \
+  --residuals residuals.csv --json all.json --plot residuals.svg
+expect_stdout "lens: equidistant"
+expect_stdout "over 12 of 12 stars"
+grep -q '^model = "equidistant"' camera.toml || fail "another model in camera.toml"
+grep -q '^time_utc = "2020-01-01T20:00:00Z"' camera.toml || fail "no time in camera.toml"
+awk '/^focal_px/ && ($3 < 14.999 || $3 > 15.001) { exit 1 }' camera.toml || fail "another scale"
+[[ $(wc -l <residuals.csv) -eq 13 ]] || fail "not a line for every star"
+grep -q '^<svg' residuals.svg || fail "no SVG"
+# The same again gives the same bytes.
+expect_exit 0 calibrate stars.csv -o again.toml --size 64,48 --site 65,20,100 --time 2020-01-01T20:00:00Z
+expect_same camera.toml again.toml
+# A scene takes it: its size, its lens, its site.
+expect_exit 0 render "$SCENES/small.toml" --camera camera.toml -o seen.exr
+expect_exit 0 render "$SCENES/small.toml" -o plain.exr
+expect_different seen.exr plain.exr
+echo 'seed = 3' | cat - camera.toml >seeded.toml
+expect_exit 2 render "$SCENES/small.toml" --camera seeded.toml -o no.exr
+expect_stderr "seeded.toml:1: seed"
+# A star that is none.
+stars_to 4 >mistaken.csv
+expect_exit 0 calibrate mistaken.csv -o mistaken.toml --size 64,48
+expect_stdout "left out: star 4 of line 6"
+# Only the turn, of a camera that is known.
+expect_exit 0 calibrate stars.csv -o turned.toml --size 64,48 --camera camera.toml --free rotation
+expect_stdout "over 12 of 12 stars"
+# What is refused.
+head -4 stars.csv >few.csv
+expect_exit 3 calibrate few.csv -o no.toml
+expect_stderr "few.csv: 3 stars for a camera of 6 numbers"
+expect_one_message
+expect_exit 2 calibrate stars.csv -o camera.toml
+expect_stderr camera.toml
+expect_exit 2 calibrate -o no.toml
+expect_one_message
+expect_exit 2 calibrate stars.csv -o no.toml --free rotation
+expect_exit 2 calibrate stars.csv -o no.toml --lens fisheye
+expect_exit 2 calibrate stars.csv -o no.toml --lens equisolid --terms k1
+expect_exit 2 calibrate stars.csv -o stars.csv --overwrite
+printf 'star,x_px,y_px\nVega,1,2\n' >named.csv
+expect_exit 2 calibrate named.csv -o no.toml
+expect_stderr "--time"
+[[ ! -e no.toml ]] || fail "a refused calibration left its output"
