@@ -231,8 +231,10 @@ int run(const Options& options, const std::string& command) {
     fit::check_run_directory(options.out, replaces);
   }
   std::vector<fit::PhotoFact> from_photograph;
-  if (scene.fit.photos.empty() && !options.photo.empty() && !options.no_metadata)
-    from_photograph = take_from_photograph(scene, options.photo, options.scene.changes);
+  const std::string photo =
+      options.filters.empty() ? options.photo : filter_files(options.filters).front().file;
+  if (scene.fit.photos.empty() && !photo.empty() && !options.no_metadata)
+    from_photograph = take_from_photograph(scene, photo, options.scene.changes);
   std::vector<fit::Photo> photos = photos_of(options, scene);
   if (options.check_derivatives) {
     if (!scene.fit.photos.empty())

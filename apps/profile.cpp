@@ -172,7 +172,9 @@ void run(const Options& options) {
   if (!options.scene.empty()) {
     scene = sim::read_scene(options.scene);
     if (!options.camera.empty()) take_camera(*scene, options.camera);
-    if (!options.no_metadata && !options.image.empty()) take_from_photograph(*scene, options.image, {});
+    const std::string image =
+        options.filters.empty() ? options.image : filter_files(options.filters).front().file;
+    if (!options.no_metadata && !image.empty()) take_from_photograph(*scene, image, {});
   }
   const sim::Fit defaults = scene ? scene->fit : sim::Fit{};
 

@@ -24,3 +24,14 @@ expect_exit 2 profile --line 557.7=green.pgm -o green.pgm --overwrite
 expect_exit 2 fit "$SCENES/small.toml" --line 557.7=green.pgm --out run
 expect_exit 2 fit "$SCENES/small.toml" --photo green.pgm --line 557.7=green.pgm --out run
 [[ ! -e none.csv && ! -e run ]] || fail "a refused command has left something"
+
+# The scene's lines say which channel is whose, and the files give the picture's size.
+grep -v -e '^width = ' -e '^height = ' "$SCENES/small.toml" >sizeless.toml
+cat >>sizeless.toml <<'END'
+
+[sensor]
+response = "filters"
+END
+expect_exit 0 profile --scene sizeless.toml --line 557.7=green.pgm --line 630=red.pgm -o ordered.csv
+grep -q '^# r: 630 nm, red.pgm' ordered.csv || fail "the first line of the scene is not in the first channel"
+expect_exit 2 profile --scene sizeless.toml --line 486.1=green.pgm -o none.csv
