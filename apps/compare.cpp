@@ -83,9 +83,10 @@ int run(const std::vector<std::string>& directories) {
   const fit::RunComparison comparison = fit::compared(runs);
   print_criteria(comparison);
   std::printf(
-      "%d values, worth %s independent ones; chi2 is divided by %s in AIC and BIC\n\n", runs.front().values,
+      "%d values, worth %s independent ones; chi2 is divided by %s in AIC and BIC\n", runs.front().values,
       fit::short_number(comparison.independent_values, 3).c_str(),
       fit::short_number(comparison.runs.front().run.chi2 / comparison.runs.front().criteria.chi2, 3).c_str());
+  std::printf("decoding: %s\n\n", runs.front().decoding.c_str());
   print_parameters(comparison);
   std::printf("\n");
   for (const std::string& sentence : comparison.sentences) std::printf("%s\n", sentence.c_str());

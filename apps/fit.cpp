@@ -19,6 +19,7 @@
 #include "apps/check_derivatives.h"
 #include "apps/decoding.h"
 #include "apps/exit_code.h"
+#include "apps/filter_options.h"
 #include "apps/interrupt.h"
 #include "apps/photo_metadata.h"
 #include "apps/photographs.h"
@@ -26,6 +27,7 @@
 #include "apps/scene_options.h"
 #include "apps/scene_place.h"
 #include "apps/usage_error.h"
+#include "fit/curve_fit.h"
 #include "fit/file_journal.h"
 #include "fit/fit.h"
 #include "fit/number_text.h"
@@ -42,6 +44,7 @@ namespace {
 struct Options {
   SceneOptions scene;
   std::string photo, mask, decoding, out;
+  std::vector<std::string> filters;
   int threads = 0;
   int max_evaluations = fit::FitOptions().max_evaluations;
   bool overwrite = false;
@@ -67,14 +70,24 @@ std::vector<fit::Photo> photos_of(const Options& options, const sim::Scene& scen
     throw sim::Error(sim::ErrorKind::usage, details);
   };
   if (scene.fit.photos.empty()) {
-    if (options.photo.empty())
+    if (!options.photo.empty() && !options.filters.empty())
+      refuse("--line", "a photograph is given as well", "leave out --photo");
+    if (options.photo.empty() && options.filters.empty())
       refuse("--photo", "no photograph is given", "name one, or several in the scene's [[fit.photo]]");
     std::vector<fit::Photo> photos;
-    photos.push_back(
-        fit::read_photo(options.photo, decoding_of(options.decoding, scene.fit.decoding), &scene));
+    const fit::Decoding decoding = decoding_of(options.decoding, scene.fit.decoding, &scene);
+    if (options.filters.empty()) {
+      photos.push_back(fit::read_photo(options.photo, decoding, &scene));
+    } else {
+      check_filters(scene);
+      photos.push_back(
+          fit::read_filters(filter_files(options.filters), scene.emission.lines, decoding, &scene));
+    }
     if (!options.mask.empty()) fit::apply_mask(photos.back(), options.mask);
     return photos;
   }
+  if (!options.filters.empty())
+    refuse("--line", "the scene names its photographs itself", "leave it out, or [[fit.photo]] of the scene");
   for (const auto& [key, word] :
        {std::pair{"--photo", &options.photo}, {"--mask", &options.mask}, {"--decoding", &options.decoding}})
     if (!word->empty())
@@ -134,7 +147,8 @@ fit::JournalMode journal_mode(const Options& options) {
   return options.overwrite ? fit::JournalMode::overwrite : fit::JournalMode::fresh;
 }
 
-fit::FitResult fitted(const Options& options, const sim::Scene& scene, const std::vector<fit::Photo>& photos,
+/// A photograph whose transfer curve was unknown is decoded by what was found of it afterwards.
+fit::FitResult fitted(const Options& options, const sim::Scene& scene, std::vector<fit::Photo>& photos,
                       fit::Journal& journal) {
   Account account;
   fit::FitOptions fit_options;
@@ -148,8 +162,9 @@ fit::FitResult fitted(const Options& options, const sim::Scene& scene, const std
                                     double share) { account.tell(stage, evaluations, chi2_per_dof, share); };
   fit_options.stop = &watch_for_interrupt();
   return placing_errors(scene, [&] {
-    return scene.fit.photos.empty() ? fit::fit_photo(scene, photos.front(), fit_options)
-                                    : fit::fit_photos(scene, photos, fit_options);
+    if (!scene.fit.photos.empty()) return fit::fit_photos(scene, photos, fit_options);
+    return photos.front().unknowns > 0 ? fit::fit_photo_and_curve(scene, photos.front(), fit_options)
+                                       : fit::fit_photo(scene, photos.front(), fit_options);
   });
 }
 
@@ -184,6 +199,11 @@ void print_answer(const fit::FitResult& result, const std::string& report) {
       std::printf("  %s: %s%s%s\n", d.name.c_str(), fit::number_with_error(d.value, d.sigma).c_str(),
                   d.unit.empty() ? "" : " ", d.unit.c_str());
   }
+  for (const fit::FittedPhoto& photo : result.photos)
+    std::printf("decoding%s: %s\n", photo.name.empty() ? "" : (" of " + photo.name).c_str(),
+                photo.decoding.c_str());
+  if (result.curve)
+    std::printf("to take the curve as known: --decoding %s\n", result.curve->decoding_word.c_str());
   std::printf("%s\n", report.c_str());
 }
 
@@ -211,9 +231,11 @@ int run(const Options& options, const std::string& command) {
     fit::check_run_directory(options.out, replaces);
   }
   std::vector<fit::PhotoFact> from_photograph;
-  if (scene.fit.photos.empty() && !options.photo.empty() && !options.no_metadata)
-    from_photograph = take_from_photograph(scene, options.photo, options.scene.changes);
-  const std::vector<fit::Photo> photos = photos_of(options, scene);
+  const std::string photo =
+      options.filters.empty() ? options.photo : filter_files(options.filters).front().file;
+  if (scene.fit.photos.empty() && !photo.empty() && !options.no_metadata)
+    from_photograph = take_from_photograph(scene, photo, options.scene.changes);
+  std::vector<fit::Photo> photos = photos_of(options, scene);
   if (options.check_derivatives) {
     if (!scene.fit.photos.empty())
       throw usage_error("--check-derivatives", "is for one photograph", "a scene without [[fit.photo]]");
@@ -255,8 +277,9 @@ void add_fit_command(CLI::App& app, int& exit_code, const std::string& command_l
   add_scene_options(*command, options->scene);
   command
       ->add_option("--photo", options->photo,
-                   "JPEG, PNG or TIFF; left out: those of the scene's [[fit.photo]]")
+                   "A photograph of any format that is read; left out: those of the scene's [[fit.photo]]")
       ->type_name("IMAGE");
+  add_filter_option(*command, options->filters);
   command->add_option("--out", options->out, "The run's directory to write")->type_name("RUN");
   command->add_option("--mask", options->mask, "An image of the same size: white = use")->type_name("IMAGE");
   add_decoding_option(*command, options->decoding);

@@ -1,11 +1,8 @@
 #include "apps/linearise.h"
 
-#include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -32,38 +29,15 @@ struct Options {
   bool overwrite = false;
 };
 
-/// Linear floats of this program are read by it, whatever else by the fit's reader.
-fit::Photo read(const std::string& file, const sim::Scene& scene) {
-  if (!std::filesystem::path(file).has_extension() || sim::image_format(file) != sim::ImageFormat::exr)
-    return fit::read_photo(file, fit::Decoding::sensor, &scene);
-  const sim::ExrFile exr = sim::read_exr(file);
-  const auto units = exr.attributes.find("units");
-  if (units != exr.attributes.end() && units->second.find(photograph_words) == std::string::npos) {
-    sim::ErrorDetails details;
-    details.file = file;
-    details.problem = "it is no photograph but linear light already";
-    details.expected = "a photograph, as render --photograph writes it";
-    throw sim::Error(sim::ErrorKind::unreadable_input, details);
-  }
-  const sim::Image& all = exr.image;
-  const std::vector<std::string> wanted = {"R", "G", "B"};
-  if (all.channels() < 3 || !std::equal(wanted.begin(), wanted.end(), all.channel_names.begin())) {
-    sim::ErrorDetails details;
-    details.file = file;
-    details.problem = "there is no picture in it";
-    details.expected = "the channels R, G and B";
-    throw sim::Error(sim::ErrorKind::unreadable_input, details);
-  }
-  fit::Photo photo;
-  photo.linear = sim::Image(all.width, all.height, wanted);
-  for (int y = 0; y < all.height; ++y)
-    for (int x = 0; x < all.width; ++x)
-      for (int c = 0; c < 3; ++c) photo.linear.at(x, y, c) = all.at(x, y, c);
-  photo.usable.assign(photo.linear.data.size(), 1);
-  photo.floating = true;
-  photo.decoding = "sensor: linear (EXR)";
-  sim::recover_light(scene, fit::file_step(photo), photo.linear, photo.usable);
-  return photo;
+/// An EXR of this program says whether it is a photograph or light already.
+void check_is_photograph(const fit::Photo& photo, const std::string& file) {
+  const auto units = photo.words.find("units");
+  if (units == photo.words.end() || units->second.find(photograph_words) != std::string::npos) return;
+  sim::ErrorDetails details;
+  details.file = file;
+  details.problem = "it is no photograph but linear light already";
+  details.expected = "a photograph, as render --photograph writes it";
+  throw sim::Error(sim::ErrorKind::unreadable_input, details);
 }
 
 void check_size(const sim::Scene& scene, const fit::Photo& photo) {
@@ -84,7 +58,8 @@ int run(const Options& options) {
   for (const std::string& input : {options.photo, options.scene.file})
     if (same_file(options.output, input)) refuse_same_file("--output", options.output, "an input");
   sim::WholeFile file(options.output, options.overwrite);
-  const fit::Photo photo = read(options.photo, scene);
+  const fit::Photo photo = fit::read_photo(options.photo, fit::Decoding::sensor, &scene);
+  check_is_photograph(photo, options.photo);
   check_size(scene, photo);
 
   sim::Image variance = sim::light_variance(scene, photo.linear, fit::file_step(photo));
@@ -120,7 +95,9 @@ void add_linearise_command(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "linearise", "Take a photograph back to linear light, with its variance, by a scene's sensor");
-  command->add_option("photo", options->photo, "JPEG, PNG, TIFF or EXR")->required()->type_name("PHOTO");
+  command->add_option("photo", options->photo, "A photograph of any format that is read")
+      ->required()
+      ->type_name("PHOTO");
   add_scene_options(*command, options->scene);
   command->add_option("-o,--output", options->output, "The linear light to write")
       ->required()

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "apps/decoding.h"
+#include "fit/number_text.h"
 #include "sim/base/error.h"
 #include "sim/scene/photo_scene.h"
 
@@ -15,8 +16,10 @@ std::string beside(const std::string& scene_file, const std::string& name) {
 
 fit::Photo photograph_of(const sim::Scene& scene, const sim::PhotoEntry& entry) {
   const sim::Scene own = sim::scene_of_photo(scene, entry);
-  fit::Photo photo =
-      fit::read_photo(beside(scene.file, entry.file), decoding_of(entry.decoding, scene.fit.decoding), &own);
+  const fit::Decoding decoding = entry.decoding.empty()
+                                     ? decoding_of("", scene.fit.decoding, &scene)
+                                     : decoding_of("", entry.decoding, nullptr, beside(scene.file, ""));
+  fit::Photo photo = fit::read_photo(beside(scene.file, entry.file), decoding, &own);
   if (!entry.mask.empty()) fit::apply_mask(photo, beside(scene.file, entry.mask));
   return photo;
 }
@@ -44,7 +47,11 @@ std::vector<fit::InputFile> inputs_of(const std::string& scene_file, const std::
   std::vector<fit::InputFile> inputs = {
       {"scene", std::filesystem::path(scene_file).filename().string(), scene_sha256}};
   for (const fit::Photo& photo : photos) {
-    inputs.push_back({"photo", photo.file_name, photo.sha256});
+    if (photo.filters.empty()) inputs.push_back({"photo", photo.file_name, photo.sha256});
+    for (const fit::PhotoPart& part : photo.filters)
+      if (part.wavelength_nm > 0.0)
+        inputs.push_back(
+            {"photo " + fit::short_number(part.wavelength_nm) + " nm", part.file_name, part.sha256});
     if (!photo.mask_name.empty()) inputs.push_back({"mask", photo.mask_name, photo.mask_sha256});
   }
   return inputs;

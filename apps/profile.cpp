@@ -9,7 +9,11 @@
 #include <vector>
 
 #include "apps/decoding.h"
+#include "apps/direction_maps.h"
+#include "apps/direction_profile.h"
 #include "apps/elevation.h"
+#include "apps/filter_options.h"
+#include "apps/keogram.h"
 #include "apps/output_files.h"
 #include "apps/photo_metadata.h"
 #include "apps/plot_file.h"
@@ -26,6 +30,7 @@
 #include "sim/base/whole_file.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_toml.h"
+#include "sim/view/filter_response.h"
 #include "sim/view/sensor_response.h"
 #include "sim/view/spectral_resolution.h"
 
@@ -35,26 +40,19 @@ namespace {
 /// As given on the command line: what is empty there follows from the scene.
 struct Options {
   std::string image, output, mask, scene, camera, plot;
+  std::vector<std::string> filters;
+  std::vector<std::string> images, keogram;  ///< image: the only one of a profile
+  std::string times;
   std::vector<int> roi_px;
   std::optional<int> bands;
   std::string decoding;
+  MapOptions maps;
+  SectorOptions sectors;
   bool overwrite = false, lines = false, no_metadata = false;
 };
 
 std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);
-}
-
-void check_size(const sim::Scene& scene, const fit::Photo& photo) {
-  const sim::Image& image = photo.linear;
-  if (scene.camera.width == image.width && scene.camera.height == image.height) return;
-  sim::ErrorDetails details;
-  details.key = "camera.width";
-  details.problem = "the scene's camera has " + size_text(scene.camera.width, scene.camera.height) +
-                    " pixels, the photograph " + photo.file_name + " has " +
-                    size_text(image.width, image.height);
-  details.hint = "set camera.width and camera.height to the photograph's";
-  throw with_place(sim::Error(sim::ErrorKind::scene, details), scene);
 }
 
 /// Errors of the region and the bands name the scene's keys; on the command line they are options.
@@ -78,7 +76,14 @@ auto naming_options(const Options& options, const std::optional<sim::Scene>& sce
 /// With --overwrite a slip of the pen would cost the photograph.
 void check_outputs(const Options& options) {
   if (same_file(options.output, options.plot)) refuse_same_file("--plot", options.plot, "the table's name");
-  for (const std::string& input : {options.image, options.mask, options.scene, options.camera}) {
+  std::vector<std::string> inputs = {options.image,
+                                     options.mask,
+                                     options.scene,
+                                     options.camera,
+                                     options.maps.azimuth_map,
+                                     options.maps.elevation_map};
+  for (const fit::FilterFile& filter : filter_files(options.filters)) inputs.push_back(filter.file);
+  for (const std::string& input : inputs) {
     if (same_file(options.output, input)) refuse_same_file("--output", options.output, "an input");
     if (same_file(options.plot, input)) refuse_same_file("--plot", options.plot, "an input");
   }
@@ -92,72 +97,147 @@ void print_resolution(const sim::Scene& scene) {
                 sim::resolving_kernel(response, nm).fwhm_nm);
 }
 
+fit::Photo photo_of(const Options& options, const fit::Decoding& decoding,
+                    const std::optional<sim::Scene>& scene) {
+  const sim::Scene* const known = scene ? &*scene : nullptr;
+  if (options.image.empty() == options.filters.empty())
+    throw usage_error("IMAGE", options.image.empty() ? "no photograph is given" : "--line is given as well",
+                      "a photograph, or --line NM=FILE for each of its filters");
+  if (options.filters.empty()) return fit::read_photo(options.image, decoding, known);
+  if (options.lines) check_filters(*scene);
+  const bool ordered = scene && sim::sees_through_filters(*scene);
+  return fit::read_filters(filter_files(options.filters),
+                           ordered ? scene->emission.lines : std::vector<double>{}, decoding, known);
+}
+
+/// What there is to write and to say.
+struct Measured {
+  std::string csv;
+  fit::Plot plot;
+  std::string words;
+};
+
+fit::LineBrightness lines_of(const sim::Scene& scene, const fit::Photo& photo, const fit::Profile& profile) {
+  return placing_errors(scene, [&] {
+    const fit::LineBrightness lines = fit::line_brightness(scene, profile);
+    if (!photo.floating && photo.filters.empty() && scene.sensor.matrix_rule != "none")
+      std::fputs(
+          "vegard: the picture's file has cut off what its colour matrix put out of gamut, so that lines of "
+          "little light are told wrong (sensor.matrix_rule = \"none\" has them right)\n",
+          stderr);
+    return lines;
+  });
+}
+
+Measured measure_bands(const Options& options, const std::optional<sim::Scene>& scene,
+                       const fit::Photo& photo, const fit::Region& region) {
+  fit::ElevationOfPixel elevation;
+  if (!options.maps.azimuth_map.empty()) {
+    elevation = elevation_of_pixel(
+        known_directions(options.maps, nullptr, photo.linear.width, photo.linear.height, photo.file_name)
+            ->map);
+  } else if (scene) {
+    elevation = elevation_of_pixel(*scene);
+  }
+  const int bands = options.bands.value_or(scene ? scene->fit.bands : sim::Fit{}.bands);
+  const fit::Profile profile = fit::extract_profile(photo, region, bands);
+  std::optional<fit::LineBrightness> lines;
+  if (options.lines) lines = lines_of(*scene, photo, profile);
+  return {fit::profile_csv(photo, profile, elevation, lines ? &*lines : nullptr),
+          fit::profile_plot(photo, profile, elevation),
+          std::to_string(profile.bands) + " bands of " + std::to_string(profile.rows) + " rows"};
+}
+
+Measured measure_sectors(const Options& options, const std::optional<sim::Scene>& scene,
+                         const fit::Photo& photo, const fit::Region& region) {
+  const std::optional<KnownDirections> known = known_directions(
+      options.maps, scene ? &*scene : nullptr, photo.linear.width, photo.linear.height, photo.file_name);
+  if (!known)
+    throw usage_error("--azimuths", "where the pixels look is not known",
+                      "--azimuth-map MAPS, or --scene with the camera");
+  const MeasuredDirections measured = measure_directions(options.sectors, photo, region, *known);
+  return {measured.csv, measured.plot, measured.words};
+}
+
 void run(const Options& options) {
   const PlotFormat format = plot_format(options.plot, "--plot");
   check_outputs(options);
+  check_sector_options(options.sectors);
+  if (options.lines && options.sectors.asked())
+    throw usage_error("--lines", "lines are told along columns only",
+                      "no --azimuths or --directions beside it");
   if (options.lines && options.scene.empty())
     throw usage_error("--lines", "no sensor is known", "--scene with the sensor, its gain and the lines");
   std::optional<sim::Scene> scene;
   if (!options.scene.empty()) {
     scene = sim::read_scene(options.scene);
     if (!options.camera.empty()) take_camera(*scene, options.camera);
-    if (!options.no_metadata) take_from_photograph(*scene, options.image, {});
+    const std::string image =
+        options.filters.empty() ? options.image : filter_files(options.filters).front().file;
+    if (!options.no_metadata && !image.empty()) take_from_photograph(*scene, image, {});
   }
   const sim::Fit defaults = scene ? scene->fit : sim::Fit{};
 
-  const fit::Decoding decoding = decoding_of(options.decoding, defaults.decoding);
+  const fit::Decoding decoding = decoding_of(options.decoding, defaults.decoding, scene ? &*scene : nullptr);
   if (decoding == fit::Decoding::sensor && !scene)
     throw usage_error("--decoding", "no scene says what the sensor is", "--scene SCENE beside it");
-  fit::Photo photo = fit::read_photo(options.image, decoding, scene ? &*scene : nullptr);
-  fit::ElevationOfPixel elevation;
-  if (scene) {
-    check_size(*scene, photo);
-    elevation = elevation_of_pixel(*scene);
-  }
+  fit::Photo photo = photo_of(options, decoding, scene);
+  if (scene) check_camera_size(*scene, photo.linear.width, photo.linear.height, photo.file_name);
   if (!options.mask.empty()) fit::apply_mask(photo, options.mask);
 
   std::array<int, 4> roi_px = defaults.roi_px;
   for (std::size_t i = 0; i < options.roi_px.size(); ++i) roi_px[i] = options.roi_px[i];
-  const fit::Profile profile = naming_options(options, scene, [&] {
+  const Measured measured = naming_options(options, scene, [&] {
     const fit::Region region = fit::checked_region(roi_px, photo.linear.width, photo.linear.height);
-    return fit::extract_profile(photo, region, options.bands.value_or(defaults.bands));
+    return options.sectors.asked() ? measure_sectors(options, scene, photo, region)
+                                   : measure_bands(options, scene, photo, region);
   });
-
-  std::optional<fit::LineBrightness> lines;
-  if (options.lines) {
-    try {
-      lines = fit::line_brightness(*scene, profile);
-      if (!photo.floating && scene->sensor.matrix_rule != "none")
-        std::fputs(
-            "vegard: the picture's file has cut off what its colour matrix put out of gamut, so that lines "
-            "of "
-            "little light are told wrong (sensor.matrix_rule = \"none\" has them right)\n",
-            stderr);
-    } catch (const sim::Error& error) {
-      throw with_place(error, *scene);
-    }
-  }
-
   // The plot is made before anything is written: what fails here leaves nothing behind.
-  std::string plot;
-  if (format != PlotFormat::none) {
-    const fit::Plot description = fit::profile_plot(photo, profile, elevation);
-    plot = format == PlotFormat::svg ? fit::plot_svg(description) : fit::plot_png(description);
-  }
+  const std::string plot = plot_bytes(measured.plot, format);
   // Both places are claimed before either is filled.
   sim::WholeFile table_file(options.output, options.overwrite);
   std::optional<sim::WholeFile> plot_file;
   if (format != PlotFormat::none) plot_file.emplace(options.plot, options.overwrite);
-  table_file.write(fit::profile_csv(photo, profile, elevation, lines ? &*lines : nullptr));
+  table_file.write(measured.csv);
   if (plot_file) plot_file->write(plot);
   table_file.commit();
   if (plot_file) plot_file->commit();
 
   std::printf("%s: %s pixels, decoding: %s\n", photo.file_name.c_str(),
               size_text(photo.linear.width, photo.linear.height).c_str(), photo.decoding.c_str());
-  std::printf("%s: %d bands of %d rows\n", options.output.c_str(), profile.bands, profile.rows);
+  std::printf("%s: %s\n", options.output.c_str(), measured.words.c_str());
   if (plot_file) std::printf("%s\n", options.plot.c_str());
-  if (lines) print_resolution(*scene);
+  if (options.lines) print_resolution(*scene);
+}
+
+Options of_one_image(const Options& options) {
+  if (options.images.size() > 1)
+    throw usage_error("IMAGE", "a profile is of one image", "one, or --keogram OUT beside it");
+  if (options.output.empty()) throw usage_error("--output", "no table is named", "-o OUT.csv");
+  if (!options.times.empty()) throw usage_error("--times", "a profile needs none", "--keogram OUT beside it");
+  Options one = options;
+  if (!options.images.empty()) one.image = options.images.front();
+  return one;
+}
+
+KeogramOptions keogram_options(const Options& options) {
+  const bool of_profiles = !options.output.empty() || !options.plot.empty() || options.bands ||
+                           options.lines || options.sectors.asked() || !options.filters.empty();
+  if (of_profiles)
+    throw usage_error("--keogram", "it takes the place of a profile",
+                      "no --output, --plot, --bands, --line, --lines, --azimuths or --directions beside it");
+  check_sector_options(options.sectors);
+  KeogramOptions keogram;
+  keogram.images = options.images;
+  keogram.outputs = options.keogram;
+  keogram.mask = options.mask;
+  keogram.scene = options.scene;
+  keogram.decoding = options.decoding;
+  keogram.times = options.times;
+  keogram.roi_px = options.roi_px;
+  keogram.maps = options.maps;
+  keogram.overwrite = options.overwrite;
+  return keogram;
 }
 
 }  // namespace
@@ -166,8 +246,17 @@ void add_profile_command(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "profile", "Measure a photograph: mean light per row and band, as CSV and as a plot");
-  command->add_option("IMAGE", options->image, "JPEG, PNG or TIFF")->required();
-  command->add_option("-o,--output", options->output, "The table to write")->required()->type_name("OUT.csv");
+  command->add_option("IMAGE", options->images,
+                      "A photograph of any format that is read; with --keogram a list of them");
+  add_filter_option(*command, options->filters);
+  command->add_option("-o,--output", options->output, "The table to write")->type_name("OUT.csv");
+  command
+      ->add_option("--keogram", options->keogram,
+                   "A keogram of all images in place of a profile of one (see vegard keogram)")
+      ->allow_extra_args(false)
+      ->type_name("OUT.png|.svg|.exr|.csv");
+  command->add_option("--times", options->times, "With --keogram: when each was taken, lines of FILE,TIME")
+      ->type_name("TIMES.csv");
   command->add_option("--roi", options->roi_px, "Region of interest in pixels (default: the scene's, or all)")
       ->delimiter(',')
       ->expected(4)
@@ -180,12 +269,17 @@ void add_profile_command(CLI::App& app, int& exit_code) {
       ->type_name("CAMERA.toml");
   command->add_flag("--lines", options->lines,
                     "Add rayleighs of the scene's lines, by its sensor, gain and sky (needs --scene)");
+  add_map_options(*command, options->maps);
+  add_sector_options(*command, options->sectors);
   add_decoding_option(*command, options->decoding);
   add_no_metadata_option(*command, options->no_metadata);
   command->add_option("--plot", options->plot, "Draw the profiles too")->type_name("OUT.svg|OUT.png");
   command->add_flag("--overwrite", options->overwrite, "Replace outputs that exist");
   command->callback([options, &exit_code] {
-    run(*options);
+    if (options->keogram.empty())
+      run(of_one_image(*options));
+    else
+      run_keogram(keogram_options(*options));
     exit_code = 0;
   });
 }

@@ -19,6 +19,7 @@
 #include "apps/scene_options.h"
 #include "apps/scene_place.h"
 #include "apps/sequence_frames.h"
+#include "apps/usage_error.h"
 #include "fit/number_text.h"
 #include "fit/run_directory.h"
 #include "fit/sequence.h"
@@ -91,11 +92,12 @@ class Folder {
   }
 
   /// The row of a frame that is done: of this photograph at this time.
-  std::optional<fit::SequenceRow> done(const SequencePhoto& photo, const std::string& sha256) const {
+  std::optional<fit::SequenceRow> done(const SequencePhoto& photo, const fit::Photo& read) const {
     const std::string text = bytes_of(row(photo.name));
     if (text.empty()) return {};
     fit::SequenceRow found = fit::sequence_row_of(text, row(photo.name));
-    if (found.photo_sha256 != sha256 || found.time_s != photo.time_s) return {};
+    if (found.photo_sha256 != read.sha256 || found.time_s != photo.time_s || found.decoding != read.decoding)
+      return {};
     return found;
   }
 
@@ -141,8 +143,12 @@ int run(const Options& options, const std::string& command) {
                      scene);
   const std::string scene_sha256 = sim::sha256(bytes_of(options.scene.file));
   const std::vector<SequencePhoto> photos = sequence_photos(options.photos, scene);
+  if (decoding_of(options.decoding, scene.fit.decoding, &scene).kind == fit::Decoding::Kind::unknown)
+    throw usage_error(
+        "--decoding", "a sequence is of one camera, and so of one transfer curve", "one that is known",
+        "fit one frame by itself with --decoding unknown, and give all the curve that it tells");
   for (const SequencePhoto& photo : photos)  // now, not after hours
-    fit::read_photo(photo.file, decoding_of(options.decoding, scene.fit.decoding), &scene);
+    fit::read_photo(photo.file, decoding_of(options.decoding, scene.fit.decoding, &scene), &scene);
   const Folder folder(options.out);
   folder.begin(manifest(options, scene), options.overwrite);
 
@@ -153,10 +159,11 @@ int run(const Options& options, const std::string& command) {
   std::vector<fit::SequenceRow> rows;
   bool chain_is_old = true;  // a frame depends on the one before it
   for (const SequencePhoto& frame : photos) {
-    fit::Photo photo = fit::read_photo(frame.file, decoding_of(options.decoding, scene.fit.decoding), &scene);
+    fit::Photo photo =
+        fit::read_photo(frame.file, decoding_of(options.decoding, scene.fit.decoding, &scene), &scene);
     if (!options.mask.empty()) fit::apply_mask(photo, options.mask);
     if (chain_is_old)
-      if (const auto row = folder.done(frame, photo.sha256)) {
+      if (const auto row = folder.done(frame, photo)) {
         rows.push_back(*row);
         tell(rows.back(), true);
         continue;

@@ -6,17 +6,13 @@
 #include <set>
 #include <sstream>
 
+#include "apps/usage_error.h"
 #include "sim/base/error.h"
 
 namespace vegard::apps {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Listed {
-  std::string file;
-  double time_s = NAN;
-};
 
 [[noreturn]] void fail(sim::ErrorKind kind, const std::string& problem, const std::string& file, int line,
                        const std::string& expected) {
@@ -29,10 +25,10 @@ struct Listed {
   throw sim::Error(kind, details);
 }
 
-std::vector<Listed> read_list(const std::string& list) {
+std::vector<ListedPhoto> read_list(const std::string& list) {
   std::ifstream stream(list);
   if (!stream) fail(sim::ErrorKind::unreadable_input, "there is no such list", list, 0, "a text file");
-  std::vector<Listed> photos;
+  std::vector<ListedPhoto> photos;
   int number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;
@@ -40,7 +36,7 @@ std::vector<Listed> read_list(const std::string& list) {
     std::string file, time, more;
     words >> file >> time >> more;
     if (file.empty() || file[0] == '#') continue;
-    Listed photo{(fs::path(list).parent_path() / file).string()};
+    ListedPhoto photo{(fs::path(list).parent_path() / file).string(), NAN};
     std::size_t used = 0;
     try {
       if (!time.empty()) photo.time_s = std::stod(time, &used);
@@ -57,17 +53,21 @@ std::vector<Listed> read_list(const std::string& list) {
 
 }  // namespace
 
-std::vector<SequencePhoto> sequence_photos(const std::vector<std::string>& words, const sim::Scene& scene) {
-  std::vector<Listed> listed;
+std::vector<ListedPhoto> listed_photos(const std::vector<std::string>& words, const std::string& key) {
+  std::vector<ListedPhoto> listed;
   if (words.size() == 1 && fs::path(words[0]).extension() == ".txt")
     listed = read_list(words[0]);
   else
-    for (const std::string& word : words) listed.push_back({word});
-  if (listed.empty())
-    fail(sim::ErrorKind::usage, "no photograph is named", "", 0, "images, or a list of them");
+    for (const std::string& word : words) listed.push_back({word, NAN});
+  if (listed.empty()) throw usage_error(key, "no photograph is named", "images, or a list of them");
+  return listed;
+}
+
+std::vector<SequencePhoto> sequence_photos(const std::vector<std::string>& words, const sim::Scene& scene) {
+  const std::vector<ListedPhoto> listed = listed_photos(words, "--photos");
   std::vector<SequencePhoto> photos;
   std::set<std::string> names;
-  for (const Listed& one : listed) {
+  for (const ListedPhoto& one : listed) {
     SequencePhoto photo{fs::path(one.file).stem().string(), one.file, one.time_s};
     if (std::isnan(photo.time_s))
       photo.time_s = scene.time.start_s + static_cast<double>(photos.size()) / scene.time.frames_per_second;

@@ -8,6 +8,15 @@
 
 namespace vegard::apps {
 
+struct ListedPhoto {
+  std::string file;
+  double time_s;  ///< NaN if the list does not say
+};
+
+/// From images in their order, or from one list (.txt) as below. `key`: the option, for messages. Throws
+/// Error(usage, unreadable_input).
+std::vector<ListedPhoto> listed_photos(const std::vector<std::string>& words, const std::string& key);
+
 struct SequencePhoto {
   std::string name;  ///< the file's without its ending; no two are alike
   std::string file;

@@ -11,9 +11,11 @@
 #include "apps/command_line.h"
 #include "apps/compare.h"
 #include "apps/describe.h"
+#include "apps/directions.h"
 #include "apps/exit_code.h"
 #include "apps/fit.h"
 #include "apps/horizon.h"
+#include "apps/keogram.h"
 #include "apps/linearise.h"
 #include "apps/lines.h"
 #include "apps/mask.h"
@@ -24,6 +26,7 @@
 #include "apps/sequence.h"
 #include "fit/version.h"
 #include "sim/base/error.h"
+#include "sim/base/fits_io.h"
 #include "sim/base/image_io.h"
 #include "sim/base/version.h"
 
@@ -34,7 +37,7 @@ using namespace vegard;
 std::string versions() {
   return "vegard " + sim::version() + "\nCeres " + fit::ceres_version() + "\nOpenCV " +
          fit::opencv_version() + "\nEigen " + sim::eigen_version() + "\nOpenImageIO " +
-         sim::image_library_version();
+         sim::image_library_version() + "\nCFITSIO " + sim::fits_library_version();
 }
 
 int report(const std::string& message, int exit_code) {
@@ -52,6 +55,8 @@ int run(int argc, char** argv) {
   apps::add_describe_command(app, exit_code);
   apps::add_horizon_command(app, exit_code);
   apps::add_profile_command(app, exit_code);
+  apps::add_keogram_command(app, exit_code);
+  apps::add_directions_command(app, exit_code);
   apps::add_mask_command(app, exit_code);
   apps::add_brightness_command(app, exit_code);
   apps::add_calibrate_command(app, exit_code);

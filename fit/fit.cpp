@@ -8,6 +8,7 @@
 #include "fit/answer.h"
 #include "fit/derived.h"
 #include "fit/energy_flux.h"
+#include "fit/fit_observations.h"
 #include "fit/flat_directions.h"
 #include "fit/free_parameters.h"
 #include "fit/free_profile.h"
@@ -69,19 +70,6 @@ double log_of_limits(const std::vector<FreeNumber>& free, const std::vector<doub
     sum += log_density(at + step[j]) - log_density(at);
   }
   return sum;
-}
-
-/// What follows from others is where they start, not where the scene happens to have it: beams are laid out
-/// there.
-sim::Scene with_ties(const sim::Scene& given, const std::vector<FreeNumber>& free,
-                     const PhotoFrame& frame = {}) {
-  const ParameterMap map(given, free, frame);
-  if (map.is_plain()) return given;
-  std::vector<double> start;
-  for (const FreeNumber& number : free) start.push_back(number.start);
-  sim::Scene scene = given;
-  map.put(start, scene);
-  return scene;
 }
 
 ComparedValues compared_values(const std::vector<Observation>& observations, int unknowns) {
@@ -165,6 +153,14 @@ void put_photos(const std::vector<Observation>& observations, const std::vector<
   }
 }
 
+DerivedNumber exponent_of(const FittedCurve::Exponent& e) {
+  DerivedNumber number;
+  number.name = "exponent of the transfer curve over sRGB " + e.name;
+  number.value = e.value;
+  number.sigma = e.sigma;
+  return number;
+}
+
 /// What follows from the answer and is what people publish.
 void put_derived(const std::vector<Observation>& observations, const std::vector<FreeNumber>& free,
                  const std::vector<double>& values, const ValueUncertainty& known, bool stopped,
@@ -180,14 +176,28 @@ void put_derived(const std::vector<Observation>& observations, const std::vector
     if (!d.why_no_sigma.empty()) d.why_no_sigma = "the fit was interrupted";
 }
 
+}  // namespace
+
+sim::Scene with_ties(const sim::Scene& given, const std::vector<FreeNumber>& free, const PhotoFrame& frame) {
+  const ParameterMap map(given, free, frame);
+  if (map.is_plain()) return given;
+  std::vector<double> start;
+  for (const FreeNumber& number : free) start.push_back(number.start);
+  sim::Scene scene = given;
+  map.put(start, scene);
+  return scene;
+}
+
 FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber>& free,
-                           const std::vector<Observation>& observations, const FitOptions& asked) {
+                           const std::vector<Observation>& observations, const FitOptions& asked,
+                           const FoundCurve* curve) {
   const FitOptions options = leaving_room_for_judges(asked, free.size());
   const std::vector<CostTerm> full = cost_terms(observations, free, Detail::full);
 
   FitResult r;
   r.seed = scene.seed;
   int unknowns = static_cast<int>(free.size()), residuals = 0;
+  if (curve != nullptr) unknowns += static_cast<int>(curve->covariance.size());
   for (const Observation& o : observations) {
     unknowns += o.full->coefficients();
     residuals += o.full->residuals();
@@ -201,13 +211,19 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
   EvaluationLog log;
   log.limit = options.max_evaluations;
   log.stop = options.stop;
+  if (curve != nullptr) {
+    log = curve->log;
+    r.trace = curve->trace;
+  }
 
   Evidence evidence;
   const SearchOutcome outcome =
-      search_outcome_of(recorded_step(options.journal, "the whole search", log, r.trace, [&] {
-        return output_of(search(scene, free, {cost_terms(observations, free, Detail::coarse), full}, options,
-                                log, r.trace));
-      }));
+      curve != nullptr
+          ? curve->outcome
+          : search_outcome_of(recorded_step(options.journal, "the whole search", log, r.trace, [&] {
+              return output_of(search(scene, free, {cost_terms(observations, free, Detail::coarse), full},
+                                      options, log, r.trace));
+            }));
   r.chi2_initial = outcome.chi2_initial;
   r.termination = outcome.best.termination;
   Descent best = outcome.best;
@@ -257,6 +273,7 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
         },
         bounded_by_prior(settled.prior, n), u);
     without_anchors(anchors, free, values, u);
+    if (curve != nullptr) widen(*curve, u);
     return output_of(u);
   };
   if (options.progress && !evidence.stopped)
@@ -280,6 +297,12 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
     r.best = r.photos.front().best;
   }
   put_derived(observations, free, tidied, known, evidence.stopped, r);
+  if (curve != nullptr) {
+    r.curve = curve->fitted;
+    for (const FittedCurve::Exponent& e : curve->fitted.exponents) r.derived.push_back(exponent_of(e));
+    evidence.curve_words = curve->fitted.words;
+    evidence.against_curve = curve->against;
+  }
 
   if (settled.prior.any()) {
     evidence.unknowns = settled.determined;
@@ -297,8 +320,6 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
   return r;
 }
 
-}  // namespace
-
 FitResult fit_photo(const sim::Scene& given, const Photo& photo, const FitOptions& options) {
   const std::vector<FreeNumber> free = free_numbers(given);
   const sim::Scene scene = with_ties(given, free);
@@ -309,6 +330,14 @@ FitResult fit_photo(const sim::Scene& given, const Photo& photo, const FitOption
 
 FitResult fit_photos(const sim::Scene& given, const std::vector<Photo>& photos, const FitOptions& options) {
   assert(photos.size() == given.fit.photos.size() && !photos.empty());
+  for (const Photo& photo : photos)
+    if (photo.unknowns > 0)
+      throw sim::Error(
+          sim::ErrorKind::scene,
+          {"the transfer curve of " + photo.file_name +
+               " is unknown, and that of one photograph alone can be found",
+           given.file, 0, "fit.decoding", "a decoding that is known",
+           "fit one of them by itself with --decoding unknown, and give all the curve that it tells"});
   const std::vector<FreeNumber> free = free_numbers(given);
   const sim::Scene scene = with_ties(given, free);
   std::vector<Observation> observations;

@@ -55,6 +55,24 @@ struct TiedNumber {
   std::optional<double> sigma;  ///< to first order; none where it leans on what has no error bar
 };
 
+/// A transfer curve that was unknown, found together with the scene (fit/curve_fit.h): exponents over sRGB's
+/// light (sim/view/bent_srgb.h).
+struct FittedCurve {
+  struct Exponent {
+    std::string name;  ///< "of all light", "at black", "at white"
+    double value = 1.0;
+    double sigma = 0.0;  ///< limits included
+    bool at_limit = false, undetermined = false;
+  };
+  std::vector<Exponent> exponents;
+  double correlation = 0.0;        ///< of two
+  double least = 0.0, most = 0.0;  ///< between which they were looked for
+  std::string words;               ///< "sRGB to the power of 1.31 ± 0.05"
+  std::string decoding_word;       ///< that says it is known to be this: "srgb:1.31"
+  /// What was tried: exponents, then -2 ln likelihood above the least.
+  std::vector<std::vector<double>> trials;
+};
+
 /// A number that was solved for, not searched: a gain or a sky term.
 struct SolvedNumber {
   std::string name;  ///< "gain.band_3", "sky.level.red"
@@ -143,6 +161,7 @@ struct FitResult {
   std::vector<FittedParameter> parameters;
   std::vector<TiedNumber> tied;
   std::vector<DerivedNumber> derived;
+  std::optional<FittedCurve> curve;              ///< of a photograph whose transfer curve was unknown
   std::vector<FootBand> foot_bands;              ///< one per sheet
   std::vector<FreeProfile> profiles;             ///< of every sheet and line whose coefficients were free
   std::vector<std::vector<double>> correlation;  ///< of `parameters`; rows without an error bar hold zeros

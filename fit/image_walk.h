@@ -13,6 +13,16 @@ namespace vegard::fit {
 ImageFile walk_jpeg(std::string_view bytes, const std::string& file);
 ImageFile walk_png(std::string_view bytes, const std::string& file);
 ImageFile walk_tiff(std::string_view bytes, const std::string& file);
+ImageFile walk_pnm(std::string_view bytes, const std::string& file);
+ImageFile walk_exr(std::string_view bytes, const std::string& file);
+ImageFile walk_heif(std::string_view bytes, const std::string& file);
+ImageFile walk_camera_raw(std::string_view bytes, const std::string& file);
+
+/// By the brand that it begins with.
+bool is_heif(std::string_view bytes);
+
+/// By its first bytes, or of a TIFF by what its directories hold.
+bool is_camera_raw(std::string_view bytes);
 
 [[noreturn]] void throw_truncated(const std::string& file, const std::string& what_is_missing);
 [[noreturn]] void throw_damaged(const std::string& file, const std::string& problem);

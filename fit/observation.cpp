@@ -71,6 +71,15 @@ double weights(const std::vector<double>& sigma) {
   return sum;
 }
 
+/// The photograph's profile and its noise, and the comparison for the last word.
+void look_closely(const Profile& data, int threads, Observation& o) {
+  o.sum_of_weights = weights(whole_sigma(o.scene, *o.photo, data, o.scene.fit.model_error));
+  const double model_error = std::hypot(o.scene.fit.model_error, o.sampling_error);
+  o.full = std::make_unique<Comparison>(
+      o.scene, *o.photo, data, whole_sigma(o.scene, *o.photo, data, model_error),
+      Comparison::Resolution{1.0, kProfileSmoothing_px, threads, Statistics::ModelError{model_error}});
+}
+
 }  // namespace
 
 Observation observed(const sim::Scene& scene, const Photo& photo, int threads, const PhotoFrame& frame) {
@@ -85,17 +94,25 @@ Observation observed(const sim::Scene& scene, const Photo& photo, int threads, c
       measured_profile(scene, photo, std::make_shared<const BinGrid>(profile_bins(scene, o.region)));
   const Profile data = smoothed_by_px(rows, kProfileSmoothing_px);
   o.sampling_error = sampling_error_of(scene, photo, data, threads);
-  o.sum_of_weights = weights(whole_sigma(scene, photo, data, scene.fit.model_error));
-  const double model_error = std::hypot(scene.fit.model_error, o.sampling_error);
-  o.full = std::make_unique<Comparison>(
-      scene, photo, data, whole_sigma(scene, photo, data, model_error),
-      Comparison::Resolution{1.0, kProfileSmoothing_px, threads, Statistics::ModelError{model_error}});
+  look_closely(data, threads, o);
   const double smooth_rows = scene.fit.search_smoothing * o.region.height;
   const Profile smooth_data = smoothed(rows, smooth_rows);
   o.coarse = std::make_unique<Comparison>(
       scene, photo, smooth_data, profile_sigma(smooth_data, kSearchError, kSearchPeakShare),
       Comparison::Resolution{scene.fit.search_beams, smooth_rows, threads,
                              Statistics::ModelError{kSearchError, kSearchPeakShare}});
+  return o;
+}
+
+Observation decoded_anew(const Observation& before, const Photo& photo, int threads) {
+  Observation o;
+  o.photo = &photo;
+  o.scene = before.scene;
+  o.frame = before.frame;
+  o.region = before.region;
+  o.sampling_error = before.sampling_error;
+  const Profile rows = measured_profile(o.scene, photo, before.full->data().grid);
+  look_closely(smoothed_by_px(rows, kProfileSmoothing_px), threads, o);
   return o;
 }
 

@@ -30,6 +30,10 @@ struct Observation {
 /// camera's, the region does not lie inside, or the scene's film or blur has no derivative.
 Observation observed(const sim::Scene& scene, const Photo& photo, int threads, const PhotoFrame& frame = {});
 
+/// The same photograph decoded otherwise, which must outlive the observation: for the last word alone,
+/// nothing coarse. What the model's sampling leaves is taken as it was.
+Observation decoded_anew(const Observation& before, const Photo& photo, int threads);
+
 /// The terms of a cost over observations, which must outlive it, as `free` must.
 enum class Detail { coarse, full };
 std::vector<CostTerm> cost_terms(const std::vector<Observation>& observations,

@@ -134,6 +134,19 @@ AxisTicks horizontal_ticks(const Limits& limits, double width_px) {
   }
 }
 
+/// Those that the axis names; else `chosen`.
+AxisTicks ticks_of(const Axis& axis, AxisTicks chosen) {
+  if (axis.tick_places.empty()) return chosen;
+  chosen.places.clear();
+  chosen.labels.clear();
+  for (std::size_t i = 0; i < axis.tick_places.size(); ++i) {
+    if (axis.tick_places[i] < chosen.min || axis.tick_places[i] > chosen.max) continue;
+    chosen.places.push_back(axis.tick_places[i]);
+    chosen.labels.push_back(axis.tick_labels[i]);
+  }
+  return chosen;
+}
+
 /// A panel's way from data to pixels.
 struct Scale {
   PlotRectangle area;
@@ -199,6 +212,13 @@ void draw_band(const Series& series, const Scale& scale, PlotCanvas& canvas) {
                                        : scale.place(series.x[i], series.high[i]));
   }
   close();
+}
+
+void draw_raster(const Raster& raster, const Scale& scale, PlotCanvas& canvas) {
+  if (raster.rgb.empty()) return;
+  const PlotPoint corner = scale.place(raster.left, raster.top),
+                  end = scale.place(raster.right, raster.bottom);
+  canvas.picture({corner.x, corner.y, end.x - corner.x, end.y - corner.y}, raster);
 }
 
 void draw_series(const Series& series, const Scale& scale, PlotCanvas& canvas) {
@@ -274,13 +294,17 @@ void label_axes(const Axis& x, const Axis& y, const PlotRectangle& area, PlotCan
 }
 
 void check(const Plot& plot) {
-  for (const Panel& panel : plot.panels)
+  for (const Panel& panel : plot.panels) {
+    assert(panel.x.tick_places.size() == panel.x.tick_labels.size());
+    assert(panel.y.tick_places.size() == panel.y.tick_labels.size());
+    assert(panel.raster.rgb.size() == static_cast<std::size_t>(panel.raster.width) * panel.raster.height * 3);
     for (const Series& series : panel.series) {
       assert(series.x.size() == series.y.size());
       assert(series.low.size() == series.high.size());
       assert(series.low.empty() || series.low.size() == series.x.size());
       static_cast<void>(series);
     }
+  }
 }
 
 }  // namespace
@@ -337,9 +361,10 @@ void draw_plot(const Plot& plot, PlotCanvas& canvas) {
     x = axis_limits(axes.x, x);
     y = axis_limits(axes.y, y);
     const PlotRectangle& area = layout.panels[i];
-    const Scale scale{area, horizontal_ticks(x, area.width),
-                      axis_ticks(y.min, y.max, std::max(2, static_cast<int>(area.height / 42))),
-                      axes.x.reversed, axes.y.reversed};
+    const Scale scale{
+        area, ticks_of(axes.x, horizontal_ticks(x, area.width)),
+        ticks_of(axes.y, axis_ticks(y.min, y.max, std::max(2, static_cast<int>(area.height / 42)))),
+        axes.x.reversed, axes.y.reversed};
     const bool first_column = static_cast<int>(i) % layout.columns == 0;
     draw_grid(scale, first_column || !plot.shared_axes, canvas);
     TextStyle title;
@@ -348,6 +373,7 @@ void draw_plot(const Plot& plot, PlotCanvas& canvas) {
     title.colour = kInk;
     canvas.text({area.x, area.y - 8}, panel.title, title);
     canvas.begin_clip(area);
+    draw_raster(panel.raster, scale, canvas);
     for (const Series& series : panel.series) draw_band(series, scale, canvas);
     for (const Series& series : panel.series) draw_series(series, scale, canvas);
     canvas.end_clip();

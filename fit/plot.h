@@ -38,15 +38,25 @@ struct Series {
 };
 
 struct Axis {
-  std::string label;               ///< with its unit: "elevation (°)"
-  std::optional<double> min, max;  ///< where they are not to follow from the data
-  bool reversed = false;           ///< growing to the left or downwards
+  std::string label;                          ///< with its unit: "elevation (°)"
+  std::optional<double> min, max;             ///< where they are not to follow from the data
+  bool reversed = false;                      ///< growing to the left or downwards
+  std::vector<double> tick_places = {};       ///< where they are not to be chosen from the limits: of times
+  std::vector<std::string> tick_labels = {};  ///< one per place
+};
+
+/// A picture behind a panel's lines, its pixels as large as the axes have it.
+struct Raster {
+  int width = 0, height = 0;      ///< empty: none
+  std::vector<std::uint8_t> rgb;  ///< row-major from the top left corner, three bytes to a pixel
+  double left = 0.0, right = 1.0, top = 1.0, bottom = 0.0;  ///< where its edges are, in the axes' units
 };
 
 struct Panel {
   std::string title;
   Axis x, y;
   std::vector<Series> series;
+  Raster raster;  ///< the limits do not follow from it
 };
 
 struct Plot {

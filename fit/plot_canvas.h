@@ -35,6 +35,8 @@ class PlotCanvas {
   virtual void area(const std::vector<PlotPoint>& outline, Colour colour, double opacity) = 0;
   virtual void dot(PlotPoint centre, double diameter_px, Colour colour) = 0;
   virtual void text(PlotPoint place, const std::string& text, const TextStyle& style) = 0;
+  /// A raster's pixels, blown up or shrunk to this place without smoothing.
+  virtual void picture(const PlotRectangle& place, const Raster& raster) = 0;
   /// Until end_clip() nothing outside the rectangle is drawn.
   virtual void begin_clip(const PlotRectangle& inside) = 0;
   virtual void end_clip() = 0;

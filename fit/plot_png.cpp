@@ -81,6 +81,21 @@ class PngCanvas : public PlotCanvas {
                bgr(colour), cv::FILLED, cv::LINE_AA, kShift);
   }
 
+  void picture(const PlotRectangle& r, const Raster& raster) override {
+    const auto edge = [](double v) { return static_cast<int>(std::lround(v * kScale)); };
+    const int left = edge(r.x - origin_.x), top = edge(r.y - origin_.y);
+    const int width = std::max(1, edge(r.width)), height = std::max(1, edge(r.height));
+    for (int y = std::max(0, top); y < std::min(view_.rows, top + height); ++y) {
+      auto* row = view_.ptr<cv::Vec3b>(y);
+      const int from_y = static_cast<int>(static_cast<long long>(y - top) * raster.height / height);
+      for (int x = std::max(0, left); x < std::min(view_.cols, left + width); ++x) {
+        const int from_x = static_cast<int>(static_cast<long long>(x - left) * raster.width / width);
+        const std::uint8_t* rgb = &raster.rgb[3 * (static_cast<std::size_t>(from_y) * raster.width + from_x)];
+        row[x] = {rgb[2], rgb[1], rgb[0]};
+      }
+    }
+  }
+
   void text(PlotPoint place, const std::string& text, const TextStyle& style) override {
     const std::string ascii = spelled_in_ascii(text);
     if (ascii.empty()) return;

@@ -4,8 +4,11 @@
 #include <iterator>
 #include <string_view>
 
+#include "fit/base64.h"
 #include "fit/plot.h"
 #include "fit/plot_canvas.h"
+#include "sim/base/image.h"
+#include "sim/base/image_io.h"
 
 namespace vegard::fit {
 namespace {
@@ -67,6 +70,16 @@ class SvgCanvas : public PlotCanvas {
   void dot(PlotPoint centre, double diameter_px, Colour colour) override {
     svg_ += "<circle cx=\"" + number(centre.x) + "\" cy=\"" + number(centre.y) + "\" r=\"" +
             number(diameter_px / 2) + "\" fill=\"" + hex(colour) + "\"/>\n";
+  }
+
+  void picture(const PlotRectangle& r, const Raster& raster) override {
+    sim::Image image(raster.width, raster.height, {"R", "G", "B"});
+    for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = raster.rgb[i] / 255.0f;
+    svg_ +=
+        "<image x=\"" + number(r.x) + "\" y=\"" + number(r.y) + "\" width=\"" + number(r.width) +
+        "\" height=\"" + number(r.height) +
+        "\" preserveAspectRatio=\"none\" style=\"image-rendering:pixelated\" href=\"data:image/png;base64," +
+        base64(sim::encode_display(sim::ImageFormat::png, image, 8, 100, {})) + "\"/>\n";
   }
 
   void text(PlotPoint place, const std::string& text, const TextStyle& style) override {

@@ -27,6 +27,15 @@ std::string comments(const Photo& photo, const Profile& profile) {
   std::string text = "# vertical profiles: mean linear light per row, band and channel\n";
   text += "# photograph: " + one_line(photo.file_name) + "\n";
   text += "# sha256: " + photo.sha256 + "\n";
+  for (std::size_t c = 0; c < photo.filters.size(); ++c) {
+    const PhotoPart& part = photo.filters[c];
+    const char* const names[3] = {"r", "g", "b"};
+    if (part.wavelength_nm > 0.0)
+      text += fmt::format("# {}: {} nm, {}, sha256 {}\n", names[c], part.wavelength_nm,
+                          one_line(part.file_name), part.sha256);
+    else
+      text += fmt::format("# {}: no file\n", names[c]);
+  }
   text += fmt::format("# size_px: {} x {}\n", photo.linear.width, photo.linear.height);
   text += "# decoding: " + photo.decoding + "\n";
   if (!photo.mask_name.empty()) {

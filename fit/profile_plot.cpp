@@ -5,6 +5,8 @@
 #include <limits>
 #include <string>
 
+#include "fit/number_text.h"
+
 namespace vegard::fit {
 namespace {
 
@@ -77,6 +79,11 @@ Plot profile_plot(const Photo& photo, const Profile& profile, const ElevationOfP
   for (int p = 0; p < panels; ++p)
     plot.panels.push_back(band_panel(profile, profile.bands * p / panels, profile.bands * (p + 1) / panels,
                                      rows_each, elevation_of_pixel));
+  for (Panel& panel : plot.panels)
+    for (std::size_t c = 0; c < photo.filters.size() && c < panel.series.size(); ++c)
+      panel.series[c].label = photo.filters[c].wavelength_nm > 0.0
+                                  ? short_number(photo.filters[c].wavelength_nm) + " nm"
+                                  : "no file";
   plot.title = "Vertical profiles of " + photo.file_name;
   plot.note = "Mean linear light per row; shaded: \u00b11 standard error; " + photo.decoding;
   if (panels < profile.bands)

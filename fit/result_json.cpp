@@ -144,6 +144,23 @@ Json chain(const FitResult& result) {
   return json;
 }
 
+Json curve(const FittedCurve& c) {
+  Json json;
+  json["words"] = c.words;
+  json["decoding"] = c.decoding_word;
+  json["exponents"] = Json::array();
+  for (const FittedCurve::Exponent& e : c.exponents)
+    json["exponents"].push_back({{"name", e.name},
+                                 {"value", number(e.value)},
+                                 {"sigma", number(e.sigma)},
+                                 {"at_limit", e.at_limit},
+                                 {"undetermined", e.undetermined}});
+  if (c.exponents.size() > 1) json["correlation"] = number(c.correlation);
+  json["limits"] = {number(c.least), number(c.most)};
+  json["trials"] = rows(c.trials);
+  return json;
+}
+
 }  // namespace
 
 std::string result_json(const FitResult& result) {
@@ -177,6 +194,7 @@ std::string result_json(const FitResult& result) {
                                {"unit", d.unit},
                                {"why_none", words(d.why_none)},
                                {"why_no_sigma", words(d.why_no_sigma)}});
+  if (result.curve) json["curve"] = curve(*result.curve);
   json["correlation"] = rows(result.correlation);
   if (!result.trade_offs.empty()) json["trade_offs"] = result.trade_offs;
   if (!result.undetermined.empty()) json["undetermined"] = result.undetermined;

@@ -29,6 +29,8 @@ std::string best_scene(const FitResult& result, const sim::Scene& best) {
   std::string comment = "The best scene of a fit. vegard " + sim::version() +
                         "\nverdict: " + verdict_name(result.verdict) + "\n" + result.verdict_line + "\n";
   comment += fmt::format("chi2 {} with {} degrees of freedom", result.chi2, result.dof);
+  for (const FittedPhoto& photo : result.photos)
+    comment += "\ndecoding" + (photo.name.empty() ? "" : " of " + photo.name) + ": " + photo.decoding;
   if (!result.command.empty()) comment += "\n" + result.command;
   for (const PhotoFact& fact : result.from_photograph) comment += "\nfrom the photograph: " + fact_text(fact);
   return sim::write_scene(best, comment);
@@ -61,6 +63,7 @@ sim::ImageAttributes attributes_of(const FitResult& result, const FittedPhoto& f
       {"version", sim::version()},
       {"verdict", verdict_name(result.verdict)},
       {"units", units},
+      {"decoding", fitted.decoding},
       {"model",
        "the expectation that was fitted: the scene without its spacing_jitter and "
        "with more beams"}};

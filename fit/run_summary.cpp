@@ -39,7 +39,12 @@ RunSummary summary_of(const Json& json) {
   for (const Json& input : json.at("inputs"))
     if (const std::string role = input.at("role").get<std::string>(); role != "scene")
       run.pictures.push_back({role, input.at("sha256").get<std::string>()});
-  run.decoding = json.at("decoding").get<std::string>();
+  if (json.contains("decoding"))
+    run.decoding = json.at("decoding").get<std::string>();
+  else  // several photographs have one each
+    for (const Json& photo : json.at("photos"))
+      run.decoding += (run.decoding.empty() ? "" : "; ") + photo.at("name").get<std::string>() + ": " +
+                      photo.at("decoding").get<std::string>();
   const Json& compared = json.at("compared");
   run.regions_px = compared.at("regions_px").get<std::vector<std::array<int, 4>>>();
   run.values = compared.at("values").get<int>();

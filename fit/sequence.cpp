@@ -63,6 +63,7 @@ SequenceRow sequence_row(const std::string& frame, double time_s, const sim::Sce
   row.frame = frame;
   row.time_s = time_s;
   row.photo_sha256 = photo.sha256;
+  row.decoding = photo.decoding;
   row.verdict = result.verdict;
   row.searched = fit.searched;
   row.chi2_per_dof = result.dof > 0 ? result.chi2 / result.dof : 0.0;

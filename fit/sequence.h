@@ -24,6 +24,7 @@ struct SequenceRow {
   std::string frame;  ///< the photograph's name without its ending
   double time_s = 0.0;
   std::string photo_sha256;
+  std::string decoding;
   Verdict verdict = Verdict::failed;
   bool searched = false;  ///< by the full search, not by a descent from the frame before
   double chi2_per_dof = 0.0;

@@ -56,6 +56,11 @@ std::string sequence_csv(const std::vector<SequenceRow>& rows) {
   text += csv_comment("vegard: " + sim::version());
   text += csv_comment("time_s: on the scene's clock");
   text += csv_comment("search: full, or warm: a descent from the frame before");
+  std::vector<std::string> decodings;
+  for (const SequenceRow& row : rows)
+    if (std::find(decodings.begin(), decodings.end(), row.decoding) == decodings.end())
+      decodings.push_back(row.decoding);
+  for (const std::string& decoding : decodings) text += csv_comment("decoding: " + decoding);
   text += "frame,time_s,verdict,search,chi2_per_dof";
   for (const SequenceNumber& column : columns) {
     const std::string unit = column.unit.empty() ? "" : " (" + column.unit + ")";
@@ -120,6 +125,7 @@ std::string sequence_row_json(const SequenceRow& row) {
   json["frame"] = row.frame;
   json["time_s"] = row.time_s;
   json["photo_sha256"] = row.photo_sha256;
+  json["decoding"] = row.decoding;
   json["verdict"] = verdict_name(row.verdict);
   json["searched"] = row.searched;
   json["chi2_per_dof"] = number_or_null(row.chi2_per_dof);
@@ -140,6 +146,7 @@ SequenceRow sequence_row_of(const std::string& text, const std::string& file) {
     row.frame = json.at("frame").get<std::string>();
     row.time_s = json.at("time_s").get<double>();
     row.photo_sha256 = json.at("photo_sha256").get<std::string>();
+    row.decoding = json.at("decoding").get<std::string>();
     const std::string verdict = json.at("verdict").get<std::string>();
     for (const Verdict known : kVerdicts)
       if (verdict == verdict_name(known)) row.verdict = known;

@@ -168,6 +168,8 @@ void judge(const Evidence& evidence, FitResult& result) {
   ask_of_the_way(result, checks);
   ask_of_the_misfit(evidence, result, checks);
   ask_of_the_parameters(result, checks);
+  if (!evidence.curve_words.empty())
+    checks.ask("transfer curve", evidence.curve_words, evidence.against_curve);
   checks.ask(
       "aurora or none",
       fmt::format("a sky without any aurora has chi2 {}", short_number(evidence.chi2_without_aurora, 4)),

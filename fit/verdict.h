@@ -16,6 +16,8 @@ struct Evidence {
   double unknowns = 0.0;     ///< that the data determine, where priors do the rest; 0: every parameter
   bool second_mode = false;  ///< another valley explains the data almost as well
   std::string second_mode_text;
+  std::string curve_words;  ///< what was found of an unknown transfer curve; empty: it is known
+  std::vector<std::string> against_curve;  ///< what speaks against that
 };
 
 /// Sets verdict, verdict_line, reasons and checks. Failed: not converged, or no light of the model in the
@@ -23,8 +25,8 @@ struct Evidence {
 /// degree of freedom outside 0.3-3; residuals that hang together so much that fewer than ten independent
 /// values are left per parameter; a parameter at a limit, without an error bar, or with one and yet where it
 /// started (unless all are, and the end is level: then the start was the answer); no clear gain over a sky
-/// without aurora; an rms residual above a tenth of the peak; a second mode. After the verdict's own reasons
-/// come notes that leave it as it is: unusual_sheets().
+/// without aurora; an rms residual above a tenth of the peak; a second mode; an unknown transfer curve that
+/// the data leave open. After the verdict's own reasons come notes that leave it as it is: unusual_sheets().
 void judge(const Evidence& evidence, FitResult& result);
 
 }  // namespace vegard::fit

@@ -1,4 +1,5 @@
-// Image files: linear EXR and display pictures, in and out. The only place that knows of OpenImageIO.
+// Image files: linear EXR and display pictures, in and out. OpenImageIO is behind this door and those of
+// sim/base/image_io/, and nowhere else.
 //
 // Files appear whole or not at all (whole_file.h). The same image and attributes give the same bytes on every
 // run and for every number of threads: no clock, machine or path goes into a file.
@@ -6,6 +7,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/base/image.h"
@@ -46,6 +48,9 @@ struct ExrFile {
 /// Reads the data window of an EXR's first part, every pixel of it. Throws Error(unreadable_input) for a file
 /// that is missing, truncated, damaged, too large for the memory or no EXR.
 ExrFile read_exr(const std::string& path);
+
+/// The same from the bytes of a file, which `name` is for messages.
+ExrFile read_exr_bytes(std::string_view bytes, const std::string& name);
 
 /// Reads a PNG, JPEG, TIFF or EXR, known by its extension, and turns it upright; of other channels than
 /// these, layers included, nothing is seen. Throws Error(unreadable_input) for a file that is missing,

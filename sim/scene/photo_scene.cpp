@@ -5,6 +5,7 @@
 #include <set>
 
 #include "sim/base/error.h"
+#include "sim/scene/decoding_word.h"
 #include "sim/scene/free_entry_keys.h"
 #include "sim/scene/nearest_name.h"
 #include "sim/scene/parameter_declarations.h"
@@ -158,13 +159,9 @@ void check_photos(const Scene& scene) {
                 "a name of its own for each photograph",
                 "a photograph without a name is called by its file's name without its ending"},
                origin_of(scene, entry, "name"));
-    const std::vector<std::string>& decodings = find_declaration(free_table, "decoding")->choices;
-    if (!entry.decoding.empty() &&
-        std::find(decodings.begin(), decodings.end(), entry.decoding) == decodings.end())
-      complain(
-          {"'" + entry.decoding + "' is no decoding",
-           expected_text(*find_declaration(free_table, "decoding")), nearest_hint(entry.decoding, decodings)},
-          origin_of(scene, entry, "decoding"));
+    if (!entry.decoding.empty())
+      if (const auto complaint = decoding_complaint(entry.decoding))
+        complain(*complaint, origin_of(scene, entry, "decoding"));
   }
   for (const PhotoEntry& entry : scene.fit.photos) check_one(scene, entry);
 }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "sim/base/error.h"
+#include "sim/scene/decoding_word.h"
 #include "sim/scene/line_of.h"
 #include "sim/scene/parameter_declarations.h"
 
@@ -20,7 +21,12 @@ void for_each_table_key(Scene& scene, const Use& use) {
     const int sheets = d.is_in_sheet() ? static_cast<int>(scene.sheets.size()) : 1;
     for (int s = 0; s < sheets; ++s) {
       std::string& value = *std::get<std::string*>(d.at(scene, s, 0));
-      if (is_table_file(value)) use(key_path(d, scene, s), value);
+      if (!is_table_file(value)) continue;
+      // "curve:FILE.csv" of fit.decoding: a word before the name.
+      const std::size_t word = value.compare(0, kCurveWord.size(), kCurveWord) == 0 ? kCurveWord.size() : 0;
+      std::string name = value.substr(word);
+      use(key_path(d, scene, s), name);
+      value.replace(word, std::string::npos, name);
     }
   }
 }

@@ -1,6 +1,7 @@
 #include "sim/view/line_colours.h"
 
 #include "sim/scene/emission_line.h"
+#include "sim/view/filter_response.h"
 #include "sim/view/sensor_response.h"
 #include "sim/view/sensor_scale.h"
 
@@ -10,13 +11,15 @@ double gain_per_kilorayleigh(const Scene& scene) {
   if (scene.sensor.exposure == "gain") return scene.sensor.gain_per_kilorayleigh;
   constexpr double kGreenNm = 557.7;
   const SensorResponse response(scene);
-  const double raw_green =
-      product(inverse(response.rgb_from_raw()), response.rgb_per_kilorayleigh(kGreenNm))[1];
+  const double raw_green = sees_through_filters(scene) ? 1.0
+                                                       : product(inverse(response.rgb_from_raw()),
+                                                                 response.rgb_per_kilorayleigh(kGreenNm))[1];
   const double white_e = sensor_scale(scene.sensor, scene.time).white_e;
   return green_electrons_per_kilorayleigh(scene.sensor, scene.time) / (white_e * raw_green);
 }
 
 std::vector<Vector3> line_colours_at_unit_gain(const Scene& scene) {
+  if (sees_through_filters(scene)) return filter_colours(scene);
   const SensorResponse response(scene);
   std::vector<Vector3> colours;
   for (const double wavelength_nm : scene.emission.lines) {

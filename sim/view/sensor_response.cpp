@@ -8,6 +8,7 @@
 #include "sim/scene/line_of.h"
 #include "sim/scene/table_files.h"
 #include "sim/view/colour.h"
+#include "sim/view/filter_response.h"
 #include "sim/view/illuminants.h"
 
 namespace vegard::sim {
@@ -149,9 +150,15 @@ SensorResponse::SensorResponse(const Scene& scene) : is_cie_(scene.sensor.respon
     rgb_from_channels_ = rgb_from_xyz(scene.sensor.primaries);
     return;
   }
-  table_ = channels_of(scene);
+  const bool filters = sees_through_filters(scene);
+  table_ = filters ? filter_channels(scene) : channels_of(scene);
+  if (table_.wavelength_nm.empty()) table_.wavelength_nm = {kGreenNm}, table_.response.fill({0.0});
   first_nm_ = table_.wavelength_nm.front();
   last_nm_ = table_.wavelength_nm.back();
+  if (filters) {
+    rgb_from_channels_ = kIdentity3;
+    return;
+  }
   rgb_from_raw_ = rgb_of_raw(table_, scene.sensor);
   constexpr double kLeastDeterminant = 1e-9;
   // Not the other way round: what is no number is refused too.

@@ -152,6 +152,50 @@ TEST(PlotSvg, NothingToShowIsNoTrouble) {
   EXPECT_NE(plot_svg(plot).find("</svg>"), std::string::npos);
 }
 
+/// Two by two pixels, as large as the axes.
+Plot plot_of_four_pixels() {
+  Plot plot = simple_plot();
+  plot.panels[0].series.clear();
+  Raster& raster = plot.panels[0].raster;
+  raster.width = raster.height = 2;
+  raster.rgb = {255, 0, 0, 0, 255, 0, 0, 0, 255, 200, 100, 50};
+  raster.right = 2.0;
+  raster.top = 50.0;
+  return plot;
+}
+
+TEST(PlotPng, ARasterFillsItsPlaceUprightAndUnsmoothed) {
+  const Plot plot = plot_of_four_pixels();
+  const auto corners = lines_in(plot_svg(plot), "#969696").front();
+  const tests::TemporaryFile file("raster.png", plot_png(plot));
+  const Photo png = read_photo(file.path(), Decoding::linear);
+  // Within a few pixels of the picture's middle, on all four sides of it.
+  for (int down = 0; down < 2; ++down)
+    for (int right = 0; right < 2; ++right) {
+      const int x = static_cast<int>(2 * (corners[0].x + (right ? 104 : 96))),
+                y = static_cast<int>(2 * (corners[0].y + (down ? 54 : 46)));
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(png.linear.at(x, y, c) * 255, plot.panels[0].raster.rgb[3 * (2 * down + right) + c], 0.5);
+    }
+}
+
+TEST(PlotSvg, ARasterIsAPictureInsideTheAxes) {
+  const std::string svg = plot_svg(plot_of_four_pixels());
+  EXPECT_EQ(count(svg, "<image"), 1);
+  EXPECT_EQ(count(svg, "href=\"data:image/png;base64,"), 1);
+  EXPECT_NE(svg.find("width=\"200\" height=\"100\" preserveAspectRatio=\"none\""), std::string::npos);
+}
+
+TEST(PlotSvg, TicksMayBeNamed) {
+  Plot plot = simple_plot();
+  plot.panels[0].x.tick_places = {0.5, 1.5, 7.0};
+  plot.panels[0].x.tick_labels = {"early", "late", "never"};
+  const std::string svg = plot_svg(plot);
+  EXPECT_EQ(count(svg, ">early<"), 1);
+  EXPECT_EQ(count(svg, ">late<"), 1);
+  EXPECT_EQ(count(svg, ">never<"), 0) << "beyond the axis";
+}
+
 // The PNG is read back as a photograph; a point in the middle of the thick line must have its colour, and a
 // clipped one outside the panel must not.
 TEST(PlotPng, DrawsTheSamePicture) {

@@ -33,6 +33,7 @@ Photo frame(int i) {
   truth.sheets[0].energy_kev = kEnergies[i];
   truth.sheets[0].energy_flux_mw_m2 = 5.0 + i;
   Photo photo = tests::photo_of(truth, 0.002, 21 + static_cast<std::uint64_t>(i));
+  photo.decoding = "linear, told so";
   photo.sha256 = std::string(64, static_cast<char>('a' + i));
   return photo;
 }
@@ -86,11 +87,13 @@ TEST(Sequence, FollowsTheEnergyFromFrameToFrame) {
                      "sigma of sheet.main.energy_kev (keV)"),
             std::string::npos);
   EXPECT_NE(csv.find("\nframe_1,10,good,warm,"), std::string::npos);
+  EXPECT_NE(csv.find("\n# decoding: linear, told so\n"), std::string::npos);
   EXPECT_EQ(sequence_plot(rows).panels.size(), 4u) << "E0, Q, distance, lower border";
 
   // A row goes on as exactly what it was.
   const SequenceRow again = sequence_row_of(sequence_row_json(rows[1]), "row.json");
   EXPECT_EQ(again.values, rows[1].values);
+  EXPECT_EQ(again.decoding, rows[1].decoding);
   EXPECT_EQ(sequence_row_json(again), sequence_row_json(rows[1]));
   EXPECT_EQ(sequence_csv({rows[0], again, rows[2]}), csv);
 }

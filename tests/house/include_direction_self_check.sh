@@ -16,7 +16,8 @@ put() {
 clean_tree() {
   rm -rf "${tree:?}"/*
   put sim/base/image.h '#include <vector>'
-  put sim/base/image_io.cpp '#include <OpenImageIO/imageio.h>'
+  put sim/base/image_io/exr.cpp '#include <OpenImageIO/imageio.h>'
+  put sim/base/fits_io.cpp '#include <fitsio.h>'
   put sim/base/whole_file.h '#include <string>  // not <iostream>, no std::cout, no printf()'
   put sim/scene/scene_toml.cpp '#include <toml++/toml.h>'
   put sim/scene/expression.cpp '#include <muParser.h>'
@@ -79,7 +80,10 @@ refuses sim/view/bad.cpp '#include <opencv2/imgproc.hpp>'
 refuses fit/bad.h '#include <opencv2/core.hpp>'
 refuses apps/xbad.cpp '#include <opencv2/core.hpp>'
 refuses sim/base/bad.cpp '#include <OpenImageIO/imageio.h>'
+refuses sim/base/image_io.cpp '#include <OpenImageIO/imageio.h>'
 refuses fit/bad.cpp '#include <OpenImageIO/imagebuf.h>'
+refuses sim/base/bad.cpp '#include <fitsio.h>'
+refuses fit/fits_io.cpp '#include <fitsio.h>'
 refuses fit/bad.cpp '#include <toml++/toml.h>'
 refuses sim/base/bad.cpp '#include <toml.hpp>'
 refuses sim/scene/bad.cpp '#include <muParser.h>'
@@ -93,6 +97,7 @@ refuses sim/view/bad.cpp 'std::fprintf(stderr, "x");'
 refuses sim/view/bad.cpp 'fmt::print("x");'
 refuses sim/view/bad.cpp '#include <fstream>'
 refuses sim/emit/bad.cpp '#include "sim/base/whole_file.h"'
+refuses sim/view/bad.cpp '#include "sim/base/fits_io.h"'
 
 # Names and paths.
 refuses sim/base/utils.h ''

@@ -1,4 +1,5 @@
 // [fit].
+#include "sim/scene/decoding_word.h"
 #include "sim/scene/rows/row.h"
 #include "sim/scene/rows/rows.h"
 
@@ -16,8 +17,9 @@ std::vector<Declaration> fit_rows() {
           .means("if false, each channel has a gain of its own and colour says nothing about the energy"),
       Row("fit", "sky_terms", &Scene::fit, &Fit::sky_terms).within(1, 3)
           .means("what is solved of the sky, per channel: 1 its level, 2 its gradient too, 3 its curvature too"),
-      Row("fit", "decoding", &Scene::fit, &Fit::decoding).one_of({"auto", "srgb", "linear", "sensor"})
-          .means("how the photograph's numbers become linear light; sensor: by sensor.tone and the vignetting"),
+      Row("fit", "decoding", &Scene::fit, &Fit::decoding).rule(decoding_complaint).names_table()
+          .means("how the photograph's numbers become linear light: auto, srgb, srgb:EXPONENT, linear, gamma:2.2, "
+                 "curve:FILE.csv, sensor (by sensor.tone and the vignetting), unknown or unknown:2 (found by the fit)"),
       Row("fit", "model_error", &Scene::fit, &Fit::model_error).within(0, 1)
           .means("unmodelled structure, as a fraction of the local brightness"),
       Row("fit", "profile_smoothness", &Scene::fit, &Fit::profile_smoothness).within(0, 1e4)

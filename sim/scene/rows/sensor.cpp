@@ -12,7 +12,7 @@ namespace {
 
 std::optional<Complaint> response_complaint(const std::string& response) {
   std::vector<std::string> names = built_in_cameras();
-  names.insert(names.begin(), "cie");
+  names.insert(names.begin(), {"cie", "filters"});
   if (is_table_file(response) || std::find(names.begin(), names.end(), response) != names.end())
     return std::nullopt;
   std::string expected;
@@ -32,7 +32,7 @@ std::vector<Declaration> sensor_rows() {
       Row("sensor", "gain_per_kilorayleigh", &Scene::sensor, &Sensor::gain_per_kilorayleigh).within(1e-12, 1e12)
           .means("linear sensor value (white = 1) of the luminance of 1 kR of 557.7 nm; with a camera's response, of its raw green"),
       Row("sensor", "response", &Scene::sensor, &Sensor::response).names_table().rule(response_complaint)
-          .means("what makes colours of light: `cie` (the 1931 observer), a built-in camera (`canon_5d_mark_ii`, `nikon_d200`, `nikon_d700`, `sony_a7s_ii`) or a table `FILE.csv` of wavelength_nm, red, green, blue beside the scene's file"),
+          .means("what makes colours of light: `cie` (the 1931 observer), `filters` (an imager with a narrow filter per line: red, green and blue stand for the first three of emission.lines, 1 per kilorayleigh), a built-in camera (`canon_5d_mark_ii`, `nikon_d200`, `nikon_d700`, `sony_a7s_ii`) or a table `FILE.csv` of wavelength_nm, red, green, blue beside the scene's file"),
       Row("sensor", "response_per", &Scene::sensor, &Sensor::response_per).one_of({"energy", "photon"})
           .means("what the numbers of a table `FILE.csv` are relative to"),
       Row("sensor", "white_balance_rule", &Scene::sensor, &Sensor::white_balance_rule).one_of({"given", "daylight"})

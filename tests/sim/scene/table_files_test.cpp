@@ -47,5 +47,16 @@ TEST(TableFiles, GetNamesOfTheirOwnInAnotherFolder) {
   EXPECT_EQ(moved[1].name, "sheet.other.profile_file.csv");
 }
 
+TEST(TableFiles, ADecodingKeepsTheWordBeforeItsTable) {
+  Scene scene;
+  scene.fit.decoding = "curve:a/camera.csv";
+  const std::vector<TableFile> files = table_files(scene);
+  ASSERT_EQ(files.size(), 1u);
+  EXPECT_EQ(files[0].path, "fit.decoding");
+  EXPECT_EQ(files[0].name, "a/camera.csv");
+  EXPECT_EQ(scene.fit.decoding, "curve:a/camera.csv");
+  EXPECT_EQ(with_tables_beside(scene).fit.decoding, "curve:camera.csv");
+}
+
 }  // namespace
 }  // namespace vegard::sim

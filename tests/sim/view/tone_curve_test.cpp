@@ -48,9 +48,22 @@ TEST(ToneCurve, IsWhatTheSceneSays) {
   EXPECT_EQ(measured.name(), "curve.csv");
 }
 
+TEST(ToneCurve, NeedsNoScene) {
+  EXPECT_NEAR(ToneCurve::of_gamma(2.0).encode(0.25), 0.5, 1e-15);
+  EXPECT_EQ(ToneCurve::of_gamma(2.2).name(), "gamma 2.2");
+  const ToneCurve measured = ToneCurve::of_table(kCurve, "folder/curve.csv"), of_scene(with_curve(kCurve));
+  for (const double x : {0.0, 0.03, 0.3, 0.77, 1.0}) EXPECT_EQ(measured.encode(x), of_scene.encode(x));
+  EXPECT_EQ(measured.name(), "curve.csv");
+  const ToneCurve bent = ToneCurve::of_bent({1.3, 0.8});
+  EXPECT_EQ(bent.name(), "sRGB^1.3 to 0.8");
+  EXPECT_EQ(ToneCurve::of_bent({1.3, 1.3}).name(), "sRGB^1.3");
+  EXPECT_NEAR(bent.encode(bent.decode(0.4)), 0.4, 1e-9);
+}
+
 TEST(ToneCurve, RefusesWhatHasNoInverse) {
-  for (const char* text : {"linear,encoded\n0,0\n0.5,0.7\n1,0.7\n", "linear,encoded\n0,0\n0.9,1\n",
-                           "linear,encoded\n0,0\n1,1.5\n", "linear,wrong\n0,0\n1,1\n"}) {
+  for (const char* text :
+       {"linear,encoded\n0,0\n", "linear,encoded\n-0.1,0\n1,1\n", "linear,encoded\n0,0\n0.5,0.7\n1,0.7\n",
+        "linear,encoded\n0,0\n0.9,1\n", "linear,encoded\n0,0\n1,1.5\n", "linear,wrong\n0,0\n1,1\n"}) {
     const std::string message =
         tests::expect_error(ErrorKind::unreadable_input, [&] { ToneCurve curve(with_curve(text)); });
     EXPECT_NE(message.find("curve.csv"), std::string::npos) << message;

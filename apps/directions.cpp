@@ -1,0 +1,82 @@
+#include "apps/directions.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "apps/exit_code.h"
+#include "apps/output_files.h"
+#include "apps/scene_options.h"
+#include "apps/usage_error.h"
+#include "fit/direction_map_file.h"
+#include "sim/base/whole_file.h"
+#include "sim/scene/scene.h"
+#include "sim/view/direction_map.h"
+
+namespace vegard::apps {
+namespace {
+
+struct Options {
+  SceneOptions scene;
+  std::string output;
+  bool overwrite = false;
+};
+
+/// One EXR, or a FITS file each for azimuth and elevation.
+std::vector<std::string> output_names(const std::string& output) {
+  const std::filesystem::path path(output);
+  const std::string extension = path.extension().string();
+  if (extension == ".exr") return {output};
+  if (extension != ".fits" && extension != ".fit")
+    throw usage_error("--output", "'" + output + "' cannot hold angles", "a name that ends in .exr or .fits");
+  const std::string stem = (path.parent_path() / path.stem()).string();
+  return {stem + "_az" + extension, stem + "_el" + extension};
+}
+
+void run(const Options& options) {
+  const sim::Scene scene = scene_of(options.scene);
+  const std::vector<std::string> names = output_names(options.output);
+  for (const std::string& name : names)
+    if (same_file(name, options.scene.file)) refuse_same_file("--output", name, "an input");
+  std::vector<std::unique_ptr<sim::WholeFile>> files;
+  for (const std::string& name : names)
+    files.push_back(std::make_unique<sim::WholeFile>(name, options.overwrite));
+  const sim::DirectionMap map = sim::direction_map(scene.camera);
+  if (files.size() == 1) {
+    files[0]->write(fit::encode_direction_map(map, names[0]));
+  } else {
+    const fit::FitsMaps maps = fit::encode_fits_maps(map);
+    files[0]->write(maps.azimuth);
+    files[1]->write(maps.elevation);
+  }
+  for (const auto& file : files) file->commit();
+  std::size_t somewhere = 0;
+  for (const float elevation : map.elevation_deg) somewhere += std::isfinite(elevation) ? 1 : 0;
+  for (const std::string& name : names)
+    std::printf("%s: %d x %d pixels, %zu of which look somewhere\n", name.c_str(), map.width, map.height,
+                somewhere);
+}
+
+}  // namespace
+
+void add_directions_command(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("directions", "Write azimuth and elevation of every pixel of a scene's camera");
+  add_scene_options(*command, options->scene);
+  command
+      ->add_option("-o,--output", options->output,
+                   "The maps to write; MAPS.fits: MAPS_az.fits and MAPS_el.fits")
+      ->required()
+      ->type_name("MAPS.exr|.fits");
+  command->add_flag("--overwrite", options->overwrite, "Replace an output that exists");
+  command->callback([options, &exit_code] {
+    run(*options);
+    exit_code = good;
+  });
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,150 @@
+#include "apps/picture_times.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <numeric>
+#include <optional>
+
+#include "apps/sequence_frames.h"
+#include "apps/usage_error.h"
+#include "sim/base/error.h"
+#include "sim/base/utc_seconds.h"
+
+namespace vegard::apps {
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = fit::PictureTimes::Kind;
+
+std::string name_of(const std::string& file) { return fs::path(file).filename().string(); }
+
+[[noreturn]] void unreadable(const std::string& file, int line, const std::string& problem,
+                             const std::string& expected) {
+  sim::ErrorDetails details;
+  details.file = file;
+  details.line = line;
+  details.problem = problem;
+  details.expected = expected;
+  throw sim::Error(sim::ErrorKind::unreadable_input, details);
+}
+
+std::string trimmed(const std::string& text) {
+  const auto begin = text.find_first_not_of(" \t\r"), end = text.find_last_not_of(" \t\r");
+  return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
+}
+
+std::optional<double> plain_number(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// Times by the names of the pictures.
+struct TimeTable {
+  Kind kind = Kind::utc;
+  std::map<std::string, double> seconds;
+};
+
+TimeTable read_times(const std::string& file) {
+  std::ifstream stream(file);
+  if (!stream) unreadable(file, 0, "there is no such table", "lines of FILE,TIME");
+  TimeTable table;
+  int number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++number;
+    line = trimmed(line);
+    if (line.empty() || line[0] == '#' || (table.seconds.empty() && line == "file,time")) continue;
+    const auto comma = line.rfind(',');
+    const std::string name = comma == std::string::npos ? "" : name_of(trimmed(line.substr(0, comma)));
+    const std::string time = comma == std::string::npos ? "" : trimmed(line.substr(comma + 1));
+    const std::optional<double> utc = sim::utc_seconds(time), seconds = plain_number(time);
+    if (name.empty() || (!utc && !seconds))
+      unreadable(file, number, "'" + line + "' cannot be understood",
+                 "FILE,TIME, the time in ISO 8601 or seconds");
+    const Kind kind = utc ? Kind::utc : Kind::clock;
+    if (table.seconds.empty()) table.kind = kind;
+    if (kind != table.kind) unreadable(file, number, "some times are dates and some are seconds", "one kind");
+    if (!table.seconds.emplace(name, utc ? *utc : *seconds).second)
+      unreadable(file, number, "'" + name + "' has a time already", "one line for each picture");
+  }
+  return table;
+}
+
+fit::PictureTimes from_table(const std::vector<std::string>& files, const std::string& times_file) {
+  const TimeTable table = read_times(times_file);
+  fit::PictureTimes times;
+  times.kind = table.kind;
+  times.source = "table " + name_of(times_file);
+  for (const std::string& file : files) {
+    const auto found = table.seconds.find(name_of(file));
+    if (found == table.seconds.end())
+      unreadable(times_file, 0, "it has no time for " + name_of(file), "a line FILE,TIME for each picture");
+    times.seconds.push_back(found->second);
+  }
+  return times;
+}
+
+fit::PictureTimes from_names(const std::vector<std::string>& files) {
+  fit::PictureTimes times;
+  std::string without;
+  for (const std::string& file : files) {
+    const std::optional<double> seconds = sim::utc_seconds_in_name(name_of(file));
+    if (seconds)
+      times.seconds.push_back(*seconds);
+    else if (without.empty())
+      without = name_of(file);
+  }
+  if (times.seconds.size() == files.size()) {
+    times.kind = Kind::utc;
+    times.source = "the files' names, taken for UTC";
+    return times;
+  }
+  if (!times.seconds.empty())
+    throw usage_error("--times", "the name of " + without + " tells no time, others do",
+                      "a table that says when each was taken");
+  times.source = "not known; pictures in the order given";
+  times.seconds.resize(files.size());
+  std::iota(times.seconds.begin(), times.seconds.end(), 0.0);
+  return times;
+}
+
+}  // namespace
+
+TimedPictures timed_pictures(const std::vector<std::string>& words, const std::string& times_file) {
+  const std::vector<ListedPhoto> listed = listed_photos(words, "IMAGE");
+  TimedPictures pictures;
+  std::vector<double> told;
+  for (const ListedPhoto& one : listed) {
+    pictures.files.push_back(one.file);
+    if (!std::isnan(one.time_s)) told.push_back(one.time_s);
+  }
+  if (pictures.files.size() < 2)
+    throw usage_error("IMAGE", "a keogram of one picture is a profile", "two pictures at least");
+  if (!times_file.empty()) {
+    pictures.times = from_table(pictures.files, times_file);
+  } else if (told.size() == listed.size()) {
+    pictures.times = {Kind::clock, told, "the list " + name_of(words.front())};
+  } else if (!told.empty()) {
+    throw usage_error("IMAGE", "the list tells the time of some pictures and not of others", "all, or none");
+  } else {
+    pictures.times = from_names(pictures.files);
+  }
+  std::vector<std::size_t> order(pictures.files.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const std::vector<double> seconds = pictures.times.seconds;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return seconds[a] < seconds[b]; });
+  const std::vector<std::string> files = pictures.files;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    pictures.files[i] = files[order[i]];
+    pictures.times.seconds[i] = seconds[order[i]];
+  }
+  return pictures;
+}
+
+}  // namespace vegard::apps

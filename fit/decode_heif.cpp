@@ -1,0 +1,16 @@
+#include "fit/picture_codes.h"
+#include "sim/base/heif.h"
+
+namespace vegard::fit {
+
+PictureCodes decode_heif(std::string_view bytes, const std::string& file) {
+  const sim::CodedPicture picture = sim::read_heif(bytes, file);
+  PictureCodes codes;
+  codes.width = picture.width;
+  codes.height = picture.height;
+  codes.values.assign(picture.codes.begin(), picture.codes.end());
+  codes.kind = "8-bit HEIC by " + picture.library;
+  return codes;
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,41 @@
+// Profiles against elevation, one for each direction, as a table and as a picture.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "fit/direction_bins.h"
+#include "fit/photo.h"
+#include "fit/plot.h"
+#include "fit/profile.h"
+
+namespace vegard::fit {
+
+/// A quotient of two channels' light with its standard error to first order, the two taken as independent;
+/// NaN where either is unknown or the denominator is not positive.
+struct Ratio {
+  double value = 0.0, sigma = 0.0;
+};
+Ratio channel_ratio(const Profile& profile, int band, int row, int numerator, int denominator);
+
+/// What belongs to the table and the picture beside the numbers.
+struct DirectionProfile {
+  Profile profile;  ///< of direction_bins(), any dark level taken off
+  DirectionSectors sectors;
+  std::string camera;  ///< whose directions: "the scene's camera", "maps: az.exr, el.exr"
+  std::array<double, 3> dark = {0.0, 0.0, 0.0};
+};
+
+/// extract_profile() in direction_bins(), less `dark` in each channel.
+DirectionProfile direction_profile(const Photo& photo, const sim::DirectionMap& map, const Region& region,
+                                   const DirectionSectors& sectors, const std::array<double, 3>& dark,
+                                   const std::string& camera);
+
+/// As profile_csv(); one line per sector and step that has a pixel in any channel.
+std::string direction_profile_csv(const Photo& photo, const DirectionProfile& directions);
+
+/// Light of each channel and the ratios of red and blue to green against elevation, a line for each sector
+/// (at most fourteen of them, evenly chosen, which the note says).
+Plot direction_profile_plot(const Photo& photo, const DirectionProfile& directions);
+
+}  // namespace vegard::fit

@@ -1,0 +1,58 @@
+# Where a camera's pixels look, as maps; and profiles by direction from them, or from the scene.
+source "$(dirname "$0")/case.sh"
+scene=$SCENES/small.toml
+expect_exit 0 directions "$scene" -o maps.exr
+expect_stdout "maps.exr: 160 x 120 pixels, 19200 of which look somewhere"
+expect_starts maps.exr 762f3101
+expect_exit 0 directions "$scene" -o again.exr
+expect_same maps.exr again.exr
+expect_exit 2 directions "$scene" -o maps.exr
+expect_stderr "--overwrite"
+expect_exit 2 directions "$scene" -o maps.png
+expect_stderr "--output"
+# A FITS file for each.
+expect_exit 0 directions "$scene" -o maps.fits
+expect_stdout "maps_el.fits: 160 x 120 pixels"
+expect_starts maps_az.fits 53494d504c45
+
+expect_exit 0 render "$scene" -o sky.png
+rows() { grep -v '^#' "$1" | tail -n +2; }
+expect_exit 0 profile sky.png -o scene.csv --scene "$scene" --azimuths 350,0,10 --elevation-step 2 --plot scene.svg
+expect_stdout "scene.csv: 3 directions of 45 steps of elevation"
+grep -q '^<svg' scene.svg || fail "no SVG"
+[[ $(rows scene.csv | cut -d, -f1 | sort -u | paste -sd' ') == "0 10 350" ]] || fail "not the three azimuths"
+# Maps of the same camera give the same numbers; all around as well as by name.
+expect_exit 0 profile sky.png -o maps.csv --azimuth-map maps.exr --elevation-map maps.exr --azimuths 350,0,10 --elevation-step 2
+cmp -s <(rows scene.csv) <(rows maps.csv) || fail "camera and maps disagree"
+expect_exit 0 profile sky.png -o fits.csv --azimuth-map maps_az.fits --elevation-map maps_el.fits --azimuths 350,0,10 --elevation-step 2
+cmp -s <(rows scene.csv) <(rows fits.csv) || fail "camera and FITS disagree"
+expect_exit 0 profile sky.png -o around.csv --azimuth-map maps.exr --directions 8 --dark 0.01,0.01,0.01
+expect_stdout "8 directions of 90 steps"
+# Rows have the maps' elevations where no direction is asked for.
+expect_exit 0 profile sky.png -o bands.csv --azimuth-map maps.exr --bands 1
+expect_exit 0 profile sky.png -o bands_scene.csv --scene "$scene" --bands 1
+paste -d, <(rows bands.csv | cut -d, -f3) <(rows bands_scene.csv | cut -d, -f3) |
+  awk -F, '{ d = $1 - $2; if (d < -0.3 || d > 0.3) exit 1 } END { exit NR != 120 }' || fail "other elevations"
+
+refused() {  # EXIT WORDS ARGUMENTS...
+  local code=$1 words=$2
+  shift 2
+  expect_exit "$code" profile sky.png -o no.csv "$@"
+  expect_stderr "$words"
+  expect_one_message
+  [[ ! -e no.csv ]] || fail "something was written"
+}
+refused 2 "where the pixels look is not known" --azimuths 0
+refused 2 "--elevation-map" --elevation-map maps.exr --azimuths 0
+refused 2 "overlap" --azimuth-map maps.exr --azimuths 0,5 --azimuth-width 20
+refused 2 "no pixel looks" --azimuth-map maps.exr --azimuths 180
+refused 2 "--directions" --azimuth-map maps.exr --azimuths 0 --directions 4
+refused 2 "--dark" --azimuth-map maps.exr --dark 1,1,1
+refused 2 "--elevation-step" --azimuth-map maps.exr --azimuths 0 --elevation-step 0
+refused 2 "--lines" --scene "$scene" --lines --azimuths 0
+refused 3 "sky.png" --azimuth-map sky.png --azimuths 0
+refused 3 "missing.exr" --azimuth-map missing.exr --azimuths 0
+expect_exit 0 directions "$scene" -o wide.exr --set camera.width=200
+refused 3 "wide.exr: the maps have 200 x 120 pixels" --azimuth-map wide.exr --azimuths 0
+head -c 20000 maps.exr >cut.exr
+refused 3 "cut.exr" --azimuth-map cut.exr --azimuths 0

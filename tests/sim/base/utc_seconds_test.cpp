@@ -1,0 +1,53 @@
+#include "sim/base/utc_seconds.h"
+
+#include <gtest/gtest.h>
+
+namespace vegard::sim {
+namespace {
+
+TEST(UtcSeconds, KnownMoments) {
+  EXPECT_EQ(utc_seconds("1970-01-01T00:00:00Z"), 0.0);
+  EXPECT_EQ(utc_seconds("2000-01-01T00:00:00Z"), 946684800.0);
+  EXPECT_EQ(utc_seconds("2001-09-09T01:46:40"), 1e9);
+  EXPECT_EQ(utc_seconds("1969-12-31 23:59:59.5"), -0.5);
+  EXPECT_EQ(utc_text(0.0), "1970-01-01T00:00:00Z");
+  EXPECT_EQ(utc_text(1e9), "2001-09-09T01:46:40Z");
+  EXPECT_EQ(utc_text(-0.5), "1969-12-31T23:59:59.5Z");
+}
+
+// Every day of nine years and more, over a leap year that is a century's: text and number agree, and the days
+// follow each other.
+TEST(UtcSeconds, TextAndNumberAreInverses) {
+  double before = *utc_seconds("1995-12-31T12:34:56.250Z");
+  for (int day = 1; day < 3500; ++day) {
+    const double now = before + 86400.0;
+    const std::string text = utc_text(now);
+    ASSERT_EQ(utc_seconds(text), now) << text;
+    before = now;
+  }
+  EXPECT_EQ(utc_seconds("2000-03-01T00:00:00").value() - utc_seconds("2000-02-28T00:00:00").value(),
+            2 * 86400.0);
+  EXPECT_EQ(utc_seconds("2100-03-01T00:00:00").value() - utc_seconds("2100-02-28T00:00:00").value(), 86400.0);
+}
+
+TEST(UtcSeconds, RefusesWhatNoCalendarHas) {
+  for (const char* text :
+       {"", "2015-10-07", "2015-02-29T00:00:00", "2015-13-01T00:00:00", "2015-10-07T24:00:00",
+        "2015-10-07T08:23:51+01:00", "2015-10-07T08:23:51 ", "20151007T082351", "soon"})
+    EXPECT_FALSE(utc_seconds(text)) << text;
+}
+
+TEST(UtcSeconds, InNamesOfPictures) {
+  EXPECT_EQ(utc_seconds_in_name("PKR_DASC_0558_20151007_082351.743.FITS"),
+            utc_seconds("2015-10-07T08:23:51").value() + 0.743);
+  EXPECT_EQ(utc_seconds_in_name("kho_nipr_20140221193040.jpg"), utc_seconds("2014-02-21T19:30:40"));
+  EXPECT_EQ(utc_seconds_in_name("trex_rgb_gill_20211030_060500.png"), utc_seconds("2021-10-30T06:05:00"));
+  EXPECT_EQ(utc_seconds_in_name("sky-2015-10-07T08-23-51.png"), utc_seconds("2015-10-07T08:23:51"));
+  EXPECT_EQ(utc_seconds_in_name("20151007T082351Z.jpg"), utc_seconds("2015-10-07T08:23:51"));
+  for (const char* name : {"IMG_0001.jpg", "frame_000123.png", "x_20151399_082351.png", "20151007.png",
+                           "1234567890123456.png", "120151007_082351.png", ""})
+    EXPECT_FALSE(utc_seconds_in_name(name)) << name;
+}
+
+}  // namespace
+}  // namespace vegard::sim
