@@ -184,7 +184,7 @@ void run(const CalibrateOptions& options) {
     origin.site.longitude_deg = sky.observer->longitude_deg;
     origin.site.altitude_m = sky.observer->height_m;
   }
-  if (sky.julian_date) origin.site.time_utc = sim::utc_text(*sky.julian_date);
+  if (sky.julian_date) origin.site.time_utc = sim::text_of_julian_date(*sky.julian_date);
 
   // All is made, and all places are claimed, before anything is written.
   std::vector<std::pair<std::string, std::string>> outputs = {

@@ -4,17 +4,12 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "sim/base/utc_time.h"
+
 namespace vegard::sim {
 namespace {
 
 constexpr std::int64_t kSecondsPerDay = 86400;
-
-bool is_leap(int year) { return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0; }
-
-int days_in_month(int year, int month) {
-  constexpr int kDays[12] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-  return kDays[month - 1] + (month == 2 && is_leap(year) ? 1 : 0);
-}
 
 /// Days from year 1 to the beginning of a year.
 std::int64_t days_before_year(std::int64_t year) {
@@ -75,6 +70,8 @@ std::optional<double> read_moment(Reader& in, bool separated, std::string_view b
   const int hour = in.number(2);
   if (separated) in.one_of(colons);
   const int minute = in.number(2);
+  if (separated && !in.next_is(colons))
+    return in.good ? seconds_of(year, month, day, hour, minute, 0, 0.0) : std::nullopt;
   if (separated) in.one_of(colons);
   const int second = in.number(2);
   if (!in.good) return std::nullopt;

@@ -8,8 +8,8 @@
 namespace vegard::sim {
 
 /// Seconds since 1970-01-01T00:00:00Z, leap seconds not counted, of "2015-10-07T08:23:51.743Z": a T or a
-/// blank between, fractions and the Z may be missing. None for any other text and for a date that no calendar
-/// has (proleptic Gregorian).
+/// blank between, seconds, fractions and the Z may be missing. None for any other text and for a date that no
+/// calendar has (proleptic Gregorian).
 std::optional<double> utc_seconds(std::string_view iso);
 
 /// The first moment in a picture's name: date and time as runs of 8 and 6 digits, with at most one character

@@ -6,12 +6,6 @@
 namespace vegard::sim {
 namespace {
 
-int days_of(int year, int month) {
-  constexpr int kDays[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-  const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
-  return kDays[month - 1] + (month == 2 && leap ? 1 : 0);
-}
-
 /// Whether `text` looks like `form`, in which 0 stands for any digit.
 bool has_form(const std::string& text, const std::string& form) {
   return std::equal(text.begin(), text.end(), form.begin(), form.end(),
@@ -20,10 +14,16 @@ bool has_form(const std::string& text, const std::string& form) {
 
 }  // namespace
 
+int days_in_month(int year, int month) {
+  constexpr int kDays[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+  const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+  return kDays[month - 1] + (month == 2 && leap ? 1 : 0);
+}
+
 bool is_possible(const CivilTime& time) {
   return time.year >= 1 && time.year <= 9999 && time.month >= 1 && time.month <= 12 && time.day >= 1 &&
-         time.day <= days_of(time.year, time.month) && time.hour >= 0 && time.hour < 24 && time.minute >= 0 &&
-         time.minute < 60 && time.second >= 0 && time.second <= 60;
+         time.day <= days_in_month(time.year, time.month) && time.hour >= 0 && time.hour < 24 &&
+         time.minute >= 0 && time.minute < 60 && time.second >= 0 && time.second <= 60;
 }
 
 std::string iso_text(const CivilTime& time) {
@@ -62,11 +62,11 @@ CivilTime minutes_later(CivilTime time, int minutes) {
   time.hour = (of_day - 1440 * days) / 60;
   time.minute = (of_day - 1440 * days) % 60;
   time.day += days;
-  for (; time.day < 1; time.day += days_of(time.year, time.month)) {
+  for (; time.day < 1; time.day += days_in_month(time.year, time.month)) {
     if (--time.month < 1) time.month = 12, --time.year;
   }
-  for (; time.day > days_of(time.year, time.month);) {
-    time.day -= days_of(time.year, time.month);
+  for (; time.day > days_in_month(time.year, time.month);) {
+    time.day -= days_in_month(time.year, time.month);
     if (++time.month > 12) time.month = 1, ++time.year;
   }
   return time;

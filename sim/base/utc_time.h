@@ -12,6 +12,9 @@ struct CivilTime {
   std::string subsecond;  ///< digits after the point; empty: none were given
 };
 
+/// Of a month from 1 to 12.
+int days_in_month(int year, int month);
+
 /// A day of the calendar, from the year 1 to 9999, and a time of that day.
 bool is_possible(const CivilTime& time);
 

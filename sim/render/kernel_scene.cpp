@@ -138,7 +138,7 @@ std::vector<const double*> local_input_addresses(const Scene& scene, const Sheet
   std::vector<const double*> at(local_inputs, nullptr);
   at[inclination] = &scene.field.inclination_deg;
   at[declination] = &scene.field.declination_deg;
-  static_assert(camera_inputs == camera_numbers);
+  static_assert(static_cast<int>(camera_inputs) == static_cast<int>(camera_numbers));
   for (int n = 0; n < camera_numbers; ++n)
     at[first_camera_input + n] = camera_number_address(scene.camera, static_cast<CameraNumber>(n));
   at[loss_cone] = &sheet.loss_cone_deg;

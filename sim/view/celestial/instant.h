@@ -9,13 +9,12 @@ namespace vegard::sim {
 inline constexpr double kJ2000 = 2451545.0;  ///< Julian date of 2000 January 1, 12 h
 inline constexpr double kDaysPerCentury = 36525.0;
 
-/// The Julian date of an instant in ISO 8601 and UTC, "2014-02-21T19:30:40.5Z": date, then T or a blank,
-/// hours and minutes, seconds or not, Z or not. Gregorian calendar. To 40 microseconds. Nothing for any other
-/// text.
+/// The Julian date of an instant in ISO 8601 and UTC, "2014-02-21T19:30:40.5Z", to 40 microseconds. Nothing
+/// for text that is none (sim/base/utc_seconds.h).
 std::optional<double> julian_date(const std::string& utc);
 
 /// The same as text, to the nearest second: "2014-02-21T19:30:40Z".
-std::string utc_text(double julian_date);
+std::string text_of_julian_date(double julian_date);
 
 /// Greenwich mean sidereal time in degrees, 0 to 360: Aoki et al. 1982 (Astronomy and Astrophysics 105, 359),
 /// as in Meeus, Astronomical Algorithms, formula 12.4. UTC is taken for UT1, which it is to 0.9 s (13 seconds

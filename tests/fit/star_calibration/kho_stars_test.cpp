@@ -101,9 +101,9 @@ TEST_F(KhoStars, StandWhereTheCatalogueHasThem) {
     (rms_deg(a) < rms_deg(b) ? high : low) = rms_deg(a) < rms_deg(b) ? b : a;
   }
   const double best = 0.5 * (low + high);
-  RecordProperty("instant", sim::utc_text(best));
+  RecordProperty("instant", sim::text_of_julian_date(best));
   RecordProperty("rms_deg", std::to_string(rms_deg(best)));
-  EXPECT_LT(rms_deg(best), 0.05) << sim::utc_text(best);
+  EXPECT_LT(rms_deg(best), 0.05) << sim::text_of_julian_date(best);
   EXPECT_GT(elsewhere, 1.0);
 }
 

@@ -38,7 +38,7 @@ TEST(Instant, RefusesWhatIsNoInstant) {
 TEST(Instant, WordsAndBack) {
   for (const char* text :
        {"2012-11-12T21:47:03Z", "1999-12-31T23:59:59Z", "2000-02-29T00:00:00Z", "1969-07-20T20:17:40Z"})
-    EXPECT_EQ(sim::utc_text(*sim::julian_date(text)), text);
+    EXPECT_EQ(sim::text_of_julian_date(*sim::julian_date(text)), text);
 }
 
 // Meeus, examples 12.a and 12.b.
