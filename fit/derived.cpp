@@ -45,13 +45,14 @@ Group none(const Label& label) {
 
 void add_energies(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
   const sim::Sheet& sheet = best.sheets[s];
-  if (!sim::mean_energy_kev(sheet)) {
+  // A form has an energy for its steps and its power, but its light does not tell it.
+  if (!sim::mean_energy_kev(sheet) || sheet.profile == "form") {
     groups.push_back(
         none({"mean electron energy" + of, "keV", "the height profile is not that of known electrons"}));
     return;
   }
   // For mono-energetic and Gaussian electrons it is the mean energy itself.
-  if (sheet.profile == "maxwellian" || sheet.profile == "form")
+  if (sheet.profile == "maxwellian")
     groups.push_back(one({"characteristic energy E0" + of, "keV", ""},
                          [s](const sim::Scene& x) { return x.sheets[s].energy_kev; }));
   groups.push_back(one({"mean electron energy" + of, "keV", ""},

@@ -153,7 +153,9 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<cons
 
   const std::vector<DerivativePass> passes = derivative_passes(scene, free);
   out.free = static_cast<int>(free.size());
-  out.free_stride = static_cast<int>(passes.back().first) + kTangentWidth;
+  // The last pass writes a whole register, wherever it begins.
+  const std::size_t end = passes.back().first + kTangentWidth;
+  out.free_stride = static_cast<int>((end + kTangentWidth - 1) / kTangentWidth * kTangentWidth);
   const std::size_t cells = static_cast<std::size_t>(w.film.rows) * w.film.columns;
   out.derivative.resize(cells * lines * out.free_stride);
 
@@ -218,6 +220,7 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<cons
             for (int i = 0; i < kTangentWidth; ++i) sum[i] += cell[i];
           }
           for (int i = 0; i < kTangentWidth; ++i) to[i] = sum[i] * scale[i];
+          if (&pass == &passes.back()) std::fill(to + kTangentWidth, to + (out_stride - pass.first), 0.0f);
         }
       }
     });

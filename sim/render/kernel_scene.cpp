@@ -22,6 +22,20 @@ T local(double degrees, int input, double scale = kRadiansPerDegree) {
   return dual;
 }
 
+/// Whether a fit is to find a pinhole's distortion, which may be none at present: its light is the same to the
+/// last bit whether derivatives are wanted or not.
+bool may_be_distorted(const Fit& fit) {
+  const auto is_distortion = [](const std::string& path) {
+    for (const char* known : {"camera.k1", "camera.k2", "camera.k3", "camera.p1", "camera.p2"})
+      if (path == known) return true;
+    return false;
+  };
+  return std::any_of(fit.free.begin(), fit.free.end(),
+                     [&](const FreeParameter& free) { return is_distortion(free.path); }) ||
+         std::any_of(fit.tied.begin(), fit.tied.end(),
+                     [&](const TiedParameter& tied) { return is_distortion(tied.path); });
+}
+
 /// Whether any of the film looks below the horizon: its border, or the nadir itself.
 bool looks_below_horizon(const CameraView<double>& view, const FilmGeometry& film, double altitude_km) {
   const double radius = kEarthRadiusKm / (kEarthRadiusKm + std::max(0.0, altitude_km));
@@ -119,7 +133,7 @@ KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_ste
   k.view = camera_view<LocalDual>(scene.camera, [&](CameraNumber which) {
     return local<LocalDual>(*camera_number_address(scene.camera, which), first_camera_input + which, 1.0);
   });
-  k.plain_pinhole = is_plain_pinhole(k.view.lens);
+  k.plain_pinhole = is_plain_pinhole(k.view.lens) && !may_be_distorted(scene.fit);
   k.film = film;
   k.observer_altitude_km = scene.site.altitude_m * 1e-3;
   if (film.columns > 0) {

@@ -167,7 +167,8 @@ bool unproject(const Lens<T>& lens, double x_px, double y_px, T in_camera[3]) {
   const T there[3] = {T(at[0]), T(at[1]), T(at[2])};
   T x, y;
   if (!project(lens, there, x, y)) return false;
-  const T off_x = x - x_px, off_y = y - y_px;
+  // To the last bit the value is that without derivatives.
+  const T off_x = x - value_of(x), off_y = y - value_of(y);
   const double inverse = 1.0 / slopes.determinant();
   const T a = (off_y * slopes.slope[0][1] - off_x * slopes.slope[1][1]) * inverse;
   const T b = (off_x * slopes.slope[1][0] - off_y * slopes.slope[0][0]) * inverse;
