@@ -12,12 +12,12 @@ namespace vegard::apps {
 namespace {
 
 /// Of the sheet's middle, at the foot's altitude, as the observer sees it.
-std::string place_of(const sim::Sheet& sheet) {
+std::string place_of(const sim::Sheet& sheet, double observer_altitude_km) {
   const double east = sheet.center_km.east, north = sheet.center_km.north;
   const double across = std::hypot(east, north);
   const double from_centre = sim::kEarthRadiusKm + sim::kFootAltitudeKm;
-  const double up =
-      std::sqrt(std::max(0.0, from_centre * from_centre - across * across)) - sim::kEarthRadiusKm;
+  const double up = std::sqrt(std::max(0.0, from_centre * from_centre - across * across)) -
+                    sim::kEarthRadiusKm - observer_altitude_km;
   double azimuth_deg = std::atan2(east, north) / sim::kRadiansPerDegree;
   if (azimuth_deg < 0.0) azimuth_deg += 360.0;
   return fmt::format("the middle of sheet '{}' stands at azimuth {:.0f}\u00b0, elevation {:.0f}\u00b0",
@@ -36,9 +36,12 @@ std::string warning_if_out_of_view(const sim::Scene& scene, const sim::Image& ra
   std::string text = fmt::format(
       "warning: no sheet is in view, the picture holds the sky alone: the camera looks to azimuth "
       "{:g}\u00b0, "
-      "elevation {:g}\u00b0, with {:g}\u00b0 across",
-      scene.camera.azimuth_deg, scene.camera.elevation_deg, scene.camera.hfov_deg);
-  for (const sim::Sheet& sheet : scene.sheets) text += "; " + place_of(sheet);
+      "elevation {:g}\u00b0, ",
+      scene.camera.azimuth_deg, scene.camera.elevation_deg);
+  text += scene.camera.model == "pinhole"
+              ? fmt::format("with {:g}\u00b0 across", scene.camera.hfov_deg)
+              : fmt::format("its lens {}, {:g} px to a radian", scene.camera.model, scene.camera.focal_px);
+  for (const sim::Sheet& sheet : scene.sheets) text += "; " + place_of(sheet, scene.site.altitude_m * 1e-3);
   return text;
 }
 
