@@ -179,7 +179,10 @@ void add_keogram_command(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<KeogramOptions>();
   CLI::App* command =
       app.add_subcommand("keogram", "One line of every picture of a night, side by side in time");
-  command->add_option("IMAGES", options->images, "JPEG, PNG or TIFF, or one list of them (.txt)")->required();
+  command
+      ->add_option("IMAGES", options->images,
+                   "Photographs of any format that is read, or one list of them (.txt)")
+      ->required();
   command
       ->add_option("-o,--output", options->outputs,
                    "What to write: a picture, linear light, a table; may be repeated")

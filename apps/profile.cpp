@@ -1,5 +1,6 @@
 #include "apps/profile.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -139,7 +140,8 @@ Measured measure_bands(const Options& options, const std::optional<sim::Scene>& 
   } else if (scene) {
     elevation = elevation_of_pixel(*scene);
   }
-  const int bands = options.bands.value_or(scene ? scene->fit.bands : sim::Fit{}.bands);
+  const int bands =
+      options.bands.value_or(scene ? scene->fit.bands : std::min(sim::Fit{}.bands, region.width));
   const fit::Profile profile = fit::extract_profile(photo, region, bands);
   std::optional<fit::LineBrightness> lines;
   if (options.lines) lines = lines_of(*scene, photo, profile);

@@ -26,13 +26,14 @@ constexpr int kPositionsEachSide = 1;
 /// From -180 up to 180.
 double signed_turn_deg(double degrees) { return degrees - 360.0 * std::floor((degrees + 180.0) / 360.0); }
 
+constexpr double kLeastStep_deg = 1e-4;
+
 void check(const DirectionSectors& sectors) {
   if (sectors.azimuths_deg.empty()) refuse("--azimuths", "no direction is asked for", "azimuths in degrees");
   for (const double azimuth : sectors.azimuths_deg)
     if (!std::isfinite(azimuth)) refuse("--azimuths", "an azimuth is no number", "azimuths in degrees");
-  if (!(sectors.step_deg > 0.0 && sectors.step_deg <= kZenithDeg))
-    refuse("--elevation-step", short_number(sectors.step_deg) + "\u00b0 is no step",
-           "more than 0, at most 90");
+  if (!(sectors.step_deg >= kLeastStep_deg && sectors.step_deg <= kZenithDeg))
+    refuse("--elevation-step", short_number(sectors.step_deg) + "\u00b0 is no step", "0.0001 to 90");
   if (!(sectors.lowest_deg >= -kZenithDeg && sectors.lowest_deg < kZenithDeg))
     refuse("--lowest", short_number(sectors.lowest_deg) + "\u00b0 is no elevation to begin at",
            "-90 to below 90");

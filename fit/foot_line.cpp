@@ -6,7 +6,6 @@
 
 #include "sim/base/earth.h"
 #include "sim/emit/aurora/dipole.h"
-#include "sim/scene/line_of.h"
 
 namespace vegard::fit {
 namespace {
@@ -106,12 +105,11 @@ PlaceOnEarth place_of_foot(const sim::Scene& scene, sim::EastNorth foot_km) {
 }
 
 bool is_latitude_given(const sim::Scene& scene) {
-  return sim::line_of(scene, "site.latitude_deg") > 0 || scene.site.latitude_deg != sim::Site{}.latitude_deg;
+  return scene.lines.count("site.latitude_deg") > 0 || scene.site.latitude_deg != sim::Site{}.latitude_deg;
 }
 
 bool is_longitude_given(const sim::Scene& scene) {
-  return sim::line_of(scene, "site.longitude_deg") > 0 ||
-         scene.site.longitude_deg != sim::Site{}.longitude_deg;
+  return scene.lines.count("site.longitude_deg") > 0 || scene.site.longitude_deg != sim::Site{}.longitude_deg;
 }
 
 std::vector<double> band_places_km(const sim::Sheet& sheet) {

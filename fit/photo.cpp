@@ -97,9 +97,13 @@ Photo read_photo_bytes(std::string_view bytes, const std::string& file, const De
                    : decoding.kind != Decoding::Kind::linear && decoding.kind != Decoding::Kind::sensor;
   photo.tone = decoding.curve;
   photo.unknowns = decoding.unknowns;
-  if (photo.unknowns > 0 && codes.floating)
-    refuse_image(file, "an unknown curve is found of integers only, and this file holds floats",
-                 "JPEG, PNG or TIFF of integers", "floats are linear light as a rule: --decoding linear");
+  constexpr double kMostCodes = 65535.0;
+  if (photo.unknowns > 0 && (codes.floating || codes.white > kMostCodes * codes.step))
+    refuse_image(
+        file,
+        std::string("an unknown curve is found of integers of up to 16 bits only, and this file holds ") +
+            (codes.floating ? "floats" : "wider ones"),
+        "JPEG, PNG or TIFF of integers", "such files are linear light as a rule: --decoding linear");
   if (decoding == Decoding::sensor) {
     assert(scene != nullptr);
     sim::Scene decoded = *scene;

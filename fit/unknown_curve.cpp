@@ -14,7 +14,7 @@ namespace {
 template <class OfCode>
 void replace_codes(Photo& photo, const OfCode& of_code) {
   assert(!photo.floating);
-  const int largest = (1 << photo.bits) - 1;
+  const auto largest = static_cast<int>(std::lround(1.0 / file_step(photo)));
   std::vector<float> table(static_cast<std::size_t>(largest) + 1);
   for (int code = 0; code <= largest; ++code)
     table[static_cast<std::size_t>(code)] =

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/number_text.h"
 #include "sim/base/earth.h"
+#include "sim/base/error.h"
 
 namespace vegard::fit {
 namespace {
@@ -76,6 +78,17 @@ double agreement(const SkyCamera& camera, const Frame& frame, const std::vector<
   return sum;
 }
 
+constexpr double kMostCameras = 2e6;  // some minutes
+
+[[noreturn]] void refuse_search(double cameras) {
+  sim::ErrorDetails details;
+  details.key = "--twist, --shift, --scale";
+  details.problem = "they ask for " + short_number(cameras, 2) + " cameras to be tried";
+  details.expected = "at most " + short_number(kMostCameras, 2);
+  details.hint = "say better where the camera points: --centre, or a narrower search";
+  throw sim::Error(sim::ErrorKind::usage, details);
+}
+
 SkyCamera searched(const SkyCamera& rough, const Frame& frame, const std::vector<StarSighting>& sky,
                    const PointGrid& grid, const IdentificationSettings& settings) {
   SkyCamera best = rough;
@@ -83,6 +96,8 @@ SkyCamera searched(const SkyCamera& rough, const Frame& frame, const std::vector
   const int twists = static_cast<int>(settings.twist_deg / kTwistStep_deg);
   const int shifts = static_cast<int>(std::ceil(settings.shift_px / kSearchWidth_px));
   const int scales = static_cast<int>(std::ceil(settings.scale_share / kScaleStep));
+  const double cameras = (2.0 * twists + 1.0) * (2.0 * scales + 1.0) * std::pow(2.0 * shifts + 1.0, 2);
+  if (cameras > kMostCameras) refuse_search(cameras);
   for (int twist = -twists; twist <= twists; ++twist) {
     SkyCamera turned = rough;
     turned.numbers[turn_about_forward] = twist * kTwistStep_deg * sim::kRadiansPerDegree;

@@ -66,9 +66,11 @@ class Chooser {
       const std::vector<Eigen::Vector2d> now = residuals(chosen.fit.camera, stars_);
       const StarSet next =
           kept(now, robust_sigma_px(now, choice_.used, static_cast<int>(chosen.free.size())));
-      if (next == choice_.used) break;
+      if (next == choice_.used) return choice_;
       choice_.used = next;
     }
+    // They go back and forth: the last set it is, with the fit that belongs to it.
+    fit_plainly();
     return choice_;
   }
 

@@ -65,7 +65,7 @@ void set_from_text(Scene& scene, const std::string& path, const std::string& tex
   assign(trial);
   assign(scene);
   follow_spline_grid(before, scene);
-  scene.lines.erase(key_path(d, scene, first.sheet));
+  scene.lines[key_path(d, scene, first.sheet)] = 0;  // it was given, but in no line of the file
 }
 
 }  // namespace vegard::sim

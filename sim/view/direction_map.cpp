@@ -12,6 +12,7 @@ namespace {
 
 constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
 constexpr double kLargestRadian = 6.2832;  ///< 2 pi
+constexpr double kLeastInRadians = 1.5;
 
 DirectionMap empty_map(int width, int height) {
   DirectionMap map;
@@ -80,7 +81,8 @@ DirectionMap direction_map(const Image& azimuth, const Image& elevation, const s
     }
   if (!any)
     refuse(elevation_name, "no pixel of the maps looks anywhere", "azimuths and elevations in degrees");
-  if (largest <= kLargestRadian)
+  // Less than a quarter turn in all is a narrow field near north, if it is not in radians.
+  if (largest > kLeastInRadians && largest <= kLargestRadian)
     refuse(azimuth_name, "no angle in the maps is above 2 pi: they seem to be in radians", "degrees");
   return map;
 }

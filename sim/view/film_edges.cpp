@@ -79,6 +79,16 @@ FilmEdges film_edges(const Lens<double>& lens, const FilmGeometry& film) {
       high[i] = std::max(high[i], tangent[i]);
     }
   }
+  // A border that runs around the back of the camera has its middle there, and all that the film sees is
+  // beyond it.
+  double inside[3];
+  if (!unproject(lens, 0.5 * (left + right), 0.5 * (top + bottom), inside)) return edges;
+  const Vector centre = {inside[0], inside[1], inside[2]};
+  const double forward = dot(centre, middle);
+  if (forward < kNarrowest) return edges;
+  const double at[2] = {dot(centre, first) / forward, dot(centre, second) / forward};
+  for (int i = 0; i < 2; ++i)
+    if (at[i] < low[i] || at[i] > high[i]) return edges;
   // The border bulges between the points that were looked at.
   constexpr double kBulge = 0.02;
   for (int i = 0; i < 2; ++i) {

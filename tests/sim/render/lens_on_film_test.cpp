@@ -74,6 +74,20 @@ TEST_P(ThroughLens, TheFilmHasTheLightOfThePointsThatItSees) {
   }
 }
 
+TEST(ThroughLenses, AnyCircleOfTheSkyHasTheSameBeams) {
+  // However large the circle is in its frame, the beams above the horizon are seen.
+  std::vector<std::uint64_t> points;
+  for (const double focal_px : {47.7, 52.0, 57.3, 60.0, 70.0}) {
+    Scene scene = all_sky("equidistant");
+    scene.camera.width = scene.camera.height = 200;
+    scene.camera.focal_px = focal_px;
+    scene.camera.elevation_deg = 90.0;
+    points.push_back(tests::exposed(scene).deflection_points);
+  }
+  for (const std::uint64_t count : points)
+    EXPECT_NEAR(static_cast<double>(count) / static_cast<double>(points.front()), 1.0, 0.02);
+}
+
 TEST(EarthOnFilm, HidesWhatStandsBehindIt) {
   // From 400 km the horizon is 2293 km away along the ground's tangent, 19.8 degrees down. Light at 110 km
   // beyond it can be seen over it as far as both tangents reach; a sheet on the far side of the Earth cannot.

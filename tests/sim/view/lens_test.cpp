@@ -134,7 +134,7 @@ TEST_P(EveryLens, IsASeriesOfItsAngle) {
   const std::string model = GetParam();
   if (model == "pinhole") GTEST_SKIP() << "the kernel has its formula, and no series";
   const Lens<double> lens = camera_view(crooked(model)).lens;
-  const double widest = std::min(std::acos(lens.least_cosine), 100.0 * kPi / 180.0);
+  const double widest = std::min(std::acos(lens.least_cosine), 133.0 * kPi / 180.0);
   const LensSeries<double> series = lens_series(lens, widest);
   for (double theta = 0.01; theta < widest; theta += 0.05) {
     const double half = std::sin(0.5 * theta), q = half * half, t = 2.0 * q / series.most_q - 1.0;
@@ -179,6 +179,31 @@ TEST_P(EveryLens, HasNothingOfItsFilmBeyondItsEdges) {
                 0.0);
   }
   EXPECT_GT(on_film, 100);
+}
+
+TEST(FilmEdges, KeepNothingOfAWholeSkyOut) {
+  // Circles of all sizes in a frame of 200 pixels, up to where the border looks behind the camera.
+  for (const char* model : {"equidistant", "equisolid", "stereographic", "polynomial"})
+    for (double focal_px = 30.0; focal_px < 160.0; focal_px += 1.7) {
+      Camera camera;
+      camera.model = model;
+      camera.width = camera.height = 200;
+      camera.focal_px = focal_px;
+      const Lens<double> lens = camera_view(camera).lens;
+      FilmGeometry film;
+      film.columns = film.rows = 200;
+      const FilmEdges edges = film_edges(lens, film);
+      for (double y = 0.5; y < 200.0; y += 13.0)
+        for (double x = 0.5; x < 200.0; x += 13.0) {
+          double direction[3];
+          if (!unproject(lens, x, y, direction)) continue;
+          for (int e = 0; e < edges.count; ++e)
+            ASSERT_LE(direction[0] * edges.outward[e][0] + direction[1] * edges.outward[e][1] +
+                          direction[2] * edges.outward[e][2],
+                      0.0)
+                << model << ' ' << focal_px << " px, at " << x << ' ' << y;
+        }
+    }
 }
 
 TEST(Lens, EndsWhereItsTermsWouldFoldThePictureBack) {
