@@ -3,14 +3,19 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 #include "apps/usage_error.h"
 #include "fit/direction_bins.h"
 #include "fit/direction_profile.h"
+#include "sim/base/earth.h"
+#include "sim/view/tangent_altitude.h"
 
 namespace vegard::apps {
 namespace {
 
 constexpr double kUsualWidthDeg = 10.0;
+constexpr double kGreenKm = 97.0;  ///< about where green layers are, for the scale that is told
 
 fit::DirectionSectors sectors_of(const SectorOptions& options, std::optional<double> observer_km) {
   fit::DirectionSectors sectors;
@@ -101,6 +106,10 @@ MeasuredDirections measure_directions(const SectorOptions& options, const fit::P
   const auto layers = fit::green_limb_layers(measured);
   for (std::size_t k = 0; k < layers.size(); ++k)
     found.details.push_back(fit::limb_layer_words(measured.sectors.azimuths_deg[k], layers[k]));
+  const double elevation_deg = sim::elevation_of_tangent_deg(*observer_km, std::min(kGreenKm, *observer_km));
+  found.details.push_back(
+      fmt::format("errors are those of the scatter; 0.1\u00b0 of the camera's elevation is {:.1f} km there",
+                  0.1 * sim::kRadiansPerDegree * sim::tangent_distance_km(*observer_km, elevation_deg)));
   return found;
 }
 

@@ -44,6 +44,7 @@ grep -q '^band,row_px,elevation_deg,tangent_altitude_km,' orbit.csv || fail "no 
 expect_exit 0 profile sky.png -o limb.csv --scene orbit.toml --azimuths 0 --tangent-step 5 --tangent-range 0,300
 expect_stdout "limb.csv: 1 directions of 60 steps of tangent altitude"
 expect_stdout "azimuth 0°:"
+expect_stdout "0.1° of the camera's elevation is 3.5 km there"
 grep -q '^# green_layer: azimuth 0°:' limb.csv || fail "no layer in the table"
 
 refused() {  # EXIT WORDS ARGUMENTS...
