@@ -20,6 +20,8 @@ struct SectorOptions {
   std::optional<int> directions;
   std::optional<double> width_deg, step_deg, lowest_deg;
   std::vector<double> dark;
+  std::optional<double> tangent_step_km;
+  std::vector<double> tangent_range_km;
 
   bool asked() const { return !azimuths_deg.empty() || directions; }
 };
@@ -33,11 +35,13 @@ void check_sector_options(const SectorOptions& options);
 struct MeasuredDirections {
   std::string csv;
   fit::Plot plot;
-  std::string words;  ///< "8 directions of 90 steps"
+  std::string words;                 ///< "8 directions of 90 steps"
+  std::vector<std::string> details;  ///< lines to print: the limb's layers
 };
 
-/// Throws Error(usage).
+/// `observer_km`: height of an observer above the air. Throws Error(usage).
 MeasuredDirections measure_directions(const SectorOptions& options, const fit::Photo& photo,
-                                      const fit::Region& region, const KnownDirections& known);
+                                      const fit::Region& region, const KnownDirections& known,
+                                      std::optional<double> observer_km);
 
 }  // namespace vegard::apps

@@ -34,6 +34,7 @@
 #include "sim/view/filter_response.h"
 #include "sim/view/sensor_response.h"
 #include "sim/view/spectral_resolution.h"
+#include "sim/view/tangent_altitude.h"
 
 namespace vegard::apps {
 namespace {
@@ -116,7 +117,14 @@ struct Measured {
   std::string csv;
   fit::Plot plot;
   std::string words;
+  std::vector<std::string> details;
 };
+
+/// Of an observer above the air.
+std::optional<double> limb_observer_km(const std::optional<sim::Scene>& scene) {
+  if (!scene || 1e-3 * scene->site.altitude_m < sim::kLimbObserverKm) return std::nullopt;
+  return 1e-3 * scene->site.altitude_m;
+}
 
 fit::LineBrightness lines_of(const sim::Scene& scene, const fit::Photo& photo, const fit::Profile& profile) {
   return placing_errors(scene, [&] {
@@ -145,9 +153,10 @@ Measured measure_bands(const Options& options, const std::optional<sim::Scene>& 
   const fit::Profile profile = fit::extract_profile(photo, region, bands);
   std::optional<fit::LineBrightness> lines;
   if (options.lines) lines = lines_of(*scene, photo, profile);
-  return {fit::profile_csv(photo, profile, elevation, lines ? &*lines : nullptr),
+  return {fit::profile_csv(photo, profile, elevation, lines ? &*lines : nullptr, limb_observer_km(scene)),
           fit::profile_plot(photo, profile, elevation),
-          std::to_string(profile.bands) + " bands of " + std::to_string(profile.rows) + " rows"};
+          std::to_string(profile.bands) + " bands of " + std::to_string(profile.rows) + " rows",
+          {}};
 }
 
 Measured measure_sectors(const Options& options, const std::optional<sim::Scene>& scene,
@@ -157,8 +166,9 @@ Measured measure_sectors(const Options& options, const std::optional<sim::Scene>
   if (!known)
     throw usage_error("--azimuths", "where the pixels look is not known",
                       "--azimuth-map MAPS, or --scene with the camera");
-  const MeasuredDirections measured = measure_directions(options.sectors, photo, region, *known);
-  return {measured.csv, measured.plot, measured.words};
+  const MeasuredDirections measured =
+      measure_directions(options.sectors, photo, region, *known, limb_observer_km(scene));
+  return {measured.csv, measured.plot, measured.words, measured.details};
 }
 
 void run(const Options& options) {
@@ -208,6 +218,7 @@ void run(const Options& options) {
   std::printf("%s: %s pixels, decoding: %s\n", photo.file_name.c_str(),
               size_text(photo.linear.width, photo.linear.height).c_str(), photo.decoding.c_str());
   std::printf("%s: %s\n", options.output.c_str(), measured.words.c_str());
+  for (const std::string& line : measured.details) std::printf("  %s\n", line.c_str());
   if (plot_file) std::printf("%s\n", options.plot.c_str());
   if (options.lines) print_resolution(*scene);
 }

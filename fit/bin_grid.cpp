@@ -84,21 +84,29 @@ BinGrid elevation_bins(const Region& region, int bands, const sim::Camera& camer
     return sim::enu_of_pixel(view, x_px, y_px, enu) ? enu[2] : std::numeric_limits<double>::quiet_NaN();
   };
   // Borders of positions down the middle column. Beyond the zenith the elevation falls again: only what lies
-  // on the side of the column's lower end counts.
+  // on one side of its highest point counts, the longer one. A camera that looks up has the horizon below;
+  // an all-sky camera, in a region on the horizon's upper side, above. What the lens has no image of does not
+  // count either.
   std::vector<double> border(region.height + 1);
   for (int k = 0; k <= region.height; ++k)
     border[k] = sine_of_elevation(region.x + 0.5 * region.width, region.y + k);
-  // Nor does what the lens has no image of.
-  int top = 0, end = region.height;
-  while (end > 0 && std::isnan(border[end])) --end;
-  for (int k = 0; k <= end; ++k)
+  int first = 0, last = region.height;
+  while (last > 0 && std::isnan(border[last])) --last;
+  while (first < last && std::isnan(border[first])) ++first;
+  int top = first;
+  for (int k = first; k <= last; ++k)
     if (std::isnan(border[top]) || border[k] > border[top]) top = k;
+  const bool rises = top - first > last - top;  // with the rows, towards the picture's lower edge
+  const int begin = rises ? first : top, end = rises ? top : last;
+  // Whichever way it goes, what is compared falls with the rows.
+  const double sign = rises ? -1.0 : 1.0;
+  for (double& sine : border) sine *= sign;
   gather(
       [&](int x, int y) {
-        const double s = sine_of_elevation(x + 0.5, y + 0.5);
-        if (!(s <= border[top] && s > border[end])) return kNoBin;
+        const double s = sign * sine_of_elevation(x + 0.5, y + 0.5);
+        if (!(s <= border[begin] && s > border[end])) return kNoBin;
         const auto below =
-            std::lower_bound(border.begin() + top, border.begin() + end + 1, s, std::greater<double>());
+            std::lower_bound(border.begin() + begin, border.begin() + end + 1, s, std::greater<double>());
         const int position = std::max(0, static_cast<int>(below - border.begin()) - 1);
         return band[x - region.x] * region.height + position;
       },

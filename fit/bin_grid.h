@@ -41,7 +41,8 @@ struct BinGrid {
 BinGrid column_bins(const Region& region, int bands);
 
 /// Along elevation: bands are those of columns; a pixel's position is the row at which the curve of its
-/// elevation crosses the region's middle column. What crosses it outside of the region belongs to no bin.
+/// elevation crosses the region's middle column, wherever in the picture the horizon is. What crosses it
+/// outside of the region, or beyond its highest point there, belongs to no bin.
 BinGrid elevation_bins(const Region& region, int bands, const sim::Camera& camera);
 
 /// Along the field line's projection: a pixel's position is its row; its band is that in which the picture of

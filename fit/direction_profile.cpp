@@ -35,11 +35,17 @@ std::string comments(const Photo& photo, const DirectionProfile& directions) {
       csv_comment(fmt::format("roi_px: [{}, {}, {}, {}]", region.x, region.y, region.width, region.height));
   text += csv_comment("directions: " + directions.camera);
   text += csv_comment(fmt::format("azimuth_width_deg: {}", sectors.width_deg));
-  text += csv_comment(fmt::format("elevation_step_deg: {}", sectors.step_deg));
+  text += csv_comment(sectors.tangent ? fmt::format("tangent_step_km: {}", sectors.tangent->step_km)
+                                      : fmt::format("elevation_step_deg: {}", sectors.step_deg));
   text += csv_comment(fmt::format("dark: [{}, {}, {}], taken off r, g, b", directions.dark[0],
                                   directions.dark[1], directions.dark[2]));
   text += csv_comment("azimuth_deg: middle of the sector, from north to the east");
   text += csv_comment("elevation_deg: middle of the step, above the horizon");
+  if (sectors.observer_km)
+    text += csv_comment(fmt::format(
+        "tangent_altitude_km: least height of that line of sight above the sphere, seen from {} km "
+        "up, no refraction; negative where it strikes the Earth",
+        *sectors.observer_km));
   text += csv_comment(
       photo.floating ? "r, g, b: linear light in the file's own units"
                      : "r, g, b: linear light, the file's largest value = 1; clipped pixels are left out");
@@ -57,7 +63,8 @@ Panel panel_of(const DirectionProfile& directions, const std::vector<int>& drawn
                const std::string& label, const ValueOf& value_of) {
   Panel panel;
   panel.title = title;
-  panel.x.label = "elevation (\u00b0)";
+  const bool tangent = directions.sectors.tangent.has_value();
+  panel.x.label = tangent ? "tangent altitude (km)" : "elevation (\u00b0)";
   panel.y.label = label;
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     Series series;
@@ -66,7 +73,8 @@ Panel panel_of(const DirectionProfile& directions, const std::vector<int>& drawn
     series.mark = k < kColours ? Mark::line : Mark::dashed_line;
     for (int position = 0; position < directions.profile.rows; ++position) {
       const Ratio value = value_of(drawn[k], position);
-      series.x.push_back(elevation_of_position_deg(directions.sectors, position));
+      series.x.push_back(tangent ? tangent_of_position_km(directions.sectors, position)
+                                 : elevation_of_position_deg(directions.sectors, position));
       series.y.push_back(value.value);
       series.low.push_back(value.value - value.sigma);
       series.high.push_back(value.value + value.sigma);
@@ -100,11 +108,43 @@ DirectionProfile direction_profile(const Photo& photo, const sim::DirectionMap& 
   return directions;
 }
 
+std::vector<std::optional<LimbLayer>> green_limb_layers(const DirectionProfile& directions) {
+  const Profile& profile = directions.profile;
+  std::vector<std::optional<LimbLayer>> layers;
+  for (int sector = 0; sector < profile.bands; ++sector) {
+    std::vector<double> tangent_km, light;
+    for (int position = 0; position < profile.rows; ++position) {
+      tangent_km.push_back(tangent_of_position_km(directions.sectors, position));
+      light.push_back(profile.mean[profile.index(sector, position, 1)]);
+    }
+    layers.push_back(find_limb_layer(tangent_km, light, *directions.sectors.observer_km));
+  }
+  return layers;
+}
+
+std::string limb_layer_words(double azimuth_deg, const std::optional<LimbLayer>& layer) {
+  const std::string name = "azimuth " + sector_name(azimuth_deg) + ": ";
+  if (!layer) return name + "no layer";
+  return name + fmt::format(
+                    "emission {:.1f} \u00b1 {:.1f} km (half of it at {:.1f} and {:.1f} km), most light at "
+                    "{:.1f} km, rms {:.1f} % of it",
+                    layer->peak_km, layer->sigma_peak_km, layer->lower_km, layer->upper_km,
+                    layer->apparent_peak_km, 100.0 * layer->rms_over_light);
+}
+
 std::string direction_profile_csv(const Photo& photo, const DirectionProfile& directions) {
   const Profile& profile = directions.profile;
   std::string text = comments(photo, directions);
+  if (directions.sectors.tangent) {
+    const std::vector<std::optional<LimbLayer>> layers = green_limb_layers(directions);
+    for (std::size_t k = 0; k < layers.size(); ++k)
+      text += csv_comment("green_layer: " + limb_layer_words(directions.sectors.azimuths_deg[k], layers[k]));
+  }
+  const bool limb = directions.sectors.observer_km.has_value();
+  text += "azimuth_deg,elevation_deg,";
+  if (limb) text += "tangent_altitude_km,";
   text +=
-      "azimuth_deg,elevation_deg,r,g,b,sigma_r,sigma_g,sigma_b,n_r,n_g,n_b,r_over_g,sigma_r_over_g,b_over_g,"
+      "r,g,b,sigma_r,sigma_g,sigma_b,n_r,n_g,n_b,r_over_g,sigma_r_over_g,b_over_g,"
       "sigma_b_over_g\n";
   for (int sector = 0; sector < profile.bands; ++sector)
     for (int position = 0; position < profile.rows; ++position) {
@@ -112,6 +152,7 @@ std::string direction_profile_csv(const Photo& photo, const DirectionProfile& di
       if (profile.count[i] == 0 && profile.count[i + 1] == 0 && profile.count[i + 2] == 0) continue;
       text += csv_number(directions.sectors.azimuths_deg[sector]) + "," +
               csv_number(elevation_of_position_deg(directions.sectors, position));
+      if (limb) text += "," + csv_number(tangent_of_position_km(directions.sectors, position));
       for (int c = 0; c < 3; ++c) text += "," + csv_number(profile.mean[i + c]);
       for (int c = 0; c < 3; ++c) text += "," + csv_number(profile.standard_error[i + c]);
       for (int c = 0; c < 3; ++c) text += "," + std::to_string(profile.count[i + c]);
@@ -128,8 +169,9 @@ Plot direction_profile_plot(const Photo& photo, const DirectionProfile& directio
   const Profile& profile = directions.profile;
   Plot plot;
   plot.title = "Profiles by direction of " + photo.file_name;
-  plot.note = "Mean linear light against elevation, a line per azimuth; shaded: \u00b11 standard error; " +
-              photo.decoding;
+  plot.note = std::string("Mean linear light against ") +
+              (directions.sectors.tangent ? "tangent altitude" : "elevation") +
+              ", a line per azimuth; shaded: \u00b11 standard error; " + photo.decoding;
   std::vector<int> drawn;
   const int lines = std::min(profile.bands, kMostLines);
   for (int k = 0; k < lines; ++k) drawn.push_back(profile.bands * k / lines);

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "fit/direction_bins.h"
+#include "fit/limb_layer.h"
 #include "fit/photo.h"
 #include "fit/plot.h"
 #include "fit/profile.h"
@@ -31,7 +34,15 @@ DirectionProfile direction_profile(const Photo& photo, const sim::DirectionMap& 
                                    const DirectionSectors& sectors, const std::array<double, 3>& dark,
                                    const std::string& camera);
 
-/// As profile_csv(); one line per sector and step that has a pixel in any channel.
+/// The limb's layer of green light in each sector, of a profile with tangent steps.
+std::vector<std::optional<LimbLayer>> green_limb_layers(const DirectionProfile& directions);
+
+/// "azimuth 10°: emission 96.2 ± 0.4 km (half of it at 90.1 and 103.0 km), most light at 93.4 km, ..."; of
+/// none: "azimuth 10°: no layer".
+std::string limb_layer_words(double azimuth_deg, const std::optional<LimbLayer>& layer);
+
+/// As profile_csv(); one line per sector and step that has a pixel in any channel. With tangent steps
+/// comments tell the layers.
 std::string direction_profile_csv(const Photo& photo, const DirectionProfile& directions);
 
 /// Light of each channel and the ratios of red and blue to green against elevation, a line for each sector

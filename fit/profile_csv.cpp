@@ -6,6 +6,8 @@
 #include <iterator>
 #include <limits>
 
+#include "sim/view/tangent_altitude.h"
+
 namespace vegard::fit {
 namespace {
 
@@ -69,14 +71,22 @@ double row_elevation_deg(const Profile& profile, int band, int row,
 }
 
 std::string profile_csv(const Photo& photo, const Profile& profile,
-                        const ElevationOfPixel& elevation_of_pixel, const LineBrightness* lines) {
+                        const ElevationOfPixel& elevation_of_pixel, const LineBrightness* lines,
+                        std::optional<double> observer_km) {
   std::string text = comments(photo, profile);
   if (lines != nullptr)
     text +=
         "# rayleigh_*: of the line at so many tenths of a nanometre, with its standard error, by the scene's "
         "sensor and sky\n";
+  if (observer_km)
+    text += fmt::format(
+        "# tangent_altitude_km: least height of that line of sight above the sphere, seen from {} km up, no "
+        "refraction; negative where it strikes the Earth\n",
+        *observer_km);
+  text += "band,row_px,elevation_deg,";
+  if (observer_km) text += "tangent_altitude_km,";
   text +=
-      "band,row_px,elevation_deg,r,g,b,sigma_r,sigma_g,sigma_b,n_r,n_g,n_b,chroma_r,chroma_g,"
+      "r,g,b,sigma_r,sigma_g,sigma_b,n_r,n_g,n_b,chroma_r,chroma_g,"
       "sigma_chroma_r,sigma_chroma_g";
   const std::size_t line_count = lines != nullptr ? lines->names.size() : 0;
   for (std::size_t l = 0; l < line_count; ++l)
@@ -85,7 +95,9 @@ std::string profile_csv(const Photo& photo, const Profile& profile,
   for (int band = 0; band < profile.bands; ++band)
     for (int row = 0; row < profile.rows; ++row) {
       text += std::to_string(band) + "," + std::to_string(profile.region.y + row);
-      append_number(text, row_elevation_deg(profile, band, row, elevation_of_pixel));
+      const double elevation_deg = row_elevation_deg(profile, band, row, elevation_of_pixel);
+      append_number(text, elevation_deg);
+      if (observer_km) append_number(text, sim::tangent_altitude_km(*observer_km, elevation_deg));
       const std::size_t i = profile.index(band, row, 0);
       for (int c = 0; c < 3; ++c) append_number(text, profile.mean[i + c]);
       for (int c = 0; c < 3; ++c) append_number(text, profile.standard_error[i + c]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "fit/line_brightness.h"
@@ -21,9 +22,10 @@ double row_elevation_deg(const Profile& profile, int band, int row,
 
 /// Comment lines ("# ...") that say what was measured and how, a line of column names, and one line per band
 /// and row. Numbers are the shortest that read back as the same double; what is unknown is left empty. No
-/// dates, no folders: the same photograph gives the same bytes. `lines` adds rayleigh_* and sigma_rayleigh_*.
+/// dates, no folders: the same photograph gives the same bytes. `lines` adds rayleigh_* and sigma_rayleigh_*,
+/// `observer_km` (of an observer above the air) the column tangent_altitude_km.
 std::string profile_csv(const Photo& photo, const Profile& profile,
                         const ElevationOfPixel& elevation_of_pixel = {},
-                        const LineBrightness* lines = nullptr);
+                        const LineBrightness* lines = nullptr, std::optional<double> observer_km = {});
 
 }  // namespace vegard::fit

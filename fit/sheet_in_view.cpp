@@ -28,11 +28,18 @@ double depth_km2(const sim::Sheet& sheet) {
 std::optional<SheetInView> sheet_in_view(const sim::Scene& scene, const sim::Sheet& sheet, double x_px,
                                          double y_px) {
   const sim::CameraView<double> view = sim::camera_view(scene.camera);
-  // By how much the line of sight turns from column to column: a difference across one pixel.
-  double here[3], left[3], right[3];
-  if (!sim::enu_of_pixel(view, x_px, y_px, here) || !sim::enu_of_pixel(view, x_px - 0.5, y_px, left) ||
-      !sim::enu_of_pixel(view, x_px + 0.5, y_px, right))
-    return std::nullopt;
+  double ray[3], turn[3], here[2] = {0.0, 0.0}, turned[2] = {0.0, 0.0};
+  if (!unproject(view.lens, x_px, y_px, ray)) return std::nullopt;
+  // By how much the line of sight turns from column to column, along the row.
+  const sim::PlaceSlopes slopes = place_slopes(view.lens, ray);
+  for (int i = 0; i < 3; ++i)
+    turn[i] = (slopes.across[0][i] * slopes.slope[1][1] - slopes.across[1][i] * slopes.slope[1][0]) /
+              slopes.determinant();
+  for (int i = 0; i < 2; ++i)
+    for (int r = 0; r < 3; ++r) {
+      here[i] += view.camera_from_enu[r][i] * ray[r];
+      turned[i] += view.camera_from_enu[r][i] * turn[r];
+    }
   const double east = here[0], north = here[1];
   const double bearing = sheet.bearing_deg * sim::kRadiansPerDegree;
   const double u_east = std::sin(bearing), u_north = std::cos(bearing);
@@ -41,7 +48,7 @@ std::optional<SheetInView> sheet_in_view(const sim::Scene& scene, const sim::She
   const double offset = sheet.center_km.east * u_north - sheet.center_km.north * u_east;
   const double across = east * u_north - north * u_east, along = east * u_east + north * u_north;
   if (!(offset * across > 0.0)) return std::nullopt;
-  const double turn_east = right[0] - left[0], turn_north = right[1] - left[1];
+  const double turn_east = turned[0], turn_north = turned[1];
   const double turn_across = turn_east * u_north - turn_north * u_east,
                turn_along = turn_east * u_east + turn_north * u_north;
   SheetInView seen;

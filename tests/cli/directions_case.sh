@@ -34,6 +34,19 @@ expect_exit 0 profile sky.png -o bands_scene.csv --scene "$scene" --bands 1
 paste -d, <(rows bands.csv | cut -d, -f3) <(rows bands_scene.csv | cut -d, -f3) |
   awk -F, '{ d = $1 - $2; if (d < -0.3 || d > 0.3) exit 1 } END { exit NR != 120 }' || fail "other elevations"
 
+# From above the air rows have tangent altitudes; from the ground they have none.
+head -n 40 bands_scene.csv | grep -q tangent_altitude_km && fail "a tangent altitude from the ground"
+sed '/^altitude_m/d; s/^\[site\]/[site]\naltitude_m = 400000.0/' "$scene" >orbit.toml
+grep -q '^altitude_m = 400000' orbit.toml || printf '[site]\naltitude_m = 400000.0\n' >>orbit.toml
+sed -i 's/^elevation_deg = .*/elevation_deg = -18.0/' orbit.toml
+expect_exit 0 profile sky.png -o orbit.csv --scene orbit.toml --bands 1
+grep -q '^band,row_px,elevation_deg,tangent_altitude_km,' orbit.csv || fail "no tangent altitudes"
+expect_exit 0 profile sky.png -o limb.csv --scene orbit.toml --azimuths 0 --tangent-step 5 --tangent-range 0,300
+expect_stdout "limb.csv: 1 directions of 60 steps of tangent altitude"
+expect_stdout "azimuth 0°:"
+expect_stdout "0.1° of the camera's elevation is 3.5 km there"
+grep -q '^# green_layer: azimuth 0°:' limb.csv || fail "no layer in the table"
+
 refused() {  # EXIT WORDS ARGUMENTS...
   local code=$1 words=$2
   shift 2
@@ -50,6 +63,10 @@ refused 2 "--directions" --azimuth-map maps.exr --azimuths 0 --directions 4
 refused 2 "--dark" --azimuth-map maps.exr --dark 1,1,1
 refused 2 "--elevation-step" --azimuth-map maps.exr --azimuths 0 --elevation-step 0
 refused 2 "--lines" --scene "$scene" --lines --azimuths 0
+refused 2 "--tangent-step" --scene "$scene" --tangent-step 5
+refused 2 "--tangent-range" --scene "$scene" --azimuths 0 --tangent-range 0,200
+refused 2 "site.altitude_m" --scene "$scene" --azimuths 0 --tangent-step 5
+refused 2 "--elevation-step" --scene "$scene" --azimuths 0 --tangent-step 5 --elevation-step 1
 refused 3 "sky.png" --azimuth-map sky.png --azimuths 0
 refused 3 "missing.exr" --azimuth-map missing.exr --azimuths 0
 expect_exit 0 directions "$scene" -o wide.exr --set camera.width=200

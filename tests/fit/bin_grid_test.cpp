@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -71,6 +72,35 @@ TEST(BinGrid, AlongElevationABinHasTheElevationsOfItsRowAtTheMiddleColumn) {
       EXPECT_GE(here, elevation(middle, kRegion.y + position + 1) - 1e-9);
     }
   EXPECT_GT(some, kRegion.width * kRegion.height * 3 / 4);
+}
+
+/// An all-sky camera with north at the picture's top: elevation rises downwards there, and falls again in the
+/// south. Either way a pixel is at the row where the middle column has its elevation.
+TEST(BinGrid, ElevationRunsFromWhicheverSideTheHorizonIs) {
+  sim::Camera camera;
+  camera.model = "equidistant";
+  camera.width = camera.height = 200;
+  camera.focal_px = 100.0 / 1.5707963267948966;
+  camera.elevation_deg = 90.0;
+  const auto elevation = [&](double x, double y) {
+    return sim::direction_of_pixel(camera, x, y).elevation_deg;
+  };
+  for (const Region& region : {Region{60, 10, 70, 70}, Region{60, 120, 70, 70}}) {
+    const BinGrid grid = elevation_bins(region, 3, camera);
+    const double middle = region.x + 0.5 * region.width;
+    int some = 0;
+    for (std::size_t bin = 0; bin < grid.bins(); ++bin) {
+      const int row = region.y + static_cast<int>(bin) % grid.positions;
+      const double one = elevation(middle, row), other = elevation(middle, row + 1);
+      for (std::size_t r = grid.first_run[bin]; r < grid.first_run[bin + 1]; ++r)
+        for (int x = grid.runs[r].begin; x < grid.runs[r].end; ++x, ++some) {
+          const double here = elevation(x + 0.5, grid.runs[r].y + 0.5);
+          EXPECT_GE(here, std::min(one, other) - 1e-9);
+          EXPECT_LE(here, std::max(one, other) + 1e-9);
+        }
+    }
+    EXPECT_GT(some, region.width * region.height / 2) << region.y;
+  }
 }
 
 /// Two points of one field line, 100 and 130 km high, fall into one band: those of a sloping field, seen

@@ -10,6 +10,7 @@
 #include "fit/direction_profile.h"
 #include "sim/base/csv_table.h"
 #include "sim/base/earth.h"
+#include "sim/view/tangent_altitude.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/fisheye_map.h"
 
@@ -157,6 +158,73 @@ TEST(DirectionBins, TheTableHoldsTheSame) {
   EXPECT_EQ(table.column("sigma_r_over_g")[95], channel_ratio(measured.profile, 1, 5, 0, 1).sigma);
 }
 
+/// A camera 400 km up that looks along the limb: elevation falls from -10 to -22 degrees over the rows.
+sim::DirectionMap limb_map() {
+  sim::DirectionMap map;
+  map.width = map.height = 120;
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x) {
+      map.azimuth_deg.push_back(static_cast<float>(0.1 * x));
+      map.elevation_deg.push_back(static_cast<float>(-10.0 - 0.1 * (y + 0.5)));
+    }
+  return map;
+}
+
+TEST(DirectionBins, AlongTangentAltitudeLightIsWhereItsLinesPass) {
+  const sim::DirectionMap map = limb_map();
+  Photo photo = sky(map, 0.0, 0);
+  constexpr double kAbove = 100.0;  // no light is below zero
+  for (std::size_t i = 0; i < map.elevation_deg.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      photo.linear.data[3 * i + c] =
+          static_cast<float>(kAbove + sim::tangent_altitude_km(400.0, map.elevation_deg[i]));
+  DirectionSectors sectors;
+  sectors.azimuths_deg = {3.0, 9.0};
+  sectors.width_deg = 5.0;
+  sectors.observer_km = 400.0;
+  sectors.tangent = TangentSteps{-20.0, 220.0, 8.0};
+  const DirectionProfile measured =
+      direction_profile(photo, map, {0, 0, 120, 120}, sectors, {0.0, 0.0, 0.0}, "maps");
+  ASSERT_EQ(measured.profile.rows, 30);
+  for (int sector = 0; sector < 2; ++sector)
+    for (int position = 0; position < 30; ++position) {
+      const double middle_km = -16.0 + 8.0 * position;
+      EXPECT_NEAR(tangent_of_position_km(sectors, position), middle_km, 1e-9);
+      EXPECT_NEAR(sim::tangent_altitude_km(400.0, elevation_of_position_deg(sectors, position)), middle_km,
+                  1e-9);
+      // Rows are at most 4.4 km apart: a step of 8 km holds one or two, which are inside of it.
+      EXPECT_NEAR(measured.profile.mean[measured.profile.index(sector, position, 1)], kAbove + middle_km,
+                  4.0);
+    }
+  const sim::CsvTable table = sim::read_csv_table(direction_profile_csv(photo, measured), "table");
+  EXPECT_EQ(table.column("tangent_altitude_km")[1], -8.0);
+}
+
+TEST(DirectionBins, TheGreenLayerOfTheLimbIsTold) {
+  const sim::DirectionMap map = limb_map();
+  Photo photo = sky(map, 0.0, 0);
+  for (std::size_t i = 0; i < map.elevation_deg.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      photo.linear.data[3 * i + c] =
+          c == 1 ? static_cast<float>(1e-3 *
+                                      limb_column_km(sim::tangent_altitude_km(400.0, map.elevation_deg[i]),
+                                                     97.0, 91.0, 107.0))
+                 : 0.0f;
+  DirectionSectors sectors;
+  sectors.azimuths_deg = {6.0};
+  sectors.width_deg = 12.0;
+  sectors.observer_km = 400.0;
+  sectors.tangent = TangentSteps{0.0, 200.0, 4.5};
+  const DirectionProfile measured =
+      direction_profile(photo, map, {0, 0, 120, 120}, sectors, {0.0, 0.0, 0.0}, "maps");
+  const auto layers = green_limb_layers(measured);
+  ASSERT_TRUE(layers.front());
+  // Rows 4.3 km apart fall anywhere in steps of 4.5 km, which are told by their middles: 1.3 km rms.
+  EXPECT_NEAR(layers.front()->peak_km, 97.0, 2.0);
+  EXPECT_NE(direction_profile_csv(photo, measured).find("# green_layer: azimuth 6\u00b0: emission 9"),
+            std::string::npos);
+}
+
 TEST(DirectionBins, RefusesSectorsThatAreNone) {
   const sim::DirectionMap map = tests::fisheye_map(60, 29.0);
   const auto refused = [&](const DirectionSectors& sectors) {
@@ -167,6 +235,13 @@ TEST(DirectionBins, RefusesSectorsThatAreNone) {
   EXPECT_NE(refused({{0.0}, 10.0, 0.0, 0.0}).find("--elevation-step"), std::string::npos);
   EXPECT_NE(refused({{0.0}, 10.0, 90.0}).find("--lowest"), std::string::npos);
   EXPECT_NE(refused({{}, 10.0}).find("--azimuths"), std::string::npos);
+  DirectionSectors limb{{0.0}, 10.0};
+  limb.tangent = TangentSteps{};
+  EXPECT_NE(refused(limb).find("site.altitude_m"), std::string::npos) << "an observer of unknown height";
+  limb.observer_km = 200.0;
+  EXPECT_NE(refused(limb).find("--tangent-range"), std::string::npos) << "250 km are above the observer";
+  limb.tangent = TangentSteps{0.0, 100.0, 0.0};
+  EXPECT_NE(refused(limb).find("--tangent-step"), std::string::npos);
   EXPECT_NE(tests::expect_error(sim::ErrorKind::usage,
                                 [&] {
                                   direction_bins(map, {0, 0, 30, 30}, {{180.0}, 10.0});

@@ -135,6 +135,7 @@ TEST(ParameterTable, EveryValueIsReachedByItsPathSetAndReadBack) {
         text = path.row->key == "name"       ? "\"other\""
                : path.row->key == "response" ? "\"nikon_d700\""
                : path.row->key == "time_utc" ? "\"2019-09-01T05:00:00Z\""
+               : path.text == "fit.decoding" ? "\"gamma:2.2\""
                : path.row->choices.empty()   ? "\"picture.png\""
                                              : "\"" + path.row->choices.back() + "\"";
         break;
