@@ -13,6 +13,9 @@ namespace vegard::fit {
 /// About so many pixels of the grid along the longer side of the maps.
 inline constexpr int kGridAcross = 20;
 
+/// A camera that is farther off anywhere gets a warning.
+inline constexpr double kStandsFor_px = 0.1;
+
 /// Pixels of the grid that look somewhere, at their centres; names are empty, `line` is 0.
 std::vector<StarSighting> map_points(const sim::DirectionMap& map);
 
