@@ -20,6 +20,7 @@
 #include "fit/star_calibration/calibration_tables.h"
 #include "fit/star_calibration/catalogue_sky.h"
 #include "fit/star_calibration/identification.h"
+#include "fit/star_calibration/map_calibration.h"
 #include "fit/star_calibration/scene_camera.h"
 #include "fit/star_calibration/star_finder.h"
 #include "sim/base/error.h"
@@ -35,6 +36,13 @@ constexpr int kLensesShown = 8;
 
 std::string plain_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
+std::string names_of(const MapOptions& maps) {
+  std::string names = plain_name(maps.azimuth_map);
+  if (!maps.elevation_map.empty() && maps.elevation_map != maps.azimuth_map)
+    names += ", " + plain_name(maps.elevation_map);
+  return names;
+}
+
 void check_outputs(const CalibrateOptions& options) {
   const std::pair<const char*, const std::string*> outputs[] = {{"--output", &options.output},
                                                                 {"--residuals", &options.residuals},
@@ -42,7 +50,8 @@ void check_outputs(const CalibrateOptions& options) {
                                                                 {"--plot", &options.plot},
                                                                 {"--overlay", &options.overlay}};
   for (const auto& [key, file] : outputs) {
-    for (const std::string& input : {options.stars, options.image, options.mask, options.camera})
+    for (const std::string& input : {options.stars, options.image, options.mask, options.camera,
+                                     options.maps.azimuth_map, options.maps.elevation_map})
       if (same_file(*file, input)) refuse_same_file(key, *file, "an input");
     for (const auto& [other_key, other] : outputs)
       if (std::string(key) > other_key && same_file(*file, *other)) refuse_same_file(key, *file, other_key);
@@ -70,6 +79,17 @@ fit::Frame frame_of(const CalibrateOptions& options, const std::optional<fit::Ph
     bottom = std::max(bottom, std::min(star.y_px, 65000.0));
   }
   return {static_cast<int>(std::ceil(right)), static_cast<int>(std::ceil(bottom)), false};
+}
+
+fit::Frame frame_of(const CalibrateOptions& options, const std::optional<fit::Photo>& photo,
+                    const KnownDirections& maps) {
+  const fit::Frame frame{maps.map.width, maps.map.height, true};
+  if (photo && (photo->linear.width != frame.width_px || photo->linear.height != frame.height_px))
+    throw usage_error("--image", "the picture has another size than the maps", "the maps' own picture");
+  if (!options.size_px.empty() &&
+      (options.size_px[0] != frame.width_px || options.size_px[1] != frame.height_px))
+    throw usage_error("--size", "the maps have another size", "no --size beside maps");
+  return frame;
 }
 
 /// Stars found in the picture and named by the catalogue.
@@ -121,8 +141,13 @@ void print(const fit::Calibration& calibration) {
     std::fputs(fit::candidates_text(calibration, kLensesShown).c_str(), stdout);
   std::printf("lens: %s%s\n", fit::words_of(calibration.form).c_str(),
               calibration.camera.mirrored ? ", mirrored" : "");
-  std::printf("rms: %.3f px over %d of %zu stars; each star by a fit without it: %.3f px\n",
-              calibration.rms_px, calibration.used(), calibration.stars.size(), calibration.without_rms_px);
+  if (calibration.maps)
+    std::printf("rms: %s px over %d of %zu points of the maps\n%s\n",
+                fit::short_number(calibration.rms_px, 3).c_str(), calibration.used(),
+                calibration.stars.size(), fit::words_of(*calibration.maps).c_str());
+  else
+    std::printf("rms: %.3f px over %d of %zu stars; each star by a fit without it: %.3f px\n",
+                calibration.rms_px, calibration.used(), calibration.stars.size(), calibration.without_rms_px);
   for (const fit::CameraEstimate& estimate : calibration.estimates)
     if (estimate.free)
       std::printf("camera.%s: %s %s\n", estimate.key.c_str(),
@@ -130,7 +155,10 @@ void print(const fit::Calibration& calibration) {
   std::printf("the axis is known to %s deg, the turn about it to %s deg\n",
               fit::short_number(calibration.line_of_sight_sigma_deg, 2).c_str(),
               fit::short_number(calibration.twist_sigma_deg, 2).c_str());
-  for (std::size_t i = 0; i < calibration.stars.size(); ++i) {
+  if (calibration.maps && calibration.used() < static_cast<int>(calibration.stars.size()))
+    std::printf("left out: %d points, farther off than the others' scatter explains\n",
+                static_cast<int>(calibration.stars.size()) - calibration.used());
+  for (std::size_t i = 0; !calibration.maps && i < calibration.stars.size(); ++i) {
     const fit::StarResidual& one = calibration.residuals[i];
     if (one.used) continue;
     const fit::StarSighting& star = calibration.stars[i];
@@ -145,8 +173,12 @@ void print(const fit::Calibration& calibration) {
 void run(const CalibrateOptions& options) {
   const PlotFormat format = plot_format(options.plot, "--plot");
   check_outputs(options);
-  if (options.stars.empty() && (options.image.empty() || options.camera.empty()))
-    throw usage_error("STARS", "no stars", "a table of stars, or --image with --camera, --time and --site");
+  const bool by_maps = !options.maps.azimuth_map.empty() || !options.maps.elevation_map.empty();
+  if (by_maps && !options.stars.empty())
+    throw usage_error("STARS", "stars and maps", "one of a table of stars and --azimuth-map");
+  if (!by_maps && options.stars.empty() && (options.image.empty() || options.camera.empty()))
+    throw usage_error("STARS", "no stars",
+                      "a table of stars, or --image with --camera, --time and --site; or --azimuth-map");
   if (!options.overlay.empty() && options.image.empty())
     throw usage_error("--overlay", "no picture to draw on", "--image beside it");
 
@@ -157,7 +189,9 @@ void run(const CalibrateOptions& options) {
   if (!options.stars.empty()) stars = fit::read_star_table(options.stars, sky, options.first_pixel);
   std::optional<fit::Photo> photo;
   if (!options.image.empty()) photo = fit::read_photo(options.image, decoding_of(options.decoding, "auto"));
-  const fit::Frame frame = frame_of(options, photo, stars);
+  std::optional<KnownDirections> maps;
+  if (by_maps) maps = maps_of(options.maps);
+  const fit::Frame frame = maps ? frame_of(options, photo, *maps) : frame_of(options, photo, stars);
   std::optional<fit::SkyCamera> start;
   if (camera_scene) start = fit::sky_camera_of(camera_scene->camera, frame);
   if (start && !options.centre_px.empty()) {
@@ -165,19 +199,22 @@ void run(const CalibrateOptions& options) {
     start->numbers[fit::centre_y_number] = options.centre_px[1];
   }
   fit::LensSettings settings = lens_settings(options, start);
-  if (stars.empty() && options.stars.empty()) {
+  if (!maps && options.stars.empty()) {
     stars = recognised(options, *photo, frame, sky, settings, *start);
     settings.start = start;
   }
-  const std::string from = options.stars.empty() ? options.image : options.stars;
-  const fit::Calibration calibration = fit::calibrate(settings, stars, frame, from);
+  const std::string from = maps                    ? options.maps.azimuth_map
+                           : options.stars.empty() ? options.image
+                                                   : options.stars;
+  const fit::Calibration calibration =
+      maps ? fit::calibrate_maps(settings, maps->map, from) : fit::calibrate(settings, stars, frame, from);
   sim::Scene scene;
   scene.camera = fit::scene_camera_of(calibration);
   sim::validate(scene);
 
   fit::CalibrationOrigin origin;
-  origin.stars = plain_name(from);
-  if (!options.stars.empty() && photo) origin.image = photo->file_name;
+  origin.stars = maps ? names_of(options.maps) : plain_name(from);
+  if ((maps || !options.stars.empty()) && photo) origin.image = photo->file_name;
   origin.site_known = sky.observer.has_value();
   if (sky.observer) {
     origin.site.latitude_deg = sky.observer->latitude_deg;
@@ -212,7 +249,9 @@ void run(const CalibrateOptions& options) {
 void add_calibrate_command(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<CalibrateOptions>();
   CLI::App* command = app.add_subcommand(
-      "calibrate", "Find a camera's pointing, lens and distortion from the stars in its picture");
+      "calibrate",
+      "Find a camera's pointing, lens and distortion from the stars in its picture, or from maps of "
+      "its directions");
   add_calibrate_options(*command, *options);
   command->callback([options, &exit_code] {
     run(*options);

@@ -67,7 +67,7 @@ void add_calibrate_options(CLI::App& command, CalibrateOptions& options) {
   command.add_option(
       "STARS", options.stars,
       "A table of recognised stars: x_px, y_px and azimuth_deg with elevation_deg or zenith_deg; or ra_deg "
-      "and dec_deg; or star. Without it they are found in --image");
+      "and dec_deg; or star. Without it they are found in --image, or --azimuth-map takes their place");
   command
       .add_option("-o,--output", options.output, "The camera to write: a scene file with [camera] and [site]")
       ->required()
@@ -140,6 +140,7 @@ void add_calibrate_options(CLI::App& command, CalibrateOptions& options) {
       ->check(CLI::Range(1.0, 1e6));
   command.add_option("--mask", options.mask, "An image of the picture's size: white = look for stars there");
   add_decoding_option(command, options.decoding);
+  add_map_options(command, options.maps);
   command.add_option("--residuals", options.residuals, "Write the stars' residuals")->type_name("OUT.csv");
   command.add_option("--json", options.json, "Write all of it: lenses, numbers, correlations, stars")
       ->type_name("OUT.json");

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "apps/direction_maps.h"
 #include "fit/star_calibration/lens_choice.h"
 #include "fit/star_calibration/star_table.h"
 #include "sim/scene/scene.h"
@@ -18,6 +19,7 @@ struct CalibrateOptions {
   std::string stars, image, output, camera, time;
   std::string residuals, json, plot, overlay, mask, decoding;
   std::string lens, terms;
+  MapOptions maps;
   std::vector<std::string> free;
   std::vector<double> site, centre_px;
   std::vector<int> size_px;

@@ -36,20 +36,26 @@ void check_camera_size(const sim::Scene& scene, int width_px, int height_px, con
   throw with_place(sim::Error(sim::ErrorKind::scene, details), scene);
 }
 
+KnownDirections maps_of(const MapOptions& options) {
+  const std::string& az = options.azimuth_map;
+  if (az.empty())
+    throw usage_error("--elevation-map", "a map of elevations alone is not enough",
+                      "--azimuth-map beside it");
+  const std::string& el = options.elevation_map.empty() ? az : options.elevation_map;
+  KnownDirections known{fit::read_direction_map(az, el), "maps " + name_of(az)};
+  if (el != az) known.words += ", " + name_of(el);
+  return known;
+}
+
 std::optional<KnownDirections> known_directions(const MapOptions& options, const sim::Scene* scene,
                                                 int width_px, int height_px, const std::string& picture) {
   const std::string& az = options.azimuth_map;
-  if (az.empty() && !options.elevation_map.empty())
-    throw usage_error("--elevation-map", "a map of elevations alone is not enough",
-                      "--azimuth-map beside it");
-  if (az.empty()) {
+  if (az.empty() && options.elevation_map.empty()) {
     if (scene == nullptr) return std::nullopt;
     check_camera_size(*scene, width_px, height_px, picture);
     return KnownDirections{sim::direction_map(scene->camera), "the scene's camera"};
   }
-  const std::string& el = options.elevation_map.empty() ? az : options.elevation_map;
-  KnownDirections known{fit::read_direction_map(az, el), "maps " + name_of(az)};
-  if (el != az) known.words += ", " + name_of(el);
+  KnownDirections known = maps_of(options);
   if (known.map.width != width_px || known.map.height != height_px) {
     sim::ErrorDetails details;
     details.file = az;

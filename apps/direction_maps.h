@@ -24,6 +24,9 @@ struct KnownDirections {
   std::string words;  ///< whose they are: "maps az.exr, el.exr", "the scene's camera"
 };
 
+/// Of the maps alone, of any size. Throws Error(usage, unreadable_input).
+KnownDirections maps_of(const MapOptions& options);
+
 /// Of the maps, or where none are named of the scene's camera; none without either. The picture's size must
 /// be theirs: throws Error(usage, unreadable_input, scene).
 std::optional<KnownDirections> known_directions(const MapOptions& options, const sim::Scene* scene,

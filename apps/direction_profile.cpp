@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -40,6 +41,23 @@ fit::DirectionSectors sectors_of(const SectorOptions& options, std::optional<dou
     sectors.tangent = steps;
   }
   return sectors;
+}
+
+/// Counts given for light, say, would leave nothing, and no ratio.
+void check_dark(const std::array<double, 3>& dark, const fit::Profile& less_dark) {
+  constexpr const char* kChannels[3] = {"red", "green", "blue"};
+  for (int c = 0; c < 3; ++c) {
+    if (dark[c] == 0.0) continue;
+    bool any = false, positive = false;
+    for (std::size_t i = c; i < less_dark.mean.size(); i += 3) {
+      any = any || less_dark.count[i] > 0;
+      positive = positive || less_dark.mean[i] > 0.0;
+    }
+    if (any && !positive)
+      throw usage_error("--dark", std::string("nothing of ") + kChannels[c] + " is brighter than that",
+                        "a level in the table's linear light (white = 1)",
+                        "counts are to be divided by white's");
+  }
 }
 
 }  // namespace
@@ -96,6 +114,7 @@ MeasuredDirections measure_directions(const SectorOptions& options, const fit::P
   for (std::size_t c = 0; c < options.dark.size(); ++c) dark[c] = options.dark[c];
   const fit::DirectionProfile measured =
       fit::direction_profile(photo, known.map, region, sectors_of(options, observer_km), dark, known.words);
+  check_dark(dark, measured.profile);
   MeasuredDirections found{fit::direction_profile_csv(photo, measured),
                            fit::direction_profile_plot(photo, measured),
                            std::to_string(measured.profile.bands) + " directions of " +

@@ -91,14 +91,16 @@ void fill(const Photo& photo, int group, int channel, Profile& profile) {
     const std::size_t i = profile.index(group, p, channel);
     profile.count[i] = bins[p].count;
     profile.mean[i] = bins[p].mean;
-    if (bins[p].count < 2) continue;
+    if (bins[p].count == 0) continue;
     Scatter neighbours, values;
     const int last = std::min(grid.positions - 1, p + grid.pooled);
     for (int k = std::max(0, p - grid.pooled); k <= last; ++k) {
       neighbours.add(bins[k].neighbours);
       values.add(bins[k].values);
     }
+    // A single pixel tells nothing of noise, but its neighbours do.
     const Scatter& noise = neighbours.freedom > 0.0 ? neighbours : values;
+    if (!(noise.freedom > 0.0)) continue;
     const double step = code_step(photo, bins[p].mean);
     const double variance = std::max(noise.squares / noise.freedom, step * step / 12.0);
     profile.standard_error[i] = std::sqrt(variance / bins[p].count);

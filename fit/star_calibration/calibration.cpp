@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "fit/number_text.h"
 #include "fit/star_calibration/star_check.h"
 #include "sim/base/earth.h"
 #include "sim/base/error.h"
@@ -125,7 +126,9 @@ void tell_warnings(Calibration& calibration) {
   const int left_out = static_cast<int>(calibration.stars.size()) - calibration.used();
   if (3 * left_out > static_cast<int>(calibration.stars.size()))
     calibration.warnings.push_back(
-        "more than a third of the stars were left out: are they the stars they are called?");
+        calibration.evidence == Evidence::stars
+            ? "more than a third of the stars were left out: are they the stars they are called?"
+            : "more than a third of the points were left out: no lens that is known here made these maps");
 }
 
 /// What fits without each star say of it.
@@ -135,8 +138,6 @@ void leave_out(Calibration& calibration, const std::vector<LensNumber>& free) {
   double sum = 0.0;
   for (std::size_t i = 0; i < used.size(); ++i) {
     StarResidual& one = calibration.residuals[i];
-    one.without_dx_px = one.dx_px;
-    one.without_dy_px = one.dy_px;
     if (!one.used) continue;
     used[i] = 0;
     const CameraFit fit = fit_camera(calibration.camera, free, calibration.stars, used);
@@ -151,13 +152,27 @@ void leave_out(Calibration& calibration, const std::vector<LensNumber>& free) {
 
 }  // namespace
 
+const char* words_of(Evidence evidence) {
+  return evidence == Evidence::stars ? "stars" : "points of the maps";
+}
+
+std::string words_of(const MapAgreement& agreement) {
+  std::string words = "all " + std::to_string(agreement.pixels) + " pixels: rms " +
+                      short_number(agreement.rms_px, 3) + " px, the largest " +
+                      short_number(agreement.largest_px, 3) + " px at (" +
+                      std::to_string(agreement.largest_x) + ", " + std::to_string(agreement.largest_y) + ")";
+  if (agreement.without_image > 0)
+    words += "; of " + std::to_string(agreement.without_image) + " more the lens has no image";
+  return words;
+}
+
 int Calibration::used() const {
   return static_cast<int>(
       std::count_if(residuals.begin(), residuals.end(), [](const StarResidual& one) { return one.used; }));
 }
 
 Calibration calibrate(const LensSettings& settings, const std::vector<StarSighting>& stars,
-                      const Frame& frame, const std::string& name) {
+                      const Frame& frame, const std::string& name, Evidence evidence) {
   std::size_t fewest = settings.only.size();
   if (fewest == 0) {
     fewest = lens_numbers;
@@ -167,16 +182,21 @@ Calibration calibrate(const LensSettings& settings, const std::vector<StarSighti
       fewest = std::min(fewest, free_numbers(form, settings.centre_free).size());
     }
   }
-  check_stars(stars, static_cast<int>(fewest), name);
+  check_stars(stars, static_cast<int>(fewest), name, words_of(evidence));
   const LensChoice choice = choose_lens(settings, stars, frame);
   if (choice.chosen < 0) {
     sim::ErrorDetails details;
     details.file = name;
-    details.problem = "no lens brings the stars to where they were seen";
-    details.hint = "are they the stars they are called? Check the time, the site, and the columns' meaning";
+    details.problem = std::string("no lens brings the ") + words_of(evidence) + " to where they were seen";
+    details.hint =
+        evidence == Evidence::stars
+            ? "are they the stars they are called? Check the time, the site, and the columns' meaning"
+            : "do both maps belong to one camera, and say degrees from north to the east and above the "
+              "horizon?";
     throw sim::Error(sim::ErrorKind::unreadable_input, details);
   }
   Calibration calibration;
+  calibration.evidence = evidence;
   calibration.candidates = choice.candidates;
   calibration.chosen = choice.chosen;
   const LensCandidate& chosen = calibration.candidates[choice.chosen];
@@ -184,13 +204,15 @@ Calibration calibrate(const LensSettings& settings, const std::vector<StarSighti
   calibration.form = chosen.form;
   calibration.frame = frame;
   calibration.stars = stars;
-  calibration.rms_px = chosen.rms_px;
+  calibration.rms_px = calibration.without_rms_px = chosen.rms_px;
   calibration.pointing = pointing_of(calibration.camera);
   const std::vector<Eigen::Vector2d> left = residuals(calibration.camera, stars);
   for (std::size_t i = 0; i < stars.size(); ++i) {
     StarResidual one;
     one.dx_px = left[i][0];
     one.dy_px = left[i][1];
+    one.without_dx_px = one.dx_px;
+    one.without_dy_px = one.dy_px;
     one.used = choice.used[i] != 0;
     const auto& enu = stars[i].enu;
     const double along =
@@ -201,7 +223,7 @@ Calibration calibrate(const LensSettings& settings, const std::vector<StarSighti
     calibration.residuals.push_back(one);
   }
   tell_errors(calibration, chosen.free);
-  leave_out(calibration, chosen.free);
+  if (evidence == Evidence::stars) leave_out(calibration, chosen.free);
   tell_warnings(calibration);
   return calibration;
 }

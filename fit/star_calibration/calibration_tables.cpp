@@ -55,16 +55,23 @@ std::string residuals_csv(const Calibration& calibration) {
 std::string calibration_json(const Calibration& calibration, const CalibrationOrigin& origin) {
   Json json;
   json["vegard"] = sim::version();
-  json["stars_from"] = origin.stars;
+  const bool stars = calibration.evidence == Evidence::stars;
+  json[stars ? "stars_from" : "maps_from"] = origin.stars;
   if (!origin.image.empty()) json["picture"] = origin.image;
   if (!origin.site.time_utc.empty()) json["time_utc"] = origin.site.time_utc;
   json["lens"] = words_of(calibration.form);
   json["mirrored"] = calibration.camera.mirrored;
   json["picture_size_px"] = {calibration.frame.width_px, calibration.frame.height_px};
   json["picture_size_known"] = calibration.frame.known;
-  json["stars_used"] = calibration.used();
+  json[stars ? "stars_used" : "points_used"] = calibration.used();
   json["rms_px"] = number(calibration.rms_px);
-  json["rms_without_each_star_px"] = number(calibration.without_rms_px);
+  if (stars) json["rms_without_each_star_px"] = number(calibration.without_rms_px);
+  if (calibration.maps)
+    json["maps"] = {{"pixels", calibration.maps->pixels},
+                    {"pixels_without_image", calibration.maps->without_image},
+                    {"rms_px", number(calibration.maps->rms_px)},
+                    {"largest_px", number(calibration.maps->largest_px)},
+                    {"largest_at", {calibration.maps->largest_x, calibration.maps->largest_y}}};
   json["sigma_px"] = number(calibration.sigma_px);
   json["axis_sigma_deg"] = number(calibration.line_of_sight_sigma_deg);
   json["turn_sigma_deg"] = number(calibration.twist_sigma_deg);
@@ -93,6 +100,8 @@ std::string calibration_json(const Calibration& calibration, const CalibrationOr
     }
     json["lenses"].push_back(row);
   }
+  // Points of maps have no names, and are in the table of residuals.
+  if (!stars) return json.dump(2) + "\n";
   json["stars"] = Json::array();
   for (std::size_t i = 0; i < calibration.stars.size(); ++i) {
     const StarResidual& one = calibration.residuals[i];

@@ -94,12 +94,17 @@ Plot residual_plot(const Calibration& calibration) {
   const double extent = std::max(calibration.frame.width_px, calibration.frame.height_px);
   const double factor = round_factor(0.06 * extent / std::max(calibration.rms_px, 1e-6));
   Plot plot;
-  plot.title = "Stars seen minus computed, " + words_of(calibration.form);
+  const bool stars = calibration.evidence == Evidence::stars;
+  plot.title = (stars ? "Stars seen minus computed, " : "Maps minus camera, ") + words_of(calibration.form);
   char note[200];
-  std::snprintf(note, sizeof note,
-                "%d of %d stars, rms %.3f px, each by a fit without it %.3f px; arrows %g times too long",
-                calibration.used(), static_cast<int>(calibration.stars.size()), calibration.rms_px,
-                calibration.without_rms_px, factor);
+  if (stars)
+    std::snprintf(note, sizeof note,
+                  "%d of %d stars, rms %.3f px, each by a fit without it %.3f px; arrows %g times too long",
+                  calibration.used(), static_cast<int>(calibration.stars.size()), calibration.rms_px,
+                  calibration.without_rms_px, factor);
+  else
+    std::snprintf(note, sizeof note, "%d of %d points, rms %.3g px; arrows %g times too long",
+                  calibration.used(), static_cast<int>(calibration.stars.size()), calibration.rms_px, factor);
   plot.note = note;
   plot.panels = {arrows(calibration, factor), by_radius(calibration)};
   plot.panel_height_px = 360;

@@ -90,17 +90,21 @@ sim::Camera scene_camera_of(const Calibration& calibration) {
 }
 
 std::string camera_toml(const Calibration& calibration, const CalibrationOrigin& origin) {
-  std::string text = "# A camera found from its stars by vegard " + sim::version() + ".\n";
-  text += "# stars: " + in_one_line(origin.stars) + ", " + std::to_string(calibration.used()) + " of " +
-          std::to_string(calibration.stars.size()) + " used\n";
+  const bool stars = calibration.evidence == Evidence::stars;
+  std::string text = std::string("# A camera found from ") + (stars ? "its stars" : "maps of directions") +
+                     " by vegard " + sim::version() + ".\n";
+  text += (stars ? "# stars: " : "# maps: ") + in_one_line(origin.stars) + ", " +
+          std::to_string(calibration.used()) + " of " + std::to_string(calibration.stars.size()) +
+          (stars ? " used\n" : " points used\n");
   if (!origin.image.empty()) text += "# picture: " + in_one_line(origin.image) + "\n";
   text += "# lens: " + words_of(calibration.form) +
           (calibration.candidates.size() > 1
                ? ", by BIC from " + std::to_string(calibration.candidates.size()) + " lenses\n"
                : "\n");
-  text += "# rms " + short_number(calibration.rms_px, 4) +
-          " px (sqrt of the mean of dx^2 + dy^2), each star by a fit " + "without it " +
-          short_number(calibration.without_rms_px, 4) + " px\n";
+  text += "# rms " + short_number(calibration.rms_px, 4) + " px (sqrt of the mean of dx^2 + dy^2)" +
+          (stars ? ", each star by a fit without it " + short_number(calibration.without_rms_px, 4) + " px\n"
+                 : "\n");
+  if (calibration.maps) text += "# " + words_of(*calibration.maps) + "\n";
   text += "# the axis is known to " + short_number(calibration.line_of_sight_sigma_deg, 2) +
           " deg, the turn about it to " + short_number(calibration.twist_sigma_deg, 2) + " deg\n";
   for (const std::string& warning : calibration.warnings) text += "# " + in_one_line(warning) + "\n";

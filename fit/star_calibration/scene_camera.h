@@ -16,7 +16,7 @@ sim::Camera scene_camera_of(const Calibration& calibration);
 
 /// Where, when and from what the calibration was made; for the head of its files.
 struct CalibrationOrigin {
-  std::string stars;  ///< the table or picture the stars come from, without its folder
+  std::string stars;  ///< the table, picture or maps the stars come from, without their folders
   std::string image;
   bool site_known = false;
   sim::Site site;  ///< with time_utc, if it is known

@@ -148,9 +148,25 @@ TEST(ExtractProfile, OnlyUsablePixelsCount) {
   EXPECT_DOUBLE_EQ(profile.mean[1], 102.5);
   EXPECT_DOUBLE_EQ(profile.mean[3], 12.5);
   EXPECT_DOUBLE_EQ(profile.mean[4], 112.0);
-  EXPECT_TRUE(std::isnan(profile.standard_error[4]));
+  EXPECT_DOUBLE_EQ(profile.standard_error[4], profile.standard_error[1] * std::sqrt(6.0));
   EXPECT_TRUE(std::isnan(profile.mean[5]));
   EXPECT_FALSE(std::isnan(profile.standard_error[0]));
+}
+
+// What one pixel is worth, the rows around it tell; bins at the ends of sheared bands have no more, and
+// without an error they would rule a fit. Bound as above.
+TEST(ExtractProfile, OnePixelHasTheNoiseOfItsSurroundings) {
+  Photo photo = noisy_photo(80, 31);
+  for (int x = 0; x < 80; ++x)
+    for (int c = 0; c < 3; ++c) photo.usable[photo.linear.index(x, 15, c)] = x == 40;
+  const Profile profile = extract_profile(photo, {0, 0, 80, 31}, 1);
+  for (int c = 0; c < 3; ++c) {
+    ASSERT_EQ(profile.count[profile.index(0, 15, c)], 1);
+    EXPECT_NEAR(profile.standard_error[profile.index(0, 15, c)] / kSigma[c], 1.0, 0.125);
+  }
+  // Where no row has two pixels nothing is known.
+  const Profile narrow = extract_profile(photo, {40, 0, 1, 31}, 1);
+  EXPECT_TRUE(std::isnan(narrow.standard_error[narrow.index(0, 15, 0)]));
 }
 
 TEST(ExtractProfile, BandsAndRowsOfARegion) {
