@@ -28,6 +28,14 @@ bool begins_with(const std::string& text, const char* beginning) { return text.r
 
 void take_camera(sim::Scene& scene, const std::string& camera_file) {
   const sim::Scene given = sim::read_scene(camera_file);
+  if (given.lines.empty()) {
+    sim::ErrorDetails details;
+    details.file = camera_file;
+    details.problem = "there is no camera in it";
+    details.expected = "[camera] and [site]";
+    details.hint = "vegard calibrate and vegard horizon write such files";
+    throw sim::Error(sim::ErrorKind::scene, details);
+  }
   bool has_camera = false;
   for (const auto& [path, line] : given.lines) {
     has_camera = has_camera || begins_with(path, "camera.");

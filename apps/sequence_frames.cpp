@@ -48,6 +48,9 @@ std::vector<ListedPhoto> read_list(const std::string& list) {
            "FILE or FILE TIME_S");
     photos.push_back(photo);
   }
+  if (photos.empty())
+    fail(sim::ErrorKind::unreadable_input, "the list names no photograph", list, 0,
+         "lines of FILE or FILE TIME_S");
   return photos;
 }
 

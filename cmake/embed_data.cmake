@@ -1,5 +1,5 @@
 # Turns the tables of data/ into a source file, so that the libraries find them wherever they are installed.
-set(VEGARD_EMBEDDED_DATA ${PROJECT_BINARY_DIR}/generated/embedded_data.cpp)
+set(VEGARD_EMBEDDED_DATA ${CMAKE_CURRENT_BINARY_DIR}/generated/embedded_data.cpp)
 set(VEGARD_EMBEDDED_TABLES
     ${PROJECT_SOURCE_DIR}/data/atmosphere/us76.csv
     ${PROJECT_SOURCE_DIR}/data/atmosphere/ozone_233k.csv

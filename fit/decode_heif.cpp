@@ -1,3 +1,4 @@
+#include "fit/image_walk.h"
 #include "fit/picture_codes.h"
 #include "sim/base/heif.h"
 
@@ -5,6 +6,9 @@ namespace vegard::fit {
 
 PictureCodes decode_heif(std::string_view bytes, const std::string& file) {
   const sim::CodedPicture picture = sim::read_heif(bytes, file);
+  if (!heif_promises(bytes, picture.width, picture.height, file))
+    refuse_image(file, "the image decodes to something else than its header promises", "",
+                 "open it in an image viewer and save it anew");
   PictureCodes codes;
   codes.width = picture.width;
   codes.height = picture.height;

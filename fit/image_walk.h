@@ -21,6 +21,10 @@ ImageFile walk_camera_raw(std::string_view bytes, const std::string& file);
 /// By the brand that it begins with.
 bool is_heif(std::string_view bytes);
 
+/// Whether one of the pictures in a HEIC is of this size by its header, upright or turned; where something is
+/// cut out of what is stored, at least of it.
+bool heif_promises(std::string_view bytes, int width, int height, const std::string& file);
+
 /// By its first bytes, or of a TIFF by what its directories hold.
 bool is_camera_raw(std::string_view bytes);
 

@@ -73,6 +73,10 @@ ImageFile walk_camera_raw(std::string_view bytes, const std::string& file) {
     const auto width = static_cast<long long>(std::min(directory.value(tiff_tag::kWidth, 0), kMost));
     const auto height = static_cast<long long>(std::min(directory.value(tiff_tag::kHeight, 0), kMost));
     if (width > image.width || height > image.height) image.width = width, image.height = height;
+    constexpr std::uint64_t kMostSamples = 4;
+    const std::uint64_t samples = directory.value(tiff_tag::kSamples, 1);
+    if (samples < 1 || samples > kMostSamples)
+      throw_damaged(file, "a camera raw file of " + std::to_string(samples) + " samples per pixel");
     const bool has_picture = directory.values(tiff_tag::kStripOffsets, 1).has_value() ||
                              directory.values(tiff_tag::kTileOffsets, 1).has_value();
     if (has_picture) check_strips_are_inside(directory, bytes.size(), file);

@@ -63,10 +63,12 @@ void linearise(const PictureCodes& codes, Photo& photo) {
     const bool usable = std::isfinite(value) && (codes.floating || value < codes.white) &&
                         (codes.usable.empty() || codes.usable[from] != 0);
     photo.usable[i] = usable;
-    const auto code = static_cast<std::size_t>(std::clamp(value, 0.0f, 65535.0f));
-    if (!std::isfinite(value))
+    if (!std::isfinite(value)) {
       photo.linear.data[i] = 0.0f;
-    else if (static_cast<float>(code) == value && code < light_of_code.size())
+      continue;
+    }
+    const auto code = static_cast<std::size_t>(std::clamp(value, 0.0f, 65535.0f));
+    if (static_cast<float>(code) == value && code < light_of_code.size())
       photo.linear.data[i] = light_of_code[code];
     else
       photo.linear.data[i] = static_cast<float>(light_of(photo, value / codes.white));

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "sim/base/error.h"
+#include "sim/base/quiet_decoder.h"
 
 namespace vegard::fit {
 namespace {
@@ -42,6 +43,7 @@ void refuse_image(const std::string& file, const std::string& problem, const std
 
 PictureCodes picture_codes(std::string_view bytes, const std::string& file) {
   const ImageFile image = inspect_image_file(bytes, file);
+  const sim::QuietDecoder quiet;
   try {
     return decoded(bytes, image, file);
   } catch (const std::bad_alloc&) {

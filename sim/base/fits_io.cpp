@@ -12,6 +12,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/fits_card_order.h"
+#include "sim/base/fits_packing.h"
 #include "sim/base/pixel_limit.h"
 #include "sim/base/whole_file.h"
 
@@ -92,6 +93,7 @@ class Reader {
       fits_get_hdu_type(get(), &type, &status);
       check(status);
       if (wanted(type)) return true;
+      check_next();
       fits_movrel_hdu(get(), 1, &type, &status);
       if (status == END_OF_FILE) {
         fits_clear_errmsg();
@@ -145,6 +147,17 @@ class Reader {
   }
 
  private:
+  /// Looks at the next header before CFITSIO does.
+  void check_next() const {
+    int status = 0;
+    LONGLONG header = 0, data = 0, end = 0;
+    fits_get_hduaddrll(get(), &header, &data, &end, &status);
+    check(status);
+    const auto at = static_cast<std::size_t>(std::max<LONGLONG>(0, end));
+    if (at < buffer_size_)
+      check_fits_packing({static_cast<const char*>(buffer_) + at, buffer_size_ - at}, name_);
+  }
+
   static std::string unquoted(const std::string& text) {
     std::string plain;
     for (std::size_t i = 1; i < text.size(); ++i) {
@@ -216,18 +229,21 @@ void describe_numbers(const Reader& reader, FitsImage& file) {
 void read_values(const Reader& reader, const Shape& shape, bool top_down, FitsImage& file) {
   const int width = file.image.width, height = file.image.height, planes = file.image.channels();
   std::vector<double> row(width);
-  std::vector<char> null(width);
+  // NaN in the place of BLANK. Flags beside the numbers (fits_read_imgnull) end the process where packed
+  // tiles are more than a row high: CFITSIO 4.2 copies the flags of a tile that it has kept from no address
+  // at all.
+  double unknown = std::numeric_limits<double>::quiet_NaN();
   for (int p = 0; p < planes; ++p) {
     for (int stored = 0; stored < height; ++stored) {
       int status = 0, any = 0;
       const LONGLONG first = (static_cast<LONGLONG>(p) * shape.height + stored) * shape.width + 1;
-      fits_read_imgnull(reader.get(), TDOUBLE, first, width, row.data(), null.data(), &any, &status);
+      fits_read_img(reader.get(), TDOUBLE, first, width, &unknown, row.data(), &any, &status);
       reader.check(status);
       const int y = top_down ? stored : height - 1 - stored;
       for (int x = 0; x < width; ++x) {
         const float value = static_cast<float>(row[x]);
         const std::size_t i = file.image.index(x, y, p);
-        file.known[i] = null[x] == 0 && std::isfinite(value);
+        file.known[i] = std::isfinite(value);
         file.image.data[i] = file.known[i] ? value : 0.0f;
       }
     }
@@ -260,12 +276,12 @@ FitsImage read_fits_image(std::string_view bytes, const std::string& name) {
     return axes >= 2;
   });
   if (!found) refuse(ErrorKind::unreadable_input, name, "there is no image in this FITS file", "two axes");
-  const Shape shape = shape_of(reader, name);
-  describe_numbers(reader, file);
+  reader.add_keywords(file.keywords);
   int status = 0;
   const bool compressed = fits_is_compressed_image(reader.get(), &status) != 0;
+  const Shape shape = shape_of(reader, name);
+  describe_numbers(reader, file);
   if (!compressed) reader.check_data(shape.width * shape.height * shape.planes * (file.bits / 8));
-  reader.add_keywords(file.keywords);
   file.keywords.insert(of_first.begin(), of_first.end());
   try {
     file.image = Image(static_cast<int>(shape.width), static_cast<int>(shape.height),

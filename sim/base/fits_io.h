@@ -31,7 +31,8 @@ struct FitsImage {
   FitsKeywords keywords;  ///< of the image, and of the first header what the image's own does not say
 };
 
-/// Reads the first image of at least two axes, in the first header or an extension, tile-compressed or not.
+/// Reads the first image of at least two axes, in the first header or an extension, packed in tiles by Rice's
+/// algorithm (fits_packing.h) or not packed.
 /// Rows are taken to be stored from the bottom up, FITS's own convention, unless the keyword ROWORDER says
 /// TOP-DOWN. Throws Error(unreadable_input) for bytes that are truncated, damaged, no FITS, without an image,
 /// or with more pixels than sim/base/pixel_limit.h allows (2^30 numbers in all planes).

@@ -1,0 +1,18 @@
+// libpng, libjpeg, libtiff, OpenCV and LibRaw write to the terminal what they think of a damaged file. What
+// is to be known of it is in the Error that is thrown; beside it their words are noise, and no library of
+// ours prints.
+#pragma once
+
+namespace vegard::sim {
+
+/// While there is one of these, in whatever thread, what the process writes to its standard error is lost. To
+/// be held around the call of a decoder and no longer.
+class QuietDecoder {
+ public:
+  QuietDecoder();
+  ~QuietDecoder();
+  QuietDecoder(const QuietDecoder&) = delete;
+  QuietDecoder& operator=(const QuietDecoder&) = delete;
+};
+
+}  // namespace vegard::sim
