@@ -72,6 +72,17 @@ fit::Frame frame_of(const CalibrateOptions& options, const std::optional<fit::Ph
   return {static_cast<int>(std::ceil(right)), static_cast<int>(std::ceil(bottom)), false};
 }
 
+/// The stars of the table, in the pixels of the picture.
+std::vector<fit::StarSighting> table_of(const CalibrateOptions& options, const fit::SkyOfPicture& sky) {
+  std::vector<fit::StarSighting> stars = fit::read_star_table(options.stars, sky, options.first_pixel);
+  if (options.offset_px.empty()) return stars;
+  for (fit::StarSighting& star : stars) {
+    star.x_px += options.offset_px[0];
+    star.y_px += options.offset_px[1];
+  }
+  return stars;
+}
+
 /// Stars found in the picture and named by the catalogue.
 std::vector<fit::StarSighting> recognised(const CalibrateOptions& options, const fit::Photo& photo,
                                           const fit::Frame& frame, const fit::SkyOfPicture& sky,
@@ -147,6 +158,8 @@ void run(const CalibrateOptions& options) {
   check_outputs(options);
   if (options.stars.empty() && (options.image.empty() || options.camera.empty()))
     throw usage_error("STARS", "no stars", "a table of stars, or --image with --camera, --time and --site");
+  if (!options.offset_px.empty() && options.stars.empty())
+    throw usage_error("--offset", "no table of a crop", "STARS beside it");
   if (!options.overlay.empty() && options.image.empty())
     throw usage_error("--overlay", "no picture to draw on", "--image beside it");
 
@@ -154,7 +167,7 @@ void run(const CalibrateOptions& options) {
   if (!options.camera.empty()) camera_scene = sim::read_scene(options.camera);
   const fit::SkyOfPicture sky = sky_of(options, camera_scene);
   std::vector<fit::StarSighting> stars;
-  if (!options.stars.empty()) stars = fit::read_star_table(options.stars, sky, options.first_pixel);
+  if (!options.stars.empty()) stars = table_of(options, sky);
   std::optional<fit::Photo> photo;
   if (!options.image.empty()) photo = fit::read_photo(options.image, decoding_of(options.decoding, "auto"));
   const fit::Frame frame = frame_of(options, photo, stars);

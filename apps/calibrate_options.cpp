@@ -67,7 +67,7 @@ void add_calibrate_options(CLI::App& command, CalibrateOptions& options) {
   command.add_option(
       "STARS", options.stars,
       "A table of recognised stars: x_px, y_px and azimuth_deg with elevation_deg or zenith_deg; or ra_deg "
-      "and dec_deg; or star. Without it they are found in --image");
+      "and dec_deg; or star. Or the .corr file of solve-field. Without it they are found in --image");
   command
       .add_option("-o,--output", options.output, "The camera to write: a scene file with [camera] and [site]")
       ->required()
@@ -100,7 +100,16 @@ void add_calibrate_options(CLI::App& command, CalibrateOptions& options) {
       ->type_name("W,H");
   command.add_option(
       "--first-pixel", options.first_pixel,
-      "Where the table has the centre of the first pixel (default 0.5; others count from 0 or 1)");
+      "Where the table has the centre of the first pixel (default 0.5, and 1 of a .corr file; others count "
+      "from 0 or 1)");
+  command
+      .add_option(
+          "--offset", options.offset_px,
+          "Where the upper left corner of what the table is about lies in the picture, for a table of "
+          "a crop")
+      ->delimiter(',')
+      ->expected(2)
+      ->type_name("X,Y");
   command.add_flag("--no-refraction", options.vacuum,
                    "Stars by name or right ascension: no air above the observer");
   command

@@ -37,7 +37,44 @@ expect_stdout "left out: star 4 of line 6"
 # Only the turn, of a camera that is known.
 expect_exit 0 calibrate stars.csv -o turned.toml --size 64,48 --camera camera.toml --free rotation
 expect_stdout "over 12 of 12 stars"
+# The same stars, in the pixels of a crop that begins at (20, 10).
+awk -F, -v OFS=, 'NR > 1 { $4 = sprintf("%.6f", $4 - 20); $5 = sprintf("%.6f", $5 - 10) } { print }' stars.csv >crop.csv
+expect_exit 0 calibrate crop.csv -o crop.toml --size 64,48 --offset 20,10 --lens equidistant
+awk '/^focal_px/ && ($3 < 14.999 || $3 > 15.001) { exit 1 }
+  /^principal_x_px/ && ($3 < 0.999 || $3 > 1.001) { exit 1 }
+  /^principal_y_px/ && ($3 > -0.999 || $3 < -1.001) { exit 1 }' crop.toml || fail "another camera by a crop"
+# solve-field's table of stars: FITS, with a row of four whole numbers; recognised by its content.
+cards() { printf '%-80s' "$@" END; }
+block() { head -c "$((($1 + 2879) / 2880 * 2880 - $1))" /dev/zero; }
+corr_with() {
+  cards "SIMPLE  =                    T" "BITPIX  =                    8" "NAXIS   =                    0" |
+    dd bs=2880 conv=sync,block cbs=2880 status=none
+  cards "XTENSION= 'BINTABLE'" "BITPIX  =                    8" "NAXIS   =                    2" \
+    "NAXIS1  =                   16" "NAXIS2  =                    $1" "PCOUNT  =                    0" \
+    "GCOUNT  =                    1" "TFIELDS =                    4" "TTYPE1  = '$2'" "TFORM1  = '1J'" \
+    "TTYPE2  = 'field_y'" "TFORM2  = '1J'" "TTYPE3  = 'index_ra'" "TFORM3  = '1J'" \
+    "TTYPE4  = 'index_dec'" "TFORM4  = '1J'" | dd bs=2880 conv=sync,block cbs=2880 status=none
+  [[ $1 -eq 0 ]] || { printf '\0\0\0\x0b\0\0\0\x15\0\0\x01\x17\0\0\0\x26'; block 16; }
+}
+corr_with 1 field_x >crop.corr
+expect_exit 2 calibrate crop.corr -o no.toml --site 65,20
+expect_stderr "crop.corr: --time"
+expect_one_message
+expect_exit 2 calibrate crop.corr -o no.toml --time 2020-01-01T20:00:00Z
+expect_stderr "crop.corr: --site"
+expect_exit 3 calibrate crop.corr -o no.toml --site 65,20 --time 2020-01-01T20:00:00Z
+expect_stderr "crop.corr: 1 star"
+corr_with 0 field_x >none.corr
+expect_exit 3 calibrate none.corr -o no.toml --site 65,20 --time 2020-01-01T20:00:00Z
+expect_stderr "none.corr: this FITS table has no rows"
+expect_one_message
+corr_with 1 x >other.corr
+expect_exit 3 calibrate other.corr -o no.toml --site 65,20 --time 2020-01-01T20:00:00Z
+expect_stderr "other.corr: this FITS table has no column field_x"
+expect_one_message
 # What is refused.
+expect_exit 2 calibrate -o no.toml --offset 1,2 --image stars.csv --camera camera.toml
+expect_stderr "--offset"
 head -4 stars.csv >few.csv
 expect_exit 3 calibrate few.csv -o no.toml
 expect_stderr "few.csv: 3 stars for a camera of 6 numbers"
