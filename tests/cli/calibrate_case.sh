@@ -30,6 +30,26 @@ expect_different seen.exr plain.exr
 echo 'seed = 3' | cat - camera.toml >seeded.toml
 expect_exit 2 render "$SCENES/small.toml" --camera seeded.toml -o no.exr
 expect_stderr "seeded.toml:1: seed"
+# And it is no output.
+cp camera.toml kept.toml
+expect_exit 2 render "$SCENES/small.toml" --camera camera.toml -o seen.exr --lines ./camera.toml --overwrite
+expect_stderr "the camera's file"
+expect_one_message
+mkdir run
+cp camera.toml run/camera.toml
+for out in run run/ ./run run/camera.toml; do
+  expect_exit 2 fit "$SCENES/fit.toml" --camera run/camera.toml --photo plain.exr --out "$out" --overwrite
+  expect_stderr "--out: the camera's file"
+  expect_one_message
+done
+cp camera.toml camera.exr
+cp camera.toml camera.csv
+expect_exit 2 directions "$SCENES/small.toml" --camera camera.exr -o camera.exr --overwrite
+expect_stderr "an input"
+expect_exit 2 points "$SCENES/small.toml" --camera camera.csv -o camera.csv --overwrite
+expect_stderr "the camera's file"
+for file in camera.toml camera.exr camera.csv; do expect_same "$file" kept.toml; done
+expect_same camera.toml run/camera.toml
 # A star that is none.
 stars_to 4 >mistaken.csv
 expect_exit 0 calibrate mistaken.csv -o mistaken.toml --size 64,48
