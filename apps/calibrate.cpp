@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/calibrate_metadata.h"
 #include "apps/calibrate_options.h"
 #include "apps/decoding.h"
 #include "apps/output_files.h"
@@ -23,6 +24,7 @@
 #include "fit/star_calibration/scene_camera.h"
 #include "fit/star_calibration/star_finder.h"
 #include "sim/base/error.h"
+#include "sim/base/picture_metadata.h"
 #include "sim/base/whole_file.h"
 #include "sim/scene/parameter_table.h"
 #include "sim/scene/scene_toml.h"
@@ -163,13 +165,24 @@ void run(const CalibrateOptions& options) {
   if (!options.overlay.empty() && options.image.empty())
     throw usage_error("--overlay", "no picture to draw on", "--image beside it");
 
-  std::optional<sim::Scene> camera_scene;
-  if (!options.camera.empty()) camera_scene = sim::read_scene(options.camera);
-  const fit::SkyOfPicture sky = sky_of(options, camera_scene);
+  std::optional<sim::Scene> camera_file;
+  if (!options.camera.empty()) camera_file = sim::read_scene(options.camera);
+  sim::PictureMetadata metadata;
+  std::optional<fit::Photo> photo;
+  if (!options.image.empty()) {
+    photo = fit::read_photo(options.image, decoding_of(options.decoding, "auto"));
+    metadata = sim::read_picture_metadata(options.image);
+    metadata.width_px = photo->linear.width;
+    metadata.height_px = photo->linear.height;
+  }
+  const PictureSays says = with_metadata(options, camera_file, metadata);
+  const std::optional<sim::Scene>& camera_scene = says.camera;
+  const fit::SkyOfPicture& sky = says.sky;
+  for (const fit::PhotoFact& fact : says.taken)
+    std::printf("from the photograph: %s\n", fit::fact_text(fact).c_str());
+  for (const std::string& note : says.notes) std::printf("note: %s\n", note.c_str());
   std::vector<fit::StarSighting> stars;
   if (!options.stars.empty()) stars = table_of(options, sky);
-  std::optional<fit::Photo> photo;
-  if (!options.image.empty()) photo = fit::read_photo(options.image, decoding_of(options.decoding, "auto"));
   const fit::Frame frame = frame_of(options, photo, stars);
   std::optional<fit::SkyCamera> start;
   if (camera_scene) start = fit::sky_camera_of(camera_scene->camera, frame);
@@ -191,6 +204,7 @@ void run(const CalibrateOptions& options) {
   fit::CalibrationOrigin origin;
   origin.stars = plain_name(from);
   if (!options.stars.empty() && photo) origin.image = photo->file_name;
+  for (const fit::PhotoFact& fact : says.taken) origin.from_photograph.push_back(fit::fact_text(fact));
   origin.site_known = sky.observer.has_value();
   if (sky.observer) {
     origin.site.latitude_deg = sky.observer->latitude_deg;

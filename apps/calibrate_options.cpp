@@ -72,8 +72,10 @@ void add_calibrate_options(CLI::App& command, CalibrateOptions& options) {
       .add_option("-o,--output", options.output, "The camera to write: a scene file with [camera] and [site]")
       ->required()
       ->type_name("CAMERA.toml");
-  command.add_option("--image", options.image,
-                     "The picture the stars are in: its size, and what to draw them on");
+  command.add_option(
+      "--image", options.image,
+      "The picture the stars are in: its size, what to draw them on; and where it says so, and nothing "
+      "else does, its time, site and focal length");
   command.add_option("--time", options.time, "When the picture was taken, ISO 8601 in UTC")
       ->type_name("TIME");
   command.add_option("--site", options.site, "Where: degrees north and east, metres above the sea")
@@ -149,6 +151,8 @@ void add_calibrate_options(CLI::App& command, CalibrateOptions& options) {
       ->check(CLI::Range(1.0, 1e6));
   command.add_option("--mask", options.mask, "An image of the picture's size: white = look for stars there");
   add_decoding_option(command, options.decoding);
+  command.add_flag("--no-metadata", options.no_metadata,
+                   "Do not take time, site and focal length from the picture's own words");
   command.add_option("--residuals", options.residuals, "Write the stars' residuals")->type_name("OUT.csv");
   command.add_option("--json", options.json, "Write all of it: lenses, numbers, correlations, stars")
       ->type_name("OUT.json");

@@ -92,6 +92,19 @@ corr_with 1 x >other.corr
 expect_exit 3 calibrate other.corr -o no.toml --site 65,20 --time 2020-01-01T20:00:00Z
 expect_stderr "other.corr: this FITS table has no column field_x"
 expect_one_message
+# A picture that says when and where it was taken, by FITS or EXIF.
+{ cards "SIMPLE  =                    T" "BITPIX  =                    8" "NAXIS   =                    2" \
+    "NAXIS1  =                   64" "NAXIS2  =                   48" "DATE-OBS= '2020-01-01T20:00:00'" |
+    dd bs=2880 conv=sync,block cbs=2880 status=none; head -c 5760 /dev/zero; } >sky.fits
+expect_exit 0 calibrate stars.csv -o told.toml --image sky.fits --site 65,20,100
+expect_stdout 'from the photograph: site.time_utc = "2020-01-01T20:00:00Z" (FITS DATE-OBS)'
+grep -q '^# from the photograph: site.time_utc' told.toml || fail "not told in told.toml"
+cmp -s <(grep '^[a-z]' camera.toml) <(grep '^[a-z]' told.toml) || fail "another camera by the picture's time"
+expect_exit 2 calibrate crop.corr -o no.toml --image sky.fits --site 65,20 --no-metadata
+expect_stderr "crop.corr: --time"
+expect_exit 0 calibrate stars.csv -o given.toml --image sky.fits --site 65,20,100 --time 2021-01-01T20:00:00Z
+grep -q '^time_utc = "2021-01-01T20:00:00Z"' given.toml || fail "--time does not win"
+! grep -q 'from the photograph' "$stdout" || fail "something was taken all the same"
 # What is refused.
 expect_exit 2 calibrate -o no.toml --offset 1,2 --image stars.csv --camera camera.toml
 expect_stderr "--offset"
