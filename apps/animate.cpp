@@ -165,6 +165,7 @@ int run(const Options& options) {
   names.check_room_for(frames.back());
   check_picture_options(names.file(0), options.picture);
   spare_input(options, names, options.scene.file, "the scene");
+  spare_input(options, names, options.scene.camera_file, "the camera's file");
   for (const std::string& file : composite_files(scene))
     spare_input(options, names, file, "a picture of the scene");
   if (movie) check_movie(options, scene);
@@ -172,6 +173,8 @@ int run(const Options& options) {
   if (options.camera_json) {
     camera = movie ? camera_json_name(options.output) : names.companion("camera.json");
     if (same_file(camera, options.scene.file)) refuse_same_file("--camera-json", camera, "the scene");
+    if (same_file(camera, options.scene.camera_file))
+      refuse_same_file("--camera-json", camera, "the camera's file");
     camera_json(scene);
   }
   const sim::CompositePictures pictures = read_composite_pictures(scene);

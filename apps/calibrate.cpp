@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/calibrate_metadata.h"
 #include "apps/calibrate_options.h"
 #include "apps/decoding.h"
 #include "apps/output_files.h"
@@ -24,6 +25,7 @@
 #include "fit/star_calibration/scene_camera.h"
 #include "fit/star_calibration/star_finder.h"
 #include "sim/base/error.h"
+#include "sim/base/picture_metadata.h"
 #include "sim/base/whole_file.h"
 #include "sim/scene/parameter_table.h"
 #include "sim/scene/scene_toml.h"
@@ -90,6 +92,17 @@ fit::Frame frame_of(const CalibrateOptions& options, const std::optional<fit::Ph
       (options.size_px[0] != frame.width_px || options.size_px[1] != frame.height_px))
     throw usage_error("--size", "the maps have another size", "no --size beside maps");
   return frame;
+}
+
+/// The stars of the table, in the pixels of the picture.
+std::vector<fit::StarSighting> table_of(const CalibrateOptions& options, const fit::SkyOfPicture& sky) {
+  std::vector<fit::StarSighting> stars = fit::read_star_table(options.stars, sky, options.first_pixel);
+  if (options.offset_px.empty()) return stars;
+  for (fit::StarSighting& star : stars) {
+    star.x_px += options.offset_px[0];
+    star.y_px += options.offset_px[1];
+  }
+  return stars;
 }
 
 /// Stars found in the picture and named by the catalogue.
@@ -179,18 +192,31 @@ void run(const CalibrateOptions& options) {
   if (!by_maps && options.stars.empty() && (options.image.empty() || options.camera.empty()))
     throw usage_error("STARS", "no stars",
                       "a table of stars, or --image with --camera, --time and --site; or --azimuth-map");
+  if (!options.offset_px.empty() && options.stars.empty())
+    throw usage_error("--offset", "no table of a crop", "STARS beside it");
   if (!options.overlay.empty() && options.image.empty())
     throw usage_error("--overlay", "no picture to draw on", "--image beside it");
 
-  std::optional<sim::Scene> camera_scene;
-  if (!options.camera.empty()) camera_scene = sim::read_scene(options.camera);
-  const fit::SkyOfPicture sky = sky_of(options, camera_scene);
-  std::vector<fit::StarSighting> stars;
-  if (!options.stars.empty()) stars = fit::read_star_table(options.stars, sky, options.first_pixel);
+  std::optional<sim::Scene> camera_file;
+  if (!options.camera.empty()) camera_file = sim::read_scene(options.camera);
+  sim::PictureMetadata metadata;
   std::optional<fit::Photo> photo;
-  if (!options.image.empty()) photo = fit::read_photo(options.image, decoding_of(options.decoding, "auto"));
   std::optional<KnownDirections> maps;
   if (by_maps) maps = maps_of(options.maps);
+  if (!options.image.empty()) {
+    photo = fit::read_photo(options.image, decoding_of(options.decoding, "auto"));
+    metadata = sim::read_picture_metadata(options.image);
+    metadata.width_px = photo->linear.width;
+    metadata.height_px = photo->linear.height;
+  }
+  const PictureSays says = with_metadata(options, camera_file, metadata);
+  const std::optional<sim::Scene>& camera_scene = says.camera;
+  const fit::SkyOfPicture& sky = says.sky;
+  for (const fit::PhotoFact& fact : says.taken)
+    std::printf("from the photograph: %s\n", fit::fact_text(fact).c_str());
+  for (const std::string& note : says.notes) std::printf("note: %s\n", note.c_str());
+  std::vector<fit::StarSighting> stars;
+  if (!options.stars.empty()) stars = table_of(options, sky);
   const fit::Frame frame = maps ? frame_of(options, photo, *maps) : frame_of(options, photo, stars);
   std::optional<fit::SkyCamera> start;
   if (camera_scene) start = fit::sky_camera_of(camera_scene->camera, frame);
@@ -215,6 +241,7 @@ void run(const CalibrateOptions& options) {
   fit::CalibrationOrigin origin;
   origin.stars = maps ? names_of(options.maps) : plain_name(from);
   if ((maps || !options.stars.empty()) && photo) origin.image = photo->file_name;
+  for (const fit::PhotoFact& fact : says.taken) origin.from_photograph.push_back(fit::fact_text(fact));
   origin.site_known = sky.observer.has_value();
   if (sky.observer) {
     origin.site.latitude_deg = sky.observer->latitude_deg;

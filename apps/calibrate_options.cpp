@@ -67,13 +67,16 @@ void add_calibrate_options(CLI::App& command, CalibrateOptions& options) {
   command.add_option(
       "STARS", options.stars,
       "A table of recognised stars: x_px, y_px and azimuth_deg with elevation_deg or zenith_deg; or ra_deg "
-      "and dec_deg; or star. Without it they are found in --image, or --azimuth-map takes their place");
+      "and dec_deg; or star. Or the .corr file of solve-field. Without it they are found in --image, or "
+      "--azimuth-map takes their place");
   command
       .add_option("-o,--output", options.output, "The camera to write: a scene file with [camera] and [site]")
       ->required()
       ->type_name("CAMERA.toml");
-  command.add_option("--image", options.image,
-                     "The picture the stars are in: its size, and what to draw them on");
+  command.add_option(
+      "--image", options.image,
+      "The picture the stars are in: its size, what to draw them on; and where it says so, and nothing "
+      "else does, its time, site and focal length");
   command.add_option("--time", options.time, "When the picture was taken, ISO 8601 in UTC")
       ->type_name("TIME");
   command.add_option("--site", options.site, "Where: degrees north and east, metres above the sea")
@@ -100,7 +103,16 @@ void add_calibrate_options(CLI::App& command, CalibrateOptions& options) {
       ->type_name("W,H");
   command.add_option(
       "--first-pixel", options.first_pixel,
-      "Where the table has the centre of the first pixel (default 0.5; others count from 0 or 1)");
+      "Where the table has the centre of the first pixel (default 0.5, and 1 of a .corr file; others count "
+      "from 0 or 1)");
+  command
+      .add_option(
+          "--offset", options.offset_px,
+          "Where the upper left corner of what the table is about lies in the picture, for a table of "
+          "a crop")
+      ->delimiter(',')
+      ->expected(2)
+      ->type_name("X,Y");
   command.add_flag("--no-refraction", options.vacuum,
                    "Stars by name or right ascension: no air above the observer");
   command
@@ -141,6 +153,8 @@ void add_calibrate_options(CLI::App& command, CalibrateOptions& options) {
   command.add_option("--mask", options.mask, "An image of the picture's size: white = look for stars there");
   add_decoding_option(command, options.decoding);
   add_map_options(command, options.maps);
+  command.add_flag("--no-metadata", options.no_metadata,
+                   "Do not take time, site and focal length from the picture's own words");
   command.add_option("--residuals", options.residuals, "Write the stars' residuals")->type_name("OUT.csv");
   command.add_option("--json", options.json, "Write all of it: lenses, numbers, correlations, stars")
       ->type_name("OUT.json");

@@ -21,11 +21,12 @@ struct CalibrateOptions {
   std::string lens, terms;
   MapOptions maps;
   std::vector<std::string> free;
-  std::vector<double> site, centre_px;
+  std::vector<double> site, centre_px, offset_px;
   std::vector<int> size_px;
-  double first_pixel = 0.5, faintest = 4.0, least_elevation_deg = 5.0, twist_deg = 5.0, shift_px = 12.0,
-         scale_percent = 0.0, radius_px = 12.0, least_signal = 4.0;
-  bool vacuum = false, centre_held = false, overwrite = false;
+  std::optional<double> first_pixel;
+  double faintest = 4.0, least_elevation_deg = 5.0, twist_deg = 5.0, shift_px = 12.0, scale_percent = 0.0,
+         radius_px = 12.0, least_signal = 4.0;
+  bool vacuum = false, centre_held = false, overwrite = false, no_metadata = false;
 };
 
 /// `options` must outlive the parsing.

@@ -40,7 +40,8 @@ void run(const Options& options) {
   const sim::Scene scene = scene_of(options.scene);
   const std::vector<std::string> names = output_names(options.output);
   for (const std::string& name : names)
-    if (same_file(name, options.scene.file)) refuse_same_file("--output", name, "an input");
+    for (const std::string& input : {options.scene.file, options.scene.camera_file})
+      if (same_file(name, input)) refuse_same_file("--output", name, "an input");
   std::vector<std::unique_ptr<sim::WholeFile>> files;
   for (const std::string& name : names)
     files.push_back(std::make_unique<sim::WholeFile>(name, options.overwrite));

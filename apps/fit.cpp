@@ -21,6 +21,7 @@
 #include "apps/exit_code.h"
 #include "apps/filter_options.h"
 #include "apps/interrupt.h"
+#include "apps/output_files.h"
 #include "apps/photo_metadata.h"
 #include "apps/photographs.h"
 #include "apps/progress_bar.h"
@@ -228,6 +229,10 @@ int run(const Options& options, const std::string& command) {
   const bool replaces = options.overwrite || (options.resume && is_interrupted_run(options.out));
   if (!options.check_derivatives) {
     if (options.out.empty()) throw usage_error("--out", "is missing", "the run's directory to write");
+    // A run that is replaced goes with all that lies in it.
+    if (is_inside(options.scene.camera_file, options.out))
+      throw usage_error("--out", "the camera's file '" + options.scene.camera_file + "' lies in it",
+                        "another directory, or the camera elsewhere");
     fit::check_run_directory(options.out, replaces);
   }
   std::vector<fit::PhotoFact> from_photograph;

@@ -55,7 +55,7 @@ int run(const Options& options) {
   if (sim::image_format(options.output) != sim::ImageFormat::exr)
     throw usage_error("--output", "'" + options.output + "' cannot hold linear light and its variance",
                       "a name that ends in .exr");
-  for (const std::string& input : {options.photo, options.scene.file})
+  for (const std::string& input : {options.photo, options.scene.file, options.scene.camera_file})
     if (same_file(options.output, input)) refuse_same_file("--output", options.output, "an input");
   sim::WholeFile file(options.output, options.overwrite);
   const fit::Photo photo = fit::read_photo(options.photo, fit::Decoding::sensor, &scene);

@@ -1,5 +1,6 @@
 #include "apps/output_files.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -7,15 +8,29 @@
 
 namespace vegard::apps {
 
+namespace {
+
+std::filesystem::path whole_name(const std::string& name) {
+  std::error_code ignored;
+  // weakly_canonical() leaves a name relative whose first part does not exist.
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(name, ignored), ignored);
+}
+
+}  // namespace
+
 bool same_file(const std::string& a, const std::string& b) {
   if (a.empty() || b.empty()) return false;
   std::error_code ignored;
   if (std::filesystem::equivalent(a, b, ignored)) return true;
-  // weakly_canonical() leaves a name relative whose first part does not exist.
-  const auto whole = [&](const std::string& name) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(name, ignored), ignored);
-  };
-  return whole(a) == whole(b);
+  return whole_name(a) == whole_name(b);
+}
+
+bool is_inside(const std::string& file, const std::string& folder) {
+  if (file.empty() || folder.empty()) return false;
+  const std::filesystem::path inner = whole_name(file);
+  std::filesystem::path outer = whole_name(folder);
+  if (outer.filename().empty()) outer = outer.parent_path();  // of "run/"
+  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
 }
 
 void refuse_same_file(const std::string& key, const std::string& file, const std::string& other) {

@@ -8,10 +8,12 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "apps/sequence_frames.h"
 #include "apps/usage_error.h"
 #include "sim/base/error.h"
+#include "sim/base/picture_metadata.h"
 #include "sim/base/utc_seconds.h"
 
 namespace vegard::apps {
@@ -89,24 +91,72 @@ fit::PictureTimes from_table(const std::vector<std::string>& files, const std::s
   return times;
 }
 
-fit::PictureTimes from_names(const std::vector<std::string>& files) {
-  fit::PictureTimes times;
+/// Seconds of every text; nothing unless each tells a time, and no two the same (a clock that counts whole
+/// seconds cannot tell a burst's pictures apart).
+std::optional<std::vector<double>> distinct_seconds(const std::vector<std::optional<std::string>>& texts) {
+  std::vector<double> all;
+  for (const auto& text : texts) {
+    const std::optional<double> seconds = text ? sim::utc_seconds(*text) : std::nullopt;
+    if (!seconds) return std::nullopt;
+    all.push_back(*seconds);
+  }
+  if (std::set<double>(all.begin(), all.end()).size() != all.size()) return std::nullopt;
+  return all;
+}
+
+/// What the files say themselves, in UTC.
+std::optional<fit::PictureTimes> from_metadata(const std::vector<sim::PictureMetadata>& metadata) {
+  std::vector<std::optional<std::string>> texts;
+  std::set<std::string> sources;
+  for (const sim::PictureMetadata& one : metadata) {
+    texts.push_back(sim::taken_utc(one));
+    sources.insert(one.fits_time_key ? "FITS " + *one.fits_time_key : "EXIF");
+  }
+  const auto seconds = distinct_seconds(texts);
+  if (!seconds) return std::nullopt;
+  std::string source = "the files' own";
+  for (const std::string& one : sources) source += (one == *sources.begin() ? " (" : "; ") + one;
+  return fit::PictureTimes{Kind::utc, *seconds, source + ")"};
+}
+
+std::optional<fit::PictureTimes> from_names(const std::vector<std::string>& files) {
+  std::vector<double> told;
   std::string without;
   for (const std::string& file : files) {
     const std::optional<double> seconds = sim::utc_seconds_in_name(name_of(file));
     if (seconds)
-      times.seconds.push_back(*seconds);
+      told.push_back(*seconds);
     else if (without.empty())
       without = name_of(file);
   }
-  if (times.seconds.size() == files.size()) {
-    times.kind = Kind::utc;
-    times.source = "the files' names, taken for UTC";
-    return times;
-  }
-  if (!times.seconds.empty())
+  if (told.empty()) return std::nullopt;
+  if (told.size() < files.size())
     throw usage_error("--times", "the name of " + without + " tells no time, others do",
                       "a table that says when each was taken");
+  return fit::PictureTimes{Kind::utc, told, "the files' names, taken for UTC"};
+}
+
+/// By the cameras' clocks, of no known zone.
+std::optional<fit::PictureTimes> from_clocks(const std::vector<sim::PictureMetadata>& metadata) {
+  std::vector<std::optional<std::string>> texts;
+  for (const sim::PictureMetadata& one : metadata) texts.push_back(one.taken_local);
+  auto seconds = distinct_seconds(texts);
+  if (!seconds) return std::nullopt;
+  const double first = *std::min_element(seconds->begin(), seconds->end());
+  for (double& one : *seconds) one -= first;
+  return fit::PictureTimes{Kind::clock, *seconds,
+                           "the camera's clock (EXIF, in a zone that it does not name), from " +
+                               sim::utc_text(first).substr(0, 19) + " on"};
+}
+
+/// Without a table or a list.
+fit::PictureTimes from_files(const std::vector<std::string>& files) {
+  std::vector<sim::PictureMetadata> metadata;
+  for (const std::string& file : files) metadata.push_back(sim::read_picture_metadata(file));
+  if (const auto times = from_metadata(metadata)) return *times;
+  if (const auto times = from_names(files)) return *times;
+  if (const auto times = from_clocks(metadata)) return *times;
+  fit::PictureTimes times;
   times.source = "not known; pictures in the order given";
   times.seconds.resize(files.size());
   std::iota(times.seconds.begin(), times.seconds.end(), 0.0);
@@ -132,7 +182,7 @@ TimedPictures timed_pictures(const std::vector<std::string>& words, const std::s
   } else if (!told.empty()) {
     throw usage_error("IMAGE", "the list tells the time of some pictures and not of others", "all, or none");
   } else {
-    pictures.times = from_names(pictures.files);
+    pictures.times = from_files(pictures.files);
   }
   std::vector<std::size_t> order(pictures.files.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

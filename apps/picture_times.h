@@ -13,11 +13,18 @@ struct TimedPictures {
   fit::PictureTimes times;         ///< one for each of them
 };
 
-/// From images, or from one list (.txt) as sequence_photos() takes it. Times: of the table `times_file` if
-/// one is named, with a line "FILE,TIME" for each picture (TIME in ISO 8601, UTC, or for all of them in
-/// seconds; a first line "file,time" and lines that begin with # are passed over; FILE without its folder);
-/// else those of the list; else those in the files' names (sim/base/utc_seconds.h), if all have one; else
-/// numbers in the order given. Throws Error(usage, unreadable_input).
+/// From images, or from one list (.txt) as sequence_photos() takes it. Times, of the first that there is:
+///   1. the table `times_file`, with a line "FILE,TIME" for each picture (TIME in ISO 8601, UTC, or for all
+///      of them in seconds; a first line "file,time" and lines that begin with # are passed over; FILE
+///      without its folder);
+///   2. the list;
+///   3. the files' own words (sim/base/picture_metadata.h), if all of them tell a time in UTC and no two the
+///      same;
+///   4. the files' names (sim/base/utc_seconds.h), if all have one;
+///   5. the clock of the camera, whose zone is not known, if all tell it and no two the same: seconds since
+///      the first of them;
+///   6. numbers in the order given.
+/// Throws Error(usage, unreadable_input).
 TimedPictures timed_pictures(const std::vector<std::string>& words, const std::string& times_file);
 
 }  // namespace vegard::apps

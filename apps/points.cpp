@@ -45,6 +45,8 @@ int run(const Options& options) {
   const sim::Scene scene = scene_of(options.scene);
   if (same_file(options.output, options.scene.file))
     refuse_same_file("--output", options.output, "the scene");
+  if (same_file(options.output, options.scene.camera_file))
+    refuse_same_file("--output", options.output, "the camera's file");
   {
     PointFile(options.output, scene, options.unit, 1, options.overwrite);
   }  // refused now, not after the work

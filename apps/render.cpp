@@ -56,6 +56,7 @@ void spare_inputs(const Options& options, const sim::Scene& scene) {
     if (same_file(camera_file(options), input)) refuse_same_file("--camera-json", camera_file(options), what);
   };
   spare(options.scene.file, "the scene");
+  spare(options.scene.camera_file, "the camera's file");
   for (const std::string& file : composite_files(scene)) spare(file, "a picture of the scene");
 }
 

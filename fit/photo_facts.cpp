@@ -21,8 +21,9 @@ std::string six_digits(double value) { return fmt::format("{:.6g}", value); }
 
 void add_time(const sim::PictureMetadata& metadata, PhotoFacts& all) {
   if (const auto utc = sim::taken_utc(metadata)) {
-    all.facts.push_back(
-        {"site.time_utc", "\"" + *utc + "\"", "EXIF DateTimeOriginal and OffsetTimeOriginal"});
+    all.facts.push_back({"site.time_utc", "\"" + *utc + "\"",
+                         metadata.fits_time_key ? "FITS " + *metadata.fits_time_key
+                                                : "EXIF DateTimeOriginal and OffsetTimeOriginal"});
   } else if (metadata.gps_time_utc) {
     all.facts.push_back({"site.time_utc", "\"" + *metadata.gps_time_utc + "\"",
                          "EXIF GPSDateStamp and GPSTimeStamp, of the last position"});

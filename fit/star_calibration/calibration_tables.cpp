@@ -59,6 +59,7 @@ std::string calibration_json(const Calibration& calibration, const CalibrationOr
   json[stars ? "stars_from" : "maps_from"] = origin.stars;
   if (!origin.image.empty()) json["picture"] = origin.image;
   if (!origin.site.time_utc.empty()) json["time_utc"] = origin.site.time_utc;
+  if (!origin.from_photograph.empty()) json["from_photograph"] = origin.from_photograph;
   json["lens"] = words_of(calibration.form);
   json["mirrored"] = calibration.camera.mirrored;
   json["picture_size_px"] = {calibration.frame.width_px, calibration.frame.height_px};

@@ -97,6 +97,8 @@ std::string camera_toml(const Calibration& calibration, const CalibrationOrigin&
           std::to_string(calibration.used()) + " of " + std::to_string(calibration.stars.size()) +
           (stars ? " used\n" : " points used\n");
   if (!origin.image.empty()) text += "# picture: " + in_one_line(origin.image) + "\n";
+  for (const std::string& words : origin.from_photograph)
+    text += "# from the photograph: " + in_one_line(words) + "\n";
   text += "# lens: " + words_of(calibration.form) +
           (calibration.candidates.size() > 1
                ? ", by BIC from " + std::to_string(calibration.candidates.size()) + " lenses\n"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "fit/star_calibration/calibration.h"
 #include "sim/scene/scene.h"
@@ -20,6 +21,8 @@ struct CalibrationOrigin {
   std::string image;
   bool site_known = false;
   sim::Site site;  ///< with time_utc, if it is known
+  /// What was taken from the picture's own words (fit/photo_facts.h, fact_text()).
+  std::vector<std::string> from_photograph;
 };
 
 /// A scene file with [camera] and, where it is known, [site]; lens, rms, error bars and version in comments.

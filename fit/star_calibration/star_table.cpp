@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 
+#include "fit/star_calibration/solved_field.h"
 #include "sim/base/earth.h"
 #include "sim/base/error.h"
 #include "sim/scene/nearest_name.h"
@@ -75,20 +76,10 @@ class Reader {
         fail("two columns are called '" + cells_[i] + "'", "one of each");
     if (!has("x_px") || !has("y_px")) fail("no columns x_px and y_px", "where each star was seen");
     if (has("azimuth_deg") && (has("elevation_deg") || has("zenith_deg"))) return;
-    if ((has("ra_deg") || has("ra_hours")) && has("dec_deg")) return need_sky();
-    if (has("star")) return need_sky();
+    if ((has("ra_deg") || has("ra_hours")) && has("dec_deg")) return require_sky(sky_, name_);
+    if (has("star")) return require_sky(sky_, name_);
     fail("no columns that say where the stars stand",
          "azimuth_deg and elevation_deg or zenith_deg; ra_deg or ra_hours, and dec_deg; or star");
-  }
-
-  void need_sky() const {
-    if (sky_.julian_date && sky_.observer) return;
-    sim::ErrorDetails details;
-    details.file = name_;
-    details.key = sky_.julian_date ? "--site" : "--time";
-    details.problem = "stars by name or by right ascension stand somewhere at a time, at a site";
-    details.expected = "--time and --site";
-    throw sim::Error(sim::ErrorKind::usage, details);
   }
 
   const std::string& text(const char* column) const { return cells_[columns_.at(column)]; }
@@ -162,13 +153,23 @@ class Reader {
 
 }  // namespace
 
+void require_sky(const SkyOfPicture& sky, const std::string& file) {
+  if (sky.julian_date && sky.observer) return;
+  sim::ErrorDetails details;
+  details.file = file;
+  details.key = sky.julian_date ? "--site" : "--time";
+  details.problem = "stars by name or by right ascension stand somewhere at a time, at a site";
+  details.expected = "--time and --site";
+  throw sim::Error(sim::ErrorKind::usage, details);
+}
+
 std::vector<StarSighting> parse_star_table(const std::string& text, const std::string& name,
                                            const SkyOfPicture& sky, double first_pixel) {
   return Reader(name, sky, first_pixel).read(text);
 }
 
 std::vector<StarSighting> read_star_table(const std::string& file, const SkyOfPicture& sky,
-                                          double first_pixel) {
+                                          std::optional<double> first_pixel) {
   std::ifstream in(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   if (!in) {
@@ -177,7 +178,8 @@ std::vector<StarSighting> read_star_table(const std::string& file, const SkyOfPi
     details.problem = "cannot be read";
     throw sim::Error(sim::ErrorKind::unreadable_input, details);
   }
-  return parse_star_table(text, file, sky, first_pixel);
+  if (is_fits_table(text)) return solved_field(text, file, sky, first_pixel.value_or(1.0));
+  return parse_star_table(text, file, sky, first_pixel.value_or(0.5));
 }
 
 }  // namespace vegard::fit

@@ -12,6 +12,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/exif_block.h"
+#include "sim/base/fits_time.h"
 #include "sim/base/tiff_directory.h"
 #include "sim/base/utc_time.h"
 
@@ -135,6 +136,11 @@ void read_gps(const TiffDirectory& gps, PictureMetadata& metadata) {
 
 PictureMetadata picture_metadata_of(std::string_view bytes) {
   PictureMetadata metadata;
+  if (const auto time = fits_time(bytes)) {
+    metadata.fits_time_utc = time->utc;
+    metadata.fits_time_key = time->key;
+    return metadata;
+  }
   const ExifBlock block = find_exif_block(bytes);
   if (const auto directory = TiffDirectory::first(block.tiff)) {
     metadata.make = directory->text(kMake);
@@ -160,12 +166,13 @@ PictureMetadata read_picture_metadata(const std::string& path) {
   const auto size = std::filesystem::file_size(path, error);
   std::ifstream file(path, std::ios::binary);
   if (error || !file) refuse(path, "the file cannot be opened");
-  constexpr std::uintmax_t kHead = 32, kMost = std::uintmax_t{1} << 31;
+  constexpr std::uintmax_t kHead = 32, kMost = std::uintmax_t{1} << 31, kFitsHeader = 1 << 20;
   std::string head(std::min(size, kHead), '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
   if (!file) refuse(path, "the file cannot be read to its end");
-  if (!may_have_exif(head) || size > kMost) return {};
-  std::string bytes(size, '\0');
+  const bool fits = head.rfind("SIMPLE  =", 0) == 0;
+  if (!fits && (!may_have_exif(head) || size > kMost)) return {};
+  std::string bytes(fits ? std::min(size, kFitsHeader) : size, '\0');
   file.seekg(0);
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (!file) refuse(path, "the file cannot be read to its end");
@@ -173,6 +180,7 @@ PictureMetadata read_picture_metadata(const std::string& path) {
 }
 
 std::optional<std::string> taken_utc(const PictureMetadata& metadata) {
+  if (metadata.fits_time_utc) return metadata.fits_time_utc;
   if (!metadata.taken_local || !metadata.utc_offset) return std::nullopt;
   const auto time = civil_time(*metadata.taken_local);
   const auto offset = offset_minutes(*metadata.utc_offset);

@@ -1,4 +1,5 @@
-// What a picture's file says of how it was taken: EXIF 2.32 (CIPA DC-008), sections 4.6.4 to 4.6.6.
+// What a picture's file says of how it was taken: EXIF 2.32 (CIPA DC-008), sections 4.6.4 to 4.6.6; and of a
+// FITS image, when (sim/base/fits_time.h).
 //
 // Nothing is made up, and nothing that cannot be is passed on: a latitude of 95, an exposure below zero and a
 // focal length of 0 ("unknown" in the standard) are left out.
@@ -22,6 +23,9 @@ struct PictureMetadata {
   std::optional<std::string> utc_offset;    ///< of that clock, "-07:00" or "Z"
   std::optional<std::string> gps_time_utc;  ///< "2019-03-01T07:16:01Z", of the last position, not the picture
 
+  /// FITS: when, in UTC, and the keywords that say it.
+  std::optional<std::string> fits_time_utc, fits_time_key;
+
   std::optional<double> latitude_deg, longitude_deg;  ///< north and east positive
   std::optional<double> altitude_m;                   ///< above sea level
 
@@ -34,12 +38,12 @@ struct PictureMetadata {
 /// Of a file's bytes, whole or cut short; empty where nothing is known. Never throws.
 PictureMetadata picture_metadata_of(std::string_view bytes);
 
-/// JPEG, PNG (eXIf), TIFF, HEIC, and raw files built like a TIFF, or Fujifilm's; of any other file nothing is
-/// known. Throws Error(unreadable_input) if there is no such file or it cannot be read.
+/// JPEG, PNG (eXIf), TIFF, HEIC, raw files built like a TIFF, or Fujifilm's, and FITS; of any other file
+/// nothing is known. Throws Error(unreadable_input) if there is no such file or it cannot be read.
 PictureMetadata read_picture_metadata(const std::string& path);
 
-/// The time in UTC, ISO 8601: "2019-03-01T07:16:30.922622Z" from taken_local and its offset; nothing without
-/// both.
+/// The time in UTC, ISO 8601: "2019-03-01T07:16:30.922622Z" from taken_local and its offset, or that of FITS;
+/// nothing without.
 std::optional<std::string> taken_utc(const PictureMetadata& metadata);
 
 }  // namespace vegard::sim

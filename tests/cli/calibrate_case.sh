@@ -30,6 +30,26 @@ expect_different seen.exr plain.exr
 echo 'seed = 3' | cat - camera.toml >seeded.toml
 expect_exit 2 render "$SCENES/small.toml" --camera seeded.toml -o no.exr
 expect_stderr "seeded.toml:1: seed"
+# And it is no output.
+cp camera.toml kept.toml
+expect_exit 2 render "$SCENES/small.toml" --camera camera.toml -o seen.exr --lines ./camera.toml --overwrite
+expect_stderr "the camera's file"
+expect_one_message
+mkdir run
+cp camera.toml run/camera.toml
+for out in run run/ ./run run/camera.toml; do
+  expect_exit 2 fit "$SCENES/fit.toml" --camera run/camera.toml --photo plain.exr --out "$out" --overwrite
+  expect_stderr "--out: the camera's file"
+  expect_one_message
+done
+cp camera.toml camera.exr
+cp camera.toml camera.csv
+expect_exit 2 directions "$SCENES/small.toml" --camera camera.exr -o camera.exr --overwrite
+expect_stderr "an input"
+expect_exit 2 points "$SCENES/small.toml" --camera camera.csv -o camera.csv --overwrite
+expect_stderr "the camera's file"
+for file in camera.toml camera.exr camera.csv; do expect_same "$file" kept.toml; done
+expect_same camera.toml run/camera.toml
 # A star that is none.
 stars_to 4 >mistaken.csv
 expect_exit 0 calibrate mistaken.csv -o mistaken.toml --size 64,48
@@ -37,7 +57,57 @@ expect_stdout "left out: star 4 of line 6"
 # Only the turn, of a camera that is known.
 expect_exit 0 calibrate stars.csv -o turned.toml --size 64,48 --camera camera.toml --free rotation
 expect_stdout "over 12 of 12 stars"
+# The same stars, in the pixels of a crop that begins at (20, 10).
+awk -F, -v OFS=, 'NR > 1 { $4 = sprintf("%.6f", $4 - 20); $5 = sprintf("%.6f", $5 - 10) } { print }' stars.csv >crop.csv
+expect_exit 0 calibrate crop.csv -o crop.toml --size 64,48 --offset 20,10 --lens equidistant
+awk '/^focal_px/ && ($3 < 14.999 || $3 > 15.001) { exit 1 }
+  /^principal_x_px/ && ($3 < 0.999 || $3 > 1.001) { exit 1 }
+  /^principal_y_px/ && ($3 > -0.999 || $3 < -1.001) { exit 1 }' crop.toml || fail "another camera by a crop"
+# solve-field's table of stars: FITS, with a row of four whole numbers; recognised by its content.
+cards() { printf '%-80s' "$@" END; }
+block() { head -c "$((($1 + 2879) / 2880 * 2880 - $1))" /dev/zero; }
+corr_with() {
+  cards "SIMPLE  =                    T" "BITPIX  =                    8" "NAXIS   =                    0" |
+    dd bs=2880 conv=sync,block cbs=2880 status=none
+  cards "XTENSION= 'BINTABLE'" "BITPIX  =                    8" "NAXIS   =                    2" \
+    "NAXIS1  =                   16" "NAXIS2  =                    $1" "PCOUNT  =                    0" \
+    "GCOUNT  =                    1" "TFIELDS =                    4" "TTYPE1  = '$2'" "TFORM1  = '1J'" \
+    "TTYPE2  = 'field_y'" "TFORM2  = '1J'" "TTYPE3  = 'index_ra'" "TFORM3  = '1J'" \
+    "TTYPE4  = 'index_dec'" "TFORM4  = '1J'" | dd bs=2880 conv=sync,block cbs=2880 status=none
+  [[ $1 -eq 0 ]] || { printf '\0\0\0\x0b\0\0\0\x15\0\0\x01\x17\0\0\0\x26'; block 16; }
+}
+corr_with 1 field_x >crop.corr
+expect_exit 2 calibrate crop.corr -o no.toml --site 65,20
+expect_stderr "crop.corr: --time"
+expect_one_message
+expect_exit 2 calibrate crop.corr -o no.toml --time 2020-01-01T20:00:00Z
+expect_stderr "crop.corr: --site"
+expect_exit 3 calibrate crop.corr -o no.toml --site 65,20 --time 2020-01-01T20:00:00Z
+expect_stderr "crop.corr: 1 star"
+corr_with 0 field_x >none.corr
+expect_exit 3 calibrate none.corr -o no.toml --site 65,20 --time 2020-01-01T20:00:00Z
+expect_stderr "none.corr: this FITS table has no rows"
+expect_one_message
+corr_with 1 x >other.corr
+expect_exit 3 calibrate other.corr -o no.toml --site 65,20 --time 2020-01-01T20:00:00Z
+expect_stderr "other.corr: this FITS table has no column field_x"
+expect_one_message
+# A picture that says when and where it was taken, by FITS or EXIF.
+{ cards "SIMPLE  =                    T" "BITPIX  =                    8" "NAXIS   =                    2" \
+    "NAXIS1  =                   64" "NAXIS2  =                   48" "DATE-OBS= '2020-01-01T20:00:00'" |
+    dd bs=2880 conv=sync,block cbs=2880 status=none; head -c 5760 /dev/zero; } >sky.fits
+expect_exit 0 calibrate stars.csv -o told.toml --image sky.fits --site 65,20,100
+expect_stdout 'from the photograph: site.time_utc = "2020-01-01T20:00:00Z" (FITS DATE-OBS)'
+grep -q '^# from the photograph: site.time_utc' told.toml || fail "not told in told.toml"
+cmp -s <(grep '^[a-z]' camera.toml) <(grep '^[a-z]' told.toml) || fail "another camera by the picture's time"
+expect_exit 2 calibrate crop.corr -o no.toml --image sky.fits --site 65,20 --no-metadata
+expect_stderr "crop.corr: --time"
+expect_exit 0 calibrate stars.csv -o given.toml --image sky.fits --site 65,20,100 --time 2021-01-01T20:00:00Z
+grep -q '^time_utc = "2021-01-01T20:00:00Z"' given.toml || fail "--time does not win"
+! grep -q 'from the photograph' "$stdout" || fail "something was taken all the same"
 # What is refused.
+expect_exit 2 calibrate -o no.toml --offset 1,2 --image stars.csv --camera camera.toml
+expect_stderr "--offset"
 head -4 stars.csv >few.csv
 expect_exit 3 calibrate few.csv -o no.toml
 expect_stderr "few.csv: 3 stars for a camera of 6 numbers"

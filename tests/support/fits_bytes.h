@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -59,6 +60,32 @@ inline std::string fits_numbers(int bitpix, const std::vector<double>& values) {
 inline std::string fits_image(int bitpix, const std::vector<long long>& axes,
                               const std::vector<double>& values, const std::string& more = {}) {
   return fits_header(bitpix, axes, more) + fits_block(fits_numbers(bitpix, values), '\0');
+}
+
+struct FitsColumn {
+  std::string name;
+  char form;  ///< 'D', 'E', 'J' or 'I': one number of that kind a row
+  std::vector<double> values;
+};
+
+/// A file with nothing but a binary table, whose columns are equally long.
+inline std::string fits_table(const std::vector<FitsColumn>& columns) {
+  const auto bits = [](char form) { return form == 'D' ? -64 : form == 'E' ? -32 : form == 'J' ? 32 : 16; };
+  std::size_t row_bytes = 0, rows = columns.empty() ? 0 : columns[0].values.size();
+  std::string fields, data;
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    row_bytes += static_cast<std::size_t>(std::abs(bits(columns[c].form)) / 8);
+    fields += fits_card("TTYPE" + std::to_string(c + 1), "'" + columns[c].name + "'") +
+              fits_card("TFORM" + std::to_string(c + 1), std::string("'1") + columns[c].form + "'");
+  }
+  for (std::size_t row = 0; row < rows; ++row)
+    for (const FitsColumn& column : columns) data += fits_numbers(bits(column.form), {column.values[row]});
+  const std::string cards = fits_card("XTENSION", "'BINTABLE'") + fits_card("BITPIX", "8") +
+                            fits_card("NAXIS", "2") + fits_card("NAXIS1", std::to_string(row_bytes)) +
+                            fits_card("NAXIS2", std::to_string(rows)) + fits_card("PCOUNT", "0") +
+                            fits_card("GCOUNT", "1") + fits_card("TFIELDS", std::to_string(columns.size())) +
+                            fields + "END";
+  return fits_header(8, {}) + fits_block(cards, ' ') + fits_block(data, '\0');
 }
 
 }  // namespace vegard::tests
