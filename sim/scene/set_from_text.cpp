@@ -8,6 +8,7 @@
 #include "sim/scene/parameter_table.h"
 #include "sim/scene/spline_rates.h"
 #include "sim/scene/toml_value.h"
+#include "sim/scene/value_words.h"
 
 namespace vegard::sim {
 namespace {
@@ -17,8 +18,14 @@ toml::table parse_value(const std::string& text, bool may_be_word, const std::st
                         const Origin& origin) {
   toml::table table;
   if (may_be_word && text.find_first_of("\"'") != 0) {
-    table.insert("value", text);
-    return table;
+    // A word goes into scenes that are written, which have to be read again.
+    try {
+      return toml::parse("value = " + quoted_text(text));
+    } catch (const toml::parse_error&) {
+      complain(
+          {"the text cannot stand in a scene file", "UTF-8", "rename the file, if it is the name of one"},
+          origin);
+    }
   }
   try {
     table = toml::parse("value = " + text);

@@ -244,6 +244,18 @@ TEST(SetFromText, SetsWhatIsFree) {
   EXPECT_EQ(scene.fit.tied[0].equals, "camera.hfov_deg / 30");
 }
 
+// The scene is written into the run's folder: no file could hold these bytes, and be read again.
+TEST(SetFromText, RefusesBytesThatAreNoText) {
+  Scene scene = scene_of_one();
+  set_from_text(scene, "composite.background", "Polarlicht \xc3\xbc\"\\\n\x01.png");
+  EXPECT_EQ(scene.composite.background, "Polarlicht \xc3\xbc\"\\\n\x01.png");
+  for (const char* text : {"Polarlicht \xfc.png", "\xc0\xaf", "\xed\xa0\x80", "\xff"}) {
+    const ErrorDetails details = error_of([&] { set_from_text(scene, "composite.background", text); });
+    EXPECT_EQ(details.key, "composite.background");
+    EXPECT_EQ(details.expected, "UTF-8");
+  }
+}
+
 TEST(SetFromText, RefusesWhatIsWrongAndLeavesTheScene) {
   Scene scene = scene_of_one();
   const auto refused = [&](const std::string& path, const std::string& text) {
