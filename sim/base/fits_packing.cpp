@@ -55,6 +55,36 @@ class Header {
   std::size_t size_ = 0;
 };
 
+/// Whether a Rice stream (FITS standard 4.0, section 10.4.1) of `bytes` holds that many pixels. CFITSIO looks
+/// for the end of a row of zeros wherever it may be.
+bool rice_holds(std::string_view bytes, long long pixels, int number_bytes, long long block) {
+  const int bits_of_shift = number_bytes == 1 ? 3 : number_bytes == 2 ? 4 : 5;
+  const int plain = number_bytes == 1 ? 6 : number_bytes == 2 ? 14 : 25;
+  const std::size_t end = 8 * bytes.size();
+  std::size_t at = 8 * static_cast<std::size_t>(number_bytes);  // the first number, as it is
+  const auto bit = [&] { return static_cast<unsigned char>(bytes[at / 8]) >> (7 - at % 8) & 1; };
+  for (long long done = 0; done < pixels; done += block) {
+    if (at + bits_of_shift > end) return false;
+    int shift = -1, code = 0;
+    for (int i = 0; i < bits_of_shift; ++i, ++at) code = code << 1 | bit();
+    shift += code;
+    const long long here = std::min(block, pixels - done);
+    if (shift < 0) continue;  // all the same
+    if (shift > plain) return false;
+    if (shift == plain) {
+      at += static_cast<std::size_t>(8 * number_bytes * here);
+    } else {
+      for (long long i = 0; i < here; ++i) {
+        while (at < end && bit() == 0) ++at;
+        at += 1 + static_cast<std::size_t>(shift);
+        if (at > end) return false;
+      }
+    }
+    if (at > end) return false;
+  }
+  return true;
+}
+
 class Packing {
  public:
   Packing(const Header& header, std::string_view bytes, const std::string& name)
@@ -108,7 +138,8 @@ class Packing {
     integer("ZDITHER0", 1, 10000, 1);
     for (int i = 1; !text("ZNAME" + std::to_string(i)).empty(); ++i) {
       const std::string number = std::to_string(i), what = text("ZNAME" + number);
-      if (what == "BLOCKSIZE" && integer("ZVAL" + number, 16, 32) % 16 != 0) damaged("its blocks are odd");
+      if (what == "BLOCKSIZE") block_ = integer("ZVAL" + number, 16, 32);
+      if (block_ % 16 != 0) damaged("its blocks are odd");
       if (what == "BYTEPIX") number_bytes_ = integer("ZVAL" + number, 1, 4);
       if (number_bytes_ == 3) damaged("its numbers have three bytes");
     }
@@ -133,6 +164,7 @@ class Packing {
       const long long along = (length + tile - 1) / tile;
       if (along > kMostTiles / tiles) damaged("there are too many tiles");
       tiles *= along;
+      axes_.push_back({length, tile, along});
     }
     if (tiles != rows_)
       damaged("it has " + std::to_string(rows_) + " tiles, and " + std::to_string(tiles) + " make its image");
@@ -187,6 +219,21 @@ class Packing {
     if (integer("NAXIS1", 1, 1 << 20) != row_bytes_) damaged("its columns do not make up a row");
   }
 
+  struct Axis {
+    long long length = 1, tile = 1, along = 1;
+  };
+
+  /// Tiles at the far ends may be smaller.
+  long long pixels_of(long long row) const {
+    long long pixels = 1;
+    for (const Axis& axis : axes_) {
+      const long long begin = row % axis.along * axis.tile;
+      pixels *= std::min(axis.tile, axis.length - begin);
+      row /= axis.along;
+    }
+    return pixels;
+  }
+
   struct Descriptors {
     std::string title;
     long long at = 0;  ///< in a row
@@ -217,13 +264,18 @@ class Packing {
       // A tile begins with its first number as it is.
       if (length <= number_bytes_ || place < 0 || place > heap_bytes || length > heap_bytes - place)
         damaged("tile " + std::to_string(row + 1) + " does not lie inside it");
+      const auto at = static_cast<std::size_t>(end - heap_bytes + place);
+      if (!rice_holds(data_.substr(at, static_cast<std::size_t>(length)), pixels_of(row),
+                      static_cast<int>(number_bytes_), block_))
+        damaged("tile " + std::to_string(row + 1) + " is cut");
     }
   }
 
   const Header& header_;
   std::string_view data_;
   const std::string& name_;
-  long long rows_ = 0, row_bytes_ = 0, number_bytes_ = 4;
+  long long rows_ = 0, row_bytes_ = 0, number_bytes_ = 4, block_ = 32;
+  std::vector<Axis> axes_;
   Descriptors tiles_;
   std::vector<Descriptors> others_;  ///< of tiles packed otherwise, or not
 };

@@ -225,6 +225,23 @@ TEST(FitsIo, LiesAboutPackedTilesAreRefused) {
   }
 }
 
+TEST(FitsIo, ACutTileIsRefused) {
+  const std::string sound = packed<short>(RICE_1, SHORT_IMG, TSHORT, 16, 1);
+  const std::size_t table = sound.size() - 2880;
+  std::size_t length = 0;
+  for (int i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(sound[table + i]);
+  ASSERT_GT(length, 3u);
+  for (std::size_t less = 1; less < length; ++less) {
+    std::string cut = sound;
+    cut.replace(table, 4, tests::fits_numbers(32, {static_cast<double>(length - less)}));
+    EXPECT_NE(unreadable(cut).find("tile 1 "), std::string::npos) << less;
+  }
+  // Zeros to the end: CFITSIO goes on behind it.
+  std::string zeros = sound;
+  unreadable(zeros.replace(table + 8 * 8 + 3, length - 3,
+                           std::string(length - 3, '\x10').replace(1, length - 4, length - 4, '\0')));
+}
+
 TEST(FitsIo, KeywordsComeAsText) {
   const FitsImage file = read(fits_image(8, {1, 1}, {1},
                                          fits_card("EXPTIME", "1.50000 / seconds") +
