@@ -33,12 +33,14 @@ PictureCodes decode_fits(std::string_view bytes, const std::string& file) {
   codes.kind = std::to_string(fits.bits) + (fits.floating ? "-bit float FITS" : "-bit FITS");
   constexpr double kNone = std::numeric_limits<double>::infinity();
   // The standard's DATAMAX is the largest valid value; SATURATE is where it is none any more.
-  const double saturate = number_of(fits.keywords, "SATURATE", kNone);
+  double saturate = number_of(fits.keywords, "SATURATE", kNone);
   const double valid = number_of(fits.keywords, "DATAMAX", kNone);
   codes.floating = fits.floating || !(fits.largest > 0.0);
   codes.white = codes.floating ? 1.0 : fits.largest;
   codes.step = codes.floating ? 0.0 : fits.step;
-  if (!codes.floating && saturate > 0.0 && saturate < codes.white) codes.white = saturate;
+  // Below the first step above zero nothing is white.
+  if (!codes.floating && !(saturate >= codes.step)) saturate = kNone;
+  if (!codes.floating && saturate < codes.white) codes.white = saturate;
   codes.usable = std::move(fits.known);
   for (std::size_t i = 0; i < codes.usable.size(); ++i) {
     const double value = fits.image.data[i];

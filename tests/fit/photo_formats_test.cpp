@@ -68,6 +68,10 @@ TEST(ReadFits, PlanesAreColoursAndKeywordsSayWhatIsFull) {
   EXPECT_EQ(cut.usable, (Bytes{1, 1, 1, 1, 1, 1, 0, 0, 0}));
   EXPECT_EQ(cut.linear.at(0, 0, 0), 0.5f);
   EXPECT_EQ(file_step(cut), 0.001);
+  const std::string nothing = tests::fits_card("SATURATE", "1e-308");
+  const Photo sound = read(tests::fits_image(16, {2, 1}, {0, 1000}, nothing));
+  EXPECT_EQ(sound.usable, (Bytes{1, 1, 1, 1, 1, 1})) << "no white below the first step above zero";
+  EXPECT_EQ(file_step(sound), 1.0 / 32767);
   const Photo valid = read(tests::fits_image(-32, {2, 1}, {7.0, 8.0}, tests::fits_card("DATAMAX", "7.")));
   EXPECT_EQ(valid.usable, (Bytes{1, 1, 1, 0, 0, 0}));
   EXPECT_EQ(valid.linear.at(0, 0, 0), 7.0f);
