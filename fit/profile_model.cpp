@@ -306,7 +306,8 @@ struct ProfileModel::Workspace {
     const std::vector<int> which = sim::sky_numbers_of(scene, free);
     out.offset.clear();
     out.offset_derivative.clear();
-    const bool any_free = std::any_of(which.begin(), which.end(), [](int k) { return k >= sim::sky_green; });
+    const bool any_free = std::any_of(which.begin(), which.end(),
+                                      [](int k) { return k >= sim::sky_green && k < sim::first_sky_camera; });
     if (!sim::has_night_sky(scene) && !any_free) return;
     out.offset.resize(out.value.size());
     out.offset_derivative.assign(out.value.size() * free.size(), 0.0);
