@@ -45,15 +45,19 @@ std::pair<long long, long long> size_of(const Box& property) {
   return {unsigned_at(property.body, 4, 4, true), unsigned_at(property.body, 8, 4, true)};
 }
 
-/// Looks through the boxes for the sizes of pictures (ISO/IEC 23008-12, 6.5.3).
-void find_sizes(std::string_view bytes, const std::string& file, Sizes& sizes, bool properties = false) {
+/// Looks through the boxes for the sizes of pictures (ISO/IEC 23008-12, 6.5.3), which are three deep: meta,
+/// iprp, ipco. Files that go on deeper would take the stack.
+void find_sizes(std::string_view bytes, const std::string& file, Sizes& sizes, int depth = 0,
+                bool properties = false) {
+  constexpr int kDeepest = 8;
+  if (depth > kDeepest) throw_damaged(file, "boxes inside boxes without end");
   while (!bytes.empty()) {
     const Box box = first_box(bytes, file);
     if (properties) sizes.properties.push_back(box);
     if (box.type == "meta" && box.body.size() >= 4) {
-      find_sizes(box.body.substr(4), file, sizes);
+      find_sizes(box.body.substr(4), file, sizes, depth + 1);
     } else if (box.type == "iprp" || box.type == "ipco") {
-      find_sizes(box.body, file, sizes, box.type == "ipco");
+      find_sizes(box.body, file, sizes, depth + 1, box.type == "ipco");
     } else if (box.type == "ipma") {
       sizes.associations = box.body;
     } else if (box.type == "ispe" && box.body.size() >= 12) {

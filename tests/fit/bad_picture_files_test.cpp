@@ -247,6 +247,15 @@ TEST(BadPictureFiles, LiesAboutSizeBitsAndChannels) {
     }
 }
 
+// 60 000 boxes, each inside the one before, once took the whole stack.
+TEST(BadPictureFiles, BoxesInsideBoxes) {
+  constexpr std::size_t kBoxes = 60000, kEach = 12;
+  std::string bytes = tests::big_endian(16, 4) + "ftypheic" + std::string(4, '\0');
+  for (std::size_t i = 0; i < kBoxes; ++i)
+    bytes += tests::big_endian(kEach * (kBoxes - i), 4) + "meta" + std::string(4, '\0');
+  says(refusal(bytes), "boxes inside boxes");
+}
+
 TEST(BadPictureFiles, OnePixelIsAPicture) {
   for (const Format& format : formats()) {
     if (format.one_pixel.empty()) continue;  // LibRaw takes none below 22 pixels; no HEIC of one is at hand
