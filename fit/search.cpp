@@ -211,7 +211,8 @@ class Search {
     if (is(n, "center_km")) {
       double square = 0.0;
       for (const FreeNumber& other : free_)
-        if (is(other, "center_km") && other.path.sheet == n.path.sheet) square += other.start * other.start;
+        if (is(other, "center_km") && other.path.sheet() == n.path.sheet())
+          square += other.start * other.start;
       return sim::Prior{n.start, std::max(20.0, kPull * std::sqrt(square))};
     }
     if (n.logarithmic()) return sim::Prior{n.start, 2.0 * kPull * n.start};
@@ -265,7 +266,7 @@ class Search {
       Values values = straight;
       for (std::size_t j : which) {
         const FreeNumber& n = free_[j];
-        const int s = std::max(0, n.path.sheet);
+        const int s = std::max(0, n.path.sheet());
         const double distance =
             std::exp((u[1] - 0.5) * kDistances) * (s > 0 ? std::exp((u[1 + 2 * s] - 0.5) * kApart) : 1.0);
         if (is(n, "center_km")) values[j] *= distance;

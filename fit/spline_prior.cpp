@@ -62,7 +62,7 @@ std::vector<SplineLine> spline_lines(const sim::Scene& scene, const std::vector<
   std::map<std::pair<int, int>, std::map<int, int>> found;  // [sheet, line][knot]
   for (std::size_t j = 0; j < free.size(); ++j) {
     if (!is_spline(free[j])) continue;
-    const int sheet = free[j].path.sheet, knots = scene.sheets[sheet].spline_knots;
+    const int sheet = free[j].path.sheet(), knots = scene.sheets[sheet].spline_knots;
     const int line = free[j].path.component / knots;
     found[{sheet, line}][free[j].path.component % knots] = static_cast<int>(j);
   }

@@ -53,7 +53,7 @@ std::string noun_of(const sim::ParameterPath& path) {
 }
 
 std::string owner_of(const sim::Scene& scene, const sim::ParameterPath& path) {
-  if (path.sheet >= 0) return "the " + scene.sheets[path.sheet].name + " sheet";
+  if (path.sheet() >= 0) return "the " + scene.sheets[path.sheet()].name + " sheet";
   if (path.row->table.empty()) return {};
   return "the " + without_unit(path.row->table);
 }
@@ -200,11 +200,11 @@ std::vector<SpokenNumber> spoken_numbers(const sim::Scene& scene, const std::vec
   std::vector<sim::EastNorth> centres;
   for (const sim::Sheet& sheet : scene.sheets) centres.push_back(sheet.center_km);
   const auto is_place = [](const sim::ParameterPath& path) {
-    return path.row != nullptr && path.row->key == "center_km" && path.sheet >= 0;
+    return path.row != nullptr && path.row->key == "center_km" && path.sheet() >= 0;
   };
   for (std::size_t j = 0; j < free.size(); ++j)
     if (const sim::ParameterPath& path = free[j].path; is_place(path))
-      (path.component == 0 ? centres[path.sheet].east : centres[path.sheet].north) = values[j];
+      (path.component == 0 ? centres[path.sheet()].east : centres[path.sheet()].north) = values[j];
   std::vector<SpokenNumber> numbers;
   for (std::size_t j = 0; j < free.size(); ++j) {
     const sim::ParameterPath& path = free[j].path;
@@ -215,11 +215,11 @@ std::vector<SpokenNumber> spoken_numbers(const sim::Scene& scene, const std::vec
     n.unit = free[j].unit();
     n.value = values[j];
     n.noticeable = noticeable_change(free[j], values[j]);
-    n.sheet = path.sheet;
+    n.sheet = path.sheet();
     n.of_profile = free[j].key() == "spline_rate";
     if (is_place(path)) {
       n.place = path.component == 0 ? SpokenNumber::Place::east : SpokenNumber::Place::north;
-      n.centre_km = centres[path.sheet];
+      n.centre_km = centres[path.sheet()];
     }
     numbers.push_back(n);
   }

@@ -65,6 +65,7 @@ struct Exposer::Workspace {
   std::vector<LargeZeros<std::int64_t>> slot_films;
   std::vector<PackedChunk> slot_chunks;                // kept: their memory is large enough to cost something
   std::vector<std::unique_ptr<TangentFilm>> tangents;  // of the shares of the beams, likewise
+  std::unique_ptr<Volumes> volumes;                    // if the scene has any
 
   /// One per sheet.
   std::vector<KernelScene> kernels(const Scene& scene, const std::vector<HeightProfile>& profiles) const {
@@ -107,6 +108,15 @@ struct Exposer::Workspace {
     parallel_for(slot_films.size(), threads, [&](std::size_t s, int) { slot_films[s].reset(size); });
   }
 
+  /// Adds the volumes' light to what has been collected.
+  void add_volumes(const Scene& scene, Exposure& out, const std::function<void(double)>& progress = {},
+                   const std::atomic<bool>* stop = nullptr) const {
+    out.volumes = {};
+    if (!volumes) return;
+    out.volumes = volumes->march(scene, film, progress, stop);
+    for (std::size_t i = 0; i < out.rayleigh.size(); ++i) out.rayleigh[i] += out.volumes.rayleigh[i];
+  }
+
   /// Sums the slots' films (integers: any order gives the same) into planes of rayleighs.
   void collect(int lines, int stride, Exposure& out) const {
     out.geometry = film;
@@ -127,7 +137,9 @@ struct Exposer::Workspace {
 };
 
 Exposer::Exposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond)
-    : work_(new Workspace{film, thread_count(threads), BeamLayout(scene, beyond), {}, {}, {}}) {}
+    : work_(new Workspace{film, thread_count(threads), BeamLayout(scene, beyond), {}, {}, {}, {}}) {
+  if (has_volumes(scene)) work_->volumes = std::make_unique<Volumes>(scene, threads);
+}
 
 Exposer::~Exposer() = default;
 
@@ -139,6 +151,8 @@ void Exposer::expose(const Scene& scene, Exposure& out, const std::function<void
   out.deflection_points = w.fall(scene, height_profiles(scene), stride, only_sheet, progress, stop);
   out.free = out.free_stride = 0;
   w.collect(lines, stride, out);
+  out.volumes = {};
+  if (only_sheet < 0) w.add_volumes(scene, out, w.layout.chunks().empty() ? progress : nullptr, stop);
 }
 
 void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<const double*>& free,
@@ -225,6 +239,8 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<cons
       }
     });
   }
+  w.add_volumes(scene, out);
+  if (w.volumes) w.volumes->add_derivatives(scene, w.film, free, out.free_stride, out.derivative.data());
 }
 
 void Exposer::expose_profiles(const Scene& scene, int sheet, const std::vector<std::vector<float>>& rates,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/base/large_vector.h"
+#include "sim/render/volumes.h"
 #include "sim/scene/scene.h"
 #include "sim/view/camera.h"
 
@@ -22,6 +23,7 @@ struct Exposure {
   int lines = 0;
   LargeVector<float> rayleigh;  ///< [line][row][column]
   std::uint64_t deflection_points = 0;
+  VolumeLight volumes;  ///< the share of volumes, which is in `rayleigh` too; empty without any
 
   int free = 0;         ///< number of free parameters
   int free_stride = 0;  ///< `free` rounded up to whole vector registers; the padding holds zeros
@@ -54,7 +56,7 @@ class Exposer {
 
   /// `progress`, if any, is told the finished share now and then, from any thread; `stop`, if any, ends the
   /// work early with a film that is not to be used. `only_sheet`, if not negative, lets that sheet alone
-  /// shine: such exposures add up to the whole one.
+  /// shine: such exposures and the volumes' light add up to the whole one.
   void expose(const Scene& scene, Exposure& out, const std::function<void(double)>& progress = {},
               const std::atomic<bool>* stop = nullptr, int only_sheet = -1);
 

@@ -22,8 +22,8 @@ T local(double degrees, int input, double scale = kRadiansPerDegree) {
   return dual;
 }
 
-/// Whether a fit is to find a pinhole's distortion, which may be none at present: its light is the same to the
-/// last bit whether derivatives are wanted or not.
+/// Whether a fit is to find a pinhole's distortion, which may be none at present: its light is the same to
+/// the last bit whether derivatives are wanted or not.
 bool may_be_distorted(const Fit& fit) {
   const auto is_distortion = [](const std::string& path) {
     for (const char* known : {"camera.k1", "camera.k2", "camera.k3", "camera.p1", "camera.p2"})

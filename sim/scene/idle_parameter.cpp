@@ -11,7 +11,7 @@ namespace {
 bool has_free_spline(const Scene& scene, int sheet) {
   for (const FreeParameter& free : scene.fit.free)
     for (const ParameterPath& path : paths_of(scene, free))
-      if (path.row->table == sheet_table && path.row->key == "spline_rate" && path.sheet == sheet)
+      if (path.row->table == sheet_table && path.row->key == "spline_rate" && path.sheet() == sheet)
         return true;
   return false;
 }
@@ -41,7 +41,7 @@ std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const Par
                      "leave it out of fit.free, or set air.model to \"standard\""};
   }
   if (path.row->table != sheet_table) return std::nullopt;
-  const Sheet& sheet = scene.sheets[path.sheet];
+  const Sheet& sheet = scene.sheets[path.sheet()];
   if (key == "energy_kev" && sheet.profile == "file") {
     return Complaint{
         "the sheet's profile comes from a file, so the energy of its electrons counts for nothing", expected,
@@ -55,7 +55,7 @@ std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const Par
     return Complaint{"the sheet's brightness is given, so its energy flux counts for nothing", expected,
                      "leave it out of fit.free, or brightness_kilorayleigh (and ibc) out of the sheet"};
   }
-  if (key == "energy_flux_mw_m2" && sheet.profile == "spline" && has_free_spline(scene, path.sheet)) {
+  if (key == "energy_flux_mw_m2" && sheet.profile == "spline" && has_free_spline(scene, path.sheet())) {
     return Complaint{
         "the sheet's spline_rate is free, so its energy flux counts for nothing: their product "
         "is the light",

@@ -10,14 +10,36 @@ namespace {
 std::vector<Declaration> declare() {
   std::vector<Declaration> all;
   for (const auto rows :
-       {place_rows, sheet_rows, light_rows, sensor_rows, sky_rows, night_sky_rows, time_rows, fit_rows}) {
+       {place_rows, sheet_rows, footprint_rows, nebula_rows, node_rows, volume_rows, march_rows, light_rows,
+        sensor_rows, sky_rows, night_sky_rows, time_rows, fit_rows}) {
     std::vector<Declaration> group = rows();
     std::move(group.begin(), group.end(), std::back_inserter(all));
   }
   return all;
 }
 
+template <class Element>
+RepeatedTable repeated(const std::string& table, std::vector<Element> Scene::*in) {
+  return {table, [=](const Scene& scene) { return (scene.*in).size(); },
+          [=](const Scene& scene, int element) -> const std::string& { return (scene.*in).at(element).name; },
+          [=](Scene& scene) { (scene.*in).emplace_back(); }};
+}
+
 }  // namespace
+
+const std::vector<RepeatedTable>& repeated_tables() {
+  static const std::vector<RepeatedTable> all = {
+      repeated(sheet_table, &Scene::sheets), repeated("footprint", &Scene::footprints),
+      repeated("nebula", &Scene::nebulae), repeated("node", &Scene::nodes),
+      repeated("volume", &Scene::volumes)};
+  return all;
+}
+
+const RepeatedTable* repeated_table(const std::string& table) {
+  for (const RepeatedTable& each : repeated_tables())
+    if (each.table == table) return &each;
+  return nullptr;
+}
 
 const std::vector<Declaration>& declarations() {
   static const std::vector<Declaration> all = declare();

@@ -17,8 +17,22 @@
 
 namespace vegard::sim {
 
-/// The one table that a scene may hold several times.
 inline const char* const sheet_table = "sheet";
+
+/// A table that a scene may hold several times, as [[sheet]]: its elements have names, by which paths call
+/// them.
+struct RepeatedTable {
+  std::string table;
+  std::function<std::size_t(const Scene&)> count;
+  std::function<const std::string&(const Scene&, int element)> name;
+  std::function<void(Scene&)> append;  ///< an element with its defaults
+};
+
+/// In the order of a scene file.
+const std::vector<RepeatedTable>& repeated_tables();
+
+/// The one of that name, or null.
+const RepeatedTable* repeated_table(const std::string& table);
 
 /// What is wrong with a value, before anyone knows in which file it stands.
 struct Complaint {
@@ -38,14 +52,14 @@ struct Declaration {
   ParameterScale scale = ParameterScale::linear;
   bool can_be_free = false;
 
-  /// `sheet` is read by the table "sheet" only.
-  std::function<ValueRef(Scene&, int sheet, int component)> at;
+  /// `element` is read by repeated tables only.
+  std::function<ValueRef(Scene&, int element, int component)> at;
 
   /// Only for a vector whose length the scene decides; `components` then holds one stand-in.
-  std::function<const std::vector<double>&(const Scene&, int sheet)> list;
-  std::function<void(Scene&, int sheet, const std::vector<double>&)> set_list;
+  std::function<const std::vector<double>&(const Scene&, int element)> list;
+  std::function<void(Scene&, int element, const std::vector<double>&)> set_list;
   std::function<std::optional<Complaint>(const Scene&, const std::vector<double>&)> list_rule;  ///< or none
-  std::function<std::string(const Scene&, int sheet, int component)> list_component;
+  std::function<std::string(const Scene&, int element, int component)> list_component;
 
   /// What limits and choices cannot say.
   std::function<std::optional<Complaint>(double)> number_rule;
@@ -54,10 +68,8 @@ struct Declaration {
   /// A text that may name a table (sim/scene/table_files.h).
   bool names_table = false;
 
-  /// What follows from a new value, of a scalar in a sheet.
-  void (*then)(Scene&, int sheet) = nullptr;
-
-  bool is_in_sheet() const { return table == sheet_table; }
+  /// What follows from a new value, of a scalar in a repeated table.
+  void (*then)(Scene&, int element) = nullptr;
 };
 
 /// In the order of a scene file.
@@ -73,15 +85,19 @@ const ParameterRow& first_row_of(const Declaration& declaration);
 const Declaration* find_declaration(const std::string& table, const std::string& key);
 
 /// How many components the value has in this scene: 1 for a scalar.
-int component_count(const Declaration& declaration, const Scene& scene, int sheet);
+int component_count(const Declaration& declaration, const Scene& scene, int element);
 
 /// "sheet.main.center_km", the path of the whole key.
-std::string key_path(const Declaration& declaration, const Scene& scene, int sheet);
+std::string key_path(const Declaration& declaration, const Scene& scene, int element);
 
-/// Inserts the name of the only sheet where a path such as "sheet.energy_kev" leaves it out.
-std::string with_sheet_name(const Scene& scene, const std::string& path);
+/// Inserts the name of the only sheet (or other repeated element) where a path such as "sheet.energy_kev"
+/// leaves it out.
+std::string with_only_name(const Scene& scene, const std::string& path);
 
 /// The whole value as TOML text: of a vector, "[0.0, 200.0]".
-std::string key_text(const Declaration& declaration, const Scene& scene, int sheet);
+std::string key_text(const Declaration& declaration, const Scene& scene, int element);
+
+/// How many elements the declaration's table has in this scene: 1 for a table that is not repeated.
+int element_count(const Declaration& declaration, const Scene& scene);
 
 }  // namespace vegard::sim

@@ -66,20 +66,19 @@ std::optional<Complaint> none_or_some_complaint(double value) {
   return Complaint{short_real_text(value) + " is neither 0 nor enough", "0, or at least 0.001", ""};
 }
 
-std::optional<Complaint> sheet_name_complaint(const std::string& name) {
+std::optional<Complaint> element_name_complaint(const std::string& name) {
   const char* expected = "letters a-z, digits, '-' and '_'";
-  if (name.empty()) return Complaint{"the name of a sheet is empty", expected, ""};
+  if (name.empty()) return Complaint{"the name is empty", expected, ""};
   const bool is_plain = std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
   });
-  if (!is_plain) {
-    return Complaint{"the sheet's name '" + name + "' cannot stand in a path such as sheet.main.energy_kev",
-                     expected, ""};
-  }
-  if (find_declaration("sheet", name) != nullptr) {
-    return Complaint{"the sheet's name '" + name + "' is also a key of a sheet", "a name that is not a key",
+  if (!is_plain)
+    return Complaint{"the name '" + name + "' cannot stand in a path such as sheet.main.energy_kev", expected,
                      ""};
-  }
+  for (const RepeatedTable& repeated : repeated_tables())
+    if (find_declaration(repeated.table, name) != nullptr)
+      return Complaint{"the name '" + name + "' is also a key of [[" + repeated.table + "]]",
+                       "a name that is not a key", ""};
   return std::nullopt;
 }
 

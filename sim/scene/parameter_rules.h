@@ -18,9 +18,9 @@ std::optional<Complaint> inclination_complaint(double inclination_deg);
 /// only lose what it belongs to in the rounding of the places and instants.
 std::optional<Complaint> none_or_some_complaint(double value);
 
-/// A name must be able to stand inside a path and must not be a sheet's key, or "sheet.width_km" would mean
-/// two things.
-std::optional<Complaint> sheet_name_complaint(const std::string& name);
+/// A name of a repeated table's element must be able to stand inside a path and must not be such a table's
+/// key, or "sheet.width_km" would mean two things.
+std::optional<Complaint> element_name_complaint(const std::string& name);
 
 /// Empty, or "2019-09-01", with a time "T05:00", "T05:00:00" or "T05:00:00.25" and "Z".
 std::optional<Complaint> time_complaint(const std::string& time_utc);

@@ -43,7 +43,7 @@ ParameterKind kind_of(const ValueRef& value) {
 
 Table build_table() {
   Scene defaults;
-  defaults.sheets.emplace_back();
+  for (const RepeatedTable& repeated : repeated_tables()) repeated.append(defaults);
   Table table;
   for (const Declaration& d : declarations()) {
     const int rows = d.components.empty() ? 1 : static_cast<int>(d.components.size());
@@ -76,17 +76,17 @@ const Table& table() {
   return built;
 }
 
-std::string component_name(const Declaration& d, const Scene& scene, int sheet, int c) {
-  if (d.list_component) return d.list_component(scene, sheet, c);
+std::string component_name(const Declaration& d, const Scene& scene, int element, int c) {
+  if (d.list_component) return d.list_component(scene, element, c);
   return d.components.empty() ? std::string() : d.components[c];
 }
 
-void append_paths(const Scene& scene, const Declaration& d, int sheet, std::vector<ParameterPath>& paths) {
-  const std::string whole = key_path(d, scene, sheet);
+void append_paths(const Scene& scene, const Declaration& d, int element, std::vector<ParameterPath>& paths) {
+  const std::string whole = key_path(d, scene, element);
   const ParameterRow* first = &first_row_of(d);
-  for (int c = 0; c < component_count(d, scene, sheet); ++c) {
-    const std::string name = component_name(d, scene, sheet, c);
-    paths.push_back({d.list ? first : first + c, sheet, c, name.empty() ? whole : whole + "." + name});
+  for (int c = 0; c < component_count(d, scene, element); ++c) {
+    const std::string name = component_name(d, scene, element, c);
+    paths.push_back({d.list ? first : first + c, element, c, name.empty() ? whole : whole + "." + name});
   }
 }
 
@@ -113,15 +113,16 @@ std::string vector_text(const ParameterPath& path) {
   const std::string list = "spline_rate";
   for (const Sheet& sheet : scene.sheets) {
     const std::string key = std::string(sheet_table) + "." + sheet.name + "." + list;
-    if (with_sheet_name(scene, path).compare(0, key.size(), key) != 0 || !sheet.spline_rate.empty()) continue;
+    if (with_only_name(scene, path).compare(0, key.size(), key) != 0 || !sheet.spline_rate.empty()) continue;
     details.problem = "the sheet has no coefficients of a free-form profile";
     details.hint = "set its profile to \"spline\"";
     throw Error(ErrorKind::scene, details);
   }
-  if (scene.sheets.empty() && path.compare(0, 6, "sheet.") == 0) {
-    details.hint = "the scene has no sheet";
+  const RepeatedTable* repeated = repeated_table(path.substr(0, path.find('.')));
+  if (repeated != nullptr && repeated->count(scene) == 0) {
+    details.hint = "the scene has no " + repeated->table;
   } else {
-    details.hint = nearest_hint(with_sheet_name(scene, path), known);
+    details.hint = nearest_hint(with_only_name(scene, path), known);
   }
   throw Error(ErrorKind::scene, details);
 }
@@ -143,39 +144,46 @@ const ParameterRow& first_row_of(const Declaration& declaration) {
   return table().rows[static_cast<std::size_t>(found - owners.begin())];
 }
 
-int component_count(const Declaration& d, const Scene& scene, int sheet) {
-  if (d.list) return static_cast<int>(d.list(scene, sheet).size());
+int component_count(const Declaration& d, const Scene& scene, int element) {
+  if (d.list) return static_cast<int>(d.list(scene, element).size());
   return d.components.empty() ? 1 : static_cast<int>(d.components.size());
 }
 
-std::string key_path(const Declaration& d, const Scene& scene, int sheet) {
+std::string key_path(const Declaration& d, const Scene& scene, int element) {
   if (d.table.empty()) return d.key;
-  if (d.is_in_sheet()) return d.table + "." + scene.sheets.at(sheet).name + "." + d.key;
+  if (const RepeatedTable* repeated = repeated_table(d.table))
+    return d.table + "." + repeated->name(scene, element) + "." + d.key;
   return d.table + "." + d.key;
 }
 
-std::string key_text(const Declaration& d, const Scene& scene, int sheet) {
+std::string key_text(const Declaration& d, const Scene& scene, int element) {
   // The accessors take a Scene they could change; here they are only read through.
   Scene& place = const_cast<Scene&>(scene);
-  if (d.components.empty()) return words_of(d.at(place, sheet, 0));
+  if (d.components.empty()) return words_of(d.at(place, element, 0));
   std::string text = "[";
-  for (int c = 0; c < component_count(d, scene, sheet); ++c)
-    text += (c > 0 ? ", " : "") + words_of(d.at(place, sheet, c));
+  for (int c = 0; c < component_count(d, scene, element); ++c)
+    text += (c > 0 ? ", " : "") + words_of(d.at(place, element, c));
   return text + "]";
 }
 
-std::string with_sheet_name(const Scene& scene, const std::string& path) {
-  const std::string prefix = "sheet.";
-  if (scene.sheets.size() != 1 || path.compare(0, prefix.size(), prefix) != 0) return path;
-  const std::string rest = path.substr(prefix.size());
-  const std::string first = rest.substr(0, rest.find('.'));
-  if (first == scene.sheets[0].name || find_declaration("sheet", first) == nullptr) return path;
-  return prefix + scene.sheets[0].name + "." + rest;
+std::string with_only_name(const Scene& scene, const std::string& path) {
+  const std::size_t dot = path.find('.');
+  const RepeatedTable* repeated = dot == std::string::npos ? nullptr : repeated_table(path.substr(0, dot));
+  if (repeated == nullptr || repeated->count(scene) != 1) return path;
+  const std::string rest = path.substr(dot + 1), first = rest.substr(0, rest.find('.'));
+  const std::string& name = repeated->name(scene, 0);
+  if (first == name || find_declaration(repeated->table, first) == nullptr) return path;
+  return repeated->table + "." + name + "." + rest;
+}
+
+int element_count(const Declaration& d, const Scene& scene) {
+  const RepeatedTable* repeated = repeated_table(d.table);
+  return repeated == nullptr ? 1 : static_cast<int>(repeated->count(scene));
 }
 
 std::string path_pattern(const ParameterRow& row) {
   std::string text = row.table;
-  if (row.table == "sheet") text += ".<name>";
+  if (repeated_table(row.table) != nullptr) text += ".<name>";
   text += (text.empty() ? "" : ".") + row.key;
   return row.component.empty() ? text : text + "." + row.component;
 }
@@ -195,23 +203,20 @@ std::string limits_text(const ParameterRow& row) {
 std::vector<ParameterPath> all_paths(const Scene& scene) {
   std::vector<ParameterPath> paths;
   const auto& all = declarations();
-  for (auto d = all.begin(); d != all.end(); ++d) {
-    if (!d->is_in_sheet()) {
-      append_paths(scene, *d, -1, paths);
-      continue;
-    }
+  for (auto d = all.begin(); d != all.end();) {
     const auto end =
-        std::find_if(d, all.end(), [](const Declaration& other) { return !other.is_in_sheet(); });
-    for (int sheet = 0; sheet < static_cast<int>(scene.sheets.size()); ++sheet) {
-      for (auto in_sheet = d; in_sheet != end; ++in_sheet) append_paths(scene, *in_sheet, sheet, paths);
-    }
-    d = end - 1;
+        std::find_if(d, all.end(), [&](const Declaration& other) { return other.table != d->table; });
+    const bool is_repeated = repeated_table(d->table) != nullptr;
+    for (int element = 0; element < element_count(*d, scene); ++element)
+      for (auto in_table = d; in_table != end; ++in_table)
+        append_paths(scene, *in_table, is_repeated ? element : -1, paths);
+    d = end;
   }
   return paths;
 }
 
 std::vector<ParameterPath> resolve(const Scene& scene, const std::string& path) {
-  const std::string full = with_sheet_name(scene, path);
+  const std::string full = with_only_name(scene, path);
   std::vector<ParameterPath> found;
   for (ParameterPath& p : all_paths(scene)) {
     if (p.text == full || vector_text(p) == full) found.push_back(std::move(p));
@@ -222,7 +227,7 @@ std::vector<ParameterPath> resolve(const Scene& scene, const std::string& path) 
 
 double* real_value(Scene& scene, const ParameterPath& path) {
   assert(path.row->kind == ParameterKind::real);
-  return std::get<double*>(declaration_of(*path.row).at(scene, path.sheet, path.component));
+  return std::get<double*>(declaration_of(*path.row).at(scene, path.element, path.component));
 }
 
 const double* real_value(const Scene& scene, const ParameterPath& path) {
@@ -230,7 +235,7 @@ const double* real_value(const Scene& scene, const ParameterPath& path) {
 }
 
 std::string value_text(const Scene& scene, const ParameterPath& path) {
-  return words_of(declaration_of(*path.row).at(const_cast<Scene&>(scene), path.sheet, path.component));
+  return words_of(declaration_of(*path.row).at(const_cast<Scene&>(scene), path.element, path.component));
 }
 
 }  // namespace vegard::sim

@@ -38,9 +38,12 @@ struct ParameterRow {
 /// A row applied to one scene: which sheet it means.
 struct ParameterPath {
   const ParameterRow* row = nullptr;
-  int sheet = -1;     ///< index into Scene::sheets, -1 for other tables
+  int element = -1;   ///< which of a repeated table's elements, -1 for other tables
   int component = 0;  ///< index of the component inside its vector
   std::string text;   ///< "sheet.main.center_km.east"
+
+  /// Index into Scene::sheets, -1 for a number of anything else.
+  int sheet() const { return row != nullptr && row->table == "sheet" ? element : -1; }
 };
 
 /// In the order of a scene file. The rows live as long as the program.

@@ -34,12 +34,16 @@ std::optional<Complaint> complaint_about(const Declaration& d, const ValueRef& v
   return std::visit(Check{d}, value);
 }
 
-void check_sheet_names(const Scene& scene) {
-  std::set<std::string> names;
-  for (const Sheet& sheet : scene.sheets) {
-    if (names.insert(sheet.name).second) continue;
-    complain({"two sheets are called '" + sheet.name + "'", "a name of its own for each sheet", ""},
-             {scene.file, 0, "sheet." + sheet.name + ".name"});
+void check_names(const Scene& scene) {
+  for (const RepeatedTable& repeated : repeated_tables()) {
+    std::set<std::string> names;
+    for (std::size_t e = 0; e < repeated.count(scene); ++e) {
+      const std::string& name = repeated.name(scene, static_cast<int>(e));
+      if (names.insert(name).second) continue;
+      complain({"two of [[" + repeated.table + "]] are called '" + name + "'",
+                "a name of its own for each " + repeated.table, ""},
+               {scene.file, 0, repeated.table + "." + name + ".name"});
+    }
   }
 }
 
@@ -204,16 +208,17 @@ void validate(const Scene& scene) {
   for (const ParameterPath& path : all_paths(scene)) {
     const Declaration& d = declaration_of(*path.row);
     // Only read through: the accessors take a Scene they could change.
-    const ValueRef value = d.at(const_cast<Scene&>(scene), path.sheet, path.component);
+    const ValueRef value = d.at(const_cast<Scene&>(scene), path.element, path.component);
     if (const auto complaint = complaint_about(d, value)) complain(*complaint, {scene.file, 0, path.text});
   }
-  check_sheet_names(scene);
+  check_names(scene);
   check_structures(scene);
   check_response(scene);
   check_blur(scene);
   check_profile_files(scene);
   check_sensor(scene);
   check_splines(scene);
+  check_volumes(scene);
   check_region(scene);
   check_free_parameters(scene);
   check_tied_parameters(scene);

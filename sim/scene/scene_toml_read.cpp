@@ -45,13 +45,20 @@ std::vector<std::string> known_tables() {
   return tables;
 }
 
+/// That of an element to which nobody gave one.
+std::string default_name(const RepeatedTable& repeated) {
+  Scene scene;
+  repeated.append(scene);
+  return repeated.name(scene, 0);
+}
+
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 std::string title(const std::string& table) {
   if (table.empty()) return "the top of the file";
-  return table == sheet_table ? "[[" + table + "]]" : "[" + table + "]";
+  return repeated_table(table) != nullptr ? "[[" + table + "]]" : "[" + table + "]";
 }
 
 /// Names the table where such a key lives, or the nearest key of this table, or a much nearer one elsewhere.
@@ -80,8 +87,8 @@ class Reader {
     refuse_unknown_keys("", document_, known_tables());
     read_table("", -1, &document_);
     for (const std::string& table : known_tables()) {
-      if (table == sheet_table) {
-        read_sheets();
+      if (const RepeatedTable* repeated = repeated_table(table)) {
+        read_repeated(*repeated);
       } else {
         read_table(table, -1, table_of(table));
       }
@@ -120,47 +127,47 @@ class Reader {
     complain({"found " + found_text(*node), "one table [" + name + "]", ""}, origin(*node, name));
   }
 
-  void read_sheets() {
-    const std::string name = sheet_table;
+  void read_repeated(const RepeatedTable& repeated) {
+    const std::string& name = repeated.table;
     const toml::node* node = document_.get(name);
     if (node == nullptr) return;
     const std::string expected = "an array of tables [[" + name + "]]";
-    const toml::array* sheets = node->as_array();
-    if (sheets == nullptr) {
+    const toml::array* elements = node->as_array();
+    if (elements == nullptr) {
       complain({"found " + found_text(*node), expected, node->is_table() ? "write [[" + name + "]]" : ""},
                origin(*node, name));
     }
     std::map<std::string, int> line_of_name;
-    for (const toml::node& element : *sheets) {
+    for (const toml::node& element : *elements) {
       const toml::table* values = element.as_table();
       if (values == nullptr) complain({"found " + found_text(element), expected, ""}, origin(element, name));
-      scene_.sheets.emplace_back();
-      const int index = static_cast<int>(scene_.sheets.size()) - 1;
+      repeated.append(scene_);
+      const int index = static_cast<int>(repeated.count(scene_)) - 1;
       read_table(name, index, values);
-      const std::string& sheet_name = scene_.sheets.back().name;
-      const auto [earlier, is_new] = line_of_name.emplace(sheet_name, line_of(element));
+      const std::string& own_name = repeated.name(scene_, index);
+      const auto [earlier, is_new] = line_of_name.emplace(own_name, line_of(element));
       if (!is_new) {
-        complain(
-            {"two sheets are called '" + sheet_name + "', the first in line " +
-                 std::to_string(earlier->second),
-             "a name of its own for each sheet", "a sheet without a name is called '" + Sheet{}.name + "'"},
-            origin(element, name));
+        complain({"two of [[" + name + "]] are called '" + own_name + "', the first in line " +
+                      std::to_string(earlier->second),
+                  "a name of its own for each " + name,
+                  "without a name one is called '" + default_name(repeated) + "'"},
+                 origin(element, name));
       }
     }
   }
 
-  void read_table(const std::string& table, int sheet, const toml::table* values) {
+  void read_table(const std::string& table, int element, const toml::table* values) {
     if (values == nullptr) return;
     if (!table.empty()) refuse_unknown_keys(table, *values);
     for (const Declaration& d : declarations()) {
       const toml::node* node = d.table == table ? values->get(d.key) : nullptr;
       if (node == nullptr) continue;
-      const Origin where = origin(*node, key_path(d, scene_, sheet));
-      assign_key(scene_, d, sheet, *node, where);
-      scene_.lines[key_path(d, scene_, sheet)] = where.line;
+      const Origin where = origin(*node, key_path(d, scene_, element));
+      assign_key(scene_, d, element, *node, where);
+      scene_.lines[key_path(d, scene_, element)] = where.line;
     }
     for (const AlternativeForm& form : alternative_forms()) {
-      if (form.keys.front().table == table) read_form(form, sheet, *values);
+      if (form.keys.front().table == table) read_form(form, element, *values);
     }
     if (table == free_table) {
       const toml::node* free = values->get(free_key);

@@ -49,15 +49,15 @@ std::string comment_lines(const std::string& comment) {
   return text + "\n\n";
 }
 
-std::string key_line(const Scene& scene, const Declaration& d, int sheet) {
-  const std::string line = d.key + " = " + key_text(d, scene, sheet);
+std::string key_line(const Scene& scene, const Declaration& d, int element) {
+  const std::string line = d.key + " = " + key_text(d, scene, element);
   return d.unit.empty() ? line + "\n" : line + "  # " + d.unit + "\n";
 }
 
-std::string table_lines(const Scene& scene, const std::string& table, int sheet) {
+std::string table_lines(const Scene& scene, const std::string& table, int element) {
   std::string text;
   for (const Declaration& d : declarations()) {
-    if (d.table == table) text += key_line(scene, d, sheet);
+    if (d.table == table) text += key_line(scene, d, element);
   }
   if (table == free_table) {
     text += std::string(free_key) + " = " + free_parameters_text(scene.fit.free) + "\n";
@@ -77,13 +77,12 @@ std::string write_scene(const Scene& scene, const std::string& comment) {
   for (const Declaration& d : declarations()) {
     if (d.table == table) continue;
     table = d.table;
-    if (!d.is_in_sheet()) {
+    if (repeated_table(table) == nullptr) {
       text += "\n[" + table + "]\n" + table_lines(scene, table, -1);
       continue;
     }
-    for (int sheet = 0; sheet < static_cast<int>(scene.sheets.size()); ++sheet) {
-      text += "\n[[" + table + "]]\n" + table_lines(scene, table, sheet);
-    }
+    for (int element = 0; element < element_count(d, scene); ++element)
+      text += "\n[[" + table + "]]\n" + table_lines(scene, table, element);
   }
   return text;
 }

@@ -57,13 +57,13 @@ void set_from_text(Scene& scene, const std::string& path, const std::string& tex
 
   const ParameterPath first = resolve(scene, path).front();
   const Declaration& d = declaration_of(*first.row);
-  const bool is_whole_key = with_sheet_name(scene, path) == key_path(d, scene, first.sheet);
+  const bool is_whole_key = with_only_name(scene, path) == key_path(d, scene, first.element);
   const toml::table table =
       parse_value(text, first.row->kind == ParameterKind::text, expected_text(d), origin);
   const toml::node& value = *table.get("value");
   const auto assign = [&](Scene& target) {
-    if (is_whole_key) return assign_key(target, d, first.sheet, value, origin);
-    assign_component(target, d, first.sheet, first.component, value, origin);
+    if (is_whole_key) return assign_key(target, d, first.element, value, origin);
+    assign_component(target, d, first.element, first.component, value, origin);
   };
   // First on a copy: a vector whose second component is wrong must not be half set, and the scene itself is
   // not replaced, since others may hold addresses into it.
@@ -72,7 +72,7 @@ void set_from_text(Scene& scene, const std::string& path, const std::string& tex
   assign(trial);
   assign(scene);
   follow_spline_grid(before, scene);
-  scene.lines[key_path(d, scene, first.sheet)] = 0;  // it was given, but in no line of the file
+  scene.lines[key_path(d, scene, first.element)] = 0;  // it was given, but in no line of the file
 }
 
 }  // namespace vegard::sim

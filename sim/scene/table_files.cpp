@@ -18,14 +18,13 @@ template <class Use>
 void for_each_table_key(Scene& scene, const Use& use) {
   for (const Declaration& d : declarations()) {
     if (!d.names_table) continue;
-    const int sheets = d.is_in_sheet() ? static_cast<int>(scene.sheets.size()) : 1;
-    for (int s = 0; s < sheets; ++s) {
-      std::string& value = *std::get<std::string*>(d.at(scene, s, 0));
+    for (int e = 0; e < element_count(d, scene); ++e) {
+      std::string& value = *std::get<std::string*>(d.at(scene, e, 0));
       if (!is_table_file(value)) continue;
       // "curve:FILE.csv" of fit.decoding: a word before the name.
       const std::size_t word = value.compare(0, kCurveWord.size(), kCurveWord) == 0 ? kCurveWord.size() : 0;
       std::string name = value.substr(word);
-      use(key_path(d, scene, s), name);
+      use(key_path(d, scene, e), name);
       value.replace(word, std::string::npos, name);
     }
   }

@@ -30,6 +30,10 @@ std::optional<Complaint> text_complaint(const Declaration& declaration, const st
 /// A name that is none of fit.photos; empty stands for all photographs.
 std::optional<Complaint> photo_complaint(const Scene& scene, const std::string& photo);
 
+/// Footprints, nebulae with their nodes, and volumes: that what one number needs is there. Throws
+/// Error(scene) with the scene's file.
+void check_volumes(const Scene& scene);
+
 /// Paths, names, limits, scales and priors of fit.free. Throws Error(scene) with the scene's file and the
 /// entry's line.
 void check_free_parameters(const Scene& scene);

@@ -9,7 +9,7 @@ for name in out.exr out.png out.tif out.jpg; do
   expect_stderr "$name"
 done
 # Two outputs appear both or not at all: the picture fits below the limit, the lines do not.
-limit_kb=16
+limit_kb=24
 expect_exit 0 render "$SCENES/small.toml" -o out.jpg --quality 40 --lines lines.exr
 [[ $(stat -c %s out.jpg) -lt $((limit_kb * 1024)) ]] || fail "the picture is too large for this case"
 [[ $(stat -c %s lines.exr) -gt $((limit_kb * 1024)) ]] || fail "the lines are too small for this case"

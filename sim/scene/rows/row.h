@@ -48,16 +48,20 @@ class Row {
   }
 
   template <class Value>
-  Row(std::string key, Value Sheet::*value) {
-    d_.table = sheet_table;
+  Row(std::string key, Value Sheet::*value) : Row(sheet_table, std::move(key), &Scene::sheets, value) {}
+
+  /// Of a repeated table.
+  template <class Element, class Value>
+  Row(std::string table, std::string key, std::vector<Element> Scene::*in, Value Element::*value) {
+    d_.table = std::move(table);
     d_.key = std::move(key);
-    d_.at = [=](Scene& scene, int sheet, int c) { return component_of(scene.sheets.at(sheet).*value, c); };
+    d_.at = [=](Scene& scene, int e, int c) { return component_of((scene.*in).at(e).*value, c); };
     if constexpr (std::is_same_v<Value, std::vector<double>>) {
-      d_.list = [=](const Scene& scene, int sheet) -> const std::vector<double>& {
-        return scene.sheets.at(sheet).*value;
+      d_.list = [=](const Scene& scene, int e) -> const std::vector<double>& {
+        return (scene.*in).at(e).*value;
       };
-      d_.set_list = [=](Scene& scene, int sheet, const std::vector<double>& list) {
-        scene.sheets.at(sheet).*value = list;
+      d_.set_list = [=](Scene& scene, int e, const std::vector<double>& list) {
+        (scene.*in).at(e).*value = list;
       };
     }
   }

@@ -9,6 +9,11 @@ namespace vegard::sim {
 
 std::vector<Declaration> place_rows();
 std::vector<Declaration> sheet_rows();
+std::vector<Declaration> footprint_rows();
+std::vector<Declaration> nebula_rows();
+std::vector<Declaration> node_rows();
+std::vector<Declaration> volume_rows();
+std::vector<Declaration> march_rows();
 std::vector<Declaration> light_rows();
 std::vector<Declaration> sensor_rows();
 std::vector<Declaration> sky_rows();

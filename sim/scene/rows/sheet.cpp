@@ -25,7 +25,7 @@ void count_beams(Scene& scene, int sheet) { scene.sheets.at(sheet).beams_per_km 
 std::vector<Declaration> sheet_rows() {
   // clang-format off
   return {
-      Row("name", &Sheet::name).rule(sheet_name_complaint).means("by which paths call the sheet"),
+      Row("name", &Sheet::name).rule(element_name_complaint).means("by which paths call the sheet"),
       Row("form", &Sheet::form).one_of(form_names()).then(apply_form)
           .means("preset of other keys of the sheet, which those keys override: docs/forms.md, vegard params --forms"),
       Row("center_km", &Sheet::center_km).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(linear)

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
+#include "sim/scene/parameter_declarations.h"
 
 namespace vegard::sim {
 namespace {
@@ -94,6 +95,15 @@ TEST(ParameterTable, EveryRowOccursInAScene) {
   Scene scene = scene_of_one();
   scene.sheets[0].profile = "spline";  // or it has no coefficients
   fill_spline_rates(scene);
+  for (const RepeatedTable& repeated : repeated_tables())
+    if (repeated.count(scene) == 0) repeated.append(scene);
+  Footprint& footprint = scene.footprints[0];  // lists have no rows while they are empty
+  for (auto* list : {&footprint.east_km, &footprint.north_km, &footprint.latitude_deg, &footprint.longitude_deg,
+                     &footprint.point_energy, &footprint.point_flux})
+    list->assign(2, 1.0);
+  Nebula& nebula = scene.nebulae[0];
+  for (auto* list : {&nebula.inner_rayleigh, &nebula.outer_rayleigh, &nebula.glow_rayleigh})
+    list->assign(scene.emission.lines.size(), 1.0);
   for (const ParameterPath& path : all_paths(scene)) seen.insert(path.row);
   EXPECT_EQ(seen.size(), parameter_table().size());
 }
@@ -159,7 +169,7 @@ TEST(Resolve, GivesOnePathPerComponentOfAVector) {
   ASSERT_EQ(paths.size(), 2u);
   EXPECT_EQ(paths[0].text, "sheet.far.center_km.east");
   EXPECT_EQ(paths[1].text, "sheet.far.center_km.north");
-  EXPECT_EQ(paths[1].sheet, 1);
+  EXPECT_EQ(paths[1].element, 1);
   EXPECT_EQ(paths[1].component, 1);
   const auto widths = resolve(Scene{}, "blur.width_deg");
   ASSERT_EQ(widths.size(), 3u);
@@ -310,7 +320,7 @@ TEST(Validate, RefusesScenesMadeByHand) {
 
   scene = scene_of_one();
   scene.sheets.push_back(scene.sheets[0]);
-  EXPECT_EQ(validate_error(scene).problem, "two sheets are called 'main'");
+  EXPECT_EQ(validate_error(scene).problem, "two of [[sheet]] are called 'main'");
 
   scene = Scene{};
   scene.emission.lines = {557.7};

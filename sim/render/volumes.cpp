@@ -1,0 +1,201 @@
+#include "sim/render/volumes.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "sim/base/parallel.h"
+#include "sim/render/emitters.h"
+#include "sim/render/kernel_scene.h"
+#include "sim/render/volume_files.h"
+#include "sim/view/rays.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The rays of one row of a film, of those cells that see anything, and what comes out of them.
+template <class T>
+struct RowOfRays {
+  std::vector<int> column;
+  std::vector<T> direction[3];
+  std::vector<double> end_km;
+
+  void aim(const CameraView<T>& view, const FilmGeometry& film, int row, double observer_altitude_km) {
+    column.clear();
+    end_km.clear();
+    for (auto& axis : direction) axis.clear();
+    for (int c = 0; c < film.columns; ++c) {
+      T enu[3];
+      if (!enu_of_cell(view, film, row, c, enu)) continue;
+      column.push_back(c);
+      for (int axis = 0; axis < 3; ++axis) direction[axis].push_back(enu[axis]);
+      end_km.push_back(ground_km(observer_altitude_km, value_of(enu[2])));
+    }
+  }
+
+  RayBundle<T> bundle() const {
+    return {column.size(), {direction[0].data(), direction[1].data(), direction[2].data()}, end_km.data()};
+  }
+};
+
+/// What one emitter makes of a row.
+template <class T>
+struct RowLight {
+  std::vector<T> rayleigh, kept;
+  std::vector<double> entry_km, depth_km;
+
+  BundleLight<T> clear(std::size_t rays, int lines) {
+    rayleigh.assign(rays * lines, T(0.0));
+    kept.assign(rays * lines, T(1.0));
+    entry_km.assign(rays, kInfinity);
+    depth_km.assign(rays, kInfinity);
+    return {lines, rayleigh.data(), kept.data(), entry_km.data(), depth_km.data()};
+  }
+};
+
+/// Rows of rays through all emitters: calls use(row, rays, combined light) for every row of the film.
+template <class T>
+class RowMarch {
+ public:
+  RowMarch(const Scene& scene, const VolumeFiles& files, const NumberAs<T>& number, int threads)
+      : lines_(static_cast<int>(scene.emission.lines.size())),
+        observer_km_(scene.site.altitude_m * 1e-3),
+        view_(camera_view<T>(
+            scene.camera,
+            [&](CameraNumber which) { return number(*camera_number_address(scene.camera, which)); })),
+        emitters_(make_emitters<T>(scene, files, number, threads)),
+        slots_(thread_count(threads)) {}
+
+  bool absorbs() const {
+    return std::any_of(emitters_.begin(), emitters_.end(), [](const auto& e) { return e->absorbs(); });
+  }
+
+  template <class Use>
+  void run(int row, int slot, const FilmGeometry& film, const Use& use) {
+    Slot& s = slots_[slot];
+    s.rays.aim(view_, film, row, observer_km_);
+    const RayBundle<T> bundle = s.rays.bundle();
+    if (bundle.count == 0) return;
+    s.of_emitter.resize(emitters_.size());
+    for (std::size_t e = 0; e < emitters_.size(); ++e)
+      emitters_[e]->march(bundle, s.of_emitter[e].clear(bundle.count, lines_));
+    combine(s, bundle.count);
+    use(s.rays, s.sum);
+  }
+
+ private:
+  struct Slot {
+    RowOfRays<T> rays;
+    std::vector<RowLight<T>> of_emitter;
+    RowLight<T> sum;
+    std::vector<std::size_t> order;
+  };
+
+  /// From the nearest to the farthest.
+  void combine(Slot& s, std::size_t rays) const {
+    s.sum.clear(rays, lines_);
+    s.order.resize(emitters_.size());
+    for (std::size_t i = 0; i < rays; ++i) {
+      std::iota(s.order.begin(), s.order.end(), std::size_t{0});
+      std::stable_sort(s.order.begin(), s.order.end(), [&](std::size_t a, std::size_t b) {
+        return s.of_emitter[a].entry_km[i] < s.of_emitter[b].entry_km[i];
+      });
+      double weight = 0.0, weighted = 0.0;
+      for (const std::size_t e : s.order) {
+        const RowLight<T>& one = s.of_emitter[e];
+        double bright = 0.0;
+        for (int l = 0; l < lines_; ++l) {
+          const std::size_t at = l * rays + i;
+          const T seen = s.sum.kept[at] * one.rayleigh[at];
+          bright += value_of(seen);
+          s.sum.rayleigh[at] = s.sum.rayleigh[at] + seen;
+          s.sum.kept[at] = s.sum.kept[at] * one.kept[at];
+        }
+        if (bright > 0.0 && one.depth_km[i] < kInfinity) {
+          weight += bright;
+          weighted += bright * one.depth_km[i];
+        }
+      }
+      if (weight > 0.0) s.sum.depth_km[i] = weighted / weight;
+    }
+  }
+
+  int lines_;
+  double observer_km_;
+  CameraView<T> view_;
+  std::vector<std::unique_ptr<Emitter<T>>> emitters_;
+  std::vector<Slot> slots_;
+};
+
+}  // namespace
+
+bool has_volumes(const Scene& scene) {
+  return !scene.footprints.empty() || !scene.volumes.empty() ||
+         std::any_of(scene.nebulae.begin(), scene.nebulae.end(),
+                     [](const Nebula& nebula) { return nebula.method != "literal"; });
+}
+
+Volumes::Volumes(const Scene& scene, int threads)
+    : threads_(thread_count(threads)), files_(std::make_unique<VolumeFiles>(read_volume_files(scene))) {}
+
+Volumes::~Volumes() = default;
+
+VolumeLight Volumes::march(const Scene& scene, const FilmGeometry& film,
+                           const std::function<void(double)>& progress, const std::atomic<bool>* stop) const {
+  RowMarch<double> rows(
+      scene, *files_, [](const double& number) { return number; }, threads_);
+  VolumeLight light;
+  light.lines = static_cast<int>(scene.emission.lines.size());
+  const std::size_t cells = static_cast<std::size_t>(film.rows) * film.columns;
+  light.rayleigh.assign(cells * light.lines, 0.0f);
+  light.depth_km.assign(cells, std::numeric_limits<float>::infinity());
+  if (rows.absorbs()) light.kept.assign(cells * light.lines, 1.0f);
+  std::atomic<int> done{0};
+  parallel_for(static_cast<std::size_t>(film.rows), threads_, [&](std::size_t row, int slot) {
+    if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
+    rows.run(
+        static_cast<int>(row), slot, film, [&](const RowOfRays<double>& rays, const RowLight<double>& sum) {
+          for (std::size_t i = 0; i < rays.column.size(); ++i) {
+            const std::size_t cell = row * film.columns + rays.column[i];
+            light.depth_km[cell] = static_cast<float>(sum.depth_km[i]);
+            for (int l = 0; l < light.lines; ++l) {
+              light.rayleigh[l * cells + cell] = static_cast<float>(sum.rayleigh[l * rays.column.size() + i]);
+              if (!light.kept.empty())
+                light.kept[l * cells + cell] = static_cast<float>(sum.kept[l * rays.column.size() + i]);
+            }
+          }
+        });
+    const int finished = ++done;
+    if (progress) progress(static_cast<double>(finished) / film.rows);
+  });
+  return light;
+}
+
+void Volumes::add_derivatives(const Scene& scene, const FilmGeometry& film,
+                              const std::vector<const double*>& free, std::size_t stride,
+                              float* derivative) const {
+  const std::size_t cells = static_cast<std::size_t>(film.rows) * film.columns;
+  const int lines = static_cast<int>(scene.emission.lines.size());
+  for (std::size_t first = 0; first < free.size(); first += kTangentWidth) {
+    const std::size_t count = std::min<std::size_t>(kTangentWidth, free.size() - first);
+    const Seeds seeds(free, first, count);
+    RowMarch<FreeDual> rows(
+        scene, *files_, [&](const double& number) { return seeds(number); }, threads_);
+    parallel_for(static_cast<std::size_t>(film.rows), threads_, [&](std::size_t row, int slot) {
+      rows.run(static_cast<int>(row), slot, film,
+               [&](const RowOfRays<FreeDual>& rays, const RowLight<FreeDual>& sum) {
+                 for (std::size_t i = 0; i < rays.column.size(); ++i)
+                   for (int l = 0; l < lines; ++l) {
+                     const FreeDual& light = sum.rayleigh[l * rays.column.size() + i];
+                     float* to =
+                         derivative + (l * cells + row * film.columns + rays.column[i]) * stride + first;
+                     for (std::size_t j = 0; j < count; ++j) to[j] += static_cast<float>(light.d.t[j]);
+                   }
+               });
+    });
+  }
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/scene/node_names.h"
+#include "sim/scene/value_check.h"
+#include "sim/scene/value_words.h"
+
+namespace vegard::sim {
+namespace {
+
+void check_footprint(const Scene& scene, const Footprint& f) {
+  const std::string path = "footprint." + f.name + ".";
+  const auto refuse = [&](const Complaint& complaint, const std::string& key) {
+    complain(complaint, {scene.file, 0, path + key});
+  };
+  const bool is_shell = f.shape == "shell";
+  const auto &x = is_shell ? f.longitude_deg : f.east_km, &y = is_shell ? f.latitude_deg : f.north_km;
+  const char *x_key = is_shell ? "longitude_deg" : "east_km", *y_key = is_shell ? "latitude_deg" : "north_km";
+  if (f.source == "spline") {
+    if (x.size() != y.size())
+      refuse({std::to_string(x.size()) + " of " + x_key + " for " + std::to_string(y.size()) + " of " + y_key,
+              "as many of one as of the other", ""},
+             y_key);
+    if (x.size() < 2 || x.size() > 1000)
+      refuse({"a spline through " + std::to_string(x.size()) + " points",
+              std::string(x_key) + " and " + y_key + " of 2 to 1000 points", ""},
+             x_key);
+  }
+  for (const auto& [list, key] : {std::pair{&f.point_energy, "point_energy"}, {&f.point_flux, "point_flux"}})
+    if (!list->empty() && (f.source != "spline" || list->size() != x.size()))
+      refuse({std::to_string(list->size()) + " numbers for " +
+                  std::to_string(f.source == "spline" ? x.size() : 0) + " points of a spline",
+              "one for every point, or none", ""},
+             key);
+  if (f.model == "curtain" && f.source != "spline")
+    refuse({"a curtain stands on a spline, not on a footprint of " + quoted_text(f.source),
+            "source = \"spline\"", "or model = \"volume\""},
+           "model");
+  const bool of_file = f.source == "image" || f.source == "cube";
+  if (of_file && f.image.empty())
+    refuse(
+        {"the footprint is to come from a picture, but image names none", "image = \"a picture's name\"", ""},
+        "source");
+  if (f.source == "cube" && (!is_shell || f.image.find("{face}") == std::string::npos))
+    refuse(
+        {is_shell ? "'" + f.image + "' does not say where the face's name stands" : "a box has no cube faces",
+         is_shell ? "a name such as \"foot_{face}.png\"" : "shape = \"shell\"", ""},
+        is_shell ? "image" : "source");
+  if (is_shell && (f.source == "sheets" || f.source == "noise"))
+    refuse({"a footprint of " + quoted_text(f.source) + " is a box's", "shape = \"box\"", ""}, "source");
+  if (f.low_km >= f.high_km) refuse({"low_km is not below high_km", "low_km below high_km", ""}, "low_km");
+}
+
+/// Names of nodes must be there, and no node may stand on itself.
+void check_nodes(const Scene& scene) {
+  const auto index_of = [&](const std::string& name) {
+    const auto found =
+        std::find_if(scene.nodes.begin(), scene.nodes.end(), [&](const Node& n) { return n.name == name; });
+    return static_cast<std::size_t>(found - scene.nodes.begin());
+  };
+  for (const Node& node : scene.nodes) {
+    const std::string key = "node." + node.name + ".of";
+    const std::vector<std::string> names = node_names(node.of);
+    const NodeArity arity = arity_of(node.kind);
+    if (names.size() < arity.least || names.size() > arity.most)
+      complain({"a node of kind " + quoted_text(node.kind) + " works on " + arity.words() + ", not on " +
+                    std::to_string(names.size()),
+                "of = " + std::string(arity.most == 0 ? "\"\"" : "names of nodes, separated by commas"), ""},
+               {scene.file, 0, key});
+    for (const std::string& name : names)
+      if (index_of(name) == scene.nodes.size())
+        complain({"there is no node '" + name + "'", "the name of a [[node]]", ""}, {scene.file, 0, key});
+  }
+  std::vector<int> state(scene.nodes.size(), 0);  // 1: on the way, 2: done
+  const auto visit = [&](const auto& self, std::size_t n) -> void {
+    if (state[n] == 2) return;
+    if (state[n] == 1)
+      complain({"the node '" + scene.nodes[n].name + "' works on itself, directly or by others",
+                "nodes without a circle", ""},
+               {scene.file, 0, "node." + scene.nodes[n].name + ".of"});
+    state[n] = 1;
+    for (const std::string& name : node_names(scene.nodes[n].of)) self(self, index_of(name));
+    state[n] = 2;
+  };
+  for (std::size_t n = 0; n < scene.nodes.size(); ++n) visit(visit, n);
+}
+
+void check_nebula(const Scene& scene, const Nebula& nebula) {
+  const std::string path = "nebula." + nebula.name + ".";
+  const auto refuse = [&](const Complaint& complaint, const std::string& key) {
+    complain(complaint, {scene.file, 0, path + key});
+  };
+  const auto is_node = [&](const std::string& name) {
+    return std::any_of(scene.nodes.begin(), scene.nodes.end(), [&](const Node& n) { return n.name == name; });
+  };
+  for (const auto& [name, key] : {std::pair{nebula.gas, "gas"}, {nebula.glow, "glow"}, {nebula.dust, "dust"}})
+    if (!name.empty() && !is_node(name))
+      refuse({"there is no node '" + name + "'", "the name of a [[node]], or none", ""}, key);
+  if (nebula.gas.empty() && nebula.glow.empty() && nebula.dust.empty())
+    refuse({"the nebula is made of nothing", "gas, glow or dust with the name of a [[node]]", ""}, "gas");
+  if (nebula.method == "literal" && nebula.gas.empty())
+    refuse({"the literal march has no map", "gas with the name of a [[node]]", ""}, "gas");
+  const std::size_t lines = scene.emission.lines.size();
+  const auto check_list = [&](const std::vector<double>& list, const std::string& node, const char* key) {
+    if (list.size() != lines && (!node.empty() || !list.empty()))
+      refuse({std::to_string(list.size()) + " numbers for " + std::to_string(lines) + " emission lines",
+              "one per line of emission.lines, in its order", ""},
+             key);
+  };
+  const std::string gas = nebula.method == "literal" ? "" : nebula.gas;
+  check_list(nebula.inner_rayleigh, gas, "inner_rayleigh");
+  check_list(nebula.outer_rayleigh, gas, "outer_rayleigh");
+  check_list(nebula.glow_rayleigh, nebula.glow, "glow_rayleigh");
+  if (nebula.inner_radius >= nebula.outer_radius)
+    refuse({"inner_radius is not below outer_radius", "inner_radius below outer_radius", ""}, "inner_radius");
+}
+
+}  // namespace
+
+void check_volumes(const Scene& scene) {
+  for (const Footprint& footprint : scene.footprints) check_footprint(scene, footprint);
+  check_nodes(scene);
+  for (const Nebula& nebula : scene.nebulae) check_nebula(scene, nebula);
+  for (const Volume& volume : scene.volumes)
+    if (volume.file.empty())
+      complain({"the volume names no file", "file = \"NAME.vdb\"", ""},
+               {scene.file, 0, "volume." + volume.name + ".file"});
+}
+
+}  // namespace vegard::sim
