@@ -33,9 +33,9 @@ std::vector<std::vector<double>> sampled_jacobians(const std::vector<Observation
     for (std::size_t o = 0; o < terms.size(); ++o) {
       // Beams are laid out where the answer is.
       terms[o].map.put(values, terms[o].scene);
-      others.push_back(
-          std::make_unique<Comparison>(terms[o].scene, *observations[o].photo, *observations[o].full,
-                                       Comparison::Resolution{1.0, kProfileSmoothing_px, threads, {}, sampling}));
+      others.push_back(std::make_unique<Comparison>(
+          terms[o].scene, *observations[o].photo, *observations[o].full,
+          Comparison::Resolution{1.0, kProfileSmoothing_px, threads, {}, sampling}));
       terms[o].comparison = others.back().get();
     }
     const ProfileCost cost(free, terms, closing, {{}, {}, {}, 1.0, anchors});

@@ -40,7 +40,9 @@ inline std::vector<FreePath> free_paths(const sim::Scene& scene) {
     if ((path.row->table == "airglow" || path.row->table == "light_pollution") &&
         *sim::real_value(scene, path) == 0.0)
       continue;
-    if (path.row->key == "energy_spread" && path.sheet() >= 0 && scene.sheets[path.sheet()].profile != "gaussian") continue;
+    if (path.row->key == "energy_spread" && path.sheet() >= 0 &&
+        scene.sheets[path.sheet()].profile != "gaussian")
+      continue;
     const double value = *sim::real_value(scene, path);
     double step = path.row->scale == sim::ParameterScale::logarithmic && value > 0.0 ? 1e-4 * value : 1e-4;
     // A thousandth of a pixel at most: samples that cross from one cell to the next have no derivative there.
