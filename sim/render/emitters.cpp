@@ -1,11 +1,15 @@
 #include "sim/render/emitters.h"
 
+#include "sim/render/footprint_volumes.h"
+
 namespace vegard::sim {
 
 template <class T>
-std::vector<std::unique_ptr<Emitter<T>>> make_emitters(const Scene&, const VolumeFiles&, const NumberAs<T>&,
-                                                       int) {
+std::vector<std::unique_ptr<Emitter<T>>> make_emitters(const Scene& scene, const VolumeFiles& files,
+                                                       const NumberAs<T>& number, int threads) {
   std::vector<std::unique_ptr<Emitter<T>>> all;
+  for (const Footprint& footprint : scene.footprints)
+    all.push_back(footprint_emitter<T>(scene, footprint, files, number, threads));
   return all;
 }
 
