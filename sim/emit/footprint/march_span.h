@@ -64,6 +64,24 @@ class MarchRays {
     return count;
   }
 
+  /// A point of the observer's east, north and up, from the Earth's centre in the march's own axes; and the
+  /// square of its distance less that of the Earth's radius.
+  void place_of(const double enu_km[3], double place_km[3], double& square_km2) const {
+    const double up = enu_km[2] + kEarthRadiusKm + observer_km_;
+    for (int a = 0; a < 3; ++a)
+      place_km[a] = enu_km[0] * axes_[0][a] + enu_km[1] * axes_[1][a] + up * axes_[2][a];
+    const double height = enu_km[2] + observer_km_;
+    square_km2 = enu_km[0] * enu_km[0] + enu_km[1] * enu_km[1] + height * (height + 2.0 * kEarthRadiusKm);
+  }
+  /// The other way round.
+  void enu_of(const double place_km[3], double enu_km[3]) const {
+    for (int i = 0; i < 3; ++i)
+      enu_km[i] = place_km[0] * axes_[i][0] + place_km[1] * axes_[i][1] + place_km[2] * axes_[i][2];
+    enu_km[2] -= kEarthRadiusKm + observer_km_;
+  }
+  double bottom_km() const { return bottom_km_; }
+  double top_km() const { return top_km_; }
+
  private:
   double observer_km_, bottom_km_, top_km_, step_km_;
   bool literal_ghosts_;
