@@ -88,12 +88,24 @@ class MarchRays {
   double axes_[3][3];  ///< east, north and up
 };
 
-/// The table of the profile whose width is nearest to the altitude that the steps of a block pass through.
-inline int width_of_block(const StepProfile& profile, const MarchSpan& span, int first_step) {
-  const double u = span.first_km + (first_step + 0.5 * kBlockSteps) * span.step_km;
-  const double square = span.square_km2 + u * (2.0 * span.along_km + u) + kEarthRadiusKm * kEarthRadiusKm;
-  const double rise_km = std::fabs(span.along_km + u) / std::sqrt(square) * span.step_km;
-  return std::min(static_cast<int>(rise_km / profile.width_step_km() + 0.5), profile.widths() - 1);
-}
+/// Which table of the profile is for the steps of a block: the one whose width is nearest to the altitude
+/// that they pass through. The radius is taken from the middle of the span, which is good to 2 %.
+class WidthOfBlock {
+ public:
+  WidthOfBlock(const StepProfile& profile, const MarchSpan& span)
+      : along_(span.along_km + span.first_km + 0.5 * kBlockSteps * span.step_km),
+        step_(span.step_km),
+        widths_per_km_(span.step_km / profile.width_step_km() /
+                       std::sqrt(span.square_km2 + kEarthRadiusKm * kEarthRadiusKm)),
+        most_(profile.widths() - 1) {}
+
+  int operator()(int first_step) const {
+    return std::min(static_cast<int>(std::fabs(along_ + first_step * step_) * widths_per_km_ + 0.5), most_);
+  }
+
+ private:
+  double along_, step_, widths_per_km_;
+  int most_;
+};
 
 }  // namespace vegard::sim

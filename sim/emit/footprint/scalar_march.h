@@ -45,10 +45,11 @@ class ScalarMarch {
   void march(const MarchSpanOf<T>& span, ScalarLight<T>& out) const {
     for (T& light : out.rayleigh) light = T(0.0);
     const MarchSpan plain = plain_span(span);
+    const WidthOfBlock width_of_block(profile_, plain);
     for (int first = 0; first < span.steps; first += kBlockSteps) {
       if (may_pass_over(plain, first)) continue;
       out.entry_km = std::min(out.entry_km, plain.at_km + plain.first_km + first * plain.step_km);
-      const int width = width_of_block(profile_, plain, first);
+      const int width = width_of_block(first);
       for (int i = first; i < std::min(first + kBlockSteps, span.steps); ++i) add(span, i, width, out);
     }
     for (T& light : out.rayleigh) light = light * span.step_km * kRayleighsPerKm;
