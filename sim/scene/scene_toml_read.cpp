@@ -145,6 +145,7 @@ class Reader {
       const int index = static_cast<int>(repeated.count(scene_)) - 1;
       read_table(name, index, values);
       const std::string& own_name = repeated.name(scene_, index);
+      element_lines_.emplace(name + "." + own_name, line_of(element));
       const auto [earlier, is_new] = line_of_name.emplace(own_name, line_of(element));
       if (!is_new) {
         complain({"two of [[" + name + "]] are called '" + own_name + "', the first in line " +
@@ -232,12 +233,20 @@ class Reader {
     } catch (const Error& error) {
       ErrorDetails details = error.details();
       if (details.line == 0) details.line = line_of(scene_, details.key);
+      if (details.line == 0) details.line = line_of_element(details.key);
       throw Error(error.kind(), details);
     }
   }
 
+  /// Of the element that a path such as "footprint.arc.image" belongs to; 0 if to none.
+  int line_of_element(const std::string& path) const {
+    const auto found = element_lines_.find(path.substr(0, path.rfind('.')));
+    return found == element_lines_.end() ? 0 : found->second;
+  }
+
   Scene& scene_;
   const toml::table& document_;
+  std::map<std::string, int> element_lines_;  ///< by "footprint.arc"
 };
 
 std::string read_text(const std::string& file) {

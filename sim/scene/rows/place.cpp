@@ -20,7 +20,7 @@ std::vector<Declaration> place_rows() {
           .means("geographic latitude of the observer, north positive"),
       Row("site", "longitude_deg", &Scene::site, &Site::longitude_deg).in("deg").within(-180, 360)
           .means("geographic longitude of the observer, east positive"),
-      Row("site", "altitude_m", &Scene::site, &Site::altitude_m).in("m").within(-500, 2000000)
+      Row("site", "altitude_m", &Scene::site, &Site::altitude_m).in("m").within(-500, 1e9)
           .means("altitude of the observer above the sphere of the Earth"),
       Row("site", "time_utc", &Scene::site, &Site::time_utc).rule(time_complaint)
           .means("when, in ISO 8601 such as \"2019-09-01T05:00:00Z\"; empty if unknown; goes into file headers"),

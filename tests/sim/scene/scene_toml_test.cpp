@@ -12,24 +12,12 @@
 
 #include "sim/base/error.h"
 #include "sim/scene/parameter_table.h"
+#include "tests/support/bad_scene.h"
 
 namespace vegard::sim {
 namespace {
 
 Scene parse(const std::string& text) { return parse_scene(text, "aurora.toml"); }
-
-ErrorDetails error_of(const std::string& text) {
-  try {
-    parse(text);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::scene) << text;
-    EXPECT_EQ(error.details().file, "aurora.toml") << text;
-    EXPECT_GT(error.details().line, 0) << text;
-    return error.details();
-  }
-  ADD_FAILURE() << "no error was thrown for:\n" << text;
-  return {};
-}
 
 /// Every value of both scenes, by path.
 void expect_same(const Scene& a, const Scene& b) {
@@ -199,27 +187,9 @@ TEST(ParseScene, TurnsMeanCollisionsAndTheFieldRatioIntoStepAndLossCone) {
   EXPECT_NEAR(parse("[[sheet]]\nfield_ratio = 0\n").sheets.at(0).loss_cone_deg, 0.0, 1e-15);
 }
 
-struct Bad {
-  const char* what;
-  const char* text;
-  int line;
-  const char* key;
-  const char* part;  ///< of problem, expected and hint together
-};
-
-// GoogleTest would print the addresses of the texts, and so name the test differently on each run.
-void PrintTo(const Bad& bad, std::ostream* stream) { *stream << bad.what; }
-
 class BadScene : public testing::TestWithParam<Bad> {};
 
-TEST_P(BadScene, IsRefusedWithLineKeyAndReason) {
-  const Bad& bad = GetParam();
-  const ErrorDetails details = error_of(bad.text);
-  const std::string words = details.problem + " | " + details.expected + " | " + details.hint;
-  EXPECT_EQ(details.line, bad.line) << words;
-  EXPECT_EQ(details.key, bad.key) << words;
-  EXPECT_NE(words.find(bad.part), std::string::npos) << words;
-}
+TEST_P(BadScene, IsRefusedWithLineKeyAndReason) { expect_refused(GetParam()); }
 
 const Bad bad_scenes[] = {
     {"syntax", "seed = 1\n[camera\n", 2, "", "a TOML file"},
