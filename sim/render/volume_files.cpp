@@ -1,12 +1,12 @@
 #include "sim/render/volume_files.h"
 
-#include "sim/render/footprint_pictures.h"
+#include "sim/scene/footprint_files.h"
 
 namespace vegard::sim {
 
 VolumeFiles read_volume_files(const Scene& scene) {
   VolumeFiles files;
-  read_footprint_pictures(scene, files);
+  files.pictures = read_footprint_pictures(scene);
   return files;
 }
 
