@@ -28,6 +28,11 @@ bool frees_distortion(const Camera& camera, const std::vector<const double*>& fr
   return false;
 }
 
+Scene with_other_seed(Scene scene, std::uint64_t sampling) {
+  scene.seed += sampling;
+  return scene;
+}
+
 }  // namespace
 
 double blur_sigma_px(const Scene& scene, int line) {
@@ -62,6 +67,7 @@ FilmGeometry film_for(const Scene& scene, double x_px, double y_px, double width
 struct Exposer::Workspace {
   FilmGeometry film;
   int threads = 1;
+  std::uint64_t sampling = 0;
   BeamLayout layout;
   std::vector<LargeZeros<std::int64_t>> slot_films;
   std::vector<PackedChunk> slot_chunks;                // kept: their memory is large enough to cost something
@@ -71,9 +77,11 @@ struct Exposer::Workspace {
   /// One per sheet.
   std::vector<KernelScene> kernels(const Scene& scene, const std::vector<HeightProfile>& profiles) const {
     std::vector<KernelScene> all;
-    for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+    for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
       all.push_back(
           kernel_scene(scene, scene.sheets[s], layout.path_step(static_cast<int>(s)), film, profiles));
+      all.back().seed += sampling;
+    }
     return all;
   }
 
@@ -137,8 +145,16 @@ struct Exposer::Workspace {
   }
 };
 
-Exposer::Exposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond)
-    : work_(new Workspace{film, thread_count(threads), BeamLayout(scene, beyond), {}, {}, {}, {}}) {
+Exposer::Exposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond,
+                 std::uint64_t sampling)
+    : work_(new Workspace{film,
+                          thread_count(threads),
+                          sampling,
+                          BeamLayout(with_other_seed(scene, sampling), beyond),
+                          {},
+                          {},
+                          {},
+                          {}}) {
   if (has_volumes(scene)) work_->volumes = std::make_unique<Volumes>(scene, threads);
 }
 

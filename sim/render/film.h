@@ -51,8 +51,10 @@ int blur_radius_px(const Scene& scene, int line);
 class Exposer {
  public:
   /// `beyond` lays out dark beams past the sheets' ends, so many sheet lengths on either side, for later
-  /// scenes in which the ends have moved along the line.
-  Exposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond = 0.0);
+  /// scenes in which the ends have moved along the line. `sampling` is added to the scene's seed where beams
+  /// draw from it, and nowhere else: the noise of a volume is a matter of the scene.
+  Exposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond = 0.0,
+          std::uint64_t sampling = 0);
   ~Exposer();
 
   /// `progress`, if any, is told the finished share now and then, from any thread; `stop`, if any, ends the

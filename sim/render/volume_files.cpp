@@ -1,12 +1,14 @@
 #include "sim/render/volume_files.h"
 
 #include "sim/render/depth_file.h"
+#include "sim/render/footprint_pictures.h"
 
 namespace vegard::sim {
 
 VolumeFiles read_volume_files(const Scene& scene) {
   VolumeFiles files;
   files.depth = read_depth(scene);
+  read_footprint_pictures(scene, files);
   return files;
 }
 
