@@ -1,11 +1,15 @@
 #include "sim/render/emitters.h"
 
+#include "sim/emit/grid/grid_emitter.h"
+
 namespace vegard::sim {
 
 template <class T>
-std::vector<std::unique_ptr<Emitter<T>>> make_emitters(const Scene&, const VolumeFiles&, const NumberAs<T>&,
-                                                       int) {
+std::vector<std::unique_ptr<Emitter<T>>> make_emitters(const Scene& scene, const VolumeFiles& files,
+                                                       const NumberAs<T>& number, int) {
   std::vector<std::unique_ptr<Emitter<T>>> all;
+  for (std::size_t v = 0; v < scene.volumes.size(); ++v)
+    all.push_back(std::make_unique<GridEmitter<T>>(*files.grids[v], scene.volumes[v], number));
   return all;
 }
 
