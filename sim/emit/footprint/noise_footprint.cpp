@@ -12,7 +12,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kPushed = 0.6;   // how far places are pushed aside, in the largest waves
+constexpr double kPushed = 0.4;   // how far places are pushed aside, in the largest waves
 constexpr int kLevelPlaces = 96;  // along either side of the box, from which the dark level is taken
 // Half way between planes of nodes, where all noise would be weak.
 constexpr double kPlane = 0.5;

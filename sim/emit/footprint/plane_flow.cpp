@@ -15,7 +15,8 @@ namespace {
 constexpr double kPi = 3.141592653589793;
 constexpr double kMostCells = 262144.0;  // of the flow's grid
 constexpr double kAround = 1.25;         // the periodic plane over the box
-constexpr double kStep = 0.5;            // of time, over the inverse of the largest vorticity
+constexpr double kStep = 0.5;           // of time, over the inverse of the largest vorticity
+constexpr int kStretchSteps = 6;        // of time, to a stretch
 constexpr int kRippleOctaves = 3;
 
 using Layer = std::vector<double>;
@@ -45,6 +46,15 @@ class Cubic {
     return sum;
   }
 
+  /// Leads a place at the end of the stretches back to where it was before the first.
+  void follow(const std::vector<FlowStretch>& stretches, double& column, double& row) {
+    for (auto stretch = stretches.rbegin(); stretch != stretches.rend(); ++stretch) {
+      look(column, row);
+      column += of(stretch->columns);
+      row += of(stretch->rows);
+    }
+  }
+
  private:
   static int around(int i, int n) { return (i % n + n) % n; }
   static void weigh(double t, double w[4]) {
@@ -66,10 +76,10 @@ class Flow {
   Flow(int columns, int rows, int threads)
       : columns_(columns), rows_(rows), threads_(threads), cells_(static_cast<std::size_t>(columns) * rows) {}
 
-  /// The vorticity at the start, largest 1.
-  Layer start;
-  /// Where each cell came from, less where it is.
-  Layer back_column, back_row;
+  /// The vorticity at the very start, largest 1, and at the start of this stretch.
+  Layer first, start;
+  /// Where each cell came from since this stretch began, less where it is.
+  FlowStretch back;
   Layer velocity_column, velocity_row;
 
   /// The velocities of the vorticity that has come to each cell.
@@ -79,7 +89,7 @@ class Flow {
       Cubic cubic(columns_, rows_);
       for (int c = 0; c < columns_; ++c) {
         const std::size_t i = at(c, r);
-        cubic.look(c + back_column[i], r + back_row[i]);
+        cubic.look(c + back.columns[i], r + back.rows[i]);
         plane[i] = cubic.of(start);
       }
     });
@@ -114,12 +124,29 @@ class Flow {
         cubic.look(c - 0.5 * time * by_column[i], r - 0.5 * time * by_row[i]);
         const double by_c = -time * cubic.of(by_column), by_r = -time * cubic.of(by_row);
         cubic.look(c + by_c, r + by_r);
-        next_column[i] = by_c + cubic.of(back_column);
-        next_row[i] = by_r + cubic.of(back_row);
+        next_column[i] = by_c + cubic.of(back.columns);
+        next_row[i] = by_r + cubic.of(back.rows);
       }
     });
-    back_column.swap(next_column);
-    back_row.swap(next_row);
+    back.columns.swap(next_column);
+    back.rows.swap(next_row);
+  }
+
+  /// Begins another stretch: its vorticity is that of the very start, at the places where all stretches
+  /// together lead back to, so that no error adds up.
+  void begin_stretch(const std::vector<FlowStretch>& before) {
+    back.columns.assign(cells_, 0.0);
+    back.rows.assign(cells_, 0.0);
+    start.resize(cells_);
+    each_row([&](int r) {
+      Cubic cubic(columns_, rows_);
+      for (int c = 0; c < columns_; ++c) {
+        double column = c, row = r;
+        cubic.follow(before, column, row);
+        cubic.look(column, row);
+        start[at(c, r)] = cubic.of(first);
+      }
+    });
   }
 
   double energy() const {
@@ -156,8 +183,7 @@ PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& f, std::
   const int margin_columns = (columns - box_columns) / 2, margin_rows = (rows - box_rows) / 2;
   const double cell_km = block * plane.cell_km;
   Flow flow(columns, rows, threads);
-  for (Layer* layer :
-       {&flow.start, &flow.back_column, &flow.back_row, &flow.velocity_column, &flow.velocity_row})
+  for (Layer* layer : {&flow.first, &flow.velocity_column, &flow.velocity_row})
     layer->assign(flow.cells(), 0.0);
   parallel_for(box_rows, threads, [&](std::size_t r, int) {
     const int row = static_cast<int>(r);
@@ -172,17 +198,18 @@ PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& f, std::
                    north = (row + 0.5 - 0.5 * box_rows) * cell_km;
       const double noise = octave_noise(seed, Stream::ripple, static_cast<std::uint32_t>(index),
                                         kRippleOctaves, east / f.flow_scale_km, north / f.flow_scale_km, 0.5);
-      flow.start[flow.at(column + margin_columns, row + margin_rows)] = sum * (1.0 + f.flow_ripple * noise);
+      flow.first[flow.at(column + margin_columns, row + margin_rows)] = sum * (1.0 + f.flow_ripple * noise);
     }
   });
   double largest = 0.0;
-  for (const double w : flow.start) largest = std::max(largest, std::abs(w));
+  for (const double w : flow.first) largest = std::max(largest, std::abs(w));
   if (largest <= 0.0) return result;
-  for (double& w : flow.start) w *= (stands_north ? -1.0 : 1.0) / largest;
+  for (double& w : flow.first) w *= (stands_north ? -1.0 : 1.0) / largest;
 
   const double duration = 4.0 * kPi * f.flow_turns;
   const int steps = std::max(1, static_cast<int>(std::ceil(duration / kStep)));
   const double time = duration / steps;
+  flow.begin_stretch({});
   flow.solve();
   result.energy_first = flow.energy();
   Layer before_column = flow.velocity_column, before_row = flow.velocity_row;
@@ -196,6 +223,10 @@ PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& f, std::
     before_column = flow.velocity_column;
     before_row = flow.velocity_row;
     flow.step(time, middle_column, middle_row);
+    if ((s + 1) % kStretchSteps == 0 || s + 1 == steps) {
+      result.stretches.push_back(flow.back);
+      flow.begin_stretch(result.stretches);
+    }
     flow.solve();
   }
   result.energy_last = flow.energy();
@@ -204,10 +235,6 @@ PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& f, std::
   result.cell_km = cell_km;
   result.west_km = plane.west_km - margin_columns * cell_km;
   result.south_km = plane.south_km - margin_rows * cell_km;
-  result.east_km = std::move(flow.back_column);
-  result.north_km = std::move(flow.back_row);
-  for (double& x : result.east_km) x *= cell_km;
-  for (double& x : result.north_km) x *= cell_km;
   result.velocity_east = std::move(flow.velocity_column);
   result.velocity_north = std::move(flow.velocity_row);
   return result;
@@ -228,9 +255,13 @@ void carry(const PlaneFlow& flow, PlaneFootprint<T>& plane, int threads) {
         const double east = plane.west_km + (column + (part % kParts + 0.5) / kParts) * plane.cell_km;
         const double north =
             plane.south_km + (static_cast<double>(row) + (part / kParts + 0.5) / kParts) * plane.cell_km;
-        cubic.look((east - flow.west_km) / flow.cell_km - 0.5, (north - flow.south_km) / flow.cell_km - 0.5);
-        const double x = (east + cubic.of(flow.east_km) - plane.west_km) / plane.cell_km - 0.5;
-        const double y = (north + cubic.of(flow.north_km) - plane.south_km) / plane.cell_km - 0.5;
+        double flow_column = (east - flow.west_km) / flow.cell_km - 0.5,
+               flow_row = (north - flow.south_km) / flow.cell_km - 0.5;
+        cubic.follow(flow.stretches, flow_column, flow_row);
+        const double x =
+            (flow.west_km + (flow_column + 0.5) * flow.cell_km - plane.west_km) / plane.cell_km - 0.5;
+        const double y =
+            (flow.south_km + (flow_row + 0.5) * flow.cell_km - plane.south_km) / plane.cell_km - 0.5;
         const double left = std::floor(x), below = std::floor(y);
         if (left < -1.0 || below < -1.0 || left >= grid.columns || below >= grid.rows) continue;
         for (int j = 0; j < 2; ++j)

@@ -11,7 +11,8 @@
 // periodic plane around the box, velocities by central differences of it: their own divergence by central
 // differences vanishes exactly. What is followed back along the flow is the place where each point came from
 // (the characteristic mapping of X.-Y. Yin, O. Mercier, B. Yadav, K. Schneider, J.-C. Nave, J. Comput. Phys.
-// 424, 2021), so that the footprint is interpolated once and not at every step.
+// 424, 2021), so that the footprint is interpolated once and not at every step; as there, in short stretches
+// of time one after the other, each of which bends the plane but little.
 #pragma once
 
 #include <cstdint>
@@ -22,12 +23,17 @@
 
 namespace vegard::sim {
 
-/// The flow's grid, periodic, and where at its end everything came from.
+/// Where everything came from over a stretch of time: [row][column], what is added to a cell's place, in
+/// cells.
+struct FlowStretch {
+  std::vector<double> columns, rows;
+};
+
+/// The flow's grid, periodic, and its stretches in the order of time.
 struct PlaneFlow {
   int columns = 0, rows = 0;  ///< 0: nothing has moved
   double west_km = 0.0, south_km = 0.0, cell_km = 1.0;
-  /// [row][column], what is added to a cell's place to get where it came from
-  std::vector<double> east_km, north_km;
+  std::vector<FlowStretch> stretches;
   /// [row][column], at the end, in the flow's own units of time (1 / its largest vorticity at the start)
   std::vector<double> velocity_east, velocity_north;
   double energy_first = 0.0, energy_last = 0.0;  ///< half the squares of the velocities, summed over cells
