@@ -51,7 +51,9 @@ class Exposer {
  public:
   /// `beyond` lays out dark beams past the sheets' ends, so many sheet lengths on either side, for later
   /// scenes in which the ends have moved along the line.
-  Exposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond = 0.0);
+  /// `volumes`, if any, are the scene's, made elsewhere; else it makes them.
+  Exposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond = 0.0,
+          std::shared_ptr<const Volumes> volumes = nullptr);
   ~Exposer();
 
   /// `progress`, if any, is told the finished share now and then, from any thread; `stop`, if any, ends the
