@@ -37,7 +37,9 @@
 #include "fit/version.h"
 #include "sim/base/sha256.h"
 #include "sim/base/version.h"
+#include "sim/scene/named_files.h"
 #include "sim/scene/scene_toml.h"
+#include "sim/scene/table_files.h"
 
 namespace vegard::apps {
 namespace {
@@ -124,6 +126,9 @@ fit::JournalSubject subject_of(const Options& options, const sim::Scene& scene,
       {"the scene", sim::sha256(sim::write_scene(scene))}};
   for (const auto& [path, text] : scene.tables)
     subject.push_back({"the table of " + path, sim::sha256(text)});
+  for (const sim::NamedFile& named : sim::named_files(scene))
+    for (const std::string& name : sim::files_of_name(named.name))
+      subject.push_back({"the file of " + named.path, sha256_of(sim::table_place(scene, name))});
   for (std::size_t i = 0; i < photos.size(); ++i) {
     const std::string which = photos.size() > 1 ? " " + std::to_string(i + 1) : "";
     subject.push_back({"the photograph" + which, photos[i].sha256});

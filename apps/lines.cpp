@@ -18,12 +18,14 @@ namespace vegard::apps {
 namespace {
 
 std::string lifetime_text(double seconds) {
+  if (seconds == 0.0) return "–";
   if (seconds >= 3600.0) return fmt::format("{:.0f} h", seconds / 3600.0);
   if (seconds >= 1e-3) return fmt::format("{:g} s", seconds);
   return seconds >= 1e-6 ? fmt::format("{:g} µs", seconds * 1e6) : fmt::format("{:.0f} ns", seconds * 1e9);
 }
 
 std::string column_text(const sim::EmissionLine& line) {
+  if (!sim::is_auroral(line)) return "of nebulae";
   if (line.ratio_source[0] == '\0') return line.table_column;
   return fmt::format("{:.4g} × {}", line.ratio, line.table_column);
 }
@@ -63,7 +65,8 @@ std::string line_page() {
       "This page is the output of `vegard lines --markdown`; a test compares the two. A scene takes up to "
       "eight of these\n"
       "lines (`emission.lines`). *Light* is the column of `data/glow/ver_maxwellian.csv`, or a ratio of "
-      "photons to one.\n"
+      "photons to one; lines of\n[nebulae](nebulae.md) have none, and electrons in the air leave them "
+      "dark.\n"
       "What a line is *blended with* stands so near that a filter of some nm passes both; it is not added to "
       "the line.\n\n"
       "| line | species | transition | lifetime | light | blended with |\n|---|---|---|---|---|---|\n";
@@ -84,16 +87,10 @@ std::string line_page() {
   for (const sim::EmissionLine& line : sim::emission_lines()) {
     if (line.components.size() < 2) continue;
     text += fmt::format(
-        "\n## The bands under {:.1f} nm\n\n"
-        "Shares of the photons: populations of the upper state measured in aurora (Gattinger and Vallance "
-        "Jones "
-        "1974,\n"
-        "Can. J. Phys. 52, 2343) times the Einstein coefficients of Vallance Jones 1974, \"Aurora\". A "
-        "camera's "
-        "colour of it\n"
-        "is that of all of them.\n\n"
+        "\n## The {} under {:.1f} nm\n\n"
+        "Shares of the photons: {}. A camera's colour of it is that of all of them.\n\n"
         "| nm | share |\n|---|---|\n",
-        line.wavelength_nm);
+        line.components.size() == 2 ? "lines" : "bands", line.wavelength_nm, line.components_source);
     for (const sim::LineComponent& band : line.components)
       text += fmt::format("| {:.1f} | {:.2f} % |\n", band.wavelength_nm, 100.0 * band.share);
   }

@@ -20,7 +20,7 @@ class PreviewPace {
 
  private:
   static constexpr int kCoarsestShrink = 6;
-  static constexpr double kFewestPoints = 5e4;
+  static constexpr double kFewestPoints = 3e5;
 
   sim::Reduction reduction_;
   double start_points_, wanted_ms_;

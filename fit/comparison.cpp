@@ -33,14 +33,14 @@ Comparison::Comparison(const sim::Scene& scene, const Photo& photo, Profile data
           resolution.model_error.value_or(Statistics::ModelError{scene.fit.model_error}))),
       gains_(gain_layout(scene)),
       model_(scene, photo, statistics_->grids(), resolution.beams_share, resolution.smooth_rows,
-             resolution.threads) {}
+             resolution.threads, resolution.sampling) {}
 
 Comparison::Comparison(const sim::Scene& scene, const Photo& photo, const Comparison& like,
                        const Resolution& resolution)
     : statistics_(like.statistics_),
       gains_(like.gains_),
       model_(scene, photo, statistics_->grids(), resolution.beams_share, resolution.smooth_rows,
-             resolution.threads) {}
+             resolution.threads, resolution.sampling) {}
 
 Comparison::Point Comparison::at(const sim::Scene& scene) {
   Point point;

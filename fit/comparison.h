@@ -2,6 +2,7 @@
 // them.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,6 +27,7 @@ class Comparison {
     int threads = 0;
     /// Of statistics other than the profile, whose sigma is given; none: the scene's.
     std::optional<Statistics::ModelError> model_error = {};
+    std::uint64_t sampling = 0;  ///< another draw of the beams (sim::Exposer)
   };
 
   /// `data` and `sigma` are the photograph's profile as this resolution sees it, and its noise; it has the

@@ -142,6 +142,37 @@ void add_feet(const sim::Scene& best, int s, const std::string& of, std::vector<
         {"longitude and geomagnetic latitude of the feet" + of, "deg", "site.longitude_deg is not given"}));
 }
 
+/// Of a curve that is drawn; the box's middle is added to its points.
+double nearest_on_spline_km(const sim::Footprint& f) {
+  double nearest = std::numeric_limits<double>::infinity();
+  const std::size_t points = std::min(f.east_km.size(), f.north_km.size());
+  const auto point = [&](std::size_t i) {
+    return sim::EastNorth{f.center_km.east + f.east_km[i % points],
+                          f.center_km.north + f.north_km[i % points]};
+  };
+  for (std::size_t i = 0; i + (f.closed ? 0 : 1) < points; ++i) {
+    const sim::EastNorth a = point(i), b = point(i + 1);
+    const double east = b.east - a.east, north = b.north - a.north;
+    const double square = east * east + north * north;
+    const double t = square > 0.0 ? std::clamp(-(a.east * east + a.north * north) / square, 0.0, 1.0) : 0.0;
+    nearest = std::min(nearest, std::hypot(a.east + t * east, a.north + t * north));
+  }
+  return nearest;
+}
+
+void add_footprints(const sim::Scene& best, std::vector<Group>& groups) {
+  for (std::size_t i = 0; i < best.footprints.size(); ++i) {
+    const sim::Footprint& footprint = best.footprints[i];
+    const std::string of = " of the " + footprint.name + " footprint";
+    if (footprint.shape == "box" && footprint.source == "spline")
+      groups.push_back(one({"distance" + of, "km", ""},
+                           [i](const sim::Scene& x) { return nearest_on_spline_km(x.footprints[i]); }));
+    if (footprint.profile == "maxwellian")
+      groups.push_back(one({"characteristic energy E0" + of, "keV", ""},
+                           [i](const sim::Scene& x) { return x.footprints[i].energy_kev; }));
+  }
+}
+
 std::vector<Group> groups_of(const sim::Scene& best) {
   std::vector<Group> groups;
   for (int s = 0; s < static_cast<int>(best.sheets.size()); ++s) {
@@ -159,6 +190,7 @@ std::vector<Group> groups_of(const sim::Scene& best) {
                          [s](const sim::Scene& x) { return wavelength_ratio(x.sheets[s]); }));
     add_feet(best, s, of, groups);
   }
+  add_footprints(best, groups);
   return groups;
 }
 

@@ -49,55 +49,77 @@ bool is_own_number(const FitResult& result, const std::string& path, DerivedNumb
   return false;
 }
 
-}  // namespace
-
-std::optional<FoundFlux> found_flux(const sim::Scene& known, const FittedPhoto& fitted, int index,
-                                    std::string& why_none) {
-  const sim::Sheet& sheet = fitted.best.sheets[index];
+/// Q of the scene, times found over known gain. `why_not_this`: what speaks against it, whatever the scale.
+std::optional<FoundFlux> scaled(double mw_m2, const sim::Scene& known, const FittedPhoto& fitted,
+                                const std::string& why_not_this, std::string& why_none) {
   const std::optional<double> of_scale = relative_sigma_of_scale(known);
   if (!of_scale)
     why_none = "not calibrated: sensor.calibration_error is 0";
-  else if (sheet.brightness_kilorayleigh > 0.0)
-    why_none = "the sheet's brightness was given in its place";
-  else if (sim::has_spline_profile(sheet))
-    why_none = "a free-form height profile has a scale of its own";
+  else if (!why_not_this.empty())
+    why_none = why_not_this;
   else if (!known.fit.white_balance_known)
     why_none = "not calibrated: every channel has a gain of its own";
   else
     why_none.clear();
   if (!why_none.empty()) return {};
   const double share = sim::gain_per_kilorayleigh(fitted.best) / sim::gain_per_kilorayleigh(known);
-  FoundFlux flux{sheet.energy_flux_mw_m2 * share, {}};
+  FoundFlux flux{mw_m2 * share, {}};
   if (const std::optional<double> of_gain = relative_sigma_of_gain(fitted))
     flux.sigma = flux.mw_m2 * std::hypot(*of_gain, *of_scale);
   return flux;
 }
 
+/// Of element `index` of a table of that name, by found_flux() or its like.
+template <class Found>
+DerivedNumber energy_flux(const std::string& table, const std::string& name, int index, const Found& found,
+                          const std::vector<const sim::Scene*>& known, const FitResult& result) {
+  DerivedNumber d;
+  d.name = "energy flux Q of the " + name + " " + table;
+  d.unit = "mW m\u207b\u00b2";
+  if (is_own_number(result, table + "." + name + ".energy_flux_mw_m2", d)) return d;
+  d.value = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < result.photos.size() && i < known.size(); ++i) {
+    std::string why_none;
+    const auto flux = found(*known[i], result.photos[i], index, why_none);
+    if (d.why_none.empty()) d.why_none = why_none;
+    if (!flux || (d.sigma && !(flux->sigma && *flux->sigma < *d.sigma))) continue;
+    d.value = flux->mw_m2;
+    d.sigma = flux->sigma;
+  }
+  if (std::isfinite(d.value)) {
+    d.why_none.clear();
+    if (!d.sigma) d.why_no_sigma = "the gain has none";
+  }
+  return d;
+}
+
+}  // namespace
+
+std::optional<FoundFlux> found_flux(const sim::Scene& known, const FittedPhoto& fitted, int index,
+                                    std::string& why_none) {
+  const sim::Sheet& sheet = fitted.best.sheets[index];
+  std::string why_not_this;
+  if (sheet.brightness_kilorayleigh > 0.0)
+    why_not_this = "the sheet's brightness was given in its place";
+  else if (sim::has_spline_profile(sheet))
+    why_not_this = "a free-form height profile has a scale of its own";
+  return scaled(sheet.energy_flux_mw_m2, known, fitted, why_not_this, why_none);
+}
+
+std::optional<FoundFlux> found_flux_of_footprint(const sim::Scene& known, const FittedPhoto& fitted,
+                                                 int footprint, std::string& why_none) {
+  return scaled(fitted.best.footprints[footprint].energy_flux_mw_m2, known, fitted, "", why_none);
+}
+
 std::vector<DerivedNumber> energy_fluxes(const std::vector<const sim::Scene*>& known,
                                          const FitResult& result) {
   std::vector<DerivedNumber> fluxes;
-  for (std::size_t s = 0; s < result.best.sheets.size(); ++s) {
-    const std::string& name = result.best.sheets[s].name;
-    DerivedNumber d;
-    d.name = "energy flux Q of the " + name + " sheet";
-    d.unit = "mW m\u207b\u00b2";
-    if (!is_own_number(result, "sheet." + name + ".energy_flux_mw_m2", d)) {
-      d.value = std::numeric_limits<double>::quiet_NaN();
-      for (std::size_t i = 0; i < result.photos.size() && i < known.size(); ++i) {
-        std::string why_none;
-        const auto flux = found_flux(*known[i], result.photos[i], static_cast<int>(s), why_none);
-        if (d.why_none.empty()) d.why_none = why_none;
-        if (!flux || (d.sigma && !(flux->sigma && *flux->sigma < *d.sigma))) continue;
-        d.value = flux->mw_m2;
-        d.sigma = flux->sigma;
-      }
-      if (std::isfinite(d.value)) {
-        d.why_none.clear();
-        if (!d.sigma) d.why_no_sigma = "the gain has none";
-      }
-    }
-    fluxes.push_back(std::move(d));
-  }
+  for (std::size_t s = 0; s < result.best.sheets.size(); ++s)
+    fluxes.push_back(
+        energy_flux("sheet", result.best.sheets[s].name, static_cast<int>(s), found_flux, known, result));
+  for (std::size_t f = 0; f < result.best.footprints.size(); ++f)
+    fluxes.push_back(energy_flux("footprint", result.best.footprints[f].name, static_cast<int>(f),
+                                 found_flux_of_footprint, known, result));
   return fluxes;
 }
 

@@ -23,9 +23,13 @@ struct FoundFlux {
 std::optional<FoundFlux> found_flux(const sim::Scene& known, const FittedPhoto& fitted, int sheet,
                                     std::string& why_none);
 
-/// "energy flux Q of the main sheet" of every sheet. One that was free, or tied, is as it was found. Of
-/// several photographs it is told by the one whose answer has the smallest sigma. `known` holds the scene of
-/// each photograph of the result.
+/// The same of a footprint, whose Q is at its spline, or where its picture is white.
+std::optional<FoundFlux> found_flux_of_footprint(const sim::Scene& known, const FittedPhoto& fitted,
+                                                 int footprint, std::string& why_none);
+
+/// "energy flux Q of the main sheet" of every sheet, and "of the arc footprint" of every footprint. One that
+/// was free, or tied, is as it was found. Of several photographs it is told by the one whose answer has the
+/// smallest sigma. `known` holds the scene of each photograph of the result.
 std::vector<DerivedNumber> energy_fluxes(const std::vector<const sim::Scene*>& known,
                                          const FitResult& result);
 

@@ -29,7 +29,8 @@ void check_sizes(const sim::Scene& scene, const Photo& photo) {
 /// A film that counts points, or puts each into one cell, has no derivative by the points' places; nor has
 /// the physical blur any here.
 void check_film(const sim::Scene& scene) {
-  const auto refuse = [&](const char* key, const std::string& value, const char* needed, const char* hint) {
+  const auto refuse = [&](const std::string& key, const std::string& value, const char* needed,
+                          const char* hint) {
     if (value == needed) return;
     throw sim::Error(sim::ErrorKind::scene, {"\"" + value + "\" cannot be fitted", scene.file, 0, key,
                                              "\"" + std::string(needed) + "\"", hint});
@@ -38,17 +39,19 @@ void check_film(const sim::Scene& scene) {
   refuse("film.weight", scene.film.weight, "rayleigh", literal);
   refuse("film.splat", scene.film.splat, "bilinear", literal);
   refuse("blur.model", scene.blur.model, "angle", "the physical blur is for rendering only");
+  for (const sim::Nebula& nebula : scene.nebulae)
+    refuse("nebula." + nebula.name + ".method", nebula.method, "physical",
+           "the literal march makes colours, not light that could be compared");
 }
 
-/// What the simulation's own sampling leaves in a profile, as a fraction of its brightness.
+/// What the simulation's own sampling leaves in a profile, as a fraction of its brightness: beams are drawn,
+/// volumes are not.
 double sampling_error_of(const sim::Scene& scene, const Photo& photo, const Profile& data, int threads) {
+  if (scene.sheets.empty()) return 0.0;
   std::array<ModelProfile, 2> samplings;
-  for (std::size_t i = 0; i < samplings.size(); ++i) {
-    sim::Scene other = scene;
-    other.seed += i;
-    ProfileModel(other, photo, data.region, data.bands, 1.0, kProfileSmoothing_px, threads)
-        .evaluate(other, samplings[i]);
-  }
+  for (std::size_t i = 0; i < samplings.size(); ++i)
+    ProfileModel(scene, photo, data.region, data.bands, 1.0, kProfileSmoothing_px, threads, i)
+        .evaluate(scene, samplings[i]);
   return sampling_error(samplings[0].value, samplings[1].value, data.bands);
 }
 

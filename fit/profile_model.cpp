@@ -13,6 +13,7 @@
 #include "sim/light/sheet_profile.h"
 #include "sim/render/air_on_film.h"
 #include "sim/render/film.h"
+#include "sim/scene/counterpart.h"
 #include "sim/scene/scene_toml.h"
 #include "sim/view/blur.h"
 #include "sim/view/line_colours.h"
@@ -174,37 +175,14 @@ struct ProfileModel::Workspace {
 
   /// Copies the numbers of `from`; the addresses in `free` follow to the copy.
   std::vector<const double*> adopt(const sim::Scene& from, const std::vector<const double*>& free) {
-    std::vector<const double*> moved;
     for (std::size_t s = 0; s < from.sheets.size(); ++s) used_beams[s] = scene.sheets[s].beams;
     scene = from;
+    scene.march.shrink = 1;  // light and derivatives are to be of one march
     for (std::size_t s = 0; s < from.sheets.size(); ++s) {
       scene.sheets[s].beams = used_beams[s];
       scene.sheets[s].beams_per_km = 0.0;
     }
-    for (const double* address : free) moved.push_back(counterpart(from, address));
-    return moved;
-  }
-
-  /// The address in `scene` of the number that lives at `address` in `from`.
-  const double* counterpart(const sim::Scene& from, const double* address) const {
-    const auto inside = [address](const void* object, std::size_t size) {
-      const char *a = reinterpret_cast<const char*>(address), *o = static_cast<const char*>(object);
-      return a >= o && a < o + size;
-    };
-    const auto shifted = [address](const void* old_object, const void* new_object) {
-      const std::ptrdiff_t offset =
-          reinterpret_cast<const char*>(address) - static_cast<const char*>(old_object);
-      return reinterpret_cast<const double*>(static_cast<const char*>(new_object) + offset);
-    };
-    for (std::size_t s = 0; s < from.sheets.size(); ++s) {
-      if (inside(&from.sheets[s], sizeof(sim::Sheet))) return shifted(&from.sheets[s], &scene.sheets[s]);
-      const std::vector<double>& rates = from.sheets[s].spline_rate;
-      if (inside(rates.data(), rates.size() * sizeof(double)))
-        return shifted(rates.data(), scene.sheets[s].spline_rate.data());
-    }
-    for (std::size_t l = 0; l < from.blur.width_deg.size(); ++l)
-      if (address == &from.blur.width_deg[l]) return &scene.blur.width_deg[l];
-    return shifted(&from, &scene);
+    return sim::counterparts(from, free, scene);
   }
 
   /// The kernel of a line, or its derivative, in cells of so many pixels.
@@ -395,13 +373,13 @@ struct ProfileModel::Workspace {
 };
 
 ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo, const Region& region, int bands,
-                           double beams_share, double smooth_rows, int threads)
+                           double beams_share, double smooth_rows, int threads, std::uint64_t sampling)
     : ProfileModel(scene, photo, {std::make_shared<const BinGrid>(column_bins(region, bands))}, beams_share,
-                   smooth_rows, threads) {}
+                   smooth_rows, threads, sampling) {}
 
 ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo,
                            const std::vector<std::shared_ptr<const BinGrid>>& grids, double beams_share,
-                           double smooth_rows, int threads)
+                           double smooth_rows, int threads, std::uint64_t sampling)
     : work_(std::make_unique<Workspace>()) {
   Workspace& w = *work_;
   w.grids = grids;
@@ -409,6 +387,7 @@ ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo,
   w.smooth_rows = smooth_rows;
   w.threads = sim::thread_count(threads);
   w.scene = scene;
+  w.scene.march.shrink = 1;
   w.used_beams.resize(scene.sheets.size());
   for (sim::Sheet& sheet : w.scene.sheets) {
     sheet.beams = std::max(1, static_cast<int>(std::lround(sim::beams_per_layer(sheet) * beams_share)));
@@ -419,7 +398,7 @@ ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo,
   const int cell = cell_width(grids);
   const Region& region = grids.front()->region;
   w.film = sim::film_for(scene, region.x, region.y, region.width, region.height, cell, 1.0);
-  w.exposer = std::make_unique<sim::Exposer>(w.scene, w.film, threads, kBeyond);
+  w.exposer = std::make_unique<sim::Exposer>(w.scene, w.film, threads, kBeyond, sampling);
   w.weights = bin_weights(photo, grids, w.film);
   w.runs_of_row.resize(w.film.rows);
   for (std::size_t r = 0; r < w.weights.runs.size(); ++r) w.runs_of_row[w.weights.runs[r].row].push_back(r);

@@ -2,6 +2,7 @@
 // and that of the night sky's known lights, at the scene's own gain.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -29,13 +30,13 @@ struct ModelProfile {
 class ProfileModel {
  public:
   /// `beams_share` of the scene's beams are used, and the profiles are smoothed by `smooth_rows` (0: not at
-  /// all): coarse models search, the full one decides.
+  /// all): coarse models search, the full one decides. `sampling`: another draw of the beams (sim::Exposer).
   ProfileModel(const sim::Scene& scene, const Photo& photo, const Region& region, int bands,
-               double beams_share, double smooth_rows, int threads);
+               double beams_share, double smooth_rows, int threads, std::uint64_t sampling = 0);
   /// In the bins of some grids of one region, one grid's after the other's, from one rendering.
   ProfileModel(const sim::Scene& scene, const Photo& photo,
                const std::vector<std::shared_ptr<const BinGrid>>& grids, double beams_share,
-               double smooth_rows, int threads);
+               double smooth_rows, int threads, std::uint64_t sampling = 0);
   ~ProfileModel();
 
   /// The scene may differ from the constructor's in continuous parameters only.

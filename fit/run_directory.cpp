@@ -17,6 +17,7 @@
 #include "sim/base/version.h"
 #include "sim/base/whole_directory.h"
 #include "sim/base/whole_file.h"
+#include "sim/scene/named_files.h"
 #include "sim/scene/scene_toml.h"
 #include "sim/scene/table_files.h"
 #include "sim/view/camera.h"
@@ -41,17 +42,20 @@ std::string file_of(const FittedPhoto& fitted, const std::string& stem, const st
   return stem + (fitted.name.empty() ? "" : "-" + fitted.name) + ending;
 }
 
-/// Photographs stand beside the scene that was fitted: from the run's directory they are called differently.
-void rename_photos(const std::string& directory, sim::Scene& best) {
-  if (best.fit.photos.empty()) return;
+/// Photographs, and the pictures and grids of volumes, stand beside the scene that was fitted: from the run's
+/// directory they are called differently. Grids may be large, so none is copied.
+void rename_files(const std::string& directory, sim::Scene& best) {
   namespace fs = std::filesystem;
-  const fs::path from = fs::absolute(fs::path(best.file)).parent_path(), to = fs::absolute(directory);
-  const auto rename = [&](std::string& file) {
-    if (!file.empty()) file = (from / file).lexically_normal().lexically_relative(to.lexically_normal());
+  const fs::path from = best.file.empty() ? fs::current_path() : fs::absolute(best.file).parent_path();
+  const fs::path to = fs::absolute(directory).lexically_normal();
+  const auto renamed = [&](const std::string& file) -> std::string {
+    if (file.empty() || fs::path(file).is_absolute()) return file;
+    return (from / file).lexically_normal().lexically_relative(to).string();
   };
+  sim::rename_files(best, renamed);
   for (sim::PhotoEntry& entry : best.fit.photos) {
-    rename(entry.file);
-    rename(entry.mask);
+    entry.file = renamed(entry.file);
+    entry.mask = renamed(entry.mask);
   }
 }
 
@@ -121,7 +125,7 @@ void write_run(const std::string& directory, bool overwrite, const FitResult& re
     sim::Scene best = sim::with_tables_beside(result.best);
     for (const sim::TableFile& table : sim::table_files(best))
       sim::write_whole(run.file(table.name), sim::table_text(best, table.path));
-    rename_photos(directory, best);
+    rename_files(directory, best);
     sim::write_whole(run.file("best.toml"), best_scene(result, best));
     for (std::size_t i = 0; i < photos.size(); ++i) {
       const FittedPhoto& fitted = result.photos[i];

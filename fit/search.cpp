@@ -10,6 +10,7 @@
 #include "fit/journal.h"
 #include "fit/profile_rounds.h"
 #include "fit/sine_numbers.h"
+#include "fit/volume_starts.h"
 #include "sim/base/random.h"
 
 namespace vegard::fit {
@@ -22,6 +23,8 @@ constexpr int kPhases = 12;         // where the sine's amplitude is fixed
 constexpr double kScanRange = 1.1;  // of log(wavelength): a factor 0.58 to 1.73 about the start
 // Ranges of the overall trials: of logarithms, and degrees.
 constexpr double kDistances = 1.4, kApart = 0.6, kEnergies = 3.0, kBearings = 24.0;
+constexpr double kFootprintDistances = 0.8, kFootprintEnergies = 1.6;
+constexpr int kOfFootprints = 4;             // one trial for so many of sheets
 constexpr double kPull = 0.3;                // of the distance: what a start may well be off by
 constexpr double kCoarsePriorWeight = 20.0;  // residuals of smoothed profiles hang together
 constexpr int kSines = 8, kSinesOfEach = 3;  // of one sheet alone, and of each of several
@@ -61,6 +64,7 @@ bool is_periodic(const FreeNumber& n) { return is(n, "wavelength_km") || is(n, "
 
 /// What shapes the profile as a whole, rather than its course along the arc.
 bool is_overall(const FreeNumber& n) {
+  if (is_of_volume(n)) return false;
   return is(n, "center_km") || is(n, "energy_kev") || is(n, "bearing_deg") || is(n, "energy_flux_mw_m2") ||
          !n.has_path();
 }
@@ -123,6 +127,9 @@ class Search {
           trials_step("overall", [&] { return std::vector<Trial>{overall(ends.front())}; }).front();
       std::vector<Trial> trials = trials_step("course", [&] { return by_course(straight); });
       if (trials.empty()) trials = trials_step("scan", [&] { return scan(straight); });
+      if (has_movable_footprint(free_))
+        for (Trial& trial : trials_step("volumes", [&] { return other_footprints(straight); }))
+          trials.push_back(std::move(trial));
       trials.push_back(ends.front());  // whoever starts close is not to be led away
       sort(trials);
       ends = descend_from(trials, scene_.fit.scan_descents, "descent");
@@ -208,10 +215,14 @@ class Search {
   /// A direction that the data do not determine is not to drift away during the search: every parameter but a
   /// phase is held to the user's start, by less than the least of what data say. The polish is free of it.
   std::optional<sim::Prior> gentle_pull(const FreeNumber& n) const {
+    if (is_of_volume(n)) {
+      const std::optional<double> error = usual_error(scene_, n, kPull);
+      return error ? std::optional(sim::Prior{n.start, *error}) : std::nullopt;
+    }
     if (is(n, "center_km")) {
       double square = 0.0;
       for (const FreeNumber& other : free_)
-        if (is(other, "center_km") && other.path.sheet() == n.path.sheet())
+        if (is(other, "center_km") && other.path.sheet() >= 0 && other.path.sheet() == n.path.sheet())
           square += other.start * other.start;
       return sim::Prior{n.start, std::max(20.0, kPull * std::sqrt(square))};
     }
@@ -252,7 +263,7 @@ class Search {
   /// the wrong phase would pull the bearing its way, so the sheet is all but straight while this lasts.
   Trial overall(const Trial& start) {
     const std::vector<std::size_t> which = indices(free_, is_overall);
-    if (which.empty()) return start;
+    if (which.empty() || scene_.sheets.empty()) return start;
     tell("overall", 0.02);
     Values straight = start.values;
     for (std::size_t j : indices(free_, is_thickness))
@@ -287,6 +298,20 @@ class Search {
     sort(ends);
     record(ends.front(), "overall");
     return ends.front();
+  }
+
+  /// Trials of footprints nearer and farther, with more energy and less.
+  std::vector<Trial> other_footprints(const Trial& from) {
+    std::vector<Trial> trials;
+    tell("volumes", 0.35);
+    for (int i = 0; i < scene_.fit.overall_trials / kOfFootprints && !log_.exhausted(); ++i) {
+      const std::vector<double> u = even_point(i, 2, scene_.seed + 2);
+      trials.push_back(
+          tried(moved_footprints(scene_, free_, from.values, std::exp((u[0] - 0.5) * kFootprintDistances),
+                                 std::exp((u[1] - 0.5) * kFootprintEnergies))));
+    }
+    sort(trials);
+    return trials;
   }
 
   SineNumbers sine_of(int sheet) const { return sine_numbers(free_, sheet); }
@@ -495,14 +520,14 @@ class Search {
   }
 
   /// Two points are in one valley if their periodic parameters are: wavelengths within 5 %, phases within a
-  /// sixth of a turn.
+  /// sixth of a turn, and their footprints at like distances.
   bool same_valley(const Values& a, const Values& b) const {
     for (std::size_t j : indices(free_, is_periodic)) {
       if (is(free_[j], "wavelength_km") && std::abs(std::log(a[j] / b[j])) > 0.05) return false;
       if (is(free_[j], "phase_rad") && std::abs(std::remainder(a[j] - b[j], 2.0 * kPi)) > kPi / 3.0)
         return false;
     }
-    return true;
+    return !footprints_differ(scene_, free_, a, b);
   }
 
   void record(const Trial& trial, const std::string& stage) {

@@ -5,7 +5,8 @@
 // beams, profiles smoothed down the rows, so that a lower border is felt from afar): (1) *overall* trials and
 // descents of what shapes the profile as a whole, (2) the sheets' *course* through the bands (fit/course.h),
 // or, where it does not show, a *scan* of wavelengths, each with its best amplitude and phase, (3) descents
-// of everything from the best distinct trials; then (4) *polish* with the full model. Coefficients of
+// of everything from the best distinct trials, those of footprints nearer and farther among them
+// (fit/volume_starts.h); then (4) *polish* with the full model. Coefficients of
 // free-form profiles only take part in the polish.
 #pragma once
 

@@ -72,16 +72,20 @@ SequenceRow sequence_row(const std::string& frame, double time_s, const sim::Sce
     if (!p.of_profile) row.numbers.push_back({p.path, p.unit, p.value, p.sigma});
   }
   const FittedPhoto& fitted = result.photos.front();
-  for (std::size_t s = 0; s < fitted.best.sheets.size(); ++s) {
-    const std::string path = "sheet." + fitted.best.sheets[s].name + ".energy_flux_mw_m2";
+  const auto put_flux = [&](const std::string& path, const auto& found, std::size_t index) {
     const auto is_it = [&](const auto& own) { return own.path == path; };
     if (std::any_of(result.parameters.begin(), result.parameters.end(), is_it) ||
         std::any_of(result.tied.begin(), result.tied.end(), is_it))
-      continue;
+      return;
     std::string why_none;
-    if (const auto flux = found_flux(scene, fitted, static_cast<int>(s), why_none))
+    if (const auto flux = found(scene, fitted, static_cast<int>(index), why_none))
       row.numbers.push_back({path, "mW m\u207b\u00b2", flux->mw_m2, flux->sigma});
-  }
+  };
+  for (std::size_t s = 0; s < fitted.best.sheets.size(); ++s)
+    put_flux("sheet." + fitted.best.sheets[s].name + ".energy_flux_mw_m2", found_flux, s);
+  for (std::size_t f = 0; f < fitted.best.footprints.size(); ++f)
+    put_flux("footprint." + fitted.best.footprints[f].name + ".energy_flux_mw_m2", found_flux_of_footprint,
+             f);
   // Q stands above, under the path that it has where it is free; what a number never has needs no column.
   for (const DerivedNumber& d : result.derived)
     if (d.name.compare(0, 13, "energy flux Q") != 0 && d.why_none.empty())

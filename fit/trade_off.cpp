@@ -24,7 +24,10 @@ const std::map<std::string, std::string>& nouns() {
       {"peak_km", "peak altitude"},          {"lower_km", "extent below the peak"},
       {"upper_km", "extent above the peak"}, {"hfov_deg", "field of view"},
       {"green_rayleigh", "green light"},     {"red_rayleigh", "red light"},
-      {"sodium_rayleigh", "sodium light"},
+      {"sodium_rayleigh", "sodium light"},   {"inner_rayleigh", "inner light"},
+      {"outer_rayleigh", "outer light"},     {"glow_rayleigh", "glow"},
+      {"east_km", "east of point"},          {"north_km", "north of point"},
+      {"point_energy", "energy of point"},   {"point_flux", "energy flux of point"},
   };
   return kNouns;
 }
@@ -45,6 +48,7 @@ std::string noun_of(const sim::ParameterPath& path) {
   const std::string& key = path.row->key;
   const auto known = nouns().find(key);
   std::string noun = known != nouns().end() ? known->second : without_unit(key);
+  if (key == "width_km" && path.sheet() < 0) noun = "width";  // it has no layers
   // One of several of a kind: the line of a blur, the coefficient of a profile.
   const std::size_t at = path.text.rfind(key + ".");
   if (!path.row->component.empty() && at != std::string::npos)
@@ -52,10 +56,30 @@ std::string noun_of(const sim::ParameterPath& path) {
   return noun;
 }
 
+/// Of one of several tables of a kind; empty for others.
+const std::string& element_name(const sim::Scene& scene, const sim::ParameterPath& path) {
+  static const std::string none;
+  const std::string& table = path.row->table;
+  const auto e = static_cast<std::size_t>(path.element);
+  if (table == "sheet") return scene.sheets[e].name;
+  if (table == "footprint") return scene.footprints[e].name;
+  if (table == "nebula") return scene.nebulae[e].name;
+  if (table == "node") return scene.nodes[e].name;
+  if (table == "volume") return scene.volumes[e].name;
+  return none;
+}
+
+/// Which of the centres of sheets and footprints, one after the other, a number is a component of; -1: none.
+int centre_of(const sim::Scene& scene, const sim::ParameterPath& path) {
+  if (path.row == nullptr || path.row->key != "center_km") return -1;
+  return path.sheet() >= 0 ? path.sheet() : static_cast<int>(scene.sheets.size()) + path.element;
+}
+
 std::string owner_of(const sim::Scene& scene, const sim::ParameterPath& path) {
-  if (path.sheet() >= 0) return "the " + scene.sheets[path.sheet()].name + " sheet";
-  if (path.row->table.empty()) return {};
-  return "the " + without_unit(path.row->table);
+  const std::string& table = path.row->table;
+  if (table.empty()) return {};
+  const std::string& name = element_name(scene, path);
+  return "the " + (name.empty() ? "" : name + " ") + without_unit(table);
 }
 
 double noticeable_change(const FreeNumber& number, double value) {
@@ -183,7 +207,7 @@ std::vector<Member> members_of(const std::vector<SpokenNumber>& numbers,
     double east = 0.0, north = 0.0;
     std::vector<std::size_t> of;
     for (std::size_t k = j; k < numbers.size(); ++k) {
-      if (numbers[k].sheet != numbers[j].sheet || numbers[k].place == SpokenNumber::Place::none) continue;
+      if (numbers[k].centre != numbers[j].centre || numbers[k].place == SpokenNumber::Place::none) continue;
       (numbers[k].place == SpokenNumber::Place::east ? east : north) += direction[k];
       told[k] = true;
       of.push_back(k);
@@ -199,12 +223,10 @@ std::vector<SpokenNumber> spoken_numbers(const sim::Scene& scene, const std::vec
                                          const std::vector<double>& values) {
   std::vector<sim::EastNorth> centres;
   for (const sim::Sheet& sheet : scene.sheets) centres.push_back(sheet.center_km);
-  const auto is_place = [](const sim::ParameterPath& path) {
-    return path.row != nullptr && path.row->key == "center_km" && path.sheet() >= 0;
-  };
+  for (const sim::Footprint& footprint : scene.footprints) centres.push_back(footprint.center_km);
   for (std::size_t j = 0; j < free.size(); ++j)
-    if (const sim::ParameterPath& path = free[j].path; is_place(path))
-      (path.component == 0 ? centres[path.sheet()].east : centres[path.sheet()].north) = values[j];
+    if (const int c = centre_of(scene, free[j].path); c >= 0)
+      (free[j].path.component == 0 ? centres[c].east : centres[c].north) = values[j];
   std::vector<SpokenNumber> numbers;
   for (std::size_t j = 0; j < free.size(); ++j) {
     const sim::ParameterPath& path = free[j].path;
@@ -215,18 +237,18 @@ std::vector<SpokenNumber> spoken_numbers(const sim::Scene& scene, const std::vec
     n.unit = free[j].unit();
     n.value = values[j];
     n.noticeable = noticeable_change(free[j], values[j]);
-    n.sheet = path.sheet();
+    n.centre = centre_of(scene, path);
     n.of_profile = free[j].key() == "spline_rate";
-    if (is_place(path)) {
+    if (n.centre >= 0) {
       n.place = path.component == 0 ? SpokenNumber::Place::east : SpokenNumber::Place::north;
-      n.centre_km = centres[path.sheet()];
+      n.centre_km = centres[n.centre];
     }
     numbers.push_back(n);
   }
   for (SpokenNumber& n : numbers)
     n.other_component_free = n.place != SpokenNumber::Place::none &&
                              std::count_if(numbers.begin(), numbers.end(), [&](const SpokenNumber& other) {
-                               return other.sheet == n.sheet && other.place != SpokenNumber::Place::none;
+                               return other.centre == n.centre && other.place != SpokenNumber::Place::none;
                              }) > 1;
   return numbers;
 }

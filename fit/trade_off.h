@@ -19,10 +19,10 @@ struct SpokenNumber {
   double value = 0.0;
   /// A change that one would notice, in the unit: a tenth of the value, of an angle ten degrees.
   double noticeable = 1.0;
-  enum class Place { none, east, north } place = Place::none;  ///< a component of a sheet's centre
-  int sheet = -1;
+  enum class Place { none, east, north } place = Place::none;  ///< a component of a centre
+  int centre = -1;                    ///< of which: sheets' centres, then footprints'
   bool other_component_free = false;  ///< of that centre
-  sim::EastNorth centre_km;           ///< of that sheet, from the observer
+  sim::EastNorth centre_km;           ///< from the observer
   bool of_profile = false;            ///< a coefficient of a free-form profile
 };
 

@@ -136,6 +136,19 @@ void ask_of_the_parameters(const FitResult& r, Checks& checks) {
   checks.ask("error bars", all, without_error_bar(r));
 }
 
+/// Grids are most likely aurora too.
+bool shines_with_aurora(const sim::Scene& scene) {
+  return scene.nebulae.empty() || !scene.sheets.empty() || !scene.footprints.empty() ||
+         !scene.volumes.empty();
+}
+
+/// "sheets", "sheets and volumes", "volumes"
+std::string sources_of(const sim::Scene& scene) {
+  const bool volumes = !scene.footprints.empty() || !scene.nebulae.empty() || !scene.volumes.empty();
+  if (!volumes) return "sheets";
+  return scene.sheets.empty() ? "volumes" : "sheets and volumes";
+}
+
 }  // namespace
 
 const char* verdict_name(Verdict verdict) {
@@ -159,8 +172,8 @@ void judge(const Evidence& evidence, FitResult& result) {
   if (!evidence.aurora_in_view && !evidence.stopped) {
     result.verdict = Verdict::failed;
     checks.ask("light in view", "", false,
-               "no light of the scene's sheets falls into the region of interest: check where the sheets "
-               "are and where the camera points");
+               "no light of the scene's " + sources_of(result.best) +
+                   " falls into the region of interest: check where they are and where the camera points");
     result.verdict_line = "Do not believe it: " + reasons.front() + ".";
     return;
   }
@@ -170,11 +183,12 @@ void judge(const Evidence& evidence, FitResult& result) {
   ask_of_the_parameters(result, checks);
   if (!evidence.curve_words.empty())
     checks.ask("transfer curve", evidence.curve_words, evidence.against_curve);
+  const std::string light = shines_with_aurora(result.best) ? "aurora" : "nebula";
   checks.ask(
-      "aurora or none",
-      fmt::format("a sky without any aurora has chi2 {}", short_number(evidence.chi2_without_aurora, 4)),
+      light + " or none",
+      fmt::format("a sky without any {} has chi2 {}", light, short_number(evidence.chi2_without_aurora, 4)),
       !(result.chi2 > kLeastGain * evidence.chi2_without_aurora),
-      "a sky without any aurora explains the data almost as well");
+      "a sky without any " + light + " explains the data almost as well");
   checks.ask("one answer", "no other end of the search explains the data as well", !evidence.second_mode,
              evidence.second_mode_text);
 

@@ -24,9 +24,12 @@ enum class Stream : std::uint32_t {
   ray_length = 10,    ///< their extent above the peak
   patch = 11,         ///< the light of patches
   border = 12,        ///< the course of the lower border
+  footprint = 13,     ///< a footprint of fractal noise
+  ripple = 14,        ///< what a footprint's flow starts from
   stars = 16,         ///< where stars stand, and their colours
   photon_noise = 24,  ///< a pixel's electrons
   read_noise = 25,    ///< and what reading them adds
+  nebula = 28,        ///< the noise of nebulae
   ensemble = 32,      ///< the walkers of a fit's sampler
   bootstrap = 33,     ///< which bands a fit's bootstrap draws
   circle = 40,        ///< triples of points, in the search for a fisheye's circle

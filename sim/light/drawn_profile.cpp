@@ -10,6 +10,7 @@
 
 #include "sim/base/csv_table.h"
 #include "sim/base/error.h"
+#include "sim/scene/emission_line.h"
 #include "sim/scene/emission_lines.h"
 #include "sim/scene/table_files.h"
 #include "sim/scene/value_words.h"
@@ -86,6 +87,7 @@ HeightProfile drawn_profile(const std::vector<double>& wavelengths_nm, const Sce
   const CsvTable table = read_table(scene, sheet);
   HeightProfile profile = dark_profile(static_cast<int>(wavelengths_nm.size()));
   for (int l = 0; l < profile.lines; ++l) {
+    if (!is_auroral(*find_emission_line(wavelengths_nm[l]))) continue;
     const std::string column = column_of(table, wavelengths_nm[l]);
     table.require_within(column, 0.0, std::numeric_limits<float>::max());
     for (int a = 0; a < HeightProfile::kAltitudes; ++a)

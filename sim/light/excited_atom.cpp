@@ -30,7 +30,7 @@ double quenching_s(const EmissionLine& line, const Air& air) {
 
 }  // namespace
 
-bool is_prompt(const EmissionLine& line) { return line.lifetime_s < kPromptS; }
+bool is_prompt(const EmissionLine& line) { return line.lifetime_s < kPromptS || !is_auroral(line); }
 
 double effective_lifetime_s(const EmissionLine& line, const Air& air) {
   return 1.0 / (1.0 / line.lifetime_s + quenching_s(line, air));

@@ -55,7 +55,8 @@
 
 namespace vegard::sim {
 
-/// True if the line's atoms shine within a millisecond, so that they come no farther than a metre.
+/// True if the line's atoms shine within a millisecond, so that they come no farther than a metre, or shine
+/// beyond the air.
 bool is_prompt(const EmissionLine& line);
 
 /// tau in seconds. A prompt line is not quenched.

@@ -53,6 +53,7 @@ HeightProfile maxwellian_profile(const std::vector<double>& wavelengths_nm, doub
   for (int l = 0; l < profile.lines; ++l) {
     const EmissionLine* line = find_emission_line(wavelengths_nm[l]);
     assert(line != nullptr);
+    if (!is_auroral(*line)) continue;
     const FluxFactor flux = flux_factor(line->table_column, energy_kev, energy_flux_mw_m2);
     const double log_scale = std::log(line->ratio) + flux.log_factor;
     std::vector<double> log_rate, log_slope;
@@ -71,8 +72,10 @@ HeightProfile maxwellian_profile_by_flux(const std::vector<double>& wavelengths_
   std::fill(profile.d_rate_d_ln_energy.begin(), profile.d_rate_d_ln_energy.end(), 0.0f);
   if (energy_flux_mw_m2 <= 0.0) return profile;
   for (int l = 0; l < profile.lines; ++l) {
-    const char* column = find_emission_line(wavelengths_nm[l])->table_column;
-    const double growth = flux_factor(column, energy_kev, energy_flux_mw_m2).by_log_flux / energy_flux_mw_m2;
+    const EmissionLine* line = find_emission_line(wavelengths_nm[l]);
+    if (!is_auroral(*line)) continue;
+    const double growth =
+        flux_factor(line->table_column, energy_kev, energy_flux_mw_m2).by_log_flux / energy_flux_mw_m2;
     for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
       const std::size_t i = static_cast<std::size_t>(a) * profile.stride + l;
       profile.d_rate_d_ln_energy[i] = static_cast<float>(profile.rate[i] * growth);

@@ -63,7 +63,7 @@ MonoEnergeticTable::MonoEnergeticTable() {
   for (const double e0 : EmissionTable::glow().energies_kev()) log_energies_.push_back(std::log(2.0 * e0));
   add("ionisation_electron");
   for (const EmissionLine& line : emission_lines())
-    if (yields_.count(line.table_column) == 0) add(line.table_column);
+    if (is_auroral(line) && yields_.count(line.table_column) == 0) add(line.table_column);
 }
 
 void MonoEnergeticTable::add(const std::string& column) {

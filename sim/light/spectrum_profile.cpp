@@ -51,6 +51,7 @@ HeightProfile sampled(const std::vector<double>& wavelengths_nm, const RatesOf& 
   for (int l = 0; l < profile.lines; ++l) {
     const EmissionLine* line = find_emission_line(wavelengths_nm[l]);
     assert(line != nullptr);
+    if (!is_auroral(*line)) continue;
     std::vector<double> log_rate, log_slope;
     for (const LogRate& rate : rates_of(*line)) {
       log_rate.push_back(rate.value);

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cstddef>
 
+#include "sim/scene/emission_line.h"
 #include "sim/scene/emission_lines.h"
 #include "sim/scene/spline_rates.h"
 
@@ -17,7 +18,7 @@ HeightProfile spline_profile(const std::vector<double>& wavelengths_nm, const Sc
     const AltitudeSpline::Local local = spline.at(HeightProfile::altitude_km(a));
     for (int l = 0; l < profile.lines; ++l) {
       const int line = line_index(lines, wavelengths_nm[l]);
-      if (line < 0) continue;
+      if (line < 0 || !is_auroral(*find_emission_line(wavelengths_nm[l]))) continue;
       const int first = spline_rate_index(sheet, line, local.first);
       double rate = 0.0;
       for (int k = 0; k < local.count; ++k) rate += sheet.spline_rate[first + k] * local.value[k];
@@ -34,6 +35,7 @@ std::vector<float> spline_slope(const std::vector<double>& wavelengths_nm, const
   const int line = index / spline.count();
   for (int l = 0; l < slope.lines; ++l) {
     if (line_index(scene.emission.lines, wavelengths_nm[l]) != line) continue;
+    if (!is_auroral(*find_emission_line(wavelengths_nm[l]))) continue;
     for (int a = 0; a < HeightProfile::kAltitudes; ++a)
       slope.rate[static_cast<std::size_t>(a) * slope.stride + l] =
           static_cast<float>(spline.basis(index % spline.count(), HeightProfile::altitude_km(a)));

@@ -83,6 +83,11 @@ T light_per_path(const Sheet& sheet, const T& vertical) {
 
 }  // namespace
 
+bool has_footprint_of_sheets(const Scene& scene) {
+  return std::any_of(scene.footprints.begin(), scene.footprints.end(),
+                     [](const Footprint& footprint) { return footprint.source == "sheets"; });
+}
+
 BeamLayout::BeamLayout(const Scene& scene, double beyond)
     : instants_s_(instants_s(scene.time)), sheets_(scene.sheets), seed_(scene.seed) {
   const bool stretched = std::any_of(sheets_.begin(), sheets_.end(),
@@ -108,6 +113,7 @@ BeamLayout::BeamLayout(const Scene& scene, double beyond)
     const int beams = places_.back().front().front().size();
     for (int i = 0; i < instants(); ++i) {
       stretches_[i].push_back(stretch_of(sheet, instants_s_[i]));
+      if (has_footprint_of_sheets(scene)) continue;
       for (int arc = 0; arc < sheet.arcs; ++arc)
         for (int first = 0; first < beams; first += LayerPlaces::kSumEvery)
           chunks_.push_back(

@@ -24,11 +24,16 @@ struct PackedChunk {
   std::vector<BeamPlace> places;   ///< room to work in
 };
 
+/// Whether a footprint stands in the place of the scene's sheets (source = "sheets"), so that no beam falls:
+/// their light would be there twice.
+bool has_footprint_of_sheets(const Scene& scene);
+
 /// How a scene's beams are laid out: how many there are, where on their layers they stand and in what steps
 /// they fall. It stays as it is while the scene's continuous parameters change.
 class BeamLayout {
  public:
-  /// `beyond` lays out dark beams past the sheets' ends, so many sheet lengths on either side.
+  /// `beyond` lays out dark beams past the sheets' ends, so many sheet lengths on either side. Without chunks
+  /// if has_footprint_of_sheets().
   BeamLayout(const Scene& scene, double beyond);
 
   const std::vector<Chunk>& chunks() const { return chunks_; }

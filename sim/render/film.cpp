@@ -28,6 +28,11 @@ bool frees_distortion(const Camera& camera, const std::vector<const double*>& fr
   return false;
 }
 
+Scene with_other_seed(Scene scene, std::uint64_t sampling) {
+  scene.seed += sampling;
+  return scene;
+}
+
 }  // namespace
 
 double blur_sigma_px(const Scene& scene, int line) {
@@ -46,6 +51,7 @@ FilmGeometry film_for(const Scene& scene, double x_px, double y_px, double width
   double widest = 0.0;
   for (std::size_t l = 0; l < scene.emission.lines.size(); ++l)
     widest = std::max(widest, blur_sigma_px(scene, static_cast<int>(l)));
+  if (has_volumes(scene)) widest = std::hypot(widest, scene.march.smooth_px);
   const int across = static_cast<int>(std::ceil(4.0 * widest / cell_width_px)) + 2;
   const int down = static_cast<int>(std::ceil(4.0 * widest / cell_height_px)) + 2;
   FilmGeometry film;
@@ -61,6 +67,7 @@ FilmGeometry film_for(const Scene& scene, double x_px, double y_px, double width
 struct Exposer::Workspace {
   FilmGeometry film;
   int threads = 1;
+  std::uint64_t sampling = 0;
   BeamLayout layout;
   std::vector<LargeZeros<std::int64_t>> slot_films;
   std::vector<PackedChunk> slot_chunks;                // kept: their memory is large enough to cost something
@@ -70,9 +77,11 @@ struct Exposer::Workspace {
   /// One per sheet.
   std::vector<KernelScene> kernels(const Scene& scene, const std::vector<HeightProfile>& profiles) const {
     std::vector<KernelScene> all;
-    for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+    for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
       all.push_back(
           kernel_scene(scene, scene.sheets[s], layout.path_step(static_cast<int>(s)), film, profiles));
+      all.back().seed += sampling;
+    }
     return all;
   }
 
@@ -110,10 +119,10 @@ struct Exposer::Workspace {
 
   /// Adds the volumes' light to what has been collected.
   void add_volumes(const Scene& scene, Exposure& out, const std::function<void(double)>& progress = {},
-                   const std::atomic<bool>* stop = nullptr) const {
+                   const std::atomic<bool>* stop = nullptr, bool whole_resolution = false) const {
     out.volumes = {};
     if (!volumes) return;
-    out.volumes = volumes->march(scene, film, progress, stop);
+    out.volumes = volumes->light(scene, film, progress, stop, whole_resolution);
     for (std::size_t i = 0; i < out.rayleigh.size(); ++i) out.rayleigh[i] += out.volumes.rayleigh[i];
   }
 
@@ -137,9 +146,15 @@ struct Exposer::Workspace {
 };
 
 Exposer::Exposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond,
-                 std::shared_ptr<const Volumes> volumes)
-    : work_(new Workspace{
-          film, thread_count(threads), BeamLayout(scene, beyond), {}, {}, {}, std::move(volumes)}) {
+                 std::uint64_t sampling, std::shared_ptr<const Volumes> volumes)
+    : work_(new Workspace{film,
+                          thread_count(threads),
+                          sampling,
+                          BeamLayout(with_other_seed(scene, sampling), beyond),
+                          {},
+                          {},
+                          {},
+                          std::move(volumes)}) {
   if (!work_->volumes && has_volumes(scene)) work_->volumes = std::make_shared<Volumes>(scene, threads);
 }
 
@@ -241,8 +256,9 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<cons
       }
     });
   }
-  w.add_volumes(scene, out);
-  if (w.volumes) w.volumes->add_derivatives(scene, w.film, free, out.free_stride, out.derivative.data());
+  w.add_volumes(scene, out, {}, nullptr, true);
+  if (w.volumes)
+    w.volumes->add_light_derivatives(scene, w.film, free, out.free_stride, out.derivative.data());
 }
 
 void Exposer::expose_profiles(const Scene& scene, int sheet, const std::vector<std::vector<float>>& rates,

@@ -6,13 +6,11 @@
 #include "sim/base/earth.h"
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/dipole.h"
-#include "sim/emit/aurora/motion.h"
+#include "sim/emit/aurora/sheet_shape.h"
 #include "sim/light/sheet_profile.h"
 
 namespace vegard::sim {
 namespace {
-
-constexpr double kTwoPi = 6.283185307179586;
 
 /// A scene number (in degrees) as a local input, in radians.
 template <class T>
@@ -67,36 +65,6 @@ PitchLaw pitch_law(const std::string& name) {
   return PitchLaw::reduced;
 }
 
-/// In the northern magnetic hemisphere, that is.
-bool falls_along_field(const Scene& scene) {
-  if (scene.field.model == "dipole") return dipole_axis(scene.field, scene.site).in_enu[2] >= 0.0;
-  return scene.field.inclination_deg >= 0.0;
-}
-
-template <class T, class Seeding>
-SheetShape<T> shape(const Scene& scene, int sheet, int arc, double instant_s, const Seeding& seed) {
-  const Sheet& s = scene.sheets[sheet];
-  SheetShape<T> shape;
-  shape.center_east_km = seed(s.center_km.east) + s.drift_km_s.east * instant_s;
-  shape.center_north_km = seed(s.center_km.north) + s.drift_km_s.north * instant_s;
-  const T bearing_rad = seed(s.bearing_deg, kRadiansPerDegree);
-  shape.along_east = sine(bearing_rad);
-  shape.along_north = cosine(bearing_rad);
-  shape.length_km = seed(s.length_km);
-  shape.thickness_km = seed(s.thickness_km);
-  shape.wavelength_km = seed(s.wavelength_km);
-  // A sine that travels: its phase at a place falls behind by the way it has gone.
-  shape.phase_rad = seed(s.phase_rad) - T(s.sine_speed_km_s * instant_s * kTwoPi) / shape.wavelength_km;
-  shape.phase_shift_rad = seed(s.phase_shift_rad);
-  shape.width_km = seed(s.width_km);
-  const T flux = has_given_brightness(s) ? T(1.0) : T(seed(s.energy_flux_mw_m2));
-  shape.energy_flux_mw_m2 = flux * substorm_level(scene.substorm, instant_s);
-  shape.arc_offset_km = seed(s.arc_spacing_km) * (arc - 0.5 * (s.arcs - 1));
-  shape.side = falls_along_field(scene) ? 1.0 : -1.0;
-  shape.fold_stage = seed(s.fold_stage);
-  return shape;
-}
-
 }  // namespace
 
 int Seeds::parameter_at(const double* address) const {
@@ -113,10 +81,10 @@ FreeDual Seeds::operator()(const double& number, double scale) const {
 }
 
 SheetShape<double> shape_of(const Scene& scene, int sheet, int arc, double instant_s, const NoSeeds& seed) {
-  return shape<double>(scene, sheet, arc, instant_s, seed);
+  return sheet_shape<double>(scene, sheet, arc, instant_s, seed);
 }
 SheetShape<FreeDual> shape_of(const Scene& scene, int sheet, int arc, double instant_s, const Seeds& seed) {
-  return shape<FreeDual>(scene, sheet, arc, instant_s, seed);
+  return sheet_shape<FreeDual>(scene, sheet, arc, instant_s, seed);
 }
 
 KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_step, const FilmGeometry& film,

@@ -23,7 +23,9 @@ double expected_deflection_points(const Scene& scene) {
 
 Scene reduced_scene(const Scene& scene, const Reduction& reduction) {
   Scene reduced = scene;
-  const PictureSize size = size_within(scene.camera, reduction.most);
+  // A picture of depth is of the camera's own size.
+  const PictureSize size = scene.march.depth.empty() ? size_within(scene.camera, reduction.most)
+                                                     : PictureSize{scene.camera.width, scene.camera.height};
   reduced.camera = scaled_camera(scene.camera, size);
   reduced.march.smooth_px *= static_cast<double>(size.width) / scene.camera.width;
   reduced.march.step_km = std::max(scene.march.step_km, reduction.step_km);

@@ -9,7 +9,7 @@
 namespace vegard::sim {
 
 struct Reduction {
-  PictureSize most{640, 360};  ///< of the picture, which keeps its shape
+  PictureSize most{640, 360};  ///< of the picture, which keeps its shape; with a march.depth its size as well
   double step_km = 4.0;        ///< at least, of the march through footprints
   int shrink = 2;              ///< at least (March::shrink)
   double points = 2e6;         ///< deflection points of all beams, roughly; more are not let fall

@@ -85,7 +85,7 @@ Exposer& RenderMemory::exposer(const FilmGeometry& film) {
                                    static_cast<double>(film.columns), static_cast<double>(film.rows)});
   const std::shared_ptr<const Volumes> light = volumes();
   if (exposer_.value == nullptr || exposer_.key != key || light != volumes_of_exposer_) {
-    exposer_ = {key, std::make_unique<Exposer>(*scene_, film, threads_, 0.0, light)};
+    exposer_ = {key, std::make_unique<Exposer>(*scene_, film, threads_, 0.0, 0, light)};
     volumes_of_exposer_ = light;
   }
   return *exposer_.value;

@@ -1,6 +1,9 @@
 #include "sim/scene/emission_line.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "sim/scene/nebular_lines.h"
 
 namespace vegard::sim {
 namespace {
@@ -50,6 +53,9 @@ constexpr const char* kVioletSource =
     "A-coefficients of the common upper level, 1.10e7 to 3.35e6 s⁻¹ (Vallance Jones 1974, \"Aurora\"); for "
     "air "
     "in the dark: scattered sunlight changes it";
+constexpr const char* kBandsSource =
+    "populations of the upper state measured in aurora (Gattinger and Vallance Jones 1974, Can. J. Phys. 52, "
+    "2343) times the Einstein coefficients of Vallance Jones 1974, \"Aurora\"";
 constexpr const char* kFirstPositiveSource =
     "6.0 photons per photon of the second positive system (114 R to 19 R, modelled for photoelectrons in N2, "
     "Bhardwaj and Jain 2012, arXiv:1202.2276), of which 337.1 nm has 0.267, and 0.605 of them between 570 "
@@ -104,7 +110,7 @@ std::vector<EmissionLine> rows() {
        {}},
       {670.5, "N2", "first positive, 29 bands of 590 to 898 nm, (5,2) 670.5 among them", 6.5e-6, "ver_3371",
        13.6, kFirstPositiveSource, "N2+ Meinel (3,0) 687.4, (4,1) 706.4, (2,0) 785.3 and more",
-       first_positive_bands()},
+       first_positive_bands(), kBandsSource},
       {777.4,
        "O",
        "(5P)-(5S)",
@@ -125,6 +131,9 @@ std::vector<EmissionLine> rows() {
        "N2 first positive (4,3) 837.0 and (3,2) 854.2",
        {}},
   };
+  for (const EmissionLine& line : nebular_lines()) lines.push_back(line);
+  std::sort(lines.begin(), lines.end(),
+            [](const EmissionLine& a, const EmissionLine& b) { return a.wavelength_nm < b.wavelength_nm; });
   for (EmissionLine& line : lines)
     if (line.components.empty()) line.components = {{line.wavelength_nm, 1.0}};
   return lines;
@@ -136,6 +145,8 @@ const std::vector<EmissionLine>& emission_lines() {
   static const std::vector<EmissionLine> lines = rows();
   return lines;
 }
+
+bool is_auroral(const EmissionLine& line) { return line.table_column[0] != '\0'; }
 
 const EmissionLine* find_emission_line(double wavelength_nm) {
   for (const EmissionLine& line : emission_lines())

@@ -91,6 +91,20 @@ void leave_only_own(const PhotoEntry& entry, Scene& own) {
   own.fit.tied.clear();
 }
 
+/// Sheets are carried over to another site; nothing else that shines is.
+void refuse_volumes_elsewhere(const Scene& scene, const PhotoEntry& entry, const Scene& of_photo) {
+  if (!station_of_photo(scene, of_photo).is_elsewhere()) return;
+  const char* what = !of_photo.footprints.empty() ? "footprint"
+                     : !of_photo.nebulae.empty()  ? "nebula"
+                     : !of_photo.volumes.empty()  ? "volume"
+                                                  : nullptr;
+  if (what == nullptr) return;
+  complain({"taken from another site, where the scene's [[" + std::string(what) +
+                "]] would stand elsewhere: only sheets are carried over",
+            "photographs of volumes from one site", "leave the site out of the photograph's set"},
+           origin_of(scene, entry, photo_set_key));
+}
+
 void check_one(const Scene& scene, const PhotoEntry& entry) {
   with_entrys_line(scene, entry, [&] {
     Scene at_home = scene_of_photo_at_home(scene, entry);
@@ -99,6 +113,7 @@ void check_one(const Scene& scene, const PhotoEntry& entry) {
     check_shared_free(scene, entry, at_home);
     Scene there = at_home;
     there.fit.free.clear();
+    refuse_volumes_elsewhere(scene, entry, at_home);
     carry_sheets(station_of_photo(scene, at_home), there);
     validate(there);
   });

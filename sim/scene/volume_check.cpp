@@ -50,6 +50,12 @@ void check_footprint(const Scene& scene, const Footprint& f) {
         is_shell ? "image" : "source");
   if (is_shell && (f.source == "sheets" || f.source == "noise"))
     refuse({"a footprint of " + quoted_text(f.source) + " is a box's", "shape = \"box\"", ""}, "source");
+  if (is_shell && f.flow_turns > 0.0)
+    refuse({"a flow is of a plane, and a shell has none", "flow_turns = 0, or shape = \"box\"", ""},
+           "flow_turns");
+  constexpr double kMostCells = 67108864.0;  // 8192 by 8192, half a gigabyte
+  if (!is_shell && (f.size_km.east / f.cell_km) * (f.size_km.north / f.cell_km) > kMostCells)
+    refuse({"the box has more than 67108864 cells", "a larger cell_km, or a smaller size_km", ""}, "cell_km");
   if (f.low_km >= f.high_km) refuse({"low_km is not below high_km", "low_km below high_km", ""}, "low_km");
 }
 

@@ -30,7 +30,7 @@ TEST(PreviewPace, FindsTheFinestThatKeepsTheRateAndStaysThere) {
 TEST(PreviewPace, GoesNoCoarserThanItsEndAndComesBack) {
   PreviewPace pace(sim::Reduction{}, 20.0);
   EXPECT_EQ(settle(pace, 1e6), 6);
-  EXPECT_EQ(pace.reduction().points, 5e4);
+  EXPECT_EQ(pace.reduction().points, 3e5);
   EXPECT_EQ(settle(pace, 1.0), 1);
   EXPECT_EQ(pace.reduction().points, sim::Reduction{}.points);
 }

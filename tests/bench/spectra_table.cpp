@@ -113,7 +113,8 @@ void print_ionisation() {
 
 void print_lines() {
   std::vector<double> lines;
-  for (const sim::EmissionLine& line : sim::emission_lines()) lines.push_back(line.wavelength_nm);
+  for (const sim::EmissionLine& line : sim::emission_lines())
+    if (sim::is_auroral(line)) lines.push_back(line.wavelength_nm);
   fmt::print("\n| E0 (keV) |");
   for (const double line : lines) fmt::print(" {:.1f} |", line);
   fmt::print("\n|---|");

@@ -59,6 +59,18 @@ TEST_F(RunDirectory, HoldsTheBestSceneAsAScene) {
   EXPECT_EQ(bytes_of(folder / "run/best.toml").substr(0, 30), "# The best scene of a fit. veg");
 }
 
+// What a scene reads beside it is not copied, grids may be large: the best scene calls it as it is called from
+// the run's directory.
+TEST_F(RunDirectory, FindsFilesBesideTheSceneAgain) {
+  result.best.file = folder / "scenes/aurora.toml";
+  result.best.composite.background = "pictures/hill.jpg";
+  result.best.composite.mask = "/elsewhere/mask.png";
+  write("run");
+  const sim::Scene scene = sim::read_scene(folder / "run/best.toml");
+  EXPECT_EQ(scene.composite.background, "../scenes/pictures/hill.jpg");
+  EXPECT_EQ(scene.composite.mask, "/elsewhere/mask.png");
+}
+
 TEST_F(RunDirectory, HoldsThePictures) {
   result.photos[0].best.site.time_utc = "2019-09-05T22:11:12Z";
   write("run");

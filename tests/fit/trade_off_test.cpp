@@ -42,6 +42,33 @@ TEST(TradeOff, IsToldInUnitsThatOneCanImagine) {
   EXPECT_EQ(trade_off_words(talk.numbers, {0.0, -0.3}), "nothing tells the energy of the main sheet");
 }
 
+// Numbers of volumes are those of the one that they belong to, and a footprint's centre is a place.
+TEST(TradeOff, NamesVolumes) {
+  Talk talk({"sheet.main.energy_kev"});
+  sim::Footprint arc;
+  arc.center_km = {0.0, -100.0};
+  arc.east_km = {-50.0, 0.0, 50.0};
+  arc.north_km = {1.0, 2.0, 3.0};
+  talk.scene.footprints = {arc};
+  sim::Node ball;
+  ball.name = "ball";
+  talk.scene.nodes = {ball};
+  talk.scene.fit.free.clear();
+  for (const char* path : {"footprint.arc.center_km.north", "footprint.arc.north_km.1",
+                           "footprint.arc.width_km", "node.ball.radius"}) {
+    sim::FreeParameter entry;
+    entry.path = path;
+    talk.scene.fit.free.push_back(entry);
+  }
+  const std::vector<FreeNumber> free = free_numbers(talk.scene);
+  const auto numbers = spoken_numbers(talk.scene, free, {-100.0, 2.0, 3.0, 1.0});
+  EXPECT_EQ(trade_off_words(numbers, {-10.0, 0.0, 0.5, 0.0}),
+            "distance and width of the arc footprint trade off: 10 km further with 0.5 km more looks the same");
+  EXPECT_EQ(trade_off_words(numbers, {0.0, 1.0, 0.0, 0.0}),
+            "nothing tells the north of point 1 of the arc footprint");
+  EXPECT_EQ(trade_off_words(numbers, {0.0, 0.0, 0.0, 1.0}), "nothing tells the radius of the ball node");
+}
+
 // A direction has neither length nor sign.
 TEST(TradeOff, DoesNotDependOnTheDirectionsLengthOrSign) {
   const Talk talk(kTwo);

@@ -32,14 +32,17 @@ inline std::vector<FreePath> free_paths(const sim::Scene& scene) {
     if (path.row->key == "peak_km" || path.row->key == "lower_km" || path.row->key == "upper_km" ||
         path.row->key == "spline_rate")
       continue;
-    if (path.row->key == "energy_flux_mw_m2" && scene.sheets[path.sheet()].brightness_kilorayleigh > 0.0)
+    if (path.row->key == "energy_flux_mw_m2" && path.sheet() >= 0 &&
+        scene.sheets[path.sheet()].brightness_kilorayleigh > 0.0)
       continue;  // it counts for nothing, and validate() does not let it be free
     // Lights that do not shine, and air that is not there.
     if (path.row->table == "air" && scene.air.model == "none") continue;
     if ((path.row->table == "airglow" || path.row->table == "light_pollution") &&
         *sim::real_value(scene, path) == 0.0)
       continue;
-    if (path.row->key == "energy_spread" && scene.sheets[path.sheet()].profile != "gaussian") continue;
+    if (path.row->key == "energy_spread" && path.sheet() >= 0 &&
+        scene.sheets[path.sheet()].profile != "gaussian")
+      continue;
     const double value = *sim::real_value(scene, path);
     double step = path.row->scale == sim::ParameterScale::logarithmic && value > 0.0 ? 1e-4 * value : 1e-4;
     // A thousandth of a pixel at most: samples that cross from one cell to the next have no derivative there.

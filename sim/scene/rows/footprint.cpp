@@ -28,7 +28,7 @@ std::vector<Declaration> footprint_rows() {
       row("model", &F::model).one_of({"volume", "curtain"})
           .means("light with a thickness, or upright walls without one along the splines, a cheap preview"),
       row("source", &F::source).one_of({"spline", "image", "cube", "sheets", "noise"})
-          .means("where the footprint comes from: a curve through points, a picture, six pictures of a cube's faces, the scene's sheets, or fractal noise in a box"),
+          .means("where the footprint comes from: a curve through points, a picture, six pictures of a cube's faces, the scene's sheets (which are then not drawn as beams), or fractal noise in a box"),
       row("fall", &F::fall).one_of({"field", "vertical"})
           .means("along the scene's field, or straight down; a shell's light always falls straight down"),
       row("center_km", &F::center_km).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(linear)
@@ -50,7 +50,7 @@ std::vector<Declaration> footprint_rows() {
       row("width_km", &F::width_km).in("km").within(0.01, 1000).may_be_free(logarithmic)
           .means("standard deviation of the Gaussian across the spline"),
       row("image", &F::image)
-          .means("picture of the footprint beside the scene's file: north up over a box; equirectangular around the Earth; of a cube \"NAME_{face}.png\" with the faces px, nx, py, ny, pz, nz"),
+          .means("picture of the footprint beside the scene's file: north up over a box; equirectangular around the Earth; of a cube \"NAME_{face}.png\" with the faces px, nx, py, ny, pz, nz (docs/volumes.md says which way up); values are taken as they stand"),
       row("image_gamma", &F::image_gamma).within(0.1, 10).means("the energy flux goes as the picture's value to this power"),
       row("energy_image", &F::energy_image).means("picture of the electrons' energy, of the same extent; empty: the same everywhere"),
       row("energy_ratio", &F::energy_ratio).within(0.01, 100)

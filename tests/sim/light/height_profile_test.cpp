@@ -77,6 +77,19 @@ TEST(HeightProfile, HasTheKnownPeaksAndBrightness) {
   }
 }
 
+TEST(HeightProfile, LinesOfNebulaeAreDarkBesideTheOthers) {
+  const HeightProfile alone = maxwellian_profile({557.7}, 2.0),
+                      beside = maxwellian_profile({656.3, 557.7, 500.7}, 2.0),
+                      by_flux = maxwellian_profile_by_flux({656.3, 557.7, 500.7}, 2.0, 1.5);
+  for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
+    EXPECT_EQ(beside.rate[a * 4 + 1], alone.rate[a * 4]);
+    for (const int dark : {0, 2}) {
+      EXPECT_EQ(beside.rate[a * 4 + dark], 0.0f);
+      EXPECT_EQ(by_flux.d_rate_d_ln_energy[a * 4 + dark], 0.0f);
+    }
+  }
+}
+
 TEST(HeightProfile, IsOneVectorLoadPerAltitude) {
   const HeightProfile three = maxwellian_profile({630.0, 557.7, 427.8}, 2.0);
   EXPECT_EQ(three.stride, 4);

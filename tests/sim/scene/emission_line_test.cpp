@@ -26,6 +26,7 @@ TEST(EmissionLines, AreOneListByWavelength) {
 TEST(EmissionLines, HaveAColumnOrARatioWithASource) {
   const EmissionTable& table = EmissionTable::glow();
   for (const EmissionLine& line : emission_lines()) {
+    if (!is_auroral(line)) continue;
     EXPECT_TRUE(table.has(line.table_column)) << line.wavelength_nm;
     const std::string own = "ver_" + std::to_string(std::lround(10.0 * line.wavelength_nm));
     EXPECT_EQ(line.table_column == own, line.ratio == 1.0) << line.wavelength_nm;
@@ -45,6 +46,36 @@ TEST(EmissionLines, HaveComponentsWhoseSharesAddUpToOne) {
     EXPECT_TRUE(named_after_one) << line.wavelength_nm;
   }
   EXPECT_EQ(find_emission_line(670.5)->components.size(), 29u);
+}
+
+TEST(EmissionLines, OfNebulaeHaveNoColumnAndTheRatiosOfTheirUpperLevels) {
+  for (const double asked_for : {450.0, 468.6, 486.1, 500.7, 550.0, 656.3, 658.4, 673.1}) {
+    ASSERT_NE(find_emission_line(asked_for), nullptr) << asked_for;
+    EXPECT_FALSE(is_auroral(*find_emission_line(asked_for))) << asked_for;
+    EXPECT_EQ(default_blur_width_deg(asked_for), 0.0);
+  }
+  EXPECT_TRUE(is_auroral(*find_emission_line(557.7)));
+  // Photons go as energy times wavelength. The shares are given to three digits.
+  const auto energy_ratio = [](double nm) {
+    const std::vector<LineComponent>& pair = find_emission_line(nm)->components;
+    EXPECT_EQ(pair.size(), 2u);
+    return pair[1].share / pair[0].share * pair[0].wavelength_nm / pair[1].wavelength_nm;
+  };
+  EXPECT_NEAR(energy_ratio(500.7), 2.98, 0.02);
+  EXPECT_NEAR(energy_ratio(658.4), 3.05, 0.02);
+}
+
+TEST(EmissionLines, ContinuaFollowTheirLaws) {
+  const std::vector<LineComponent>& synchrotron = find_emission_line(550.0)->components;
+  const LineComponent &first = synchrotron.front(), &last = synchrotron.back();
+  // Energy per frequency: photons per wavelength times λ² / λ.
+  const double by_frequency =
+      std::log(last.share * last.wavelength_nm / (first.share * first.wavelength_nm)) /
+      std::log(first.wavelength_nm / last.wavelength_nm);
+  EXPECT_NEAR(by_frequency, -0.43, 1e-9);
+  // Wien's law for photons per wavelength: the peak of 15 000 K lies at 245 nm, so that starlight falls.
+  const std::vector<LineComponent>& starlight = find_emission_line(450.0)->components;
+  for (std::size_t i = 1; i < starlight.size(); ++i) EXPECT_LT(starlight[i].share, starlight[i - 1].share);
 }
 
 TEST(EmissionLines, AreBlurredLikeTheLineFromTheSameAtoms) {

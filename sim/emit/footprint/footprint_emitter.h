@@ -1,0 +1,37 @@
+// The aurora of a footprint, marched along rays from the camera.
+//
+// The volume emission rate of a line is the energy flux at the point's foot times the rate of the height
+// profile there. For T = double the steps lie in vector lanes (sim/emit/footprint/footprint_kernel.h), in
+// floats: rayleighs agree with a march in double precision to about 1e-5. For T = FreeDual the same march is
+// in dual numbers, with exact derivatives by the camera, the field, what shapes the footprint, the energy and
+// the energy flux.
+#pragma once
+
+#include <memory>
+
+#include "sim/emit/footprint/footprint_map.h"
+#include "sim/light/emitter.h"
+#include "sim/light/profile_table.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::sim {
+
+/// Whether in lanes, or one after the other in double, the reference.
+enum class MarchBy { lanes, reference };
+
+/// Of a footprint of shape "box". `by_flux` are profiles whose d_rate_d_ln_energy is by the energy flux in
+/// mW m^-2; empty: the light goes as the flux.
+template <class T>
+std::unique_ptr<Emitter<T>> plane_footprint_emitter(const Scene& scene, const Footprint& footprint,
+                                                    PlaneFootprint<T> map, const ProfileTable& profiles,
+                                                    const ProfileTable& by_flux, const NumberAs<T>& number,
+                                                    int threads, MarchBy by = MarchBy::lanes);
+
+/// Of a footprint of shape "shell".
+template <class T>
+std::unique_ptr<Emitter<T>> cube_footprint_emitter(const Scene& scene, const Footprint& footprint,
+                                                   CubeFootprint<double> map, const ProfileTable& profiles,
+                                                   const ProfileTable& by_flux, const NumberAs<T>& number,
+                                                   int threads, MarchBy by = MarchBy::lanes);
+
+}  // namespace vegard::sim

@@ -1,0 +1,194 @@
+// The march through a footprint one step after the other: in double, which the packs of floats are compared
+// with, and in dual numbers, which carry the derivatives.
+//
+// T is the number type of the rays, G that of the footprint.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "sim/emit/footprint/foot.h"
+#include "sim/emit/footprint/footprint_kernel.h"
+#include "sim/emit/footprint/footprint_map.h"
+#include "sim/emit/footprint/march_span.h"
+
+namespace vegard::sim {
+
+template <class T, class G>
+struct ScalarFootprint {
+  FootWay way = FootWay::vertical;
+  T axis[3];  ///< as FootprintKernel's
+  double texels = 1.0, first_x = 0.0, first_y = 0.0;
+  std::array<const FootprintGrid<G>*, 6> grid{};
+  std::array<const LitMap*, 6> lit{};  ///< null: nothing is passed over
+  const StepProfile* profile = nullptr;
+  T ln_energy_shift;                             ///< 0, with the tangents of ln(energy)
+  const StepProfile* profile_by_flux = nullptr;  ///< its slopes are by the energy flux; null: none
+  T flux_shift;                                  ///< 0, with the tangents of the energy flux
+};
+
+template <class T>
+struct ScalarLight {
+  T rayleigh[kMostLines];
+  double weighted_km = 0.0;
+  double entry_km = std::numeric_limits<double>::infinity();
+};
+
+template <class T, class G>
+class ScalarMarch {
+ public:
+  explicit ScalarMarch(const ScalarFootprint<T, G>& footprint)
+      : f_(footprint), profile_(*footprint.profile) {}
+
+  void march(const MarchSpanOf<T>& span, ScalarLight<T>& out) const {
+    for (T& light : out.rayleigh) light = T(0.0);
+    const MarchSpan plain = plain_span(span);
+    for (int first = 0; first < span.steps; first += kBlockSteps) {
+      if (may_pass_over(plain, first)) continue;
+      out.entry_km = std::min(out.entry_km, plain.at_km + plain.first_km + first * plain.step_km);
+      const int width = width_of_block(profile_, plain, first);
+      for (int i = first; i < std::min(first + kBlockSteps, span.steps); ++i) add(span, i, width, out);
+    }
+    for (T& light : out.rayleigh) light = light * span.step_km * kRayleighsPerKm;
+    out.weighted_km *= kRayleighsPerKm * plain.step_km;
+  }
+
+ private:
+  template <class V>
+  struct Place {
+    V x, y;
+    bool is_there;
+  };
+
+  template <class V>
+  Place<V> place_of(const AirPoint<V>& p, const V axis[3], int face) const {
+    if (f_.way == FootWay::shell) {
+      const FacePlace<V> at = place_on_face(p, face);
+      return {at.u * f_.texels + f_.first_x, at.v * f_.texels + f_.first_y, value_of(at.ahead) > 1.0};
+    }
+    const PlaneFoot<V> foot = f_.way == FootWay::vertical ? foot_below(p)
+                              : f_.way == FootWay::field  ? foot_along(p, axis)
+                                                          : foot_of_dipole(p, axis);
+    return {foot.east_km * f_.texels + f_.first_x, foot.north_km * f_.texels + f_.first_y, foot.is_there};
+  }
+
+  template <class V>
+  int face_of(const AirPoint<V>& p) const {
+    return f_.way == FootWay::shell ? static_cast<int>(value_of(face_number(p))) : 0;
+  }
+
+  static MarchSpan plain_span(const MarchSpanOf<T>& span) {
+    MarchSpan plain;
+    for (int i = 0; i < 3; ++i) {
+      plain.place_km[i] = value_of(span.place_km[i]);
+      plain.direction[i] = value_of(span.direction[i]);
+    }
+    plain.square_km2 = value_of(span.square_km2);
+    plain.along_km = value_of(span.along_km);
+    plain.at_km = value_of(span.at_km);
+    plain.first_km = value_of(span.first_km);
+    plain.step_km = value_of(span.step_km);
+    plain.steps = span.steps;
+    return plain;
+  }
+
+  bool may_pass_over(const MarchSpan& span, int first_step) const {
+    if (f_.lit[0] == nullptr) return false;
+    const double axis[3] = {value_of(f_.axis[0]), value_of(f_.axis[1]), value_of(f_.axis[2])};
+    const double half = 0.5 * kBlockSteps * span.step_km;
+    const double middle = span.first_km + first_step * span.step_km + half;
+    const auto at = [&](double u) {
+      return point_of_ray(span.place_km, span.direction, span.square_km2, span.along_km, u);
+    };
+    const AirPoint<double> p = at(middle);
+    const int face = face_of(p);
+    const auto place = place_of(p, axis, face);
+    double reach = 0.0;
+    for (const double end : {middle - half, middle + half}) {
+      const auto there = place_of(at(end), axis, face);
+      if (!there.is_there) return false;
+      reach = std::max(reach, std::hypot(there.x - place.x, there.y - place.y));
+    }
+    return place.is_there && reach * 1.05 + 1.0 < f_.lit[face]->dark_texels(place.x, place.y);
+  }
+
+  void add(const MarchSpanOf<T>& span, int step, int width, ScalarLight<T>& out) const {
+    const T u = span.first_km + span.step_km * (step + 0.5);
+    const AirPoint<T> p = point_of_ray(span.place_km, span.direction, span.square_km2, span.along_km, u);
+    const int face = face_of(p);
+    if (f_.grid[face] == nullptr || f_.grid[face]->flux_mw_m2.empty()) return;
+    const FootprintGrid<G>& grid = *f_.grid[face];
+    const Place<T> place = place_of(p, f_.axis, face);
+    if (!place.is_there) return;
+    // Dark outside: the texels beyond the edge count as 0.
+    const double x = std::floor(value_of(place.x)), y = std::floor(value_of(place.y));
+    if (x < -1.0 || y < -1.0 || x >= grid.columns || y >= grid.rows) return;
+    const int column = static_cast<int>(x), row = static_cast<int>(y);
+    const T right = place.x - x, upper = place.y - y;
+    const T weight[4] = {(T(1.0) - right) * (T(1.0) - upper), right * (T(1.0) - upper),
+                         (T(1.0) - right) * upper, right * upper};
+    T flux(0.0), ln_energy(0.0);
+    for (int corner = 0; corner < 4; ++corner) {
+      const int c = column + corner % 2, r = row + corner / 2;
+      if (c < 0 || r < 0 || c >= grid.columns || r >= grid.rows) continue;
+      const std::size_t at = static_cast<std::size_t>(r) * grid.columns + c;
+      flux = flux + weight[corner] * grid.flux_mw_m2[at];
+      if (!grid.ln_energy.empty()) ln_energy = ln_energy + weight[corner] * grid.ln_energy[at];
+    }
+    if (value_of(flux) == 0.0) return;
+    T rate[kMostLines];
+    rates(altitude_km(p), ln_energy, width, rate);
+    double all = 0.0;
+    for (int l = 0; l < profile_.lines(); ++l) {
+      const T light = flux * rate[l];
+      out.rayleigh[l] = out.rayleigh[l] + light;
+      all += value_of(light);
+    }
+    out.weighted_km += all * (value_of(span.at_km) + value_of(u));
+  }
+
+  void rates(const T& altitude, const T& ln_energy, int width, T rate[]) const {
+    const T place = (altitude - profile_.bottom_km()) * (1.0 / HeightProfile::kStepKm);
+    const double most = profile_.rows() - 1;
+    const int row = static_cast<int>(std::clamp(std::floor(value_of(place)), 0.0, most - 1.0));
+    const T part = place - static_cast<double>(row);
+    if (profile_.energies() == 1) {
+      of_energy(0, width, row, part, ln_energy + f_.ln_energy_shift, rate);
+      return;
+    }
+    const T at = (ln_energy - profile_.ln_first()) * (1.0 / profile_.ln_step());
+    const double last = profile_.energies() - 1;
+    if (value_of(at) <= 0.0 || value_of(at) >= last) {
+      of_energy(value_of(at) <= 0.0 ? 0 : profile_.energies() - 1, width, row, part, f_.ln_energy_shift,
+                rate);
+      return;
+    }
+    const int energy = static_cast<int>(value_of(at));
+    T next[kMostLines];
+    of_energy(energy, width, row, part, f_.ln_energy_shift, rate);
+    of_energy(energy + 1, width, row, part, f_.ln_energy_shift, next);
+    const T share = at - static_cast<double>(energy);
+    for (int l = 0; l < profile_.lines(); ++l) rate[l] = rate[l] + share * (next[l] - rate[l]);
+  }
+
+  /// `shift` is 0, with tangents.
+  void of_energy(int energy, int width, int row, const T& part, const T& shift, T rate[]) const {
+    const std::size_t at = static_cast<std::size_t>(row) * profile_.stride();
+    const auto between = [&](const float* table, int line) {
+      const double low = table[at + line], high = table[at + profile_.stride() + line];
+      return part * (high - low) + low;
+    };
+    for (int l = 0; l < profile_.lines(); ++l) {
+      rate[l] = between(profile_.rate(energy, width), l) + between(profile_.slope(energy, width), l) * shift;
+      if (f_.profile_by_flux != nullptr)
+        rate[l] = rate[l] + between(f_.profile_by_flux->slope(energy, width), l) * f_.flux_shift;
+    }
+  }
+
+  const ScalarFootprint<T, G>& f_;
+  const StepProfile& profile_;
+};
+
+}  // namespace vegard::sim

@@ -1,0 +1,60 @@
+// What a nebula is made of at a point: gas, glow and dust, and what they do to light.
+//
+// With the signed distance d of a node and the nebula's edge e the density is clamp(1 - d / e, 0, 1). Light,
+// in rayleighs to a unit of path, is
+//
+//     brightness (gas^p (inner + (outer - inner) s) + glow glow_rayleigh)
+//
+// per line, s a smooth step of the distance from the middle between inner_radius and outer_radius; what takes
+// light away is dust_depth dust (λ / 550 nm)^-dust_exponent to a unit of path.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "sim/emit/nebula/node_map.h"
+#include "sim/light/emitter.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::sim {
+
+/// Per line, to a unit of path.
+template <class T>
+struct CloudAt {
+  T light[kMostLines], loss[kMostLines];
+};
+
+struct CloudDensity {
+  double gas = 0.0, glow = 0.0, dust = 0.0;
+};
+
+template <class T>
+class NebulaCloud {
+ public:
+  NebulaCloud(const Scene& scene, const Nebula& nebula, const NumberAs<T>& number);
+
+  bool has_dust() const { return dust_ >= 0; }
+
+  /// How far about the point there is nothing for certain, in units of length; 0 or less: it is not known.
+  double empty_about(const double point[3]) const;
+
+  /// False if there is nothing; `at` is then not set.
+  bool sample(const T point[3], CloudAt<T>& at) const;
+
+  CloudDensity densities(const double point[3]) const;
+
+ private:
+  T density(int node, const T point[3]) const;
+
+  NodeMap<T> nodes_;
+  int gas_, glow_, dust_, lines_;
+  T edge_, power_, brightness_, inner_radius_, outer_radius_;
+  T inner_[kMostLines], outer_[kMostLines], of_glow_[kMostLines];  ///< brightness is in them
+  T depth_[kMostLines];
+};
+
+extern template class NebulaCloud<double>;
+extern template class NebulaCloud<FreeDual>;
+
+}  // namespace vegard::sim

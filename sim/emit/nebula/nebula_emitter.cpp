@@ -1,0 +1,105 @@
+#include "sim/emit/nebula/nebula_emitter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+
+namespace vegard::sim {
+namespace {
+
+constexpr double kNothingComesThrough = 1e-10;
+
+/// (1 - exp(-tau)) / tau, by its series where that loses digits.
+template <class T>
+T share_that_escapes(const T& tau) {
+  if (std::abs(value_of(tau)) < 1e-3)
+    return T(1.0) - tau * (T(0.5) - tau * (T(1.0 / 6.0) - tau * (1.0 / 24.0)));
+  return (T(1.0) - exponential(T(0.0) - tau)) / tau;
+}
+
+}  // namespace
+
+template <class T>
+NebulaEmitter<T>::NebulaEmitter(const Scene& scene, const Nebula& nebula, const NumberAs<T>& number,
+                                bool skip)
+    : frame_(nebula, number), cloud_(scene, nebula, number), step_(nebula.step), skip_(skip) {}
+
+template <class T>
+void NebulaEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>& out) const {
+  for (std::size_t i = 0; i < rays.count; ++i) {
+    const T enu[3] = {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]};
+    march_ray(enu, rays.end_km[i], i, rays.count, out);
+  }
+}
+
+template <class T>
+void NebulaEmitter<T>::march_ray(const T enu[3], double end_km, std::size_t index, std::size_t rays,
+                                 const BundleLight<T>& out) const {
+  const NebulaRay<T> ray = frame_.ray(enu);
+  if (!ray.meets) return;
+  // From the nearest place: the observer is at ray.observer, and the way begins there or at the bound.
+  T first = T(0.0) - ray.half_chord, last = ray.half_chord;
+  const double observer = value_of(ray.observer);
+  if (value_of(first) < observer) first = ray.observer;
+  const double end = observer + end_km / frame_.unit_km();
+  if (value_of(last) > end) last = T(end);
+  if (!(value_of(first) < value_of(last))) return;
+  out.entry_km[index] = (value_of(first) - observer) * frame_.unit_km();
+
+  double bright = 0.0, weighted = 0.0, most_kept = 1.0;
+  T light[kMostLines], kept[kMostLines];
+  for (int l = 0; l < out.lines; ++l) {
+    light[l] = T(0.0);
+    kept[l] = T(1.0);
+  }
+  const double begin = std::floor(value_of(first) / step_), finish = std::ceil(value_of(last) / step_);
+  for (double piece = begin; piece < finish; piece += 1.0) {
+    const double low = piece * step_, high = low + step_;
+    if (skip_) {
+      const double middle = low + 0.5 * step_;
+      double here[3];
+      for (int axis = 0; axis < 3; ++axis)
+        here[axis] = value_of(ray.nearest[axis]) + middle * value_of(ray.direction[axis]);
+      // The middle of a piece cut short is half a step nearer at most.
+      const double empty = cloud_.empty_about(here) - 0.5 * step_;
+      if (empty > 0.0) {
+        piece += std::floor(std::min(empty / step_, finish - piece));
+        continue;
+      }
+    }
+    const T from = low < value_of(first) ? first : T(low), to = high > value_of(last) ? last : T(high);
+    const T length = to - from, middle = (from + to) * 0.5;
+    T point[3];
+    for (int axis = 0; axis < 3; ++axis) point[axis] = ray.nearest[axis] + ray.direction[axis] * middle;
+    CloudAt<T> at;
+    if (!cloud_.sample(point, at)) continue;
+    double seen_here = 0.0;
+    most_kept = 0.0;
+    for (int l = 0; l < out.lines; ++l) {
+      T seen = kept[l] * at.light[l] * length;
+      if (cloud_.has_dust()) {
+        const T tau = at.loss[l] * length;
+        seen = seen * share_that_escapes(tau);
+        kept[l] = kept[l] * exponential(T(0.0) - tau);
+      }
+      light[l] = light[l] + seen;
+      seen_here += value_of(seen);
+      most_kept = std::max(most_kept, value_of(kept[l]));
+    }
+    bright += seen_here;
+    weighted += seen_here * value_of(middle);
+    if (std::is_same_v<T, double> && most_kept < kNothingComesThrough) break;
+  }
+  for (int l = 0; l < out.lines; ++l) {
+    const std::size_t to = static_cast<std::size_t>(l) * rays + index;
+    out.rayleigh[to] = light[l];
+    out.kept[to] = kept[l];
+  }
+  if (bright > 0.0) out.depth_km[index] = (weighted / bright - observer) * frame_.unit_km();
+}
+
+template class NebulaEmitter<double>;
+template class NebulaEmitter<FreeDual>;
+
+}  // namespace vegard::sim

@@ -1,0 +1,92 @@
+// Signed distances of shapes, negative inside. Their axis is `up`; points are (right, up, near).
+//
+// Sphere, shell, torus, tube and slab are Euclidean distances (as in J. C. Hart, "Sphere tracing", The Visual
+// Computer 12, 1996, 527). Lobes are of first order: G / |grad G| of an implicit surface (G. Taubin, 1994,
+// ACM Trans. Graph. 13, 3), held up where |grad G| vanishes.
+#pragma once
+
+#include <cmath>
+
+#include "sim/light/sample.h"
+
+namespace vegard::sim {
+
+template <class T>
+T larger(const T& a, const T& b) {
+  return value_of(a) >= value_of(b) ? a : b;
+}
+template <class T>
+T smaller(const T& a, const T& b) {
+  return value_of(a) <= value_of(b) ? a : b;
+}
+template <class T>
+T magnitude(const T& a) {
+  return value_of(a) < 0.0 ? T(0.0) - a : a;
+}
+/// The root, whose tangents at 0 are taken as 0: there a distance has a corner.
+template <class T>
+T root(const T& square) {
+  return value_of(square) > 0.0 ? square_root(square) : T(0.0);
+}
+
+template <class T>
+T sphere_distance(const T p[3], const T& radius) {
+  return root(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) - radius;
+}
+
+/// The wall of a sphere, `thickness` from side to side.
+template <class T>
+T shell_distance(const T p[3], const T& radius, const T& thickness) {
+  return magnitude(sphere_distance(p, radius)) - thickness * 0.5;
+}
+
+/// A ring about the axis.
+template <class T>
+T torus_distance(const T p[3], const T& radius, const T& thickness) {
+  const T aside = root(p[0] * p[0] + p[2] * p[2]) - radius;
+  return root(aside * aside + p[1] * p[1]) - thickness * 0.5;
+}
+
+/// A cylinder with round ends, `length` from its middle to either.
+template <class T>
+T tube_distance(const T p[3], const T& radius, const T& length) {
+  const T beyond = magnitude(p[1]) - larger(length - radius, T(0.0));
+  const T along = larger(beyond, T(0.0));
+  return root(p[0] * p[0] + along * along + p[2] * p[2]) - radius;
+}
+
+/// Across the axis, without end.
+template <class T>
+T slab_distance(const T p[3], const T& thickness) {
+  return magnitude(p[1]) - thickness * 0.5;
+}
+
+/// The distance to a cylinder with flat ends; inside, minus that to the nearer side.
+template <class T>
+T cylinder_distance(const T p[3], const T& radius, const T& length) {
+  const T aside = root(p[0] * p[0] + p[2] * p[2]) - radius, along = magnitude(p[1]) - length;
+  const T out_aside = larger(aside, T(0.0)), out_along = larger(along, T(0.0));
+  return root(out_aside * out_aside + out_along * out_along) + smaller(larger(aside, along), T(0.0));
+}
+
+/// The wall of two lobes along the axis. With v = (up / length)², the lobes' radius R is
+///
+///     R² = (1 - v) (waist² + a v),   a = 2 radius² - waist² + 2 radius √(radius² - waist²),
+///
+/// so that R is `waist` in the middle, `radius` where it is largest, and 0 at the ends. A waist of `radius`
+/// or more is taken as `radius`: a spheroid, nearly.
+template <class T>
+T lobes_distance(const T p[3], const T& radius, const T& length, const T& waist, const T& thickness) {
+  const T narrow = smaller(waist, radius), square = narrow * narrow, wide = radius * radius;
+  const T a = wide * 2.0 - square + radius * root(wide - square) * 2.0;
+  const T v = p[1] * p[1] / (length * length);
+  const T aside = p[0] * p[0] + p[2] * p[2];
+  const T surface = aside - (T(1.0) - v) * (square + a * v);
+  // Half of grad G: (distance from the axis, and by `up`).
+  const T along = p[1] / (length * length) * (a - square - a * v * 2.0);
+  const T steep = root(aside + along * along + wide * 0.25) * 2.0;
+  const T wall = magnitude(surface / steep);
+  return larger(wall, cylinder_distance(p, radius, length)) - thickness * 0.5;
+}
+
+}  // namespace vegard::sim

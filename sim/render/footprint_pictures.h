@@ -1,0 +1,13 @@
+// Which of the pictures that have been read a footprint is made from.
+#pragma once
+
+#include "sim/emit/footprint/make_footprint.h"
+#include "sim/render/volume_files.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::sim {
+
+/// Those of one footprint, of what has been read (sim/scene/footprint_files.h). They live as long as `files`.
+FootprintPictures footprint_pictures(const VolumeFiles& files, const Footprint& footprint);
+
+}  // namespace vegard::sim
