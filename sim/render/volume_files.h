@@ -6,10 +6,12 @@
 
 #include "sim/base/image.h"
 #include "sim/scene/scene.h"
+#include "sim/view/depth_image.h"
 
 namespace vegard::sim {
 
 struct VolumeFiles {
+  DepthImage depth;                       ///< march.depth
   std::map<std::string, Image> pictures;  ///< one channel, 0 to 1, by the name that the scene has
 };
 
