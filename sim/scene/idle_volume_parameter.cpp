@@ -27,8 +27,8 @@ std::optional<Complaint> of_footprint(const Footprint& f, const std::string& key
     return idle(nothing("the footprint comes from \"" + f.source + "\""), "set source to \"spline\"");
   if (key == "width_km" && f.model == "curtain")
     return idle(nothing("a curtain has no thickness"), "set model to \"volume\"");
-  if (key == "center_km" && f.source == "sheets")
-    return idle(nothing("the feet are those of the sheets"), "free the centre of a footprint that is drawn");
+  if (f.source == "sheets" && is_one_of(key, {"center_km", "energy_kev", "energy_flux_mw_m2"}))
+    return idle(nothing("feet, energy and flux are those of the sheets"), "free the sheets' own numbers");
   return std::nullopt;
 }
 
@@ -98,13 +98,6 @@ std::optional<Complaint> why_volume_number_counts_for_nothing(const Scene& scene
   if (table == "footprint") return of_footprint(scene.footprints[e], key);
   if (table == "nebula") return of_nebula(scene, scene.nebulae[e], key);
   if (table == "node") return of_node(scene, scene.nodes[e], key);
-  if (table != sheet_table) return std::nullopt;
-  for (const Footprint& footprint : scene.footprints)
-    if (footprint.source == "sheets")
-      return Complaint{"the footprint '" + footprint.name +
-                           "' is made of the sheets, and has no derivative by their numbers",
-                       "a scene whose footprints do not come from sheets",
-                       "leave it out of fit.free, or draw the footprint by points"};
   return std::nullopt;
 }
 

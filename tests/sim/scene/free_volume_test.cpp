@@ -23,9 +23,9 @@ const Bad bad_free_volumes[] = {
      "[[footprint]]\nmodel = 'curtain'\neast_km = [1, 2]\nnorth_km = [1, 2]\n[fit]\nfree = "
      "['footprint.arc.width_km']\n",
      6, "footprint.arc.width_km", "a curtain has no thickness"},
-    {"sheets_of_a_footprint",
-     "[[sheet]]\n[[footprint]]\nsource = 'sheets'\n[fit]\nfree = ['sheet.main.length_km']\n", 5,
-     "sheet.main.length_km", "made of the sheets"},
+    {"footprint_of_sheets",
+     "[[sheet]]\n[[footprint]]\nsource = 'sheets'\n[fit]\nfree = ['footprint.energy_kev']\n", 5,
+     "footprint.arc.energy_kev", "those of the sheets"},
     {"literal_nebula",
      "[[nebula]]\nmethod = 'literal'\ngas = 'n'\n[[node]]\nname = 'n'\n[fit]\nfree = ['nebula.elevation_deg']\n",
      7, "nebula.nebula.elevation_deg", "colours, not light"},
