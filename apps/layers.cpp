@@ -11,8 +11,9 @@
 namespace vegard::apps {
 namespace {
 
-constexpr std::array<const char*, 8> kOwnNames = {"aurora", "sky",  "night_sky",  "background",
-                                                  "stars",  "mask", "foreground", "rayleigh"};
+constexpr std::array<const char*, 11> kOwnNames = {"aurora", "sky",    "night_sky",  "background",
+                                                   "stars",  "mask",   "foreground", "rayleigh",
+                                                   "volume", "hidden", "literal"};
 
 sim::Image named(const std::string& layer, sim::Image image) {
   for (std::string& name : image.channel_names) name.insert(0, layer + ".");
@@ -41,6 +42,10 @@ void check_layer_names(const sim::Scene& scene) {
   }
 }
 
+sim::Image volume_layer(const sim::Rendering& rendering) {
+  return rendering.volume.empty() ? sim::Image() : named("volume", rendering.volume);
+}
+
 std::vector<sim::Image> layers_of(const sim::Scene& scene, sim::Rendering&& rendering) {
   std::vector<sim::Image> layers;
   for (sim::SheetLayer& sheet : rendering.sheets) {
@@ -52,6 +57,8 @@ std::vector<sim::Image> layers_of(const sim::Scene& scene, sim::Rendering&& rend
   if (!rendering.night_sky.empty()) layers.push_back(named("night_sky", std::move(rendering.night_sky)));
   if (!rendering.background.empty()) layers.push_back(named("background", std::move(rendering.background)));
   if (!rendering.stars.empty()) layers.push_back(named("stars", std::move(rendering.stars)));
+  if (!rendering.hidden.empty()) layers.push_back(named("hidden", std::move(rendering.hidden)));
+  if (!rendering.literal.empty()) layers.push_back(named("literal", std::move(rendering.literal)));
   if (!rendering.foreground.empty()) {
     layers.push_back(channels_of(rendering.foreground, 0, {"foreground.R", "foreground.G", "foreground.B"}));
     layers.push_back(channels_of(rendering.foreground, 3, {"mask"}));

@@ -106,10 +106,17 @@ std::string encoded_picture(const std::string& path, const PictureOptions& optio
                              ", dark in the corners as its lens has it" + noise_words(options);
     }
     std::vector<const sim::Image*> images = {&rendering.rgb, &lines};
+    const sim::Image volume = volume_layer(rendering);
+    if (!volume.empty()) {
+      images.push_back(&volume);
+      attributes["units"] += "; volume.*: R, G, B of volumes, the same, multiplied by A, their coverage";
+    }
     std::vector<sim::Image> layers;
     if (with_layers) {
       layers = layers_of(scene, std::move(rendering));
-      attributes["units"] += "; other layers' R, G, B: the same; mask: 1 where the foreground hides the sky";
+      attributes["units"] +=
+          "; other layers' R, G, B: the same; mask: 1 where the foreground hides the sky; hidden.*: "
+          "share of what is behind volumes that they hide";
     }
     for (const sim::Image& layer : layers) images.push_back(&layer);
     return sim::encode_exr(images, attributes, path);

@@ -24,10 +24,12 @@
 #include "apps/profile.h"
 #include "apps/render.h"
 #include "apps/sequence.h"
+#include "apps/volume.h"
 #include "fit/version.h"
 #include "sim/base/error.h"
 #include "sim/base/fits_io.h"
 #include "sim/base/image_io.h"
+#include "sim/base/vdb_io.h"
 #include "sim/base/version.h"
 
 namespace {
@@ -37,7 +39,8 @@ using namespace vegard;
 std::string versions() {
   return "vegard " + sim::version() + "\nCeres " + fit::ceres_version() + "\nOpenCV " +
          fit::opencv_version() + "\nEigen " + sim::eigen_version() + "\nOpenImageIO " +
-         sim::image_library_version() + "\nCFITSIO " + sim::fits_library_version();
+         sim::image_library_version() + "\nCFITSIO " + sim::fits_library_version() + "\nOpenVDB " +
+         sim::vdb_library_version();
 }
 
 int report(const std::string& message, int exit_code) {
@@ -52,6 +55,7 @@ int run(int argc, char** argv) {
   apps::add_render_command(app, exit_code);
   apps::add_animate_command(app, exit_code);
   apps::add_points_command(app, exit_code);
+  apps::add_volume_command(app, exit_code);
   apps::add_describe_command(app, exit_code);
   apps::add_horizon_command(app, exit_code);
   apps::add_profile_command(app, exit_code);

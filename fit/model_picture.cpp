@@ -59,6 +59,7 @@ ModelPicture model_picture(const FittedPhoto& fitted, const Photo& photo, int th
   scene.twilight = {};
   scene.light_pollution = {};
   scene.stars.shown = false;  // a fit knows of no stars
+  scene.march.shrink = 1;     // and marches every cell
   sim::RenderOptions options;
   options.threads = threads;
   sim::Rendering rendering = sim::render(scene, options);

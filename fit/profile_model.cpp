@@ -177,6 +177,7 @@ struct ProfileModel::Workspace {
   std::vector<const double*> adopt(const sim::Scene& from, const std::vector<const double*>& free) {
     for (std::size_t s = 0; s < from.sheets.size(); ++s) used_beams[s] = scene.sheets[s].beams;
     scene = from;
+    scene.march.shrink = 1;  // light and derivatives are to be of one march
     for (std::size_t s = 0; s < from.sheets.size(); ++s) {
       scene.sheets[s].beams = used_beams[s];
       scene.sheets[s].beams_per_km = 0.0;
@@ -386,6 +387,7 @@ ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo,
   w.smooth_rows = smooth_rows;
   w.threads = sim::thread_count(threads);
   w.scene = scene;
+  w.scene.march.shrink = 1;
   w.used_beams.resize(scene.sheets.size());
   for (sim::Sheet& sheet : w.scene.sheets) {
     sheet.beams = std::max(1, static_cast<int>(std::lround(sim::beams_per_layer(sheet) * beams_share)));

@@ -44,7 +44,10 @@ void dim_by_air(const Scene& scene, Exposure& exposure, int threads) {
   const std::size_t cells = exposure.cells();
   for_every_cell<double>(scene, air, exposure.geometry, threads,
                          [&](std::size_t line, std::size_t cell, double share) {
-                           exposure.rayleigh[line * cells + cell] *= static_cast<float>(share);
+                           const std::size_t at = line * cells + cell;
+                           if (!exposure.rayleigh.empty()) exposure.rayleigh[at] *= static_cast<float>(share);
+                           if (exposure.volumes.lines > 0)
+                             exposure.volumes.rayleigh[at] *= static_cast<float>(share);
                          });
 }
 

@@ -13,7 +13,7 @@
 namespace vegard::sim {
 
 /// Multiplies every cell of every line by the transmission of the air towards the cell's centre. Nothing is
-/// touched where scene.air.model is "none".
+/// touched where scene.air.model is "none". The volumes' share of the exposure is dimmed too.
 void dim_by_air(const Scene& scene, Exposure& exposure, int threads = 0);
 
 /// The same with the derivatives by `free`, addresses of numbers inside `scene` in the order of

@@ -1,15 +1,21 @@
 #include "sim/render/emitters.h"
 
+#include "sim/emit/grid/grid_emitter.h"
 #include "sim/emit/nebula/nebula_emitter.h"
+#include "sim/render/footprint_volumes.h"
 
 namespace vegard::sim {
 
 template <class T>
-std::vector<std::unique_ptr<Emitter<T>>> make_emitters(const Scene& scene, const VolumeFiles&,
-                                                       const NumberAs<T>& number, int) {
+std::vector<std::unique_ptr<Emitter<T>>> make_emitters(const Scene& scene, const VolumeFiles& files,
+                                                       const NumberAs<T>& number, int threads) {
   std::vector<std::unique_ptr<Emitter<T>>> all;
+  for (const Footprint& footprint : scene.footprints)
+    all.push_back(footprint_emitter<T>(scene, footprint, files, number, threads));
   for (const Nebula& nebula : scene.nebulae)
     if (nebula.method != "literal") all.push_back(std::make_unique<NebulaEmitter<T>>(scene, nebula, number));
+  for (std::size_t v = 0; v < scene.volumes.size(); ++v)
+    all.push_back(std::make_unique<GridEmitter<T>>(*files.grids[v], scene.volumes[v], number));
   return all;
 }
 

@@ -51,6 +51,7 @@ FilmGeometry film_for(const Scene& scene, double x_px, double y_px, double width
   double widest = 0.0;
   for (std::size_t l = 0; l < scene.emission.lines.size(); ++l)
     widest = std::max(widest, blur_sigma_px(scene, static_cast<int>(l)));
+  if (has_volumes(scene)) widest = std::hypot(widest, scene.march.smooth_px);
   const int across = static_cast<int>(std::ceil(4.0 * widest / cell_width_px)) + 2;
   const int down = static_cast<int>(std::ceil(4.0 * widest / cell_height_px)) + 2;
   FilmGeometry film;
@@ -118,10 +119,10 @@ struct Exposer::Workspace {
 
   /// Adds the volumes' light to what has been collected.
   void add_volumes(const Scene& scene, Exposure& out, const std::function<void(double)>& progress = {},
-                   const std::atomic<bool>* stop = nullptr) const {
+                   const std::atomic<bool>* stop = nullptr, bool whole_resolution = false) const {
     out.volumes = {};
     if (!volumes) return;
-    out.volumes = volumes->march(scene, film, progress, stop);
+    out.volumes = volumes->light(scene, film, progress, stop, whole_resolution);
     for (std::size_t i = 0; i < out.rayleigh.size(); ++i) out.rayleigh[i] += out.volumes.rayleigh[i];
   }
 
@@ -255,8 +256,9 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<cons
       }
     });
   }
-  w.add_volumes(scene, out);
-  if (w.volumes) w.volumes->add_derivatives(scene, w.film, free, out.free_stride, out.derivative.data());
+  w.add_volumes(scene, out, {}, nullptr, true);
+  if (w.volumes)
+    w.volumes->add_light_derivatives(scene, w.film, free, out.free_stride, out.derivative.data());
 }
 
 void Exposer::expose_profiles(const Scene& scene, int sheet, const std::vector<std::vector<float>>& rates,

@@ -33,7 +33,8 @@ struct Exposure {
   std::size_t cells() const { return static_cast<std::size_t>(geometry.rows) * geometry.columns; }
 };
 
-/// The film that covers a picture region with a margin for the blur, in cells of so many pixels.
+/// The film that covers a picture region with a margin for the blur, not for the volumes' glow, in cells of
+/// so many pixels.
 FilmGeometry film_for(const Scene& scene, double x_px, double y_px, double width_px, double height_px,
                       double cell_width_px, double cell_height_px);
 
@@ -64,6 +65,7 @@ class Exposer {
 
   /// `free` are addresses of numbers inside `scene` (see real_value() of the parameter table). What they do
   /// to the height profile, other than by energy_kev, is not in the derivatives: see expose_profiles().
+  /// march.shrink counts as 1.
   void expose_with_derivatives(const Scene& scene, const std::vector<const double*>& free, Exposure& out);
 
   /// The light of one sheet alone, once for every height profile of `rates` ([altitude] as a line of

@@ -21,11 +21,14 @@ double wind_km_s(const Scene& scene) {
 
 double diagonal_px(const Scene& scene) { return std::hypot(scene.camera.width, scene.camera.height); }
 
-/// The same scene with some of its lines only, and no other blur.
+/// The same scene with some of its lines only, no other blur, and no volumes, which come from elsewhere.
 Scene with_lines(const Scene& scene, const std::vector<double>& lines_nm) {
   Scene part = scene;
   part.emission.lines = lines_nm;
   part.blur.width_deg.assign(lines_nm.size(), 0.0);
+  part.footprints.clear();
+  part.nebulae.clear();
+  part.volumes.clear();
   return part;
 }
 

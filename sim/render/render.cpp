@@ -7,7 +7,9 @@
 #include "sim/emit/aurora/motion.h"
 #include "sim/render/air_on_film.h"
 #include "sim/render/film.h"
+#include "sim/render/literal_layer.h"
 #include "sim/render/physical_blur.h"
+#include "sim/render/volume_layer.h"
 #include "sim/scene/emission_lines.h"
 #include "sim/view/blur.h"
 #include "sim/view/colour.h"
@@ -36,28 +38,67 @@ void clip_below_0(Image& rgb) {
   for (float& value : rgb.data) value = std::max(value, 0.0f);
 }
 
-/// Everything else in the picture around the aurora's light. `night_sky` is the layer of that name, or what a
-/// display shows of it.
-void compose(const Scene& scene, const Rendering& layers, const Image& night_sky, Image& rgb) {
+void add_behind(const Scene& scene, const Rendering& layers, const Image& night_sky, Image& rgb) {
   add_sky(scene.sky, rgb);
   if (!night_sky.empty()) add_light(night_sky, 1.0, rgb);
   if (!layers.background.empty()) add_light(layers.background, 1.0, rgb);
   if (!layers.stars.empty()) add_light(layers.stars, 1.0, rgb);
+}
+
+/// Everything else in the picture around the aurora's light. `night_sky` is the layer of that name, or what a
+/// display shows of it.
+void compose(const Scene& scene, const Rendering& layers, const Image& night_sky, Image& rgb) {
+  if (layers.volume.empty()) {
+    add_behind(scene, layers, night_sky, rgb);
+  } else {
+    Image behind(rgb.width, rgb.height, {"R", "G", "B"});
+    add_behind(scene, layers, night_sky, behind);
+    if (!layers.literal.empty()) cover(layers.literal, behind);
+    if (!layers.hidden.empty()) hide(layers.hidden, behind);
+    add_light(behind, 1.0, rgb);
+  }
   if (!layers.foreground.empty()) cover(layers.foreground, rgb);
+}
+
+/// The volumes' light before a lens that the physical blur has no part in: atoms' ways are those of beams.
+VolumePictures add_volumes_unblurred(const Scene& scene, const FilmGeometry& film,
+                                     const RenderOptions& options, Image& rayleigh) {
+  Exposure exposure;
+  exposure.geometry = film;
+  exposure.volumes = Volumes(scene, options.threads).light(scene, film, {}, options.stop);
+  dim_by_air(scene, exposure, options.threads);
+  VolumePictures volumes = volume_pictures(scene, film, exposure.volumes, false, options.threads);
+  for (std::size_t i = 0; i < rayleigh.data.size(); ++i) rayleigh.data[i] += volumes.rayleigh.data[i];
+  return volumes;
+}
+
+/// Fills what a rendering has of volumes and of literal nebulae.
+void add_volume_layers(const Scene& scene, const VolumePictures& volumes, int threads, Rendering& result) {
+  result.literal = literal_layer(scene, threads);
+  if (!volumes.hidden.empty()) result.hidden = hidden_colours(scene, volumes.hidden);
+  if (!volumes.empty())
+    result.volume = volume_layer(scene, through_the_sensor(scene, volumes.rayleigh), result.hidden);
+  if (result.literal.empty()) return;
+  if (result.volume.empty()) {
+    result.volume = result.literal;
+    return;
+  }
+  // Colours behind the volumes' own share of each channel; coverage behind that of all.
+  for (int y = 0; y < result.literal.height; ++y)
+    for (int x = 0; x < result.literal.width; ++x) {
+      for (int c = 0; c < 3; ++c)
+        result.volume.at(x, y, c) +=
+            (result.hidden.empty() ? 1.0f : 1.0f - result.hidden.at(x, y, c)) * result.literal.at(x, y, c);
+      float& coverage = result.volume.at(x, y, 3);
+      coverage += (1.0f - coverage) * result.literal.at(x, y, 3);
+    }
 }
 
 }  // namespace
 
 Image rayleigh_image(const Scene& scene, const Exposure& exposure, int threads) {
-  const int width = scene.camera.width, height = scene.camera.height;
-  const FilmGeometry& film = exposure.geometry;
-  Image image = dark_lines(scene);
-  const Window window{static_cast<int>(-film.y0_px), static_cast<int>(-film.x0_px), height, width};
-  std::vector<BlurKernel> kernels;
-  for (int l = 0; l < exposure.lines; ++l)
-    kernels.push_back(gaussian_kernel(blur_sigma_px(scene, l), blur_radius_px(scene, l)));
-  blur_window(exposure.rayleigh.data(), film.rows, film.columns, kernels, window, image.data.data(), threads);
-  return image;
+  assert(exposure.lines == static_cast<int>(scene.emission.lines.size()));
+  return picture_of_film(scene, exposure.geometry, exposure.rayleigh.data(), true, threads);
 }
 
 Rendering render(const Scene& scene, const RenderOptions& options) {
@@ -73,6 +114,7 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
   };
 
   Rendering result;
+  VolumePictures volumes;
   {
     std::optional<Exposer> exposer;
     Exposure exposure;
@@ -83,12 +125,16 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
         points =
             add_lines_physically(scene, options.threads, progress_of(n), options.stop, lines, only_sheet);
         dim_picture_by_air(scene, lines, options.threads);
+        if (only_sheet < 0 && has_volumes(scene) && !stopped())
+          volumes = add_volumes_unblurred(scene, film, options, lines);
         return lines;
       }
       exposer->expose(scene, exposure, progress_of(n), options.stop, only_sheet);
       points = exposure.deflection_points;
       if (stopped()) return Image();
       dim_by_air(scene, exposure, options.threads);
+      if (exposure.volumes.lines > 0)
+        volumes = volume_pictures(scene, film, exposure.volumes, true, options.threads);
       return rayleigh_image(scene, exposure, options.threads);
     };
     result.rayleigh = lines_of(0, -1, result.deflection_points);
@@ -102,6 +148,7 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
     }
   }
   result.aurora = through_the_sensor(scene, result.rayleigh);
+  add_volume_layers(scene, volumes, options.threads, result);
   if (has_night_sky(scene)) result.night_sky = night_sky_light(scene, options.threads);
   if (scene.stars.shown) result.stars = star_light(scene, instants_s(scene.time), options.stop);
   if (stopped()) return {};

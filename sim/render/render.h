@@ -35,14 +35,19 @@ struct Rendering {
   Image rayleigh;  ///< one channel per emission line, named by its wavelength ("6300"), blurred, in
                    ///< rayleighs, as they reach the camera: what the air takes is gone
   Image aurora;    ///< linear RGB of the aurora alone through the sensor, signed where a line is out of gamut
-  Image rgb;       ///< linear, signed: foreground + (1 - mask) (aurora + sky + night_sky + background +
-                   ///< stars)
+  Image rgb;       ///< linear, signed: foreground + (1 - mask) (aurora + behind), where `behind` is sky +
+                   ///< night_sky + background + stars, of which `literal` and then `hidden` hide their shares
   std::uint64_t deflection_points = 0;
 
   Image night_sky;   ///< linear RGB of airglow, twilight and light pollution; empty: none
   Image background;  ///< linear RGB of the picture behind the aurora, times its gain; empty: none
   Image stars;       ///< linear RGB; empty: none
   Image foreground;  ///< linear R, G, B times its gain and its mask, and A, the mask; empty: none
+  Image volume;   ///< what volumes are in all of this: R, G, B, multiplied by A (sim/render/volume_layer.h);
+                  ///< their rayleighs' light is in `aurora` too; empty: no volumes
+  Image hidden;   ///< share of what is behind volumes that they hide, of R, G and B; empty: none
+  Image literal;  ///< nebulae of the literal march (sim/render/literal_layer.h), behind the volumes; empty:
+                  ///< none
   std::vector<SheetLayer> sheets;  ///< in the scene's order, if asked for
 };
 

@@ -2,15 +2,21 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "sim/base/image.h"
+#include "sim/emit/grid/grid_bricks.h"
 #include "sim/scene/scene.h"
+#include "sim/view/depth_image.h"
 
 namespace vegard::sim {
 
 struct VolumeFiles {
+  DepthImage depth;                       ///< march.depth
   std::map<std::string, Image> pictures;  ///< one channel, 0 to 1, by the name that the scene has
+  std::vector<std::shared_ptr<const GridBricks>> grids;  ///< [volume of the scene]
 };
 
 /// Throws Error(unreadable_input) that names the key.

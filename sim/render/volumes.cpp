@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "sim/base/parallel.h"
+#include "sim/render/depth_file.h"
 #include "sim/render/emitters.h"
 #include "sim/render/kernel_scene.h"
 #include "sim/render/volume_files.h"
@@ -15,23 +16,29 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The rays of one row of a film, of those cells that see anything, and what comes out of them.
+/// The rays of one row of a film, of those cells that are wanted and see anything, and what comes out of
+/// them.
 template <class T>
 struct RowOfRays {
   std::vector<int> column;
   std::vector<T> direction[3];
   std::vector<double> end_km;
 
-  void aim(const CameraView<T>& view, const FilmGeometry& film, int row, double observer_altitude_km) {
+  void aim(const CameraView<T>& view, const CameraView<double>& plain_view, const FilmGeometry& film, int row,
+           double observer_altitude_km, const DepthImage& depth, const std::vector<std::uint8_t>& wanted) {
+    const double y_px = film.y0_px + (row + 0.5) * film.cell_height_px;
     column.clear();
     end_km.clear();
     for (auto& axis : direction) axis.clear();
     for (int c = 0; c < film.columns; ++c) {
+      if (!wanted.empty() && wanted[static_cast<std::size_t>(row) * film.columns + c] == 0) continue;
       T enu[3];
       if (!enu_of_cell(view, film, row, c, enu)) continue;
       column.push_back(c);
       for (int axis = 0; axis < 3; ++axis) direction[axis].push_back(enu[axis]);
-      end_km.push_back(ground_km(observer_altitude_km, value_of(enu[2])));
+      const double towards[3] = {value_of(enu[0]), value_of(enu[1]), value_of(enu[2])};
+      end_km.push_back(ray_end_km(plain_view, observer_altitude_km, depth,
+                                  film.x0_px + (c + 0.5) * film.cell_width_px, y_px, towards));
     }
   }
 
@@ -62,6 +69,8 @@ class RowMarch {
   RowMarch(const Scene& scene, const VolumeFiles& files, const NumberAs<T>& number, int threads)
       : lines_(static_cast<int>(scene.emission.lines.size())),
         observer_km_(scene.site.altitude_m * 1e-3),
+        depth_(files.depth),
+        plain_view_(camera_view(scene.camera)),
         view_(camera_view<T>(
             scene.camera,
             [&](CameraNumber which) { return number(*camera_number_address(scene.camera, which)); })),
@@ -73,9 +82,10 @@ class RowMarch {
   }
 
   template <class Use>
-  void run(int row, int slot, const FilmGeometry& film, const Use& use) {
+  void run(int row, int slot, const FilmGeometry& film, const std::vector<std::uint8_t>& wanted,
+           const Use& use) {
     Slot& s = slots_[slot];
-    s.rays.aim(view_, film, row, observer_km_);
+    s.rays.aim(view_, plain_view_, film, row, observer_km_, depth_, wanted);
     const RayBundle<T> bundle = s.rays.bundle();
     if (bundle.count == 0) return;
     s.of_emitter.resize(emitters_.size());
@@ -124,6 +134,8 @@ class RowMarch {
 
   int lines_;
   double observer_km_;
+  const DepthImage& depth_;
+  CameraView<double> plain_view_;
   CameraView<T> view_;
   std::vector<std::unique_ptr<Emitter<T>>> emitters_;
   std::vector<Slot> slots_;
@@ -142,35 +154,40 @@ Volumes::Volumes(const Scene& scene, int threads)
 
 Volumes::~Volumes() = default;
 
-VolumeLight Volumes::march(const Scene& scene, const FilmGeometry& film,
-                           const std::function<void(double)>& progress, const std::atomic<bool>* stop) const {
-  RowMarch<double> rows(
+MarchCells Volumes::marcher(const Scene& scene, const std::function<void(double)>& progress,
+                            const std::atomic<bool>* stop) const {
+  const auto rows = std::make_shared<RowMarch<double>>(
       scene, *files_, [](const double& number) { return number; }, threads_);
-  VolumeLight light;
-  light.lines = static_cast<int>(scene.emission.lines.size());
-  const std::size_t cells = static_cast<std::size_t>(film.rows) * film.columns;
-  light.rayleigh.assign(cells * light.lines, 0.0f);
-  light.depth_km.assign(cells, std::numeric_limits<float>::infinity());
-  if (rows.absorbs()) light.kept.assign(cells * light.lines, 1.0f);
-  std::atomic<int> done{0};
-  parallel_for(static_cast<std::size_t>(film.rows), threads_, [&](std::size_t row, int slot) {
-    if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
-    rows.run(
-        static_cast<int>(row), slot, film, [&](const RowOfRays<double>& rays, const RowLight<double>& sum) {
-          for (std::size_t i = 0; i < rays.column.size(); ++i) {
-            const std::size_t cell = row * film.columns + rays.column[i];
-            light.depth_km[cell] = static_cast<float>(sum.depth_km[i]);
-            for (int l = 0; l < light.lines; ++l) {
-              light.rayleigh[l * cells + cell] = static_cast<float>(sum.rayleigh[l * rays.column.size() + i]);
-              if (!light.kept.empty())
-                light.kept[l * cells + cell] = static_cast<float>(sum.kept[l * rays.column.size() + i]);
-            }
-          }
-        });
-    const int finished = ++done;
-    if (progress) progress(static_cast<double>(finished) / film.rows);
-  });
-  return light;
+  const int lines = static_cast<int>(scene.emission.lines.size());
+  return [rows, lines, progress, stop, threads = threads_](const FilmGeometry& film,
+                                                           const std::vector<std::uint8_t>& wanted) {
+    VolumeLight light;
+    light.lines = lines;
+    const std::size_t cells = static_cast<std::size_t>(film.rows) * film.columns;
+    light.rayleigh.assign(cells * lines, 0.0f);
+    light.depth_km.assign(cells, std::numeric_limits<float>::infinity());
+    if (rows->absorbs()) light.kept.assign(cells * lines, 1.0f);
+    std::atomic<int> done{0};
+    parallel_for(static_cast<std::size_t>(film.rows), threads, [&](std::size_t row, int slot) {
+      if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
+      rows->run(static_cast<int>(row), slot, film, wanted,
+                [&](const RowOfRays<double>& rays, const RowLight<double>& sum) {
+                  const std::size_t count = rays.column.size();
+                  for (std::size_t i = 0; i < count; ++i) {
+                    const std::size_t cell = row * film.columns + rays.column[i];
+                    light.depth_km[cell] = static_cast<float>(sum.depth_km[i]);
+                    for (int l = 0; l < lines; ++l) {
+                      light.rayleigh[l * cells + cell] = static_cast<float>(sum.rayleigh[l * count + i]);
+                      if (!light.kept.empty())
+                        light.kept[l * cells + cell] = static_cast<float>(sum.kept[l * count + i]);
+                    }
+                  }
+                });
+      const int finished = ++done;
+      if (progress && wanted.empty()) progress(static_cast<double>(finished) / film.rows);
+    });
+    return light;
+  };
 }
 
 void Volumes::add_derivatives(const Scene& scene, const FilmGeometry& film,
@@ -184,7 +201,7 @@ void Volumes::add_derivatives(const Scene& scene, const FilmGeometry& film,
     RowMarch<FreeDual> rows(
         scene, *files_, [&](const double& number) { return seeds(number); }, threads_);
     parallel_for(static_cast<std::size_t>(film.rows), threads_, [&](std::size_t row, int slot) {
-      rows.run(static_cast<int>(row), slot, film,
+      rows.run(static_cast<int>(row), slot, film, {},
                [&](const RowOfRays<FreeDual>& rays, const RowLight<FreeDual>& sum) {
                  for (std::size_t i = 0; i < rays.column.size(); ++i)
                    for (int l = 0; l < lines; ++l) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -22,6 +23,11 @@ struct VolumeLight {
   LargeVector<float> depth_km;  ///< [row][column] mean distance of the light; infinity where there is none
 };
 
+/// Marches the cells of a film, [row][column], that `wanted` has nonzero; all if it is empty. What is not
+/// wanted is dark and hides nothing.
+using MarchCells =
+    std::function<VolumeLight(const FilmGeometry& film, const std::vector<std::uint8_t>& wanted)>;
+
 /// Whether the scene has any that shine in rayleighs.
 bool has_volumes(const Scene& scene);
 
@@ -32,13 +38,24 @@ class Volumes {
   Volumes(const Scene& scene, int threads);
   ~Volumes();
 
-  /// `progress` and `stop` as in Exposer::expose().
-  VolumeLight march(const Scene& scene, const FilmGeometry& film,
-                    const std::function<void(double)>& progress = {},
-                    const std::atomic<bool>* stop = nullptr) const;
+  /// What is to be seen: marched at the resolution of march.shrink (always at the film's own if
+  /// `whole_resolution`), softened and with its glow, as [march] has them. `progress` and `stop` as in
+  /// Exposer::expose().
+  VolumeLight light(const Scene& scene, const FilmGeometry& film,
+                    const std::function<void(double)>& progress = {}, const std::atomic<bool>* stop = nullptr,
+                    bool whole_resolution = false) const;
 
-  /// Adds the derivatives of the light by `free`, addresses of numbers inside `scene`, to
-  /// [line][row][column][stride].
+  /// Adds the derivatives of the light at the film's own resolution by `free`, addresses of numbers inside
+  /// `scene`, to [line][row][column][stride].
+  void add_light_derivatives(const Scene& scene, const FilmGeometry& film,
+                             const std::vector<const double*>& free, std::size_t stride,
+                             float* derivative) const;
+
+  /// The march alone, ready to be run on several films of this scene, which must outlive it.
+  MarchCells marcher(const Scene& scene, const std::function<void(double)>& progress = {},
+                     const std::atomic<bool>* stop = nullptr) const;
+
+  /// The derivatives of the march alone.
   void add_derivatives(const Scene& scene, const FilmGeometry& film, const std::vector<const double*>& free,
                        std::size_t stride, float* derivative) const;
 

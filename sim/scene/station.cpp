@@ -4,23 +4,12 @@
 
 #include "sim/base/dual.h"
 #include "sim/base/earth.h"
+#include "sim/scene/site_axes.h"
 
 namespace vegard::sim {
 namespace {
 
 using PlaceDual = Dual<double, Tangents<double, Station::kNumbers>>;
-
-/// East, north and up of a place, in coordinates of the Earth.
-struct Axes {
-  double axis[3][3];
-};
-
-Axes axes_at(const Site& site) {
-  const double lat = site.latitude_deg * kRadiansPerDegree, lon = site.longitude_deg * kRadiansPerDegree;
-  return {{{-std::sin(lon), std::cos(lon), 0.0},
-           {-std::sin(lat) * std::cos(lon), -std::sin(lat) * std::sin(lon), std::cos(lat)},
-           {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)}}};
-}
 
 /// atan2(east, north), from north to the east.
 double direction_rad(double east, double north) { return std::atan2(east, north); }
@@ -63,7 +52,7 @@ std::array<double*, Station::kNumbers> Station::numbers(Sheet& sheet) {
 Station::Station(const Site& home, const Site& there)
     : elsewhere_(home.latitude_deg != there.latitude_deg || home.longitude_deg != there.longitude_deg) {
   if (!elsewhere_) return;
-  const Axes from = axes_at(home), to = axes_at(there);
+  const SiteAxes from = axes_at(home), to = axes_at(there);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       turn_[i][j] = 0.0;

@@ -150,4 +150,15 @@ void cover(const Image& foreground, Image& rgb) {
         rgb.at(x, y, c) = foreground.at(x, y, c) + (1.0f - foreground.at(x, y, 3)) * rgb.at(x, y, c);
 }
 
+void put_before(const Image& nearer, Image& picture) {
+  assert(nearer.data.size() == picture.data.size() && picture.channels() == 4);
+  for (std::size_t i = 0; i < picture.data.size(); ++i)
+    picture.data[i] = nearer.data[i] + (1.0f - nearer.data[i - i % 4 + 3]) * picture.data[i];
+}
+
+void hide(const Image& hidden, Image& rgb) {
+  assert(hidden.data.size() == rgb.data.size() && rgb.channels() == 3);
+  for (std::size_t i = 0; i < rgb.data.size(); ++i) rgb.data[i] *= 1.0f - hidden.data[i];
+}
+
 }  // namespace vegard::sim

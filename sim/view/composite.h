@@ -42,4 +42,10 @@ void add_light(const Image& picture, double gain, Image& rgb);
 /// Linear RGB behind a foreground of R, G, B, A: rgb = foreground + (1 - alpha) rgb.
 void cover(const Image& foreground, Image& rgb);
 
+/// Two pictures of R, G, B, A as one: that of the nearer before the other.
+void put_before(const Image& nearer, Image& picture);
+
+/// Linear RGB behind something that hides a share of each channel: rgb = (1 - hidden) rgb.
+void hide(const Image& hidden, Image& rgb);
+
 }  // namespace vegard::sim

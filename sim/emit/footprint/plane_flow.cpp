@@ -15,8 +15,9 @@ namespace {
 constexpr double kPi = 3.141592653589793;
 constexpr double kMostCells = 262144.0;  // of the flow's grid
 constexpr double kAround = 1.25;         // the periodic plane over the box
-constexpr double kStep = 0.5;           // of time, over the inverse of the largest vorticity
-constexpr int kStretchSteps = 6;        // of time, to a stretch
+constexpr double kStep = 0.5;            // of time, over the inverse of the largest vorticity
+constexpr int kStretchSteps = 6;         // of time, to a stretch
+constexpr int kMidpointLooks = 3;        // each a quarter as far from the middle as the one before
 constexpr int kRippleOctaves = 3;
 
 using Layer = std::vector<double>;
@@ -28,11 +29,15 @@ class Cubic {
 
   void look(double column, double row) {
     const double c = std::floor(column), r = std::floor(row);
-    weigh(column - c, across_);
-    weigh(row - r, up_);
+    weigh(column - c, across_, across_slope_);
+    weigh(row - r, up_, up_slope_);
+    int at_column = around(static_cast<int>(c) - 1, columns_),
+        at_row = around(static_cast<int>(r) - 1, rows_);
     for (int k = 0; k < 4; ++k) {
-      column_[k] = around(static_cast<int>(c) + k - 1, columns_);
-      row_[k] = static_cast<std::size_t>(around(static_cast<int>(r) + k - 1, rows_)) * columns_;
+      column_[k] = at_column;
+      row_[k] = static_cast<std::size_t>(at_row) * columns_;
+      if (++at_column == columns_) at_column = 0;
+      if (++at_row == rows_) at_row = 0;
     }
   }
 
@@ -46,6 +51,21 @@ class Cubic {
     return sum;
   }
 
+  /// The velocity of a stream function.
+  void velocity(const Layer& stream, double& by_column, double& by_row) const {
+    by_column = by_row = 0.0;
+    for (int j = 0; j < 4; ++j) {
+      double in_row = 0.0, slope = 0.0;
+      for (int i = 0; i < 4; ++i) {
+        const double here = stream[row_[j] + column_[i]];
+        in_row += across_[i] * here;
+        slope += across_slope_[i] * here;
+      }
+      by_column -= up_slope_[j] * in_row;
+      by_row += up_[j] * slope;
+    }
+  }
+
   /// Leads a place at the end of the stretches back to where it was before the first.
   void follow(const std::vector<FlowStretch>& stretches, double& column, double& row) {
     for (auto stretch = stretches.rbegin(); stretch != stretches.rend(); ++stretch) {
@@ -57,15 +77,19 @@ class Cubic {
 
  private:
   static int around(int i, int n) { return (i % n + n) % n; }
-  static void weigh(double t, double w[4]) {
+  static void weigh(double t, double w[4], double slope[4]) {
     w[0] = -0.5 * t * (1.0 - t) * (1.0 - t);
     w[1] = 1.0 + t * t * (1.5 * t - 2.5);
     w[2] = t * (0.5 + t * (2.0 - 1.5 * t));
     w[3] = -0.5 * t * t * (1.0 - t);
+    slope[0] = -0.5 * (1.0 - t) * (1.0 - 3.0 * t);
+    slope[1] = t * (4.5 * t - 5.0);
+    slope[2] = 0.5 + t * (4.0 - 4.5 * t);
+    slope[3] = t * (1.5 * t - 1.0);
   }
 
   int columns_, rows_;
-  double across_[4], up_[4];
+  double across_[4], up_[4], across_slope_[4], up_slope_[4];
   int column_[4];
   std::size_t row_[4];
 };
@@ -80,9 +104,9 @@ class Flow {
   Layer first, start;
   /// Where each cell came from since this stretch began, less where it is.
   FlowStretch back;
-  Layer velocity_column, velocity_row;
+  Layer stream, velocity_column, velocity_row;
 
-  /// The velocities of the vorticity that has come to each cell.
+  /// Stream function and velocities of the vorticity that has come to each cell.
   void solve() {
     std::vector<std::complex<double>> plane(cells_);
     each_row([&](int r) {
@@ -104,32 +128,37 @@ class Flow {
       }
     });
     transform_plane(plane, columns_, rows_, true, threads_);
+    for (std::size_t i = 0; i < cells_; ++i) stream[i] = plane[i].real();
     each_row([&](int r) {
-      const int below = (r + rows_ - 1) % rows_, above = (r + 1) % rows_;
+      Cubic cubic(columns_, rows_);
       for (int c = 0; c < columns_; ++c) {
-        const int left = (c + columns_ - 1) % columns_, right = (c + 1) % columns_;
-        velocity_column[at(c, r)] = 0.5 * (plane[at(c, below)].real() - plane[at(c, above)].real());
-        velocity_row[at(c, r)] = 0.5 * (plane[at(right, r)].real() - plane[at(left, r)].real());
+        cubic.look(c, r);
+        cubic.velocity(stream, velocity_column[at(c, r)], velocity_row[at(c, r)]);
       }
     });
   }
 
-  /// Follows every cell back by a step of the flow `by_column`, `by_row`, which is that of the step's middle.
-  void step(double time, const Layer& by_column, const Layer& by_row) {
-    Layer next_column(cells_), next_row(cells_);
+  /// Follows every cell back by a step, by the implicit midpoint rule, which keeps areas. `middle` is the
+  /// stream function in the step's middle.
+  void step(double time, const Layer& middle) {
+    FlowStretch next;
+    next.columns.resize(cells_);
+    next.rows.resize(cells_);
     each_row([&](int r) {
       Cubic cubic(columns_, rows_);
       for (int c = 0; c < columns_; ++c) {
+        double by_column = 0.0, by_row = 0.0;
+        for (int k = 0; k < kMidpointLooks; ++k) {
+          cubic.look(c - 0.5 * time * by_column, r - 0.5 * time * by_row);
+          cubic.velocity(middle, by_column, by_row);
+        }
+        cubic.look(c - time * by_column, r - time * by_row);
         const std::size_t i = at(c, r);
-        cubic.look(c - 0.5 * time * by_column[i], r - 0.5 * time * by_row[i]);
-        const double by_c = -time * cubic.of(by_column), by_r = -time * cubic.of(by_row);
-        cubic.look(c + by_c, r + by_r);
-        next_column[i] = by_c + cubic.of(back.columns);
-        next_row[i] = by_r + cubic.of(back.rows);
+        next.columns[i] = cubic.of(back.columns) - time * by_column;
+        next.rows[i] = cubic.of(back.rows) - time * by_row;
       }
     });
-    back.columns.swap(next_column);
-    back.rows.swap(next_row);
+    back = std::move(next);
   }
 
   /// Begins another stretch: its vorticity is that of the very start, at the places where all stretches
@@ -183,7 +212,7 @@ PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& f, std::
   const int margin_columns = (columns - box_columns) / 2, margin_rows = (rows - box_rows) / 2;
   const double cell_km = block * plane.cell_km;
   Flow flow(columns, rows, threads);
-  for (Layer* layer : {&flow.first, &flow.velocity_column, &flow.velocity_row})
+  for (Layer* layer : {&flow.first, &flow.stream, &flow.velocity_column, &flow.velocity_row})
     layer->assign(flow.cells(), 0.0);
   parallel_for(box_rows, threads, [&](std::size_t r, int) {
     const int row = static_cast<int>(r);
@@ -212,17 +241,12 @@ PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& f, std::
   flow.begin_stretch({});
   flow.solve();
   result.energy_first = flow.energy();
-  Layer before_column = flow.velocity_column, before_row = flow.velocity_row;
-  Layer middle_column(flow.cells()), middle_row(flow.cells());
+  Layer before = flow.stream, middle(flow.cells());
   for (int s = 0; s < steps; ++s) {
-    // The flow in the middle of the step, from this one and the one before.
-    for (std::size_t i = 0; i < flow.cells(); ++i) {
-      middle_column[i] = 1.5 * flow.velocity_column[i] - 0.5 * before_column[i];
-      middle_row[i] = 1.5 * flow.velocity_row[i] - 0.5 * before_row[i];
-    }
-    before_column = flow.velocity_column;
-    before_row = flow.velocity_row;
-    flow.step(time, middle_column, middle_row);
+    // In the middle of the step, from this one and the one before.
+    for (std::size_t i = 0; i < flow.cells(); ++i) middle[i] = 1.5 * flow.stream[i] - 0.5 * before[i];
+    before = flow.stream;
+    flow.step(time, middle);
     if ((s + 1) % kStretchSteps == 0 || s + 1 == steps) {
       result.stretches.push_back(flow.back);
       flow.begin_stretch(result.stretches);

@@ -8,11 +8,12 @@
 //   dω/dt = 0 along the flow,  ∇²ψ = ω,  velocity = (-∂ψ/∂north, ∂ψ/∂east),
 // ω being proportional to the energy flux (less its mean), clockwise seen from above in the northern
 // magnetic hemisphere, which is anticlockwise for who looks up against B. ψ by Fourier transform on a
-// periodic plane around the box, velocities by central differences of it: their own divergence by central
-// differences vanishes exactly. What is followed back along the flow is the place where each point came from
-// (the characteristic mapping of X.-Y. Yin, O. Mercier, B. Yadav, K. Schneider, J.-C. Nave, J. Comput. Phys.
-// 424, 2021), so that the footprint is interpolated once and not at every step; as there, in short stretches
-// of time one after the other, each of which bends the plane but little.
+// periodic plane around the box, between its cells by cubic convolution; the velocities are that function's
+// own derivatives, central differences on the cells, so that there is no divergence anywhere. What is
+// followed back along the flow is the place where each point came from (the characteristic mapping of X.-Y.
+// Yin, O. Mercier, B. Yadav, K. Schneider, J.-C. Nave, J. Comput. Phys. 424, 2021), so that the footprint is
+// interpolated once and not at every step; as there, in short stretches of time one after the other, each of
+// which bends the plane but little.
 #pragma once
 
 #include <cstdint>

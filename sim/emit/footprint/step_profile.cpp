@@ -46,7 +46,7 @@ StepProfile::StepProfile(const ProfileTable& table, double top_km, double widest
   energies_ = static_cast<int>(table.of_energy.size());
   // From the row before the first light its rate rises; and a mean over a row reaches a row farther.
   const double top = std::min(top_km, HeightProfile::kTopKm);
-  const int last = static_cast<int>(std::floor((top - HeightProfile::kBottomKm) / kRowKm));
+  const int last = static_cast<int>(std::ceil((top - HeightProfile::kBottomKm) / kRowKm - 1e-9));
   int first = last;
   for (const HeightProfile& profile : table.of_energy)
     for (int row = 0; row < first; ++row)
@@ -60,8 +60,8 @@ StepProfile::StepProfile(const ProfileTable& table, double top_km, double widest
   slope_ = rate_;
   std::vector<double> curve(rows_);
   const auto fill = [&](const std::vector<float>& from, int energy, int line, std::vector<float>& to) {
-    // The topmost row stands above top_km, where the profile is dark: it goes on there, so that the march
-    // ends at top_km and not a row before.
+    // Above the first row at or above top_km, where the profile may be dark, it goes on as it is there: the
+    // march itself ends at top_km.
     for (int row = 0; row < rows_; ++row)
       curve[row] = from[static_cast<std::size_t>(std::min(first + row, last)) * stride_ + line];
     const Integral integral(curve);

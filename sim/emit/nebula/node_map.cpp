@@ -207,7 +207,8 @@ T NodeMap<T>::displaced(const Placed& node, const T p[3], double cutoff) const {
   if (node.kind == Kind::turbulence) {
     const T smooth = distance(child, p, cutoff + reach);
     if (value_of(smooth) - reach >= cutoff) return smooth - reach;
-    return smooth + node.amplitude * octaves_of(*node.lattice, node.noise, p);
+    return smooth + node.amplitude *
+                        octaves_of(*node.lattice, node.noise, p, 0.0, amplitude, cutoff - value_of(smooth));
   }
   const double here[3] = {value_of(p[0]), value_of(p[1]), value_of(p[2])};
   const double least = hull_inside(node, here);

@@ -5,6 +5,9 @@
 // exceeds something may stop early: what the octaves to come can add is known.
 #pragma once
 
+#include <cmath>
+#include <limits>
+
 #include "sim/emit/nebula/node_shapes.h"
 #include "sim/emit/nebula/noise_lattice.h"
 
@@ -35,14 +38,19 @@ void to_next_octave(T point[3]) {
   point[2] = z * 2.0 + 5.9;
 }
 
-/// The sum of octaves, each within ±NoiseLattice::kLargest times its height.
+/// The sum of octaves, each within ±NoiseLattice::kLargest times its height. If `times` times it must come to
+/// `most` or more, `most` / `times` may come back.
 template <class T>
-T octaves_of(const NoiseLattice& lattice, const NoiseNumbers<T>& noise, const T at[3], double shift = 0.0) {
+T octaves_of(const NoiseLattice& lattice, const NoiseNumbers<T>& noise, const T at[3], double shift = 0.0,
+             double times = 1.0, double most = std::numeric_limits<double>::infinity()) {
   T point[3] = {at[0] * noise.frequency + shift, at[1] * noise.frequency - shift,
                 at[2] * noise.frequency + 2.0 * shift};
   T sum(0.0), height(1.0);
+  double to_come = NoiseLattice::kLargest * octave_total(noise);
   for (int k = 0; k < noise.octaves; ++k) {
+    if (times * value_of(sum) - std::abs(times) * to_come >= most) return T(most / times);
     sum = sum + height * noise_of(lattice, point);
+    to_come -= NoiseLattice::kLargest * value_of(height);
     height = height * noise.gain;
     if (k + 1 < noise.octaves) to_next_octave(point);
   }

@@ -84,7 +84,9 @@ TEST(SheetFootprint, HasTheSheetsEnergyAndTheirMeanWhereTheyOverlap) {
   EXPECT_NEAR(total(two), 4.0 * total(one), 1e-9 * total(two));
   double weighed = 0.0, sum = 0.0;
   for (std::size_t i = 0; i < one.grid.cells(); ++i) {
-    if (one.grid.flux_mw_m2[i] > 0.0) EXPECT_NEAR(one.grid.ln_energy[i], std::log(2.0), 1e-12);
+    if (one.grid.flux_mw_m2[i] > 0.0) {
+      EXPECT_NEAR(one.grid.ln_energy[i], std::log(2.0), 1e-12);
+    }
     weighed += two.grid.flux_mw_m2[i] * two.grid.ln_energy[i];
     sum += two.grid.flux_mw_m2[i];
   }

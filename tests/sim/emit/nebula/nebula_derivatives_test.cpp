@@ -64,7 +64,7 @@ Scene askew() {
   nebula.glow = "glow";
   nebula.dust = "dust";
   nebula.edge = 0.25;
-  nebula.step = 0.04;
+  nebula.step = 0.05;
   nebula.density_power = 1.7;
   nebula.inner_rayleigh = {3.0, 1.0};
   nebula.outer_rayleigh = {0.5, 2.0};
@@ -73,15 +73,15 @@ Scene askew() {
   return scene;
 }
 
-constexpr int kAcross = 9;
+constexpr int kAcross = 5;
 
 /// Rays over the nebula, [axis][ray]: two degrees wide.
 std::vector<double> directions(int axis) {
   std::vector<double> all;
   for (int row = 0; row < kAcross; ++row)
     for (int column = 0; column < kAcross; ++column) {
-      const double azimuth = (1.6 + 0.35 * column) * 0.017453292519943295,
-                   elevation = (0.7 + 0.33 * row) * 0.017453292519943295;
+      const double azimuth = (1.6 + 0.7 * column) * 0.017453292519943295,
+                   elevation = (0.7 + 0.66 * row) * 0.017453292519943295;
       const double enu[3] = {std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation),
                              std::sin(elevation)};
       all.push_back(enu[axis]);

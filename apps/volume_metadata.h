@@ -1,0 +1,21 @@
+// What a file of voxels says of itself, and its colours.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sim/base/vdb_io.h"
+#include "sim/render/scene_grid.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::apps {
+
+/// See docs/openvdb.md for what the entries mean.
+sim::VdbMetadata volume_metadata(const sim::Scene& scene, const sim::SceneGrid& made);
+
+/// Linear RGB of a unit of length of 1 photon cm^-3 s^-1 of each channel, `lines` of the scene (empty: all)
+/// and the density, which has none.
+std::vector<std::array<float, 3>> colours_of_channels(const sim::Scene& scene, const sim::SceneGrid& made,
+                                                      const std::vector<int>& lines);
+
+}  // namespace vegard::apps

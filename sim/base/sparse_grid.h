@@ -1,0 +1,72 @@
+// Numbers in space where there are any: voxels in bricks of 8 x 8 x 8, of several quantities side by side.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace vegard::sim {
+
+/// Which brick: its first voxel is 8 times this.
+struct BrickCoordinate {
+  std::int32_t x = 0, y = 0, z = 0;
+  bool operator<(const BrickCoordinate& o) const { return std::tie(x, y, z) < std::tie(o.x, o.y, o.z); }
+  bool operator==(const BrickCoordinate& o) const { return x == o.x && y == o.y && z == o.z; }
+};
+
+/// What a grid holds: "emission_5577", in "photons cm^-3 s^-1".
+struct GridChannel {
+  std::string name, unit;
+};
+
+/// Voxel (i, j, k) has its centre at origin + voxel (axes[0] (i + 1/2) + axes[1] (j + 1/2) + axes[2] (k +
+/// 1/2)), where its numbers hold. What no brick holds is 0.
+struct SparseGrid {
+  static constexpr int kEdge = 8;
+  static constexpr int kVoxels = kEdge * kEdge * kEdge;
+  using Brick = std::vector<float>;  ///< [channel][i][j][k]
+
+  double voxel = 1.0;                           ///< edge of a voxel
+  std::array<double, 3> origin{0.0, 0.0, 0.0};  ///< the low corner of voxel (0, 0, 0)
+  std::array<std::array<double, 3>, 3> axes{
+      {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};  ///< unit vectors along i, j and k
+  std::vector<GridChannel> channels;
+  std::map<BrickCoordinate, Brick> bricks;
+
+  static constexpr int within(int i, int j, int k) { return (i * kEdge + j) * kEdge + k; }
+
+  /// The brick there, dark if it is new.
+  Brick& brick(const BrickCoordinate& at) {
+    Brick& found = bricks[at];
+    if (found.empty()) found.assign(channels.size() * kVoxels, 0.0f);
+    return found;
+  }
+
+  /// Index of the channel, or -1.
+  int channel(const std::string& name) const {
+    for (std::size_t c = 0; c < channels.size(); ++c)
+      if (channels[c].name == name) return static_cast<int>(c);
+    return -1;
+  }
+
+  /// 0 where there is no brick.
+  float value(int channel, int i, int j, int k) const {
+    const auto found = bricks.find({i >> 3, j >> 3, k >> 3});
+    return found == bricks.end() ? 0.0f : found->second[channel * kVoxels + within(i & 7, j & 7, k & 7)];
+  }
+
+  /// Of all voxels of a channel.
+  double sum(int channel) const {
+    double all = 0.0;
+    for (const auto& [at, numbers] : bricks)
+      for (int v = 0; v < kVoxels; ++v) all += numbers[channel * kVoxels + v];
+    return all;
+  }
+};
+
+}  // namespace vegard::sim

@@ -1,0 +1,92 @@
+// The way of a ray through bricks: from one to the next, and over what is empty in strides of eight.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "sim/emit/grid/grid_bricks.h"
+
+namespace vegard::sim {
+
+/// A ray in voxels: at a distance t, in km, it is at from + t along.
+struct GridRay {
+  double from[3], along[3];
+};
+
+/// The cells of a lattice of pitch `edge` that a ray meets between `begin` and `end`, in their order, after
+/// Amanatides and Woo (1987), A fast voxel traversal algorithm for ray tracing, Eurographics '87. Calls
+/// use(cell, begin of it, end of it) for those inside [low, high). Where one ends the next begins, to the
+/// last bit.
+template <class Use>
+void walk_cells(const GridRay& ray, double edge, const int low[3], const int high[3], double begin,
+                double end, const Use& use) {
+  int cell[3];
+  double inverse[3], next[3];
+  const auto boundary = [&](int a) {
+    return ray.along[a] == 0.0 ? std::numeric_limits<double>::infinity()
+                               : ((cell[a] + (ray.along[a] > 0.0 ? 1 : 0)) * edge - ray.from[a]) * inverse[a];
+  };
+  for (int a = 0; a < 3; ++a) {
+    inverse[a] = 1.0 / ray.along[a];
+    const double at = std::floor((ray.from[a] + begin * ray.along[a]) / edge);
+    cell[a] = static_cast<int>(std::clamp(at, static_cast<double>(low[a]), static_cast<double>(high[a] - 1)));
+    next[a] = boundary(a);
+  }
+  double t = begin;
+  while (t < end) {
+    const int a = next[0] < next[1] ? (next[0] < next[2] ? 0 : 2) : (next[1] < next[2] ? 1 : 2);
+    const double leave = std::min(next[a], end);
+    if (leave > t) {
+      use(cell, t, leave);
+      t = leave;
+    }
+    cell[a] += ray.along[a] > 0.0 ? 1 : -1;
+    if (cell[a] < low[a] || cell[a] >= high[a]) return;
+    next[a] = boundary(a);
+  }
+}
+
+/// Calls use(brick, its coordinates, begin, end) for the bricks that a ray meets before `end_km`, in order.
+template <class Use>
+void walk_bricks(const GridBricks& grid, const GridRay& ray, double end_km, const Use& use) {
+  constexpr int kCoarse = GridBricks::kCoarse;
+  constexpr double kBrick = GridBricks::kEdge, kCell = kBrick * kCoarse;
+  double begin = 0.0, end = end_km;
+  int low[3], high[3];
+  for (int a = 0; a < 3; ++a) {
+    low[a] = grid.low(a);
+    high[a] = grid.high(a);
+    const double first = low[a] * kCell - ray.from[a], last = high[a] * kCell - ray.from[a];
+    if (ray.along[a] == 0.0) {
+      if (first > 0.0 || last < 0.0) return;
+      continue;
+    }
+    const double one = first / ray.along[a], other = last / ray.along[a];
+    begin = std::max(begin, std::min(one, other));
+    end = std::min(end, std::max(one, other));
+  }
+  if (!(begin < end)) return;
+  walk_cells(ray, kCell, low, high, begin, end, [&](const int cell[3], double in, double out) {
+    const std::int32_t* table = grid.coarse(cell[0], cell[1], cell[2]);
+    if (table == nullptr) return;
+    int first[3], last[3];
+    for (int a = 0; a < 3; ++a) {
+      first[a] = cell[a] * kCoarse;
+      last[a] = first[a] + kCoarse;
+    }
+    walk_cells(ray, kBrick, first, last, in, out, [&](const int at[3], double enter, double leave) {
+      const std::int32_t brick =
+          table[((at[0] - first[0]) * kCoarse + at[1] - first[1]) * kCoarse + at[2] - first[2]];
+      if (brick >= 0) use(brick, at, enter, leave);
+    });
+  });
+}
+
+/// Samples stand in the middles of steps counted from the ray's beginning: the first one not before t.
+inline std::int64_t first_sample(double t, double step_km) {
+  return static_cast<std::int64_t>(std::ceil(t / step_km - 0.5));
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,139 @@
+#include "sim/render/scene_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+#include "sim/base/error.h"
+#include "sim/base/vdb_bytes.h"
+#include "sim/render/field_sampling.h"
+#include "sim/render/light_fields.h"
+#include "sim/render/point_deposit.h"
+#include "sim/render/volume_files.h"
+#include "sim/scene/volume_grid_file.h"
+
+namespace vegard::sim {
+namespace {
+
+std::string text_of(double x, const char* format) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, x);
+  return text;
+}
+
+/// What is lit is a surface at least: the bytes fall with the square of the voxel, or faster.
+[[noreturn]] void refuse_memory(double bytes, const SceneGridOptions& options) {
+  const double limit = static_cast<double>(options.memory_limit), gb = 1024.0 * 1024.0 * 1024.0;
+  throw Error(ErrorKind::usage,
+              {"voxels of " + text_of(options.voxel, "%g") + " would take about " +
+                   text_of(bytes / gb, "%.2g") + " GB",
+               "", 0, "--memory-limit", "at most " + text_of(limit / gb, "%.3g") + " GB",
+               "Voxels of " + text_of(options.voxel * std::sqrt(bytes / limit) * 1.05, "%.2g") +
+                   " would do, or a --box about a part of it"});
+}
+
+void add_relative_light(SparseGrid& grid) {
+  const std::size_t lines = grid.channels.size() - 1;
+  const auto light = [&](const SparseGrid::Brick& brick, int v) {
+    float sum = 0.0f;
+    for (std::size_t l = 0; l < lines; ++l) sum += brick[l * SparseGrid::kVoxels + v];
+    return sum;
+  };
+  float most = 0.0f;
+  for (const auto& [at, brick] : grid.bricks)
+    for (int v = 0; v < SparseGrid::kVoxels; ++v) most = std::max(most, light(brick, v));
+  if (most <= 0.0f) return;
+  for (auto& [at, brick] : grid.bricks)
+    for (int v = 0; v < SparseGrid::kVoxels; ++v)
+      brick[lines * SparseGrid::kVoxels + v] = light(brick, v) / most;
+}
+
+bool any_density(const SparseGrid& grid) {
+  const std::size_t first = (grid.channels.size() - 1) * SparseGrid::kVoxels;
+  return std::any_of(grid.bricks.begin(), grid.bricks.end(), [&](const auto& brick) {
+    return std::any_of(brick.second.begin() + first, brick.second.end(), [](float x) { return x != 0.0f; });
+  });
+}
+
+}  // namespace
+
+SceneGrid grid_of_fields(const Scene& scene, const std::vector<const LightField*>& fields,
+                         const SceneGridOptions& options) {
+  SceneGrid out;
+  const int all_lines = static_cast<int>(scene.emission.lines.size());
+  std::vector<int> lines = options.lines;
+  if (lines.empty()) {
+    lines.resize(all_lines);
+    std::iota(lines.begin(), lines.end(), 0);
+  }
+  out.grid.voxel = options.voxel;
+  for (const int l : lines)
+    out.grid.channels.push_back({emission_grid_name(scene.emission.lines[l]), "photons cm^-3 s^-1"});
+  out.grid.channels.push_back({"density", ""});
+  if (!fields.empty()) out.unit_cm = fields.front()->unit_cm();
+  const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
+
+  // What a brick takes at the worst of its stations: as sums, as numbers, and on its way into the file.
+  const std::uint64_t kept = vdb_bytes_of_brick(out.grid.channels.size(), true);
+  const std::uint64_t summed = std::max(PointDeposit::bytes_of_brick(lines.size()), kept);
+  const double parts = (scene.sheets.empty() ? 0.0 : 1.0) + static_cast<double>(fields.size());
+  double done = 0.0;
+  const auto progress = [&](double share) {
+    if (options.progress) options.progress((done + share) / parts);
+  };
+  if (!scene.sheets.empty()) {
+    PointDeposit deposit(lines, options.voxel, options.box,
+                         options.memory_limit / summed * PointDeposit::bytes_of_brick(lines.size()));
+    PointOptions points;
+    points.threads = options.threads;
+    points.progress = progress;
+    points.stop = options.stop;
+    stream_points(scene, points, [&](const EmissionPoints& some) { deposit.add(some); });
+    if (stopped()) return out;
+    if (deposit.is_full())
+      refuse_memory(
+          static_cast<double>(deposit.bytes()) / PointDeposit::bytes_of_brick(lines.size()) * summed,
+          options);
+    deposit.move_to(out.grid);
+    done += 1.0;
+  }
+  for (const LightField* field : fields) {
+    const std::vector<BrickCoordinate> bricks = bricks_to_sample(*field, out.grid, options.box);
+    const std::size_t before = out.grid.bricks.size();
+    const auto room = [&](double share) {
+      progress(share);
+      return !stopped() && out.grid.bricks.size() * kept <= options.memory_limit;
+    };
+    const double share =
+        sample_field(*field, all_lines, lines, bricks, options.box, options.threads, room, out.grid);
+    if (stopped()) return out;
+    const double more = static_cast<double>(out.grid.bricks.size() - before);
+    if (out.grid.bricks.size() * kept > options.memory_limit)
+      refuse_memory((static_cast<double>(before) + more / share) * static_cast<double>(kept), options);
+    done += 1.0;
+  }
+  out.absorbs = any_density(out.grid);
+  if (!out.absorbs) {
+    add_relative_light(out.grid);
+    out.grid.channels.back().unit = "of the brightest voxel";
+  }
+  return out;
+}
+
+SceneGrid grid_of_scene(const Scene& scene, const SceneGridOptions& options) {
+  const VolumeFiles files = read_volume_files(scene);
+  const std::vector<NamedField> named = light_fields(scene, files, options.threads);
+  std::vector<const LightField*> fields;
+  for (const NamedField& one : named) {
+    const bool alone = one.field->unit_cm() != 1e5;  // a frame of its own
+    if (alone && (named.size() > 1 || !scene.sheets.empty()))
+      throw Error(ErrorKind::usage,
+                  {"the " + one.what + " is in a frame of its own, and the scene has more that shines", "", 0,
+                   "SCENE", "one nebula, or light in kilometres", "Choose with --of NAME"});
+    fields.push_back(one.field.get());
+  }
+  return grid_of_fields(scene, fields, options);
+}
+
+}  // namespace vegard::sim

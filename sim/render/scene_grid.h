@@ -1,0 +1,41 @@
+// A scene's light on a sparse grid, for other renderers: beams by their points, all else by sampling.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/base/sparse_grid.h"
+#include "sim/light/emitter.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::sim {
+
+struct SceneGridOptions {
+  double voxel = 0.5;       ///< edge, in the frame's unit
+  std::vector<int> lines;   ///< of the scene, which become grids; empty: all
+  std::optional<Box3> box;  ///< crop, in the frame's unit; of points of light, and of voxels' centres
+  std::uint64_t memory_limit = std::uint64_t{4} << 30;
+  int threads = 0;  ///< the grid does not depend on it
+  std::function<void(double)> progress;
+  const std::atomic<bool>* stop = nullptr;  ///< ends the work early
+};
+
+struct SceneGrid {
+  SparseGrid grid;       ///< channels: emission_* of the lines, then density
+  double unit_cm = 1e5;  ///< length of the frame's unit
+  bool absorbs = false;  ///< density is what absorbs; else it is light, of all lines, over its maximum
+};
+
+/// Throws Error(usage) if light in km and a nebula in a frame of its own, or two nebulae, would come into one
+/// grid, and if the memory limit is too low for the voxel; Error(unreadable_input) for a file of the scene.
+SceneGrid grid_of_scene(const Scene& scene, const SceneGridOptions& options);
+
+/// The same of the beams of `scene` and of fields.
+SceneGrid grid_of_fields(const Scene& scene, const std::vector<const LightField*>& fields,
+                         const SceneGridOptions& options);
+
+}  // namespace vegard::sim

@@ -1,0 +1,77 @@
+#include "sim/render/volume_layer.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "sim/render/film.h"
+#include "sim/scene/emission_lines.h"
+#include "sim/view/blur.h"
+#include "sim/view/colour.h"
+#include "sim/view/line_colours.h"
+
+namespace vegard::sim {
+
+Image picture_of_film(const Scene& scene, const FilmGeometry& film, const float* planes, bool blurred,
+                      int threads) {
+  const int width = scene.camera.width, height = scene.camera.height;
+  std::vector<std::string> names;
+  std::vector<BlurKernel> kernels;
+  for (std::size_t l = 0; l < scene.emission.lines.size(); ++l) {
+    const int line = static_cast<int>(l);
+    names.push_back(line_name(scene.emission.lines[l]));
+    kernels.push_back(blurred ? gaussian_kernel(blur_sigma_px(scene, line), blur_radius_px(scene, line))
+                              : gaussian_kernel(0.0));
+  }
+  Image image(width, height, names);
+  const Window window{static_cast<int>(-film.y0_px), static_cast<int>(-film.x0_px), height, width};
+  blur_window(planes, film.rows, film.columns, kernels, window, image.data.data(), threads);
+  return image;
+}
+
+VolumePictures volume_pictures(const Scene& scene, const FilmGeometry& film, const VolumeLight& light,
+                               bool blurred, int threads) {
+  VolumePictures pictures;
+  pictures.rayleigh = picture_of_film(scene, film, light.rayleigh.data(), blurred, threads);
+  if (light.kept.empty() || scene.march.blend == "add") return pictures;
+  std::vector<float> hidden(light.kept.size());
+  for (std::size_t i = 0; i < hidden.size(); ++i) hidden[i] = 1.0f - light.kept[i];
+  pictures.hidden = picture_of_film(scene, film, hidden.data(), blurred, threads);
+  return pictures;
+}
+
+Image hidden_colours(const Scene& scene, const Image& hidden) {
+  std::vector<Vector3> weights = line_colours(scene);
+  for (int c = 0; c < 3; ++c) {
+    double sum = 0.0;
+    for (Vector3& of_line : weights) sum += of_line[c] = std::max(of_line[c], 0.0);
+    for (Vector3& of_line : weights)
+      of_line[c] = sum > 0.0 ? of_line[c] / sum : 1.0 / static_cast<double>(weights.size());
+  }
+  Image colours(hidden.width, hidden.height, {"R", "G", "B"});
+  for (int y = 0; y < hidden.height; ++y)
+    for (int x = 0; x < hidden.width; ++x)
+      for (int c = 0; c < 3; ++c) {
+        double share = 0.0;
+        for (int l = 0; l < hidden.channels(); ++l) share += weights[l][c] * hidden.at(x, y, l);
+        colours.at(x, y, c) = static_cast<float>(share);
+      }
+  return colours;
+}
+
+Image volume_layer(const Scene& scene, const Image& rgb, const Image& hidden) {
+  const Vector3 luminance = inverse(rgb_from_xyz(scene.sensor.primaries))[1];
+  const double white = luminance[0] + luminance[1] + luminance[2];
+  Image layer(rgb.width, rgb.height, {"R", "G", "B", "A"});
+  for (int y = 0; y < rgb.height; ++y)
+    for (int x = 0; x < rgb.width; ++x) {
+      double coverage = 0.0;
+      for (int c = 0; c < 3; ++c) {
+        layer.at(x, y, c) = rgb.at(x, y, c);
+        if (!hidden.empty()) coverage += luminance[c] / white * hidden.at(x, y, c);
+      }
+      layer.at(x, y, 3) = static_cast<float>(coverage);
+    }
+  return layer;
+}
+
+}  // namespace vegard::sim

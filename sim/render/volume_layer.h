@@ -1,0 +1,40 @@
+// The volumes' share of a picture: their light, and how much of what is behind them they hide.
+//
+// Premultiplied colour and coverage: Porter and Duff 1984, doi:10.1145/964965.808606. A volume hides each
+// emission line by a share of its own, blurred as that line's light is, so that edges match. What is behind
+// (sky, stars, pictures) is known in R, G and B only: of each channel the share hidden is the mean over the
+// lines, weighted by what the sensor's channel has of each (its colour per rayleigh, where positive), and A
+// is the mean of the three, weighted by their luminance.
+#pragma once
+
+#include "sim/base/image.h"
+#include "sim/render/volumes.h"
+#include "sim/scene/scene.h"
+#include "sim/view/camera.h"
+
+namespace vegard::sim {
+
+/// Planes of a film, one per emission line of the scene, as a picture of the camera, whose cells are its
+/// pixels (film_for()): blurred line by line, by blur.width_deg, or not at all.
+Image picture_of_film(const Scene& scene, const FilmGeometry& film, const float* planes, bool blurred,
+                      int threads);
+
+/// Both with one channel per line.
+struct VolumePictures {
+  Image rayleigh;
+  Image hidden;  ///< share of the light behind, 0 to 1; empty: none
+
+  bool empty() const { return rayleigh.empty(); }
+};
+
+/// march.blend = "add" hides nothing.
+VolumePictures volume_pictures(const Scene& scene, const FilmGeometry& film, const VolumeLight& light,
+                               bool blurred, int threads);
+
+/// The share hidden of R, G and B of what is behind, by that of the lines.
+Image hidden_colours(const Scene& scene, const Image& hidden);
+
+/// R, G, B, A: the light and its coverage; `hidden` as hidden_colours() or empty.
+Image volume_layer(const Scene& scene, const Image& rgb, const Image& hidden);
+
+}  // namespace vegard::sim

@@ -1,0 +1,84 @@
+#include "sim/scene/volume_grid_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/error.h"
+#include "sim/base/vdb_io.h"
+#include "sim/scene/emission_lines.h"
+#include "sim/scene/table_files.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr const char* kDensity = "density";
+
+bool is_emission(const std::string& name) { return name.rfind("emission_", 0) == 0; }
+
+bool wants_density(const Scene& scene, const Volume& volume) {
+  if (volume.extinction_per_km > 0.0) return true;
+  const std::string path = "volume." + volume.name + ".extinction_per_km";
+  return std::any_of(scene.fit.free.begin(), scene.fit.free.end(),
+                     [&](const FreeParameter& free) { return free.path == path; }) ||
+         std::any_of(scene.fit.tied.begin(), scene.fit.tied.end(),
+                     [&](const TiedParameter& tied) { return tied.path == path; });
+}
+
+std::string words(const std::vector<std::string>& names) {
+  std::string all;
+  for (std::size_t i = 0; i < names.size() && i < 20; ++i) all += (i > 0 ? ", " : "") + names[i];
+  return names.size() > 20 ? all + ", ..." : all;
+}
+
+}  // namespace
+
+std::string emission_grid_name(double line_nm) { return "emission_" + line_name(line_nm); }
+
+VolumeGridFile read_volume_grid(const Scene& scene, const Volume& volume) {
+  VolumeGridFile out;
+  out.place = table_place(scene, volume.file);
+  const auto refuse = [&](const std::string& problem, const std::string& expected,
+                          const std::string& hint = {}) {
+    throw Error(ErrorKind::unreadable_input,
+                {problem, out.place, 0, "volume." + volume.name + ".file", expected, hint});
+  };
+  std::vector<std::string> wanted;
+  for (const double nm : scene.emission.lines) wanted.push_back(emission_grid_name(nm));
+  VdbFile file;
+  try {
+    wanted.emplace_back(kDensity);
+    file = read_vdb(out.place, wanted);
+  } catch (const Error& error) {
+    ErrorDetails details = error.details();
+    if (details.key.empty()) details.key = "volume." + volume.name + ".file";
+    throw Error(error.kind(), details);
+  }
+  out.grid = std::move(file.grid);
+  for (const double nm : scene.emission.lines)
+    out.emission.push_back(out.grid.channel(emission_grid_name(nm)));
+  out.density = out.grid.channel(kDensity);
+  if (std::all_of(out.emission.begin(), out.emission.end(), [](int c) { return c < 0; })) {
+    const bool others = std::any_of(file.names.begin(), file.names.end(), is_emission);
+    if (out.density < 0 || others)
+      refuse(file.names.empty() ? "it has no grid of floats"
+                                : "it has no grid for the scene's lines, but " + words(file.names),
+             "a grid such as " + wanted.front(),
+             others ? "emission.lines may name the lines that it has" : "");
+    std::fill(out.emission.begin(), out.emission.end(), out.density);
+  }
+  if (!wants_density(scene, volume)) out.density = -1;
+  const auto number = [&](const char* name, double otherwise) {
+    const auto found = file.metadata.numbers.find(name);
+    return found == file.metadata.numbers.end() ? otherwise : found->second;
+  };
+  if (const double cm = number("unit_cm", 1e5); std::abs(cm / 1e5 - 1.0) > 1e-9)
+    refuse("it holds a nebula in a frame of its own", "a grid in km about an observer",
+           "Such a file is for other programs; [[nebula]] is how vegard shows it");
+  out.site = scene.site;
+  out.site.latitude_deg = number("site_latitude_deg", scene.site.latitude_deg);
+  out.site.longitude_deg = number("site_longitude_deg", scene.site.longitude_deg);
+  out.site.altitude_m = number("site_altitude_m", scene.site.altitude_m);
+  return out;
+}
+
+}  // namespace vegard::sim

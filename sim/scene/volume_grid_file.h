@@ -1,0 +1,27 @@
+// The OpenVDB files that a scene names.
+#pragma once
+
+#include <string>
+
+#include "sim/base/sparse_grid.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::sim {
+
+/// "emission_5577": tenths of a nanometre.
+std::string emission_grid_name(double line_nm);
+
+/// What a scene's volume reads from its file.
+struct VolumeGridFile {
+  std::string place;          ///< the file's path, for messages
+  SparseGrid grid;            ///< in km
+  std::vector<int> emission;  ///< [line of the scene] which channel, -1 where the file is dark
+  int density = -1;           ///< the channel that absorbs, -1 for none
+  Site site;                  ///< whose frame the grid is in: the scene's if the file names none
+};
+
+/// A file without a grid for any line, but with `density` and no other emission, shines by that in every
+/// line. Throws Error(unreadable_input) that names the key.
+VolumeGridFile read_volume_grid(const Scene& scene, const Volume& volume);
+
+}  // namespace vegard::sim

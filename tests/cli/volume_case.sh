@@ -1,0 +1,45 @@
+# Voxels of a scene's light, whole or not at all, the same for any number of threads; and back into a picture.
+source "$(dirname "$0")/case.sh"
+small=$SCENES/small.toml
+expect_exit 0 volume "$small" -o one.vdb --voxel-km 2 --threads 1
+expect_stdout "bricks of 8 x 8 x 8 voxels of 2 km"
+expect_exit 0 volume "$small" -o two.vdb --voxel-km 2 --threads 2
+expect_same one.vdb two.vdb
+grep -qa "emission_5577" one.vdb || fail "no grid of the green line"
+grep -qa "photons cm^-3 s^-1" one.vdb || fail "no unit"
+grep -qa "voxel_centre_index" one.vdb || fail "no word of where the centres are"
+expect_exit 0 volume "$small" -o green.vdb --voxel-km 2 --lines 557.7 --for houdini
+expect_different one.vdb green.vdb
+! grep -qa "emission_6300" green.vdb || fail "a line that was not asked for"
+expect_exit 2 volume "$small" -o one.vdb --voxel-km 2
+expect_stderr "--overwrite"
+expect_exit 2 volume "$small" -o bad.ply
+expect_stderr ".vdb"
+expect_exit 2 volume "$small" -o bad.vdb --lines 500
+expect_stderr "--lines"
+expect_exit 2 volume "$small" -o bad.vdb --of nobody
+expect_stderr "--of"
+expect_exit 2 volume "$small" -o bad.vdb --box 0,1,2,3,5,4
+expect_stderr "--box"
+expect_exit 2 volume "$small" -o bad.vdb --memory-limit 0.001
+expect_stderr "would do"
+expect_one_message
+expect_exit 6 volume "$small" -o no/such/folder/out.vdb
+status=0
+(ulimit -f 64 && exec "$VEGARD" volume "$small" -o full.vdb --voxel-km 2 >"$stdout" 2>"$stderr") || status=$?
+[[ $status -eq 6 ]] || fail "exit $status instead of 6 on a full disk"
+# Read back: as bright from either convention, and dark to a scene of other lines.
+sed '/^\[\[sheet\]\]/,/^$/d' "$small" >seen.toml
+printf '[[volume]]\nname = "band"\nfile = "one.vdb"\n' >>seen.toml
+expect_exit 0 render seen.toml -o seen.png --lines seen.exr
+expect_stdout "peak"
+green() { sed 's/.*[ ,]\([0-9]*\) R at 557.7 nm.*/\1/' "$stdout"; }
+brightness=$(green)
+[[ $brightness -gt 100 ]] || fail "a peak of $brightness R"
+sed 's/one.vdb/green.vdb/' seen.toml >other.toml
+expect_exit 0 render other.toml -o other.png
+[[ $(green) -eq $brightness ]] || fail "the conventions differ"
+expect_exit 3 render other.toml -o none.png --set 'emission.lines=[630.0]'
+expect_stderr "emission_5577"
+rm -f seen.toml other.toml
+expect_only one.vdb two.vdb green.vdb seen.png seen.exr other.png
