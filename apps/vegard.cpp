@@ -24,6 +24,7 @@
 #include "apps/preview.h"
 #include "apps/profile.h"
 #include "apps/render.h"
+#include "apps/sdf.h"
 #include "apps/sequence.h"
 #include "apps/volume.h"
 #include "fit/version.h"
@@ -69,6 +70,7 @@ int run(int argc, char** argv) {
   apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
   apps::add_compare_command(app, exit_code);
   apps::add_sequence_command(app, exit_code, apps::command_line(argc, argv));
+  apps::add_sdf_command(app, exit_code);
   apps::add_linearise_command(app, exit_code);
   apps::add_params_command(app, exit_code);
   apps::add_lines_command(app, exit_code);
