@@ -21,6 +21,7 @@
 #include "apps/mask.h"
 #include "apps/params.h"
 #include "apps/points.h"
+#include "apps/preview.h"
 #include "apps/profile.h"
 #include "apps/render.h"
 #include "apps/sdf.h"
@@ -55,6 +56,7 @@ int run(int argc, char** argv) {
   int exit_code = apps::good;
   apps::add_render_command(app, exit_code);
   apps::add_animate_command(app, exit_code);
+  apps::add_preview_command(app, exit_code);
   apps::add_points_command(app, exit_code);
   apps::add_volume_command(app, exit_code);
   apps::add_describe_command(app, exit_code);

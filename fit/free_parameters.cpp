@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/volume_starts.h"
 #include "sim/base/error.h"
 #include "sim/scene/free_entry_keys.h"
 #include "sim/scene/photo_scene.h"
@@ -17,6 +18,20 @@ constexpr double kAtLimit = 1e-3;  // of the range, counts as being at it
 bool finite(double x) { return std::isfinite(x); }
 
 constexpr double kNextToNothing = 1e-9;  // of the largest value
+
+constexpr double kReach = 30.0, kLogarithmicReach = 1e3;
+
+/// Light, sizes and depths of volumes may be next to anything: on the scale of all that the table allows, 0
+/// to 1e9, a usual value would lie at the limit. Without limits of the user's they are looked for within a
+/// factor of the start.
+void keep_in_reach(const sim::FreeParameter& entry, const sim::ParameterPath& path, FreeNumber& number) {
+  if (sim::scale_of(entry, path.row) == sim::ParameterScale::logarithmic) {
+    if (!entry.min && path.row->min <= 0.0)
+      number.min = std::min(number.min, number.start / kLogarithmicReach);
+  } else if (!entry.max && number.min == 0.0) {
+    number.max = std::min(number.max, kReach * number.start);
+  }
+}
 
 FreeNumber number_of(const sim::Scene& scene, const sim::FreeParameter& entry,
                      const sim::ParameterPath& path) {
@@ -38,6 +53,7 @@ FreeNumber number_of(const sim::Scene& scene, const sim::FreeParameter& entry,
   // A logarithmic parameter whose table begins at 0 is unbounded below, in effect.
   if (sim::scale_of(entry, path.row) == sim::ParameterScale::logarithmic && number.min <= 0.0)
     number.min = kNextToNothing * number.max;
+  if (is_of_volume(number) && number.start > 0.0) keep_in_reach(entry, path, number);
   return number;
 }
 

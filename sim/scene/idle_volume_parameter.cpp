@@ -73,7 +73,6 @@ std::optional<Complaint> of_node(const Scene& scene, const Node& node, const std
   if (nodes_in_use(scene).count(node.name) == 0)
     return idle("no nebula that is marched physically is made of the node", "name it in a nebula");
   const std::string& kind = node.kind;
-  const bool is_shape = arity_of(kind).most == 0;
   const bool is_noise = is_one_of(kind, {"filaments", "turbulence", "warp"});
   const bool counts = key == "radius"      ? is_one_of(kind, {"sphere", "shell", "torus", "tube", "lobes"})
                       : key == "thickness" ? is_one_of(kind, {"shell", "slab", "lobes", "torus"})
@@ -81,10 +80,7 @@ std::optional<Complaint> of_node(const Scene& scene, const Node& node, const std
                       : key == "waist"     ? kind == "lobes"
                       : key == "blend"     ? is_one_of(kind, {"union", "intersection", "difference"})
                       : key == "amplitude" || key == "frequency" || key == "gain" ? is_noise
-                      : key == "center"                                           ? is_shape || kind == "move"
-                      : key == "angles_deg" ? is_shape || kind == "rotate"
-                      : key == "stretch"    ? is_shape || kind == "scale"
-                                            : true;
+                                                                                  : true;
   if (counts) return std::nullopt;
   return idle("the node is of kind \"" + kind + "\", so " + key + " counts for nothing",
               "free a number that this kind has");

@@ -59,8 +59,8 @@ TEST_F(RunDirectory, HoldsTheBestSceneAsAScene) {
   EXPECT_EQ(bytes_of(folder / "run/best.toml").substr(0, 30), "# The best scene of a fit. veg");
 }
 
-// What a scene reads beside it is not copied, grids may be large: the best scene calls it as it is called from
-// the run's directory.
+// What a scene reads beside it is not copied, grids may be large: the best scene calls it as it is called
+// from the run's directory.
 TEST_F(RunDirectory, FindsFilesBesideTheSceneAgain) {
   result.best.file = folder / "scenes/aurora.toml";
   result.best.composite.background = "pictures/hill.jpg";

@@ -62,8 +62,9 @@ TEST(TradeOff, NamesVolumes) {
   }
   const std::vector<FreeNumber> free = free_numbers(talk.scene);
   const auto numbers = spoken_numbers(talk.scene, free, {-100.0, 2.0, 3.0, 1.0});
-  EXPECT_EQ(trade_off_words(numbers, {-10.0, 0.0, 0.5, 0.0}),
-            "distance and width of the arc footprint trade off: 10 km further with 0.5 km more looks the same");
+  EXPECT_EQ(
+      trade_off_words(numbers, {-10.0, 0.0, 0.5, 0.0}),
+      "distance and width of the arc footprint trade off: 5 km further with 0.25 km more looks the same");
   EXPECT_EQ(trade_off_words(numbers, {0.0, 1.0, 0.0, 0.0}),
             "nothing tells the north of point 1 of the arc footprint");
   EXPECT_EQ(trade_off_words(numbers, {0.0, 0.0, 0.0, 1.0}), "nothing tells the radius of the ball node");

@@ -27,7 +27,8 @@ const Bad bad_free_volumes[] = {
      "[[sheet]]\n[[footprint]]\nsource = 'sheets'\n[fit]\nfree = ['footprint.energy_kev']\n", 5,
      "footprint.arc.energy_kev", "those of the sheets"},
     {"literal_nebula",
-     "[[nebula]]\nmethod = 'literal'\ngas = 'n'\n[[node]]\nname = 'n'\n[fit]\nfree = ['nebula.elevation_deg']\n",
+     "[[nebula]]\nmethod = 'literal'\ngas = 'n'\n[[node]]\nname = 'n'\n[fit]\nfree = "
+     "['nebula.elevation_deg']\n",
      7, "nebula.nebula.elevation_deg", "colours, not light"},
     {"dust_of_none",
      "[[nebula]]\nglow = 'n'\nglow_rayleigh = [1, 1, 1]\n[[node]]\nname = 'n'\n[fit]\nfree = "

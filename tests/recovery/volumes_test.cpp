@@ -1,0 +1,50 @@
+// Volumes found again in pictures of which the truth is known: the examples of docs/fitting.md, "Volumes".
+//
+// The picture is the simulator's own, with the noise of the scene's sensor; what is tested is the fit.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "fit/fit.h"
+#include "fit/number_text.h"
+#include "sim/scene/parameter_table.h"
+#include "sim/scene/scene_toml.h"
+#include "tests/support/noisy_photo.h"
+
+namespace vegard::fit {
+namespace {
+
+sim::Scene example(const std::string& name) {
+  return sim::read_scene(std::string(VEGARD_SOURCE_DIR) + "/data/examples/" + name);
+}
+
+/// Of a chi2 of as many degrees of freedom as there are numbers: what one draw in 10 000 exceeds is 4.2 sigma
+/// for the largest of eight. The fit's error bars leave correlations out here, so that is wide enough.
+constexpr double kMostSigma = 4.2;
+
+/// Fits the start to a picture of the truth and compares.
+FitResult recovered(const std::string& folder) {
+  const sim::Scene truth = example(folder + "/truth.toml"), start = example(folder + "/scene.toml");
+  const FitResult result = fit_photo(start, tests::noisy_photo(truth, 0.004, truth.seed), {});
+  std::printf("%s: %s\n", folder.c_str(), result.verdict_line.c_str());
+  for (const FittedParameter& p : result.parameters) {
+    const double true_value = *sim::real_value(truth, sim::resolve(truth, p.path).front());
+    EXPECT_TRUE(p.sigma) << p.path << ": " << p.why_no_sigma;
+    if (!p.sigma) continue;
+    const double off = (p.value - true_value) / *p.sigma;
+    std::printf("  %-42s %s, true %g: %.2f sigma\n", p.path.c_str(),
+                number_with_error(p.value, p.sigma).c_str(), true_value, off);
+    EXPECT_LT(std::abs(off), kMostSigma) << p.path;
+  }
+  return result;
+}
+
+TEST(VolumeRecovery, FindsALobedNebulaAgain) {
+  const FitResult result = recovered("lobes");
+  EXPECT_NE(result.verdict, Verdict::failed);
+}
+
+}  // namespace
+}  // namespace vegard::fit
