@@ -21,8 +21,10 @@
 #include "apps/mask.h"
 #include "apps/params.h"
 #include "apps/points.h"
+#include "apps/preview.h"
 #include "apps/profile.h"
 #include "apps/render.h"
+#include "apps/sdf.h"
 #include "apps/sequence.h"
 #include "apps/volume.h"
 #include "fit/version.h"
@@ -54,6 +56,7 @@ int run(int argc, char** argv) {
   int exit_code = apps::good;
   apps::add_render_command(app, exit_code);
   apps::add_animate_command(app, exit_code);
+  apps::add_preview_command(app, exit_code);
   apps::add_points_command(app, exit_code);
   apps::add_volume_command(app, exit_code);
   apps::add_describe_command(app, exit_code);
@@ -67,6 +70,7 @@ int run(int argc, char** argv) {
   apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
   apps::add_compare_command(app, exit_code);
   apps::add_sequence_command(app, exit_code, apps::command_line(argc, argv));
+  apps::add_sdf_command(app, exit_code);
   apps::add_linearise_command(app, exit_code);
   apps::add_params_command(app, exit_code);
   apps::add_lines_command(app, exit_code);

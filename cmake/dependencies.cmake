@@ -12,6 +12,6 @@ pkg_check_modules(CFITSIO REQUIRED IMPORTED_TARGET cfitsio)
 # Debian's OpenVDB comes without a package file for CMake: its library is linked by name, with TBB and Imath.
 find_package(Imath REQUIRED)
 find_package(Ceres REQUIRED)
-find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs videoio calib3d)
+find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs highgui videoio calib3d)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)

@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Throws unless the target is free or a run that may be replaced. Returns whether there is one.
-bool check_target(const std::string& target, bool overwrite) {
+bool check_target(const std::string& target, bool overwrite, const std::string& mark,
+                  const std::string& kind) {
   std::error_code error;
   const fs::file_status status = fs::status(target, error);
   if (!fs::exists(status)) {
@@ -31,9 +32,9 @@ bool check_target(const std::string& target, bool overwrite) {
     throw Error(ErrorKind::existing_output, details);
   }
   if (!overwrite) throw already_exists(target);
-  const bool is_run = fs::exists(fs::path(target) / "result.json", error) || fs::is_empty(target, error);
+  const bool is_run = fs::exists(fs::path(target) / mark, error) || fs::is_empty(target, error);
   if (!is_run) {
-    details.problem = "is not replaced: it has no result.json, so it is not a run";
+    details.problem = "is not replaced: it has no " + mark + ", so it is not " + kind;
     throw Error(ErrorKind::existing_output, details);
   }
   return true;
@@ -47,10 +48,15 @@ std::string without_trailing_slash(std::string target) {
 
 }  // namespace
 
-WholeDirectory::WholeDirectory(const std::string& target, bool overwrite)
-    : target_(without_trailing_slash(target)), resolved_(target_), overwrite_(overwrite) {
+WholeDirectory::WholeDirectory(const std::string& target, bool overwrite, const std::string& mark,
+                               const std::string& kind)
+    : target_(without_trailing_slash(target)),
+      resolved_(target_),
+      overwrite_(overwrite),
+      mark_(mark),
+      kind_(kind) {
   if (target_.empty()) throw unwritable(target, ENOENT);
-  if (check_target(target_, overwrite_)) {
+  if (check_target(target_, overwrite_, mark_, kind_)) {
     std::error_code error;
     resolved_ = fs::canonical(target_, error).string();  // also gives "." and ".." a name that can be renamed
     if (error) throw unwritable(target_, error.value());
@@ -102,7 +108,7 @@ void WholeDirectory::commit() {
   if (walk_error) throw unwritable(target_, walk_error.value());
   if (const int error = make_durable(temporary_); error != 0) throw unwritable(target_, error);
 
-  const bool replaces = check_target(target_, overwrite_);
+  const bool replaces = check_target(target_, overwrite_, mark_, kind_);
   const int error =
       replaces ? exchange_directories(temporary_, resolved_) : rename_to_free_name(temporary_, resolved_);
   if (error == EEXIST) throw already_exists(target_);

@@ -14,8 +14,10 @@ class WholeDirectory {
   /// Creates the empty temporary, and parent folders that are missing (removed again if nothing is
   /// committed). Throws Error(existing_output) if the target exists and overwrite is false, or if it exists
   /// and is not a run: not a directory, or one that has things in it but no result.json. Throws
-  /// Error(unwritable_output) if the temporary cannot be made.
-  explicit WholeDirectory(const std::string& target, bool overwrite = false);
+  /// Error(unwritable_output) if the temporary cannot be made. Other directories than runs are known by
+  /// another file, `mark`, and called `kind` in messages.
+  explicit WholeDirectory(const std::string& target, bool overwrite = false,
+                          const std::string& mark = "result.json", const std::string& kind = "a run");
   ~WholeDirectory();
   WholeDirectory(const WholeDirectory&) = delete;
   WholeDirectory& operator=(const WholeDirectory&) = delete;
@@ -36,6 +38,7 @@ class WholeDirectory {
   std::string temporary_;
   std::vector<std::string> made_parents_;  ///< outermost first
   bool overwrite_;
+  std::string mark_, kind_;
   bool committed_ = false;
 };
 

@@ -72,7 +72,7 @@ struct Exposer::Workspace {
   std::vector<LargeZeros<std::int64_t>> slot_films;
   std::vector<PackedChunk> slot_chunks;                // kept: their memory is large enough to cost something
   std::vector<std::unique_ptr<TangentFilm>> tangents;  // of the shares of the beams, likewise
-  std::unique_ptr<Volumes> volumes;                    // if the scene has any
+  std::shared_ptr<const Volumes> volumes;              // if the scene has any
 
   /// One per sheet.
   std::vector<KernelScene> kernels(const Scene& scene, const std::vector<HeightProfile>& profiles) const {
@@ -146,7 +146,7 @@ struct Exposer::Workspace {
 };
 
 Exposer::Exposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond,
-                 std::uint64_t sampling)
+                 std::uint64_t sampling, std::shared_ptr<const Volumes> volumes)
     : work_(new Workspace{film,
                           thread_count(threads),
                           sampling,
@@ -154,8 +154,8 @@ Exposer::Exposer(const Scene& scene, const FilmGeometry& film, int threads, doub
                           {},
                           {},
                           {},
-                          {}}) {
-  if (has_volumes(scene)) work_->volumes = std::make_unique<Volumes>(scene, threads);
+                          std::move(volumes)}) {
+  if (!work_->volumes && has_volumes(scene)) work_->volumes = std::make_shared<Volumes>(scene, threads);
 }
 
 Exposer::~Exposer() = default;

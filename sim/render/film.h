@@ -52,9 +52,10 @@ class Exposer {
  public:
   /// `beyond` lays out dark beams past the sheets' ends, so many sheet lengths on either side, for later
   /// scenes in which the ends have moved along the line. `sampling` is added to the scene's seed where beams
-  /// draw from it, and nowhere else: the noise of a volume is a matter of the scene.
+  /// draw from it, and nowhere else: the noise of a volume is a matter of the scene. `volumes`, if any, are
+  /// the scene's, made elsewhere; else it makes them.
   Exposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond = 0.0,
-          std::uint64_t sampling = 0);
+          std::uint64_t sampling = 0, std::shared_ptr<const Volumes> volumes = nullptr);
   ~Exposer();
 
   /// `progress`, if any, is told the finished share now and then, from any thread; `stop`, if any, ends the

@@ -67,4 +67,19 @@ template std::unique_ptr<Emitter<FreeDual>> footprint_emitter(const Scene&, cons
                                                               const VolumeFiles&, const NumberAs<FreeDual>&,
                                                               int);
 
+std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint& f, const VolumeFiles& files,
+                                            int threads) {
+  const FootprintPictures pictures = footprint_pictures(files, f);
+  EnergyRange range;
+  if (f.shape == "shell") {
+    CubeFootprint<double> map = make_cube_footprint(scene, f, pictures, threads);
+    for (const FootprintGrid<double>& face : map.face) range.take(face);
+    return cube_footprint_field(scene, f, std::move(map), profiles_of(scene, f, range, false).usual, threads);
+  }
+  PlaneFootprint<double> map = make_plane_footprint<double>(
+      scene, f, pictures, [](const double& number) { return number; }, threads);
+  range.take(map.grid);
+  return plane_footprint_field(scene, f, std::move(map), profiles_of(scene, f, range, false).usual, threads);
+}
+
 }  // namespace vegard::sim

@@ -15,4 +15,8 @@ std::unique_ptr<Emitter<T>> footprint_emitter(const Scene& scene, const Footprin
                                               const VolumeFiles& files, const NumberAs<T>& number,
                                               int threads);
 
+/// As a field in the observer's east, north and up.
+std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint& footprint,
+                                            const VolumeFiles& files, int threads);
+
 }  // namespace vegard::sim

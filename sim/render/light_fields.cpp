@@ -1,11 +1,15 @@
 #include "sim/render/light_fields.h"
 
 #include "sim/emit/grid/grid_field.h"
+#include "sim/emit/nebula/nebula_field.h"
 
 namespace vegard::sim {
 
 std::vector<NamedField> light_fields(const Scene& scene, const VolumeFiles& files, int) {
   std::vector<NamedField> all;
+  for (const Nebula& nebula : scene.nebulae)
+    if (nebula.method != "literal")
+      all.push_back({"nebula '" + nebula.name + "'", std::make_unique<NebulaField>(scene, nebula)});
   for (std::size_t v = 0; v < scene.volumes.size(); ++v)
     all.push_back({"volume '" + scene.volumes[v].name + "'",
                    std::make_unique<GridField>(*files.grids[v], scene.volumes[v])});

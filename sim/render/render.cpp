@@ -9,6 +9,7 @@
 #include "sim/render/film.h"
 #include "sim/render/literal_layer.h"
 #include "sim/render/physical_blur.h"
+#include "sim/render/render_memory.h"
 #include "sim/render/volume_layer.h"
 #include "sim/scene/emission_lines.h"
 #include "sim/view/blur.h"
@@ -113,12 +114,16 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
     });
   };
 
+  if (options.memory != nullptr) options.memory->look_at(scene, options.threads);
   Rendering result;
   VolumePictures volumes;
   {
-    std::optional<Exposer> exposer;
+    std::optional<Exposer> own_exposer;
     Exposure exposure;
-    if (scene.blur.model == "angle") exposer.emplace(scene, film, options.threads);
+    Exposer* exposer = nullptr;
+    if (scene.blur.model == "angle")
+      exposer = options.memory != nullptr ? &options.memory->exposer(film)
+                                          : &own_exposer.emplace(scene, film, options.threads);
     const auto lines_of = [&](std::size_t n, int only_sheet, std::uint64_t& points) {
       if (!exposer) {
         Image lines = dark_lines(scene);
@@ -149,8 +154,12 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
   }
   result.aurora = through_the_sensor(scene, result.rayleigh);
   add_volume_layers(scene, volumes, options.threads, result);
-  if (has_night_sky(scene)) result.night_sky = night_sky_light(scene, options.threads);
-  if (scene.stars.shown) result.stars = star_light(scene, instants_s(scene.time), options.stop);
+  if (has_night_sky(scene))
+    result.night_sky =
+        options.memory != nullptr ? options.memory->night_sky() : night_sky_light(scene, options.threads);
+  if (scene.stars.shown)
+    result.stars = options.memory != nullptr ? options.memory->stars(options.stop)
+                                             : star_light(scene, instants_s(scene.time), options.stop);
   if (stopped()) return {};
   if (options.pictures != nullptr && !options.pictures->background.empty()) {
     result.background = Image(width, height, {"R", "G", "B"});

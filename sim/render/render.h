@@ -14,6 +14,8 @@
 
 namespace vegard::sim {
 
+class RenderMemory;
+
 struct RenderOptions {
   int threads = 0;                          ///< 0: all cores. The picture does not depend on it.
   std::function<void(double)> progress;     ///< told the finished share, from any thread
@@ -22,6 +24,9 @@ struct RenderOptions {
   /// aurora.
   const CompositePictures* pictures = nullptr;
   bool sheet_layers = false;  ///< each sheet by itself as well, for twice the work
+  /// What is kept from one picture to the next (sim/render/render_memory.h). The picture does not depend on
+  /// it.
+  RenderMemory* memory = nullptr;
 };
 
 /// The light of one sheet, or one system of arcs, as if it were alone.

@@ -66,7 +66,11 @@ struct RowLight {
 template <class T>
 class RowMarch {
  public:
-  RowMarch(const Scene& scene, const VolumeFiles& files, const NumberAs<T>& number, int threads)
+  using Emitters = std::vector<std::unique_ptr<Emitter<T>>>;
+
+  /// Of the emitters `made` beforehand, or if there are none of those that the scene makes now.
+  RowMarch(const Scene& scene, const VolumeFiles& files, const NumberAs<T>& number, int threads,
+           const Emitters* made = nullptr)
       : lines_(static_cast<int>(scene.emission.lines.size())),
         observer_km_(scene.site.altitude_m * 1e-3),
         depth_(files.depth),
@@ -74,7 +78,8 @@ class RowMarch {
         view_(camera_view<T>(
             scene.camera,
             [&](CameraNumber which) { return number(*camera_number_address(scene.camera, which)); })),
-        emitters_(make_emitters<T>(scene, files, number, threads)),
+        made_here_(made != nullptr ? Emitters() : make_emitters<T>(scene, files, number, threads)),
+        emitters_(made != nullptr ? *made : made_here_),
         slots_(thread_count(threads)) {}
 
   bool absorbs() const {
@@ -137,7 +142,8 @@ class RowMarch {
   const DepthImage& depth_;
   CameraView<double> plain_view_;
   CameraView<T> view_;
-  std::vector<std::unique_ptr<Emitter<T>>> emitters_;
+  const Emitters made_here_;
+  const Emitters& emitters_;
   std::vector<Slot> slots_;
 };
 
@@ -149,15 +155,28 @@ bool has_volumes(const Scene& scene) {
                      [](const Nebula& nebula) { return nebula.method != "literal"; });
 }
 
-Volumes::Volumes(const Scene& scene, int threads)
-    : threads_(thread_count(threads)), files_(std::make_unique<VolumeFiles>(read_volume_files(scene))) {}
+/// Emitters look into the scene that they are made of.
+struct Volumes::Made {
+  Scene scene;
+  std::vector<std::unique_ptr<Emitter<double>>> emitters;
+};
+
+Volumes::Volumes(const Scene& scene, int threads, bool of_one_scene)
+    : threads_(thread_count(threads)), files_(std::make_unique<VolumeFiles>(read_volume_files(scene))) {
+  if (!of_one_scene) return;
+  auto made = std::make_unique<Made>(Made{scene, {}});
+  made->emitters = make_emitters<double>(
+      made->scene, *files_, [](const double& number) { return number; }, threads_);
+  made_ = std::move(made);
+}
 
 Volumes::~Volumes() = default;
 
 MarchCells Volumes::marcher(const Scene& scene, const std::function<void(double)>& progress,
                             const std::atomic<bool>* stop) const {
   const auto rows = std::make_shared<RowMarch<double>>(
-      scene, *files_, [](const double& number) { return number; }, threads_);
+      scene, *files_, [](const double& number) { return number; }, threads_,
+      made_ ? &made_->emitters : nullptr);
   const int lines = static_cast<int>(scene.emission.lines.size());
   return [rows, lines, progress, stop, threads = threads_](const FilmGeometry& film,
                                                            const std::vector<std::uint8_t>& wanted) {

@@ -34,8 +34,10 @@ bool has_volumes(const Scene& scene);
 /// Made once for a scene, whose files it reads: later scenes may differ in their numbers.
 class Volumes {
  public:
-  /// Throws Error(unreadable_input) for a file that is missing or of no use.
-  Volumes(const Scene& scene, int threads);
+  /// Throws Error(unreadable_input) for a file that is missing or of no use. `of_one_scene`: what is worked
+  /// out before rays are marched, as the footprints, is worked out here and now: later scenes may then differ
+  /// in their camera alone.
+  Volumes(const Scene& scene, int threads, bool of_one_scene = false);
   ~Volumes();
 
   /// What is to be seen: marched at the resolution of march.shrink (always at the film's own if
@@ -60,8 +62,11 @@ class Volumes {
                        std::size_t stride, float* derivative) const;
 
  private:
+  struct Made;
+
   int threads_;
   std::unique_ptr<const VolumeFiles> files_;
+  std::unique_ptr<const Made> made_;  ///< of one scene; else empty
 };
 
 }  // namespace vegard::sim

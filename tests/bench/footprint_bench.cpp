@@ -32,7 +32,7 @@ constexpr int kOvalFace = 4;  // about the north pole
 double oval(double u, double v) {
   const double latitude = std::atan2(1.0, std::hypot(u, v)) / sim::kRadiansPerDegree,
                longitude = std::atan2(v, u);
-  const double width = 1.1 + 0.7 * std::cos(longitude + 2.0);
+  const double width = 0.6 + 0.35 * std::cos(longitude + 2.0);
   const double fold = std::sin(23.0 * longitude + 4.0 * std::sin(7.0 * longitude));
   const double arc = std::exp(-0.5 * std::pow((latitude - 67.0 - 0.6 * fold) / 0.15, 2));
   const double wide = 0.3 * std::exp(-0.5 * std::pow((latitude - 67.0) / width, 2));

@@ -28,6 +28,7 @@ clean_tree() {
   put sim/render/render.cpp $'#include "sim/emit/aurora/beam.h"\n#include "sim/view/film.h"\n#include "sim/render/kernel.h"'
   put fit/photo.cpp $'#include <opencv2/imgcodecs.hpp>\n#include <ceres/ceres.h>\n#include "sim/render/render.h"'
   put apps/vegard.cpp $'#include <iostream>\n#include "fit/photo.h"'
+  put apps/preview_window.cpp '#include <opencv2/highgui.hpp>'
   put apps/video.cpp '#include <opencv2/videoio.hpp>'
   put docs/readme.md 'See https://example.org/home/page and ~/work/mine.'
 }
@@ -80,6 +81,8 @@ refuses apps/bad.cpp '#include <ceres/ceres.h>'
 refuses sim/view/bad.cpp '#include <opencv2/imgproc.hpp>'
 refuses fit/bad.h '#include <opencv2/core.hpp>'
 refuses apps/xbad.cpp '#include <opencv2/core.hpp>'
+refuses apps/preview.cpp '#include <opencv2/highgui.hpp>' apps/video.cpp
+refuses apps/preview_window.h '#include <opencv2/highgui.hpp>' apps/video.cpp
 refuses sim/base/bad.cpp '#include <OpenImageIO/imageio.h>'
 refuses sim/base/image_io.cpp '#include <OpenImageIO/imageio.h>'
 refuses fit/bad.cpp '#include <OpenImageIO/imagebuf.h>'

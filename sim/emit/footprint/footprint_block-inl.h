@@ -128,25 +128,34 @@ HWY_INLINE void find_places(const FootprintKernel& kernel, const MarchSpan& span
   }
 }
 
-/// Of sixteen blocks from `first_block` on, those that may have light: a bit each.
+/// The face that a stretch of steps lies on; -1 if it crosses an edge.
+template <FootWay kWay>
+HWY_INLINE int face_of_steps(const MarchSpan& span, int first_step, int steps) {
+  if constexpr (kWay != FootWay::shell) return 0;
+  const double from = span.first_km + first_step * span.step_km;
+  const int face = face_at(span, from);
+  return face_at(span, from + steps * span.step_km) == face ? face : -1;
+}
+
+/// Of up to sixteen blocks from `first_block` on, those that may have light: a bit each. `face` is theirs, or
+/// -1.
 template <FootWay kWay>
 HWY_INLINE std::uint32_t blocks_with_light(const FootprintKernel& kernel, const MarchSpan& span,
-                                           const SpanLanes& lanes, int first_block, int blocks) {
-  const int count = blocks - first_block < 16 ? blocks - first_block : 16;
+                                           const SpanLanes& lanes, int first_block, int count, int face) {
   const double block_km = kBlockSteps * span.step_km;
   const int at_once = lanes_at_once();
   HWY_ALIGN float x[16], y[16], reach[16];
   std::uint32_t lit = 0;
-  const auto look = [&](int face, bool several) {
+  const auto look = [&](int of_face, bool several) {
     const FloatTag d;
     std::uint32_t here = 0;
     for (int part = 0; part < count; part += at_once) {
       const Pack middle =
           Pack(span.first_km) + (lane_numbers(first_block + part) + Pack(0.5f)) * Pack(block_km);
       const AirPoint<Pack> p = lanes.at(middle);
-      const Place at = place_of<kWay>(kernel, p, face);
-      const Place low = place_of<kWay>(kernel, lanes.at(middle - Pack(0.5 * block_km)), face);
-      const Place high = place_of<kWay>(kernel, lanes.at(middle + Pack(0.5 * block_km)), face);
+      const Place at = place_of<kWay>(kernel, p, of_face);
+      const Place low = place_of<kWay>(kernel, lanes.at(middle - Pack(0.5 * block_km)), of_face);
+      const Place high = place_of<kWay>(kernel, lanes.at(middle + Pack(0.5 * block_km)), of_face);
       const auto away2 = [&](const Place& end) {
         const Pack dx = end.x - at.x, dy = end.y - at.y;
         return dx * dx + dy * dy;
@@ -161,23 +170,17 @@ HWY_INLINE std::uint32_t blocks_with_light(const FootprintKernel& kernel, const 
       hn::Store(reach_here.v, d, reach + part);
       if (several)
         for (int i = 0; i < at_once; ++i)
-          if (hn::ExtractLane(hn::IfThenElseZero(on_face(p, face).m, hn::Set(d, 1.0f)), i) != 0.0f)
+          if (hn::ExtractLane(hn::IfThenElseZero(on_face(p, of_face).m, hn::Set(d, 1.0f)), i) != 0.0f)
             here |= 1u << (part + i);
     }
     if (!several) here = 0xffffu;
     for (int i = 0; i < count; ++i)
-      if ((here >> i & 1u) != 0 && !(reach[i] < kernel.lit[face]->dark_texels(x[i], y[i]))) lit |= 1u << i;
+      if ((here >> i & 1u) != 0 && !(reach[i] < kernel.lit[of_face]->dark_texels(x[i], y[i]))) lit |= 1u << i;
   };
-  int face = 0;
-  if constexpr (kWay == FootWay::shell) {
-    const double from = span.first_km + first_block * block_km;
-    face = face_at(span, from);
-    if (face_at(span, from + count * block_km) != face) {
-      for (int f = 0; f < 6; ++f) look(f, true);
-      return lit;
-    }
-  }
-  look(face, false);
+  if (face >= 0)
+    look(face, false);
+  else
+    for (int f = 0; f < 6; ++f) look(f, true);
   return lit;
 }
 

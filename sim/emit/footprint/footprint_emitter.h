@@ -34,4 +34,12 @@ std::unique_ptr<Emitter<T>> cube_footprint_emitter(const Scene& scene, const Foo
                                                    const ProfileTable& by_flux, const NumberAs<T>& number,
                                                    int threads, MarchBy by = MarchBy::lanes);
 
+/// The same as fields in space, in the observer's east, north and up.
+std::unique_ptr<LightField> plane_footprint_field(const Scene& scene, const Footprint& footprint,
+                                                  PlaneFootprint<double> map, const ProfileTable& profiles,
+                                                  int threads);
+std::unique_ptr<LightField> cube_footprint_field(const Scene& scene, const Footprint& footprint,
+                                                 CubeFootprint<double> map, const ProfileTable& profiles,
+                                                 int threads);
+
 }  // namespace vegard::sim

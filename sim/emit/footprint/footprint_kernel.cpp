@@ -21,6 +21,8 @@ namespace HWY_NAMESPACE {
 using Four = hn::FixedTag<float, 4>;
 using FourVector = hn::Vec<Four>;
 
+constexpr int kGroupBlocks = 16;  ///< that are judged together
+
 /// The weighted sum of four texels, in all four lanes.
 HWY_INLINE FourVector bilinear(const float* texels, int columns, const float* weight) {
   const Four d;
@@ -89,12 +91,13 @@ std::size_t march_span(const FootprintKernel& kernel, const MarchSpan& span, Spa
   const int blocks = (span.steps + kBlockSteps - 1) / kBlockSteps;
   std::size_t marched = 0;
   out.entry_km = std::numeric_limits<double>::infinity();
-  const auto take = [&](int block) {
+  const WidthOfBlock width_of_block(profile, span);
+  const auto take = [&](int block, int face_of_all) {
     const int first = block * kBlockSteps;
     const double from_km = span.at_km + span.first_km + first * span.step_km;
     if (marched == 0) out.entry_km = from_km;
     marched += kBlockSteps;
-    const int width = width_of_block(profile, span, first);
+    const int width = width_of_block(first);
     const auto add = [&](int face, bool several) {
       const TexelWindow& window = kernel.window[face];
       if (window.flux == nullptr) return;
@@ -109,25 +112,19 @@ std::size_t march_span(const FootprintKernel& kernel, const MarchSpan& span, Spa
         moment[q] = hn::Add(moment[q], hn::Sub(hn::Mul(sum.plain[q], last), hn::Mul(sum.running[q], step)));
       }
     };
-    int face = 0;
-    if constexpr (kWay == FootWay::shell) {
-      const double u = span.first_km + first * span.step_km;
-      face = face_at(span, u);
-      if (face_at(span, u + kBlockSteps * span.step_km) != face) {
-        for (int f = 0; f < 6; ++f) add(f, true);
-        return;
-      }
-    }
-    add(face, false);
+    const int face = face_of_all >= 0 ? face_of_all : face_of_steps<kWay>(span, first, kBlockSteps);
+    if (face >= 0)
+      add(face, false);
+    else
+      for (int f = 0; f < 6; ++f) add(f, true);
   };
-  if (kernel.lit[0] == nullptr) {
-    for (int block = 0; block < blocks; ++block) take(block);
-  } else {
-    for (int group = 0; group < blocks; group += 16) {
-      const std::uint32_t lit = blocks_with_light<kWay>(kernel, span, lanes, group, blocks);
-      for (int i = 0; i < 16; ++i)
-        if ((lit >> i & 1u) != 0) take(group + i);
-    }
+  for (int group = 0; group < blocks; group += kGroupBlocks) {
+    const int count = blocks - group < kGroupBlocks ? blocks - group : kGroupBlocks;
+    const int face = face_of_steps<kWay>(span, group * kBlockSteps, count * kBlockSteps);
+    std::uint32_t lit = (1u << count) - 1u;
+    if (kernel.lit[0] != nullptr) lit = blocks_with_light<kWay>(kernel, span, lanes, group, count, face);
+    for (; lit != 0; lit &= lit - 1)
+      take(group + static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(lit)), face);
   }
   HWY_ALIGN float of_line[kMostLines] = {}, moment_of_line[kMostLines] = {};
   for (int q = 0; q < kQuartets; ++q) {

@@ -64,18 +64,48 @@ class MarchRays {
     return count;
   }
 
+  /// A point of the observer's east, north and up, from the Earth's centre in the march's own axes; and the
+  /// square of its distance less that of the Earth's radius.
+  void place_of(const double enu_km[3], double place_km[3], double& square_km2) const {
+    const double up = enu_km[2] + kEarthRadiusKm + observer_km_;
+    for (int a = 0; a < 3; ++a)
+      place_km[a] = enu_km[0] * axes_[0][a] + enu_km[1] * axes_[1][a] + up * axes_[2][a];
+    const double height = enu_km[2] + observer_km_;
+    square_km2 = enu_km[0] * enu_km[0] + enu_km[1] * enu_km[1] + height * (height + 2.0 * kEarthRadiusKm);
+  }
+  /// The other way round.
+  void enu_of(const double place_km[3], double enu_km[3]) const {
+    for (int i = 0; i < 3; ++i)
+      enu_km[i] = place_km[0] * axes_[i][0] + place_km[1] * axes_[i][1] + place_km[2] * axes_[i][2];
+    enu_km[2] -= kEarthRadiusKm + observer_km_;
+  }
+  double bottom_km() const { return bottom_km_; }
+  double top_km() const { return top_km_; }
+
  private:
   double observer_km_, bottom_km_, top_km_, step_km_;
   bool literal_ghosts_;
   double axes_[3][3];  ///< east, north and up
 };
 
-/// The table of the profile whose width is nearest to the altitude that the steps of a block pass through.
-inline int width_of_block(const StepProfile& profile, const MarchSpan& span, int first_step) {
-  const double u = span.first_km + (first_step + 0.5 * kBlockSteps) * span.step_km;
-  const double square = span.square_km2 + u * (2.0 * span.along_km + u) + kEarthRadiusKm * kEarthRadiusKm;
-  const double rise_km = std::fabs(span.along_km + u) / std::sqrt(square) * span.step_km;
-  return std::min(static_cast<int>(rise_km / profile.width_step_km() + 0.5), profile.widths() - 1);
-}
+/// Which table of the profile is for the steps of a block: the one whose width is nearest to the altitude
+/// that they pass through. The radius is taken from the middle of the span, which is good to 2 %.
+class WidthOfBlock {
+ public:
+  WidthOfBlock(const StepProfile& profile, const MarchSpan& span)
+      : along_(span.along_km + span.first_km + 0.5 * kBlockSteps * span.step_km),
+        step_(span.step_km),
+        widths_per_km_(span.step_km / profile.width_step_km() /
+                       std::sqrt(span.square_km2 + kEarthRadiusKm * kEarthRadiusKm)),
+        most_(profile.widths() - 1) {}
+
+  int operator()(int first_step) const {
+    return std::min(static_cast<int>(std::fabs(along_ + first_step * step_) * widths_per_km_ + 0.5), most_);
+  }
+
+ private:
+  double along_, step_, widths_per_km_;
+  int most_;
+};
 
 }  // namespace vegard::sim

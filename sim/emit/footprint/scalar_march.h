@@ -45,14 +45,60 @@ class ScalarMarch {
   void march(const MarchSpanOf<T>& span, ScalarLight<T>& out) const {
     for (T& light : out.rayleigh) light = T(0.0);
     const MarchSpan plain = plain_span(span);
+    const WidthOfBlock width_of_block(profile_, plain);
     for (int first = 0; first < span.steps; first += kBlockSteps) {
       if (may_pass_over(plain, first)) continue;
       out.entry_km = std::min(out.entry_km, plain.at_km + plain.first_km + first * plain.step_km);
-      const int width = width_of_block(profile_, plain, first);
+      const int width = width_of_block(first);
       for (int i = first; i < std::min(first + kBlockSteps, span.steps); ++i) add(span, i, width, out);
     }
     for (T& light : out.rayleigh) light = light * span.step_km * kRayleighsPerKm;
     out.weighted_km *= kRayleighsPerKm * plain.step_km;
+  }
+
+  /// Volume emission rates at a point, photons cm^-3 s^-1, by the profile's table of that width; false where
+  /// there is none.
+  bool light_at(const AirPoint<T>& p, int width, T light[]) const {
+    const int face = face_of(p);
+    if (f_.grid[face] == nullptr || f_.grid[face]->flux_mw_m2.empty()) return false;
+    const FootprintGrid<G>& grid = *f_.grid[face];
+    const Place<T> place = place_of(p, f_.axis, face);
+    if (!place.is_there) return false;
+    // Dark outside: the texels beyond the edge count as 0.
+    const double x = std::floor(value_of(place.x)), y = std::floor(value_of(place.y));
+    if (!(x >= -1.0 && y >= -1.0 && x < grid.columns && y < grid.rows)) return false;
+    const int column = static_cast<int>(x), row = static_cast<int>(y);
+    const T right = place.x - x, upper = place.y - y;
+    const T weight[4] = {(T(1.0) - right) * (T(1.0) - upper), right * (T(1.0) - upper),
+                         (T(1.0) - right) * upper, right * upper};
+    T flux(0.0), ln_energy(0.0);
+    for (int corner = 0; corner < 4; ++corner) {
+      const int c = column + corner % 2, r = row + corner / 2;
+      if (c < 0 || r < 0 || c >= grid.columns || r >= grid.rows) continue;
+      const std::size_t at = static_cast<std::size_t>(r) * grid.columns + c;
+      flux = flux + weight[corner] * grid.flux_mw_m2[at];
+      if (!grid.ln_energy.empty()) ln_energy = ln_energy + weight[corner] * grid.ln_energy[at];
+    }
+    if (value_of(flux) == 0.0) return false;
+    rates(altitude_km(p), ln_energy, width, light);
+    for (int l = 0; l < profile_.lines(); ++l) light[l] = flux * light[l];
+    return true;
+  }
+
+  /// Whether all points have their feet in the dark: their middle, and what they may be away from it.
+  bool are_dark(const AirPoint<double>& middle, const AirPoint<double>* others, int count) const {
+    if (f_.lit[0] == nullptr) return false;
+    const double axis[3] = {value_of(f_.axis[0]), value_of(f_.axis[1]), value_of(f_.axis[2])};
+    const int face = face_of(middle);
+    const auto place = place_of(middle, axis, face);
+    if (!place.is_there) return false;
+    double reach = 0.0;
+    for (int i = 0; i < count; ++i) {
+      const auto there = place_of(others[i], axis, face);
+      if (!there.is_there) return false;
+      reach = std::max(reach, std::hypot(there.x - place.x, there.y - place.y));
+    }
+    return reach * 1.05 + 1.0 < f_.lit[face]->dark_texels(place.x, place.y);
   }
 
  private:
@@ -95,56 +141,25 @@ class ScalarMarch {
   }
 
   bool may_pass_over(const MarchSpan& span, int first_step) const {
-    if (f_.lit[0] == nullptr) return false;
-    const double axis[3] = {value_of(f_.axis[0]), value_of(f_.axis[1]), value_of(f_.axis[2])};
     const double half = 0.5 * kBlockSteps * span.step_km;
     const double middle = span.first_km + first_step * span.step_km + half;
     const auto at = [&](double u) {
       return point_of_ray(span.place_km, span.direction, span.square_km2, span.along_km, u);
     };
-    const AirPoint<double> p = at(middle);
-    const int face = face_of(p);
-    const auto place = place_of(p, axis, face);
-    double reach = 0.0;
-    for (const double end : {middle - half, middle + half}) {
-      const auto there = place_of(at(end), axis, face);
-      if (!there.is_there) return false;
-      reach = std::max(reach, std::hypot(there.x - place.x, there.y - place.y));
-    }
-    return place.is_there && reach * 1.05 + 1.0 < f_.lit[face]->dark_texels(place.x, place.y);
+    const AirPoint<double> ends[2] = {at(middle - half), at(middle + half)};
+    return are_dark(at(middle), ends, 2);
   }
 
   void add(const MarchSpanOf<T>& span, int step, int width, ScalarLight<T>& out) const {
     const T u = span.first_km + span.step_km * (step + 0.5);
-    const AirPoint<T> p = point_of_ray(span.place_km, span.direction, span.square_km2, span.along_km, u);
-    const int face = face_of(p);
-    if (f_.grid[face] == nullptr || f_.grid[face]->flux_mw_m2.empty()) return;
-    const FootprintGrid<G>& grid = *f_.grid[face];
-    const Place<T> place = place_of(p, f_.axis, face);
-    if (!place.is_there) return;
-    // Dark outside: the texels beyond the edge count as 0.
-    const double x = std::floor(value_of(place.x)), y = std::floor(value_of(place.y));
-    if (x < -1.0 || y < -1.0 || x >= grid.columns || y >= grid.rows) return;
-    const int column = static_cast<int>(x), row = static_cast<int>(y);
-    const T right = place.x - x, upper = place.y - y;
-    const T weight[4] = {(T(1.0) - right) * (T(1.0) - upper), right * (T(1.0) - upper),
-                         (T(1.0) - right) * upper, right * upper};
-    T flux(0.0), ln_energy(0.0);
-    for (int corner = 0; corner < 4; ++corner) {
-      const int c = column + corner % 2, r = row + corner / 2;
-      if (c < 0 || r < 0 || c >= grid.columns || r >= grid.rows) continue;
-      const std::size_t at = static_cast<std::size_t>(r) * grid.columns + c;
-      flux = flux + weight[corner] * grid.flux_mw_m2[at];
-      if (!grid.ln_energy.empty()) ln_energy = ln_energy + weight[corner] * grid.ln_energy[at];
-    }
-    if (value_of(flux) == 0.0) return;
-    T rate[kMostLines];
-    rates(altitude_km(p), ln_energy, width, rate);
+    T light[kMostLines];
+    if (!light_at(point_of_ray(span.place_km, span.direction, span.square_km2, span.along_km, u), width,
+                  light))
+      return;
     double all = 0.0;
     for (int l = 0; l < profile_.lines(); ++l) {
-      const T light = flux * rate[l];
-      out.rayleigh[l] = out.rayleigh[l] + light;
-      all += value_of(light);
+      out.rayleigh[l] = out.rayleigh[l] + light[l];
+      all += value_of(light[l]);
     }
     out.weighted_km += all * (value_of(span.at_km) + value_of(u));
   }

@@ -102,6 +102,23 @@ TEST(NodeMap, LobesHaveTheirWaistTheirRadiusAndTheirEnds) {
   EXPECT_NEAR(nearest, 0.0, 1e-5);
 }
 
+TEST(NodeMap, LobesOfNoSizeAreStillNumbers) {
+  for (const double radius : {0.0, 0.5})
+    for (const double length : {0.0, 1.0}) {
+      Scene scene;
+      scene.nodes = {node_of("lobes", "lobes")};
+      scene.nodes[0].radius = radius;
+      scene.nodes[0].length = length;
+      scene.nodes[0].waist = 0.0;
+      const NodeMap<double> map(scene, plain_number);
+      for (const double up : {0.0, 0.5, 2.0}) {
+        const double point[3] = {0.0, up, 0.0};
+        EXPECT_TRUE(std::isfinite(map.distance(0, point))) << radius << ", " << length << ", " << up;
+        EXPECT_LE(map.hull(0, point), map.distance(0, point) + 1e-8) << "their least size is 1e-9";
+      }
+    }
+}
+
 TEST(NodeMap, ExactShapesFallNoFasterThanOneToOne) {
   const Scene scene = every_kind();
   const NodeMap<double> map(scene, plain_number);

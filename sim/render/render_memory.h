@@ -1,0 +1,50 @@
+// What pictures that follow each other have in common: a preview turns its camera, or changes one number, and
+// all else need not be worked out again.
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "sim/base/image.h"
+#include "sim/render/film.h"
+#include "sim/scene/scene.h"
+#include "sim/view/camera.h"
+
+namespace vegard::sim {
+
+/// Given to render() with one scene after the other. Each part is kept for as long as no table of the scene
+/// that it may depend on changes by a single digit, so that the picture is that of a render() without it.
+/// Files are read once: what changes in them later is not seen. Not for use by two threads at once.
+class RenderMemory {
+ public:
+  /// Of which scene the others are asked next; it must live as long.
+  void look_at(const Scene& scene, int threads);
+
+  /// The scene's beams laid out, and its volumes ready to be marched, on this film.
+  Exposer& exposer(const FilmGeometry& film);
+
+  /// As star_light() at the scene's own instants, and night_sky_light().
+  const Image& stars(const std::atomic<bool>* stop);
+  const Image& night_sky();
+
+ private:
+  template <class T>
+  struct Kept {
+    std::string key;
+    T value{};
+  };
+
+  std::shared_ptr<const Volumes> volumes();
+
+  const Scene* scene_ = nullptr;
+  int threads_ = 0;
+  std::map<std::string, std::string> tables_;  ///< the scene's text, by the table's name
+  Kept<std::shared_ptr<const Volumes>> volumes_;
+  Kept<std::unique_ptr<Exposer>> exposer_;
+  std::shared_ptr<const Volumes> volumes_of_exposer_;
+  Kept<Image> stars_, night_sky_;
+};
+
+}  // namespace vegard::sim
