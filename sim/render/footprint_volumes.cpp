@@ -1,9 +1,11 @@
 #include "sim/render/footprint_volumes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 #include <utility>
 
+#include "sim/emit/footprint/curtain_emitter.h"
 #include "sim/emit/footprint/footprint_emitter.h"
 #include "sim/emit/footprint/make_footprint.h"
 #include "sim/light/profile_table_by_flux.h"
@@ -47,6 +49,14 @@ std::unique_ptr<Emitter<T>> footprint_emitter(const Scene& scene, const Footprin
   const FootprintPictures pictures = footprint_pictures(files, f);
   constexpr bool kSlopes = !std::is_same_v<T, double>;
   EnergyRange range;
+  if (f.model == "curtain") {
+    for (const double energy : f.point_energy) {
+      range.least = std::min(range.least, std::log(energy));
+      range.most = std::max(range.most, std::log(energy));
+    }
+    const Profiles profiles = profiles_of(scene, f, range, kSlopes);
+    return curtain_emitter<T>(scene, f, profiles.usual, profiles.by_flux, number);
+  }
   if (f.shape == "shell") {
     CubeFootprint<double> map = make_cube_footprint(scene, f, pictures, threads);
     for (const FootprintGrid<double>& face : map.face) range.take(face);

@@ -56,6 +56,50 @@ class ScalarMarch {
     out.weighted_km *= kRayleighsPerKm * plain.step_km;
   }
 
+  /// A foot in texels.
+  template <class V>
+  struct Place {
+    V x, y;
+    bool is_there;
+  };
+
+  template <class V>
+  Place<V> place_of(const AirPoint<V>& p, const V axis[3], int face) const {
+    if (f_.way == FootWay::shell) {
+      const FacePlace<V> at = place_on_face(p, face);
+      return {at.u * f_.texels + f_.first_x, at.v * f_.texels + f_.first_y, value_of(at.ahead) > 1.0};
+    }
+    const PlaneFoot<V> foot = f_.way == FootWay::vertical ? foot_below(p)
+                              : f_.way == FootWay::field  ? foot_along(p, axis)
+                                                          : foot_of_dipole(p, axis);
+    return {foot.east_km * f_.texels + f_.first_x, foot.north_km * f_.texels + f_.first_y, foot.is_there};
+  }
+
+  /// Photons cm^-3 s^-1 per mW m^-2 of each line.
+  void rates(const T& altitude, const T& ln_energy, int width, T rate[]) const {
+    const T place = (altitude - profile_.bottom_km()) * (1.0 / HeightProfile::kStepKm);
+    const double most = profile_.rows() - 1;
+    const int row = static_cast<int>(std::clamp(std::floor(value_of(place)), 0.0, most - 1.0));
+    const T part = place - static_cast<double>(row);
+    if (profile_.energies() == 1) {
+      of_energy(0, width, row, part, ln_energy + f_.ln_energy_shift, rate);
+      return;
+    }
+    const T at = (ln_energy - profile_.ln_first()) * (1.0 / profile_.ln_step());
+    const double last = profile_.energies() - 1;
+    if (value_of(at) <= 0.0 || value_of(at) >= last) {
+      of_energy(value_of(at) <= 0.0 ? 0 : profile_.energies() - 1, width, row, part, f_.ln_energy_shift,
+                rate);
+      return;
+    }
+    const int energy = static_cast<int>(value_of(at));
+    T next[kMostLines];
+    of_energy(energy, width, row, part, f_.ln_energy_shift, rate);
+    of_energy(energy + 1, width, row, part, f_.ln_energy_shift, next);
+    const T share = at - static_cast<double>(energy);
+    for (int l = 0; l < profile_.lines(); ++l) rate[l] = rate[l] + share * (next[l] - rate[l]);
+  }
+
   /// Volume emission rates at a point, photons cm^-3 s^-1, by the profile's table of that width; false where
   /// there is none.
   bool light_at(const AirPoint<T>& p, int width, T light[]) const {
@@ -103,24 +147,6 @@ class ScalarMarch {
 
  private:
   template <class V>
-  struct Place {
-    V x, y;
-    bool is_there;
-  };
-
-  template <class V>
-  Place<V> place_of(const AirPoint<V>& p, const V axis[3], int face) const {
-    if (f_.way == FootWay::shell) {
-      const FacePlace<V> at = place_on_face(p, face);
-      return {at.u * f_.texels + f_.first_x, at.v * f_.texels + f_.first_y, value_of(at.ahead) > 1.0};
-    }
-    const PlaneFoot<V> foot = f_.way == FootWay::vertical ? foot_below(p)
-                              : f_.way == FootWay::field  ? foot_along(p, axis)
-                                                          : foot_of_dipole(p, axis);
-    return {foot.east_km * f_.texels + f_.first_x, foot.north_km * f_.texels + f_.first_y, foot.is_there};
-  }
-
-  template <class V>
   int face_of(const AirPoint<V>& p) const {
     return f_.way == FootWay::shell ? static_cast<int>(value_of(face_number(p))) : 0;
   }
@@ -162,30 +188,6 @@ class ScalarMarch {
       all += value_of(light[l]);
     }
     out.weighted_km += all * (value_of(span.at_km) + value_of(u));
-  }
-
-  void rates(const T& altitude, const T& ln_energy, int width, T rate[]) const {
-    const T place = (altitude - profile_.bottom_km()) * (1.0 / HeightProfile::kStepKm);
-    const double most = profile_.rows() - 1;
-    const int row = static_cast<int>(std::clamp(std::floor(value_of(place)), 0.0, most - 1.0));
-    const T part = place - static_cast<double>(row);
-    if (profile_.energies() == 1) {
-      of_energy(0, width, row, part, ln_energy + f_.ln_energy_shift, rate);
-      return;
-    }
-    const T at = (ln_energy - profile_.ln_first()) * (1.0 / profile_.ln_step());
-    const double last = profile_.energies() - 1;
-    if (value_of(at) <= 0.0 || value_of(at) >= last) {
-      of_energy(value_of(at) <= 0.0 ? 0 : profile_.energies() - 1, width, row, part, f_.ln_energy_shift,
-                rate);
-      return;
-    }
-    const int energy = static_cast<int>(value_of(at));
-    T next[kMostLines];
-    of_energy(energy, width, row, part, f_.ln_energy_shift, rate);
-    of_energy(energy + 1, width, row, part, f_.ln_energy_shift, next);
-    const T share = at - static_cast<double>(energy);
-    for (int l = 0; l < profile_.lines(); ++l) rate[l] = rate[l] + share * (next[l] - rate[l]);
   }
 
   /// `shift` is 0, with tangents.

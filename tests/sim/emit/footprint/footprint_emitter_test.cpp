@@ -1,9 +1,11 @@
 #include "sim/emit/footprint/footprint_emitter.h"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "march_case.h"
 #include "sim/base/earth.h"
@@ -209,6 +211,32 @@ TEST(FootprintEmitter, PassesOverNothingThatShines) {
     compare(scene, cube(256, patchy_globe), down);
   }
   EXPECT_GT(later, 30);  // so something was passed over
+}
+
+TEST(FootprintEmitter, GivesTheSameBitsOnEveryInstructionSet) {
+  const Rays up = sky(100, 31, 1.0, 89.0), down = sky(100, 32, -80.0, 20.0);
+  Scene box = scene_at(0.0, "box", "field"), dipole = box, shell = scene_at(400.0, "shell");
+  dipole.field.model = "dipole";
+  auto map = plane(-300.0, -250.0, 1.0, 600, 550, patchy);
+  const auto of_box = emitter(box, map, maxwellian()), of_dipole = emitter(dipole, map, maxwellian());
+  const auto of_shell = emitter(shell, cube(256, patchy_globe), maxwellian());
+  const auto all = [&] {
+    std::vector<double> light;
+    for (const auto& [rays, from] :
+         {std::pair{&up, of_box.get()}, {&up, of_dipole.get()}, {&down, of_shell.get()}}) {
+      const Light seen = rays->through(*from, 3);
+      light.insert(light.end(), seen.rayleigh.begin(), seen.rayleigh.end());
+      light.insert(light.end(), seen.depth_km.begin(), seen.depth_km.end());
+    }
+    return light;
+  };
+  const std::vector<double> here = all();
+  for (const std::int64_t target : {std::int64_t{HWY_SSE4}, std::int64_t{HWY_AVX2}, std::int64_t{HWY_AVX3}}) {
+    if ((hwy::SupportedTargets() & target) == 0) continue;
+    hwy::SetSupportedTargetsForTest(target);
+    EXPECT_EQ(all(), here) << hwy::TargetName(target);
+    hwy::SetSupportedTargetsForTest(0);
+  }
 }
 
 TEST(FootprintEmitter, HasNoSeamsBetweenTheFaces) {

@@ -1,0 +1,243 @@
+#include "sim/emit/footprint/curtain_emitter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "sim/emit/aurora/beam.h"
+#include "sim/emit/aurora/dipole.h"
+#include "sim/emit/footprint/curve.h"
+#include "sim/emit/footprint/scalar_march.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr double kSqrtTwoPi = 2.5066282746310002;
+constexpr double kLeastCosine = 0.052;  // 3 degrees
+constexpr double kPieceKm = 4.0;
+constexpr double kFootRadius = kEarthRadiusKm + kFootAltitudeKm;
+
+double logarithm(double x) { return std::log(x); }
+FreeDual logarithm(const FreeDual& x) { return {std::log(x.v), x.d * (1.0 / x.v)}; }
+
+template <class T>
+using Vector = std::array<T, 3>;
+
+template <class T>
+T dot(const Vector<T>& a, const Vector<T>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+template <class T>
+Vector<T> cross(const Vector<T>& a, const Vector<T>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+template <class T>
+Vector<T> times(const Vector<T>& a, const T& s) {
+  return {a[0] * s, a[1] * s, a[2] * s};
+}
+template <class T>
+Vector<T> minus(const Vector<T>& a, const Vector<T>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+/// A piece of a wall, about the Earth's centre.
+template <class T>
+struct Wall {
+  Vector<T> from, way;  ///< feet of its two edges
+  Vector<T> normal;     ///< of length 1
+  T beyond;             ///< normal . from
+  T thickness_km;       ///< along the normal, of flux 1
+  T flux[2], ln_energy[2];
+};
+
+template <class T>
+class CurtainEmitter : public Emitter<T> {
+ public:
+  CurtainEmitter(const Scene& scene, const Footprint& f, const ProfileTable& profiles,
+                 const ProfileTable& by_flux, const NumberAs<T>& number)
+      : profile_(profiles, f.top_km, 0.0),
+        rays_(scene, f, profile_.bottom_km()),
+        foot_(of_profile(profile_)),
+        marcher_(foot_) {
+    foot_.ln_energy_shift = (number(f.energy_kev) - f.energy_kev) * (1.0 / f.energy_kev);
+    foot_.flux_shift = number(f.energy_flux_mw_m2) - f.energy_flux_mw_m2;
+    if (!by_flux.of_energy.empty()) {
+      by_flux_ = std::make_unique<StepProfile>(by_flux, f.top_km, 0.0);
+      foot_.profile_by_flux = by_flux_.get();
+    }
+    set_way(scene, f, number);
+    build(f, number);
+  }
+  CurtainEmitter(const CurtainEmitter&) = delete;
+  CurtainEmitter& operator=(const CurtainEmitter&) = delete;
+
+  void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override {
+    for (std::size_t i = 0; i < rays.count; ++i) {
+      const T enu[3] = {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]};
+      MarchSpanOf<T> spans[2];
+      const int count = rays_.cut(enu, rays.end_km[i], spans);
+      double light = 0.0, weighted = 0.0;
+      for (int s = 0; s < count; ++s)
+        for (const Wall<T>& wall : walls_) add(wall, spans[s], i, rays.count, out, light, weighted);
+      if (light > 0.0) out.depth_km[i] = weighted / light;
+    }
+  }
+
+ private:
+  static ScalarFootprint<T, double> of_profile(const StepProfile& profile) {
+    ScalarFootprint<T, double> foot;
+    foot.profile = &profile;
+    return foot;
+  }
+
+  void set_way(const Scene& scene, const Footprint& f, const NumberAs<T>& number) {
+    for (T& axis : foot_.axis) axis = T(0.0);
+    foot_.way = FootWay::vertical;
+    if (f.shape == "shell") {
+      foot_.way = FootWay::shell;
+    } else if (f.fall == "field" && scene.field.model == "dipole") {
+      foot_.way = FootWay::dipole;
+      const DipoleAxis axis = dipole_axis(scene.field, scene.site);
+      for (int i = 0; i < 3; ++i) foot_.axis[i] = T(axis.in_enu[i]);
+    } else if (f.fall == "field") {
+      foot_.way = FootWay::field;
+      const FallFrame<T> frame = fall_frame<T>(number(scene.field.inclination_deg) * kRadiansPerDegree,
+                                               number(scene.field.declination_deg) * kRadiansPerDegree);
+      for (int i = 0; i < 3; ++i) foot_.axis[i] = frame.along[i];
+    }
+  }
+
+  struct Edge {
+    Vector<T> foot;
+    T flux, ln_energy;
+  };
+
+  void build(const Footprint& f, const NumberAs<T>& number) {
+    std::vector<Edge> edges;
+    const auto cargo = [&](std::size_t i, auto& point) {
+      point.flux = number(f.energy_flux_mw_m2);
+      if (!f.point_flux.empty()) point.flux = point.flux * number(f.point_flux[i]);
+      point.ln_energy = f.point_energy.empty() ? T(0.0) : logarithm(number(f.point_energy[i]));
+    };
+    if (foot_.way == FootWay::shell) {
+      std::vector<CurvePoint<T, 3>> points(f.latitude_deg.size());
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const double lat = f.latitude_deg[i] * kRadiansPerDegree,
+                     lon = f.longitude_deg[i] * kRadiansPerDegree;
+        points[i].at = {T(kFootRadius * std::cos(lat) * std::cos(lon)),
+                        T(kFootRadius * std::cos(lat) * std::sin(lon)), T(kFootRadius * std::sin(lat))};
+        cargo(i, points[i]);
+      }
+      for (const auto& piece : curve_pieces<T, 3>(points, f.closed, kPieceKm * 4.0, true))
+        edges.push_back({piece.middle.at, piece.middle.flux, piece.middle.ln_energy});
+    } else {
+      std::vector<CurvePoint<T, 2>> points(f.east_km.size());
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i].at = {number(f.center_km.east) + number(f.east_km[i]),
+                        number(f.center_km.north) + number(f.north_km[i])};
+        cargo(i, points[i]);
+      }
+      for (const auto& piece : curve_pieces<T, 2>(points, f.closed, kPieceKm, false)) {
+        const T &e = piece.middle.at[0], &n = piece.middle.at[1];
+        const T height2 = T(kFootRadius * kFootRadius) - e * e - n * n;
+        if (value_of(height2) > 1.0)
+          edges.push_back({{e, n, square_root(height2)}, piece.middle.flux, piece.middle.ln_energy});
+      }
+    }
+    const std::size_t count = edges.size();
+    for (std::size_t i = 0; count > 1 && i < (f.closed ? count : count - 1); ++i)
+      stand(edges[i], edges[(i + 1) % count], number(f.width_km));
+  }
+
+  void stand(const Edge& a, const Edge& b, const T& width_km) {
+    Wall<T> wall;
+    wall.from = a.foot;
+    wall.way = minus(b.foot, a.foot);
+    Vector<T> along = times(a.foot, T(-1.0 / kFootRadius));
+    const Vector<T> up = times(along, T(-1.0));
+    if (foot_.way == FootWay::field) along = {foot_.axis[0], foot_.axis[1], foot_.axis[2]};
+    if (foot_.way == FootWay::dipole) {
+      T direction[3];
+      dipole_fall(foot_.axis, PlaneFoot<T>{a.foot[0], a.foot[1], true}, direction);
+      along = {direction[0], direction[1], direction[2]};
+    }
+    const Vector<T> normal = cross(wall.way, along), level = cross(wall.way, up);
+    const T size2 = dot(normal, normal), level2 = dot(level, level);
+    if (value_of(size2) < 1e-12 || value_of(level2) < 1e-12) return;
+    wall.normal = times(normal, 1.0 / square_root(size2));
+    wall.beyond = dot(wall.normal, wall.from);
+    const T tilt = dot(wall.normal, level) / square_root(level2);
+    wall.thickness_km = width_km * kSqrtTwoPi * (value_of(tilt) < 0.0 ? -tilt : tilt);
+    wall.flux[0] = a.flux, wall.flux[1] = b.flux;
+    wall.ln_energy[0] = a.ln_energy, wall.ln_energy[1] = b.ln_energy;
+    walls_.push_back(wall);
+  }
+
+  void add(const Wall<T>& wall, const MarchSpanOf<T>& span, std::size_t ray, std::size_t rays,
+           const BundleLight<T>& out, double& light, double& weighted) const {
+    const Vector<T> place = {span.place_km[0], span.place_km[1], span.place_km[2]};
+    const Vector<T> direction = {span.direction[0], span.direction[1], span.direction[2]};
+    const T cosine = dot(wall.normal, direction);
+    if (std::fabs(value_of(cosine)) < 1e-9) return;
+    const T u = (wall.beyond - dot(wall.normal, place)) / cosine;
+    if (std::fabs(value_of(u)) > -value_of(span.first_km)) return;
+    const AirPoint<T> p = point_of_ray(span.place_km, span.direction, span.square_km2, span.along_km, u);
+    T share(0.0), stretch(1.0);
+    if (foot_.way == FootWay::shell) {
+      const T scale = T(kFootRadius) / radius_km(p);
+      const Vector<T> foot = {p.x[0] * scale, p.x[1] * scale, p.x[2] * scale};
+      share = dot(minus(foot, wall.from), wall.way) / dot(wall.way, wall.way);
+    } else {
+      const auto foot = marcher_.place_of(p, foot_.axis, 0);
+      if (!foot.is_there) return;
+      const T &e = wall.way[0], &n = wall.way[1];
+      share = ((foot.x - wall.from[0]) * e + (foot.y - wall.from[1]) * n) / (e * e + n * n);
+    }
+    if (!(value_of(share) >= 0.0 && value_of(share) < 1.0)) return;
+    // Straight down, what is a kilometre wide at the foot is wider higher up.
+    if (foot_.way == FootWay::shell || foot_.way == FootWay::vertical)
+      stretch = radius_km(p) * (1.0 / kFootRadius);
+    const T size = value_of(cosine) < 0.0 ? -cosine : cosine;
+    const T incidence = value_of(size) < kLeastCosine ? T(kLeastCosine) : size;
+    const T flux = wall.flux[0] + share * (wall.flux[1] - wall.flux[0]);
+    T rate[kMostLines];
+    marcher_.rates(altitude_km(p), wall.ln_energy[0] + share * (wall.ln_energy[1] - wall.ln_energy[0]), 0,
+                   rate);
+    const T path = flux * wall.thickness_km * stretch / incidence * kRayleighsPerKm;
+    const double at_km = value_of(span.at_km) + value_of(u);
+    out.entry_km[ray] = std::min(out.entry_km[ray], at_km);
+    for (int l = 0; l < out.lines; ++l) {
+      T& sum = out.rayleigh[l * rays + ray];
+      const T seen = path * rate[l];
+      sum = sum + seen;
+      light += value_of(seen);
+      weighted += value_of(seen) * at_km;
+    }
+  }
+
+  StepProfile profile_;
+  std::unique_ptr<StepProfile> by_flux_;
+  MarchRays rays_;
+  ScalarFootprint<T, double> foot_;
+  ScalarMarch<T, double> marcher_;
+  std::vector<Wall<T>> walls_;
+};
+
+}  // namespace
+
+template <class T>
+std::unique_ptr<Emitter<T>> curtain_emitter(const Scene& scene, const Footprint& footprint,
+                                            const ProfileTable& profiles, const ProfileTable& by_flux,
+                                            const NumberAs<T>& number) {
+  return std::make_unique<CurtainEmitter<T>>(scene, footprint, profiles, by_flux, number);
+}
+
+template std::unique_ptr<Emitter<double>> curtain_emitter(const Scene&, const Footprint&, const ProfileTable&,
+                                                          const ProfileTable&, const NumberAs<double>&);
+template std::unique_ptr<Emitter<FreeDual>> curtain_emitter(const Scene&, const Footprint&,
+                                                            const ProfileTable&, const ProfileTable&,
+                                                            const NumberAs<FreeDual>&);
+
+}  // namespace vegard::sim

@@ -1,0 +1,91 @@
+#include "sim/emit/footprint/curtain_emitter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "march_case.h"
+
+namespace vegard::sim {
+namespace {
+
+using namespace march_case;
+
+std::unique_ptr<Emitter<double>> curtain(const Scene& scene) {
+  return curtain_emitter<double>(scene, scene.footprints[0], maxwellian(), {},
+                                 [](const double& x) { return x; });
+}
+
+/// A straight arc to the north, from the west to the east.
+Scene arc(const char* fall, double width_km = 2.0) {
+  Scene scene = scene_at(0.0, "box", fall);
+  Footprint& f = scene.footprints[0];
+  f.model = "curtain";
+  f.center_km = {0.0, 120.0};
+  f.east_km = {-150.0, -40.0, 30.0, 150.0};
+  f.north_km = {0.0, 0.0, 0.0, 0.0};
+  f.width_km = width_km;
+  return scene;
+}
+
+TEST(CurtainEmitter, SeenFaceOnHasTheLightOfTheVolume) {
+  for (const std::string fall : {"vertical", "field", "dipole"}) {
+    Scene scene = arc(fall == "dipole" ? "field" : fall.c_str());
+    if (fall == "dipole") scene.field.model = "dipole";
+    scene.march.step_km = 0.5;
+    const auto map = plane(-150.0, 100.0, 0.5, 600, 80, [](double, double north) {
+      return 5.0 * std::exp(-0.5 * std::pow((north - 120.0) / 2.0, 2));
+    });
+    // All altitudes, since the volume is seen a little above and below where the wall is.
+    Rays rays;
+    for (int i = 0; i < 280; ++i) rays.add(10.0 + 0.25 * i, 3.0);
+    const Light wall = rays.through(*curtain(scene), 3),
+                volume = rays.through(*emitter(scene, map, maxwellian()), 3);
+    double of_wall = 0.0, of_volume = 0.0, weighted = 0.0;
+    for (std::size_t i = 0; i < rays.count(); ++i) {
+      of_wall += wall.rayleigh[rays.count() + i];
+      of_volume += volume.rayleigh[rays.count() + i];
+      if (volume.rayleigh[rays.count() + i] > 1000.0)
+        weighted = std::max(weighted, std::abs(wall.depth_km[i] / volume.depth_km[i] - 1.0));
+    }
+    EXPECT_GT(of_volume, 1e4);
+    EXPECT_NEAR(of_wall / of_volume, 1.0, 0.01) << fall;
+    EXPECT_LT(weighted, 0.02) << fall;
+  }
+}
+
+TEST(CurtainEmitter, IsSeenFromBothSidesAndNotBeyondItsEnds) {
+  const auto wall = curtain(arc("vertical"));
+  Scene beyond = arc("vertical");
+  beyond.footprints[0].center_km.north = -120.0;
+  Rays north, south;
+  north.add(40.0, 0.0);
+  north.add(40.0, 75.0);  // passes the end
+  south.add(40.0, 180.0);
+  south.add(40.0, 105.0);
+  const Light front = north.through(*wall, 3), back = south.through(*curtain(beyond), 3);
+  EXPECT_GT(front.rayleigh[2], 100.0);
+  EXPECT_NEAR(front.rayleigh[2] / back.rayleigh[2], 1.0, 1e-9);
+  EXPECT_EQ(front.rayleigh[3], 0.0);
+  EXPECT_EQ(south.through(*wall, 3).rayleigh[2], 0.0);
+}
+
+TEST(CurtainEmitter, IsNoBrighterAlongItselfThanAtThreeDegrees) {
+  // From below the wall, along it: the path stays that at the least angle.
+  Scene scene = arc("vertical");
+  scene.footprints[0].center_km.north = 0.001;
+  Rays rays;
+  rays.add(60.0, 89.99);
+  const Light light = rays.through(*curtain(scene), 3);
+  const double path = 5.0 * 2.0 * 2.5066 / 0.052;
+  double most = 0.0;
+  const ProfileTable profiles = maxwellian();
+  for (int row = 0; row < HeightProfile::kAltitudes; ++row)
+    most = std::max(most,
+                    static_cast<double>(profiles.of_energy[0].rate[static_cast<std::size_t>(row) * 4 + 1]));
+  EXPECT_LE(light.rayleigh[1], 1.1 * kRayleighsPerKm * path * most);
+}
+
+}  // namespace
+}  // namespace vegard::sim
