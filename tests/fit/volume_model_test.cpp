@@ -7,8 +7,11 @@
 #include <vector>
 
 #include "fit/profile_model.h"
+#include "sim/base/vdb_io.h"
+#include "sim/render/scene_grid.h"
 #include "sim/scene/parameter_table.h"
 #include "sim/scene/scene_toml.h"
+#include "tests/support/temporary_folder.h"
 
 namespace vegard::fit {
 namespace {
@@ -115,7 +118,7 @@ void expect_derivatives(const sim::Scene& scene, const std::vector<Step>& steps)
 TEST(VolumeModel, HasTheDerivativesOfANebulaWithTurbulence) {
   expect_derivatives(sim::parse_scene(std::string(kCamera) + kNebula, "nebula.toml"),
                      {{"nebula.nebula.position_angle_deg", 0.05},
-                      {"nebula.nebula.azimuth_deg", 1e-3},
+                      {"nebula.nebula.azimuth_deg", 2e-4},
                       {"nebula.nebula.distance_pc", 1.0},
                       {"nebula.nebula.edge", 1e-3},
                       {"nebula.nebula.inner_rayleigh.5007", 100.0},
@@ -125,9 +128,78 @@ TEST(VolumeModel, HasTheDerivativesOfANebulaWithTurbulence) {
                       {"node.lobes.radius", 2e-3},
                       {"node.rough.amplitude", 1e-3},
                       {"node.belt.angles_deg.right", 0.1},
-                      {"camera.azimuth_deg", 1e-3},
+                      {"camera.azimuth_deg", 2e-4},
                       {"camera.hfov_deg", 1e-4},
                       {"blur.width_deg.6563", 1e-4}});
+}
+
+const char* const kArc = R"(
+[camera]
+width = 72
+height = 54
+hfov_deg = 80
+elevation_deg = 28
+[blur]
+width_deg = [1.0, 0.5, 0.2]
+[[footprint]]
+size_km = [700, 200]
+cell_km = 4
+east_km = [-300, -140, 0, 130, 300]
+north_km = [12, -20, 16, 30, -12]
+width_km = 10
+energy_kev = 4
+point_energy = [1, 1, 1.2, 1, 1]
+point_flux = [1, 1.5, 1, 1, 1]
+)";
+
+const std::vector<Step> kNumbersOfArc = {
+    {"footprint.arc.north_km.1", 0.1},      {"footprint.arc.north_km.2", 0.1},
+    {"footprint.arc.east_km.3", 0.3},       {"footprint.arc.center_km.east", 0.3},
+    {"footprint.arc.center_km.north", 0.1}, {"footprint.arc.width_km", 0.05},
+    {"footprint.arc.energy_kev", 0.02},     {"footprint.arc.energy_flux_mw_m2", 0.05},
+    {"footprint.arc.point_flux.1", 0.02},   {"footprint.arc.point_energy.2", 0.005},
+    {"camera.azimuth_deg", 0.02},           {"camera.elevation_deg", 0.02},
+    {"field.inclination_deg", 0.02}};
+
+TEST(VolumeModel, HasTheDerivativesOfAFootprint) {
+  expect_derivatives(sim::parse_scene(kArc, "arc.toml"), kNumbersOfArc);
+}
+
+// Softened, and not marched at every cell where light alone is asked for.
+TEST(VolumeModel, HasTheDerivativesOfASoftenedFootprint) {
+  const std::string march = "[march]\nshrink = 3\nsmooth_px = 1.5\nglow = 0.2\nglow_deg = 3\n";
+  expect_derivatives(sim::parse_scene(kArc + march, "arc.toml"),
+                     {{"footprint.arc.north_km.1", 0.1}, {"footprint.arc.energy_kev", 0.02}});
+}
+
+// Numbers of sheets and of footprints together, each at its own place in the list.
+TEST(VolumeModel, HasTheDerivativesOfSheetsBesideAFootprint) {
+  const std::string sheet =
+      "[[sheet]]\ncenter_km = [0.0, 160.0]\nbeams = 500\nlayers = 1\nwidth_km = 8\n"
+      "[emission]\nflux_law = 'linear'\n";
+  expect_derivatives(sim::parse_scene(kArc + sheet, "arc.toml"), {{"footprint.arc.north_km.1", 0.1},
+                                                                  {"sheet.main.center_km.north", 0.02},
+                                                                  {"sheet.main.energy_flux_mw_m2", 0.05},
+                                                                  {"footprint.arc.width_km", 0.05}});
+}
+
+// The arc in voxels of 8 km. Light is linear between voxels' centres, so its slope has steps: a short step
+// keeps to one side of most.
+TEST(VolumeModel, HasTheDerivativesOfAGrid) {
+  const tests::TemporaryFolder folder;
+  sim::Scene scene = sim::parse_scene(kArc, folder / "arc.toml");
+  sim::SceneGridOptions options;
+  options.voxel = 8.0;
+  sim::SceneGrid made = sim::grid_of_scene(scene, options);
+  sim::write_vdb(folder / "arc.vdb", std::move(made.grid), {}, {});
+  scene.footprints.clear();
+  scene.volumes.resize(1);
+  scene.volumes[0].file = "arc.vdb";
+  scene.volumes[0].gain = 2.0;
+  expect_derivatives(scene, {{"volume.volume.gain", 0.01},
+                             {"volume.volume.shift_km.north", 0.05},
+                             {"volume.volume.shift_km.up", 0.05},
+                             {"camera.elevation_deg", 0.01}});
 }
 
 }  // namespace

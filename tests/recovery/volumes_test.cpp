@@ -41,6 +41,21 @@ FitResult recovered(const std::string& folder) {
   return result;
 }
 
+// Q is told by the gain, to the 5 % of the scene's calibration_error: truth and start say the same gain.
+TEST(VolumeRecovery, FindsAnArcByItsFootprintAgain) {
+  const FitResult result = recovered("arc");
+  EXPECT_NE(result.verdict, Verdict::failed);
+  bool has_flux = false;
+  for (const DerivedNumber& d : result.derived) {
+    if (d.name != "energy flux Q of the arc footprint") continue;
+    has_flux = true;
+    ASSERT_TRUE(d.sigma);
+    std::printf("  %s %s, true 8\n", d.name.c_str(), number_with_error(d.value, d.sigma).c_str());
+    EXPECT_NEAR(d.value, 8.0, *d.sigma) << "5 % of calibration, of which there is no error here";
+  }
+  EXPECT_TRUE(has_flux);
+}
+
 TEST(VolumeRecovery, FindsALobedNebulaAgain) {
   const FitResult result = recovered("lobes");
   EXPECT_NE(result.verdict, Verdict::failed);
