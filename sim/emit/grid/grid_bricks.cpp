@@ -70,7 +70,7 @@ int floor_of(int brick) { return brick >= 0 ? brick / kCoarse : -((-brick + kCoa
 GridBricks::GridBricks(const SparseGrid& grid, const std::vector<int>& emission, int density,
                        const std::string& file, const Site& site, const Site& observer)
     : lines_(static_cast<int>(emission.size())),
-      stride_(lines_ <= 2   ? 2
+      stride_(lines_ <= 2   ? lines_
               : lines_ <= 4 ? 4
                             : 8),
       voxel_km_(grid.voxel),
@@ -97,7 +97,7 @@ GridBricks::GridBricks(const SparseGrid& grid, const std::vector<int>& emission,
     throw Error(ErrorKind::unreadable_input, {"its voxels lie too far apart for their size", file, 0, "",
                                               "fewer than 10^13 voxels in the box", ""});
   coarse_.assign(static_cast<std::size_t>(cells), -1);
-  emission_.assign(count_ * kVoxels * stride_, 0.0f);
+  emission_.assign((count_ * kVoxels) * stride_, 0.0f);
   if (density >= 0) density_.assign(count_ * kVoxels, 0.0f);
   std::int32_t index = 0;
   for (const BrickCoordinate& b : lit) {

@@ -27,7 +27,7 @@ class GridBricks {
   static constexpr int kEdge = SparseGrid::kEdge;
   static constexpr int kSide = kEdge + 1;  ///< voxels along the edge of a brick with its neighbours
   static constexpr int kVoxels = kSide * kSide * kSide;
-  static constexpr int kCoarse = 8;  ///< bricks along the edge of a coarse cell
+  static constexpr int kCoarse = 4;  ///< bricks along the edge of a coarse cell
 
   /// The emission of line l is channel emission[l] of the grid, -1 for none; `density` likewise. `site` is
   /// where the grid's own frame is at home, `observer` that of the scene. Throws Error(unreadable_input) for
@@ -36,7 +36,7 @@ class GridBricks {
              const Site& site, const Site& observer);
 
   int lines() const { return lines_; }
-  int stride() const { return stride_; }  ///< numbers per voxel: 2, 4 or 8
+  int stride() const { return stride_; }  ///< numbers per voxel: 1, 2, 4 or 8
   double voxel_km() const { return voxel_km_; }
   bool has_density() const { return !density_.empty(); }
   bool empty() const { return count_ == 0; }

@@ -71,8 +71,8 @@ RayLight<N> march_ray(const GridBricks& grid, const GridRay& ray, double end_km,
   walk_bricks(grid, ray, end_km, [&](std::int32_t brick, const int at[3], double enter, double leave) {
     out.entry_km = std::min(out.entry_km, enter);
     const float* emission = grid.emission(brick);
-    const std::int64_t end = first_sample(leave, step_km);
-    for (std::int64_t k = first_sample(enter, step_km); k < end; ++k) {
+    const std::int64_t end = first_sample(leave, 1.0 / step_km);
+    for (std::int64_t k = first_sample(enter, 1.0 / step_km); k < end; ++k) {
       const double t = (static_cast<double>(k) + 0.5) * step_km;
       double local[3];
       for (int a = 0; a < 3; ++a) local[a] = ray.from[a] + t * ray.along[a] - GridBricks::kEdge * at[a];
@@ -141,6 +141,7 @@ void GridEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>& out) 
         for (std::size_t i = 0; i < n; ++i) {
           along_of(first + i, way[i].along);
           for (int a = 0; a < 3; ++a) way[i].from[a] = from_[a];
+          way[i].aim();
         }
         march_grid(grid_, n, way, rays.end_km + first, step_km_, sums);
         for (std::size_t i = 0; i < n; ++i) {
@@ -170,6 +171,7 @@ void GridEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>& out) 
       way.from[a] = value_of(from_[a]);
       way.along[a] = value_of(along[a]);
     }
+    way.aim();
     input[6] = extinction_;
     const RayLight<N> sum = march_ray<N>(grid_, way, rays.end_km[r], step_km_, absorbs_, extinction);
     for (int l = 0; l < out.lines; ++l) {

@@ -1,4 +1,4 @@
-// The way of a ray through bricks: from one to the next, and over what is empty in strides of eight.
+// The way of a ray through bricks: from one to the next, and over what is empty in strides of four.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +13,11 @@ namespace vegard::sim {
 /// A ray in voxels: at a distance t, in km, it is at from + t along.
 struct GridRay {
   double from[3], along[3];
+  double inverse[3];  ///< of `along`
+
+  void aim() {
+    for (int a = 0; a < 3; ++a) inverse[a] = 1.0 / along[a];
+  }
 };
 
 /// The cells of a lattice of pitch `edge` that a ray meets between `begin` and `end`, in their order, after
@@ -20,19 +25,24 @@ struct GridRay {
 /// use(cell, begin of it, end of it) for those inside [low, high). Where one ends the next begins, to the
 /// last bit.
 template <class Use>
-void walk_cells(const GridRay& ray, double edge, const int low[3], const int high[3], double begin,
-                double end, const Use& use) {
-  int cell[3];
-  double inverse[3], next[3];
-  const auto boundary = [&](int a) {
-    return ray.along[a] == 0.0 ? std::numeric_limits<double>::infinity()
-                               : ((cell[a] + (ray.along[a] > 0.0 ? 1 : 0)) * edge - ray.from[a]) * inverse[a];
-  };
+inline void walk_cells(const GridRay& ray, double edge, const int low[3], const int high[3], double begin,
+                       double end, const Use& use) {
+  int cell[3], to[3];  // `to`: how many cells are left along each axis
+  double next[3], pitch[3];
+  int up[3];
   for (int a = 0; a < 3; ++a) {
-    inverse[a] = 1.0 / ray.along[a];
-    const double at = std::floor((ray.from[a] + begin * ray.along[a]) / edge);
+    const double at = std::floor((ray.from[a] + begin * ray.along[a]) * (1.0 / edge));
     cell[a] = static_cast<int>(std::clamp(at, static_cast<double>(low[a]), static_cast<double>(high[a] - 1)));
-    next[a] = boundary(a);
+    if (ray.along[a] == 0.0) {
+      next[a] = pitch[a] = std::numeric_limits<double>::infinity();
+      up[a] = 0;
+      to[a] = 0;
+      continue;
+    }
+    up[a] = ray.along[a] > 0.0 ? 1 : -1;
+    to[a] = up[a] > 0 ? high[a] - 1 - cell[a] : cell[a] - low[a];
+    pitch[a] = edge * std::abs(ray.inverse[a]);
+    next[a] = ((cell[a] + (up[a] > 0 ? 1 : 0)) * edge - ray.from[a]) * ray.inverse[a];
   }
   double t = begin;
   while (t < end) {
@@ -42,9 +52,9 @@ void walk_cells(const GridRay& ray, double edge, const int low[3], const int hig
       use(cell, t, leave);
       t = leave;
     }
-    cell[a] += ray.along[a] > 0.0 ? 1 : -1;
-    if (cell[a] < low[a] || cell[a] >= high[a]) return;
-    next[a] = boundary(a);
+    if (--to[a] < 0) return;
+    cell[a] += up[a];
+    next[a] += pitch[a];
   }
 }
 
@@ -63,7 +73,7 @@ void walk_bricks(const GridBricks& grid, const GridRay& ray, double end_km, cons
       if (first > 0.0 || last < 0.0) return;
       continue;
     }
-    const double one = first / ray.along[a], other = last / ray.along[a];
+    const double one = first * ray.inverse[a], other = last * ray.inverse[a];
     begin = std::max(begin, std::min(one, other));
     end = std::min(end, std::max(one, other));
   }
@@ -85,8 +95,8 @@ void walk_bricks(const GridBricks& grid, const GridRay& ray, double end_km, cons
 }
 
 /// Samples stand in the middles of steps counted from the ray's beginning: the first one not before t.
-inline std::int64_t first_sample(double t, double step_km) {
-  return static_cast<std::int64_t>(std::ceil(t / step_km - 0.5));
+inline std::int64_t first_sample(double t, double steps_per_km) {
+  return static_cast<std::int64_t>(std::ceil(t * steps_per_km - 0.5));
 }
 
 }  // namespace vegard::sim

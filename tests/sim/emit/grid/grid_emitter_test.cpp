@@ -92,7 +92,7 @@ TEST(GridEmitter, SumsWhatTheVoxelsHold) {
       of.push_back([l](const double at[3]) { return static_cast<float>((l + 1) * bumps(at)); });
     const SparseGrid grid = filled(-5, 14, 0.31, of);
     const GridBricks bricks = bricks_of(grid, lines);
-    EXPECT_EQ(bricks.stride(), lines == 1 ? 2 : lines == 3 ? 4 : 8);
+    EXPECT_EQ(bricks.stride(), lines == 1 ? 1 : lines == 3 ? 4 : 8);
     Volume volume;
     volume.gain = 2.0;
     volume.step_voxels = 0.37;
@@ -155,7 +155,7 @@ TEST(GridEmitter, EmptySpaceIsPassedOver) {
   };
   EXPECT_GT(light(near), 0.0);
   EXPECT_GT(light(far), 0.0);
-  EXPECT_NEAR(light(both), light(near) + light(far), 1e-12);
+  EXPECT_NEAR(light(both), light(near) + light(far), 1e-6 * light(both));  // sums of some forty floats
 }
 
 TEST(GridEmitter, ASlabAbsorbsAsItMust) {

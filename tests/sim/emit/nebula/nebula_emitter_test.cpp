@@ -33,8 +33,7 @@ TEST(NebulaEmitter, AUniformSphereShinesAsLongAsItsChord) {
     EXPECT_EQ(light.rayleigh[1], light.rayleigh[0]);
     EXPECT_EQ(light.kept[0], 1.0);
     EXPECT_NEAR(light.depth_km / kKmPerParsec, std::sqrt(2500.0 - b * b), kStep);
-    EXPECT_NEAR(light.entry_km / kKmPerParsec,
-                std::sqrt(2500.0 - b * b) - std::sqrt(8.0 - b * b), 1e-9);
+    EXPECT_NEAR(light.entry_km / kKmPerParsec, std::sqrt(2500.0 - b * b) - std::sqrt(8.0 - b * b), 1e-9);
   }
   EXPECT_EQ(light_along(scene, 1.1, 0.0).rayleigh[0], 0.0);
 }
