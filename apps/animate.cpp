@@ -166,8 +166,8 @@ int run(const Options& options) {
   check_picture_options(names.file(0), options.picture);
   spare_input(options, names, options.scene.file, "the scene");
   spare_input(options, names, options.scene.camera_file, "the camera's file");
-  for (const std::string& file : composite_files(scene))
-    spare_input(options, names, file, "a picture of the scene");
+  for (const std::string& file : picture_files(scene))
+    spare_input(options, names, file, "a file that the scene reads");
   if (movie) check_movie(options, scene);
   std::string camera;
   if (options.camera_json) {

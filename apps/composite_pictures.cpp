@@ -5,6 +5,7 @@
 #include "apps/scene_place.h"
 #include "sim/base/error.h"
 #include "sim/base/image_io.h"
+#include "sim/scene/named_files.h"
 
 namespace vegard::apps {
 namespace {
@@ -59,11 +60,10 @@ sim::CompositePictures read_composite_pictures(const sim::Scene& scene) {
   return pictures;
 }
 
-std::vector<std::string> composite_files(const sim::Scene& scene) {
+std::vector<std::string> picture_files(const sim::Scene& scene) {
   std::vector<std::string> files;
-  for (const std::string& name :
-       {scene.composite.background, scene.composite.foreground, scene.composite.mask})
-    if (!name.empty()) files.push_back(beside_scene(scene, name));
+  for (const sim::NamedFile& named : sim::named_files(scene))
+    for (const std::string& name : sim::files_of_name(named.name)) files.push_back(beside_scene(scene, name));
   return files;
 }
 

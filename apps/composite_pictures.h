@@ -15,7 +15,7 @@ namespace vegard::apps {
 /// for a foreground that would hide the whole sky, having neither.
 sim::CompositePictures read_composite_pictures(const sim::Scene& scene);
 
-/// The files' names, of those that are given.
-std::vector<std::string> composite_files(const sim::Scene& scene);
+/// The names of all files beside tables that the scene reads, those of volumes and of march.depth included.
+std::vector<std::string> picture_files(const sim::Scene& scene);
 
 }  // namespace vegard::apps

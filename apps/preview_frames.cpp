@@ -36,7 +36,7 @@ const char* const kPattern = "frame_####.png";
 /// A folder that holds anything else than a preview's frames would be lost with them.
 void check_folder(const sim::Scene& scene, const PreviewOptions& options) {
   const FrameNames names(kPattern);
-  for (const std::string& input : composite_files(scene))
+  for (const std::string& input : picture_files(scene))
     if (is_inside(input, options.output))
       refuse_same_file("--output", options.output, "a folder of its input");
   for (const std::string& input : {options.scene.file, options.scene.camera_file})

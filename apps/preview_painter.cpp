@@ -13,7 +13,7 @@ ScreenPicture PreviewPainter::paint(const sim::Scene& whole, const sim::Reductio
                                     const std::atomic<bool>* stop) {
   const sim::Scene scene = sim::reduced_scene(whole, reduction);
   std::string pictures_key = fmt::format("{} x {}", scene.camera.width, scene.camera.height);
-  for (const std::string& file : composite_files(scene)) pictures_key += "\n" + file;
+  for (const std::string& file : picture_files(scene)) pictures_key += "\n" + file;
   if (pictures_key != pictures_key_) {
     pictures_ = read_composite_pictures(scene);
     pictures_key_ = pictures_key;

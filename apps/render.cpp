@@ -57,7 +57,7 @@ void spare_inputs(const Options& options, const sim::Scene& scene) {
   };
   spare(options.scene.file, "the scene");
   spare(options.scene.camera_file, "the camera's file");
-  for (const std::string& file : composite_files(scene)) spare(file, "a picture of the scene");
+  for (const std::string& file : picture_files(scene)) spare(file, "a file that the scene reads");
 }
 
 /// Refuses what would be refused at the end, before the work.
@@ -131,8 +131,11 @@ void write_outputs(const Options& options, const sim::Scene& scene, sim::Renderi
 
 std::string facts(const sim::Scene& scene, const sim::Rendering& rendering) {
   const sim::Image& image = rendering.rayleigh;
-  std::string text = fmt::format("{} x {} pixels, {} deflection points, peak", image.width, image.height,
-                                 rendering.deflection_points);
+  std::string text = fmt::format("{} x {} pixels, ", image.width, image.height);
+  // Volumes have none.
+  if (rendering.deflection_points > 0 || !sim::has_volumes(scene))
+    text += fmt::format("{} deflection points, ", rendering.deflection_points);
+  text += "peak";
   for (int l = 0; l < image.channels(); ++l) {
     float peak = 0.0f;
     for (int y = 0; y < image.height; ++y)

@@ -130,7 +130,7 @@ std::string manifest_text(const sim::Scene& scene, double frames_per_second, con
   json["frames_per_second"] = frames_per_second;
   json["seed"] = scene.seed;
   json["scene_sha256"] = sim::sha256(sim::write_scene(as_frames_see(scene)));
-  for (const std::string& file : composite_files(scene))
+  for (const std::string& file : picture_files(scene))
     json["pictures_sha256"].push_back(sim::sha256(bytes_of(file)));
   for (const auto& [path, text] : scene.tables) json["tables_sha256"][path] = sim::sha256(text);
   if (picture.photograph) json["photograph"] = true;

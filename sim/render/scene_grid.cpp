@@ -122,6 +122,15 @@ SceneGrid grid_of_fields(const Scene& scene, const std::vector<const LightField*
 }
 
 SceneGrid grid_of_scene(const Scene& scene, const SceneGridOptions& options) {
+  for (const Nebula& nebula : scene.nebulae)
+    if (nebula.method == "literal")
+      throw Error(ErrorKind::usage,
+                  {"the nebula '" + nebula.name + "' is marched literally and has no light in space", "", 0,
+                   "SCENE", "method = \"physical\"", "Leave it out with --of NAME"});
+  for (const Footprint& footprint : scene.footprints)
+    if (footprint.model == "curtain")
+      throw Error(ErrorKind::usage, {"the footprint '" + footprint.name + "' is a curtain without thickness",
+                                     "", 0, "SCENE", "model = \"volume\"", "Leave it out with --of NAME"});
   const VolumeFiles files = read_volume_files(scene);
   const std::vector<NamedField> named = light_fields(scene, files, options.threads);
   std::vector<const LightField*> fields;

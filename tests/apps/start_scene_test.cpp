@@ -54,10 +54,10 @@ TEST(StartScene, SaysOfEachValueWhereItComesFrom) {
 // What a key cannot hold is told, and the scene can be read all the same; no name breaks out of its comment.
 TEST(StartScene, SurvivesWhatItCannotHold) {
   sim::PictureMetadata m = phone();
-  m.altitude_m = 3900e3;
+  m.altitude_m = 3.9e9;
   const std::string text = start_scene("a\n[camera]\nwidth = 3\xff.jpg", fit::photo_facts(m));
   EXPECT_EQ(sim::parse_scene(text, "start.toml").camera.width, 4000);
-  EXPECT_NE(line_of(text, "altitude_m = 0.0").find("the picture says 3900000"), std::string::npos);
+  EXPECT_NE(line_of(text, "altitude_m = 0.0").find("the picture says 39"), std::string::npos);
 }
 
 TEST(Description, TellsWhatIsKnownAndNothingElse) {

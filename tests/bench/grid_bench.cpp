@@ -57,7 +57,7 @@ Timed march(const Volumes& volumes, const Scene& scene, int rays, int repeat) {
   std::vector<double> seconds;
   for (int n = 0; n < repeat; ++n) {
     const auto start = std::chrono::steady_clock::now();
-    out.light = volumes.march(scene, film_of(scene, rays));
+    out.light = volumes.light(scene, film_of(scene, rays));
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   std::sort(seconds.begin(), seconds.end());

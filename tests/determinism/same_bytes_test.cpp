@@ -1,12 +1,11 @@
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
-
-#include <cstring>
 
 #include "sim/render/film.h"
 #include "sim/render/kernel.h"
 #include "sim/render/render.h"
 #include "tests/support/free_paths.h"
+#include "tests/support/only_target.h"
+#include "tests/support/same_bytes.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {
@@ -34,17 +33,6 @@ Scene busy_scene() {
   first.border_amplitude_km = 4.0;
   scene.stars.shown = true;
   return scene;
-}
-
-template <class Floats>
-::testing::AssertionResult same_bytes(const Floats& a, const Floats& b) {
-  if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " numbers and " << b.size();
-  std::size_t differ = 0, first = 0;
-  for (std::size_t i = a.size(); i-- > 0;)
-    if (std::memcmp(&a[i], &b[i], sizeof(float)) != 0) ++differ, first = i;
-  if (differ == 0) return ::testing::AssertionSuccess();
-  return ::testing::AssertionFailure() << differ << " of " << a.size() << " differ, the first at " << first
-                                       << ": " << a[first] << " and " << b[first];
 }
 
 /// The same in motion, over four instants.
@@ -92,18 +80,18 @@ TEST(SameBytes, OfAPictureForAnyThreadsAndRun) {
   EXPECT_GT(one.deflection_points, 100000u);
   for (int threads : {1, 2, 3, 0}) {
     const Rendering again = rendered(threads);
-    EXPECT_TRUE(same_bytes(one.rayleigh.data, again.rayleigh.data)) << threads << " threads";
-    EXPECT_TRUE(same_bytes(one.rgb.data, again.rgb.data)) << threads << " threads";
+    EXPECT_TRUE(tests::same_bytes(one.rayleigh.data, again.rayleigh.data)) << threads << " threads";
+    EXPECT_TRUE(tests::same_bytes(one.rgb.data, again.rgb.data)) << threads << " threads";
     EXPECT_EQ(one.deflection_points, again.deflection_points);
   }
 }
 
 TEST(SameBytes, OfAPhysicallyBlurredPictureForAnyThreads) {
   const Rendering one = rendered(1, "physical");
-  EXPECT_FALSE(same_bytes(one.rayleigh.data, rendered(1).rayleigh.data));
+  EXPECT_FALSE(tests::same_bytes(one.rayleigh.data, rendered(1).rayleigh.data));
   for (int threads : {1, 2, 3}) {
     const Rendering again = rendered(threads, "physical");
-    EXPECT_TRUE(same_bytes(one.rayleigh.data, again.rayleigh.data)) << threads << " threads";
+    EXPECT_TRUE(tests::same_bytes(one.rayleigh.data, again.rayleigh.data)) << threads << " threads";
     EXPECT_EQ(one.deflection_points, again.deflection_points);
   }
 }
@@ -119,11 +107,12 @@ TEST(SameBytes, OfAnExposureOverInstantsForAnyThreads) {
   Exposer(scene, film, 1).expose_with_derivatives(scene, free, derived);
   for (int threads : {2, 3, 0}) {
     options.threads = threads;
-    EXPECT_TRUE(same_bytes(one.rayleigh.data, render(scene, options).rayleigh.data)) << threads << " threads";
+    EXPECT_TRUE(tests::same_bytes(one.rayleigh.data, render(scene, options).rayleigh.data))
+        << threads << " threads";
     Exposure again;
     Exposer(scene, film, threads).expose_with_derivatives(scene, free, again);
-    EXPECT_TRUE(same_bytes(derived.rayleigh, again.rayleigh)) << threads << " threads";
-    EXPECT_TRUE(same_bytes(derived.derivative, again.derivative)) << threads << " threads";
+    EXPECT_TRUE(tests::same_bytes(derived.rayleigh, again.rayleigh)) << threads << " threads";
+    EXPECT_TRUE(tests::same_bytes(derived.derivative, again.derivative)) << threads << " threads";
   }
 }
 
@@ -137,16 +126,16 @@ TEST(SameBytes, OfAnExposureThatIsMadeAgain) {
   exposer.expose(scene, first);
   exposer.expose(moved, other);
   exposer.expose(scene, again);
-  EXPECT_TRUE(same_bytes(first.rayleigh, again.rayleigh));
-  EXPECT_FALSE(same_bytes(first.rayleigh, other.rayleigh));
+  EXPECT_TRUE(tests::same_bytes(first.rayleigh, again.rayleigh));
+  EXPECT_FALSE(tests::same_bytes(first.rayleigh, other.rayleigh));
 }
 
 TEST(SameBytes, OfDerivativesForAnyThreads) {
   for (const auto& make : {with_derivatives, with_beam_derivatives}) {
     const Exposure one = make(1), two = make(2), three = make(3);
-    EXPECT_TRUE(same_bytes(one.derivative, two.derivative));
-    EXPECT_TRUE(same_bytes(one.derivative, three.derivative));
-    EXPECT_TRUE(same_bytes(one.rayleigh, two.rayleigh));
+    EXPECT_TRUE(tests::same_bytes(one.derivative, two.derivative));
+    EXPECT_TRUE(tests::same_bytes(one.derivative, three.derivative));
+    EXPECT_TRUE(tests::same_bytes(one.rayleigh, two.rayleigh));
   }
 }
 
@@ -161,27 +150,11 @@ TEST(SameBytes, OfTheFilmWithAndWithoutDerivatives) {
   exposer.expose(scene, plain);
   exposer.expose_with_derivatives(scene, tests::addresses_of(scene, tests::free_paths(scene)), derived);
   exposer.expose_with_derivatives(scene, {&scene.sheets[0].phase_rad}, few);
-  EXPECT_TRUE(same_bytes(plain.rayleigh, derived.rayleigh));
-  EXPECT_TRUE(same_bytes(plain.rayleigh, few.rayleigh));
+  EXPECT_TRUE(tests::same_bytes(plain.rayleigh, derived.rayleigh));
+  EXPECT_TRUE(tests::same_bytes(plain.rayleigh, few.rayleigh));
   EXPECT_EQ(plain.deflection_points, derived.deflection_points);
   EXPECT_EQ(plain.deflection_points, few.deflection_points);
 }
-
-/// Dispatch goes to one instruction set while this lives.
-class Only {
- public:
-  explicit Only(std::int64_t target) { choose(target); }
-  ~Only() { choose(0); }
-  Only(const Only&) = delete;
-  Only& operator=(const Only&) = delete;
-
- private:
-  static void choose(std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
-    // Highway asks again only after this.
-    hwy::GetChosenTarget().DeInit();
-  }
-};
 
 TEST(SameBytes, OnEveryInstructionSet) {
   const std::string best = kernel_instruction_set();
@@ -191,14 +164,14 @@ TEST(SameBytes, OnEveryInstructionSet) {
   const std::int64_t available = hwy::SupportedTargets();
   for (std::int64_t target : {std::int64_t{HWY_SSE4}, std::int64_t{HWY_AVX2}, std::int64_t{HWY_AVX3}}) {
     if ((available & target) == 0) continue;
-    const Only only(target);
+    const tests::Only only(target);
     SCOPED_TRACE(hwy::TargetName(target));
     ASSERT_STREQ(kernel_instruction_set(), hwy::TargetName(target));
     ++tried;
-    EXPECT_TRUE(same_bytes(rendered(2).rgb.data, picture.rgb.data));
-    EXPECT_TRUE(same_bytes(rendered(2, "physical").rgb.data, physical.rgb.data));
-    EXPECT_TRUE(same_bytes(with_derivatives(2).derivative, derivatives.derivative));
-    EXPECT_TRUE(same_bytes(with_beam_derivatives(2).derivative, beams.derivative));
+    EXPECT_TRUE(tests::same_bytes(rendered(2).rgb.data, picture.rgb.data));
+    EXPECT_TRUE(tests::same_bytes(rendered(2, "physical").rgb.data, physical.rgb.data));
+    EXPECT_TRUE(tests::same_bytes(with_derivatives(2).derivative, derivatives.derivative));
+    EXPECT_TRUE(tests::same_bytes(with_beam_derivatives(2).derivative, beams.derivative));
   }
   EXPECT_EQ(best, kernel_instruction_set());
   if (tried < 2) GTEST_SKIP() << "only " << tried << " of the instruction sets here";

@@ -183,16 +183,19 @@ TEST(VolumeModel, HasTheDerivativesOfSheetsBesideAFootprint) {
                                                                   {"footprint.arc.width_km", 0.05}});
 }
 
-// The arc in voxels of 8 km. Light is linear between voxels' centres, so its slope has steps: a short step
+// A sheet in voxels of 8 km. Light is linear between voxels' centres, so its slope has steps: a short step
 // keeps to one side of most.
 TEST(VolumeModel, HasTheDerivativesOfAGrid) {
   const tests::TemporaryFolder folder;
-  sim::Scene scene = sim::parse_scene(kArc, folder / "arc.toml");
+  sim::Scene scene = sim::parse_scene(
+      "[camera]\nwidth = 72\nheight = 54\nhfov_deg = 80\nelevation_deg = 28\n"
+      "[[sheet]]\ncenter_km = [0.0, 180.0]\nlayers = 1\nwidth_km = 12\nbeams = 4000\n",
+      folder / "arc.toml");
   sim::SceneGridOptions options;
   options.voxel = 8.0;
   sim::SceneGrid made = sim::grid_of_scene(scene, options);
   sim::write_vdb(folder / "arc.vdb", std::move(made.grid), {}, {});
-  scene.footprints.clear();
+  scene.sheets.clear();
   scene.volumes.resize(1);
   scene.volumes[0].file = "arc.vdb";
   scene.volumes[0].gain = 2.0;

@@ -59,7 +59,8 @@ HWY_INLINE void place_samples(const float* brick, const float start[3], const fl
     hn::StoreU(hn::Mul(x, y), d, out.weight[3] + to);
     hn::StoreU(within[2], d, out.up + to);
     hn::StoreU(hn::Add(index, hn::Set(d, number)), d, out.number + to);
-    for (int i = 0; i < lanes && j + i < count; ++i) {
+    for (int i = 0; i < lanes;
+         ++i) {  // those beyond the count as well: a guess of it would be wrong too often
       const float* at = brick + offset[i] * kStride;
       out.at[to + i] = at;
       hwy::Prefetch(at);

@@ -36,7 +36,7 @@ std::vector<Declaration> footprint_rows() {
       row("size_km", &F::size_km).of({"east", "north"}).in("km").within(1, 6000)
           .means("extent of a box"),
       row("cell_km", &F::cell_km).in("km").within(0.01, 100).means("edge of a cell of a box's footprint"),
-      row("face_cells", &F::face_cells).within(16, 16384)
+      row("face_cells", &F::face_cells).within(16, 8192)
           .means("cells along an edge of each of the six cube faces of a shell's footprint"),
       row("east_km", &F::east_km).of({"<n>"}).named_by(name_by_point).in("km").within(-6000, 6000).may_be_free(linear)
           .means("points of a box's spline, from the box's middle to the east"),

@@ -53,7 +53,7 @@ TEST(NebulaOnFilm, ShinesInRayleighsAboveTheHorizon) {
   const Scene scene = half_set();
   const Volumes volumes(scene, 1);
   FilmGeometry film = film_for(scene, 0, 0, scene.camera.width, scene.camera.height, 1.0, 1.0);
-  const VolumeLight light = volumes.march(scene, film);
+  const VolumeLight light = volumes.light(scene, film);
   const auto at = [&](int x, int y) {
     const auto row = static_cast<std::size_t>(y - film.y0_px),
                column = static_cast<std::size_t>(x - film.x0_px);

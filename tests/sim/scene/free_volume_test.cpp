@@ -47,7 +47,7 @@ const Bad bad_free_volumes[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Scenes, BadFreeVolume, testing::ValuesIn(bad_free_volumes),
-                         [](const auto& info) { return info.param.what; });
+                         [](const testing::TestParamInfo<Bad>& bad) { return std::string(bad.param.what); });
 
 TEST(FreeVolumes, MayBeFreeWhereTheLightDependsOnThem) {
   const Scene scene = parse_scene(R"(
