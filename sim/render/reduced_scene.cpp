@@ -29,6 +29,7 @@ Scene reduced_scene(const Scene& scene, const Reduction& reduction) {
   reduced.camera = scaled_camera(scene.camera, size);
   reduced.march.smooth_px *= static_cast<double>(size.width) / scene.camera.width;
   reduced.march.step_km = std::max(scene.march.step_km, reduction.step_km);
+  reduced.march.step_cells = std::max(scene.march.step_cells, reduction.step_cells);
   reduced.march.shrink = std::max(scene.march.shrink, reduction.shrink);
   const double share = reduction.points / std::max(1.0, expected_deflection_points(scene));
   if (share < 1.0)

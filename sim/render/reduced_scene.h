@@ -13,6 +13,7 @@ struct Reduction {
   double step_km = 4.0;        ///< at least, of the march through footprints
   int shrink = 2;              ///< at least (March::shrink)
   double points = 2e6;         ///< deflection points of all beams, roughly; more are not let fall
+  double step_cells = 8.0;     ///< at least, by which a step moves the foot
 };
 
 /// Deflection points of all beams of a picture, on average and counting those out of view: 2 / d_t a beam.

@@ -120,6 +120,7 @@ struct Volume {
 /// How volumes are marched and how they meet what else is in the picture.
 struct March {
   double step_km = 2.0;         ///< of aurora by its footprint
+  double step_cells = 2.0;      ///< by which a step moves the foot, at most
   bool skip = true;             ///< empty space by the distance to the footprint
   std::string ghosts = "span";  ///< rays begin at the camera; or "literal", the source's rule
   std::string depth;            ///< a picture of the distance to what stands before the sky; empty: none

@@ -25,6 +25,7 @@ class FootprintEmitter : public Emitter<T> {
                    const ProfileTable& by_flux, const NumberAs<T>& number, MarchBy by)
       : profile_(profiles, footprint.top_km, scene.march.step_km),
         rays_(scene, footprint, profile_.bottom_km()),
+        step_cells_(scene.march.step_cells),
         in_lanes_(std::is_same_v<T, double> && by == MarchBy::lanes) {
     set_way(scene, footprint, number);
     scalar_.profile = kernel_.profile = &profile_;
@@ -66,6 +67,9 @@ class FootprintEmitter : public Emitter<T> {
     scalar_.texels = kernel_.texels = texels;
     scalar_.first_x = kernel_.first_x = first_x;
     scalar_.first_y = kernel_.first_y = first_y;
+    const double cell_km =
+        kernel_.way == FootWay::shell ? (kEarthRadiusKm + kFootAltitudeKm) / texels : 1.0 / texels;
+    rays_.limit_feet(kernel_.way, kernel_.axis, step_cells_ * cell_km);
   }
 
   void set_face(int face, const FootprintGrid<G>& grid, double least_flux) {
@@ -150,6 +154,7 @@ class FootprintEmitter : public Emitter<T> {
   StepProfile profile_;
   std::unique_ptr<StepProfile> by_flux_;
   MarchRays rays_;
+  double step_cells_;
   bool in_lanes_;
   std::array<TexelStore, 6> texels_;
   std::vector<LitMap> lit_;

@@ -16,9 +16,6 @@
 
 namespace vegard::sim {
 
-/// How feet are found: of a box in the observer's axes, of a shell on the cube's faces in the Earth's.
-enum class FootWay { vertical, field, dipole, shell };
-
 /// A part of a footprint's grid that holds all its light, with a dark border.
 struct TexelWindow {
   const float* flux = nullptr;       ///< [row][column]; null: dark

@@ -1,5 +1,7 @@
 #include "sim/emit/footprint/march_span.h"
 
+#include "sim/emit/footprint/foot.h"
+
 namespace vegard::sim {
 
 MarchRays::MarchRays(const Scene& scene, const Footprint& footprint, double bottom_km)
@@ -17,6 +19,24 @@ MarchRays::MarchRays(const Scene& scene, const Footprint& footprint, double bott
                              {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)}};
   for (int i = 0; i < 3; ++i)
     for (int a = 0; a < 3; ++a) axes_[i][a] = axes[i][a];
+}
+
+double MarchRays::foot_share(const double place_km[3], const double direction[3]) const {
+  const double radius = std::hypot(place_km[0], place_km[1], place_km[2]);
+  double up[3], fall[3];
+  for (int a = 0; a < 3; ++a) {
+    up[a] = place_km[a] / radius;
+    fall[a] = way_ == FootWay::field ? axis_[a] : -up[a];
+  }
+  if (way_ == FootWay::dipole) {
+    const double scale = kEarthRadiusKm + kFootAltitudeKm;
+    dipole_fall(axis_, PlaneFoot<double>{up[0] * scale, up[1] * scale, true}, fall);
+  }
+  const auto along_up = [&](const double x[3]) { return x[0] * up[0] + x[1] * up[1] + x[2] * up[2]; };
+  // Back to the height that the point came from, along the fall.
+  const double back = along_up(direction) / std::min(along_up(fall), -1.0 / kMostFootShare);
+  return std::hypot(direction[0] - back * fall[0], direction[1] - back * fall[1],
+                    direction[2] - back * fall[2]);
 }
 
 }  // namespace vegard::sim

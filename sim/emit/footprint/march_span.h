@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/base/dual.h"
 #include "sim/base/earth.h"
@@ -13,6 +14,9 @@
 namespace vegard::sim {
 
 inline constexpr int kBlockSteps = 16;  ///< steps that are marched, or passed over, together
+
+/// How feet are found: of a box in the observer's axes, of a shell on the cube's faces in the Earth's.
+enum class FootWay { vertical, field, dipole, shell };
 
 /// About a place in its middle, so that floats keep their digits. T is double or FreeDual.
 template <class T>
@@ -33,6 +37,13 @@ class MarchRays {
  public:
   /// In the observer's axes for a box, in the Earth's for a shell.
   MarchRays(const Scene& scene, const Footprint& footprint, double bottom_km);
+
+  /// No step shall move the foot by more than `foot_km`. `axis` as in FootprintKernel.
+  void limit_feet(FootWay way, const double axis[3], double foot_km) {
+    way_ = way;
+    std::copy_n(axis, 3, axis_);
+    foot_km_ = foot_km;
+  }
 
   /// Each span has a whole number of equal steps, not longer than march.step_km, so that a ray's light does
   /// not jump as the ray is turned a little.
@@ -57,7 +68,8 @@ class MarchRays {
           middle * (middle + enu[2] * (2.0 * r0)) + observer_km_ * (observer_km_ + 2.0 * kEarthRadiusKm);
       span.along_km = enu[2] * r0 + middle;
       span.at_km = middle;
-      span.steps = std::max(1, static_cast<int>(std::ceil(value_of(length) / step_km_ - 1e-9)));
+      const double longest = longest_step_km(span, 0.5 * value_of(length));
+      span.steps = std::max(1, static_cast<int>(std::ceil(value_of(length) / longest - 1e-9)));
       span.step_km = length * (1.0 / span.steps);
       span.first_km = length * -0.5;
     }
@@ -83,9 +95,33 @@ class MarchRays {
   double top_km() const { return top_km_; }
 
  private:
+  template <class T>
+  double longest_step_km(const MarchSpanOf<T>& span, double half_km) const {
+    const bool upright = way_ == FootWay::vertical || way_ == FootWay::shell;
+    if (foot_km_ >= step_km_ * (upright ? 1.0 : kMostFootShare)) return step_km_;
+    double share = 0.0;
+    for (const double at_km : {-half_km, 0.0, half_km}) {
+      double place[3], direction[3];
+      for (int a = 0; a < 3; ++a) {
+        direction[a] = value_of(span.direction[a]);
+        place[a] = value_of(span.place_km[a]) + at_km * direction[a];
+      }
+      share = std::max(share, foot_share(place, direction));
+    }
+    return std::min(step_km_, foot_km_ / std::max(share, 1e-6));
+  }
+
+  /// Kilometres that the foot of a point moves by as the point does by one.
+  double foot_share(const double place_km[3], const double direction[3]) const;
+
+  static constexpr double kMostFootShare = 10.0;  ///< at fields steeper than 6 degrees
+
   double observer_km_, bottom_km_, top_km_, step_km_;
   bool literal_ghosts_;
   double axes_[3][3];  ///< east, north and up
+  FootWay way_ = FootWay::vertical;
+  double axis_[3] = {0.0, 0.0, -1.0};
+  double foot_km_ = std::numeric_limits<double>::infinity();
 };
 
 /// Which table of the profile is for the steps of a block: the one whose width is nearest to the altitude

@@ -16,6 +16,7 @@ std::vector<Declaration> march_rows() {
   // clang-format off
   return {
       row("step_km", &March::step_km).in("km").within(0.01, 100).means("step along a ray through aurora by its footprint"),
+      row("step_cells", &March::step_cells).within(0.1, 100).means("cells of a footprint that a step moves the foot by, at most"),
       row("skip", &March::skip).means("pass over empty space by the distance to the footprint"),
       row("ghosts", &March::ghosts).one_of({"span", "literal"})
           .means("rays begin at the camera; or run both ways with the source's rule against ghosts, which loses the near half of the Earth seen from orbit"),

@@ -16,6 +16,7 @@ TEST(ReducedScene, IsAsItWasWhereItIsCheapAlready) {
   const Scene scene = tests::small_scene();
   Reduction none;
   none.step_km = 0.0;
+  none.step_cells = 0.0;
   none.shrink = 1;
   const Scene reduced = reduced_scene(scene, none);
   for (const ParameterPath& path : all_paths(scene))

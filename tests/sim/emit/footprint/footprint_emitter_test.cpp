@@ -174,6 +174,34 @@ TEST(FootprintEmitter, AgreesWithABruteMarchOfShortSteps) {
     EXPECT_NEAR(coarse.rayleigh[i], fine.rayleigh[i], 3e-3 * peak) << i;
 }
 
+TEST(FootprintEmitter, StepsNoFartherThanAThinFootprintAllows) {
+  // An arc of 0.9 km on cells of 0.3 km: steps of 2 km read its peak too often or too seldom.
+  for (const char* fall : {"vertical", "field", "dipole"}) {
+    Scene scene = scene_at(0.0, "box", fall == std::string("dipole") ? "field" : fall);
+    if (fall == std::string("dipole")) scene.field.model = "dipole";
+    const auto map = plane(0.0, 240.0, 0.3, 800, 400, [](double east, double north) {
+      return 10.0 * std::exp(-0.5 * std::pow((north - 300.0 - 0.1 * (east - 120.0)) / 0.9, 2));
+    });
+    Rays rays;
+    for (int i = 0; i < 150; ++i) rays.add(15.0 + 0.2 * i, 20.0);
+    const Light coarse = rays.through(*emitter(scene, map, maxwellian()), 3);
+    scene.march.step_cells = 100.0;
+    const Light unlimited = rays.through(*emitter(scene, map, maxwellian()), 3);
+    scene.march.step_km = 0.05;
+    const Light fine = rays.through(*emitter(scene, map, maxwellian(), MarchBy::reference), 3);
+    const double peak = *std::max_element(fine.rayleigh.begin(), fine.rayleigh.end());
+    double total = 0.0, total_of_fine = 0.0, most = 0.0;
+    for (std::size_t i = 0; i < fine.rayleigh.size(); ++i) {
+      EXPECT_NEAR(coarse.rayleigh[i], fine.rayleigh[i], 5e-3 * peak) << fall << " " << i;
+      most = std::max(most, std::abs(unlimited.rayleigh[i] - fine.rayleigh[i]));
+      total += coarse.rayleigh[i];
+      total_of_fine += fine.rayleigh[i];
+    }
+    EXPECT_NEAR(total, total_of_fine, 1e-3 * total_of_fine) << fall;
+    EXPECT_GT(most, 5e-3 * peak) << fall;  // so the limit is what helped
+  }
+}
+
 TEST(FootprintEmitter, PassesOverNothingThatShines) {
   // A block adds the same whether others are passed over or not, and those that are would have added zeros.
   const Rays up = sky(300, 21, 1.0, 89.0), down = sky(300, 22, -80.0, 20.0);
