@@ -61,6 +61,11 @@ void check_footprint(const Scene& scene, const Footprint& f) {
 
 /// Names of nodes must be there, and no node may stand on itself.
 void check_nodes(const Scene& scene) {
+  constexpr std::size_t kMostNodes = 1000;
+  constexpr double kMostAsked = 10000.0;
+  if (scene.nodes.size() > kMostNodes)
+    complain({std::to_string(scene.nodes.size()) + " nodes", "at most " + std::to_string(kMostNodes), ""},
+             {scene.file, 0, "node." + scene.nodes[kMostNodes].name + ".name"});
   const auto index_of = [&](const std::string& name) {
     const auto found =
         std::find_if(scene.nodes.begin(), scene.nodes.end(), [&](const Node& n) { return n.name == name; });
@@ -80,6 +85,8 @@ void check_nodes(const Scene& scene) {
         complain({"there is no node '" + name + "'", "the name of a [[node]]", ""}, {scene.file, 0, key});
   }
   std::vector<int> state(scene.nodes.size(), 0);  // 1: on the way, 2: done
+  // A node that several work on is asked by each of them.
+  std::vector<double> asked(scene.nodes.size(), 1.0);
   const auto visit = [&](const auto& self, std::size_t n) -> void {
     if (state[n] == 2) return;
     if (state[n] == 1)
@@ -87,7 +94,15 @@ void check_nodes(const Scene& scene) {
                 "nodes without a circle", ""},
                {scene.file, 0, "node." + scene.nodes[n].name + ".of"});
     state[n] = 1;
-    for (const std::string& name : node_names(scene.nodes[n].of)) self(self, index_of(name));
+    for (const std::string& name : node_names(scene.nodes[n].of)) {
+      self(self, index_of(name));
+      asked[n] += asked[index_of(name)];
+    }
+    if (asked[n] > kMostAsked)
+      complain({"the node '" + scene.nodes[n].name + "' asks " + short_real_text(asked[n]) +
+                    " nodes for each point, those that work on one another counted each time",
+                "at most " + short_real_text(kMostAsked), "let fewer nodes share what they work on"},
+               {scene.file, 0, "node." + scene.nodes[n].name + ".of"});
     state[n] = 2;
   };
   for (std::size_t n = 0; n < scene.nodes.size(); ++n) visit(visit, n);
@@ -108,6 +123,12 @@ void check_nebula(const Scene& scene, const Nebula& nebula) {
     refuse({"the nebula is made of nothing", "gas, glow or dust with the name of a [[node]]", ""}, "gas");
   if (nebula.method == "literal" && nebula.gas.empty())
     refuse({"the literal march has no map", "gas with the name of a [[node]]", ""}, "gas");
+  constexpr double kMostSteps = 100000.0;
+  if (2.0 * nebula.bound / nebula.step > kMostSteps)
+    refuse(
+        {short_real_text(2.0 * nebula.bound / nebula.step) + " steps from side to side of the nebula's bound",
+         "at most " + short_real_text(kMostSteps), "a larger step, or a smaller bound"},
+        "step");
   const std::size_t lines = scene.emission.lines.size();
   const auto check_list = [&](const std::vector<double>& list, const std::string& node, const char* key) {
     if (list.size() != lines && (!node.empty() || !list.empty()))

@@ -66,6 +66,8 @@ const Bad bad_volumes[] = {
     {"nodes_in_a_circle",
      "[[node]]\nname = 'a'\nkind = 'move'\nof = 'b'\n[[node]]\nname = 'b'\nkind = 'move'\nof = 'a'\n", 4,
      "node.a.of", "works on itself, directly or by others"},
+    {"too_many_steps", "[[nebula]]\ndust = 'n'\nbound = 1000\nstep = 1e-4\n[[node]]\nname = 'n'\n", 4,
+     "nebula.nebula.step", "2e+07 steps from side to side"},
     {"volume_without_file", "[[volume]]\n", 1, "volume.volume.file", "names no file"},
     {"name_of_a_key", "[[volume]]\nname = 'gain'\nfile = 'a.vdb'\n", 2, "volume.volume.name",
      "also a key of [[node]]"},
@@ -102,6 +104,30 @@ file = "a.vdb"
 [march]
 step_km = 3
 )";
+
+/// So many unions, each of the one before with itself.
+std::string doubled_nodes(int unions) {
+  std::string text = "[[node]]\nname = 'n0'\n";
+  for (int n = 1; n <= unions; ++n) {
+    const std::string before = "n" + std::to_string(n - 1);
+    text += "[[node]]\nname = 'n" + std::to_string(n) + "'\nkind = 'union'\nof = '" + before + ", " + before +
+            "'\n";
+  }
+  return text;
+}
+
+TEST(VolumeScene, NodesThatShareWhatTheyWorkOnAreCountedEachTime) {
+  EXPECT_NO_THROW(parse_scene(doubled_nodes(12), "a.toml"));  // 8191 looks at a point
+  const ErrorDetails details = error_of(doubled_nodes(25));
+  EXPECT_EQ(details.key, "node.n13.of");
+  EXPECT_NE(details.problem.find("asks 16383 nodes for each point"), std::string::npos) << details.problem;
+}
+
+TEST(VolumeScene, ThereIsAnEndToTheNumberOfNodes) {
+  std::string text;
+  for (int n = 0; n < 1001; ++n) text += "[[node]]\nname = 'n" + std::to_string(n) + "'\n";
+  EXPECT_EQ(error_of(text).problem, "1001 nodes");
+}
 
 TEST(VolumeScene, ReadsBackAsItWasWritten) {
   const Scene scene = parse_scene(kEverything, "a.toml");
