@@ -6,9 +6,9 @@
 #include <limits>
 #include <vector>
 
-#include "sim/emit/aurora/beam.h"
-#include "sim/emit/aurora/dipole.h"
+#include "sim/base/dual.h"
 #include "sim/emit/footprint/curve.h"
+#include "sim/emit/footprint/foot_way.h"
 #include "sim/emit/footprint/scalar_march.h"
 
 namespace vegard::sim {
@@ -18,9 +18,6 @@ constexpr double kSqrtTwoPi = 2.5066282746310002;
 constexpr double kLeastCosine = 0.052;  // 3 degrees
 constexpr double kPieceKm = 4.0;
 constexpr double kFootRadius = kEarthRadiusKm + kFootAltitudeKm;
-
-double logarithm(double x) { return std::log(x); }
-FreeDual logarithm(const FreeDual& x) { return {std::log(x.v), x.d * (1.0 / x.v)}; }
 
 template <class T>
 using Vector = std::array<T, 3>;
@@ -67,7 +64,7 @@ class CurtainEmitter : public Emitter<T> {
       by_flux_ = std::make_unique<StepProfile>(by_flux, f.top_km, 0.0);
       foot_.profile_by_flux = by_flux_.get();
     }
-    set_way(scene, f, number);
+    foot_.way = way_of_foot<T>(scene, f, number, foot_.axis);
     build(f, number);
   }
   CurtainEmitter(const CurtainEmitter&) = delete;
@@ -90,23 +87,6 @@ class CurtainEmitter : public Emitter<T> {
     ScalarFootprint<T, double> foot;
     foot.profile = &profile;
     return foot;
-  }
-
-  void set_way(const Scene& scene, const Footprint& f, const NumberAs<T>& number) {
-    for (T& axis : foot_.axis) axis = T(0.0);
-    foot_.way = FootWay::vertical;
-    if (f.shape == "shell") {
-      foot_.way = FootWay::shell;
-    } else if (f.fall == "field" && scene.field.model == "dipole") {
-      foot_.way = FootWay::dipole;
-      const DipoleAxis axis = dipole_axis(scene.field, scene.site);
-      for (int i = 0; i < 3; ++i) foot_.axis[i] = T(axis.in_enu[i]);
-    } else if (f.fall == "field") {
-      foot_.way = FootWay::field;
-      const FallFrame<T> frame = fall_frame<T>(number(scene.field.inclination_deg) * kRadiansPerDegree,
-                                               number(scene.field.declination_deg) * kRadiansPerDegree);
-      for (int i = 0; i < 3; ++i) foot_.axis[i] = frame.along[i];
-    }
   }
 
   struct Edge {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/dual.h"
 #include "sim/base/earth.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/footprint/cube_faces.h"
@@ -15,9 +16,6 @@ namespace {
 constexpr double kSqrtTwoPi = 2.5066282746310002;
 constexpr double kPieceWidths = 0.8;  // an even sum of Gaussians this far apart is their integral to 1e-13
 constexpr int kBandRows = 64;
-
-double logarithm(double x) { return std::log(x); }
-FreeDual logarithm(const FreeDual& x) { return {std::log(x.v), x.d * (1.0 / x.v)}; }
 
 template <class T, int axes>
 void set_cargo(const Footprint& f, std::size_t i, const NumberAs<T>& number, CurvePoint<T, axes>& point) {
