@@ -96,6 +96,7 @@ class CurtainEmitter : public Emitter<T> {
 
   void build(const Footprint& f, const NumberAs<T>& number) {
     std::vector<Edge> edges;
+    bool closed = false;
     const auto cargo = [&](std::size_t i, auto& point) {
       point.flux = number(f.energy_flux_mw_m2);
       if (!f.point_flux.empty()) point.flux = point.flux * number(f.point_flux[i]);
@@ -110,7 +111,9 @@ class CurtainEmitter : public Emitter<T> {
                         T(kFootRadius * std::cos(lat) * std::sin(lon)), T(kFootRadius * std::sin(lat))};
         cargo(i, points[i]);
       }
-      for (const auto& piece : curve_pieces<T, 3>(points, f.closed, kPieceKm * 4.0, true))
+      const auto curve = curve_pieces<T, 3>(points, f.closed, kPieceKm * 4.0, true);
+      closed = curve.is_closed;
+      for (const auto& piece : curve.pieces)
         edges.push_back({piece.middle.at, piece.middle.flux, piece.middle.ln_energy});
     } else {
       std::vector<CurvePoint<T, 2>> points(f.east_km.size());
@@ -119,7 +122,9 @@ class CurtainEmitter : public Emitter<T> {
                         number(f.center_km.north) + number(f.north_km[i])};
         cargo(i, points[i]);
       }
-      for (const auto& piece : curve_pieces<T, 2>(points, f.closed, kPieceKm, false)) {
+      const auto curve = curve_pieces<T, 2>(points, f.closed, kPieceKm, false);
+      closed = curve.is_closed;
+      for (const auto& piece : curve.pieces) {
         const T &e = piece.middle.at[0], &n = piece.middle.at[1];
         const T height2 = T(kFootRadius * kFootRadius) - e * e - n * n;
         if (value_of(height2) > 1.0)
@@ -127,7 +132,7 @@ class CurtainEmitter : public Emitter<T> {
       }
     }
     const std::size_t count = edges.size();
-    for (std::size_t i = 0; count > 1 && i < (f.closed ? count : count - 1); ++i)
+    for (std::size_t i = 0; count > 1 && i < (closed ? count : count - 1); ++i)
       stand(edges[i], edges[(i + 1) % count], number(f.width_km));
   }
 
