@@ -10,13 +10,13 @@
 #include "sim/emit/footprint/curve.h"
 #include "sim/emit/footprint/foot_way.h"
 #include "sim/emit/footprint/scalar_march.h"
+#include "sim/scene/footprint_size.h"
 
 namespace vegard::sim {
 namespace {
 
 constexpr double kSqrtTwoPi = 2.5066282746310002;
 constexpr double kLeastCosine = 0.052;  // 3 degrees
-constexpr double kPieceKm = 4.0;
 constexpr double kFootRadius = kEarthRadiusKm + kFootAltitudeKm;
 
 template <class T>
@@ -111,7 +111,7 @@ class CurtainEmitter : public Emitter<T> {
                         T(kFootRadius * std::cos(lat) * std::sin(lon)), T(kFootRadius * std::sin(lat))};
         cargo(i, points[i]);
       }
-      const auto curve = curve_pieces<T, 3>(points, f.closed, kPieceKm * 4.0, true);
+      const auto curve = curve_pieces<T, 3>(points, f.closed, longest_piece_km(f), true);
       closed = curve.is_closed;
       for (const auto& piece : curve.pieces)
         edges.push_back({piece.middle.at, piece.middle.flux, piece.middle.ln_energy});
@@ -122,7 +122,7 @@ class CurtainEmitter : public Emitter<T> {
                         number(f.center_km.north) + number(f.north_km[i])};
         cargo(i, points[i]);
       }
-      const auto curve = curve_pieces<T, 2>(points, f.closed, kPieceKm, false);
+      const auto curve = curve_pieces<T, 2>(points, f.closed, longest_piece_km(f), false);
       closed = curve.is_closed;
       for (const auto& piece : curve.pieces) {
         const T &e = piece.middle.at[0], &n = piece.middle.at[1];
