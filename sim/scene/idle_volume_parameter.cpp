@@ -37,7 +37,17 @@ std::optional<Complaint> of_footprint(const Footprint& f, const std::string& key
 }
 
 /// Of a sheet that a footprint is made of.
-std::optional<Complaint> of_flowing_sheet(const Scene& scene, const std::string& key) {
+std::optional<Complaint> of_sheet_in_footprint(const Scene& scene, const Sheet& sheet,
+                                               const std::string& key) {
+  const bool is_in_one = std::any_of(scene.footprints.begin(), scene.footprints.end(),
+                                     [](const Footprint& f) { return f.source == "sheets"; });
+  if (is_in_one && key == "energy_kev" && sheet.brightness_kilorayleigh > 0.0)
+    return Complaint{
+        "the sheet's brightness is given, and how the energy flux of its footprint depends on "
+        "its energy then is not known",
+        "a sheet of given energy_flux_mw_m2",
+        "set energy_flux_mw_m2 in the place of brightness_kilorayleigh, or leave it out of "
+        "fit.free"};
   const bool flows = std::any_of(scene.footprints.begin(), scene.footprints.end(), [](const Footprint& f) {
     return f.source == "sheets" && f.flow_turns > 0.0;
   });
@@ -110,7 +120,7 @@ std::optional<Complaint> why_volume_number_counts_for_nothing(const Scene& scene
   const std::string &table = path.row->table, &key = path.row->key;
   const auto e = static_cast<std::size_t>(path.element);
   if (table == "footprint") return of_footprint(scene.footprints[e], key);
-  if (table == "sheet") return of_flowing_sheet(scene, key);
+  if (table == "sheet") return of_sheet_in_footprint(scene, scene.sheets[e], key);
   if (table == "nebula") return of_nebula(scene, scene.nebulae[e], key);
   if (table == "node") return of_node(scene, scene.nodes[e], key);
   return std::nullopt;

@@ -31,6 +31,10 @@ const Bad bad_free_volumes[] = {
      "[[sheet]]\n[[footprint]]\nflow_turns = 1\nsource = 'sheets'\n[fit]\nfree = "
      "['sheet.main.center_km']\n",
      6, "sheet.main.center_km.east", "winds the sheets' footprint up depends on center_km"},
+    {"energy_of_a_footprint_of_given_brightness",
+     "[[sheet]]\nbrightness_kilorayleigh = 20\n[[footprint]]\nsource = 'sheets'\n[fit]\nfree = "
+     "['sheet.main.energy_kev']\n",
+     6, "sheet.main.energy_kev", "brightness is given"},
     {"footprint_of_sheets",
      "[[sheet]]\n[[footprint]]\nsource = 'sheets'\n[fit]\nfree = ['footprint.energy_kev']\n", 5,
      "footprint.arc.energy_kev", "those of the sheets"},
