@@ -39,6 +39,24 @@ const Bad bad_volumes[] = {
      "footprint.arc.flow_turns", "a flow is of a plane"},
     {"too_many_cells", "[[footprint]]\nsource = 'noise'\ncell_km = 0.05\n", 3, "footprint.arc.cell_km",
      "more than 67108864 cells"},
+    {"too_many_cells_along_a_side", "[[footprint]]\nsource = 'noise'\nsize_km = [6000, 1]\ncell_km = 0.01\n",
+     4, "footprint.arc.cell_km", "600000 cells along a side | at most 262000"},
+    {"shell_of_too_much_memory",
+     "[[footprint]]\nshape = 'shell'\nlongitude_deg = [1, 2]\nlatitude_deg = [1, 2]\n"
+     "point_energy = [1, 2]\nface_cells = 8192\n",
+     6, "footprint.arc.face_cells", "would take 6.4 GB, 16 bytes a cell | at most 4 GB"},
+    {"points_on_opposite_sides",
+     "[[footprint]]\nshape = 'shell'\nlatitude_deg = [10, 0, -10]\nlongitude_deg = [0, 80, 260]\n", 4,
+     "footprint.arc.longitude_deg",
+     "points 1 and 2 are 170 degrees apart on the globe | neighbours less than 90 degrees"},
+    {"points_that_close_too_far_apart",
+     "[[footprint]]\nshape = 'shell'\nclosed = true\nlatitude_deg = [0, 0, 0]\n"
+     "longitude_deg = [0, 80, 160]\n",
+     5, "footprint.arc.longitude_deg", "points 2 and 0 are 160 degrees apart"},
+    {"too_many_pieces",
+     "[[footprint]]\nsize_km = [10, 10]\ncell_km = 0.01\nwidth_km = 0.01\n"
+     "east_km = [-6000, 6000]\nnorth_km = [0, 0]\n",
+     5, "footprint.arc.east_km", "pieces of 0.008 km | at most 1048576"},
     {"colours_upside_down", "[[footprint]]\nsource = 'noise'\nlow_km = 300\n", 3, "footprint.arc.low_km",
      "low_km below high_km"},
     {"two_of_a_name", "[[footprint]]\nsource = 'noise'\n[[footprint]]\nsource = 'noise'\n", 3, "footprint",
@@ -137,6 +155,14 @@ TEST(VolumeScene, ReadsBackAsItWasWritten) {
   EXPECT_EQ(scene.footprints[0].point_energy, (std::vector<double>{1, 2, 1}));
   EXPECT_EQ(scene.nodes[1].of, "round");
   EXPECT_EQ(scene.march.step_km, 3.0);
+}
+
+TEST(VolumeScene, MayBeAsFineAsMemoryAllows) {
+  const char* const text =
+      "[[footprint]]\nshape = 'shell'\nface_cells = 4096\npoint_energy = [1, 2]\n"
+      "latitude_deg = [65, 65]\nlongitude_deg = [0, 100]\n"
+      "[[footprint]]\nname = 'strip'\nsource = 'noise'\nsize_km = [2600, 1]\ncell_km = 0.01\n";
+  EXPECT_EQ(parse_scene(text, "a.toml").footprints.size(), 2u);
 }
 
 TEST(VolumeScene, PathsReachElementsByNameAndTheOnlyOneWithout) {
