@@ -1,4 +1,5 @@
-// Sixteen steps of a ray through a footprint, side by side; and which blocks of sixteen may be passed over.
+// Where the steps of a ray through a footprint are, sixteen side by side; and which stretches of it may be
+// passed over.
 #if defined(VEGARD_SIM_EMIT_FOOTPRINT_FOOTPRINT_BLOCK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VEGARD_SIM_EMIT_FOOTPRINT_FOOTPRINT_BLOCK_INL_H_
 #undef VEGARD_SIM_EMIT_FOOTPRINT_FOOTPRINT_BLOCK_INL_H_
@@ -25,7 +26,8 @@ namespace HWY_NAMESPACE {
 #undef VEGARD_INLINE
 
 /// Sixteen numbers take as many registers as the instruction set needs.
-HWY_INLINE int lanes_at_once() { return static_cast<int>(hn::Lanes(FloatTag())); }
+constexpr int kLanes = static_cast<int>(hn::MaxLanes(FloatTag()));
+constexpr int kParts = 16 / kLanes;  ///< registers for sixteen lanes
 HWY_INLINE Pack lane_numbers(int first) { return Pack(hn::Iota(FloatTag(), static_cast<float>(first))); }
 
 /// A span with its numbers in all lanes.
@@ -77,111 +79,160 @@ HWY_INLINE int face_at(const MarchSpan& span, double u) {
   return static_cast<int>(face_number(p));
 }
 
-/// What a block hands on to be lit: weights of four texels (0 where there is no light to be), where they are,
-/// and where in the height profile.
-struct BlockPlaces {
-  HWY_ALIGN float weight[kBlockSteps][4];
-  HWY_ALIGN std::int32_t texel[kBlockSteps];
-  HWY_ALIGN std::int32_t row[kBlockSteps];
-  HWY_ALIGN float above_row[kBlockSteps];
+/// Where the middles of steps are: texels of a window, and rows of the height profile.
+struct StepPlaces {
+  Pack x, y, row;
+  PackMask shines;  ///< unless there is no foot, or no such step
 };
 
-/// A whole number of texels or rows and what is left, from a place between 0 and `most`.
-struct Split {
-  hn::Vec<IntTag> whole;
-  Pack rest;
+/// What all steps of a face have.
+template <FootWay kWay>
+struct FaceMarch {
+  const FootprintKernel& kernel;
+  const MarchSpan& span;
+  const SpanLanes& lanes;
+  int face;
+
+  const TexelWindow& window() const { return kernel.window[face]; }
+  /// Rows of the height profile.
+  HWY_INLINE Pack row_of(const AirPoint<Pack>& p) const {
+    return (altitude_km(p) - Pack(kernel.profile->bottom_km())) * Pack(1.0 / HeightProfile::kStepKm);
+  }
+
+  /// Steps from `number` on, each by itself. `several_faces`: only those on this one shine.
+  HWY_INLINE StepPlaces places(Pack number, bool several_faces) const {
+    const AirPoint<Pack> p = lanes.at(Pack(span.first_km) + (number + Pack(0.5f)) * Pack(span.step_km));
+    const Place at = place_of<kWay>(kernel, p, face);
+    PackMask shines = at.is_there && number < Pack(span.steps);
+    if (several_faces) shines = shines && on_face(p, face);
+    return {at.x - Pack(window().first_x), at.y - Pack(window().first_y), row_of(p), shines};
+  }
 };
-HWY_INLINE Split split(Pack place, int most) {
-  const FloatTag d;
-  const IntTag di;
-  const auto inside = hn::Min(hn::Max(place.v, hn::Zero(d)), hn::Set(d, static_cast<float>(most)));
-  const auto whole = hn::Min(hn::ConvertTo(di, inside), hn::Set(di, most - 1));
-  return {whole, Pack(hn::Sub(inside, hn::ConvertTo(d, whole)))};
+
+/// Where sixteen blocks are, as parabolas over each: x = c0 + k (c1 + k c2) with k from -1 at the block's
+/// beginning to 1 at its end. A path's bend over a block is so even that what they leave out is no more than
+/// the rounding of floats; this is looked at, a quarter before the end, where it is about the largest.
+struct BlockCurves {
+  HWY_ALIGN float x[3][16], y[3][16], row[3][16];
+  std::uint32_t good = 0;  ///< a bit for each block whose steps they give
+
+  HWY_INLINE StepPlaces places(int block, Pack k, Pack number, Pack steps) const {
+    const auto value = [&](const float c[3][16]) {
+      return Pack(c[0][block]) + k * (Pack(c[1][block]) + k * Pack(c[2][block]));
+    };
+    return {value(x), value(y), value(row), number < steps};
+  }
+};
+
+/// Bits of a mask, from the lane `part` on.
+HWY_INLINE std::uint32_t bits_of(PackMask mask, int part) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(FloatTag(), mask.m, bytes);
+  return (bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8) << part;
 }
 
-template <FootWay kWay>
-HWY_INLINE void find_places(const FootprintKernel& kernel, const MarchSpan& span, const SpanLanes& lanes,
-                            int first_step, int face, bool several_faces, BlockPlaces& out) {
+/// How far around a place it is dark, in texels.
+HWY_INLINE Pack dark_texels(const LitMap& map, const Place& at) {
   const FloatTag d;
   const IntTag di;
-  const TexelWindow& window = kernel.window[face];
-  const StepProfile& profile = *kernel.profile;
-  const Pack zero(0.0f), one(1.0f), step(span.step_km);
-  const Pack rows_per_km(1.0 / HeightProfile::kStepKm), bottom(profile.bottom_km());
-  const int at_once = lanes_at_once();
-  for (int part = 0; part < kBlockSteps; part += at_once) {
-    const Pack number = lane_numbers(first_step + part);
-    const AirPoint<Pack> p = lanes.at(Pack(span.first_km) + (number + Pack(0.5f)) * step);
-    const Split row = split((altitude_km(p) - bottom) * rows_per_km, profile.rows() - 1);
-    const Place place = place_of<kWay>(kernel, p, face);
-    const Split x = split(place.x - Pack(window.first_x), window.columns - 1);
-    const Split y = split(place.y - Pack(window.first_y), window.rows - 1);
-    PackMask shines = place.is_there && number < Pack(span.steps);
-    if (kWay == FootWay::shell && several_faces) shines = shines && on_face(p, face);
-    const Pack upper = select(shines, y.rest, zero), lower = select(shines, one - y.rest, zero);
-    const Pack right = x.rest, left = one - x.rest;
-    hn::StoreInterleaved4((left * lower).v, (right * lower).v, (left * upper).v, (right * upper).v, d,
-                          out.weight[part]);
-    hn::Store(hn::Add(hn::Mul(y.whole, hn::Set(di, window.columns)), x.whole), di, out.texel + part);
-    hn::Store(hn::Mul(row.whole, hn::Set(di, profile.stride())), di, out.row + part);
-    hn::Store(row.rest.v, d, out.above_row + part);
+  const auto cell = [&](Pack place, int first, int count) {
+    const Pack cells = (place - Pack(first)) * Pack(1.0 / LitMap::kCellTexels);
+    return hn::ConvertTo(di,
+                         hn::Min(hn::Max(cells.v, hn::Zero(d)), hn::Set(d, static_cast<float>(count - 1))));
+  };
+  const auto index = hn::Add(hn::Mul(cell(at.y, map.first_y(), map.rows()), hn::Set(di, map.columns())),
+                             cell(at.x, map.first_x(), map.columns()));
+  return hn::GatherIndex(d, map.dark(), index);
+}
+
+/// The feet of both ends and the middle of sixteen stretches of a ray.
+struct StretchFeet {
+  Place low[kParts], middle[kParts], high[kParts];
+};
+
+/// Stretches go from `from[i]` to `to[i]`, in blocks from the span's beginning on.
+template <FootWay kWay>
+HWY_INLINE void find_feet(const FaceMarch<kWay>& march, const float* from, const float* to,
+                          StretchFeet& out) {
+  const FloatTag d;
+  const Pack first(march.span.first_km), block_km(kBlockSteps * march.span.step_km);
+  for (int part = 0; part < kParts; ++part) {
+    const Pack low = hn::Load(d, from + part * kLanes), high = hn::Load(d, to + part * kLanes);
+    const auto at = [&](Pack block) {
+      return place_of<kWay>(march.kernel, march.lanes.at(first + block * block_km), march.face);
+    };
+    out.low[part] = at(low);
+    out.middle[part] = at((low + high) * Pack(0.5f));
+    out.high[part] = at(high);
   }
 }
 
-/// The face that a stretch of steps lies on; -1 if it crosses an edge.
-template <FootWay kWay>
-HWY_INLINE int face_of_steps(const MarchSpan& span, int first_step, int steps) {
-  if constexpr (kWay != FootWay::shell) return 0;
-  const double from = span.first_km + first_step * span.step_km;
-  const int face = face_at(span, from);
-  return face_at(span, from + steps * span.step_km) == face ? face : -1;
+/// Those that may have light: a bit each. On a face the foot of a straight ray runs straight, so that no
+/// place of it is farther from the middle than the ends are. On the plane it bends, by less than is allowed
+/// for. Where there is no foot nothing is known.
+HWY_INLINE std::uint32_t feet_with_light(const LitMap& map, const StretchFeet& feet) {
+  std::uint32_t lit = 0;
+  for (int part = 0; part < kParts; ++part) {
+    const Place &low = feet.low[part], &middle = feet.middle[part], &high = feet.high[part];
+    const auto away2 = [&](const Place& end) {
+      const Pack dx = end.x - middle.x, dy = end.y - middle.y;
+      return dx * dx + dy * dy;
+    };
+    const Pack low2 = away2(low), high2 = away2(high);
+    const Pack reach = square_root(select(low2 < high2, high2, low2)) * Pack(1.05f) + Pack(1.0f);
+    const PackMask dark =
+        reach < dark_texels(map, middle) && low.is_there && middle.is_there && high.is_there;
+    lit |= bits_of({hn::Not(dark.m)}, part * kLanes);
+  }
+  return lit;
 }
 
-/// Of up to sixteen blocks from `first_block` on, those that may have light: a bit each. `face` is theirs, or
-/// -1.
+/// The curves of sixteen blocks that begin at `blocks`.
 template <FootWay kWay>
-HWY_INLINE std::uint32_t blocks_with_light(const FootprintKernel& kernel, const MarchSpan& span,
-                                           const SpanLanes& lanes, int first_block, int count, int face) {
-  const double block_km = kBlockSteps * span.step_km;
-  const int at_once = lanes_at_once();
-  HWY_ALIGN float x[16], y[16], reach[16];
-  std::uint32_t lit = 0;
-  const auto look = [&](int of_face, bool several) {
-    const FloatTag d;
-    std::uint32_t here = 0;
-    for (int part = 0; part < count; part += at_once) {
-      const Pack middle =
-          Pack(span.first_km) + (lane_numbers(first_block + part) + Pack(0.5f)) * Pack(block_km);
-      const AirPoint<Pack> p = lanes.at(middle);
-      const Place at = place_of<kWay>(kernel, p, of_face);
-      const Place low = place_of<kWay>(kernel, lanes.at(middle - Pack(0.5 * block_km)), of_face);
-      const Place high = place_of<kWay>(kernel, lanes.at(middle + Pack(0.5 * block_km)), of_face);
-      const auto away2 = [&](const Place& end) {
-        const Pack dx = end.x - at.x, dy = end.y - at.y;
-        return dx * dx + dy * dy;
-      };
-      const Pack low2 = away2(low), high2 = away2(high);
-      // On a face the foot of a straight ray runs straight. On the plane it bends, by less than that. Where
-      // there is no foot nothing is known.
-      const Pack far = square_root(select(low2 < high2, high2, low2)) * Pack(1.05f) + Pack(1.0f);
-      const Pack reach_here = select(at.is_there && low.is_there && high.is_there, far, Pack(1e9f));
-      hn::Store(at.x.v, d, x + part);
-      hn::Store(at.y.v, d, y + part);
-      hn::Store(reach_here.v, d, reach + part);
-      if (several)
-        for (int i = 0; i < at_once; ++i)
-          if (hn::ExtractLane(hn::IfThenElseZero(on_face(p, of_face).m, hn::Set(d, 1.0f)), i) != 0.0f)
-            here |= 1u << (part + i);
-    }
-    if (!several) here = 0xffffu;
-    for (int i = 0; i < count; ++i)
-      if ((here >> i & 1u) != 0 && !(reach[i] < kernel.lit[of_face]->dark_texels(x[i], y[i]))) lit |= 1u << i;
-  };
-  if (face >= 0)
-    look(face, false);
-  else
-    for (int f = 0; f < 6; ++f) look(f, true);
-  return lit;
+HWY_INLINE void find_curves(const FaceMarch<kWay>& march, const float* blocks, const StretchFeet& feet,
+                            BlockCurves& out) {
+  const FloatTag d;
+  const Pack first(march.span.first_km), block_km(kBlockSteps * march.span.step_km), half(0.5f);
+  const TexelWindow& window = march.window();
+  const Pack left(window.first_x), bottom(window.first_y);
+  const double columns = std::fabs(window.first_x) + window.columns,
+               rows = std::fabs(window.first_y) + window.rows;
+  // What the altitude's parabola leaves out is below 0.2 reach^3 / r^2, as is known without a look.
+  const double reach_km = 0.5 * kBlockSteps * march.span.step_km;
+  const bool rows_are_good = reach_km * reach_km * reach_km * 0.2 / (kEarthRadiusKm * kEarthRadiusKm) < 1e-3;
+  out.good = 0;
+  for (int part = 0; part < kParts; ++part) {
+    const int lane = part * kLanes;
+    const auto at = [&](float share) {
+      return march.lanes.at(first + (Pack(hn::Load(d, blocks + lane)) + Pack(share)) * block_km);
+    };
+    const AirPoint<Pack> checked = at(0.75f);
+    const Place &low = feet.low[part], &middle = feet.middle[part], &high = feet.high[part];
+    const Place check = place_of<kWay>(march.kernel, checked, march.face);
+    PackMask good = low.is_there && middle.is_there && check.is_there && high.is_there;
+    const auto fit = [&](Pack a, Pack centre, Pack b, Pack there, Pack origin, double most, float to[3][16]) {
+      const Pack slope = (b - a) * half, bend = (b + a) * half - centre;
+      hn::Store((centre - origin).v, d, to[0] + lane);
+      hn::Store(slope.v, d, to[1] + lane);
+      hn::Store(bend.v, d, to[2] + lane);
+      // Several roundings of a float.
+      const Pack off = centre + half * (slope + half * bend) - there, error(1e-3 + 5e-7 * most);
+      good = good && Pack(0.0f) - error < off && off < error;
+    };
+    fit(low.x, middle.x, high.x, check.x, left, columns, out.x);
+    fit(low.y, middle.y, high.y, check.y, bottom, rows, out.y);
+    // Of the altitude h over the ray h' = (along + u) / r and h'' = (1 - h' h') / r.
+    const Pack middle_u = first + (Pack(hn::Load(d, blocks + lane)) + half) * block_km;
+    const AirPoint<Pack> p = march.lanes.at(middle_u);
+    const Pack inverse = Pack(1.0f) / radius_km(p), reach = block_km * half;
+    const Pack rise = (march.lanes.along + middle_u) * inverse;
+    const Pack rows_per_km(1.0 / HeightProfile::kStepKm);
+    hn::Store(march.row_of(p).v, d, out.row[0] + lane);
+    hn::Store((rise * reach * rows_per_km).v, d, out.row[1] + lane);
+    hn::Store(((Pack(1.0f) - rise * rise) * inverse * reach * reach * half * rows_per_km).v, d,
+              out.row[2] + lane);
+    if (rows_are_good) out.good |= bits_of(good, lane);
+  }
 }
 
 }  // namespace HWY_NAMESPACE

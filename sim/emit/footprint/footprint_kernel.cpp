@@ -1,8 +1,10 @@
 // Compiled once for every instruction set that is worth it; chosen when the program runs.
 #include "sim/emit/footprint/footprint_kernel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #undef HWY_TARGET_INCLUDE
@@ -11,142 +13,151 @@
 #include <hwy/highway.h>
 
 #include "sim/emit/footprint/footprint_block-inl.h"
+#include "sim/emit/footprint/footprint_queue-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace vegard::sim {
 namespace HWY_NAMESPACE {
 
-// The light of a block goes step by step, four texels or four lines in one small vector: on the processors
-// that we know, to gather them lane by lane takes several times as long.
-using Four = hn::FixedTag<float, 4>;
-using FourVector = hn::Vec<Four>;
+constexpr int kStretchBlocks = 8;  ///< that are passed over together, if all are dark
 
-constexpr int kGroupBlocks = 16;  ///< that are judged together
+/// A span's way through the faces, to the blocks with light.
+template <FootWay kWay, class Queue>
+class SpanMarch {
+ public:
+  HWY_INLINE SpanMarch(const FootprintKernel& kernel, const MarchSpan& span, std::size_t number, Queue& queue)
+      : kernel_(kernel),
+        span_(span),
+        number_(number),
+        queue_(queue),
+        lanes_(span),
+        width_of_block_(*kernel.profile, span) {}
 
-/// The weighted sum of four texels, in all four lanes.
-HWY_INLINE FourVector bilinear(const float* texels, int columns, const float* weight) {
-  const Four d;
-  const hn::FixedTag<float, 2> two;
-  const auto four = hn::Combine(d, hn::LoadU(two, texels + columns), hn::LoadU(two, texels));
-  const auto parts = hn::Mul(four, hn::Load(d, weight));
-  const auto pairs = hn::Add(parts, hn::Shuffle2301(parts));
-  return hn::Add(pairs, hn::Shuffle1032(pairs));
-}
+  HWY_INLINE void run() {
+    const int blocks = (span_.steps + kBlockSteps - 1) / kBlockSteps;
+    if constexpr (kWay == FootWay::shell)
+      through_faces(0, blocks, face_at_block(0), face_at_block(blocks));
+    else
+      along_face(0, blocks, 0);
+  }
 
-HWY_INLINE FourVector between(const float* row, int stride, FourVector part) {
-  const Four d;
-  const auto low = hn::LoadU(d, row), high = hn::LoadU(d, row + stride);
-  return hn::Add(low, hn::Mul(hn::Sub(high, low), part));
-}
+ private:
+  int face_at_block(int block) const {
+    return face_at(span_, span_.first_km + block * kBlockSteps * span_.step_km);
+  }
 
-/// The sum over steps i of a block, and that of the sums so far: sum of (16 - i) of step i.
-template <int kQuartets>
-struct BlockSum {
-  FourVector plain[kQuartets], running[kQuartets];
-};
+  /// Faces are convex: a stretch with both ends on one is there as a whole.
+  void through_faces(int first, int last, int face, int last_face) {
+    if (face == last_face) return along_face(first, last, face);
+    if (last - first == 1) return across_faces(first);
+    const int middle = first + (last - first) / 2, middle_face = face_at_block(middle);
+    through_faces(first, middle, face, middle_face);
+    through_faces(middle, last, middle_face, last_face);
+  }
 
-template <int kQuartets, bool kEnergies>
-HWY_INLINE void light_block(const TexelWindow& window, const StepProfile& profile, int width,
-                            const BlockPlaces& places, BlockSum<kQuartets>& sum) {
-  const Four d;
-  constexpr int kStride = 4 * kQuartets;
-  for (int q = 0; q < kQuartets; ++q) sum.plain[q] = sum.running[q] = hn::Zero(d);
-  const float* rate = profile.rate(0, width);
-  for (int i = 0; i < kBlockSteps; ++i) {
-    const auto flux = bilinear(window.flux + places.texel[i], window.columns, places.weight[i]);
-    const auto part = hn::Set(d, places.above_row[i]);
-    FourVector next_share = hn::Zero(d);
-    const float* next_rate = rate;
-    if constexpr (kEnergies) {
-      const float ln =
-          hn::GetLane(bilinear(window.ln_energy + places.texel[i], window.columns, places.weight[i]));
-      const float most = static_cast<float>(profile.energies() - 1);
-      float at = (ln - static_cast<float>(profile.ln_first())) / static_cast<float>(profile.ln_step());
-      at = at > 0.0f ? at : 0.0f;
-      at = at < most ? at : most;
-      const int energy = at < most - 1.0f ? static_cast<int>(at) : profile.energies() - 2;
-      rate = profile.rate(energy, width);
-      next_rate = profile.rate(energy + 1, width);
-      next_share = hn::Set(d, at - static_cast<float>(energy));
-    }
-    for (int q = 0; q < kQuartets; ++q) {
-      auto of_lines = between(rate + places.row[i] + 4 * q, kStride, part);
-      if constexpr (kEnergies) {
-        const auto of_next = between(next_rate + places.row[i] + 4 * q, kStride, part);
-        of_lines = hn::Add(of_lines, hn::Mul(hn::Sub(of_next, of_lines), next_share));
-      }
-      sum.plain[q] = hn::Add(sum.plain[q], hn::Mul(flux, of_lines));
-      sum.running[q] = hn::Add(sum.running[q], sum.plain[q]);
+  void across_faces(int block) {
+    for (int face = 0; face < 6; ++face) {
+      if (kernel_.window[face].flux == nullptr) continue;
+      const FaceMarch<kWay> march{kernel_, span_, lanes_, face};
+      push(march.window(), block, [&](int part) { return march.places(step_numbers(block, part), true); });
     }
   }
-}
 
-template <FootWay kWay, int kQuartets, bool kEnergies>
-std::size_t march_span(const FootprintKernel& kernel, const MarchSpan& span, SpanLight& out) {
-  const Four d;
-  const StepProfile& profile = *kernel.profile;
-  const SpanLanes lanes(span);
-  FourVector light[kQuartets], moment[kQuartets];
-  for (int q = 0; q < kQuartets; ++q) light[q] = moment[q] = hn::Zero(d);
-  const int blocks = (span.steps + kBlockSteps - 1) / kBlockSteps;
-  std::size_t marched = 0;
-  out.entry_km = std::numeric_limits<double>::infinity();
-  const WidthOfBlock width_of_block(profile, span);
-  const auto take = [&](int block, int face_of_all) {
-    const int first = block * kBlockSteps;
-    const double from_km = span.at_km + span.first_km + first * span.step_km;
-    if (marched == 0) out.entry_km = from_km;
-    marched += kBlockSteps;
-    const int width = width_of_block(first);
-    const auto add = [&](int face, bool several) {
-      const TexelWindow& window = kernel.window[face];
-      if (window.flux == nullptr) return;
-      BlockPlaces places;
-      find_places<kWay>(kernel, span, lanes, first, face, several, places);
-      BlockSum<kQuartets> sum;
-      light_block<kQuartets, kEnergies>(window, profile, width, places, sum);
-      const auto step = hn::Set(d, static_cast<float>(span.step_km));
-      const auto last = hn::Set(d, static_cast<float>(from_km + (kBlockSteps + 0.5) * span.step_km));
-      for (int q = 0; q < kQuartets; ++q) {
-        light[q] = hn::Add(light[q], sum.plain[q]);
-        moment[q] = hn::Add(moment[q], hn::Sub(hn::Mul(sum.plain[q], last), hn::Mul(sum.running[q], step)));
+  HWY_INLINE void along_face(int first, int last, int face) {
+    if (kernel_.window[face].flux == nullptr) return;
+    const FaceMarch<kWay> march{kernel_, span_, lanes_, face};
+    Blocks blocks;
+    const auto add = [&](int begin, int end) {
+      for (int block = begin; block < end; ++block) {
+        blocks.from[blocks.count] = static_cast<float>(block);
+        blocks.to[blocks.count] = static_cast<float>(block + 1);
+        if (++blocks.count == 16) take(march, blocks);
       }
     };
-    const int face = face_of_all >= 0 ? face_of_all : face_of_steps<kWay>(span, first, kBlockSteps);
-    if (face >= 0)
-      add(face, false);
+    if (kernel_.lit[face] == nullptr || last - first <= 16)
+      add(first, last);
     else
-      for (int f = 0; f < 6; ++f) add(f, true);
+      for (int at = first; at < last; at += 16 * kStretchBlocks)
+        for (std::uint32_t lit = stretches_with_light(march, at, last); lit != 0; lit &= lit - 1) {
+          const int begin = at + kStretchBlocks * first_of(lit);
+          add(begin, std::min(last, begin + kStretchBlocks));
+        }
+    if (blocks.count > 0) take(march, blocks);
+  }
+
+  /// Of up to sixteen stretches of blocks from `first` on: a bit each.
+  HWY_INLINE std::uint32_t stretches_with_light(const FaceMarch<kWay>& march, int first, int last) const {
+    HWY_ALIGN float from[16], to[16];
+    for (int i = 0; i < 16; ++i) {
+      from[i] = static_cast<float>(std::min(last, first + i * kStretchBlocks));
+      to[i] = static_cast<float>(std::min(last, first + (i + 1) * kStretchBlocks));
+    }
+    const int stretches = std::min(16, (last - first + kStretchBlocks - 1) / kStretchBlocks);
+    StretchFeet feet;
+    find_feet(march, from, to, feet);
+    return feet_with_light(*kernel_.lit[march.face], feet) & ((1u << stretches) - 1u);
+  }
+
+  /// Up to sixteen blocks: where they begin and end, counted from the span's beginning.
+  struct Blocks {
+    HWY_ALIGN float from[16], to[16];
+    int count = 0;
   };
-  for (int group = 0; group < blocks; group += kGroupBlocks) {
-    const int count = blocks - group < kGroupBlocks ? blocks - group : kGroupBlocks;
-    const int face = face_of_steps<kWay>(span, group * kBlockSteps, count * kBlockSteps);
-    std::uint32_t lit = (1u << count) - 1u;
-    if (kernel.lit[0] != nullptr) lit = blocks_with_light<kWay>(kernel, span, lanes, group, count, face);
-    for (; lit != 0; lit &= lit - 1)
-      take(group + static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(lit)), face);
+
+  HWY_INLINE void take(const FaceMarch<kWay>& march, Blocks& blocks) {
+    std::uint32_t lit = (1u << blocks.count) - 1u;
+    for (int i = blocks.count; i < 16; ++i) {
+      blocks.from[i] = blocks.from[i - 1];
+      blocks.to[i] = blocks.to[i - 1];
+    }
+    blocks.count = 0;
+    StretchFeet feet;
+    find_feet(march, blocks.from, blocks.to, feet);
+    if (kernel_.lit[march.face] != nullptr) lit &= feet_with_light(*kernel_.lit[march.face], feet);
+    if (lit == 0) return;
+    BlockCurves curves;
+    find_curves(march, blocks.from, feet, curves);
+    const Pack all(span_.steps);
+    for (; lit != 0; lit &= lit - 1) {
+      const int i = first_of(lit), block = static_cast<int>(blocks.from[i]);
+      if ((curves.good >> i & 1u) != 0)
+        push(march.window(), block, [&](int part) {
+          const Pack k = (lane_numbers(part) - Pack(0.5f * (kBlockSteps - 1))) * Pack(2.0f / kBlockSteps);
+          return curves.places(i, k, step_numbers(block, part), all);
+        });
+      else
+        push(march.window(), block, [&](int part) { return march.places(step_numbers(block, part), false); });
+    }
   }
-  HWY_ALIGN float of_line[kMostLines] = {}, moment_of_line[kMostLines] = {};
-  for (int q = 0; q < kQuartets; ++q) {
-    hn::Store(light[q], d, of_line + 4 * q);
-    hn::Store(moment[q], d, moment_of_line + 4 * q);
+
+  template <class PlacesOf>
+  HWY_INLINE void push(const TexelWindow& window, int block, const PlacesOf& places_of) {
+    queue_.push(window, number_, block, width_of_block_(block * kBlockSteps), places_of);
   }
-  const double scale = kRayleighsPerKm * span.step_km;
-  out.weighted_km = 0.0;
-  for (int l = 0; l < kMostLines; ++l) {
-    out.rayleigh[l] = scale * of_line[l];
-    out.weighted_km += scale * moment_of_line[l];
+
+  static HWY_INLINE Pack step_numbers(int block, int part) {
+    return lane_numbers(block * kBlockSteps + part);
   }
-  return marched;
-}
+  static HWY_INLINE int first_of(std::uint32_t bits) {
+    return static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
+  }
+
+  const FootprintKernel& kernel_;
+  const MarchSpan& span_;
+  const std::size_t number_;
+  Queue& queue_;
+  const SpanLanes lanes_;
+  const WidthOfBlock width_of_block_;
+};
 
 template <FootWay kWay, int kQuartets, bool kEnergies>
 std::size_t march_all(const FootprintKernel& kernel, const MarchSpan* spans, std::size_t count,
                       SpanLight* out) {
-  std::size_t marched = 0;
-  for (std::size_t i = 0; i < count; ++i)
-    marched += march_span<kWay, kQuartets, kEnergies>(kernel, spans[i], out[i]);
-  return marched;
+  using Queue = LightQueue<kQuartets, kEnergies>;
+  std::fill(out, out + count, SpanLight{{}, 0.0, std::numeric_limits<double>::infinity()});
+  Queue queue(*kernel.profile, spans, out);
+  for (std::size_t i = 0; i < count; ++i) SpanMarch<kWay, Queue>(kernel, spans[i], i, queue).run();
+  return queue.finish();
 }
 
 template <FootWay kWay>

@@ -40,7 +40,7 @@ struct FootprintKernel {
 struct SpanLight {
   double rayleigh[kMostLines];
   double weighted_km;  ///< sum over the lines of rayleighs times the distance along the ray
-  double entry_km;     ///< where the first block begins that was not passed over; infinity if all were
+  double entry_km;     ///< where the first block with light begins; infinity if there is none
 };
 
 /// What comes out of each span. Returns the steps that were not passed over.

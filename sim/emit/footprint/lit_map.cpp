@@ -71,8 +71,7 @@ void LitMap::finish(int threads) {
   for (std::size_t i = 0; i < squares.size(); ++i) {
     // Two places in cells so far apart are closer by up to a diagonal of a cell.
     const double cells = squares[i] == kNoMark ? 1e6 : std::sqrt(static_cast<double>(squares[i]));
-    dark_[i] =
-        static_cast<std::uint16_t>(std::clamp(std::floor((cells - std::sqrt(2.0)) * kTexels), 0.0, 65535.0));
+    dark_[i] = static_cast<float>(std::clamp((cells - std::sqrt(2.0)) * kTexels * (1.0 - 1e-6), 0.0, 1e6));
   }
   marked_ = {};
 }

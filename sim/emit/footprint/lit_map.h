@@ -38,6 +38,13 @@ class LitMap {
     return dark_[static_cast<std::size_t>(row) * columns_ + column];
   }
 
+  /// The same as numbers for the kernel: [row][column] of cells, the first from (first_x, first_y) on.
+  const float* dark() const { return dark_.data(); }
+  int first_x() const { return first_x_; }
+  int first_y() const { return first_y_; }
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+
  private:
   static int cell(double offset, int count) {
     const double at = offset * (1.0 / kCellTexels);
@@ -46,7 +53,7 @@ class LitMap {
 
   int first_x_, first_y_, columns_, rows_;
   std::vector<std::uint8_t> marked_;
-  std::vector<std::uint16_t> dark_;
+  std::vector<float> dark_;
 };
 
 /// Flux, [row][column] of a grid, that is not dark.

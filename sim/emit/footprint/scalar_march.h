@@ -48,9 +48,11 @@ class ScalarMarch {
     const WidthOfBlock width_of_block(profile_, plain);
     for (int first = 0; first < span.steps; first += kBlockSteps) {
       if (may_pass_over(plain, first)) continue;
-      out.entry_km = std::min(out.entry_km, plain.at_km + plain.first_km + first * plain.step_km);
       const int width = width_of_block(first);
-      for (int i = first; i < std::min(first + kBlockSteps, span.steps); ++i) add(span, i, width, out);
+      bool any = false;
+      for (int i = first; i < std::min(first + kBlockSteps, span.steps); ++i)
+        any = add(span, i, width, out) || any;
+      if (any) out.entry_km = std::min(out.entry_km, plain.at_km + plain.first_km + first * plain.step_km);
     }
     for (T& light : out.rayleigh) light = light * span.step_km * kRayleighsPerKm;
     out.weighted_km *= kRayleighsPerKm * plain.step_km;
@@ -175,18 +177,20 @@ class ScalarMarch {
     return are_dark(at(middle), ends, 2);
   }
 
-  void add(const MarchSpanOf<T>& span, int step, int width, ScalarLight<T>& out) const {
+  /// Whether there is light.
+  bool add(const MarchSpanOf<T>& span, int step, int width, ScalarLight<T>& out) const {
     const T u = span.first_km + span.step_km * (step + 0.5);
     T light[kMostLines];
     if (!light_at(point_of_ray(span.place_km, span.direction, span.square_km2, span.along_km, u), width,
                   light))
-      return;
+      return false;
     double all = 0.0;
     for (int l = 0; l < profile_.lines(); ++l) {
       out.rayleigh[l] = out.rayleigh[l] + light[l];
       all += value_of(light[l]);
     }
     out.weighted_km += all * (value_of(span.at_km) + value_of(u));
+    return all > 0.0;
   }
 
   /// `shift` is 0, with tangents.

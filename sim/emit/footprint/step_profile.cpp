@@ -56,7 +56,8 @@ StepProfile::StepProfile(const ProfileTable& table, double top_km, double widest
   // A quarter of a kilometre is little against every profile's bends; coarser only for the longest steps.
   width_step_km_ = std::max(kRowKm, widest_km / (kMostWidths - 1));
   widths_ = 1 + static_cast<int>(std::ceil(widest_km / width_step_km_ - 0.5));
-  rate_.assign(static_cast<std::size_t>(energies_) * widths_ * rows_ * stride_, 0.0f);
+  // A row more, since the last row is read with a next one that has no weight.
+  rate_.assign((static_cast<std::size_t>(energies_) * widths_ * rows_ + 1) * stride_, 0.0f);
   slope_ = rate_;
   std::vector<double> curve(rows_);
   const auto fill = [&](const std::vector<float>& from, int energy, int line, std::vector<float>& to) {

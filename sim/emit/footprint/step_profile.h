@@ -30,6 +30,8 @@ class StepProfile {
 
   /// [row][stride] photons cm^-3 s^-1 per mW m^-2, linear from row to row.
   const float* rate(int energy, int width) const { return rate_.data() + offset(energy, width); }
+  /// From a number of one energy to that of the next.
+  int energy_stride() const { return widths_ * rows_ * stride_; }
   /// Their derivatives by ln(energy).
   const float* slope(int energy, int width) const { return slope_.data() + offset(energy, width); }
 

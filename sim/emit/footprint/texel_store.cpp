@@ -16,7 +16,8 @@ TexelStore::TexelStore(const FootprintGrid<double>& grid, double least_flux, boo
   if (right < 0) return;
   first_x_ = left - 1, first_y_ = low - 1;
   columns_ = right - left + 3, rows_ = high - low + 3;
-  flux_.assign(static_cast<std::size_t>(columns_) * rows_, 0.0f);
+  // What is read beyond the last texel of a row or the last row has no weight.
+  flux_.assign(static_cast<std::size_t>(columns_) * (rows_ + 1) + 1, 0.0f);
   if (with_energy) ln_energy_ = flux_;
   for (int y = std::max(0, first_y_); y < std::min(grid.rows, first_y_ + rows_); ++y)
     for (int x = std::max(0, first_x_); x < std::min(grid.columns, first_x_ + columns_); ++x) {

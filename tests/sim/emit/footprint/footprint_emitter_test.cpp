@@ -9,6 +9,8 @@
 
 #include "march_case.h"
 #include "sim/base/earth.h"
+#include "sim/emit/footprint/footprint_kernel.h"
+#include "sim/emit/footprint/texel_store.h"
 #include "sim/light/form_profile.h"
 
 namespace vegard::sim {
@@ -175,7 +177,6 @@ TEST(FootprintEmitter, AgreesWithABruteMarchOfShortSteps) {
 TEST(FootprintEmitter, PassesOverNothingThatShines) {
   // A block adds the same whether others are passed over or not, and those that are would have added zeros.
   const Rays up = sky(300, 21, 1.0, 89.0), down = sky(300, 22, -80.0, 20.0);
-  int later = 0;
   const auto compare = [&](const Scene& scene, const auto& map, const Rays& rays) {
     Scene through = scene;
     through.march.skip = false;
@@ -187,7 +188,8 @@ TEST(FootprintEmitter, PassesOverNothingThatShines) {
       sum += with.rayleigh[i];
     }
     EXPECT_GT(sum, 1000.0);
-    for (std::size_t i = 0; i < rays.count(); ++i) later += with.entry_km[i] > without.entry_km[i] ? 1 : 0;
+    EXPECT_EQ(with.entry_km, without.entry_km);
+    EXPECT_EQ(with.depth_km, without.depth_km);
   };
   const auto spots = [](double east, double north) {
     return std::hypot(east - 150.0, north + 90.0) < 20.0 || std::hypot(east + 100.0, north - 200.0) < 5.0
@@ -210,7 +212,36 @@ TEST(FootprintEmitter, PassesOverNothingThatShines) {
     scene.site.longitude_deg = 45.0;
     compare(scene, cube(256, patchy_globe), down);
   }
-  EXPECT_GT(later, 30);  // so something was passed over
+}
+
+TEST(FootprintEmitter, PassesOverWhatIsDark) {
+  // From the ground, to a spot of 20 km in a map of 600 km: all of a ray but the blocks about the spot.
+  const Scene scene = scene_at(0.0, "box", "vertical");
+  const auto map = plane(-300.0, -300.0, 1.0, 600, 600, [](double east, double north) {
+    return std::hypot(east - 150.0, north + 90.0) < 20.0 ? 8.0 : 0.0;
+  });
+  const StepProfile profile(maxwellian(), scene.footprints[0].top_km, scene.march.step_km);
+  const MarchRays cutter(scene, scene.footprints[0], profile.bottom_km());
+  const TexelStore texels(map.grid, 1e-3, false);
+  const LitMap lit = plane_lit_map(600, 600, lit_texels(map.grid, 1e-3), 1);
+  FootprintKernel kernel;
+  kernel.first_x = kernel.first_y = 300.0 - 0.5;
+  kernel.window[0] = texels.window();
+  kernel.profile = &profile;
+  const Rays rays = sky(300, 23, 5.0, 60.0);
+  std::vector<MarchSpan> spans;
+  for (std::size_t i = 0; i < rays.count(); ++i) {
+    const double enu[3] = {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]};
+    MarchSpan cut[2];
+    const int count = cutter.cut(enu, kInfinity, cut);
+    spans.insert(spans.end(), cut, cut + count);
+  }
+  std::vector<SpanLight> light(spans.size());
+  const std::size_t all = sim::march_spans(kernel, spans.data(), spans.size(), light.data());
+  kernel.lit[0] = &lit;
+  const std::size_t marched = sim::march_spans(kernel, spans.data(), spans.size(), light.data());
+  EXPECT_GT(marched, 0u);
+  EXPECT_LT(marched, all / 10);
 }
 
 TEST(FootprintEmitter, GivesTheSameBitsOnEveryInstructionSet) {
