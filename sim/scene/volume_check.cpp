@@ -107,6 +107,10 @@ void check_footprint(const Scene& scene, const Footprint& f) {
         is_shell ? "image" : "source");
   if (is_shell && (f.source == "sheets" || f.source == "noise"))
     refuse({"a footprint of " + quoted_text(f.source) + " is a box's", "shape = \"box\"", ""}, "source");
+  if (f.source == "sheets" && scene.sheets.empty())
+    refuse({"the footprint is to be that of the sheets, but there are none", "a [[sheet]], or another source",
+            ""},
+           "source");
   if (is_shell && f.flow_turns > 0.0)
     refuse({"a flow is of a plane, and a shell has none", "flow_turns = 0, or shape = \"box\"", ""},
            "flow_turns");

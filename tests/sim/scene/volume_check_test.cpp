@@ -34,6 +34,8 @@ const Bad bad_volumes[] = {
      "a box has no cube faces"},
     {"noise_of_a_shell", "[[footprint]]\nshape = 'shell'\nsource = 'noise'\n", 3, "footprint.arc.source",
      "is a box's"},
+    {"sheets_without_a_sheet", "[[footprint]]\nsource = 'sheets'\n", 2, "footprint.arc.source",
+     "that of the sheets, but there are none"},
     {"flow_of_a_shell",
      "[[footprint]]\nshape = 'shell'\nlongitude_deg = [1, 2]\nlatitude_deg = [1, 2]\nflow_turns = 1\n", 5,
      "footprint.arc.flow_turns", "a flow is of a plane"},
