@@ -30,7 +30,7 @@ constexpr std::pair<const char*, const char*> kDifferences[] = {
     {"frames_per_second", "the frames per second differ"},
     {"seed", "the seed differs"},
     {"scene_sha256", "the scene differs"},
-    {"pictures_sha256", "a picture that the scene names differs"},
+    {"pictures_sha256", "a file that the scene names differs"},
     {"tables_sha256", "a table that the scene names differs"},
     {"photograph", "--photograph differs"},
     {"bits", "the bits per channel differ"},
@@ -131,7 +131,7 @@ std::string manifest_text(const sim::Scene& scene, double frames_per_second, con
   json["seed"] = scene.seed;
   json["scene_sha256"] = sim::sha256(sim::write_scene(as_frames_see(scene)));
   for (const std::string& file : picture_files(scene))
-    json["pictures_sha256"].push_back(sim::sha256(bytes_of(file)));
+    json["pictures_sha256"].push_back(sim::sha256_of_file(file));
   for (const auto& [path, text] : scene.tables) json["tables_sha256"][path] = sim::sha256(text);
   if (picture.photograph) json["photograph"] = true;
   if (picture.bits) json["bits"] = *picture.bits;

@@ -35,7 +35,8 @@ struct Options {
   bool overwrite = false;
 };
 
-/// Leaves in the scene what is called by one of the names.
+/// Leaves in the scene what is called by one of the names, and the sheets that a footprint among it is made
+/// of.
 void keep_named(sim::Scene& scene, const std::vector<std::string>& names) {
   if (names.empty()) return;
   for (const std::string& name : names) {
@@ -52,8 +53,10 @@ void keep_named(sim::Scene& scene, const std::vector<std::string>& names) {
     };
     list.erase(std::remove_if(list.begin(), list.end(), other), list.end());
   };
-  keep(scene.sheets);
   keep(scene.footprints);
+  if (std::none_of(scene.footprints.begin(), scene.footprints.end(),
+                   [](const sim::Footprint& one) { return one.source == "sheets"; }))
+    keep(scene.sheets);
   keep(scene.nebulae);
   keep(scene.volumes);
 }
@@ -89,6 +92,15 @@ sim::SceneGridOptions grid_options(const Options& options, const sim::Scene& sce
   return grid;
 }
 
+[[noreturn]] void refuse_darkness(const Options& options) {
+  const std::string where = options.box.empty() ? "" : " inside the box",
+                    of_what = options.lines.empty() ? "" : " in the lines asked for";
+  throw usage_error(!where.empty()     ? "--box"
+                    : !of_what.empty() ? "--lines"
+                                       : "SCENE",
+                    "nothing shines" + where + of_what + ", and nothing is written", "some light");
+}
+
 int run(const Options& options) {
   const std::atomic<bool>& stop = watch_for_interrupt();
   sim::Scene scene = scene_of(options.scene);
@@ -112,6 +124,7 @@ int run(const Options& options) {
     return interrupted;
   }
   const std::size_t bricks = made.grid.bricks.size();
+  if (bricks == 0) refuse_darkness(options);
   sim::VdbOptions out;
   out.centre_index = options.convention == "blender" ? 0.5 : 0.0;
   out.overwrite = options.overwrite;

@@ -13,6 +13,7 @@ inline double sine(double x) { return std::sin(x); }
 inline double cosine(double x) { return std::cos(x); }
 inline double tangent(double x) { return std::tan(x); }
 inline double exponential(double x) { return std::exp(x); }
+inline double logarithm(double x) { return std::log(x); }
 inline double arctangent(double y, double x) { return std::atan2(y, x); }
 inline double value_of(double x) { return x; }
 
@@ -41,6 +42,10 @@ template <class D>
 Dual<double, D> exponential(const Dual<double, D>& a) {
   const double e = std::exp(a.v);
   return {e, a.d * e};
+}
+template <class D>
+Dual<double, D> logarithm(const Dual<double, D>& a) {
+  return {std::log(a.v), a.d * (1.0 / a.v)};
 }
 
 }  // namespace vegard::sim

@@ -1,8 +1,9 @@
 #include "sim/base/sha256.h"
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <fstream>
+#include <vector>
 
 namespace vegard::sim {
 namespace {
@@ -58,24 +59,54 @@ void digest_block(State& state, const char* block) {
 
 }  // namespace
 
-std::string sha256(std::string_view bytes) {
-  State state = kStart;
-  std::size_t at = 0;
-  for (; at + kBlock <= bytes.size(); at += kBlock) digest_block(state, bytes.data() + at);
+Sha256::Sha256() : state_(kStart) {}
 
+void Sha256::add(std::string_view bytes) {
+  length_ += bytes.size();
+  if (!rest_.empty()) {
+    const std::size_t more = std::min(kBlock - rest_.size(), bytes.size());
+    rest_.append(bytes.substr(0, more));
+    bytes.remove_prefix(more);
+    if (rest_.size() < kBlock) return;
+    digest_block(state_, rest_.data());
+    rest_.clear();
+  }
+  for (; bytes.size() >= kBlock; bytes.remove_prefix(kBlock)) digest_block(state_, bytes.data());
+  rest_ = bytes;
+}
+
+std::string Sha256::digest() const {
   // Section 5.1.1: a one bit, zeros, and the length in bits, up to a whole block.
-  std::string tail(bytes.substr(at));
+  State state = state_;
+  std::string tail = rest_;
   tail += '\x80';
   while (tail.size() % kBlock != kBlock - 8) tail += '\0';
-  const std::uint64_t bits = static_cast<std::uint64_t>(bytes.size()) * 8;
+  const std::uint64_t bits = length_ * 8;
   for (int shift = 56; shift >= 0; shift -= 8) tail += static_cast<char>(bits >> shift & 0xff);
-  for (at = 0; at < tail.size(); at += kBlock) digest_block(state, tail.data() + at);
+  for (std::size_t at = 0; at < tail.size(); at += kBlock) digest_block(state, tail.data() + at);
 
   constexpr char kDigits[] = "0123456789abcdef";
   std::string hex;
   for (const std::uint32_t word : state)
     for (int shift = 28; shift >= 0; shift -= 4) hex += kDigits[word >> shift & 0xf];
   return hex;
+}
+
+std::string sha256(std::string_view bytes) {
+  Sha256 sum;
+  sum.add(bytes);
+  return sum.digest();
+}
+
+std::string sha256_of_file(const std::string& path) {
+  Sha256 sum;
+  std::ifstream file(path, std::ios::binary);
+  std::vector<char> block(std::size_t{1} << 20);
+  while (file) {
+    file.read(block.data(), static_cast<std::streamsize>(block.size()));
+    sum.add({block.data(), static_cast<std::size_t>(file.gcount())});
+  }
+  return sum.digest();
 }
 
 }  // namespace vegard::sim

@@ -2,14 +2,13 @@
 
 #include <openvdb/openvdb.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <mutex>
 #include <sstream>
 
-#include "sim/base/error.h"
 #include "sim/base/output_error.h"
 #include "sim/base/sha256.h"
 #include "sim/base/whole_file.h"
@@ -28,11 +27,6 @@ void start_library() {
   std::call_once(once, [] { openvdb::initialize(); });
 }
 
-Error unreadable(const std::string& path, const std::string& problem, const std::string& expected = {},
-                 const std::string& hint = {}) {
-  return Error(ErrorKind::unreadable_input, {problem, path, 0, "", expected, hint});
-}
-
 /// The library's way of writing to a stream that can be sought, which it keeps from others than its files:
 /// theirs does not notice a full disk.
 class Archive : public openvdb::io::Archive {
@@ -49,18 +43,6 @@ class Archive : public openvdb::io::Archive {
 void put_metadata(openvdb::MetaMap& to, const VdbMetadata& from) {
   for (const auto& [name, text] : from.texts) to.insertMeta(name, openvdb::StringMetadata(text));
   for (const auto& [name, number] : from.numbers) to.insertMeta(name, openvdb::DoubleMetadata(number));
-}
-
-void take_metadata(const openvdb::MetaMap& from, VdbMetadata& to) {
-  for (auto it = from.beginMeta(); it != from.endMeta(); ++it) {
-    const openvdb::Metadata& entry = *it->second;
-    if (const auto* text = dynamic_cast<const openvdb::StringMetadata*>(&entry))
-      to.texts.emplace(it->first, text->value());
-    else if (const auto* real = dynamic_cast<const openvdb::DoubleMetadata*>(&entry))
-      to.numbers.emplace(it->first, real->value());
-    else if (const auto* narrow = dynamic_cast<const openvdb::FloatMetadata*>(&entry))
-      to.numbers.emplace(it->first, narrow->value());
-  }
 }
 
 openvdb::math::Transform::Ptr transform_of(const SparseGrid& grid, double centre_index) {
@@ -176,124 +158,6 @@ void write_vdb(const std::string& path, SparseGrid&& grid, const VdbMetadata& me
     throw unwritable(path, errno);
   }
   file.commit();
-}
-
-namespace {
-
-/// Index (i, j, k) to the world, or an Error.
-void take_place(const std::string& path, const FloatGrid& from, double centre_index, SparseGrid& to) {
-  const std::string expected = "a shift, a turn and one scale for all axes";
-  if (!from.transform().isLinear())
-    throw unreadable(path, "the grid '" + from.getName() + "' is not placed by a linear transform", expected);
-  const openvdb::math::Mat4d m = from.transform().baseMap()->getAffineMap()->getMat4();
-  double length[3];
-  for (int a = 0; a < 3; ++a)
-    length[a] = std::sqrt(m(a, 0) * m(a, 0) + m(a, 1) * m(a, 1) + m(a, 2) * m(a, 2));
-  to.voxel = length[0];
-  bool good = std::isfinite(length[0]) && length[0] > 0.0;
-  for (int a = 0; a < 3; ++a) {
-    const int b = (a + 1) % 3;
-    const double across = m(a, 0) * m(b, 0) + m(a, 1) * m(b, 1) + m(a, 2) * m(b, 2);
-    good = good && std::abs(length[a] / length[0] - 1.0) < 1e-6 &&
-           std::abs(across) < 1e-6 * length[0] * length[0];
-  }
-  if (!good)
-    throw unreadable(path, "the grid '" + from.getName() + "' has voxels that are no cubes", expected,
-                     "Resample it onto cubes");
-  for (int c = 0; c < 3; ++c) {
-    to.origin[c] = m(3, c);
-    for (int a = 0; a < 3; ++a) {
-      to.axes[a][c] = m(a, c) / to.voxel;
-      to.origin[c] += (centre_index - 0.5) * m(a, c);
-    }
-    if (!std::isfinite(to.origin[c])) throw unreadable(path, "a grid's place is no number", expected);
-  }
-}
-
-bool same_place(const SparseGrid& a, const SparseGrid& b) {
-  bool same = std::abs(a.voxel - b.voxel) <= 1e-6 * a.voxel;
-  for (int c = 0; c < 3; ++c) {
-    same = same && std::abs(a.origin[c] - b.origin[c]) <= 1e-4 * a.voxel;
-    for (int i = 0; i < 3; ++i) same = same && std::abs(a.axes[i][c] - b.axes[i][c]) <= 1e-6;
-  }
-  return same;
-}
-
-void take_bricks(FloatGrid& from, std::size_t channel, SparseGrid& to) {
-  from.tree().voxelizeActiveTiles(false);
-  for (auto leaf = from.tree().cbeginLeaf(); leaf; ++leaf) {
-    const openvdb::Coord corner = leaf->origin();
-    float* brick = nullptr;
-    for (auto voxel = leaf->cbeginValueOn(); voxel; ++voxel) {
-      const float number = *voxel;
-      if (number == 0.0f || !std::isfinite(number)) continue;
-      if (brick == nullptr)
-        brick = to.brick({corner.x() >> 3, corner.y() >> 3, corner.z() >> 3}).data() +
-                channel * SparseGrid::kVoxels;
-      brick[voxel.pos()] = number;
-    }
-  }
-}
-
-VdbFile read_from(openvdb::io::File& file, const std::string& path, const std::vector<std::string>& wanted,
-                  std::uint64_t most_bytes) {
-  VdbFile out;
-  file.open(false);
-  take_metadata(*file.getMetadata(), out.metadata);
-  const openvdb::GridPtrVecPtr heads = file.readAllGridMetadata();
-  for (const auto& head : *heads)
-    if (head->isType<FloatGrid>()) out.names.push_back(head->getName());
-  std::vector<FloatGrid::Ptr> grids;
-  std::uint64_t bytes = 0;
-  for (const std::string& name : wanted) {
-    if (std::find(out.names.begin(), out.names.end(), name) == out.names.end()) continue;
-    const auto grid = openvdb::gridPtrCast<FloatGrid>(file.readGrid(name));
-    if (grid->getGridClass() == openvdb::GRID_LEVEL_SET)
-      throw unreadable(path, "the grid '" + name + "' is a level set", "a fog volume");
-    const std::uint64_t most_voxels = most_bytes / sizeof(float);
-    const std::uint64_t active = grid->activeVoxelCount();
-    bytes += active > most_voxels ? most_bytes + 1 : grid->memUsage() + active * sizeof(float);
-    if (bytes > most_bytes)
-      throw unreadable(path, "its grids take more than " + std::to_string(most_bytes >> 20) + " MB of memory",
-                       "smaller grids, or larger voxels");
-    take_metadata(*grid, out.metadata);
-    const auto centre = out.metadata.numbers.find(kVoxelCentreIndex);
-    SparseGrid place;
-    take_place(path, *grid, centre == out.metadata.numbers.end() ? 0.0 : centre->second, place);
-    if (grids.empty()) {
-      out.grid = place;
-    } else if (!same_place(out.grid, place)) {
-      throw unreadable(path,
-                       "the grids '" + out.grid.channels[0].name + "' and '" + name + "' stand differently",
-                       "grids with one transform");
-    }
-    const auto unit = grid->getMetadata<openvdb::StringMetadata>("unit");
-    out.grid.channels.push_back({name, unit ? unit->value() : ""});
-    grids.push_back(grid);
-  }
-  for (std::size_t c = 0; c < grids.size(); ++c) {
-    take_bricks(*grids[c], c, out.grid);
-    grids[c].reset();
-  }
-  return out;
-}
-
-}  // namespace
-
-VdbFile read_vdb(const std::string& path, const std::vector<std::string>& wanted, std::uint64_t most_bytes) {
-  start_library();
-  try {
-    openvdb::io::File file(path);
-    return read_from(file, path, wanted, most_bytes);
-  } catch (const Error&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
-    std::string why = error.what();
-    why = why.substr(0, why.find('\n'));
-    throw unreadable(path, "cannot be read as OpenVDB: " + why);
-  }
 }
 
 std::string vdb_library_version() { return openvdb::getLibraryVersionString(); }

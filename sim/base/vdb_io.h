@@ -1,4 +1,4 @@
-// OpenVDB files: sparse grids in and out. The one file that knows the library is vdb_io.cpp.
+// OpenVDB files: sparse grids in and out. Only vdb_io.cpp (out) and vdb_read.cpp (in) know the library.
 //
 // Where a voxel's number holds. OpenVDB's own convention, which Houdini and the library's tools follow, is
 // that the transform takes the index (i, j, k) to the middle of a voxel. Blender (3.4, Cycles) takes it to
@@ -45,11 +45,14 @@ struct VdbFile {
   VdbMetadata metadata;  ///< the file's, and that of its first grid
 };
 
-/// Reads those of the grids `wanted` that a file has. Throws Error(unreadable_input) for what is no VDB, for
-/// a level set, for grids that are not alike in place and voxel, for a transform other than shift, turn and
-/// one scale, and for what would take more than `most_bytes`.
+/// Reads those of the grids `wanted` that a file has. Throws Error(unreadable_input) for what is no VDB, is
+/// cut off or damaged, for a level set, for two grids of one name, for grids that are not alike in place and
+/// voxel, for a transform other than shift, turn and one scale, for numbers that are not finite or above
+/// 1e30, and for what would take more than `most_bytes`, or more memory than there is.
+///
+/// What the library reads of a file is the library's affair: a file made to harm it can end the program.
 VdbFile read_vdb(const std::string& path, const std::vector<std::string>& wanted,
-                 std::uint64_t most_bytes = std::uint64_t{8} << 30);
+                 std::uint64_t most_bytes = std::uint64_t{8} << 30, std::uint64_t bytes_beside = 0);
 
 /// "10.0.1"
 std::string vdb_library_version();

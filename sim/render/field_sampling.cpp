@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "sim/base/error.h"
 #include "sim/base/parallel.h"
@@ -25,21 +27,23 @@ Box3 box_of(const BrickRange& r, const SparseGrid& grid) {
   return box;
 }
 
-void collect(const LightField& field, const SparseGrid& grid, const BrickRange& r,
-             std::vector<BrickCoordinate>& out) {
-  if (field.is_dark(box_of(r, grid))) return;
+int widest_of(const BrickRange& r) {
   int widest = 0;
   for (int a = 1; a < 3; ++a)
     if (r.high[a] - r.low[a] > r.high[widest] - r.low[widest]) widest = a;
-  const int edge = r.high[widest] - r.low[widest];
-  if (edge == 1) {
-    out.push_back({r.low[0], r.low[1], r.low[2]});
-    return;
-  }
-  BrickRange low = r, high = r;
-  low.high[widest] = high.low[widest] = r.low[widest] + edge / 2;
-  collect(field, grid, low, out);
-  collect(field, grid, high, out);
+  return widest;
+}
+
+bool is_brick(const BrickRange& r) {
+  for (int a = 0; a < 3; ++a)
+    if (r.high[a] - r.low[a] > 1) return false;
+  return true;
+}
+
+void halve(const BrickRange& r, BrickRange& low, BrickRange& high) {
+  const int a = widest_of(r);
+  low = high = r;
+  low.high[a] = high.low[a] = r.low[a] + (r.high[a] - r.low[a]) / 2;
 }
 
 /// Light and density of a brick's voxels, [line or density][voxel]; empty if dark.
@@ -71,10 +75,51 @@ SparseGrid::Brick sampled(const LightField& field, int all_lines, const std::vec
   return out;
 }
 
+/// Whether a brick of the range, found by going into halves that may be lit, is lit.
+bool is_lit(const LightField& field, int all_lines, const std::vector<int>& lines, BrickRange r,
+            unsigned turns, const std::optional<Box3>& crop, const SparseGrid& grid) {
+  while (!is_brick(r)) {
+    BrickRange half[2];
+    halve(r, half[0], half[1]);
+    if (turns & 1) std::swap(half[0], half[1]);
+    turns = turns >> 1 | (turns & 1) << 31;
+    r = half[field.is_dark(box_of(half[0], grid))];
+  }
+  return !sampled(field, all_lines, lines, {r.low[0], r.low[1], r.low[2]}, crop, grid).empty();
+}
+
+/// The share of ranges that have a lit brick, by some of them.
+double lit_share(const LightField& field, int all_lines, const std::vector<BrickRange>& ranges,
+                 const std::optional<Box3>& crop, const SparseGrid& grid) {
+  constexpr std::size_t kTried = 128;
+  std::vector<int> lines(all_lines);
+  std::iota(lines.begin(), lines.end(), 0);
+  const std::size_t tried = std::min(kTried, ranges.size());
+  int lit = 0;
+  for (std::size_t i = 0; i < tried; ++i)
+    lit += is_lit(field, all_lines, lines, ranges[i * ranges.size() / tried],
+                  static_cast<unsigned>(i * 2654435761u), crop, grid);
+  return static_cast<double>(lit) / static_cast<double>(tried);
+}
+
+/// What is lit is a surface at least: a part that is s bricks wide has s^2 lit ones.
+double bricks_of_surface(const std::vector<BrickRange>& ranges) {
+  double all = 0.0;
+  for (const BrickRange& r : ranges) {
+    double volume = 1.0;
+    for (int a = 0; a < 3; ++a) volume *= r.high[a] - r.low[a];
+    all += std::cbrt(volume * volume);
+  }
+  return all;
+}
+
 }  // namespace
 
-std::vector<BrickCoordinate> bricks_to_sample(const LightField& field, const SparseGrid& grid,
-                                              const std::optional<Box3>& crop) {
+BricksToSample bricks_to_sample(const LightField& field, const SparseGrid& grid,
+                                const std::optional<Box3>& crop, int all_lines, double most_bricks,
+                                double most_bytes, const std::function<bool()>& go_on) {
+  constexpr std::size_t kBetweenQuestions = 1024;
+  constexpr double kCertain = 4.0;  // parts above the most bricks, of which a quarter must be lit
   const Box3 box = field.bounds();
   BrickRange range;
   for (int a = 0; a < 3; ++a) {
@@ -93,10 +138,41 @@ std::vector<BrickCoordinate> bricks_to_sample(const LightField& field, const Spa
     range.low[a] = static_cast<int>(first);
     range.high[a] = static_cast<int>(last);
   }
-  std::vector<BrickCoordinate> all;
-  collect(field, grid, range, all);
-  std::sort(all.begin(), all.end());
-  return all;
+  std::vector<BrickRange> ranges, halves;
+  if (!field.is_dark(box_of(range, grid))) ranges.push_back(range);
+  double next_try = kCertain * most_bricks;
+  std::size_t asked = 0;
+  for (bool whole = false; !whole;) {
+    whole = true;
+    halves.clear();
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      if (++asked % kBetweenQuestions == 0 && !go_on()) return {};
+      if (is_brick(ranges[i])) {
+        halves.push_back(ranges[i]);
+        continue;
+      }
+      BrickRange half[2];
+      halve(ranges[i], half[0], half[1]);
+      for (const BrickRange& one : half)
+        if (!field.is_dark(box_of(one, grid))) {
+          halves.push_back(one);
+          whole = whole && is_brick(one);
+        }
+    }
+    ranges.swap(halves);
+    const double count = static_cast<double>(ranges.size());
+    const bool long_list = 2.0 * count * sizeof(BrickRange) > most_bytes;
+    if (count <= next_try && !long_list) continue;
+    next_try = 2.0 * count;
+    const double share = lit_share(field, all_lines, ranges, crop, grid);
+    if (share * count > most_bricks || long_list)
+      return {{}, std::max(share * bricks_of_surface(ranges), most_bricks + 1.0)};
+  }
+  BricksToSample out;
+  out.bricks.reserve(ranges.size());
+  for (const BrickRange& r : ranges) out.bricks.push_back({r.low[0], r.low[1], r.low[2]});
+  std::sort(out.bricks.begin(), out.bricks.end());
+  return out;
 }
 
 double sample_field(const LightField& field, int all_lines, const std::vector<int>& lines,

@@ -99,14 +99,23 @@ SceneGrid grid_of_fields(const Scene& scene, const std::vector<const LightField*
     done += 1.0;
   }
   for (const LightField* field : fields) {
-    const std::vector<BrickCoordinate> bricks = bricks_to_sample(*field, out.grid, options.box);
     const std::size_t before = out.grid.bricks.size();
+    const BricksToSample found = bricks_to_sample(*field, out.grid, options.box, all_lines,
+                                                  static_cast<double>(options.memory_limit / kept),
+                                                  static_cast<double>(options.memory_limit), [&] {
+                                                    progress(0.0);
+                                                    return !stopped();
+                                                  });
+    if (stopped()) return out;
+    if (found.too_many > 0.0)
+      refuse_memory(std::max(found.too_many * static_cast<double>(kept), 1.0 * options.memory_limit),
+                    options);
     const auto room = [&](double share) {
       progress(share);
       return !stopped() && out.grid.bricks.size() * kept <= options.memory_limit;
     };
     const double share =
-        sample_field(*field, all_lines, lines, bricks, options.box, options.threads, room, out.grid);
+        sample_field(*field, all_lines, lines, found.bricks, options.box, options.threads, room, out.grid);
     if (stopped()) return out;
     const double more = static_cast<double>(out.grid.bricks.size() - before);
     if (out.grid.bricks.size() * kept > options.memory_limit)

@@ -1,5 +1,8 @@
 #include "sim/render/volume_files.h"
 
+#include <new>
+
+#include "sim/base/error.h"
 #include "sim/render/depth_file.h"
 #include "sim/scene/footprint_files.h"
 #include "sim/scene/volume_grid_file.h"
@@ -11,8 +14,19 @@ std::vector<std::shared_ptr<const GridBricks>> read_grids(const Scene& scene) {
   std::vector<std::shared_ptr<const GridBricks>> grids;
   for (const Volume& volume : scene.volumes) {
     const VolumeGridFile file = read_volume_grid(scene, volume);
-    grids.push_back(std::make_shared<const GridBricks>(file.grid, file.emission, file.density, file.place, file.site,
-                                                       scene.site));
+    ErrorDetails details;
+    try {
+      grids.push_back(std::make_shared<const GridBricks>(file.grid, file.emission, file.density, file.place,
+                                                         file.site, scene.site));
+      continue;
+    } catch (const Error& error) {
+      details = error.details();
+    } catch (const std::bad_alloc&) {
+      details.problem = "there is not enough memory for its grids";
+      details.file = file.place;
+    }
+    details.key = "volume." + volume.name + ".file";
+    throw Error(ErrorKind::unreadable_input, details);
   }
   return grids;
 }

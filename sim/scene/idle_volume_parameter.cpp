@@ -25,11 +25,39 @@ std::optional<Complaint> of_footprint(const Footprint& f, const std::string& key
   const bool of_spline = is_one_of(key, {"east_km", "north_km", "width_km", "point_energy", "point_flux"});
   if (of_spline && f.source != "spline")
     return idle(nothing("the footprint comes from \"" + f.source + "\""), "set source to \"spline\"");
-  if (key == "width_km" && f.model == "curtain")
-    return idle(nothing("a curtain has no thickness"), "set model to \"volume\"");
+  if (f.model != "curtain" && f.flow_turns > 0.0 &&
+      is_one_of(key, {"east_km", "north_km", "width_km", "point_flux"}))
+    return Complaint{
+        "the flow that winds the footprint up depends on " + key + ", and its derivative is not known",
+        "a footprint that does not flow, or a number that its flow does not depend on",
+        "set flow_turns = 0, or leave it out of fit.free"};
   if (f.source == "sheets" && is_one_of(key, {"center_km", "energy_kev", "energy_flux_mw_m2"}))
     return idle(nothing("feet, energy and flux are those of the sheets"), "free the sheets' own numbers");
   return std::nullopt;
+}
+
+/// Of a sheet that a footprint is made of.
+std::optional<Complaint> of_sheet_in_footprint(const Scene& scene, const Sheet& sheet,
+                                               const std::string& key) {
+  const bool is_in_one = std::any_of(scene.footprints.begin(), scene.footprints.end(),
+                                     [](const Footprint& f) { return f.source == "sheets"; });
+  if (is_in_one && key == "energy_kev" && sheet.brightness_kilorayleigh > 0.0)
+    return Complaint{
+        "the sheet's brightness is given, and how the energy flux of its footprint depends on "
+        "its energy then is not known",
+        "a sheet of given energy_flux_mw_m2",
+        "set energy_flux_mw_m2 in the place of brightness_kilorayleigh, or leave it out of "
+        "fit.free"};
+  const bool flows = std::any_of(scene.footprints.begin(), scene.footprints.end(), [](const Footprint& f) {
+    return f.source == "sheets" && f.flow_turns > 0.0;
+  });
+  // The flow goes by ratios of fluxes, and so not by the flux of a single sheet.
+  if (!flows || key == "energy_kev" || (key == "energy_flux_mw_m2" && scene.sheets.size() == 1))
+    return std::nullopt;
+  return Complaint{
+      "the flow that winds the sheets' footprint up depends on " + key + ", and its derivative is not known",
+      "a footprint that does not flow, or a number that its flow does not depend on",
+      "set the footprint's flow_turns = 0, or leave it out of fit.free"};
 }
 
 std::optional<Complaint> of_nebula(const Scene& scene, const Nebula& n, const std::string& key) {
@@ -92,6 +120,7 @@ std::optional<Complaint> why_volume_number_counts_for_nothing(const Scene& scene
   const std::string &table = path.row->table, &key = path.row->key;
   const auto e = static_cast<std::size_t>(path.element);
   if (table == "footprint") return of_footprint(scene.footprints[e], key);
+  if (table == "sheet") return of_sheet_in_footprint(scene, scene.sheets[e], key);
   if (table == "nebula") return of_nebula(scene, scene.nebulae[e], key);
   if (table == "node") return of_node(scene, scene.nodes[e], key);
   return std::nullopt;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdio>
 
 #include "sim/base/error.h"
 #include "sim/base/vdb_io.h"
@@ -12,6 +14,9 @@ namespace vegard::sim {
 namespace {
 
 constexpr const char* kDensity = "density";
+constexpr std::uint64_t kMostBytes = std::uint64_t{8} << 30;
+/// What a brick made ready for rays, with the voxels next to it, takes for a line at least.
+constexpr std::uint64_t kBytesForRays = 9 * 9 * 9 * sizeof(float);
 
 bool is_emission(const std::string& name) { return name.rfind("emission_", 0) == 0; }
 
@@ -28,6 +33,21 @@ std::string words(const std::vector<std::string>& names) {
   std::string all;
   for (std::size_t i = 0; i < names.size() && i < 20; ++i) all += (i > 0 ? ", " : "") + names[i];
   return names.size() > 20 ? all + ", ..." : all;
+}
+
+std::string range_text(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", x);
+  return text;
+}
+
+/// There is no density below nothing: such numbers come of resampling and would make light.
+void clamp_density(SparseGrid& grid, int channel) {
+  for (auto& [at, brick] : grid.bricks)
+    for (int v = 0; v < SparseGrid::kVoxels; ++v) {
+      float& number = brick[static_cast<std::size_t>(channel) * SparseGrid::kVoxels + v];
+      number = std::max(number, 0.0f);
+    }
 }
 
 }  // namespace
@@ -47,7 +67,7 @@ VolumeGridFile read_volume_grid(const Scene& scene, const Volume& volume) {
   VdbFile file;
   try {
     wanted.emplace_back(kDensity);
-    file = read_vdb(out.place, wanted);
+    file = read_vdb(out.place, wanted, kMostBytes, kBytesForRays * scene.emission.lines.size());
   } catch (const Error& error) {
     ErrorDetails details = error.details();
     if (details.key.empty()) details.key = "volume." + volume.name + ".file";
@@ -57,6 +77,7 @@ VolumeGridFile read_volume_grid(const Scene& scene, const Volume& volume) {
   for (const double nm : scene.emission.lines)
     out.emission.push_back(out.grid.channel(emission_grid_name(nm)));
   out.density = out.grid.channel(kDensity);
+  if (out.density >= 0) clamp_density(out.grid, out.density);
   if (std::all_of(out.emission.begin(), out.emission.end(), [](int c) { return c < 0; })) {
     const bool others = std::any_of(file.names.begin(), file.names.end(), is_emission);
     if (out.density < 0 || others)
@@ -71,13 +92,21 @@ VolumeGridFile read_volume_grid(const Scene& scene, const Volume& volume) {
     const auto found = file.metadata.numbers.find(name);
     return found == file.metadata.numbers.end() ? otherwise : found->second;
   };
-  if (const double cm = number("unit_cm", 1e5); std::abs(cm / 1e5 - 1.0) > 1e-9)
+  if (const double cm = number("unit_cm", 1e5); !(std::abs(cm / 1e5 - 1.0) <= 1e-9))
     refuse("it holds a nebula in a frame of its own", "a grid in km about an observer",
            "Such a file is for other programs; [[nebula]] is how vegard shows it");
   out.site = scene.site;
-  out.site.latitude_deg = number("site_latitude_deg", scene.site.latitude_deg);
-  out.site.longitude_deg = number("site_longitude_deg", scene.site.longitude_deg);
-  out.site.altitude_m = number("site_altitude_m", scene.site.altitude_m);
+  const auto of_site = [&](const char* name, double otherwise, double least, double most) {
+    const double here = number(name, otherwise);
+    if (!(here >= least && here <= most))
+      refuse(std::string("its metadata ") + name + " is out of range",
+             "a number from " + range_text(least) + " to " + range_text(most));
+    return here;
+  };
+  // As in a scene (rows/place.cpp).
+  out.site.latitude_deg = of_site("site_latitude_deg", scene.site.latitude_deg, -90.0, 90.0);
+  out.site.longitude_deg = of_site("site_longitude_deg", scene.site.longitude_deg, -180.0, 360.0);
+  out.site.altitude_m = of_site("site_altitude_m", scene.site.altitude_m, -500.0, 1e9);
   return out;
 }
 

@@ -21,7 +21,7 @@ struct VolumeGridFile {
 };
 
 /// A file without a grid for any line, but with `density` and no other emission, shines by that in every
-/// line. Throws Error(unreadable_input) that names the key.
+/// line. A density below 0 is taken as 0. Throws Error(unreadable_input) that names the key.
 VolumeGridFile read_volume_grid(const Scene& scene, const Volume& volume);
 
 }  // namespace vegard::sim

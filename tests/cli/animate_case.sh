@@ -38,7 +38,7 @@ expect_stderr "sky/00.png"
 expect_same sky/00.png kept.png
 expect_exit 0 render "$SCENES/small.toml" -o sky/00.png --set camera.azimuth_deg=40 --overwrite
 expect_exit 2 animate scene.toml -o over/##.png "${behind[@]}"
-expect_stderr "a picture that the scene names differs"
+expect_stderr "a file that the scene names differs"
 rm sky/00.png
 expect_exit 3 animate scene.toml -o none/##.png "${behind[@]}"
 [[ ! -e none ]] || fail "a folder is left"

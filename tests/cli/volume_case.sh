@@ -24,6 +24,12 @@ expect_stderr "--box"
 expect_exit 2 volume "$small" -o bad.vdb --memory-limit 0.001
 expect_stderr "would do"
 expect_one_message
+expect_exit 2 volume "$small" -o bad.vdb --box 9000,9001,0,1,5,6
+expect_stderr "nothing shines inside the box"
+printf '[[footprint]]\nname = "foot"\nsource = "sheets"\n' | cat "$small" - >foot.toml
+expect_exit 0 volume foot.toml -o foot.vdb --voxel-km 4 --of foot
+expect_stdout "bricks of"
+rm -f foot.toml
 expect_exit 6 volume "$small" -o no/such/folder/out.vdb
 status=0
 (ulimit -f 64 && exec "$VEGARD" volume "$small" -o full.vdb --voxel-km 2 >"$stdout" 2>"$stderr") || status=$?
@@ -42,4 +48,4 @@ expect_exit 0 render other.toml -o other.png
 expect_exit 3 render other.toml -o none.png --set 'emission.lines=[630.0]'
 expect_stderr "emission_5577"
 rm -f seen.toml other.toml
-expect_only one.vdb two.vdb green.vdb seen.png seen.exr other.png
+expect_only one.vdb two.vdb green.vdb foot.vdb seen.png seen.exr other.png

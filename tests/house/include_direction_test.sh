@@ -74,15 +74,15 @@ check_sources() {
         complain("OpenImageIO belongs in sim/base/image_io/ only")
       if (target ~ /^fitsio/ && FILENAME != "sim/base/fits_io.cpp")
         complain("CFITSIO belongs in sim/base/fits_io.cpp only")
-      if (target ~ /^openvdb\// && FILENAME != "sim/base/vdb_io.cpp")
-        complain("OpenVDB belongs in sim/base/vdb_io.cpp only")
+      if (target ~ /^openvdb\// && FILENAME !~ /^sim\/base\/vdb_(io|read).cpp$/)
+        complain("OpenVDB belongs in sim/base/vdb_io.cpp and vdb_read.cpp only")
       if (target ~ /^toml(\+\+)?[\/.]/ && from != "sim/scene") complain("TOML parsing belongs in sim/scene only")
       if (target ~ /^muParser/ && FILENAME != "sim/scene/expression.cpp")
         complain("muParser belongs in sim/scene/expression.cpp only")
 
       # Rule 6: libraries do not print, physics does no input or output.
       if (library && target ~ /^(iostream|print|syncstream)$/) complain("libraries do not print (<" target ">)")
-      if (physics && (target ~ /^(fstream|filesystem)$/ || target ~ /^sim\/base\/(image_io|fits_io|vdb_io|whole_)/))
+      if (physics && (target ~ /^(fstream|filesystem)$/ || target ~ /^sim\/base\/(image_io|fits_io|vdb_io|vdb_outline|whole_)/))
         complain("physics does no input or output (" target ")")
     }
     library && code ~ /std::(cout|cerr|clog|wcout|wcerr)|(^|[^A-Za-z0-9_])(v?f?printf|f?puts|putchar|fmt::print)[ \t]*\(/ {

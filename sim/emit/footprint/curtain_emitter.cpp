@@ -6,21 +6,18 @@
 #include <limits>
 #include <vector>
 
-#include "sim/emit/aurora/beam.h"
-#include "sim/emit/aurora/dipole.h"
+#include "sim/base/dual.h"
 #include "sim/emit/footprint/curve.h"
+#include "sim/emit/footprint/foot_way.h"
 #include "sim/emit/footprint/scalar_march.h"
+#include "sim/scene/footprint_size.h"
 
 namespace vegard::sim {
 namespace {
 
 constexpr double kSqrtTwoPi = 2.5066282746310002;
 constexpr double kLeastCosine = 0.052;  // 3 degrees
-constexpr double kPieceKm = 4.0;
 constexpr double kFootRadius = kEarthRadiusKm + kFootAltitudeKm;
-
-double logarithm(double x) { return std::log(x); }
-FreeDual logarithm(const FreeDual& x) { return {std::log(x.v), x.d * (1.0 / x.v)}; }
 
 template <class T>
 using Vector = std::array<T, 3>;
@@ -67,7 +64,7 @@ class CurtainEmitter : public Emitter<T> {
       by_flux_ = std::make_unique<StepProfile>(by_flux, f.top_km, 0.0);
       foot_.profile_by_flux = by_flux_.get();
     }
-    set_way(scene, f, number);
+    foot_.way = way_of_foot<T>(scene, f, number, foot_.axis);
     build(f, number);
   }
   CurtainEmitter(const CurtainEmitter&) = delete;
@@ -92,23 +89,6 @@ class CurtainEmitter : public Emitter<T> {
     return foot;
   }
 
-  void set_way(const Scene& scene, const Footprint& f, const NumberAs<T>& number) {
-    for (T& axis : foot_.axis) axis = T(0.0);
-    foot_.way = FootWay::vertical;
-    if (f.shape == "shell") {
-      foot_.way = FootWay::shell;
-    } else if (f.fall == "field" && scene.field.model == "dipole") {
-      foot_.way = FootWay::dipole;
-      const DipoleAxis axis = dipole_axis(scene.field, scene.site);
-      for (int i = 0; i < 3; ++i) foot_.axis[i] = T(axis.in_enu[i]);
-    } else if (f.fall == "field") {
-      foot_.way = FootWay::field;
-      const FallFrame<T> frame = fall_frame<T>(number(scene.field.inclination_deg) * kRadiansPerDegree,
-                                               number(scene.field.declination_deg) * kRadiansPerDegree);
-      for (int i = 0; i < 3; ++i) foot_.axis[i] = frame.along[i];
-    }
-  }
-
   struct Edge {
     Vector<T> foot;
     T flux, ln_energy;
@@ -116,6 +96,7 @@ class CurtainEmitter : public Emitter<T> {
 
   void build(const Footprint& f, const NumberAs<T>& number) {
     std::vector<Edge> edges;
+    bool closed = false;
     const auto cargo = [&](std::size_t i, auto& point) {
       point.flux = number(f.energy_flux_mw_m2);
       if (!f.point_flux.empty()) point.flux = point.flux * number(f.point_flux[i]);
@@ -130,7 +111,9 @@ class CurtainEmitter : public Emitter<T> {
                         T(kFootRadius * std::cos(lat) * std::sin(lon)), T(kFootRadius * std::sin(lat))};
         cargo(i, points[i]);
       }
-      for (const auto& piece : curve_pieces<T, 3>(points, f.closed, kPieceKm * 4.0, true))
+      const auto curve = curve_pieces<T, 3>(points, f.closed, longest_piece_km(f), true);
+      closed = curve.is_closed;
+      for (const auto& piece : curve.pieces)
         edges.push_back({piece.middle.at, piece.middle.flux, piece.middle.ln_energy});
     } else {
       std::vector<CurvePoint<T, 2>> points(f.east_km.size());
@@ -139,7 +122,9 @@ class CurtainEmitter : public Emitter<T> {
                         number(f.center_km.north) + number(f.north_km[i])};
         cargo(i, points[i]);
       }
-      for (const auto& piece : curve_pieces<T, 2>(points, f.closed, kPieceKm, false)) {
+      const auto curve = curve_pieces<T, 2>(points, f.closed, longest_piece_km(f), false);
+      closed = curve.is_closed;
+      for (const auto& piece : curve.pieces) {
         const T &e = piece.middle.at[0], &n = piece.middle.at[1];
         const T height2 = T(kFootRadius * kFootRadius) - e * e - n * n;
         if (value_of(height2) > 1.0)
@@ -147,7 +132,7 @@ class CurtainEmitter : public Emitter<T> {
       }
     }
     const std::size_t count = edges.size();
-    for (std::size_t i = 0; count > 1 && i < (f.closed ? count : count - 1); ++i)
+    for (std::size_t i = 0; count > 1 && i < (closed ? count : count - 1); ++i)
       stand(edges[i], edges[(i + 1) % count], number(f.width_km));
   }
 

@@ -33,6 +33,13 @@ struct CurvePiece {
   T length;
 };
 
+/// A curve in its pieces.
+template <class T, int axes>
+struct CurvePieces {
+  std::vector<CurvePiece<T, axes>> pieces;
+  bool is_closed = false;  ///< the last piece is followed by the first
+};
+
 template <class T, std::size_t axes>
 T length_of(const std::array<T, axes>& v) {
   T square(0.0);
@@ -43,11 +50,12 @@ T length_of(const std::array<T, axes>& v) {
 /// The pieces of the curve through `points`, in their order and at most `longest` long, or a sixteenth of the
 /// way between two points. Flux and energy are linear from point to point, in the curve's own parameter.
 /// Points at the place of the one before are left out; fewer than two make no curve, fewer than three none
-/// that is closed. On a sphere of radius |points[0]| about the origin (`on_sphere`) the curve is drawn out to
-/// it. T is double or FreeDual; how many pieces there are depends on the values alone.
+/// that is closed, whatever `closed` asks for. On a sphere of radius |points[0]| about the origin
+/// (`on_sphere`) the curve is drawn out to it. T is double or FreeDual; how many pieces there are depends on
+/// the values alone.
 template <class T, int axes>
-std::vector<CurvePiece<T, axes>> curve_pieces(const std::vector<CurvePoint<T, axes>>& all, bool closed,
-                                              double longest, bool on_sphere) {
+CurvePieces<T, axes> curve_pieces(const std::vector<CurvePoint<T, axes>>& all, bool closed, double longest,
+                                  bool on_sphere) {
   using Vector = std::array<T, axes>;
   const auto plus = [](const Vector& a, const Vector& b, const T& b_times) {
     Vector sum;
@@ -69,8 +77,9 @@ std::vector<CurvePiece<T, axes>> curve_pieces(const std::vector<CurvePoint<T, ax
     points.pop_back();
   const int n = static_cast<int>(points.size());
   closed = closed && n > 2;
-  std::vector<CurvePiece<T, axes>> pieces;
-  if (n < 2) return pieces;
+  CurvePieces<T, axes> curve;
+  curve.is_closed = closed;
+  if (n < 2) return curve;
   const auto point_at = [&](int i) {
     if (closed) return points[(i + n) % n].at;
     if (i < 0) return plus(plus(points[0].at, points[0].at, T(1.0)), points[1].at, T(-1.0));
@@ -122,10 +131,10 @@ std::vector<CurvePiece<T, axes>> curve_pieces(const std::vector<CurvePoint<T, ax
       piece.length = length_of(speed) * (1.0 / count);
       piece.middle.flux = from.flux * v + to.flux * u;
       piece.middle.ln_energy = from.ln_energy * v + to.ln_energy * u;
-      pieces.push_back(piece);
+      curve.pieces.push_back(piece);
     }
   }
-  return pieces;
+  return curve;
 }
 
 }  // namespace vegard::sim

@@ -5,8 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "sim/emit/aurora/beam.h"
-#include "sim/emit/aurora/dipole.h"
+#include "sim/emit/footprint/foot_way.h"
 #include "sim/emit/footprint/footprint_emitter.h"
 #include "sim/emit/footprint/scalar_march.h"
 
@@ -20,19 +19,8 @@ class FootprintField : public LightField {
       : grids_(std::move(grids)),
         profile_(profiles, footprint.top_km, 0.0),
         rays_(scene, footprint, profile_.bottom_km()) {
-    for (double& axis : f_.axis) axis = 0.0;
-    if (footprint.shape == "shell") {
-      f_.way = FootWay::shell;
-    } else if (footprint.fall == "field" && scene.field.model == "dipole") {
-      f_.way = FootWay::dipole;
-      std::copy_n(dipole_axis(scene.field, scene.site).in_enu, 3, f_.axis);
-    } else if (footprint.fall == "field") {
-      f_.way = FootWay::field;
-      std::copy_n(fall_frame(scene.field.inclination_deg * kRadiansPerDegree,
-                             scene.field.declination_deg * kRadiansPerDegree)
-                      .along,
-                  3, f_.axis);
-    }
+    f_.way = way_of_foot<double>(
+        scene, footprint, [](const double& number) { return number; }, f_.axis);
     f_.profile = &profile_;
     f_.ln_energy_shift = f_.flux_shift = 0.0;
     for (int face = 0; face < 6; ++face) f_.grid[face] = &grids_[face];

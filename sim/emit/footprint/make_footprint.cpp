@@ -1,5 +1,9 @@
 #include "sim/emit/footprint/make_footprint.h"
 
+#include <cmath>
+#include <string>
+#include <type_traits>
+
 #include "sim/emit/aurora/sheet_shape.h"
 #include "sim/emit/footprint/noise_footprint.h"
 #include "sim/emit/footprint/picture_footprint.h"
@@ -7,6 +11,10 @@
 #include "sim/emit/footprint/plane_grid.h"
 #include "sim/emit/footprint/sheet_footprint.h"
 #include "sim/emit/footprint/spline_footprint.h"
+#include "sim/scene/footprint_size.h"
+#include "sim/scene/line_of.h"
+#include "sim/scene/value_check.h"
+#include "sim/scene/value_words.h"
 
 namespace vegard::sim {
 namespace {
@@ -16,6 +24,20 @@ int index_of(const Scene& scene, const Footprint& footprint) {
   for (std::size_t i = 0; i < scene.footprints.size(); ++i)
     if (&scene.footprints[i] == &footprint) return static_cast<int>(i);
   return 0;
+}
+
+/// A map of dual numbers may be asked for much more memory than the same scene's picture.
+template <class T>
+void check_memory(const Scene& scene, const Footprint& f) {
+  const double cells = map_cells(f), each = bytes_per_cell(f, sizeof(T));
+  if (cells * each <= kMostMapBytes) return;
+  const auto gigabytes = [](double bytes) { return short_real_text(std::round(bytes * 1e-8) * 0.1); };
+  complain(
+      {"the footprint's map of " + short_real_text(cells) + " cells would take " + gigabytes(cells * each) +
+           " GB with its derivatives, " + short_real_text(each) + " bytes a cell",
+       "at most " + short_real_text(std::floor(kMostMapBytes / each)) + " cells in a fit",
+       "raise cell_km for the fit, or make size_km smaller"},
+      {scene.file, line_of(scene, "footprint." + f.name + ".cell_km"), "footprint." + f.name + ".cell_km"});
 }
 
 template <class T>
@@ -46,10 +68,19 @@ template <class T>
 PlaneFootprint<T> make_plane_footprint(const Scene& scene, const Footprint& f,
                                        const FootprintPictures& pictures, const NumberAs<T>& number,
                                        int threads) {
-  PlaneFootprint<T> plane = at_rest(scene, f, pictures, number, threads);
-  if (f.flow_turns > 0.0)
+  if constexpr (!std::is_same_v<T, double>) check_memory<T>(scene, f);
+  const bool flows = f.flow_turns > 0.0;
+  // A spline knows where it goes with the centre to a point of the grid. What stands still in its box goes
+  // with it, and so does all that the flow has wound up, ripples included.
+  const bool goes_with_box = f.source != "sheets" && (flows || f.source != "spline");
+  const NumberAs<T> of_box = [&](const double& n) {
+    return &n == &f.center_km.east || &n == &f.center_km.north ? T(n) : number(n);
+  };
+  PlaneFootprint<T> plane = at_rest(scene, f, pictures, goes_with_box ? of_box : number, threads);
+  if (flows)
     carry(wind_up(values(plane), f, scene.seed, index_of(scene, f), falls_along_field(scene), threads), plane,
           threads);
+  if (goes_with_box) move_with_centre(f, number, plane);
   return plane;
 }
 

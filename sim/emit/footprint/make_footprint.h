@@ -22,8 +22,10 @@ struct FootprintPictures {
 
 /// Of a footprint of shape "box". The map's flux is in mW m^-2; energies are over footprint.energy_kev. For T
 /// = FreeDual it carries the derivatives by every number that `number` gives a tangent: east_km, north_km,
-/// center_km, width_km, energy_flux_mw_m2, point_flux and point_energy. The grid itself stays where center_km
-/// has it. The same for every number of threads.
+/// center_km, width_km, energy_flux_mw_m2, point_flux and point_energy; of a footprint that flows only by
+/// center_km, energy_flux_mw_m2 and point_energy, which the flow does not depend on. The grid itself stays
+/// where center_km has it. The same for every number of threads. Throws Error(scene) where derivatives need
+/// more memory than kMostMapBytes (sim/scene/footprint_size.h).
 template <class T>
 PlaneFootprint<T> make_plane_footprint(const Scene& scene, const Footprint& footprint,
                                        const FootprintPictures& pictures, const NumberAs<T>& number,

@@ -48,7 +48,8 @@ PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& footprin
                   int index, bool stands_north, int threads);
 
 /// The footprint where the flow has brought it: mean of four places in each cell. ln E goes with the flux.
-/// What leaves the box is lost. T is double or FreeDual, whose derivatives go with the flow as it is.
+/// What leaves the box is lost. T is double or FreeDual, whose derivatives go with the flow as it is: they
+/// are right for numbers that the flow itself does not depend on.
 template <class T>
 void carry(const PlaneFlow& flow, PlaneFootprint<T>& plane, int threads);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 namespace vegard::sim {
 namespace {
@@ -12,17 +11,18 @@ int cells_over(double size_km, double cell_km) {
   return std::max(1, static_cast<int>(std::ceil(size_km / cell_km - 1e-9)));
 }
 
-/// Adds what the map gains where it moves by `shift`, given in cells.
-template <class T>
-void move(const std::vector<double>& from, int columns, int rows, const T& east, const T& north,
-          std::vector<T>& to) {
+/// Adds what a layer gains where it moves, in cells.
+void move(int columns, int rows, const FreeDual& east, const FreeDual& north, std::vector<FreeDual>& to) {
+  std::vector<double> from;
+  from.reserve(to.size());
+  for (const FreeDual& cell : to) from.push_back(cell.v);
   const auto at = [&](int c, int r) {
     return c < 0 || r < 0 || c >= columns || r >= rows ? 0.0
                                                        : from[static_cast<std::size_t>(r) * columns + c];
   };
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) {
-      T& cell = to[static_cast<std::size_t>(r) * columns + c];
+      FreeDual& cell = to[static_cast<std::size_t>(r) * columns + c];
       cell =
           cell - east * (0.5 * (at(c + 1, r) - at(c - 1, r))) - north * (0.5 * (at(c, r + 1) - at(c, r - 1)));
     }
@@ -51,16 +51,21 @@ PlaneFootprint<T> as_free(const PlaneFootprint<double>& unit, const Footprint& f
   plane.grid.rows = unit.grid.rows;
   plane.grid.flux_mw_m2.assign(unit.grid.flux_mw_m2.begin(), unit.grid.flux_mw_m2.end());
   plane.grid.ln_energy.assign(unit.grid.ln_energy.begin(), unit.grid.ln_energy.end());
-  if constexpr (!std::is_same_v<T, double>) {
-    const T east = (number(f.center_km.east) - f.center_km.east) / unit.cell_km,
-            north = (number(f.center_km.north) - f.center_km.north) / unit.cell_km;
-    move(unit.grid.flux_mw_m2, plane.grid.columns, plane.grid.rows, east, north, plane.grid.flux_mw_m2);
-    if (!plane.grid.ln_energy.empty())
-      move(unit.grid.ln_energy, plane.grid.columns, plane.grid.rows, east, north, plane.grid.ln_energy);
-  }
   const T flux = number(f.energy_flux_mw_m2);
   for (T& cell : plane.grid.flux_mw_m2) cell = cell * flux;
   return plane;
+}
+
+void move_with_centre(const Footprint& f, const NumberAs<FreeDual>& number, PlaneFootprint<FreeDual>& plane) {
+  const FreeDual east = (number(f.center_km.east) - f.center_km.east) / plane.cell_km,
+                 north = (number(f.center_km.north) - f.center_km.north) / plane.cell_km;
+  const auto is_held = [](const FreeDual& x) {
+    return std::all_of(x.d.t, x.d.t + kTangentWidth, [](double t) { return t == 0.0; });
+  };
+  if (is_held(east) && is_held(north)) return;
+  FootprintGrid<FreeDual>& grid = plane.grid;
+  if (!grid.flux_mw_m2.empty()) move(grid.columns, grid.rows, east, north, grid.flux_mw_m2);
+  if (!grid.ln_energy.empty()) move(grid.columns, grid.rows, east, north, grid.ln_energy);
 }
 
 template PlaneFootprint<double> plane_grid(const Footprint&);

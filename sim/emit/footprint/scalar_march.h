@@ -77,29 +77,26 @@ class ScalarMarch {
     return {foot.east_km * f_.texels + f_.first_x, foot.north_km * f_.texels + f_.first_y, foot.is_there};
   }
 
-  /// Photons cm^-3 s^-1 per mW m^-2 of each line.
+  /// Photons cm^-3 s^-1 per mW m^-2 of each line. Between the energies of the profiles' ladder rates are
+  /// linear, and so are their slopes by ln E, which the tangents go by: a rung's chord is only a mean of
+  /// them, and at the ladder's ends, where a map of even energy lies, there is none to one side.
   void rates(const T& altitude, const T& ln_energy, int width, T rate[]) const {
     const T place = (altitude - profile_.bottom_km()) * (1.0 / HeightProfile::kStepKm);
     const double most = profile_.rows() - 1;
     const int row = static_cast<int>(std::clamp(std::floor(value_of(place)), 0.0, most - 1.0));
     const T part = place - static_cast<double>(row);
-    if (profile_.energies() == 1) {
-      of_energy(0, width, row, part, ln_energy + f_.ln_energy_shift, rate);
-      return;
-    }
-    const T at = (ln_energy - profile_.ln_first()) * (1.0 / profile_.ln_step());
-    const double last = profile_.energies() - 1;
-    if (value_of(at) <= 0.0 || value_of(at) >= last) {
-      of_energy(value_of(at) <= 0.0 ? 0 : profile_.energies() - 1, width, row, part, f_.ln_energy_shift,
-                rate);
-      return;
-    }
-    const int energy = static_cast<int>(value_of(at));
+    const double ln = value_of(ln_energy), last = profile_.energies() - 1;
+    const double at = last > 0.0 ? (ln - profile_.ln_first()) / profile_.ln_step() : 0.0;
+    const double kept = profile_.ln_first() + std::clamp(at, 0.0, last) * profile_.ln_step();
+    // Beyond the ladder, which reaches as far as the map and the emission tables both do, energy is limited.
+    const T shift = std::fabs(ln - kept) > kBeyondLadder ? T(0.0) : f_.ln_energy_shift + (ln_energy - ln);
+    const int energy = static_cast<int>(std::clamp(at, 0.0, last));
+    of_energy(energy, width, row, part, shift, rate);
+    if (at <= 0.0 || at >= last) return;
     T next[kMostLines];
-    of_energy(energy, width, row, part, f_.ln_energy_shift, rate);
-    of_energy(energy + 1, width, row, part, f_.ln_energy_shift, next);
-    const T share = at - static_cast<double>(energy);
-    for (int l = 0; l < profile_.lines(); ++l) rate[l] = rate[l] + share * (next[l] - rate[l]);
+    of_energy(energy + 1, width, row, part, shift, next);
+    const double share = at - energy;
+    for (int l = 0; l < profile_.lines(); ++l) rate[l] = rate[l] + (next[l] - rate[l]) * share;
   }
 
   /// Volume emission rates at a point, photons cm^-3 s^-1, by the profile's table of that width; false where
@@ -148,6 +145,8 @@ class ScalarMarch {
   }
 
  private:
+  static constexpr double kBeyondLadder = 1e-6;  // in ln E; less is rounding
+
   template <class V>
   int face_of(const AirPoint<V>& p) const {
     return f_.way == FootWay::shell ? static_cast<int>(value_of(face_number(p))) : 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/dual.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/aurora/beam_light.h"
 #include "sim/emit/aurora/sheet_brightness.h"
@@ -14,9 +15,6 @@ namespace {
 
 constexpr int kMostBeams = 1000000;
 constexpr double kBeamsPerCell = 64.0;
-
-double logarithm(double x) { return std::log(x); }
-FreeDual logarithm(const FreeDual& x) { return {std::log(x.v), x.d * (1.0 / x.v)}; }
 
 /// A stretch of one layer.
 struct Layer {

@@ -3,21 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/dual.h"
 #include "sim/base/earth.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/footprint/cube_faces.h"
 #include "sim/emit/footprint/curve.h"
 #include "sim/emit/footprint/plane_grid.h"
+#include "sim/scene/footprint_size.h"
 
 namespace vegard::sim {
 namespace {
 
 constexpr double kSqrtTwoPi = 2.5066282746310002;
-constexpr double kPieceWidths = 0.8;  // an even sum of Gaussians this far apart is their integral to 1e-13
 constexpr int kBandRows = 64;
-
-double logarithm(double x) { return std::log(x); }
-FreeDual logarithm(const FreeDual& x) { return {std::log(x.v), x.d * (1.0 / x.v)}; }
 
 template <class T, int axes>
 void set_cargo(const Footprint& f, std::size_t i, const NumberAs<T>& number, CurvePoint<T, axes>& point) {
@@ -67,7 +65,7 @@ PlaneFootprint<T> spline_plane(const Footprint& f, const NumberAs<T>& number, in
   const T width = number(f.width_km);
   const T drawn = value_of(width) < kNarrowestCells * f.cell_km ? T(kNarrowestCells * f.cell_km) : width;
   const std::vector<CurvePiece<T, 2>> pieces =
-      curve_pieces<T, 2>(points, f.closed, kPieceWidths * value_of(drawn), false);
+      curve_pieces<T, 2>(points, f.closed, longest_piece_km(f), false).pieces;
   grid.flux_mw_m2.assign(grid.cells(), T(0.0));
   const bool has_energy = !f.point_energy.empty();
   if (has_energy) grid.ln_energy.assign(grid.cells(), T(0.0));
@@ -109,10 +107,9 @@ CubeFootprint<double> spline_cube(const Footprint& f, int threads) {
                     radius * std::cos(latitude) * std::sin(longitude), radius * std::sin(latitude)};
     set_cargo(f, i, number, points[i]);
   }
-  // A face spans two radii; its cells are widest in its middle.
-  const double drawn = std::max(f.width_km, kNarrowestCells * 2.0 * radius / f.face_cells);
+  const double drawn = drawn_width_km(f);
   const std::vector<CurvePiece<double, 3>> pieces =
-      curve_pieces<double, 3>(points, f.closed, kPieceWidths * drawn, true);
+      curve_pieces<double, 3>(points, f.closed, longest_piece_km(f), true).pieces;
   const bool has_energy = !f.point_energy.empty();
   CubeFootprint<double> cube = cube_grid<double>(f.face_cells, has_energy);
   const double reach = kGaussianReach * drawn / radius;  // a chord of the unit sphere

@@ -16,10 +16,6 @@
 
 namespace vegard::sim {
 
-/// Where the Gaussian is narrower than this many cells it is drawn as wide as this, and as much fainter: the
-/// samples of a narrower one would not add up to it.
-inline constexpr double kNarrowestCells = 0.7;
-
 /// How far from the curve there is light, in standard deviations: 3e-7 of the peak.
 inline constexpr double kGaussianReach = 5.5;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 #include "sim/base/error.h"
@@ -68,7 +69,8 @@ int floor_of(int brick) { return brick >= 0 ? brick / kCoarse : -((-brick + kCoa
 }  // namespace
 
 GridBricks::GridBricks(const SparseGrid& grid, const std::vector<int>& emission, int density,
-                       const std::string& file, const Site& site, const Site& observer)
+                       const std::string& file, const Site& site, const Site& observer,
+                       std::uint64_t most_bytes)
     : lines_(static_cast<int>(emission.size())),
       stride_(lines_ <= 2   ? lines_
               : lines_ <= 4 ? 4
@@ -82,6 +84,17 @@ GridBricks::GridBricks(const SparseGrid& grid, const std::vector<int>& emission,
   const std::set<BrickCoordinate> lit = bricks_with_light(grid, channels);
   count_ = lit.size();
   if (lit.empty()) return;
+  // A voxel at the corner of its brick is in eight of these.
+  const double bytes =
+      static_cast<double>(grid.bricks.size()) * grid.channels.size() * SparseGrid::kVoxels * sizeof(float) +
+      static_cast<double>(count_) * kVoxels * (stride_ + (density >= 0 ? 1 : 0)) * sizeof(float);
+  if (bytes > static_cast<double>(most_bytes)) {
+    char problem[160];
+    std::snprintf(problem, sizeof problem, "its grids take %.3g MB of memory, of which %.3g MB may be used",
+                  bytes / 1048576.0, static_cast<double>(most_bytes) / 1048576.0);
+    throw Error(ErrorKind::unreadable_input,
+                {problem, file, 0, "", "smaller grids, larger voxels, or fewer lines", ""});
+  }
   for (int a = 0; a < 3; ++a) {
     const auto of = [a](const BrickCoordinate& b) { return floor_of(a == 0 ? b.x : a == 1 ? b.y : b.z); };
     low_[a] = high_[a] = of(*lit.begin());

@@ -3,6 +3,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "sim/base/escaping_share.h"
 #include "sim/emit/grid/grid_march.h"
 #include "sim/emit/grid/grid_trilinear.h"
 
@@ -33,28 +34,6 @@ RayDual sample(const GridCell& cell, const float* numbers, int stride, double t,
   return out;
 }
 
-/// The share of a uniform step's light that leaves it: (1 - exp(-x)) / x, and its slope.
-void leaving(double x, double& share, double& slope) {
-  if (x < 1e-3) {
-    share = 1.0 - x * (0.5 - x / 6.0);
-    slope = -0.5 + x / 3.0;
-    return;
-  }
-  const double kept = std::exp(-x);
-  share = (1.0 - kept) / x;
-  slope = (kept * (1.0 + x) - 1.0) / (x * x);
-}
-double leaving(double x) {
-  double share, slope;
-  leaving(x, share, slope);
-  return share;
-}
-RayDual leaving(const RayDual& x) {
-  double share, slope;
-  leaving(x.v, share, slope);
-  return {share, x.d * slope};
-}
-
 double kept_through(double depth) { return std::exp(-depth); }
 RayDual kept_through(const RayDual& depth) {
   const double kept = std::exp(-depth.v);
@@ -80,7 +59,7 @@ RayLight<N> march_ray(const GridBricks& grid, const GridRay& ray, double end_km,
       N seen(1.0);
       if (absorbs) {
         const N x = extinction * sample(cell, grid.density(brick), 1, t, extinction) * step_km;
-        seen = kept_through(out.depth) * leaving(x);
+        seen = kept_through(out.depth) * escaping_share(x);
         out.depth = out.depth + x;
       }
       for (int l = 0; l < grid.lines(); ++l) {

@@ -15,8 +15,12 @@ struct GridRay {
   double from[3], along[3];
   double inverse[3];  ///< of `along`
 
+  /// An axis along which the ray takes for ever stands still.
   void aim() {
-    for (int a = 0; a < 3; ++a) inverse[a] = 1.0 / along[a];
+    for (int a = 0; a < 3; ++a) {
+      inverse[a] = 1.0 / along[a];
+      if (std::isinf(inverse[a])) along[a] = 0.0;
+    }
   }
 };
 
@@ -58,7 +62,8 @@ inline void walk_cells(const GridRay& ray, double edge, const int low[3], const 
   }
 }
 
-/// Calls use(brick, its coordinates, begin, end) for the bricks that a ray meets before `end_km`, in order.
+/// Calls use(brick, its coordinates, begin, end) for the bricks that a ray meets before `end_km`, in order:
+/// none of a ray whose numbers are not finite, or that stands still for ever.
 template <class Use>
 void walk_bricks(const GridBricks& grid, const GridRay& ray, double end_km, const Use& use) {
   constexpr int kCoarse = GridBricks::kCoarse;
@@ -66,6 +71,7 @@ void walk_bricks(const GridBricks& grid, const GridRay& ray, double end_km, cons
   double begin = 0.0, end = end_km;
   int low[3], high[3];
   for (int a = 0; a < 3; ++a) {
+    if (!std::isfinite(ray.from[a]) || !std::isfinite(ray.along[a])) return;
     low[a] = grid.low(a);
     high[a] = grid.high(a);
     const double first = low[a] * kCell - ray.from[a], last = high[a] * kCell - ray.from[a];
@@ -77,7 +83,7 @@ void walk_bricks(const GridBricks& grid, const GridRay& ray, double end_km, cons
     begin = std::max(begin, std::min(one, other));
     end = std::min(end, std::max(one, other));
   }
-  if (!(begin < end)) return;
+  if (!(begin < end) || !std::isfinite(end)) return;
   walk_cells(ray, kCell, low, high, begin, end, [&](const int cell[3], double in, double out) {
     const std::int32_t* table = grid.coarse(cell[0], cell[1], cell[2]);
     if (table == nullptr) return;
@@ -96,7 +102,8 @@ void walk_bricks(const GridBricks& grid, const GridRay& ray, double end_km, cons
 
 /// Samples stand in the middles of steps counted from the ray's beginning: the first one not before t.
 inline std::int64_t first_sample(double t, double steps_per_km) {
-  return static_cast<std::int64_t>(std::ceil(t * steps_per_km - 0.5));
+  constexpr double kMost = 4e18;  // what is farther is no number of a step
+  return static_cast<std::int64_t>(std::clamp(std::ceil(t * steps_per_km - 0.5), -kMost, kMost));
 }
 
 }  // namespace vegard::sim

@@ -5,18 +5,12 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "sim/base/escaping_share.h"
+
 namespace vegard::sim {
 namespace {
 
 constexpr double kNothingComesThrough = 1e-10;
-
-/// (1 - exp(-tau)) / tau, by its series where that loses digits.
-template <class T>
-T share_that_escapes(const T& tau) {
-  if (std::abs(value_of(tau)) < 1e-3)
-    return T(1.0) - tau * (T(0.5) - tau * (T(1.0 / 6.0) - tau * (1.0 / 24.0)));
-  return (T(1.0) - exponential(T(0.0) - tau)) / tau;
-}
 
 }  // namespace
 
@@ -80,7 +74,7 @@ void NebulaEmitter<T>::march_ray(const T enu[3], double end_km, std::size_t inde
       T seen = kept[l] * at.light[l] * length;
       if (cloud_.has_dust()) {
         const T tau = at.loss[l] * length;
-        seen = seen * share_that_escapes(tau);
+        seen = seen * escaping_share(tau);
         kept[l] = kept[l] * exponential(T(0.0) - tau);
       }
       light[l] = light[l] + seen;

@@ -1,5 +1,6 @@
 #include "sim/emit/nebula/noise_lattice.h"
 
+#include <cmath>
 #include <cstddef>
 
 #include "sim/base/random.h"
@@ -25,8 +26,7 @@ struct Cell {
 
   Cell(double px, double py, double pz) {
     const double fx = std::floor(px), fy = std::floor(py), fz = std::floor(pz);
-    const auto ix = static_cast<std::int64_t>(fx), iy = static_cast<std::int64_t>(fy),
-               iz = static_cast<std::int64_t>(fz);
+    const std::int64_t ix = index(fx), iy = index(fy), iz = index(fz);
     for (int i = 0; i < 2; ++i) {
       x[i] = static_cast<std::size_t>((ix + i) & kMask);
       y[i] = static_cast<std::size_t>((iy + i) & kMask) * NoiseLattice::kPeriod;
@@ -35,6 +35,12 @@ struct Cell {
     rest[0] = px - fx;
     rest[1] = py - fy;
     rest[2] = pz - fz;
+  }
+
+  /// Where doubles are farther apart than cells, any cell is as good.
+  static std::int64_t index(double cell) {
+    constexpr double kFar = 9007199254740992.0;
+    return std::abs(cell) < kFar ? static_cast<std::int64_t>(cell) : 0;
   }
 };
 

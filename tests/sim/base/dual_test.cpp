@@ -38,6 +38,8 @@ TEST(Dual, EveryOperatorFollowsTheChainRule) {
   expect_derivatives("square_root", [](auto a, auto b) { return square_root(a * b); });
   expect_derivatives("sine", [](auto a, auto b) { return sine(a * b); });
   expect_derivatives("cosine", [](auto a, auto b) { return cosine(a * b); });
+  expect_derivatives("exponential", [](auto a, auto b) { return exponential(a * b); });
+  expect_derivatives("logarithm", [](auto a, auto b) { return logarithm(a * b); });
   expect_derivatives("tangent", [](auto a, auto b) { return tangent(a * b); });
 }
 

@@ -1,5 +1,8 @@
 #include "sim/base/sha256.h"
 
+#include <cstdio>
+#include <fstream>
+
 #include <gtest/gtest.h>
 
 namespace vegard::sim {
@@ -20,6 +23,31 @@ TEST(Sha256, LengthsAroundABlock) {
   EXPECT_EQ(sha256(std::string(55, 'x')), "d5e285683cd4efc02d021a5c62014694958901005d6f71e89e0989fac77e4072");
   EXPECT_EQ(sha256(std::string(56, 'x')), "04c26261370ee7541549d16dee320c723e3fd14671e66a099afe0a377c16888e");
   EXPECT_EQ(sha256(std::string(64, 'x')), "7ce100971f64e7001e8fe5a51973ecdfe1ced42befe7ee8d5fd6219506b5393c");
+}
+
+// However the bytes are cut: within a block, at its end, across it.
+TEST(Sha256, PiecesMakeTheSameAsTheWhole) {
+  std::string text;
+  for (int i = 0; i < 300; ++i) text += static_cast<char>(i * 7);
+  for (const std::size_t size : {1, 55, 63, 64, 65, 128, 299}) {
+    Sha256 sum;
+    for (std::size_t at = 0; at < text.size(); at += size) {
+      EXPECT_EQ(sum.digest(), sha256(text.substr(0, at))) << "so far, by " << size;
+      sum.add(std::string_view(text).substr(at, size));
+    }
+    EXPECT_EQ(sum.digest(), sha256(text)) << "by " << size;
+  }
+}
+
+// Longer than the blocks that a file is read by, and no multiple of them.
+TEST(Sha256, OfAFile) {
+  const std::string path = testing::TempDir() + "sha256_of_a_file";
+  std::string text(2500001, 'a');
+  text[1234567] = '\0';
+  std::ofstream(path, std::ios::binary) << text;
+  EXPECT_EQ(sha256_of_file(path), sha256(text));
+  std::remove(path.c_str());
+  EXPECT_EQ(sha256_of_file(path), sha256(""));
 }
 
 }  // namespace

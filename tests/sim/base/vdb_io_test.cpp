@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 #include "sim/base/random.h"
 #include "tests/support/expect_error.h"
@@ -124,6 +125,85 @@ TEST(VdbIo, RefusesWhatIsNone) {
   EXPECT_NE(refused("large.vdb").find("memory"), std::string::npos);
   tests::expect_error(sim::ErrorKind::existing_output,
                       [&] { sim::write_vdb(folder / "whole.vdb", scattered(), {}, {}); });
+}
+
+/// What reading some grids of a file says.
+std::string refusal(const std::string& path, const std::vector<std::string>& wanted,
+                    std::uint64_t most_bytes = std::uint64_t{1} << 30, std::uint64_t bytes_beside = 0) {
+  return tests::expect_error(sim::ErrorKind::unreadable_input,
+                             [&] { sim::read_vdb(path, wanted, most_bytes, bytes_beside); });
+}
+
+TEST(VdbIo, RefusesTwoGridsOfOneName) {
+  const tests::TemporaryFolder folder;
+  SparseGrid grid = scattered();
+  grid.channels[0].name = "color";
+  sim::VdbOptions options;
+  options.colour_of_channel = {{1.0f, 1.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
+  sim::write_vdb(folder / "a.vdb", std::move(grid), {}, options);
+  EXPECT_NE(refusal(folder / "a.vdb", {"color"}).find("several grids called 'color'"), std::string::npos);
+  EXPECT_EQ(sim::read_vdb(folder / "a.vdb", {"density"}).grid.channels.size(), 1u);
+}
+
+TEST(VdbIo, RefusesNumbersThatAreNone) {
+  const tests::TemporaryFolder folder;
+  for (const float number : {3e38f, -2e30f, std::numeric_limits<float>::infinity(), std::nanf("")}) {
+    SparseGrid grid = scattered();
+    grid.bricks.begin()->second[3] = number;
+    sim::VdbOptions options;
+    options.overwrite = true;
+    sim::write_vdb(folder / "a.vdb", std::move(grid), {}, options);
+    EXPECT_NE(refusal(folder / "a.vdb", {"emission_5577"}).find("1e30"), std::string::npos) << number;
+  }
+}
+
+TEST(VdbIo, RefusesACentreThatIsNone) {
+  const tests::TemporaryFolder folder;
+  sim::VdbOptions options;
+  options.centre_index = std::nan("");
+  sim::write_vdb(folder / "a.vdb", scattered(), {}, options);
+  refusal(folder / "a.vdb", {"density"});
+}
+
+TEST(VdbIo, CountsWhatABrickTakesElsewhere) {
+  const tests::TemporaryFolder folder;
+  const std::uint64_t bricks = scattered().bricks.size();
+  sim::write_vdb(folder / "a.vdb", scattered(), {}, {});
+  // The library's own tree takes a few megabytes, whatever is in it.
+  const std::uint64_t most = 64 << 20;
+  EXPECT_NO_THROW(sim::read_vdb(folder / "a.vdb", {"emission_5577"}, most));
+  const std::string text = refusal(folder / "a.vdb", {"emission_5577"}, most, most / bricks + 1);
+  EXPECT_NE(text.find("of which 64 MB"), std::string::npos) << text;
+}
+
+TEST(VdbIo, EveryCutIsRefused) {
+  const tests::TemporaryFolder folder;
+  sim::write_vdb(folder / "whole.vdb", scattered(), {}, {});
+  const std::string whole = bytes_of(folder / "whole.vdb");
+  for (std::size_t length = 0; length < whole.size(); length += 1 + length / 16) {
+    std::ofstream(folder / "cut.vdb", std::ios::binary) << whole.substr(0, length);
+    EXPECT_NE(refusal(folder / "cut.vdb", {"density"}).find("cut.vdb"), std::string::npos) << length;
+  }
+}
+
+/// Lengths and places of the file's own outline, each made too large: 255 in their highest byte.
+TEST(VdbIo, EveryDamagedByteOfTheOutlineIsReadOrRefused) {
+  const tests::TemporaryFolder folder;
+  sim::write_vdb(folder / "whole.vdb", scattered(), {}, {});
+  const std::string whole = bytes_of(folder / "whole.vdb");
+  int refused = 0;
+  for (std::size_t at = 0; at < 250; ++at) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(255);
+    std::ofstream(folder / "damaged.vdb", std::ios::binary) << damaged;
+    try {
+      sim::read_vdb(folder / "damaged.vdb", {"density", "emission_5577"}, std::uint64_t{1} << 30);
+    } catch (const sim::Error& error) {
+      EXPECT_EQ(error.kind(), sim::ErrorKind::unreadable_input);
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 50);
 }
 
 }  // namespace

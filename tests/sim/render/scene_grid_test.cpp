@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 
 #include "sim/base/vdb_io.h"
@@ -147,6 +148,66 @@ TEST(SceneGrid, SamplesFieldsAtVoxelsCentres) {
             std::string::npos);
 }
 
+/// A ball whose parts are counted.
+class CountedBall : public Ball {
+ public:
+  explicit CountedBall(bool lit) : Ball(0.25), lit_(lit) {}
+  bool is_dark(const Box3& box) const override {
+    ++asked;
+    return Ball::is_dark(box);
+  }
+  void sample(std::size_t count, const double* const point[3], float* const emission[],
+              float* density) const override {
+    ++sampled;
+    if (lit_) return Ball::sample(count, point, emission, density);
+    for (std::size_t i = 0; i < count; ++i)
+      emission[0][i] = emission[1][i] = emission[2][i] = density[i] = 0.0f;
+  }
+  mutable std::atomic<int> asked{0}, sampled{0};
+
+ private:
+  bool lit_;
+};
+
+TEST(SceneGrid, RefusesTooManyVoxelsBeforeTheyAreListed) {
+  Scene scene;
+  scene.emission.lines = {630.0, 557.7, 427.8};
+  const CountedBall ball(true);
+  SceneGridOptions options;
+  options.voxel = 0.001;  // some 10^9 bricks
+  options.memory_limit = 4 << 20;
+  const std::string text =
+      tests::expect_error(ErrorKind::usage, [&] { grid_of_fields(scene, {&ball}, options); });
+  EXPECT_LT(ball.asked, 20000);
+  EXPECT_LT(ball.sampled, 1000);
+  const std::size_t at = text.find("Voxels of ");
+  ASSERT_NE(at, std::string::npos) << text;
+  options.voxel = std::stod(text.substr(at + 10));
+  EXPECT_NO_THROW(grid_of_fields(scene, {&ball}, options)) << text;
+}
+
+TEST(SceneGrid, WhatOnlyMayBeLitIsNotRefused) {
+  Scene scene;
+  scene.emission.lines = {630.0, 557.7, 427.8};
+  const CountedBall ball(false);
+  SceneGridOptions options;
+  options.voxel = 0.1;  // some 2800 bricks, and memory for 280
+  options.memory_limit = 4 << 20;
+  EXPECT_TRUE(grid_of_fields(scene, {&ball}, options).grid.bricks.empty());
+}
+
+TEST(SceneGrid, StopsWhileItListsVoxels) {
+  Scene scene;
+  scene.emission.lines = {630.0, 557.7, 427.8};
+  const CountedBall ball(true);
+  const std::atomic<bool> stop{true};
+  SceneGridOptions options;
+  options.voxel = 0.001;
+  options.stop = &stop;
+  EXPECT_TRUE(grid_of_fields(scene, {&ball}, options).grid.bricks.empty());
+  EXPECT_LT(ball.asked, 5000);
+}
+
 /// Writes the grid of one ball and names it in a scene.
 Scene scene_with_file(const tests::TemporaryFolder& folder, const std::string& name,
                       const std::string& channel) {
@@ -181,6 +242,54 @@ TEST(VolumeFiles, GridsAreFoundByTheLinesNames) {
   EXPECT_NE(
       tests::expect_error(ErrorKind::unreadable_input, [&] { read_volume_files(missing); }).find("none.vdb"),
       std::string::npos);
+}
+
+/// The file `name` in a folder again, with an entry more.
+void write_with_number(const tests::TemporaryFolder& folder, const std::string& name, const std::string& key,
+                       double number) {
+  SparseGrid grid;
+  grid.channels = {{"emission_5577", ""}};
+  grid.brick({0, 0, 12})[0] = 2.0f;
+  VdbMetadata metadata;
+  metadata.numbers[key] = number;
+  VdbOptions options;
+  options.overwrite = true;
+  write_vdb(folder / name, std::move(grid), metadata, options);
+}
+
+TEST(VolumeFiles, ASiteThatIsNoneIsRefused) {
+  const tests::TemporaryFolder folder;
+  const Scene scene = scene_with_file(folder, "a.vdb", "emission_5577");
+  for (const char* key : {"site_latitude_deg", "site_longitude_deg", "site_altitude_m", "unit_cm"})
+    for (const double number : {std::nan(""), HUGE_VAL, -1e300}) {
+      write_with_number(folder, "a.vdb", key, number);
+      const std::string text =
+          tests::expect_error(ErrorKind::unreadable_input, [&] { read_volume_files(scene); });
+      EXPECT_NE(text.find("volume.volume.file"), std::string::npos) << text;
+    }
+  write_with_number(folder, "a.vdb", "site_latitude_deg", 90.0);
+  EXPECT_NO_THROW(read_volume_files(scene));
+}
+
+TEST(VolumeFiles, ThereIsNoDensityBelowNothing) {
+  const tests::TemporaryFolder folder;
+  Scene scene = scene_with_file(folder, "a.vdb", "emission_5577");
+  scene.volumes[0].extinction_per_km = 1.0;
+  SparseGrid grid;
+  grid.channels = {{"emission_5577", ""}, {"density", ""}};
+  SparseGrid::Brick& brick = grid.brick({0, 0, 12});
+  for (int v = 0; v < SparseGrid::kVoxels; ++v) {
+    brick[v] = -2.0f;
+    brick[SparseGrid::kVoxels + v] = v % 2 ? -3.0f : 3.0f;
+  }
+  VdbOptions options;
+  options.overwrite = true;
+  write_vdb(folder / "a.vdb", std::move(grid), {}, options);
+  const VolumeGridFile file = read_volume_grid(scene, scene.volumes[0]);
+  ASSERT_GE(file.density, 0);
+  EXPECT_EQ(file.grid.value(file.density, 0, 0, 96), 3.0f);
+  EXPECT_EQ(file.grid.value(file.density, 0, 0, 97), 0.0f);
+  EXPECT_EQ(file.grid.value(file.emission[1], 0, 0, 97), -2.0f) << "light may be below the mean";
 }
 
 TEST(VolumeFiles, ANebulasFrameIsRefused) {

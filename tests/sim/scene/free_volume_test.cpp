@@ -19,10 +19,22 @@ const Bad bad_free_volumes[] = {
      "[[footprint]]\nshape = 'shell'\nlatitude_deg = [60, 61]\nlongitude_deg = [1, 2]\n[fit]\nfree = "
      "['footprint.arc.width_km']\n",
      6, "footprint.arc.width_km", "shell, whose map has no derivative"},
-    {"width_of_a_curtain",
-     "[[footprint]]\nmodel = 'curtain'\neast_km = [1, 2]\nnorth_km = [1, 2]\n[fit]\nfree = "
+    {"width_of_what_flows",
+     "[[footprint]]\nflow_turns = 1\neast_km = [1, 2]\nnorth_km = [1, 2]\n[fit]\nfree = "
      "['footprint.arc.width_km']\n",
-     6, "footprint.arc.width_km", "a curtain has no thickness"},
+     6, "footprint.arc.width_km", "flow that winds the footprint up depends on width_km"},
+    {"point_of_what_flows",
+     "[[footprint]]\nflow_turns = 1\neast_km = [1, 2]\nnorth_km = [1, 2]\n[fit]\nfree = "
+     "['footprint.arc.north_km.1']\n",
+     6, "footprint.arc.north_km.1", "set flow_turns = 0"},
+    {"sheet_that_flows",
+     "[[sheet]]\n[[footprint]]\nflow_turns = 1\nsource = 'sheets'\n[fit]\nfree = "
+     "['sheet.main.center_km']\n",
+     6, "sheet.main.center_km.east", "winds the sheets' footprint up depends on center_km"},
+    {"energy_of_a_footprint_of_given_brightness",
+     "[[sheet]]\nbrightness_kilorayleigh = 20\n[[footprint]]\nsource = 'sheets'\n[fit]\nfree = "
+     "['sheet.main.energy_kev']\n",
+     6, "sheet.main.energy_kev", "brightness is given"},
     {"footprint_of_sheets",
      "[[sheet]]\n[[footprint]]\nsource = 'sheets'\n[fit]\nfree = ['footprint.energy_kev']\n", 5,
      "footprint.arc.energy_kev", "those of the sheets"},
@@ -79,6 +91,32 @@ free = ["footprint.arc.north_km", "footprint.arc.center_km", "footprint.arc.poin
 )",
                                   "volumes.toml");
   EXPECT_EQ(scene.fit.free.size(), 10u);
+}
+
+TEST(FreeVolumes, OfACurtainAndOfWhatFlowsMayBeFree) {
+  const Scene scene = parse_scene(R"(
+[[sheet]]
+[[footprint]]
+name = "wall"
+model = "curtain"
+east_km = [-100, 0, 100]
+north_km = [0, 10, 0]
+[[footprint]]
+name = "curl"
+flow_turns = 1
+east_km = [-100, 100]
+north_km = [0, 10]
+point_energy = [1, 2]
+[[footprint]]
+name = "fold"
+flow_turns = 0.5
+source = "sheets"
+[fit]
+free = ["footprint.wall.width_km", "footprint.curl.center_km", "footprint.curl.energy_flux_mw_m2",
+  "footprint.curl.point_energy", "sheet.main.energy_kev", "sheet.main.energy_flux_mw_m2"]
+)",
+                                  "volumes.toml");
+  EXPECT_EQ(scene.fit.free.size(), 6u);
 }
 
 TEST(FreeVolumes, AreNotCarriedToAnotherSite) {

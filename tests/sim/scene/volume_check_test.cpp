@@ -34,11 +34,31 @@ const Bad bad_volumes[] = {
      "a box has no cube faces"},
     {"noise_of_a_shell", "[[footprint]]\nshape = 'shell'\nsource = 'noise'\n", 3, "footprint.arc.source",
      "is a box's"},
+    {"sheets_without_a_sheet", "[[footprint]]\nsource = 'sheets'\n", 2, "footprint.arc.source",
+     "that of the sheets, but there are none"},
     {"flow_of_a_shell",
      "[[footprint]]\nshape = 'shell'\nlongitude_deg = [1, 2]\nlatitude_deg = [1, 2]\nflow_turns = 1\n", 5,
      "footprint.arc.flow_turns", "a flow is of a plane"},
     {"too_many_cells", "[[footprint]]\nsource = 'noise'\ncell_km = 0.05\n", 3, "footprint.arc.cell_km",
      "more than 67108864 cells"},
+    {"too_many_cells_along_a_side", "[[footprint]]\nsource = 'noise'\nsize_km = [6000, 1]\ncell_km = 0.01\n",
+     4, "footprint.arc.cell_km", "600000 cells along a side | at most 262000"},
+    {"shell_of_too_much_memory",
+     "[[footprint]]\nshape = 'shell'\nlongitude_deg = [1, 2]\nlatitude_deg = [1, 2]\n"
+     "point_energy = [1, 2]\nface_cells = 8192\n",
+     6, "footprint.arc.face_cells", "would take 6.4 GB, 16 bytes a cell | at most 4 GB"},
+    {"points_on_opposite_sides",
+     "[[footprint]]\nshape = 'shell'\nlatitude_deg = [10, 0, -10]\nlongitude_deg = [0, 80, 260]\n", 4,
+     "footprint.arc.longitude_deg",
+     "points 1 and 2 are 170 degrees apart on the globe | neighbours less than 90 degrees"},
+    {"points_that_close_too_far_apart",
+     "[[footprint]]\nshape = 'shell'\nclosed = true\nlatitude_deg = [0, 0, 0]\n"
+     "longitude_deg = [0, 80, 160]\n",
+     5, "footprint.arc.longitude_deg", "points 2 and 0 are 160 degrees apart"},
+    {"too_many_pieces",
+     "[[footprint]]\nsize_km = [10, 10]\ncell_km = 0.01\nwidth_km = 0.01\n"
+     "east_km = [-6000, 6000]\nnorth_km = [0, 0]\n",
+     5, "footprint.arc.east_km", "pieces of 0.008 km | at most 1048576"},
     {"colours_upside_down", "[[footprint]]\nsource = 'noise'\nlow_km = 300\n", 3, "footprint.arc.low_km",
      "low_km below high_km"},
     {"two_of_a_name", "[[footprint]]\nsource = 'noise'\n[[footprint]]\nsource = 'noise'\n", 3, "footprint",
@@ -66,6 +86,8 @@ const Bad bad_volumes[] = {
     {"nodes_in_a_circle",
      "[[node]]\nname = 'a'\nkind = 'move'\nof = 'b'\n[[node]]\nname = 'b'\nkind = 'move'\nof = 'a'\n", 4,
      "node.a.of", "works on itself, directly or by others"},
+    {"too_many_steps", "[[nebula]]\ndust = 'n'\nbound = 1000\nstep = 1e-4\n[[node]]\nname = 'n'\n", 4,
+     "nebula.nebula.step", "2e+07 steps from side to side"},
     {"volume_without_file", "[[volume]]\n", 1, "volume.volume.file", "names no file"},
     {"name_of_a_key", "[[volume]]\nname = 'gain'\nfile = 'a.vdb'\n", 2, "volume.volume.name",
      "also a key of [[node]]"},
@@ -103,6 +125,30 @@ file = "a.vdb"
 step_km = 3
 )";
 
+/// So many unions, each of the one before with itself.
+std::string doubled_nodes(int unions) {
+  std::string text = "[[node]]\nname = 'n0'\n";
+  for (int n = 1; n <= unions; ++n) {
+    const std::string before = "n" + std::to_string(n - 1);
+    text += "[[node]]\nname = 'n" + std::to_string(n) + "'\nkind = 'union'\nof = '" + before + ", " + before +
+            "'\n";
+  }
+  return text;
+}
+
+TEST(VolumeScene, NodesThatShareWhatTheyWorkOnAreCountedEachTime) {
+  EXPECT_NO_THROW(parse_scene(doubled_nodes(12), "a.toml"));  // 8191 looks at a point
+  const ErrorDetails details = error_of(doubled_nodes(25));
+  EXPECT_EQ(details.key, "node.n13.of");
+  EXPECT_NE(details.problem.find("asks 16383 nodes for each point"), std::string::npos) << details.problem;
+}
+
+TEST(VolumeScene, ThereIsAnEndToTheNumberOfNodes) {
+  std::string text;
+  for (int n = 0; n < 1001; ++n) text += "[[node]]\nname = 'n" + std::to_string(n) + "'\n";
+  EXPECT_EQ(error_of(text).problem, "1001 nodes");
+}
+
 TEST(VolumeScene, ReadsBackAsItWasWritten) {
   const Scene scene = parse_scene(kEverything, "a.toml");
   const std::string written = write_scene(scene);
@@ -111,6 +157,14 @@ TEST(VolumeScene, ReadsBackAsItWasWritten) {
   EXPECT_EQ(scene.footprints[0].point_energy, (std::vector<double>{1, 2, 1}));
   EXPECT_EQ(scene.nodes[1].of, "round");
   EXPECT_EQ(scene.march.step_km, 3.0);
+}
+
+TEST(VolumeScene, MayBeAsFineAsMemoryAllows) {
+  const char* const text =
+      "[[footprint]]\nshape = 'shell'\nface_cells = 4096\npoint_energy = [1, 2]\n"
+      "latitude_deg = [65, 65]\nlongitude_deg = [0, 100]\n"
+      "[[footprint]]\nname = 'strip'\nsource = 'noise'\nsize_km = [2600, 1]\ncell_km = 0.01\n";
+  EXPECT_EQ(parse_scene(text, "a.toml").footprints.size(), 2u);
 }
 
 TEST(VolumeScene, PathsReachElementsByNameAndTheOnlyOneWithout) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -85,6 +86,51 @@ TEST(CurtainEmitter, IsNoBrighterAlongItselfThanAtThreeDegrees) {
     most = std::max(most,
                     static_cast<double>(profiles.of_energy[0].rate[static_cast<std::size_t>(row) * 4 + 1]));
   EXPECT_LE(light.rayleigh[1], 1.1 * kRayleighsPerKm * path * most);
+}
+
+// Two points make no closed curve, and so one wall, not a second one all along it.
+TEST(CurtainEmitter, OfTwoPointsIsOneWallClosedOrNot) {
+  Scene scene = arc("vertical");
+  Footprint& f = scene.footprints[0];
+  f.east_km = {-150.0, 150.0};
+  f.north_km = {0.0, 0.0};
+  Rays rays;
+  for (int i = 0; i < 20; ++i) rays.add(30.0 + 2.0 * i, 3.0 + i);
+  const Light open = rays.through(*curtain(scene), 3);
+  f.closed = true;
+  const Light closed = rays.through(*curtain(scene), 3);
+  EXPECT_GT(*std::max_element(open.rayleigh.begin(), open.rayleigh.end()), 100.0);
+  EXPECT_EQ(open.rayleigh, closed.rayleigh);
+}
+
+// Light goes as width_km, and so its derivative is the light over it.
+TEST(CurtainEmitter, HasItsDerivativeByWidth) {
+  const Scene scene = arc("vertical", 2.5);
+  const Footprint& f = scene.footprints[0];
+  const auto emitter = curtain_emitter<FreeDual>(scene, f, maxwellian(), {}, [&](const double& x) {
+    FreeDual dual(x);
+    if (&x == &f.width_km) dual.d.t[3] = 1.0;
+    return dual;
+  });
+  Rays rays;
+  for (int i = 0; i < 10; ++i) rays.add(30.0 + 4.0 * i, 3.0 + i);
+  const std::size_t count = rays.count();
+  std::vector<FreeDual> direction[3], rayleigh(3 * count, FreeDual(0.0)), kept(3 * count, FreeDual(1.0));
+  std::vector<double> entry(count, kInfinity), depth(count, kInfinity);
+  for (int a = 0; a < 3; ++a) direction[a].assign(rays.direction[a].begin(), rays.direction[a].end());
+  emitter->march({count, {direction[0].data(), direction[1].data(), direction[2].data()}, rays.end_km.data()},
+                 {3, rayleigh.data(), kept.data(), entry.data(), depth.data()});
+  const Light wider = [&] {
+    Scene other = scene;
+    other.footprints[0].width_km = 3.5;
+    return rays.through(*curtain(other), 3);
+  }();
+  double most = 0.0;
+  for (std::size_t i = 0; i < rayleigh.size(); ++i) {
+    most = std::max(most, rayleigh[i].v);
+    EXPECT_NEAR(rayleigh[i].d.t[3], wider.rayleigh[i] - rayleigh[i].v, 1e-9 * rayleigh[i].v);
+  }
+  EXPECT_GT(most, 100.0);
 }
 
 }  // namespace

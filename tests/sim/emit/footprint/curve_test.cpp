@@ -10,16 +10,16 @@ using Piece = CurvePiece<double, 2>;
 
 Point at(double east, double north, double flux = 1.0) { return {{east, north}, flux, 0.0}; }
 
-double length(const std::vector<Piece>& pieces) {
+double length(const CurvePieces<double, 2>& curve) {
   double sum = 0.0;
-  for (const Piece& piece : pieces) sum += piece.length;
+  for (const Piece& piece : curve.pieces) sum += piece.length;
   return sum;
 }
 
 TEST(Curve, OfTwoPointsIsTheLineBetweenThem) {
-  const auto pieces = curve_pieces<double, 2>({at(0.0, 0.0, 1.0), at(30.0, 40.0, 3.0)}, false, 1.0, false);
-  EXPECT_NEAR(length(pieces), 50.0, 1e-12);
-  for (const Piece& piece : pieces) {
+  const auto curve = curve_pieces<double, 2>({at(0.0, 0.0, 1.0), at(30.0, 40.0, 3.0)}, false, 1.0, false);
+  EXPECT_NEAR(length(curve), 50.0, 1e-12);
+  for (const Piece& piece : curve.pieces) {
     EXPECT_NEAR(piece.middle.at[0] * 4.0, piece.middle.at[1] * 3.0, 1e-12);
     EXPECT_NEAR(piece.middle.flux, 1.0 + 2.0 * piece.middle.at[0] / 30.0, 1e-12);
     EXPECT_LE(piece.length, 1.0);
@@ -28,15 +28,16 @@ TEST(Curve, OfTwoPointsIsTheLineBetweenThem) {
 
 TEST(Curve, PassesThroughItsPointsWithoutABend) {
   const std::vector<Point> points = {at(0, 0), at(100, 80), at(120, -40), at(400, 0), at(405, 30)};
-  const auto pieces = curve_pieces<double, 2>(points, false, 0.1, false);
+  const auto curve = curve_pieces<double, 2>(points, false, 0.1, false);
   for (const Point& point : points) {
     double nearest = 1e9;
-    for (const Piece& piece : pieces)
+    for (const Piece& piece : curve.pieces)
       nearest =
           std::min(nearest, std::hypot(piece.middle.at[0] - point.at[0], piece.middle.at[1] - point.at[1]));
     // The nearest middle of a piece is half a piece away at most; the speed is uneven.
     EXPECT_LT(nearest, 0.1);
   }
+  const std::vector<Piece>& pieces = curve.pieces;
   // Directions of one piece and the next differ by the curvature, which is below 1 / 0.5 km even where the
   // points are 30 km apart, times a tenth of a kilometre.
   for (std::size_t i = 2; i < pieces.size(); ++i) {
@@ -52,10 +53,10 @@ TEST(Curve, ThroughPointsOfACircleIsNearlyThatCircle) {
   std::vector<Point> points;
   for (int i = 0; i < 16; ++i)
     points.push_back(at(100.0 * std::cos(M_PI * i / 8.0), 100.0 * std::sin(M_PI * i / 8.0)));
-  const auto pieces = curve_pieces<double, 2>(points, true, 1.0, false);
+  const auto curve = curve_pieces<double, 2>(points, true, 1.0, false);
   // Between points pi/8 apart the tangents' parabolas miss the circle by some (pi/8)^4 / 40.
-  EXPECT_NEAR(length(pieces), 200.0 * M_PI, 200.0 * M_PI * 1e-3);
-  for (const Piece& piece : pieces)
+  EXPECT_NEAR(length(curve), 200.0 * M_PI, 200.0 * M_PI * 1e-3);
+  for (const Piece& piece : curve.pieces)
     EXPECT_NEAR(std::hypot(piece.middle.at[0], piece.middle.at[1]), 100.0, 0.1);
 }
 
@@ -63,7 +64,14 @@ TEST(Curve, LeavesOutPointsThatStandTwice) {
   const auto once = curve_pieces<double, 2>({at(0, 0), at(10, 5), at(20, 0)}, false, 1.0, false);
   const auto twice = curve_pieces<double, 2>({at(0, 0), at(10, 5), at(10, 5), at(20, 0)}, false, 1.0, false);
   EXPECT_EQ(length(once), length(twice));
-  EXPECT_TRUE((curve_pieces<double, 2>({at(3, 3), at(3, 3)}, true, 1.0, false).empty()));
+  EXPECT_TRUE((curve_pieces<double, 2>({at(3, 3), at(3, 3)}, true, 1.0, false).pieces.empty()));
+}
+
+TEST(Curve, OfTwoPlacesIsNotClosed) {
+  const auto two = curve_pieces<double, 2>({at(0, 0), at(10, 5), at(0, 0)}, true, 1.0, false);
+  EXPECT_FALSE(two.is_closed);
+  EXPECT_NEAR(length(two), std::hypot(10.0, 5.0), 1e-12);
+  EXPECT_TRUE((curve_pieces<double, 2>({at(0, 0), at(10, 5), at(0, 9)}, true, 1.0, false).is_closed));
 }
 
 TEST(Curve, OnASphereKeepsToItAndKnowsItsLength) {
@@ -73,7 +81,7 @@ TEST(Curve, OnASphereKeepsToItAndKnowsItsLength) {
     points.push_back(
         {{ring * std::cos(M_PI * i / 12.0), ring * std::sin(M_PI * i / 12.0), height}, 1.0, 0.0});
   double sum = 0.0;
-  for (const auto& piece : curve_pieces<double, 3>(points, true, 0.01, true)) {
+  for (const auto& piece : curve_pieces<double, 3>(points, true, 0.01, true).pieces) {
     EXPECT_NEAR(length_of(piece.middle.at), 1.0, 1e-12);
     sum += piece.length;
   }

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "sim/base/error.h"
 
 namespace vegard::sim {
 namespace {
@@ -87,6 +90,67 @@ TEST(MakeFootprint, DerivativesOfAPictureByFluxAndCentreAreThoseOfDifferences) {
     }
   // Central differences over two of nine cells to a standard deviation: 1/6 × 3 / 81 of the largest slope.
   EXPECT_LT(worst, 0.01 * largest);
+}
+
+// The box takes the flow along with what flows: the same cells, elsewhere.
+TEST(MakeFootprint, WhatFlowsMovesWithItsCentre) {
+  for (const char* source : {"spline", "noise"}) {
+    Scene scene = scene_with(source);
+    Footprint& f = scene.footprints[0];
+    f.flow_turns = 0.3;
+    f.width_km = 8.0;
+    const NumberAs<FreeDual> seeded = [&](const double& n) {
+      FreeDual dual(n);
+      if (&n == &f.energy_flux_mw_m2) dual.d.t[0] = 1.0;
+      if (&n == &f.center_km.east) dual.d.t[1] = 1.0;
+      if (&n == &f.center_km.north) dual.d.t[2] = 1.0;
+      return dual;
+    };
+    const PlaneFootprint<FreeDual> here = make_plane_footprint<FreeDual>(scene, f, {}, seeded, 2);
+    // Both ways by a cell: what stands in a cell then stood in the next one before.
+    constexpr double kMove = 2.0;
+    const auto moved = [&](double east, double north) {
+      Scene other = scene;
+      other.footprints[0].center_km.east += east;
+      other.footprints[0].center_km.north += north;
+      return make_plane_footprint<double>(other, other.footprints[0], {}, kPlain, 2);
+    };
+    const auto at = [&](const PlaneFootprint<double>& plane, double east, double north) {
+      const int c = static_cast<int>(std::lround((east - plane.west_km) / plane.cell_km - 0.5)),
+                r = static_cast<int>(std::lround((north - plane.south_km) / plane.cell_km - 0.5));
+      return plane.grid.flux_mw_m2[static_cast<std::size_t>(r) * plane.grid.columns + c];
+    };
+    const PlaneFootprint<double> west = moved(-kMove, 0.0), east = moved(kMove, 0.0),
+                                 south = moved(0.0, -kMove), north = moved(0.0, kMove);
+    double most = 0.0;
+    for (int r = 2; r < here.grid.rows - 2; ++r)
+      for (int c = 2; c < here.grid.columns - 2; ++c) {
+        const double x = here.west_km + (c + 0.5) * here.cell_km,
+                     y = here.south_km + (r + 0.5) * here.cell_km;
+        const FreeDual& cell = here.grid.flux_mw_m2[static_cast<std::size_t>(r) * here.grid.columns + c];
+        most = std::max(most, std::abs(cell.d.t[2]));
+        EXPECT_NEAR(cell.d.t[0], cell.v / f.energy_flux_mw_m2, 1e-12) << source;
+        EXPECT_NEAR(cell.d.t[1], (at(east, x, y) - at(west, x, y)) / (2.0 * kMove), 1e-6) << source;
+        EXPECT_NEAR(cell.d.t[2], (at(north, x, y) - at(south, x, y)) / (2.0 * kMove), 1e-6) << source;
+      }
+    EXPECT_GT(most, 0.1) << source;
+  }
+}
+
+TEST(MakeFootprint, RefusesDerivativesThatTakeTooMuchMemory) {
+  Scene scene = scene_with("noise");
+  Footprint& f = scene.footprints[0];
+  f.size_km = {6000.0, 6000.0};
+  f.cell_km = 1.0;  // 36 million cells of 136 bytes; 0.3 GB of plain numbers
+  try {
+    make_plane_footprint<FreeDual>(
+        scene, f, {}, [](const double& n) { return FreeDual(n); }, 1);
+    FAIL() << "made";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.details().key, "footprint.arc.cell_km");
+    EXPECT_NE(error.details().problem.find("4.9 GB"), std::string::npos) << error.details().problem;
+    EXPECT_NE(error.details().hint.find("raise cell_km"), std::string::npos);
+  }
 }
 
 TEST(MakeFootprint, OfAShellComesFromACurveOrAPicture) {

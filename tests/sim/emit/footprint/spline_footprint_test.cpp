@@ -69,7 +69,7 @@ TEST(SplineFootprint, HasTheTotalOfItsLengthHoweverItRuns) {
       double expected = 0.0;
       std::vector<CurvePoint<double, 2>> points;
       for (int i = 0; i < 4; ++i) points.push_back({{f.east_km[i], f.north_km[i]}, f.point_flux[i], 0.0});
-      for (const auto& piece : curve_pieces<double, 2>(points, closed, 0.1, false))
+      for (const auto& piece : curve_pieces<double, 2>(points, closed, 0.1, false).pieces)
         expected += 7.0 * piece.middle.flux * piece.length * width * kSqrtTwoPi;
       // At 0.7 cells the samples of a Gaussian add up to 1 within 2 exp(-2 pi^2 0.49) = 1.3e-4 where the
       // curve runs along the grid; pieces differ from finer ones by less than that.

@@ -11,6 +11,7 @@
 
 #include "sim/emit/grid/grid_field.h"
 #include "sim/scene/site_axes.h"
+#include "tests/support/expect_error.h"
 
 namespace vegard {
 namespace {
@@ -353,6 +354,49 @@ TEST(GridField, IsTheGridAndDarkWhereItIsDark) {
   }
   EXPECT_GT(lit_boxes, 0);
   EXPECT_GT(dark_boxes, 0);
+}
+
+TEST(GridWalk, ARayThatIsNoneMeetsNothing) {
+  const SparseGrid grid = filled(-5, 14, 0.31, {[](const double*) { return 1.0f; }});
+  const GridBricks bricks = bricks_of(grid, 1);
+  const double nan = std::nan("");
+  const auto met = [&](const GridRay& given) {
+    GridRay ray = given;
+    ray.aim();
+    int count = 0;
+    walk_bricks(bricks, ray, kInfinity, [&](std::int32_t, const int*, double enter, double leave) {
+      EXPECT_TRUE(std::isfinite(enter) && std::isfinite(leave));
+      ++count;
+    });
+    return count;
+  };
+  EXPECT_GT(met({{1.0, 1.0, 1.0}, {0.0, 0.0, 1.0}, {}}), 0);
+  EXPECT_GT(met({{1.0, 1.0, 1.0}, {0.0, 1e-310, 1.0}, {}}), 0);
+  for (int a = 0; a < 3; ++a)
+    for (const double bad : {nan, kInfinity, -kInfinity}) {
+      GridRay ray = {{1.0, 1.0, 1.0}, {0.6, 0.0, 0.8}, {}};
+      ray.from[a] = bad;
+      EXPECT_EQ(met(ray), 0) << a << " " << bad;
+      ray.from[a] = 1.0;
+      ray.along[a] = bad;
+      EXPECT_EQ(met(ray), 0) << a << " " << bad;
+    }
+  EXPECT_EQ(met({{1.0, 1.0, 1.0}, {0.0, 0.0, 0.0}, {}}), 0) << "it stands still within";
+  EXPECT_EQ(first_sample(1e300, 1e10), first_sample(kInfinity, 1.0)) << "a number for all that is too far";
+}
+
+TEST(GridBricks, RefuseWhatTakesTooMuch) {
+  // Each voxel is at a corner that eight bricks share.
+  SparseGrid grid;
+  grid.channels = {{"channel", ""}};
+  for (int i = 0; i < 5; ++i) grid.brick({2 * i, 0, 0})[0] = 1.0f;
+  const std::uint64_t bytes = 5 * 512 * 4 + 5 * 8 * 729 * 4;
+  const auto made = [&](std::uint64_t most) {
+    return GridBricks(grid, {0}, -1, "a.vdb", Site(), Site(), most).bricks();
+  };
+  EXPECT_EQ(made(bytes), 40u);
+  const std::string text = tests::expect_error(ErrorKind::unreadable_input, [&] { made(bytes - 1); });
+  EXPECT_NE(text.find("a.vdb"), std::string::npos) << text;
 }
 
 }  // namespace

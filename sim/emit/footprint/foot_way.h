@@ -1,0 +1,31 @@
+// How the feet of a footprint's light are found.
+#pragma once
+
+#include <algorithm>
+
+#include "sim/emit/aurora/beam.h"
+#include "sim/emit/aurora/dipole.h"
+#include "sim/emit/footprint/footprint_kernel.h"
+#include "sim/light/emitter.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::sim {
+
+/// The way of a footprint of the scene, with FootprintKernel's axis in `axis`: zeros where there is none.
+template <class T>
+FootWay way_of_foot(const Scene& scene, const Footprint& footprint, const NumberAs<T>& number, T axis[3]) {
+  std::fill_n(axis, 3, T(0.0));
+  if (footprint.shape == "shell") return FootWay::shell;
+  if (footprint.fall != "field") return FootWay::vertical;
+  if (scene.field.model == "dipole") {
+    const DipoleAxis dipole = dipole_axis(scene.field, scene.site);
+    std::copy_n(dipole.in_enu, 3, axis);
+    return FootWay::dipole;
+  }
+  const FallFrame<T> frame = fall_frame<T>(number(scene.field.inclination_deg) * kRadiansPerDegree,
+                                           number(scene.field.declination_deg) * kRadiansPerDegree);
+  std::copy_n(frame.along, 3, axis);
+  return FootWay::field;
+}
+
+}  // namespace vegard::sim
