@@ -166,7 +166,8 @@ BricksToSample bricks_to_sample(const LightField& field, const SparseGrid& grid,
     next_try = 2.0 * count;
     const double share = lit_share(field, all_lines, ranges, crop, grid);
     if (share * count > most_bricks || long_list)
-      return {{}, std::max(share * bricks_of_surface(ranges), most_bricks + 1.0)};
+      // With larger voxels every part has light rather than that share of them.
+      return {{}, std::max(bricks_of_surface(ranges), most_bricks + 1.0)};
   }
   BricksToSample out;
   out.bricks.reserve(ranges.size());

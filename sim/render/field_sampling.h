@@ -13,7 +13,7 @@ namespace vegard::sim {
 
 struct BricksToSample {
   std::vector<BrickCoordinate> bricks;  ///< in order
-  /// How many bricks at least are lit, as estimated, where that is more than may be; else 0.
+  /// About how many bricks may be lit, if what is lit is a surface, where that is more than may be; else 0.
   double too_many = 0.0;
 };
 
