@@ -33,6 +33,8 @@
 #include "apps/usage_error.h"
 #include "sim/base/whole_file.h"
 #include "sim/render/render.h"
+#include "sim/render/volume_files.h"
+#include "sim/render/volumes.h"
 #include "sim/scene/parameter_table.h"
 #include "sim/view/tone_curve.h"
 
@@ -178,6 +180,8 @@ int run(const Options& options) {
     camera_json(scene);
   }
   const sim::CompositePictures pictures = read_composite_pictures(scene);
+  // Every frame reads its own; here only so that what is wrong with them is told before a folder is made.
+  if (sim::has_volumes(scene) || !scene.nebulae.empty()) sim::read_volume_files(scene);
   // A measured tone curve is read by whatever is encoded with it; here, before the work.
   sim::ToneCurve check_of_the_curve(scene);
   std::set<int> finished =

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <set>
@@ -20,8 +19,8 @@
 #include "apps/decoding.h"
 #include "apps/exit_code.h"
 #include "apps/filter_options.h"
+#include "apps/input_files.h"
 #include "apps/interrupt.h"
-#include "apps/output_files.h"
 #include "apps/photo_metadata.h"
 #include "apps/photographs.h"
 #include "apps/progress_bar.h"
@@ -37,7 +36,9 @@
 #include "fit/version.h"
 #include "sim/base/sha256.h"
 #include "sim/base/version.h"
+#include "sim/scene/decoding_word.h"
 #include "sim/scene/named_files.h"
+#include "sim/scene/photo_scene.h"
 #include "sim/scene/scene_toml.h"
 #include "sim/scene/table_files.h"
 
@@ -58,9 +59,19 @@ struct Options {
   int bootstrap = 0, mcmc = 0;
 };
 
-std::string sha256_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return sim::sha256(std::string(std::istreambuf_iterator<char>(file), {}));
+/// All files that the fit reads.
+std::vector<NamedInput> files_read(const Options& options, const sim::Scene& scene) {
+  std::vector<NamedInput> inputs = inputs_of_scene(options.scene, scene);
+  for (const sim::PhotoEntry& entry : scene.fit.photos)  // what it alone has may name files too
+    for (const NamedInput& input : inputs_of_scene({}, sim::scene_of_photo(scene, entry)))
+      inputs.push_back(input);
+  inputs.push_back({options.photo, "the photograph"});
+  inputs.push_back({options.mask, "the mask"});
+  for (const fit::FilterFile& filter : filter_files(options.filters))
+    inputs.push_back({filter.file, "the photograph"});
+  if (!options.decoding.empty())
+    inputs.push_back({sim::decoding_word(options.decoding).file, "the transfer curve"});
+  return inputs;
 }
 
 /// That of the command line, or those that the scene names.
@@ -128,7 +139,7 @@ fit::JournalSubject subject_of(const Options& options, const sim::Scene& scene,
     subject.push_back({"the table of " + path, sim::sha256(text)});
   for (const sim::NamedFile& named : sim::named_files(scene))
     for (const std::string& name : sim::files_of_name(named.name))
-      subject.push_back({"the file of " + named.path, sha256_of(sim::table_place(scene, name))});
+      subject.push_back({"the file of " + named.path, sim::sha256_of_file(sim::table_place(scene, name))});
   for (std::size_t i = 0; i < photos.size(); ++i) {
     const std::string which = photos.size() > 1 ? " " + std::to_string(i + 1) : "";
     subject.push_back({"the photograph" + which, photos[i].sha256});
@@ -230,14 +241,10 @@ ExitCode exit_code_of(fit::Verdict verdict) {
 int run(const Options& options, const std::string& command) {
   sim::Scene scene = scene_of(options.scene);
   // Now, not after the fit: someone may edit the file meanwhile.
-  const std::string scene_sha256 = sha256_of(options.scene.file);
+  const std::string scene_sha256 = sim::sha256_of_file(options.scene.file);
   const bool replaces = options.overwrite || (options.resume && is_interrupted_run(options.out));
   if (!options.check_derivatives) {
     if (options.out.empty()) throw usage_error("--out", "is missing", "the run's directory to write");
-    // A run that is replaced goes with all that lies in it.
-    if (is_inside(options.scene.camera_file, options.out))
-      throw usage_error("--out", "the camera's file '" + options.scene.camera_file + "' lies in it",
-                        "another directory, or the camera elsewhere");
     fit::check_run_directory(options.out, replaces);
   }
   std::vector<fit::PhotoFact> from_photograph;
@@ -251,6 +258,7 @@ int run(const Options& options, const std::string& command) {
       throw usage_error("--check-derivatives", "is for one photograph", "a scene without [[fit.photo]]");
     return check_derivatives(scene, photos.front(), options.threads);
   }
+  spare_inputs_inside("--out", options.out, files_read(options, scene));
 
   fit::FileJournal journal(fit::journal_file(options.out), subject_of(options, scene, photos),
                            journal_mode(options));

@@ -7,7 +7,6 @@
 
 #include "sim/base/earth.h"
 #include "sim/light/sheet_profile.h"
-#include "sim/render/volumes.h"
 
 namespace vegard::apps {
 namespace {
@@ -49,11 +48,10 @@ std::string warning_if_out_of_view(const sim::Scene& scene, const sim::Image& ra
       std::any_of(rayleigh.data.begin(), rayleigh.data.end(), [](float value) { return value > 0.0f; });
   if (!could_shine(scene) || shines) return {};
   std::string text = fmt::format(
-      "warning: {} is in view, the picture holds the sky alone: the camera looks to azimuth "
+      "warning: no light reaches the picture, it holds the sky alone: the camera looks to azimuth "
       "{:g}\u00b0, "
       "elevation {:g}\u00b0, ",
-      sim::has_volumes(scene) ? "nothing that shines" : "no sheet", scene.camera.azimuth_deg,
-      scene.camera.elevation_deg);
+      scene.camera.azimuth_deg, scene.camera.elevation_deg);
   text += scene.camera.model == "pinhole"
               ? fmt::format("with {:g}\u00b0 across", scene.camera.hfov_deg)
               : fmt::format("its lens {}, {:g} px to a radian", scene.camera.model, scene.camera.focal_px);
@@ -61,10 +59,13 @@ std::string warning_if_out_of_view(const sim::Scene& scene, const sim::Image& ra
   for (const sim::Sheet& sheet : scene.sheets)
     text += "; " + place_of("sheet '" + sheet.name + "'", sheet.center_km, observer_km);
   for (const sim::Footprint& footprint : scene.footprints)
-    if (footprint.shape == "box")
-      text += "; " + place_of("footprint '" + footprint.name + "'", footprint.center_km, observer_km);
+    text += "; " + (footprint.shape == "box"
+                        ? place_of("footprint '" + footprint.name + "'", footprint.center_km, observer_km)
+                        : "footprint '" + footprint.name + "' stands around the Earth");
   for (const sim::Nebula& nebula : scene.nebulae)
     text += "; " + direction_words("nebula '" + nebula.name + "'", nebula.azimuth_deg, nebula.elevation_deg);
+  for (const sim::Volume& volume : scene.volumes)
+    text += "; volume '" + volume.name + "' stands where " + volume.file + " has it";
   return text;
 }
 

@@ -1,4 +1,4 @@
-// A warning for a scene whose sheets the camera does not see.
+// A warning for a scene of whose light nothing reaches the picture.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace vegard::apps {
 
-/// Empty if there is light in the picture or nothing that could shine. Else says so, and for every sheet
-/// where it stands beside where the camera looks. `rayleigh` is the picture of the lines.
+/// Empty if there is light in the picture or nothing that could shine. Else says so, where
+/// the camera looks, and where everything stands that could shine. `rayleigh` is the picture of the lines.
 std::string warning_if_out_of_view(const sim::Scene& scene, const sim::Image& rayleigh);
 
 }  // namespace vegard::apps

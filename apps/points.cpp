@@ -10,13 +10,14 @@
 #include <fmt/format.h>
 
 #include "apps/exit_code.h"
+#include "apps/input_files.h"
 #include "apps/interrupt.h"
-#include "apps/output_files.h"
 #include "apps/point_file.h"
 #include "apps/progress_bar.h"
 #include "apps/scene_options.h"
 #include "apps/usage_error.h"
 #include "sim/render/points.h"
+#include "sim/render/volumes.h"
 
 namespace vegard::apps {
 namespace {
@@ -43,10 +44,11 @@ int thinning(const Options& options, const sim::Scene& scene) {
 int run(const Options& options) {
   const std::atomic<bool>& stop = watch_for_interrupt();
   const sim::Scene scene = scene_of(options.scene);
-  if (same_file(options.output, options.scene.file))
-    refuse_same_file("--output", options.output, "the scene");
-  if (same_file(options.output, options.scene.camera_file))
-    refuse_same_file("--output", options.output, "the camera's file");
+  if (scene.sheets.empty() && (sim::has_volumes(scene) || !scene.nebulae.empty()))
+    throw sim::Error(sim::ErrorKind::scene,
+                     {"volumes have no points, and the scene has no sheet", options.scene.file, 0, "",
+                      "a [[sheet]]", "vegard volume fills an OpenVDB file with their light"});
+  spare_inputs("--output", options.output, inputs_of_scene(options.scene, scene));
   {
     PointFile(options.output, scene, options.unit, 1, options.overwrite);
   }  // refused now, not after the work

@@ -133,8 +133,7 @@ std::string facts(const sim::Scene& scene, const sim::Rendering& rendering) {
   const sim::Image& image = rendering.rayleigh;
   std::string text = fmt::format("{} x {} pixels, ", image.width, image.height);
   // Volumes have none.
-  if (rendering.deflection_points > 0 || !sim::has_volumes(scene))
-    text += fmt::format("{} deflection points, ", rendering.deflection_points);
+  if (!scene.sheets.empty()) text += fmt::format("{} deflection points, ", rendering.deflection_points);
   text += "peak";
   for (int l = 0; l < image.channels(); ++l) {
     float peak = 0.0f;

@@ -5,8 +5,11 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "apps/exit_code.h"
 #include "apps/output_files.h"
@@ -14,13 +17,15 @@
 #include "sim/base/distance_transform.h"
 #include "sim/base/error.h"
 #include "sim/base/image_io.h"
+#include "sim/base/whole_file.h"
 
 namespace vegard::apps {
 namespace {
 
 struct Options {
   std::string image, output;
-  double threshold = 0.5, spread_px = 0.0;
+  double threshold = 0.5;
+  std::optional<double> spread_px;
   bool is_signed = false, wraps = false, overwrite = false;
 };
 
@@ -53,9 +58,16 @@ void run(const Options& options) {
     throw usage_error("--threshold", "a share of white must lie between 0 and 1", "0 <= threshold < 1");
   const sim::ImageFormat format = sim::image_format(options.output);
   const bool is_exr = format == sim::ImageFormat::exr;
-  if (!is_exr && !(options.spread_px > 0.0))
+  // CLI::Range lets nan through.
+  if (options.spread_px && !(*options.spread_px >= 0.01 && *options.spread_px <= 1e6))
+    throw usage_error("--spread", fmt::format("{} px is no distance to be white", *options.spread_px),
+                      "0.01 to 1000000");
+  if (is_exr && options.spread_px)
+    throw usage_error("--spread", "an EXR holds pixels as they are", "leave it out, or a PNG or TIFF");
+  if (!is_exr && !options.spread_px)
     throw usage_error("--spread", "a " + options.output + " holds values from black to white only",
                       "--spread PX, the distance that is white", "an EXR holds pixels as they are");
+  sim::WholeFile(options.output, options.overwrite);  // refused now, not after the work
   const sim::PictureFile picture = sim::read_picture(options.image);
   constexpr int kMost = 32767;
   if (picture.image.width > kMost || picture.image.height > kMost)
@@ -77,7 +89,7 @@ void run(const Options& options) {
     for (std::size_t i = 0; i < away.size(); ++i) away[i] = away[i] > 0.0 ? away[i] - 0.5 : 0.5 - within[i];
   }
   sim::Image field(picture.image.width, picture.image.height, {"Y"});
-  const double scale = is_exr ? 1.0 : (options.is_signed ? 0.5 : 1.0) / options.spread_px;
+  const double scale = is_exr ? 1.0 : (options.is_signed ? 0.5 : 1.0) / *options.spread_px;
   const double zero = is_exr || !options.is_signed ? 0.0 : 0.5;
   for (std::size_t i = 0; i < away.size(); ++i) field.data[i] = static_cast<float>(zero + scale * away[i]);
   if (is_exr)

@@ -14,6 +14,7 @@
 
 #include "apps/decoding.h"
 #include "apps/exit_code.h"
+#include "apps/input_files.h"
 #include "apps/interrupt.h"
 #include "apps/photographs.h"
 #include "apps/scene_options.h"
@@ -29,6 +30,7 @@
 #include "sim/base/sha256.h"
 #include "sim/base/version.h"
 #include "sim/base/whole_file.h"
+#include "sim/scene/decoding_word.h"
 #include "sim/scene/scene_toml.h"
 
 namespace vegard::apps {
@@ -55,7 +57,7 @@ std::string manifest(const Options& options, const sim::Scene& scene) {
   nlohmann::ordered_json json;
   json["scene_sha256"] = sim::sha256(sim::write_scene(scene));
   for (const auto& [path, text] : scene.tables) json["tables_sha256"][path] = sim::sha256(text);
-  if (!options.mask.empty()) json["mask_sha256"] = sim::sha256(bytes_of(options.mask));
+  if (!options.mask.empty()) json["mask_sha256"] = sim::sha256_of_file(options.mask);
   if (!options.decoding.empty()) json["decoding"] = options.decoding;
   json["max_evaluations"] = options.max_evaluations;
   json["version"] = sim::version();
@@ -141,7 +143,7 @@ int run(const Options& options, const std::string& command) {
                                 {"a sequence fits one photograph after another", scene.file, 0, "fit.photo",
                                  "a scene without [[fit.photo]]", "vegard fit fits them all at once"}),
                      scene);
-  const std::string scene_sha256 = sim::sha256(bytes_of(options.scene.file));
+  const std::string scene_sha256 = sim::sha256_of_file(options.scene.file);
   const std::vector<SequencePhoto> photos = sequence_photos(options.photos, scene);
   if (decoding_of(options.decoding, scene.fit.decoding, &scene).kind == fit::Decoding::Kind::unknown)
     throw usage_error(
@@ -149,6 +151,13 @@ int run(const Options& options, const std::string& command) {
         "fit one frame by itself with --decoding unknown, and give all the curve that it tells");
   for (const SequencePhoto& photo : photos)  // now, not after hours
     fit::read_photo(photo.file, decoding_of(options.decoding, scene.fit.decoding, &scene), &scene);
+  std::vector<NamedInput> inputs = inputs_of_scene(options.scene, scene);
+  for (const SequencePhoto& photo : photos) inputs.push_back({photo.file, "the photograph"});
+  for (const std::string& word : options.photos) inputs.push_back({word, "the list of photographs"});
+  inputs.push_back({options.mask, "the mask"});
+  if (!options.decoding.empty())
+    inputs.push_back({sim::decoding_word(options.decoding).file, "the transfer curve"});
+  spare_inputs_inside("--out", options.out, inputs);
   const Folder folder(options.out);
   folder.begin(manifest(options, scene), options.overwrite);
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,8 +13,8 @@
 #include <fmt/format.h>
 
 #include "apps/exit_code.h"
+#include "apps/input_files.h"
 #include "apps/interrupt.h"
-#include "apps/output_files.h"
 #include "apps/progress_bar.h"
 #include "apps/scene_options.h"
 #include "apps/usage_error.h"
@@ -101,12 +103,18 @@ sim::SceneGridOptions grid_options(const Options& options, const sim::Scene& sce
                     "nothing shines" + where + of_what + ", and nothing is written", "some light");
 }
 
+bool is_vdb_name(const std::string& name) {
+  std::string extension = std::filesystem::path(name).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".vdb";
+}
+
 int run(const Options& options) {
   const std::atomic<bool>& stop = watch_for_interrupt();
   sim::Scene scene = scene_of(options.scene);
-  if (same_file(options.output, options.scene.file))
-    refuse_same_file("--output", options.output, "the scene");
-  if (options.output.size() < 4 || options.output.substr(options.output.size() - 4) != ".vdb")
+  spare_inputs("--output", options.output, inputs_of_scene(options.scene, scene));
+  if (!is_vdb_name(options.output))
     throw usage_error("--output", "'" + options.output + "' is no name of an OpenVDB file",
                       "a name that ends in .vdb");
   keep_named(scene, options.of);

@@ -96,6 +96,7 @@ class RowMarch {
     s.of_emitter.resize(emitters_.size());
     for (std::size_t e = 0; e < emitters_.size(); ++e)
       emitters_[e]->march(bundle, s.of_emitter[e].clear(bundle.count, lines_));
+    if (emitters_.size() == 1) return use(s.rays, s.of_emitter.front());  // in front of nothing
     combine(s, bundle.count);
     use(s.rays, s.sum);
   }

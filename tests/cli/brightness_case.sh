@@ -16,7 +16,7 @@ expect_exit 0 brightness "$small" --json --set sheet.main.brightness_kilorayleig
 for words in '"class": "IBC 3"' '"luminance_cd_m2": ' '"relative_uncertainty": null'; do expect_stdout "$words"; done
 # Nothing in view, nothing luminous: no numbers that are none.
 expect_exit 0 brightness "$small" --set camera.azimuth_deg=180
-expect_stderr "no sheet is in view"
+expect_stderr "no light reaches the picture"
 expect_stdout "dark"
 expect_exit 0 brightness "$small" --set camera.azimuth_deg=180 --json
 grep -q '"magnitudes_per_square_arcsecond": null' "$stdout" || fail "a magnitude of darkness"

@@ -14,4 +14,28 @@ mkdir precious
 echo precious >precious/words
 expect_exit 2 fit "$SCENES/fit.toml" --photo photo.png --out precious --overwrite
 [[ $(cat precious/words) == precious ]] || fail "a folder that is no run was touched"
+# A run is not replaced, and no sequence begun, where an input of theirs lies.
+cp photo.png run/arc.png
+cp "$SCENES/fit.toml" volume.toml
+printf '[[footprint]]\nsource = "image"\nimage = "run/arc.png"\n' >>volume.toml
+cp photo.png run/mine.png
+cp "$SCENES/fit.toml" run/mine.toml
+expect_exit 0 render "$SCENES/small.toml" -o run/white.png --set "sky.level=[50, 50, 50]"
+refused() {
+  expect_exit 2 "$@"
+  expect_stderr "--out"
+  expect_stderr "lies in it"
+  expect_one_message
+  expect_same run/arc.png photo.png
+  expect_same run/mine.png photo.png
+  expect_file run/white.png
+  expect_same run/mine.toml "$SCENES/fit.toml"
+}
+refused fit volume.toml --photo photo.png --out run --overwrite
+refused fit "$SCENES/fit.toml" --photo run/mine.png --out run --overwrite
+refused fit "$SCENES/fit.toml" --photo photo.png --mask run/white.png --out run --overwrite
+refused fit run/mine.toml --photo photo.png --out run --overwrite
+refused sequence volume.toml --photos photo.png -o run --overwrite
+refused sequence "$SCENES/fit.toml" --photos run/mine.png -o run --overwrite
+rm volume.toml
 expect_only before.json photo.png precious run

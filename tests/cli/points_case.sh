@@ -29,7 +29,14 @@ expect_exit 0 points dark.toml -o none.csv
 expect_exit 0 points dark.toml -o thin_none.csv --max-points 100
 expect_stdout "0 points, all beams"
 expect_same none.csv thin_none.csv
-rm dark.toml none.csv thin_none.csv
+# Nor is a table of the scene ever replaced.
+printf 'altitude_km,rate\n100,1\n110,2\n120,1\n' >rates.csv
+cp rates.csv before.csv
+sed 's/^\[\[sheet\]\]/&\nprofile = "spline"\nprofile_file = "rates.csv"/' "$small" >table.toml
+expect_exit 2 points table.toml -o rates.csv --overwrite
+expect_stderr "a table of the scene"
+expect_same rates.csv before.csv
+rm dark.toml none.csv thin_none.csv rates.csv before.csv table.toml
 expect_exit 6 points "$small" -o no/such/folder/out.ply
 status=0
 (ulimit -f 64 && exec "$VEGARD" points "$small" -o full.ply >"$stdout" 2>"$stderr") || status=$?

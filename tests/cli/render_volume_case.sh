@@ -29,4 +29,43 @@ for file in missing.exr truncated.exr large.exr; do
   expect_one_message
 done
 expect_exit 0 render scene/small.toml -o standing.png --set march.depth=depth.exr
-expect_only add.exr large.exr plain.exr scene standing.png with.exr
+# An animation of them leaves no folder behind either.
+for file in missing.exr truncated.exr large.exr; do
+  expect_exit 3 animate scene/small.toml -o frames/##.png --frames 0:0 --set "march.depth=$file"
+  expect_stderr "scene/$file: march.depth: "
+  expect_one_message
+  [[ ! -e frames ]] || fail "a folder is left"
+done
+
+# Only sheets have deflection points.
+expect_exit 0 render scene/plain.toml -o some.png
+expect_stdout "deflection points"
+cat >scene/literal.toml <<'END'
+[camera]
+width = 40
+height = 30
+[[node]]
+name = "ball"
+[[nebula]]
+method = "literal"
+gas = "ball"
+END
+expect_exit 0 render scene/literal.toml -o literal.png
+! grep -qF "deflection points" "$stdout" || fail "deflection points of no sheet"
+# A footprint in view that is dark: not out of view, and the warning says no such thing.
+cat >scene/dark.toml <<'END'
+[camera]
+width = 40
+height = 30
+azimuth_deg = 0.0
+[[footprint]]
+name = "black"
+source = "image"
+image = "black.png"
+END
+printf 'iVBORw0KGgoAAAANSUhEUgAAAAgAAAAICAAAAADhZOFXAAAADElEQVR42mNgoA4AAABIAAEQRe/SAAAAAElFTkSuQmCC' |
+  base64 -d >scene/black.png
+expect_exit 0 render scene/dark.toml -o dark.png
+expect_stderr "warning: no light reaches the picture"
+expect_stderr "the middle of footprint 'black' stands at azimuth 0"
+expect_only add.exr dark.png large.exr literal.png plain.exr scene some.png standing.png with.exr

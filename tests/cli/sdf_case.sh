@@ -17,6 +17,18 @@ expect_same field.exr again.exr
 expect_exit 2 sdf "$photo" -o no.png --threshold 0.3
 expect_stderr "--spread"
 expect_one_message
+for spread in inf nan -4 0; do
+  expect_exit 2 sdf "$photo" -o no.png --threshold 0.3 --spread=$spread
+  expect_stderr "0.01 to 1000000"
+  expect_one_message
+done
+expect_exit 2 sdf "$photo" -o no.exr --threshold 0.3 --spread 100
+expect_stderr "--spread"
+expect_one_message
+# An output that exists or cannot be, before the picture is even looked for.
+expect_exit 2 sdf none.png -o field.exr
+expect_stderr "field.exr"
+expect_exit 6 sdf none.png -o no/such/folder/out.exr
 expect_exit 2 sdf "$photo" -o no.exr --threshold 0.999
 expect_stderr "nothing above the threshold"
 expect_exit 2 sdf "$photo" -o no.exr --threshold 2

@@ -47,5 +47,17 @@ expect_exit 0 render other.toml -o other.png
 [[ $(green) -eq $brightness ]] || fail "the conventions differ"
 expect_exit 3 render other.toml -o none.png --set 'emission.lines=[630.0]'
 expect_stderr "emission_5577"
-rm -f seen.toml other.toml
-expect_only one.vdb two.vdb green.vdb foot.vdb seen.png seen.exr other.png
+# Never over what the scene reads; and the ending counts however it is written.
+cp one.vdb before.vdb
+expect_exit 2 volume seen.toml -o one.vdb --voxel-km 2 --overwrite
+expect_stderr "a file that the scene reads"
+expect_one_message
+expect_same one.vdb before.vdb
+expect_exit 0 volume "$small" -o Three.VDB --voxel-km 2
+expect_same one.vdb Three.VDB
+# Light without sheets has no deflection points, and none are listed.
+expect_exit 2 points seen.toml -o none.csv
+expect_stderr "vegard volume"
+expect_one_message
+rm -f seen.toml other.toml before.vdb
+expect_only one.vdb two.vdb green.vdb foot.vdb Three.VDB seen.png seen.exr other.png

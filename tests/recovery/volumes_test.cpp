@@ -52,6 +52,9 @@ TEST(VolumeRecovery, FindsAnArcByItsFootprintAgain) {
     ASSERT_TRUE(d.sigma);
     std::printf("  %s %s, true 8\n", d.name.c_str(), number_with_error(d.value, d.sigma).c_str());
     EXPECT_NEAR(d.value, 8.0, *d.sigma) << "5 % of calibration, of which there is no error here";
+    // In quadrature with the gain's own, which is small beside it.
+    EXPECT_GT(*d.sigma, 0.0499 * d.value);
+    EXPECT_LT(*d.sigma, 0.055 * 8.0);
   }
   EXPECT_TRUE(has_flux);
 }
