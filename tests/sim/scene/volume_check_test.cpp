@@ -87,7 +87,7 @@ const Bad bad_volumes[] = {
      "[[node]]\nname = 'a'\nkind = 'move'\nof = 'b'\n[[node]]\nname = 'b'\nkind = 'move'\nof = 'a'\n", 4,
      "node.a.of", "works on itself, directly or by others"},
     {"too_many_steps", "[[nebula]]\ndust = 'n'\nbound = 1000\nstep = 1e-4\n[[node]]\nname = 'n'\n", 4,
-     "nebula.nebula.step", "2e+07 steps from side to side"},
+     "nebula.nebula.step", "20000000 steps from side to side"},
     {"volume_without_file", "[[volume]]\n", 1, "volume.volume.file", "names no file"},
     {"name_of_a_key", "[[volume]]\nname = 'gain'\nfile = 'a.vdb'\n", 2, "volume.volume.name",
      "also a key of [[node]]"},
