@@ -245,6 +245,7 @@ int run(const Options& options, const std::string& command) {
   const bool replaces = options.overwrite || (options.resume && is_interrupted_run(options.out));
   if (!options.check_derivatives) {
     if (options.out.empty()) throw usage_error("--out", "is missing", "the run's directory to write");
+    spare_inputs_inside("--out", options.out, files_read(options, scene));
     fit::check_run_directory(options.out, replaces);
   }
   std::vector<fit::PhotoFact> from_photograph;
@@ -258,8 +259,6 @@ int run(const Options& options, const std::string& command) {
       throw usage_error("--check-derivatives", "is for one photograph", "a scene without [[fit.photo]]");
     return check_derivatives(scene, photos.front(), options.threads);
   }
-  spare_inputs_inside("--out", options.out, files_read(options, scene));
-
   fit::FileJournal journal(fit::journal_file(options.out), subject_of(options, scene, photos),
                            journal_mode(options));
   if (journal.found() > 0)
