@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/emit/aurora/beam.h"
-#include "sim/emit/aurora/dipole.h"
+#include "sim/emit/footprint/foot_way.h"
 #include "sim/emit/footprint/footprint_kernel.h"
 #include "sim/emit/footprint/scalar_march.h"
 #include "sim/emit/footprint/texel_store.h"
@@ -27,7 +26,8 @@ class FootprintEmitter : public Emitter<T> {
         rays_(scene, footprint, profile_.bottom_km()),
         step_cells_(scene.march.step_cells),
         in_lanes_(std::is_same_v<T, double> && by == MarchBy::lanes) {
-    set_way(scene, footprint, number);
+    scalar_.way = kernel_.way = way_of_foot<T>(scene, footprint, number, scalar_.axis);
+    for (int i = 0; i < 3; ++i) kernel_.axis[i] = value_of(scalar_.axis[i]);
     scalar_.profile = kernel_.profile = &profile_;
     scalar_.ln_energy_shift =
         (number(footprint.energy_kev) - footprint.energy_kev) * (1.0 / footprint.energy_kev);
@@ -100,25 +100,6 @@ class FootprintEmitter : public Emitter<T> {
       out.depth_km[ray] = weighted_km / light;
     }
   };
-
-  void set_way(const Scene& scene, const Footprint& footprint, const NumberAs<T>& number) {
-    FootWay way = FootWay::vertical;
-    for (T& axis : scalar_.axis) axis = T(0.0);
-    if (footprint.shape == "shell") {
-      way = FootWay::shell;
-    } else if (footprint.fall == "field" && scene.field.model == "dipole") {
-      way = FootWay::dipole;
-      const DipoleAxis axis = dipole_axis(scene.field, scene.site);
-      for (int i = 0; i < 3; ++i) scalar_.axis[i] = T(axis.in_enu[i]);
-    } else if (footprint.fall == "field") {
-      way = FootWay::field;
-      const FallFrame<T> frame = fall_frame<T>(number(scene.field.inclination_deg) * kRadiansPerDegree,
-                                               number(scene.field.declination_deg) * kRadiansPerDegree);
-      for (int i = 0; i < 3; ++i) scalar_.axis[i] = frame.along[i];
-    }
-    scalar_.way = kernel_.way = way;
-    for (int i = 0; i < 3; ++i) kernel_.axis[i] = value_of(scalar_.axis[i]);
-  }
 
   void march_in_lanes(const RayBundle<double>& rays, const BundleLight<double>& out) const {
     thread_local std::vector<MarchSpan> spans;
