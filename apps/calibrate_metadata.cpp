@@ -14,7 +14,8 @@ PictureSays with_metadata(const CalibrateOptions& options, const std::optional<s
   says.camera = camera_scene;
   if (options.no_metadata) return says;
 
-  sim::Scene scene = camera_scene ? *camera_scene : sim::Scene{};
+  sim::Scene scene;
+  if (camera_scene) scene = *camera_scene;
   scene.lines.erase("site.time_utc");
   // What is no matter of a calibration is as good as given: exposure, and a magnetic field to warn of.
   std::set<std::string> given = {"sensor.f_number", "sensor.iso", "time.exposure_s", "field.inclination_deg"};

@@ -30,6 +30,9 @@ enum class Stream : std::uint32_t {
   photon_noise = 24,  ///< a pixel's electrons
   read_noise = 25,    ///< and what reading them adds
   nebula = 28,        ///< the noise of nebulae
+  chromosphere = 29,  ///< the turbulence of chromospheres
+  strand = 30,        ///< strands of loops
+  bundle = 31,        ///< lines of the corona
   ensemble = 32,      ///< the walkers of a fit's sampler
   bootstrap = 33,     ///< which bands a fit's bootstrap draws
   circle = 40,        ///< triples of points, in the search for a fisheye's circle

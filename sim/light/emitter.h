@@ -22,8 +22,9 @@ template <class T>
 struct RayBundle {
   std::size_t count = 0;
   const T* direction[3] = {nullptr, nullptr, nullptr};  ///< [axis][ray], of length 1
-  const double* end_km =
-      nullptr;  ///< [ray] where it is stopped, by the Earth or by what stands in the scene; or infinity
+  const double* end_km = nullptr;  ///< [ray] where it is stopped, by the Earth, the Sun or by what stands in
+                                   ///< the scene; or infinity
+  double cell_rad = 0.0;           ///< angle between neighbouring rays: what is thinner would show in steps
 };
 
 /// What comes out of the rays at the camera. All arrays belong to the caller.

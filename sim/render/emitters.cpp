@@ -3,6 +3,7 @@
 #include "sim/emit/grid/grid_emitter.h"
 #include "sim/emit/nebula/nebula_emitter.h"
 #include "sim/render/footprint_volumes.h"
+#include "sim/render/sun_emitters.h"
 
 namespace vegard::sim {
 
@@ -16,6 +17,7 @@ std::vector<std::unique_ptr<Emitter<T>>> make_emitters(const Scene& scene, const
     if (nebula.method != "literal") all.push_back(std::make_unique<NebulaEmitter<T>>(scene, nebula, number));
   for (std::size_t v = 0; v < scene.volumes.size(); ++v)
     all.push_back(std::make_unique<GridEmitter<T>>(*files.grids[v], scene.volumes[v], number));
+  add_sun_emitters(scene, files, number, threads, all);
   return all;
 }
 

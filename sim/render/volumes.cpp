@@ -1,10 +1,12 @@
 #include "sim/render/volumes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "sim/base/parallel.h"
+#include "sim/emit/sun/sun_frame.h"
 #include "sim/render/depth_file.h"
 #include "sim/render/emitters.h"
 #include "sim/render/kernel_scene.h"
@@ -16,6 +18,37 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+double plain(const double& number) { return number; }
+
+/// Where rays are stopped by the photosphere.
+class SunBall {
+ public:
+  explicit SunBall(const Scene& scene)
+      : shown_(scene.sun.shown), radius_(scene.sun.radius), frame_(scene.sun, plain) {}
+
+  double end_km(const double enu[3]) const {
+    if (!shown_) return kInfinity;
+    const SkyRay<double> ray = frame_.sky().ray(enu);
+    double half;
+    if (!meets_sphere(ray, radius_, half) || ray.observer >= -half) return kInfinity;
+    return (-half - ray.observer) * frame_.unit_km();
+  }
+
+ private:
+  bool shown_;
+  double radius_;
+  SunFrame<double> frame_;
+};
+
+/// Angle between the rays of neighbouring pixels of a row, in the middle of the picture.
+double radians_per_px(const CameraView<double>& view, const Camera& camera) {
+  double a[3], b[3];
+  const double x = 0.5 * camera.width, y = 0.5 * camera.height;
+  if (!enu_of_pixel(view, x - 0.5, y, a) || !enu_of_pixel(view, x + 0.5, y, b)) return 0.0;
+  return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
+                   (a[2] - b[2]) * (a[2] - b[2]));
+}
+
 /// The rays of one row of a film, of those cells that are wanted and see anything, and what comes out of
 /// them.
 template <class T>
@@ -25,7 +58,8 @@ struct RowOfRays {
   std::vector<double> end_km;
 
   void aim(const CameraView<T>& view, const CameraView<double>& plain_view, const FilmGeometry& film, int row,
-           double observer_altitude_km, const DepthImage& depth, const std::vector<std::uint8_t>& wanted) {
+           double observer_altitude_km, const DepthImage& depth, const SunBall& sun,
+           const std::vector<std::uint8_t>& wanted) {
     const double y_px = film.y0_px + (row + 0.5) * film.cell_height_px;
     column.clear();
     end_km.clear();
@@ -37,13 +71,17 @@ struct RowOfRays {
       column.push_back(c);
       for (int axis = 0; axis < 3; ++axis) direction[axis].push_back(enu[axis]);
       const double towards[3] = {value_of(enu[0]), value_of(enu[1]), value_of(enu[2])};
-      end_km.push_back(ray_end_km(plain_view, observer_altitude_km, depth,
-                                  film.x0_px + (c + 0.5) * film.cell_width_px, y_px, towards));
+      end_km.push_back(std::min(ray_end_km(plain_view, observer_altitude_km, depth,
+                                           film.x0_px + (c + 0.5) * film.cell_width_px, y_px, towards),
+                                sun.end_km(towards)));
     }
   }
 
-  RayBundle<T> bundle() const {
-    return {column.size(), {direction[0].data(), direction[1].data(), direction[2].data()}, end_km.data()};
+  RayBundle<T> bundle(double cell_rad) const {
+    return {column.size(),
+            {direction[0].data(), direction[1].data(), direction[2].data()},
+            end_km.data(),
+            cell_rad};
   }
 };
 
@@ -74,7 +112,9 @@ class RowMarch {
       : lines_(static_cast<int>(scene.emission.lines.size())),
         observer_km_(scene.site.altitude_m * 1e-3),
         depth_(files.depth),
+        sun_(scene),
         plain_view_(camera_view(scene.camera)),
+        rad_per_px_(radians_per_px(plain_view_, scene.camera)),
         view_(camera_view<T>(
             scene.camera,
             [&](CameraNumber which) { return number(*camera_number_address(scene.camera, which)); })),
@@ -90,8 +130,8 @@ class RowMarch {
   void run(int row, int slot, const FilmGeometry& film, const std::vector<std::uint8_t>& wanted,
            const Use& use) {
     Slot& s = slots_[slot];
-    s.rays.aim(view_, plain_view_, film, row, observer_km_, depth_, wanted);
-    const RayBundle<T> bundle = s.rays.bundle();
+    s.rays.aim(view_, plain_view_, film, row, observer_km_, depth_, sun_, wanted);
+    const RayBundle<T> bundle = s.rays.bundle(rad_per_px_ * film.cell_width_px);
     if (bundle.count == 0) return;
     s.of_emitter.resize(emitters_.size());
     for (std::size_t e = 0; e < emitters_.size(); ++e)
@@ -141,7 +181,9 @@ class RowMarch {
   int lines_;
   double observer_km_;
   const DepthImage& depth_;
+  SunBall sun_;
   CameraView<double> plain_view_;
+  double rad_per_px_;
   CameraView<T> view_;
   const Emitters made_here_;
   const Emitters& emitters_;
@@ -151,7 +193,7 @@ class RowMarch {
 }  // namespace
 
 bool has_volumes(const Scene& scene) {
-  return !scene.footprints.empty() || !scene.volumes.empty() ||
+  return !scene.footprints.empty() || !scene.volumes.empty() || scene.sun.shown ||
          std::any_of(scene.nebulae.begin(), scene.nebulae.end(),
                      [](const Nebula& nebula) { return nebula.method != "literal"; });
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/scene/nebular_lines.h"
+#include "sim/scene/solar_lines.h"
 
 namespace vegard::sim {
 namespace {
@@ -132,6 +133,7 @@ std::vector<EmissionLine> rows() {
        {}},
   };
   for (const EmissionLine& line : nebular_lines()) lines.push_back(line);
+  for (const EmissionLine& line : solar_lines()) lines.push_back(line);
   std::sort(lines.begin(), lines.end(),
             [](const EmissionLine& a, const EmissionLine& b) { return a.wavelength_nm < b.wavelength_nm; });
   for (EmissionLine& line : lines)

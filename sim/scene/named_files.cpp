@@ -15,6 +15,7 @@ void for_each_name(Scene& scene, const Use& use) {
   for (const auto& [table, key] : {std::pair{"footprint", "image"},
                                    {"footprint", "energy_image"},
                                    {"volume", "file"},
+                                   {"chromosphere", "biasmap"},
                                    {"march", "depth"},
                                    {"composite", "background"},
                                    {"composite", "foreground"},

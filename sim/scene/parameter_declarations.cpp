@@ -10,7 +10,8 @@ namespace {
 std::vector<Declaration> declare() {
   std::vector<Declaration> all;
   for (const auto rows :
-       {place_rows, sheet_rows, footprint_rows, nebula_rows, node_rows, volume_rows, march_rows, light_rows,
+       {place_rows, sheet_rows, footprint_rows, nebula_rows, node_rows, volume_rows, sun_rows,
+        chromosphere_rows, loop_rows, corona_rows, bundle_rows, ejection_rows, march_rows, light_rows,
         sensor_rows, sky_rows, night_sky_rows, time_rows, fit_rows}) {
     std::vector<Declaration> group = rows();
     std::move(group.begin(), group.end(), std::back_inserter(all));
@@ -30,8 +31,10 @@ RepeatedTable repeated(const std::string& table, std::vector<Element> Scene::*in
 const std::vector<RepeatedTable>& repeated_tables() {
   static const std::vector<RepeatedTable> all = {
       repeated(sheet_table, &Scene::sheets), repeated("footprint", &Scene::footprints),
-      repeated("nebula", &Scene::nebulae), repeated("node", &Scene::nodes),
-      repeated("volume", &Scene::volumes)};
+      repeated("nebula", &Scene::nebulae),   repeated("node", &Scene::nodes),
+      repeated("volume", &Scene::volumes),   repeated("chromosphere", &Scene::chromospheres),
+      repeated("loop", &Scene::loops),       repeated("corona", &Scene::coronae),
+      repeated("bundle", &Scene::bundles),   repeated("ejection", &Scene::ejections)};
   return all;
 }
 

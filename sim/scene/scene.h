@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sim/scene/east_north.h"
+#include "sim/scene/sun_of_scene.h"
 #include "sim/scene/volumes_of_scene.h"
 
 namespace vegard::sim {
@@ -203,8 +204,9 @@ struct Sensor {
   std::array<double, 3> vignetting{0.0, 0.0, 0.0};  ///< of r^2, r^4, r^6, r = 1 in the corners
   std::string tone = "srgb";                        ///< or "linear", "gamma", "file"
   double gamma = 2.2;
-  std::string tone_file;           ///< CSV of linear and encoded values, beside the scene's file
-  double calibration_error = 0.0;  ///< relative, of the absolute scale; 0: nobody has calibrated
+  std::string tone_file;              ///< CSV of linear and encoded values, beside the scene's file
+  std::string colour_table = "none";  ///< of display files: a false colour for grey, by name or file
+  double calibration_error = 0.0;     ///< relative, of the absolute scale; 0: nobody has calibrated
 };
 
 /// Light behind the aurora, in linear sensor values per channel: level + gradient p + curvature (p^2 - 1/12),
@@ -312,6 +314,7 @@ struct Fit {
   bool band_brightness = true;      ///< a brightness per band (rays are uneven), else one
   bool white_balance_known = true;  ///< else a gain per channel, and colour says nothing about E0
   int sky_terms = 3;                ///< solved per channel: 1 level, 2 and gradient, 3 and curvature
+  bool band_sky = false;            ///< of every band by itself, along its profile
   std::string decoding = "auto";    ///< "auto", "srgb", "linear" or "sensor"
   double model_error = 0.02;        ///< unmodelled structure, as a fraction of the local brightness
   double profile_smoothness = 0.0;  ///< of free-form profiles (fit/spline_prior.h); 0: the data decide
@@ -323,13 +326,19 @@ struct Fit {
   double search_smoothing = 0.025;  ///< of profiles in the search, as a fraction of the region's height
 
   // What is compared: weights of the statistics in chi2, 0: not at all (fit/statistic.h).
-  double profile_weight = 1.0;            ///< intensity along columns, elevation or the field line
-  double colour_weight = 0.0;             ///< log ratios of the channels along the same
-  double horizontal_weight = 0.0;         ///< intensity across the picture in a few strips
-  double border_weight = 0.0;             ///< the lower border's course from band to band
-  double image_weight = 0.0;              ///< a low-resolution image
-  double texture_weight = 0.0;            ///< autocovariance along the arc: ray spacing and contrast
-  std::string profile_along = "columns";  ///< "columns", "elevation" or "field"
+  double profile_weight = 1.0;                    ///< intensity along columns, elevation or the field line
+  double colour_weight = 0.0;                     ///< log ratios of the channels along the same
+  double horizontal_weight = 0.0;                 ///< intensity across the picture in a few strips
+  double border_weight = 0.0;                     ///< the lower border's course from band to band
+  double image_weight = 0.0;                      ///< a low-resolution image
+  double texture_weight = 0.0;                    ///< autocovariance along the arc: ray spacing and contrast
+  double granulation_weight = 0.0;                ///< angular power spectrum of the light on a disc
+  std::string profile_along = "columns";          ///< "columns", "elevation", "field", "loop" or "limb"
+  std::vector<double> guide_x_px, guide_y_px;     ///< of profiles across a loop: points drawn along it
+  double guide_half_width_px = 20.0;              ///< how far such a profile reaches to either side
+  double guide_cell_px = 1.0;                     ///< from position to position across
+  double limb_lowest = 1.02, limb_highest = 2.0;  ///< of profiles above the Sun's limb, in its radii
+  double limb_step = 0.02;
   int horizontal_strips = 4;
   int image_cell_px = 16;
 
@@ -348,6 +357,12 @@ struct Scene {
   std::vector<Nebula> nebulae;
   std::vector<Node> nodes;
   std::vector<Volume> volumes;
+  Sun sun;
+  std::vector<Chromosphere> chromospheres;
+  std::vector<Loop> loops;
+  std::vector<Corona> coronae;
+  std::vector<Bundle> bundles;
+  std::vector<Ejection> ejections;
   March march;
   Emission emission;
   Blur blur;

@@ -219,6 +219,7 @@ void validate(const Scene& scene) {
   check_sensor(scene);
   check_splines(scene);
   check_volumes(scene);
+  check_sun(scene);
   check_region(scene);
   check_free_parameters(scene);
   check_tied_parameters(scene);

@@ -34,6 +34,9 @@ std::optional<Complaint> photo_complaint(const Scene& scene, const std::string& 
 /// Error(scene) with the scene's file.
 void check_volumes(const Scene& scene);
 
+/// The Sun and what stands on it: the same.
+void check_sun(const Scene& scene);
+
 /// Paths, names, limits, scales and priors of fit.free. Throws Error(scene) with the scene's file and the
 /// entry's line.
 void check_free_parameters(const Scene& scene);

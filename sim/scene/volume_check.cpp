@@ -203,16 +203,27 @@ void check_nebula(const Scene& scene, const Nebula& nebula) {
     refuse({"inner_radius is not below outer_radius", "inner_radius below outer_radius", ""}, "inner_radius");
 }
 
+void check_volume(const Scene& scene, const Volume& volume) {
+  const auto refuse = [&](const Complaint& complaint, const char* key) {
+    complain(complaint, {scene.file, 0, "volume." + volume.name + "." + key});
+  };
+  if (volume.file.empty()) refuse({"the volume names no file", "file = \"NAME.vdb\"", ""}, "file");
+  if (volume.frame == "sun" && !scene.sun.shown)
+    refuse({"it stands on the Sun, which is not in the scene", "shown = true in [sun]", ""}, "frame");
+  if (!volume.density_rayleigh.empty() && volume.density_rayleigh.size() != scene.emission.lines.size())
+    refuse({std::to_string(volume.density_rayleigh.size()) + " numbers for " +
+                std::to_string(scene.emission.lines.size()) + " emission lines",
+            "one per line of emission.lines, in its order", ""},
+           "density_rayleigh");
+}
+
 }  // namespace
 
 void check_volumes(const Scene& scene) {
   for (const Footprint& footprint : scene.footprints) check_footprint(scene, footprint);
   check_nodes(scene);
   for (const Nebula& nebula : scene.nebulae) check_nebula(scene, nebula);
-  for (const Volume& volume : scene.volumes)
-    if (volume.file.empty())
-      complain({"the volume names no file", "file = \"NAME.vdb\"", ""},
-               {scene.file, 0, "volume." + volume.name + ".file"});
+  for (const Volume& volume : scene.volumes) check_volume(scene, volume);
 }
 
 }  // namespace vegard::sim

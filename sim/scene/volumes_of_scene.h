@@ -111,10 +111,12 @@ struct Node {
 struct Volume {
   std::string name = "volume";
   std::string file;                               ///< beside the scene's
+  std::string frame = "site";                     ///< where the file is at home: "site", or "sun"
   std::array<double, 3> shift_km{0.0, 0.0, 0.0};  ///< east, north, up
   double gain = 1.0;
-  double extinction_per_km = 0.0;  ///< of density 1 of its grid "density"
-  double step_voxels = 0.5;        ///< of the march
+  double extinction_per_km = 0.0;        ///< of density 1 of its grid "density"
+  std::vector<double> density_rayleigh;  ///< light of that density, per line, to a km of path; empty: none
+  double step_voxels = 0.5;              ///< of the march
 };
 
 /// How volumes are marched and how they meet what else is in the picture.

@@ -4,6 +4,12 @@
 #include "sim/scene/rows/rows.h"
 
 namespace vegard::sim {
+namespace {
+
+std::string name_by_point(const Scene&, int index) { return std::to_string(index); }
+
+}  // namespace
+
 std::vector<Declaration> fit_rows() {
   // clang-format off
   return {
@@ -17,6 +23,8 @@ std::vector<Declaration> fit_rows() {
           .means("if false, each channel has a gain of its own and colour says nothing about the energy"),
       Row("fit", "sky_terms", &Scene::fit, &Fit::sky_terms).within(1, 3)
           .means("what is solved of the sky, per channel: 1 its level, 2 its gradient too, 3 its curvature too"),
+      Row("fit", "band_sky", &Scene::fit, &Fit::band_sky)
+          .means("whether each band has a sky of its own, whose terms run along its profile; else one sky has terms down the picture"),
       Row("fit", "decoding", &Scene::fit, &Fit::decoding).rule(decoding_complaint).names_table()
           .means("how the photograph's numbers become linear light: auto, srgb, srgb:EXPONENT, linear, gamma:2.2, "
                  "curve:FILE.csv, sensor (by sensor.tone and the vignetting), unknown or unknown:2 (found by the fit)"),
@@ -49,8 +57,22 @@ std::vector<Declaration> fit_rows() {
           .means("of a picture of low resolution"),
       Row("fit", "texture_weight", &Scene::fit, &Fit::texture_weight).within(0, 100)
           .means("of the autocovariance along the arc, which tells the rays' spacing wherever each of them stands"),
-      Row("fit", "profile_along", &Scene::fit, &Fit::profile_along).one_of({"columns", "elevation", "field"})
-          .means("what profiles run along: the picture's columns, the elevation, or the field line in the picture"),
+      Row("fit", "granulation_weight", &Scene::fit, &Fit::granulation_weight).within(0, 100)
+          .means("of the angular power spectrum of the light on the Sun's disc, which tells the granules' size wherever each of them stands"),
+      Row("fit", "profile_along", &Scene::fit, &Fit::profile_along).one_of({"columns", "elevation", "field", "loop", "limb"})
+          .means("what profiles run along: the picture's columns, the elevation, the field line in the picture, across a loop that is drawn by guide points, or away from the Sun's limb"),
+      Row("fit", "guide_x_px", &Scene::fit, &Fit::guide_x_px).of({"<n>"}).named_by(name_by_point).in("px").within(-1e5, 1e5)
+          .means("of profiles across a loop: points drawn along it, from the picture's left edge"),
+      Row("fit", "guide_y_px", &Scene::fit, &Fit::guide_y_px).of({"<n>"}).named_by(name_by_point).in("px").within(-1e5, 1e5)
+          .means("the same, from its top"),
+      Row("fit", "guide_half_width_px", &Scene::fit, &Fit::guide_half_width_px).in("px").within(1, 1000)
+          .means("how far a profile across a loop reaches to either side"),
+      Row("fit", "guide_cell_px", &Scene::fit, &Fit::guide_cell_px).in("px").within(0.5, 100)
+          .means("from position to position across a loop"),
+      Row("fit", "limb_lowest", &Scene::fit, &Fit::limb_lowest).within(0, 1000)
+          .means("where profiles away from the Sun's limb begin, in radii of its photosphere from its middle"),
+      Row("fit", "limb_highest", &Scene::fit, &Fit::limb_highest).within(0, 1000).means("and where they end"),
+      Row("fit", "limb_step", &Scene::fit, &Fit::limb_step).within(1e-4, 100).means("from position to position"),
       Row("fit", "horizontal_strips", &Scene::fit, &Fit::horizontal_strips).within(1, 1000)
           .means("strips of rows in which horizontal profiles are taken"),
       Row("fit", "image_cell_px", &Scene::fit, &Fit::image_cell_px).in("px").within(2, 1000)

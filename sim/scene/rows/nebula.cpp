@@ -1,6 +1,6 @@
 // [[nebula]]: clouds beyond the air, by their density maps.
-#include "sim/scene/emission_lines.h"
 #include "sim/scene/parameter_rules.h"
+#include "sim/scene/rows/line_component.h"
 #include "sim/scene/rows/row.h"
 #include "sim/scene/rows/rows.h"
 
@@ -14,11 +14,6 @@ constexpr auto angle = ParameterScale::angle;
 template <class Value>
 Row row(const char* key, Value Nebula::*value) {
   return Row("nebula", key, &Scene::nebulae, value);
-}
-
-std::string name_by_line(const Scene& scene, int, int index) {
-  const auto& lines = scene.emission.lines;
-  return index < static_cast<int>(lines.size()) ? line_name(lines[index]) : std::to_string(index);
 }
 
 }  // namespace

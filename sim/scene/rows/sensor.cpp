@@ -79,6 +79,8 @@ std::vector<Declaration> sensor_rows() {
           .means("of the tone \"gamma\": numbers are linear light to the power of 1 / this"),
       Row("sensor", "tone_file", &Scene::sensor, &Sensor::tone_file).names_table()
           .means("of the tone \"file\": a CSV of linear and encoded values, both increasing, beside the scene's file"),
+      Row("sensor", "colour_table", &Scene::sensor, &Sensor::colour_table).names_table()
+          .means("false colour of display files, by their grey: none, 171, 195, 284 or 304 (as pictures of these wavelengths in ångström are shown), or a CSV of grey, red, green and blue, beside the scene's file"),
       Row("sensor", "calibration_error", &Scene::sensor, &Sensor::calibration_error).within(0, 10)
           .means("relative standard uncertainty of the absolute scale, by whoever has calibrated it; 0: nobody has"),
   };

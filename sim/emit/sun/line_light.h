@@ -1,0 +1,33 @@
+// Light of density 1 to a unit of path, per emission line, of something on the Sun.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "sim/light/emitter.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/solar_lines.h"
+
+namespace vegard::sim {
+
+/// `rayleigh` per line of the scene, or empty: dark. Of a temperature in MK that is not 0, lines that have a
+/// response to it are weakened by it (sim/scene/solar_lines.h).
+template <class T>
+std::vector<T> line_light(const Scene& scene, const std::vector<double>& rayleigh,
+                          const double& temperature_mk, const NumberAs<T>& number) {
+  std::vector<T> light;
+  for (std::size_t l = 0; l < rayleigh.size(); ++l) {
+    T of_line = number(rayleigh[l]);
+    const auto response = temperature_response(scene.emission.lines[l]);
+    if (response && temperature_mk > 0.0) {
+      const T off =
+          (logarithm(number(temperature_mk)) * (1.0 / std::log(10.0)) + (6.0 - response->peak_log_k)) *
+          (1.0 / response->width_log_k);
+      of_line = of_line * exponential(off * off * -0.5);
+    }
+    light.push_back(of_line);
+  }
+  return light;
+}
+
+}  // namespace vegard::sim

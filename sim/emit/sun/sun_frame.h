@@ -1,0 +1,93 @@
+// Where the Sun stands, and a ray in its frame.
+//
+// The frame is heliographic and Cartesian: x to latitude 0, longitude 0; y to longitude 90° (west); z to the
+// north pole. Its origin is the Sun's middle, its unit `sun.unit_km`. Longitude grows to the west, to the
+// right in a picture with north up, as Carrington's and Stonyhurst's do (W. T. Thompson 2006, A&A 449, 791).
+#pragma once
+
+#include "sim/light/emitter.h"
+#include "sim/light/sky_frame.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::sim {
+
+template <class T>
+class SunFrame {
+ public:
+  SunFrame(const Sun& sun, const NumberAs<T>& number)
+      : sky_(number(sun.azimuth_deg), number(sun.elevation_deg), number(sun.position_angle_deg),
+             number(sun.distance_km) * (1.0 / sun.unit_km)),
+        unit_km_(sun.unit_km) {
+    constexpr double kRadian = 3.14159265358979323846 / 180.0;
+    const T b = number(sun.latitude_deg) * kRadian, l = number(sun.longitude_deg) * kRadian;
+    const T sin_b = sine(b), cos_b = cosine(b), sin_l = sine(l), cos_l = cosine(l);
+    // The middle of the disc is at latitude b and longitude l. In right, up, near: the meridian's direction
+    // on the equator is (0, -sin b, cos b), the west (1, 0, 0), the north (0, cos b, sin b).
+    const T zero(0.0);
+    const T meridian[3] = {zero, zero - sin_b, cos_b}, west[3] = {T(1.0), zero, zero},
+            north[3] = {zero, cos_b, sin_b};
+    for (int i = 0; i < 3; ++i) {
+      axis_[0][i] = meridian[i] * cos_l - west[i] * sin_l;
+      axis_[1][i] = meridian[i] * sin_l + west[i] * cos_l;
+      axis_[2][i] = north[i];
+    }
+  }
+
+  double unit_km() const { return unit_km_; }
+  const SkyFrame<T>& sky() const { return sky_; }
+
+  /// From right, up, near to the frame.
+  void from_sky(const T in_sky[3], T in_sun[3]) const {
+    for (int i = 0; i < 3; ++i)
+      in_sun[i] = axis_[i][0] * in_sky[0] + axis_[i][1] * in_sky[1] + axis_[i][2] * in_sky[2];
+  }
+
+  /// Where the observer is.
+  void observer(T place[3]) const {
+    const T in_sky[3] = {T(0.0), T(0.0), sky_.observer_distance()};
+    from_sky(in_sky, place);
+  }
+
+  /// A ray from the observer: places along it are nearest + s direction, in units, and s = observer + km /
+  /// unit_km() at so many km from the observer.
+  SkyRay<T> ray(const T enu[3]) const {
+    const SkyRay<T> in_sky = sky_.ray(enu);
+    SkyRay<T> ray = in_sky;
+    from_sky(in_sky.nearest, ray.nearest);
+    from_sky(in_sky.direction, ray.direction);
+    return ray;
+  }
+
+ private:
+  SkyFrame<T> sky_;
+  double unit_km_;
+  T axis_[3][3];
+};
+
+/// Where a ray meets a sphere about the Sun's middle: s from -half to half, along the ray from its nearest
+/// place. False if it passes by.
+template <class T>
+bool meets_sphere(const SkyRay<T>& ray, const T& radius, T& half) {
+  const T square = radius * radius - ray.aside;
+  if (!(value_of(square) > 0.0)) return false;
+  half = square_root(square);
+  return true;
+}
+
+/// A place on the Sun and its directions: east is where longitude falls.
+template <class T>
+struct SunPlace {
+  T up[3], north[3], west[3];
+};
+
+template <class T>
+SunPlace<T> sun_place(const T& latitude_deg, const T& longitude_deg) {
+  constexpr double kRadian = 3.14159265358979323846 / 180.0;
+  const T b = latitude_deg * kRadian, l = longitude_deg * kRadian;
+  const T sin_b = sine(b), cos_b = cosine(b), sin_l = sine(l), cos_l = cosine(l);
+  return {{cos_b * cos_l, cos_b * sin_l, sin_b},
+          {T(0.0) - sin_b * cos_l, T(0.0) - sin_b * sin_l, cos_b},
+          {T(0.0) - sin_l, cos_l, T(0.0)}};
+}
+
+}  // namespace vegard::sim
