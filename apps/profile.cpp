@@ -138,6 +138,12 @@ fit::LineBrightness lines_of(const sim::Scene& scene, const fit::Photo& photo, c
   });
 }
 
+/// Across a loop, or away from the limb.
+fit::Profile sun_profile(sim::Scene scene, const fit::Photo& photo, const fit::Region& region, int bands) {
+  scene.fit.bands = bands;
+  return fit::extract_profile(photo, std::make_shared<const fit::BinGrid>(fit::profile_bins(scene, region)));
+}
+
 Measured measure_bands(const Options& options, const std::optional<sim::Scene>& scene,
                        const fit::Photo& photo, const fit::Region& region) {
   fit::ElevationOfPixel elevation;
@@ -150,12 +156,18 @@ Measured measure_bands(const Options& options, const std::optional<sim::Scene>& 
   }
   const int bands =
       options.bands.value_or(scene ? scene->fit.bands : std::min(sim::Fit{}.bands, region.width));
-  const fit::Profile profile = fit::extract_profile(photo, region, bands);
+  const bool of_the_sun = scene && (scene->fit.profile_along == "loop" || scene->fit.profile_along == "limb");
+  const fit::Profile profile =
+      of_the_sun ? sun_profile(*scene, photo, region, bands) : fit::extract_profile(photo, region, bands);
   std::optional<fit::LineBrightness> lines;
+  if (options.lines && of_the_sun)
+    throw usage_error("--lines", "lines are told along columns only",
+                      "no fit.profile_along = \"" + scene->fit.profile_along + "\" in the scene");
   if (options.lines) lines = lines_of(*scene, photo, profile);
   return {fit::profile_csv(photo, profile, elevation, lines ? &*lines : nullptr, limb_observer_km(scene)),
           fit::profile_plot(photo, profile, elevation),
-          std::to_string(profile.bands) + " bands of " + std::to_string(profile.rows) + " rows",
+          std::to_string(profile.bands) + " bands of " + std::to_string(profile.rows) +
+              (of_the_sun ? " positions" : " rows"),
           {}};
 }
 
@@ -276,7 +288,10 @@ void add_profile_command(CLI::App& app, int& exit_code) {
       ->type_name("X,Y,W,H");
   command->add_option("--bands", options->bands, "Equal column strips (default: the scene's, or 24)");
   command->add_option("--mask", options->mask, "An image of the same size: white = use");
-  command->add_option("--scene", options->scene, "A scene whose camera took the photograph: adds elevations");
+  command->add_option(
+      "--scene", options->scene,
+      "A scene whose camera took the photograph: adds elevations, or its profiles across a loop or from the "
+      "Sun's limb");
   command->add_option("--camera", options->camera, "Take [camera] and [site] from this file (needs --scene)")
       ->needs("--scene")
       ->type_name("CAMERA.toml");

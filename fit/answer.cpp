@@ -132,12 +132,24 @@ void put_solution(const Comparison& comparison, const Comparison::Point& point, 
   }
   static const char* const kTerm[3] = {"level", "gradient", "curvature"};
   std::array<double, 3>* const terms[3] = {&r.best.sky.level, &r.best.sky.gradient, &r.best.sky.curvature};
+  // Skies of bands run along their profiles, which the picture's does not: it has their mean level.
+  const int skies = linear.skies();
   for (int t = 0; t < 3; ++t)
     for (int c = 0; c < 3; ++c) {
-      (*terms[t])[c] = t < linear.sky_terms() ? solution.coefficients[linear.sky(t, c)] : 0.0;
-      if (t < linear.sky_terms())
-        solved(std::string("sky.") + kTerm[t] + "." + kChannel[c], linear.sky(t, c));
+      const bool is_solved = t < linear.sky_terms();
+      (*terms[t])[c] = is_solved && skies == 1 ? solution.coefficients[linear.sky(t, c)] : 0.0;
+      for (int b = 0; b < skies && is_solved; ++b) {
+        const double value = solution.coefficients[linear.sky(t, c, b)];
+        if (skies > 1 && t == 0) (*terms[t])[c] += value / skies;
+        if (skies > 1 && variance[linear.sky(t, c, b)] <= 0.0) continue;  // nothing was told of it
+        solved(std::string("sky.") + (skies > 1 ? "band_" + std::to_string(b) + "." : "") + kTerm[t] + "." +
+                   kChannel[c],
+               linear.sky(t, c, b));
+      }
     }
+  // A grey sensor's channels are one, which was solved for.
+  if (r.best.sensor.response == "grey")
+    for (std::array<double, 3>* term : terms) term->fill((*term)[1]);
   for (const Statistic::Solved& s : comparison.solved_by_statistics(r.best)) {
     r.solved.push_back({s.name, s.value, {}});
     if (s.sigma > 0.0) r.solved.back().sigma = s.sigma;

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "fit/bin_gather.h"
+#include "fit/limb_bins.h"
+#include "fit/loop_bins.h"
 #include "sim/base/earth.h"
 #include "sim/base/error.h"
 #include "sim/view/camera.h"
@@ -170,6 +172,8 @@ BinGrid field_bins(const Region& region, int bands, const sim::Camera& camera, c
 BinGrid profile_bins(const sim::Scene& scene, const Region& region) {
   const sim::Fit& fit = scene.fit;
   if (fit.profile_along == "elevation") return elevation_bins(region, fit.bands, scene.camera);
+  if (fit.profile_along == "loop") return loop_bins(scene, region);
+  if (fit.profile_along == "limb") return limb_bins(scene, region);
   if (fit.profile_along != "field") return column_bins(region, fit.bands);
   if (scene.field.model != "uniform") {
     sim::ErrorDetails details;

@@ -5,12 +5,23 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "fit/region.h"
 #include "sim/scene/scene.h"
 
 namespace vegard::fit {
+
+/// What the positions or the groups of a grid are, where they are not rows of the picture and strips of its
+/// columns: equal steps of a quantity.
+struct BinAxis {
+  std::string name;  ///< "distance across the loop"; empty: rows, or columns
+  std::string unit;  ///< "px"
+  double first = 0.0, step = 1.0;
+  bool is_given() const { return !name.empty(); }
+  double edge(double which) const { return first + which * step; }
+};
 
 /// Groups of bins in a line: bands of vertical positions, strips of horizontal ones, rows of a coarse image's
 /// cells. A pixel belongs to one bin or to none, by its centre.
@@ -29,6 +40,7 @@ struct BinGrid {
   int pooled = 0;            ///< positions to either side whose pixels tell a bin's noise along with its own
   double position_px = 1.0;  ///< from position to position; 0: neighbours are not to be smoothed together
   int narrowest_px = 1;      ///< width of the narrowest bin
+  BinAxis along, across;     ///< what positions are, and what groups are
 
   std::size_t bins() const { return static_cast<std::size_t>(groups) * positions; }
   std::size_t bin(int group, int position) const {
@@ -51,8 +63,8 @@ BinGrid elevation_bins(const Region& region, int bands, const sim::Camera& camer
 /// magnetic zenith, or whose line crosses outside of the region, belong to no bin.
 BinGrid field_bins(const Region& region, int bands, const sim::Camera& camera, const sim::Field& field);
 
-/// By fit.profile_along. Throws sim::Error(scene) with key "fit.profile_along" if that is "field" and the
-/// field is not uniform.
+/// By fit.profile_along; of the Sun's, fit/loop_bins.h and fit/limb_bins.h. Throws sim::Error(scene) with key
+/// "fit.profile_along" if that is "field" and the field is not uniform.
 BinGrid profile_bins(const sim::Scene& scene, const Region& region);
 
 /// Horizontal profiles in `strips` equal strips of rows (at most one per row). The columns of each band are

@@ -30,7 +30,8 @@ Comparison::Comparison(const sim::Scene& scene, const Photo& photo, Profile data
                        const Resolution& resolution)
     : statistics_(std::make_shared<const Statistics>(
           scene, photo, std::move(data), std::move(sigma), resolution.smooth_rows,
-          resolution.model_error.value_or(Statistics::ModelError{scene.fit.model_error}))),
+          resolution.model_error.value_or(Statistics::ModelError{scene.fit.model_error}),
+          resolution.threads)),
       gains_(gain_layout(scene)),
       model_(scene, photo, statistics_->grids(), resolution.beams_share, resolution.smooth_rows,
              resolution.threads, resolution.sampling) {}

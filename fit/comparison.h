@@ -44,7 +44,7 @@ class Comparison {
 
   int residuals() const { return statistics_->residuals(); }
   /// Gains and sky terms that the residuals were made small with: none, if no linear statistic is compared.
-  int coefficients() const { return statistics_->linear_counts() ? linear().coefficients() : 0; }
+  int coefficients() const { return statistics_->linear_counts() ? linear().coefficients_in_use() : 0; }
 
   struct Point {
     ModelProfile aurora;  ///< in the bins of all grids; derivatives, if any, by the free numbers that move

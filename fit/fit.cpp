@@ -137,6 +137,8 @@ void put_photos(const std::vector<Observation>& observations, const std::vector<
     fitted.data = full.data();
     fitted.sigma = full.sigma();
     fitted.model = full.profile_model(point.of_photo[o]);
+    fitted.behind =
+        full.linear().light(point.of_photo[o].aurora, point.of_photo[o].solution, fitted.model.size()).behind;
     fitted.chi2 = point.of_photo[o].chi2;
     fitted.best = observations[o].scene;
     terms[o].map.put(values, fitted.best);

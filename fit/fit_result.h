@@ -124,11 +124,12 @@ struct InputFile {
 
 /// What belongs to one photograph of a fit.
 struct FittedPhoto {
-  std::string name;           ///< of its entry; empty if it is the only one
-  sim::Scene best;            ///< the best scene as it sees it, with its own gain and sky written into it
-  Profile data;               ///< of the photograph
-  std::vector<double> sigma;  ///< total standard deviation of every profile value, indexed as in `data`
-  std::vector<double> model;  ///< profile of the best model, sky included, indexed as in `data`
+  std::string name;            ///< of its entry; empty if it is the only one
+  sim::Scene best;             ///< the best scene as it sees it, with its own gain and sky written into it
+  Profile data;                ///< of the photograph
+  std::vector<double> sigma;   ///< total standard deviation of every profile value, indexed as in `data`
+  std::vector<double> model;   ///< profile of the best model, sky included, indexed as in `data`
+  std::vector<double> behind;  ///< what of `model` no gain multiplies: the solved sky and known lights
   std::vector<std::vector<double>> gain;  ///< [band][channel]: what the aurora was multiplied by
   std::vector<SolvedNumber> solved;
   double chi2 = 0.0;  ///< its share

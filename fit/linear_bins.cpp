@@ -14,4 +14,11 @@ void LinearBins::append(const Profile& data, const std::vector<double>& sigma_of
     }
 }
 
+void LinearBins::append_with_skies(const Profile& data, const std::vector<double>& sigma_of_data) {
+  append(data, sigma_of_data, 1);
+  skies = data.bands;
+  for (std::size_t bin = 0; bin < place.size(); ++bin)
+    place[bin] = (static_cast<double>(bin % data.rows) + 0.5) / data.rows;
+}
+
 }  // namespace vegard::fit

@@ -1,6 +1,7 @@
 #include "fit/linear_part.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -44,6 +45,21 @@ LinearPart::LinearPart(const Profile& data, const std::vector<double>& sigma, co
           }(),
           gains, sky_terms) {}
 
+std::vector<bool> LinearPart::seen() const {
+  std::vector<bool> seen(coefficients(), false);
+  for (const Where& w : where_) {
+    seen[w.gain] = true;
+    for (int t = 0; t < sky_terms_; ++t) seen[w.level + 3 * t] = true;
+  }
+  return seen;
+}
+
+int LinearPart::coefficients_in_use() const {
+  // Gains without light are counted as held, where they are.
+  const std::vector<bool> some = seen();
+  return gains_.count() + static_cast<int>(std::count(some.begin() + gains_.count(), some.end(), true));
+}
+
 std::array<double, 3> LinearPart::sky_basis(std::size_t bin) const {
   return sim::sky_basis(bins_.place[bin]);
 }
@@ -58,9 +74,8 @@ LinearPart::Normal LinearPart::normal_matrix(const ModelProfile& aurora,
     const double weight = 1.0 / (bins_.sigma[i] * bins_.sigma[i]), light = aurora.value[i];
     normal(w.gain, w.gain) += weight * light * light;
     for (int t = 0; t < sky_terms_; ++t) {
-      normal(sky(t, w.channel), w.gain) += weight * light * w.sky[t];
-      for (int u = 0; u <= t; ++u)
-        normal(sky(t, w.channel), sky(u, w.channel)) += weight * w.sky[t] * w.sky[u];
+      normal(w.level + 3 * t, w.gain) += weight * light * w.sky[t];
+      for (int u = 0; u <= t; ++u) normal(w.level + 3 * t, w.level + 3 * u) += weight * w.sky[t] * w.sky[u];
     }
   }
   normal = normal.selfadjointView<Eigen::Lower>();
@@ -98,7 +113,7 @@ LinearSolution LinearPart::solve(const ModelProfile& aurora) const {
       const Where& w = where_[k];
       const double weighted = (bins_.mean[i] - offset_at(aurora, i)) / (bins_.sigma[i] * bins_.sigma[i]);
       if (!solution.held[w.gain]) right(w.gain) += weighted * aurora.value[i];
-      for (int t = 0; t < sky_terms_; ++t) right(sky(t, w.channel)) += weighted * w.sky[t];
+      for (int t = 0; t < sky_terms_; ++t) right(w.level + 3 * t) += weighted * w.sky[t];
     }
     const Eigen::VectorXd c = normal_matrix(aurora, solution.held).factors.solve(right);
     solution.coefficients.assign(c.data(), c.data() + n);
@@ -142,7 +157,7 @@ Eigen::MatrixXd LinearPart::coefficient_slopes(const ModelProfile& aurora, const
     for (int j = 0; j < p; ++j) {
       const double change = weight * gain * grow[j] + weight * offset_slope(aurora, i, j);
       if (!held) right(w.gain, j) += weight * grow[j] * left_over - light * change;
-      for (int t = 0; t < sky_terms_; ++t) right(sky(t, w.channel), j) -= w.sky[t] * change;
+      for (int t = 0; t < sky_terms_; ++t) right(w.level + 3 * t, j) -= w.sky[t] * change;
     }
   }
   return normal.factors.solve(right);
@@ -161,7 +176,7 @@ void LinearPart::jacobian(const ModelProfile& aurora, const LinearSolution& solu
     const double* grow = aurora.derivative.data() + i * p;
     for (int j = 0; j < p; ++j) {
       double change = offset_slope(aurora, i, j);
-      for (int t = 0; t < sky_terms_; ++t) change += dc(sky(t, w.channel), j) * w.sky[t];
+      for (int t = 0; t < sky_terms_; ++t) change += dc(w.level + 3 * t, j) * w.sky[t];
       if (!held) change += gain * grow[j] + light * dc(w.gain, j);
       out[k * p + j] = -change / bins_.sigma[i];
     }
@@ -172,11 +187,12 @@ std::vector<double> LinearPart::model(const ModelProfile& aurora, const LinearSo
   std::vector<double> all(aurora.value.size());
   for (std::size_t bin = 0; bin < bins_.band.size(); ++bin) {
     const std::array<double, 3> basis = sky_basis(bin);
+    const int which = sky_of(bin);
     for (int c = 0; c < 3; ++c) {
       const std::size_t i = bin * 3 + c;
       all[i] =
           offset_at(aurora, i) + solution.coefficients[gains_.column(bins_.band[bin], c)] * aurora.value[i];
-      for (int t = 0; t < sky_terms_; ++t) all[i] += solution.coefficients[sky(t, c)] * basis[t];
+      for (int t = 0; t < sky_terms_; ++t) all[i] += solution.coefficients[sky(t, c, which)] * basis[t];
     }
   }
   return all;
@@ -198,16 +214,18 @@ SolvedLight LinearPart::light(const ModelProfile& aurora, const LinearSolution& 
   for (std::size_t i = 0; i < values; ++i) {
     const int c = static_cast<int>(i % 3), g = gains_.column(bins_.band[i / 3], c);
     const std::array<double, 3> basis = sky_basis(i / 3);
+    const int which = sky_of(i / 3);
     const double gain = solution.coefficients[g];
     light.aurora[i] = gain * aurora.value[i];
     light.behind[i] = offset_at(aurora, i);
-    for (int t = 0; t < sky_terms_; ++t) light.behind[i] += solution.coefficients[sky(t, c)] * basis[t];
+    for (int t = 0; t < sky_terms_; ++t)
+      light.behind[i] += solution.coefficients[sky(t, c, which)] * basis[t];
     for (int j = 0; j < p; ++j) {
       double grow = gain * aurora.derivative[i * p + j];
       if (!solution.held[g]) grow += aurora.value[i] * dc(g, j);
       light.aurora_slope[i * p + j] = grow;
       double behind = offset_slope(aurora, i, j);
-      for (int t = 0; t < sky_terms_; ++t) behind += dc(sky(t, c), j) * basis[t];
+      for (int t = 0; t < sky_terms_; ++t) behind += dc(sky(t, c, which), j) * basis[t];
       light.behind_slope[i * p + j] = behind;
     }
   }
@@ -221,11 +239,7 @@ std::vector<double> LinearPart::coefficient_variance(
   const Normal normal = normal_matrix(aurora, solution.held);
   const Eigen::MatrixXd own = normal.factors.solve(Eigen::MatrixXd::Identity(n, n));
   const Eigen::MatrixXd slopes = coefficient_slopes(aurora, solution, normal);
-  std::vector<bool> seen(n, false);
-  for (const Where& w : where_) {
-    seen[w.gain] = true;
-    for (int t = 0; t < sky_terms_; ++t) seen[sky(t, w.channel)] = true;
-  }
+  const std::vector<bool> seen = this->seen();
   std::vector<double> variance(n, 0.0);
   for (int j = 0; j < n; ++j) {
     if (!seen[j] || (j < gains_.count() && solution.held[j])) continue;

@@ -30,7 +30,8 @@ struct GainLayout {
 
 /// The solution for one aurora, and the whitened residuals it leaves.
 struct LinearSolution {
-  std::vector<double> coefficients;  ///< gains, then per sky term (level, gradient, curvature) 3 channels
+  /// Gains, then per sky term (level, gradient, curvature) 3 channels, sky after sky.
+  std::vector<double> coefficients;
   std::vector<bool> held;        ///< a gain that would be negative, or has no light to scale, is held at 0
   std::vector<double> residual;  ///< (data - model) / sigma, one per used value
   double chi2 = 0.0;
@@ -45,10 +46,15 @@ class LinearPart {
              int picture_height);
 
   int residuals() const { return static_cast<int>(used_.size()); }
-  int coefficients() const { return sky(sky_terms_, 0); }
+  int coefficients() const { return sky(0, 0, skies()); }
+  /// How many of the coefficients any value has a part in: a channel that is not used has no sky.
+  int coefficients_in_use() const;
   /// Index of a sky term of a channel among the coefficients.
-  int sky(int term, int channel) const { return gains_.count() + 3 * term + channel; }
+  int sky(int term, int channel, int which = 0) const {
+    return gains_.count() + 3 * (sky_terms_ * which + term) + channel;
+  }
   int sky_terms() const { return sky_terms_; }
+  int skies() const { return bins_.skies; }                       ///< one, or one per band
   const std::vector<std::size_t>& used() const { return used_; }  ///< indices into the bins' values
 
   /// Solves the weighted least squares problem for this aurora.
@@ -77,13 +83,15 @@ class LinearPart {
                                      const Normal& normal) const;
   Normal normal_matrix(const ModelProfile& aurora, const std::vector<bool>& held) const;
   std::array<double, 3> sky_basis(std::size_t bin) const;
+  int sky_of(std::size_t bin) const { return bins_.skies > 1 ? bins_.band[bin] : 0; }
+  std::vector<bool> seen() const;
 
   LinearBins bins_;
   GainLayout gains_;
   int sky_terms_;
   std::vector<std::size_t> used_;
   struct Where {
-    int gain, channel;
+    int gain, level;            // coefficients; the level's fellow terms are 3 apart
     std::array<double, 3> sky;  // the basis at this row
   };
   std::vector<Where> where_;  // of every used value

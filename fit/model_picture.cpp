@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <utility>
 
+#include "fit/report_bins.h"
 #include "sim/emit/aurora/sheet.h"
 #include "sim/render/render.h"
 #include "sim/view/composite.h"
@@ -20,6 +22,35 @@ constexpr int kDenseBeams = 32000;  // of a layer: more than the least are not n
 int dense(int beams) {
   const int least = std::min(beams, std::numeric_limits<int>::max() / kLeastTimes) * kLeastTimes;
   return std::max(least, std::min(beams, kDenseBeams / kMostTimes) * kMostTimes);
+}
+
+/// Gain and sky of the bins that a pixel is in, where bins are no columns of rows; elsewhere the mean gain
+/// and the scene's sky.
+void add_gain_and_sky_by_bins(const FittedPhoto& fitted, bool clips, sim::Image& rgb) {
+  const BinGrid& grid = *fitted.data.grid;
+  const bool grey = fitted.best.sensor.response == "grey";
+  const auto shown = [&](int x, int y, int c) {
+    const float light = rgb.at(x, y, c);
+    return clips ? std::max(light, 0.0f) : light;
+  };
+  sim::Image level(rgb.width, rgb.height, rgb.channel_names);
+  sim::add_sky(fitted.best.sky, level);
+  sim::Image result = level;
+  const auto mean_gain = static_cast<float>(fitted.best.sensor.gain_per_kilorayleigh);
+  for (int y = 0; y < rgb.height; ++y)
+    for (int x = 0; x < rgb.width; ++x)
+      for (int c = 0; c < 3; ++c) result.at(x, y, c) += mean_gain * shown(x, y, c);
+  for (std::size_t bin = 0; bin < grid.bins(); ++bin)
+    for (std::size_t r = grid.first_run[bin]; r < grid.first_run[bin + 1]; ++r) {
+      const BinGrid::Run& run = grid.runs[r];
+      for (int x = run.begin; x < run.end; ++x)
+        for (int c = 0; c < 3; ++c) {
+          const double behind = fitted.behind[bin * 3 + (grey ? 1 : c)];
+          result.at(x, run.y, c) =
+              static_cast<float>(behind + fitted.gain[grid.band[bin]][c] * shown(x, run.y, c));
+        }
+    }
+  rgb = std::move(result);
 }
 
 }  // namespace
@@ -68,7 +99,9 @@ ModelPicture model_picture(const FittedPhoto& fitted, const Photo& photo, int th
   picture.rgb = std::move(rendering.aurora);
   // As in the fit, out-of-gamut light is clipped before gain and sky, or kept.
   const bool clips = !keeps_negative_light(photo);
-  for (int x = 0; x < picture.rgb.width; ++x)
+  const bool by_bins = has_named_axes(fitted.data) && !fitted.gain.empty() && !fitted.behind.empty();
+  if (by_bins) add_gain_and_sky_by_bins(fitted, clips, picture.rgb);
+  for (int x = 0; x < picture.rgb.width && !by_bins; ++x)
     for (int c = 0; c < 3; ++c) {
       const auto gain = static_cast<float>(gain_at_column(fitted, x + 0.5, c));
       for (int y = 0; y < picture.rgb.height; ++y) {
@@ -76,7 +109,7 @@ ModelPicture model_picture(const FittedPhoto& fitted, const Photo& photo, int th
         picture.rgb.at(x, y, c) = gain * (clips ? std::max(light, 0.0f) : light);
       }
     }
-  sim::add_sky(scene.sky, picture.rgb);
+  if (!by_bins) sim::add_sky(scene.sky, picture.rgb);
   if (sim::has_night_sky(with_gain)) {
     sim::Image night_sky = sim::night_sky_light(with_gain, threads);
     if (clips)

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 
+#include "fit/report_bins.h"
 #include "sim/view/tangent_altitude.h"
 
 namespace vegard::fit {
@@ -26,7 +27,9 @@ void append_number(std::string& text, double value) {
 
 std::string comments(const Photo& photo, const Profile& profile) {
   const Region& region = profile.region;
-  std::string text = "# vertical profiles: mean linear light per row, band and channel\n";
+  const bool named = has_named_axes(profile);
+  std::string text = named ? "# profiles: mean linear light per bin, band and channel\n"
+                           : "# vertical profiles: mean linear light per row, band and channel\n";
   text += "# photograph: " + one_line(photo.file_name) + "\n";
   text += "# sha256: " + photo.sha256 + "\n";
   for (std::size_t c = 0; c < photo.filters.size(); ++c) {
@@ -45,12 +48,18 @@ std::string comments(const Photo& photo, const Profile& profile) {
     text += "# mask_sha256: " + photo.mask_sha256 + "\n";
   }
   text += fmt::format("# roi_px: [{}, {}, {}, {}]\n", region.x, region.y, region.width, region.height);
-  text += fmt::format("# bands: {}\n# band_edges_px: [", profile.bands);
-  for (int band = 0; band <= profile.bands; ++band)
-    text += (band > 0 ? ", " : "") + std::to_string(band_begin(region, profile.bands, band));
-  text += "]\n";
-  text += "# row_px: row of the image, counted from 0 at the top; its centre is at row_px + 0.5\n";
-  text += "# elevation_deg: above the horizon, of the row's centre at the centre column of the band\n";
+  if (named) {
+    text += fmt::format("# bands: {}\n", profile.bands);
+    text += "# band_at: " + axis_label(profile.grid->across) + ", the band's middle\n";
+    text += "# at: " + axis_label(profile.grid->along) + ", the bin's middle\n";
+  } else {
+    text += fmt::format("# bands: {}\n# band_edges_px: [", profile.bands);
+    for (int band = 0; band <= profile.bands; ++band)
+      text += (band > 0 ? ", " : "") + std::to_string(band_begin(region, profile.bands, band));
+    text += "]\n";
+    text += "# row_px: row of the image, counted from 0 at the top; its centre is at row_px + 0.5\n";
+    text += "# elevation_deg: above the horizon, of the row's centre at the centre column of the band\n";
+  }
   text += photo.floating
               ? "# r, g, b: linear light in the file's own units\n"
               : "# r, g, b: linear light, the file's largest value = 1; clipped pixels are left out\n";
@@ -83,7 +92,8 @@ std::string profile_csv(const Photo& photo, const Profile& profile,
         "# tangent_altitude_km: least height of that line of sight above the sphere, seen from {} km up, no "
         "refraction; negative where it strikes the Earth\n",
         *observer_km);
-  text += "band,row_px,elevation_deg,";
+  const bool named = has_named_axes(profile);
+  text += named ? "band,band_at,at," : "band,row_px,elevation_deg,";
   if (observer_km) text += "tangent_altitude_km,";
   text +=
       "r,g,b,sigma_r,sigma_g,sigma_b,n_r,n_g,n_b,chroma_r,chroma_g,"
@@ -94,9 +104,16 @@ std::string profile_csv(const Photo& photo, const Profile& profile,
   text += '\n';
   for (int band = 0; band < profile.bands; ++band)
     for (int row = 0; row < profile.rows; ++row) {
-      text += std::to_string(band) + "," + std::to_string(profile.region.y + row);
-      const double elevation_deg = row_elevation_deg(profile, band, row, elevation_of_pixel);
-      append_number(text, elevation_deg);
+      text += std::to_string(band);
+      double elevation_deg = std::numeric_limits<double>::quiet_NaN();
+      if (named) {
+        append_number(text, profile.grid->across.edge(band + 0.5));
+        append_number(text, profile.grid->along.edge(row + 0.5));
+      } else {
+        text += "," + std::to_string(profile.region.y + row);
+        elevation_deg = row_elevation_deg(profile, band, row, elevation_of_pixel);
+        append_number(text, elevation_deg);
+      }
       if (observer_km) append_number(text, sim::tangent_altitude_km(*observer_km, elevation_deg));
       const std::size_t i = profile.index(band, row, 0);
       for (int c = 0; c < 3; ++c) append_number(text, profile.mean[i + c]);

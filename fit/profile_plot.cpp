@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fit/number_text.h"
+#include "fit/report_bins.h"
 
 namespace vegard::fit {
 namespace {
@@ -36,6 +37,12 @@ Cell average(const Profile& profile, int first_band, int end_band, int first_row
 }
 
 std::string panel_title(const Profile& profile, int first_band, int end_band) {
+  if (has_named_axes(profile)) {
+    BinAxis axis = profile.grid->across;
+    axis.first = axis.edge(first_band);
+    axis.step *= end_band - first_band;
+    return group_words(axis, 0);
+  }
   const int begin = band_begin(profile.region, profile.bands, first_band);
   const int end = band_begin(profile.region, profile.bands, end_band);
   return "columns " + std::to_string(begin) + "\u2013" + std::to_string(end - 1);
@@ -50,10 +57,17 @@ Panel band_panel(const Profile& profile, int first_band, int end_band, int rows_
     Series series;
     series.label = names[channel];
     series.colour = channel_colour(channel);
-    series.band_along_x = true;
+    series.band_along_x = !has_named_axes(profile);
     for (int row = 0; row < profile.rows; row += rows_each) {
       const int end_row = std::min(profile.rows, row + rows_each);
       const Cell cell = average(profile, first_band, end_band, row, end_row, channel);
+      if (has_named_axes(profile)) {
+        series.x.push_back(profile.grid->along.edge(0.5 * (row + end_row)));
+        series.y.push_back(cell.mean);
+        series.low.push_back(cell.mean - cell.sigma);
+        series.high.push_back(cell.mean + cell.sigma);
+        continue;
+      }
       double height = profile.region.y + 0.5 * (row + end_row);
       if (elevation_of_pixel) {
         const double middle = 0.5 * (band_begin(profile.region, profile.bands, first_band) +
@@ -84,8 +98,10 @@ Plot profile_plot(const Photo& photo, const Profile& profile, const ElevationOfP
       panel.series[c].label = photo.filters[c].wavelength_nm > 0.0
                                   ? short_number(photo.filters[c].wavelength_nm) + " nm"
                                   : "no file";
-  plot.title = "Vertical profiles of " + photo.file_name;
-  plot.note = "Mean linear light per row; shaded: \u00b11 standard error; " + photo.decoding;
+  const bool named = has_named_axes(profile);
+  plot.title = (named ? "Profiles of " : "Vertical profiles of ") + photo.file_name;
+  plot.note = std::string("Mean linear light per ") + (named ? "bin" : "row") +
+              "; shaded: \u00b11 standard error; " + photo.decoding;
   if (panels < profile.bands)
     plot.note += "; " + std::to_string(profile.bands) + " bands in " + std::to_string(panels) + " panels";
   if (rows_each > 1) plot.note += "; " + std::to_string(rows_each) + " rows per point";
@@ -93,7 +109,13 @@ Plot profile_plot(const Photo& photo, const Profile& profile, const ElevationOfP
   plot.panel_width_px = panels == 1 ? 420 : panels <= 3 ? 260 : 1000 / panels;
   plot.panel_height_px = 400;
   Panel& first = plot.panels.front();
-  first.x.label = photo.floating ? "linear light (the file's units)" : "linear light (white = 1)";
+  const std::string light = photo.floating ? "linear light (the file's units)" : "linear light (white = 1)";
+  if (named) {
+    first.x.label = axis_label(profile.grid->along);
+    first.y.label = light;
+    return plot;
+  }
+  first.x.label = light;
   if (elevation_of_pixel) {
     first.y.label = "elevation (\u00b0)";
   } else {

@@ -7,10 +7,12 @@
 #include "fit/html_text.h"
 #include "fit/judged_table.h"
 #include "fit/number_text.h"
+#include "fit/report_bins.h"
 #include "fit/report_pictures.h"
 #include "fit/report_plots.h"
 #include "fit/report_style.h"
 #include "fit/report_tables.h"
+#include "fit/what_shines.h"
 #include "sim/base/version.h"
 
 namespace vegard::fit {
@@ -81,13 +83,20 @@ std::string pictures_section(const ShownPhoto& shown, const ReportPictures& pict
                 shown),
       "",
       "<div class=\"three\">\n" +
-          figure(pictures.photo, "Photograph",
-                 "Framed: the region that was fitted, with its bands." + brightness) +
-          figure(pictures.model, "Model",
-                 "The best scene, rendered without the random spacing of its beams: the expectation that was "
-                 "fitted, not one realisation. Its brightness per band is joined from band to band without "
-                 "seams." +
-                     brightness) +
+          figure(
+              pictures.photo, "Photograph",
+              (has_named_axes(shown.fitted->data) ? "Outlined: the bands that were fitted."
+                                                  : "Framed: the region that was fitted, with its bands.") +
+                  brightness) +
+          figure(
+              pictures.model, "Model",
+              "The best scene, rendered without the random spacing of its beams: the expectation that was "
+              "fitted, not one realisation. " +
+                  std::string(has_named_axes(shown.fitted->data)
+                                  ? "In the bands it has their own brightness and sky, elsewhere the mean of "
+                                    "all."
+                                  : "Its brightness per band is joined from band to band without seams.") +
+                  brightness) +
           figure(pictures.residual, "Residual",
                  "Photograph \u2212 model in linear light. Mid-grey is zero, black and white are \u00b1" +
                      scale + " of full scale.") +
@@ -97,9 +106,16 @@ std::string pictures_section(const ShownPhoto& shown, const ReportPictures& pict
 std::string profiles_section(const ShownPhoto& shown, const ReportPictures& pictures) {
   const FittedPhoto& fitted = *shown.fitted;
   const ElevationOfPixel& elevation_of_pixel = shown.elevation_of_pixel;
-  std::string html = "<div class=\"plots\">\n" + mean_profile_svg(fitted, elevation_of_pixel) +
-                     mean_residual_svg(fitted, elevation_of_pixel) + colour_svg(fitted, elevation_of_pixel) +
-                     band_profiles_svg(fitted, elevation_of_pixel) + "</div>\n";
+  const bool named = has_named_axes(fitted.data);
+  std::string html =
+      "<div class=\"plots\">\n" +
+      (named
+           ? bins_mean_svg(fitted) + bins_residual_svg(fitted) +
+                 (fitted.best.fit.band_brightness ? bins_brightness_svg(fitted) : "") + bins_bands_svg(fitted)
+           : mean_profile_svg(fitted, elevation_of_pixel) + mean_residual_svg(fitted, elevation_of_pixel) +
+                 colour_svg(fitted, elevation_of_pixel) + band_profiles_svg(fitted, elevation_of_pixel)) +
+      "</div>\n";
+  const std::string places = named ? fitted.data.grid->along.name : "the region\u2019s rows";
   if (!pictures.misfit.empty())
     html +=
         "<h3>What is left, row by row and band by band</h3>\n<div class=\"misfit\">\n"
@@ -107,15 +123,24 @@ std::string profiles_section(const ShownPhoto& shown, const ReportPictures& pict
         "<img src=\"" +
         pictures.misfit +
         "\" alt=\"residual / sigma\">\n"
-        "<p class=\"soft\">(Photograph \u2212 model) / \u03c3, the region\u2019s rows downwards and its "
-        "bands to "
-        "the right: \u22124<span class=\"scale\"></span>+4. Speckle is noise; a pattern is something that "
+        "<p class=\"soft\">(Photograph \u2212 model) / \u03c3, " +
+        html_text(places) +
+        " downwards and bands to the right: \u22124<span class=\"scale\"></span>+4. Speckle is noise; a "
+        "pattern is something that "
         "the model "
         "does not have. Grey was not used.</p>\n</div>\n";
   return section(
-      title_for(fitted.name.empty() ? "Vertical profiles" : "vertical profiles", shown),
-      "This is what was fitted: the mean light of every row, in every band and channel. \u03c3 holds the "
-      "noise of the photograph and the model error that the scene allows for.",
+      title_for(named                 ? (fitted.name.empty() ? "Profiles" : "profiles")
+                : fitted.name.empty() ? "Vertical profiles"
+                                      : "vertical profiles",
+                shown),
+      named ? "This is what was fitted: the mean light of every bin, by the " +
+                  html_text(fitted.data.grid->along.name) + " and, band by band, by the " +
+                  html_text(fitted.data.grid->across.name) +
+                  ". \u03c3 holds the noise of the photograph and the model error that the scene allows for."
+            : std::string(
+                  "This is what was fitted: the mean light of every row, in every band and channel. \u03c3 "
+                  "holds the noise of the photograph and the model error that the scene allows for."),
       html);
 }
 
@@ -162,8 +187,10 @@ std::string solved_section(const ShownPhoto& shown) {
   return section(
       title_for(fitted.name.empty() ? "Solved along the way" : "solved along the way", shown),
       "Linear numbers, exact at every step of the search: the gain is the linear light of one kilorayleigh "
-      "of 557.7\u00a0nm; the sky, over the picture\u2019s height, is " +
-          sky_words(fitted.best.fit.sky_terms) + ".",
+      "of 557.7\u00a0nm; the sky, " +
+          std::string(fitted.best.fit.band_sky ? "of each band along its profile"
+                                               : "over the picture\u2019s height") +
+          ", is " + sky_words(fitted.best.fit.sky_terms) + ".",
       solved_table(fitted));
 }
 
@@ -179,6 +206,11 @@ std::string files_of(const std::vector<ShownPhoto>& photos) {
   return text;
 }
 
+std::string opening_words(const sim::Scene& scene) {
+  const std::string noun = light_noun(scene);
+  return noun == "solar light" ? "A simulated Sun" : "A simulated " + noun;
+}
+
 }  // namespace
 
 std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& photos) {
@@ -190,14 +222,15 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
       "<!DOCTYPE html>\n<html lang=\"en-GB\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
       title + ": " + verdict_name(result.verdict) + "</title>\n<style>" + kReportStyle +
-      "</style>\n</head>\n<body>\n<header><div class=\"head\">\n<p>A simulated aurora, fitted to " +
+      "</style>\n</head>\n<body>\n<header><div class=\"head\">\n<p>" + opening_words(result.best) +
+      ", fitted to " +
       (photos.size() == 1 ? std::string("a photograph") : std::to_string(photos.size()) + " photographs") +
       "</p>\n<h1>" + title + "</h1>\n</div></header>\n" + verdict_band(result) + "<main>\n";
   for (std::size_t i = 0; i < photos.size(); ++i) html += pictures_section(photos[i], pictures[i]);
   const std::string cards = derived_cards(result) + derived_table(result);
   const bool believed = result.verdict == Verdict::good;
   if (!cards.empty())
-    html += section("What it says about the aurora",
+    html += section("What it says about the " + light_noun(result.best),
                     believed ? "" : "The verdict above speaks against leaning on these numbers.", cards);
   if (const std::string map = foot_map_svg(result); !map.empty())
     html += section("Where it stands", "", "<div class=\"plots\">\n" + map + "</div>\n");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fit/base64.h"
+#include "fit/report_bins.h"
 #include "sim/view/transfer_curve.h"
 
 namespace vegard::fit {
@@ -136,6 +137,26 @@ void draw_region(cv::Mat& picture, const Profile& data, const Region& part, doub
     mark(picture, edge, 0.85);
 }
 
+/// Borders of bands of any form: where neighbouring pixels of the picture are not in the same.
+void draw_bands(cv::Mat& picture, const BinGrid& grid, const Region& part, double scale) {
+  constexpr int kNone = -1;
+  cv::Mat band(part.height, part.width, CV_32S, cv::Scalar(kNone));
+  for (std::size_t bin = 0; bin < grid.bins(); ++bin)
+    for (std::size_t r = grid.first_run[bin]; r < grid.first_run[bin + 1]; ++r)
+      for (int x = grid.runs[r].begin; x < grid.runs[r].end; ++x)
+        band.at<int>(grid.runs[r].y - part.y, x - part.x) = grid.band[bin];
+  const auto band_at = [&](int x, int y) {
+    const int from_x = static_cast<int>((x + 0.5) / scale), from_y = static_cast<int>((y + 0.5) / scale);
+    return from_x < part.width && from_y < part.height ? band.at<int>(from_y, from_x) : kNone;
+  };
+  for (int y = 0; y + 1 < picture.rows; ++y)
+    for (int x = 0; x + 1 < picture.cols; ++x) {
+      const int here = band_at(x, y), right = band_at(x + 1, y), below = band_at(x, y + 1);
+      if (here == right && here == below) continue;
+      mark(picture, {x, y, 1, 1}, here == kNone || right == kNone || below == kNone ? 0.85 : 0.45);
+    }
+}
+
 /// White at 0, red above (more light in the photograph), blue below; after ColorBrewer's RdBu, which the
 /// colour-blind can tell apart.
 cv::Vec3b misfit_colour(double sigmas) {
@@ -185,7 +206,11 @@ ReportPictures report_pictures(const FittedPhoto& fitted, const Photo& photo, co
   const Region part = shown_part(region, photo.linear.width, photo.linear.height);
   const auto shrunk_part = [&](const sim::Image& image) { return shrunk(cropped(image, part)); };
   cv::Mat shown = to_bytes(shrunk_part(with_unused_dimmed(photo)), for_the_eye);
-  draw_region(shown, fitted.data, part, static_cast<double>(shown.cols) / part.width);
+  const double scale = static_cast<double>(shown.cols) / part.width;
+  if (has_named_axes(fitted.data))
+    draw_bands(shown, *fitted.data.grid, part, scale);
+  else
+    draw_region(shown, fitted.data, part, scale);
   pictures.photo = png_uri(shown);
   pictures.model = png_uri(to_bytes(shrunk_part(only_inside(model.rgb, region)), for_the_eye));
 

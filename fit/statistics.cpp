@@ -5,10 +5,12 @@
 
 #include "fit/border_statistic.h"
 #include "fit/colour_statistic.h"
+#include "fit/granulation_statistic.h"
 #include "fit/measured_profile.h"
 #include "fit/noise_model.h"
 #include "fit/smoothing.h"
 #include "fit/texture_statistic.h"
+#include "sim/base/error.h"
 
 namespace vegard::fit {
 namespace {
@@ -19,6 +21,16 @@ std::vector<double> weighted(std::vector<double> sigma, double weight) {
   return sigma;
 }
 
+/// What does not run along the bands has no place in their skies.
+void check_band_sky(const sim::Scene& scene) {
+  const sim::Fit& fit = scene.fit;
+  if (!fit.band_sky || (fit.horizontal_weight == 0.0 && fit.image_weight == 0.0)) return;
+  throw sim::Error(
+      sim::ErrorKind::scene,
+      {"bands have skies along their own profiles, which strips and cells do not run along", scene.file, 0,
+       "fit.band_sky", "false, or profiles alone", "set fit.horizontal_weight = 0 and fit.image_weight = 0"});
+}
+
 }  // namespace
 
 GainLayout gain_layout(const sim::Scene& scene) {
@@ -26,9 +38,10 @@ GainLayout gain_layout(const sim::Scene& scene) {
 }
 
 Statistics::Statistics(const sim::Scene& scene, const Photo& photo, Profile data, std::vector<double> sigma,
-                       double smooth_px, const ModelError& model_error)
+                       double smooth_px, const ModelError& model_error, int threads)
     : profile_(std::move(data)), sigma_(std::move(sigma)) {
   const sim::Fit& fit = scene.fit;
+  check_band_sky(scene);
   if (profile_.grid == nullptr)
     profile_.grid = std::make_shared<const BinGrid>(column_bins(profile_.region, profile_.bands));
   profile_counts_ = fit.profile_weight > 0.0;
@@ -36,7 +49,11 @@ Statistics::Statistics(const sim::Scene& scene, const Photo& photo, Profile data
 
   const int height = photo.linear.height;
   LinearBins bins;
-  bins.append(profile_, weighted(sigma_, linear_counts_ ? fit.profile_weight : 1.0), height);
+  const std::vector<double> in_profile = weighted(sigma_, linear_counts_ ? fit.profile_weight : 1.0);
+  if (fit.band_sky)
+    bins.append_with_skies(profile_, in_profile);
+  else
+    bins.append(profile_, in_profile, height);
   grids_.push_back(profile_.grid);
   if (profile_counts_) linear_ones_.push_back({"profile", fit.profile_weight, 0, bins.mean.size()});
   const auto add = [&](const char* name, double weight, BinGrid grid) {
@@ -63,6 +80,10 @@ Statistics::Statistics(const sim::Scene& scene, const Photo& photo, Profile data
   if (fit.texture_weight > 0.0)
     others_.push_back({fit.texture_weight, std::make_unique<const TextureStatistic>(
                                                scene, photo, profile_.region, fit.texture_weight)});
+  if (fit.granulation_weight > 0.0)
+    others_.push_back({fit.granulation_weight, std::make_unique<const GranulationStatistic>(
+                                                   scene, photo, profile_.region, fit.granulation_weight,
+                                                   model_error.share, threads)});
   for (const Other& other : others_) residuals_ += static_cast<int>(other.statistic->residuals());
 }
 

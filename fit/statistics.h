@@ -21,9 +21,9 @@ class Statistics {
   };
 
   /// `data` and `sigma` are the profile, smoothed already; others are taken from the photograph here and
-  /// smoothed by `smooth_px` as it was. The photograph is not kept.
+  /// smoothed by `smooth_px` as it was. The photograph is not kept. `threads`: of statistics that render.
   Statistics(const sim::Scene& scene, const Photo& photo, Profile data, std::vector<double> sigma,
-             double smooth_px, const ModelError& model_error);
+             double smooth_px, const ModelError& model_error, int threads = 0);
 
   const Profile& profile() const { return profile_; }
   const std::vector<double>& profile_sigma() const { return sigma_; }

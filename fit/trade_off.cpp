@@ -19,15 +19,28 @@ constexpr double kNearlyAll = 0.9;  // of a step: along the line of sight, or ac
 /// Where the key without its unit is not what people say.
 const std::map<std::string, std::string>& nouns() {
   static const std::map<std::string, std::string> kNouns = {
-      {"thickness_km", "amplitude"},         {"width_km", "layer width"},
-      {"loss_cone_deg", "pitch angle"},      {"arc_spacing_km", "spacing of the arcs"},
-      {"peak_km", "peak altitude"},          {"lower_km", "extent below the peak"},
-      {"upper_km", "extent above the peak"}, {"hfov_deg", "field of view"},
-      {"green_rayleigh", "green light"},     {"red_rayleigh", "red light"},
-      {"sodium_rayleigh", "sodium light"},   {"inner_rayleigh", "inner light"},
-      {"outer_rayleigh", "outer light"},     {"glow_rayleigh", "glow"},
-      {"east_km", "east of point"},          {"north_km", "north of point"},
-      {"point_energy", "energy of point"},   {"point_flux", "energy flux of point"},
+      {"thickness_km", "amplitude"},
+      {"width_km", "layer width"},
+      {"loss_cone_deg", "pitch angle"},
+      {"arc_spacing_km", "spacing of the arcs"},
+      {"peak_km", "peak altitude"},
+      {"lower_km", "extent below the peak"},
+      {"upper_km", "extent above the peak"},
+      {"hfov_deg", "field of view"},
+      {"green_rayleigh", "green light"},
+      {"red_rayleigh", "red light"},
+      {"sodium_rayleigh", "sodium light"},
+      {"inner_rayleigh", "inner light"},
+      {"outer_rayleigh", "outer light"},
+      {"glow_rayleigh", "glow"},
+      {"east_km", "east of point"},
+      {"north_km", "north of point"},
+      {"point_energy", "energy of point"},
+      {"point_flux", "energy flux of point"},
+      {"innerradius", "inner radius"},
+      {"outerradius", "outer radius"},
+      {"speed_km_s", "speed"},
+      {"scale", "size of the granules"},
   };
   return kNouns;
 }
@@ -66,6 +79,11 @@ const std::string& element_name(const sim::Scene& scene, const sim::ParameterPat
   if (table == "nebula") return scene.nebulae[e].name;
   if (table == "node") return scene.nodes[e].name;
   if (table == "volume") return scene.volumes[e].name;
+  if (table == "chromosphere") return scene.chromospheres[e].name;
+  if (table == "loop") return scene.loops[e].name;
+  if (table == "corona") return scene.coronae[e].name;
+  if (table == "bundle") return scene.bundles[e].name;
+  if (table == "ejection") return scene.ejections[e].name;
   return none;
 }
 
@@ -79,7 +97,9 @@ std::string owner_of(const sim::Scene& scene, const sim::ParameterPath& path) {
   const std::string& table = path.row->table;
   if (table.empty()) return {};
   const std::string& name = element_name(scene, path);
-  return "the " + (name.empty() ? "" : name + " ") + without_unit(table);
+  // "the bright loop", but not "the loop loop"
+  const std::string kind = table == "sun" ? "Sun" : without_unit(table);
+  return "the " + (name.empty() || name == kind ? "" : name + " ") + kind;
 }
 
 double noticeable_change(const FreeNumber& number, double value) {

@@ -8,6 +8,7 @@
 #include "fit/derived.h"
 #include "fit/number_text.h"
 #include "fit/short_path.h"
+#include "fit/what_shines.h"
 
 namespace vegard::fit {
 namespace {
@@ -136,19 +137,6 @@ void ask_of_the_parameters(const FitResult& r, Checks& checks) {
   checks.ask("error bars", all, without_error_bar(r));
 }
 
-/// Grids are most likely aurora too.
-bool shines_with_aurora(const sim::Scene& scene) {
-  return scene.nebulae.empty() || !scene.sheets.empty() || !scene.footprints.empty() ||
-         !scene.volumes.empty();
-}
-
-/// "sheets", "sheets and volumes", "volumes"
-std::string sources_of(const sim::Scene& scene) {
-  const bool volumes = !scene.footprints.empty() || !scene.nebulae.empty() || !scene.volumes.empty();
-  if (!volumes) return "sheets";
-  return scene.sheets.empty() ? "volumes" : "sheets and volumes";
-}
-
 }  // namespace
 
 const char* verdict_name(Verdict verdict) {
@@ -183,7 +171,7 @@ void judge(const Evidence& evidence, FitResult& result) {
   ask_of_the_parameters(result, checks);
   if (!evidence.curve_words.empty())
     checks.ask("transfer curve", evidence.curve_words, evidence.against_curve);
-  const std::string light = shines_with_aurora(result.best) ? "aurora" : "nebula";
+  const std::string light = light_noun(result.best);
   checks.ask(
       light + " or none",
       fmt::format("a sky without any {} has chi2 {}", light, short_number(evidence.chi2_without_aurora, 4)),

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace vegard::fit {
 namespace {
 
-constexpr double kLeastError_km = 20.0, kAngleError_deg = 20.0;
+constexpr double kLeastError_km = 20.0, kAngleError_deg = 20.0, kSunError_deg = 0.1;
 constexpr double kApart = 0.1, kEnergyApart = 0.25;
 
 bool is_of_footprint(const FreeNumber& n) { return n.table() == "footprint"; }
@@ -34,8 +35,9 @@ double distance_of(const sim::Scene& scene, const FreeNumber& n) {
 }  // namespace
 
 bool is_of_volume(const FreeNumber& number) {
-  const std::string& table = number.table();
-  return table == "footprint" || table == "nebula" || table == "node" || table == "volume";
+  static const char* const kTables[] = {"footprint",    "nebula", "node",   "volume", "sun",
+                                        "chromosphere", "loop",   "corona", "bundle", "ejection"};
+  return std::find(std::begin(kTables), std::end(kTables), number.table()) != std::end(kTables);
 }
 
 std::vector<double> moved_footprints(const sim::Scene& scene, const std::vector<FreeNumber>& free,
@@ -68,6 +70,9 @@ bool has_movable_footprint(const std::vector<FreeNumber>& free) {
 std::optional<double> usual_error(const sim::Scene& scene, const FreeNumber& number, double share) {
   if (!is_of_volume(number)) return {};
   if (axis_of(number) >= 0) return std::max(kLeastError_km, share * distance_of(scene, number));
+  // Across a disc of half a degree a tenth of a degree is far.
+  if (number.table() == "sun" && (number.key() == "azimuth_deg" || number.key() == "elevation_deg"))
+    return kSunError_deg;
   if (number.is_angle() || number.unit() == "deg") return kAngleError_deg;
   if (number.start == 0.0) return {};
   return 2.0 * share * std::abs(number.start);

@@ -1,4 +1,5 @@
-// Starts of a search over what is not made of sheets: footprints, nebulae, density nodes and grids.
+// Starts of a search over what is not made of sheets: footprints, nebulae, density nodes, grids, and the Sun
+// with what stands on it.
 //
 // Their light changes smoothly with their numbers, so a descent from the user's start is the rule. Where a
 // footprint's distance is free it is worth a look around: a near arc of low energy and a far one of high
@@ -13,7 +14,8 @@
 
 namespace vegard::fit {
 
-/// Whether the number is one of a footprint, nebula, density node or grid.
+/// Whether the number is one of a footprint, nebula, density node or grid, of the Sun or of what stands on
+/// it.
 bool is_of_volume(const FreeNumber& number);
 
 /// `values` with every footprint `distance` times as far from the observer, as far as its centre and its

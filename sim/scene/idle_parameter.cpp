@@ -3,6 +3,7 @@
 #include <string>
 
 #include "sim/scene/free_path.h"
+#include "sim/scene/idle_sun_parameter.h"
 #include "sim/scene/idle_volume_parameter.h"
 
 namespace vegard::sim {
@@ -42,6 +43,7 @@ std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const Par
                      "leave it out of fit.free, or set air.model to \"standard\""};
   }
   if (const auto complaint = why_volume_number_counts_for_nothing(scene, path)) return complaint;
+  if (const auto complaint = why_sun_number_counts_for_nothing(scene, path)) return complaint;
   if (path.row->table != sheet_table) return std::nullopt;
   const Sheet& sheet = scene.sheets[path.sheet()];
   if (key == "energy_kev" && sheet.profile == "file") {

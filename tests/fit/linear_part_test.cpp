@@ -146,5 +146,61 @@ TEST(LinearPart, ModelIsGainTimesAuroraAndSkyEverywhere) {
   for (int b = 0; b < kBands; ++b) EXPECT_NEAR(solution.coefficients[b], kGains[b], 0.05);
 }
 
+// Bands with skies of their own, each along its own profile: as many problems as there are bands, where every
+// band has its own gain too.
+TEST(LinearPart, SkiesOfBandsAreSolvedBandByBand) {
+  const Case made = noisy_case(kGains);
+  const ModelProfile aurora = hump(5.4, 8.0);
+  LinearBins bins;
+  bins.append_with_skies(made.data, made.sigma);
+  const GainLayout layout{kBands, true, false};
+  const LinearPart part(bins, layout, 2);
+  EXPECT_EQ(part.coefficients(), kBands + kBands * 6);
+  EXPECT_EQ(part.coefficients_in_use(), part.coefficients());
+  const LinearSolution solution = part.solve(aurora);
+  for (int b = 0; b < kBands; ++b) {
+    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(kRows * 3, 7);
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(kRows * 3);
+    for (int r = 0; r < kRows; ++r)
+      for (int c = 0; c < 3; ++c) {
+        const std::size_t i = made.data.index(b, r, c);
+        if (made.sigma[i] <= 0.0) continue;
+        const double weight = 1.0 / made.sigma[i];
+        a(r * 3 + c, 0) = weight * aurora.value[i];
+        a(r * 3 + c, 1 + c) = weight;
+        a(r * 3 + c, 4 + c) = weight * ((r + 0.5) / kRows - 0.5);
+        y(r * 3 + c) = weight * made.data.mean[i];
+      }
+    const Eigen::VectorXd expected = a.colPivHouseholderQr().solve(y);
+    EXPECT_NEAR(solution.coefficients[b], expected(0), 1e-9);
+    for (int c = 0; c < 3; ++c)
+      for (int t = 0; t < 2; ++t)
+        EXPECT_NEAR(solution.coefficients[part.sky(t, c, b)], expected(1 + 3 * t + c), 1e-9);
+  }
+  std::vector<double> jacobian;
+  part.jacobian(aurora, solution, jacobian);
+  constexpr double h = 1e-6;
+  for (int j = 0; j < 2; ++j) {
+    const auto at = [&](double step) {
+      return part.solve(hump(5.4 + (j == 0 ? step : 0.0), 8.0 + (j == 1 ? step : 0.0))).residual;
+    };
+    const std::vector<double> more = at(h), less = at(-h);
+    for (int k = 0; k < part.residuals(); ++k)
+      EXPECT_NEAR(jacobian[k * 2 + j], (more[k] - less[k]) / (2 * h), 1e-6) << "parameter " << j;
+  }
+}
+
+TEST(LinearPart, AChannelWithoutDataHasNoSkyToCount) {
+  Case made = noisy_case(kGains);
+  for (std::size_t i = 0; i < made.sigma.size(); ++i)
+    if (i % 3 != 1) made.sigma[i] = 0.0;
+  const LinearPart part(made.data, made.sigma, {kBands, true, false}, 2, kHeight);
+  EXPECT_EQ(part.coefficients(), kBands + 6);
+  EXPECT_EQ(part.coefficients_in_use(), kBands + 2);
+  const LinearSolution solution = part.solve(hump(5.4, 8.0));
+  for (const int c : {0, 2})
+    for (int t = 0; t < 2; ++t) EXPECT_EQ(solution.coefficients[part.sky(t, c)], 0.0);
+}
+
 }  // namespace
 }  // namespace vegard::fit
