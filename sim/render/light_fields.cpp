@@ -2,6 +2,7 @@
 
 #include "sim/emit/grid/grid_field.h"
 #include "sim/emit/nebula/nebula_field.h"
+#include "sim/emit/sun/ejection_shell.h"
 #include "sim/render/footprint_volumes.h"
 
 namespace vegard::sim {
@@ -15,6 +16,10 @@ std::vector<NamedField> light_fields(const Scene& scene, const VolumeFiles& file
   for (std::size_t v = 0; v < scene.volumes.size(); ++v)
     all.push_back({"volume '" + scene.volumes[v].name + "'",
                    std::make_unique<GridField>(*files.grids[v], scene.volumes[v])});
+  if (scene.sun.shown)
+    for (const Ejection& ejection : scene.ejections)
+      if (ejection.kind == "shell")
+        all.push_back({"ejection '" + ejection.name + "'", std::make_unique<ShellField>(scene, ejection)});
   return all;
 }
 
