@@ -31,7 +31,7 @@ LinearPart::LinearPart(LinearBins bins, const GainLayout& gains, int sky_terms)
     if (bins_.sigma[i] <= 0.0) continue;
     const int c = static_cast<int>(i % 3);
     used_.push_back(i);
-    where_.push_back({gains.column(bins_.band[i / 3], c), c, sky_basis(i / 3)});
+    where_.push_back({gains_.column(bins_.band[i / 3], c), sky(0, c, sky_of(i / 3)), sky_basis(i / 3)});
   }
 }
 

@@ -14,6 +14,18 @@ constexpr Colour kModelInk{40, 40, 40}, kGrey{120, 120, 120};
 const char* const kChannelNames[3] = {"red", "green", "blue"};
 const char* const kHowToRead = "Dots: photograph. Shaded: \u00b11 \u03c3. Thin line: model.";
 
+/// A grey sensor has one channel, which is no colour.
+bool is_grey(const FittedPhoto& fitted) { return fitted.best.sensor.response == "grey"; }
+
+std::string channel_name(const FittedPhoto& fitted, int channel) {
+  return is_grey(fitted) ? "photograph" : kChannelNames[channel];
+}
+
+Colour ink_of(const FittedPhoto& fitted, int channel) {
+  constexpr Colour kBlue{33, 102, 172};
+  return is_grey(fitted) ? kBlue : channel_colour(channel);
+}
+
 /// Photograph and model by position, of one channel; NaN where nothing was used.
 struct Curve {
   std::vector<double> place, data, sigma, model;
@@ -61,8 +73,8 @@ Panel light_panel(const FittedPhoto& fitted, int first_band, int end_band, doubl
   for (int c = 0; c < 3; ++c) {
     const Curve curve = mean_over(fitted, first_band, end_band, c);
     if (!curve.any) continue;
-    Series dots = line(curve.place, curve.data, channel_colour(c), Mark::points);
-    dots.label = kChannelNames[c];
+    Series dots = line(curve.place, curve.data, ink_of(fitted, c), Mark::points);
+    dots.label = channel_name(fitted, c);
     dots.width_px = diameter_px;
     for (std::size_t i = 0; i < curve.data.size(); ++i) {
       dots.low.push_back(curve.data[i] - curve.sigma[i]);
@@ -122,9 +134,9 @@ std::string bins_residual_svg(const FittedPhoto& fitted) {
       sigmas.push_back((curve.data[i] - curve.model[i]) / curve.sigma[i]);
       if (std::isfinite(sigmas.back())) widest = std::max(widest, 1.05 * std::abs(sigmas.back()));
     }
-    panel.series.push_back(line(curve.place, sigmas, channel_colour(c), Mark::points));
+    panel.series.push_back(line(curve.place, sigmas, ink_of(fitted, c), Mark::points));
     panel.series.back().width_px = 3.2;
-    panel.series.back().label = kChannelNames[c];
+    panel.series.back().label = channel_name(fitted, c);
   }
   panel.x.label = axis_label(axis);
   panel.y.label = "(photograph \u2212 model) / \u03c3";
@@ -169,7 +181,7 @@ std::string bins_brightness_svg(const FittedPhoto& fitted) {
     const bool per_channel = !fitted.best.fit.white_balance_known;
     if (!per_channel && c != 1) continue;  // one gain for all
     if (per_channel && !mean_over(fitted, 0, data.bands, c).any) continue;
-    Series series = line({}, {}, channel_colour(c), Mark::points);
+    Series series = line({}, {}, ink_of(fitted, c), Mark::points);
     series.width_px = 5.0;
     if (per_channel) series.label = kChannelNames[c];
     for (int b = 0; b < data.bands && b < static_cast<int>(fitted.gain.size()); ++b) {

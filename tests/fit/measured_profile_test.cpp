@@ -35,5 +35,28 @@ TEST(MeasuredProfile, TakesTheNoiseOfTheSensorIfAskedTo) {
   }
 }
 
+// Equal channels of a grey sensor would count three times.
+TEST(MeasuredProfile, CountsOneChannelOfAGreySensor) {
+  const Photo photo = tests::small_photo();
+  sim::Scene scene = tests::small_scene();
+  scene.camera.width = photo.linear.width;
+  scene.camera.height = photo.linear.height;
+  const Region region = {0, 0, photo.linear.width, photo.linear.height};
+  const auto grid = std::make_shared<const BinGrid>(column_bins(region, 2));
+  const Profile coloured = measured_profile(scene, photo, grid);
+  for (const char* noise : {"estimated", "sensor"}) {
+    scene.fit.photo_noise = noise;
+    scene.sensor.response = "grey";
+    const Profile grey = measured_profile(scene, photo, grid);
+    for (std::size_t i = 0; i < grey.mean.size(); ++i) {
+      EXPECT_EQ(grey.count[i], i % 3 == 1 ? coloured.count[i] : 0);
+      if (i % 3 == 1)
+        EXPECT_EQ(grey.mean[i], coloured.mean[i]);
+      else
+        EXPECT_TRUE(std::isnan(grey.mean[i]) && std::isnan(grey.standard_error[i]));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace vegard::fit

@@ -70,6 +70,29 @@ TEST(TradeOff, NamesVolumes) {
   EXPECT_EQ(trade_off_words(numbers, {0.0, 0.0, 0.0, 1.0}), "nothing tells the radius of the ball node");
 }
 
+TEST(TradeOff, NamesWhatStandsOnTheSun) {
+  Talk talk({"sheet.main.energy_kev"});
+  talk.scene.sun.shown = true;
+  sim::Loop loop;
+  loop.name = "bright";
+  loop.height = 60.0;
+  talk.scene.loops = {loop};
+  talk.scene.coronae.resize(1);
+  talk.scene.fit.free.clear();
+  for (const char* path :
+       {"loop.bright.height", "loop.bright.tilt_deg", "corona.corona.density", "sun.position_angle_deg"}) {
+    sim::FreeParameter entry;
+    entry.path = path;
+    talk.scene.fit.free.push_back(entry);
+  }
+  const std::vector<FreeNumber> free = free_numbers(talk.scene);
+  const auto numbers = spoken_numbers(talk.scene, free, {60.0, 10.0, 1.0, 5.0});
+  EXPECT_EQ(trade_off_words(numbers, {10.0, -20.0, 0.0, 0.0}),
+            "tilt and height of the bright loop trade off: 10\u00b0 more with 5 less looks the same");
+  EXPECT_EQ(trade_off_words(numbers, {0.0, 0.0, 1.0, 0.0}), "nothing tells the density of the corona");
+  EXPECT_EQ(trade_off_words(numbers, {0.0, 0.0, 0.0, 1.0}), "nothing tells the position angle of the Sun");
+}
+
 // A direction has neither length nor sign.
 TEST(TradeOff, DoesNotDependOnTheDirectionsLengthOrSign) {
   const Talk talk(kTwo);

@@ -176,5 +176,32 @@ TEST(Judge, NeverCallsAFailureASuccess) {
   EXPECT_EQ(r.verdict, Verdict::interrupted);
 }
 
+TEST(Judge, SpeaksOfWhatTheSceneShinesWith) {
+  const auto words_of = [](const sim::Scene& scene) {
+    FitResult r = fine();
+    r.best = scene;
+    Evidence dark = clear();
+    dark.chi2_without_aurora = r.chi2;
+    judge(dark, r);
+    return r.verdict_line;
+  };
+  sim::Scene sun;
+  sun.sun.shown = true;
+  EXPECT_NE(words_of(sun).find("a sky without any solar light explains"), std::string::npos);
+  sim::Scene arc = sun;
+  arc.footprints.resize(1);
+  EXPECT_NE(words_of(arc).find("without any aurora"), std::string::npos);
+  sim::Scene nebula;
+  nebula.nebulae.resize(1);
+  EXPECT_NE(words_of(nebula).find("without any nebula"), std::string::npos);
+  FitResult none = fine();
+  none.best = sun;
+  Evidence outside = clear();
+  outside.aurora_in_view = false;
+  judge(outside, none);
+  EXPECT_NE(none.verdict_line.find("no light of the scene's Sun falls into"), std::string::npos)
+      << none.verdict_line;
+}
+
 }  // namespace
 }  // namespace vegard::fit

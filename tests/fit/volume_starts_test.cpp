@@ -57,5 +57,23 @@ TEST(VolumeStarts, ExpectErrorsByWhatANumberIs) {
   EXPECT_FALSE(usual_error(arc.scene, arc.free[2], 0.3)) << "no number of a volume";
 }
 
+TEST(VolumeStarts, KnowWhatStandsOnTheSun) {
+  sim::Scene scene;
+  scene.sun.shown = true;
+  scene.loops.resize(1);
+  scene.chromospheres.resize(1);
+  scene.chromospheres[0].extinction = 1.0;
+  for (const char* path : {"loop.loop.height", "loop.loop.tilt_deg", "chromosphere.chromosphere.scale",
+                           "sun.azimuth_deg", "sun.position_angle_deg"})
+    scene.fit.free.push_back(tests::free_entry(path));
+  const std::vector<FreeNumber> free = free_numbers(scene);
+  for (const FreeNumber& n : free) EXPECT_TRUE(is_of_volume(n)) << n.path.text;
+  EXPECT_NEAR(*usual_error(scene, free[0], 0.3), 0.6 * 60.0, 1e-9);
+  EXPECT_NEAR(*usual_error(scene, free[1], 0.3), 20.0, 1e-9);
+  EXPECT_NEAR(*usual_error(scene, free[2], 0.3), 0.6 * 20.0, 1e-9);
+  EXPECT_LT(*usual_error(scene, free[3], 0.3), 0.3) << "of a disc that is half a degree wide";
+  EXPECT_NEAR(*usual_error(scene, free[4], 0.3), 20.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace vegard::fit
