@@ -16,7 +16,7 @@ std::vector<NamedField> light_fields(const Scene& scene, const VolumeFiles& file
     all.push_back({"nebula '" + nebula.name + "'", std::make_unique<NebulaField>(scene, nebula)});
   for (std::size_t v = 0; v < scene.volumes.size(); ++v)
     all.push_back({"volume '" + scene.volumes[v].name + "'",
-                   std::make_unique<GridField>(*files.grids[v], scene.volumes[v])});
+                   std::make_unique<GridField>(*files.grids[v], scene.volumes[v], &scene.sun)});
   for (std::size_t c = 0; c < scene.chromospheres.size(); ++c)
     all.push_back({"chromosphere '" + scene.chromospheres[c].name + "'",
                    std::make_unique<ChromosphereField>(scene, static_cast<int>(c),
