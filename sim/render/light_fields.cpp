@@ -2,6 +2,7 @@
 
 #include "sim/emit/grid/grid_field.h"
 #include "sim/emit/nebula/nebula_field.h"
+#include "sim/emit/sun/ejection_shell.h"
 #include "sim/emit/sun/sun_fields.h"
 #include "sim/render/bias_map.h"
 #include "sim/render/footprint_volumes.h"
@@ -23,6 +24,10 @@ std::vector<NamedField> light_fields(const Scene& scene, const VolumeFiles& file
                                                        bias_map(files, scene.chromospheres[c]))});
   for (const Corona& corona : scene.coronae)
     all.push_back({"corona '" + corona.name + "'", std::make_unique<CoronaField>(scene, corona)});
+  if (scene.sun.shown)
+    for (const Ejection& ejection : scene.ejections)
+      if (ejection.kind == "shell")
+        all.push_back({"ejection '" + ejection.name + "'", std::make_unique<ShellField>(scene, ejection)});
   return all;
 }
 

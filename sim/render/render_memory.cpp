@@ -75,8 +75,11 @@ std::shared_ptr<const Volumes> RenderMemory::volumes() {
   std::set<std::string> others = lights_and({"[camera]", "[blur]", "[film]"});
   const auto& footprints = scene_->footprints;
   if (std::none_of(footprints.begin(), footprints.end(),
-                   [](const Footprint& footprint) { return footprint.source == "sheets"; }))
-    others.insert({"[[sheet]]", "[time]", "[substorm]"});
+                   [](const Footprint& footprint) { return footprint.source == "sheets"; })) {
+    others.insert({"[[sheet]]", "[substorm]"});
+    // Ejections move.
+    if (!scene_->sun.shown || scene_->ejections.empty()) others.insert("[time]");
+  }
   // A picture of depth is of the camera's size.
   const std::string key =
       key_without(tables_, others) +
