@@ -23,6 +23,7 @@ class CoronaEmitter : public Emitter<T> {
   CoronaEmitter(const Scene& scene, const Corona& corona, const NumberAs<T>& number);
 
   void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override;
+  bool is_mixed() const override { return true; }
 
  private:
   struct RaySum {

@@ -49,6 +49,7 @@ class ShellEmitter : public Emitter<T> {
   ShellEmitter(const ShellBody<T>& body, const SunFrame<T>& frame, std::vector<T> light);
 
   void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override;
+  bool is_mixed() const override { return true; }
 
  private:
   void march_ray(const T enu[3], double end_km, std::size_t ray, std::size_t rays,

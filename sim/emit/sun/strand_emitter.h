@@ -29,6 +29,7 @@ class StrandEmitter : public Emitter<T> {
   StrandEmitter(const Strands<T>& strands, const SunFrame<T>& frame, std::vector<T> light);
 
   void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override;
+  bool is_mixed() const override { return true; }
 
   std::size_t segments() const { return segments_.size(); }
 
