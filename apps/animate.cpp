@@ -36,6 +36,7 @@
 #include "sim/render/volume_files.h"
 #include "sim/render/volumes.h"
 #include "sim/scene/parameter_table.h"
+#include "sim/view/colour_table.h"
 #include "sim/view/tone_curve.h"
 
 namespace vegard::apps {
@@ -184,6 +185,7 @@ int run(const Options& options) {
   if (sim::has_volumes(scene) || !scene.nebulae.empty()) sim::read_volume_files(scene);
   // A measured tone curve is read by whatever is encoded with it; here, before the work.
   sim::ToneCurve check_of_the_curve(scene);
+  sim::ColourTable check_of_the_colours(scene);
   std::set<int> finished =
       begin_or_resume(names, manifest_text(scene, frames_per_second, names, options.picture), frames,
                       options.overwrite, movie);

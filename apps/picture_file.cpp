@@ -39,9 +39,12 @@ std::string noise_words(const PictureOptions& options) {
 }
 
 std::string encoding_words(const sim::Scene& scene, const PictureOptions& options) {
-  if (options.as_seen) return "sRGB-encoded";  // for the eye, whatever the sensor's tone
+  const std::string colour = scene.sensor.colour_table == "none"
+                                 ? ""
+                                 : "; false colour by sensor.colour_table = " + scene.sensor.colour_table;
+  if (options.as_seen) return "sRGB-encoded" + colour;  // for the eye, whatever the sensor's tone
   return sim::ToneCurve(scene).name() + (scene.sensor.tone == "linear" ? "" : "-encoded") +
-         (options.photograph ? noise_words(options) : "");
+         (options.photograph ? noise_words(options) : "") + colour;
 }
 
 sim::Image shown_picture(const PictureOptions& options, const sim::Scene& scene,

@@ -4,6 +4,7 @@
 
 #include "apps/composite_pictures.h"
 #include "sim/render/render.h"
+#include "sim/view/sensor.h"
 #include "sim/view/tone_curve.h"
 #include "sim/view/vignetting.h"
 
@@ -34,7 +35,14 @@ ScreenPicture PreviewPainter::paint(const sim::Scene& whole, const sim::Reductio
   if (rendering.aurora.empty()) return {};
   sim::Image light = sim::shown_light(scene, rendering);
   sim::darken(sim::Vignetting(scene), light);
-  return {light.width, light.height, display_->bytes(light, threads_)};
+  if (scene.sensor.colour_table == "none")
+    return {light.width, light.height, display_->bytes(light, threads_)};
+  const sim::Image shown = sim::encoded(scene, light);
+  ScreenPicture picture{shown.width, shown.height, {}};
+  picture.rgb.reserve(shown.data.size());
+  for (const float value : shown.data)
+    picture.rgb.push_back(static_cast<std::uint8_t>(value * 255.0f + 0.5f));
+  return picture;
 }
 
 }  // namespace vegard::apps

@@ -26,6 +26,7 @@
 #include "sim/base/image_io.h"
 #include "sim/base/whole_file.h"
 #include "sim/render/render.h"
+#include "sim/view/colour_table.h"
 #include "sim/view/tone_curve.h"
 
 namespace vegard::apps {
@@ -92,6 +93,7 @@ void check_outputs(const Options& options, const sim::Scene& scene) {
   }
   // A measured tone curve is read by whatever is encoded with it; here, before the work.
   sim::ToneCurve check_of_the_curve(scene);
+  sim::ColourTable check_of_the_colours(scene);
   if (!options.layers.empty()) {
     if (options.output.empty() || sim::image_format(options.output) != sim::ImageFormat::exr)
       throw usage_error("--layers", "only an EXR has layers", "-o OUT.exr");

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include "sim/view/colour_table.h"
 #include "sim/view/line_colours.h"
 #include "sim/view/radiometry.h"
 #include "sim/view/transfer_curve.h"
@@ -48,6 +49,7 @@ Image picture_as_seen(const Scene& scene, const Rendering& rendering, double hal
       for (int c = 0; c < 3; ++c) shown.at(x, y, c) = static_cast<float>(srgb_encode(display[c]));
     }
   }
+  ColourTable(scene).colour(shown);
   return shown;
 }
 

@@ -4,6 +4,7 @@
 #include "sim/emit/sun/corona_emitter.h"
 #include "sim/emit/sun/photosphere_emitter.h"
 #include "sim/render/bias_map.h"
+#include "sim/render/strand_emitters.h"
 
 namespace vegard::sim {
 
@@ -17,6 +18,7 @@ void add_sun_emitters(const Scene& scene, const VolumeFiles& files, const Number
                                                            bias_map(files, scene.chromospheres[c]), number));
   for (const Corona& corona : scene.coronae)
     all.push_back(std::make_unique<CoronaEmitter<T>>(scene, corona, number));
+  add_strand_emitters(scene, number, all);
 }
 
 template void add_sun_emitters(const Scene&, const VolumeFiles&, const NumberAs<double>&, int,

@@ -77,13 +77,14 @@ void check_structures(const Scene& scene) {
 /// Observer and filters have no raw channels to mix: what would be ignored is refused.
 void check_response(const Scene& scene) {
   const Sensor& sensor = scene.sensor;
-  const bool filters = sensor.response == "filters";
-  if (sensor.response != "cie" && !filters) return;
+  const bool filters = sensor.response == "filters", grey = sensor.response == "grey";
+  if (sensor.response != "cie" && !filters && !grey) return;
   const Sensor none;
   const bool balanced = sensor.white_balance_rule == "given" && sensor.white_balance != none.white_balance;
   if (!balanced && sensor.matrix_rule != "given") return;
   const std::string key = balanced ? "white_balance" : "matrix_rule";
   complain({filters ? "channels behind a filter each are neither balanced nor mixed"
+            : grey  ? "channels that see all light alike are neither balanced nor mixed"
                     : "the CIE observer has no raw channels to balance or to mix",
             "sensor.response with a camera, or sensor." + key + " as it is without being set",
             "a camera's name or a table"},

@@ -20,6 +20,8 @@ double gain_per_kilorayleigh(const Scene& scene) {
 
 std::vector<Vector3> line_colours_at_unit_gain(const Scene& scene) {
   if (sees_through_filters(scene)) return filter_colours(scene);
+  if (scene.sensor.response == "grey")  // to the last bit, also of a line that stands for a band
+    return std::vector<Vector3>(scene.emission.lines.size(), Vector3{1.0, 1.0, 1.0});
   const SensorResponse response(scene);
   std::vector<Vector3> colours;
   for (const double wavelength_nm : scene.emission.lines) {

@@ -8,6 +8,7 @@
 #include "sim/base/parallel.h"
 #include "sim/base/poisson.h"
 #include "sim/base/random.h"
+#include "sim/view/colour_table.h"
 #include "sim/view/line_colours.h"
 #include "sim/view/mosaic.h"
 #include "sim/view/sensor_scale.h"
@@ -118,6 +119,7 @@ Image encoded(const Scene& scene, const Image& rgb) {
   Image shown = rgb;
   for (float& value : shown.data)
     value = static_cast<float>(tone.encode(std::clamp<double>(value, 0.0, 1.0)));
+  ColourTable(scene).colour(shown);
   return shown;
 }
 

@@ -29,7 +29,8 @@ Image raw_numbers(const Scene& scene, const Image& light, std::uint32_t frame = 
 /// Linear RGB of raw numbers, still as dark in the corners as the lens has it, negative where noise is.
 Image developed(const Scene& scene, const Image& raw);
 
-/// Linear RGB, limited to 0 to 1 and encoded by the tone curve, as a display file holds it.
+/// Linear RGB, limited to 0 to 1, encoded by the tone curve and in the false colour of the scene's table, as
+/// a display file holds it. Photographs are read without that table: it is for eyes (recover_light()).
 Image encoded(const Scene& scene, const Image& rgb);
 
 /// The way back from a file's decoded linear RGB: divides by the vignetting, and marks in `usable`, per pixel

@@ -145,7 +145,12 @@ Matrix3 colorimetric_matrix(const ChannelTable& channels, const std::string& pri
   return matrix;
 }
 
-SensorResponse::SensorResponse(const Scene& scene) : is_cie_(scene.sensor.response == "cie") {
+SensorResponse::SensorResponse(const Scene& scene)
+    : is_cie_(scene.sensor.response == "cie"), is_grey_(scene.sensor.response == "grey") {
+  if (is_grey_) {
+    rgb_from_channels_ = kIdentity3;
+    return;
+  }
   if (is_cie_) {
     rgb_from_channels_ = rgb_from_xyz(scene.sensor.primaries);
     return;
@@ -178,6 +183,10 @@ SensorResponse::SensorResponse(const Scene& scene) : is_cie_(scene.sensor.respon
 }
 
 Vector3 SensorResponse::channels_of_power(double wavelength_nm) const {
+  if (is_grey_) {
+    const double per_photon = colour_matching(kGreenNm)[1] * wavelength_nm / kGreenNm;
+    return {per_photon, per_photon, per_photon};
+  }
   return is_cie_ ? colour_matching(wavelength_nm) : table_.at(wavelength_nm);
 }
 

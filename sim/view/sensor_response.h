@@ -1,4 +1,5 @@
-// What a sensor makes of light of one wavelength: the CIE 1931 observer, or a camera's three channels.
+// What a sensor makes of light of one wavelength: the CIE 1931 observer, a camera's three channels,
+// or a grey one that counts photons of any wavelength alike.
 //
 // Sources: docs/physics.md, "Cameras". A camera's raw channels are scaled so that green is 1 for a
 // kilorayleigh of 557.7 nm at unit gain, as the observer's luminance is. White balance and matrix lead from
@@ -40,14 +41,14 @@ class SensorResponse {
   /// From those channels to the linear, signed RGB of the scene's pictures.
   const Matrix3& rgb_from_channels() const { return rgb_from_channels_; }
 
-  /// White balance and matrix alone; the identity for the CIE observer.
+  /// White balance and matrix alone; the identity for the CIE observer and for grey.
   const Matrix3& rgb_from_raw() const { return rgb_from_raw_; }
 
   /// Linear, signed RGB of one kilorayleigh at a gain_per_kilorayleigh of 1.
   Vector3 rgb_per_kilorayleigh(double wavelength_nm) const;
 
  private:
-  bool is_cie_;
+  bool is_cie_, is_grey_;
   ChannelTable table_;  // of a camera
   double first_nm_ = 380.0, last_nm_ = 780.0;
   Matrix3 rgb_from_channels_, rgb_from_raw_ = kIdentity3;

@@ -10,16 +10,26 @@
 namespace vegard::sim {
 namespace {
 
-std::optional<Complaint> response_complaint(const std::string& response) {
-  std::vector<std::string> names = built_in_cameras();
-  names.insert(names.begin(), {"cie", "filters"});
-  if (is_table_file(response) || std::find(names.begin(), names.end(), response) != names.end())
+/// A value that is one of the names or a table's file.
+std::optional<Complaint> name_complaint(const std::string& value, const std::vector<std::string>& names,
+                                        const std::string& problem) {
+  if (is_table_file(value) || std::find(names.begin(), names.end(), value) != names.end())
     return std::nullopt;
   std::string expected;
   for (const std::string& name : names) expected += "\"" + name + "\", ";
-  const std::string nearest = nearest_name(response, names);
-  return Complaint{"\"" + response + "\" is no camera that is built in", expected + "or a table \"FILE.csv\"",
-                   is_near(response, nearest) ? "did you mean \"" + nearest + "\"?" : ""};
+  const std::string nearest = nearest_name(value, names);
+  return Complaint{"\"" + value + "\" is " + problem, expected + "or a table \"FILE.csv\"",
+                   is_near(value, nearest) ? "did you mean \"" + nearest + "\"?" : ""};
+}
+
+std::optional<Complaint> response_complaint(const std::string& response) {
+  std::vector<std::string> names = built_in_cameras();
+  names.insert(names.begin(), {"cie", "filters", "grey"});
+  return name_complaint(response, names, "no camera that is built in");
+}
+
+std::optional<Complaint> colour_table_complaint(const std::string& table) {
+  return name_complaint(table, {"none", "171", "195", "284", "304"}, "no false colour that is built in");
 }
 
 }  // namespace
@@ -32,7 +42,7 @@ std::vector<Declaration> sensor_rows() {
       Row("sensor", "gain_per_kilorayleigh", &Scene::sensor, &Sensor::gain_per_kilorayleigh).within(1e-12, 1e12)
           .means("linear sensor value (white = 1) of the luminance of 1 kR of 557.7 nm; with a camera's response, of its raw green"),
       Row("sensor", "response", &Scene::sensor, &Sensor::response).names_table().rule(response_complaint)
-          .means("what makes colours of light: `cie` (the 1931 observer), `filters` (an imager with a narrow filter per line: red, green and blue stand for the first three of emission.lines, 1 per kilorayleigh), a built-in camera (`canon_5d_mark_ii`, `nikon_d200`, `nikon_d700`, `sony_a7s_ii`) or a table `FILE.csv` of wavelength_nm, red, green, blue beside the scene's file"),
+          .means("what makes colours of light: `cie` (the 1931 observer), `filters` (an imager with a narrow filter per line: red, green and blue stand for the first three of emission.lines, 1 per kilorayleigh), `grey` (every photon counts alike, of any wavelength: 1 per kilorayleigh in all three channels), a built-in camera (`canon_5d_mark_ii`, `nikon_d200`, `nikon_d700`, `sony_a7s_ii`) or a table `FILE.csv` of wavelength_nm, red, green, blue beside the scene's file"),
       Row("sensor", "response_per", &Scene::sensor, &Sensor::response_per).one_of({"energy", "photon"})
           .means("what the numbers of a table `FILE.csv` are relative to"),
       Row("sensor", "white_balance_rule", &Scene::sensor, &Sensor::white_balance_rule).one_of({"given", "daylight"})
@@ -79,7 +89,7 @@ std::vector<Declaration> sensor_rows() {
           .means("of the tone \"gamma\": numbers are linear light to the power of 1 / this"),
       Row("sensor", "tone_file", &Scene::sensor, &Sensor::tone_file).names_table()
           .means("of the tone \"file\": a CSV of linear and encoded values, both increasing, beside the scene's file"),
-      Row("sensor", "colour_table", &Scene::sensor, &Sensor::colour_table).names_table()
+      Row("sensor", "colour_table", &Scene::sensor, &Sensor::colour_table).names_table().rule(colour_table_complaint)
           .means("false colour of display files, by their grey: none, 171, 195, 284 or 304 (as pictures of these wavelengths in ångström are shown), or a CSV of grey, red, green and blue, beside the scene's file"),
       Row("sensor", "calibration_error", &Scene::sensor, &Sensor::calibration_error).within(0, 10)
           .means("relative standard uncertainty of the absolute scale, by whoever has calibrated it; 0: nobody has"),
