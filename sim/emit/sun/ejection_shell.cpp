@@ -133,14 +133,14 @@ namespace {
 double plain(const double& number) { return number; }
 }  // namespace
 
-ShellField::ShellField(const Scene& scene, const Ejection& ejection)
+EjectionShellField::EjectionShellField(const Scene& scene, const Ejection& ejection)
     : body_(scene.sun, scene.time, ejection, NumberAs<double>(plain)),
       light_(line_light<double>(scene, ejection.rayleigh, ejection.temperature_mk, plain)),
       lines_(static_cast<int>(scene.emission.lines.size())),
       unit_cm_(scene.sun.unit_km * kCmPerKm),
       sun_radius_(scene.sun.radius) {}
 
-Box3 ShellField::bounds() const {
+Box3 EjectionShellField::bounds() const {
   Box3 box;
   for (int i = 0; i < 3; ++i) {
     box.low[i] = body_.middle[i] - body_.outer;
@@ -149,7 +149,7 @@ Box3 ShellField::bounds() const {
   return box;
 }
 
-bool ShellField::is_dark(const Box3& box) const {
+bool EjectionShellField::is_dark(const Box3& box) const {
   if (light_.empty()) return true;
   // Distances of the box's nearest and farthest points from the shell's middle, and the latter from the
   // Sun's.
@@ -166,7 +166,7 @@ bool ShellField::is_dark(const Box3& box) const {
          from_sun <= sun_radius_ * sun_radius_;
 }
 
-void ShellField::sample(std::size_t count, const double* const point[3], float* const emission[],
+void EjectionShellField::sample(std::size_t count, const double* const point[3], float* const emission[],
                         float* density) const {
   for (std::size_t k = 0; k < count; ++k) {
     const Vec3<double> here = {point[0][k], point[1][k], point[2][k]}, off = minus3(here, body_.middle);

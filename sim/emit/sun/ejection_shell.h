@@ -61,9 +61,9 @@ class ShellEmitter : public Emitter<T> {
 
 /// The same as a field, in the Sun's frame: dark within the photosphere. Nothing absorbs; the density given
 /// is the shell's.
-class ShellField : public LightField {
+class EjectionShellField : public LightField {
  public:
-  ShellField(const Scene& scene, const Ejection& ejection);
+  EjectionShellField(const Scene& scene, const Ejection& ejection);
 
   double unit_cm() const override { return unit_cm_; }
   Box3 bounds() const override;
