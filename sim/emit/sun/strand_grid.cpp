@@ -25,7 +25,7 @@ constexpr std::size_t kStrandsAtOnce = 512;
 /// What a voxel knows of a strand's lines.
 struct Nearest {
   double square = kInfinity;  ///< of the distance
-  double rival = kInfinity;   ///< the same of the nearest line that is not next to that one
+  double rival = kInfinity;   ///< the same of the nearest line that is not next to that one in its cubic
   double t = 0.0;
   std::uint32_t piece = 0;
 };
@@ -46,8 +46,9 @@ VoxelRange voxels_about(const StrandPiece& piece, double reach, const int corner
   return range;
 }
 
-void try_piece(const StrandPiece& piece, std::uint32_t index, double reach, const int corner[3],
-               Nearest* nearest) {
+void try_piece(const PiecesOfStrand& of, std::uint32_t index, const int corner[3], Nearest* nearest) {
+  const StrandPiece& piece = of.pieces[index];
+  const double reach = of.radius + of.off;
   const VoxelRange range = voxels_about(piece, reach, corner);
   double square = 0.0;
   for (const double w : piece.way) square += w * w;
@@ -63,7 +64,8 @@ void try_piece(const StrandPiece& piece, std::uint32_t index, double reach, cons
         for (int a = 0; a < 3; ++a) d += (to[a] - s * piece.way[a]) * (to[a] - s * piece.way[a]);
         if (d > most) continue;
         Nearest& here = nearest[SparseGrid::within(i, j, k)];
-        const bool next = here.piece == index || here.piece + 1 == index;
+        const std::uint32_t before = of.pieces[here.piece].number;
+        const bool next = before == piece.number || before + 1 == piece.number;
         if (d < here.square) {
           if (!next) here.rival = std::min(here.rival, here.square);
           here.square = d;
@@ -75,18 +77,20 @@ void try_piece(const StrandPiece& piece, std::uint32_t index, double reach, cons
       }
 }
 
-/// From a place near to it to the nearest point of the curve: two steps of Newton's method are enough from
-/// where lines lead. Within the cubic of the piece.
-ClosestPoint polished(const PiecesOfStrand& of, const Nearest& from, const Place& place) {
+/// From a place near to it to the nearest point of the curve by Newton's method, within the cubic of the
+/// piece. False where another minimum may be next to it, which is about the centre of curvature and farther
+/// out: there `second` / `speed` = 1 - distance / (radius of curvature) falls to 0 and below. False as well
+/// where the way leads to the next cubic.
+bool polish(const PiecesOfStrand& of, const Nearest& from, const Place& place, ClosestPoint& closest) {
+  constexpr int kMostSteps = 8;
   const int curves = of.strand.pieces();
   const StrandPiece& piece = of.pieces[from.piece];
   const int curve = std::min(static_cast<int>((piece.t + 0.5 * piece.t_way) * curves), curves - 1);
   const Place* p = of.strand.points.data() + 3 * static_cast<std::size_t>(curve);
-  double t = std::clamp(from.t * curves - curve, 0.0, 1.0), square = 0.0;
-  for (int step = 0; step < 3; ++step) {
+  double t = std::clamp(from.t * curves - curve, 0.0, 1.0);
+  for (int step = 0; step < kMostSteps; ++step) {
     const double u = 1.0 - t;
-    double first = 0.0, second = 0.0;
-    square = 0.0;
+    double square = 0.0, first = 0.0, second = 0.0, speed = 0.0;
     for (int i = 0; i < 3; ++i) {
       const double a = p[1][i] - p[0][i], b = p[2][i] - p[1][i], c = p[3][i] - p[2][i];
       const double at =
@@ -94,18 +98,28 @@ ClosestPoint polished(const PiecesOfStrand& of, const Nearest& from, const Place
       const double velocity = 3.0 * (u * u * a + 2.0 * u * t * b + t * t * c);
       square += at * at;
       first += at * velocity;
-      second += velocity * velocity + at * 6.0 * (u * (b - a) + t * (c - b));
+      second += at * 6.0 * (u * (b - a) + t * (c - b));
+      speed += velocity * velocity;
     }
-    if (step < 2 && second > 0.0) t = std::clamp(t - first / second, 0.0, 1.0);
+    second += speed;
+    if (!(second > 0.5 * speed)) return false;
+    const double next = t - first / second, held = std::clamp(next, 0.0, 1.0);
+    if (next != held && (held == 0.0 ? curve > 0 : curve + 1 < curves)) return false;
+    // What is left moves the place by less than a millionth of the radius.
+    if ((held - t) * (held - t) * speed < 1e-12 * of.radius * of.radius) {
+      closest = {(curve + t) / curves, std::sqrt(square)};
+      return true;
+    }
+    t = held;
   }
-  return {(curve + t) / curves, std::sqrt(square)};
+  return false;
 }
 
 double density_of(const PiecesOfStrand& of, RadialFalloff falloff, const Nearest& nearest,
                   const Place& place) {
   const bool contested = std::sqrt(nearest.rival) < std::sqrt(nearest.square) + 2.0 * of.off;
-  if (contested) return density_at(of.strand, falloff, place);
-  const ClosestPoint closest = polished(of, nearest, place);
+  ClosestPoint closest;
+  if (contested || !polish(of, nearest, place, closest)) return density_at(of.strand, falloff, place);
   if (closest.t <= 0.0 && beyond_end(of.strand, false, place)) return 0.0;
   if (closest.t >= 1.0 && beyond_end(of.strand, true, place)) return 0.0;
   const double radius = of.strand.radius_first + closest.t * (of.strand.radius_last - of.strand.radius_first);
@@ -123,8 +137,7 @@ void fill_brick(const std::vector<PiecesOfStrand>& strands, RadialFalloff fallof
     const std::uint32_t strand = first->strand;
     std::fill(nearest.begin(), nearest.end(), Nearest{});
     for (; first != last && first->strand == strand; ++first)
-      for (std::uint32_t p = first->first; p < first->last; ++p)
-        try_piece(of.pieces[p], p, of.radius + of.off, corner, nearest.data());
+      for (std::uint32_t p = first->first; p < first->last; ++p) try_piece(of, p, corner, nearest.data());
     for (int v = 0; v < kVoxels; ++v)
       if (nearest[v].square < kInfinity)
         sum[v] += density_of(of, falloff, nearest[v],

@@ -89,7 +89,11 @@ PiecesOfStrand pieces_of(const Strand<double>& strand, const SparseGrid& grid) {
     Place from = points[0];
     for (int k = 1; k <= cuts; ++k) {
       const Place to = k == cuts ? points[3] : on_curve(points, static_cast<double>(k) / cuts);
-      StrandPiece piece{from, {}, (c + (k - 1.0) / cuts) / curves, 1.0 / cuts / curves};
+      StrandPiece piece{from,
+                        {},
+                        (c + (k - 1.0) / cuts) / curves,
+                        1.0 / cuts / curves,
+                        static_cast<std::uint32_t>(out.pieces.size() + static_cast<std::size_t>(c))};
       for (int i = 0; i < 3; ++i) piece.way[i] = to[i] - from[i];
       out.pieces.push_back(piece);
       from = to;

@@ -14,6 +14,7 @@ namespace vegard::sim {
 struct StrandPiece {
   std::array<double, 3> from, way;  ///< begin, and end less begin
   double t, t_way;                  ///< the same of the chain's parameter
+  std::uint32_t number;             ///< those of one cubic count up by one; between cubics, by two
 };
 
 /// Lengths are in voxels, and the centre of voxel (i, j, k) is at (i, j, k).
