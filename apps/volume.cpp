@@ -45,9 +45,11 @@ void keep_named(sim::Scene& scene, const std::vector<std::string>& names) {
     const auto is = [&](const auto& list) {
       return std::any_of(list.begin(), list.end(), [&](const auto& one) { return one.name == name; });
     };
-    if (!is(scene.sheets) && !is(scene.footprints) && !is(scene.nebulae) && !is(scene.volumes))
+    if (!is(scene.sheets) && !is(scene.footprints) && !is(scene.nebulae) && !is(scene.volumes) &&
+        !is(scene.chromospheres) && !is(scene.loops) && !is(scene.coronae) && !is(scene.bundles) &&
+        !is(scene.ejections))
       throw usage_error("--of", "nothing that shines is called '" + name + "'",
-                        "the name of a sheet, footprint, nebula or volume");
+                        "the name of a sheet, footprint, nebula, volume, or of a thing on the Sun");
   }
   const auto keep = [&](auto& list) {
     const auto other = [&](const auto& one) {
@@ -61,6 +63,11 @@ void keep_named(sim::Scene& scene, const std::vector<std::string>& names) {
     keep(scene.sheets);
   keep(scene.nebulae);
   keep(scene.volumes);
+  keep(scene.chromospheres);
+  keep(scene.loops);
+  keep(scene.coronae);
+  keep(scene.bundles);
+  keep(scene.ejections);
 }
 
 std::vector<int> line_indices(const sim::Scene& scene, const std::vector<double>& lines_nm) {
@@ -156,7 +163,7 @@ void add_volume_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", options->output, "The file to write")->type_name("OUT.vdb")->required();
   command
       ->add_option("--voxel-km,--voxel", options->voxel,
-                   "Edge of a voxel, in km; of a nebula, in its unit (default: 0.5)")
+                   "Edge of a voxel, in km; of a nebula or on the Sun, in its unit (default: 0.5)")
       ->check(CLI::Range(1e-6, 1e6))
       ->type_name("LENGTH");
   command->add_option("--lines", options->lines, "Wavelengths in nm (default: all of the scene's)")
@@ -168,7 +175,9 @@ void add_volume_command(CLI::App& app, int& exit_code) {
       ->delimiter(',')
       ->expected(6)
       ->type_name("WEST,EAST,SOUTH,NORTH,LOW,HIGH");
-  command->add_option("--of", options->of, "Only the sheets, footprints, nebulae and volumes of these names")
+  command
+      ->add_option("--of", options->of,
+                   "Only the sheets, footprints, nebulae, volumes and things on the Sun of these names")
       ->delimiter(',')
       ->type_name("NAME,...");
   command

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/gauss_legendre.h"
 #include "sim/emit/sun/sun_frame.h"
 #include "sim/emit/sun/vec3.h"
 
@@ -94,18 +95,16 @@ std::vector<Strand<T>> pieces_of(const Rope<T>& rope, int strands, int pieces) {
 /// Sum of ∫ radius² dl.
 template <class T>
 T volume(const std::vector<Strand<T>>& all) {
-  // |dB / du| by three Gauss-Legendre nodes.
-  constexpr double kAt[3] = {0.1127016653792583, 0.5, 0.8872983346207417},
-                   kWeight[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+  static const GaussLegendre<3> nodes;  // of |dB / du|
   T sum(0.0);
   for (const Strand<T>& strand : all)
     for (int n = 0; n < 3; ++n) {
-      const double u = kAt[n], v = 1.0 - u;
+      const double u = nodes.place[n], v = 1.0 - u;
       Vec3<T> speed = times3(minus3(strand.points[1], strand.points[0]), 3.0 * v * v);
       speed = along3(speed, 6.0 * u * v, minus3(strand.points[2], strand.points[1]));
       speed = along3(speed, 3.0 * u * u, minus3(strand.points[3], strand.points[2]));
       const T radius = strand.radius_first * v + strand.radius_last * u;
-      sum = sum + length3(speed) * radius * radius * kWeight[n];
+      sum = sum + length3(speed) * radius * radius * nodes.weight[n];
     }
   return sum;
 }
