@@ -12,7 +12,9 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846, kRadian = kPi / 180.0;
 constexpr double kFootShare = 0.3;  ///< radius at the feet, of that at the top at age 0
-constexpr int kPiecesPerTurn = 12, kLeastPieces = 16;
+/// Pieces of a winding, rounded down. The odd share keeps the steps off round numbers of turns, which scenes
+/// have.
+constexpr double kPiecesPerTurn = 12.0, kLeastPieces = 16.37;
 
 template <class T>
 struct RopePoint {
@@ -122,7 +124,7 @@ T front_height(const Sun& sun, const Time& time, const Ejection& ejection, const
 template <class T>
 Strands<T> rope_strands(const Sun& sun, const Time& time, const Ejection& ejection,
                         const NumberAs<T>& number) {
-  const int pieces = kLeastPieces + static_cast<int>(std::ceil(std::abs(ejection.turns) * kPiecesPerTurn));
+  const int pieces = static_cast<int>(kLeastPieces + kPiecesPerTurn * std::abs(ejection.turns));
   const auto rope = [&](const T& front) {
     return pieces_of(Rope<T>(sun, ejection, front, number), ejection.strands, pieces);
   };
