@@ -27,7 +27,8 @@ std::vector<NamedField> light_fields(const Scene& scene, const VolumeFiles& file
   if (scene.sun.shown)
     for (const Ejection& ejection : scene.ejections)
       if (ejection.kind == "shell")
-        all.push_back({"ejection '" + ejection.name + "'", std::make_unique<EjectionShellField>(scene, ejection)});
+        all.push_back(
+            {"ejection '" + ejection.name + "'", std::make_unique<EjectionShellField>(scene, ejection)});
   return all;
 }
 
