@@ -45,9 +45,11 @@ void keep_named(sim::Scene& scene, const std::vector<std::string>& names) {
     const auto is = [&](const auto& list) {
       return std::any_of(list.begin(), list.end(), [&](const auto& one) { return one.name == name; });
     };
-    if (!is(scene.sheets) && !is(scene.footprints) && !is(scene.nebulae) && !is(scene.volumes))
+    if (!is(scene.sheets) && !is(scene.footprints) && !is(scene.nebulae) && !is(scene.volumes) &&
+        !is(scene.chromospheres) && !is(scene.loops) && !is(scene.coronae) && !is(scene.bundles) &&
+        !is(scene.ejections))
       throw usage_error("--of", "nothing that shines is called '" + name + "'",
-                        "the name of a sheet, footprint, nebula or volume");
+                        "the name of a sheet, footprint, nebula, volume, or of something on the Sun");
   }
   const auto keep = [&](auto& list) {
     const auto other = [&](const auto& one) {
@@ -61,6 +63,11 @@ void keep_named(sim::Scene& scene, const std::vector<std::string>& names) {
     keep(scene.sheets);
   keep(scene.nebulae);
   keep(scene.volumes);
+  keep(scene.chromospheres);
+  keep(scene.loops);
+  keep(scene.coronae);
+  keep(scene.bundles);
+  keep(scene.ejections);
 }
 
 std::vector<int> line_indices(const sim::Scene& scene, const std::vector<double>& lines_nm) {
@@ -156,7 +163,7 @@ void add_volume_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", options->output, "The file to write")->type_name("OUT.vdb")->required();
   command
       ->add_option("--voxel-km,--voxel", options->voxel,
-                   "Edge of a voxel, in km; of a nebula, in its unit (default: 0.5)")
+                   "Edge of a voxel, in km; of a nebula or the Sun, in its unit (default: 0.5)")
       ->check(CLI::Range(1e-6, 1e6))
       ->type_name("LENGTH");
   command->add_option("--lines", options->lines, "Wavelengths in nm (default: all of the scene's)")
@@ -164,11 +171,15 @@ void add_volume_command(CLI::App& app, int& exit_code) {
       ->type_name("NM,...");
   command
       ->add_option("--box", options->box,
-                   "Only what is inside, in km from the observer (of a nebula: right, up, near, in its unit)")
+                   "Only what is inside, in km from the observer (of a nebula: right, up, near, in its unit; "
+                   "of the Sun: "
+                   "x, y, z of its frame)")
       ->delimiter(',')
       ->expected(6)
       ->type_name("WEST,EAST,SOUTH,NORTH,LOW,HIGH");
-  command->add_option("--of", options->of, "Only the sheets, footprints, nebulae and volumes of these names")
+  command
+      ->add_option("--of", options->of,
+                   "Only what has these names: sheets, footprints, nebulae, volumes, and what is on the Sun")
       ->delimiter(',')
       ->type_name("NAME,...");
   command
