@@ -35,7 +35,7 @@ bool could_shine(const sim::Scene& scene) {
   const bool footprints =
       std::any_of(scene.footprints.begin(), scene.footprints.end(),
                   [](const sim::Footprint& footprint) { return footprint.energy_flux_mw_m2 > 0.0; });
-  return sheets || footprints || !scene.volumes.empty() ||
+  return sheets || footprints || !scene.volumes.empty() || scene.sun.shown ||
          std::any_of(scene.nebulae.begin(), scene.nebulae.end(), [](const sim::Nebula& nebula) {
            return nebula.method != "literal" && nebula.brightness > 0.0;
          });
@@ -64,6 +64,8 @@ std::string warning_if_out_of_view(const sim::Scene& scene, const sim::Image& ra
                         : "footprint '" + footprint.name + "' stands around the Earth");
   for (const sim::Nebula& nebula : scene.nebulae)
     text += "; " + direction_words("nebula '" + nebula.name + "'", nebula.azimuth_deg, nebula.elevation_deg);
+  if (scene.sun.shown)
+    text += "; " + direction_words("the Sun", scene.sun.azimuth_deg, scene.sun.elevation_deg);
   for (const sim::Volume& volume : scene.volumes)
     text += "; volume '" + volume.name + "' stands where " + volume.file + " has it";
   return text;

@@ -21,7 +21,8 @@ double round_number(double value) {
 }
 
 int place_in_order(const sim::ParameterPath& path) {
-  constexpr std::array<const char*, 4> kFirst = {"footprint", "nebula", "camera", "sheet"};
+  constexpr std::array<const char*, 9> kFirst = {"footprint", "nebula", "loop",   "chromosphere", "corona",
+                                                 "bundle",    "sun",    "camera", "sheet"};
   return static_cast<int>(std::find(kFirst.begin(), kFirst.end(), path.row->table) - kFirst.begin());
 }
 

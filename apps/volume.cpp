@@ -49,7 +49,7 @@ void keep_named(sim::Scene& scene, const std::vector<std::string>& names) {
         !is(scene.chromospheres) && !is(scene.loops) && !is(scene.coronae) && !is(scene.bundles) &&
         !is(scene.ejections))
       throw usage_error("--of", "nothing that shines is called '" + name + "'",
-                        "the name of a sheet, footprint, nebula, volume, or of something on the Sun");
+                        "the name of a sheet, footprint, nebula, volume, or of a thing on the Sun");
   }
   const auto keep = [&](auto& list) {
     const auto other = [&](const auto& one) {
@@ -163,7 +163,7 @@ void add_volume_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", options->output, "The file to write")->type_name("OUT.vdb")->required();
   command
       ->add_option("--voxel-km,--voxel", options->voxel,
-                   "Edge of a voxel, in km; of a nebula or the Sun, in its unit (default: 0.5)")
+                   "Edge of a voxel, in km; of a nebula or on the Sun, in its unit (default: 0.5)")
       ->check(CLI::Range(1e-6, 1e6))
       ->type_name("LENGTH");
   command->add_option("--lines", options->lines, "Wavelengths in nm (default: all of the scene's)")
@@ -179,7 +179,7 @@ void add_volume_command(CLI::App& app, int& exit_code) {
       ->type_name("WEST,EAST,SOUTH,NORTH,LOW,HIGH");
   command
       ->add_option("--of", options->of,
-                   "Only what has these names: sheets, footprints, nebulae, volumes, and what is on the Sun")
+                   "Only the sheets, footprints, nebulae, volumes and things on the Sun of these names")
       ->delimiter(',')
       ->type_name("NAME,...");
   command

@@ -12,6 +12,8 @@
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 vegard=$(realpath "$1") bench=$(realpath "$2") quick=${3:-}
+# shellcheck source=scripts/cycles.sh
+source "$here/cycles.sh"
 command -v blender >/dev/null || { echo "there is no blender: skipped"; exit 77; }
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -60,26 +62,15 @@ step_voxels = 1.0
 EOF
 "$vegard" volume sheet.toml -o sheet.vdb --voxel-km "$voxel"
 
-# cycles OUT KEY=VALUE...: renders; prints the seconds of each frame but the first
-cycles() {
+sheet_by_cycles() {
   local out=$1
   shift
-  blender -b -t 2 --python-exit-code 1 --python "$here/blender_check.py" -- "$PWD/sheet.vdb" "$PWD/$out" width=$width \
-    height=$height hfov_deg=60 azimuth_deg=10 elevation_deg=32 step_km="$voxel" "$@" >blender.log 2>&1 ||
-    { cat blender.log; exit 1; }
-  awk '/ Sample [0-9]+\/[0-9]+ *$/ {
-         match($0, /Fra:[0-9]+/); frame = substr($0, RSTART + 4, RLENGTH - 4)
-         match($0, /Time:[0-9:.]+/); split(substr($0, RSTART + 5, RLENGTH - 5), part, ":")
-         seconds = part[1] * 60 + part[2]
-         split($NF, sample, "/")
-         if (sample[1] == 0) start[frame] = seconds
-         else if (sample[1] == sample[2] && frame > 1) printf "%.2f\n", seconds - start[frame]
-       }' blender.log
+  cycles "$PWD/sheet.vdb" "$PWD/$out" width=$width height=$height hfov_deg=60 azimuth_deg=10 elevation_deg=32 \
+    step_km="$voxel" "$@"
 }
-median() { sort -g | awk '{ x[NR] = $1 } END { print NR % 2 ? x[(NR + 1) / 2] : (x[NR / 2] + x[NR / 2 + 1]) / 2 }'; }
 
 echo "Agreement, one ray through the middle of each pixel, steps of a voxel (Cycles against vegard):"
-cycles middle.exr subpixels=1 >/dev/null
+sheet_by_cycles middle.exr subpixels=1 >/dev/null
 "$bench" march grid.toml --repeat 1 -o one.exr >/dev/null
 "$bench" difference middle.exr one.exr | tee agreement
 awk '{ for (i = 1; i < NF; ++i) value[$i] = $(i + 1) }
@@ -88,12 +79,12 @@ awk '{ for (i = 1; i < NF; ++i) value[$i] = $(i + 1) }
 [[ $quick == --quick ]] && exit 0
 
 echo "Error against sixteen rays to a pixel, of each its own:"
-cycles many.exr subpixels=4 samples=16 seed=100 >/dev/null
+sheet_by_cycles many.exr subpixels=4 samples=16 seed=100 >/dev/null
 "$bench" march grid.toml --repeat 1 --rays 4 -o sixteen.exr >/dev/null
 : >cycles_s
 : >vegard_s
 for _ in $(seq $rounds); do
-  cycles one_sample.exr subpixels=4 repeat=$frames >>cycles_s
+  sheet_by_cycles one_sample.exr subpixels=4 repeat=$frames >>cycles_s
   "$bench" march grid.toml --threads 2 --repeat 15 | awk '{ print $2 }' >>vegard_s
 done
 echo -n "Cycles, one sample, anywhere in the pixel:  "

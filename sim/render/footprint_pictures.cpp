@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/footprint_files.h"
+#include "sim/scene/scene_pictures.h"
 
 namespace vegard::sim {
 

@@ -7,7 +7,7 @@
 
 namespace vegard::sim {
 
-/// Those of one footprint, of what has been read (sim/scene/footprint_files.h). They live as long as `files`.
+/// Those of one footprint, of what has been read (sim/scene/scene_pictures.h). They live as long as `files`.
 FootprintPictures footprint_pictures(const VolumeFiles& files, const Footprint& footprint);
 
 }  // namespace vegard::sim

@@ -29,6 +29,7 @@ Scene with_lines(const Scene& scene, const std::vector<double>& lines_nm) {
   part.footprints.clear();
   part.nebulae.clear();
   part.volumes.clear();
+  part.sun.shown = false;
   return part;
 }
 

@@ -51,6 +51,13 @@ std::string bits_of(std::initializer_list<double> numbers) {
   return text;
 }
 
+/// Those, and the tables of all that is marched.
+std::set<std::string> volumes_and(std::set<std::string> tables) {
+  tables.insert({"[[footprint]]", "[[nebula]]", "[[node]]", "[[volume]]", "[march]", "[sun]",
+                 "[[chromosphere]]", "[[loop]]", "[[corona]]", "[[bundle]]", "[[ejection]]"});
+  return tables;
+}
+
 }  // namespace
 
 void RenderMemory::look_at(const Scene& scene, int threads) {
@@ -68,8 +75,11 @@ std::shared_ptr<const Volumes> RenderMemory::volumes() {
   std::set<std::string> others = lights_and({"[camera]", "[blur]", "[film]"});
   const auto& footprints = scene_->footprints;
   if (std::none_of(footprints.begin(), footprints.end(),
-                   [](const Footprint& footprint) { return footprint.source == "sheets"; }))
-    others.insert({"[[sheet]]", "[time]", "[substorm]"});
+                   [](const Footprint& footprint) { return footprint.source == "sheets"; })) {
+    others.insert({"[[sheet]]", "[substorm]"});
+    // Ejections move.
+    if (!scene_->sun.shown || scene_->ejections.empty()) others.insert("[time]");
+  }
   // A picture of depth is of the camera's size.
   const std::string key =
       key_without(tables_, others) +
@@ -92,8 +102,7 @@ Exposer& RenderMemory::exposer(const FilmGeometry& film) {
 }
 
 const Image& RenderMemory::stars(const std::atomic<bool>* stop) {
-  const std::string key = key_without(tables_, {"[[sheet]]", "[[footprint]]", "[[nebula]]", "[[node]]",
-                                                "[[volume]]", "[march]", "[sky]", "[composite]", "[fit]"});
+  const std::string key = key_without(tables_, volumes_and({"[[sheet]]", "[sky]", "[composite]", "[fit]"}));
   if (stars_.value.empty() || stars_.key != key) {
     stars_ = {};
     Image light = star_light(*scene_, instants_s(scene_->time), stop);
@@ -106,8 +115,7 @@ const Image& RenderMemory::stars(const std::atomic<bool>* stop) {
 const Image& RenderMemory::night_sky() {
   // Of the time the sensor's exposure alone.
   const std::string key =
-      key_without(tables_, {"[[sheet]]", "[[footprint]]", "[[nebula]]", "[[node]]", "[[volume]]", "[march]",
-                            "[composite]", "[fit]", "[stars]", "[time]"}) +
+      key_without(tables_, volumes_and({"[[sheet]]", "[composite]", "[fit]", "[stars]", "[time]"})) +
       bits_of({scene_->time.exposure_s, static_cast<double>(scene_->time.instants)});
   if (night_sky_.value.empty() || night_sky_.key != key)
     night_sky_ = {key, night_sky_light(*scene_, threads_)};

@@ -4,7 +4,7 @@
 
 #include "sim/base/error.h"
 #include "sim/render/depth_file.h"
-#include "sim/scene/footprint_files.h"
+#include "sim/scene/scene_pictures.h"
 #include "sim/scene/volume_grid_file.h"
 
 namespace vegard::sim {
@@ -36,7 +36,7 @@ std::vector<std::shared_ptr<const GridBricks>> read_grids(const Scene& scene) {
 VolumeFiles read_volume_files(const Scene& scene) {
   VolumeFiles files;
   files.depth = read_depth(scene);
-  files.pictures = read_footprint_pictures(scene);
+  files.pictures = read_scene_pictures(scene);
   files.grids = read_grids(scene);
   return files;
 }

@@ -94,13 +94,14 @@ void leave_only_own(const PhotoEntry& entry, Scene& own) {
 /// Sheets are carried over to another site; nothing else that shines is.
 void refuse_volumes_elsewhere(const Scene& scene, const PhotoEntry& entry, const Scene& of_photo) {
   if (!station_of_photo(scene, of_photo).is_elsewhere()) return;
-  const char* what = !of_photo.footprints.empty() ? "footprint"
-                     : !of_photo.nebulae.empty()  ? "nebula"
-                     : !of_photo.volumes.empty()  ? "volume"
+  const char* what = !of_photo.footprints.empty() ? "[[footprint]]"
+                     : !of_photo.nebulae.empty()  ? "[[nebula]]"
+                     : !of_photo.volumes.empty()  ? "[[volume]]"
+                     : of_photo.sun.shown         ? "[sun]"
                                                   : nullptr;
   if (what == nullptr) return;
-  complain({"taken from another site, where the scene's [[" + std::string(what) +
-                "]] would stand elsewhere: only sheets are carried over",
+  complain({"taken from another site, where the scene's " + std::string(what) +
+                " would stand elsewhere: only sheets are carried over",
             "photographs of volumes from one site", "leave the site out of the photograph's set"},
            origin_of(scene, entry, photo_set_key));
 }

@@ -85,7 +85,8 @@ typename NodeMap<T>::Placed NodeMap<T>::worked_out(const Scene& scene, const Nod
   if (to.kind == Kind::filaments || to.kind == Kind::turbulence || to.kind == Kind::warp) {
     auto& lattice = lattices_[node.seed];
     if (!lattice)
-      lattice = std::make_shared<const NoiseLattice>(scene.seed, static_cast<std::uint32_t>(node.seed));
+      lattice = std::make_shared<const NoiseLattice>(scene.seed, Stream::nebula,
+                                                     static_cast<std::uint32_t>(node.seed));
     to.lattice = lattice;
   }
   return to;

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/base/noise_lattice.h"
 #include "sim/emit/nebula/node_shapes.h"
-#include "sim/emit/nebula/noise_lattice.h"
 
 namespace vegard::sim {
 

@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/image_io.h"
-#include "sim/scene/footprint_files.h"
+#include "sim/render/bias_map.h"
+#include "sim/scene/scene_pictures.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"
 
@@ -40,7 +41,7 @@ TEST(FootprintPictures, AreReadBesideTheSceneAndTakenAsTheyStand) {
   write_display(folder / "oval.png", even(0.2f, 0.4f, 0.6f), 16, 90, {});
   const Scene scene = scene_in(folder, "image", "oval.png");
   VolumeFiles files;
-  files.pictures = read_footprint_pictures(scene);
+  files.pictures = read_scene_pictures(scene);
   const FootprintPictures pictures = footprint_pictures(files, scene.footprints[0]);
   ASSERT_NE(pictures.flux, nullptr);
   EXPECT_EQ(pictures.energy, nullptr);
@@ -58,7 +59,7 @@ TEST(FootprintPictures, OfACubeAreSix) {
                   even(0.1f * face, 0.1f * face, 0.1f * face), 16, 90, {});
   const Scene scene = scene_in(folder, "cube", "foot_{face}.png");
   VolumeFiles files;
-  files.pictures = read_footprint_pictures(scene);
+  files.pictures = read_scene_pictures(scene);
   const FootprintPictures pictures = footprint_pictures(files, scene.footprints[0]);
   EXPECT_EQ(pictures.flux, nullptr);
   for (int face = 0; face < 6; ++face) {
@@ -70,16 +71,35 @@ TEST(FootprintPictures, OfACubeAreSix) {
 TEST(FootprintPictures, ThatAreMissingAreToldByTheirKey) {
   const TemporaryFolder folder;
   std::string text = expect_error(ErrorKind::unreadable_input,
-                                  [&] { read_footprint_pictures(scene_in(folder, "image", "none.png")); });
+                                  [&] { read_scene_pictures(scene_in(folder, "image", "none.png")); });
   EXPECT_NE(text.find("footprint.oval.image"), std::string::npos) << text;
   EXPECT_NE(text.find("none.png"), std::string::npos) << text;
   write_display(folder / "there.png", even(1, 1, 1), 8, 90, {});
   Scene scene = scene_in(folder, "image", "there.png");
   scene.footprints[0].energy_image = "gone.png";
-  text = expect_error(ErrorKind::unreadable_input, [&] { read_footprint_pictures(scene); });
+  text = expect_error(ErrorKind::unreadable_input, [&] { read_scene_pictures(scene); });
   EXPECT_NE(text.find("footprint.oval.energy_image"), std::string::npos) << text;
   scene.footprints[0].source = "spline";  // which reads no files
-  EXPECT_NO_THROW(read_footprint_pictures(scene));
+  EXPECT_NO_THROW(read_scene_pictures(scene));
+}
+
+TEST(ScenePictures, HaveABiasMapByItsName) {
+  const TemporaryFolder folder;
+  write_display(folder / "map.png", even(0.2f, 0.2f, 0.2f), 16, 90, {});
+  Scene scene;
+  scene.file = folder / "scene.toml";
+  scene.chromospheres.resize(1);
+  scene.chromospheres[0].name = "clouds";
+  VolumeFiles files;
+  files.pictures = read_scene_pictures(scene);
+  EXPECT_EQ(bias_map(files, scene.chromospheres[0]), nullptr);
+  scene.chromospheres[0].biasmap = "map.png";
+  files.pictures = read_scene_pictures(scene);
+  ASSERT_NE(bias_map(files, scene.chromospheres[0]), nullptr);
+  EXPECT_NEAR(bias_map(files, scene.chromospheres[0])->data[3], 0.2, 1e-5);
+  scene.chromospheres[0].biasmap = "none.png";
+  const std::string text = expect_error(ErrorKind::unreadable_input, [&] { read_scene_pictures(scene); });
+  EXPECT_NE(text.find("chromosphere.clouds.biasmap"), std::string::npos) << text;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "sim/scene/footprint_files.h"
+#include "sim/scene/scene_pictures.h"
 
 #include <filesystem>
 
@@ -45,7 +45,7 @@ std::vector<std::string> picture_files(const Footprint& f, const std::string& na
   return f.source == "cube" ? files_of_name(name) : std::vector<std::string>{name};
 }
 
-std::map<std::string, Image> read_footprint_pictures(const Scene& scene) {
+std::map<std::string, Image> read_scene_pictures(const Scene& scene) {
   std::map<std::string, Image> pictures;
   for (const Footprint& f : scene.footprints) {
     const std::string path = "footprint." + f.name + ".";
@@ -53,6 +53,8 @@ std::map<std::string, Image> read_footprint_pictures(const Scene& scene) {
     for (const std::string& name : picture_files(f, f.energy_image))
       read(scene, path + "energy_image", name, pictures);
   }
+  for (const Chromosphere& c : scene.chromospheres)
+    if (!c.biasmap.empty()) read(scene, "chromosphere." + c.name + ".biasmap", c.biasmap, pictures);
   return pictures;
 }
 

@@ -1,9 +1,7 @@
-#include "sim/emit/nebula/noise_lattice.h"
+#include "sim/base/noise_lattice.h"
 
 #include <cmath>
 #include <cstddef>
-
-#include "sim/base/random.h"
 
 namespace vegard::sim {
 namespace {
@@ -46,10 +44,10 @@ struct Cell {
 
 }  // namespace
 
-NoiseLattice::NoiseLattice(std::uint64_t seed, std::uint32_t address)
+NoiseLattice::NoiseLattice(std::uint64_t seed, Stream stream, std::uint32_t address)
     : edge_(static_cast<std::size_t>(kPeriod) * kPeriod * kPeriod) {
   for (std::size_t first = 0; first < edge_.size(); first += 4) {
-    const Words words = random_words(seed, Stream::nebula, static_cast<std::uint32_t>(first), address);
+    const Words words = random_words(seed, stream, static_cast<std::uint32_t>(first), address);
     for (std::size_t i = 0; i < 4; ++i)
       edge_[first + i] = static_cast<std::uint8_t>((static_cast<std::uint64_t>(words[i]) * 12u) >> 32);
   }

@@ -1,17 +1,15 @@
-#include "sim/emit/nebula/noise_lattice.h"
+#include "sim/base/noise_lattice.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "sim/emit/nebula/noise_octaves.h"
-
 namespace vegard::sim {
 namespace {
 
 const NoiseLattice& lattice() {
-  static const NoiseLattice noise(41, 5);
+  static const NoiseLattice noise(41, Stream::nebula, 5);
   return noise;
 }
 
@@ -27,7 +25,8 @@ TEST(NoiseLattice, IsZeroAtItsNodesRepeatsAndKeepsToItsRange) {
   }
   EXPECT_LT(most, NoiseLattice::kLargest);
   EXPECT_GT(most, 0.6);
-  EXPECT_NE(NoiseLattice(41, 6).value(0.4, 0.3, 0.7), lattice().value(0.4, 0.3, 0.7));
+  EXPECT_NE(NoiseLattice(41, Stream::nebula, 6).value(0.4, 0.3, 0.7), lattice().value(0.4, 0.3, 0.7));
+  EXPECT_NE(NoiseLattice(41, Stream::chromosphere, 5).value(0.4, 0.3, 0.7), lattice().value(0.4, 0.3, 0.7));
 }
 
 TEST(NoiseLattice, SlopesAreThoseOfDifferences) {
@@ -47,31 +46,6 @@ TEST(NoiseLattice, SlopesAreThoseOfDifferences) {
       EXPECT_NEAR(at.slope[axis], difference, 2e-8);
     }
   }
-}
-
-TEST(NoiseOctaves, RidgesGoFromZeroToOneAndStopEarlyOnlyBelow) {
-  const NoiseNumbers<double> noise{2.0, 0.6, 5};
-  double least = 1.0, most = 0.0;
-  int stopped = 0;
-  for (int i = 0; i < 5000; ++i) {
-    const double p[3] = {i * 0.137, i * 0.061, i * 0.023};
-    const double ridge = ridges_of(lattice(), noise, p), early = ridges_of(lattice(), noise, p, 0.4);
-    least = std::min(least, ridge);
-    most = std::max(most, ridge);
-    if (early == ridge) continue;
-    ++stopped;
-    EXPECT_LT(ridge, 0.4);
-    EXPECT_LE(early, 0.4);
-  }
-  EXPECT_GE(least, 0.0);
-  EXPECT_LE(most, 1.0);
-  EXPECT_GT(most, 0.5);
-  EXPECT_GT(stopped, 500);
-}
-
-TEST(NoiseOctaves, OneOctaveIsTheNoiseItself) {
-  const double p[3] = {0.3, 0.7, -0.2};
-  EXPECT_EQ(octaves_of(lattice(), NoiseNumbers<double>{2.0, 0.5, 1}, p), lattice().value(0.6, 1.4, -0.4));
 }
 
 }  // namespace

@@ -9,7 +9,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/light/sample.h"
+#include "sim/base/dual.h"
+#include "sim/base/random.h"
 
 namespace vegard::sim {
 
@@ -23,8 +24,8 @@ class NoiseLattice {
   static constexpr int kPeriod = 64;
   static constexpr double kLargest = 1.04;  ///< no value is farther from 0
 
-  /// The noise of a seed and an address, such as that of one of several nodes.
-  NoiseLattice(std::uint64_t seed, std::uint32_t address);
+  /// The noise of a seed, a stream and an address, such as that of one of several nodes.
+  NoiseLattice(std::uint64_t seed, Stream stream, std::uint32_t address);
 
   /// 0 at points with integer coordinates; continuous, with its first and second derivatives.
   double value(double x, double y, double z) const;

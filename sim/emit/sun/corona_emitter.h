@@ -1,0 +1,54 @@
+// A corona's light along rays, in rayleighs. It is transparent.
+//
+// A ray's way is cut at its place nearest to the middle, s = 0, and at |s| = 3 a, where a is the distance at
+// which it passes the middle, or the photosphere's radius if that is larger. Within, s = a tan(psi), which
+// makes powers of r those of a cosine, with points drawn together towards the Sun by psi = end ± w x², since
+// the light scattered near the photosphere goes with the root of the height; without, s = ± exp(tau). Of x
+// and tau the quadrature is Gauss's. Its error, against sums
+// of two million pieces for rays at 0 to 7.5 radii, is below 1e-7 of the light where the light falls with up
+// to the 32nd power of r, and 3e-6 with the 100th.
+#pragma once
+
+#include <vector>
+
+#include "sim/base/gauss_legendre.h"
+#include "sim/emit/sun/corona_source.h"
+#include "sim/emit/sun/sun_frame.h"
+#include "sim/light/emitter.h"
+
+namespace vegard::sim {
+
+template <class T>
+class CoronaEmitter : public Emitter<T> {
+ public:
+  CoronaEmitter(const Scene& scene, const Corona& corona, const NumberAs<T>& number);
+
+  void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override;
+  bool is_mixed() const override { return true; }
+
+ private:
+  struct RaySum {
+    T light{0.0};  ///< where the line's is 1
+    double weighted = 0.0;
+  };
+  void march_ray(const SkyRay<T>& ray, double end_km, std::size_t index, std::size_t rays,
+                 const BundleLight<T>& out) const;
+  void add(const SkyRay<T>& ray, const T& s, const T& weight, RaySum& sum) const;
+  /// From s = `from` to `to`, both on one side of the nearest place.
+  void add_near(const SkyRay<T>& ray, const T& a, const T& from, const T& to, RaySum& sum) const;
+  void add_far(const SkyRay<T>& ray, const T& from, const T& to, RaySum& sum) const;
+
+  static constexpr int kNear = 16, kFar = 10;
+
+  SunFrame<T> frame_;
+  CoronaSource<T> source_;
+  double ball_, reach_;
+  std::vector<T> light_;  ///< per line
+  GaussLegendre<kNear> near_;
+  GaussLegendre<kFar> far_;
+};
+
+extern template class CoronaEmitter<double>;
+extern template class CoronaEmitter<FreeDual>;
+
+}  // namespace vegard::sim

@@ -1,0 +1,39 @@
+// The light that a corona gives off at a place.
+//
+//   density = density0 (Σ share (r / R)^-power) (1 + (polar - 1) sin²(latitude)),
+// and the light is that, its square, or, "scattered", density times the photosphere's light that reaches the
+// place and is scattered to the observer (sim/emit/sun/thomson.h), of what density 1 would scatter at the
+// photosphere at a right angle.
+#pragma once
+
+#include <vector>
+
+#include "sim/light/emitter.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::sim {
+
+template <class T>
+class CoronaSource {
+ public:
+  CoronaSource(const Scene& scene, const Corona& corona, const NumberAs<T>& number);
+
+  /// `square` is r², in the Sun's unit.
+  T density(const T& square, const T& square_sine_latitude) const;
+  /// What `rayleigh` of the scene is to be multiplied by; chi is the angle between the vertical and the
+  /// direction to the observer.
+  T light(const T& square, const T& square_sine_latitude, const T& square_sine_chi) const;
+
+ private:
+  enum class Kind { density, square, scattered };
+
+  Kind kind_;
+  double square_radius_;
+  T density_, polar_, darkening_, darkening_square_, scattered_below_;
+  std::vector<T> share_, power_;
+};
+
+extern template class CoronaSource<double>;
+extern template class CoronaSource<FreeDual>;
+
+}  // namespace vegard::sim

@@ -1,0 +1,46 @@
+// The photosphere: an opaque ball that shines, or is dark.
+//
+// Its brightness follows the law of limb darkening
+//   I = I0 (1 - u (1 - mu) - v (1 - mu)²),   mu² = 1 - b² / R²
+// (E. Böhm-Vitense, "Introduction to stellar astrophysics" II, 1989; mean over the disc, of I0:
+// 1 - u / 3 - v / 6), b the distance at which a ray passes the Sun's middle. u = v = 0 is a uniform disc (row
+// C1 of the source).
+//
+// At the limb a ray stands for a round pixel of the cell's area, of the radius p = cell / sqrt(pi), of which
+// the disc covers, the limb taken as straight within it,
+//   share = (acos t - t sqrt(1 - t²)) / pi,   t = (b - R) / p,
+// where |t| < 1. The light is that at the middle of this part. A disc thus sums up to pi R² (1 + p² / 4 R²).
+#pragma once
+
+#include <vector>
+
+#include "sim/emit/sun/sun_frame.h"
+#include "sim/light/emitter.h"
+
+namespace vegard::sim {
+
+template <class T>
+class PhotosphereEmitter : public Emitter<T> {
+ public:
+  PhotosphereEmitter(const Scene& scene, const NumberAs<T>& number);
+
+  void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override;
+  bool absorbs() const override { return true; }
+
+ private:
+  struct Covered {
+    T share, mu;
+  };
+  /// Of a ray's pixel; `cell_radius` of it at the limb's distance. False if nothing is.
+  bool cover(const SkyRay<T>& ray, const T& cell_radius, Covered& covered) const;
+
+  SunFrame<T> frame_;
+  double radius_;
+  std::vector<T> light_;  ///< per line, or empty
+  T darkening_, darkening_square_;
+};
+
+extern template class PhotosphereEmitter<double>;
+extern template class PhotosphereEmitter<FreeDual>;
+
+}  // namespace vegard::sim
