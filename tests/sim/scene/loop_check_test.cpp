@@ -9,7 +9,7 @@ namespace vegard::sim {
 namespace {
 
 std::string loop(const std::string& more) {
-  return "version = 1\n[emission]\nlines = [17.1]\n[sun]\nshown = true\n[[loop]]\nname = \"a\"\nrayleigh = "
+  return "[emission]\nlines = [17.1]\n[sun]\nshown = true\n[[loop]]\nname = \"a\"\nrayleigh = "
          "[1]\n" +
          more;
 }
