@@ -12,7 +12,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "sim/base/sparse_grid.h"
@@ -23,7 +22,6 @@ namespace vegard::sim {
 struct StrandGridOptions {
   int threads = 0;                                      ///< 0: all cores
   std::uint64_t memory_limit = std::uint64_t{4} << 30;  ///< bytes, of all bricks
-  std::string name;                                     ///< of what is put there, for messages
 };
 
 /// Adds the density of strands, times gain[c], to channel c of `grid`, whose voxel, origin and channels say

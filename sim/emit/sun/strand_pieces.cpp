@@ -12,7 +12,6 @@ constexpr double kOff = 0.01;  // of the radius
 constexpr double kLeastLength = 2.0;
 constexpr double kMostPieces = 1e6;
 constexpr int kEdge = SparseGrid::kEdge;
-const double kHalfDiagonal = 0.5 * (kEdge - 1) * std::sqrt(3.0);  // of a brick's centres of voxels
 
 double length(const Place& a, const Place& b) {
   return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
@@ -47,13 +46,14 @@ struct PieceBricks {
 };
 
 /// Those that the box about a piece's tube meets.
-PieceBricks bricks_of(const StrandPiece& piece, double reach) {
+PieceBricks bricks_of(const StrandPiece& piece, BrickPart part, double reach) {
   PieceBricks all;
   for (int a = 0; a < 3; ++a) {
     const double low = piece.from[a] + std::min(0.0, piece.way[a]) - reach;
     const double high = piece.from[a] + std::max(0.0, piece.way[a]) + reach;
-    all.low[a] = static_cast<int>(std::floor(std::ceil(low) / kEdge));
-    all.high[a] = static_cast<int>(std::floor(std::floor(high) / kEdge));
+    const bool whole = part == BrickPart::whole;
+    all.low[a] = static_cast<int>(std::floor((whole ? low + 0.5 : std::ceil(low)) / kEdge));
+    all.high[a] = static_cast<int>(std::floor((whole ? high + 0.5 : std::floor(high)) / kEdge));
   }
   return all;
 }
@@ -102,16 +102,18 @@ PiecesOfStrand pieces_of(const Strand<double>& strand, const SparseGrid& grid) {
   return out;
 }
 
-void find_bricks(const PiecesOfStrand& strand, std::uint32_t index, std::vector<ReachOfStrand>& to) {
+void find_bricks(const PiecesOfStrand& strand, std::uint32_t index, BrickPart part,
+                 std::vector<ReachOfStrand>& to) {
   const double reach = strand.radius + strand.off;
+  const double half_diagonal = 0.5 * (part == BrickPart::whole ? kEdge : kEdge - 1) * std::sqrt(3.0);
   std::vector<ReachOfStrand> found;
   for (std::uint32_t p = 0; p < strand.pieces.size(); ++p) {
-    const PieceBricks box = bricks_of(strand.pieces[p], reach);
+    const PieceBricks box = bricks_of(strand.pieces[p], part, reach);
     for (int x = box.low[0]; x <= box.high[0]; ++x)
       for (int y = box.low[1]; y <= box.high[1]; ++y)
         for (int z = box.low[2]; z <= box.high[2]; ++z) {
           const Place middle{kEdge * (x + 0.5) - 0.5, kEdge * (y + 0.5) - 0.5, kEdge * (z + 0.5) - 0.5};
-          if (distance_to_line(strand.pieces[p], middle) <= reach + kHalfDiagonal)
+          if (distance_to_line(strand.pieces[p], middle) <= reach + half_diagonal)
             found.push_back({{x, y, z}, index, p, p + 1});
         }
   }

@@ -33,8 +33,12 @@ struct ReachOfStrand {
   std::uint32_t strand, first, last;
 };
 
+/// What of a brick is to be reached: the centres of its voxels, or any place in it.
+enum class BrickPart { centres, whole };
+
 /// Appends those of all bricks, ordered by them.
-void find_bricks(const PiecesOfStrand& strand, std::uint32_t index, std::vector<ReachOfStrand>& to);
+void find_bricks(const PiecesOfStrand& strand, std::uint32_t index, BrickPart part,
+                 std::vector<ReachOfStrand>& to);
 
 /// About how many find_bricks() looks at, without looking.
 double bricks_about(const PiecesOfStrand& strand);

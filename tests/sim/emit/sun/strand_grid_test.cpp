@@ -125,8 +125,8 @@ TEST(StrandGrid, DoesNotDependOnThreadsAndAddsToWhatIsThere) {
   Strands<double> strands;
   for (std::uint32_t n = 0; n < 40; ++n) strands.all.push_back(random_strand(n, 1, 20.0));
   SparseGrid one = grid_with(0.5, 2), many = grid_with(0.5, 2), twice = grid_with(0.5, 2);
-  add_strands(strands, {1.0, 3.0}, {1, std::uint64_t{1} << 30, ""}, one);
-  add_strands(strands, {1.0, 3.0}, {0, std::uint64_t{1} << 30, ""}, many);
+  add_strands(strands, {1.0, 3.0}, {1, std::uint64_t{1} << 30}, one);
+  add_strands(strands, {1.0, 3.0}, {0, std::uint64_t{1} << 30}, many);
   EXPECT_EQ(one.bricks, many.bricks);
   for (int pass = 0; pass < 2; ++pass) add_strands(strands, {1.0, 3.0}, {}, twice);
   EXPECT_NEAR(twice.sum(0), 2.0 * one.sum(0), 1e-6 * one.sum(0));
@@ -139,11 +139,10 @@ TEST(StrandGrid, RefusesMoreMemoryThanItMayHave) {
   const Strands<double> strands{RadialFalloff::smooth, {random_strand(1, 1, 20.0)}};
   SparseGrid grid = grid_with(0.1);
   try {
-    add_strands(strands, {1.0}, {0, 1 << 18, "loop.a.voxel"}, grid);
+    add_strands(strands, {1.0}, {0, 1 << 18}, grid);
     FAIL() << "it took what it wanted";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::usage);
-    EXPECT_EQ(error.details().key, "loop.a.voxel");
   }
 }
 
