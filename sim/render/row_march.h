@@ -92,7 +92,7 @@ class RowMarch {
       for (std::size_t n = 0; n < cuts; ++n) s.entries[n] = s.of_emitter[absorbers_[n]].entry_km[i];
       std::sort(s.entries.begin(), s.entries.end());
       for (std::size_t n = 0; n < cuts; ++n)
-        if (s.entries[n] < rays.end_km[i]) s.cut_km[n * rays.count + i] = s.entries[n];
+        if (s.entries[n] <= rays.end_km[i]) s.cut_km[n * rays.count + i] = s.entries[n];
     }
     for (std::size_t n = 0; n < cuts; ++n) march_some(s, rays, n);
   }
