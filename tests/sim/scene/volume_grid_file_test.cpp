@@ -93,8 +93,7 @@ TEST(VolumeGridFile, DensityShinesWhereTheSceneSaysSo) {
 
   write_vdb(folder / "light.vdb", one_brick("emission_171"), {}, {});
   scene.volumes[0].file = "light.vdb";
-  tests::expect_words(ErrorKind::unreadable_input,
-                      {"density_rayleigh", "emission_171", "a grid \"density\""},
+  tests::expect_words(ErrorKind::unreadable_input, {"density_rayleigh", "emission_171", "a grid \"density\""},
                       [&] { read_volume_grid(scene, scene.volumes[0]); });
 }
 
