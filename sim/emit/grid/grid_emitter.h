@@ -25,6 +25,7 @@ class GridEmitter : public Emitter<T> {
 
   void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override;
   bool absorbs() const override { return absorbs_; }
+  bool is_mixed() const override { return !absorbs_; }
 
  private:
   const GridBricks& grid_;

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/gauss_legendre.h"
 #include "sim/emit/sun/strand_joints.h"
 #include "sim/light/sky_frame.h"
 
@@ -38,21 +39,9 @@ struct SegmentLight {
 
 namespace segment_detail {
 
-struct Rule {
-  int nodes;
-  double at[7], weight[7];  ///< on -1 to 1
-};
-inline constexpr Rule kThree{
-    3, {-0.7745966692414834, 0.0, 0.7745966692414834}, {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0}};
-inline constexpr Rule kFour{
-    4,
-    {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526},
-    {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538}};
-inline constexpr Rule kSeven{7,
-                             {-0.9491079123427585, -0.7415311855993945, -0.4058451513773972, 0.0,
-                              0.4058451513773972, 0.7415311855993945, 0.9491079123427585},
-                             {0.1294849661688697, 0.2797053914892766, 0.3818300505051189, 0.4179591836734694,
-                              0.3818300505051189, 0.2797053914892766, 0.1294849661688697}};
+inline const GaussLegendre<3> kThree;
+inline const GaussLegendre<4> kFour;
+inline const GaussLegendre<7> kSeven;
 
 template <class T>
 T falloff_at(RadialFalloff falloff, const T& square) {
@@ -69,7 +58,7 @@ T falloff_at(RadialFalloff falloff, const T& square) {
 /// From s = `first` to `last` along the ray. False if it gets nothing.
 template <class T>
 bool segment_light(const PlacedJoint<T>& a, const PlacedJoint<T>& b, RadialFalloff falloff, double blur,
-                   const Vec3<T>& nearest, const Vec3<T>& direction, double first, double last,
+                   const Vec3<T>& nearest, const Vec3<T>& direction, const T& first, const T& last,
                    SegmentLight<T>& out) {
   constexpr double kParallel = 1e-12, kGrazing = 1e-12;
   const Vec3<T> way = minus3(b.joint.place, a.joint.place);
@@ -104,7 +93,7 @@ bool segment_light(const PlacedJoint<T>& a, const PlacedJoint<T>& b, RadialFallo
   // belongs to the one that begins there.
   const T at_a = dot3(minus3(nearest, a.joint.place), a.joint.normal), by_a = dot3(direction, a.joint.normal),
           at_b = dot3(minus3(nearest, b.joint.place), b.joint.normal), by_b = dot3(direction, b.joint.normal);
-  T low(first), high(last);
+  T low = first, high = last;
   const auto keep = [&](const T& at, const T& by, double side) {
     const double rise = value_of(by) * side;
     if (std::abs(rise) < kParallel) return side > 0.0 ? value_of(at) >= 0.0 : value_of(at) < 0.0;
@@ -151,14 +140,14 @@ bool segment_light(const PlacedJoint<T>& a, const PlacedJoint<T>& b, RadialFallo
   out.column = T(0.0);
   out.weighted_s = 0.0;
   out.entry_s = value_of(from);
-  const auto add = [&](const Rule& rule, const T& begin, const T& end) {
-    const T half = (end - begin) * 0.5, middle = (begin + end) * 0.5;
-    for (int n = 0; n < rule.nodes; ++n) {
-      const T s = middle + half * rule.at[n];
+  const auto add = [&](const auto& rule, const T& begin, const T& end) {
+    const T way_through = end - begin;
+    for (std::size_t n = 0; n < rule.place.size(); ++n) {
+      const T s = begin + way_through * rule.place[n];
       const T past = s - closest;
       const T q_square = (miss + (parallel ? T(0.0) : slant * past * past)) * per_square;
-      const T here = (density_a + (density_b - density_a) * share(s)) * falloff_at(falloff, q_square) * half *
-                     rule.weight[n];
+      const T here = (density_a + (density_b - density_a) * share(s)) * falloff_at(falloff, q_square) *
+                     way_through * rule.weight[n];
       out.column = out.column + here;
       out.weighted_s += value_of(here) * value_of(s);
     }

@@ -25,7 +25,8 @@ double plain(const double& number) { return number; }
 
 StrandEmitter<double> emitter_of(const Strands<double>& strands, double distance,
                                  std::vector<double> light = {1.0}) {
-  return {strands, SunFrame<double>(level_sun(distance), plain), std::move(light)};
+  const Sun sun = level_sun(distance);
+  return {strands, sun, SunFrame<double>(sun, plain), std::move(light)};
 }
 
 /// Of a chord through a tube of radius 1 that passes the axis at the distance b, per length of the radius.
@@ -304,7 +305,7 @@ TEST(StrandEmitter, DerivativesAreThoseOfItsLight) {
                                                            x.d.t[i] = 1.0;
                                                            return x;
                                                          }),
-                                         SunFrame<FreeDual>(sun, constant), {FreeDual(1.0)});
+                                         sun, SunFrame<FreeDual>(sun, constant), {FreeDual(1.0)});
       int compared = 0;
       for (int k = 0; k < 12; ++k) {
         const Vec3<double> near = on_curve(loop<double>(), (k + 0.4) / 12.0);
