@@ -106,9 +106,10 @@ class BundleMaker {
     }
     strand.radius_first = foot_radius;
     strand.radius_last = top_radius;
+    const T at_end = exponential(T(0.0) - length / falloff);
     for (int k = 0; k <= kSteps; ++k) {
       const T at = whole * (static_cast<double>(k) / kSteps) - foot_radius;
-      strand.along.push_back(density * exponential(T(0.0) - at / falloff));
+      strand.along.push_back(density * (exponential(T(0.0) - at / falloff) - at_end) / (1.0 - at_end));
     }
     return strand;
   }

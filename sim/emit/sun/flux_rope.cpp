@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846, kRadian = kPi / 180.0;
 constexpr double kFootShare = 0.3;  ///< radius at the feet, of that at the top at age 0
+constexpr double kBulge = 0.6;      ///< of the angle, once the arch is much higher than wide
 /// Pieces of a winding, rounded down. The odd share keeps the steps off round numbers of turns, which scenes
 /// have.
 constexpr double kPiecesPerTurn = 12.0, kLeastPieces = 16.37;
@@ -42,17 +43,20 @@ class Rope {
     top_radius_ = aspect * front;
     foot_radius_ = aspect * number(ejection.start) * kFootShare;
     height_ = front - top_radius_;
+    bulge_ = height_ * kBulge / (height_ + sun_radius_ * half_angle_);
   }
 
   /// At e, for a strand at (share of the disc's radius, phase).
   RopePoint<T> at(double e, double share, double phase) const {
     const double c = std::cos(e), s = std::sin(e);
-    const T distance = sun_radius_ + height_ * c, angle = half_angle_ * s;
+    const T distance = sun_radius_ - foot_radius_ + (height_ + foot_radius_) * c,
+            angle = half_angle_ * s * (bulge_ * c + 1.0);
     const Vec3<T> outward = along3(times3(up_, cosine(angle)), sine(angle), forth_),
                   onward = along3(times3(forth_, cosine(angle)), T(0.0) - sine(angle), up_);
     // The axis' own direction is (d distance / d e) outward + distance (d angle / d e) onward; at right
     // angles to it in its plane is `side`.
-    const T rise = T(0.0) - height_ * s, pass = distance * half_angle_ * c;
+    const T rise = T(0.0) - (height_ + foot_radius_) * s,
+            pass = distance * half_angle_ * (bulge_ * std::cos(2.0 * e) + c);
     const Vec3<T> side = unit3(along3(times3(outward, pass), T(0.0) - rise, onward));
     const T disc = foot_radius_ + (top_radius_ - foot_radius_) * c;
     const T turned = turns_ * (2.0 * kPi * (e / kPi + 0.5)) + phase;
@@ -63,7 +67,7 @@ class Rope {
   }
 
  private:
-  T sun_radius_, half_angle_, turns_, strand_share_, top_radius_, foot_radius_, height_;
+  T sun_radius_, half_angle_, turns_, strand_share_, top_radius_, foot_radius_, height_, bulge_;
   Vec3<T> up_, forth_, across_;
 };
 

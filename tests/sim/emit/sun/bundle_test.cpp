@@ -100,12 +100,15 @@ TEST(Bundle, NoiseHasItsStandardDeviations) {
   bundle.slope_noise_deg = 4.0;
   bundle.density_noise = 0.6;
   bundle.density = 2.0;
+  const double end = std::exp(-bundle.length / bundle.falloff_length),
+               without_noise =
+                   2.0 * (std::exp(bundle.foot_radius / bundle.falloff_length) - end) / (1.0 - end);
   double slope = 0.0, logarithm = 0.0, square = 0.0;
   const Strands<double> strands = made(bundle, a_sun(), 5);
   for (const Strand<double>& s : strands.all) {
     const double angle = std::acos(std::min(dot3(unit3(foot(s)), direction(s)), 1.0)) / kDegree;
     slope += angle * angle;
-    const double off = std::log(s.along[0] / 2.0) - s.radius_first / bundle.falloff_length;
+    const double off = std::log(s.along[0] / without_noise);
     logarithm += off;
     square += off * off;
   }
@@ -131,8 +134,9 @@ TEST(Bundle, FilamentsDrawFeetTogether) {
 TEST(Bundle, DensityFallsAlongALine) {
   const Strand<double> s = made(quiet()).all[0];
   const double steps = static_cast<double>(s.along.size()) - 1, step = (700.0 + s.radius_first) / steps;
-  for (std::size_t k = 1; k < s.along.size(); ++k)
-    EXPECT_NEAR(s.along[k] / s.along[k - 1], std::exp(-step / 200.0), 1e-12);
+  const double end = std::exp(-700.0 / 200.0);
+  for (std::size_t k = 0; k < s.along.size(); ++k)
+    EXPECT_NEAR(s.along[k], (std::exp(-(k * step - s.radius_first) / 200.0) - end) / (1.0 - end), 1e-12);
   EXPECT_EQ(s.radius_first, 2.0);
   EXPECT_EQ(s.radius_last, 10.0);
 }
