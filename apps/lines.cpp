@@ -1,5 +1,6 @@
 #include "apps/lines.h"
 
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -13,6 +14,7 @@
 #include "sim/base/error.h"
 #include "sim/base/whole_file.h"
 #include "sim/scene/emission_line.h"
+#include "sim/scene/solar_lines.h"
 
 namespace vegard::apps {
 namespace {
@@ -24,7 +26,14 @@ std::string lifetime_text(double seconds) {
   return seconds >= 1e-6 ? fmt::format("{:g} µs", seconds * 1e6) : fmt::format("{:.0f} ns", seconds * 1e9);
 }
 
+double megakelvin(const sim::TemperatureResponse& response) {
+  return std::pow(10.0, response.peak_log_k - 6.0);
+}
+
 std::string column_text(const sim::EmissionLine& line) {
+  if (const auto response = sim::temperature_response(line.wavelength_nm))
+    return fmt::format("of the Sun, of {:.2g} MK", megakelvin(*response));
+  if (sim::is_solar(line)) return "of the Sun";
   if (!sim::is_auroral(line)) return "of nebulae";
   if (line.ratio_source[0] == '\0') return line.table_column;
   return fmt::format("{:.4g} × {}", line.ratio, line.table_column);
@@ -54,6 +63,9 @@ std::string line_listing() {
     text += fmt::format("{:5.1f} nm  {:3}  {}; lives {}; light: {}\n", line.wavelength_nm, line.species,
                         line.transition, lifetime_text(line.lifetime_s), column_text(line));
     if (line.ratio_source[0] != '\0') text += fmt::format("          ratio: {}\n", line.ratio_source);
+    if (const auto response = sim::temperature_response(line.wavelength_nm))
+      text += fmt::format("          by temperature: exp(-1/2 ((log10 T - {:.2f}) / {:.2f})^2), {}\n",
+                          response->peak_log_k, response->width_log_k, response->source);
     if (line.blended_with[0] != '\0') text += fmt::format("          blended with {}\n", line.blended_with);
   }
   return text;
@@ -65,8 +77,8 @@ std::string line_page() {
       "This page is the output of `vegard lines --markdown`; a test compares the two. A scene takes up to "
       "eight of these\n"
       "lines (`emission.lines`). *Light* is the column of `data/glow/ver_maxwellian.csv`, or a ratio of "
-      "photons to one; lines of\n[nebulae](nebulae.md) have none, and electrons in the air leave them "
-      "dark.\n"
+      "photons to one; lines of\n[nebulae](nebulae.md) and of the Sun have none, and electrons in the "
+      "air leave them dark.\n"
       "What a line is *blended with* stands so near that a filter of some nm passes both; it is not added to "
       "the line.\n\n"
       "| line | species | transition | lifetime | light | blended with |\n|---|---|---|---|---|---|\n";
@@ -95,6 +107,20 @@ std::string line_page() {
       text += fmt::format("| {:.1f} | {:.2f} % |\n", band.wavelength_nm, 100.0 * band.share);
   }
   text +=
+      "\n## Bands of the Sun\n\n"
+      "What shines by such a line at temperature T, in kelvin, gives exp(-1/2 ((log10 T - p) / w)²) of what "
+      "it "
+      "gives at the\npeak: where a loop, a bundle or a corona has a `temperature_mk`. White light, scattered "
+      "by "
+      "free electrons, has no such\nresponse. For eyes these bands are black but for the visible lines: "
+      "`sensor.response = \"grey\"` counts all photons alike.\n\n"
+      "| line | ion | p | peak | w | source of the peak |\n|---|---|---|---|---|---|\n";
+  for (const sim::EmissionLine& line : sim::emission_lines())
+    if (const auto response = sim::temperature_response(line.wavelength_nm))
+      text += fmt::format("| {:.1f} nm | {} | {:.2f} | {:.2g} MK | {:.2f} | {} |\n", line.wavelength_nm,
+                          line.species, response->peak_log_k, megakelvin(*response), response->width_log_k,
+                          response->source);
+  text +=
       "\n## Quenching\n\n"
       "How much of the light of the slow lines collisions leave, and how long their atoms live, against "
       "altitude "
@@ -107,14 +133,18 @@ std::string line_page() {
 
 std::string line_csv() {
   std::string text =
-      "wavelength_nm,species,transition,lifetime_s,table_column,ratio,ratio_source,blended_with,components\n";
+      "wavelength_nm,species,transition,lifetime_s,table_column,ratio,ratio_source,blended_with,components,"
+      "peak_log_k,width_log_k\n";
   for (const sim::EmissionLine& line : sim::emission_lines()) {
     std::string components;
     for (const sim::LineComponent& c : line.components)
       components += fmt::format("{}{:.1f}:{:g}", components.empty() ? "" : " ", c.wavelength_nm, c.share);
-    text += fmt::format("{:.1f},{},{},{:g},{},{:.6g},{},{},{}\n", line.wavelength_nm, line.species,
-                        quoted(line.transition), line.lifetime_s, line.table_column, line.ratio,
-                        quoted(line.ratio_source), quoted(line.blended_with), components);
+    const auto response = sim::temperature_response(line.wavelength_nm);
+    text +=
+        fmt::format("{:.1f},{},{},{:g},{},{:.6g},{},{},{},{}\n", line.wavelength_nm, line.species,
+                    quoted(line.transition), line.lifetime_s, line.table_column, line.ratio,
+                    quoted(line.ratio_source), quoted(line.blended_with), components,
+                    response ? fmt::format("{:g},{:g}", response->peak_log_k, response->width_log_k) : ",");
   }
   return text;
 }

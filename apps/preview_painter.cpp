@@ -40,8 +40,7 @@ ScreenPicture PreviewPainter::paint(const sim::Scene& whole, const sim::Reductio
   const sim::Image shown = sim::encoded(scene, light);
   ScreenPicture picture{shown.width, shown.height, {}};
   picture.rgb.reserve(shown.data.size());
-  for (const float value : shown.data)
-    picture.rgb.push_back(static_cast<std::uint8_t>(value * 255.0f + 0.5f));
+  for (const float value : shown.data) picture.rgb.push_back(static_cast<std::uint8_t>(value * 255.0 + 0.5));
   return picture;
 }
 

@@ -14,6 +14,7 @@
 #include "apps/directions.h"
 #include "apps/exit_code.h"
 #include "apps/fit.h"
+#include "apps/grid.h"
 #include "apps/horizon.h"
 #include "apps/keogram.h"
 #include "apps/linearise.h"
@@ -26,6 +27,7 @@
 #include "apps/render.h"
 #include "apps/sdf.h"
 #include "apps/sequence.h"
+#include "apps/slices.h"
 #include "apps/volume.h"
 #include "fit/version.h"
 #include "sim/base/error.h"
@@ -70,6 +72,8 @@ int run(int argc, char** argv) {
   apps::add_fit_command(app, exit_code, apps::command_line(argc, argv));
   apps::add_compare_command(app, exit_code);
   apps::add_sequence_command(app, exit_code, apps::command_line(argc, argv));
+  apps::add_grid_command(app, exit_code);
+  apps::add_slices_command(app, exit_code);
   apps::add_sdf_command(app, exit_code);
   apps::add_linearise_command(app, exit_code);
   apps::add_params_command(app, exit_code);

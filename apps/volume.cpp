@@ -171,7 +171,9 @@ void add_volume_command(CLI::App& app, int& exit_code) {
       ->type_name("NM,...");
   command
       ->add_option("--box", options->box,
-                   "Only what is inside, in km from the observer (of a nebula: right, up, near, in its unit)")
+                   "Only what is inside, in km from the observer (of a nebula: right, up, near, in its unit; "
+                   "of the Sun: "
+                   "x, y, z of its frame)")
       ->delimiter(',')
       ->expected(6)
       ->type_name("WEST,EAST,SOUTH,NORTH,LOW,HIGH");

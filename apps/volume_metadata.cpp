@@ -1,5 +1,7 @@
 #include "apps/volume_metadata.h"
 
+#include <algorithm>
+
 #include "sim/base/version.h"
 #include "sim/light/emitter.h"
 #include "sim/scene/scene_toml.h"
@@ -13,9 +15,16 @@ double rayleigh_per_unit(const sim::SceneGrid& made) { return sim::kRayleighsPer
 
 }  // namespace
 
+bool is_of_sun(const sim::Scene& scene) {
+  return std::any_of(scene.volumes.begin(), scene.volumes.end(),
+                     [](const sim::Volume& volume) { return volume.frame == "sun"; }) ||
+         (scene.sun.shown && (!scene.chromospheres.empty() || !scene.loops.empty() ||
+                              !scene.coronae.empty() || !scene.bundles.empty() || !scene.ejections.empty()));
+}
+
 sim::VdbMetadata volume_metadata(const sim::Scene& scene, const sim::SceneGrid& made) {
   sim::VdbMetadata out;
-  const bool in_km = made.unit_cm == 1e5;
+  const bool of_sun = is_of_sun(scene), in_km = !of_sun && made.unit_cm == 1e5;
   out.numbers["unit_cm"] = made.unit_cm;
   out.numbers["voxel_km"] = made.grid.voxel * made.unit_cm * 1e-5;
   out.numbers["rayleigh_per_unit"] = rayleigh_per_unit(made);
@@ -26,9 +35,16 @@ sim::VdbMetadata volume_metadata(const sim::Scene& scene, const sim::SceneGrid& 
   }
   out.numbers["time_start_s"] = scene.time.start_s;
   out.texts["creator"] = "vegard " + sim::version();
+  if (of_sun) {
+    out.numbers["unit_km"] = scene.sun.unit_km;
+    out.texts["axes"] =
+        "x to latitude 0 and longitude 0, y to longitude 90 deg (west), z to the north pole of the Sun, its "
+        "middle at the origin, in units of unit_km";
+  }
   out.texts["frame"] =
-      in_km ? "x east, y north, z up, in km, the observer at the origin"
-            : "x right, y up, z towards the observer, in the nebula's unit, its middle at the origin";
+      of_sun  ? "sun"
+      : in_km ? "x east, y north, z up, in km, the observer at the origin"
+              : "x right, y up, z towards the observer, in the nebula's unit, its middle at the origin";
   out.texts["density_is"] =
       made.absorbs ? "what absorbs" : "light of all lines over that of the brightest voxel";
   out.texts["voxel_centre"] =

@@ -10,7 +10,10 @@
 
 namespace vegard::apps {
 
-/// See docs/openvdb.md for what the entries mean.
+/// Whether a grid of the scene's light is in the Sun's frame: grids never hold light of two frames.
+bool is_of_sun(const sim::Scene& scene);
+
+/// See docs/openvdb.md and docs/corona/grids.md for what the entries mean.
 sim::VdbMetadata volume_metadata(const sim::Scene& scene, const sim::SceneGrid& made);
 
 /// Linear RGB of a unit of length of 1 photon cm^-3 s^-1 of each channel, `lines` of the scene (empty: all)

@@ -3,11 +3,11 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "sim/base/error.h"
+#include "sim/base/grid_planes.h"
 #include "sim/base/output_error.h"
 #include "sim/base/volumegrid_text.h"
 #include "sim/base/whole_file.h"
@@ -16,7 +16,7 @@ namespace vegard::sim {
 namespace {
 
 constexpr double kMostNumbers = 8589934592.0;  // 2^33, some 20 GB of text
-constexpr int kEdge = SparseGrid::kEdge, kInALine = 20;
+constexpr int kInALine = 20;
 
 /// Text on its way into a file.
 class Writer {
@@ -59,26 +59,13 @@ class Writer {
   std::FILE* file_;
 };
 
-struct VoxelBox {
-  int low[3], high[3];  ///< from the first voxel to the one after the last
-};
-
+/// About what is not 0, and about what was asked for.
 VoxelBox box_of(const SparseGrid& grid, int channel, const std::array<int, 3>& size) {
-  VoxelBox box;
-  const bool given = size[0] > 0 && size[1] > 0 && size[2] > 0;
-  for (int a = 0; a < 3; ++a) {
-    box.low[a] = given ? 0 : std::numeric_limits<int>::max();
-    box.high[a] = given ? size[a] : std::numeric_limits<int>::min();
-  }
-  for (const auto& [at, numbers] : grid.bricks)
-    for (int v = 0; v < SparseGrid::kVoxels; ++v) {
-      if (numbers[static_cast<std::size_t>(channel) * SparseGrid::kVoxels + v] == 0.0f) continue;
-      const int voxel[3] = {at.x * kEdge + v / (kEdge * kEdge), at.y * kEdge + v / kEdge % kEdge,
-                            at.z * kEdge + v % kEdge};
-      for (int a = 0; a < 3; ++a) {
-        box.low[a] = std::min(box.low[a], voxel[a]);
-        box.high[a] = std::max(box.high[a], voxel[a] + 1);
-      }
+  VoxelBox box = lit_box(grid, channel).value_or(VoxelBox{{0, 0, 0}, {0, 0, 0}});
+  if (size[0] > 0 && size[1] > 0 && size[2] > 0)
+    for (int a = 0; a < 3; ++a) {
+      box.low[a] = std::min(box.low[a], 0);
+      box.high[a] = std::max(box.high[a], size[a]);
     }
   return box;
 }

@@ -49,6 +49,10 @@ class Emitter {
 
   /// Whether anything is absorbed: else `kept` stays 1.
   virtual bool absorbs() const { return false; }
+
+  /// Whether its light may lie before, within and behind something that absorbs, and its march up to there is
+  /// worth its while. Only of what absorbs nothing itself.
+  virtual bool is_mixed() const { return false; }
 };
 
 /// Gives a number of the scene as T: with tangent 1 where it is a free parameter.

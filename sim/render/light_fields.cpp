@@ -2,33 +2,75 @@
 
 #include "sim/emit/grid/grid_field.h"
 #include "sim/emit/nebula/nebula_field.h"
+#include "sim/emit/sun/bundle.h"
 #include "sim/emit/sun/ejection_shell.h"
+#include "sim/emit/sun/flux_rope.h"
+#include "sim/emit/sun/line_light.h"
+#include "sim/emit/sun/macro_loop.h"
+#include "sim/emit/sun/strand_field.h"
 #include "sim/emit/sun/sun_fields.h"
 #include "sim/render/bias_map.h"
 #include "sim/render/footprint_volumes.h"
+#include "sim/render/loop_grid.h"
 
 namespace vegard::sim {
+namespace {
+
+double plain(const double& number) { return number; }
+
+/// Of everything on the Sun but the photosphere, which is a surface.
+void add_sun_fields(const Scene& scene, const VolumeFiles& files, int threads, std::vector<NamedField>& all) {
+  const Sun& sun = scene.sun;
+  const NumberAs<double> number = plain;
+  const auto add = [&](const char* kind, const std::string& name, std::unique_ptr<const LightField> field) {
+    all.push_back({kind + (" '" + name + "'"), std::move(field), FieldFrame::sun});
+  };
+  const auto of_strands = [&](const Strands<double>& strands, const auto& thing) {
+    return std::make_unique<StrandField>(
+        strands, sun, line_light<double>(scene, thing.rayleigh, thing.temperature_mk, number),
+        static_cast<int>(scene.emission.lines.size()));
+  };
+  for (std::size_t c = 0; c < scene.chromospheres.size(); ++c)
+    add("chromosphere", scene.chromospheres[c].name,
+        std::make_unique<ChromosphereField>(scene, static_cast<int>(c),
+                                            bias_map(files, scene.chromospheres[c])));
+  for (const Corona& corona : scene.coronae)
+    add("corona", corona.name, std::make_unique<CoronaField>(scene, corona));
+  for (std::size_t i = 0; i < scene.loops.size(); ++i) {
+    const Loop& loop = scene.loops[i];
+    const auto index = static_cast<std::uint32_t>(i);
+    if (loop.voxel > 0.0)
+      add("loop", loop.name, loop_grid_field(scene, index, threads));
+    else
+      add("loop", loop.name, of_strands(strands_of<double>(sun, loop, index, scene.seed, number), loop));
+  }
+  for (std::size_t i = 0; i < scene.bundles.size(); ++i)
+    add("bundle", scene.bundles[i].name,
+        of_strands(
+            strands_of<double>(sun, scene.bundles[i], static_cast<std::uint32_t>(i), scene.seed, number),
+            scene.bundles[i]));
+  for (const Ejection& ejection : scene.ejections)
+    if (ejection.kind == "rope")
+      add("ejection", ejection.name,
+          of_strands(rope_strands<double>(sun, scene.time, ejection, number), ejection));
+    else
+      add("ejection", ejection.name, std::make_unique<EjectionShellField>(scene, ejection));
+}
+
+}  // namespace
 
 std::vector<NamedField> light_fields(const Scene& scene, const VolumeFiles& files, int threads) {
   std::vector<NamedField> all;
   for (const Footprint& footprint : scene.footprints)
     all.push_back({"footprint '" + footprint.name + "'", footprint_field(scene, footprint, files, threads)});
   for (const Nebula& nebula : scene.nebulae)
-    all.push_back({"nebula '" + nebula.name + "'", std::make_unique<NebulaField>(scene, nebula)});
+    all.push_back(
+        {"nebula '" + nebula.name + "'", std::make_unique<NebulaField>(scene, nebula), FieldFrame::nebula});
   for (std::size_t v = 0; v < scene.volumes.size(); ++v)
     all.push_back({"volume '" + scene.volumes[v].name + "'",
-                   std::make_unique<GridField>(*files.grids[v], scene.volumes[v])});
-  for (std::size_t c = 0; c < scene.chromospheres.size(); ++c)
-    all.push_back({"chromosphere '" + scene.chromospheres[c].name + "'",
-                   std::make_unique<ChromosphereField>(scene, static_cast<int>(c),
-                                                       bias_map(files, scene.chromospheres[c]))});
-  for (const Corona& corona : scene.coronae)
-    all.push_back({"corona '" + corona.name + "'", std::make_unique<CoronaField>(scene, corona)});
-  if (scene.sun.shown)
-    for (const Ejection& ejection : scene.ejections)
-      if (ejection.kind == "shell")
-        all.push_back(
-            {"ejection '" + ejection.name + "'", std::make_unique<EjectionShellField>(scene, ejection)});
+                   std::make_unique<GridField>(*files.grids[v], scene.volumes[v], &scene.sun),
+                   scene.volumes[v].frame == "sun" ? FieldFrame::sun : FieldFrame::ground});
+  if (scene.sun.shown) add_sun_fields(scene, files, threads, all);
   return all;
 }
 

@@ -1,4 +1,4 @@
-// The emitters of a scene as fields in space, for grids: footprints, nebulae and grids.
+// The emitters of a scene as fields in space, for grids: footprints, nebulae, grids, and what is on the Sun.
 #pragma once
 
 #include <memory>
@@ -11,9 +11,13 @@
 
 namespace vegard::sim {
 
+/// Whose frame a field is in: fields of one frame can go into one grid, but a nebula's is its own alone.
+enum class FieldFrame { ground, sun, nebula };
+
 struct NamedField {
   std::string what;  ///< "volume 'arc'", for messages
   std::unique_ptr<const LightField> field;
+  FieldFrame frame = FieldFrame::ground;
 };
 
 /// They must not outlive scene and files.

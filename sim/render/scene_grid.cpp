@@ -143,12 +143,20 @@ SceneGrid grid_of_scene(const Scene& scene, const SceneGridOptions& options) {
   const VolumeFiles files = read_volume_files(scene);
   const std::vector<NamedField> named = light_fields(scene, files, options.threads);
   std::vector<const LightField*> fields;
+  const auto differs = [&](FieldFrame frame) {
+    return !scene.sheets.empty() || std::any_of(named.begin(), named.end(), [frame](const NamedField& other) {
+      return other.frame != frame;
+    });
+  };
   for (const NamedField& one : named) {
-    const bool alone = one.field->unit_cm() != 1e5;  // a frame of its own
-    if (alone && (named.size() > 1 || !scene.sheets.empty()))
-      throw Error(ErrorKind::usage,
-                  {"the " + one.what + " is in a frame of its own, and the scene has more that shines", "", 0,
-                   "SCENE", "one nebula, or light in kilometres", "Choose with --of NAME"});
+    // A nebula's frame is its own, the Sun's kinds share theirs, and everything else is in kilometres.
+    const bool alone = one.frame != FieldFrame::ground &&
+                       (differs(one.frame) || (one.frame == FieldFrame::nebula && named.size() > 1));
+    if (alone)
+      throw Error(
+          ErrorKind::usage,
+          {"the " + one.what + " is in a frame of its own, and the scene has more that shines", "", 0,
+           "SCENE", "one nebula, what is on the Sun, or light in kilometres", "Choose with --of NAME"});
     fields.push_back(one.field.get());
   }
   return grid_of_fields(scene, fields, options);

@@ -30,8 +30,9 @@ struct SceneGrid {
   bool absorbs = false;  ///< density is what absorbs; else it is light, of all lines, over its maximum
 };
 
-/// Throws Error(usage) if light in km and a nebula in a frame of its own, or two nebulae, would come into one
-/// grid, and if the memory limit is too low for the voxel; Error(unreadable_input) for a file of the scene.
+/// What is on the Sun goes into one grid, in the Sun's frame; so does all light in km. Throws Error(usage) if
+/// these, or a nebula and anything else, would come into one, and if the memory limit is too low for the
+/// voxel; Error(unreadable_input) for a file of the scene.
 SceneGrid grid_of_scene(const Scene& scene, const SceneGridOptions& options);
 
 /// The same of the beams of `scene` and of fields.

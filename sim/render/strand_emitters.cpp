@@ -18,7 +18,7 @@ void add_strand_emitters(const Scene& scene, const NumberAs<T>& number,
     return line_light<T>(scene, thing.rayleigh, thing.temperature_mk, number);
   };
   const auto add = [&](const Strands<T>& strands, const auto& of) {
-    all.push_back(std::make_unique<StrandEmitter<T>>(strands, frame, light(of)));
+    all.push_back(std::make_unique<StrandEmitter<T>>(strands, sun, frame, light(of)));
   };
   for (std::size_t i = 0; i < scene.loops.size(); ++i)
     if (scene.loops[i].voxel == 0.0)
@@ -31,8 +31,8 @@ void add_strand_emitters(const Scene& scene, const NumberAs<T>& number,
     if (ejection.kind == "rope")
       add(rope_strands<T>(sun, scene.time, ejection, number), ejection);
     else
-      all.push_back(std::make_unique<ShellEmitter<T>>(ShellBody<T>(sun, scene.time, ejection, number), frame,
-                                                      light(ejection)));
+      all.push_back(std::make_unique<EjectionShellEmitter<T>>(
+          EjectionShell<T>(sun, scene.time, ejection, number), sun, frame, light(ejection)));
 }
 
 template void add_strand_emitters(const Scene&, const NumberAs<double>&,

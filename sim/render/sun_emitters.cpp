@@ -4,13 +4,14 @@
 #include "sim/emit/sun/corona_emitter.h"
 #include "sim/emit/sun/photosphere_emitter.h"
 #include "sim/render/bias_map.h"
+#include "sim/render/loop_grid.h"
 #include "sim/render/strand_emitters.h"
 
 namespace vegard::sim {
 
 template <class T>
-void add_sun_emitters(const Scene& scene, const VolumeFiles& files, const NumberAs<T>& number,
-                      int /*threads*/, std::vector<std::unique_ptr<Emitter<T>>>& all) {
+void add_sun_emitters(const Scene& scene, const VolumeFiles& files, const NumberAs<T>& number, int threads,
+                      std::vector<std::unique_ptr<Emitter<T>>>& all) {
   if (!scene.sun.shown) return;
   all.push_back(std::make_unique<PhotosphereEmitter<T>>(scene, number));
   for (std::size_t c = 0; c < scene.chromospheres.size(); ++c)
@@ -19,6 +20,9 @@ void add_sun_emitters(const Scene& scene, const VolumeFiles& files, const Number
   for (const Corona& corona : scene.coronae)
     all.push_back(std::make_unique<CoronaEmitter<T>>(scene, corona, number));
   add_strand_emitters(scene, number, all);
+  for (std::size_t i = 0; i < scene.loops.size(); ++i)
+    if (scene.loops[i].voxel > 0.0)
+      all.push_back(loop_grid_emitter<T>(scene, static_cast<std::uint32_t>(i), number, threads));
 }
 
 template void add_sun_emitters(const Scene&, const VolumeFiles&, const NumberAs<double>&, int,

@@ -114,6 +114,13 @@ std::optional<Complaint> of_node(const Scene& scene, const Node& node, const std
               "free a number that this kind has");
 }
 
+std::optional<Complaint> of_loop(const Loop& loop, const std::string& key) {
+  if (loop.voxel == 0.0) return std::nullopt;
+  return Complaint{"the loop is drawn by a grid, whose derivative by " + key + " is not known",
+                   "a number of a loop that is drawn strand by strand",
+                   "set its voxel = 0, or leave it out of fit.free"};
+}
+
 }  // namespace
 
 std::optional<Complaint> why_volume_number_counts_for_nothing(const Scene& scene, const ParameterPath& path) {
@@ -121,6 +128,7 @@ std::optional<Complaint> why_volume_number_counts_for_nothing(const Scene& scene
   const auto e = static_cast<std::size_t>(path.element);
   if (table == "footprint") return of_footprint(scene.footprints[e], key);
   if (table == "sheet") return of_sheet_in_footprint(scene, scene.sheets[e], key);
+  if (table == "loop") return of_loop(scene.loops[e], key);
   if (table == "nebula") return of_nebula(scene, scene.nebulae[e], key);
   if (table == "node") return of_node(scene, scene.nodes[e], key);
   return std::nullopt;

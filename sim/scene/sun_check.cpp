@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,27 @@ void check_chromosphere(const Scene& scene, const Chromosphere& c) {
     check.refuse({"there is no map for the peak", "biasmap = \"a picture's name\"", "or peak = 0"}, "peak");
 }
 
+void check_loop(const Scene& scene, const Loop& l) {
+  const SunCheck check(scene, "loop." + l.name);
+  check.check_shown();
+  check.check_lines(l.rayleigh, false, "rayleigh");
+  const double reach = std::hypot(0.5 * l.width, l.spread);
+  if (scene.sun.shown && reach >= scene.sun.radius)
+    check.refuse(
+        {"its feet would stand " + short_real_text(reach) +
+             " from the middle between them, beside a Sun of radius " + short_real_text(scene.sun.radius),
+         "half the width and the spread together below the Sun's radius", ""},
+        "width");
+  if (l.voxel > l.strand_radius)
+    check.refuse({"strands of radius " + short_real_text(l.strand_radius) + " would fall between voxels of " +
+                      short_real_text(l.voxel),
+                  "at most strand_radius", "half of it shows the falloff"},
+                 "voxel");
+  if (l.voxel == 0.0 && (l.blur > 0 || l.sharpen > 0))
+    check.refuse({"there is no grid to filter", "voxel above 0", "or blur = 0 and sharpen = 0"},
+                 l.blur > 0 ? "blur" : "sharpen");
+}
+
 void check_corona(const Scene& scene, const Corona& c) {
   const SunCheck check(scene, "corona." + c.name);
   check.check_shown();
@@ -90,11 +112,7 @@ void check_sun(const Scene& scene) {
                    "distance_km");
   }
   for (const Chromosphere& chromosphere : scene.chromospheres) check_chromosphere(scene, chromosphere);
-  for (const Loop& loop : scene.loops) {
-    const SunCheck check(scene, "loop." + loop.name);
-    check.check_shown();
-    check.check_lines(loop.rayleigh, false, "rayleigh");
-  }
+  for (const Loop& loop : scene.loops) check_loop(scene, loop);
   for (const Corona& corona : scene.coronae) check_corona(scene, corona);
   for (const Bundle& bundle : scene.bundles) check_bundle(scene, bundle);
   for (const Ejection& ejection : scene.ejections) {

@@ -43,6 +43,21 @@ TEST(PreviewPainter, ShowsTheVeryBytesOfARenderingOfTheReducedScene) {
   }
 }
 
+TEST(PreviewPainter, ShowsFalseColourAsAFileHasIt) {
+  sim::Scene scene = tests::small_scene();
+  PreviewPainter painter(2);
+  sim::Reduction reduction;
+  reduction.most = {48, 48};
+  reduction.points = 1e5;
+  const ScreenPicture plain = painter.paint(scene, reduction);
+  for (const char* table : {"171", "304"}) {
+    scene.sensor.colour_table = table;
+    const ScreenPicture picture = painter.paint(scene, reduction);
+    EXPECT_EQ(picture.rgb, display_bytes(sim::reduced_scene(scene, reduction))) << table;
+    EXPECT_NE(picture.rgb, plain.rgb) << table;
+  }
+}
+
 TEST(PreviewPainter, EndsEarlyWithoutAPicture) {
   const std::atomic<bool> stop{true};
   PreviewPainter painter(1);

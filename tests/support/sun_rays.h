@@ -11,14 +11,15 @@
 
 namespace vegard::tests {
 
-/// Its x axis points to the observer, y to the right and z up; its unit is a kilometre.
+/// Its x axis points to the observer, y to the right and z up; its unit is a kilometre. No photosphere stops
+/// rays.
 inline sim::Sun level_sun(double distance) {
   sim::Sun sun;
   sun.shown = true;
   sun.elevation_deg = 0.0;
   sun.distance_km = distance;
   sun.unit_km = 1.0;
-  sun.radius = 1.0;
+  sun.radius = 0.0;
   return sun;
 }
 

@@ -16,7 +16,8 @@
 
 namespace vegard::sim {
 
-/// From the frame of a scene's observer to voxels: index = turn p + shift, p in km.
+/// From the frame of a scene's observer to voxels, p in km, or from the Sun's, p in its unit: index = turn p
+/// + shift.
 struct GridPlace {
   double turn[3][3];
   double shift[3];
@@ -37,6 +38,7 @@ class GridBricks {
 
   int lines() const { return lines_; }
   int stride() const { return stride_; }  ///< numbers per voxel: 1, 2, 4 or 8
+  /// In km, or in units of the Sun's frame.
   double voxel_km() const { return voxel_km_; }
   bool has_density() const { return !density_.empty(); }
   bool empty() const { return count_ == 0; }

@@ -84,16 +84,13 @@ FreeDual chained(const RayDual& value, const FreeDual (&input)[kInputs]) {
 }  // namespace
 
 template <class T>
-GridEmitter<T>::GridEmitter(const GridBricks& grid, const Volume& volume, const NumberAs<T>& number)
+GridEmitter<T>::GridEmitter(const GridBricks& grid, const Volume& volume, const NumberAs<T>& number,
+                            const Sun* sun)
     : grid_(grid),
-      gain_(number(volume.gain)),
+      home_(grid_home(grid, volume, sun, number)),
       extinction_(number(volume.extinction_per_km)),
-      step_km_(volume.step_voxels * grid.voxel_km()),
+      step_km_(volume.step_voxels * home_.voxel_km),
       absorbs_(grid.has_density() && volume.extinction_per_km > 0.0) {
-  for (int a = 0; a < 3; ++a) {
-    from_[a] = T(grid.place().shift[a]);
-    for (int c = 0; c < 3; ++c) from_[a] = from_[a] - number(volume.shift_km[c]) * grid.place().turn[a][c];
-  }
   // A free extinction that is 0 at present has a derivative.
   if constexpr (std::is_same_v<T, FreeDual>)
     for (const double tangent : extinction_.d.t)
@@ -106,10 +103,11 @@ void GridEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>& out) 
   const auto along_of = [&](std::size_t r, T(&along)[3]) {
     for (int a = 0; a < 3; ++a) {
       along[a] = T(0.0);
-      for (int c = 0; c < 3; ++c) along[a] = along[a] + rays.direction[c][r] * grid_.place().turn[a][c];
+      for (int c = 0; c < 3; ++c) along[a] = along[a] + rays.direction[c][r] * home_.turn[a][c];
     }
   };
-  const T scale = gain_ * (kRayleighsPerKm * step_km_);
+  T scale[kMostLines];
+  for (int l = 0; l < out.lines; ++l) scale[l] = home_.light[l] * step_km_;
   if constexpr (std::is_same_v<T, double>) {
     if (!absorbs_) {
       constexpr std::size_t kAtOnce = 64;
@@ -119,7 +117,7 @@ void GridEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>& out) 
         const std::size_t n = std::min(kAtOnce, rays.count - first);
         for (std::size_t i = 0; i < n; ++i) {
           along_of(first + i, way[i].along);
-          for (int a = 0; a < 3; ++a) way[i].from[a] = from_[a];
+          for (int a = 0; a < 3; ++a) way[i].from[a] = home_.from[a];
           way[i].aim();
         }
         march_grid(grid_, n, way, rays.end_km + first, step_km_, sums);
@@ -127,7 +125,7 @@ void GridEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>& out) 
           const std::size_t r = first + i;
           double all = 0.0;
           for (int l = 0; l < out.lines; ++l) {
-            out.rayleigh[l * rays.count + r] = scale * sums[i].light[l];
+            out.rayleigh[l * rays.count + r] = scale[l] * sums[i].light[l];
             all += sums[i].light[l];
           }
           out.entry_km[r] = sums[i].entry_km;
@@ -145,16 +143,16 @@ void GridEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>& out) 
     along_of(r, along);
     GridRay way;
     for (int a = 0; a < 3; ++a) {
-      input[a] = from_[a];
+      input[a] = home_.from[a];
       input[3 + a] = along[a];
-      way.from[a] = value_of(from_[a]);
+      way.from[a] = value_of(home_.from[a]);
       way.along[a] = value_of(along[a]);
     }
     way.aim();
     input[6] = extinction_;
     const RayLight<N> sum = march_ray<N>(grid_, way, rays.end_km[r], step_km_, absorbs_, extinction);
     for (int l = 0; l < out.lines; ++l) {
-      out.rayleigh[l * rays.count + r] = scale * chained(sum.light[l], input);
+      out.rayleigh[l * rays.count + r] = scale[l] * chained(sum.light[l], input);
       if (absorbs_) out.kept[l * rays.count + r] = chained(kept_through(sum.depth), input);
     }
     out.entry_km[r] = sum.entry_km;

@@ -1,13 +1,14 @@
 // Light from a grid: an emitter for cameras.
 //
 // A ray is sampled every step_voxels of a voxel's edge, in the middles of steps counted from the camera, by
-// linear interpolation between the voxels' centres. A kilometre of 1 photon cm^-3 s^-1 is 0.1 rayleigh. Where
-// the grid has a density and the scene an extinction for it, light of a step is weakened by what lies before
-// it, and by the step itself as a uniform one: rayleighs += kept 0.1 e h (1 - exp(-x)) / x with x =
-// extinction density h, and kept *= exp(-x).
+// linear interpolation between the voxels' centres. A kilometre of 1 photon cm^-3 s^-1 is 0.1 rayleigh; light
+// of a density is as the scene says (grid_home.h). Where the grid has a density and the scene an extinction
+// for it, light of a step is weakened by what lies before it, and by the step itself as a uniform one:
+// rayleighs += kept 0.1 e h (1 - exp(-x)) / x with x = extinction density h, and kept *= exp(-x).
 #pragma once
 
 #include "sim/emit/grid/grid_bricks.h"
+#include "sim/emit/grid/grid_home.h"
 #include "sim/emit/grid/grid_walk.h"
 #include "sim/light/emitter.h"
 #include "sim/scene/scene.h"
@@ -17,16 +18,19 @@ namespace vegard::sim {
 template <class T>
 class GridEmitter : public Emitter<T> {
  public:
-  /// `grid` must outlive it. `number` gives the volume's numbers as T.
-  GridEmitter(const GridBricks& grid, const Volume& volume, const NumberAs<T>& number);
+  /// `grid` must outlive it. `number` gives the volume's and the Sun's numbers as T; `sun` is the scene's,
+  /// for a volume whose frame it is.
+  GridEmitter(const GridBricks& grid, const Volume& volume, const NumberAs<T>& number,
+              const Sun* sun = nullptr);
 
   void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override;
   bool absorbs() const override { return absorbs_; }
+  bool is_mixed() const override { return !absorbs_; }
 
  private:
   const GridBricks& grid_;
-  T gain_, extinction_;
-  T from_[3];  ///< where rays begin, in voxels
+  GridHome<T> home_;
+  T extinction_;
   double step_km_;
   bool absorbs_;
 };

@@ -12,11 +12,16 @@ constexpr double kBrick = GridBricks::kEdge, kCoarseCell = kBrick * GridBricks::
 
 }  // namespace
 
-GridField::GridField(const GridBricks& grid, const Volume& volume) : grid_(grid), gain_(volume.gain) {
+GridField::GridField(const GridBricks& grid, const Volume& volume, const Sun* sun)
+    : grid_(grid), unit_km_(volume.frame == "sun" && sun != nullptr ? sun->unit_km : 1.0) {
   for (int a = 0; a < 3; ++a) {
     from_[a] = grid.place().shift[a];
-    for (int c = 0; c < 3; ++c) from_[a] -= volume.shift_km[c] * grid.place().turn[a][c];
+    for (int c = 0; c < 3; ++c) from_[a] -= volume.shift_km[c] / unit_km_ * grid.place().turn[a][c];
   }
+  for (int l = 0; l < grid.lines(); ++l)
+    gain_.push_back(volume.density_rayleigh.empty()
+                        ? volume.gain
+                        : volume.gain * volume.density_rayleigh[l] / (kRayleighsPerKm * unit_km_));
 }
 
 Box3 GridField::bounds() const {
@@ -91,7 +96,7 @@ void GridField::sample(std::size_t count, const double* const point[3], float* c
     if (brick < 0) continue;
     const GridCell cell(local);
     for (int l = 0; l < grid_.lines(); ++l)
-      emission[l][i] = static_cast<float>(gain_ * cell.value(grid_.emission(brick) + l, grid_.stride()));
+      emission[l][i] = static_cast<float>(gain_[l] * cell.value(grid_.emission(brick) + l, grid_.stride()));
     if (grid_.has_density()) density[i] = static_cast<float>(cell.value(grid_.density(brick), 1));
   }
 }

@@ -1,6 +1,8 @@
 // A grid as a field in space, to be sampled anew.
 #pragma once
 
+#include <vector>
+
 #include "sim/emit/grid/grid_bricks.h"
 #include "sim/light/emitter.h"
 #include "sim/scene/scene.h"
@@ -9,20 +11,22 @@ namespace vegard::sim {
 
 class GridField : public LightField {
  public:
-  /// `grid` must outlive it.
-  GridField(const GridBricks& grid, const Volume& volume);
+  /// `grid` must outlive it. With a volume whose frame is "sun" the field's is that too, `sun` the scene's.
+  GridField(const GridBricks& grid, const Volume& volume, const Sun* sun = nullptr);
 
+  double unit_cm() const override { return unit_km_ * 1e5; }
   Box3 bounds() const override;
   bool is_dark(const Box3& box) const override;
   void sample(std::size_t count, const double* const point[3], float* const emission[],
               float* density) const override;
 
  private:
-  /// The smallest box in voxels about one of the observer's.
+  /// The smallest box in voxels about one of the frame.
   Box3 in_voxels(const Box3& box) const;
 
   const GridBricks& grid_;
-  double gain_, from_[3];
+  double unit_km_, from_[3];
+  std::vector<double> gain_;  ///< [line] photons cm^-3 s^-1 of 1
 };
 
 }  // namespace vegard::sim

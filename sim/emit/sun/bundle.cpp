@@ -18,6 +18,10 @@ constexpr std::uint32_t kMostPlaces = 2000000;  ///< tried before there are fewe
 
 double normal(std::uint32_t word) { return normal_quantile(uniform(word)); }
 
+/// Chords of the exponential, straight from step to step, lie over it by (length / (32 falloff_length))²
+/// / 12.
+constexpr int kSteps = 32;
+
 enum class Which : std::uint32_t { line = 0, slope = 1, filament = 2 };
 
 template <class T>
@@ -102,12 +106,10 @@ class BundleMaker {
     }
     strand.radius_first = foot_radius;
     strand.radius_last = top_radius;
-    // Eight steps to a falloff length: chords of the exponential are over it by 1/8² / 12 of it.
-    const int steps =
-        std::clamp(static_cast<int>(std::ceil(8.0 * bundle_.length / bundle_.falloff_length)), 4, 64);
-    for (int k = 0; k <= steps; ++k) {
-      const T at = whole * (static_cast<double>(k) / steps) - foot_radius;
-      strand.along.push_back(density * exponential(T(0.0) - at / falloff));
+    const T at_end = exponential(T(0.0) - length / falloff);
+    for (int k = 0; k <= kSteps; ++k) {
+      const T at = whole * (static_cast<double>(k) / kSteps) - foot_radius;
+      strand.along.push_back(density * (exponential(T(0.0) - at / falloff) - at_end) / (1.0 - at_end));
     }
     return strand;
   }

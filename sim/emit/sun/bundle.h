@@ -16,9 +16,10 @@
 //
 // A line leaves its foot at gradient_deg from the vertical towards the equator, with normal noise in this
 // angle and in that to the west. Density at the length l from the foot is
-//   density exp(noise) exp(-l / falloff_length),
-// where the noise's mean is such that density's mean is `density`. The radius grows from foot to end. Lines
-// begin below the photosphere, by foot_radius, so that a slanting end does not show over it.
+//   density exp(noise) (exp(-l / f) - exp(-L / f)) / (1 - exp(-L / f)),   f = falloff_length, L = length,
+// which is nothing at its end: a line cut off there would show. The noise's mean is such that density's mean
+// is `density`. The radius grows from foot to end. Lines begin below the photosphere, by foot_radius, so that
+// a slanting end does not show over it.
 #pragma once
 
 #include <cstdint>

@@ -3,20 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/gauss_legendre.h"
 #include "sim/emit/sun/flux_rope.h"
 #include "sim/emit/sun/line_light.h"
+#include "sim/emit/sun/ray_stop.h"
 
 namespace vegard::sim {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kAt = 0.7745966692414834, kSide = 5.0 / 9.0, kCentre = 8.0 / 9.0;  ///< Gauss-Legendre
 constexpr double kCmPerKm = 1e5, kPhotonsPerRayleigh_cm2_s = 1e6;
 
 }  // namespace
 
 template <class T>
-ShellBody<T>::ShellBody(const Sun& sun, const Ejection& ejection, const T& front, const NumberAs<T>& number)
+EjectionShell<T>::EjectionShell(const Sun& sun, const Ejection& ejection, const T& front,
+                                const NumberAs<T>& number)
     : density(1.0) {
   const T sine_half = sine(number(ejection.width_deg) * (kPi / 360.0));
   const T distance = (number(sun.radius) + front) / (sine_half + 1.0);
@@ -28,15 +30,16 @@ ShellBody<T>::ShellBody(const Sun& sun, const Ejection& ejection, const T& front
 }
 
 template <class T>
-ShellBody<T>::ShellBody(const Sun& sun, const Time& time, const Ejection& ejection, const NumberAs<T>& number)
-    : ShellBody(sun, ejection, front_height(sun, time, ejection, number), number) {
+EjectionShell<T>::EjectionShell(const Sun& sun, const Time& time, const Ejection& ejection,
+                                const NumberAs<T>& number)
+    : EjectionShell(sun, ejection, front_height(sun, time, ejection, number), number) {
   const T radius = number(sun.radius);
-  const ShellBody at_first(sun, ejection, number(ejection.start), number);
+  const EjectionShell at_first(sun, ejection, number(ejection.start), number);
   density = number(ejection.density) * (at_first.mass(radius) / mass(radius));
 }
 
 template <class T>
-T ShellBody<T>::density_at(const T& square) const {
+T EjectionShell<T>::density_at(const T& square) const {
   const T i = inner * inner, o = outer * outer;
   if (!(value_of(square) > value_of(i) && value_of(square) < value_of(o))) return T(0.0);
   const T width = o - i;
@@ -44,7 +47,7 @@ T ShellBody<T>::density_at(const T& square) const {
 }
 
 template <class T>
-T ShellBody<T>::mass(const T& sun_radius) const {
+T EjectionShell<T>::mass(const T& sun_radius) const {
   // By spheres of radius p about the middle, at the distance D: of such a sphere is outside of the
   // photosphere what is above cos = (R² - D² - p²) / (2 D p), so that its area there is 2 π p² (1 - cos).
   // Where none or all of it is, at p = |R - D|, the formula changes; on either side it is a polynomial, and
@@ -54,19 +57,14 @@ T ShellBody<T>::mass(const T& sun_radius) const {
   const T touching =
       value_of(sun_radius) > value_of(distance) ? sun_radius - distance : distance - sun_radius;
   const auto part = [&](const T& from, const T& to) {
-    // Seventh degree at most: four nodes are exact.
-    constexpr double kNode[4] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
-                                 0.8611363115940526},
-                     kWeight[4] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
-                                   0.3478548451374538};
-    const T half = (to - from) * 0.5, centre = (to + from) * 0.5;
+    static const GaussLegendre<4> nodes;  // exact to the seventh degree, which this is of
     T sum(0.0);
     for (int n = 0; n < 4; ++n) {
-      const T p = centre + half * kNode[n];
+      const T p = from + (to - from) * nodes.place[n];
       T cosine = (sun_radius * sun_radius - distance * distance - p * p) / (distance * p * 2.0);
       if (value_of(cosine) < -1.0) cosine = T(-1.0);
       if (value_of(cosine) > 1.0) cosine = T(1.0);
-      sum = sum + density_at(p * p) * p * p * (1.0 - cosine) * (2.0 * kPi * kWeight[n]) * half;
+      sum = sum + density_at(p * p) * p * p * (1.0 - cosine) * (2.0 * kPi * nodes.weight[n]) * (to - from);
     }
     return sum;
   };
@@ -75,11 +73,12 @@ T ShellBody<T>::mass(const T& sun_radius) const {
 }
 
 template <class T>
-ShellEmitter<T>::ShellEmitter(const ShellBody<T>& body, const SunFrame<T>& frame, std::vector<T> light)
-    : body_(body), frame_(frame), light_(std::move(light)) {}
+EjectionShellEmitter<T>::EjectionShellEmitter(const EjectionShell<T>& body, const Sun& sun,
+                                              const SunFrame<T>& frame, std::vector<T> light)
+    : body_(body), frame_(frame), radius_(sun.radius), light_(std::move(light)) {}
 
 template <class T>
-void ShellEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>& out) const {
+void EjectionShellEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>& out) const {
   if (light_.empty()) return;
   for (std::size_t i = 0; i < rays.count; ++i) {
     const T enu[3] = {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]};
@@ -88,8 +87,8 @@ void ShellEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>& out)
 }
 
 template <class T>
-void ShellEmitter<T>::march_ray(const T enu[3], double end_km, std::size_t index, std::size_t rays,
-                                const BundleLight<T>& out) const {
+void EjectionShellEmitter<T>::march_ray(const T enu[3], double end_km, std::size_t index, std::size_t rays,
+                                        const BundleLight<T>& out) const {
   const SkyRay<T> ray = frame_.ray(enu);
   const Vec3<T> direction = {ray.direction[0], ray.direction[1], ray.direction[2]};
   const Vec3<T> from = minus3({ray.nearest[0], ray.nearest[1], ray.nearest[2]}, body_.middle);
@@ -99,18 +98,19 @@ void ShellEmitter<T>::march_ray(const T enu[3], double end_km, std::size_t index
   if (!(value_of(outer_left) > 0.0)) return;
   const T half = square_root(outer_left), inner_left = body_.inner * body_.inner - miss;
 
-  const double first = value_of(ray.observer), last = first + end_km / frame_.unit_km();
+  const T stop = ray_stop(frame_, ray, radius_, end_km);
+  const double first = value_of(ray.observer), last = value_of(stop);
   T column(0.0);
   double weighted = 0.0, entry = last;
   const auto add = [&](T low, T high) {
     if (value_of(low) < first) low = ray.observer;
-    if (value_of(high) > last) high = T(last);
+    if (value_of(high) > last) high = stop;
     if (!(value_of(low) < value_of(high))) return;
     entry = std::min(entry, value_of(low));
-    const T reach = (high - low) * 0.5, centre = (high + low) * 0.5;
-    for (int n = -1; n <= 1; ++n) {
-      const T s = centre + reach * (n * kAt), past = s - closest;
-      const T here = body_.density_at(miss + past * past) * reach * (n == 0 ? kCentre : kSide);
+    static const GaussLegendre<3> nodes;
+    for (int n = 0; n < 3; ++n) {
+      const T s = low + (high - low) * nodes.place[n], past = s - closest;
+      const T here = body_.density_at(miss + past * past) * (high - low) * nodes.weight[n];
       column = column + here;
       weighted += value_of(here) * value_of(s);
     }
@@ -180,9 +180,9 @@ void EjectionShellField::sample(std::size_t count, const double* const point[3],
   }
 }
 
-template struct ShellBody<double>;
-template struct ShellBody<FreeDual>;
-template class ShellEmitter<double>;
-template class ShellEmitter<FreeDual>;
+template struct EjectionShell<double>;
+template struct EjectionShell<FreeDual>;
+template class EjectionShellEmitter<double>;
+template class EjectionShellEmitter<FreeDual>;
 
 }  // namespace vegard::sim

@@ -26,15 +26,15 @@
 namespace vegard::sim {
 
 template <class T>
-struct ShellBody {
+struct EjectionShell {
   Vec3<T> middle;
   T outer, inner;  ///< radii
   T density;       ///< density_now
 
   /// With its front at a height, and density 1.
-  ShellBody(const Sun& sun, const Ejection& ejection, const T& front, const NumberAs<T>& number);
+  EjectionShell(const Sun& sun, const Ejection& ejection, const T& front, const NumberAs<T>& number);
   /// As it is at the time of a scene.
-  ShellBody(const Sun& sun, const Time& time, const Ejection& ejection, const NumberAs<T>& number);
+  EjectionShell(const Sun& sun, const Time& time, const Ejection& ejection, const NumberAs<T>& number);
 
   /// At the square of the distance from the middle.
   T density_at(const T& square) const;
@@ -43,19 +43,22 @@ struct ShellBody {
 };
 
 template <class T>
-class ShellEmitter : public Emitter<T> {
+class EjectionShellEmitter : public Emitter<T> {
  public:
   /// `light` per line, of density 1 to a unit of path (line_light.h); empty: dark.
-  ShellEmitter(const ShellBody<T>& body, const SunFrame<T>& frame, std::vector<T> light);
+  EjectionShellEmitter(const EjectionShell<T>& body, const Sun& sun, const SunFrame<T>& frame,
+                       std::vector<T> light);
 
   void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override;
+  bool is_mixed() const override { return true; }
 
  private:
   void march_ray(const T enu[3], double end_km, std::size_t ray, std::size_t rays,
                  const BundleLight<T>& out) const;
 
-  ShellBody<T> body_;
+  EjectionShell<T> body_;
   SunFrame<T> frame_;
+  double radius_;  ///< of the photosphere
   std::vector<T> light_;
 };
 
@@ -72,15 +75,15 @@ class EjectionShellField : public LightField {
               float* density) const override;
 
  private:
-  ShellBody<double> body_;
+  EjectionShell<double> body_;
   std::vector<double> light_;
   int lines_;
   double unit_cm_, sun_radius_;
 };
 
-extern template struct ShellBody<double>;
-extern template struct ShellBody<FreeDual>;
-extern template class ShellEmitter<double>;
-extern template class ShellEmitter<FreeDual>;
+extern template struct EjectionShell<double>;
+extern template struct EjectionShell<FreeDual>;
+extern template class EjectionShellEmitter<double>;
+extern template class EjectionShellEmitter<FreeDual>;
 
 }  // namespace vegard::sim

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/gauss_legendre.h"
 #include "sim/emit/sun/sun_frame.h"
 #include "sim/emit/sun/vec3.h"
 
@@ -11,7 +12,10 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846, kRadian = kPi / 180.0;
 constexpr double kFootShare = 0.3;  ///< radius at the feet, of that at the top at age 0
-constexpr int kPiecesPerTurn = 12, kLeastPieces = 16;
+constexpr double kBulge = 0.6;      ///< of the angle, once the arch is much higher than wide
+/// Pieces of a winding, rounded down. The odd share keeps the steps off round numbers of turns, which scenes
+/// have.
+constexpr double kPiecesPerTurn = 12.0, kLeastPieces = 16.37;
 
 template <class T>
 struct RopePoint {
@@ -39,17 +43,20 @@ class Rope {
     top_radius_ = aspect * front;
     foot_radius_ = aspect * number(ejection.start) * kFootShare;
     height_ = front - top_radius_;
+    bulge_ = height_ * kBulge / (height_ + sun_radius_ * half_angle_);
   }
 
   /// At e, for a strand at (share of the disc's radius, phase).
   RopePoint<T> at(double e, double share, double phase) const {
     const double c = std::cos(e), s = std::sin(e);
-    const T distance = sun_radius_ + height_ * c, angle = half_angle_ * s;
+    const T distance = sun_radius_ - foot_radius_ + (height_ + foot_radius_) * c,
+            angle = half_angle_ * s * (bulge_ * c + 1.0);
     const Vec3<T> outward = along3(times3(up_, cosine(angle)), sine(angle), forth_),
                   onward = along3(times3(forth_, cosine(angle)), T(0.0) - sine(angle), up_);
     // The axis' own direction is (d distance / d e) outward + distance (d angle / d e) onward; at right
     // angles to it in its plane is `side`.
-    const T rise = T(0.0) - height_ * s, pass = distance * half_angle_ * c;
+    const T rise = T(0.0) - (height_ + foot_radius_) * s,
+            pass = distance * half_angle_ * (bulge_ * std::cos(2.0 * e) + c);
     const Vec3<T> side = unit3(along3(times3(outward, pass), T(0.0) - rise, onward));
     const T disc = foot_radius_ + (top_radius_ - foot_radius_) * c;
     const T turned = turns_ * (2.0 * kPi * (e / kPi + 0.5)) + phase;
@@ -60,7 +67,7 @@ class Rope {
   }
 
  private:
-  T sun_radius_, half_angle_, turns_, strand_share_, top_radius_, foot_radius_, height_;
+  T sun_radius_, half_angle_, turns_, strand_share_, top_radius_, foot_radius_, height_, bulge_;
   Vec3<T> up_, forth_, across_;
 };
 
@@ -94,18 +101,16 @@ std::vector<Strand<T>> pieces_of(const Rope<T>& rope, int strands, int pieces) {
 /// Sum of ∫ radius² dl.
 template <class T>
 T volume(const std::vector<Strand<T>>& all) {
-  // |dB / du| by three Gauss-Legendre nodes.
-  constexpr double kAt[3] = {0.1127016653792583, 0.5, 0.8872983346207417},
-                   kWeight[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+  static const GaussLegendre<3> nodes;  // of |dB / du|
   T sum(0.0);
   for (const Strand<T>& strand : all)
     for (int n = 0; n < 3; ++n) {
-      const double u = kAt[n], v = 1.0 - u;
+      const double u = nodes.place[n], v = 1.0 - u;
       Vec3<T> speed = times3(minus3(strand.points[1], strand.points[0]), 3.0 * v * v);
       speed = along3(speed, 6.0 * u * v, minus3(strand.points[2], strand.points[1]));
       speed = along3(speed, 3.0 * u * u, minus3(strand.points[3], strand.points[2]));
       const T radius = strand.radius_first * v + strand.radius_last * u;
-      sum = sum + length3(speed) * radius * radius * kWeight[n];
+      sum = sum + length3(speed) * radius * radius * nodes.weight[n];
     }
   return sum;
 }
@@ -123,7 +128,7 @@ T front_height(const Sun& sun, const Time& time, const Ejection& ejection, const
 template <class T>
 Strands<T> rope_strands(const Sun& sun, const Time& time, const Ejection& ejection,
                         const NumberAs<T>& number) {
-  const int pieces = kLeastPieces + static_cast<int>(std::ceil(std::abs(ejection.turns) * kPiecesPerTurn));
+  const int pieces = static_cast<int>(kLeastPieces + kPiecesPerTurn * std::abs(ejection.turns));
   const auto rope = [&](const T& front) {
     return pieces_of(Rope<T>(sun, ejection, front, number), ejection.strands, pieces);
   };

@@ -6,11 +6,12 @@
 // over the photosphere, radius R. The rope's axis lies in the plane through the Sun's middle, the place that
 // the rope leaves, and the bearing; with e from -90° to 90° from foot to foot, its distance from the Sun's
 // middle and its angle from the vertical of that place are
-//   R + H cos e,   (width / 2) sin e,
-// half an ellipse in height and angle: it leaves the Sun upright at feet that stay where they are. Its
-// cross-section is a disc of radius
+//   R - a_f + (H + a_f) cos e,   (width / 2) sin e (1 + c cos e),   c = 0.6 H / (H + R width / 2):
+// half an ellipse in height and angle, which bulges above its feet the more, the higher it stands, as a
+// balloon does. Its cross-section is a disc of radius
 //   a_f + (a_t - a_f) cos e,   a_t = aspect h,   a_f = 0.3 aspect start,
-// so that legs, anchored, stay thin; and H = h - a_t, so that the front is at h.
+// so that legs, anchored, stay where and as thin as they are; they begin a_f below the photosphere. H = h -
+// a_t, so that the front is at h.
 //
 // Strands fill the disc evenly, the k-th of n at sqrt((k + 1/2) / n) of its radius, golden angles apart
 // (H. Vogel 1979, Math. Biosciences 44, 179), and wind about the axis by `turns` from foot to foot, evenly in

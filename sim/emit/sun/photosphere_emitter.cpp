@@ -1,5 +1,6 @@
 #include "sim/emit/sun/photosphere_emitter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -59,7 +60,8 @@ void PhotosphereEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>
     const double entry_km = (-half - value_of(ray.observer)) * frame_.unit_km();
     constexpr double kRounding = 1e-12;
     if (rays.end_km[i] < entry_km * (1.0 - kRounding)) continue;  // something stands before it
-    out.entry_km[i] = entry_km;
+    // Where the ray ends at the ball this is that very end, however it has been rounded.
+    out.entry_km[i] = std::min(entry_km, rays.end_km[i]);
     const T dark = T(1.0) - covered.mu;
     const T of_light = covered.share * (T(1.0) - darkening_ * dark - darkening_square_ * dark * dark);
     double bright = 0.0;
@@ -70,7 +72,7 @@ void PhotosphereEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>
       out.rayleigh[to] = light_[l] * of_light;
       bright += value_of(out.rayleigh[to]);
     }
-    if (bright > 0.0) out.depth_km[i] = entry_km;
+    if (bright > 0.0) out.depth_km[i] = out.entry_km[i];
   }
 }
 

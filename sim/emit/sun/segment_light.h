@@ -17,7 +17,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
+#include "sim/base/gauss_legendre.h"
 #include "sim/emit/sun/strand_joints.h"
 #include "sim/light/sky_frame.h"
 
@@ -38,21 +40,9 @@ struct SegmentLight {
 
 namespace segment_detail {
 
-struct Rule {
-  int nodes;
-  double at[7], weight[7];  ///< on -1 to 1
-};
-inline constexpr Rule kThree{
-    3, {-0.7745966692414834, 0.0, 0.7745966692414834}, {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0}};
-inline constexpr Rule kFour{
-    4,
-    {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526},
-    {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538}};
-inline constexpr Rule kSeven{7,
-                             {-0.9491079123427585, -0.7415311855993945, -0.4058451513773972, 0.0,
-                              0.4058451513773972, 0.7415311855993945, 0.9491079123427585},
-                             {0.1294849661688697, 0.2797053914892766, 0.3818300505051189, 0.4179591836734694,
-                              0.3818300505051189, 0.2797053914892766, 0.1294849661688697}};
+inline const GaussLegendre<3> kThree;
+inline const GaussLegendre<4> kFour;
+inline const GaussLegendre<7> kSeven;
 
 template <class T>
 T falloff_at(RadialFalloff falloff, const T& square) {
@@ -69,24 +59,12 @@ T falloff_at(RadialFalloff falloff, const T& square) {
 /// From s = `first` to `last` along the ray. False if it gets nothing.
 template <class T>
 bool segment_light(const PlacedJoint<T>& a, const PlacedJoint<T>& b, RadialFalloff falloff, double blur,
-                   const Vec3<T>& nearest, const Vec3<T>& direction, double first, double last,
+                   const Vec3<T>& nearest, const Vec3<T>& direction, const T& first, const T& last,
                    SegmentLight<T>& out) {
   constexpr double kParallel = 1e-12, kGrazing = 1e-12;
   const Vec3<T> way = minus3(b.joint.place, a.joint.place);
   const T square = dot3(way, way);
   if (!(value_of(square) > 0.0)) return false;
-  const Vec3<T> axis = times3(way, T(1.0) / square_root(square));
-
-  // Across the axis: d² = miss² + slant (s - closest)².
-  const Vec3<T> from_a = minus3(nearest, a.joint.place);
-  const Vec3<T> aside = along3(from_a, T(0.0) - dot3(from_a, axis), axis);
-  const Vec3<T> across = along3(direction, T(0.0) - dot3(direction, axis), axis);
-  const T slant = dot3(across, across);
-  const bool parallel = value_of(slant) < kParallel;
-  const T closest = parallel ? T(0.0) : (T(0.0) - dot3(aside, across)) / slant;
-  const Vec3<T> off = along3(aside, closest, across);
-  const T miss = dot3(off, off);
-
   const auto widened = [blur](const PlacedJoint<T>& at, T& density) {
     const T least = at.distance * blur;
     density = at.joint.along;
@@ -98,13 +76,26 @@ bool segment_light(const PlacedJoint<T>& a, const PlacedJoint<T>& b, RadialFallo
   T density_a, density_b;
   const T radius_a = widened(a, density_a), radius_b = widened(b, density_b);
   const double most = std::max(value_of(radius_a), value_of(radius_b));
+
+  // The ray's square distance from the axis is miss + slant (s - closest)².
+  const Vec3<T> from_a = minus3(nearest, a.joint.place);
+  const Vec3<T> normal = cross3(direction, way);
+  const T normal_square = dot3(normal, normal), aside = dot3(from_a, normal);
+  const bool parallel = value_of(normal_square) < kParallel * value_of(square);
+  // Most segments that are looked at are missed.
+  if (!parallel && !(value_of(aside) * value_of(aside) < most * most * value_of(normal_square))) return false;
+  const T forth = dot3(from_a, way), per_length = T(1.0) / square;
+  const T slant = normal_square * per_length;
+  const T miss = parallel ? dot3(from_a, from_a) - forth * forth * per_length : aside * aside / normal_square;
   if (!(value_of(miss) < most * most)) return false;
+  const T closest =
+      parallel ? T(0.0) : (forth * dot3(direction, way) * per_length - dot3(from_a, direction)) / slant;
 
   // Between the planes. Both neighbours of a plane work out the same numbers of it, and what runs within it
   // belongs to the one that begins there.
-  const T at_a = dot3(minus3(nearest, a.joint.place), a.joint.normal), by_a = dot3(direction, a.joint.normal),
+  const T at_a = dot3(from_a, a.joint.normal), by_a = dot3(direction, a.joint.normal),
           at_b = dot3(minus3(nearest, b.joint.place), b.joint.normal), by_b = dot3(direction, b.joint.normal);
-  T low(first), high(last);
+  T low = first, high = last;
   const auto keep = [&](const T& at, const T& by, double side) {
     const double rise = value_of(by) * side;
     if (std::abs(rise) < kParallel) return side > 0.0 ? value_of(at) >= 0.0 : value_of(at) < 0.0;
@@ -119,10 +110,10 @@ bool segment_light(const PlacedJoint<T>& a, const PlacedJoint<T>& b, RadialFallo
   if (!keep(at_a, by_a, 1.0) || !keep(at_b, by_b, -1.0)) return false;
   if (!(value_of(low) < value_of(high))) return false;
 
-  const T from_plane_a = T(1.0) / dot3(axis, a.joint.normal),
-          from_plane_b = T(1.0) / dot3(axis, b.joint.normal);
+  // Distances along the axis times both of its products with the planes' normals: only their ratio counts.
+  const T to_plane_a = dot3(way, b.joint.normal), to_plane_b = dot3(way, a.joint.normal);
   const auto share = [&](const T& s) {
-    const T h0 = (at_a + by_a * s) * from_plane_a, h1 = T(0.0) - (at_b + by_b * s) * from_plane_b;
+    const T h0 = (at_a + by_a * s) * to_plane_a, h1 = T(0.0) - (at_b + by_b * s) * to_plane_b;
     const T sum = h0 + h1;
     if (!(value_of(sum) > 0.0)) return T(0.5);
     const T w = h0 / sum;
@@ -142,23 +133,25 @@ bool segment_light(const PlacedJoint<T>& a, const PlacedJoint<T>& b, RadialFallo
   };
   T from, to;
   if (!within(value_of(radius_a) > value_of(radius_b) ? radius_a : radius_b, from, to)) return false;
-  const T w = share((from + to) * 0.5);
-  const T radius = radius_a + (radius_b - radius_a) * w;
-  if (!within(radius, from, to)) return false;
+  T radius = radius_a;
+  if (!std::is_same_v<T, double> || value_of(radius_a) != value_of(radius_b)) {
+    radius = radius_a + (radius_b - radius_a) * share((from + to) * 0.5);
+    if (!within(radius, from, to)) return false;
+  }
 
   using namespace segment_detail;
   const T per_square = T(1.0) / (radius * radius);
   out.column = T(0.0);
   out.weighted_s = 0.0;
   out.entry_s = value_of(from);
-  const auto add = [&](const Rule& rule, const T& begin, const T& end) {
-    const T half = (end - begin) * 0.5, middle = (begin + end) * 0.5;
-    for (int n = 0; n < rule.nodes; ++n) {
-      const T s = middle + half * rule.at[n];
+  const auto add = [&](const auto& rule, const T& begin, const T& end) {
+    const T way_through = end - begin;
+    for (std::size_t n = 0; n < rule.place.size(); ++n) {
+      const T s = begin + way_through * rule.place[n];
       const T past = s - closest;
       const T q_square = (miss + (parallel ? T(0.0) : slant * past * past)) * per_square;
-      const T here = (density_a + (density_b - density_a) * share(s)) * falloff_at(falloff, q_square) * half *
-                     rule.weight[n];
+      const T here = (density_a + (density_b - density_a) * share(s)) * falloff_at(falloff, q_square) *
+                     way_through * rule.weight[n];
       out.column = out.column + here;
       out.weighted_s += value_of(here) * value_of(s);
     }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "sim/emit/sun/ray_stop.h"
+
 namespace vegard::sim {
 namespace {
 
@@ -39,8 +41,9 @@ SegmentBox box_of(const PlacedJoint<double>& a, const PlacedJoint<double>& b) {
 }  // namespace
 
 template <class T>
-StrandEmitter<T>::StrandEmitter(const Strands<T>& strands, const SunFrame<T>& frame, std::vector<T> light)
-    : frame_(frame), falloff_(strands.falloff), light_(std::move(light)) {
+StrandEmitter<T>::StrandEmitter(const Strands<T>& strands, const Sun& sun, const SunFrame<T>& frame,
+                                std::vector<T> light)
+    : frame_(frame), radius_(sun.radius), falloff_(strands.falloff), light_(std::move(light)) {
   Vec3<T> observer;
   frame_.observer(observer.data());
   std::vector<StrandJoint<T>> joints;
@@ -77,7 +80,8 @@ void StrandEmitter<T>::march_ray(const T enu[3], double end_km, double blur, std
   const Vec3<T> nearest = {ray.nearest[0], ray.nearest[1], ray.nearest[2]},
                 direction = {ray.direction[0], ray.direction[1], ray.direction[2]};
   const Vec3<double> plain_nearest = values3(nearest), plain_direction = values3(direction);
-  const double first = value_of(ray.observer), last = first + end_km / frame_.unit_km();
+  const T stop = ray_stop(frame_, ray, radius_, end_km);
+  const double first = value_of(ray.observer), last = value_of(stop);
   T column(0.0);
   double weighted = 0.0, entry = last;
   bool met = false;
@@ -94,7 +98,8 @@ void StrandEmitter<T>::march_ray(const T enu[3], double end_km, double blur, std
       column += plain.column;
     } else {
       SegmentLight<T> whole;
-      if (segment_light(joints_[j], joints_[j + 1], falloff_, blur, nearest, direction, first, last, whole))
+      if (segment_light(joints_[j], joints_[j + 1], falloff_, blur, nearest, direction, ray.observer, stop,
+                        whole))
         column = column + whole.column;
     }
   });

@@ -26,9 +26,10 @@ template <class T>
 class StrandEmitter : public Emitter<T> {
  public:
   /// `light` per line, of density 1 to a unit of path (line_light.h); empty: dark.
-  StrandEmitter(const Strands<T>& strands, const SunFrame<T>& frame, std::vector<T> light);
+  StrandEmitter(const Strands<T>& strands, const Sun& sun, const SunFrame<T>& frame, std::vector<T> light);
 
   void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override;
+  bool is_mixed() const override { return true; }
 
   std::size_t segments() const { return segments_.size(); }
 
@@ -37,6 +38,7 @@ class StrandEmitter : public Emitter<T> {
                  const BundleLight<T>& out) const;
 
   SunFrame<T> frame_;
+  double radius_;  ///< of the photosphere
   RadialFalloff falloff_;
   std::vector<T> light_;
   std::vector<PlacedJoint<double>> plain_;  ///< by their values

@@ -7,7 +7,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kSagitta = 1.0 / 30.0;  ///< of the radius
+constexpr double kSagitta = 1.0 / 20.0;  ///< of the radius
 constexpr double kTaper = 0.25;          ///< of the smaller radius
 constexpr double kMostParts = 400.0;     ///< of a piece, or of a chain for its taper
 constexpr double kSame = 1e-9;           ///< of t

@@ -1,7 +1,7 @@
 // A strand cut into straight segments: the joints between them.
 //
 // The number of segments is decided by values, never by T: a chord is nowhere farther from its curve than a
-// thirtieth of the strand's radius, by the bound max |B''| / (8 m²) on the error of m chords at equal steps
+// twentieth of the strand's radius, by the bound max |B''| / (8 m²) on the error of m chords at equal steps
 // of u, where max |B''| = 6 max(|P0 - 2 P1 + P2|, |P1 - 2 P2 + P3|). Wherever `along` has a number there is a
 // joint, so that density is linear within a segment; and a segment's radius changes by a quarter at most.
 #pragma once

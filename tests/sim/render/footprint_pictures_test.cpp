@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/image_io.h"
+#include "sim/render/bias_map.h"
 #include "sim/scene/scene_pictures.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"
@@ -80,6 +81,25 @@ TEST(FootprintPictures, ThatAreMissingAreToldByTheirKey) {
   EXPECT_NE(text.find("footprint.oval.energy_image"), std::string::npos) << text;
   scene.footprints[0].source = "spline";  // which reads no files
   EXPECT_NO_THROW(read_scene_pictures(scene));
+}
+
+TEST(ScenePictures, HaveABiasMapByItsName) {
+  const TemporaryFolder folder;
+  write_display(folder / "map.png", even(0.2f, 0.2f, 0.2f), 16, 90, {});
+  Scene scene;
+  scene.file = folder / "scene.toml";
+  scene.chromospheres.resize(1);
+  scene.chromospheres[0].name = "clouds";
+  VolumeFiles files;
+  files.pictures = read_scene_pictures(scene);
+  EXPECT_EQ(bias_map(files, scene.chromospheres[0]), nullptr);
+  scene.chromospheres[0].biasmap = "map.png";
+  files.pictures = read_scene_pictures(scene);
+  ASSERT_NE(bias_map(files, scene.chromospheres[0]), nullptr);
+  EXPECT_NEAR(bias_map(files, scene.chromospheres[0])->data[3], 0.2, 1e-5);
+  scene.chromospheres[0].biasmap = "none.png";
+  const std::string text = expect_error(ErrorKind::unreadable_input, [&] { read_scene_pictures(scene); });
+  EXPECT_NE(text.find("chromosphere.clouds.biasmap"), std::string::npos) << text;
 }
 
 }  // namespace

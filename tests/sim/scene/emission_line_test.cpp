@@ -8,6 +8,7 @@
 
 #include "sim/light/emission_table.h"
 #include "sim/scene/emission_lines.h"
+#include "sim/scene/solar_lines.h"
 
 namespace vegard::sim {
 namespace {
@@ -46,6 +47,30 @@ TEST(EmissionLines, HaveComponentsWhoseSharesAddUpToOne) {
     EXPECT_TRUE(named_after_one) << line.wavelength_nm;
   }
   EXPECT_EQ(find_emission_line(670.5)->components.size(), 29u);
+}
+
+TEST(EmissionLines, OfTheSunHaveNoColumnAndAPeakOfTemperature) {
+  // Ions come by their charge: iron that has lost more electrons is hotter.
+  double before = 0.0;
+  for (const double asked_for : {30.4, 17.1, 637.4, 19.5, 530.3, 28.4}) {
+    const EmissionLine* line = find_emission_line(asked_for);
+    ASSERT_NE(line, nullptr) << asked_for;
+    EXPECT_FALSE(is_auroral(*line)) << asked_for;
+    EXPECT_TRUE(is_solar(*line)) << asked_for;
+    EXPECT_EQ(default_blur_width_deg(asked_for), 0.0);
+    const auto response = temperature_response(asked_for);
+    ASSERT_TRUE(response.has_value()) << asked_for;
+    EXPECT_GT(response->peak_log_k, before) << asked_for;
+    EXPECT_GT(response->width_log_k, 0.0) << asked_for;
+    EXPECT_FALSE(std::string(response->source).empty()) << asked_for;
+    before = response->peak_log_k;
+  }
+  EXPECT_TRUE(is_solar(*find_emission_line(560.0)));  // white light
+  EXPECT_FALSE(temperature_response(560.0).has_value());
+  for (const double other : {557.7, 550.0, 656.3}) {
+    EXPECT_FALSE(is_solar(*find_emission_line(other))) << other;
+    EXPECT_FALSE(temperature_response(other).has_value()) << other;
+  }
 }
 
 TEST(EmissionLines, OfNebulaeHaveNoColumnAndTheRatiosOfTheirUpperLevels) {

@@ -88,6 +88,25 @@ TEST(ColourTable, TakesTheMeanOfTheChannels) {
     EXPECT_EQ(image.at(0, 0, c), static_cast<float>(ColourTable::named("304").at(0.5)[c]));
 }
 
+TEST(ColourTable, PhotographsAreReadWithoutIt) {
+  Scene scene;
+  scene.sensor.tone = "gamma";
+  scene.sensor.gamma = 2.0;
+  scene.sensor.mosaic = "none";
+  std::vector<Image> read;
+  std::vector<std::vector<float>> noise;
+  for (const char* table : {"none", "171"}) {
+    scene.sensor.colour_table = table;
+    read.push_back(greys());
+    std::vector<std::uint8_t> usable(read.back().data.size(), 1);
+    recover_light(scene, 1.0 / 255.0, read.back(), usable);
+    noise.push_back(light_variance(scene, read.back(), 1.0 / 255.0).data);
+  }
+  EXPECT_EQ(read[0].data, read[1].data);
+  EXPECT_EQ(noise[0], noise[1]);
+  EXPECT_GT(noise[0][150], 0.0f);
+}
+
 TEST(ColourTable, ReadsATable) {
   const tests::TemporaryFolder folder;
   const ColourTable table(with_table(folder, "grey,red,green,blue\n0,0,0,0.5\n0.5,1,0,0.5\n1,1,1,0\n"));

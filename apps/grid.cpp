@@ -1,0 +1,197 @@
+#include "apps/grid.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/exit_code.h"
+#include "apps/grid_file.h"
+#include "apps/input_files.h"
+#include "apps/interrupt.h"
+#include "apps/progress_bar.h"
+#include "apps/usage_error.h"
+#include "sim/base/error.h"
+#include "sim/base/mask5.h"
+#include "sim/base/version.h"
+#include "sim/base/volumegrid_text.h"
+#include "sim/base/whole_file.h"
+#include "sim/emit/grid/grid_filter.h"
+
+namespace vegard::apps {
+namespace {
+
+/// One of the words --blur, --sharpen and --mask.
+struct Step {
+  std::string words;  ///< "blur 2"
+  sim::Mask5 mask;
+  int times = 1;
+};
+
+struct Options {
+  std::string input, output;
+  std::vector<std::string> channels, masks;
+  std::vector<int> blur, sharpen;
+  std::vector<char> order;  ///< 'b', 's' or 'm' for each of them, in the order of the command line
+  int threads = 0;
+  bool overwrite = false;
+};
+
+sim::Mask5 mask_of_file(const std::string& path) {
+  std::error_code ignored;
+  constexpr std::uintmax_t kMostBytes = 1 << 20;
+  const bool is_file = std::filesystem::is_regular_file(path, ignored);
+  std::ifstream stream(path, std::ios::binary);
+  if (!is_file || !stream || std::filesystem::file_size(path, ignored) > kMostBytes)
+    throw sim::Error(sim::ErrorKind::unreadable_input,
+                     {is_file ? "it cannot be read, or has more than 1 MB" : "it is not there, or no file",
+                      path, 0, "--mask", "a text of 125 numbers", ""});
+  return sim::read_mask5(std::string(std::istreambuf_iterator<char>(stream), {}), path);
+}
+
+std::vector<Step> steps_of(const Options& options) {
+  std::vector<Step> steps;
+  std::size_t blurs = 0, sharpens = 0, masks = 0;
+  for (const char what : options.order) {
+    if (what == 'm') {
+      const std::string& file = options.masks[masks++];
+      steps.push_back({"mask " + std::filesystem::path(file).filename().string(), mask_of_file(file), 1});
+      continue;
+    }
+    const int times = what == 'b' ? options.blur[blurs++] : options.sharpen[sharpens++];
+    steps.push_back({fmt::format("{} {}", what == 'b' ? "blur" : "sharpen", times),
+                     what == 'b' ? sim::blur_mask() : sim::sharpen_mask(), times});
+  }
+  return steps;
+}
+
+/// False if it was interrupted.
+bool filter(sim::SparseGrid& grid, const std::vector<Step>& steps, int threads,
+            const std::atomic<bool>& stop) {
+  int all = 0, done = 0;
+  for (const Step& step : steps) all += step.times;
+  ProgressBar bar("convolving");
+  for (const Step& step : steps)
+    for (int n = 0; n < step.times; ++n) {
+      if (stop.load()) return false;
+      sim::filter_grid(grid, step.mask, threads);
+      bar.update(static_cast<double>(++done) / all);
+    }
+  return true;
+}
+
+/// The channel that a volumegrid is to hold.
+int single_channel(const Options& options, const sim::SparseGrid& grid) {
+  const int channel = options.channels.size() == 1 ? 0 : usual_channel(grid);
+  if (channel < 0 || options.channels.size() > 1)
+    throw usage_error("--channel", "a volumegrid holds one grid, and there are " + channel_names(grid),
+                      "--channel NAME, or -o OUT.vdb");
+  return channel;
+}
+
+void write(const Options& options, GridFile&& file, const std::vector<Step>& steps) {
+  if (!is_vdb_name(options.output)) {
+    sim::VolumegridOptions out;
+    out.size = file.size;
+    out.colours = file.colours;
+    out.overwrite = options.overwrite;
+    sim::write_volumegrid(options.output, file.grid, single_channel(options, file.grid), out);
+    return;
+  }
+  sim::VdbOptions out;
+  out.overwrite = options.overwrite;
+  const auto centre = file.metadata.numbers.find(sim::kVoxelCentreIndex);
+  if (centre != file.metadata.numbers.end() && centre->second == 0.0) out.centre_index = 0.0;
+  file.metadata.texts["creator"] = "vegard " + sim::version();
+  for (const Step& step : steps) {
+    std::string& words = file.metadata.texts["filters"];
+    words += (words.empty() ? "" : ", ") + step.words;
+  }
+  sim::write_vdb(options.output, std::move(file.grid), file.metadata, out);
+}
+
+int run(const Options& options) {
+  check_grid_name("GRID", options.input);
+  check_grid_name("--output", options.output);
+  std::vector<NamedInput> inputs = {{options.input, "the grid"}};
+  for (const std::string& mask : options.masks) inputs.push_back({mask, "a mask"});
+  spare_inputs("--output", options.output, inputs);
+  {
+    sim::WholeFile refused_now(options.output, options.overwrite);  // and not after the work
+  }
+  const std::vector<Step> steps = steps_of(options);
+  const std::atomic<bool>& stop = watch_for_interrupt();
+  GridFile file = read_grid_file(options.input, options.channels);
+  if (!is_vdb_name(options.output)) single_channel(options, file.grid);  // refused now
+  const bool finished = filter(file.grid, steps, options.threads, stop) && !stop.load();
+  if (!finished) {
+    std::fputs("vegard: interrupted, nothing is written\n", stderr);
+    return interrupted;
+  }
+  if (file.grid.bricks.empty())
+    throw usage_error("GRID", "there is nothing in " + options.input + ", and nothing is written",
+                      "a grid with numbers that are not 0");
+  std::string report = fmt::format("{} bricks of 8 x 8 x 8 voxels of {:g} {}, {}", file.grid.bricks.size(),
+                                   file.grid.voxel, length_words(file.metadata), channel_names(file.grid));
+  for (const Step& step : steps) report += "; " + step.words;
+  write(options, std::move(file), steps);
+  std::printf("%s: %s\n", options.output.c_str(), report.c_str());
+  return good;
+}
+
+}  // namespace
+
+void add_grid_command(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "grid", "Convert grids between OpenVDB and pbrt's volumegrid, and blur or sharpen them");
+  command->add_option("GRID", options->input, "A .vdb file, or a volumegrid (.pbrt, .volumegrid, .txt)")
+      ->required();
+  command->add_option("-o,--output", options->output, "The file to write; its name says which kind")
+      ->type_name("OUT.vdb|pbrt")
+      ->required();
+  command
+      ->add_option(
+          "--channel", options->channels,
+          "Only the grids of these names (default: all; into a volumegrid: density, or the only one)")
+      ->delimiter(',')
+      ->type_name("NAME,...");
+  const auto repeated = [](CLI::Option* option) {
+    return option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  };
+  CLI::Option* blur =
+      repeated(command
+                   ->add_option("--blur", options->blur,
+                                "Convolve so often with the blur of 5 x 5 x 5; may be repeated")
+                   ->check(CLI::Range(1, 100))
+                   ->type_name("TIMES"));
+  CLI::Option* sharpen = repeated(
+      command->add_option("--sharpen", options->sharpen, "The same with twice what is there less the blur")
+          ->check(CLI::Range(1, 100))
+          ->type_name("TIMES"));
+  CLI::Option* mask =
+      repeated(command
+                   ->add_option("--mask", options->masks,
+                                "The same with a mask of your own, 125 numbers, the last axis fastest")
+                   ->type_name("FILE"));
+  command->add_option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
+      ->check(CLI::Range(0, 1024));
+  command->add_flag("--overwrite", options->overwrite, "Replace an output that exists");
+  command->callback([options, command, blur, sharpen, mask, &exit_code] {
+    options->order.clear();
+    for (const CLI::Option* given : command->parse_order()) {
+      if (given == blur) options->order.push_back('b');
+      if (given == sharpen) options->order.push_back('s');
+      if (given == mask) options->order.push_back('m');
+    }
+    exit_code = run(*options);
+  });
+}
+
+}  // namespace vegard::apps

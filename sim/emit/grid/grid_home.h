@@ -1,0 +1,75 @@
+// How a scene's rays come to the voxels of one of its grids, and what the numbers there are worth.
+//
+// A grid is at home on the ground (GridBricks::place() leads to its voxels) or on the Sun: then its place is
+// that of the heliographic frame of sim/emit/sun/sun_frame.h, whose unit is sun.unit_km. The Sun's own
+// numbers may be free, so what leads there is worked out in T.
+//
+// Digits: voxels are counted from the grid's corner, which the observer is some 1.5e5 units away from. A
+// place on a ray, from + t along, is the difference of two such numbers, each right to 1e-16 of it: some
+// 1e-10 of a unit is left.
+#pragma once
+
+#include <vector>
+
+#include "sim/emit/grid/grid_bricks.h"
+#include "sim/emit/sun/sun_frame.h"
+#include "sim/light/emitter.h"
+#include "sim/scene/scene.h"
+
+namespace vegard::sim {
+
+template <class T>
+struct GridHome {
+  T turn[3][3];          ///< from the observer's east, north, up in km to voxels
+  T from[3];             ///< where rays begin, in voxels
+  double voxel_km;       ///< edge of a voxel
+  std::vector<T> light;  ///< [line] rayleighs of 1 to a kilometre, the volume's gain in them
+};
+
+/// Of a frame "sun" `sun` is the scene's Sun, else it may be null. Light of density (density_rayleigh) is
+/// counted to a kilometre, or to a unit of the Sun's frame; else a number is photons cm^-3 s^-1. The shift is
+/// by east, north, up of the observer, or on the Sun by its frame's x, y, z.
+template <class T>
+GridHome<T> grid_home(const GridBricks& grid, const Volume& volume, const Sun* sun,
+                      const NumberAs<T>& number) {
+  GridHome<T> home;
+  const GridPlace& place = grid.place();
+  const bool on_sun = volume.frame == "sun" && sun != nullptr;
+  const double unit_km = on_sun ? sun->unit_km : 1.0;
+  home.voxel_km = grid.voxel_km() * unit_km;
+  T shift[3];
+  for (int c = 0; c < 3; ++c) shift[c] = number(volume.shift_km[c]) * (1.0 / unit_km);
+  for (int a = 0; a < 3; ++a) {
+    home.from[a] = T(place.shift[a]);
+    for (int c = 0; c < 3; ++c) {
+      home.from[a] = home.from[a] - shift[c] * place.turn[a][c];
+      home.turn[a][c] = T(place.turn[a][c]);
+    }
+  }
+  if (on_sun) {
+    const SunFrame<T> frame(*sun, number);
+    T observer[3], axis[3][3];  // [of east, north, up][of the frame]
+    frame.observer(observer);
+    for (int e = 0; e < 3; ++e) {
+      const T east_north_up[3] = {T(e == 0 ? 1.0 : 0.0), T(e == 1 ? 1.0 : 0.0), T(e == 2 ? 1.0 : 0.0)};
+      T in_sky[3];
+      frame.sky().turn(east_north_up, in_sky);
+      frame.from_sky(in_sky, axis[e]);
+    }
+    for (int a = 0; a < 3; ++a)
+      for (int c = 0; c < 3; ++c) {
+        home.from[a] = home.from[a] + observer[c] * place.turn[a][c];
+        home.turn[a][c] = T(0.0);
+        for (int k = 0; k < 3; ++k)
+          home.turn[a][c] = home.turn[a][c] + axis[c][k] * (place.turn[a][k] / unit_km);
+      }
+  }
+  const T gain = number(volume.gain);
+  for (int l = 0; l < grid.lines(); ++l)
+    home.light.push_back(volume.density_rayleigh.empty()
+                             ? gain * kRayleighsPerKm
+                             : gain * number(volume.density_rayleigh[l]) * (1.0 / unit_km));
+  return home;
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,66 @@
+# Grids from one format to the other, filtered on the way, and what is refused.
+source "$(dirname "$0")/case.sh"
+cat > a.pbrt <<'TEXT'
+# Two voxels of 3 x 3 x 2.
+Volume "volumegrid" "integer nx" [3] "integer ny" 3 "integer nz" [2]
+  "point p0" [10 20 700] "point p1" [16 26 704]
+  "color Le" [1 0.8 0.2] "float density" [ 0 0 0  0 1.5 0  0 0 0
+   0 0 0  0 0 0  0 0 0.25 ]
+TEXT
+expect_exit 0 grid a.pbrt -o a.vdb
+expect_stdout "a.vdb: 1 bricks of 8 x 8 x 8 voxels of 2 units, density"
+expect_starts a.vdb 20424456
+# The way back gives the same numbers; the empty edges of the box are gone, which OpenVDB does not know.
+expect_exit 0 grid a.vdb -o back.volumegrid
+grep -q '"integer nx" \[2\] "integer ny" \[2\] "integer nz" \[2\]' back.volumegrid || fail "the box"
+grep -q '"point p0" \[12 22 700\] "point p1" \[16 26 704\]' back.volumegrid || fail "its place"
+grep -qx '1.5 0' back.volumegrid || fail "1.5 is not there"
+grep -qx '0 0.25' back.volumegrid || fail "0.25 is not there"
+# From text to text the box and the colours stay.
+expect_exit 0 grid a.pbrt -o b.txt
+grep -q '"integer nx" \[3\] "integer ny" \[3\] "integer nz" \[2\]' b.txt || fail "the whole box"
+grep -q '"color Le" \[1 0.8 0.2\]' b.txt || fail "the colour"
+expect_exit 0 grid b.txt -o c.txt
+expect_same b.txt c.txt
+# Filters in the order of the command line, by any number of threads; a mask of one in the middle does nothing.
+(for i in $(seq 62); do echo 0; done; echo 1; for i in $(seq 62); do echo 0; done) > one.mask
+expect_exit 0 grid a.pbrt -o same.txt --mask one.mask
+expect_same same.txt b.txt
+expect_exit 0 grid a.pbrt -o blurred.txt --blur 2 --sharpen 1 --threads 1
+expect_stdout "; blur 2; sharpen 1"
+expect_exit 0 grid a.pbrt -o again.txt --blur 1 --blur 1 --sharpen 1 --mask one.mask --threads 3
+expect_same blurred.txt again.txt
+expect_exit 0 grid a.pbrt -o other.txt --sharpen 1 --blur 2
+expect_different blurred.txt other.txt
+# Refused: names, outputs, masks, channels and broken files; nothing is left behind.
+expect_exit 2 grid a.pbrt -o a.vdb
+expect_stderr "a.vdb"
+expect_exit 0 grid a.pbrt -o a.vdb --overwrite
+expect_exit 2 grid a.pbrt -o a.pbrt --overwrite
+expect_one_message
+expect_exit 2 grid a.pbrt -o one.mask --overwrite --mask one.mask
+expect_one_message
+expect_exit 2 grid a.pbrt -o no.png
+expect_stderr "names no kind of grid"
+expect_one_message
+expect_exit 2 grid a.vdb -o no.vdb --channel light
+expect_stderr "one of its grids: density"
+expect_one_message
+expect_exit 2 grid a.vdb -o no.vdb --blur 0
+expect_exit 3 grid none.vdb -o no.vdb
+expect_one_message
+expect_exit 3 grid a.pbrt -o no.vdb --mask none.mask
+expect_stderr "--mask"
+expect_one_message
+echo "1 2 x" > bad.mask
+expect_exit 3 grid a.pbrt -o no.vdb --mask bad.mask
+expect_stderr "bad.mask:1"
+expect_one_message
+head -c 200 a.pbrt > cut.pbrt
+expect_exit 3 grid cut.pbrt -o no.vdb
+expect_stderr "cut.pbrt:4"
+expect_stderr "cut off"
+expect_one_message
+expect_exit 6 grid a.pbrt -o no/such/folder/out.vdb
+expect_one_message
+expect_only a.pbrt a.vdb back.volumegrid b.txt c.txt one.mask same.txt blurred.txt again.txt other.txt bad.mask cut.pbrt

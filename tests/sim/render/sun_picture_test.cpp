@@ -1,0 +1,91 @@
+// The Sun in whole pictures.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/render/render.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr int kWidth = 60, kHeight = 40;
+
+/// A dark ball of 5.7 degrees' radius, 11 pixels, before a sky full of stars.
+Scene ball_before_stars() {
+  Scene scene;
+  scene.camera.width = kWidth;
+  scene.camera.height = kHeight;
+  scene.camera.hfov_deg = 30.0;
+  scene.camera.elevation_deg = 45.0;
+  scene.blur.width_deg = {0.0, 0.0, 0.0};
+  scene.stars.shown = true;
+  scene.stars.faintest_magnitude = 10.0;
+  scene.stars.gain = 1e3;
+  scene.sun.shown = true;
+  scene.sun.azimuth_deg = scene.camera.azimuth_deg;
+  scene.sun.elevation_deg = 45.0;
+  scene.sun.radius = 1.0;
+  scene.sun.unit_km = 1.0;
+  scene.sun.distance_km = 10.0;
+  return scene;
+}
+
+double off_middle_px(int x, int y) { return std::hypot(x + 0.5 - 0.5 * kWidth, y + 0.5 - 0.5 * kHeight); }
+
+TEST(SunPicture, HasNoStarsBehindItsBall) {
+  const Rendering r = render(ball_before_stars());
+  ASSERT_FALSE(r.stars.empty());
+  double behind = 0.0, beside = 0.0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      for (int c = 0; c < 3; ++c) {
+        if (off_middle_px(x, y) < 10.0) {
+          behind += r.stars.at(x, y, c);
+          ASSERT_EQ(r.rgb.at(x, y, c), 0.0f);
+        }
+        if (off_middle_px(x, y) > 13.0) {
+          beside += r.stars.at(x, y, c);
+          ASSERT_EQ(r.rgb.at(x, y, c), r.stars.at(x, y, c));
+        }
+      }
+  EXPECT_GT(behind, 0.01) << "or there is nothing to be hidden";
+  EXPECT_GT(beside, 0.01);
+}
+
+TEST(SunPicture, HasCloudsThatShadeItsBallAndACoronaAboutIt) {
+  Scene scene = ball_before_stars();
+  scene.stars.shown = false;
+  scene.sun.photosphere_rayleigh = {5000.0, 4000.0, 3000.0};
+  const Image bright = render(scene).rayleigh;
+  EXPECT_FLOAT_EQ(bright.at(30, 20, 0), 5000.0f);
+  Chromosphere clouds;
+  clouds.innerradius = 1.0;
+  clouds.outerradius = 1.1;
+  clouds.coverage = -1.0;
+  clouds.sharpness = 1000.0;
+  clouds.step = 0.03;
+  clouds.extinction = 3.0;
+  scene.chromospheres = {clouds};
+  Corona corona;
+  corona.rayleigh = {50.0, 60.0, 70.0};
+  scene.coronae = {corona};
+  const Image shaded = render(scene).rayleigh;
+  // Half a pixel off the middle, to the right and down: so far aside of it the ray passes.
+  const double aside =
+      10.0 * std::sin(std::atan(std::sqrt(0.5) * std::tan(15.0 * std::acos(-1.0) / 180.0) / 30.0));
+  const double depth = 3.0 * (std::sqrt(1.21 - aside * aside) - std::sqrt(1.0 - aside * aside));
+  // The clouds shade what of the corona is within them or behind; its light is that of the very middle to 0.4
+  // %.
+  const auto between = [](double low, double high) {
+    return 50.0 * (std::pow(low, -5.0) - std::pow(high, -5.0)) / 5.0;
+  };
+  EXPECT_NEAR(shaded.at(30, 20, 0), between(1.1, 5.0) + (between(1.0, 1.1) + 5000.0) * std::exp(-depth),
+              0.05);
+  EXPECT_EQ(bright.at(30, 4, 2), 0.0f);
+  EXPECT_GT(shaded.at(30, 4, 2), 1.0f);
+  EXPECT_GT(shaded.at(30, 7, 1), shaded.at(30, 2, 1));
+}
+
+}  // namespace
+}  // namespace vegard::sim
