@@ -112,18 +112,22 @@ void put_solution(const Comparison& comparison, const Comparison::Point& point, 
       solved(std::string("gain") + (gains.per_band ? ".band_" + std::to_string(b) : "") +
                  (gains.per_channel ? std::string(".") + kChannel[c] : ""),
              gains.column(b, c));
-  double sum = 0.0;
-  int lit = 0;
+  // Where bands have skies of their own, one that has next to no light may have any gain: each counts by how
+  // well it is known.
+  const bool by_weight = linear.skies() > 1;
+  double sum = 0.0, lit = 0.0;
   r.gain.assign(r.data.bands, std::vector<double>(3));
   for (int b = 0; b < r.data.bands; ++b)
     for (int c = 0; c < 3; ++c) {
       r.gain[b][c] = solution.coefficients[gains.column(b, c)];
+      const double known = variance[gains.column(b, c)];
+      const double weight = !by_weight ? 1.0 : known > 0.0 ? 1.0 / known : 0.0;
       if (r.gain[b][c] > 0.0) {
-        sum += r.gain[b][c];
-        ++lit;
+        sum += weight * r.gain[b][c];
+        lit += weight;
       }
     }
-  if (lit > 0) {
+  if (lit > 0.0) {
     // The night sky's lights keep the brightness that they had in the fit.
     if (sim::has_night_sky(r.best))
       r.best.sky.lights_gain *= sim::gain_per_kilorayleigh(r.best) / (sum / lit);

@@ -115,6 +115,7 @@ Comparison::ProfilePart Comparison::profile_part(const Point& point) const {
 }
 
 double Comparison::error_inflation(const Point& point, int dof) const {
+  if (!statistics_->looks_at_the_profile()) return std::sqrt(std::max(1.0, point.chi2 / std::max(1, dof)));
   const ProfilePart part = profile_part(point);
   if (part.used.size() == point.whitened.size())
     return fit::error_inflation(data(), part.used, part.residual, dof);
@@ -143,6 +144,7 @@ int Comparison::held_gains(const Point& point) const {
 }
 
 double Comparison::chi2_without_aurora(const Point& point) const {
+  if (!statistics_->looks_at_the_profile()) return std::numeric_limits<double>::infinity();
   ModelProfile dark;
   dark.value.assign(point.aurora.value.size(), 0.0);
   dark.offset = point.aurora.offset;

@@ -77,14 +77,14 @@ class Comparison {
   };
   ProfilePart profile_part(const Point& point) const;
   /// fit::error_inflation() of a point: how residuals hang together is the profile's to say, compared or
-  /// not; how large they are, all statistics'.
+  /// not, unless nothing has to do with its bins; how large they are, all statistics'.
   double error_inflation(const Point& point, int dof) const;
   /// Model of the profile in the data's units, at all values.
   std::vector<double> profile_model(const Point& point) const;
   /// Held gains among the coefficients().
   int held_gains(const Point& point) const;
   /// chi2 if there were no aurora and the sky were solved for anew. Statistics that have no value without an
-  /// aurora stay as they are.
+  /// aurora stay as they are; infinity if nothing else is compared.
   double chi2_without_aurora(const Point& point) const;
 
   /// What statistics have solved for beside the coefficients.

@@ -39,6 +39,7 @@ class GranulationStatistic : public Statistic {
 
   std::string name() const override { return "granulation"; }
   std::size_t residuals() const override { return bands_.size(); }
+  bool is_of_the_profile() const override { return false; }
   void evaluate(const StatisticInput& input, double* residual, double* jacobian) const override;
 
   /// For tests and reports: of each residual.

@@ -174,7 +174,9 @@ std::string bins_bands_svg(const FittedPhoto& fitted) {
 std::string bins_brightness_svg(const FittedPhoto& fitted) {
   Plot plot;
   plot.title = "Brightness of the bands";
-  plot.note = "The gain of each band: the model\u2019s light is multiplied by it. Shaded: \u00b11 \u03c3.";
+  plot.note =
+      "The gain of each band: the model\u2019s light is multiplied by it. Shaded: \u00b11 \u03c3. Left out: "
+      "bands that have so little light that \u03c3 is above the gain.";
   Panel panel;
   const Profile& data = fitted.data;
   for (int c = 0; c < 3; ++c) {
@@ -190,6 +192,7 @@ std::string bins_brightness_svg(const FittedPhoto& fitted) {
       double sigma = 0.0;
       for (const SolvedNumber& s : fitted.solved)
         if (s.name == name) sigma = s.sigma.value_or(0.0);
+      if (sigma > fitted.gain[b][c]) continue;
       series.x.push_back(data.grid->across.edge(b + 0.5));
       series.y.push_back(fitted.gain[b][c]);
       series.low.push_back(fitted.gain[b][c] - sigma);

@@ -41,6 +41,9 @@ class Statistic {
   /// not null, also d residual / d parameter, row-major [residual][parameter], and `light` must have slopes.
   virtual void evaluate(const StatisticInput& input, double* residual, double* jacobian) const = 0;
 
+  /// Whether its residuals go up and down together as far as the profile's do, whose bins it is made of.
+  virtual bool is_of_the_profile() const { return true; }
+
   /// What a statistic has solved for by itself, with its standard deviation for a scene that is right; 0:
   /// none.
   struct Solved {

@@ -1,5 +1,6 @@
 #include "fit/statistics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -85,6 +86,12 @@ Statistics::Statistics(const sim::Scene& scene, const Photo& photo, Profile data
                                                    scene, photo, profile_.region, fit.granulation_weight,
                                                    model_error.share, threads)});
   for (const Other& other : others_) residuals_ += static_cast<int>(other.statistic->residuals());
+}
+
+bool Statistics::looks_at_the_profile() const {
+  return linear_counts_ || std::any_of(others_.begin(), others_.end(), [](const Other& other) {
+           return other.statistic->is_of_the_profile();
+         });
 }
 
 }  // namespace vegard::fit

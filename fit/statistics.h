@@ -36,6 +36,9 @@ class Statistics {
   /// and only there to solve for the gains and the sky.
   bool linear_counts() const { return linear_counts_; }
 
+  /// Whether anything that is compared has to do with the profile's bins.
+  bool looks_at_the_profile() const;
+
   /// Those that mean light in bins makes up: values first to first + values of the bins'.
   struct Linear {
     std::string name;

@@ -80,9 +80,11 @@ void ask_of_the_misfit(const Evidence& evidence, const FitResult& r, Checks& che
         fmt::format("chi2 per degree of freedom is {:.2g}: the model misses something in the data", reduced));
   checks.ask("chi2 per degree of freedom", fmt::format("{:.2f}", reduced), against);
   const double percent = 100.0 * r.rms_over_peak;
-  checks.ask("rms residual", fmt::format("{:.1f} % of the profile's peak", percent),
-             !(r.rms_over_peak > kMostRms),
-             fmt::format("the rms residual is {:.1f} % of the profile's peak", percent));
+  // Of a profile that is looked at, compared by itself or not.
+  if (std::isfinite(evidence.chi2_without_aurora))
+    checks.ask("rms residual", fmt::format("{:.1f} % of the profile's peak", percent),
+               !(r.rms_over_peak > kMostRms),
+               fmt::format("the rms residual is {:.1f} % of the profile's peak", percent));
   const double together = r.error_inflation * r.error_inflation / std::max(1.0, reduced);
   const double independent = r.dof / std::max(1.0, together);
   const double unknowns =
@@ -172,11 +174,12 @@ void judge(const Evidence& evidence, FitResult& result) {
   if (!evidence.curve_words.empty())
     checks.ask("transfer curve", evidence.curve_words, evidence.against_curve);
   const std::string light = light_noun(result.best);
-  checks.ask(
-      light + " or none",
-      fmt::format("a sky without any {} has chi2 {}", light, short_number(evidence.chi2_without_aurora, 4)),
-      !(result.chi2 > kLeastGain * evidence.chi2_without_aurora),
-      "a sky without any " + light + " explains the data almost as well");
+  if (std::isfinite(evidence.chi2_without_aurora))
+    checks.ask(
+        light + " or none",
+        fmt::format("a sky without any {} has chi2 {}", light, short_number(evidence.chi2_without_aurora, 4)),
+        !(result.chi2 > kLeastGain * evidence.chi2_without_aurora),
+        "a sky without any " + light + " explains the data almost as well");
   checks.ask("one answer", "no other end of the search explains the data as well", !evidence.second_mode,
              evidence.second_mode_text);
 

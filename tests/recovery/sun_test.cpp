@@ -8,9 +8,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "fit/fit.h"
+#include "fit/measured_profile.h"
 #include "fit/number_text.h"
 #include "sim/emit/sun/sun_frame.h"
 #include "sim/scene/parameter_table.h"
@@ -28,7 +32,7 @@ lines = [17.1]
 [camera]
 width = 160
 height = 140
-hfov_deg = 0.089
+hfov_deg = 0.1
 azimuth_deg = 180
 elevation_deg = 45
 [sun]
@@ -88,7 +92,7 @@ void draw_guide(const Photo& photo, sim::Scene& scene, const std::vector<std::pa
     for (int dy = -4; dy <= 4; ++dy)
       for (int dx = -4; dx <= 4; ++dx)
         best = std::max<double>(best, photo.linear.at(static_cast<int>(x) + dx, static_cast<int>(y) + dy, 1));
-    EXPECT_GT(best, 0.2) << "the loop is not near (" << x << ", " << y << ")";
+    EXPECT_GT(best, 0.15) << "the loop is not near (" << x << ", " << y << ")";
   }
 }
 
@@ -99,13 +103,13 @@ TEST(SunRecovery, FindsALoopAgainFromADisplacedStart) {
   const Photo photo = tests::noisy_photo(truth, 0.01, 77);
   sim::Scene start = truth;
   draw_guide(photo, start,
-             {{31, 65}, {41, 46}, {52, 35}, {66, 26}, {78, 27}, {90, 29}, {97, 39}, {101, 54}, {98, 70}});
+             {{37, 66}, {45, 48}, {55, 38}, {68, 31}, {78, 32}, {88, 34}, {95, 42}, {99, 54}, {96, 70}});
   sim::Loop& loop = start.loops[0];
-  loop.height = 80.0;
-  loop.width = 118.0;
-  loop.tilt_deg = -28.0;
-  loop.latitude_deg = 27.5;
-  loop.longitude_deg = 29.4;
+  loop.height = 75.0;
+  loop.width = 114.0;
+  loop.tilt_deg = -31.0;
+  loop.latitude_deg = 27.2;
+  loop.longitude_deg = 29.8;
   loop.strand_radius = 6.0;
   for (const char* key : {"latitude_deg", "longitude_deg", "width", "height", "tilt_deg", "strand_radius"}) {
     sim::FreeParameter entry;
@@ -198,6 +202,52 @@ TEST(SunPictures, TheTraceScenePutsTheSunWhereTheHeaderSays) {
       EXPECT_NEAR(in_sky[0] / -in_sky[2] / kSecond, (x + 0.5 + 331.555) * 0.5, 0.02);
       EXPECT_NEAR(in_sky[1] / -in_sky[2] / kSecond, (1024.0 - y + 0.5 + 289.793) * 0.5, 0.02);
     }
+}
+
+/// Two starts, as two hands would draw them, end at one loop.
+TEST(SunPicturesFitted, OneLoopOfTheTracePictureIsFoundFromTwoStarts) {
+  const std::string file = photograph("trace171_19980519.fits");
+  if (file.empty()) GTEST_SKIP() << "trace171_19980519.fits is not there (VEGARD_PHOTOS)";
+  sim::Scene scene = example("trace/scene.toml");
+  const Photo photo = read_photo(file, Decoding{}, &scene);
+  const FitResult first = fit_photo(scene, photo, {});
+  std::printf("%s\n", first.verdict_line.c_str());
+  EXPECT_NE(first.verdict, Verdict::failed);
+  EXPECT_LT(first.chi2, 0.5 * first.chi2_initial);
+  EXPECT_LT(first.rms_over_peak, 0.03);
+  scene.loops[0].height = 65.0;
+  scene.loops[0].tilt_deg = -60.0;
+  scene.loops[0].strand_radius = 4.5;
+  const FitResult second = fit_photo(scene, photo, {});
+  for (std::size_t j = 0; j < first.parameters.size(); ++j) {
+    const FittedParameter &a = first.parameters[j], &b = second.parameters[j];
+    ASSERT_TRUE(a.sigma) << a.path << ": " << a.why_no_sigma;
+    std::printf("  %-28s %s, from the other start %g\n", a.path.c_str(),
+                number_with_error(a.value, a.sigma).c_str(), b.value);
+    EXPECT_NEAR(b.value, a.value, *a.sigma) << a.path;
+  }
+}
+
+// Its profile falls all the way, and about twice as steeply as the corona's light does (Baumbach 1937: the
+// sum of 2.565 r^-17, 1.425 r^-7 and 0.0532 r^-2.5): the picture is no linear light (docs/corona/fits.md).
+TEST(SunPictures, TheEclipseIsSteeperThanTheCorona) {
+  const std::string file = photograph("eclipse1999_corona.jpg");
+  if (file.empty()) GTEST_SKIP() << "eclipse1999_corona.jpg is not there (VEGARD_PHOTOS)";
+  sim::Scene scene = example("eclipse/scene.toml");
+  scene.fit.bands = 1;
+  const Photo photo = read_photo(file, Decoding{}, &scene);
+  const Region all{0, 0, scene.camera.width, scene.camera.height};
+  const Profile profile = extract_profile(photo, std::make_shared<const BinGrid>(profile_bins(scene, all)));
+  const auto light = [&](int p) { return profile.mean[profile.index(0, p, 1)]; };
+  for (int p = 1; p < profile.rows; ++p) EXPECT_LT(light(p), light(p - 1)) << p;
+  const auto baumbach = [](double r) {
+    return 2.565 * std::pow(r, -17.0) + 1.425 * std::pow(r, -7.0) + 0.0532 * std::pow(r, -2.5);
+  };
+  const int near = 10, far = profile.rows - 1;
+  const double of_picture = std::log(light(near) / light(far)),
+               of_corona = std::log(baumbach(profile.grid->along.edge(near + 0.5)) /
+                                    baumbach(profile.grid->along.edge(far + 0.5)));
+  EXPECT_GT(of_picture, 1.5 * of_corona);
 }
 
 }  // namespace
