@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/name_number.h"
 #include "sim/base/normal_quantile.h"
 #include "sim/base/random.h"
 #include "sim/emit/sun/sun_frame.h"
@@ -167,13 +168,13 @@ RadialFalloff radial_falloff(const std::string& word) {
 }
 
 template <class T>
-Strands<T> strands_of(const Sun& sun, const Loop& loop, std::uint32_t index, std::uint64_t seed,
-                      const NumberAs<T>& number) {
+Strands<T> strands_of(const Sun& sun, const Loop& loop, std::uint64_t seed, const NumberAs<T>& number) {
   const LoopShape<T> shape(sun, loop, number);
   const std::vector<T> along = density_along(loop, number);
   const T radius = number(loop.strand_radius), noise = number(loop.density_noise);
   std::vector<StrandChance> chance;
-  for (int k = 0; k < loop.strands; ++k) chance.emplace_back(seed, static_cast<std::uint32_t>(k), index);
+  for (int k = 0; k < loop.strands; ++k)
+    chance.emplace_back(seed, static_cast<std::uint32_t>(k), name_number(loop.name));
 
   Strands<T> made;
   made.falloff = radial_falloff(loop.density_falloff);
@@ -188,9 +189,7 @@ Strands<T> strands_of(const Sun& sun, const Loop& loop, std::uint32_t index, std
   return made;
 }
 
-template Strands<double> strands_of(const Sun&, const Loop&, std::uint32_t, std::uint64_t,
-                                    const NumberAs<double>&);
-template Strands<FreeDual> strands_of(const Sun&, const Loop&, std::uint32_t, std::uint64_t,
-                                      const NumberAs<FreeDual>&);
+template Strands<double> strands_of(const Sun&, const Loop&, std::uint64_t, const NumberAs<double>&);
+template Strands<FreeDual> strands_of(const Sun&, const Loop&, std::uint64_t, const NumberAs<FreeDual>&);
 
 }  // namespace vegard::sim
