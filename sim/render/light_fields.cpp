@@ -42,13 +42,11 @@ void add_sun_fields(const Scene& scene, const VolumeFiles& files, int threads, s
     if (loop.voxel > 0.0)
       add("loop", loop.name, loop_grid_field(scene, index, threads));
     else
-      add("loop", loop.name, of_strands(strands_of<double>(sun, loop, index, scene.seed, number), loop));
+      add("loop", loop.name, of_strands(strands_of<double>(sun, loop, scene.seed, number), loop));
   }
   for (std::size_t i = 0; i < scene.bundles.size(); ++i)
     add("bundle", scene.bundles[i].name,
-        of_strands(
-            strands_of<double>(sun, scene.bundles[i], static_cast<std::uint32_t>(i), scene.seed, number),
-            scene.bundles[i]));
+        of_strands(strands_of<double>(sun, scene.bundles[i], scene.seed, number), scene.bundles[i]));
   for (const Ejection& ejection : scene.ejections)
     if (ejection.kind == "rope")
       add("ejection", ejection.name,

@@ -85,7 +85,7 @@ SparseGrid loop_grid(const Scene& scene, std::uint32_t index, int threads, std::
   grid.voxel = loop.voxel;
   grid.channels.push_back({"density", ""});
   try {
-    add_strands(strands_of<double>(scene.sun, loop, index, scene.seed, NumberAs<double>(plain)), {1.0},
+    add_strands(strands_of<double>(scene.sun, loop, scene.seed, NumberAs<double>(plain)), {1.0},
                 {threads, memory_limit}, grid);
   } catch (const Error& error) {
     ErrorDetails details = error.details();

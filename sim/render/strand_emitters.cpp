@@ -22,11 +22,9 @@ void add_strand_emitters(const Scene& scene, const NumberAs<T>& number,
   };
   for (std::size_t i = 0; i < scene.loops.size(); ++i)
     if (scene.loops[i].voxel == 0.0)
-      add(strands_of<T>(sun, scene.loops[i], static_cast<std::uint32_t>(i), scene.seed, number),
-          scene.loops[i]);
+      add(strands_of<T>(sun, scene.loops[i], scene.seed, number), scene.loops[i]);
   for (std::size_t i = 0; i < scene.bundles.size(); ++i)
-    add(strands_of<T>(sun, scene.bundles[i], static_cast<std::uint32_t>(i), scene.seed, number),
-        scene.bundles[i]);
+    add(strands_of<T>(sun, scene.bundles[i], scene.seed, number), scene.bundles[i]);
   for (const Ejection& ejection : scene.ejections)
     if (ejection.kind == "rope")
       add(rope_strands<T>(sun, scene.time, ejection, number), ejection);

@@ -47,13 +47,14 @@ Strands<double> five_loops(int strands) {
     loop.height = 50.0 + 8.0 * i;
     loop.width = 70.0 + 6.0 * i;
     loop.tilt_deg = 15.0 * i - 30.0;
+    loop.name = "loop" + std::to_string(i);
     loop.strands = strands / 5;
     loop.strand_radius = 1.0;
     loop.root_noise = 1.0;
     loop.height_noise = 0.05;
     loop.filaments = 8;
     const Strands<double> some =
-        strands_of<double>(Sun{}, loop, i, 1, [](const double& number) { return number; });
+        strands_of<double>(Sun{}, loop, 1, [](const double& number) { return number; });
     all.all.insert(all.all.end(), some.all.begin(), some.all.end());
   }
   return all;

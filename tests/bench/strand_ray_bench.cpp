@@ -51,7 +51,7 @@ class Bench {
     loop.height_noise = 0.15;
     loop.tilt_noise_deg = 6.0;
     loop.density_falloff = options.falloff;
-    strands_ = strands_of<double>(sun_, loop, 0, 1, plain);
+    strands_ = strands_of<double>(sun_, loop, 1, plain);
     cell_rad_ = 160.0 * sun_.unit_km / sun_.distance_km / options.width;
   }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "sim/base/name_number.h"
 #include "sim/base/normal_quantile.h"
 #include "sim/base/random.h"
 #include "sim/emit/sun/macro_loop.h"
@@ -27,11 +28,10 @@ enum class Which : std::uint32_t { line = 0, slope = 1, filament = 2 };
 template <class T>
 class BundleMaker {
  public:
-  BundleMaker(const Sun& sun, const Bundle& bundle, std::uint32_t index, std::uint64_t seed,
-              const NumberAs<T>& number)
+  BundleMaker(const Sun& sun, const Bundle& bundle, std::uint64_t seed, const NumberAs<T>& number)
       : bundle_(bundle),
         number_(number),
-        index_(index),
+        name_(name_number(bundle.name)),
         seed_(seed),
         position_noise_(number(bundle.position_noise_deg) * kRadian) {
     SunFrame<double>(sun, [](const double& x) { return x; }).observer(observer_.data());
@@ -85,7 +85,7 @@ class BundleMaker {
     const Vec3<T> equatorwards = times3(north, value_of(up[2]) > 0.0 ? -1.0 : 1.0);
 
     const Words words =
-        random_words(seed_, Stream::bundle, foot.number, index_, static_cast<std::uint32_t>(Which::slope));
+        random_words(seed_, Stream::bundle, foot.number, name_, static_cast<std::uint32_t>(Which::slope));
     const T noise = number_(bundle_.slope_noise_deg) * kRadian;
     const T down = number_(bundle_.gradient_deg) * kRadian + noise * normal(words[0]),
             aside = noise * normal(words[1]);
@@ -124,7 +124,7 @@ class BundleMaker {
                  high = std::sin(bundle_.highest_latitude_deg * kRadian);
     const double latitude = std::asin(std::clamp(low + share * (high - low), -1.0, 1.0)) / kRadian;
     const SunPlace<double> at = sun_place(latitude, 360.0 * turn);
-    const Words words = random_words(seed_, Stream::bundle, i, index_, static_cast<std::uint32_t>(which));
+    const Words words = random_words(seed_, Stream::bundle, i, name_, static_cast<std::uint32_t>(which));
     const T north = position_noise_ * normal(words[0]), west = position_noise_ * normal(words[1]);
     Vec3<T> up;
     for (int axis = 0; axis < 3; ++axis)
@@ -141,7 +141,7 @@ class BundleMaker {
 
   const Bundle& bundle_;
   const NumberAs<T>& number_;
-  std::uint32_t index_;
+  std::uint32_t name_;
   std::uint64_t seed_;
   T position_noise_, radius_;
   Vec3<double> observer_;  ///< direction
@@ -151,9 +151,8 @@ class BundleMaker {
 }  // namespace
 
 template <class T>
-Strands<T> strands_of(const Sun& sun, const Bundle& bundle, std::uint32_t index, std::uint64_t seed,
-                      const NumberAs<T>& number) {
-  const BundleMaker<T> maker(sun, bundle, index, seed, number);
+Strands<T> strands_of(const Sun& sun, const Bundle& bundle, std::uint64_t seed, const NumberAs<T>& number) {
+  const BundleMaker<T> maker(sun, bundle, seed, number);
   auto feet = maker.feet(bundle.count, Which::line);
   maker.gather(feet);
   Strands<T> strands;
@@ -162,9 +161,7 @@ Strands<T> strands_of(const Sun& sun, const Bundle& bundle, std::uint32_t index,
   return strands;
 }
 
-template Strands<double> strands_of(const Sun&, const Bundle&, std::uint32_t, std::uint64_t,
-                                    const NumberAs<double>&);
-template Strands<FreeDual> strands_of(const Sun&, const Bundle&, std::uint32_t, std::uint64_t,
-                                      const NumberAs<FreeDual>&);
+template Strands<double> strands_of(const Sun&, const Bundle&, std::uint64_t, const NumberAs<double>&);
+template Strands<FreeDual> strands_of(const Sun&, const Bundle&, std::uint64_t, const NumberAs<FreeDual>&);
 
 }  // namespace vegard::sim

@@ -30,15 +30,13 @@
 
 namespace vegard::sim {
 
-/// Bundle `index` of a scene with this seed. Random numbers are those of Stream::bundle at (i, index, which).
-/// Which feet stand is decided by values.
+/// A bundle of a scene with this seed. Random numbers are those of Stream::bundle at (i, number of the name,
+/// which). Which feet stand is decided by values.
 template <class T>
-Strands<T> strands_of(const Sun& sun, const Bundle& bundle, std::uint32_t index, std::uint64_t seed,
-                      const NumberAs<T>& number);
+Strands<T> strands_of(const Sun& sun, const Bundle& bundle, std::uint64_t seed, const NumberAs<T>& number);
 
-extern template Strands<double> strands_of(const Sun&, const Bundle&, std::uint32_t, std::uint64_t,
-                                           const NumberAs<double>&);
-extern template Strands<FreeDual> strands_of(const Sun&, const Bundle&, std::uint32_t, std::uint64_t,
+extern template Strands<double> strands_of(const Sun&, const Bundle&, std::uint64_t, const NumberAs<double>&);
+extern template Strands<FreeDual> strands_of(const Sun&, const Bundle&, std::uint64_t,
                                              const NumberAs<FreeDual>&);
 
 }  // namespace vegard::sim

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "sim/base/name_number.h"
+
 namespace vegard::sim {
 namespace {
 
@@ -12,7 +14,8 @@ constexpr double kFiner = 1.99;  // an octave's lattice than the one before
 template <class T>
 ChromosphereDensity<T>::ChromosphereDensity(const Scene& scene, int index, const Image* biasmap,
                                             const NumberAs<T>& number)
-    : lattice_(scene.seed, Stream::chromosphere, static_cast<std::uint32_t>(index)) {
+    : lattice_(scene.seed, Stream::chromosphere,
+               name_number(scene.chromospheres[static_cast<std::size_t>(index)].name)) {
   const Chromosphere& c = scene.chromospheres[static_cast<std::size_t>(index)];
   octaves_ = c.octaves;
   cutoff_ = c.cutoff;

@@ -172,7 +172,7 @@ void EjectionShellField::sample(std::size_t count, const double* const point[3],
     const Vec3<double> here = {point[0][k], point[1][k], point[2][k]}, off = minus3(here, body_.middle);
     const bool hidden = dot3(here, here) < sun_radius_ * sun_radius_;
     const double value = hidden ? 0.0 : body_.density_at(dot3(off, off));
-    density[k] = static_cast<float>(value);
+    density[k] = 0.0f;
     for (int l = 0; l < lines_; ++l)
       emission[l][k] = light_.empty()
                            ? 0.0f

@@ -62,8 +62,8 @@ class EjectionShellEmitter : public Emitter<T> {
   std::vector<T> light_;
 };
 
-/// The same as a field, in the Sun's frame: dark within the photosphere. Nothing absorbs; the density given
-/// is the shell's.
+/// The same as a field, in the Sun's frame: dark within the photosphere. Nothing absorbs, and the density
+/// given is 0.
 class EjectionShellField : public LightField {
  public:
   EjectionShellField(const Scene& scene, const Ejection& ejection);

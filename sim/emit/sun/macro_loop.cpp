@@ -3,38 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/name_number.h"
 #include "sim/base/normal_quantile.h"
 #include "sim/base/random.h"
 #include "sim/emit/sun/sun_frame.h"
+#include "sim/emit/sun/vec3.h"
 
 namespace vegard::sim {
 namespace {
 
 constexpr double kRadian = 3.14159265358979323846 / 180.0;
-
-template <class T>
-using Vec = std::array<T, 3>;
-
-template <class T>
-T dot(const Vec<T>& a, const Vec<T>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-template <class T>
-Vec<T> cross(const Vec<T>& a, const Vec<T>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-/// a + s b
-template <class T>
-Vec<T> plus(const Vec<T>& a, const T& s, const Vec<T>& b) {
-  return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
-}
-
-template <class T>
-Vec<T> scaled(const Vec<T>& a, const T& s) {
-  return {a[0] * s, a[1] * s, a[2] * s};
-}
 
 /// What is random about a strand: standard normal numbers, and what the middles of bunches are drawn by.
 struct StrandChance {
@@ -58,7 +36,7 @@ struct StrandChance {
 /// The loop's numbers as T, and its directions.
 template <class T>
 struct LoopShape {
-  Vec<T> up, along, across;
+  Vec3<T> up, along, across;
   T radius, height, width, sharpness, skew, tilt, tilt_per_distance, spread;
   T root_noise, height_noise, tilt_noise;
 
@@ -85,7 +63,7 @@ struct LoopShape {
   }
 
   /// On the photosphere, straight below or above a place of the tangent plane.
-  Vec<T> foot(T a, T x) const {
+  Vec3<T> foot(T a, T x) const {
     const T square = a * a + x * x;
     const T most = radius * radius * 0.999;
     if (value_of(square) > value_of(most)) {
@@ -93,37 +71,37 @@ struct LoopShape {
       a = a * shrink;
       x = x * shrink;
     }
-    return plus(plus(scaled(up, square_root(radius * radius - a * a - x * x)), a, along), x, across);
+    return along3(along3(times3(up, square_root(radius * radius - a * a - x * x)), a, along), x, across);
   }
 
-  std::vector<Vec<T>> points(double share, const StrandChance& chance) const {
+  std::vector<Vec3<T>> points(double share, const StrandChance& chance) const {
     const T x = T(0.0) + spread * share;  // never -0
-    Vec<T> feet[2];
+    Vec3<T> feet[2];
     for (int f = 0; f < 2; ++f)
       feet[f] = foot(width * (f == 0 ? -0.5 : 0.5) + root_noise * chance.root[f][0],
                      x + root_noise * chance.root[f][1]);
-    const Vec<T> chord = plus(feet[1], T(-1.0), feet[0]);
-    const T length = square_root(dot(chord, chord));
-    const Vec<T> c = scaled(chord, T(1.0) / length);
-    const Vec<T> middle = scaled(plus(feet[0], T(1.0), feet[1]), T(0.5));
-    Vec<T> upright = plus(up, T(0.0) - dot(up, c), c);
-    upright = scaled(upright, T(1.0) / square_root(dot(upright, upright)));
-    const Vec<T> right = cross(c, upright);
+    const Vec3<T> chord = minus3(feet[1], feet[0]);
+    const T length = length3(chord);
+    const Vec3<T> c = times3(chord, T(1.0) / length);
+    const Vec3<T> middle = times3(along3(feet[0], T(1.0), feet[1]), T(0.5));
+    Vec3<T> upright = along3(up, T(0.0) - dot3(up, c), c);
+    upright = unit3(upright);
+    const Vec3<T> right = cross3(c, upright);
     const T angle = tilt + tilt_per_distance * x + tilt_noise * chance.tilt;
-    const Vec<T> h = plus(scaled(upright, cosine(angle)), sine(angle), right);
-    const Vec<T> n = cross(c, h);
+    const Vec3<T> h = along3(times3(upright, cosine(angle)), sine(angle), right);
+    const Vec3<T> n = cross3(c, h);
     T share_of_height = height_noise * chance.height + 1.0;
     if (!(value_of(share_of_height) > 0.05)) share_of_height = T(0.05);
-    const Vec<T> above = plus(middle, height * share_of_height * (4.0 / 3.0), h);
+    const Vec3<T> above = along3(middle, height * share_of_height * (4.0 / 3.0), h);
     const T aside = (T(1.0) - sharpness) * length * 0.5;
-    return {feet[0], plus(plus(above, T(0.0) - aside, c), skew, n),
-            plus(plus(above, aside, c), T(0.0) - skew, n), feet[1]};
+    return {feet[0], along3(along3(above, T(0.0) - aside, c), skew, n),
+            along3(along3(above, aside, c), T(0.0) - skew, n), feet[1]};
   }
 };
 
 template <class T>
-Vec<T> top_of(const std::vector<Vec<T>>& p) {
-  Vec<T> top;
+Vec3<T> top_of(const std::vector<Vec3<T>>& p) {
+  Vec3<T> top;
   for (int i = 0; i < 3; ++i) top[i] = (p[0][i] + p[3][i]) * 0.125 + (p[1][i] + p[2][i]) * 0.375;
   return top;
 }
@@ -141,15 +119,15 @@ std::vector<int> middles_of_bunches(const std::vector<StrandChance>& chance, int
 template <class T>
 void draw_together(const std::vector<int>& middles, const T& pull, std::vector<Strand<T>>& all) {
   if (middles.empty()) return;
-  std::vector<Vec<T>> tops;
+  std::vector<Vec3<T>> tops;
   for (const Strand<T>& strand : all) tops.push_back(top_of(strand.points));
   for (std::size_t k = 0; k < all.size(); ++k) {
     const int strand = static_cast<int>(k);
     const int middle = *std::min_element(middles.begin(), middles.end(), [&](int a, int b) {
       return std::abs(a - strand) < std::abs(b - strand);
     });
-    const Vec<T> way = plus(tops[middle], T(-1.0), tops[k]);
-    for (int p = 1; p <= 2; ++p) all[k].points[p] = plus(all[k].points[p], pull * (4.0 / 3.0), way);
+    const Vec3<T> way = minus3(tops[middle], tops[k]);
+    for (int p = 1; p <= 2; ++p) all[k].points[p] = along3(all[k].points[p], pull * (4.0 / 3.0), way);
   }
 }
 
@@ -190,13 +168,13 @@ RadialFalloff radial_falloff(const std::string& word) {
 }
 
 template <class T>
-Strands<T> strands_of(const Sun& sun, const Loop& loop, std::uint32_t index, std::uint64_t seed,
-                      const NumberAs<T>& number) {
+Strands<T> strands_of(const Sun& sun, const Loop& loop, std::uint64_t seed, const NumberAs<T>& number) {
   const LoopShape<T> shape(sun, loop, number);
   const std::vector<T> along = density_along(loop, number);
   const T radius = number(loop.strand_radius), noise = number(loop.density_noise);
   std::vector<StrandChance> chance;
-  for (int k = 0; k < loop.strands; ++k) chance.emplace_back(seed, static_cast<std::uint32_t>(k), index);
+  for (int k = 0; k < loop.strands; ++k)
+    chance.emplace_back(seed, static_cast<std::uint32_t>(k), name_number(loop.name));
 
   Strands<T> made;
   made.falloff = radial_falloff(loop.density_falloff);
@@ -211,9 +189,7 @@ Strands<T> strands_of(const Sun& sun, const Loop& loop, std::uint32_t index, std
   return made;
 }
 
-template Strands<double> strands_of(const Sun&, const Loop&, std::uint32_t, std::uint64_t,
-                                    const NumberAs<double>&);
-template Strands<FreeDual> strands_of(const Sun&, const Loop&, std::uint32_t, std::uint64_t,
-                                      const NumberAs<FreeDual>&);
+template Strands<double> strands_of(const Sun&, const Loop&, std::uint64_t, const NumberAs<double>&);
+template Strands<FreeDual> strands_of(const Sun&, const Loop&, std::uint64_t, const NumberAs<FreeDual>&);
 
 }  // namespace vegard::sim

@@ -40,15 +40,13 @@ namespace vegard::sim {
 /// Equal steps of t, plus one, at which a loop's strands have their densities.
 inline constexpr int kDensitiesAlong = 65;
 
-/// Loop `index` of a scene with this seed. Where the loop would be wider than the photosphere, feet stand at
-/// its limb. Random numbers are those of Stream::strand at (strand, index).
+/// A loop of a scene with this seed. Where the loop would be wider than the photosphere, feet stand at
+/// its limb. Random numbers are those of Stream::strand at (strand, number of the name).
 template <class T>
-Strands<T> strands_of(const Sun& sun, const Loop& loop, std::uint32_t index, std::uint64_t seed,
-                      const NumberAs<T>& number);
+Strands<T> strands_of(const Sun& sun, const Loop& loop, std::uint64_t seed, const NumberAs<T>& number);
 
-extern template Strands<double> strands_of(const Sun&, const Loop&, std::uint32_t, std::uint64_t,
-                                           const NumberAs<double>&);
-extern template Strands<FreeDual> strands_of(const Sun&, const Loop&, std::uint32_t, std::uint64_t,
+extern template Strands<double> strands_of(const Sun&, const Loop&, std::uint64_t, const NumberAs<double>&);
+extern template Strands<FreeDual> strands_of(const Sun&, const Loop&, std::uint64_t,
                                              const NumberAs<FreeDual>&);
 
 /// The falloff of "smooth", "linear" or "gaussian".

@@ -32,7 +32,7 @@ Bundle quiet() {
 }
 
 Strands<double> made(const Bundle& bundle, const Sun& sun = a_sun(), std::uint64_t seed = 1) {
-  return strands_of<double>(sun, bundle, 0, seed, plain_double);
+  return strands_of<double>(sun, bundle, seed, plain_double);
 }
 
 Vec3<double> direction(const Strand<double>& s) { return unit3(minus3(s.points[3], s.points[0])); }
@@ -159,7 +159,7 @@ TEST(Bundle, DerivativesAreThoseOfItsLight) {
       &bundle.density_noise, &bundle.density,       &bundle.falloff_length,  &bundle.foot_radius,
       &bundle.top_radius,    &bundle.filament_pull, &sun.position_angle_deg, &sun.latitude_deg};
   const NumberAs<FreeDual> number = tests::seeded({numbers.begin(), numbers.end()});
-  const StrandEmitter<FreeDual> dual(strands_of<FreeDual>(sun, bundle, 0, 1, number), sun,
+  const StrandEmitter<FreeDual> dual(strands_of<FreeDual>(sun, bundle, 1, number), sun,
                                      SunFrame<FreeDual>(sun, number), {FreeDual(1.0)});
   std::vector<std::array<double, 2>> places;
   for (int k = 0; k < 30; ++k) places.push_back({850.0 * std::sin(2.4 * k), 850.0 * std::cos(2.4 * k)});

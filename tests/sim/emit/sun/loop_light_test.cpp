@@ -36,12 +36,12 @@ TEST(LoopLight, DerivativesAreThoseOfItsLight) {
       &loop.falloff_least, &loop.base_density,  &loop.root_noise,  &loop.brightening, &sun.position_angle_deg,
       &sun.distance_km};
   const NumberAs<FreeDual> number = tests::seeded({numbers.begin(), numbers.end()});
-  const StrandEmitter<FreeDual> dual(strands_of<FreeDual>(sun, loop, 0, 1, number), sun,
+  const StrandEmitter<FreeDual> dual(strands_of<FreeDual>(sun, loop, 1, number), sun,
                                      SunFrame<FreeDual>(sun, number), {FreeDual(1.0)});
   std::vector<std::array<double, 2>> places;
   for (int k = 0; k < 25; ++k) places.push_back({690.0 + 4.0 * k, 35.0 * std::sin(2.3 * k)});
   const auto make = [&] {
-    return std::make_unique<StrandEmitter<double>>(strands_of<double>(sun, loop, 0, 1, plain_double), sun,
+    return std::make_unique<StrandEmitter<double>>(strands_of<double>(sun, loop, 1, plain_double), sun,
                                                    SunFrame<double>(sun, plain_double),
                                                    std::vector<double>{1.0});
   };
