@@ -35,7 +35,8 @@ inline std::vector<FreePath> free_paths(const sim::Scene& scene) {
     if (path.row->key == "energy_flux_mw_m2" && path.sheet() >= 0 &&
         scene.sheets[path.sheet()].brightness_kilorayleigh > 0.0)
       continue;  // it counts for nothing, and validate() does not let it be free
-    // Lights that do not shine, and air that is not there.
+    // A Sun that is not shown, lights that do not shine, and air that is not there.
+    if (path.row->table == "sun" && !scene.sun.shown) continue;
     if (path.row->table == "air" && scene.air.model == "none") continue;
     if ((path.row->table == "airglow" || path.row->table == "light_pollution") &&
         *sim::real_value(scene, path) == 0.0)
