@@ -34,7 +34,7 @@ EjectionShell<T>::EjectionShell(const Sun& sun, const Time& time, const Ejection
                                 const NumberAs<T>& number)
     : EjectionShell(sun, ejection, front_height(sun, time, ejection, number), number) {
   const T radius = number(sun.radius);
-  const EjectionShell at_first(sun, ejection, number(ejection.start), number);
+  const EjectionShell at_first(sun, ejection, number(ejection.start_height), number);
   density = number(ejection.density) * (at_first.mass(radius) / mass(radius));
 }
 

@@ -41,7 +41,7 @@ class Rope {
     across_ = cross3(forth_, up_);
     const T aspect = number(ejection.aspect);
     top_radius_ = aspect * front;
-    foot_radius_ = aspect * number(ejection.start) * kFootShare;
+    foot_radius_ = aspect * number(ejection.start_height) * kFootShare;
     height_ = front - top_radius_;
     bulge_ = height_ * kBulge / (height_ + sun_radius_ * half_angle_);
   }
@@ -119,7 +119,7 @@ T volume(const std::vector<Strand<T>>& all) {
 
 template <class T>
 T front_height(const Sun& sun, const Time& time, const Ejection& ejection, const NumberAs<T>& number) {
-  const T start = number(ejection.start);
+  const T start = number(ejection.start_height);
   const T age = number(ejection.age_s) + number(time.start_s);
   if (!(value_of(age) > 0.0)) return start;
   return start + number(ejection.speed_km_s) * age * (1.0 / sun.unit_km);
@@ -135,7 +135,8 @@ Strands<T> rope_strands(const Sun& sun, const Time& time, const Ejection& ejecti
   Strands<T> strands;
   strands.falloff = RadialFalloff::smooth;
   strands.all = rope(front_height(sun, time, ejection, number));
-  const T density = number(ejection.density) * (volume(rope(number(ejection.start))) / volume(strands.all));
+  const T density =
+      number(ejection.density) * (volume(rope(number(ejection.start_height))) / volume(strands.all));
   for (Strand<T>& strand : strands.all) strand.along = {density, density};
   return strands;
 }

@@ -29,7 +29,7 @@ std::vector<Declaration> ejection_rows() {
       row("bearing_deg", &E::bearing_deg).in("deg").within(-720, 720).may_be_free(angle).means("of a rope from foot to foot, from solar north to the west"),
       row("width_deg", &E::width_deg).in("deg").within(0.1, 120).may_be_free(linear).means("angle at the Sun's middle between the feet of a rope, or that a shell spans"),
       row("speed_km_s", &E::speed_km_s).in("km/s").within(0, 1e5).may_be_free(logarithmic).means("of its front"),
-      row("start", &E::start).within(1e-6, 1e9).may_be_free(logarithmic).means("height of its front at age 0, in units of the Sun's frame"),
+      row("start_height", &E::start_height).within(1e-6, 1e9).may_be_free(logarithmic).means("height of its front at age 0, in units of the Sun's frame"),
       row("age_s", &E::age_s).in("s").within(0, 1e9).may_be_free(linear).means("at the time 0 of the scene's clock"),
       row("aspect", &E::aspect).within(1e-3, 0.9).may_be_free(linear).means("radius of a rope at its top, or thickness of a shell, of the front's height"),
       row("turns", &E::turns).within(-100, 100).may_be_free(linear).means("of a strand about the rope's axis, from foot to foot"),

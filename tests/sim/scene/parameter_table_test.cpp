@@ -80,7 +80,7 @@ TEST(ParameterTable, DefaultsAreThoseOfTheStructs) {
 }
 
 TEST(ParameterTable, DefaultsAreWithinTheirLimits) {
-  EXPECT_NO_THROW(validate(Scene{}));
+  EXPECT_NO_THROW(validate(Scene()));
   const Scene scene = scene_of_two();
   EXPECT_NO_THROW(validate(scene));
   for (const ParameterPath& path : all_paths(scene)) {
@@ -98,11 +98,16 @@ TEST(ParameterTable, EveryRowOccursInAScene) {
   for (const RepeatedTable& repeated : repeated_tables())
     if (repeated.count(scene) == 0) repeated.append(scene);
   Footprint& footprint = scene.footprints[0];  // lists have no rows while they are empty
-  for (auto* list : {&footprint.east_km, &footprint.north_km, &footprint.latitude_deg, &footprint.longitude_deg,
-                     &footprint.point_energy, &footprint.point_flux})
+  for (auto* list : {&footprint.east_km, &footprint.north_km, &footprint.latitude_deg,
+                     &footprint.longitude_deg, &footprint.point_energy, &footprint.point_flux})
     list->assign(2, 1.0);
   Nebula& nebula = scene.nebulae[0];
   for (auto* list : {&nebula.inner_rayleigh, &nebula.outer_rayleigh, &nebula.glow_rayleigh})
+    list->assign(scene.emission.lines.size(), 1.0);
+  for (auto* list :
+       {&scene.sun.photosphere_rayleigh, &scene.volumes[0].density_rayleigh, &scene.chromospheres[0].rayleigh,
+        &scene.loops[0].rayleigh, &scene.coronae[0].rayleigh, &scene.bundles[0].rayleigh,
+        &scene.ejections[0].rayleigh, &scene.fit.guide_x_px, &scene.fit.guide_y_px})
     list->assign(scene.emission.lines.size(), 1.0);
   for (const ParameterPath& path : all_paths(scene)) seen.insert(path.row);
   EXPECT_EQ(seen.size(), parameter_table().size());
@@ -142,12 +147,13 @@ TEST(ParameterTable, EveryValueIsReachedByItsPathSetAndReadBack) {
         text = old == "true" ? "false" : "true";
         break;
       case ParameterKind::text:
-        text = path.row->key == "name"       ? "\"other\""
-               : path.row->key == "response" ? "\"nikon_d700\""
-               : path.row->key == "time_utc" ? "\"2019-09-01T05:00:00Z\""
-               : path.text == "fit.decoding" ? "\"gamma:2.2\""
-               : path.row->choices.empty()   ? "\"picture.png\""
-                                             : "\"" + path.row->choices.back() + "\"";
+        text = path.row->key == "name"           ? "\"other\""
+               : path.row->key == "response"     ? "\"nikon_d700\""
+               : path.row->key == "time_utc"     ? "\"2019-09-01T05:00:00Z\""
+               : path.text == "fit.decoding"     ? "\"gamma:2.2\""
+               : path.row->key == "colour_table" ? "\"195\""
+               : path.row->choices.empty()       ? "\"picture.png\""
+                                                 : "\"" + path.row->choices.back() + "\"";
         break;
     }
     ASSERT_EQ(resolve(scene, path.text).size(), 1u) << path.text;
@@ -171,7 +177,7 @@ TEST(Resolve, GivesOnePathPerComponentOfAVector) {
   EXPECT_EQ(paths[1].text, "sheet.far.center_km.north");
   EXPECT_EQ(paths[1].element, 1);
   EXPECT_EQ(paths[1].component, 1);
-  const auto widths = resolve(Scene{}, "blur.width_deg");
+  const auto widths = resolve(Scene(), "blur.width_deg");
   ASSERT_EQ(widths.size(), 3u);
   EXPECT_EQ(widths[1].text, "blur.width_deg.5577");
 }
@@ -203,7 +209,7 @@ TEST(Resolve, NamesTheNearestPath) {
   EXPECT_NE(hint("sheet"), "");
   EXPECT_NE(hint("sheet.main"), "");
   EXPECT_NE(hint("camera."), "");
-  EXPECT_EQ(error_of([] { resolve(Scene{}, "sheet.main.energy_kev"); }).hint, "the scene has no sheet");
+  EXPECT_EQ(error_of([] { resolve(Scene(), "sheet.main.energy_kev"); }).hint, "the scene has no sheet");
 }
 
 TEST(SetFromText, SetsVectorsAndBareWords) {
@@ -322,24 +328,24 @@ TEST(Validate, RefusesScenesMadeByHand) {
   scene.sheets.push_back(scene.sheets[0]);
   EXPECT_EQ(validate_error(scene).problem, "two of [[sheet]] are called 'main'");
 
-  scene = Scene{};
+  scene = Scene();
   scene.emission.lines = {557.7};
   EXPECT_EQ(validate_error(scene).key, "blur.width_deg");
   EXPECT_EQ(validate_error(scene).problem, "3 widths for 1 emission lines");
 
-  scene = Scene{};
+  scene = Scene();
   scene.sky.gradient[1] = -nan;
   EXPECT_EQ(validate_error(scene).key, "sky.gradient.green");
 
-  scene = Scene{};
+  scene = Scene();
   scene.seed = 1ull << 63;  // beyond TOML's integers: could not be written
   EXPECT_EQ(validate_error(scene).key, "seed");
 
-  scene = Scene{};
+  scene = Scene();
   scene.film.splat = "cubic";
   EXPECT_EQ(validate_error(scene).expected, "\"bilinear\" or \"nearest\"");
 
-  scene = Scene{};
+  scene = Scene();
   scene.fit.roi_px = {10, 10, 0, 20};
   EXPECT_EQ(validate_error(scene).key, "fit.roi_px");
   scene.fit.roi_px = {10, 10, 23, 20};

@@ -57,7 +57,7 @@ TEST(ParseScene, AnEmptyFileIsTheDefaultDarkSky) {
   const Scene scene = parse("");
   EXPECT_TRUE(scene.sheets.empty());
   EXPECT_EQ(scene.file, "aurora.toml");
-  expect_same(scene, Scene{});
+  expect_same(scene, Scene());
 }
 
 TEST(ParseScene, ReadsEveryKindOfValue) {
@@ -534,7 +534,7 @@ tied = [
   EXPECT_EQ(write_scene(again), write_scene(scene));
 }
 
-TEST(WriteScene, ADarkSkyReadsBackTheSame) { expect_same(parse(write_scene(Scene{})), Scene{}); }
+TEST(WriteScene, ADarkSkyReadsBackTheSame) { expect_same(parse(write_scene(Scene())), Scene()); }
 
 // Whether toml++ rounds every decimal to the nearest double is not in its contract: bit patterns from all
 // over the range of the type are sent round.

@@ -32,7 +32,7 @@ TEST(DisplayTable, IsTheRoundedCurve) {
 }
 
 TEST(DisplayTable, ChangesAtTheVeryFloatWhereTheCurveRoundsUp) {
-  const ToneCurve tone{Scene{}};
+  const ToneCurve tone{Scene()};
   const DisplayTable table(tone);
   for (int number = 1; number < 256; ++number) {
     float light = static_cast<float>(tone.decode((number - 0.5) / 255.0));
@@ -45,7 +45,7 @@ TEST(DisplayTable, ChangesAtTheVeryFloatWhereTheCurveRoundsUp) {
 TEST(DisplayTable, OfAPictureDoesNotDependOnTheThreads) {
   Image light(7, 5, {"R", "G", "B"});
   for (std::size_t i = 0; i < light.data.size(); ++i) light.data[i] = 0.01f * static_cast<float>(i) - 0.02f;
-  const DisplayTable table(ToneCurve{Scene{}});
+  const DisplayTable table(ToneCurve{Scene()});
   const std::vector<std::uint8_t> bytes = table.bytes(light, 1);
   ASSERT_EQ(bytes.size(), light.data.size());
   for (std::size_t i = 0; i < bytes.size(); ++i) ASSERT_EQ(bytes[i], table(light.data[i]));

@@ -40,7 +40,7 @@ Vector3 of_daylight(const SensorResponse& response) {
 }
 
 TEST(SensorResponse, OfTheObserverCountsPhotonsAndGreenHasLuminanceOne) {
-  const SensorResponse cie{Scene{}};
+  const SensorResponse cie{Scene()};
   const Vector3 green = cie.rgb_per_kilorayleigh(557.7);
   // BT.709 luminance, four digits.
   EXPECT_NEAR(0.2126 * green[0] + 0.7152 * green[1] + 0.0722 * green[2], 1.0, 4e-4);
@@ -48,7 +48,7 @@ TEST(SensorResponse, OfTheObserverCountsPhotonsAndGreenHasLuminanceOne) {
     for (int c = 0; c < 3; ++c)
       EXPECT_NEAR(cie.rgb_per_kilorayleigh(nm)[c] / green[1],
                   rgb_of_line(nm, "srgb")[c] / rgb_of_line(557.7, "srgb")[1] * 557.7 / nm, 1e-12);
-  EXPECT_EQ(rgb_from_raw(Scene{}), kIdentity3);
+  EXPECT_EQ(rgb_from_raw(Scene()), kIdentity3);
 }
 
 TEST(SensorResponse, ScaleIsRawGreenOf557) {
@@ -139,7 +139,7 @@ Vector3 of_band(const SensorResponse& response, double centre_nm, double sigma_n
 TEST(SensorResponse, ColorimetricMatrixBringsSmoothColoursNearerToTheObserver) {
   // Bands between those that the matrix was made of.
   const auto error = [](const SensorResponse& camera) {
-    const SensorResponse cie{Scene{}};
+    const SensorResponse cie{Scene()};
     double sum = 0.0;
     int count = 0;
     for (double centre = 430.0; centre <= 670.0; centre += 20.0) {

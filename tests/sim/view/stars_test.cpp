@@ -216,7 +216,7 @@ TEST(Stars, TintsHaveLuminanceOneAndTurnFromBlueToRed) {
   }
   // The white of a display, D65, is daylight of 6504 K, by the same formula B - V = 0.48; a black body of
   // that temperature is a little redder.
-  const auto white = star_tint(0.48, SensorResponse(Scene{}));
+  const auto white = star_tint(0.48, SensorResponse(Scene()));
   for (const double channel : white) EXPECT_NEAR(channel, 1.0, 0.06);
   EXPECT_GT(white[0], white[2]);
 }

@@ -25,7 +25,7 @@ Scene a_scene() {
   ejection.kind = "shell";
   ejection.longitude_deg = 70.0;
   ejection.latitude_deg = 20.0;
-  ejection.start = 100.0;
+  ejection.start_height = 100.0;
   ejection.speed_km_s = 1.0;
   ejection.age_s = 0.0;
   ejection.density = 2.0;
@@ -128,7 +128,7 @@ TEST(EjectionShell, DerivativesAreThoseOfItsLight) {
                                         &j.longitude_deg,
                                         &j.width_deg,
                                         &j.speed_km_s,
-                                        &j.start,
+                                        &j.start_height,
                                         &j.age_s,
                                         &j.aspect,
                                         &j.density,

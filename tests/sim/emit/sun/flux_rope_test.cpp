@@ -26,7 +26,7 @@ struct Eruption {
     sun.radius = 700.0;
     ejection.longitude_deg = 90.0;
     ejection.bearing_deg = 20.0;
-    ejection.start = 50.0;
+    ejection.start_height = 50.0;
     ejection.speed_km_s = 1.0;
     ejection.strands = 12;
     ejection.strand_radius = 0.4;
@@ -113,7 +113,7 @@ TEST(FluxRope, DerivativesAreThoseOfItsLight) {
   Ejection& j = e.ejection;
   const std::vector<double*> numbers = {
       &j.latitude_deg, &j.longitude_deg,   &j.bearing_deg,     &j.width_deg, &j.speed_km_s,
-      &j.start,        &j.age_s,           &j.aspect,          &j.turns,     &j.strand_radius,
+      &j.start_height, &j.age_s,           &j.aspect,          &j.turns,     &j.strand_radius,
       &j.density,      &e.sun.distance_km, &e.sun.latitude_deg};
   const NumberAs<FreeDual> number = tests::seeded({numbers.begin(), numbers.end()});
   const StrandEmitter<FreeDual> dual(rope_strands<FreeDual>(e.sun, e.time, j, number), e.sun,
