@@ -25,6 +25,9 @@ struct RayBundle {
   const double* end_km = nullptr;  ///< [ray] where it is stopped, by the Earth, the Sun or by what stands in
                                    ///< the scene; or infinity
   double cell_rad = 0.0;           ///< angle between neighbouring rays: what is thinner would show in steps
+  const T* end_moving = nullptr;   ///< [ray] end_km with its derivatives, where it has any; else null
+
+  T end(std::size_t ray) const { return end_moving != nullptr ? end_moving[ray] : T(end_km[ray]); }
 };
 
 /// What comes out of the rays at the camera. All arrays belong to the caller.
@@ -37,6 +40,9 @@ struct BundleLight {
       nullptr;  ///< [ray] where along the ray the emitter begins; infinity when an emitter gets it
   double* depth_km =
       nullptr;  ///< [ray] mean distance of the light, weighed by it; infinity when an emitter gets it
+  /// [ray] entry_km with its derivatives, from what absorbs and knows them; null: nobody asks. Infinity when
+  /// an emitter gets it.
+  T* entry_moving = nullptr;
 };
 
 template <class T>

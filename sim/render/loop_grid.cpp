@@ -53,6 +53,7 @@ class LoopGridEmitter : public Emitter<T> {
       : loop_(scene, index, threads), drawn_(loop_.bricks, loop_.volume, number, &scene.sun) {}
 
   void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override { drawn_.march(rays, out); }
+  bool is_mixed() const override { return true; }
 
  private:
   LoopVolume loop_;

@@ -75,24 +75,33 @@ class RowMarch {
     // Of the n-th absorber along each ray, [n * rays + ray]: where it begins, infinity where the ray ends
     // before; and all mixed light before it, [(n * lines + line) * rays + ray].
     std::vector<double> cut_km;
-    std::vector<T> before;
+    std::vector<T> cut, before;  // `cut` as cut_km, with its derivatives
     RowOfRays<T> some;
+    std::vector<T> some_cut;
     std::vector<std::size_t> some_at;
     RowLight<T> of_some;
-    std::vector<double> entries;
+    std::vector<std::size_t> entries;
   };
 
   void march_up_to_absorbers(Slot& s, const RayBundle<T>& rays) const {
     const std::size_t cuts = mixed_.empty() ? 0 : absorbers_.size();
     s.cut_km.assign(cuts * rays.count, std::numeric_limits<double>::infinity());
+    s.cut.assign(cuts * rays.count, T(0.0));
     s.before.assign(cuts * rays.count * lines_, T(0.0));
     if (cuts == 0) return;
-    s.entries.resize(cuts);
     for (std::size_t i = 0; i < rays.count; ++i) {
-      for (std::size_t n = 0; n < cuts; ++n) s.entries[n] = s.of_emitter[absorbers_[n]].entry_km[i];
-      std::sort(s.entries.begin(), s.entries.end());
-      for (std::size_t n = 0; n < cuts; ++n)
-        if (s.entries[n] <= rays.end_km[i]) s.cut_km[n * rays.count + i] = s.entries[n];
+      s.entries = absorbers_;
+      std::stable_sort(s.entries.begin(), s.entries.end(), [&](std::size_t a, std::size_t b) {
+        return s.of_emitter[a].entry_km[i] < s.of_emitter[b].entry_km[i];
+      });
+      for (std::size_t n = 0; n < cuts; ++n) {
+        const RowLight<T>& absorber = s.of_emitter[s.entries[n]];
+        if (!(absorber.entry_km[i] <= rays.end_km[i])) continue;
+        s.cut_km[n * rays.count + i] = absorber.entry_km[i];
+        const T& moving = absorber.entry_moving[i];
+        s.cut[n * rays.count + i] =
+            value_of(moving) < std::numeric_limits<double>::infinity() ? moving : T(absorber.entry_km[i]);
+      }
     }
     for (std::size_t n = 0; n < cuts; ++n) march_some(s, rays, n);
   }
@@ -100,19 +109,28 @@ class RowMarch {
   void march_some(Slot& s, const RayBundle<T>& rays, std::size_t n) const {
     s.some_at.clear();
     s.some.end_km.clear();
+    s.some_cut.clear();
     for (auto& axis : s.some.direction) axis.clear();
     for (std::size_t i = 0; i < rays.count; ++i) {
       const double cut_km = s.cut_km[n * rays.count + i];
       if (!(cut_km < std::numeric_limits<double>::infinity())) continue;
+      if (cut_km == rays.end_km[i]) {  // what absorbs is what the ray ends at: all is before it
+        for (int l = 0; l < lines_; ++l)
+          s.before[(n * lines_ + l) * rays.count + i] = mixed_light(s, l * rays.count + i);
+        continue;
+      }
       s.some_at.push_back(i);
       s.some.end_km.push_back(cut_km);
+      s.some_cut.push_back(s.cut[n * rays.count + i]);
       for (int axis = 0; axis < 3; ++axis) s.some.direction[axis].push_back(rays.direction[axis][i]);
     }
     const std::size_t count = s.some_at.size();
     if (count == 0) return;
     s.some.column.resize(count);
+    RayBundle<T> some = s.some.bundle(rays.cell_rad);
+    some.end_moving = s.some_cut.data();
     for (const std::size_t e : mixed_) {
-      emitters_[e]->march(s.some.bundle(rays.cell_rad), s.of_some.clear(count, lines_));
+      emitters_[e]->march(some, s.of_some.clear(count, lines_));
       for (int l = 0; l < lines_; ++l)
         for (std::size_t i = 0; i < count; ++i) {
           T& sum = s.before[(n * lines_ + l) * rays.count + s.some_at[i]];
@@ -158,6 +176,13 @@ class RowMarch {
     }
   }
 
+  /// All of it, up to the ray's end.
+  T mixed_light(const Slot& s, std::size_t at) const {
+    T light(0.0);
+    for (const std::size_t e : mixed_) light = light + s.of_emitter[e].rayleigh[at];
+    return light;
+  }
+
   /// Mixed light between the absorber before the n-th, or the camera, and the n-th.
   void add_mixed(Slot& s, std::size_t rays, std::size_t i, std::size_t n) const {
     for (int l = 0; l < lines_; ++l) {
@@ -172,8 +197,7 @@ class RowMarch {
   void add_mixed_rest(Slot& s, std::size_t rays, std::size_t i, std::size_t n) const {
     for (int l = 0; l < lines_; ++l) {
       const std::size_t at = l * rays + i;
-      T light(0.0);
-      for (const std::size_t e : mixed_) light = light + s.of_emitter[e].rayleigh[at];
+      T light = mixed_light(s, at);
       if (n > 0) light = light - s.before[((n - 1) * lines_ + l) * rays + i];
       s.sum.rayleigh[at] = s.sum.rayleigh[at] + s.sum.kept[at] * light;
     }

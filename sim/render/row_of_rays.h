@@ -86,7 +86,7 @@ struct RowOfRays {
 /// What one emitter makes of a row.
 template <class T>
 struct RowLight {
-  std::vector<T> rayleigh, kept;
+  std::vector<T> rayleigh, kept, entry_moving;
   std::vector<double> entry_km, depth_km;
 
   BundleLight<T> clear(std::size_t rays, int lines) {
@@ -94,7 +94,8 @@ struct RowLight {
     kept.assign(rays * lines, T(1.0));
     entry_km.assign(rays, std::numeric_limits<double>::infinity());
     depth_km.assign(rays, std::numeric_limits<double>::infinity());
-    return {lines, rayleigh.data(), kept.data(), entry_km.data(), depth_km.data()};
+    entry_moving.assign(rays, T(std::numeric_limits<double>::infinity()));
+    return {lines, rayleigh.data(), kept.data(), entry_km.data(), depth_km.data(), entry_moving.data()};
   }
 };
 

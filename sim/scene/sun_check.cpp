@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/earth.h"
 #include "sim/scene/value_check.h"
 #include "sim/scene/value_words.h"
 
@@ -95,6 +96,19 @@ void check_bundle(const Scene& scene, const Bundle& b) {
   check.check_lines(b.rayleigh, false, "rayleigh");
   check.check_below(b.lowest_latitude_deg, "lowest_latitude_deg", b.highest_latitude_deg,
                     "highest_latitude_deg");
+  // Places of a latitude are from |latitude - B0| to 180° - |latitude + B0| off the middle of the disc.
+  const double b0 = scene.sun.latitude_deg;
+  const auto within = [&](double latitude) {
+    return std::clamp(latitude, b.lowest_latitude_deg, b.highest_latitude_deg);
+  };
+  const double least = std::abs(within(b0) - b0), most = 180.0 - std::abs(within(-b0) + b0);
+  const double limb = std::acos(std::min(1.0, scene.sun.radius * scene.sun.unit_km / scene.sun.distance_km)) /
+                      kRadiansPerDegree;
+  if (limb + b.horizon_deg < least || limb - b.horizon_deg > most)
+    check.refuse({"no place between these latitudes is within " + short_real_text(b.horizon_deg) +
+                      " degrees of the limb",
+                  "a larger horizon_deg, or other latitudes", ""},
+                 "horizon_deg");
 }
 
 }  // namespace

@@ -42,12 +42,12 @@ template <class T>
 void ChromosphereEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>& out) const {
   for (std::size_t i = 0; i < rays.count; ++i) {
     const T enu[3] = {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]};
-    march_ray(frame_.ray(enu), rays.end_km[i], i, rays.count, out);
+    march_ray(frame_.ray(enu), rays.end(i), i, rays.count, out);
   }
 }
 
 template <class T>
-void ChromosphereEmitter<T>::march_ray(const SkyRay<T>& ray, double end_km, std::size_t index,
+void ChromosphereEmitter<T>::march_ray(const SkyRay<T>& ray, const T& end_km, std::size_t index,
                                        std::size_t rays, const BundleLight<T>& out) const {
   T outer, inner;
   if (!meets_sphere(ray, T(outer_), outer)) return;
@@ -61,7 +61,11 @@ void ChromosphereEmitter<T>::march_ray(const SkyRay<T>& ray, double end_km, std:
     if (value_of(first) < observer) first = ray.observer;
     if (value_of(last) > value_of(stop)) last = stop;
     if (!comes_through || !(value_of(first) < value_of(last))) continue;
-    if (!entered) out.entry_km[index] = (value_of(first) - observer) * frame_.unit_km();
+    if (!entered) {
+      const T entry = (first - ray.observer) * frame_.unit_km();
+      out.entry_km[index] = value_of(entry);
+      if (out.entry_moving != nullptr) out.entry_moving[index] = entry;
+    }
     entered = true;
     comes_through = march_way(ray, first, last, sum);
   }

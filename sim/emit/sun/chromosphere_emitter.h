@@ -27,7 +27,7 @@ class ChromosphereEmitter : public Emitter<T> {
 
  private:
   struct RaySum;
-  void march_ray(const SkyRay<T>& ray, double end_km, std::size_t index, std::size_t rays,
+  void march_ray(const SkyRay<T>& ray, const T& end_km, std::size_t index, std::size_t rays,
                  const BundleLight<T>& out) const;
   /// False once nothing more comes through.
   bool march_way(const SkyRay<T>& ray, const T& first, const T& last, RaySum& sum) const;

@@ -19,12 +19,12 @@ template <class T>
 void CoronaEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>& out) const {
   for (std::size_t i = 0; i < rays.count; ++i) {
     const T enu[3] = {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]};
-    march_ray(frame_.ray(enu), rays.end_km[i], i, rays.count, out);
+    march_ray(frame_.ray(enu), rays.end(i), i, rays.count, out);
   }
 }
 
 template <class T>
-void CoronaEmitter<T>::march_ray(const SkyRay<T>& ray, double end_km, std::size_t index, std::size_t rays,
+void CoronaEmitter<T>::march_ray(const SkyRay<T>& ray, const T& end_km, std::size_t index, std::size_t rays,
                                  const BundleLight<T>& out) const {
   T half;
   if (!meets_sphere(ray, T(reach_), half)) return;

@@ -31,7 +31,7 @@ class CoronaEmitter : public Emitter<T> {
     T light{0.0};  ///< where the line's is 1
     double weighted = 0.0;
   };
-  void march_ray(const SkyRay<T>& ray, double end_km, std::size_t index, std::size_t rays,
+  void march_ray(const SkyRay<T>& ray, const T& end_km, std::size_t index, std::size_t rays,
                  const BundleLight<T>& out) const;
   void add(const SkyRay<T>& ray, const T& s, const T& weight, RaySum& sum) const;
   /// From s = `from` to `to`, both on one side of the nearest place.

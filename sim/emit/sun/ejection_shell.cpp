@@ -82,12 +82,12 @@ void EjectionShellEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<
   if (light_.empty()) return;
   for (std::size_t i = 0; i < rays.count; ++i) {
     const T enu[3] = {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]};
-    march_ray(enu, rays.end_km[i], i, rays.count, out);
+    march_ray(enu, rays.end(i), i, rays.count, out);
   }
 }
 
 template <class T>
-void EjectionShellEmitter<T>::march_ray(const T enu[3], double end_km, std::size_t index, std::size_t rays,
+void EjectionShellEmitter<T>::march_ray(const T enu[3], const T& end_km, std::size_t index, std::size_t rays,
                                         const BundleLight<T>& out) const {
   const SkyRay<T> ray = frame_.ray(enu);
   const Vec3<T> direction = {ray.direction[0], ray.direction[1], ray.direction[2]};

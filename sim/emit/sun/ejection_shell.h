@@ -53,7 +53,7 @@ class EjectionShellEmitter : public Emitter<T> {
   bool is_mixed() const override { return true; }
 
  private:
-  void march_ray(const T enu[3], double end_km, std::size_t ray, std::size_t rays,
+  void march_ray(const T enu[3], const T& end_km, std::size_t ray, std::size_t rays,
                  const BundleLight<T>& out) const;
 
   EjectionShell<T> body_;

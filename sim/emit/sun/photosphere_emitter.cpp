@@ -62,6 +62,8 @@ void PhotosphereEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>
     if (rays.end_km[i] < entry_km * (1.0 - kRounding)) continue;  // something stands before it
     // Where the ray ends at the ball this is that very end, however it has been rounded.
     out.entry_km[i] = std::min(entry_km, rays.end_km[i]);
+    if (out.entry_moving != nullptr)  // at the limb, where it is a root, as of a place that stays beside it
+      out.entry_moving[i] = (T(-half) - ray.observer) * frame_.unit_km();
     const T dark = T(1.0) - covered.mu;
     const T of_light = covered.share * (T(1.0) - darkening_ * dark - darkening_square_ * dark * dark);
     double bright = 0.0;

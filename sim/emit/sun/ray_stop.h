@@ -8,11 +8,11 @@
 namespace vegard::sim {
 
 /// As a place along the ray, from its nearest place: the photosphere, or what stands nearer to the observer
-/// at `end_km`. RayBundle::end_km holds the photosphere's distance too, but as a plain number: here it moves
-/// with the Sun, so that derivatives know that it does.
+/// at `end_km` (RayBundle::end()). It holds the photosphere's distance too, but as a plain number: here it
+/// moves with the Sun, so that derivatives know that it does.
 template <class T>
-T ray_stop(const SunFrame<T>& frame, const SkyRay<T>& ray, double radius, double end_km) {
-  const T stop = ray.observer + end_km / frame.unit_km();
+T ray_stop(const SunFrame<T>& frame, const SkyRay<T>& ray, double radius, const T& end_km) {
+  const T stop = ray.observer + end_km * (1.0 / frame.unit_km());
   T half;
   if (!meets_sphere(ray, T(radius), half) || !(value_of(ray.observer) < -value_of(half))) return stop;
   constexpr double kRounding = 1e-12;  // of the observer's distance

@@ -69,12 +69,12 @@ void StrandEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>& out
   const double blur = rays.cell_rad * least_radius_px(falloff_);
   for (std::size_t i = 0; i < rays.count; ++i) {
     const T enu[3] = {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]};
-    march_ray(enu, rays.end_km[i], blur, i, rays.count, out);
+    march_ray(enu, rays.end(i), blur, i, rays.count, out);
   }
 }
 
 template <class T>
-void StrandEmitter<T>::march_ray(const T enu[3], double end_km, double blur, std::size_t index,
+void StrandEmitter<T>::march_ray(const T enu[3], const T& end_km, double blur, std::size_t index,
                                  std::size_t rays, const BundleLight<T>& out) const {
   const SkyRay<T> ray = frame_.ray(enu);
   const Vec3<T> nearest = {ray.nearest[0], ray.nearest[1], ray.nearest[2]},

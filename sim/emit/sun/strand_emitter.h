@@ -34,7 +34,7 @@ class StrandEmitter : public Emitter<T> {
   std::size_t segments() const { return segments_.size(); }
 
  private:
-  void march_ray(const T enu[3], double end_km, double blur, std::size_t ray, std::size_t rays,
+  void march_ray(const T enu[3], const T& end_km, double blur, std::size_t ray, std::size_t rays,
                  const BundleLight<T>& out) const;
 
   SunFrame<T> frame_;

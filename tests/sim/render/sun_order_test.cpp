@@ -1,9 +1,14 @@
 // Light before, within and behind what absorbs.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
+#include "sim/render/film.h"
 #include "sim/render/render.h"
+#include "sim/scene/parameter_table.h"
 #include "sim/scene/scene.h"
 
 namespace vegard::sim {
@@ -67,10 +72,37 @@ TEST(SunOrder, BehindAnOpaqueShellNothingShowsOfTheCorona) {
   EXPECT_GT(in_disc, 100);
 }
 
+TEST(SunOrder, ALoopByVoxelsIsDimmedAsItsStrandsAre) {
+  Scene scene = corona_scene();
+  scene.coronae.clear();
+  scene.chromospheres = {shell_of(2e-3)};
+  Loop loop;  // in the middle of the disc, its feet within the shell and its top above it
+  loop.height = 300.0;
+  loop.width = 300.0;
+  loop.strands = 1;
+  loop.strand_radius = 60.0;
+  loop.rayleigh = {500.0};
+  scene.loops = {loop};
+  const auto sum = [](const Image& image) {
+    double all = 0.0;
+    for (const float one : image.data) all += one;
+    return all;
+  };
+  Scene clear = scene;
+  clear.chromospheres.clear();
+  const double kept = sum(render(scene).rayleigh) / sum(render(clear).rayleigh);
+  for (Scene* each : {&scene, &clear}) each->loops[0].voxel = 10.0;
+  const double kept_of_voxels = sum(render(scene).rayleigh) / sum(render(clear).rayleigh);
+  EXPECT_LT(kept, 0.95);
+  EXPECT_GT(kept, 0.3);
+  EXPECT_NEAR(kept_of_voxels, kept, 0.01);  // steps of half a voxel, over 174 of the shell
+}
+
 TEST(SunOrder, AThinShellDimsOnlyWhatLiesBehindItsBeginning) {
   const Scene clear = corona_scene();
   Scene dimmed = clear;
-  dimmed.chromospheres = {shell_of(1e-4)};  // an optical depth of 0.017 through the shell where it is thinnest
+  dimmed.chromospheres = {
+      shell_of(1e-4)};  // an optical depth of 0.017 through the shell where it is thinnest
   const Image a = render(clear).rayleigh, b = render(dimmed).rayleigh;
   Scene opaque = clear;
   opaque.chromospheres = {shell_of(1e3)};
@@ -80,8 +112,69 @@ TEST(SunOrder, AThinShellDimsOnlyWhatLiesBehindItsBeginning) {
   const double tau = 1e-4 * (kRaised - 1.0) * 695.7;
   const double expected = front.data[middle] + std::exp(-tau) * (a.data[middle] - front.data[middle]);
   ASSERT_LT(front.data[middle], 0.9 * a.data[middle]);
-  // The ray through the pixel's middle is half a pixel off the disc's: the way is longer by less than a thousandth.
+  // The ray through the pixel's middle is half a pixel off the disc's: the way is longer by less than a
+  // thousandth.
   EXPECT_NEAR(b.data[middle], expected, 1e-3 * tau * a.data[middle] + 1e-6 * expected);
+}
+
+/// Light of a film by every number of the Sun, of what stands on it and of the camera, beside differences.
+TEST(SunOrder, DerivativesThroughAnAbsorberAgreeWithDifferences) {
+  Scene scene = corona_scene();
+  scene.camera.width = 24;
+  scene.camera.height = 18;
+  scene.camera.elevation_deg += 0.13;  // off the limb and on the disc
+  scene.sun.latitude_deg = 5.0;
+  scene.sun.longitude_deg = 3.0;
+  scene.chromospheres = {shell_of(4e-3)};
+  Loop loop;
+  loop.latitude_deg = 20.0;
+  loop.longitude_deg = 10.0;
+  loop.height = 250.0;
+  loop.width = 300.0;
+  loop.strands = 3;
+  loop.spread = 40.0;
+  loop.strand_radius = 60.0;
+  loop.rayleigh = {500.0};
+  scene.loops = {loop};
+  const FilmGeometry film = film_for(scene, 0, 0, scene.camera.width, scene.camera.height, 1.0, 1.0);
+  Exposer exposer(scene, film, 0, 0.5);
+  const std::vector<std::string> paths = {
+      "sun.distance_km",       "sun.azimuth_deg",  "sun.elevation_deg",
+      "sun.latitude_deg",      "camera.hfov_deg",  "camera.azimuth_deg",
+      "corona.corona.power.0", "loop.loop.height", "chromosphere.chromosphere.extinction"};
+  std::vector<const double*> free;
+  for (const std::string& path : paths) free.push_back(real_value(scene, resolve(scene, path).at(0)));
+  Exposure exposure;
+  exposer.expose_with_derivatives(scene, free, exposure);
+  for (std::size_t j = 0; j < paths.size(); ++j) {
+    const bool is_angle = paths[j].find("_deg") != std::string::npos;
+    const double step = is_angle ? 2e-4 : 1e-4 * std::max(1e-2, std::abs(*free[j]));
+    Scene more = scene, less = scene;
+    *real_value(more, resolve(more, paths[j]).at(0)) += step;
+    *real_value(less, resolve(less, paths[j]).at(0)) -= step;
+    Exposure up, down;
+    exposer.expose(more, up);
+    exposer.expose(less, down);
+    double size = 0.0, off = 0.0;
+    int counted = 0;
+    for (std::size_t i = 0; i < up.rayleigh.size(); ++i) {
+      const double difference = (static_cast<double>(up.rayleigh[i]) - down.rayleigh[i]) / (2.0 * step);
+      const double exact = exposure.derivative[i * exposure.free_stride + j];
+      // A ray of the limb, and one on the shell's edge, change from one case to the other: they have corners.
+      const double x = static_cast<double>(i % 24), y = static_cast<double>(i / 24);
+      const double px_deg = scene.camera.hfov_deg / scene.camera.width;
+      const double radius = 695700.0 / scene.sun.distance_km / 3.14159265358979 * 180.0 / px_deg;
+      const double away = std::hypot(x - 11.5, y - 8.5 - 0.13 / px_deg);
+      if (std::abs(away - radius) < 1.5 || std::abs(away - kRaised * radius) < 1.5) continue;
+      size += difference * difference;
+      off += (difference - exact) * (difference - exact);
+      ++counted;
+    }
+    EXPECT_GT(counted, 200);
+    EXPECT_GT(size, 0.0) << paths[j];
+    // Single precision of the film's light, over a step.
+    EXPECT_LT(std::sqrt(off), 0.02 * std::sqrt(size)) << paths[j];
+  }
 }
 
 }  // namespace

@@ -118,22 +118,21 @@ TEST(ChromosphereDensity, OfTheBiasIsAddedAfterTheCutoffAndNeverNegative) {
   EXPECT_GT(negative, 10);
 }
 
-/// The lag at which the autocorrelation along lines falls to a half, for one seed.
-double half_length(double scale, std::uint64_t seed) {
+/// The lag at which the autocorrelation along lines falls to a half.
+double half_length(double scale) {
   Scene scene = noisy();
-  scene.seed = seed;
   Chromosphere& c = scene.chromospheres[0];
   c.scale = scale;
   c.cutoff = false;
   const ChromosphereDensity<double> density(scene, 0, nullptr, plain_number);
-  constexpr int kLines = 40, kSamples = 256;
+  constexpr int kLines = 20, kSamples = 2048;
   constexpr double kStep = 0.1;
   std::vector<double> product(kSamples / 2, 0.0);
   std::vector<std::vector<double>> lines(kLines);
   double mean = 0.0;
   for (int line = 0; line < kLines; ++line)
     for (int i = 0; i < kSamples; ++i) {
-      const double place[3] = {kStep * i, 3.7 * line, 11.0};
+      const double place[3] = {kStep * i, 9.7 * line, 11.0};
       lines[static_cast<std::size_t>(line)].push_back(density.at(place));
       mean += lines[static_cast<std::size_t>(line)].back() / (kLines * kSamples);
     }
@@ -150,16 +149,16 @@ double half_length(double scale, std::uint64_t seed) {
 }
 
 TEST(ChromosphereDensity, HasGranulesThatGrowWithTheirScale) {
-  // In proportion, but for what is left to chance: lines 3.7 apart are not independent for the largest
-  // granules, of which some thirty are in a row, and one seed's ratio scatters by a tenth.
-  double small = 0.0, median = 0.0, large = 0.0;
-  for (const std::uint64_t seed : {11, 12, 13, 14}) {
-    small += half_length(2.0, seed);
-    median += half_length(4.0, seed);
-    large += half_length(8.0, seed);
-  }
-  EXPECT_NEAR(median / small, 2.0, 0.4);
-  EXPECT_NEAR(large / median, 2.0, 0.4);
+  // The pattern itself grows: at twice the scale it is at twice the place what it was.
+  Scene scene = noisy(), doubled = scene;
+  doubled.chromospheres[0].scale *= 2.0;
+  for (const auto& place : places(100))
+    EXPECT_NEAR(density_at(doubled, {2.0 * place[0], 2.0 * place[1], 2.0 * place[2]}),
+                density_at(scene, place), 1e-11);
+  // And so does its correlation along given lines.
+  const double small = half_length(2.0), median = half_length(4.0), large = half_length(8.0);
+  EXPECT_GT(median, 1.2 * small);
+  EXPECT_GT(large, 1.2 * median);
 }
 
 }  // namespace
