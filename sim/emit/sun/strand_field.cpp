@@ -6,13 +6,12 @@
 
 #include "sim/base/error.h"
 #include "sim/emit/sun/strand_nearest.h"
+#include "sim/light/light_of_fields.h"
 
 namespace vegard::sim {
 namespace {
 
 constexpr int kEdge = SparseGrid::kEdge;
-constexpr double kPhotonsPerRayleigh_cm2_s = 1e6;
-constexpr double kCmPerKm = 1e5;
 
 constexpr double kMostCells = 2e9;  // to a side; they are counted by 32 bits
 
@@ -35,7 +34,7 @@ StrandField::StrandField(const Strands<double>& strands, const Sun& sun, const s
       sun_radius_(sun.radius),
       rate_(static_cast<std::size_t>(lines), 0.0),
       bounds_{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}} {
-  for (std::size_t l = 0; l < light.size(); ++l) rate_[l] = light[l] * kPhotonsPerRayleigh_cm2_s / unit_cm_;
+  for (std::size_t l = 0; l < light.size(); ++l) rate_[l] = photons_per_volume(light[l], unit_cm_);
   // A cell is as wide as a mean tube: few pieces to a cell, few cells to a piece.
   double radii = 0.0;
   bool first = true;
