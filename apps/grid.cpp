@@ -1,6 +1,7 @@
 #include "apps/grid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -71,6 +72,17 @@ std::vector<Step> steps_of(const Options& options) {
   return steps;
 }
 
+/// After each pass, before what overflowed downwards is taken for 0 in the next.
+void check_numbers(const sim::SparseGrid& grid, const Step& step) {
+  constexpr float kMost = 1e30f;  // of what read_vdb() and read_volumegrid() take
+  for (const auto& [at, brick] : grid.bricks)
+    for (const float number : brick)
+      if (!(std::abs(number) <= kMost))
+        throw usage_error(step.words.compare(0, 4, "mask") == 0 ? "--mask" : "--sharpen",
+                          "after '" + step.words + "' numbers are beyond 1e30, and nothing is written",
+                          "smaller weights, or fewer passes");
+}
+
 /// False if it was interrupted.
 bool filter(sim::SparseGrid& grid, const std::vector<Step>& steps, int threads,
             const std::atomic<bool>& stop) {
@@ -81,6 +93,7 @@ bool filter(sim::SparseGrid& grid, const std::vector<Step>& steps, int threads,
     for (int n = 0; n < step.times; ++n) {
       if (stop.load()) return false;
       sim::filter_grid(grid, step.mask, threads);
+      check_numbers(grid, step);
       bar.update(static_cast<double>(++done) / all);
     }
   return true;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -12,11 +11,13 @@
 #include <fmt/format.h>
 
 #include "apps/exit_code.h"
+#include "apps/finite_range.h"
 #include "apps/grid_file.h"
 #include "apps/input_files.h"
 #include "apps/interrupt.h"
 #include "apps/plot_file.h"
 #include "apps/progress_bar.h"
+#include "apps/scene_grid_options.h"
 #include "apps/scene_options.h"
 #include "apps/slice_sheet.h"
 #include "apps/usage_error.h"
@@ -32,7 +33,9 @@ struct Options {
   std::string output, channel, along, colours = "grey";
   std::vector<double> at;
   int count = 9, threads = 0;
-  double gamma = 1.0, decades = 4.0, voxel = 0.5;
+  double gamma = 1.0, decades = 4.0;
+  VoxelOptions voxels{0.0, 4.0, {}, {}};  ///< of a scene
+  std::vector<CLI::Option*> of_scenes;    ///< options that a grid cannot have
   bool log = false, overwrite = false;
 };
 
@@ -40,40 +43,67 @@ bool is_grid(const Options& options) {
   return std::filesystem::path(options.input.file).extension() != ".toml";
 }
 
+struct Input {
+  GridFile file;
+  bool absorbs = false;  ///< its density is not light
+};
+
 /// What a scene's light is on voxels; empty if it was interrupted.
-GridFile grid_of_scene_file(const Options& options, const std::atomic<bool>& stop) {
-  const sim::Scene scene = scene_of(options.input);
+Input grid_of_scene_file(const Options& options, const std::atomic<bool>& stop) {
+  sim::Scene scene = scene_of(options.input);
   spare_inputs("--output", options.output, inputs_of_scene(options.input, scene));
-  sim::SceneGridOptions grid_of;
-  grid_of.voxel = options.voxel;
-  grid_of.threads = options.threads;
+  keep_named(scene, options.voxels.of);
+  sim::SceneGridOptions grid_of = scene_grid_options(options.voxels, options.threads);
   grid_of.stop = &stop;
   ProgressBar bar("filling voxels");
   grid_of.progress = [&bar](double share) { bar.update(share); };
   sim::SceneGrid made = sim::grid_of_scene(scene, grid_of);
   bar.finish();
-  GridFile file;
-  file.metadata = volume_metadata(scene, made);
-  file.grid = std::move(made.grid);
-  return file;
+  Input input;
+  input.absorbs = made.absorbs;
+  input.file.metadata = volume_metadata(scene, made);
+  input.file.grid = std::move(made.grid);
+  return input;
 }
 
-GridFile input_of(const Options& options, const std::atomic<bool>& stop) {
+Input input_of(const Options& options, const std::atomic<bool>& stop) {
   if (!is_grid(options)) return grid_of_scene_file(options, stop);
   check_grid_name("GRID", options.input.file);
   if (!options.input.changes.empty() || !options.input.camera_file.empty() || !options.input.seed.empty())
     throw usage_error("--set", options.input.file + " is no scene",
                       "--set, --seed and --camera with a scene");
+  for (const CLI::Option* option : options.of_scenes)
+    if (option->count() > 0)
+      throw usage_error(option->get_name(), options.input.file + " is no scene", "it with a scene");
   spare_inputs("--output", options.output, {{options.input.file, "the grid"}});
-  return read_grid_file(options.input.file, options.channel.empty()
-                                                ? std::vector<std::string>{}
-                                                : std::vector<std::string>{options.channel});
+  return {
+      read_grid_file(options.input.file, options.channel.empty() ? std::vector<std::string>{}
+                                                                 : std::vector<std::string>{options.channel}),
+      false};
 }
 
-SheetOptions sheet_options(const Options& options, const GridFile& file) {
+/// What cannot be seen on a sheet is 0 or below.
+bool has_light(const sim::SparseGrid& grid, int channel) {
+  const std::size_t first = static_cast<std::size_t>(channel) * sim::SparseGrid::kVoxels;
+  return std::any_of(grid.bricks.begin(), grid.bricks.end(), [&](const auto& brick) {
+    return std::any_of(brick.second.begin() + first, brick.second.begin() + first + sim::SparseGrid::kVoxels,
+                       [](float number) { return number > 0.0f; });
+  });
+}
+
+/// The density of a scene is all its light, unless it is what absorbs: then the first line that shines.
+int channel_to_show(const Input& input) {
+  const sim::SparseGrid& grid = input.file.grid;
+  const int last = static_cast<int>(grid.channels.size()) - 1;
+  for (int c = 0; input.absorbs && c < last; ++c)
+    if (has_light(grid, c)) return c;
+  return std::max(0, usual_channel(grid));
+}
+
+SheetOptions sheet_options(const Options& options, const Input& input) {
+  const GridFile& file = input.file;
   SheetOptions sheet;
-  sheet.channel =
-      options.channel.empty() ? std::max(0, usual_channel(file.grid)) : file.grid.channel(options.channel);
+  sheet.channel = options.channel.empty() ? channel_to_show(input) : file.grid.channel(options.channel);
   if (sheet.channel < 0)
     throw usage_error("--channel", options.input.file + " has no grid '" + options.channel + "'",
                       "one of " + channel_names(file.grid));
@@ -90,24 +120,23 @@ SheetOptions sheet_options(const Options& options, const GridFile& file) {
 
 int run(const Options& options) {
   const PlotFormat format = plot_format(options.output, "--output");
-  if (!std::isfinite(options.gamma) || !std::isfinite(options.decades))  // CLI::Range lets nan through
-    throw usage_error("--gamma", "it is no number", "0.1 to 10");
   sim::WholeFile(options.output, options.overwrite);  // refused now, not after the work
   const std::atomic<bool>& stop = watch_for_interrupt();
-  const GridFile file = input_of(options, stop);
+  const Input input = input_of(options, stop);
+  const sim::SparseGrid& grid = input.file.grid;
   const auto interrupted_here = [&] {
     if (stop.load()) std::fputs("vegard: interrupted, nothing is written\n", stderr);
     return stop.load();
   };
   if (interrupted_here()) return interrupted;
-  const SheetOptions sheet = sheet_options(options, file);
-  const auto box = sim::lit_box(file.grid, sheet.channel);
-  if (!box)
+  const SheetOptions sheet = sheet_options(options, input);
+  const auto box = sim::lit_box(grid, sheet.channel);
+  if (!box || !has_light(grid, sheet.channel))
     throw usage_error(
         is_grid(options) ? "GRID" : "SCENE",
-        "there is nothing in '" + file.grid.channels[sheet.channel].name + "' of " + options.input.file,
+        "there is nothing above 0 in '" + grid.channels[sheet.channel].name + "' of " + options.input.file,
         "a grid with numbers above 0");
-  const fit::Plot plot = slice_sheet(file.grid, *box, sheet);
+  const fit::Plot plot = slice_sheet(grid, *box, sheet);
   if (interrupted_here()) return interrupted;
   sim::write_whole(options.output, plot_bytes(plot, format), options.overwrite);
   std::printf("%s: %s\n", options.output.c_str(), plot.note.c_str());
@@ -134,6 +163,7 @@ void add_slices_command(CLI::App& app, int& exit_code) {
                        "Where the three slices meet, in the grid's lengths (default: the middle)")
           ->delimiter(',')
           ->expected(3)
+          ->check(finite_range(-1e12, 1e12))
           ->type_name("X,Y,Z");
   CLI::Option* along = command->add_option("--along", options->along, "Many slices along this axis instead")
                            ->check(CLI::IsMember({"x", "y", "z"}))
@@ -145,20 +175,17 @@ void add_slices_command(CLI::App& app, int& exit_code) {
   CLI::Option* gamma = command
                            ->add_option("--gamma", options->gamma,
                                         "Grey is the number's share of the largest, to the power of 1 / this")
-                           ->check(CLI::Range(0.1, 10.0));
+                           ->check(finite_range(0.1, 10.0));
   CLI::Option* log =
       command->add_flag("--log", options->log, "Grey by the logarithm of the number")->excludes(gamma);
   command
       ->add_option("--decades", options->decades, "Black is so many decades below the largest (default: 4)")
-      ->check(CLI::Range(0.1, 40.0))
+      ->check(finite_range(0.1, 40.0))
       ->needs(log);
   command->add_option("--colours", options->colours, "grey (default) or gold")
       ->check(CLI::IsMember({"grey", "gold"}));
-  command
-      ->add_option("--voxel", options->voxel,
-                   "Of a scene: edge of a voxel, in km or in the scene's unit (default: 0.5)")
-      ->check(CLI::Range(1e-6, 1e6))
-      ->type_name("LENGTH");
+  options->of_scenes = add_voxel_options(
+      *command, "--voxel", "some 300 to a side, more where strands are thin; of beams 0.5", options->voxels);
   command->add_option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       ->check(CLI::Range(0, 1024));
   command->add_flag("--overwrite", options->overwrite, "Replace an output that exists");

@@ -7,7 +7,7 @@
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 vegard=$(realpath "$1") bench=$(realpath "$2")
-scene=$(realpath "${3:-$here/../data/gallery/solar_corona.toml}") voxel=${4:-1}
+scene=$(realpath "${3:-$here/../data/gallery/solar_corona.toml}") voxel=${4:-0.5}
 # shellcheck source=scripts/cycles.sh
 source "$here/cycles.sh"
 command -v blender >/dev/null || { echo "there is no blender: skipped"; exit 77; }
@@ -19,7 +19,7 @@ rounds=3 frames=4
 value() { awk -v table="[$1]" -v key="$2" '/^\[/ { here = $1 == table } here && $1 == key { print $3; exit }' "$scene"; }
 width=$(value camera width) height=$(value camera height) line=$(awk '/^lines = \[/ { gsub(/[][,]/, " "); print $3 }' "$scene")
 distance=$(awk "BEGIN { printf \"%.9g\", $(value sun distance_km) / $(value sun unit_km) }")
-loops=$(awk '/^\[/ { here = $1 == "[[loop]]" || $1 == "[[bundle]]" } here && $1 == "name" { gsub(/"/, "", $3); print $3 }' \
+loops=$(awk '/^\[/ { here = $1 == "[[loop]]" } here && $1 == "name" { gsub(/"/, "", $3); print $3 }' \
   "$scene" | paste -sd,)
 "$vegard" volume "$scene" --of "$loops" --lines "$line" --voxel "$voxel" -o loops.vdb
 cat >grid.toml <<EOF

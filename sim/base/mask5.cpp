@@ -60,6 +60,8 @@ Mask5 read_mask5(std::string_view text, const std::string& name) {
       if (error != std::errc() || stop != word.data() + word.size() || !std::isfinite(number))
         fail(name, line_number, "'" + whole + "' is no number", "125 finite numbers");
       if (count == Mask5::kWeights) fail(name, line_number, "more than 125 numbers", "5 x 5 x 5 of them");
+      if (std::abs(number) > Mask5::kMostWeight)
+        fail(name, line_number, "the weight " + whole + " is too large", "from -1e6 to 1e6");
       mask.weights[count++] = number;
     }
   }

@@ -19,8 +19,9 @@ namespace vegard::sim {
 namespace {
 
 constexpr int kMostSide = 65536;
-constexpr double kCubeTolerance = 1e-4;  // the text may have few digits
-constexpr float kMostNumber = 1e30f;     // as of OpenVDB files
+constexpr double kCubeTolerance = 1e-4;                                  // the text may have few digits
+constexpr float kMostNumber = 1e30f;                                     // as of OpenVDB files
+constexpr double kMostPlace = 1e12, kLeastEdge = 1e-9, kMostEdge = 1e9;  // squares of lengths stay numbers
 constexpr int kEdge = SparseGrid::kEdge;
 
 using Kind = VolumegridWords::Kind;
@@ -40,7 +41,10 @@ class DensityFiller {
     size_ = size;
     expected_ = static_cast<std::uint64_t>(size[0]) * size[1] * size[2];
     columns_ = (size[0] + kEdge - 1) / kEdge;
-    slab_.assign(static_cast<std::size_t>(columns_) * ((size[1] + kEdge - 1) / kEdge), nullptr);
+    const std::size_t bricks = static_cast<std::size_t>(columns_) * ((size[1] + kEdge - 1) / kEdge);
+    slab_bytes_ = bricks * sizeof(float*);
+    if (slab_bytes_ > most_bytes_) refuse_size(words);
+    slab_.assign(bricks, nullptr);
     known_ = true;
     for (const float number : early_) put(number, words);
     LargeVector<float>().swap(early_);
@@ -60,7 +64,7 @@ class DensityFiller {
   [[noreturn]] void refuse_size(const VolumegridWords& words) const {
     words.refuse("its densities take more than " + in_words(static_cast<double>(most_bytes_) / 1048576.0) +
                      " MB of memory",
-                 "fewer voxels that are not 0");
+                 "fewer voxels along x and y, or fewer that are not 0");
   }
 
   void put(float number, const VolumegridWords& words) {
@@ -68,7 +72,8 @@ class DensityFiller {
     if (number != 0.0f) {
       float*& brick = slab_[static_cast<std::size_t>(at_[1] / kEdge) * columns_ + at_[0] / kEdge];
       if (brick == nullptr) {
-        if (grid_.bricks.size() * (SparseGrid::kVoxels * sizeof(float)) >= most_bytes_) refuse_size(words);
+        const std::uint64_t after = (grid_.bricks.size() + 1) * (SparseGrid::kVoxels * sizeof(float));
+        if (after + slab_bytes_ > most_bytes_) refuse_size(words);
         brick = grid_.brick({at_[0] / kEdge, at_[1] / kEdge, at_[2] / kEdge}).data();
       }
       brick[SparseGrid::within(at_[0] % kEdge, at_[1] % kEdge, at_[2] % kEdge)] = number;
@@ -93,6 +98,7 @@ class DensityFiller {
   std::array<int, 3> size_{0, 0, 0}, at_{0, 0, 0};
   int columns_ = 0;
   std::uint64_t count_ = 0, expected_ = 0;
+  std::uint64_t slab_bytes_ = 0;
   std::vector<float*> slab_;  ///< bricks of the present eight layers
   LargeVector<float> early_;  ///< densities before their sizes
 };
@@ -170,8 +176,11 @@ class VolumegridReader {
     const std::string type = declared.substr(0, blank);
     const std::string name = declared.substr(behind, declared.find_last_not_of(" \t") + 1 - behind);
     const int axis = name == "nx" ? 0 : name == "ny" ? 1 : name == "nz" ? 2 : -1;
-    if (axis >= 0) return read_size(name, axis);
-    if (name == "p0" || name == "p1") return read_numbers(name, corner_[name == "p0" ? 0 : 1]);
+    if (axis >= 0) {
+      if (size_[axis] > 0) words_.refuse("\"" + name + "\" is given twice", "one number of voxels");
+      return read_size(name, axis);
+    }
+    if (name == "p0" || name == "p1") return read_corner(name);
     if (name == "density") {
       if (filler_.count() > 0) words_.refuse("\"density\" is given twice", "one list");
       return for_each_value(name, [&] {
@@ -215,6 +224,18 @@ class VolumegridReader {
         "three");
   }
 
+  void read_corner(const std::string& name) {
+    const int corner = name == "p0" ? 0 : 1;
+    if (corner_line_[corner] > 0) words_.refuse("\"" + name + "\" is given twice", "one point");
+    corner_line_[corner] = words_.line();
+    read_numbers(name, corner_[corner]);
+    for (const double place : corner_[corner])
+      if (!(std::abs(place) <= kMostPlace))
+        words_.refuse(
+            "\"" + name + "\" of line " + std::to_string(corner_line_[corner]) + " is at " + in_words(place),
+            "places from -1e12 to 1e12");
+  }
+
   void finish() {
     constexpr const char* kName[3] = {"nx", "ny", "nz"};
     for (int a = 0; a < 3; ++a)
@@ -227,6 +248,8 @@ class VolumegridReader {
     for (int a = 0; a < 3; ++a) {
       edge[a] = (corner_[1][a] - corner_[0][a]) / size_[a];
       if (!(edge[a] > 0.0)) words_.refuse("p1 is not above p0 along all axes", "a box from p0 to p1");
+      if (!(edge[a] >= kLeastEdge && edge[a] <= kMostEdge))
+        words_.refuse("its voxels are " + in_words(edge[a]) + " wide", "a box of voxels from 1e-9 to 1e9");
     }
     const double mean = (edge[0] + edge[1] + edge[2]) / 3.0;
     for (int a = 0; a < 3; ++a)
@@ -249,6 +272,7 @@ class VolumegridReader {
   DensityFiller filler_;
   bool sized_ = false;
   std::array<int, 3> size_{0, 0, 0};
+  int corner_line_[2] = {0, 0};  ///< where it is given; or not
   std::array<double, 3> corner_[2] = {{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}};
 };
 

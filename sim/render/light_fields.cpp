@@ -1,5 +1,6 @@
 #include "sim/render/light_fields.h"
 
+#include "sim/base/error.h"
 #include "sim/emit/grid/grid_field.h"
 #include "sim/emit/nebula/nebula_field.h"
 #include "sim/emit/sun/bundle.h"
@@ -19,16 +20,25 @@ namespace {
 double plain(const double& number) { return number; }
 
 /// Of everything on the Sun but the photosphere, which is a surface.
-void add_sun_fields(const Scene& scene, const VolumeFiles& files, int threads, std::vector<NamedField>& all) {
+void add_sun_fields(const Scene& scene, const VolumeFiles& files, int threads, std::uint64_t memory_limit,
+                    std::vector<NamedField>& all) {
   const Sun& sun = scene.sun;
   const NumberAs<double> number = plain;
   const auto add = [&](const char* kind, const std::string& name, std::unique_ptr<const LightField> field) {
     all.push_back({kind + (" '" + name + "'"), std::move(field), FieldFrame::sun});
   };
   const auto of_strands = [&](const Strands<double>& strands, const auto& thing) {
-    return std::make_unique<StrandField>(
-        strands, sun, line_light<double>(scene, thing.rayleigh, thing.temperature_mk, number),
-        static_cast<int>(scene.emission.lines.size()));
+    try {
+      return std::make_unique<StrandField>(
+          strands, sun, line_light<double>(scene, thing.rayleigh, thing.temperature_mk, number),
+          static_cast<int>(scene.emission.lines.size()), memory_limit);
+    } catch (const Error& error) {
+      ErrorDetails details = error.details();
+      details.problem = "'" + thing.name + "': " + details.problem;
+      details.key = "--memory-limit";
+      details.hint = "Leave it out with --of NAME";
+      throw Error(error.kind(), details);
+    }
   };
   for (std::size_t c = 0; c < scene.chromospheres.size(); ++c)
     add("chromosphere", scene.chromospheres[c].name,
@@ -40,7 +50,7 @@ void add_sun_fields(const Scene& scene, const VolumeFiles& files, int threads, s
     const Loop& loop = scene.loops[i];
     const auto index = static_cast<std::uint32_t>(i);
     if (loop.voxel > 0.0)
-      add("loop", loop.name, loop_grid_field(scene, index, threads));
+      add("loop", loop.name, loop_grid_field(scene, index, threads, memory_limit));
     else
       add("loop", loop.name, of_strands(strands_of<double>(sun, loop, scene.seed, number), loop));
   }
@@ -57,7 +67,8 @@ void add_sun_fields(const Scene& scene, const VolumeFiles& files, int threads, s
 
 }  // namespace
 
-std::vector<NamedField> light_fields(const Scene& scene, const VolumeFiles& files, int threads) {
+std::vector<NamedField> light_fields(const Scene& scene, const VolumeFiles& files, int threads,
+                                     std::uint64_t memory_limit) {
   std::vector<NamedField> all;
   for (const Footprint& footprint : scene.footprints)
     all.push_back({"footprint '" + footprint.name + "'", footprint_field(scene, footprint, files, threads)});
@@ -68,7 +79,7 @@ std::vector<NamedField> light_fields(const Scene& scene, const VolumeFiles& file
     all.push_back({"volume '" + scene.volumes[v].name + "'",
                    std::make_unique<GridField>(*files.grids[v], scene.volumes[v], &scene.sun),
                    scene.volumes[v].frame == "sun" ? FieldFrame::sun : FieldFrame::ground});
-  if (scene.sun.shown) add_sun_fields(scene, files, threads, all);
+  if (scene.sun.shown) add_sun_fields(scene, files, threads, memory_limit, all);
   return all;
 }
 

@@ -1,6 +1,7 @@
 // The emitters of a scene as fields in space, for grids: footprints, nebulae, grids, and what is on the Sun.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,7 +21,10 @@ struct NamedField {
   FieldFrame frame = FieldFrame::ground;
 };
 
-/// They must not outlive scene and files.
-std::vector<NamedField> light_fields(const Scene& scene, const VolumeFiles& files, int threads);
+/// They must not outlive scene and files. Throws Error(usage) for strands so thin that where they are takes
+/// more than `memory_limit` bytes, of each loop, bundle or rope, and Error(scene) for a loop whose own grid
+/// does.
+std::vector<NamedField> light_fields(const Scene& scene, const VolumeFiles& files, int threads,
+                                     std::uint64_t memory_limit = std::uint64_t{4} << 30);
 
 }  // namespace vegard::sim

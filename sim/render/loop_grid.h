@@ -23,8 +23,9 @@ template <class T>
 std::unique_ptr<Emitter<T>> loop_grid_emitter(const Scene& scene, std::uint32_t index,
                                               const NumberAs<T>& number, int threads);
 
-/// The same in space.
-std::unique_ptr<LightField> loop_grid_field(const Scene& scene, std::uint32_t index, int threads);
+/// The same in space, dark within the photosphere.
+std::unique_ptr<LightField> loop_grid_field(const Scene& scene, std::uint32_t index, int threads,
+                                            std::uint64_t memory_limit = std::uint64_t{4} << 30);
 
 extern template std::unique_ptr<Emitter<double>> loop_grid_emitter(const Scene&, std::uint32_t,
                                                                    const NumberAs<double>&, int);

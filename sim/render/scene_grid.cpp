@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numeric>
 
 #include "sim/base/error.h"
@@ -10,6 +11,7 @@
 #include "sim/render/field_sampling.h"
 #include "sim/render/light_fields.h"
 #include "sim/render/point_deposit.h"
+#include "sim/render/thin_strands.h"
 #include "sim/render/volume_files.h"
 #include "sim/scene/volume_grid_file.h"
 
@@ -22,15 +24,19 @@ std::string text_of(double x, const char* format) {
   return text;
 }
 
-/// What is lit is a surface at least: the bytes fall with the square of the voxel, or faster.
-[[noreturn]] void refuse_memory(double bytes, const SceneGridOptions& options) {
+/// What is lit is a surface at least: the bytes fall with the square of the voxel, or faster. Where voxels as
+/// large as that would miss strands, only a part of what is there will do.
+[[noreturn]] void refuse_memory(double bytes, const SceneGridOptions& options, double most_voxel) {
   const double limit = static_cast<double>(options.memory_limit), gb = 1024.0 * 1024.0 * 1024.0;
-  throw Error(ErrorKind::usage,
-              {"voxels of " + text_of(options.voxel, "%g") + " would take about " +
-                   text_of(bytes / gb, "%.2g") + " GB",
-               "", 0, "--memory-limit", "at most " + text_of(limit / gb, "%.3g") + " GB",
-               "Voxels of " + text_of(options.voxel * std::sqrt(bytes / limit) * 1.05, "%.2g") +
-                   " would do, or a --box about a part of it"});
+  const double would_do = options.voxel * std::sqrt(bytes / limit) * 1.05;
+  const std::string part = "a --box about a part of it";
+  throw Error(
+      ErrorKind::usage,
+      {"voxels of " + text_of(options.voxel, "%g") + " would take about " + text_of(bytes / gb, "%.2g") +
+           " GB",
+       "", 0, "--memory-limit", "at most " + text_of(limit / gb, "%.3g") + " GB",
+       would_do <= most_voxel ? "Voxels of " + text_of(would_do, "%.2g") + " would do, or " + part
+                              : "Choose with --of NAME, or " + part + ": larger voxels would miss strands"});
 }
 
 void add_relative_light(SparseGrid& grid) {
@@ -56,10 +62,48 @@ bool any_density(const SparseGrid& grid) {
   });
 }
 
-}  // namespace
+/// Of the box about all fields, as far as it is cropped.
+double longest_side(const std::vector<const LightField*>& fields, const std::optional<Box3>& crop) {
+  double longest = 0.0;
+  for (int a = 0; a < 3; ++a) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const LightField* field : fields) {
+      low = std::min(low, field->bounds().low[a]);
+      high = std::max(high, field->bounds().high[a]);
+    }
+    if (crop) {
+      low = std::max(low, crop->low[a]);
+      high = std::min(high, crop->high[a]);
+    }
+    longest = std::max(longest, high - low);
+  }
+  return longest;
+}
 
-SceneGrid grid_of_fields(const Scene& scene, const std::vector<const LightField*>& fields,
-                         const SceneGridOptions& options) {
+/// Rounded down to two digits.
+double two_digits(double x) {
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
+  return std::floor(x / unit * (1.0 + 1e-12)) * unit;
+}
+
+/// Some 300 to the longest side, and two to the radius of the thinnest strand, or one where two would be more
+/// than 1200 to the side.
+double usual_voxel(double side, double strand_radius) {
+  constexpr double kUsual = 300.0, kManyForStrands = 1200.0;
+  if (!(side > 0.0)) return SceneGridOptions::kVoxelOfBeams;
+  double voxel = side / kUsual;
+  if (voxel > 0.5 * strand_radius)
+    voxel =
+        0.5 * strand_radius * kManyForStrands >= side ? 0.5 * strand_radius : std::min(voxel, strand_radius);
+  return two_digits(voxel);
+}
+
+SceneGrid grid_with_strands(const Scene& scene, const std::vector<const LightField*>& fields,
+                            const SceneGridOptions& asked, double strand_radius) {
+  SceneGridOptions options = asked;
+  if (options.voxel == 0.0)
+    options.voxel = scene.sheets.empty() ? usual_voxel(longest_side(fields, options.box), strand_radius)
+                                         : SceneGridOptions::kVoxelOfBeams;
   SceneGrid out;
   const int all_lines = static_cast<int>(scene.emission.lines.size());
   std::vector<int> lines = options.lines;
@@ -93,33 +137,39 @@ SceneGrid grid_of_fields(const Scene& scene, const std::vector<const LightField*
     if (stopped()) return out;
     if (deposit.is_full())
       refuse_memory(
-          static_cast<double>(deposit.bytes()) / PointDeposit::bytes_of_brick(lines.size()) * summed,
-          options);
+          static_cast<double>(deposit.bytes()) / PointDeposit::bytes_of_brick(lines.size()) * summed, options,
+          strand_radius);
     deposit.move_to(out.grid);
     done += 1.0;
   }
+  // Of all before any is sampled, which takes its time.
+  std::vector<BricksToSample> bricks_of;
   for (const LightField* field : fields) {
-    const std::size_t before = out.grid.bricks.size();
-    const BricksToSample found = bricks_to_sample(*field, out.grid, options.box, all_lines,
-                                                  static_cast<double>(options.memory_limit / kept),
-                                                  static_cast<double>(options.memory_limit), [&] {
-                                                    progress(0.0);
-                                                    return !stopped();
-                                                  });
+    bricks_of.push_back(bricks_to_sample(*field, out.grid, options.box, all_lines,
+                                         static_cast<double>(options.memory_limit / kept),
+                                         static_cast<double>(options.memory_limit), [&] {
+                                           progress(0.0);
+                                           return !stopped();
+                                         }));
     if (stopped()) return out;
-    if (found.too_many > 0.0)
-      refuse_memory(std::max(found.too_many * static_cast<double>(kept), 1.0 * options.memory_limit),
-                    options);
+    const double too_many = bricks_of.back().too_many;
+    if (too_many > 0.0)
+      refuse_memory(std::max(too_many * static_cast<double>(kept), 1.0 * options.memory_limit), options,
+                    strand_radius);
+  }
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    const std::size_t before = out.grid.bricks.size();
     const auto room = [&](double share) {
       progress(share);
       return !stopped() && out.grid.bricks.size() * kept <= options.memory_limit;
     };
-    const double share =
-        sample_field(*field, all_lines, lines, found.bricks, options.box, options.threads, room, out.grid);
+    const double share = sample_field(*fields[f], all_lines, lines, bricks_of[f].bricks, options.box,
+                                      options.threads, room, out.grid);
     if (stopped()) return out;
     const double more = static_cast<double>(out.grid.bricks.size() - before);
     if (out.grid.bricks.size() * kept > options.memory_limit)
-      refuse_memory((static_cast<double>(before) + more / share) * static_cast<double>(kept), options);
+      refuse_memory((static_cast<double>(before) + more / share) * static_cast<double>(kept), options,
+                    strand_radius);
     done += 1.0;
   }
   out.absorbs = any_density(out.grid);
@@ -128,6 +178,13 @@ SceneGrid grid_of_fields(const Scene& scene, const std::vector<const LightField*
     out.grid.channels.back().unit = "of the brightest voxel";
   }
   return out;
+}
+
+}  // namespace
+
+SceneGrid grid_of_fields(const Scene& scene, const std::vector<const LightField*>& fields,
+                         const SceneGridOptions& options) {
+  return grid_with_strands(scene, fields, options, std::numeric_limits<double>::infinity());
 }
 
 SceneGrid grid_of_scene(const Scene& scene, const SceneGridOptions& options) {
@@ -140,8 +197,15 @@ SceneGrid grid_of_scene(const Scene& scene, const SceneGridOptions& options) {
     if (footprint.model == "curtain")
       throw Error(ErrorKind::usage, {"the footprint '" + footprint.name + "' is a curtain without thickness",
                                      "", 0, "SCENE", "model = \"volume\"", "Leave it out with --of NAME"});
+  const ThinStrand thinnest = thinnest_strand(scene);
+  if (options.voxel > thinnest.radius)
+    throw Error(ErrorKind::usage,
+                {"strands of the " + thinnest.what + ", of radius " + text_of(thinnest.radius, "%.6g") +
+                     ", would fall between voxels of " + text_of(options.voxel, "%g"),
+                 "", 0, "--voxel", "at most their radius",
+                 "half of it shows how they fall off; or leave it out with --of NAME"});
   const VolumeFiles files = read_volume_files(scene);
-  const std::vector<NamedField> named = light_fields(scene, files, options.threads);
+  const std::vector<NamedField> named = light_fields(scene, files, options.threads, options.memory_limit);
   std::vector<const LightField*> fields;
   const auto differs = [&](FieldFrame frame) {
     return !scene.sheets.empty() || std::any_of(named.begin(), named.end(), [frame](const NamedField& other) {
@@ -159,7 +223,7 @@ SceneGrid grid_of_scene(const Scene& scene, const SceneGridOptions& options) {
            "SCENE", "one nebula, what is on the Sun, or light in kilometres", "Choose with --of NAME"});
     fields.push_back(one.field.get());
   }
-  return grid_of_fields(scene, fields, options);
+  return grid_with_strands(scene, fields, options, thinnest.radius);
 }
 
 }  // namespace vegard::sim

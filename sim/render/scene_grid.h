@@ -15,7 +15,11 @@
 namespace vegard::sim {
 
 struct SceneGridOptions {
-  double voxel = 0.5;       ///< edge, in the frame's unit
+  static constexpr double kVoxelOfBeams = 0.5;
+  /// Edge, in the frame's unit. 0: some 300 to the longest side, and not above half the radius of the
+  /// thinnest strand, or that radius in a scene so wide that half would be more than 1200 to its side;
+  /// kVoxelOfBeams where there are beams, or nothing.
+  double voxel = 0.5;
   std::vector<int> lines;   ///< of the scene, which become grids; empty: all
   std::optional<Box3> box;  ///< crop, in the frame's unit; of points of light, and of voxels' centres
   std::uint64_t memory_limit = std::uint64_t{4} << 30;
@@ -31,8 +35,8 @@ struct SceneGrid {
 };
 
 /// What is on the Sun goes into one grid, in the Sun's frame; so does all light in km. Throws Error(usage) if
-/// these, or a nebula and anything else, would come into one, and if the memory limit is too low for the
-/// voxel; Error(unreadable_input) for a file of the scene.
+/// these, or a nebula and anything else, would come into one, if strands are thinner than a voxel, and if the
+/// memory limit is too low for the voxel; Error(unreadable_input) for a file of the scene.
 SceneGrid grid_of_scene(const Scene& scene, const SceneGridOptions& options);
 
 /// The same of the beams of `scene` and of fields.

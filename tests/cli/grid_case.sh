@@ -56,6 +56,23 @@ echo "1 2 x" > bad.mask
 expect_exit 3 grid a.pbrt -o no.vdb --mask bad.mask
 expect_stderr "bad.mask:1"
 expect_one_message
+for i in $(seq 125); do echo 1e38; done > large.mask
+expect_exit 3 grid a.pbrt -o no.vdb --mask large.mask
+expect_stderr "large.mask:1: the weight 1e38 is too large"
+expect_one_message
+# Weights that are allowed, too often.
+for i in $(seq 125); do echo 1e6; done > many.mask
+expect_exit 2 grid a.pbrt -o no.txt --mask many.mask --mask many.mask --mask many.mask --mask many.mask --mask many.mask
+expect_stderr "--mask: after 'mask many.mask' numbers are beyond 1e30"
+expect_one_message
+sed 's/p0" \[10 20 700\] "point p1" \[16 26 704\]/p0" [-1e308 -1e308 -1e308] "point p1" [1e308 1e308 1e308]/' a.pbrt > wide.pbrt
+expect_exit 3 grid wide.pbrt -o no.vdb
+expect_stderr 'wide.pbrt:3: "p0" of line 3 is at -1e+308'
+expect_one_message
+sed 's/"integer nz" \[2\]/"integer nz" [2] "integer nz" [2]/' a.pbrt > twice.pbrt
+expect_exit 3 grid twice.pbrt -o no.vdb
+expect_stderr 'twice.pbrt:2: "nz" is given twice'
+expect_one_message
 head -c 200 a.pbrt > cut.pbrt
 expect_exit 3 grid cut.pbrt -o no.vdb
 expect_stderr "cut.pbrt:4"
@@ -63,4 +80,4 @@ expect_stderr "cut off"
 expect_one_message
 expect_exit 6 grid a.pbrt -o no/such/folder/out.vdb
 expect_one_message
-expect_only a.pbrt a.vdb back.volumegrid b.txt c.txt one.mask same.txt blurred.txt again.txt other.txt bad.mask cut.pbrt
+expect_only a.pbrt a.vdb back.volumegrid b.txt c.txt one.mask same.txt blurred.txt again.txt other.txt bad.mask large.mask many.mask wide.pbrt twice.pbrt cut.pbrt

@@ -3,15 +3,9 @@
 #include <cmath>
 
 #include "sim/emit/nebula/nebula_frame.h"
+#include "sim/light/light_of_fields.h"
 
 namespace vegard::sim {
-namespace {
-
-constexpr double kCmPerKm = 1e5;
-constexpr double kPhotonsPerRayleigh_cm2_s = 1e6;
-
-}  // namespace
-
 NebulaField::NebulaField(const Scene& scene, const Nebula& nebula)
     : cloud_(scene, nebula, [](const double& number) { return number; }),
       lines_(static_cast<int>(scene.emission.lines.size())),
@@ -44,7 +38,7 @@ void NebulaField::sample(std::size_t count, const double* const point[3], float*
     const CloudDensity densities = cloud_.densities(here);
     density[i] = static_cast<float>(cloud_.has_dust() ? densities.dust : densities.gas);
     for (int l = 0; l < lines_; ++l)
-      emission[l][i] = static_cast<float>(at.light[l] * kPhotonsPerRayleigh_cm2_s / unit_cm_);
+      emission[l][i] = static_cast<float>(photons_per_volume(at.light[l], unit_cm_));
   }
 }
 

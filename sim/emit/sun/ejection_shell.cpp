@@ -7,12 +7,12 @@
 #include "sim/emit/sun/flux_rope.h"
 #include "sim/emit/sun/line_light.h"
 #include "sim/emit/sun/ray_stop.h"
+#include "sim/light/light_of_fields.h"
 
 namespace vegard::sim {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kCmPerKm = 1e5, kPhotonsPerRayleigh_cm2_s = 1e6;
 
 }  // namespace
 
@@ -174,9 +174,8 @@ void EjectionShellField::sample(std::size_t count, const double* const point[3],
     const double value = hidden ? 0.0 : body_.density_at(dot3(off, off));
     density[k] = 0.0f;
     for (int l = 0; l < lines_; ++l)
-      emission[l][k] = light_.empty()
-                           ? 0.0f
-                           : static_cast<float>(value * light_[l] * kPhotonsPerRayleigh_cm2_s / unit_cm_);
+      emission[l][k] =
+          light_.empty() ? 0.0f : static_cast<float>(photons_per_volume(value * light_[l], unit_cm_));
   }
 }
 

@@ -4,14 +4,21 @@
 #include <cmath>
 #include <tuple>
 
+#include "sim/base/error.h"
 #include "sim/emit/sun/strand_nearest.h"
+#include "sim/light/light_of_fields.h"
 
 namespace vegard::sim {
 namespace {
 
 constexpr int kEdge = SparseGrid::kEdge;
-constexpr double kPhotonsPerRayleigh_cm2_s = 1e6;
-constexpr double kCmPerKm = 1e5;
+
+constexpr double kMostCells = 2e9;  // to a side; they are counted by 32 bits
+
+[[noreturn]] void refuse_thinness() {
+  throw Error(ErrorKind::usage, {"its strands are so thin that to know where they are takes too much memory",
+                                 "", 0, "", "thicker or shorter strands, or fewer", ""});
+}
 
 struct BeforeCell {
   bool operator()(const ReachOfStrand& a, const BrickCoordinate& b) const { return a.brick < b; }
@@ -21,13 +28,13 @@ struct BeforeCell {
 }  // namespace
 
 StrandField::StrandField(const Strands<double>& strands, const Sun& sun, const std::vector<double>& light,
-                         int lines)
+                         int lines, std::uint64_t memory_limit)
     : falloff_(strands.falloff),
       unit_cm_(sun.unit_km * kCmPerKm),
       sun_radius_(sun.radius),
       rate_(static_cast<std::size_t>(lines), 0.0),
       bounds_{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}} {
-  for (std::size_t l = 0; l < light.size(); ++l) rate_[l] = light[l] * kPhotonsPerRayleigh_cm2_s / unit_cm_;
+  for (std::size_t l = 0; l < light.size(); ++l) rate_[l] = photons_per_volume(light[l], unit_cm_);
   // A cell is as wide as a mean tube: few pieces to a cell, few cells to a piece.
   double radii = 0.0;
   bool first = true;
@@ -43,8 +50,15 @@ StrandField::StrandField(const Strands<double>& strands, const Sun& sun, const s
   }
   if (!(radii > 0.0)) return;
   lattice_.voxel = 2.0 * radii / static_cast<double>(strands.all.size()) / kEdge;
+  for (int a = 0; a < 3; ++a)
+    if (!(std::max(-bounds_.low[a], bounds_.high[a]) < kMostCells * kEdge * lattice_.voxel))
+      refuse_thinness();
+  double bytes = 0.0;
   for (std::size_t s = 0; s < strands.all.size(); ++s) {
     strands_.push_back(pieces_of(strands.all[s], lattice_));
+    bytes += static_cast<double>(strands_.back().pieces.size() * sizeof(StrandPiece)) +
+             bricks_about(strands_.back()) * sizeof(ReachOfStrand);
+    if (bytes > static_cast<double>(memory_limit)) refuse_thinness();
     find_bricks(strands_.back(), static_cast<std::uint32_t>(s), BrickPart::whole, reaches_);
   }
   std::sort(reaches_.begin(), reaches_.end(), [](const ReachOfStrand& a, const ReachOfStrand& b) {

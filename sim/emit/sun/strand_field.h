@@ -5,6 +5,7 @@
 // nearest point.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "sim/emit/sun/strand_pieces.h"
@@ -16,8 +17,10 @@ namespace vegard::sim {
 class StrandField : public LightField {
  public:
   /// `light`: rayleighs of density 1 to a unit of path, per line, or empty. It absorbs nothing, and is dark
-  /// within the photosphere.
-  StrandField(const Strands<double>& strands, const Sun& sun, const std::vector<double>& light, int lines);
+  /// within the photosphere. Throws Error(usage) if pieces and cells would take more than `memory_limit`
+  /// bytes, or strands are thinner than cells can be counted.
+  StrandField(const Strands<double>& strands, const Sun& sun, const std::vector<double>& light, int lines,
+              std::uint64_t memory_limit = std::uint64_t{4} << 30);
 
   double unit_cm() const override { return unit_cm_; }
   Box3 bounds() const override { return bounds_; }

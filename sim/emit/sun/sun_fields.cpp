@@ -6,12 +6,10 @@
 
 #include "sim/emit/sun/line_light.h"
 #include "sim/emit/sun/sun_frame.h"
+#include "sim/light/light_of_fields.h"
 
 namespace vegard::sim {
 namespace {
-
-constexpr double kCmPerKm = 1e5;
-constexpr double kPhotonsPerRayleigh_cm2_s = 1e6;
 
 const NumberAs<double> plain = [](const double& number) { return number; };
 
@@ -27,7 +25,7 @@ ShellField::ShellField(const Sun& sun, double inner, double outer, const std::ve
       inner_(inner),
       outer_(outer),
       rate_(static_cast<std::size_t>(lines), 0.0) {
-  for (std::size_t l = 0; l < light.size(); ++l) rate_[l] = light[l] * kPhotonsPerRayleigh_cm2_s / unit_cm_;
+  for (std::size_t l = 0; l < light.size(); ++l) rate_[l] = photons_per_volume(light[l], unit_cm_);
 }
 
 Box3 ShellField::bounds() const { return {{-outer_, -outer_, -outer_}, {outer_, outer_, outer_}}; }

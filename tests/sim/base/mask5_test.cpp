@@ -62,6 +62,11 @@ TEST(Mask5, RefusesWhatIsNoMaskAndSaysWhere) {
   EXPECT_EQ(word.problem, "'four' is no number");
   EXPECT_EQ(complaint("1 inf").problem, "'inf' is no number");
   EXPECT_EQ(complaint("1 +").problem, "'+' is no number");
+  const ErrorDetails large = complaint("1\n-1.1e6\n");
+  EXPECT_EQ(large.line, 2);
+  EXPECT_EQ(large.problem, "the weight -1.1e6 is too large");
+  EXPECT_EQ(complaint("1 1e300").problem, "the weight 1e300 is too large");
+  EXPECT_EQ(read_mask5(numbers(124) + "-1e6", "m").weights[124], -1e6);
 }
 
 }  // namespace

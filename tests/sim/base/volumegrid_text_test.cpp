@@ -164,6 +164,13 @@ TEST(VolumegridText, SaysWhatIsWrongAndWhere) {
       {"Volume \"volumegrid\" \"integer\nnx\" 2", {"not closed in its line"}},
       {head + cubes + "\"float density\" [1 2 3 4]\nVolume \"volumegrid\"", {":7:", "second volumegrid"}},
       {head + cubes + "\"float density\" [1 2 3 4] \"float density\" [1]", {"given twice"}},
+      {head + "\"integer ny\" [2]", {":5:", "\"ny\" is given twice"}},
+      {head + cubes + "\"point p1\" [2 2 1]", {":6:", "\"p1\" is given twice"}},
+      {head + "\"point p0\" [0 0 0]\n\"point p0\" [0 0 0]", {":6:", "\"p0\" is given twice"}},
+      {head + "\"point p0\"\n[-1e308 0 0]", {"\"p0\" of line 5 is at -1e+308", "1e12"}},
+      {head + "\"point p1\" [1 1.1e12 1]\n", {"\"p1\" of line 5 is at 1.1e+12", "1e12"}},
+      {head + "\"point p1\" [4e9 4e9 2e9] \"float density\" [1 2 3 4]", {"2e+09 wide", "1e-9 to 1e9"}},
+      {head + "\"point p1\" [4e-10 4e-10 2e-10] \"float density\" [1 2 3 4]", {"2e-10 wide"}},
       {std::string(5000, 'x'), {"more than 256 letters"}},
   };
   for (const auto& one : cases) {
@@ -180,9 +187,18 @@ TEST(VolumegridText, SaysWhatIsWrongAndWhere) {
 TEST(VolumegridText, TakesNoMoreMemoryThanItMay) {
   const tests::TemporaryFolder folder;
   tests::put(folder / "a.pbrt", kSmall);
-  EXPECT_NO_THROW(sim::read_volumegrid(folder / "a.pbrt", SparseGrid::kVoxels * sizeof(float)));
+  // A brick, and where it is in its layer.
+  const std::uint64_t needed = SparseGrid::kVoxels * sizeof(float) + sizeof(float*);
+  EXPECT_NO_THROW(sim::read_volumegrid(folder / "a.pbrt", needed));
+  tests::expect_words(ErrorKind::unreadable_input, {"memory"},
+                      [&] { sim::read_volumegrid(folder / "a.pbrt", needed - 1); });
   tests::expect_words(ErrorKind::unreadable_input, {"memory"},
                       [&] { sim::read_volumegrid(folder / "a.pbrt", 0); });
+  // The list of a layer's bricks counts before there is any.
+  tests::put(folder / "c.pbrt",
+             "Volume \"volumegrid\" \"integer nx\" 65536 \"integer ny\" 65536 \"integer nz\" 1");
+  tests::expect_words(ErrorKind::unreadable_input, {"memory"},
+                      [&] { sim::read_volumegrid(folder / "c.pbrt", (std::uint64_t{1} << 29) - 1); });
   // The same of densities whose sizes come behind.
   tests::put(folder / "b.pbrt", "Volume \"volumegrid\" \"float density\" [1 2 3 4 5]");
   tests::expect_words(ErrorKind::unreadable_input, {"memory"},

@@ -11,6 +11,7 @@
 #include "sim/emit/sun/sun_frame.h"
 #include "sim/render/scene_grid.h"
 #include "sim/render/sun_emitters.h"
+#include "sim/render/thin_strands.h"
 #include "sim/scene/idle_parameter.h"
 #include "sim/scene/parameter_table.h"
 #include "tests/support/expect_error.h"
@@ -224,6 +225,22 @@ TEST(LoopGrid, RefusesMoreMemoryThanItMayHave) {
   }
 }
 
+TEST(LoopGrid, RefusesMoreMemoryThanItMayHaveAfterBlur) {
+  Scene scene = loop_scene();
+  scene.loops[0].voxel = 0.5;
+  const std::uint64_t bytes = loop_grid(scene, 0, 1).bricks.size() * SparseGrid::kVoxels * sizeof(float);
+  EXPECT_NO_THROW(loop_grid(scene, 0, 1, bytes));
+  scene.loops[0].blur = 4;
+  try {
+    loop_grid(scene, 0, 1, bytes);
+    FAIL() << "it took what it wanted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::scene);
+    EXPECT_EQ(error.details().key, "loop.a.voxel");
+    EXPECT_NE(error.details().problem.find("blur"), std::string::npos);
+  }
+}
+
 TEST(SceneGrid, WhatIsOnTheSunGoesIntoOneGridWhateverItsUnit) {
   Scene scene = loop_scene();
   SceneGridOptions options;
@@ -254,29 +271,94 @@ TEST(SceneGrid, WhatIsOnTheSunGoesIntoOneGridWhateverItsUnit) {
   EXPECT_THROW(grid_of_scene(scene, options), Error);
 }
 
+TEST(SceneGrid, RefusesVoxelsThatStrandsWouldFallBetween) {
+  Scene scene = loop_scene();
+  SceneGridOptions options;
+  options.voxel = 2.0;
+  EXPECT_NO_THROW(grid_of_scene(scene, options));
+  options.voxel = 2.01;
+  std::string text = tests::expect_error(ErrorKind::usage, [&] { grid_of_scene(scene, options); });
+  EXPECT_NE(text.find("loop 'a', of radius 2, would fall between voxels of 2.01"), std::string::npos) << text;
+  EXPECT_NE(text.find("--voxel"), std::string::npos) << text;
+  Bundle bundle;
+  bundle.name = "b";
+  bundle.foot_radius = 3.0;
+  bundle.top_radius = 1.5;
+  Ejection rope;
+  rope.name = "c";
+  rope.age_s = 0.0;
+  scene.bundles = {bundle};
+  options.voxel = 1.6;
+  text = tests::expect_error(ErrorKind::usage, [&] { grid_of_scene(scene, options); });
+  EXPECT_NE(text.find("bundle 'b', of radius 1.5"), std::string::npos) << text;
+  // At its top a rope's strand has 0.1 of the rope's radius, which is a quarter of the front's height of 20;
+  // at its feet three tenths of that, and a bit more where its first piece ends.
+  scene.loops.clear();
+  scene.bundles.clear();
+  scene.ejections = {rope};
+  options.voxel = 0.5;
+  text = tests::expect_error(ErrorKind::usage, [&] { grid_of_scene(scene, options); });
+  EXPECT_NE(text.find("ejection 'c', of radius "), std::string::npos) << text;
+  EXPECT_GT(thinnest_strand(scene).radius, 0.3 * 0.5);
+  EXPECT_LT(thinnest_strand(scene).radius, 0.5 * 0.5);
+  scene.ejections[0].kind = "shell";
+  EXPECT_TRUE(thinnest_strand(scene).what.empty());
+  scene.ejections[0].kind = "rope";
+  scene.sun.shown = false;
+  EXPECT_TRUE(thinnest_strand(scene).what.empty());
+}
+
+TEST(SceneGrid, ChoosesAVoxelByWhatThereIs) {
+  Scene scene = loop_scene();
+  SceneGridOptions options;
+  options.voxel = 0.0;
+  options.lines = {0};
+  // Strands of radius 2 about 25 wide and 20 high: 300 to a side are finer than half the radius.
+  const double fine = grid_of_scene(scene, options).grid.voxel;
+  EXPECT_GT(fine, 25.0 / 300.0);
+  EXPECT_LT(fine, 45.0 / 300.0);
+  // In thin strands the radius counts.
+  scene.loops[0].strand_radius = 0.1;
+  EXPECT_DOUBLE_EQ(grid_of_scene(scene, options).grid.voxel, 0.05);
+  // With more around a whole radius, where half of it would be too many voxels.
+  Corona corona;
+  corona.reach = 1.4;
+  corona.rayleigh = {1.0, 1.0};
+  scene.coronae = {corona};
+  scene.loops[0].strand_radius = 0.2;
+  options.memory_limit = 1 << 24;
+  const std::string text = tests::expect_error(ErrorKind::usage, [&] { grid_of_scene(scene, options); });
+  EXPECT_NE(text.find("voxels of 0.2 would take"), std::string::npos) << text;
+  EXPECT_NE(text.find("--of NAME"), std::string::npos) << text;
+  // Alone it is 140 wide.
+  scene.loops.clear();
+  options.memory_limit = std::uint64_t{4} << 30;
+  options.box = Box3{{-70.0, -70.0, -3.0}, {70.0, 70.0, 3.0}};
+  EXPECT_NEAR(grid_of_scene(scene, options).grid.voxel, 140.0 / 300.0, 0.011);
+}
+
 TEST(SceneGrid, OfALoopByAGridHoldsWhatItsStrandsDo) {
-  // High above the Sun, but for its feet, since strands are dark below the photosphere and voxels are not cut
-  // there: what is above the plane through the top's lower half is compared.
   Scene scene = loop_scene();
   SceneGridOptions options;
   options.voxel = 0.5;
-  const SunPlace<double> place = sun_place(10.0, 80.0);
-  const auto above = [&](const SparseGrid& grid) {
+  const SparseGrid strands = grid_of_scene(scene, options).grid;
+  scene.loops[0].voxel = 0.5;  // whose voxels are the scene's
+  const SparseGrid voxels = grid_of_scene(scene, options).grid;
+  EXPECT_GT(strands.sum(0), 0.0);
+  EXPECT_NEAR(voxels.sum(0), strands.sum(0), 1e-5 * strands.sum(0));
+  // The loop's own voxels reach below the photosphere, and there the scene's are dark.
+  const auto within = [](const SparseGrid& grid) {
     double sum = 0.0;
     for (const auto& [at, brick] : grid.bricks)
       for (int v = 0; v < SparseGrid::kVoxels; ++v) {
-        const double middle[3] = {0.5 * (at.x * 8 + v / 64 + 0.5), 0.5 * (at.y * 8 + v / 8 % 8 + 0.5),
-                                  0.5 * (at.z * 8 + v % 8 + 0.5)};
-        double height = 0.0;
-        for (int i = 0; i < 3; ++i) height += middle[i] * place.up[i];
-        if (height > 60.0) sum += brick[v];
+        const double x = 0.5 * (at.x * 8 + v / 64 + 0.5), y = 0.5 * (at.y * 8 + v / 8 % 8 + 0.5),
+                     z = 0.5 * (at.z * 8 + v % 8 + 0.5);
+        if (x * x + y * y + z * z < 2500.0) sum += brick[v];
       }
     return sum;
   };
-  const double strands = above(grid_of_scene(scene, options).grid);
-  scene.loops[0].voxel = 0.5;  // whose voxels are the scene's
-  EXPECT_GT(strands, 0.0);
-  EXPECT_NEAR(above(grid_of_scene(scene, options).grid), strands, 1e-5 * strands);
+  EXPECT_GT(within(loop_grid(scene, 0, 1)), 0.0);
+  EXPECT_EQ(within(voxels), 0.0);
 }
 
 }  // namespace

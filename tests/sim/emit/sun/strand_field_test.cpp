@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/error.h"
 #include "sim/base/random.h"
 #include "sim/emit/sun/strand_density.h"
 #include "tests/support/sun_rays.h"
@@ -49,6 +50,18 @@ TEST(StrandField, IsTheSumOfDensities) {
     }
   }
   EXPECT_GT(lit, 100);
+}
+
+TEST(StrandField, RefusesStrandsThatAreTooThinToKeep) {
+  const Sun sun = tests::level_sun(100.0);
+  Strands<double> strands = some_strands();
+  EXPECT_NO_THROW(StrandField(strands, sun, {2.0}, 1, 10 << 20));
+  EXPECT_THROW(StrandField(strands, sun, {2.0}, 1, 10 << 10), Error);
+  for (Strand<double>& strand : strands.all) strand.radius_first = strand.radius_last = 1e-4;
+  EXPECT_THROW(StrandField(strands, sun, {2.0}, 1, 10 << 20), Error);
+  // Here numbers of cells would not fit into 32 bits, whatever the memory.
+  for (Strand<double>& strand : strands.all) strand.radius_first = strand.radius_last = 1e-10;
+  EXPECT_THROW(StrandField(strands, sun, {2.0}, 1, ~std::uint64_t{0}), Error);
 }
 
 TEST(StrandField, IsDarkOnlyWhereNothingShines) {
