@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fit/cell_noise.h"
 #include "fit/measured_profile.h"
 #include "sim/base/error.h"
 #include "sim/base/random.h"
@@ -97,14 +98,13 @@ GranulationStatistic::GranulationStatistic(const sim::Scene& scene, const Photo&
   std::vector<double> window = window_of(scene, *grid, cell);
   const Profile cells = measured_profile(scene, photo, grid);
   channel_ = brightest_channel(cells);
-  std::vector<double> light(grid->bins()), variance(grid->bins(), 0.0);
+  std::vector<double> light(grid->bins());
   double mean = 0.0, weights = 0.0;
   for (std::size_t b = 0; b < grid->bins(); ++b) {
     const std::size_t i = b * 3 + channel_;
     if (cells.count[i] == 0) window[b] = 0.0;
     if (!(window[b] > 0.0)) continue;
     light[b] = cells.mean[i];
-    if (std::isfinite(cells.standard_error[i])) variance[b] = std::pow(cells.standard_error[i], 2);
     mean += window[b] * light[b];
     weights += window[b];
   }
@@ -129,7 +129,7 @@ GranulationStatistic::GranulationStatistic(const sim::Scene& scene, const Photo&
 
   // By how much more than Gaussian light the start's own chromospheres scatter.
   const PowerSpectrum::Light seen = spectrum_->of(light);
-  const double noise = spectrum_->noise_power(seen, variance);
+  const double noise = spectrum_->noise_power(seen, cell_variances(scene, photo, cells, channel_));
   std::vector<std::vector<double>> ln_power(spectrum_->bands());
   for (std::size_t k = 0; k < kForScatter; ++k) {
     ModelProfile model;
@@ -157,6 +157,11 @@ GranulationStatistic::GranulationStatistic(const sim::Scene& scene, const Photo&
     bands_.push_back({b, std::log(seen.power[b]) + low, noise,
                       std::sqrt(relative * (1.0 + 1.0 / kRealisations) + 4.0 * model_error * model_error)});
   }
+  if (bands_.empty())
+    throw sim::Error(sim::ErrorKind::unreadable_input,
+                     {"noise makes up more than half of the power of the light in all rings of wavenumber",
+                      photo.file_name, 0, "fit.granulation_weight", "granules that stand out of the noise",
+                      "a region (fit.roi_px) where they do, or fit.granulation_weight = 0"});
 }
 
 sim::Scene GranulationStatistic::realisation(const sim::Scene& scene, std::size_t which) const {

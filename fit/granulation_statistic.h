@@ -28,13 +28,14 @@ namespace vegard::fit {
 ///
 /// Noise: sigma² = s (1 + 1/4) V + (2 model_error)², V the relative variance of Gaussian light under the
 /// window and s by how much ln P of eight of the start's chromospheres scatter more than that (at least 1):
-/// granules with edges are not Gaussian. The photograph's own noise is added to the model's power; bands that
-/// it makes up more than half of are left out. Bands are taken as independent, which granules with edges are
-/// not: error bars come out too small by about 1.4 (docs/corona/fits.md).
+/// granules with edges are not Gaussian. The photograph's own noise (fit/cell_noise.h) is added to the
+/// model's power; bands that it makes up more than half of are left out. Bands are taken as independent,
+/// which granules with edges are not: error bars come out too small by about 1.4 (docs/corona/fits.md).
 class GranulationStatistic : public Statistic {
  public:
   /// `weight` multiplies chi2. Throws sim::Error(scene) with key "fit.granulation_weight" if the scene has no
-  /// Sun or no chromosphere, or the region shows too little of the disc.
+  /// Sun or no chromosphere, or the region shows too little of the disc; sim::Error(unreadable_input) with
+  /// the same key if noise makes up more than half of all bands.
   GranulationStatistic(const sim::Scene& scene, const Photo& photo, const Region& region, double weight,
                        double model_error, int threads);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "fit/border_statistic.h"
@@ -32,6 +33,33 @@ void check_band_sky(const sim::Scene& scene) {
        "fit.band_sky", "false, or profiles alone", "set fit.horizontal_weight = 0 and fit.image_weight = 0"});
 }
 
+/// What goes by the picture's columns means nothing where profiles run across a loop or away from the limb,
+/// and a grey sensor has no colour.
+void check_what_goes_together(const sim::Scene& scene) {
+  const sim::Fit& fit = scene.fit;
+  const auto refuse = [&](const std::string& key, const std::string& problem, const std::string& other) {
+    throw sim::Error(sim::ErrorKind::scene,
+                     {problem, scene.file, 0, key, "0", "set " + key + " = 0, or " + other});
+  };
+  if (fit.colour_weight > 0.0 && scene.sensor.response == "grey")
+    refuse("fit.colour_weight", "a grey sensor has no colours to compare", "choose another sensor.response");
+  if (fit.profile_along != "loop" && fit.profile_along != "limb") return;
+  const std::string beside =
+      fit.profile_along == "loop" ? "beside profiles across a loop" : "beside profiles away from the limb";
+  const struct {
+    const char* key;
+    double weight;
+    const char* problem;
+  } others[] = {
+      {"fit.colour_weight", fit.colour_weight, "colours of an aurora's heights mean nothing "},
+      {"fit.horizontal_weight", fit.horizontal_weight, "strips along the picture's rows mean nothing "},
+      {"fit.border_weight", fit.border_weight, "lower borders, sought down the columns, mean nothing "},
+      {"fit.image_weight", fit.image_weight, "cells with gains of the picture's columns mean nothing "},
+      {"fit.texture_weight", fit.texture_weight, "texture along the picture's rows means nothing "}};
+  for (const auto& other : others)
+    if (other.weight > 0.0) refuse(other.key, other.problem + beside, "choose another fit.profile_along");
+}
+
 }  // namespace
 
 GainLayout gain_layout(const sim::Scene& scene) {
@@ -42,6 +70,7 @@ Statistics::Statistics(const sim::Scene& scene, const Photo& photo, Profile data
                        double smooth_px, const ModelError& model_error, int threads)
     : profile_(std::move(data)), sigma_(std::move(sigma)) {
   const sim::Fit& fit = scene.fit;
+  check_what_goes_together(scene);
   check_band_sky(scene);
   if (profile_.grid == nullptr)
     profile_.grid = std::make_shared<const BinGrid>(column_bins(profile_.region, profile_.bands));

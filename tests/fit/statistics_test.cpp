@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "fit/border_statistic.h"
 #include "fit/colour_statistic.h"
 #include "fit/noise_model.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/made_photo.h"
 #include "tests/support/small_scene.h"
 
@@ -233,6 +236,41 @@ TEST(Statistics, SlopesCountTheChangeOfGainsAndSky) {
       EXPECT_GT(largest, 0.1);
     }
   }
+}
+
+// Beside profiles that do not run along columns, and of a sensor without colours. Granulation looks at the
+// region itself, and may stand beside all of them.
+TEST(Statistics, RefuseWhatMeansNothingBesideALoopALimbOrAGreySensor) {
+  const Photo photo = tests::made_photo({});
+  const Profile data = extract_profile(photo, {10, 4, 200, 110}, kBands);
+  const auto build = [&](const sim::Scene& scene) {
+    Statistics(scene, photo, data, profile_sigma(data, 0.02), 0.0, {0.02});
+  };
+  const std::pair<const char*, double sim::Fit::*> weights[] = {
+      {"fit.colour_weight", &sim::Fit::colour_weight},
+      {"fit.horizontal_weight", &sim::Fit::horizontal_weight},
+      {"fit.border_weight", &sim::Fit::border_weight},
+      {"fit.image_weight", &sim::Fit::image_weight},
+      {"fit.texture_weight", &sim::Fit::texture_weight}};
+  for (const auto& [key, weight] : weights)
+    for (const char* along : {"loop", "limb"}) {
+      sim::Scene scene = tests::small_scene();
+      scene.fit.bands = kBands;
+      scene.fit.*weight = 0.5;
+      EXPECT_NO_THROW(build(scene)) << key;
+      scene.fit.profile_along = along;
+      const std::string text = tests::expect_error(sim::ErrorKind::scene, [&] { build(scene); });
+      EXPECT_NE(text.find(key), std::string::npos) << text;
+      EXPECT_NE(text.find(along), std::string::npos) << text;
+    }
+  sim::Scene grey = tests::small_scene();
+  grey.fit.bands = kBands;
+  grey.sensor.response = "grey";
+  EXPECT_NO_THROW(build(grey));
+  grey.fit.colour_weight = 0.5;
+  const std::string text = tests::expect_error(sim::ErrorKind::scene, [&] { build(grey); });
+  EXPECT_NE(text.find("fit.colour_weight"), std::string::npos) << text;
+  EXPECT_NE(text.find("grey"), std::string::npos) << text;
 }
 
 }  // namespace

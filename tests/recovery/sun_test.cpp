@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -16,6 +18,7 @@
 #include "fit/fit.h"
 #include "fit/measured_profile.h"
 #include "fit/number_text.h"
+#include "sim/base/fits_io.h"
 #include "sim/emit/sun/sun_frame.h"
 #include "sim/scene/parameter_table.h"
 #include "sim/scene/scene_toml.h"
@@ -96,7 +99,7 @@ void draw_guide(const Photo& photo, sim::Scene& scene, const std::vector<std::pa
   }
 }
 
-// Noise of a fiftieth of the loop's light. Three sigma of five numbers, of a fixed seed: a chance of 1.3 %
+// Noise of a fiftieth of the loop's light. Three sigma of six numbers, of a fixed seed: a chance of 1.6 %
 // that a right fit fails, had the seed not been fixed.
 TEST(SunRecovery, FindsALoopAgainFromADisplacedStart) {
   const sim::Scene truth = sim::parse_scene(kLoop, "loop.toml");
@@ -172,6 +175,57 @@ TEST(SunRecovery, FindsTheSizeOfGranulesWhereverTheyStand) {
   expect_recovered(truth, result, 3.0);
 }
 
+const char* const kCorona = R"(
+[emission]
+lines = [560.0]
+[camera]
+width = 120
+height = 120
+hfov_deg = 1.2
+azimuth_deg = 180
+elevation_deg = 45
+[sun]
+shown = true
+azimuth_deg = 180
+elevation_deg = 45
+[[corona]]
+name = "whole"
+share = [1.0]
+power = [8.0]
+reach = 8.0
+light = "density"
+rayleigh = [1]
+[blur]
+width_deg = [0.0]
+[sensor]
+response = "grey"
+exposure = "gain"
+gain_per_kilorayleigh = 0.5
+[sky]
+level = [0.01, 0.01, 0.01]
+[fit]
+profile_along = "limb"
+bands = 4
+limb_lowest = 1.1
+limb_highest = 2.0
+limb_step = 0.05
+sky_terms = 1
+model_error = 0.002
+scan_points = 0
+free = [{ path = "corona.whole.power.0", min = 1, max = 40 }]
+)";
+
+// How a corona's light falls off, with noise of a few per cent of the light at the limb.
+TEST(SunRecovery, FindsThePowerOfACoronaAgain) {
+  const sim::Scene truth = sim::parse_scene(kCorona, "corona.toml");
+  const Photo photo = tests::noisy_photo(truth, 0.005, 79);
+  sim::Scene start = truth;
+  start.coronae[0].power[0] = 5.0;
+  const FitResult result = fit_photo(start, photo, {});
+  EXPECT_NE(result.verdict, Verdict::failed) << result.verdict_line;
+  expect_recovered(truth, result, 3.0);
+}
+
 /// Of a real picture; empty if it is not there.
 std::string photograph(const char* name) {
   const char* given = std::getenv("VEGARD_PHOTOS");
@@ -185,11 +239,31 @@ sim::Scene example(const std::string& name) {
   return sim::read_scene(std::string(VEGARD_SOURCE_DIR) + "/data/examples/" + name);
 }
 
+struct TraceHeader {
+  double crpix1 = -331.555, crpix2 = -289.793, cdelt1 = 0.5, cdelt2 = 0.5;  // as the scene's README quotes it
+};
+
+/// Of the picture, where it is there.
+TraceHeader trace_header() {
+  TraceHeader header;
+  const std::string file = photograph("trace171_19980519.fits");
+  if (file.empty()) return header;
+  std::ifstream stream(file, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  const sim::FitsKeywords words = sim::read_fits_image(bytes, file).keywords;
+  header.crpix1 = std::stod(words.at("CRPIX1"));
+  header.crpix2 = std::stod(words.at("CRPIX2"));
+  header.cdelt1 = std::stod(words.at("CDELT1"));
+  header.cdelt2 = std::stod(words.at("CDELT2"));
+  return header;
+}
+
 // The header's words for where the Sun is, against the scene's camera: Solar-x and Solar-y of a pixel in
 // seconds of arc are (i - CRPIX) CDELT, i from 1 in the middle of the first pixel and rows from below. At the
 // distance r of a place from the Sun's middle the picture's plane and the scene's differ by less than r (r^2
-// + R^2), 0.01".
+// + R^2), 0.01". Without the picture, its header's numbers as the scene quotes them stand in.
 TEST(SunPictures, TheTraceScenePutsTheSunWhereTheHeaderSays) {
+  const TraceHeader header = trace_header();
   const sim::Scene scene = example("trace/scene.toml");
   const sim::CameraView<double> view = sim::camera_view(scene.camera);
   const sim::SunFrame<double> frame(scene.sun, [](const double& number) { return number; });
@@ -199,13 +273,15 @@ TEST(SunPictures, TheTraceScenePutsTheSunWhereTheHeaderSays) {
       double enu[3], in_sky[3];
       ASSERT_TRUE(sim::enu_of_pixel(view, x, y, enu));
       frame.sky().turn(enu, in_sky);  // right, up, towards the observer
-      EXPECT_NEAR(in_sky[0] / -in_sky[2] / kSecond, (x + 0.5 + 331.555) * 0.5, 0.02);
-      EXPECT_NEAR(in_sky[1] / -in_sky[2] / kSecond, (1024.0 - y + 0.5 + 289.793) * 0.5, 0.02);
+      EXPECT_NEAR(in_sky[0] / -in_sky[2] / kSecond, (x + 0.5 - header.crpix1) * header.cdelt1, 0.02);
+      EXPECT_NEAR(in_sky[1] / -in_sky[2] / kSecond, (1024.0 - y + 0.5 - header.crpix2) * header.cdelt2, 0.02);
     }
 }
 
-/// Two starts, as two hands would draw them, end at one loop.
-TEST(SunPicturesFitted, OneLoopOfTheTracePictureIsFoundFromTwoStarts) {
+// A start 5 Mm higher and 3 degrees more upright than the example's, with the same radius of the strand, ends
+// at the same loop. That holds for this neighbour, not for all: of twelve starts (height 45 to 65 Mm, tilt
+// -50 to -63 degrees, radius 3 to 6 Mm) eight end elsewhere (docs/corona/fits.md).
+TEST(SunPicturesFitted, OneLoopOfTheTracePictureIsFoundFromANearbyStart) {
   const std::string file = photograph("trace171_19980519.fits");
   if (file.empty()) GTEST_SKIP() << "trace171_19980519.fits is not there (VEGARD_PHOTOS)";
   sim::Scene scene = example("trace/scene.toml");
