@@ -22,6 +22,7 @@
 #include "apps/scene_place.h"
 #include "apps/usage_error.h"
 #include "fit/line_brightness.h"
+#include "fit/measured_profile.h"
 #include "fit/photo.h"
 #include "fit/plot.h"
 #include "fit/profile.h"
@@ -138,10 +139,11 @@ fit::LineBrightness lines_of(const sim::Scene& scene, const fit::Photo& photo, c
   });
 }
 
-/// Across a loop, or away from the limb.
+/// Across a loop, or away from the limb, with the noise that the scene says; of a grey sensor one channel.
 fit::Profile sun_profile(sim::Scene scene, const fit::Photo& photo, const fit::Region& region, int bands) {
   scene.fit.bands = bands;
-  return fit::extract_profile(photo, std::make_shared<const fit::BinGrid>(fit::profile_bins(scene, region)));
+  return fit::measured_profile(scene, photo,
+                               std::make_shared<const fit::BinGrid>(fit::profile_bins(scene, region)));
 }
 
 Measured measure_bands(const Options& options, const std::optional<sim::Scene>& scene,

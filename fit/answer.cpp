@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "fit/grey_light.h"
 #include "fit/noise_model.h"
+#include "fit/told_gains.h"
 #include "fit/trade_off.h"
 #include "fit/turns.h"
 #include "sim/scene/parameter_table.h"
@@ -107,26 +110,34 @@ void put_solution(const Comparison& comparison, const Comparison::Point& point, 
     if (variance[j] > 0.0) s.sigma = std::sqrt(variance[j]);
     r.solved.push_back(s);
   };
+  const bool grey = is_grey(r.best);
   for (int b = 0; b < (gains.per_band ? gains.bands : 1); ++b)
-    for (int c = 0; c < (gains.per_channel ? 3 : 1); ++c)
+    for (int c = 0; c < (gains.per_channel ? 3 : 1); ++c) {
+      if (gains.per_channel && !has_channel(r.best, c)) continue;
       solved(std::string("gain") + (gains.per_band ? ".band_" + std::to_string(b) : "") +
                  (gains.per_channel ? std::string(".") + kChannel[c] : ""),
              gains.column(b, c));
-  // Where bands have skies of their own, one that has next to no light may have any gain: each counts by how
-  // well it is known.
-  const bool by_weight = linear.skies() > 1;
-  double sum = 0.0, lit = 0.0;
+    }
   r.gain.assign(r.data.bands, std::vector<double>(3));
+  std::vector<std::vector<bool>> told(r.data.bands, std::vector<bool>(3));
+  bool any_told = false;
   for (int b = 0; b < r.data.bands; ++b)
     for (int c = 0; c < 3; ++c) {
-      r.gain[b][c] = solution.coefficients[gains.column(b, c)];
-      const double known = variance[gains.column(b, c)];
-      const double weight = !by_weight ? 1.0 : known > 0.0 ? 1.0 / known : 0.0;
-      if (r.gain[b][c] > 0.0) {
-        sum += weight * r.gain[b][c];
-        lit += weight;
-      }
+      const int column =
+          gains.column(b, grey ? kGreyChannel : c);  // of a grey sensor the others hold nothing
+      r.gain[b][c] = solution.coefficients[column];
+      told[b][c] = is_told(r.gain[b][c], std::sqrt(std::max(0.0, variance[column])));
+      any_told = any_told || told[b][c];
     }
+  // Where bands have skies of their own, one that has next to no light may have any gain, and does not count.
+  const bool told_ones = linear.skies() > 1 && any_told;
+  double sum = 0.0, lit = 0.0;
+  for (int b = 0; b < r.data.bands; ++b)
+    for (int c = 0; c < 3; ++c)
+      if (told_ones ? told[b][c] : r.gain[b][c] > 0.0) {
+        sum += r.gain[b][c];
+        lit += 1.0;
+      }
   if (lit > 0.0) {
     // The night sky's lights keep the brightness that they had in the fit.
     if (sim::has_night_sky(r.best))
@@ -142,18 +153,21 @@ void put_solution(const Comparison& comparison, const Comparison::Point& point, 
     for (int c = 0; c < 3; ++c) {
       const bool is_solved = t < linear.sky_terms();
       (*terms[t])[c] = is_solved && skies == 1 ? solution.coefficients[linear.sky(t, c)] : 0.0;
-      for (int b = 0; b < skies && is_solved; ++b) {
-        const double value = solution.coefficients[linear.sky(t, c, b)];
-        if (skies > 1 && t == 0) (*terms[t])[c] += value / skies;
+      double levels = 0.0;
+      int seen = 0;
+      for (int b = 0; b < skies && is_solved && has_channel(r.best, c); ++b) {
         if (skies > 1 && variance[linear.sky(t, c, b)] <= 0.0) continue;  // nothing was told of it
+        levels += solution.coefficients[linear.sky(t, c, b)];
+        ++seen;
         solved(std::string("sky.") + (skies > 1 ? "band_" + std::to_string(b) + "." : "") + kTerm[t] + "." +
                    kChannel[c],
                linear.sky(t, c, b));
       }
+      if (skies > 1 && t == 0 && seen > 0) (*terms[t])[c] = levels / seen;
     }
   // A grey sensor's channels are one, which was solved for.
-  if (r.best.sensor.response == "grey")
-    for (std::array<double, 3>* term : terms) term->fill((*term)[1]);
+  if (grey)
+    for (std::array<double, 3>* term : terms) term->fill((*term)[kGreyChannel]);
   for (const Statistic::Solved& s : comparison.solved_by_statistics(r.best)) {
     r.solved.push_back({s.name, s.value, {}});
     if (s.sigma > 0.0) r.solved.back().sigma = s.sigma;
@@ -183,6 +197,23 @@ sim::PhotoEntry entry_of_best(const sim::PhotoEntry& entry, const FittedPhoto& f
   return best;
 }
 
+namespace {
+
+/// The most light that the model has before its bands' skies, in bands of which the gain is told.
+double peak_before_skies(const FittedPhoto& r) {
+  double peak = 0.0;
+  const std::vector<std::vector<bool>> told = told_gains(r);
+  for (int b = 0; b < r.data.bands; ++b)
+    for (int row = 0; row < r.data.rows; ++row)
+      for (int c = 0; c < 3; ++c) {
+        const std::size_t i = r.data.index(b, row, c);
+        if (r.sigma[i] > 0.0 && told[b][c]) peak = std::max(peak, r.model[i] - r.behind[i]);
+      }
+  return peak;
+}
+
+}  // namespace
+
 double rms_over_peak(const FittedPhoto& r) {
   double sum = 0.0;
   std::size_t count = 0;
@@ -191,8 +222,14 @@ double rms_over_peak(const FittedPhoto& r) {
     sum += std::pow(r.data.mean[i] - r.model[i], 2);
     ++count;
   }
+  if (count == 0) return 0.0;
+  const double rms = std::sqrt(sum / static_cast<double>(count));
+  if (r.best.fit.band_sky) {
+    const double peak = peak_before_skies(r);
+    return peak > 0.0 ? rms / peak : std::numeric_limits<double>::infinity();
+  }
   const double peak = profile_peak(r.data);
-  return count > 0 && peak > 0.0 ? std::sqrt(sum / static_cast<double>(count)) / peak : 0.0;
+  return peak > 0.0 ? rms / peak : 0.0;
 }
 
 }  // namespace vegard::fit

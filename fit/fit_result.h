@@ -132,9 +132,9 @@ struct FittedPhoto {
   std::vector<double> behind;  ///< what of `model` no gain multiplies: the solved sky and known lights
   std::vector<std::vector<double>> gain;  ///< [band][channel]: what the aurora was multiplied by
   std::vector<SolvedNumber> solved;
-  double chi2 = 0.0;  ///< its share
-  double rms_over_peak =
-      0.0;  ///< rms residual over all rows, bands, channels / peak of its profile above the sky
+  double chi2 = 0.0;           ///< its share
+  double rms_over_peak = 0.0;  ///< rms residual over all rows, bands, channels / peak of its profile above
+                               ///< the sky (rms_over_peak() in fit/answer.h)
   std::string decoding;
 };
 

@@ -3,13 +3,12 @@
 #include <cmath>
 #include <limits>
 
+#include "fit/grey_light.h"
 #include "sim/view/sensor.h"
 
 namespace vegard::fit {
 
 namespace {
-
-constexpr int kGreyChannel = 1;
 
 /// A grey sensor says the same in all channels: what is said once is to count once.
 void keep_one_channel(Profile& profile) {
@@ -25,7 +24,7 @@ void keep_one_channel(Profile& profile) {
 Profile measured_profile(const sim::Scene& scene, const Photo& photo,
                          const std::shared_ptr<const BinGrid>& grid) {
   Profile profile = extract_profile(photo, grid);
-  if (scene.sensor.response == "grey") keep_one_channel(profile);
+  if (is_grey(scene)) keep_one_channel(profile);
   if (scene.fit.photo_noise != "sensor") return profile;
   const sim::Image variance = sim::light_variance(scene, photo.linear, file_step(photo));
   for (std::size_t bin = 0; bin < grid->bins(); ++bin)

@@ -5,7 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "fit/grey_light.h"
 #include "fit/report_bins.h"
+#include "fit/told_gains.h"
 #include "sim/emit/aurora/sheet.h"
 #include "sim/render/render.h"
 #include "sim/view/composite.h"
@@ -25,10 +27,11 @@ int dense(int beams) {
 }
 
 /// Gain and sky of the bins that a pixel is in, where bins are no columns of rows; elsewhere the mean gain
-/// and the scene's sky.
+/// and the scene's sky. A gain that the data do not tell may be a hundred times the others': the mean in its
+/// place.
 void add_gain_and_sky_by_bins(const FittedPhoto& fitted, bool clips, sim::Image& rgb) {
   const BinGrid& grid = *fitted.data.grid;
-  const bool grey = fitted.best.sensor.response == "grey";
+  const bool grey = is_grey(fitted.best);
   const auto shown = [&](int x, int y, int c) {
     const float light = rgb.at(x, y, c);
     return clips ? std::max(light, 0.0f) : light;
@@ -40,14 +43,16 @@ void add_gain_and_sky_by_bins(const FittedPhoto& fitted, bool clips, sim::Image&
   for (int y = 0; y < rgb.height; ++y)
     for (int x = 0; x < rgb.width; ++x)
       for (int c = 0; c < 3; ++c) result.at(x, y, c) += mean_gain * shown(x, y, c);
+  const std::vector<std::vector<bool>> told = told_gains(fitted);
   for (std::size_t bin = 0; bin < grid.bins(); ++bin)
     for (std::size_t r = grid.first_run[bin]; r < grid.first_run[bin + 1]; ++r) {
       const BinGrid::Run& run = grid.runs[r];
       for (int x = run.begin; x < run.end; ++x)
         for (int c = 0; c < 3; ++c) {
-          const double behind = fitted.behind[bin * 3 + (grey ? 1 : c)];
-          result.at(x, run.y, c) =
-              static_cast<float>(behind + fitted.gain[grid.band[bin]][c] * shown(x, run.y, c));
+          const double behind = fitted.behind[bin * 3 + (grey ? kGreyChannel : c)];
+          const int band = grid.band[bin];
+          const double gain = told[band][c] ? fitted.gain[band][c] : mean_gain;
+          result.at(x, run.y, c) = static_cast<float>(behind + gain * shown(x, run.y, c));
         }
     }
   rgb = std::move(result);
@@ -120,6 +125,9 @@ ModelPicture model_picture(const FittedPhoto& fitted, const Photo& photo, int th
   picture.residual = photo.linear;
   for (std::size_t i = 0; i < picture.residual.data.size(); ++i)
     picture.residual.data[i] -= picture.rgb.data[i];
+  if (is_grey(fitted.best))  // whose one channel was compared
+    for (std::size_t i = 0; i < picture.residual.data.size(); ++i)
+      picture.residual.data[i] = picture.residual.data[i - i % 3 + kGreyChannel];
   return picture;
 }
 

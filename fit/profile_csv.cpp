@@ -63,7 +63,9 @@ std::string comments(const Photo& photo, const Profile& profile) {
   text += photo.floating
               ? "# r, g, b: linear light in the file's own units\n"
               : "# r, g, b: linear light, the file's largest value = 1; clipped pixels are left out\n";
-  text += "# sigma_*: standard error of the mean, from the differences of neighbouring pixels\n";
+  text +=
+      "# sigma_*: standard error of the mean, from the differences of neighbouring pixels, or by the "
+      "sensor (fit.photo_noise)\n";
   text += "# n_*: pixels used\n";
   text += "# chroma_r, chroma_g: r / (r + g + b), g / (r + g + b)\n";
   return text;

@@ -36,6 +36,14 @@ Cell average(const Profile& profile, int first_band, int end_band, int first_row
   return {sum / count, std::sqrt(variance) / count};
 }
 
+/// The channel that alone has pixels, as of a grey sensor's photograph; -1: there are several.
+int only_channel(const Profile& profile) {
+  bool has[3] = {false, false, false};
+  for (std::size_t i = 0; i < profile.count.size(); ++i) has[i % 3] = has[i % 3] || profile.count[i] > 0;
+  if (has[0] + has[1] + has[2] != 1) return -1;
+  return has[0] ? 0 : has[1] ? 1 : 2;
+}
+
 std::string panel_title(const Profile& profile, int first_band, int end_band) {
   if (has_named_axes(profile)) {
     BinAxis axis = profile.grid->across;
@@ -48,15 +56,16 @@ std::string panel_title(const Profile& profile, int first_band, int end_band) {
   return "columns " + std::to_string(begin) + "\u2013" + std::to_string(end - 1);
 }
 
-Panel band_panel(const Profile& profile, int first_band, int end_band, int rows_each,
+Panel band_panel(const Profile& profile, int first_band, int end_band, int rows_each, int only,
                  const ElevationOfPixel& elevation_of_pixel) {
   Panel panel;
   panel.title = panel_title(profile, first_band, end_band);
   const char* names[3] = {"red", "green", "blue"};
   for (int channel = 0; channel < 3; ++channel) {
+    if (only >= 0 && channel != only) continue;
     Series series;
-    series.label = names[channel];
-    series.colour = channel_colour(channel);
+    series.label = only >= 0 ? "" : names[channel];
+    series.colour = only >= 0 ? kGreyInk : channel_colour(channel);
     series.band_along_x = !has_named_axes(profile);
     for (int row = 0; row < profile.rows; row += rows_each) {
       const int end_row = std::min(profile.rows, row + rows_each);
@@ -90,9 +99,11 @@ Plot profile_plot(const Photo& photo, const Profile& profile, const ElevationOfP
   Plot plot;
   const int panels = std::min(profile.bands, kMostPanels);
   const int rows_each = std::max(1, (profile.rows + kMostRows - 1) / kMostRows);
+  // Through filters a channel is a line, and has its name.
+  const int only = photo.filters.empty() ? only_channel(profile) : -1;
   for (int p = 0; p < panels; ++p)
     plot.panels.push_back(band_panel(profile, profile.bands * p / panels, profile.bands * (p + 1) / panels,
-                                     rows_each, elevation_of_pixel));
+                                     rows_each, only, elevation_of_pixel));
   for (Panel& panel : plot.panels)
     for (std::size_t c = 0; c < photo.filters.size() && c < panel.series.size(); ++c)
       panel.series[c].label = photo.filters[c].wavelength_nm > 0.0

@@ -3,28 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/grey_light.h"
 #include "fit/number_text.h"
 #include "fit/plot.h"
+#include "fit/told_gains.h"
 
 namespace vegard::fit {
 namespace {
 
 constexpr int kMostBands = 12;
+constexpr double kMostSigma = 0.5;  ///< of a gain that is drawn: others would take the scale for themselves
 constexpr Colour kModelInk{40, 40, 40}, kGrey{120, 120, 120};
 const char* const kChannelNames[3] = {"red", "green", "blue"};
 const char* const kHowToRead = "Dots: photograph. Shaded: \u00b11 \u03c3. Thin line: model.";
-
-/// A grey sensor has one channel, which is no colour.
-bool is_grey(const FittedPhoto& fitted) { return fitted.best.sensor.response == "grey"; }
-
-std::string channel_name(const FittedPhoto& fitted, int channel) {
-  return is_grey(fitted) ? "photograph" : kChannelNames[channel];
-}
-
-Colour ink_of(const FittedPhoto& fitted, int channel) {
-  constexpr Colour kBlue{33, 102, 172};
-  return is_grey(fitted) ? kBlue : channel_colour(channel);
-}
 
 /// Photograph and model by position, of one channel; NaN where nothing was used.
 struct Curve {
@@ -73,8 +64,8 @@ Panel light_panel(const FittedPhoto& fitted, int first_band, int end_band, doubl
   for (int c = 0; c < 3; ++c) {
     const Curve curve = mean_over(fitted, first_band, end_band, c);
     if (!curve.any) continue;
-    Series dots = line(curve.place, curve.data, ink_of(fitted, c), Mark::points);
-    dots.label = channel_name(fitted, c);
+    Series dots = line(curve.place, curve.data, channel_ink(fitted.best, c), Mark::points);
+    dots.label = channel_name(fitted.best, c);
     dots.width_px = diameter_px;
     for (std::size_t i = 0; i < curve.data.size(); ++i) {
       dots.low.push_back(curve.data[i] - curve.sigma[i]);
@@ -89,6 +80,14 @@ Panel light_panel(const FittedPhoto& fitted, int first_band, int end_band, doubl
 }
 
 }  // namespace
+
+std::string channel_name(const sim::Scene& scene, int channel) {
+  return is_grey(scene) ? "photograph" : kChannelNames[channel];
+}
+
+Colour channel_ink(const sim::Scene& scene, int channel) {
+  return is_grey(scene) ? kGreyInk : channel_colour(channel);
+}
 
 bool has_named_axes(const Profile& profile) {
   return profile.grid != nullptr && profile.grid->along.is_given();
@@ -134,9 +133,9 @@ std::string bins_residual_svg(const FittedPhoto& fitted) {
       sigmas.push_back((curve.data[i] - curve.model[i]) / curve.sigma[i]);
       if (std::isfinite(sigmas.back())) widest = std::max(widest, 1.05 * std::abs(sigmas.back()));
     }
-    panel.series.push_back(line(curve.place, sigmas, ink_of(fitted, c), Mark::points));
+    panel.series.push_back(line(curve.place, sigmas, channel_ink(fitted.best, c), Mark::points));
     panel.series.back().width_px = 3.2;
-    panel.series.back().label = channel_name(fitted, c);
+    panel.series.back().label = channel_name(fitted.best, c);
   }
   panel.x.label = axis_label(axis);
   panel.y.label = "(photograph \u2212 model) / \u03c3";
@@ -176,23 +175,25 @@ std::string bins_brightness_svg(const FittedPhoto& fitted) {
   plot.title = "Brightness of the bands";
   plot.note =
       "The gain of each band: the model\u2019s light is multiplied by it. Shaded: \u00b11 \u03c3. Left out: "
-      "bands that have so little light that \u03c3 is above the gain.";
+      "bands whose \u03c3 is above half of the gain";
   Panel panel;
   const Profile& data = fitted.data;
+  const std::vector<std::vector<double>> sigmas = gain_sigmas(fitted);
+  std::string left_out;
   for (int c = 0; c < 3; ++c) {
-    const bool per_channel = !fitted.best.fit.white_balance_known;
-    if (!per_channel && c != 1) continue;  // one gain for all
+    const bool per_channel = !fitted.best.fit.white_balance_known && !is_grey(fitted.best);
+    if (!per_channel && c != kGreyChannel) continue;  // one gain for all
     if (per_channel && !mean_over(fitted, 0, data.bands, c).any) continue;
-    Series series = line({}, {}, ink_of(fitted, c), Mark::points);
+    Series series = line({}, {}, channel_ink(fitted.best, c), Mark::points);
     series.width_px = 5.0;
     if (per_channel) series.label = kChannelNames[c];
     for (int b = 0; b < data.bands && b < static_cast<int>(fitted.gain.size()); ++b) {
-      const std::string name = std::string("gain.band_") + std::to_string(b) +
-                               (per_channel ? std::string(".") + kChannelNames[c] : "");
-      double sigma = 0.0;
-      for (const SolvedNumber& s : fitted.solved)
-        if (s.name == name) sigma = s.sigma.value_or(0.0);
-      if (sigma > fitted.gain[b][c]) continue;
+      const double sigma = sigmas[b][c];
+      if (!(sigma <= kMostSigma * fitted.gain[b][c])) {
+        const std::string name = std::to_string(b) + (per_channel ? std::string(" ") + kChannelNames[c] : "");
+        left_out += (left_out.empty() ? "" : ", ") + name;
+        continue;
+      }
       series.x.push_back(data.grid->across.edge(b + 0.5));
       series.y.push_back(fitted.gain[b][c]);
       series.low.push_back(fitted.gain[b][c] - sigma);
@@ -200,7 +201,10 @@ std::string bins_brightness_svg(const FittedPhoto& fitted) {
     }
     panel.series.push_back(std::move(series));
   }
-  panel.x.label = axis_label(data.grid->across);
+  plot.note += left_out.empty() ? "; none." : " (" + left_out + ").";
+  panel.x.label = axis_label(data.grid->across) + "; band 0 at the left";
+  panel.x.min = data.grid->across.edge(0);
+  panel.x.max = data.grid->across.edge(data.bands);
   panel.y.label = "gain";
   panel.y.min = 0.0;
   plot.panels.push_back(std::move(panel));

@@ -5,8 +5,16 @@
 #include <string>
 
 #include "fit/fit_result.h"
+#include "fit/plot.h"
 
 namespace vegard::fit {
+
+/// What stands for light of a single channel, which is no colour.
+constexpr Colour kGreyInk{33, 102, 172};
+
+/// How a photograph's channel is called and drawn: "red"; of a grey sensor "photograph".
+std::string channel_name(const sim::Scene& scene, int channel);
+Colour channel_ink(const sim::Scene& scene, int channel);
 
 /// Whether a photograph's profiles have such bins.
 bool has_named_axes(const Profile& profile);

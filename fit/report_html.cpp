@@ -4,6 +4,7 @@
 
 #include "fit/corner_plot.h"
 #include "fit/foot_map.h"
+#include "fit/grey_light.h"
 #include "fit/html_text.h"
 #include "fit/judged_table.h"
 #include "fit/number_text.h"
@@ -85,16 +86,20 @@ std::string pictures_section(const ShownPhoto& shown, const ReportPictures& pict
       "<div class=\"three\">\n" +
           figure(
               pictures.photo, "Photograph",
-              (has_named_axes(shown.fitted->data) ? "Outlined: the bands that were fitted."
+              (has_named_axes(shown.fitted->data) ? "Outlined: the bands that were fitted, the first and the "
+                                                    "last one numbered."
                                                   : "Framed: the region that was fitted, with its bands.") +
                   brightness) +
           figure(
               pictures.model, "Model",
-              "The best scene, rendered without the random spacing of its beams: the expectation that was "
-              "fitted, not one realisation. " +
+              (shown.fitted->best.sheets.empty()
+                   ? std::string("The best scene. ")
+                   : std::string(
+                         "The best scene, rendered without the random spacing of its beams: the expectation "
+                         "that was fitted, not one realisation. ")) +
                   std::string(has_named_axes(shown.fitted->data)
-                                  ? "In the bands it has their own brightness and sky, elsewhere the mean of "
-                                    "all."
+                                  ? "In the bands it has their own brightness and sky, elsewhere, and where "
+                                    "nothing tells a band\u2019s brightness, the mean of all."
                                   : "Its brightness per band is joined from band to band without seams.") +
                   brightness) +
           figure(pictures.residual, "Residual",
@@ -106,7 +111,7 @@ std::string pictures_section(const ShownPhoto& shown, const ReportPictures& pict
 std::string profiles_section(const ShownPhoto& shown, const ReportPictures& pictures) {
   const FittedPhoto& fitted = *shown.fitted;
   const ElevationOfPixel& elevation_of_pixel = shown.elevation_of_pixel;
-  const bool named = has_named_axes(fitted.data);
+  const bool named = has_named_axes(fitted.data), grey = is_grey(fitted.best);
   std::string html =
       "<div class=\"plots\">\n" +
       (named
@@ -118,10 +123,10 @@ std::string profiles_section(const ShownPhoto& shown, const ReportPictures& pict
   const std::string places = named ? fitted.data.grid->along.name : "the region\u2019s rows";
   if (!pictures.misfit.empty())
     html +=
-        "<h3>What is left, row by row and band by band</h3>\n<div class=\"misfit\">\n"
-        "<div class=\"names\"><span>red</span><span>green</span><span>blue</span></div>\n"
-        "<img src=\"" +
-        pictures.misfit +
+        "<h3>What is left, row by row and band by band</h3>\n<div class=\"misfit\">\n" +
+        std::string(
+            grey ? "" : "<div class=\"names\"><span>red</span><span>green</span><span>blue</span></div>\n") +
+        "<img src=\"" + pictures.misfit +
         "\" alt=\"residual / sigma\">\n"
         "<p class=\"soft\">(Photograph \u2212 model) / \u03c3, " +
         html_text(places) +
@@ -129,18 +134,20 @@ std::string profiles_section(const ShownPhoto& shown, const ReportPictures& pict
         "pattern is something that "
         "the model "
         "does not have. Grey was not used.</p>\n</div>\n";
+  const std::string compared =
+      fitted.best.fit.profile_weight > 0.0
+          ? "This is what was fitted: "
+          : "To look at; they were not compared (<code>fit.profile_weight</code> is 0): ";
   return section(
       title_for(named                 ? (fitted.name.empty() ? "Profiles" : "profiles")
                 : fitted.name.empty() ? "Vertical profiles"
                                       : "vertical profiles",
                 shown),
-      named ? "This is what was fitted: the mean light of every bin, by the " +
-                  html_text(fitted.data.grid->along.name) + " and, band by band, by the " +
-                  html_text(fitted.data.grid->across.name) +
+      named ? compared + "the mean light of every bin, by the " + html_text(fitted.data.grid->along.name) +
+                  " and, band by band, by the " + html_text(fitted.data.grid->across.name) +
                   ". \u03c3 holds the noise of the photograph and the model error that the scene allows for."
-            : std::string(
-                  "This is what was fitted: the mean light of every row, in every band and channel. \u03c3 "
-                  "holds the noise of the photograph and the model error that the scene allows for."),
+            : compared + "the mean light of every row, in every band" + (grey ? "" : " and channel") +
+                  ". \u03c3 holds the noise of the photograph and the model error that the scene allows for.",
       html);
 }
 
@@ -186,8 +193,11 @@ std::string solved_section(const ShownPhoto& shown) {
   if (fitted.solved.empty()) return {};
   return section(
       title_for(fitted.name.empty() ? "Solved along the way" : "solved along the way", shown),
-      "Linear numbers, exact at every step of the search: the gain is the linear light of one kilorayleigh "
-      "of 557.7\u00a0nm; the sky, " +
+      std::string("Linear numbers, exact at every step of the search: the gain is ") +
+          (light_noun(fitted.best) == "solar light"
+               ? "what the model\u2019s light is multiplied by to be the photograph\u2019s linear light"
+               : "the linear light of one kilorayleigh of 557.7\u00a0nm") +
+          "; the sky, " +
           std::string(fitted.best.fit.band_sky ? "of each band along its profile"
                                                : "over the picture\u2019s height") +
           ", is " + sky_words(fitted.best.fit.sky_terms) + ".",
@@ -232,8 +242,8 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
   if (!cards.empty())
     html += section("What it says about the " + light_noun(result.best),
                     believed ? "" : "The verdict above speaks against leaning on these numbers.", cards);
-  if (const std::string map = foot_map_svg(result); !map.empty())
-    html += section("Where it stands", "", "<div class=\"plots\">\n" + map + "</div>\n");
+  const std::string map = foot_map_svg(result);
+  if (!map.empty()) html += section("Where it stands", "", "<div class=\"plots\">\n" + map + "</div>\n");
   html += section(
       "Parameters",
       "\u03c3 is half of the 68\u00a0% interval, carried back from the scale on which the search moves the "
@@ -260,8 +270,8 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
   html += section("Where it comes from", "", provenance_table(result));
   html +=
       "<footer>Beside this page: <code>result.json</code> (all numbers), <code>best.toml</code> (the best "
-      "scene), "
-      "<code>map.svg</code>, <code>trace.csv</code>, " +
+      "scene), " +
+      std::string(map.empty() ? "" : "<code>map.svg</code>, ") + "<code>trace.csv</code>, " +
       files_of(photos) + ".</footer>\n</main>\n</body>\n</html>\n";
   return html;
 }

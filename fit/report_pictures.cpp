@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fit/base64.h"
+#include "fit/grey_light.h"
 #include "fit/report_bins.h"
 #include "sim/view/transfer_curve.h"
 
@@ -65,6 +66,16 @@ std::vector<float> sizes_inside(const sim::Image& image, const Region& region) {
     for (int x = region.x; x < region.x + region.width; ++x)
       for (int c = 0; c < 3; ++c)
         if (std::isfinite(image.at(x, y, c))) sizes.push_back(std::abs(image.at(x, y, c)));
+  return sizes;
+}
+
+/// The same of a grid's bins, which may be a small part of the region.
+std::vector<float> sizes_in_bins(const sim::Image& image, const BinGrid& grid) {
+  std::vector<float> sizes;
+  for (const BinGrid::Run& run : grid.runs)
+    for (int x = run.begin; x < run.end; ++x)
+      for (int c = 0; c < 3; ++c)
+        if (std::isfinite(image.at(x, run.y, c))) sizes.push_back(std::abs(image.at(x, run.y, c)));
   return sizes;
 }
 
@@ -137,7 +148,34 @@ void draw_region(cv::Mat& picture, const Profile& data, const Region& part, doub
     mark(picture, edge, 0.85);
 }
 
-/// Borders of bands of any form: where neighbouring pixels of the picture are not in the same.
+/// A band's number in its middle, on a dark ground of its own.
+void write_number(cv::Mat& picture, const cv::Mat& band, int which, double scale) {
+  double x = 0.0, y = 0.0, count = 0.0;
+  for (int j = 0; j < band.rows; ++j)
+    for (int i = 0; i < band.cols; ++i)
+      if (band.at<int>(j, i) == which) {
+        x += i + 0.5;
+        y += j + 0.5;
+        count += 1.0;
+      }
+  if (count == 0.0) return;
+  const std::string number = std::to_string(which);
+  constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
+  constexpr double kSize = 0.5;
+  int below = 0;
+  const cv::Size size = cv::getTextSize(number, kFont, kSize, 1, &below);
+  const auto inside = [](double place, int length, int room) {
+    return std::clamp(static_cast<int>(std::lround(place - 0.5 * length)), 1, std::max(1, room - length - 1));
+  };
+  const int left = inside(scale * x / count, size.width, picture.cols),
+            top = inside(scale * y / count, size.height, picture.rows);
+  const cv::Point corner(left, top + size.height);
+  cv::putText(picture, number, corner, kFont, kSize, cv::Scalar(0, 0, 0), 4, cv::LINE_AA);
+  cv::putText(picture, number, corner, kFont, kSize, cv::Scalar(90, 220, 255), 1, cv::LINE_AA);
+}
+
+/// Borders of bands of any form, where neighbouring pixels of the picture are not in the same; and the first
+/// band's number and the last one's, so that one knows from where they are counted.
 void draw_bands(cv::Mat& picture, const BinGrid& grid, const Region& part, double scale) {
   constexpr int kNone = -1;
   cv::Mat band(part.height, part.width, CV_32S, cv::Scalar(kNone));
@@ -155,6 +193,8 @@ void draw_bands(cv::Mat& picture, const BinGrid& grid, const Region& part, doubl
       if (here == right && here == below) continue;
       mark(picture, {x, y, 1, 1}, here == kNone || right == kNone || below == kNone ? 0.85 : 0.45);
     }
+  write_number(picture, band, 0, scale);
+  if (grid.groups > 1) write_number(picture, band, grid.groups - 1, scale);
 }
 
 /// White at 0, red above (more light in the photograph), blue below; after ColorBrewer's RdBu, which the
@@ -171,13 +211,16 @@ cv::Vec3b misfit_colour(double sigmas) {
 }
 
 std::string misfit_uri(const FittedPhoto& fitted) {
-  constexpr int kWidth = 232, kHeight = 240, kGap = 12;
+  constexpr int kHeight = 240, kGap = 12;
+  const bool grey = is_grey(fitted.best);  // one panel over the whole width
+  const int panels = grey ? 1 : 3, width = grey ? 3 * 232 + 2 * kGap : 232;
   const Profile& data = fitted.data;
   if (data.rows == 0 || data.bands == 0 || fitted.model.size() != data.mean.size() ||
       fitted.sigma.size() != data.mean.size())
     return {};
-  cv::Mat picture(kHeight, 3 * kWidth + 2 * kGap, CV_8UC3, cv::Scalar::all(255));
-  for (int c = 0; c < 3; ++c) {
+  cv::Mat picture(kHeight, panels * width + (panels - 1) * kGap, CV_8UC3, cv::Scalar::all(255));
+  for (int panel = 0; panel < panels; ++panel) {
+    const int c = grey ? kGreyChannel : panel;
     cv::Mat cells(data.rows, data.bands, CV_32F);
     for (int row = 0; row < data.rows; ++row)
       for (int band = 0; band < data.bands; ++band) {
@@ -187,9 +230,9 @@ std::string misfit_uri(const FittedPhoto& fitted) {
                                   : NAN;
       }
     for (int y = 0; y < kHeight; ++y)
-      for (int x = 0; x < kWidth; ++x)
-        picture.at<cv::Vec3b>(y, c * (kWidth + kGap) + x) =
-            misfit_colour(cells.at<float>(y * data.rows / kHeight, x * data.bands / kWidth));
+      for (int x = 0; x < width; ++x)
+        picture.at<cv::Vec3b>(y, panel * (width + kGap) + x) =
+            misfit_colour(cells.at<float>(y * data.rows / kHeight, x * data.bands / width));
   }
   return png_uri(picture);
 }
@@ -214,7 +257,9 @@ ReportPictures report_pictures(const FittedPhoto& fitted, const Photo& photo, co
   pictures.photo = png_uri(shown);
   pictures.model = png_uri(to_bytes(shrunk_part(only_inside(model.rgb, region)), for_the_eye));
 
-  const double size = quantile(sizes_inside(model.residual, region), 0.99);
+  const double size = quantile(has_named_axes(fitted.data) ? sizes_in_bins(model.residual, *fitted.data.grid)
+                                                           : sizes_inside(model.residual, region),
+                               0.99);
   // One significant digit: a scale that one can read.
   const double unit = size > 0.0 ? std::pow(10.0, std::floor(std::log10(size))) : 1.0;
   pictures.residual_scale = size > 0.0 ? std::ceil(size / unit) * unit : 1.0;

@@ -5,15 +5,16 @@
 #include <map>
 
 #include "fit/compared_profile.h"
+#include "fit/grey_light.h"
 #include "fit/number_text.h"
 #include "fit/plot.h"
+#include "fit/report_bins.h"
 
 namespace vegard::fit {
 namespace {
 
 constexpr int kMeanPoints = 160, kBandPoints = 110, kMostBands = 6;
 constexpr int kTallPanel = 430;
-const char* const kChannelNames[3] = {"red", "green", "blue"};
 constexpr Colour kModelInk{40, 40, 40};
 const char* const kHowToRead = "Dots: photograph. Shaded: \u00b11 \u03c3. Thin line: model.";
 
@@ -62,14 +63,17 @@ Series model_curve(const std::vector<double>& x, const std::vector<double>& heig
   return series;
 }
 
-Panel brightness_panel(const ComparedProfile& profile, double diameter_px) {
+Panel brightness_panel(const sim::Scene& scene, const ComparedProfile& profile, double diameter_px) {
   Panel panel;
   for (int c = 0; c < 3; ++c) {
-    Series series = points(profile.data[c], profile.sigma[c], profile.height, channel_colour(c), diameter_px);
-    series.label = kChannelNames[c];
+    if (!has_channel(scene, c)) continue;
+    Series series =
+        points(profile.data[c], profile.sigma[c], profile.height, channel_ink(scene, c), diameter_px);
+    series.label = channel_name(scene, c);
     panel.series.push_back(std::move(series));
   }
-  for (int c = 0; c < 3; ++c) panel.series.push_back(model_curve(profile.model[c], profile.height));
+  for (int c = 0; c < 3; ++c)
+    if (has_channel(scene, c)) panel.series.push_back(model_curve(profile.model[c], profile.height));
   return panel;
 }
 
@@ -130,7 +134,7 @@ std::string mean_profile_svg(const FittedPhoto& fitted, const ElevationOfPixel& 
   Plot plot;
   plot.title = "Brightness";
   plot.note = kHowToRead;
-  plot.panels.push_back(brightness_panel(mean_of_all(fitted, elevation_of_pixel), 4.4));
+  plot.panels.push_back(brightness_panel(fitted.best, mean_of_all(fitted, elevation_of_pixel), 4.4));
   plot.panels[0].x.label = "linear light, mean over the bands";
   set_height_axis(fitted, elevation_of_pixel, plot.panels[0].y);
   plot.panel_width_px = 520;
@@ -152,13 +156,14 @@ std::string mean_residual_svg(const FittedPhoto& fitted, const ElevationOfPixel&
   }
   double widest = 3.0;
   for (int c = 0; c < 3; ++c) {
+    if (!has_channel(fitted.best, c)) continue;
     std::vector<double> sigmas;
     for (std::size_t i = 0; i < profile.height.size(); ++i)
       sigmas.push_back((profile.data[c][i] - profile.model[c][i]) / profile.sigma[c][i]);
     for (const double s : sigmas)
       if (std::isfinite(s)) widest = std::max(widest, 1.05 * std::abs(s));
-    Series series = points(sigmas, {}, profile.height, channel_colour(c), 3.2);
-    series.label = kChannelNames[c];
+    Series series = points(sigmas, {}, profile.height, channel_ink(fitted.best, c), 3.2);
+    series.label = channel_name(fitted.best, c);
     panel.series.push_back(std::move(series));
   }
   panel.x.label = "(photograph \u2212 model) / \u03c3";
@@ -172,6 +177,7 @@ std::string mean_residual_svg(const FittedPhoto& fitted, const ElevationOfPixel&
 }
 
 std::string colour_svg(const FittedPhoto& fitted, const ElevationOfPixel& elevation_of_pixel) {
+  if (is_grey(fitted.best)) return {};
   const ComparedProfile profile = mean_of_all(fitted, elevation_of_pixel);
   const ComparedColour colour = compared_colour(profile);
   Plot plot;
@@ -238,8 +244,8 @@ std::string band_profiles_svg(const FittedPhoto& fitted, const ElevationOfPixel&
                                   : std::string("From left to right. ") + kHowToRead;
   for (int p = 0; p < panels; ++p) {
     const int band = (2 * p + 1) * data.bands / (2 * panels);
-    Panel panel =
-        brightness_panel(compared_profile(fitted, band, band + 1, kBandPoints, elevation_of_pixel), 3.4);
+    Panel panel = brightness_panel(
+        fitted.best, compared_profile(fitted, band, band + 1, kBandPoints, elevation_of_pixel), 3.4);
     panel.title = "band " + std::to_string(band) + ", columns " +
                   std::to_string(band_begin(data.region, data.bands, band)) + "\u2013" +
                   std::to_string(band_begin(data.region, data.bands, band + 1) - 1);

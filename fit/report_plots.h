@@ -14,7 +14,7 @@ std::string mean_profile_svg(const FittedPhoto& fitted, const ElevationOfPixel& 
 /// (Photograph - model) / sigma against height, of those means.
 std::string mean_residual_svg(const FittedPhoto& fitted, const ElevationOfPixel& elevation_of_pixel);
 
-/// Chromaticity against height, of those means.
+/// Chromaticity against height, of those means; empty of a grey sensor, which sees no colour.
 std::string colour_svg(const FittedPhoto& fitted, const ElevationOfPixel& elevation_of_pixel);
 
 /// Volume emission rate against altitude with its band, a panel for each line of a free-form profile, from
