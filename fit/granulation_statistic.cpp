@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kMostCells = 128, kFewestCells = 16;
 constexpr double kFullToRadii = 0.8, kNothingFromRadii = 0.95;
-constexpr std::size_t kRealisations = 4, kForScatter = 8;
+constexpr std::size_t kRealisations = 8, kForScatter = 16;
 constexpr double kMostNoise = 0.5;   ///< of a band's power
 constexpr double kFarShift = 100.0;  ///< lengths of the largest waves that draws lie within
 constexpr double kHalfPi = 1.5707963267948966;
@@ -152,7 +152,7 @@ GranulationStatistic::GranulationStatistic(const sim::Scene& scene, const Photo&
   for (std::size_t b = 0; b < spectrum_->bands(); ++b) {
     if (!(noise < kMostNoise * seen.power[b])) continue;
     const double relative = scatter * spectrum_->relative_variance(b);
-    // ln of a mean of few is low by half of its variance; the model's mean is of four times as many.
+    // ln of a mean of few is low by half of its variance; the model's mean is of eight times as many.
     const double low = 0.5 * relative * (1.0 - 1.0 / kRealisations);
     bands_.push_back({b, std::log(seen.power[b]) + low, noise,
                       std::sqrt(relative * (1.0 + 1.0 / kRealisations) + 4.0 * model_error * model_error)});

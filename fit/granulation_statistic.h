@@ -20,14 +20,14 @@ namespace vegard::fit {
 /// (cos² from 0.8 to 0.95 radii of the photosphere). Residuals are ln P of the photograph less ln of the
 /// model's, band by band of wavenumber.
 ///
-/// The model's is the mean over four chromospheres that differ by their shift alone, drawn from the scene's
+/// The model's is the mean over eight chromospheres that differ by their shift alone, drawn from the scene's
 /// seed: where a granule stands is nothing that is compared. A change of `chromosphere.scale` magnifies each
 /// about the place in the region's middle: about the Sun's middle, where the noise's lattice has its origin,
 /// it would be another chromosphere after a change of a few per cent. Gain and sky drop out, but for what the
 /// sky adds to the light: light is taken as solar all of it.
 ///
-/// Noise: sigma² = s (1 + 1/4) V + (2 model_error)², V the relative variance of Gaussian light under the
-/// window and s by how much ln P of eight of the start's chromospheres scatter more than that (at least 1):
+/// Noise: sigma² = s (1 + 1/8) V + (2 model_error)², V the relative variance of Gaussian light under the
+/// window and s by how much ln P of sixteen of the start's chromospheres scatter more than that (at least 1):
 /// granules with edges are not Gaussian. The photograph's own noise (fit/cell_noise.h) is added to the
 /// model's power; bands that it makes up more than half of are left out. Bands are taken as independent,
 /// which granules with edges are not: error bars come out too small by about 1.4 (docs/corona/fits.md).
