@@ -39,10 +39,10 @@ void add_gain_and_sky_by_bins(const FittedPhoto& fitted, bool clips, sim::Image&
   sim::Image level(rgb.width, rgb.height, rgb.channel_names);
   sim::add_sky(fitted.best.sky, level);
   sim::Image result = level;
-  const auto mean_gain = static_cast<float>(fitted.best.sensor.gain_per_kilorayleigh);
+  const double mean_gain = fitted.best.sensor.gain_per_kilorayleigh;
   for (int y = 0; y < rgb.height; ++y)
     for (int x = 0; x < rgb.width; ++x)
-      for (int c = 0; c < 3; ++c) result.at(x, y, c) += mean_gain * shown(x, y, c);
+      for (int c = 0; c < 3; ++c) result.at(x, y, c) += static_cast<float>(mean_gain * shown(x, y, c));
   const std::vector<std::vector<bool>> told = told_gains(fitted);
   for (std::size_t bin = 0; bin < grid.bins(); ++bin)
     for (std::size_t r = grid.first_run[bin]; r < grid.first_run[bin + 1]; ++r) {

@@ -123,7 +123,8 @@ std::string profiles_section(const ShownPhoto& shown, const ReportPictures& pict
   const std::string places = named ? fitted.data.grid->along.name : "the region\u2019s rows";
   if (!pictures.misfit.empty())
     html +=
-        "<h3>What is left, row by row and band by band</h3>\n<div class=\"misfit\">\n" +
+        std::string("<h3>What is left, ") + (named ? "bin by bin" : "row by row and band by band") +
+        "</h3>\n<div class=\"misfit\">\n" +
         std::string(
             grey ? "" : "<div class=\"names\"><span>red</span><span>green</span><span>blue</span></div>\n") +
         "<img src=\"" + pictures.misfit +

@@ -9,6 +9,7 @@
 #include "fit/free_profiles_csv.h"
 #include "fit/model_picture.h"
 #include "fit/profiles_csv.h"
+#include "fit/report_bins.h"
 #include "fit/report_html.h"
 #include "fit/result_json.h"
 #include "fit/trace_csv.h"
@@ -69,8 +70,9 @@ sim::ImageAttributes attributes_of(const FitResult& result, const FittedPhoto& f
       {"units", units},
       {"decoding", fitted.decoding},
       {"model",
-       "the expectation that was fitted: the scene without its spacing_jitter and "
-       "with more beams"}};
+       fitted.best.sheets.empty()
+           ? "the best scene"
+           : "the expectation that was fitted: the scene without its spacing_jitter and with more beams"}};
   if (!fitted.best.site.time_utc.empty()) attributes["DateTime"] = fitted.best.site.time_utc;
   return attributes;
 }
@@ -83,10 +85,13 @@ void write_pictures(const sim::WholeDirectory& run, const FitResult& result, con
       result, fitted,
       "R, G, B: linear light of the photograph, sky included; rayleigh.*: rayleighs before any gain, by "
       "wavelength in tenths of a nanometre");
-  attributes["gain"] =
-      "of every column: the bands' gains at the bands' centres, linear between them, level outside; the fit "
-      "itself has "
-      "one gain in all of a band";
+  attributes["gain"] = has_named_axes(fitted.data) ? "in the fit's bins their band's gain and sky, the mean "
+                                                     "gain where a band's is not told; elsewhere "
+                                                     "the mean gain and sky"
+                                                   : "of every column: the bands' gains at the bands' "
+                                                     "centres, linear between them, level outside; the fit "
+                                                     "itself has "
+                                                     "one gain in all of a band";
   sim::write_exr(run.file(file_of(fitted, "model", ".exr")), {&picture.rgb, &lines}, attributes);
   sim::write_exr(
       run.file(file_of(fitted, "residual", ".exr")), picture.residual,

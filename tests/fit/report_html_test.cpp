@@ -50,6 +50,45 @@ struct Page {
 
 FitResult small_result() { return tests::small_fit(tests::small_photo()); }
 
+// As of the Sun in one line.
+TEST(ReportHtml, ShowsGreyLightAsOneChannel) {
+  EXPECT_TRUE(Page(small_result()).has("<span>red</span>"));
+  FitResult result = small_result();
+  FittedPhoto& photo = result.photos[0];
+  photo.best.sensor.response = "grey";
+  for (std::size_t i = 0; i < photo.sigma.size(); ++i)
+    if (i % 3 != 1) photo.sigma[i] = 0.0;
+  const Page page(result);
+  EXPECT_EQ(unbalanced_tag(page.html), "");
+  for (const char* colour : {"<span>red</span>", ">red<", ">green<", ">blue<", "r / (r + g + b)"})
+    EXPECT_FALSE(page.has(colour)) << colour;
+}
+
+TEST(ReportHtml, SaysWhetherProfilesWereCompared) {
+  const char* const kFitted = "This is what was fitted";
+  EXPECT_TRUE(Page(small_result()).has(kFitted));
+  FitResult result = small_result();
+  result.photos[0].best.fit.profile_weight = 0.0;
+  const Page page(result);
+  EXPECT_FALSE(page.has(kFitted));
+  EXPECT_TRUE(page.has("they were not compared"));
+}
+
+// A Sun has no sheets, no feet and no line of 557.7 nm.
+TEST(ReportHtml, SpeaksOfTheSunInItsOwnWords) {
+  const char* const kOfSheets[] = {"spacing of its beams", "one kilorayleigh of 557.7", "map.svg"};
+  const Page aurora(small_result());
+  for (const char* words : kOfSheets) EXPECT_TRUE(aurora.has(words)) << words;
+  FitResult result = small_result();
+  for (sim::Scene* scene : {&result.best, &result.photos[0].best}) {
+    scene->sheets.clear();
+    scene->sun.shown = true;
+  }
+  result.foot_bands.clear();
+  const Page sun(result);
+  for (const char* words : kOfSheets) EXPECT_FALSE(sun.has(words)) << words;
+}
+
 TEST(ReportHtml, IsBalancedAndNeedsNothingElse) {
   const Page page(small_result());
   EXPECT_EQ(unbalanced_tag(page.html), "");
