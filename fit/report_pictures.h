@@ -15,7 +15,7 @@ struct ReportPictures {
   std::string model;
   std::string residual;  ///< mid-grey is zero
   std::string misfit;    ///< residual / sigma, rows down, bands across, the three channels (of a grey sensor
-                       ///< one) side by side; empty if none
+                         ///< one) side by side; empty if none
   double brightness = 1.0;      ///< what photograph and model were multiplied by to be seen
   double residual_scale = 1.0;  ///< linear light at which the residual's picture is black or white
 };

@@ -2,28 +2,33 @@
 # A scene of the Sun beside the same grid in Blender's Cycles: how far the pictures differ, and what they take.
 # docs/corona.md has the numbers. Compared is the light of what the grid holds, in the first line of the scene, before
 # a black ball in the photosphere's place.
-# usage: scripts/compare_corona_with_cycles.sh VEGARD GRID_BENCH [SCENE.toml] [VOXEL]
+# usage: scripts/compare_corona_with_cycles.sh VEGARD GRID_BENCH [SCENE.toml] [VOXEL] [SCALE]
+#   SCALE of the picture, of the scene's: a half if not given, for Cycles takes minutes
 # Exit code 77: there is no blender.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 vegard=$(realpath "$1") bench=$(realpath "$2")
-scene=$(realpath "${3:-$here/../data/gallery/solar_corona.toml}") voxel=${4:-0.5}
+scene=$(realpath "${3:-$here/../data/gallery/solar_corona.toml}") voxel=${4:-0.5} scale=${5:-0.5}
 # shellcheck source=scripts/cycles.sh
 source "$here/cycles.sh"
 command -v blender >/dev/null || { echo "there is no blender: skipped"; exit 77; }
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
-rounds=3 frames=4
+frames=3  # of which the first loads what there is
 
 value() { awk -v table="[$1]" -v key="$2" '/^\[/ { here = $1 == table } here && $1 == key { print $3; exit }' "$scene"; }
-width=$(value camera width) height=$(value camera height) line=$(awk '/^lines = \[/ { gsub(/[][,]/, " "); print $3 }' "$scene")
+width=$(awk "BEGIN { print int($scale * $(value camera width)) }")
+height=$(awk "BEGIN { print int($scale * $(value camera height)) }")
+line=$(awk '/^lines = \[/ { gsub(/[][,]/, " "); print $3 }' "$scene")
 distance=$(awk "BEGIN { printf \"%.9g\", $(value sun distance_km) / $(value sun unit_km) }")
 loops=$(awk '/^\[/ { here = $1 == "[[loop]]" } here && $1 == "name" { gsub(/"/, "", $3); print $3 }' \
   "$scene" | paste -sd,)
 "$vegard" volume "$scene" --of "$loops" --lines "$line" --voxel "$voxel" -o loops.vdb
 cat >grid.toml <<EOF
-$(awk '/^\[/ { here = $1 == "[site]" || $1 == "[camera]" || $1 == "[sun]" } here && $1 != "photosphere_rayleigh"' "$scene")
+$(awk '/^\[/ { here = $1 == "[site]" || $1 == "[camera]" || $1 == "[sun]" } 
+     here && $1 == "width" { print "width = " width; next } here && $1 == "height" { print "height = " height; next }
+     here && $1 != "photosphere_rayleigh"' width="$width" height="$height" "$scene")
 [emission]
 lines = [$line]
 [blur]
@@ -45,15 +50,10 @@ grid_by_cycles() {
 }
 
 echo "Agreement, one ray through the middle of each pixel, steps of a voxel (Cycles against vegard):"
-grid_by_cycles middle.exr subpixels=1 >/dev/null
+grid_by_cycles middle.exr subpixels=1 repeat=$frames >cycles_s
 "$bench" march grid.toml --repeat 1 -o one.exr >/dev/null
 "$bench" difference middle.exr one.exr
-: >cycles_s
-: >vegard_s
-for _ in $(seq $rounds); do
-  grid_by_cycles again.exr subpixels=1 repeat=$frames >>cycles_s
-  "$bench" march grid.toml --threads 2 --repeat 7 | awk '{ print $2 }' >>vegard_s
-done
+"$bench" march grid.toml --threads 2 --repeat 7 | awk '{ print $2 }' >vegard_s
 theirs=$(median <cycles_s) ours=$(median <vegard_s)
 echo "Time of the grid, two threads, $width x $height: Cycles $theirs s, vegard $ours s (medians):" \
   "$(awk "BEGIN { printf \"%.1f\", $theirs / $ours }") times"
