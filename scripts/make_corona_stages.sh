@@ -56,7 +56,8 @@ for stage in "${stages[@]}"; do
       draw biasmap_with surface.toml "${low[@]}"
       ;;
     curve)
-      draw curve_one loop.toml "${near[@]}" loop.arcade.strands=1 loop.arcade.strand_radius=2.5 loop.arcade.root_noise=0 loop.arcade.tilt_noise_deg=0
+      draw curve_one loop.toml "${near[@]}" loop.arcade.strands=1 loop.arcade.strand_radius=2.5 loop.arcade.root_noise=0 loop.arcade.tilt_noise_deg=0 \
+        loop.arcade.density_noise=0 loop.arcade.base_density=4
       draw curve_strands loop.toml "${near[@]}" loop.arcade.filaments=0
       draw curve_filaments loop.toml "${near[@]}"
       ;;
