@@ -31,13 +31,13 @@
 #include "apps/resumption.h"
 #include "apps/scene_options.h"
 #include "apps/usage_error.h"
-#include "sim/base/whole_file.h"
+#include "sim/base/file/whole_file.h"
 #include "sim/render/render.h"
-#include "sim/render/volume_files.h"
-#include "sim/render/volumes.h"
-#include "sim/scene/parameter_table.h"
-#include "sim/view/colour_table.h"
-#include "sim/view/tone_curve.h"
+#include "sim/render/volumes/volume_files.h"
+#include "sim/render/volumes/volumes.h"
+#include "sim/scene/table/parameter_table.h"
+#include "sim/view/colour/colour_table.h"
+#include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::apps {
 namespace {

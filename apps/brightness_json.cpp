@@ -4,7 +4,7 @@
 
 #include "apps/brightness_report.h"
 #include "sim/base/version.h"
-#include "sim/view/night_luminances.h"
+#include "sim/view/sky/night_luminances.h"
 
 namespace vegard::apps {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "sim/view/eye.h"
-#include "sim/view/radiometry.h"
+#include "sim/view/colour/eye.h"
+#include "sim/view/colour/radiometry.h"
 
 namespace vegard::apps {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "sim/emit/aurora/sheet_brightness.h"
 #include "sim/render/render.h"
-#include "sim/scene/scene.h"
-#include "sim/view/brightest_spot.h"
-#include "sim/view/expected_counts.h"
+#include "sim/scene/structs/scene.h"
+#include "sim/view/film/brightest_spot.h"
+#include "sim/view/sensor/expected_counts.h"
 
 namespace vegard::apps {
 

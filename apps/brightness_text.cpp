@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "apps/brightness_report.h"
-#include "sim/view/night_luminances.h"
+#include "sim/view/sky/night_luminances.h"
 
 namespace vegard::apps {
 namespace {

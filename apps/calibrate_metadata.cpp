@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "fit/photo_defaults.h"
-#include "sim/view/celestial/instant.h"
+#include "fit/photo/photo_defaults.h"
+#include "sim/view/sky/instant.h"
 
 namespace vegard::apps {
 

@@ -4,7 +4,7 @@
 
 #include "apps/decoding.h"
 #include "apps/usage_error.h"
-#include "sim/view/celestial/instant.h"
+#include "sim/view/sky/instant.h"
 
 namespace vegard::apps {
 namespace {

@@ -8,9 +8,9 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/direction_maps.h"
-#include "fit/star_calibration/lens_choice.h"
-#include "fit/star_calibration/star_table.h"
-#include "sim/scene/scene.h"
+#include "fit/photo/pointing/lens_choice.h"
+#include "fit/photo/pointing/star_table.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 

@@ -8,7 +8,7 @@
 #include "sim/base/earth.h"
 #include "sim/base/error.h"
 #include "sim/base/version.h"
-#include "sim/view/camera.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::apps {
 namespace {

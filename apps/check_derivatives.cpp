@@ -12,7 +12,7 @@
 #include "apps/progress_bar.h"
 #include "apps/scene_place.h"
 #include "fit/derivative_check.h"
-#include "fit/number_text.h"
+#include "sim/base/file/number_text.h"
 
 namespace vegard::apps {
 namespace {

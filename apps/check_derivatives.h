@@ -2,8 +2,8 @@
 #pragma once
 
 #include "apps/exit_code.h"
-#include "fit/photo.h"
-#include "sim/scene/scene.h"
+#include "fit/photo/photo.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 

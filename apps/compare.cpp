@@ -10,8 +10,8 @@
 
 #include "apps/exit_code.h"
 #include "apps/usage_error.h"
-#include "fit/number_text.h"
-#include "fit/run_comparison.h"
+#include "fit/report/table/run_comparison.h"
+#include "sim/base/file/number_text.h"
 
 namespace vegard::apps {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "apps/scene_place.h"
 #include "sim/base/error.h"
-#include "sim/base/image_io.h"
-#include "sim/scene/named_files.h"
+#include "sim/base/picture/image_io.h"
+#include "sim/scene/file/named_files.h"
 
 namespace vegard::apps {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/scene.h"
-#include "sim/view/composite.h"
+#include "sim/scene/structs/scene.h"
+#include "sim/view/film/composite.h"
 
 namespace vegard::apps {
 

@@ -11,8 +11,8 @@
 #include "apps/output_files.h"
 #include "apps/photo_metadata.h"
 #include "apps/start_scene.h"
-#include "fit/photo_facts.h"
-#include "sim/base/whole_file.h"
+#include "fit/photo/photo_facts.h"
+#include "sim/base/file/whole_file.h"
 
 namespace vegard::apps {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "sim/base/picture_metadata.h"
+#include "sim/base/picture/picture_metadata.h"
 
 namespace vegard::apps {
 

@@ -4,7 +4,7 @@
 
 #include "apps/scene_place.h"
 #include "apps/usage_error.h"
-#include "fit/direction_map_file.h"
+#include "fit/photo/direction_map_file.h"
 #include "sim/base/error.h"
 
 namespace vegard::apps {

@@ -6,8 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "sim/scene/scene.h"
-#include "sim/view/direction_map.h"
+#include "sim/scene/structs/scene.h"
+#include "sim/view/camera/direction_map.h"
 
 namespace vegard::apps {
 

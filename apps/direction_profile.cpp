@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "apps/usage_error.h"
-#include "fit/direction_bins.h"
-#include "fit/direction_profile.h"
+#include "fit/measure/direction_bins.h"
+#include "fit/measure/direction_profile.h"
 #include "sim/base/earth.h"
-#include "sim/view/tangent_altitude.h"
+#include "sim/view/camera/tangent_altitude.h"
 
 namespace vegard::apps {
 namespace {

@@ -8,9 +8,9 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/direction_maps.h"
-#include "fit/photo.h"
-#include "fit/plot.h"
-#include "fit/region.h"
+#include "fit/photo/photo.h"
+#include "fit/photo/region.h"
+#include "fit/report/plot/plot.h"
 
 namespace vegard::apps {
 

@@ -11,10 +11,10 @@
 #include "apps/output_files.h"
 #include "apps/scene_options.h"
 #include "apps/usage_error.h"
-#include "fit/direction_map_file.h"
-#include "sim/base/whole_file.h"
-#include "sim/scene/scene.h"
-#include "sim/view/direction_map.h"
+#include "fit/photo/direction_map_file.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/scene/structs/scene.h"
+#include "sim/view/camera/direction_map.h"
 
 namespace vegard::apps {
 namespace {

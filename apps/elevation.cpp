@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/view/camera.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::apps {
 

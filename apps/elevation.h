@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "sim/scene/scene.h"
-#include "sim/view/direction_map.h"
+#include "sim/scene/structs/scene.h"
+#include "sim/view/camera/direction_map.h"
 
 namespace vegard::apps {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "fit/filter_stack.h"
-#include "sim/scene/scene.h"
+#include "fit/photo/filter_stack.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 

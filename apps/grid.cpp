@@ -19,10 +19,10 @@
 #include "apps/progress_bar.h"
 #include "apps/usage_error.h"
 #include "sim/base/error.h"
-#include "sim/base/mask5.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/base/grid/volumegrid_text.h"
+#include "sim/base/number/mask5.h"
 #include "sim/base/version.h"
-#include "sim/base/volumegrid_text.h"
-#include "sim/base/whole_file.h"
 #include "sim/emit/grid/grid_filter.h"
 
 namespace vegard::apps {

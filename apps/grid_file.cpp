@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "apps/usage_error.h"
-#include "sim/base/volumegrid_text.h"
+#include "sim/base/grid/volumegrid_text.h"
 
 namespace vegard::apps {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/sparse_grid.h"
-#include "sim/base/vdb_io.h"
+#include "sim/base/grid/sparse_grid.h"
+#include "sim/base/grid/vdb_io.h"
 
 namespace vegard::apps {
 

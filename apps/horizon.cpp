@@ -16,11 +16,11 @@
 #include "apps/output_files.h"
 #include "apps/photo_metadata.h"
 #include "apps/usage_error.h"
-#include "fit/horizon_calibration.h"
-#include "fit/number_text.h"
-#include "fit/picture_field_of_view.h"
+#include "fit/photo/picture_field_of_view.h"
+#include "fit/photo/pointing/horizon_calibration.h"
 #include "sim/base/error.h"
-#include "sim/base/whole_file.h"
+#include "sim/base/file/number_text.h"
+#include "sim/base/file/whole_file.h"
 
 namespace vegard::apps {
 namespace {

@@ -7,7 +7,7 @@
 #include "apps/start_scene.h"
 #include "sim/base/error.h"
 #include "sim/base/version.h"
-#include "sim/scene/parameter_table.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::apps {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "fit/horizon_calibration.h"
-#include "fit/photo_facts.h"
+#include "fit/photo/photo_facts.h"
+#include "fit/photo/pointing/horizon_calibration.h"
 
 namespace vegard::apps {
 

@@ -3,8 +3,8 @@
 #include "apps/composite_pictures.h"
 #include "apps/output_files.h"
 #include "apps/usage_error.h"
-#include "sim/scene/decoding_word.h"
-#include "sim/scene/table_files.h"
+#include "sim/scene/table/decoding_word.h"
+#include "sim/scene/table/table_files.h"
 
 namespace vegard::apps {
 

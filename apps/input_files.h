@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "apps/scene_options.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 

@@ -13,15 +13,15 @@
 #include "apps/plot_file.h"
 #include "apps/scene_place.h"
 #include "apps/usage_error.h"
-#include "fit/keogram.h"
-#include "fit/keogram_plot.h"
-#include "fit/number_text.h"
-#include "fit/photo.h"
-#include "fit/region.h"
+#include "fit/measure/keogram.h"
+#include "fit/photo/photo.h"
+#include "fit/photo/region.h"
+#include "fit/report/keogram_plot.h"
 #include "sim/base/error.h"
-#include "sim/base/image_io.h"
-#include "sim/base/whole_file.h"
-#include "sim/scene/scene_toml.h"
+#include "sim/base/file/number_text.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/base/picture/image_io.h"
+#include "sim/scene/file/scene_toml.h"
 
 namespace vegard::apps {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "sim/base/image.h"
 #include "sim/render/render.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "sim/base/image.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 

@@ -12,13 +12,13 @@
 #include "apps/picture_file.h"
 #include "apps/scene_options.h"
 #include "apps/usage_error.h"
-#include "fit/photo.h"
+#include "fit/photo/photo.h"
 #include "sim/base/error.h"
-#include "sim/base/image_io.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/base/picture/image_io.h"
 #include "sim/base/version.h"
-#include "sim/base/whole_file.h"
-#include "sim/scene/scene_toml.h"
-#include "sim/view/sensor.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/view/sensor/sensor.h"
 
 namespace vegard::apps {
 namespace {

@@ -10,11 +10,11 @@
 
 #include "apps/exit_code.h"
 #include "apps/plot_file.h"
-#include "fit/quenching_plot.h"
+#include "fit/report/quenching_plot.h"
 #include "sim/base/error.h"
-#include "sim/base/whole_file.h"
-#include "sim/scene/emission_line.h"
-#include "sim/scene/solar_lines.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/solar_lines.h"
 
 namespace vegard::apps {
 namespace {

@@ -11,10 +11,10 @@
 #include "apps/mask_parts.h"
 #include "apps/output_files.h"
 #include "apps/usage_error.h"
-#include "fit/photo.h"
+#include "fit/photo/photo.h"
 #include "sim/base/error.h"
-#include "sim/base/image_io.h"
-#include "sim/base/whole_file.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/base/picture/image_io.h"
 
 namespace vegard::apps {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "apps/pixel_numbers.h"
 #include "apps/usage_error.h"
-#include "fit/mask/circle.h"
-#include "fit/mask/polygon.h"
-#include "fit/mask/text.h"
+#include "fit/photo/mask/circle.h"
+#include "fit/photo/mask/polygon.h"
+#include "fit/photo/mask/text.h"
 
 namespace vegard::apps {
 namespace {

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "fit/mask/horizon.h"
-#include "fit/mask/hot_pixels.h"
-#include "fit/mask/mask_picture.h"
-#include "fit/mask/saturated.h"
-#include "fit/mask/stars.h"
-#include "fit/photo.h"
+#include "fit/photo/mask/horizon.h"
+#include "fit/photo/mask/hot_pixels.h"
+#include "fit/photo/mask/mask_picture.h"
+#include "fit/photo/mask/saturated.h"
+#include "fit/photo/mask/stars.h"
+#include "fit/photo/photo.h"
 
 namespace vegard::apps {
 

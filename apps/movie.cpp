@@ -10,7 +10,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "sim/base/error.h"
-#include "sim/base/whole_file.h"
+#include "sim/base/file/whole_file.h"
 
 namespace vegard::apps {
 namespace {

@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 
 #include "apps/exit_code.h"
-#include "sim/scene/alternative_forms.h"
-#include "sim/scene/forms.h"
-#include "sim/scene/parameter_table.h"
-#include "sim/scene/scene_toml.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/alternative_forms.h"
+#include "sim/scene/table/forms.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::apps {
 namespace {

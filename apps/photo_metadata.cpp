@@ -4,9 +4,9 @@
 #include <set>
 #include <utility>
 
-#include "fit/photo.h"
-#include "fit/photo_defaults.h"
-#include "sim/scene/parameter_table.h"
+#include "fit/photo/photo.h"
+#include "fit/photo/photo_defaults.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::apps {
 namespace {

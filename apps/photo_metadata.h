@@ -6,9 +6,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "fit/photo_facts.h"
-#include "sim/base/picture_metadata.h"
-#include "sim/scene/scene.h"
+#include "fit/photo/photo_facts.h"
+#include "sim/base/picture/picture_metadata.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 

@@ -3,9 +3,9 @@
 #include <filesystem>
 
 #include "apps/decoding.h"
-#include "fit/number_text.h"
 #include "sim/base/error.h"
-#include "sim/scene/photo_scene.h"
+#include "sim/base/file/number_text.h"
+#include "sim/scene/table/photo_scene.h"
 
 namespace vegard::apps {
 namespace {

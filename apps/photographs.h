@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "fit/fit_result.h"
-#include "fit/photo.h"
-#include "sim/scene/scene.h"
+#include "fit/answer/fit_result.h"
+#include "fit/photo/photo.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 

@@ -7,9 +7,9 @@
 #include "apps/usage_error.h"
 #include "sim/base/version.h"
 #include "sim/render/as_seen.h"
-#include "sim/scene/scene_toml.h"
-#include "sim/view/sensor.h"
-#include "sim/view/tone_curve.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/view/sensor/sensor.h"
+#include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::apps {
 namespace {

@@ -8,9 +8,9 @@
 #include <CLI/CLI.hpp>
 
 #include "sim/base/image.h"
-#include "sim/base/image_io.h"
+#include "sim/base/picture/image_io.h"
 #include "sim/render/render.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 
@@ -22,7 +22,7 @@ struct PictureOptions {
   std::optional<int> bits, quality;
   bool as_seen = false;         ///< as a dark-adapted eye sees it (sim/render/as_seen.h), not a camera
   double seen_half_mcd = 20.0;  ///< the luminance that it then shows as half of white
-  bool photograph = false;      ///< with the sensor's noise (sim/view/sensor.h)
+  bool photograph = false;      ///< with the sensor's noise (sim/view/sensor/sensor.h)
   std::uint32_t frame = 0;      ///< of an animation: each has its own noise
   int threads = 0;              ///< for the noise; it does not depend on them
 };

@@ -13,7 +13,7 @@
 #include "apps/sequence_frames.h"
 #include "apps/usage_error.h"
 #include "sim/base/error.h"
-#include "sim/base/picture_metadata.h"
+#include "sim/base/picture/picture_metadata.h"
 #include "sim/base/utc_seconds.h"
 
 namespace vegard::apps {

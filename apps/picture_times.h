@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/keogram.h"
+#include "fit/measure/keogram.h"
 
 namespace vegard::apps {
 
@@ -18,8 +18,8 @@ struct TimedPictures {
 ///      of them in seconds; a first line "file,time" and lines that begin with # are passed over; FILE
 ///      without its folder);
 ///   2. the list;
-///   3. the files' own words (sim/base/picture_metadata.h), if all of them tell a time in UTC and no two the
-///      same;
+///   3. the files' own words (sim/base/picture/picture_metadata.h), if all of them tell a time in UTC and no
+///      two the same;
 ///   4. the files' names (sim/base/utc_seconds.h), if all have one;
 ///   5. the clock of the camera, whose zone is not known, if all tell it and no two the same: seconds since
 ///      the first of them;

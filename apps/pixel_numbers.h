@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/mask/picture_point.h"
+#include "fit/photo/mask/picture_point.h"
 
 namespace vegard::apps {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "fit/plot.h"
+#include "fit/report/plot/plot.h"
 
 namespace vegard::apps {
 

@@ -11,10 +11,10 @@
 #include <fmt/format.h>
 
 #include "apps/usage_error.h"
-#include "sim/base/output_error.h"
+#include "sim/base/file/output_error.h"
 #include "sim/base/version.h"
-#include "sim/scene/emission_lines.h"
-#include "sim/view/line_colours.h"
+#include "sim/scene/lines/emission_lines.h"
+#include "sim/view/colour/line_colours.h"
 
 namespace vegard::apps {
 namespace {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/whole_file.h"
-#include "sim/render/points.h"
-#include "sim/scene/scene.h"
-#include "sim/view/colour.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/render/beams/points.h"
+#include "sim/scene/structs/scene.h"
+#include "sim/view/colour/colour.h"
 
 namespace vegard::apps {
 

@@ -16,8 +16,8 @@
 #include "apps/progress_bar.h"
 #include "apps/scene_options.h"
 #include "apps/usage_error.h"
-#include "sim/render/points.h"
-#include "sim/render/volumes.h"
+#include "sim/render/beams/points.h"
+#include "sim/render/volumes/volumes.h"
 
 namespace vegard::apps {
 namespace {

@@ -13,7 +13,7 @@
 #include "apps/preview_options.h"
 #include "apps/preview_window.h"
 #include "apps/usage_error.h"
-#include "sim/scene/table_files.h"
+#include "sim/scene/table/table_files.h"
 
 namespace vegard::apps {
 namespace {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/base/error.h"
-#include "sim/view/camera.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::apps {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/parameter_table.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::apps {
 

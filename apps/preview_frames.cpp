@@ -21,10 +21,10 @@
 #include "apps/progress_bar.h"
 #include "apps/usage_error.h"
 #include "sim/base/error.h"
-#include "sim/base/image_io.h"
-#include "sim/base/whole_directory.h"
-#include "sim/base/whole_file.h"
-#include "sim/scene/parameter_table.h"
+#include "sim/base/file/whole_directory.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/base/picture/image_io.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::apps {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/preview_options.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 

@@ -18,8 +18,8 @@
 #include "apps/preview_window.h"
 #include "apps/usage_error.h"
 #include "sim/base/error.h"
-#include "sim/base/whole_file.h"
-#include "sim/scene/scene_toml.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/scene/file/scene_toml.h"
 
 namespace vegard::apps {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "apps/composite_pictures.h"
 #include "sim/render/render.h"
-#include "sim/view/sensor.h"
-#include "sim/view/tone_curve.h"
-#include "sim/view/vignetting.h"
+#include "sim/view/sensor/sensor.h"
+#include "sim/view/sensor/tone_curve.h"
+#include "sim/view/sensor/vignetting.h"
 
 namespace vegard::apps {
 

@@ -11,9 +11,9 @@
 #include "sim/base/image.h"
 #include "sim/render/reduced_scene.h"
 #include "sim/render/render_memory.h"
-#include "sim/scene/scene.h"
-#include "sim/view/composite.h"
-#include "sim/view/display_table.h"
+#include "sim/scene/structs/scene.h"
+#include "sim/view/film/composite.h"
+#include "sim/view/sensor/display_table.h"
 
 namespace vegard::apps {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 

@@ -23,11 +23,11 @@
 #include "apps/rayleighs_only.h"
 #include "apps/scene_options.h"
 #include "apps/usage_error.h"
-#include "sim/base/image_io.h"
-#include "sim/base/whole_file.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/base/picture/image_io.h"
 #include "sim/render/render.h"
-#include "sim/view/colour_table.h"
-#include "sim/view/tone_curve.h"
+#include "sim/view/colour/colour_table.h"
+#include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::apps {
 namespace {

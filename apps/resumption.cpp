@@ -9,12 +9,12 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/composite_pictures.h"
-#include "sim/base/durable_rename.h"
-#include "sim/base/output_error.h"
-#include "sim/base/sha256.h"
+#include "sim/base/file/durable_rename.h"
+#include "sim/base/file/output_error.h"
+#include "sim/base/file/sha256.h"
+#include "sim/base/file/whole_file.h"
 #include "sim/base/version.h"
-#include "sim/base/whole_file.h"
-#include "sim/scene/scene_toml.h"
+#include "sim/scene/file/scene_toml.h"
 
 namespace vegard::apps {
 namespace fs = std::filesystem;

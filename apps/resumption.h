@@ -1,7 +1,7 @@
 // Going on with an animation that was interrupted: which of its frames are finished.
 //
 // Beside the frames stands a manifest that says what they are frames of. It is written before the first frame
-// and never changed; a frame appears whole or not at all (sim/base/whole_file.h). So a frame that exists
+// and never changed; a frame appears whole or not at all (sim/base/file/whole_file.h). So a frame that exists
 // beside the right manifest is finished, unless it is empty: that is none of ours, and made anew.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 #include "apps/frame_names.h"
 #include "apps/picture_file.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 

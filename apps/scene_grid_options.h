@@ -6,8 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "sim/render/scene_grid.h"
-#include "sim/scene/scene.h"
+#include "sim/render/volumes/scene_grid.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 

@@ -2,10 +2,10 @@
 
 #include "sim/base/error.h"
 #include "sim/light/sheet_profile.h"
-#include "sim/scene/parameter_table.h"
-#include "sim/scene/scene_toml.h"
-#include "sim/scene/table_files.h"
-#include "sim/view/sensor_response.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/parameter_table.h"
+#include "sim/scene/table/table_files.h"
+#include "sim/view/colour/sensor_response.h"
 
 namespace vegard::apps {
 namespace {

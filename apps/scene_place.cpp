@@ -1,6 +1,6 @@
 #include "apps/scene_place.h"
 
-#include "sim/scene/line_of.h"
+#include "sim/scene/structs/line_of.h"
 
 namespace vegard::apps {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sim/base/error.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 

@@ -14,10 +14,10 @@
 #include "apps/exit_code.h"
 #include "apps/output_files.h"
 #include "apps/usage_error.h"
-#include "sim/base/distance_transform.h"
 #include "sim/base/error.h"
-#include "sim/base/image_io.h"
-#include "sim/base/whole_file.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/base/number/distance_transform.h"
+#include "sim/base/picture/image_io.h"
 
 namespace vegard::apps {
 namespace {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "apps/usage_error.h"
-#include "sim/view/colour_table.h"
+#include "sim/view/colour/colour_table.h"
 
 namespace vegard::apps {
 namespace {

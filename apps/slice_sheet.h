@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "fit/plot.h"
-#include "sim/base/grid_planes.h"
-#include "sim/base/sparse_grid.h"
+#include "fit/report/plot/plot.h"
+#include "sim/base/grid/grid_planes.h"
+#include "sim/base/grid/sparse_grid.h"
 
 namespace vegard::apps {
 

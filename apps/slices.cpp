@@ -22,8 +22,8 @@
 #include "apps/slice_sheet.h"
 #include "apps/usage_error.h"
 #include "apps/volume_metadata.h"
-#include "sim/base/whole_file.h"
-#include "sim/render/scene_grid.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/render/volumes/scene_grid.h"
 
 namespace vegard::apps {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "fit/photo_facts.h"
+#include "fit/photo/photo_facts.h"
 
 namespace vegard::apps {
 

@@ -31,9 +31,9 @@
 #include "apps/volume.h"
 #include "fit/version.h"
 #include "sim/base/error.h"
-#include "sim/base/fits_io.h"
-#include "sim/base/image_io.h"
-#include "sim/base/vdb_io.h"
+#include "sim/base/grid/vdb_io.h"
+#include "sim/base/picture/fits_io.h"
+#include "sim/base/picture/image_io.h"
 #include "sim/base/version.h"
 
 namespace {

@@ -18,10 +18,10 @@
 #include "apps/scene_options.h"
 #include "apps/usage_error.h"
 #include "apps/volume_metadata.h"
-#include "sim/base/vdb_io.h"
-#include "sim/base/whole_file.h"
-#include "sim/render/scene_grid.h"
-#include "sim/scene/emission_lines.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/base/grid/vdb_io.h"
+#include "sim/render/volumes/scene_grid.h"
+#include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::apps {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "sim/base/version.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/scene_toml.h"
-#include "sim/view/line_colours.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/view/colour/line_colours.h"
 
 namespace vegard::apps {
 namespace {

@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "sim/base/vdb_io.h"
-#include "sim/render/scene_grid.h"
-#include "sim/scene/scene.h"
+#include "sim/base/grid/vdb_io.h"
+#include "sim/render/volumes/scene_grid.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 

@@ -7,17 +7,17 @@
 #include <cmath>
 #include <limits>
 
-#include "fit/curve_search.h"
+#include "fit/answer/step_outputs.h"
+#include "fit/compare/inflation.h"
 #include "fit/fit_observations.h"
-#include "fit/inflation.h"
-#include "fit/journal.h"
-#include "fit/number_text.h"
-#include "fit/prior_rows.h"
-#include "fit/profile_rounds.h"
-#include "fit/step_outputs.h"
-#include "fit/turns.h"
-#include "fit/unknown_curve.h"
+#include "fit/measure/unknown_curve.h"
+#include "fit/parameters/prior_rows.h"
+#include "fit/parameters/turns.h"
+#include "fit/search/journal.h"
+#include "fit/search/profile_rounds.h"
 #include "sim/base/error.h"
+#include "sim/base/file/number_text.h"
+#include "sim/base/number/curve_search.h"
 
 namespace vegard::fit {
 namespace {

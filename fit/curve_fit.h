@@ -2,13 +2,13 @@
 //
 // Gains and sky are solved, and a change of the curve changes the data: so it is searched about the fit. A
 // whole search with the curve taken as sRGB; then a search of the curve's one or two numbers
-// (fit/curve_search.h), by the likelihood of the file's numbers (fit/unknown_curve.h), with a descent of
-// everything else from the nearest answer at each place; then the answer with the curve that was found. The
-// likelihood is divided by how many residuals go up and down together, as error bars are.
+// (sim/base/number/curve_search.h), by the likelihood of the file's numbers (fit/measure/unknown_curve.h),
+// with a descent of everything else from the nearest answer at each place; then the answer with the curve
+// that was found. The likelihood is divided by how many residuals go up and down together, as error bars are.
 #pragma once
 
 #include "fit/fit.h"
-#include "fit/photo.h"
+#include "fit/photo/photo.h"
 
 namespace vegard::fit {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "fit/free_parameters.h"
-#include "fit/observation.h"
-#include "fit/profile_cost.h"
-#include "fit/profile_rounds.h"
+#include "fit/compare/observation.h"
+#include "fit/compare/profile_cost.h"
+#include "fit/parameters/free_parameters.h"
+#include "fit/search/profile_rounds.h"
 
 namespace vegard::fit {
 namespace {

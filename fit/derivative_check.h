@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "fit/photo.h"
-#include "sim/scene/scene.h"
+#include "fit/photo/photo.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::fit {
 

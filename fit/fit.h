@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "fit/fit_result.h"
-#include "fit/photo.h"
-#include "sim/scene/scene.h"
+#include "fit/answer/fit_result.h"
+#include "fit/photo/photo.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::fit {
 
@@ -38,8 +38,8 @@ FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOption
 
 /// Fits scene.fit.free to several photographs at once: those of scene.fit.photos, in their order. A number
 /// that belongs to one photograph moves that one's scene; sheets are given in the frame of the scene's own
-/// site and carried over to a photograph's (fit/photo_frame.h). Throws as fit_photo() does, and for one whose
-/// transfer curve is unknown.
+/// site and carried over to a photograph's (fit/parameters/photo_frame.h). Throws as fit_photo() does, and
+/// for one whose transfer curve is unknown.
 FitResult fit_photos(const sim::Scene& scene, const std::vector<Photo>& photos, const FitOptions& options);
 
 }  // namespace vegard::fit

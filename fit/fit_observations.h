@@ -3,10 +3,10 @@
 
 #include <vector>
 
+#include "fit/compare/observation.h"
 #include "fit/fit.h"
-#include "fit/observation.h"
-#include "fit/search.h"
-#include "fit/uncertainty.h"
+#include "fit/search/search.h"
+#include "fit/uncertainty/uncertainty.h"
 
 namespace vegard::fit {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "fit/energy_flux.h"
-#include "fit/free_parameters.h"
+#include "fit/answer/energy_flux.h"
+#include "fit/parameters/free_parameters.h"
 
 namespace vegard::fit {
 namespace {

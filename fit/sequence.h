@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "fit/answer/fit_result.h"
 #include "fit/fit.h"
-#include "fit/fit_result.h"
-#include "fit/photo.h"
+#include "fit/photo/photo.h"
 
 namespace vegard::fit {
 
@@ -44,7 +44,7 @@ FrameFit fit_frame(const sim::Scene& scene, const Photo& photo, double time_s, c
                    const FitOptions& options);
 
 /// All free numbers, and what follows from them; and where nobody has freed it but the sensor's scale is
-/// known, the energy flux of each sheet by the gain that the fit found (fit/energy_flux.h).
+/// known, the energy flux of each sheet by the gain that the fit found (fit/answer/energy_flux.h).
 SequenceRow sequence_row(const std::string& frame, double time_s, const sim::Scene& scene,
                          const FrameFit& fit, const Photo& photo);
 

@@ -1,6 +1,7 @@
 // What goes wrong because of the user's input, told once and completely.
 //
-// Programmer's mistakes are assertions; numerical trouble in a fit is a verdict in its result. Neither is an Error.
+// Programmer's mistakes are assertions; numerical trouble in a fit is a verdict in its result. Neither is an
+// Error.
 #pragma once
 
 #include <exception>

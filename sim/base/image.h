@@ -7,9 +7,10 @@
 
 namespace vegard::sim {
 
-/// Row-major, channels interleaved: value(x, y, c) = data[(y * width + x) * channels() + c]. x to the right, y down,
-/// the centre of the first pixel at (0.5, 0.5). Values are linear light; what they count is in the channel names and
-/// in the words of whoever made the image ("630.0" with rayleighs, "R" with a sensor's linear units).
+/// Row-major, channels interleaved: value(x, y, c) = data[(y * width + x) * channels() + c]. x to the right,
+/// y down, the centre of the first pixel at (0.5, 0.5). Values are linear light; what they count is in the
+/// channel names and in the words of whoever made the image ("630.0" with rayleighs, "R" with a sensor's
+/// linear units).
 struct Image {
   int width = 0;
   int height = 0;
@@ -18,7 +19,9 @@ struct Image {
 
   Image() = default;
   Image(int width_px, int height_px, std::vector<std::string> names)
-      : width(width_px), height(height_px), channel_names(std::move(names)),
+      : width(width_px),
+        height(height_px),
+        channel_names(std::move(names)),
         data(static_cast<std::size_t>(width_px) * height_px * channel_names.size(), 0.0f) {}
 
   int channels() const { return static_cast<int>(channel_names.size()); }

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "sim/base/csv_table.h"
+#include "sim/base/file/csv_table.h"
 
 namespace vegard::sim {
 namespace {

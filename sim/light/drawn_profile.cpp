@@ -8,12 +8,12 @@
 #include <optional>
 #include <string_view>
 
-#include "sim/base/csv_table.h"
 #include "sim/base/error.h"
-#include "sim/scene/emission_line.h"
-#include "sim/scene/emission_lines.h"
-#include "sim/scene/table_files.h"
-#include "sim/scene/value_words.h"
+#include "sim/base/file/csv_table.h"
+#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/table/table_files.h"
+#include "sim/scene/table/value_words.h"
 
 namespace vegard::sim {
 namespace {

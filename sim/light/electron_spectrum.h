@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/base/csv_table.h"
 #include "sim/base/embedded_table.h"
-#include "sim/base/spline.h"
+#include "sim/base/file/csv_table.h"
+#include "sim/base/number/spline.h"
 
 namespace vegard::sim {
 namespace {

@@ -51,7 +51,7 @@
 #include <vector>
 
 #include "sim/light/atmosphere.h"
-#include "sim/scene/emission_line.h"
+#include "sim/scene/lines/emission_line.h"
 
 namespace vegard::sim {
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <vector>
 
-#include "sim/base/csv_table.h"
-#include "sim/base/spline.h"
+#include "sim/base/file/csv_table.h"
+#include "sim/base/number/spline.h"
 
 namespace vegard::sim {
 namespace {

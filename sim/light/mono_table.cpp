@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sim/base/spline.h"
+#include "sim/base/number/spline.h"
 #include "sim/light/emission_table.h"
 #include "sim/light/glow_air.h"
-#include "sim/scene/emission_line.h"
+#include "sim/scene/lines/emission_line.h"
 
 namespace vegard::sim {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/light/height_profile.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

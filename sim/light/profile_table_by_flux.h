@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/light/profile_table.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

@@ -6,7 +6,7 @@
 // are handed over.
 #pragma once
 
-#include "sim/base/dual.h"
+#include "sim/base/number/dual.h"
 
 namespace vegard::sim {
 
@@ -20,7 +20,7 @@ enum LocalInput : int {
   declination,
   loss_cone,
   pitch_step,
-  first_camera_input,  ///< from here on one for every CameraNumber (sim/view/camera.h)
+  first_camera_input,  ///< from here on one for every CameraNumber (sim/view/camera/camera.h)
   camera_inputs = 12,  ///< how many of those there are
   local_inputs = first_camera_input + camera_inputs,  ///< how many there are in all
   beam_inputs = 2,                                    ///< how many of them differ from beam to beam

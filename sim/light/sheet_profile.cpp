@@ -7,8 +7,8 @@
 #include "sim/light/form_profile.h"
 #include "sim/light/spectrum_profile.h"
 #include "sim/light/spline_profile.h"
-#include "sim/scene/spline_rates.h"
-#include "sim/scene/table_files.h"
+#include "sim/scene/table/spline_rates.h"
+#include "sim/scene/table/table_files.h"
 
 namespace vegard::sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/light/height_profile.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 
@@ -16,7 +16,8 @@ bool has_given_brightness(const Sheet& sheet);
 /// the sheet's own energy flux, by emission.flux_law. Of a sheet of given brightness, the model at an energy
 /// flux of 1, scaled for a flux of 1: the column of 557.7 nm from the bottom up to top_km is then
 /// brightness_kilorayleigh seen vertically, whatever lines are asked for. (Seen along the field, where a path
-/// is longer by one over the cosine to the vertical, the beams are weaker by as much: sim/render/beams.cpp.)
+/// is longer by one over the cosine to the vertical, the beams are weaker by as much:
+/// sim/render/beams/beams.cpp.)
 HeightProfile sheet_profile(const std::vector<double>& wavelengths_nm, const Scene& scene, int sheet);
 
 /// d rate / d number, as HeightProfile::rate, for a number of the scene that shapes the sheet's profile other

@@ -3,9 +3,9 @@
 #include <cassert>
 #include <cstddef>
 
-#include "sim/scene/emission_line.h"
-#include "sim/scene/emission_lines.h"
-#include "sim/scene/spline_rates.h"
+#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/table/spline_rates.h"
 
 namespace vegard::sim {
 HeightProfile spline_profile(const std::vector<double>& wavelengths_nm, const Scene& scene,

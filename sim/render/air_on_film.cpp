@@ -3,8 +3,8 @@
 #include <cassert>
 
 #include "sim/base/parallel.h"
-#include "sim/view/air.h"
-#include "sim/view/sky_numbers.h"
+#include "sim/view/sky/air.h"
+#include "sim/view/sky/sky_numbers.h"
 
 namespace vegard::sim {
 namespace {

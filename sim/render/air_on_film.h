@@ -8,7 +8,7 @@
 
 #include "sim/base/image.h"
 #include "sim/render/film.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

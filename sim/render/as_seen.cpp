@@ -4,10 +4,10 @@
 
 #include <Eigen/LU>
 
-#include "sim/view/colour_table.h"
-#include "sim/view/line_colours.h"
-#include "sim/view/radiometry.h"
-#include "sim/view/transfer_curve.h"
+#include "sim/view/colour/colour_table.h"
+#include "sim/view/colour/line_colours.h"
+#include "sim/view/colour/radiometry.h"
+#include "sim/view/sensor/transfer_curve.h"
 
 namespace vegard::sim {
 namespace {

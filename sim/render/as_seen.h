@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sim/render/render.h"
-#include "sim/view/eye.h"
+#include "sim/view/colour/eye.h"
 
 namespace vegard::sim {
 

@@ -7,12 +7,12 @@
 
 #include "sim/base/parallel.h"
 #include "sim/light/sheet_profile.h"
-#include "sim/render/beams.h"
-#include "sim/render/derivative_passes.h"
-#include "sim/render/kernel.h"
-#include "sim/render/kernel_scene.h"
-#include "sim/scene/emission_line.h"
-#include "sim/view/tangent_film.h"
+#include "sim/render/beams/beams.h"
+#include "sim/render/beams/derivative_passes.h"
+#include "sim/render/beams/kernel.h"
+#include "sim/render/beams/kernel_scene.h"
+#include "sim/scene/lines/emission_line.h"
+#include "sim/view/film/tangent_film.h"
 
 namespace vegard::sim {
 namespace {

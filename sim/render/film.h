@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "sim/base/large_vector.h"
-#include "sim/render/volumes.h"
-#include "sim/scene/scene.h"
-#include "sim/view/camera.h"
+#include "sim/render/volumes/volumes.h"
+#include "sim/scene/structs/scene.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::sim {
 
@@ -80,7 +80,8 @@ class Exposer {
   /// The same light computed in double by one thread; for tests.
   void expose_reference(const Scene& scene, std::vector<double>& rayleigh);
 
-  /// Appends what one thread of expose() would splat, in its order (sim/render/kernel.h); for benchmarks.
+  /// Appends what one thread of expose() would splat, in its order (sim/render/beams/kernel.h); for
+  /// benchmarks.
   void record_splats(const Scene& scene, SplatRecord& record);
 
  private:

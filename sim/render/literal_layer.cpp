@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "sim/render/depth_file.h"
-#include "sim/render/literal_nebula.h"
-#include "sim/view/composite.h"
+#include "sim/render/volumes/depth_file.h"
+#include "sim/render/volumes/literal_nebula.h"
+#include "sim/view/film/composite.h"
 
 namespace vegard::sim {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "sim/base/image.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 
@@ -13,7 +13,7 @@ namespace vegard::sim {
 Image literal_layer(const Scene& scene, int threads);
 
 /// The share of a picture in R, G, B, A, whose colours are not multiplied by alpha, as a layer to
-/// cover() with (sim/view/composite.h):
+/// cover() with (sim/view/film/composite.h):
 ///   "alpha": rgb a + c (1 - a);  "add": rgb + c
 /// for c behind it.
 Image layer_of_literal(const Image& picture, const std::string& blend);

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "sim/base/parallel.h"
-#include "sim/render/beams.h"
+#include "sim/render/beams/beams.h"
+#include "sim/render/beams/kernel_levels.h"
+#include "sim/render/beams/kernel_scene.h"
 #include "sim/render/film.h"
-#include "sim/render/kernel_levels.h"
-#include "sim/render/kernel_scene.h"
-#include "sim/view/level_ladder.h"
+#include "sim/view/film/level_ladder.h"
 
 namespace vegard::sim {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "sim/base/image.h"
 #include "sim/light/excited_atom.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "sim/scene/scene.h"
-#include "sim/view/scaled_camera.h"
+#include "sim/scene/structs/scene.h"
+#include "sim/view/camera/scaled_camera.h"
 
 namespace vegard::sim {
 

@@ -9,8 +9,8 @@
 
 #include "sim/base/image.h"
 #include "sim/render/film.h"
-#include "sim/scene/scene.h"
-#include "sim/view/composite.h"
+#include "sim/scene/structs/scene.h"
+#include "sim/view/film/composite.h"
 
 namespace vegard::sim {
 

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "sim/emit/aurora/motion.h"
-#include "sim/scene/scene_toml.h"
-#include "sim/view/night_sky.h"
-#include "sim/view/stars.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/view/sky/night_sky.h"
+#include "sim/view/sky/stars.h"
 
 namespace vegard::sim {
 namespace {

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "sim/render/film.h"
-#include "sim/scene/emission_lines.h"
-#include "sim/view/blur.h"
-#include "sim/view/colour.h"
-#include "sim/view/line_colours.h"
+#include "sim/scene/lines/emission_lines.h"
+#include "sim/view/colour/colour.h"
+#include "sim/view/colour/line_colours.h"
+#include "sim/view/film/blur.h"
 
 namespace vegard::sim {
 

@@ -8,9 +8,9 @@
 #pragma once
 
 #include "sim/base/image.h"
-#include "sim/render/volumes.h"
-#include "sim/scene/scene.h"
-#include "sim/view/camera.h"
+#include "sim/render/volumes/volumes.h"
+#include "sim/scene/structs/scene.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::sim {
 

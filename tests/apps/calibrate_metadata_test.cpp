@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "sim/base/earth.h"
-#include "sim/scene/scene_toml.h"
-#include "sim/view/celestial/instant.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/view/sky/instant.h"
 
 namespace vegard::apps {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim/render/beams/points.h"
 #include "sim/render/film.h"
-#include "sim/render/points.h"
 #include "tests/support/expect_words.h"
 #include "tests/support/small_scene.h"
 

@@ -9,7 +9,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "apps/animate.h"
-#include "sim/base/image_io.h"
+#include "sim/base/picture/image_io.h"
 #include "sim/render/render.h"
 #include "tests/support/expect_words.h"
 #include "tests/support/full_disk.h"

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "sim/view/camera.h"
+#include "sim/view/camera/camera.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::apps {

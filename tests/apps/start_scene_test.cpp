@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/describe.h"
-#include "sim/scene/scene_toml.h"
+#include "sim/scene/file/scene_toml.h"
 
 namespace vegard::apps {
 namespace {

@@ -1,7 +1,7 @@
 // The scenes that the benchmarks work on.
 #pragma once
 
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::bench {
 

@@ -16,9 +16,9 @@
 #include <string>
 #include <vector>
 
+#include "fit/compare/observation.h"
 #include "fit/fit.h"
-#include "fit/observation.h"
-#include "sim/scene/parameter_table.h"
+#include "sim/scene/table/parameter_table.h"
 #include "tests/recovery/scorecard/photograph.h"
 #include "tests/recovery/scorecard/truth.h"
 #include "tests/recovery/scorecard/wide_start.h"

@@ -19,8 +19,8 @@
 #include "sim/emit/footprint/footprint_emitter.h"
 #include "sim/emit/footprint/texel_store.h"
 #include "sim/render/film.h"
-#include "sim/view/camera.h"
-#include "sim/view/rays.h"
+#include "sim/view/camera/camera.h"
+#include "sim/view/camera/rays.h"
 
 namespace {
 

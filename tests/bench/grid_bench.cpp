@@ -20,10 +20,10 @@
 #include <filesystem>
 #include <memory>
 
-#include "sim/base/image_io.h"
-#include "sim/base/vdb_io.h"
-#include "sim/render/volumes.h"
-#include "sim/scene/scene_toml.h"
+#include "sim/base/grid/vdb_io.h"
+#include "sim/base/picture/image_io.h"
+#include "sim/render/volumes/volumes.h"
+#include "sim/scene/file/scene_toml.h"
 
 namespace vegard::bench {
 namespace {

@@ -9,19 +9,19 @@
 #include <functional>
 
 #include "bench_scene.h"
-#include "fit/noise_model.h"
-#include "fit/profile_cost.h"
+#include "fit/compare/profile_cost.h"
+#include "fit/measure/noise_model.h"
 #include "interleaved.h"
 #include "sim/render/film.h"
 #include "sim/render/render.h"
-#include "sim/view/blur.h"
+#include "sim/view/film/blur.h"
 
 namespace {
 
 using namespace vegard;
 
 constexpr int kThreads = 1;
-constexpr double kBeyond = 0.5;  // as in fit/profile_model.cpp
+constexpr double kBeyond = 0.5;  // as in fit/model/profile_model.cpp
 constexpr int kCellWidth = 2;    // of the model's film for 24 bands over 720 pixels, as there
 
 const std::vector<std::string> kTwelve = {
@@ -101,9 +101,7 @@ struct Problem {
     double* jacobians[] = {jacobian.data()};
     return cost.Evaluate(blocks, residuals.data(), jacobians);
   }
-  void profile_with_derivatives() {
-    model.evaluate_with_derivatives(scene, addresses(scene, free), profile);
-  }
+  void profile_with_derivatives() { model.evaluate_with_derivatives(scene, addresses(scene, free), profile); }
   void linear_part() {
     std::vector<double> out;
     const fit::LinearPart& linear = comparison.linear();

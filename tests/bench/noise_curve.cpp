@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/plot.h"
+#include "fit/report/plot/plot.h"
 #include "sim/render/film.h"
 #include "tests/support/block_means.h"
 

@@ -14,9 +14,9 @@
 #include "bench_scene.h"
 #include "interleaved.h"
 #include "sim/base/parallel.h"
-#include "sim/render/beams.h"
+#include "sim/render/beams/beams.h"
+#include "sim/render/beams/kernel.h"
 #include "sim/render/film.h"
-#include "sim/render/kernel.h"
 #include "sim/render/render.h"
 
 namespace {
@@ -175,8 +175,9 @@ struct Workload {
     };
     fmt::print("\n{}: film of {} x {} cells, {} beams, {} deflection points computed, {} of them splatted\n",
                name, film.columns, film.rows, beams, computed, record.points());
-    fmt::print("  floor: splat_on_film in sim/render/kernel.cpp, {}\n    {:.1f} million points splatted/s\n",
-               t.words(floor), splatted / t.median(floor) * 1e-6);
+    fmt::print(
+        "  floor: splat_on_film in sim/render/beams/kernel.cpp, {}\n    {:.1f} million points splatted/s\n",
+        t.words(floor), splatted / t.median(floor) * 1e-6);
     fmt::print("  renderer, {}\n", whole ? "from the scene to the blurred images"
                                          : "exposure of a film whose beams are laid out, without the blur");
     fmt::print("  1 thread: {}\n    {}\n", t.words(one), rates(one));
@@ -241,7 +242,8 @@ int main(int argc, char** argv) {
   }
   const vegard::bench::TimingsByClock timings = vegard::bench::run_interleaved(argc, argv);
   fmt::print(
-      "\nFloor: splat_on_film in sim/render/kernel.cpp, precomputed weights at precomputed places, bilinear, "
+      "\nFloor: splat_on_film in sim/render/beams/kernel.cpp, precomputed weights at precomputed places, "
+      "bilinear, "
       "three lines at stride {}, 64-bit integer film; instruction set {}.\n"
       "Its film is the renderer's, bit for bit.\n",
       kStride, vegard::sim::kernel_instruction_set());

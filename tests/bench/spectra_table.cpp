@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "fit/plot.h"
+#include "fit/report/plot/plot.h"
 #include "sim/light/emission_table.h"
 #include "sim/light/glow_air.h"
 #include "sim/light/mono_table.h"
 #include "sim/light/spectrum_profile.h"
-#include "sim/scene/emission_line.h"
+#include "sim/scene/lines/emission_line.h"
 
 namespace vegard::bench {
 namespace {

@@ -15,11 +15,11 @@
 #include <functional>
 #include <vector>
 
-#include "sim/base/mask5.h"
+#include "sim/base/number/mask5.h"
 #include "sim/emit/grid/grid_filter.h"
-#include "sim/emit/sun/macro_loop.h"
-#include "sim/emit/sun/strand_density.h"
-#include "sim/emit/sun/strand_grid.h"
+#include "sim/emit/sun/strand/macro_loop.h"
+#include "sim/emit/sun/strand/strand_density.h"
+#include "sim/emit/sun/strand/strand_grid.h"
 
 namespace vegard::bench {
 namespace {

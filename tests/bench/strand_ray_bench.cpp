@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "sim/base/parallel.h"
-#include "sim/emit/sun/macro_loop.h"
-#include "sim/emit/sun/strand_emitter.h"
+#include "sim/emit/sun/strand/macro_loop.h"
+#include "sim/emit/sun/strand/strand_emitter.h"
 
 namespace vegard::bench {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "sim/render/beams/kernel.h"
 #include "sim/render/film.h"
-#include "sim/render/kernel.h"
 #include "sim/render/render.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/only_target.h"

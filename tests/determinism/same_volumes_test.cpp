@@ -1,9 +1,9 @@
 // Volumes: the same bytes for any number of threads and every instruction set.
 #include <gtest/gtest.h>
 
-#include "sim/render/kernel.h"
+#include "sim/render/beams/kernel.h"
 #include "sim/render/render.h"
-#include "sim/scene/scene_toml.h"
+#include "sim/scene/file/scene_toml.h"
 #include "tests/support/only_target.h"
 #include "tests/support/same_bytes.h"
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <iostream>
 
+#include "fit/compare/profile_cost.h"
 #include "fit/fit.h"
-#include "fit/model_picture.h"
-#include "fit/noise_model.h"
-#include "fit/profile_cost.h"
+#include "fit/measure/noise_model.h"
+#include "fit/report/model_picture.h"
 #include "sim/render/render.h"
 #include "tests/support/small_scene.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "fit/result_json.h"
+#include "fit/report/table/result_json.h"
 #include "tests/support/encoded_photo.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/rendered_photo.h"

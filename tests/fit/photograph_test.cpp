@@ -5,12 +5,12 @@
 #include <string>
 
 #include "fit/fit.h"
-#include "fit/photo.h"
-#include "sim/base/image_io.h"
+#include "fit/photo/photo.h"
+#include "sim/base/picture/image_io.h"
 #include "sim/render/render.h"
-#include "sim/scene/parameter_table.h"
-#include "sim/scene/scene_toml.h"
-#include "sim/view/sensor.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/parameter_table.h"
+#include "sim/view/sensor/sensor.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::fit {

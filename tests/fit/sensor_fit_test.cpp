@@ -7,7 +7,7 @@
 #include <string>
 
 #include "fit/fit.h"
-#include "fit/line_brightness.h"
+#include "fit/measure/line_brightness.h"
 #include "sim/render/render.h"
 #include "tests/support/rendered_photo.h"
 #include "tests/support/small_scene.h"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "fit/sequence_files.h"
+#include "fit/report/table/sequence_files.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/two_stations.h"
 

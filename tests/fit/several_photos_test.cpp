@@ -3,10 +3,10 @@
 
 #include <cmath>
 
+#include "fit/compare/observation.h"
+#include "fit/compare/profile_cost.h"
 #include "fit/fit.h"
-#include "fit/observation.h"
-#include "fit/photo_frame.h"
-#include "fit/profile_cost.h"
+#include "fit/parameters/photo_frame.h"
 #include "tests/support/two_stations.h"
 
 namespace vegard::fit {

@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "fit/fit.h"
-#include "fit/free_parameters.h"
-#include "fit/report_tables.h"
-#include "fit/result_json.h"
+#include "fit/parameters/free_parameters.h"
+#include "fit/report/report_tables.h"
+#include "fit/report/table/result_json.h"
 #include "sim/render/render.h"
-#include "sim/scene/scene_toml.h"
+#include "sim/scene/file/scene_toml.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/rendered_photo.h"
 #include "tests/support/small_scene.h"

@@ -3,11 +3,11 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "fit/image_file.h"
-#include "fit/photo.h"
+#include "fit/photo/codec/image_file.h"
+#include "fit/photo/photo.h"
 #include "sim/base/error.h"
-#include "sim/base/fits_io.h"
-#include "sim/base/picture_metadata.h"
+#include "sim/base/picture/fits_io.h"
+#include "sim/base/picture/picture_metadata.h"
 
 namespace {
 

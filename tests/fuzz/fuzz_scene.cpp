@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "sim/base/error.h"
-#include "sim/scene/parameter_table.h"
-#include "sim/scene/scene_toml.h"
-#include "sim/scene/ties.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/freedom/ties.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace {
 

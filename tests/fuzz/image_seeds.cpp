@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "sim/base/image_io.h"
+#include "sim/base/picture/image_io.h"
 #include "tests/fuzz/target.h"
 #include "tests/support/dng_bytes.h"
 #include "tests/support/exif_bytes.h"

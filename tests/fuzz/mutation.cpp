@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "sim/base/random.h"
+#include "sim/base/number/random.h"
 
 namespace vegard::tests {
 namespace {

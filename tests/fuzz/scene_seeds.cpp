@@ -4,9 +4,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "sim/scene/expression.h"
-#include "sim/scene/parameter_table.h"
-#include "sim/scene/scene_toml.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/freedom/expression.h"
+#include "sim/scene/table/parameter_table.h"
 #include "tests/fuzz/target.h"
 
 namespace vegard::tests {

@@ -1,7 +1,7 @@
-// In the fuzz targets this stands in the place of sim/base/pixel_limit.cpp: the same refusals, but from 2^20
-// pixels on, so that an input takes milliseconds and a memory limit of the process means something.
+// In the fuzz targets this stands in the place of sim/base/picture/pixel_limit.cpp: the same refusals, but
+// from 2^20 pixels on, so that an input takes milliseconds and a memory limit of the process means something.
 #include "sim/base/error.h"
-#include "sim/base/pixel_limit.h"
+#include "sim/base/picture/pixel_limit.h"
 
 namespace vegard::sim {
 

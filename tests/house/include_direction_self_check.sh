@@ -16,12 +16,12 @@ put() {
 clean_tree() {
   rm -rf "${tree:?}"/*
   put sim/base/image.h '#include <vector>'
-  put sim/base/image_io/exr.cpp '#include <OpenImageIO/imageio.h>'
-  put sim/base/fits_io.cpp '#include <fitsio.h>'
-  put sim/base/vdb_io.cpp '#include <openvdb/openvdb.h>'
-  put sim/base/whole_file.h '#include <string>  // not <iostream>, no std::cout, no printf()'
+  put sim/base/picture/image_io/exr.cpp '#include <OpenImageIO/imageio.h>'
+  put sim/base/picture/fits_io.cpp '#include <fitsio.h>'
+  put sim/base/grid/vdb_io.cpp '#include <openvdb/openvdb.h>'
+  put sim/base/file/whole_file.h '#include <string>  // not <iostream>, no std::cout, no printf()'
   put sim/scene/scene_toml.cpp '#include <toml++/toml.h>'
-  put sim/scene/expression.cpp '#include <muParser.h>'
+  put sim/scene/freedom/expression.cpp '#include <muParser.h>'
   put sim/light/field.h '#include "sim/scene/scene.h"'
   put sim/emit/aurora/beam.h '#include "sim/light/field.h"'
   put sim/view/film.cpp $'#include "hwy/highway.h"\n#include "sim/view/camera.h"\nstd::snprintf(text, 9, "%g", x);'
@@ -102,8 +102,8 @@ refuses fit/bad.cpp '  printf("%d", x);'
 refuses sim/view/bad.cpp 'std::fprintf(stderr, "x");'
 refuses sim/view/bad.cpp 'fmt::print("x");'
 refuses sim/view/bad.cpp '#include <fstream>'
-refuses sim/emit/bad.cpp '#include "sim/base/whole_file.h"'
-refuses sim/view/bad.cpp '#include "sim/base/fits_io.h"'
+refuses sim/emit/bad.cpp '#include "sim/base/file/whole_file.h"'
+refuses sim/view/bad.cpp '#include "sim/base/picture/fits_io.h"'
 
 # Names and paths.
 refuses sim/base/utils.h ''

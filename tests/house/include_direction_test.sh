@@ -42,7 +42,7 @@ check_sources() {
       sub(/[^\/]*$/, "", folder)
       library = from != "apps"
       # What volumes are made of is read in these and handed on.
-      reads_volumes = FILENAME ~ /^sim\/render\/(depth_file|volume_files)\.cpp$/
+      reads_volumes = FILENAME ~ /^sim\/render\/volumes\/(depth_file|volume_files)\.cpp$/
       physics = from ~ /^sim\/(light|emit|view|render)$/ && !reads_volumes
     }
     { code = $0; sub(/\/\/.*/, "", code) }
@@ -70,19 +70,19 @@ check_sources() {
         else if (videos == "") videos = FILENAME
         else if (videos != FILENAME) complain("OpenCV is in " videos " already: one file of apps/ may have it, and preview_window.cpp")
       }
-      if (target ~ /^OpenImageIO\// && folder != "sim/base/image_io/")
-        complain("OpenImageIO belongs in sim/base/image_io/ only")
-      if (target ~ /^fitsio/ && FILENAME != "sim/base/fits_io.cpp")
-        complain("CFITSIO belongs in sim/base/fits_io.cpp only")
-      if (target ~ /^openvdb\// && FILENAME !~ /^sim\/base\/vdb_(io|read).cpp$/)
-        complain("OpenVDB belongs in sim/base/vdb_io.cpp and vdb_read.cpp only")
+      if (target ~ /^OpenImageIO\// && folder != "sim/base/picture/image_io/")
+        complain("OpenImageIO belongs in sim/base/picture/image_io/ only")
+      if (target ~ /^fitsio/ && FILENAME != "sim/base/picture/fits_io.cpp")
+        complain("CFITSIO belongs in sim/base/picture/fits_io.cpp only")
+      if (target ~ /^openvdb\// && FILENAME !~ /^sim\/base\/grid\/vdb_(io|read).cpp$/)
+        complain("OpenVDB belongs in sim/base/grid/vdb_io.cpp and vdb_read.cpp only")
       if (target ~ /^toml(\+\+)?[\/.]/ && from != "sim/scene") complain("TOML parsing belongs in sim/scene only")
-      if (target ~ /^muParser/ && FILENAME != "sim/scene/expression.cpp")
-        complain("muParser belongs in sim/scene/expression.cpp only")
+      if (target ~ /^muParser/ && FILENAME != "sim/scene/freedom/expression.cpp")
+        complain("muParser belongs in sim/scene/freedom/expression.cpp only")
 
       # Rule 6: libraries do not print, physics does no input or output.
       if (library && target ~ /^(iostream|print|syncstream)$/) complain("libraries do not print (<" target ">)")
-      if (physics && (target ~ /^(fstream|filesystem)$/ || target ~ /^sim\/base\/(image_io|fits_io|vdb_io|vdb_outline|whole_)/))
+      if (physics && (target ~ /^(fstream|filesystem)$/ || target ~ /^sim\/base\/(picture\/(image_io|fits_io)|grid\/(vdb_io|vdb_outline)|file\/whole_)/))
         complain("physics does no input or output (" target ")")
     }
     library && code ~ /std::(cout|cerr|clog|wcout|wcerr)|(^|[^A-Za-z0-9_])(v?f?printf|f?puts|putchar|fmt::print)[ \t]*\(/ {

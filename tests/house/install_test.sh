@@ -24,7 +24,7 @@ run "$cmake" --install "$build" --prefix "$work/first"
 mv "$work/first" "$work/moved" # an installed package is used where it is found, not where it was made
 prefix=$work/moved
 
-for file in bin/vegard include/vegard/sim/base/image.h include/vegard/fit/profile.h share/vegard/data/README.md \
+for file in bin/vegard include/vegard/sim/base/image.h include/vegard/fit/measure/profile.h share/vegard/data/README.md \
   share/vegard/data/glow/ver_maxwellian.csv share/vegard/data/glow/glowlicense.txt share/doc/vegard/LICENSE \
   share/doc/vegard/NOTICE share/doc/vegard/glowlicense.txt; do
   [[ -e $prefix/$file ]] || fail "$file is not installed"

@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "fit/derived.h"
+#include "fit/answer/derived.h"
 #include "fit/fit.h"
-#include "sim/base/random.h"
+#include "sim/base/number/random.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/render/render.h"
-#include "sim/scene/parameter_table.h"
-#include "sim/scene/scene_toml.h"
-#include "sim/scene/spline_rates.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/parameter_table.h"
+#include "sim/scene/table/spline_rates.h"
 #include "tests/recovery/independent_picture.h"
 #include "tests/support/free_paths.h"
 

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "fit/derived.h"
+#include "fit/answer/derived.h"
 #include "fit/fit.h"
-#include "sim/scene/parameter_table.h"
-#include "sim/scene/scene_toml.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/parameter_table.h"
 #include "tests/recovery/independent_picture.h"
 
 namespace vegard::fit {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "fit/fit.h"
-#include "sim/scene/parameter_table.h"
-#include "sim/scene/scene_toml.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::fit {
 namespace {

@@ -16,13 +16,13 @@
 #include <vector>
 
 #include "fit/fit.h"
-#include "fit/measured_profile.h"
-#include "fit/number_text.h"
-#include "sim/base/fits_io.h"
+#include "fit/measure/measured_profile.h"
+#include "sim/base/file/number_text.h"
+#include "sim/base/picture/fits_io.h"
 #include "sim/emit/sun/sun_frame.h"
-#include "sim/scene/parameter_table.h"
-#include "sim/scene/scene_toml.h"
-#include "sim/view/camera.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/parameter_table.h"
+#include "sim/view/camera/camera.h"
 #include "tests/support/noisy_photo.h"
 
 namespace vegard::fit {

@@ -7,7 +7,7 @@
 #include <iostream>
 
 #include "fit/curve_fit.h"
-#include "sim/scene/scene_toml.h"
+#include "sim/scene/file/scene_toml.h"
 #include "tests/support/encoded_photo.h"
 
 namespace vegard::fit {

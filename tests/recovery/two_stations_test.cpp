@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "fit/fit.h"
-#include "fit/number_text.h"
+#include "sim/base/file/number_text.h"
 #include "tests/support/two_stations.h"
 
 namespace vegard::fit {

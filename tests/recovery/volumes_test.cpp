@@ -8,9 +8,9 @@
 #include <string>
 
 #include "fit/fit.h"
-#include "fit/number_text.h"
-#include "sim/scene/parameter_table.h"
-#include "sim/scene/scene_toml.h"
+#include "sim/base/file/number_text.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/parameter_table.h"
 #include "tests/support/noisy_photo.h"
 
 namespace vegard::fit {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/render/points.h"
+#include "sim/render/beams/points.h"
 
 namespace vegard::tests {
 

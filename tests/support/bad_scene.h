@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
-#include "sim/scene/scene_toml.h"
+#include "sim/scene/file/scene_toml.h"
 
 namespace vegard::sim {
 

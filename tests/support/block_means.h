@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/base/earth.h"
-#include "sim/view/camera.h"
+#include "sim/view/camera/camera.h"
 #include "tests/support/exposed.h"
 #include "tests/support/line_of_sight.h"
 #include "tests/support/small_scene.h"

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <functional>
 
-#include "fit/photo.h"
-#include "sim/base/random.h"
-#include "sim/view/transfer_curve.h"
+#include "fit/photo/photo.h"
+#include "sim/base/number/random.h"
+#include "sim/view/sensor/transfer_curve.h"
 
 namespace vegard::tests {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "sim/base/earth.h"
-#include "sim/view/direction_map.h"
+#include "sim/view/camera/direction_map.h"
 
 namespace vegard::tests {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/idle_parameter.h"
-#include "sim/scene/parameter_table.h"
+#include "sim/scene/freedom/idle_parameter.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::tests {
 

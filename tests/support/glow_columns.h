@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/csv_table.h"
 #include "sim/base/embedded_table.h"
-#include "sim/base/spline.h"
+#include "sim/base/file/csv_table.h"
+#include "sim/base/number/spline.h"
 #include "sim/light/emission_table.h"
 #include "sim/light/height_profile.h"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "sim/light/sheet_profile.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::tests {
 

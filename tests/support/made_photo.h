@@ -4,9 +4,9 @@
 #include <cmath>
 #include <random>
 
-#include "fit/bin_grid.h"
-#include "fit/photo.h"
-#include "fit/profile_model.h"
+#include "fit/measure/bin_grid.h"
+#include "fit/model/profile_model.h"
+#include "fit/photo/photo.h"
 
 namespace vegard::tests {
 

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "fit/photo.h"
-#include "sim/base/normal_quantile.h"
-#include "sim/base/random.h"
+#include "fit/photo/photo.h"
+#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/random.h"
 
 namespace vegard::tests {
 

@@ -1,7 +1,7 @@
 // A scene that holds one sheet and is otherwise the default.
 #pragma once
 
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::tests {
 

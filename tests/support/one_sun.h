@@ -10,7 +10,7 @@
 
 #include "gtest/gtest.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 #include "tests/support/free_paths.h"
 
 namespace vegard::tests {

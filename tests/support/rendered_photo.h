@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "fit/photo.h"
+#include "fit/photo/photo.h"
 #include "sim/render/render.h"
 
 namespace vegard::tests {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "fit/fit_result.h"
-#include "fit/photo.h"
+#include "fit/answer/fit_result.h"
+#include "fit/photo/photo.h"
 
 namespace vegard::tests {
 

@@ -1,7 +1,7 @@
 // A scene that every part of the simulator has a hand in and that takes milliseconds.
 #pragma once
 
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::tests {
 

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "fit/star_calibration/pointing.h"
-#include "fit/star_calibration/sky_camera.h"
+#include "fit/photo/pointing/pointing.h"
+#include "fit/photo/pointing/sky_camera.h"
 #include "sim/base/earth.h"
-#include "sim/base/normal_quantile.h"
-#include "sim/base/random.h"
+#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/random.h"
 
 namespace vegard::tests {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "sim/emit/sun/strand.h"
+#include "sim/emit/sun/strand/strand.h"
 #include "sim/emit/sun/sun_frame.h"
 #include "sim/light/emitter.h"
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "fit/photo.h"
-#include "sim/base/random.h"
+#include "fit/photo/photo.h"
+#include "sim/base/number/random.h"
 #include "sim/render/render.h"
-#include "sim/scene/photo_scene.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
+#include "sim/scene/table/photo_scene.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::tests {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/base/noise.h"
+#include "sim/base/number/noise.h"
 
 namespace vegard::sim {
 namespace {

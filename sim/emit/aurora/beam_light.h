@@ -14,8 +14,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "sim/base/gaussian_process.h"
-#include "sim/scene/scene.h"
+#include "sim/base/number/gaussian_process.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

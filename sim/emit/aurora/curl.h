@@ -12,10 +12,10 @@
 #include <cmath>
 #include <cstdint>
 
-#include "sim/base/dual.h"
-#include "sim/base/smooth_step.h"
+#include "sim/base/number/dual.h"
+#include "sim/base/number/smooth_step.h"
 #include "sim/emit/aurora/slot.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

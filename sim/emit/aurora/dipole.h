@@ -7,10 +7,10 @@
 
 #include <cmath>
 
-#include "sim/base/dual.h"
 #include "sim/base/earth.h"
+#include "sim/base/number/dual.h"
 #include "sim/light/sample.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

@@ -11,8 +11,8 @@
 #define VEGARD_SIM_EMIT_AURORA_FALL_INL_H_
 #endif
 
-#include "sim/base/dual-inl.h"
-#include "sim/base/lanes-inl.h"
+#include "sim/base/number/dual-inl.h"
+#include "sim/base/number/lanes-inl.h"
 #include "sim/light/sample.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -20,9 +20,9 @@
 
 #include <cstdint>
 
-#include "sim/base/dual.h"
+#include "sim/base/number/dual.h"
 #include "sim/emit/aurora/slot.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

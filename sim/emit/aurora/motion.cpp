@@ -1,6 +1,6 @@
 #include "sim/emit/aurora/motion.h"
 
-#include "sim/base/smooth_step.h"
+#include "sim/base/number/smooth_step.h"
 
 namespace vegard::sim {
 std::vector<double> instants_s(const Time& time) {

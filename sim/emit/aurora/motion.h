@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/base/dual.h"
+#include "sim/base/number/dual.h"
 #include "sim/emit/aurora/curl.h"
 #include "sim/emit/aurora/fold.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

@@ -16,7 +16,7 @@ constexpr double kJoulesPerKev = 1.602176634e-16;
 
 /// The cosine between field and vertical at the foot of the sheet's centre; 0 where no beam falls.
 double vertical_at_centre(const Scene& scene, const Sheet& sheet) {
-  constexpr double kFarthestKm = 4000.0;  // as in sim/render/beams.cpp
+  constexpr double kFarthestKm = 4000.0;  // as in sim/render/beams/beams.cpp
   const double east = sheet.center_km.east, north = sheet.center_km.north;
   if (!(std::hypot(east, north) < kFarthestKm)) return 0.0;
   const Field& field = scene.field;

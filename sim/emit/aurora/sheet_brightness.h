@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

@@ -6,7 +6,7 @@
 #include "sim/emit/aurora/motion.h"
 #include "sim/emit/aurora/sheet.h"
 #include "sim/light/sheet_profile.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

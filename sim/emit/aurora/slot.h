@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-#include "sim/base/random.h"
+#include "sim/base/number/random.h"
 
 namespace vegard::sim {
 

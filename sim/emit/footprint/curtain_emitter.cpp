@@ -6,11 +6,11 @@
 #include <limits>
 #include <vector>
 
-#include "sim/base/dual.h"
-#include "sim/emit/footprint/curve.h"
+#include "sim/base/number/dual.h"
 #include "sim/emit/footprint/foot_way.h"
+#include "sim/emit/footprint/map/curve.h"
 #include "sim/emit/footprint/scalar_march.h"
-#include "sim/scene/footprint_size.h"
+#include "sim/scene/structs/footprint_size.h"
 
 namespace vegard::sim {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "sim/light/emitter.h"
 #include "sim/light/profile_table.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

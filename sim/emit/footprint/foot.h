@@ -7,8 +7,8 @@
 
 #include <utility>
 
-#include "sim/base/dual.h"
 #include "sim/base/earth.h"
+#include "sim/base/number/dual.h"
 #include "sim/light/sample.h"
 
 namespace vegard::sim {

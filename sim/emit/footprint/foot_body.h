@@ -90,7 +90,7 @@ VEGARD_INLINE PlaneFoot<L> foot_of_dipole(const AirPoint<L>& p, const L axis[3])
   return foot;
 }
 
-/// A place on the face of a cube about the Earth's centre (sim/emit/footprint/footprint_map.h).
+/// A place on the face of a cube about the Earth's centre (sim/emit/footprint/map/footprint_map.h).
 template <class L>
 struct FacePlace {
   L u, v;

@@ -7,7 +7,7 @@
 #include "sim/emit/aurora/dipole.h"
 #include "sim/emit/footprint/footprint_kernel.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

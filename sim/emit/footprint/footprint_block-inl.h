@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "sim/base/earth.h"
-#include "sim/base/lanes-inl.h"
+#include "sim/base/number/lanes-inl.h"
 #include "sim/emit/footprint/footprint_kernel.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -9,10 +9,10 @@
 
 #include <memory>
 
-#include "sim/emit/footprint/footprint_map.h"
+#include "sim/emit/footprint/map/footprint_map.h"
 #include "sim/light/emitter.h"
 #include "sim/light/profile_table.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

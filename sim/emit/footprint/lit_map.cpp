@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sim/base/distance_transform.h"
-#include "sim/base/dual.h"
+#include "sim/base/number/distance_transform.h"
+#include "sim/base/number/dual.h"
 #include "sim/emit/footprint/foot.h"
 #include "sim/light/sample.h"
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/emit/footprint/footprint_map.h"
+#include "sim/emit/footprint/map/footprint_map.h"
 
 namespace vegard::sim {
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/base/dual.h"
 #include "sim/base/earth.h"
+#include "sim/base/number/dual.h"
 #include "sim/emit/footprint/ray_span.h"
 #include "sim/emit/footprint/step_profile.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

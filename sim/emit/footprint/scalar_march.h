@@ -11,7 +11,7 @@
 
 #include "sim/emit/footprint/foot.h"
 #include "sim/emit/footprint/footprint_kernel.h"
-#include "sim/emit/footprint/footprint_map.h"
+#include "sim/emit/footprint/map/footprint_map.h"
 #include "sim/emit/footprint/march_span.h"
 
 namespace vegard::sim {

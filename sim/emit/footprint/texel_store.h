@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/emit/footprint/footprint_kernel.h"
-#include "sim/emit/footprint/footprint_map.h"
+#include "sim/emit/footprint/map/footprint_map.h"
 
 namespace vegard::sim {
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "sim/base/error.h"
-#include "sim/scene/site_axes.h"
+#include "sim/scene/structs/site_axes.h"
 
 namespace vegard::sim {
 namespace {

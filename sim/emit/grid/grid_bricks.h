@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/grid/sparse_grid.h"
 #include "sim/base/large_vector.h"
-#include "sim/base/sparse_grid.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

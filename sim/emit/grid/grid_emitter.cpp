@@ -3,7 +3,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "sim/base/escaping_share.h"
+#include "sim/base/number/escaping_share.h"
 #include "sim/emit/grid/grid_march.h"
 #include "sim/emit/grid/grid_trilinear.h"
 

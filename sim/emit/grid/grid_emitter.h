@@ -11,7 +11,7 @@
 #include "sim/emit/grid/grid_home.h"
 #include "sim/emit/grid/grid_walk.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

@@ -5,7 +5,7 @@
 
 #include "sim/emit/grid/grid_bricks.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

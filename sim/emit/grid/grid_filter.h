@@ -1,8 +1,8 @@
 // Convolution of a grid with a mask of 5 x 5 x 5: blur, sharpen (row C15 of the source), or what a user has.
 #pragma once
 
-#include "sim/base/mask5.h"
-#include "sim/base/sparse_grid.h"
+#include "sim/base/grid/sparse_grid.h"
+#include "sim/base/number/mask5.h"
 
 namespace vegard::sim {
 

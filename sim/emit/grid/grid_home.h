@@ -14,7 +14,7 @@
 #include "sim/emit/grid/grid_bricks.h"
 #include "sim/emit/sun/sun_frame.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

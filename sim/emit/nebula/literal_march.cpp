@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/smooth_step.h"
+#include "sim/base/number/smooth_step.h"
 
 namespace vegard::sim {
 namespace {

@@ -9,7 +9,7 @@
 #include <array>
 
 #include "sim/emit/nebula/node_map.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

@@ -15,7 +15,7 @@
 
 #include "sim/emit/nebula/node_map.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "sim/base/escaping_share.h"
+#include "sim/base/number/escaping_share.h"
 
 namespace vegard::sim {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "sim/emit/nebula/nebula_cloud.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

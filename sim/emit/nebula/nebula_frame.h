@@ -5,7 +5,7 @@
 #include "sim/emit/nebula/node_shapes.h"
 #include "sim/light/emitter.h"
 #include "sim/light/sky_frame.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

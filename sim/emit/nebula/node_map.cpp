@@ -9,7 +9,7 @@
 #include "sim/emit/nebula/node_blend.h"
 #include "sim/emit/nebula/node_place.h"
 #include "sim/emit/nebula/node_shapes.h"
-#include "sim/scene/node_names.h"
+#include "sim/scene/structs/node_names.h"
 
 namespace vegard::sim {
 namespace {

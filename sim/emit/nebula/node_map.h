@@ -16,7 +16,7 @@
 
 #include "sim/emit/nebula/noise_octaves.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

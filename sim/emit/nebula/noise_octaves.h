@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/base/noise_lattice.h"
+#include "sim/base/number/noise_lattice.h"
 #include "sim/emit/nebula/node_shapes.h"
 
 namespace vegard::sim {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "sim/base/name_number.h"
+#include "sim/base/number/name_number.h"
 
 namespace vegard::sim {
 namespace {

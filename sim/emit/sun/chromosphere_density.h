@@ -5,17 +5,17 @@
 //   density   = F(x) + peak texel(latitude, longitude), 0 where that is negative;
 // without the cutoff x stands for F(x). The turbulence is that of M. Pharr and G. Humphreys, "Physically
 // based rendering" (2004), chapter 11, whose lattice is 1.99 and not 2 times finer by the octave so that the
-// zeros of the lattices do not fall together; n is the gradient noise of sim/base/noise_lattice.h.
+// zeros of the lattices do not fall together; n is the gradient noise of sim/base/number/noise_lattice.h.
 #pragma once
 
 #include <memory>
 #include <optional>
 
 #include "sim/base/image.h"
-#include "sim/base/noise_lattice.h"
+#include "sim/base/number/noise_lattice.h"
 #include "sim/emit/sun/latitude_map.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/light/emitter.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sim/base/dual.h"
 #include "sim/base/image.h"
+#include "sim/base/number/dual.h"
 
 namespace vegard::sim {
 

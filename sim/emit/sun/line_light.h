@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "sim/light/emitter.h"
-#include "sim/scene/scene.h"
-#include "sim/scene/solar_lines.h"
+#include "sim/scene/lines/solar_lines.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 
 /// `rayleigh` per line of the scene, or empty: dark. Of a temperature in MK that is not 0, lines that have a
-/// response to it are weakened by it (sim/scene/solar_lines.h).
+/// response to it are weakened by it (sim/scene/lines/solar_lines.h).
 template <class T>
 std::vector<T> line_light(const Scene& scene, const std::vector<double>& rayleigh,
                           const double& temperature_mk, const NumberAs<T>& number) {

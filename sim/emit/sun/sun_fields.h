@@ -6,7 +6,7 @@
 #include "sim/emit/sun/chromosphere_density.h"
 #include "sim/emit/sun/corona_source.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

@@ -12,7 +12,7 @@
 // Science Reviews 147, 31): a + b = 2 pi I0 ((1 - u) C + u D), (3 b - a) / 2 = pi I0 ((1 - u) A + u B).
 #pragma once
 
-#include "sim/base/dual.h"
+#include "sim/base/number/dual.h"
 
 namespace vegard::sim {
 

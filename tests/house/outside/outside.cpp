@@ -3,13 +3,13 @@
 #include <cstdio>
 #include <string>
 
-#include "fit/profile.h"
+#include "fit/measure/profile.h"
 #include "sim/base/embedded_table.h"
 #include "sim/base/error.h"
-#include "sim/base/image_io.h"
+#include "sim/base/picture/image_io.h"
 #include "sim/render/render.h"
-#include "sim/scene/scene_toml.h"
-#include "sim/view/transfer_curve.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/view/sensor/transfer_curve.h"
 
 namespace {
 

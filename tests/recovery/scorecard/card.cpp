@@ -4,7 +4,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "fit/csv_text.h"
+#include "sim/base/file/csv_text.h"
 
 namespace vegard::scorecard {
 namespace {

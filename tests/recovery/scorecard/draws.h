@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "sim/base/normal_quantile.h"
-#include "sim/base/random.h"
+#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/random.h"
 
 namespace vegard::scorecard {
 

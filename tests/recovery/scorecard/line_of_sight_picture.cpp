@@ -10,7 +10,7 @@
 #include "sim/light/sheet_profile.h"
 #include "sim/render/film.h"
 #include "sim/render/render.h"
-#include "sim/view/camera.h"
+#include "sim/view/camera/camera.h"
 #include "tests/recovery/scorecard/footprint.h"
 
 namespace vegard::scorecard {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "sim/render/render.h"
-#include "sim/view/camera.h"
+#include "sim/view/camera/camera.h"
 #include "tests/recovery/scorecard/truth.h"
 #include "tests/support/line_of_sight.h"
 
@@ -44,7 +44,8 @@ TEST(LineOfSightPicture, IsThatOfTheSlowReference) {
           double d[3];
           for (int i = 0; i < 3; ++i)
             d[i] = view.camera_from_enu[0][i] * (x + 0.5 - 12.0) +
-                   view.camera_from_enu[1][i] * (y + part - 8.0) + view.camera_from_enu[2][i] * view.lens.focal_px;
+                   view.camera_from_enu[1][i] * (y + part - 8.0) +
+                   view.camera_from_enu[2][i] * view.lens.focal_px;
           const double size = std::hypot(d[0], d[1], d[2]);
           for (double& component : d) component /= size;
           expected += 0.5 * slow.rayleigh(d, line);

@@ -8,8 +8,8 @@
 #include <fstream>
 
 #include "fit/fit.h"
-#include "fit/photo.h"
-#include "sim/scene/scene_toml.h"
+#include "fit/photo/photo.h"
+#include "sim/scene/file/scene_toml.h"
 #include "tests/recovery/scorecard/photograph.h"
 #include "tests/recovery/scorecard/score.h"
 #include "tests/recovery/scorecard/truth.h"

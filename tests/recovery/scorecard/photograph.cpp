@@ -5,12 +5,12 @@
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 
-#include "sim/base/normal_quantile.h"
-#include "sim/base/random.h"
+#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/random.h"
 #include "sim/render/render.h"
-#include "sim/view/colour.h"
-#include "sim/view/line_colours.h"
-#include "sim/view/transfer_curve.h"
+#include "sim/view/colour/colour.h"
+#include "sim/view/colour/line_colours.h"
+#include "sim/view/sensor/transfer_curve.h"
 #include "tests/recovery/scorecard/line_of_sight_picture.h"
 
 namespace vegard::scorecard {

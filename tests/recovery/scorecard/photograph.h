@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 #include "tests/recovery/scorecard/truth.h"
 
 namespace vegard::scorecard {

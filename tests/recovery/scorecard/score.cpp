@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "fit/derived.h"
-#include "fit/free_parameters.h"
+#include "fit/answer/derived.h"
+#include "fit/parameters/free_parameters.h"
 #include "sim/base/earth.h"
 #include "sim/emit/aurora/beam.h"
-#include "sim/view/camera.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::scorecard {
 namespace {

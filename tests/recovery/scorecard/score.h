@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/fit_result.h"
+#include "fit/answer/fit_result.h"
 #include "tests/recovery/scorecard/card.h"
 #include "tests/recovery/scorecard/truth.h"
 

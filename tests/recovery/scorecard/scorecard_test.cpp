@@ -4,10 +4,10 @@
 #include <cmath>
 #include <fstream>
 
-#include "fit/derived.h"
-#include "fit/photo.h"
-#include "fit/profile.h"
-#include "sim/scene/scene_toml.h"
+#include "fit/answer/derived.h"
+#include "fit/measure/profile.h"
+#include "fit/photo/photo.h"
+#include "sim/scene/file/scene_toml.h"
 #include "tests/recovery/scorecard/card.h"
 #include "tests/recovery/scorecard/photograph.h"
 #include "tests/recovery/scorecard/score.h"

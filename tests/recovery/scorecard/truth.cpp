@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "sim/base/earth.h"
-#include "sim/scene/parameter_table.h"
-#include "sim/view/camera.h"
+#include "sim/scene/table/parameter_table.h"
+#include "sim/view/camera/camera.h"
 #include "tests/recovery/scorecard/draws.h"
 
 namespace vegard::scorecard {

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::scorecard {
 

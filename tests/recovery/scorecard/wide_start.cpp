@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "sim/scene/free_entry_keys.h"
-#include "sim/scene/parameter_table.h"
+#include "sim/scene/table/free_entry_keys.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::scorecard {
 namespace {

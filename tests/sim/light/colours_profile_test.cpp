@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sim/base/random.h"
+#include "sim/base/number/random.h"
 
 namespace vegard::sim {
 namespace {

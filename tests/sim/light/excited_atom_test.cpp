@@ -7,8 +7,8 @@
 #include <sstream>
 #include <string>
 
-#include "sim/base/normal_quantile.h"
-#include "sim/base/random.h"
+#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/random.h"
 #include "sim/light/height_profile.h"
 
 namespace vegard::sim {

@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "sim/base/csv_table.h"
+#include "sim/base/file/csv_table.h"
 #include "sim/light/height_profile.h"
 
 namespace vegard::sim {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sim/render/render.h"
-#include "sim/view/air.h"
+#include "sim/view/sky/air.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/small_scene.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/view/radiometry.h"
-#include "sim/view/transfer_curve.h"
+#include "sim/view/colour/radiometry.h"
+#include "sim/view/sensor/transfer_curve.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {

@@ -14,7 +14,7 @@
 #include <string>
 
 #include "sim/render/film.h"
-#include "sim/view/blur.h"
+#include "sim/view/film/blur.h"
 #include "tests/support/exposed.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/small_scene.h"

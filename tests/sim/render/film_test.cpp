@@ -9,7 +9,7 @@
 #include "sim/base/earth.h"
 #include "sim/emit/aurora/dipole.h"
 #include "sim/light/sheet_profile.h"
-#include "sim/render/kernel.h"
+#include "sim/render/beams/kernel.h"
 #include "tests/support/block_means.h"
 #include "tests/support/exposed.h"
 #include "tests/support/small_scene.h"

@@ -11,8 +11,8 @@
 
 #include "sim/base/earth.h"
 #include "sim/render/film.h"
-#include "sim/scene/forms.h"
-#include "sim/scene/scene_toml.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/forms.h"
 #include "tests/support/exposed.h"
 
 namespace vegard::sim {

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
+#include "sim/render/beams/points.h"
 #include "sim/render/film.h"
-#include "sim/render/points.h"
 #include "sim/render/render.h"
-#include "sim/view/camera.h"
+#include "sim/view/camera/camera.h"
 #include "tests/support/all_points.h"
 #include "tests/support/exposed.h"
 #include "tests/support/small_scene.h"

@@ -9,12 +9,12 @@
 #include <tuple>
 
 #include "sim/render/render.h"
-#include "sim/view/expected_counts.h"
-#include "sim/view/mosaic.h"
-#include "sim/view/sensor.h"
-#include "sim/view/sensor_scale.h"
-#include "sim/view/tone_curve.h"
-#include "sim/view/vignetting.h"
+#include "sim/view/colour/sensor_scale.h"
+#include "sim/view/sensor/expected_counts.h"
+#include "sim/view/sensor/mosaic.h"
+#include "sim/view/sensor/sensor.h"
+#include "sim/view/sensor/tone_curve.h"
+#include "sim/view/sensor/vignetting.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "sim/render/render.h"
-#include "sim/scene/parameter_table.h"
+#include "sim/scene/table/parameter_table.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "sim/view/transfer_curve.h"
+#include "sim/view/sensor/transfer_curve.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {

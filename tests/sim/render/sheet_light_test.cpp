@@ -9,7 +9,7 @@
 #include "sim/base/earth.h"
 #include "sim/emit/aurora/sheet_brightness.h"
 #include "sim/render/film.h"
-#include "sim/scene/scene_toml.h"
+#include "sim/scene/file/scene_toml.h"
 #include "tests/support/exposed.h"
 #include "tests/support/small_scene.h"
 

@@ -8,8 +8,8 @@
 
 #include "sim/render/film.h"
 #include "sim/render/render.h"
-#include "sim/scene/parameter_table.h"
-#include "sim/scene/scene.h"
+#include "sim/scene/structs/scene.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::sim {
 namespace {

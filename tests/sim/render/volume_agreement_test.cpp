@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/vdb_io.h"
+#include "sim/base/grid/vdb_io.h"
 #include "sim/render/film.h"
-#include "sim/render/scene_grid.h"
+#include "sim/render/volumes/scene_grid.h"
 #include "tests/support/exposed.h"
 #include "tests/support/temporary_folder.h"
 
@@ -124,7 +124,8 @@ TEST(VolumeAgreement, AFootprintOfASheetHasTheProfileOfItsBeams) {
   expect_like(beams(), profile(by_its_footprint(arc(100))), 0.003);
 }
 
-// The grid has the noise of the one seed it was made from, beside that of the mean of eight: three times the latter.
+// The grid has the noise of the one seed it was made from, beside that of the mean of eight: three times the
+// latter.
 TEST(VolumeAgreement, AGridOfASheetsBeamsHasTheirProfile) {
   const tests::TemporaryFolder folder;
   Beams of_eight = beams();

@@ -9,7 +9,7 @@
 #include "sim/render/film.h"
 #include "sim/render/literal_layer.h"
 #include "sim/render/render.h"
-#include "sim/view/composite.h"
+#include "sim/view/film/composite.h"
 
 namespace vegard::sim {
 namespace {

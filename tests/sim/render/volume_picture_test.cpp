@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "sim/base/image_io.h"
+#include "sim/base/picture/image_io.h"
 #include "sim/render/render.h"
 #include "tests/support/temporary_folder.h"
 

@@ -6,7 +6,7 @@
 
 #include "sim/emit/aurora/motion.h"
 #include "sim/emit/aurora/sheet.h"
-#include "sim/render/kernel_scene.h"
+#include "sim/render/beams/kernel_scene.h"
 #include "tests/support/one_sheet.h"
 #include "tests/support/small_scene.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "sim/base/random.h"
+#include "sim/base/number/random.h"
 #include "sim/emit/footprint/footprint_emitter.h"
 
 namespace vegard::sim::march_case {

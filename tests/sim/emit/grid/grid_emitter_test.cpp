@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "sim/emit/grid/grid_field.h"
-#include "sim/scene/site_axes.h"
+#include "sim/scene/structs/site_axes.h"
 #include "tests/support/expect_error.h"
 
 namespace vegard {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "sim/base/random.h"
+#include "sim/base/number/random.h"
 
 namespace vegard::sim {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "sim/base/random.h"
+#include "sim/base/number/random.h"
 #include "tests/support/one_nebula.h"
 
 namespace vegard::sim {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/random.h"
+#include "sim/base/number/random.h"
 #include "sim/emit/nebula/node_blend.h"
 #include "tests/support/one_nebula.h"
 

@@ -1,5 +1,5 @@
 #include "sim/emit/sun/chromosphere_density.h"
-#include "sim/base/name_number.h"
+#include "sim/base/number/name_number.h"
 
 #include <gtest/gtest.h>
 

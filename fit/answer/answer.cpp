@@ -1,0 +1,235 @@
+#include "fit/answer/answer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fit/answer/told_gains.h"
+#include "fit/measure/noise_model.h"
+#include "fit/parameters/turns.h"
+#include "fit/photo/grey_light.h"
+#include "fit/uncertainty/trade_off.h"
+#include "sim/scene/table/parameter_table.h"
+#include "sim/scene/table/value_words.h"
+#include "sim/view/colour/line_colours.h"
+#include "sim/view/sky/night_sky.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kStandsStill = 1e-6;  // of the start, or of one unit where that is more
+
+constexpr std::size_t kMostSentences = 4;
+
+/// A sentence for each direction in which the data say nothing, in the numbers' own units.
+std::vector<std::string> undetermined_words(const std::vector<SpokenNumber>& numbers,
+                                            const std::vector<std::vector<double>>& directions) {
+  std::vector<std::string> all;
+  for (const std::vector<double>& direction : directions) {
+    const std::string words = trade_off_words(numbers, direction);
+    if (!words.empty() && std::find(all.begin(), all.end(), words) == all.end()) all.push_back(words);
+  }
+  if (all.size() <= kMostSentences) return all;
+  const std::size_t more = all.size() - kMostSentences;
+  all.resize(kMostSentences);
+  all.push_back(std::to_string(more) + " more " + (more == 1 ? "change" : "changes") +
+                " that the data cannot tell");
+  return all;
+}
+
+}  // namespace
+
+ValueUncertainty put_parameters(const sim::Scene& scene, const std::vector<FreeNumber>& free,
+                                const std::vector<double>& values, const Uncertainty& u, bool stopped,
+                                FitResult& r) {
+  ValueUncertainty known{u.covariance, u.undetermined};
+  std::vector<double> slopes;
+  for (std::size_t j = 0; j < free.size(); ++j) {
+    const FreeNumber& n = free[j];
+    FittedParameter p;
+    p.path = n.label();
+    p.photo = n.photo;
+    p.unit = n.unit();
+    p.meaning = n.meaning();
+    p.value = without_turns(n, values[j]);
+    p.initial = n.start;
+    p.min = n.min;
+    p.max = n.max;
+    p.at_limit = n.at_limit(values[j]);
+    p.of_profile = n.key() == "spline_rate";
+    const double way = apart(n, values[j], n.start);
+    p.moved = way > kStandsStill * (n.logarithmic() ? std::abs(n.start) : std::max(1.0, std::abs(n.start)));
+    const double at = n.coordinate(values[j]);
+    slopes.push_back(n.slope(at));
+    const double sigma = u.sigma[j] * slopes[j];
+    if (std::isfinite(sigma)) {
+      p.sigma = sigma;
+      p.moved_sigma = way / sigma;
+      const double shift = p.value - values[j];
+      p.interval68 = {n.value(at - u.sigma[j]) + shift, n.value(at + u.sigma[j]) + shift};
+    } else {
+      p.why_no_sigma = stopped ? "the fit was interrupted" : why_undetermined(scene, free, values, u, j);
+    }
+    r.parameters.push_back(p);
+  }
+  r.correlation = u.correlation;
+  for (std::size_t j = 0; j < free.size(); ++j)
+    for (std::size_t k = 0; k < free.size(); ++k) known.covariance[j][k] *= slopes[j] * slopes[k];
+  for (std::vector<double>& direction : known.undetermined)
+    for (std::size_t j = 0; j < free.size(); ++j) direction[j] *= slopes[j];
+  const std::vector<SpokenNumber> spoken = spoken_numbers(scene, free, values);
+  std::vector<double> sigma;
+  for (std::size_t j = 0; j < free.size(); ++j) sigma.push_back(u.sigma[j] * slopes[j]);
+  r.trade_offs = strong_correlations(spoken, sigma, u.correlation);
+  r.undetermined = undetermined_words(spoken, known.undetermined);
+  return known;
+}
+
+std::vector<TiedNumber> tied_numbers(const ParameterMap& map, const std::vector<double>& values,
+                                     const sim::Scene& scene, const ValueUncertainty& known) {
+  std::vector<TiedNumber> result;
+  for (const ParameterMap::Dependent& d : map.dependents(values, scene)) {
+    TiedNumber tied{d.path.text, d.path.row->unit, d.path.row->meaning, d.equals, 0.0, {}};
+    tied.value = *sim::real_value(scene, d.path);
+    tied.sigma = combined_sigma(d.slopes, known);
+    result.push_back(tied);
+  }
+  return result;
+}
+
+void put_solution(const Comparison& comparison, const Comparison::Point& point, const ValueUncertainty& known,
+                  double error_inflation, FittedPhoto& r) {
+  const LinearPart& linear = comparison.linear();
+  const GainLayout& gains = comparison.gains();
+  const LinearSolution& solution = point.solution;
+  const std::vector<double> variance =
+      linear.coefficient_variance(point.aurora, solution, error_inflation, known.covariance);
+  static const char* const kChannel[3] = {"red", "green", "blue"};
+  const auto solved = [&](const std::string& name, int j) {
+    SolvedNumber s{name, solution.coefficients[j], {}};
+    if (variance[j] > 0.0) s.sigma = std::sqrt(variance[j]);
+    r.solved.push_back(s);
+  };
+  const bool grey = is_grey(r.best);
+  for (int b = 0; b < (gains.per_band ? gains.bands : 1); ++b)
+    for (int c = 0; c < (gains.per_channel ? 3 : 1); ++c) {
+      if (gains.per_channel && !has_channel(r.best, c)) continue;
+      solved(std::string("gain") + (gains.per_band ? ".band_" + std::to_string(b) : "") +
+                 (gains.per_channel ? std::string(".") + kChannel[c] : ""),
+             gains.column(b, c));
+    }
+  r.gain.assign(r.data.bands, std::vector<double>(3));
+  std::vector<std::vector<bool>> told(r.data.bands, std::vector<bool>(3));
+  bool any_told = false;
+  for (int b = 0; b < r.data.bands; ++b)
+    for (int c = 0; c < 3; ++c) {
+      const int column =
+          gains.column(b, grey ? kGreyChannel : c);  // of a grey sensor the others hold nothing
+      r.gain[b][c] = solution.coefficients[column];
+      told[b][c] = is_told(r.gain[b][c], std::sqrt(std::max(0.0, variance[column])));
+      any_told = any_told || told[b][c];
+    }
+  // Where bands have skies of their own, one that has next to no light may have any gain, and does not count.
+  const bool told_ones = linear.skies() > 1 && any_told;
+  double sum = 0.0, lit = 0.0;
+  for (int b = 0; b < r.data.bands; ++b)
+    for (int c = 0; c < 3; ++c)
+      if (told_ones ? told[b][c] : r.gain[b][c] > 0.0) {
+        sum += r.gain[b][c];
+        lit += 1.0;
+      }
+  if (lit > 0.0) {
+    // The night sky's lights keep the brightness that they had in the fit.
+    if (sim::has_night_sky(r.best))
+      r.best.sky.lights_gain *= sim::gain_per_kilorayleigh(r.best) / (sum / lit);
+    r.best.sensor.exposure = "gain";  // found, in place of what the camera's settings say
+    r.best.sensor.gain_per_kilorayleigh = sum / lit;
+  }
+  static const char* const kTerm[3] = {"level", "gradient", "curvature"};
+  std::array<double, 3>* const terms[3] = {&r.best.sky.level, &r.best.sky.gradient, &r.best.sky.curvature};
+  // Skies of bands run along their profiles, which the picture's does not: it has their mean level.
+  const int skies = linear.skies();
+  for (int t = 0; t < 3; ++t)
+    for (int c = 0; c < 3; ++c) {
+      const bool is_solved = t < linear.sky_terms();
+      (*terms[t])[c] = is_solved && skies == 1 ? solution.coefficients[linear.sky(t, c)] : 0.0;
+      double levels = 0.0;
+      int seen = 0;
+      for (int b = 0; b < skies && is_solved && has_channel(r.best, c); ++b) {
+        if (skies > 1 && variance[linear.sky(t, c, b)] <= 0.0) continue;  // nothing was told of it
+        levels += solution.coefficients[linear.sky(t, c, b)];
+        ++seen;
+        solved(std::string("sky.") + (skies > 1 ? "band_" + std::to_string(b) + "." : "") + kTerm[t] + "." +
+                   kChannel[c],
+               linear.sky(t, c, b));
+      }
+      if (skies > 1 && t == 0 && seen > 0) (*terms[t])[c] = levels / seen;
+    }
+  // A grey sensor's channels are one, which was solved for.
+  if (grey)
+    for (std::array<double, 3>* term : terms) term->fill((*term)[kGreyChannel]);
+  for (const Statistic::Solved& s : comparison.solved_by_statistics(r.best)) {
+    r.solved.push_back({s.name, s.value, {}});
+    if (s.sigma > 0.0) r.solved.back().sigma = s.sigma;
+  }
+}
+
+sim::PhotoEntry entry_of_best(const sim::PhotoEntry& entry, const FittedPhoto& fitted,
+                              const std::vector<FreeNumber>& free,
+                              const std::vector<FittedParameter>& parameters) {
+  sim::PhotoEntry best = entry;
+  const auto set = [&](const std::string& path, const std::string& value) {
+    const auto has_path = [&](const auto& pair) { return pair.first == path; };
+    best.set.erase(std::remove_if(best.set.begin(), best.set.end(), has_path), best.set.end());
+    best.set.emplace_back(path, value);
+  };
+  for (std::size_t j = 0; j < free.size(); ++j) {
+    const auto set_at = [&](const sim::ParameterPath& path, const std::string& photo) {
+      if (photo == entry.name) set(path.text, sim::real_text(parameters[j].value));
+    };
+    set_at(free[j].path, free[j].photo);
+    for (const FreePlace& place : free[j].also) set_at(place.path, place.photo);
+  }
+  for (const char* key : {"sensor.exposure", "sensor.gain_per_kilorayleigh", "sky.level", "sky.gradient",
+                          "sky.curvature", "sky.lights_gain"})
+    for (const sim::ParameterPath& path : sim::resolve(fitted.best, key))
+      set(path.text, sim::value_text(fitted.best, path));
+  return best;
+}
+
+namespace {
+
+/// The most light that the model has before its bands' skies, in bands of which the gain is told.
+double peak_before_skies(const FittedPhoto& r) {
+  double peak = 0.0;
+  const std::vector<std::vector<bool>> told = told_gains(r);
+  for (int b = 0; b < r.data.bands; ++b)
+    for (int row = 0; row < r.data.rows; ++row)
+      for (int c = 0; c < 3; ++c) {
+        const std::size_t i = r.data.index(b, row, c);
+        if (r.sigma[i] > 0.0 && told[b][c]) peak = std::max(peak, r.model[i] - r.behind[i]);
+      }
+  return peak;
+}
+
+}  // namespace
+
+double rms_over_peak(const FittedPhoto& r) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < r.model.size(); ++i) {
+    if (r.sigma[i] <= 0.0) continue;
+    sum += std::pow(r.data.mean[i] - r.model[i], 2);
+    ++count;
+  }
+  if (count == 0) return 0.0;
+  const double rms = std::sqrt(sum / static_cast<double>(count));
+  if (r.best.fit.band_sky) {
+    const double peak = peak_before_skies(r);
+    return peak > 0.0 ? rms / peak : std::numeric_limits<double>::infinity();
+  }
+  const double peak = profile_peak(r.data);
+  return peak > 0.0 ? rms / peak : 0.0;
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,277 @@
+#include "fit/answer/derived.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "sim/base/earth.h"
+#include "sim/emit/aurora/foot_line.h"
+#include "sim/light/electron_spectrum.h"
+#include "sim/light/line_light.h"
+#include "sim/scene/lines/emission_lines.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kGreenNm = 557.7, kRedNm = 630.0, kBlueNm = 427.8;
+constexpr double kLeastRatio = 5.2, kMostRatio = 31.4;
+
+double wavelength_ratio(const sim::Sheet& sheet) { return sheet.wavelength_km / (2.0 * sheet.thickness_km); }
+
+/// What a number will be called, and the words for when it has no value.
+struct Label {
+  std::string name, unit, why_none;
+  bool is_detail = false;
+};
+
+/// Numbers that are worked out together.
+struct Group {
+  std::vector<Label> labels;
+  DeltaMethod::Numbers numbers;  ///< as many as labels
+};
+
+Group one(const Label& label, const std::function<double(const sim::Scene&)>& number) {
+  return {{label}, [number](const sim::Scene& x) { return std::vector<double>{number(x)}; }};
+}
+
+/// A number that nothing can be said of.
+Group none(const Label& label) {
+  return one(label, [](const sim::Scene&) { return kNaN; });
+}
+
+void add_energies(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
+  const sim::Sheet& sheet = best.sheets[s];
+  // A form has an energy for its steps and its power, but its light does not tell it.
+  if (!sim::mean_energy_kev(sheet) || sheet.profile == "form") {
+    groups.push_back(
+        none({"mean electron energy" + of, "keV", "the height profile is not that of known electrons"}));
+    return;
+  }
+  // For mono-energetic and Gaussian electrons it is the mean energy itself.
+  if (sheet.profile == "maxwellian")
+    groups.push_back(one({"characteristic energy E0" + of, "keV", ""},
+                         [s](const sim::Scene& x) { return x.sheets[s].energy_kev; }));
+  groups.push_back(one({"mean electron energy" + of, "keV", ""},
+                       [s](const sim::Scene& x) { return *sim::mean_energy_kev(x.sheets[s]); }));
+}
+
+/// Altitudes of the line that tells the border, the peaks of all lines.
+void add_altitudes(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
+  const double border = border_line_nm(best, s);
+  std::vector<double> lines;
+  if (border > 0.0) lines.push_back(border);
+  for (const double line : best.emission.lines)
+    if (sim::line_index(lines, line) < 0 && has_line(line, best, s)) lines.push_back(line);
+  for (const double nm : lines) {
+    const std::string line = line_words(nm);
+    const bool is_detail = nm != border;
+    Group group{
+        {{"peak altitude of " + line + of, "km", "it is brightest at an end of its profile", is_detail}}, {}};
+    if (!is_detail) {
+      group.labels.push_back({"lower border of " + line + " (a tenth of the peak)" + of, "km",
+                              "the light has not fallen to a tenth at 80 km, where its profile ends"});
+      group.labels.push_back({"half-width of " + line + " below its peak" + of, "km", "", true});
+      group.labels.push_back({"half-width of " + line + " above its peak" + of, "km", "", true});
+    }
+    group.numbers = [nm, s, is_detail](const sim::Scene& x) {
+      const LineLight light = line_light(nm, x, s);
+      std::vector<double> numbers = {light.peak_at_an_end ? kNaN : light.peak_km};
+      if (!is_detail)
+        numbers.insert(numbers.end(), {light.lower_border_km, light.half_below_km, light.half_above_km});
+      return numbers;
+    };
+    groups.push_back(std::move(group));
+  }
+}
+
+void add_ratios(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
+  for (const double nm : {kRedNm, kBlueNm}) {
+    const Label label{fmt::format("I({:.1f})/I({:.1f}) along the field{}", nm, kGreenNm, of), "", ""};
+    Label absent = label;
+    for (const double needed : {nm, kGreenNm})
+      if (!has_line(needed, best, s)) absent.why_none = "the height profile has no " + line_words(needed);
+    if (!absent.why_none.empty()) {
+      groups.push_back(none(absent));
+      continue;
+    }
+    absent.why_none = "557.7 nm is dark";
+    groups.push_back(one(absent, [nm, s](const sim::Scene& x) {
+      const double green = line_light(kGreenNm, x, s).column_rayleigh;
+      return green > 0.0 ? line_light(nm, x, s).column_rayleigh / green : kNaN;
+    }));
+  }
+}
+
+void add_feet(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
+  if (!is_latitude_given(best)) {
+    groups.push_back(none({"geographic coordinates of the feet" + of, "deg",
+                           "the site is not given: site.latitude_deg and site.longitude_deg"}));
+    return;
+  }
+  const std::string beyond = "the foot lies beyond the edge of the Earth";
+  const bool with_longitude = is_longitude_given(best);
+  Group group;
+  for (const char* which : {"the nearest foot", "the middle foot", "the first foot", "the last foot"}) {
+    const bool is_detail = which != std::string("the nearest foot");
+    const std::string foot = std::string(" of ") + which + of;
+    group.labels.push_back({"latitude" + foot, "deg", beyond, is_detail});
+    if (!with_longitude) continue;
+    group.labels.push_back({"longitude" + foot, "deg", beyond, is_detail});
+    group.labels.push_back({"geomagnetic latitude" + foot, "deg", beyond, is_detail});
+  }
+  group.numbers = [s, with_longitude](const sim::Scene& x) {
+    const FootPoints feet = foot_points(x.sheets[s], x.time.start_s);
+    std::vector<double> numbers;
+    for (const sim::EastNorth& foot : {feet.nearest, feet.middle, feet.start, feet.end}) {
+      const PlaceOnEarth place = place_of_foot(x, foot);
+      numbers.push_back(place.latitude_deg);
+      if (!with_longitude) continue;
+      // Differences go by the longitude from the site, which does not jump at 180 degrees.
+      numbers.push_back(x.site.longitude_deg + place.longitude_from_site_deg);
+      numbers.push_back(place.magnetic_latitude_deg);
+    }
+    return numbers;
+  };
+  groups.push_back(std::move(group));
+  if (!with_longitude)
+    groups.push_back(none(
+        {"longitude and geomagnetic latitude of the feet" + of, "deg", "site.longitude_deg is not given"}));
+}
+
+/// Of a curve that is drawn; the box's middle is added to its points.
+double nearest_on_spline_km(const sim::Footprint& f) {
+  double nearest = std::numeric_limits<double>::infinity();
+  const std::size_t points = std::min(f.east_km.size(), f.north_km.size());
+  const auto point = [&](std::size_t i) {
+    return sim::EastNorth{f.center_km.east + f.east_km[i % points],
+                          f.center_km.north + f.north_km[i % points]};
+  };
+  for (std::size_t i = 0; i + (f.closed ? 0 : 1) < points; ++i) {
+    const sim::EastNorth a = point(i), b = point(i + 1);
+    const double east = b.east - a.east, north = b.north - a.north;
+    const double square = east * east + north * north;
+    const double t = square > 0.0 ? std::clamp(-(a.east * east + a.north * north) / square, 0.0, 1.0) : 0.0;
+    nearest = std::min(nearest, std::hypot(a.east + t * east, a.north + t * north));
+  }
+  return nearest;
+}
+
+void add_footprints(const sim::Scene& best, std::vector<Group>& groups) {
+  for (std::size_t i = 0; i < best.footprints.size(); ++i) {
+    const sim::Footprint& footprint = best.footprints[i];
+    const std::string of = " of the " + footprint.name + " footprint";
+    if (footprint.shape == "box" && footprint.source == "spline")
+      groups.push_back(one({"distance" + of, "km", ""},
+                           [i](const sim::Scene& x) { return nearest_on_spline_km(x.footprints[i]); }));
+    if (footprint.profile == "maxwellian")
+      groups.push_back(one({"characteristic energy E0" + of, "keV", ""},
+                           [i](const sim::Scene& x) { return x.footprints[i].energy_kev; }));
+  }
+}
+
+std::vector<Group> groups_of(const sim::Scene& best) {
+  std::vector<Group> groups;
+  for (int s = 0; s < static_cast<int>(best.sheets.size()); ++s) {
+    const std::string of = " of the " + best.sheets[s].name + " sheet";
+    groups.push_back(one({"distance" + of, "km", ""}, [s](const sim::Scene& x) {
+      return nearest_distance_km(x.sheets[s], x.time.start_s);
+    }));
+    add_energies(best, s, of, groups);
+    add_altitudes(best, s, of, groups);
+    add_ratios(best, s, of, groups);
+    if (best.sheets[s].layers > 1)
+      groups.push_back(one({"largest distance between the boundaries" + of, "km", "", true},
+                           [s](const sim::Scene& x) { return boundary_separation_km(x.sheets[s]); }));
+    groups.push_back(one({"wavelength over twice the amplitude" + of, "", "", true},
+                         [s](const sim::Scene& x) { return wavelength_ratio(x.sheets[s]); }));
+    add_feet(best, s, of, groups);
+  }
+  add_footprints(best, groups);
+  return groups;
+}
+
+bool is_longitude(const Label& label) { return label.name.compare(0, 9, "longitude") == 0; }
+
+}  // namespace
+
+double nearest_distance_km(const sim::Sheet& sheet, double instant_s) {
+  const sim::EastNorth foot = foot_points(sheet, instant_s).nearest;
+  return std::hypot(foot.east, foot.north);
+}
+
+double lower_border_km(double wavelength_nm, const sim::Scene& scene, int sheet) {
+  return line_light(wavelength_nm, scene, sheet).lower_border_km;
+}
+
+HalfWidths half_widths_km(double wavelength_nm, const sim::Scene& scene, int sheet) {
+  const LineLight light = line_light(wavelength_nm, scene, sheet);
+  return {light.half_below_km, light.half_above_km};
+}
+
+double peak_altitude_km(double wavelength_nm, const sim::Scene& scene, int sheet) {
+  return line_light(wavelength_nm, scene, sheet).peak_km;
+}
+
+double boundary_separation_km(const sim::Sheet& sheet) {
+  return 2.0 * sheet.thickness_km * std::abs(std::sin(0.5 * sheet.phase_shift_rad));
+}
+
+std::vector<std::string> unusual_sheets(const sim::Scene& scene) {
+  std::vector<std::string> notes;
+  for (const sim::Sheet& sheet : scene.sheets) {
+    const double ratio = wavelength_ratio(sheet);
+    if (ratio >= kLeastRatio && ratio <= kMostRatio) continue;
+    notes.push_back(fmt::format(
+        "the wavelength of the {} sheet is {:.3g} times twice its amplitude; nature prefers {} to {}",
+        sheet.name, ratio, kLeastRatio, kMostRatio));
+  }
+  return notes;
+}
+
+std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::vector<FreeNumber>& free,
+                                           const std::vector<double>& values, const ValueUncertainty& known) {
+  const DeltaMethod estimates(best, free, values, known);
+  std::vector<DerivedNumber> result;
+  for (const Group& group : groups_of(best)) {
+    const std::vector<DeltaMethod::Estimate> found = estimates(group.numbers);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const Label& label = group.labels[i];
+      DerivedNumber d{label.name, found[i].value, {}, label.unit, {}, {}, label.is_detail};
+      if (!std::isfinite(d.value)) {
+        d.value = kNaN;
+        d.why_none = label.why_none;
+      } else {
+        if (is_longitude(label)) d.value = wrapped_longitude_deg(d.value);
+        d.sigma = found[i].sigma;
+        if (!d.sigma)
+          d.why_no_sigma = found[i].moves ? "the data do not determine it" : "it follows from what was fixed";
+      }
+      result.push_back(std::move(d));
+    }
+  }
+  return result;
+}
+
+std::vector<FootBand> foot_bands(const sim::Scene& best, const std::vector<FreeNumber>& free,
+                                 const std::vector<double>& values, const ValueUncertainty& known) {
+  const DeltaMethod estimates(best, free, values, known);
+  std::vector<FootBand> bands;
+  for (std::size_t s = 0; s < best.sheets.size(); ++s) {
+    FootBand band{best.sheets[s].name, band_places_km(best.sheets[s]), {}};
+    for (const DeltaMethod::Estimate& aside : estimates([&](const sim::Scene& x) {
+           return aside_km(best.sheets[s], x.sheets[s], x.time.start_s, band.along_km);
+         })) {
+      if (!aside.sigma) break;
+      band.sigma_km.push_back(*aside.sigma);
+    }
+    if (band.sigma_km.size() != band.along_km.size()) band.sigma_km.clear();
+    bands.push_back(std::move(band));
+  }
+  return bands;
+}
+
+}  // namespace vegard::fit

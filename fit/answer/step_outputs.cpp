@@ -1,0 +1,76 @@
+#include "fit/answer/step_outputs.h"
+
+namespace vegard::fit {
+namespace {
+
+using Rows = std::vector<std::vector<double>>;
+
+std::vector<double> flat(const Rows& rows) {
+  std::vector<double> all;
+  for (const std::vector<double>& row : rows) all.insert(all.end(), row.begin(), row.end());
+  return all;
+}
+
+Rows rows_of(const std::vector<double>& all, std::size_t length) {
+  Rows rows;
+  for (std::size_t at = 0; length > 0 && at + length <= all.size(); at += length)
+    rows.emplace_back(all.begin() + static_cast<std::ptrdiff_t>(at),
+                      all.begin() + static_cast<std::ptrdiff_t>(at + length));
+  return rows;
+}
+
+std::string named(const std::string& part, std::size_t i) { return part + " " + std::to_string(i); }
+
+}  // namespace
+
+StepOutput output_of(const SearchOutcome& outcome) {
+  StepOutput output = output_of(outcome.best);
+  output.numbers["chi2 at the start"] = {outcome.chi2_initial};
+  output.numbers["others"] = {static_cast<double>(outcome.others.size())};
+  for (std::size_t i = 0; i < outcome.others.size(); ++i) {
+    const StepOutput other = output_of(outcome.others[i]);
+    for (const auto& [key, values] : other.numbers) output.numbers[named(key, i)] = values;
+    for (const auto& [key, words] : other.words) output.words[named(key, i)] = words;
+    for (const auto& [key, flag] : other.flags) output.flags[named(key, i)] = flag;
+  }
+  return output;
+}
+
+SearchOutcome search_outcome_of(const StepOutput& output) {
+  SearchOutcome outcome;
+  outcome.best = descent_of(output);
+  outcome.chi2_initial = output.numbers.at("chi2 at the start").at(0);
+  const auto others = static_cast<std::size_t>(output.numbers.at("others").at(0));
+  // A descent's keys, from the best's.
+  const StepOutput keys = output_of(outcome.best);
+  for (std::size_t i = 0; i < others; ++i) {
+    StepOutput other;
+    for (const auto& [key, values] : keys.numbers) other.numbers[key] = output.numbers.at(named(key, i));
+    for (const auto& [key, words] : keys.words) other.words[key] = output.words.at(named(key, i));
+    for (const auto& [key, flag] : keys.flags) other.flags[key] = output.flags.at(named(key, i));
+    outcome.others.push_back(descent_of(other));
+  }
+  return outcome;
+}
+
+StepOutput output_of(const Uncertainty& u) {
+  StepOutput output;
+  output.numbers["sigma"] = u.sigma;
+  output.numbers["correlation"] = flat(u.correlation);
+  output.numbers["covariance"] = flat(u.covariance);
+  output.numbers["undetermined"] = flat(u.undetermined);
+  output.numbers["inflation"] = {u.inflation};
+  return output;
+}
+
+Uncertainty uncertainty_of(const StepOutput& output) {
+  Uncertainty u;
+  u.sigma = output.numbers.at("sigma");
+  u.correlation = rows_of(output.numbers.at("correlation"), u.sigma.size());
+  u.covariance = rows_of(output.numbers.at("covariance"), u.sigma.size());
+  u.undetermined = rows_of(output.numbers.at("undetermined"), u.sigma.size());
+  u.inflation = output.numbers.at("inflation").at(0);
+  return u;
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,215 @@
+#include "fit/answer/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/answer/derived.h"
+#include "fit/answer/what_shines.h"
+#include "sim/base/file/number_text.h"
+#include "sim/base/file/short_path.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kLeastChi2 = 0.3, kMostChi2 = 3.0;
+constexpr double kMostRms = 0.10;
+constexpr double kIndependentPerParameter = 10.0;
+constexpr double kLeastGain = 0.5;  // of the chi2 that a dark sky leaves
+constexpr double kLevelCosine =
+    0.02;  // moving one parameter could take 0.04 % off chi2; a descent ends at 0.003 %
+constexpr double kNoRise = 1e-6;  // of chi2 at the start: rounding
+
+std::string joined(const std::vector<std::string>& reasons) {
+  std::string text;
+  for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
+  return text;
+}
+
+/// Asks questions and keeps the answers.
+class Checks {
+ public:
+  explicit Checks(FitResult& result) : result_(result) {
+    result_.checks.clear();
+    result_.reasons.clear();
+  }
+
+  /// Passed unless something speaks against it: then that becomes reasons of the verdict.
+  void ask(const std::string& name, const std::string& found, const std::vector<std::string>& against) {
+    result_.checks.push_back({name, against.empty(), against.empty() ? found : joined(against)});
+    result_.reasons.insert(result_.reasons.end(), against.begin(), against.end());
+  }
+
+  void ask(const std::string& name, const std::string& found, bool passed, const std::string& against) {
+    ask(name, found, passed ? std::vector<std::string>() : std::vector<std::string>{against});
+  }
+
+ private:
+  FitResult& result_;
+};
+
+std::string number_of(std::size_t count, const char* thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+/// That the way of the search leads somewhere: down, to a level place.
+void ask_of_the_way(const FitResult& r, Checks& checks) {
+  if (std::isfinite(r.chi2_initial) && r.chi2_initial > 0.0)
+    checks.ask(
+        "chi2 fell",
+        fmt::format("from {} at the start to {}", short_number(r.chi2_initial, 4), short_number(r.chi2, 4)),
+        r.chi2 <= (1.0 + kNoRise) * r.chi2_initial,
+        fmt::format("chi2 is {} and was {} at the start: the search has lost its way",
+                    short_number(r.chi2, 4), short_number(r.chi2_initial, 4)));
+  if (std::isfinite(r.steepest_cosine)) {
+    const std::string share =
+        fmt::format("{} %", short_number(100.0 * r.steepest_cosine * r.steepest_cosine, 2));
+    checks.ask("level at the end", "moving any one parameter could take no more than " + share + " off chi2",
+               r.steepest_cosine <= kLevelCosine,
+               "chi2 still falls at the end: moving one parameter could take " + share + " off it");
+  }
+}
+
+/// That the model is as good as the data ask for.
+void ask_of_the_misfit(const Evidence& evidence, const FitResult& r, Checks& checks) {
+  const double reduced = r.dof > 0 ? r.chi2 / r.dof : 0.0;
+  std::vector<std::string> against;
+  if (reduced > kMostChi2)
+    against.push_back(
+        fmt::format("chi2 per degree of freedom is {:.2g}: the model misses something in the data", reduced));
+  checks.ask("chi2 per degree of freedom", fmt::format("{:.2f}", reduced), against);
+  const double percent = 100.0 * r.rms_over_peak;
+  // Of a profile that is looked at, compared by itself or not.
+  if (std::isfinite(evidence.chi2_without_aurora))
+    checks.ask("rms residual", fmt::format("{:.1f} % of the profile's peak", percent),
+               !(r.rms_over_peak > kMostRms),
+               fmt::format("the rms residual is {:.1f} % of the profile's peak", percent));
+  const double together = r.error_inflation * r.error_inflation / std::max(1.0, reduced);
+  const double independent = r.dof / std::max(1.0, together);
+  const double unknowns =
+      evidence.unknowns > 0.0 ? evidence.unknowns : static_cast<double>(r.parameters.size());
+  checks.ask(
+      "independent values", fmt::format("{:.0f}", independent),
+      independent >= kIndependentPerParameter * unknowns,
+      fmt::format("the residuals form patterns, worth no more than {:.0f} independent values: see where "
+                  "model and photograph differ",
+                  independent));
+}
+
+/// Each change that the data cannot tell is told once, then all that lean on one. Why each of them does
+/// stands beside it in the report.
+std::vector<std::string> without_error_bar(const FitResult& r) {
+  std::vector<std::string> names;
+  std::size_t coefficients = 0;
+  for (const FittedParameter& p : r.parameters) {
+    if (p.sigma) continue;
+    if (p.of_profile)
+      ++coefficients;
+    else
+      names.push_back(short_path(p.path, r.best.sheets.size() == 1));
+  }
+  if (coefficients > 0) names.push_back(number_of(coefficients, "coefficient") + " of free-form profiles");
+  if (names.empty()) return {};
+  std::vector<std::string> reasons = r.undetermined;
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    list += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  reasons.push_back("no error bar for " + list);
+  return reasons;
+}
+
+/// That every parameter is found, not merely left somewhere.
+void ask_of_the_parameters(const FitResult& r, Checks& checks) {
+  std::vector<std::string> at_limit, standing;
+  std::size_t moved = 0;
+  for (const FittedParameter& p : r.parameters) {
+    moved += p.moved;
+    if (p.at_limit) at_limit.push_back(p.path + " is at a limit");
+    if (!p.moved && p.sigma)
+      standing.push_back(p.path + " did not move from its start, though the data have a say in it");
+  }
+  const bool started_at_answer = moved == 0 && r.steepest_cosine <= kLevelCosine;
+  if (started_at_answer) standing.clear();
+  const std::string all = number_of(r.parameters.size(), "parameter");
+  checks.ask("moved",
+             started_at_answer ? "nothing: the start was the answer" : fmt::format("{} of {}", moved, all),
+             standing);
+  checks.ask("inside the limits", all, at_limit);
+  checks.ask("error bars", all, without_error_bar(r));
+}
+
+}  // namespace
+
+const char* verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::good:
+      return "good";
+    case Verdict::doubtful:
+      return "doubtful";
+    case Verdict::failed:
+      return "failed";
+    case Verdict::interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+void judge(const Evidence& evidence, FitResult& result) {
+  std::vector<std::string>& reasons = result.reasons;
+  Checks checks(result);
+  const double reduced = result.dof > 0 ? result.chi2 / result.dof : 0.0;
+  if (!evidence.aurora_in_view && !evidence.stopped) {
+    result.verdict = Verdict::failed;
+    checks.ask("light in view", "", false,
+               "no light of the scene's " + sources_of(result.best) +
+                   " falls into the region of interest: check where they are and where the camera points");
+    result.verdict_line = "Do not believe it: " + reasons.front() + ".";
+    return;
+  }
+  result.checks.push_back({"converged", evidence.converged && !evidence.stopped, result.termination});
+  ask_of_the_way(result, checks);
+  ask_of_the_misfit(evidence, result, checks);
+  ask_of_the_parameters(result, checks);
+  if (!evidence.curve_words.empty())
+    checks.ask("transfer curve", evidence.curve_words, evidence.against_curve);
+  const std::string light = light_noun(result.best);
+  if (std::isfinite(evidence.chi2_without_aurora))
+    checks.ask(
+        light + " or none",
+        fmt::format("a sky without any {} has chi2 {}", light, short_number(evidence.chi2_without_aurora, 4)),
+        !(result.chi2 > kLeastGain * evidence.chi2_without_aurora),
+        "a sky without any " + light + " explains the data almost as well");
+  checks.ask("one answer", "no other end of the search explains the data as well", !evidence.second_mode,
+             evidence.second_mode_text);
+
+  if (evidence.stopped) {
+    result.verdict = Verdict::interrupted;
+    result.verdict_line = "Interrupted: the best point so far, not an answer.";
+  } else if (!evidence.converged) {
+    result.verdict = Verdict::failed;
+    if (evidence.out_of_evaluations)
+      reasons.insert(reasons.begin(), "the evaluations ran out (--max-evaluations)");
+    result.verdict_line = "Do not believe it: the search did not converge" +
+                          (reasons.empty() ? std::string() : "; " + joined(reasons)) + ".";
+  } else if (!reasons.empty()) {
+    result.verdict = Verdict::doubtful;
+    result.verdict_line = "Doubtful: " + joined(reasons) + ".";
+  } else {
+    result.verdict = Verdict::good;
+    result.verdict_line = fmt::format(
+        "Believable: converged, chi2 per degree of freedom {:.2f}, rms residual {:.1f} % of the peak, every "
+        "parameter determined and inside its limits.",
+        reduced, 100.0 * result.rms_over_peak);
+  }
+  // Worth knowing, and nothing against the answer: error bars are not made smaller for it.
+  std::vector<std::string> notes = unusual_sheets(result.best);
+  if (reduced < kLeastChi2)
+    notes.push_back(fmt::format(
+        "chi2 per degree of freedom is {:.2g}: fit.model_error is larger than what the model misses, so chi2 "
+        "proves little",
+        reduced));
+  reasons.insert(reasons.end(), notes.begin(), notes.end());
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,32 @@
+// Whether to believe a fit.
+#pragma once
+
+#include "fit/answer/fit_result.h"
+#include "fit/search/search.h"
+
+namespace vegard::fit {
+
+/// What the verdict is made from, beside the numbers already in the result.
+struct Evidence {
+  bool converged = false;
+  bool stopped = false;  ///< by the user
+  bool out_of_evaluations = false;
+  bool aurora_in_view = true;  ///< the model has any light in the region
+  double chi2_without_aurora = 0.0;
+  double unknowns = 0.0;     ///< that the data determine, where priors do the rest; 0: every parameter
+  bool second_mode = false;  ///< another valley explains the data almost as well
+  std::string second_mode_text;
+  std::string curve_words;  ///< what was found of an unknown transfer curve; empty: it is known
+  std::vector<std::string> against_curve;  ///< what speaks against that
+};
+
+/// Sets verdict, verdict_line, reasons and checks. Failed: not converged, or no light of the model in the
+/// region. Doubtful: chi2 no lower than at the start; an end that is not level (fit/search/steepest.h); chi2
+/// per degree of freedom outside 0.3-3; residuals that hang together so much that fewer than ten independent
+/// values are left per parameter; a parameter at a limit, without an error bar, or with one and yet where it
+/// started (unless all are, and the end is level: then the start was the answer); no clear gain over a sky
+/// without aurora; an rms residual above a tenth of the peak; a second mode; an unknown transfer curve that
+/// the data leave open. After the verdict's own reasons come notes that leave it as it is: unusual_sheets().
+void judge(const Evidence& evidence, FitResult& result);
+
+}  // namespace vegard::fit

@@ -1,0 +1,100 @@
+// What is linear in a photograph's mean light, solved exactly at every evaluation: exposure gains and the
+// sky.
+//
+// Variable projection with the full derivative (Golub and Pereyra 1973, doi:10.1137/0710036; Kaufman's
+// shortcut drops a term and fails the difference test): data = night sky + sum of gains * aurora + sky
+// level + sky gradient * place, where the night sky's known lights (ModelProfile::offset) have no gain.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "fit/compare/linear_bins.h"
+#include "fit/compare/statistic.h"
+#include "fit/model/profile_model.h"
+
+namespace vegard::fit {
+
+/// Which gains there are. One over all; one per band (rays are uneven); one per channel, or per band and
+/// channel, where the white balance is unknown.
+struct GainLayout {
+  int bands = 1;
+  bool per_band = false;
+  bool per_channel = false;
+  int count() const { return (per_band ? bands : 1) * (per_channel ? 3 : 1); }
+  int column(int band, int channel) const {
+    return (per_band ? band : 0) * (per_channel ? 3 : 1) + (per_channel ? channel : 0);
+  }
+};
+
+/// The solution for one aurora, and the whitened residuals it leaves.
+struct LinearSolution {
+  /// Gains, then per sky term (level, gradient, curvature) 3 channels, sky after sky.
+  std::vector<double> coefficients;
+  std::vector<bool> held;        ///< a gain that would be negative, or has no light to scale, is held at 0
+  std::vector<double> residual;  ///< (data - model) / sigma, one per used value
+  double chi2 = 0.0;
+};
+
+class LinearPart {
+ public:
+  /// `sky_terms`: 1 level, 2 and gradient, 3 and curvature. Values whose sigma is 0 are left out.
+  LinearPart(LinearBins bins, const GainLayout& gains, int sky_terms);
+  /// Of one profile alone.
+  LinearPart(const Profile& data, const std::vector<double>& sigma, const GainLayout& gains, int sky_terms,
+             int picture_height);
+
+  int residuals() const { return static_cast<int>(used_.size()); }
+  int coefficients() const { return sky(0, 0, skies()); }
+  /// How many of the coefficients any value has a part in: a channel that is not used has no sky.
+  int coefficients_in_use() const;
+  /// Index of a sky term of a channel among the coefficients.
+  int sky(int term, int channel, int which = 0) const {
+    return gains_.count() + 3 * (sky_terms_ * which + term) + channel;
+  }
+  int sky_terms() const { return sky_terms_; }
+  int skies() const { return bins_.skies; }                       ///< one, or one per band
+  const std::vector<std::size_t>& used() const { return used_; }  ///< indices into the bins' values
+
+  /// Solves the weighted least squares problem for this aurora.
+  LinearSolution solve(const ModelProfile& aurora) const;
+
+  /// d residual / d parameter of solve(aurora), row-major [residual][parameter], the change of the
+  /// coefficients included. aurora must carry derivatives.
+  void jacobian(const ModelProfile& aurora, const LinearSolution& solution, std::vector<double>& out) const;
+
+  /// The first `values` values' light of the aurora and behind it, with slopes if aurora has derivatives.
+  SolvedLight light(const ModelProfile& aurora, const LinearSolution& solution, std::size_t values) const;
+
+  /// Model in the data's units, at all values (also those not used).
+  std::vector<double> model(const ModelProfile& aurora, const LinearSolution& solution) const;
+
+  /// Variances of the coefficients: their own at fixed aurora, times inflation squared, and what they owe to
+  /// the free parameters' covariance [parameter][parameter]. 0 for a held gain and for a sky without data.
+  /// aurora must carry derivatives.
+  std::vector<double> coefficient_variance(const ModelProfile& aurora, const LinearSolution& solution,
+                                           double inflation,
+                                           const std::vector<std::vector<double>>& covariance) const;
+
+ private:
+  struct Normal;
+  Eigen::MatrixXd coefficient_slopes(const ModelProfile& aurora, const LinearSolution& solution,
+                                     const Normal& normal) const;
+  Normal normal_matrix(const ModelProfile& aurora, const std::vector<bool>& held) const;
+  std::array<double, 3> sky_basis(std::size_t bin) const;
+  int sky_of(std::size_t bin) const { return bins_.skies > 1 ? bins_.band[bin] : 0; }
+  std::vector<bool> seen() const;
+
+  LinearBins bins_;
+  GainLayout gains_;
+  int sky_terms_;
+  std::vector<std::size_t> used_;
+  struct Where {
+    int gain, level;            // coefficients; the level's fellow terms are 3 apart
+    std::array<double, 3> sky;  // the basis at this row
+  };
+  std::vector<Where> where_;  // of every used value
+};
+
+}  // namespace vegard::fit

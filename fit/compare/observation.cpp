@@ -1,0 +1,131 @@
+#include "fit/compare/observation.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "fit/measure/measured_profile.h"
+#include "fit/measure/noise_model.h"
+#include "fit/measure/realisation.h"
+#include "fit/measure/smoothing.h"
+#include "sim/base/error.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kSearchError = 0.1;  // the search weighs bright and dark alike
+constexpr double kSearchPeakShare = 0.5;
+
+void check_sizes(const sim::Scene& scene, const Photo& photo) {
+  if (photo.linear.width == scene.camera.width && photo.linear.height == scene.camera.height) return;
+  const auto size = [](int w, int h) { return std::to_string(w) + " x " + std::to_string(h); };
+  throw sim::Error(
+      sim::ErrorKind::scene,
+      {"the camera has " + size(scene.camera.width, scene.camera.height) + " pixels, " + photo.file_name +
+           " has " + size(photo.linear.width, photo.linear.height),
+       scene.file, 0, "camera.width", "the photograph's size", "set camera.width and camera.height"});
+}
+
+/// A film that counts points, or puts each into one cell, has no derivative by the points' places; nor has
+/// the physical blur any here.
+void check_film(const sim::Scene& scene) {
+  const auto refuse = [&](const std::string& key, const std::string& value, const char* needed,
+                          const char* hint) {
+    if (value == needed) return;
+    throw sim::Error(sim::ErrorKind::scene, {"\"" + value + "\" cannot be fitted", scene.file, 0, key,
+                                             "\"" + std::string(needed) + "\"", hint});
+  };
+  const char* literal = "the literal forward map is for rendering only";
+  refuse("film.weight", scene.film.weight, "rayleigh", literal);
+  refuse("film.splat", scene.film.splat, "bilinear", literal);
+  refuse("blur.model", scene.blur.model, "angle", "the physical blur is for rendering only");
+  for (const sim::Nebula& nebula : scene.nebulae)
+    refuse("nebula." + nebula.name + ".method", nebula.method, "physical",
+           "the literal march makes colours, not light that could be compared");
+}
+
+/// What the simulation's own sampling leaves in a profile, as a fraction of its brightness: beams are drawn,
+/// volumes are not.
+double sampling_error_of(const sim::Scene& scene, const Photo& photo, const Profile& data, int threads) {
+  if (scene.sheets.empty()) return 0.0;
+  std::array<ModelProfile, 2> samplings;
+  for (std::size_t i = 0; i < samplings.size(); ++i)
+    ProfileModel(scene, photo, data.region, data.bands, 1.0, kProfileSmoothing_px, threads, i)
+        .evaluate(scene, samplings[i]);
+  return sampling_error(samplings[0].value, samplings[1].value, data.bands);
+}
+
+/// The photograph's noise and structure that the model does not have, of which `model_error` is a share, in
+/// quadrature.
+std::vector<double> whole_sigma(const sim::Scene& scene, const Photo& photo, const Profile& data,
+                                double model_error) {
+  std::vector<double> sigma = profile_sigma(data, model_error);
+  if (scene.fit.profile_along != "columns") return sigma;
+  const std::vector<double> of_rays = realisation_sigma(photo, data.region, data.bands, kProfileSmoothing_px);
+  for (std::size_t i = 0; i < sigma.size(); ++i)
+    if (sigma[i] > 0.0) sigma[i] = std::hypot(sigma[i], of_rays[i]);
+  return sigma;
+}
+
+double weights(const std::vector<double>& sigma) {
+  double sum = 0.0;
+  for (const double s : sigma)
+    if (s > 0.0) sum += 1.0 / (s * s);
+  return sum;
+}
+
+/// The photograph's profile and its noise, and the comparison for the last word.
+void look_closely(const Profile& data, int threads, Observation& o) {
+  o.sum_of_weights = weights(whole_sigma(o.scene, *o.photo, data, o.scene.fit.model_error));
+  const double model_error = std::hypot(o.scene.fit.model_error, o.sampling_error);
+  o.full = std::make_unique<Comparison>(
+      o.scene, *o.photo, data, whole_sigma(o.scene, *o.photo, data, model_error),
+      Comparison::Resolution{1.0, kProfileSmoothing_px, threads, Statistics::ModelError{model_error}});
+}
+
+}  // namespace
+
+Observation observed(const sim::Scene& scene, const Photo& photo, int threads, const PhotoFrame& frame) {
+  check_sizes(scene, photo);
+  check_film(scene);
+  Observation o;
+  o.photo = &photo;
+  o.scene = scene;
+  o.frame = frame;
+  o.region = checked_region(scene.fit.roi_px, photo.linear.width, photo.linear.height);
+  const Profile rows =
+      measured_profile(scene, photo, std::make_shared<const BinGrid>(profile_bins(scene, o.region)));
+  const Profile data = smoothed_by_px(rows, kProfileSmoothing_px);
+  o.sampling_error = sampling_error_of(scene, photo, data, threads);
+  look_closely(data, threads, o);
+  const double smooth_rows = scene.fit.search_smoothing * o.region.height;
+  const Profile smooth_data = smoothed(rows, smooth_rows);
+  o.coarse = std::make_unique<Comparison>(
+      scene, photo, smooth_data, profile_sigma(smooth_data, kSearchError, kSearchPeakShare),
+      Comparison::Resolution{scene.fit.search_beams, smooth_rows, threads,
+                             Statistics::ModelError{kSearchError, kSearchPeakShare}});
+  return o;
+}
+
+Observation decoded_anew(const Observation& before, const Photo& photo, int threads) {
+  Observation o;
+  o.photo = &photo;
+  o.scene = before.scene;
+  o.frame = before.frame;
+  o.region = before.region;
+  o.sampling_error = before.sampling_error;
+  const Profile rows = measured_profile(o.scene, photo, before.full->data().grid);
+  look_closely(smoothed_by_px(rows, kProfileSmoothing_px), threads, o);
+  return o;
+}
+
+std::vector<CostTerm> cost_terms(const std::vector<Observation>& observations,
+                                 const std::vector<FreeNumber>& free, Detail detail) {
+  std::vector<CostTerm> terms;
+  for (const Observation& o : observations)
+    terms.push_back({o.scene, ParameterMap(o.scene, free, o.frame),
+                     detail == Detail::full ? o.full.get() : o.coarse.get()});
+  return terms;
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,154 @@
+#include "fit/compare/profile_cost.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace vegard::fit {
+namespace {
+
+std::vector<int> all_or(const std::vector<int>& some, std::size_t count) {
+  if (!some.empty()) return some;
+  std::vector<int> all(count);
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+std::vector<FreeNumber> picked(const std::vector<FreeNumber>& free, const std::vector<int>& which) {
+  std::vector<FreeNumber> some;
+  for (const int j : which) some.push_back(free[j]);
+  return some;
+}
+
+}  // namespace
+
+ProfileCost::ProfileCost(const std::vector<FreeNumber>& free, const std::vector<CostTerm>& terms,
+                         EvaluationLog& log, const Options& options)
+    : terms_(terms),
+      loss_(terms.front().scene.fit),
+      log_(log),
+      held_(options.held),
+      anchors_(options.anchors),
+      prior_weight_(options.prior_weight),
+      which_(all_or(options.moved, free.size())),
+      moved_(picked(free, which_)),
+      priors_(moved_, options.prior_weight) {
+  append_rows(options.prior, terms_.front().scene, options.prior_weight, priors_);
+  for (const CostTerm& term : terms_) data_residuals_ += term.comparison->residuals();
+  set_num_residuals(data_residuals_ + static_cast<int>(priors_.count()));
+  mutable_parameter_block_sizes()->push_back(static_cast<int>(moved_.size()));
+}
+
+ProfileCost::ProfileCost(const std::vector<FreeNumber>& free, const std::vector<CostTerm>& terms,
+                         EvaluationLog& log)
+    : ProfileCost(free, terms, log, Options()) {}
+
+std::vector<double> ProfileCost::all_values(const std::vector<double>& values) const {
+  if (held_.empty()) return values;
+  std::vector<double> all = held_;
+  for (std::size_t k = 0; k < which_.size(); ++k) all[which_[k]] = values[k];
+  return all;
+}
+
+std::vector<double> ProfileCost::values(double const* coordinates) const {
+  std::vector<double> values(moved_.size());
+  for (std::size_t j = 0; j < values.size(); ++j) values[j] = moved_[j].value(coordinates[j]);
+  for (const PhaseAnchor& a : anchors_) values[a.phase] -= a.more(values[a.wavelength]);
+  return values;
+}
+
+std::vector<double> ProfileCost::coordinates(const std::vector<double>& values) const {
+  std::vector<double> in_view = values;
+  for (const PhaseAnchor& a : anchors_) in_view[a.phase] += a.more(values[a.wavelength]);
+  for (std::size_t j = 0; j < in_view.size(); ++j) in_view[j] = moved_[j].coordinate(in_view[j]);
+  return in_view;
+}
+
+ProfileCost::Point ProfileCost::at(const std::vector<double>& values, bool with_derivatives) const {
+  Point point;
+  point.values = values;
+  const std::vector<double> all = all_values(values);
+  for (const CostTerm& term : terms_) {
+    sim::Scene scene = term.scene;
+    const bool within_limits = term.map.put(all, scene);
+    point.of_photo.push_back(with_derivatives
+                                 ? term.comparison->at(scene, term.map.motion(all, which_, scene))
+                                 : term.comparison->at(scene));
+    if (!loss_.any()) point.chi2 += point.of_photo.back().chi2;
+    if (!within_limits) point.chi2 = std::numeric_limits<double>::infinity();
+  }
+  if (loss_.any())
+    for (const double residual : data_residual(point)) point.chi2 += residual * residual;
+  std::vector<double> of_priors;
+  priors_.evaluate(values, of_priors, nullptr);
+  for (const double residual : of_priors) point.chi2 += residual * residual;
+  ++log_.residuals;
+  log_.jacobians += with_derivatives;
+  return point;
+}
+
+void ProfileCost::data_jacobian(const Point& point, std::vector<double>& out) const {
+  out.clear();
+  out.reserve(static_cast<std::size_t>(data_residuals_) * moved_.size());
+  std::vector<double> part;
+  for (std::size_t t = 0; t < terms_.size(); ++t) {
+    terms_[t].comparison->jacobian(point.of_photo[t], part);
+    if (terms_.size() == 1)
+      out.swap(part);
+    else
+      out.insert(out.end(), part.begin(), part.end());
+  }
+  if (!loss_.any()) return;
+  const std::size_t p = moved_.size();
+  std::size_t row = 0;
+  for (const Comparison::Point& of_photo : point.of_photo)
+    for (const double residual : of_photo.residual()) {
+      const double slope = loss_.slope(residual);
+      for (std::size_t j = 0; j < p; ++j) out[row * p + j] *= slope;
+      ++row;
+    }
+}
+
+std::vector<double> ProfileCost::data_residual(const Point& point) const {
+  std::vector<double> all;
+  for (const Comparison::Point& of_photo : point.of_photo)
+    for (const double residual : of_photo.residual()) all.push_back(loss_.residual(residual));
+  return all;
+}
+
+void ProfileCost::by_coordinates(const std::vector<double>& values, std::vector<double>& jacobian) const {
+  const std::size_t p = moved_.size();
+  const std::vector<double> at = coordinates(values);
+  std::vector<double> slopes(p);
+  for (std::size_t j = 0; j < p; ++j) slopes[j] = moved_[j].slope(at[j]);
+  for (std::size_t first = 0; first < jacobian.size(); first += p) {
+    double* row = &jacobian[first];
+    for (const PhaseAnchor& a : anchors_) row[a.wavelength] -= row[a.phase] * a.slope(values[a.wavelength]);
+    for (std::size_t j = 0; j < p; ++j) row[j] *= slopes[j];
+  }
+}
+
+bool ProfileCost::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
+  const bool with_derivatives = jacobians != nullptr && jacobians[0] != nullptr;
+  // Of a trial step Ceres takes the refusal quietly, and its callback then ends the descent. A Jacobian that
+  // is refused it calls a failure, and writes so to stderr, whatever the logging type.
+  if (log_.exhausted() && !with_derivatives) return false;
+  const std::vector<double> here = values(parameters[0]);
+  const Point point = at(here, with_derivatives);
+  if (!std::isfinite(point.chi2)) return false;
+
+  std::vector<double> all = data_residual(point), of_priors, by_value, priors_by_value;
+  priors_.evaluate(here, of_priors, with_derivatives ? &priors_by_value : nullptr);
+  all.insert(all.end(), of_priors.begin(), of_priors.end());
+  std::copy(all.begin(), all.end(), residuals);
+  if (!with_derivatives) return true;
+
+  data_jacobian(point, by_value);
+  by_value.insert(by_value.end(), priors_by_value.begin(), priors_by_value.end());
+  by_coordinates(here, by_value);
+  std::copy(by_value.begin(), by_value.end(), jacobians[0]);
+  return true;
+}
+
+}  // namespace vegard::fit

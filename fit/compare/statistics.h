@@ -1,0 +1,74 @@
+// What is compared of one photograph: the statistics that a scene's [fit] has switched on, as the photograph
+// has them. Nothing here changes while a model does.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fit/compare/linear_part.h"
+#include "fit/compare/statistic.h"
+#include "fit/measure/profile.h"
+#include "fit/photo/photo.h"
+
+namespace vegard::fit {
+
+class Statistics {
+ public:
+  /// Share of a model's light that its errors are taken as, as in profile_sigma()
+  /// (fit/measure/noise_model.h).
+  struct ModelError {
+    double share = 0.0, peak_share = 0.1;
+  };
+
+  /// `data` and `sigma` are the profile, smoothed already; others are taken from the photograph here and
+  /// smoothed by `smooth_px` as it was. The photograph is not kept. `threads`: of statistics that render.
+  Statistics(const sim::Scene& scene, const Photo& photo, Profile data, std::vector<double> sigma,
+             double smooth_px, const ModelError& model_error, int threads = 0);
+
+  const Profile& profile() const { return profile_; }
+  const std::vector<double>& profile_sigma() const { return sigma_; }
+  bool profile_counts() const { return profile_counts_; }
+
+  /// Of the model's bins, one grid after the other; the profile's is the first.
+  const std::vector<std::shared_ptr<const BinGrid>>& grids() const { return grids_; }
+  const LinearPart& linear() const { return *linear_; }
+  /// Whether the linear residuals are compared. If no linear statistic is switched on, they are the profile's
+  /// and only there to solve for the gains and the sky.
+  bool linear_counts() const { return linear_counts_; }
+
+  /// Whether anything that is compared has to do with the profile's bins.
+  bool looks_at_the_profile() const;
+
+  /// Those that mean light in bins makes up: values first to first + values of the bins'.
+  struct Linear {
+    std::string name;
+    double weight = 1.0;
+    std::size_t first = 0, values = 0;
+  };
+  const std::vector<Linear>& linear_ones() const { return linear_ones_; }
+
+  struct Other {
+    double weight = 1.0;
+    std::unique_ptr<const Statistic> statistic;
+  };
+  const std::vector<Other>& others() const { return others_; }
+
+  /// Of all that is compared.
+  int residuals() const { return residuals_; }
+
+ private:
+  Profile profile_;
+  std::vector<double> sigma_;
+  bool profile_counts_ = true, linear_counts_ = true;
+  std::vector<std::shared_ptr<const BinGrid>> grids_;
+  std::vector<Linear> linear_ones_;
+  std::unique_ptr<const LinearPart> linear_;
+  std::vector<Other> others_;
+  int residuals_ = 0;
+};
+
+/// The gains that a scene's [fit] asks for.
+GainLayout gain_layout(const sim::Scene& scene);
+
+}  // namespace vegard::fit

@@ -1,0 +1,152 @@
+#include "fit/measure/direction_bins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "fit/measure/bin_gather.h"
+#include "sim/base/error.h"
+#include "sim/base/file/number_text.h"
+#include "sim/view/camera/tangent_altitude.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kZenithDeg = 90.0;
+constexpr double kRounding = 1e-9;  ///< of degrees, so that touching sectors do not overlap
+constexpr int kPositionsEachSide = 1;
+constexpr double kDeepestKm = 1000.0;  ///< below the Earth's edge, for tangent altitudes
+constexpr int kMostSteps = 10000;
+
+[[noreturn]] void refuse(const std::string& key, const std::string& problem, const std::string& expected) {
+  sim::ErrorDetails details;
+  details.key = key;
+  details.problem = problem;
+  details.expected = expected;
+  throw sim::Error(sim::ErrorKind::usage, details);
+}
+
+/// From -180 up to 180.
+double signed_turn_deg(double degrees) { return degrees - 360.0 * std::floor((degrees + 180.0) / 360.0); }
+
+constexpr double kLeastStep_deg = 1e-4;
+
+void check_tangent_steps(const DirectionSectors& sectors) {
+  const TangentSteps& steps = *sectors.tangent;
+  if (!sectors.observer_km)
+    refuse("--tangent-step", "the observer is not known to be above the air",
+           "a scene whose site.altitude_m is at least " + short_number(1e3 * sim::kLimbObserverKm));
+  if (!(steps.step_km > 0.0))
+    refuse("--tangent-step", short_number(steps.step_km) + " km is no step", "more than 0");
+  if (!(steps.lowest_km >= -kDeepestKm && steps.highest_km > steps.lowest_km &&
+        steps.highest_km <= *sectors.observer_km))
+    refuse("--tangent-range",
+           short_number(steps.lowest_km) + " to " + short_number(steps.highest_km) + " km holds no limb",
+           "growing, from -" + short_number(kDeepestKm) + " to at most " +
+               short_number(*sectors.observer_km) + ", where the observer is");
+  if ((steps.highest_km - steps.lowest_km) / steps.step_km > kMostSteps)
+    refuse("--tangent-step", "more than " + std::to_string(kMostSteps) + " steps", "larger steps");
+}
+
+void check(const DirectionSectors& sectors) {
+  if (sectors.azimuths_deg.empty()) refuse("--azimuths", "no direction is asked for", "azimuths in degrees");
+  for (const double azimuth : sectors.azimuths_deg)
+    if (!std::isfinite(azimuth)) refuse("--azimuths", "an azimuth is no number", "azimuths in degrees");
+  if (sectors.tangent) check_tangent_steps(sectors);
+  if (!(sectors.step_deg >= kLeastStep_deg && sectors.step_deg <= kZenithDeg))
+    refuse("--elevation-step", short_number(sectors.step_deg) + "\u00b0 is no step", "0.0001 to 90");
+  if (!(sectors.lowest_deg >= -kZenithDeg && sectors.lowest_deg < kZenithDeg))
+    refuse("--lowest", short_number(sectors.lowest_deg) + "\u00b0 is no elevation to begin at",
+           "-90 to below 90");
+  const double spacing = least_spacing_deg(sectors.azimuths_deg);
+  if (!(sectors.width_deg > 0.0 && sectors.width_deg <= spacing + kRounding))
+    refuse("--azimuth-width",
+           "sectors of " + short_number(sectors.width_deg) + "\u00b0 " +
+               (sectors.width_deg > 0.0 ? "would overlap" : "hold nothing"),
+           "more than 0, at most " + short_number(spacing) + ", the distance of the nearest two");
+}
+
+int position_count(const DirectionSectors& sectors) {
+  if (sectors.tangent)
+    return static_cast<int>(std::ceil(
+        (sectors.tangent->highest_km - sectors.tangent->lowest_km) / sectors.tangent->step_km - kRounding));
+  return std::max(
+      1, static_cast<int>(std::ceil((kZenithDeg - sectors.lowest_deg) / sectors.step_deg - kRounding)));
+}
+
+/// Positions from the lowest's lower edge; NaN where there are none.
+double steps_up(const DirectionSectors& sectors, double elevation_deg) {
+  if (!sectors.tangent) return (elevation_deg - sectors.lowest_deg) / sectors.step_deg;
+  const double tangent_km = sim::tangent_altitude_km(*sectors.observer_km, elevation_deg);
+  if (!(tangent_km < sectors.tangent->highest_km)) return std::numeric_limits<double>::quiet_NaN();
+  return (tangent_km - sectors.tangent->lowest_km) / sectors.tangent->step_km;
+}
+
+}  // namespace
+
+DirectionSectors even_sectors(int count) {
+  if (count < 1 || count > 360) refuse("--directions", std::to_string(count) + " directions", "1 to 360");
+  DirectionSectors sectors;
+  for (int k = 0; k < count; ++k) sectors.azimuths_deg.push_back(360.0 * k / count);
+  sectors.width_deg = 360.0 / count;
+  return sectors;
+}
+
+double least_spacing_deg(const std::vector<double>& azimuths_deg) {
+  double least = 360.0;
+  for (std::size_t i = 0; i < azimuths_deg.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      least = std::min(least, std::abs(signed_turn_deg(azimuths_deg[i] - azimuths_deg[j])));
+  return least;
+}
+
+double elevation_of_position_deg(const DirectionSectors& sectors, int position) {
+  if (sectors.tangent)
+    return sim::elevation_of_tangent_deg(*sectors.observer_km, tangent_of_position_km(sectors, position));
+  const double low = sectors.lowest_deg + position * sectors.step_deg;
+  return 0.5 * (low + std::min(kZenithDeg, low + sectors.step_deg));
+}
+
+double tangent_of_position_km(const DirectionSectors& sectors, int position) {
+  if (!sectors.observer_km) return std::numeric_limits<double>::quiet_NaN();
+  if (!sectors.tangent)
+    return sim::tangent_altitude_km(*sectors.observer_km, elevation_of_position_deg(sectors, position));
+  const TangentSteps& steps = *sectors.tangent;
+  const double low_km = steps.lowest_km + position * steps.step_km;
+  return 0.5 * (low_km + std::min(steps.highest_km, low_km + steps.step_km));
+}
+
+BinGrid direction_bins(const sim::DirectionMap& map, const Region& region, const DirectionSectors& sectors) {
+  check(sectors);
+  BinGrid grid;
+  grid.region = region;
+  grid.groups = static_cast<int>(sectors.azimuths_deg.size());
+  grid.positions = position_count(sectors);
+  grid.pooled = kPositionsEachSide;
+  grid.position_px = 0.0;
+  for (int group = 0; group < grid.groups; ++group) grid.band.insert(grid.band.end(), grid.positions, group);
+  gather(
+      [&](int x, int y) {
+        const std::size_t i = map.index(x, y);
+        const double steps = steps_up(sectors, map.elevation_deg[i]);
+        if (!(steps >= 0.0)) return kNoBin;  // NaN too
+        // The zenith itself belongs to the last step.
+        const int position = std::min(static_cast<int>(steps), grid.positions - 1);
+        for (int group = 0; group < grid.groups; ++group) {
+          const double off = signed_turn_deg(map.azimuth_deg[i] - sectors.azimuths_deg[group]);
+          if (off >= -0.5 * sectors.width_deg && off < 0.5 * sectors.width_deg)
+            return static_cast<int>(grid.bin(group, position));
+        }
+        return kNoBin;
+      },
+      grid);
+  if (grid.runs.empty())
+    refuse("--azimuths", "no pixel looks into any of the sectors", "directions that the picture shows");
+  grid.narrowest_px = region.width;
+  for (const BinGrid::Run& run : grid.runs)
+    grid.narrowest_px = std::min(grid.narrowest_px, run.end - run.begin);
+  return grid;
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,197 @@
+#include "fit/measure/direction_profile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "sim/base/file/csv_text.h"
+#include "sim/base/file/number_text.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr int kColours = 7;               ///< of distinct_colour()
+constexpr int kMostLines = 2 * kColours;  ///< the second seven are dashed
+
+std::string comments(const Photo& photo, const DirectionProfile& directions) {
+  const Region& region = directions.profile.region;
+  const DirectionSectors& sectors = directions.sectors;
+  std::string text =
+      csv_comment("profiles by direction: mean linear light per azimuth sector and elevation step");
+  text += csv_comment("photograph: " + photo.file_name);
+  text += csv_comment("sha256: " + photo.sha256);
+  text += csv_comment(fmt::format("size_px: {} x {}", photo.linear.width, photo.linear.height));
+  text += csv_comment("decoding: " + photo.decoding);
+  if (!photo.mask_name.empty()) {
+    text += csv_comment("mask: " + photo.mask_name);
+    text += csv_comment("mask_sha256: " + photo.mask_sha256);
+  }
+  text +=
+      csv_comment(fmt::format("roi_px: [{}, {}, {}, {}]", region.x, region.y, region.width, region.height));
+  text += csv_comment("directions: " + directions.camera);
+  text += csv_comment(fmt::format("azimuth_width_deg: {}", sectors.width_deg));
+  text += csv_comment(sectors.tangent ? fmt::format("tangent_step_km: {}", sectors.tangent->step_km)
+                                      : fmt::format("elevation_step_deg: {}", sectors.step_deg));
+  text += csv_comment(fmt::format("dark: [{}, {}, {}], taken off r, g, b", directions.dark[0],
+                                  directions.dark[1], directions.dark[2]));
+  text += csv_comment("azimuth_deg: middle of the sector, from north to the east");
+  text += csv_comment("elevation_deg: middle of the step, above the horizon");
+  if (sectors.observer_km)
+    text += csv_comment(fmt::format(
+        "tangent_altitude_km: least height of that line of sight above the sphere, seen from {} km "
+        "up, no refraction; negative where it strikes the Earth",
+        *sectors.observer_km));
+  text += csv_comment(
+      photo.floating ? "r, g, b: linear light in the file's own units"
+                     : "r, g, b: linear light, the file's largest value = 1; clipped pixels are left out");
+  text += csv_comment("sigma_*: standard error of the mean, from the differences of neighbouring pixels");
+  text += csv_comment("n_*: pixels used");
+  text += csv_comment("r_over_g, b_over_g: ratios of the channels, errors to first order");
+  return text;
+}
+
+std::string sector_name(double azimuth_deg) { return short_number(azimuth_deg, 4) + "\u00b0"; }
+
+/// value(sector, position) with its error as lines against elevation.
+template <class ValueOf>
+Panel panel_of(const DirectionProfile& directions, const std::vector<int>& drawn, const std::string& title,
+               const std::string& label, const ValueOf& value_of) {
+  Panel panel;
+  panel.title = title;
+  const bool tangent = directions.sectors.tangent.has_value();
+  panel.x.label = tangent ? "tangent altitude (km)" : "elevation (\u00b0)";
+  panel.y.label = label;
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    Series series;
+    series.label = sector_name(directions.sectors.azimuths_deg[drawn[k]]);
+    series.colour = distinct_colour(static_cast<int>(k));
+    series.mark = k < kColours ? Mark::line : Mark::dashed_line;
+    for (int position = 0; position < directions.profile.rows; ++position) {
+      const Ratio value = value_of(drawn[k], position);
+      series.x.push_back(tangent ? tangent_of_position_km(directions.sectors, position)
+                                 : elevation_of_position_deg(directions.sectors, position));
+      series.y.push_back(value.value);
+      series.low.push_back(value.value - value.sigma);
+      series.high.push_back(value.value + value.sigma);
+    }
+    panel.series.push_back(std::move(series));
+  }
+  return panel;
+}
+
+}  // namespace
+
+Ratio channel_ratio(const Profile& profile, int band, int row, int numerator, int denominator) {
+  const std::size_t i = profile.index(band, row, 0);
+  const double a = profile.mean[i + numerator], b = profile.mean[i + denominator];
+  const double sigma_a = profile.standard_error[i + numerator],
+               sigma_b = profile.standard_error[i + denominator];
+  if (!std::isfinite(a) || !(b > 0.0)) return {kNaN, kNaN};
+  return {a / b, std::hypot(sigma_a, a / b * sigma_b) / b};
+}
+
+DirectionProfile direction_profile(const Photo& photo, const sim::DirectionMap& map, const Region& region,
+                                   const DirectionSectors& sectors, const std::array<double, 3>& dark,
+                                   const std::string& camera) {
+  DirectionProfile directions;
+  directions.profile =
+      extract_profile(photo, std::make_shared<const BinGrid>(direction_bins(map, region, sectors)));
+  directions.sectors = sectors;
+  directions.dark = dark;
+  directions.camera = camera;
+  for (std::size_t i = 0; i < directions.profile.mean.size(); ++i) directions.profile.mean[i] -= dark[i % 3];
+  return directions;
+}
+
+std::vector<std::optional<LimbLayer>> green_limb_layers(const DirectionProfile& directions) {
+  const Profile& profile = directions.profile;
+  std::vector<std::optional<LimbLayer>> layers;
+  for (int sector = 0; sector < profile.bands; ++sector) {
+    std::vector<double> tangent_km, light;
+    for (int position = 0; position < profile.rows; ++position) {
+      tangent_km.push_back(tangent_of_position_km(directions.sectors, position));
+      light.push_back(profile.mean[profile.index(sector, position, 1)]);
+    }
+    layers.push_back(find_limb_layer(tangent_km, light, *directions.sectors.observer_km));
+  }
+  return layers;
+}
+
+std::string limb_layer_words(double azimuth_deg, const std::optional<LimbLayer>& layer) {
+  const std::string name = "azimuth " + sector_name(azimuth_deg) + ": ";
+  if (!layer) return name + "no layer";
+  return name + fmt::format(
+                    "emission {:.1f} \u00b1 {:.1f} km (half of it at {:.1f} and {:.1f} km), most light at "
+                    "{:.1f} km, rms {:.1f} % of it",
+                    layer->peak_km, layer->sigma_peak_km, layer->lower_km, layer->upper_km,
+                    layer->apparent_peak_km, 100.0 * layer->rms_over_light);
+}
+
+std::string direction_profile_csv(const Photo& photo, const DirectionProfile& directions) {
+  const Profile& profile = directions.profile;
+  std::string text = comments(photo, directions);
+  if (directions.sectors.tangent) {
+    const std::vector<std::optional<LimbLayer>> layers = green_limb_layers(directions);
+    for (std::size_t k = 0; k < layers.size(); ++k)
+      text += csv_comment("green_layer: " + limb_layer_words(directions.sectors.azimuths_deg[k], layers[k]));
+  }
+  const bool limb = directions.sectors.observer_km.has_value();
+  text += "azimuth_deg,elevation_deg,";
+  if (limb) text += "tangent_altitude_km,";
+  text +=
+      "r,g,b,sigma_r,sigma_g,sigma_b,n_r,n_g,n_b,r_over_g,sigma_r_over_g,b_over_g,"
+      "sigma_b_over_g\n";
+  for (int sector = 0; sector < profile.bands; ++sector)
+    for (int position = 0; position < profile.rows; ++position) {
+      const std::size_t i = profile.index(sector, position, 0);
+      if (profile.count[i] == 0 && profile.count[i + 1] == 0 && profile.count[i + 2] == 0) continue;
+      text += csv_number(directions.sectors.azimuths_deg[sector]) + "," +
+              csv_number(elevation_of_position_deg(directions.sectors, position));
+      if (limb) text += "," + csv_number(tangent_of_position_km(directions.sectors, position));
+      for (int c = 0; c < 3; ++c) text += "," + csv_number(profile.mean[i + c]);
+      for (int c = 0; c < 3; ++c) text += "," + csv_number(profile.standard_error[i + c]);
+      for (int c = 0; c < 3; ++c) text += "," + std::to_string(profile.count[i + c]);
+      for (const int channel : {0, 2}) {
+        const Ratio ratio = channel_ratio(profile, sector, position, channel, 1);
+        text += "," + csv_number(ratio.value) + "," + csv_number(ratio.sigma);
+      }
+      text += '\n';
+    }
+  return text;
+}
+
+Plot direction_profile_plot(const Photo& photo, const DirectionProfile& directions) {
+  const Profile& profile = directions.profile;
+  Plot plot;
+  plot.title = "Profiles by direction of " + photo.file_name;
+  plot.note = std::string("Mean linear light against ") +
+              (directions.sectors.tangent ? "tangent altitude" : "elevation") +
+              ", a line per azimuth; shaded: \u00b11 standard error; " + photo.decoding;
+  std::vector<int> drawn;
+  const int lines = std::min(profile.bands, kMostLines);
+  for (int k = 0; k < lines; ++k) drawn.push_back(profile.bands * k / lines);
+  if (lines < profile.bands)
+    plot.note += "; " + std::to_string(lines) + " of " + std::to_string(profile.bands) + " azimuths";
+  const char* names[3] = {"red", "green", "blue"};
+  const std::string unit = photo.floating ? "light (the file's units)" : "light (white = 1)";
+  for (int c = 0; c < 3; ++c)
+    plot.panels.push_back(panel_of(directions, drawn, names[c], unit, [&](int sector, int position) {
+      const std::size_t i = profile.index(sector, position, c);
+      return Ratio{profile.mean[i], profile.standard_error[i]};
+    }));
+  for (const int c : {0, 2})
+    plot.panels.push_back(
+        panel_of(directions, drawn, std::string(names[c]) + " / green", "ratio",
+                 [&](int sector, int position) { return channel_ratio(profile, sector, position, c, 1); }));
+  plot.columns = 3;
+  plot.panel_width_px = 300;
+  plot.panel_height_px = 260;
+  return plot;
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,55 @@
+// The profile that a scene's aurora would have, at unit gain and without the sky, with its exact derivatives;
+// and that of the night sky's known lights, at the scene's own gain.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "fit/measure/profile.h"
+#include "fit/photo/photo.h"
+#include "sim/scene/structs/scene.h"
+
+namespace vegard::fit {
+
+/// Values indexed as in Profile; derivatives [value index * free + parameter].
+struct ModelProfile {
+  std::vector<double> value;
+  int free = 0;
+  std::vector<double> derivative;
+  /// Airglow, twilight and light pollution, which no gain scales; empty where the scene has none.
+  std::vector<double> offset;
+  std::vector<double> offset_derivative;  ///< as `derivative`
+};
+
+/// Renders the region of interest again and again. The film's cells are one pixel high and up to four wide:
+/// profiles average over columns, and a band has at least a dozen of them (docs/fitting.md has what this
+/// costs: nothing that can be seen). Out-of-gamut light is clipped per cell, as in display_picture(), before
+/// columns are averaged with the photograph's own mask; of a photograph that keeps_negative_light() it is
+/// not.
+class ProfileModel {
+ public:
+  /// `beams_share` of the scene's beams are used, and the profiles are smoothed by `smooth_rows` (0: not at
+  /// all): coarse models search, the full one decides. `sampling`: another draw of the beams (sim::Exposer).
+  ProfileModel(const sim::Scene& scene, const Photo& photo, const Region& region, int bands,
+               double beams_share, double smooth_rows, int threads, std::uint64_t sampling = 0);
+  /// In the bins of some grids of one region, one grid's after the other's, from one rendering.
+  ProfileModel(const sim::Scene& scene, const Photo& photo,
+               const std::vector<std::shared_ptr<const BinGrid>>& grids, double beams_share,
+               double smooth_rows, int threads, std::uint64_t sampling = 0);
+  ~ProfileModel();
+
+  /// The scene may differ from the constructor's in continuous parameters only.
+  void evaluate(const sim::Scene& scene, ModelProfile& out);
+  void evaluate_with_derivatives(const sim::Scene& scene, const std::vector<const double*>& free,
+                                 ModelProfile& out);
+
+  /// Deflection points of the last evaluation.
+  std::uint64_t deflection_points() const;
+
+ private:
+  struct Workspace;
+  std::unique_ptr<Workspace> work_;
+};
+
+}  // namespace vegard::fit

@@ -1,0 +1,78 @@
+// Sums of a film row's derivatives over the cells of a bin, with the blur along the row in the weights.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <vector>
+
+#include "fit/model/bin_weights.h"
+#include "sim/light/sample.h"
+#include "sim/view/film/blur.h"
+
+namespace vegard::fit {
+
+/// Sums over runs of cells of what is yet to be blurred along the row: the run's weights are spread by the
+/// blur instead of the light. Rows that follow each other mostly weigh their cells alike, so that the last
+/// spread of each place in the row is kept.
+class SpreadRuns {
+ public:
+  SpreadRuns(const sim::BlurKernel& across, int film_columns) : across_(across), columns_(film_columns) {}
+
+  /// The sum of `light`, a film row of [column][stride], blurred, over the run with these weights of its
+  /// cells; null if all of them are 0. Stays until the next call. `place`: any number that tells the runs of
+  /// a row apart.
+  const float* sum(std::size_t place, const BinWeights::Run& run, const float* weights, const float* light,
+                   std::size_t stride) {
+    if (place >= kept_.size()) kept_.resize(place + 1);
+    Spread& spread = kept_[place];
+    if (spread.run_first != run.first_column ||
+        spread.weights.size() != static_cast<std::size_t>(run.columns) ||
+        !std::equal(weights, weights + run.columns, spread.weights.begin()))
+      make(run, weights, spread);
+    if (spread.dark) return nullptr;
+    sum_.assign(stride, 0.0f);
+    const float* from = light + spread.first * stride;
+    for (std::size_t part = 0; part < stride; part += kPart) {  // the sums stay in registers
+      float sum[kPart] = {};
+      for (std::size_t i = 0; i < spread.wide.size(); ++i)
+        for (int j = 0; j < kPart; ++j) sum[j] += spread.wide[i] * from[i * stride + part + j];
+      std::copy_n(sum, kPart, sum_.begin() + static_cast<std::ptrdiff_t>(part));
+    }
+    return sum_.data();
+  }
+
+ private:
+  static constexpr int kPart = 16;  // what strides are whole multiples of
+  static_assert(sim::kTangentWidth == kPart);
+  struct Spread {
+    int run_first = -1;
+    bool dark = true;
+    std::vector<float> weights, wide;  // of the run's cells, and of all that the blur brings in
+    std::size_t first = 0;             // column of the first of the latter
+  };
+  void make(const BinWeights::Run& run, const float* weights, Spread& spread) const {
+    const int radius = across_.radius();
+    const int first = std::max(0, run.first_column - radius);
+    const int end = std::min(columns_, run.first_column + run.columns + radius);
+    spread.run_first = run.first_column;
+    spread.weights.assign(weights, weights + run.columns);
+    spread.dark = std::all_of(weights, weights + run.columns, [](float x) { return x == 0.0f; });
+    spread.first = static_cast<std::size_t>(first);
+    spread.wide.assign(static_cast<std::size_t>(end - first), 0.0f);
+    for (int i = 0; i < run.columns; ++i) {
+      if (weights[i] == 0.0f) continue;
+      const int centre = run.first_column + i;
+      for (int column = std::max(first, centre - radius); column < std::min(end, centre + radius + 1);
+           ++column)
+        spread.wide[column - first] += weights[i] * across_.weights[std::abs(column - centre)];
+    }
+  }
+
+  const sim::BlurKernel& across_;
+  int columns_;
+  std::vector<Spread> kept_;
+  std::vector<float> sum_;
+};
+
+}  // namespace vegard::fit

@@ -1,0 +1,76 @@
+#include "fit/parameters/phase_anchor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/earth.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kTwoPi = 6.283185307179586;
+
+/// Distance along a sheet from its start to where the camera's azimuth meets it.
+double distance_in_view_km(const sim::Scene& scene, const sim::Sheet& sheet) {
+  const double bearing = sheet.bearing_deg * sim::kRadiansPerDegree;
+  const double azimuth = scene.camera.azimuth_deg * sim::kRadiansPerDegree;
+  const double along[2] = {std::sin(bearing), std::cos(bearing)};
+  const double look[2] = {std::sin(azimuth), std::cos(azimuth)};
+  // centre + t along = u look, with u above 0
+  const double cross = along[0] * look[1] - along[1] * look[0];
+  const double half = 0.5 * sheet.length_km;
+  if (std::abs(cross) < 0.1) return half;
+  const double t = -(sheet.center_km.east * look[1] - sheet.center_km.north * look[0]) / cross;
+  const double u =
+      (sheet.center_km.east + t * along[0]) * look[0] + (sheet.center_km.north + t * along[1]) * look[1];
+  return u > 0.0 && std::abs(t) < half ? half + t : half;
+}
+
+}  // namespace
+
+double PhaseAnchor::more(double wavelength_km) const {
+  return kTwoPi * distance_km * (1.0 / wavelength_km - 1.0 / start_wavelength_km);
+}
+
+double PhaseAnchor::slope(double wavelength_km) const {
+  return -kTwoPi * distance_km / (wavelength_km * wavelength_km);
+}
+
+std::vector<PhaseAnchor> phase_anchors(const sim::Scene& scene, const std::vector<FreeNumber>& moved,
+                                       const std::vector<double>& values) {
+  std::vector<PhaseAnchor> anchors;
+  for (std::size_t p = 0; p < moved.size(); ++p) {
+    // Limits of the user's are those of the phase at the start.
+    if (moved[p].key() != "phase_rad" || moved[p].limited()) continue;
+    for (std::size_t w = 0; w < moved.size(); ++w)
+      if (moved[w].key() == "wavelength_km" && moved[w].path.sheet() == moved[p].path.sheet())
+        anchors.push_back({static_cast<int>(p), static_cast<int>(w),
+                           distance_in_view_km(scene, scene.sheets[moved[p].path.sheet()]), values[w]});
+  }
+  return anchors;
+}
+
+void without_anchors(const std::vector<PhaseAnchor>& anchors, const std::vector<FreeNumber>& moved,
+                     const std::vector<double>& values, Uncertainty& u) {
+  const std::size_t n = moved.size();
+  const auto slope_of = [&](int j) { return moved[j].slope(moved[j].coordinate(values[j])); };
+  for (const PhaseAnchor& a : anchors) {
+    const double by_wavelength = -a.slope(values[a.wavelength]) * slope_of(a.wavelength) / slope_of(a.phase);
+    for (std::size_t k = 0; k < n; ++k)
+      u.covariance[a.phase][k] += by_wavelength * u.covariance[a.wavelength][k];
+    for (std::size_t k = 0; k < n; ++k)
+      u.covariance[k][a.phase] += by_wavelength * u.covariance[k][a.wavelength];
+    for (std::vector<double>& direction : u.undetermined)
+      direction[a.phase] += by_wavelength * direction[a.wavelength];
+    if (std::isnan(u.sigma[a.wavelength])) u.sigma[a.phase] = u.sigma[a.wavelength];
+  }
+  for (std::size_t j = 0; j < n; ++j)
+    if (!std::isnan(u.sigma[j])) u.sigma[j] = std::sqrt(std::max(0.0, u.covariance[j][j]));
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t k = 0; k < n; ++k) {
+      const double both = u.sigma[j] * u.sigma[k];
+      u.correlation[j][k] = both > 0.0 ? u.covariance[j][k] / both : 0.0;
+    }
+}
+
+}  // namespace vegard::fit

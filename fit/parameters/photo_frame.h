@@ -1,0 +1,45 @@
+// What sets one photograph of several apart from the scene that they share: whose it is of the free numbers,
+// and from where it sees the sheets.
+//
+// Free numbers of sheets are those of the scene's own frame. A photograph of another station has them carried
+// over (sim/scene/structs/station.h), and so has the chain rule.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/station.h"
+#include "sim/scene/table/parameter_table.h"
+
+namespace vegard::fit {
+
+struct PhotoFrame {
+  std::string name;  ///< the photograph's; empty: the shared scene itself, or a fit's only photograph
+  sim::Station station;
+  std::vector<sim::Sheet> sheets_at_home;  ///< of its scene before they were carried over
+
+  /// Where a number of the shared scene is in the photograph's; none if that has no such line.
+  std::optional<sim::ParameterPath> place(const sim::Scene& scene, const sim::ParameterPath& path) const;
+
+  /// Gives a scene's sheets the places that they have at home, for free numbers to be written into, and
+  /// carries them over again. Nothing happens to a photograph of the scene's own site.
+  void go_home(sim::Scene& scene) const;
+  void carry(sim::Scene& scene) const;
+
+  /// Replaces the numbers of sheets at home (addresses inside `there`, whose other numbers stay) by those
+  /// that the photograph sees. slopes: d number / d free, row-major [number][moved]; empty stands for the
+  /// identity.
+  void carry(const sim::Scene& at_home, const sim::Scene& there, std::vector<const double*>& numbers,
+             std::vector<double>& slopes) const;
+};
+
+/// Of a photograph of `scene`: its scene and its frame.
+struct FramedScene {
+  sim::Scene scene;
+  PhotoFrame frame;
+};
+FramedScene framed_scene(const sim::Scene& scene, const sim::PhotoEntry& entry);
+
+}  // namespace vegard::fit

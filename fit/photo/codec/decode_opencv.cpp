@@ -1,0 +1,125 @@
+#include <cstdint>
+#include <exception>
+#include <limits>
+#include <opencv2/core.hpp>
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "fit/photo/codec/picture_codes.h"
+#include "sim/base/error.h"
+
+namespace vegard::fit {
+namespace {
+
+/// EXIF 2.3, tag 274: where the stored first row and column belong.
+cv::Mat upright(const cv::Mat& stored, int orientation) {
+  constexpr int kLeftRight = 1, kUpDown = 0;
+  cv::Mat turned = stored;
+  if (orientation >= 5) cv::transpose(stored, turned);
+  switch (orientation) {
+    case 2:
+    case 6:
+      cv::flip(turned, turned, kLeftRight);
+      break;
+    case 4:
+    case 8:
+      cv::flip(turned, turned, kUpDown);
+      break;
+    case 3:
+    case 7:
+      cv::flip(turned, turned, -1);
+      break;
+    default:
+      break;
+  }
+  return turned;
+}
+
+cv::Mat decode(std::string_view bytes, const ImageFile& image, const std::string& file) {
+  // What is wrong with an image is told through sim::Error; OpenCV would tell the terminal as well.
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  // OpenCV turns a TIFF by all eight orientations whatever the flags, and with IMREAD_COLOR fails on grey
+  // floats; of the others it misses the orientation at times (fit/photo/codec/image_file.h), so that is done
+  // here.
+  const bool tiff = image.format == ImageFormat::tiff;
+  const int flags = tiff ? static_cast<int>(cv::IMREAD_UNCHANGED)
+                         : cv::IMREAD_COLOR | cv::IMREAD_ANYDEPTH | cv::IMREAD_IGNORE_ORIENTATION;
+  cv::Mat codes;
+  try {
+    const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
+    codes = cv::imdecode(buffer, flags);
+    if (!codes.empty() && !tiff) codes = upright(codes, image.orientation);
+    if (!codes.empty() && codes.channels() == 4) {
+      cv::Mat alpha;
+      cv::extractChannel(codes, alpha, 3);
+      if (image.colour_times_alpha && cv::countNonZero(alpha != 255) > 0)
+        refuse_image(file, "an 8-bit TIFF that is transparent in places is not read", "",
+                     "save it without its alpha channel");
+      cv::Mat colour(codes.size(), CV_MAKETYPE(codes.depth(), 3));
+      cv::mixChannels(codes, colour, {0, 0, 1, 1, 2, 2});
+      codes = colour;
+    }
+  } catch (const sim::Error&) {
+    throw;
+  } catch (const std::exception&) {
+    // OpenCV's own words name its source files and help nobody; memory may also be short.
+    codes.release();
+  }
+  if (codes.empty())
+    refuse_image(file, "the image cannot be decoded", std::string("a sound ") + format_name(image.format),
+                 "open it in an image viewer and save it anew");
+  const bool turned = image.orientation >= 5;
+  const int depth = image.floating ? CV_32F : image.bits == 16 ? CV_16U : CV_8U;
+  const bool as_promised = codes.cols == (turned ? image.height : image.width) &&
+                           codes.rows == (turned ? image.width : image.height) && codes.depth() == depth &&
+                           (codes.channels() == 1 || codes.channels() == 3);
+  if (!as_promised)
+    refuse_image(file, "the image decodes to something else than its header promises", "",
+                 "open it in an image viewer and save it anew");
+  return codes;
+}
+
+template <typename Code>
+void take_codes(const cv::Mat& mat, PictureCodes& codes) {
+  std::size_t i = 0;
+  for (int y = 0; y < mat.rows; ++y) {
+    const Code* row = mat.ptr<Code>(y);
+    for (int x = 0; x < mat.cols; ++x, row += codes.channels)
+      // OpenCV has blue first.
+      for (int c = codes.channels - 1; c >= 0; --c) codes.values[i++] = static_cast<float>(row[c]);
+  }
+}
+
+}  // namespace
+
+PictureCodes decode_by_opencv(std::string_view bytes, const ImageFile& image, const std::string& file) {
+  const cv::Mat mat = decode(bytes, image, file);
+  PictureCodes codes;
+  codes.width = mat.cols;
+  codes.height = mat.rows;
+  codes.channels = mat.channels();
+  // A PNG of fewer than 8 bits is stretched to 8 by libpng.
+  codes.bits = std::max(8, image.bits);
+  codes.floating = codes.linear = image.floating;
+  codes.kind =
+      std::to_string(image.bits) + (image.floating ? "-bit float " : "-bit ") + format_name(image.format);
+  codes.values.resize(static_cast<std::size_t>(codes.width) * codes.height * codes.channels);
+  switch (mat.depth()) {
+    case CV_8U:
+      codes.white = std::numeric_limits<std::uint8_t>::max();
+      take_codes<std::uint8_t>(mat, codes);
+      break;
+    case CV_16U:
+      codes.white = std::numeric_limits<std::uint16_t>::max();
+      take_codes<std::uint16_t>(mat, codes);
+      break;
+    default:
+      codes.white = 1.0;
+      codes.step = 0.0;
+      take_codes<float>(mat, codes);
+      break;
+  }
+  return codes;
+}
+
+}  // namespace vegard::fit

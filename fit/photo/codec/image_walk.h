@@ -1,0 +1,48 @@
+// The pieces of inspect_image_file, one per format, and what they share.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "fit/photo/codec/image_file.h"
+
+namespace vegard::fit {
+
+ImageFile walk_jpeg(std::string_view bytes, const std::string& file);
+ImageFile walk_png(std::string_view bytes, const std::string& file);
+ImageFile walk_tiff(std::string_view bytes, const std::string& file);
+ImageFile walk_pnm(std::string_view bytes, const std::string& file);
+ImageFile walk_exr(std::string_view bytes, const std::string& file);
+ImageFile walk_heif(std::string_view bytes, const std::string& file);
+ImageFile walk_camera_raw(std::string_view bytes, const std::string& file);
+
+/// By the brand that it begins with.
+bool is_heif(std::string_view bytes);
+
+/// Whether one of the pictures in a HEIC is of this size by its header, upright or turned; where something is
+/// cut out of what is stored, at least of it.
+bool heif_promises(std::string_view bytes, int width, int height, const std::string& file);
+
+/// By its first bytes, or of a TIFF by what its directories hold.
+bool is_camera_raw(std::string_view bytes);
+
+[[noreturn]] void throw_truncated(const std::string& file, const std::string& what_is_missing);
+[[noreturn]] void throw_damaged(const std::string& file, const std::string& problem);
+[[noreturn]] void throw_unsupported(const std::string& file, const std::string& kind);
+
+/// The orientation of EXIF data that begin with a TIFF header; 1 if they say none or make no sense.
+int exif_orientation(std::string_view tiff);
+
+/// An unsigned integer of `size` bytes at `at`; the caller has checked that it lies inside.
+inline std::uint64_t unsigned_at(std::string_view bytes, std::size_t at, int size, bool big_endian) {
+  std::uint64_t value = 0;
+  for (int i = 0; i < size; ++i) {
+    const std::size_t place = at + (big_endian ? i : size - 1 - i);
+    value = value << 8 | static_cast<unsigned char>(bytes[place]);
+  }
+  return value;
+}
+
+}  // namespace vegard::fit

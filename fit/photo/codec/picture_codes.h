@@ -1,0 +1,45 @@
+// The numbers of an image file as they stand in it, upright, before anything is made of them: one shape for
+// all formats, and the decoders that fill it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fit/photo/codec/image_file.h"
+
+namespace vegard::fit {
+
+struct PictureCodes {
+  int width = 0, height = 0;
+  int channels = 3;                  ///< 1 (grey) or 3 (red, green, blue)
+  std::vector<float> values;         ///< row by row from the top, channels interleaved
+  std::vector<std::uint8_t> usable;  ///< as `values`, besides being below white; empty: all
+  double white = 255.0;              ///< the number of white; 1 for floats
+  double step = 1.0;                 ///< between two codes; 0 for floats
+  int bits = 8;
+  bool floating = false;
+  bool linear = false;  ///< what such a file holds unless one knows better: linear light, else sRGB
+  std::string kind;     ///< "8-bit JPEG", with what else has a part in its numbers
+  std::map<std::string, std::string> words;  ///< that came with it: FITS keywords, EXR attributes
+};
+
+/// Reads any format of fit/photo/codec/image_file.h. `file` is for messages. Throws
+/// sim::Error(unreadable_input).
+PictureCodes picture_codes(std::string_view bytes, const std::string& file);
+
+// One decoder per format; the bytes have been walked (fit/photo/codec/image_walk.h).
+PictureCodes decode_by_opencv(std::string_view bytes, const ImageFile& image, const std::string& file);
+PictureCodes decode_pnm(std::string_view bytes, const ImageFile& image, const std::string& file);
+PictureCodes decode_exr(std::string_view bytes, const std::string& file);
+PictureCodes decode_fits(std::string_view bytes, const std::string& file);
+PictureCodes decode_camera_raw(std::string_view bytes, const std::string& file);
+PictureCodes decode_heif(std::string_view bytes, const std::string& file);
+
+/// An unreadable_input error about the file.
+[[noreturn]] void refuse_image(const std::string& file, const std::string& problem,
+                               const std::string& expected = {}, const std::string& hint = {});
+
+}  // namespace vegard::fit

@@ -1,0 +1,79 @@
+#include "fit/photo/decoding.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "sim/base/error.h"
+#include "sim/base/file/sha256.h"
+#include "sim/scene/table/decoding_word.h"
+#include "sim/scene/table/table_files.h"
+
+namespace vegard::fit {
+namespace {
+
+using Kind = sim::DecodingWord::Kind;
+
+constexpr std::size_t kMostBytes = 16 << 20;
+constexpr std::size_t kDigitsOfHash = 12;  // tell curves of one name apart
+
+std::string text_of_file(const std::string& file) {
+  const auto refuse = [&](const std::string& problem) {
+    throw sim::Error(
+        sim::ErrorKind::unreadable_input,
+        {problem, file, 0, "", "a CSV file with the columns linear and encoded", "check the path"});
+  };
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) refuse("no such file");
+  if (!std::filesystem::is_regular_file(file, ignored)) refuse("this is no file");
+  if (std::filesystem::file_size(file, ignored) > kMostBytes) refuse("the curve's file has more than 16 MB");
+  std::ifstream stream(file, std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(stream)), {});
+  if (!stream) refuse("the file cannot be read");
+  return text;
+}
+
+Decoding of_curve(const sim::ToneCurve& curve, const std::string& words) {
+  return {Decoding::Kind::curve, std::make_shared<const sim::ToneCurve>(curve), words, 0};
+}
+
+}  // namespace
+
+Decoding decoding_of_word(const std::string& text, const sim::Scene* scene, const std::string& beside) {
+  if (const auto complaint = sim::decoding_complaint(text))
+    throw sim::Error(sim::ErrorKind::usage,
+                     {complaint->problem, "", 0, "--decoding", complaint->expected, complaint->hint});
+  const sim::DecodingWord word = sim::decoding_word(text);
+  switch (word.kind) {
+    case Kind::automatic:
+      return Decoding::automatic;
+    case Kind::srgb:
+      return Decoding::srgb;
+    case Kind::linear:
+      return Decoding::linear;
+    case Kind::sensor:
+      return Decoding::sensor;
+    case Kind::unknown:
+      return {Decoding::Kind::unknown, {}, {}, word.unknowns};
+    case Kind::gamma: {
+      const sim::ToneCurve curve = sim::ToneCurve::of_gamma(word.gamma);
+      return of_curve(curve, curve.name());
+    }
+    case Kind::bent: {
+      const sim::ToneCurve curve = sim::ToneCurve::of_bent({word.black, word.white});
+      return of_curve(curve, curve.name());
+    }
+    case Kind::curve:
+      break;
+  }
+  const bool of_scene =
+      scene != nullptr && scene->fit.decoding == text && scene->tables.count("fit.decoding") > 0;
+  const std::string file =
+      of_scene ? sim::table_place(*scene, word.file) : (std::filesystem::path(beside) / word.file).string();
+  const std::string table = of_scene ? sim::table_text(*scene, "fit.decoding") : text_of_file(file);
+  const sim::ToneCurve curve = sim::ToneCurve::of_table(table, file);
+  return of_curve(curve,
+                  "curve " + curve.name() + ", SHA-256 " + sim::sha256(table).substr(0, kDigitsOfHash));
+}
+
+}  // namespace vegard::fit

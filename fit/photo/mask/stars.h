@@ -1,0 +1,40 @@
+// Stars: what is small and round on a sky of any brightness.
+//
+// The light of all that is short in every direction is what stays of a picture when the largest of its
+// openings by line segments of eight directions is taken off (the top-hat by a union of linear openings;
+// Soille, "Morphological Image Analysis", 2nd edition 2003, section 4.3). A ray or an arc's edge is longer
+// than the segment in its own direction, whatever its width, and so is taken off with the sky.
+#pragma once
+
+#include <vector>
+
+#include "fit/photo/mask/pixel_set.h"
+#include "fit/photo/photo.h"
+
+namespace vegard::fit {
+
+struct StarSettings {
+  double sigmas = 5.0;  ///< how far a star's brightest pixel stands above the top-hat's median around it (at
+                        ///< least 1 σ, its usual value where the sky is even), in robust standard deviations
+                        ///< σ of the smoothed picture's noise (fit/photo/mask/local_noise.h), of differences
+                        ///< to the mean of the four pixels three away
+  int size_px = 0;  ///< the largest star's diameter; 0: 1/200 of the picture's longer side, at least 9
+  double elongation = 3.5;  ///< the largest ratio of axes (of second moments) of what is above half its peak
+};
+
+struct Star {
+  double x_px, y_px;  ///< centre of light of what is above half the peak
+  double radius_px;   ///< of the disc that covers its light: to where its rings fall to one σ
+  double sigmas;      ///< of its peak
+};
+
+struct StarsFound {
+  std::vector<Star> stars;  ///< brightest (in σ) first
+  PixelSet covered;         ///< the union of their discs
+  int size_px = 0;          ///< the largest diameter that was looked for
+};
+
+/// Large stars are looked for on a binned picture, so that the largest is about nine of its pixels wide.
+StarsFound find_stars(const Photo& photo, const StarSettings& settings = {});
+
+}  // namespace vegard::fit

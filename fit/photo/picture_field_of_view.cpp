@@ -1,0 +1,74 @@
+#include "fit/photo/picture_field_of_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/earth.h"
+#include "sim/base/file/number_text.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kFilmWidthMm = 36.0, kFilmHeightMm = 24.0;
+
+/// Longer side over shorter.
+double shape(double a, double b) { return std::max(a, b) / std::min(a, b); }
+
+bool is_cut(const sim::PictureMetadata& metadata) {
+  constexpr double kTolerance = 0.01;  // a small picture's sides are rounded to pixels
+  if (!metadata.exif_width_px || !metadata.exif_height_px) return false;
+  return std::abs(shape(*metadata.width_px, *metadata.height_px) /
+                      shape(*metadata.exif_width_px, *metadata.exif_height_px) -
+                  1.0) > kTolerance;
+}
+
+}  // namespace
+
+double hfov_of_focal_deg(double focal_px, double width_px) {
+  return 2.0 * std::atan(0.5 * width_px / focal_px) / sim::kRadiansPerDegree;
+}
+
+double focal_of_hfov_px(double hfov_deg, double width_px) {
+  return 0.5 * width_px / std::tan(0.5 * hfov_deg * sim::kRadiansPerDegree);
+}
+
+double focal_of_35mm_px(double equivalent_mm, double width_px, double height_px) {
+  return equivalent_mm * std::hypot(width_px, height_px) / std::hypot(kFilmWidthMm, kFilmHeightMm);
+}
+
+PictureFieldOfView picture_field_of_view(const sim::PictureMetadata& metadata) {
+  PictureFieldOfView view;
+  if (!metadata.width_px || !metadata.height_px) {
+    view.why_not = "the picture's size is not known";
+    return view;
+  }
+  const double width = *metadata.width_px, height = *metadata.height_px;
+  const bool by_film = metadata.focal_length_35mm_mm.has_value();
+  const bool by_sensor = metadata.focal_length_mm && metadata.focal_plane_px_per_mm && metadata.exif_width_px;
+  if (!by_film && !by_sensor) {
+    view.why_not = "the picture does not say how wide its lens sees";
+    return view;
+  }
+  if (is_cut(metadata)) {
+    view.why_not = "the picture has been cut: it has another shape than the camera's had";
+    return view;
+  }
+  if (by_film) {
+    const double equivalent_mm = *metadata.focal_length_35mm_mm;
+    view.focal_px = focal_of_35mm_px(equivalent_mm, width, height);
+    view.source = "EXIF FocalLengthIn35mmFilm " + short_number(equivalent_mm) + " mm, by the diagonal";
+    view.rounding_deg =
+        0.5 * (hfov_of_focal_deg(focal_of_35mm_px(equivalent_mm - 0.5, width, height), width) -
+               hfov_of_focal_deg(focal_of_35mm_px(equivalent_mm + 0.5, width, height), width));
+  } else {
+    const double stored_width = metadata.orientation >= 5 ? height : width;
+    view.focal_px =
+        *metadata.focal_length_mm * *metadata.focal_plane_px_per_mm * stored_width / *metadata.exif_width_px;
+    view.source = "EXIF FocalLength " + short_number(*metadata.focal_length_mm) +
+                  " mm and FocalPlaneXResolution " + short_number(*metadata.focal_plane_px_per_mm) + " px/mm";
+  }
+  view.hfov_deg = hfov_of_focal_deg(*view.focal_px, width);
+  return view;
+}
+
+}  // namespace vegard::fit

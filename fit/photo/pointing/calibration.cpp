@@ -1,0 +1,231 @@
+#include "fit/photo/pointing/calibration.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "fit/photo/pointing/star_check.h"
+#include "sim/base/earth.h"
+#include "sim/base/error.h"
+#include "sim/base/file/number_text.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kStrong = 0.95;  // of a correlation that is told
+constexpr double kDegrees = 1.0 / sim::kRadiansPerDegree;
+
+/// A scene's number as a function of a calibration's.
+struct SceneNumber {
+  const char* key;
+  const char* unit;
+  double value;
+  Eigen::RowVectorXd by_number;  ///< [LensNumber]
+};
+
+std::vector<SceneNumber> scene_numbers(const SkyCamera& camera, const Frame& frame,
+                                       const Pointing& pointing) {
+  std::vector<SceneNumber> all;
+  const auto add = [&](const char* key, const char* unit, double value, LensNumber number, double slope) {
+    all.push_back({key, unit, value, Eigen::RowVectorXd::Zero(lens_numbers)});
+    all.back().by_number[number] = slope;
+  };
+  const double angles[3] = {pointing.azimuth_deg, pointing.elevation_deg, pointing.roll_deg};
+  constexpr const char* kAngles[3] = {"azimuth_deg", "elevation_deg", "roll_deg"};
+  for (int i = 0; i < 3; ++i) {
+    all.push_back({kAngles[i], "deg", angles[i], Eigen::RowVectorXd::Zero(lens_numbers)});
+    all.back().by_number.head<3>() = pointing.by_turns.row(i);
+  }
+  const auto& n = camera.numbers;
+  const double half = 0.5 * frame.width_px, focal = n[focal_px_number];
+  if (camera.model == sim::LensModel::pinhole)
+    add("hfov_deg", "deg", 2.0 * std::atan(half / focal) * kDegrees, focal_px_number,
+        -2.0 * half / (focal * focal + half * half) * kDegrees);
+  else
+    add("focal_px", "px", focal, focal_px_number, 1.0);
+  add("principal_x_px", "px", n[centre_x_number] - half, centre_x_number, 1.0);
+  add("principal_y_px", "px", n[centre_y_number] - 0.5 * frame.height_px, centre_y_number, 1.0);
+  add("aspect", "", n[aspect_ratio_number], aspect_ratio_number, 1.0);
+  add("k1", "", n[radial_1_number], radial_1_number, 1.0);
+  add("k2", "", n[radial_2_number], radial_2_number, 1.0);
+  add("k3", "", n[radial_3_number], radial_3_number, 1.0);
+  add("p1", "", n[decentring_1_number], decentring_1_number, 1.0);
+  add("p2", "", n[decentring_2_number], decentring_2_number, 1.0);
+  return all;
+}
+
+void tell_errors(Calibration& calibration, const std::vector<LensNumber>& free) {
+  const int k = static_cast<int>(free.size()), n = 2 * calibration.used();
+  StarSet used;
+  double sum = 0.0;
+  for (const StarResidual& one : calibration.residuals) {
+    used.push_back(one.used);
+    if (one.used) sum += one.dx_px * one.dx_px + one.dy_px * one.dy_px;
+  }
+  calibration.sigma_px = n > k ? std::sqrt(sum / (n - k)) : 0.0;
+  const Eigen::MatrixXd jacobian = place_jacobian(calibration.camera, free, calibration.stars, used);
+  // By way of the QR's triangle with columns of length 1: the products of J with itself would cost half the
+  // digits.
+  const Eigen::RowVectorXd lengths = jacobian.colwise().norm();
+  const Eigen::MatrixXd scaled = jacobian * lengths.cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd triangle =
+      Eigen::HouseholderQR<Eigen::MatrixXd>(scaled).matrixQR().topRows(k).triangularView<Eigen::Upper>();
+  const Eigen::MatrixXd inverse =
+      triangle.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(k, k));
+  const Eigen::MatrixXd root = calibration.sigma_px * (lengths.cwiseInverse().asDiagonal() * inverse);
+  // Of all of the calibration's numbers; those that were held have none.
+  Eigen::MatrixXd roots = Eigen::MatrixXd::Zero(lens_numbers, k);
+  for (int j = 0; j < k; ++j) roots.row(free[j]) = root.row(j);
+
+  std::vector<Eigen::RowVectorXd> of_free;
+  for (const SceneNumber& number :
+       scene_numbers(calibration.camera, calibration.frame, calibration.pointing)) {
+    CameraEstimate estimate{number.key, number.unit, number.value, 0.0, false};
+    for (const LensNumber one : free) estimate.free = estimate.free || number.by_number[one] != 0.0;
+    if (estimate.free) {
+      of_free.push_back(number.by_number * roots);
+      estimate.sigma = of_free.back().norm();
+    }
+    calibration.estimates.push_back(estimate);
+  }
+  const int m = static_cast<int>(of_free.size());
+  calibration.correlation = Eigen::MatrixXd::Identity(m, m);
+  for (int i = 0; i < m; ++i)
+    for (int j = 0; j < m; ++j) {
+      const double lengths_product = of_free[i].norm() * of_free[j].norm();
+      if (i != j && lengths_product > 0.0)
+        calibration.correlation(i, j) = of_free[i].dot(of_free[j]) / lengths_product;
+    }
+  calibration.line_of_sight_sigma_deg = std::max(roots.row(0).norm(), roots.row(1).norm()) * kDegrees;
+  calibration.twist_sigma_deg = roots.row(2).norm() * kDegrees;
+}
+
+std::string number_text(const char* format, double a, double b = 0.0) {
+  char text[160];
+  std::snprintf(text, sizeof text, format, a, b);
+  return text;
+}
+
+void tell_warnings(Calibration& calibration) {
+  std::vector<const CameraEstimate*> free;
+  for (const CameraEstimate& estimate : calibration.estimates)
+    if (estimate.free) free.push_back(&estimate);
+  for (std::size_t i = 0; i < free.size(); ++i)
+    for (std::size_t j = i + 1; j < free.size(); ++j) {
+      const double r = calibration.correlation(static_cast<int>(i), static_cast<int>(j));
+      if (std::abs(r) < kStrong) continue;
+      std::string words = free[i]->key + " and " + free[j]->key + " are hardly told apart (correlation " +
+                          number_text("%.3f)", r);
+      if (free[i]->key == "azimuth_deg" && free[j]->key == "roll_deg")
+        words +=
+            number_text(": the camera looks %.1f° from the zenith; about its axis it is known to %.3f°",
+                        90.0 - std::abs(calibration.pointing.elevation_deg), calibration.twist_sigma_deg);
+      calibration.warnings.push_back(words);
+    }
+  const int left_out = static_cast<int>(calibration.stars.size()) - calibration.used();
+  if (3 * left_out > static_cast<int>(calibration.stars.size()))
+    calibration.warnings.push_back(
+        calibration.evidence == Evidence::stars
+            ? "more than a third of the stars were left out: are they the stars they are called?"
+            : "more than a third of the points were left out: no lens that is known here made these maps");
+}
+
+/// What fits without each star say of it.
+void leave_out(Calibration& calibration, const std::vector<LensNumber>& free) {
+  StarSet used;
+  for (const StarResidual& one : calibration.residuals) used.push_back(one.used);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    StarResidual& one = calibration.residuals[i];
+    if (!one.used) continue;
+    used[i] = 0;
+    const CameraFit fit = fit_camera(calibration.camera, free, calibration.stars, used);
+    used[i] = 1;
+    const Eigen::Vector2d left = residuals(fit.camera, {calibration.stars[i]})[0];
+    one.without_dx_px = left[0];
+    one.without_dy_px = left[1];
+    sum += left.squaredNorm();
+  }
+  calibration.without_rms_px = std::sqrt(sum / calibration.used());
+}
+
+}  // namespace
+
+const char* words_of(Evidence evidence) {
+  return evidence == Evidence::stars ? "stars" : "points of the maps";
+}
+
+std::string words_of(const MapAgreement& agreement) {
+  std::string words = "all " + std::to_string(agreement.pixels) + " pixels: rms " +
+                      short_number(agreement.rms_px, 3) + " px, the largest " +
+                      short_number(agreement.largest_px, 3) + " px at (" +
+                      std::to_string(agreement.largest_x) + ", " + std::to_string(agreement.largest_y) + ")";
+  if (agreement.without_image > 0)
+    words += "; of " + std::to_string(agreement.without_image) + " more the lens has no image";
+  return words;
+}
+
+int Calibration::used() const {
+  return static_cast<int>(
+      std::count_if(residuals.begin(), residuals.end(), [](const StarResidual& one) { return one.used; }));
+}
+
+Calibration calibrate(const LensSettings& settings, const std::vector<StarSighting>& stars,
+                      const Frame& frame, const std::string& name, Evidence evidence) {
+  std::size_t fewest = settings.only.size();
+  if (fewest == 0) {
+    fewest = lens_numbers;
+    for (const LensForm& form : lens_forms()) {
+      if (settings.model && form.model != *settings.model) continue;
+      if (settings.form && words_of(form) != words_of(*settings.form)) continue;
+      fewest = std::min(fewest, free_numbers(form, settings.centre_free).size());
+    }
+  }
+  check_stars(stars, static_cast<int>(fewest), name, words_of(evidence));
+  const LensChoice choice = choose_lens(settings, stars, frame);
+  if (choice.chosen < 0) {
+    sim::ErrorDetails details;
+    details.file = name;
+    details.problem = std::string("no lens brings the ") + words_of(evidence) + " to where they were seen";
+    details.hint =
+        evidence == Evidence::stars
+            ? "are they the stars they are called? Check the time, the site, and the columns' meaning"
+            : "do both maps belong to one camera, and say degrees from north to the east and above the "
+              "horizon?";
+    throw sim::Error(sim::ErrorKind::unreadable_input, details);
+  }
+  Calibration calibration;
+  calibration.evidence = evidence;
+  calibration.candidates = choice.candidates;
+  calibration.chosen = choice.chosen;
+  const LensCandidate& chosen = calibration.candidates[choice.chosen];
+  calibration.camera = chosen.fit.camera;
+  calibration.form = chosen.form;
+  calibration.frame = frame;
+  calibration.stars = stars;
+  calibration.rms_px = calibration.without_rms_px = chosen.rms_px;
+  calibration.pointing = pointing_of(calibration.camera);
+  const std::vector<Eigen::Vector2d> left = residuals(calibration.camera, stars);
+  for (std::size_t i = 0; i < stars.size(); ++i) {
+    StarResidual one;
+    one.dx_px = left[i][0];
+    one.dy_px = left[i][1];
+    one.without_dx_px = one.dx_px;
+    one.without_dy_px = one.dy_px;
+    one.used = choice.used[i] != 0;
+    const auto& enu = stars[i].enu;
+    const double along =
+        calibration.camera.camera_from_enu.row(2).dot(Eigen::RowVector3d(enu[0], enu[1], enu[2]));
+    one.off_axis_deg = std::acos(std::clamp(along, -1.0, 1.0)) * kDegrees;
+    one.from_centre_px = std::hypot(stars[i].x_px - calibration.camera.numbers[centre_x_number],
+                                    stars[i].y_px - calibration.camera.numbers[centre_y_number]);
+    calibration.residuals.push_back(one);
+  }
+  tell_errors(calibration, chosen.free);
+  if (evidence == Evidence::stars) leave_out(calibration, chosen.free);
+  tell_warnings(calibration);
+  return calibration;
+}
+
+}  // namespace vegard::fit

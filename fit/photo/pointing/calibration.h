@@ -1,0 +1,81 @@
+// A camera from stars, or from points of maps that count as stars: its lens chosen and fitted, with error
+// bars and the residuals of every star.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/photo/pointing/lens_choice.h"
+#include "fit/photo/pointing/pointing.h"
+
+namespace vegard::fit {
+
+/// A number in a scene's [camera] and its standard deviation: least squares with the noise that the residuals
+/// show.
+struct CameraEstimate {
+  std::string key;  ///< "azimuth_deg"
+  std::string unit;
+  double value = 0.0;
+  double sigma = 0.0;
+  bool free = false;  ///< else it was held and sigma means nothing
+};
+
+struct StarResidual {
+  double dx_px = 0.0, dy_px = 0.0;                  ///< seen minus computed
+  double without_dx_px = 0.0, without_dy_px = 0.0;  ///< the same by a fit without this star
+  double off_axis_deg = 0.0;
+  double from_centre_px = 0.0;
+  bool used = false;
+};
+
+/// What the stars of a calibration are.
+enum class Evidence { stars, maps };
+
+/// "stars", or "points of the maps".
+const char* words_of(Evidence evidence);
+
+/// A camera against all pixels of maps.
+struct MapAgreement {
+  int pixels = 0;         ///< that look somewhere, and of whose direction the lens has an image
+  int without_image = 0;  ///< that look somewhere else
+  double rms_px = 0.0;    ///< sqrt(sum (dx^2 + dy^2) / pixels)
+  double largest_px = 0.0;
+  int largest_x = 0, largest_y = 0;  ///< the pixel of the largest distance, columns and rows from 0
+};
+
+/// "all 3000 pixels: rms 0.01 px, the largest 0.04 px at (12, 300)".
+std::string words_of(const MapAgreement& agreement);
+
+struct Calibration {
+  SkyCamera camera;
+  Frame frame;
+  LensForm form;
+  std::vector<LensCandidate> candidates;
+  int chosen = 0;
+  std::vector<StarSighting> stars;
+  std::vector<StarResidual> residuals;  ///< of every star
+  double rms_px = 0.0;                  ///< sqrt(sum (dx^2 + dy^2) / N) over the stars in use
+  double without_rms_px =
+      0.0;                ///< the same of the residuals of fits without each star; of maps not made: rms_px
+  double sigma_px = 0.0;  ///< of one coordinate: sqrt(sum / (2 N - k))
+  Evidence evidence = Evidence::stars;
+  std::optional<MapAgreement> maps;  ///< of a calibration by maps
+  Pointing pointing;
+  std::vector<CameraEstimate> estimates;
+  Eigen::MatrixXd correlation;           ///< of the free estimates, in their order
+  double line_of_sight_sigma_deg = 0.0;  ///< of the axis's direction, the larger of two; 0 if it was held
+  double twist_sigma_deg = 0.0;          ///< about the axis
+  std::vector<std::string> warnings;     ///< numbers that the stars hardly tell apart, and the like
+
+  int used() const;
+};
+
+/// Throws sim::Error(unreadable_input), about the file `name`, if there are too few stars, all in one point
+/// or on one line of the picture or of the sky, or if no lens brings them together. Of maps no fits
+/// without each point are made.
+Calibration calibrate(const LensSettings& settings, const std::vector<StarSighting>& stars,
+                      const Frame& frame, const std::string& name, Evidence evidence = Evidence::stars);
+
+}  // namespace vegard::fit

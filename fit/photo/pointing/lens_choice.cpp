@@ -1,0 +1,240 @@
+#include "fit/photo/pointing/lens_choice.h"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "fit/photo/pointing/starting_camera.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kWorthAMention = 2.0;  // of BIC
+constexpr int kMostRounds = 6;
+constexpr double kMedianOfRayleigh = 1.1774100225154747;  // sqrt(2 ln 2)
+constexpr double kExact_px2 = 1e-18;  // of RSS / n: noise-free stars must not make an infinite criterion
+constexpr double kWorstCondition = 1e-7;
+
+double criterion(double sum_of_squares, int residuals, int numbers) {
+  return residuals * std::log(std::max(sum_of_squares / residuals, kExact_px2)) +
+         numbers * std::log(residuals);
+}
+
+/// Whether the stars tell the numbers apart: by the singular values of the Jacobian with columns of length 1.
+bool determined(const SkyCamera& camera, const std::vector<LensNumber>& free,
+                const std::vector<StarSighting>& stars, const StarSet& used) {
+  Eigen::MatrixXd jacobian = place_jacobian(camera, free, stars, used);
+  for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
+    const double length = jacobian.col(j).norm();
+    if (!(length > 0.0) || !std::isfinite(length)) return false;
+    jacobian.col(j) /= length;
+  }
+  const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian).singularValues();
+  return values[values.size() - 1] > kWorstCondition * values[0];
+}
+
+std::string count_objection(int residuals, int numbers) {
+  if (residuals >= numbers + 4 && 2 * residuals >= 3 * numbers) return {};
+  return "too few stars for " + std::to_string(numbers) + " numbers";
+}
+
+StarSet kept(const std::vector<Eigen::Vector2d>& left, double sigma_px) {
+  const double limit = std::max(kRejectionSigmas * sigma_px, kLeastRejection_px);
+  StarSet used;
+  for (const Eigen::Vector2d& one : left) used.push_back(one.norm() <= limit);
+  return used;
+}
+
+class Chooser {
+ public:
+  Chooser(const LensSettings& settings, const std::vector<StarSighting>& stars, const Frame& frame)
+      : settings_(settings), stars_(stars), frame_(frame) {}
+
+  LensChoice run() {
+    prepare();
+    const int reference = fit_robustly();
+    if (reference < 0) return choice_;
+    const LensCandidate& best = choice_.candidates[reference];
+    const std::vector<Eigen::Vector2d> left = residuals(best.fit.camera, stars_);
+    choice_.used = kept(left, robust_sigma_px(left, {}, static_cast<int>(best.free.size())));
+    for (int round = 0; round < kMostRounds; ++round) {
+      fit_plainly();
+      if (choice_.chosen < 0) return choice_;
+      const LensCandidate& chosen = choice_.candidates[choice_.chosen];
+      const std::vector<Eigen::Vector2d> now = residuals(chosen.fit.camera, stars_);
+      const StarSet next =
+          kept(now, robust_sigma_px(now, choice_.used, static_cast<int>(chosen.free.size())));
+      if (next == choice_.used) return choice_;
+      choice_.used = next;
+    }
+    // They go back and forth: the last set it is, with the fit that belongs to it.
+    fit_plainly();
+    return choice_;
+  }
+
+ private:
+  SkyCamera centred() const {
+    SkyCamera camera;
+    camera.numbers[centre_x_number] = 0.5 * frame_.width_px;
+    camera.numbers[centre_y_number] = 0.5 * frame_.height_px;
+    return camera;
+  }
+
+  /// A start for every model, in every candidate of it.
+  void prepare() {
+    if (!settings_.only.empty()) {
+      LensCandidate candidate;
+      candidate.form = form_of(*settings_.start);
+      candidate.free = settings_.only;
+      candidate.fit.camera = *settings_.start;
+      choice_.candidates.push_back(candidate);
+      return;
+    }
+    std::map<sim::LensModel, CameraFit> starts;
+    for (const LensForm& form : lens_forms()) {
+      if (settings_.model && form.model != *settings_.model) continue;
+      if (settings_.form && words_of(form) != words_of(*settings_.form)) continue;
+      if (starts.count(form.model) == 0) starts[form.model] = start_of(form.model);
+      LensCandidate candidate;
+      candidate.form = form;
+      candidate.free = free_numbers(form, settings_.centre_free);
+      candidate.fit = starts[form.model];
+      drop_other_terms(candidate);
+      if (!candidate.fit.good) candidate.objection = "no star comes out near its place";
+      choice_.candidates.push_back(candidate);
+    }
+  }
+
+  /// The start may have terms that this form has not.
+  static void drop_other_terms(LensCandidate& candidate) {
+    const SkyCamera plain;
+    for (int i = aspect_ratio_number; i < lens_numbers; ++i)
+      if (std::find(candidate.free.begin(), candidate.free.end(), i) == candidate.free.end())
+        candidate.fit.camera.numbers[i] = plain.numbers[i];
+  }
+
+  CameraFit start_of(sim::LensModel model) const {
+    CameraFit best;
+    double least = std::numeric_limits<double>::infinity();
+    const auto offer = [&](const CameraFit& fit) {
+      if (!fit.good) return;
+      const double sum = truncated_sum(fit.camera, stars_);
+      if (sum < least) {
+        least = sum;
+        best = fit;
+      }
+    };
+    if (settings_.start && settings_.start->model == model) {
+      CameraFit given;
+      given.camera = *settings_.start;
+      given.good = true;
+      offer(given);
+      if (given.good) return given;
+    }
+    offer(starting_camera(model, false, stars_, frame_));
+    offer(starting_camera(model, true, stars_, frame_));
+    if (!settings_.centre_free) {
+      const SkyCamera middle = centred();
+      best.camera.numbers[centre_x_number] = middle.numbers[centre_x_number];
+      best.camera.numbers[centre_y_number] = middle.numbers[centre_y_number];
+    }
+    return best;
+  }
+
+  /// With Cauchy's loss at a scale that shrinks to the noise. Returns the best of the simple ones, -1 for
+  /// none.
+  int fit_robustly() {
+    const int n = 2 * static_cast<int>(stars_.size());
+    int best = -1;
+    std::size_t fewest = 99;
+    for (const LensCandidate& candidate : choice_.candidates)
+      fewest = std::min(fewest, candidate.free.size());
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t c = 0; c < choice_.candidates.size(); ++c) {
+      LensCandidate& candidate = choice_.candidates[c];
+      const int k = static_cast<int>(candidate.free.size());
+      if (candidate.objection.empty()) candidate.objection = count_objection(n, k);
+      if (!candidate.objection.empty()) continue;
+      double sigma = 0.0;
+      for (int step = 0; step < 3; ++step) {
+        sigma = robust_sigma_px(residuals(candidate.fit.camera, stars_), {}, k);
+        // A camera that is far off still: all stars count alike.
+        if (!std::isfinite(sigma)) sigma = 0.05 * std::max(frame_.width_px, frame_.height_px);
+        candidate.fit =
+            fit_camera(candidate.fit.camera, candidate.free, stars_, {}, std::max(2.0 * sigma, 1e-3));
+      }
+      sigma = robust_sigma_px(residuals(candidate.fit.camera, stars_), {}, k);
+      if (!std::isfinite(sigma)) continue;
+      // Robust scales of lenses with many numbers are too small: half of the stars can be drawn to nothing.
+      if (k > static_cast<int>(fewest) + 2) continue;
+      const double value = criterion(sigma * sigma * (n - k), n, k);
+      if (value < least) {
+        least = value;
+        best = static_cast<int>(c);
+      }
+    }
+    return best;
+  }
+
+  void fit_plainly() {
+    const int n = 2 * count(choice_.used);
+    double least = std::numeric_limits<double>::infinity();
+    for (LensCandidate& candidate : choice_.candidates) {
+      if (candidate.objection == "no star comes out near its place") continue;
+      const int k = static_cast<int>(candidate.free.size());
+      candidate.objection = count_objection(n, k);
+      if (!candidate.objection.empty()) continue;
+      const CameraFit fit = fit_camera(candidate.fit.camera, candidate.free, stars_, choice_.used);
+      if (!fit.good) {
+        candidate.objection = "it has no image of every star";
+        continue;
+      }
+      candidate.fit = fit;
+      if (!determined(candidate.fit.camera, candidate.free, stars_, choice_.used)) {
+        candidate.objection = "the stars do not tell its numbers apart";
+        continue;
+      }
+      candidate.rms_px = std::sqrt(candidate.fit.sum_of_squares / (n / 2));
+      candidate.bic = criterion(candidate.fit.sum_of_squares, n, k);
+      least = std::min(least, candidate.bic);
+    }
+    choice_.chosen = -1;
+    for (std::size_t c = 0; c < choice_.candidates.size(); ++c) {
+      const LensCandidate& candidate = choice_.candidates[c];
+      if (!candidate.objection.empty() || candidate.bic > least + kWorthAMention) continue;
+      if (choice_.chosen >= 0) {
+        const LensCandidate& before = choice_.candidates[choice_.chosen];
+        if (candidate.free.size() > before.free.size()) continue;
+        if (candidate.free.size() == before.free.size() && candidate.bic >= before.bic) continue;
+      }
+      choice_.chosen = static_cast<int>(c);
+    }
+  }
+
+  const LensSettings& settings_;
+  const std::vector<StarSighting>& stars_;
+  const Frame& frame_;
+  LensChoice choice_;
+};
+
+}  // namespace
+
+double robust_sigma_px(const std::vector<Eigen::Vector2d>& left, const StarSet& used, int free_numbers) {
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < left.size(); ++i)
+    if (used.empty() || used[i] != 0) distances.push_back(left[i].norm());
+  const int n = 2 * static_cast<int>(distances.size());
+  if (n <= free_numbers) return std::numeric_limits<double>::infinity();
+  std::nth_element(distances.begin(), distances.begin() + distances.size() / 2, distances.end());
+  return distances[distances.size() / 2] / kMedianOfRayleigh *
+         std::sqrt(static_cast<double>(n) / (n - free_numbers));
+}
+
+LensChoice choose_lens(const LensSettings& settings, const std::vector<StarSighting>& stars,
+                       const Frame& frame) {
+  return Chooser(settings, stars, frame).run();
+}
+
+}  // namespace vegard::fit

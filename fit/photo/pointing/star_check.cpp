@@ -1,0 +1,64 @@
+#include "fit/photo/pointing/star_check.h"
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "sim/base/error.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kNarrowest = 0.01;  // width over length: of a line
+
+[[noreturn]] void refuse(const std::string& name, const std::string& problem, const std::string& expected,
+                         const std::string& hint) {
+  sim::ErrorDetails details;
+  details.file = name;
+  details.problem = problem;
+  details.expected = expected;
+  details.hint = hint;
+  throw sim::Error(sim::ErrorKind::unreadable_input, details);
+}
+
+}  // namespace
+
+void check_stars(const std::vector<StarSighting>& stars, int free_numbers, const std::string& name,
+                 const std::string& called) {
+  const int n = static_cast<int>(stars.size());
+  // Four residuals more than numbers, two to a star.
+  const int needed = (free_numbers + 4 + 1) / 2;
+  if (n < needed)
+    refuse(name,
+           std::to_string(n) + " " + (n == 1 && called == "stars" ? "star" : called) + " for a camera of " +
+               std::to_string(free_numbers) + " numbers",
+           "at least " + std::to_string(needed),
+           "add " + called + ", or hold numbers with --free and --camera");
+  Eigen::MatrixXd places(n, 2), directions(n, 3);
+  for (int i = 0; i < n; ++i) {
+    places.row(i) << stars[i].x_px, stars[i].y_px;
+    directions.row(i) << stars[i].enu[0], stars[i].enu[1], stars[i].enu[2];
+  }
+  const Eigen::MatrixXd about = places.rowwise() - places.colwise().mean();
+  const Eigen::VectorXd spread =
+      (Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(about.transpose() * about / n)
+           .eigenvalues()
+           .cwiseMax(0.0))
+          .cwiseSqrt();
+  if (spread[1] < 1.0)
+    refuse(name, "all " + called + " stand in one point of the picture", called + " all over it", "");
+  if (spread[0] < kNarrowest * spread[1])
+    refuse(name, "all " + called + " stand on one line of the picture", called + " on both sides of it", "");
+  const Eigen::MatrixXd across = directions.rowwise() - directions.colwise().mean();
+  const Eigen::VectorXd width =
+      (Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(across.transpose() * across / n)
+           .eigenvalues()
+           .cwiseMax(0.0))
+          .cwiseSqrt();
+  if (width[2] < 1e-5)
+    refuse(name, "all " + called + " stand in one point of the sky", "different " + called, "");
+  if (width[1] < kNarrowest * width[2])
+    refuse(name, "all " + called + " stand on one line of the sky", called + " on both sides of it", "");
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,185 @@
+#include "fit/photo/pointing/star_table.h"
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "fit/photo/pointing/solved_field.h"
+#include "sim/base/earth.h"
+#include "sim/base/error.h"
+#include "sim/scene/table/nearest_name.h"
+#include "sim/view/sky/bright_stars.h"
+
+namespace vegard::fit {
+namespace {
+
+class Reader {
+ public:
+  Reader(const std::string& name, const SkyOfPicture& sky, double first_pixel)
+      : name_(name), sky_(sky), shift_px_(0.5 - first_pixel) {}
+
+  std::vector<StarSighting> read(const std::string& text) {
+    std::size_t begin = text.rfind("\xef\xbb\xbf", 0) == 0 ? 3 : 0;
+    for (; begin < text.size(); ++line_) {
+      const std::size_t end = std::min(text.find('\n', begin), text.size());
+      cells_ = cells_of(text.substr(begin, end - begin));
+      begin = end + 1;
+      if (cells_.size() == 1 && cells_[0].empty()) continue;
+      if (!cells_[0].empty() && cells_[0][0] == '#') continue;
+      if (columns_.empty())
+        header();
+      else
+        star();
+    }
+    if (columns_.empty()) fail("an empty table", "names of columns in the first line");
+    return stars_;
+  }
+
+ private:
+  static std::vector<std::string> cells_of(const std::string& line) {
+    std::vector<std::string> cells(1);
+    bool quoted = false;
+    for (const char c : line) {
+      if (c == '"')
+        quoted = !quoted;
+      else if (c == ',' && !quoted)
+        cells.emplace_back();
+      else
+        cells.back() += c;
+    }
+    for (std::string& cell : cells) {
+      const std::size_t first = cell.find_first_not_of(" \t\r");
+      cell = first == std::string::npos ? "" : cell.substr(first, cell.find_last_not_of(" \t\r") - first + 1);
+    }
+    return cells;
+  }
+
+  [[noreturn]] void fail(const std::string& problem, const std::string& expected, const std::string& key = {},
+                         const std::string& hint = {}) const {
+    sim::ErrorDetails details;
+    details.file = name_;
+    details.line = line_;
+    details.key = key;
+    details.problem = problem;
+    details.expected = expected;
+    details.hint = hint;
+    throw sim::Error(sim::ErrorKind::unreadable_input, details);
+  }
+
+  bool has(const char* column) const { return columns_.count(column) != 0; }
+
+  void header() {
+    for (std::size_t i = 0; i < cells_.size(); ++i)
+      if (!columns_.emplace(cells_[i], i).second)
+        fail("two columns are called '" + cells_[i] + "'", "one of each");
+    if (!has("x_px") || !has("y_px")) fail("no columns x_px and y_px", "where each star was seen");
+    if (has("azimuth_deg") && (has("elevation_deg") || has("zenith_deg"))) return;
+    if ((has("ra_deg") || has("ra_hours")) && has("dec_deg")) return require_sky(sky_, name_);
+    if (has("star")) return require_sky(sky_, name_);
+    fail("no columns that say where the stars stand",
+         "azimuth_deg and elevation_deg or zenith_deg; ra_deg or ra_hours, and dec_deg; or star");
+  }
+
+  const std::string& text(const char* column) const { return cells_[columns_.at(column)]; }
+
+  double number(const char* column, double least, double most) const {
+    std::string cell = text(column);
+    if (!cell.empty() && cell[0] == '+') cell.erase(0, 1);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
+      fail("'" + text(column) + "' is no number", "a number", column);
+    if (value < least || value > most)
+      fail(text(column) + " is out of range",
+           std::to_string(static_cast<int>(least)) + " to " + std::to_string(static_cast<int>(most)), column);
+    return value;
+  }
+
+  void star() {
+    if (cells_.size() != columns_.size())
+      fail(std::to_string(cells_.size()) + " cells",
+           std::to_string(columns_.size()) + ", as in the first line");
+    StarSighting star;
+    star.line = line_;
+    star.x_px = number("x_px", -1e6, 1e6) + shift_px_;
+    star.y_px = number("y_px", -1e6, 1e6) + shift_px_;
+    if (has("magnitude") && !text("magnitude").empty()) star.magnitude = number("magnitude", -30, 30);
+    if (has("name")) star.name = text("name");
+    if (has("azimuth_deg") && (has("elevation_deg") || has("zenith_deg"))) {
+      const double azimuth = number("azimuth_deg", -720, 720) * sim::kRadiansPerDegree;
+      const double elevation =
+          (has("elevation_deg") ? number("elevation_deg", -90, 90) : 90.0 - number("zenith_deg", 0, 180)) *
+          sim::kRadiansPerDegree;
+      star.enu = {std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation),
+                  std::sin(elevation)};
+    } else if (has("dec_deg")) {
+      sim::CataloguePlace place;
+      place.j2000 = {has("ra_deg") ? number("ra_deg", 0, 360) : 15.0 * number("ra_hours", 0, 24),
+                     number("dec_deg", -90, 90)};
+      star.enu = sim::direction_of_star(place, *sky_.observer, *sky_.julian_date);
+    } else {
+      catalogued(star);
+    }
+    if (star.name.empty() && has("star")) star.name = text("star");
+    stars_.push_back(star);
+  }
+
+  void catalogued(StarSighting& star) const {
+    const sim::BrightStar* known = sim::find_bright_star(text("star"));
+    if (known == nullptr) {
+      std::vector<std::string> names;
+      for (const sim::BrightStar& one : sim::bright_stars())
+        for (const std::string& name : {one.name, one.designation})
+          if (!name.empty()) names.push_back(name);
+      fail("no star '" + text("star") + "' in the table of bright stars",
+           "a name, a designation such as \"alf Lyr\", \"HIP 91262\" or \"HD 172167\"", "star",
+           sim::nearest_hint(text("star"), names));
+    }
+    star.name = known->label();
+    if (std::isnan(star.magnitude)) star.magnitude = known->magnitude;
+    star.enu = sim::direction_of_star(known->place, *sky_.observer, *sky_.julian_date);
+  }
+
+  const std::string& name_;
+  const SkyOfPicture& sky_;
+  double shift_px_;
+  int line_ = 1;
+  std::map<std::string, std::size_t> columns_;
+  std::vector<std::string> cells_;
+  std::vector<StarSighting> stars_;
+};
+
+}  // namespace
+
+void require_sky(const SkyOfPicture& sky, const std::string& file) {
+  if (sky.julian_date && sky.observer) return;
+  sim::ErrorDetails details;
+  details.file = file;
+  details.key = sky.julian_date ? "--site" : "--time";
+  details.problem = "stars by name or by right ascension stand somewhere at a time, at a site";
+  details.expected = "--time and --site";
+  throw sim::Error(sim::ErrorKind::usage, details);
+}
+
+std::vector<StarSighting> parse_star_table(const std::string& text, const std::string& name,
+                                           const SkyOfPicture& sky, double first_pixel) {
+  return Reader(name, sky, first_pixel).read(text);
+}
+
+std::vector<StarSighting> read_star_table(const std::string& file, const SkyOfPicture& sky,
+                                          std::optional<double> first_pixel) {
+  std::ifstream in(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (!in) {
+    sim::ErrorDetails details;
+    details.file = file;
+    details.problem = "cannot be read";
+    throw sim::Error(sim::ErrorKind::unreadable_input, details);
+  }
+  if (is_fits_table(text)) return solved_field(text, file, sky, first_pixel.value_or(1.0));
+  return parse_star_table(text, file, sky, first_pixel.value_or(0.5));
+}
+
+}  // namespace vegard::fit

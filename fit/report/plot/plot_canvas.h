@@ -1,0 +1,61 @@
+// What a plot is drawn on: the few strokes that SVG and PNG both can.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fit/report/plot/plot.h"
+
+namespace vegard::fit {
+
+struct PlotPoint {
+  double x = 0.0, y = 0.0;
+};
+
+struct PlotRectangle {
+  double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
+};
+
+enum class TextAnchor { start, middle, end };
+
+struct TextStyle {
+  double size_px = 12.0;
+  TextAnchor anchor = TextAnchor::start;
+  Colour colour;
+  bool bold = false;
+  bool upwards = false;  ///< turned a quarter to the left, around its place
+};
+
+/// Pixels to the right and down from the top left corner. A text's place is on its base line.
+class PlotCanvas {
+ public:
+  virtual ~PlotCanvas() = default;
+  virtual void line(const std::vector<PlotPoint>& points, Colour colour, double width_px, bool dashed) = 0;
+  virtual void area(const std::vector<PlotPoint>& outline, Colour colour, double opacity) = 0;
+  virtual void dot(PlotPoint centre, double diameter_px, Colour colour) = 0;
+  virtual void text(PlotPoint place, const std::string& text, const TextStyle& style) = 0;
+  /// A raster's pixels, blown up or shrunk to this place without smoothing.
+  virtual void picture(const PlotRectangle& place, const Raster& raster) = 0;
+  /// Until end_clip() nothing outside the rectangle is drawn.
+  virtual void begin_clip(const PlotRectangle& inside) = 0;
+  virtual void end_clip() = 0;
+};
+
+struct PlotSize {
+  double width = 0.0, height = 0.0;
+};
+
+PlotSize plot_size(const Plot& plot);
+
+/// Draws all of it on a white ground of plot_size().
+void draw_plot(const Plot& plot, PlotCanvas& canvas);
+
+/// A whole SVG document of what `draw` draws, as plot_svg() makes it.
+std::string drawn_svg(const std::string& title, PlotSize size, const std::function<void(PlotCanvas&)>& draw);
+
+/// Roughly: the width of a text in a sans-serif face, as wide as they come (DejaVu Sans), so that nothing is
+/// cut off.
+double text_width_px(const std::string& text, double size_px);
+
+}  // namespace vegard::fit

@@ -1,0 +1,37 @@
+// The tables of a report, as HTML.
+#pragma once
+
+#include <string>
+
+#include "fit/answer/fit_result.h"
+
+namespace vegard::fit {
+
+/// Cards with what follows from the parameters and is what people publish; empty if there is nothing.
+std::string derived_cards(const FitResult& result);
+
+/// What has no card: details, and what cannot be told, with the reason; empty if there is nothing.
+std::string derived_table(const FitResult& result);
+
+/// Path, meaning, value ± sigma, unit, 68 % interval, start, limits.
+std::string parameter_table_html(const FitResult& result);
+
+/// Path, meaning, value ± sigma, unit, what it equals; empty if nothing is tied.
+std::string tied_table(const FitResult& result);
+
+/// Gains and sky of a photograph.
+std::string solved_table(const FittedPhoto& fitted);
+
+/// chi2 and rms of each photograph, and how it was decoded.
+std::string photos_table(const FitResult& result);
+
+/// Coloured cells; empty for fewer than two parameters.
+std::string correlation_table(const FitResult& result);
+
+/// chi2 and the other numbers of the fit, each with a sentence that says what it means.
+std::string statistics_table(const FitResult& result);
+
+/// Version, seed, command, inputs with their hashes, decoding.
+std::string provenance_table(const FitResult& result);
+
+}  // namespace vegard::fit

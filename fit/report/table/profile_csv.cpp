@@ -1,0 +1,137 @@
+#include "fit/report/table/profile_csv.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "fit/report/table/report_bins.h"
+#include "sim/view/camera/tangent_altitude.h"
+
+namespace vegard::fit {
+namespace {
+
+/// A comment must stay one line, whatever the file is called.
+std::string one_line(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  return text;
+}
+
+void append_number(std::string& text, double value) {
+  text += ',';
+  // fmt's plain {} is the shortest form that reads back the same.
+  if (std::isfinite(value)) fmt::format_to(std::back_inserter(text), "{}", value);
+}
+
+std::string comments(const Photo& photo, const Profile& profile) {
+  const Region& region = profile.region;
+  const bool named = has_named_axes(profile);
+  std::string text = named ? "# profiles: mean linear light per bin, band and channel\n"
+                           : "# vertical profiles: mean linear light per row, band and channel\n";
+  text += "# photograph: " + one_line(photo.file_name) + "\n";
+  text += "# sha256: " + photo.sha256 + "\n";
+  for (std::size_t c = 0; c < photo.filters.size(); ++c) {
+    const PhotoPart& part = photo.filters[c];
+    const char* const names[3] = {"r", "g", "b"};
+    if (part.wavelength_nm > 0.0)
+      text += fmt::format("# {}: {} nm, {}, sha256 {}\n", names[c], part.wavelength_nm,
+                          one_line(part.file_name), part.sha256);
+    else
+      text += fmt::format("# {}: no file\n", names[c]);
+  }
+  text += fmt::format("# size_px: {} x {}\n", photo.linear.width, photo.linear.height);
+  text += "# decoding: " + photo.decoding + "\n";
+  if (!photo.mask_name.empty()) {
+    text += "# mask: " + one_line(photo.mask_name) + "\n";
+    text += "# mask_sha256: " + photo.mask_sha256 + "\n";
+  }
+  text += fmt::format("# roi_px: [{}, {}, {}, {}]\n", region.x, region.y, region.width, region.height);
+  if (named) {
+    text += fmt::format("# bands: {}\n", profile.bands);
+    text += "# band_at: " + axis_label(profile.grid->across) + ", the band's middle\n";
+    text += "# at: " + axis_label(profile.grid->along) + ", the bin's middle\n";
+  } else {
+    text += fmt::format("# bands: {}\n# band_edges_px: [", profile.bands);
+    for (int band = 0; band <= profile.bands; ++band)
+      text += (band > 0 ? ", " : "") + std::to_string(band_begin(region, profile.bands, band));
+    text += "]\n";
+    text += "# row_px: row of the image, counted from 0 at the top; its centre is at row_px + 0.5\n";
+    text += "# elevation_deg: above the horizon, of the row's centre at the centre column of the band\n";
+  }
+  text += photo.floating
+              ? "# r, g, b: linear light in the file's own units\n"
+              : "# r, g, b: linear light, the file's largest value = 1; clipped pixels are left out\n";
+  text +=
+      "# sigma_*: standard error of the mean, from the differences of neighbouring pixels, or by the "
+      "sensor (fit.photo_noise)\n";
+  text += "# n_*: pixels used\n";
+  text += "# chroma_r, chroma_g: r / (r + g + b), g / (r + g + b)\n";
+  return text;
+}
+
+}  // namespace
+
+double row_elevation_deg(const Profile& profile, int band, int row,
+                         const ElevationOfPixel& elevation_of_pixel) {
+  if (!elevation_of_pixel) return std::numeric_limits<double>::quiet_NaN();
+  const int begin = band_begin(profile.region, profile.bands, band);
+  const int end = band_begin(profile.region, profile.bands, band + 1);
+  return elevation_of_pixel(0.5 * (begin + end), profile.region.y + row + 0.5);
+}
+
+std::string profile_csv(const Photo& photo, const Profile& profile,
+                        const ElevationOfPixel& elevation_of_pixel, const LineBrightness* lines,
+                        std::optional<double> observer_km) {
+  std::string text = comments(photo, profile);
+  if (lines != nullptr)
+    text +=
+        "# rayleigh_*: of the line at so many tenths of a nanometre, with its standard error, by the scene's "
+        "sensor and sky\n";
+  if (observer_km)
+    text += fmt::format(
+        "# tangent_altitude_km: least height of that line of sight above the sphere, seen from {} km up, no "
+        "refraction; negative where it strikes the Earth\n",
+        *observer_km);
+  const bool named = has_named_axes(profile);
+  text += named ? "band,band_at,at," : "band,row_px,elevation_deg,";
+  if (observer_km) text += "tangent_altitude_km,";
+  text +=
+      "r,g,b,sigma_r,sigma_g,sigma_b,n_r,n_g,n_b,chroma_r,chroma_g,"
+      "sigma_chroma_r,sigma_chroma_g";
+  const std::size_t line_count = lines != nullptr ? lines->names.size() : 0;
+  for (std::size_t l = 0; l < line_count; ++l)
+    text += ",rayleigh_" + lines->names[l] + ",sigma_rayleigh_" + lines->names[l];
+  text += '\n';
+  for (int band = 0; band < profile.bands; ++band)
+    for (int row = 0; row < profile.rows; ++row) {
+      text += std::to_string(band);
+      double elevation_deg = std::numeric_limits<double>::quiet_NaN();
+      if (named) {
+        append_number(text, profile.grid->across.edge(band + 0.5));
+        append_number(text, profile.grid->along.edge(row + 0.5));
+      } else {
+        text += "," + std::to_string(profile.region.y + row);
+        elevation_deg = row_elevation_deg(profile, band, row, elevation_of_pixel);
+        append_number(text, elevation_deg);
+      }
+      if (observer_km) append_number(text, sim::tangent_altitude_km(*observer_km, elevation_deg));
+      const std::size_t i = profile.index(band, row, 0);
+      for (int c = 0; c < 3; ++c) append_number(text, profile.mean[i + c]);
+      for (int c = 0; c < 3; ++c) append_number(text, profile.standard_error[i + c]);
+      for (int c = 0; c < 3; ++c) text += "," + std::to_string(profile.count[i + c]);
+      const Chromaticity colour = chromaticity(profile, band, row);
+      for (const double value : {colour.r, colour.g, colour.sigma_r, colour.sigma_g})
+        append_number(text, value);
+      for (std::size_t l = 0; l < line_count; ++l) {
+        const std::size_t at = i / 3 * line_count + l;
+        append_number(text, lines->rayleigh[at]);
+        append_number(text, lines->sigma[at]);
+      }
+      text += '\n';
+    }
+  return text;
+}
+
+}  // namespace vegard::fit

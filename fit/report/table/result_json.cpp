@@ -1,0 +1,240 @@
+#include "fit/report/table/result_json.h"
+
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "fit/version.h"
+#include "sim/base/version.h"
+
+namespace vegard::fit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no word for NaN or infinity.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+
+Json words(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+Json parameter(const FittedParameter& p) {
+  Json json;
+  const std::string whose = " of " + p.photo;
+  json["path"] = p.photo.empty() ? p.path : p.path.substr(0, p.path.size() - whose.size());
+  if (!p.photo.empty()) json["photo"] = p.photo;
+  json["meaning"] = p.meaning;
+  json["value"] = number(p.value);
+  json["unit"] = p.unit;
+  json["sigma"] = number(p.sigma);
+  if (p.interval68)
+    json["interval68"] = {number(p.interval68->first), number(p.interval68->second)};
+  else
+    json["interval68"] = nullptr;
+  json["why_no_sigma"] = p.sigma ? Json(nullptr) : Json(p.why_no_sigma);
+  json["initial"] = number(p.initial);
+  json["min"] = number(p.min);
+  json["max"] = number(p.max);
+  json["at_limit"] = p.at_limit;
+  json["moved"] = p.moved;
+  json["moved_sigma"] = number(p.moved_sigma);
+  return json;
+}
+
+Json solved_numbers(const FittedPhoto& photo) {
+  Json json = Json::array();
+  for (const SolvedNumber& s : photo.solved)
+    json.push_back({{"name", s.name}, {"value", number(s.value)}, {"sigma", number(s.sigma)}});
+  return json;
+}
+
+/// Of several photographs: what is each one's own.
+Json photos_of(const FitResult& result) {
+  Json json = Json::array();
+  for (const FittedPhoto& photo : result.photos)
+    json.push_back({{"name", photo.name},
+                    {"chi2", number(photo.chi2)},
+                    {"rms_over_peak", number(photo.rms_over_peak)},
+                    {"solved", solved_numbers(photo)},
+                    {"decoding", photo.decoding}});
+  return json;
+}
+
+Json pair(const std::pair<double, double>& interval) {
+  return Json::array({number(interval.first), number(interval.second)});
+}
+
+Json rows(const std::vector<std::vector<double>>& matrix) {
+  Json json = Json::array();
+  for (const std::vector<double>& row : matrix) {
+    Json cells = Json::array();
+    for (const double value : row) cells.push_back(number(value));
+    json.push_back(std::move(cells));
+  }
+  return json;
+}
+
+/// One entry for each parameter, from vectors in their order.
+Json by_parameter(const FitResult& result, const std::function<void(std::size_t, Json&)>& fill) {
+  Json json = Json::array();
+  for (std::size_t j = 0; j < result.parameters.size(); ++j) {
+    Json entry;
+    entry["path"] = result.parameters[j].path;
+    fill(j, entry);
+    json.push_back(std::move(entry));
+  }
+  return json;
+}
+
+Json profile_intervals(const FitResult& result) {
+  Json json = Json::array();
+  for (const ProfiledInterval& p : result.profile_intervals) {
+    Json entry;
+    entry["path"] = result.parameters[p.parameter].path;
+    entry["interval68"] = Json::array({number(p.lower68), number(p.upper68)});
+    entry["interval95"] = Json::array({number(p.lower95), number(p.upper95)});
+    entry["whole"] = p.whole;
+    entry["found_better"] = p.found_better;
+    entry["rise"] = Json::array();
+    for (const double rise : p.rise) entry["rise"].push_back(number(rise));
+    entry["values"] = rows(p.values);
+    json.push_back(std::move(entry));
+  }
+  return json;
+}
+
+Json bootstrap(const FitResult& result) {
+  const BootstrapErrors& b = *result.bootstrap;
+  Json json;
+  json["bands"] = b.bands;
+  json["replicates"] = b.replicates;
+  json["failed"] = b.failed;
+  json["refitted"] = b.refitted;
+  json["parameters"] = by_parameter(result, [&](std::size_t j, Json& entry) {
+    if (j >= b.sigma.size()) return;
+    entry["sigma"] = number(b.sigma[j]);
+    entry["interval68"] = pair(b.interval68[j]);
+    entry["interval95"] = pair(b.interval95[j]);
+  });
+  json["correlation"] = rows(b.correlation);
+  return json;
+}
+
+/// Without the samples, which would be megabytes.
+Json chain(const FitResult& result) {
+  const ChainErrors& c = *result.chain;
+  Json json;
+  json["walkers"] = c.walkers;
+  json["burn_in"] = c.burn_in;
+  json["steps"] = c.steps;
+  json["acceptance"] = number(c.acceptance);
+  json["long_enough"] = c.long_enough;
+  json["parameters"] = by_parameter(result, [&](std::size_t j, Json& entry) {
+    if (j >= c.sigma.size()) return;
+    entry["median"] = number(c.median[j]);
+    entry["sigma"] = number(c.sigma[j]);
+    entry["interval68"] = pair(c.interval68[j]);
+    entry["interval95"] = pair(c.interval95[j]);
+    entry["autocorrelation_steps"] = number(c.autocorrelation_steps[j]);
+    entry["effective_samples"] = number(c.effective[j]);
+  });
+  json["correlation"] = rows(c.correlation);
+  return json;
+}
+
+Json curve(const FittedCurve& c) {
+  Json json;
+  json["words"] = c.words;
+  json["decoding"] = c.decoding_word;
+  json["exponents"] = Json::array();
+  for (const FittedCurve::Exponent& e : c.exponents)
+    json["exponents"].push_back({{"name", e.name},
+                                 {"value", number(e.value)},
+                                 {"sigma", number(e.sigma)},
+                                 {"at_limit", e.at_limit},
+                                 {"undetermined", e.undetermined}});
+  if (c.exponents.size() > 1) json["correlation"] = number(c.correlation);
+  json["limits"] = {number(c.least), number(c.most)};
+  json["trials"] = rows(c.trials);
+  return json;
+}
+
+}  // namespace
+
+std::string result_json(const FitResult& result) {
+  Json json;
+  json["verdict"] = verdict_name(result.verdict);
+  json["verdict_line"] = result.verdict_line;
+  json["reasons"] = result.reasons;
+  json["checks"] = Json::array();
+  for (const Check& check : result.checks)
+    json["checks"].push_back({{"name", check.name}, {"passed", check.passed}, {"words", check.words}});
+  json["parameters"] = Json::array();
+  for (const FittedParameter& p : result.parameters) json["parameters"].push_back(parameter(p));
+  json["tied"] = Json::array();
+  for (const TiedNumber& t : result.tied)
+    json["tied"].push_back({{"path", t.path},
+                            {"meaning", t.meaning},
+                            {"value", number(t.value)},
+                            {"unit", t.unit},
+                            {"sigma", number(t.sigma)},
+                            {"equals", t.equals}});
+  const bool several = result.photos.size() > 1;
+  if (several)
+    json["photos"] = photos_of(result);
+  else
+    json["solved"] = result.photos.empty() ? Json::array() : solved_numbers(result.photos.front());
+  json["derived"] = Json::array();
+  for (const DerivedNumber& d : result.derived)
+    json["derived"].push_back({{"name", d.name},
+                               {"value", number(d.value)},
+                               {"sigma", number(d.sigma)},
+                               {"unit", d.unit},
+                               {"why_none", words(d.why_none)},
+                               {"why_no_sigma", words(d.why_no_sigma)}});
+  if (result.curve) json["curve"] = curve(*result.curve);
+  json["correlation"] = rows(result.correlation);
+  if (!result.trade_offs.empty()) json["trade_offs"] = result.trade_offs;
+  if (!result.undetermined.empty()) json["undetermined"] = result.undetermined;
+  if (!result.profile_intervals.empty()) json["profile_intervals"] = profile_intervals(result);
+  if (result.bootstrap) json["bootstrap"] = bootstrap(result);
+  if (result.chain) json["chain"] = chain(result);
+  if (result.judges_cut_short) json["judges_cut_short"] = true;
+  json["chi2"] = number(result.chi2);
+  json["chi2_initial"] = number(result.chi2_initial);
+  json["dof"] = result.dof;
+  json["compared"] = {{"regions_px", result.compared.regions_px},
+                      {"values", result.compared.values},
+                      {"sum_of_weights", number(result.compared.sum_of_weights)},
+                      {"sampling_error", number(result.compared.sampling_error)},
+                      {"unknowns", result.compared.unknowns}};
+  json["steepest_cosine"] = number(result.steepest_cosine);
+  json["statistics"] = Json::array();
+  for (const ComparedStatistic& s : result.statistics)
+    json["statistics"].push_back({{"name", s.name},
+                                  {"weight", number(s.weight)},
+                                  {"residuals", s.residuals},
+                                  {"chi2", number(s.chi2)}});
+  json["rms_over_peak"] = number(result.rms_over_peak);
+  json["error_inflation"] = number(result.error_inflation);
+  json["termination"] = result.termination;
+  json["evaluations"] = result.evaluations;
+  json["jacobian_evaluations"] = result.jacobian_evaluations;
+  json["seed"] = result.seed;
+  json["version"] = sim::version();
+  json["libraries"] = {
+      {"ceres", ceres_version()}, {"opencv", opencv_version()}, {"eigen", sim::eigen_version()}};
+  json["command"] = result.command;
+  json["inputs"] = Json::array();
+  for (const InputFile& input : result.inputs)
+    json["inputs"].push_back({{"role", input.role}, {"name", input.name}, {"sha256", input.sha256}});
+  for (const PhotoFact& fact : result.from_photograph)
+    json["from_photograph"].push_back({{"path", fact.path}, {"value", fact.value}, {"source", fact.source}});
+  if (!several) json["decoding"] = result.photos.empty() ? "" : result.photos.front().decoding;
+  // A file's name may hold bytes that are no UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,14 @@
+// A fit's result for machines: result.json.
+#pragma once
+
+#include <string>
+
+#include "fit/answer/fit_result.h"
+
+namespace vegard::fit {
+
+/// JSON (RFC 8259) with a fixed order of keys, numbers at full precision, and null for what is unknown or not
+/// finite. The same result gives the same bytes.
+std::string result_json(const FitResult& result);
+
+}  // namespace vegard::fit

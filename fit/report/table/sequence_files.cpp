@@ -1,0 +1,169 @@
+#include "fit/report/table/sequence_files.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "fit/answer/verdict.h"
+#include "sim/base/error.h"
+#include "sim/base/file/csv_text.h"
+#include "sim/base/version.h"
+
+namespace vegard::fit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr Verdict kVerdicts[] = {Verdict::good, Verdict::doubtful, Verdict::failed, Verdict::interrupted};
+
+/// The number of this name in a row, or null.
+const SequenceNumber* find(const SequenceRow& row, const std::string& name) {
+  for (const SequenceNumber& number : row.numbers)
+    if (number.name == name) return &number;
+  return nullptr;
+}
+
+/// In the order of their first appearance: a frame that failed may lack some.
+std::vector<SequenceNumber> all_numbers(const std::vector<SequenceRow>& rows) {
+  std::vector<SequenceNumber> all;
+  for (const SequenceRow& row : rows)
+    for (const SequenceNumber& number : row.numbers) {
+      const auto same = [&](const SequenceNumber& other) { return other.name == number.name; };
+      if (std::none_of(all.begin(), all.end(), same)) all.push_back(number);
+    }
+  return all;
+}
+
+bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+/// What one wants to see of a sequence at a glance.
+bool is_plotted(const std::string& name) {
+  return contains(name, ".energy_kev") || contains(name, ".energy_flux_mw_m2") ||
+         name.compare(0, 8, "distance") == 0 || name.compare(0, 12, "lower border") == 0;
+}
+
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+double number_or_nan(const Json& json) { return json.is_null() ? kNaN : json.get<double>(); }
+
+}  // namespace
+
+std::string sequence_csv(const std::vector<SequenceRow>& rows) {
+  const std::vector<SequenceNumber> columns = all_numbers(rows);
+  std::string text = csv_comment("a sequence of photographs, each fitted from where the last one ended");
+  text += csv_comment("vegard: " + sim::version());
+  text += csv_comment("time_s: on the scene's clock");
+  text += csv_comment("search: full, or warm: a descent from the frame before");
+  std::vector<std::string> decodings;
+  for (const SequenceRow& row : rows)
+    if (std::find(decodings.begin(), decodings.end(), row.decoding) == decodings.end())
+      decodings.push_back(row.decoding);
+  for (const std::string& decoding : decodings) text += csv_comment("decoding: " + decoding);
+  text += "frame,time_s,verdict,search,chi2_per_dof";
+  for (const SequenceNumber& column : columns) {
+    const std::string unit = column.unit.empty() ? "" : " (" + column.unit + ")";
+    text += "," + csv_cell(column.name + unit) + "," + csv_cell("sigma of " + column.name + unit);
+  }
+  text += "\n";
+  for (const SequenceRow& row : rows) {
+    text += csv_cell(row.frame) + "," + csv_number(row.time_s) + "," + verdict_name(row.verdict) + "," +
+            (row.searched ? "full" : "warm") + "," + csv_number(row.chi2_per_dof);
+    for (const SequenceNumber& column : columns) {
+      const SequenceNumber* number = find(row, column.name);
+      text += "," + csv_number(number != nullptr ? number->value : kNaN) + "," +
+              csv_number(number != nullptr ? number->sigma.value_or(kNaN) : kNaN);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+Plot sequence_plot(const std::vector<SequenceRow>& rows) {
+  Plot plot;
+  plot.title = "The sequence";
+  plot.note = "Shaded: \u00b11 \u03c3. Grey dots: the verdict is doubtful.";
+  plot.columns = 1;
+  plot.panel_width_px = 640;
+  plot.panel_height_px = 190;
+  for (const SequenceNumber& column : all_numbers(rows)) {
+    if (!is_plotted(column.name)) continue;
+    Panel panel;
+    Series line, good, doubtful;
+    line.colour = good.colour = distinct_colour(static_cast<int>(plot.panels.size()));
+    line.width_px = 1.2;
+    good.mark = doubtful.mark = Mark::points;
+    good.width_px = doubtful.width_px = 6.0;
+    doubtful.colour = {130, 130, 130};
+    for (const SequenceRow& row : rows) {
+      const SequenceNumber* number = find(row, column.name);
+      const bool shown =
+          number != nullptr && (row.verdict == Verdict::good || row.verdict == Verdict::doubtful);
+      const double value = shown ? number->value : kNaN;
+      const double sigma = shown ? number->sigma.value_or(kNaN) : kNaN;
+      line.x.push_back(row.time_s);
+      line.y.push_back(value);
+      line.low.push_back(value - sigma);
+      line.high.push_back(value + sigma);
+      if (!shown) continue;
+      Series& points = row.verdict == Verdict::good ? good : doubtful;
+      points.x.push_back(row.time_s);
+      points.y.push_back(value);
+    }
+    panel.series = {line, good, doubtful};
+    panel.title = column.name;
+    panel.x.label = "time (s)";
+    panel.y.label = column.unit;
+    plot.panels.push_back(std::move(panel));
+  }
+  return plot;
+}
+
+std::string sequence_row_json(const SequenceRow& row) {
+  Json json;
+  json["frame"] = row.frame;
+  json["time_s"] = row.time_s;
+  json["photo_sha256"] = row.photo_sha256;
+  json["decoding"] = row.decoding;
+  json["verdict"] = verdict_name(row.verdict);
+  json["searched"] = row.searched;
+  json["chi2_per_dof"] = number_or_null(row.chi2_per_dof);
+  json["values"] = row.values;
+  json["numbers"] = Json::array();
+  for (const SequenceNumber& n : row.numbers)
+    json["numbers"].push_back({{"name", n.name},
+                               {"unit", n.unit},
+                               {"value", number_or_null(n.value)},
+                               {"sigma", n.sigma ? number_or_null(*n.sigma) : Json(nullptr)}});
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+SequenceRow sequence_row_of(const std::string& text, const std::string& file) {
+  try {
+    const Json json = Json::parse(text);
+    SequenceRow row;
+    row.frame = json.at("frame").get<std::string>();
+    row.time_s = json.at("time_s").get<double>();
+    row.photo_sha256 = json.at("photo_sha256").get<std::string>();
+    row.decoding = json.at("decoding").get<std::string>();
+    const std::string verdict = json.at("verdict").get<std::string>();
+    for (const Verdict known : kVerdicts)
+      if (verdict == verdict_name(known)) row.verdict = known;
+    row.searched = json.at("searched").get<bool>();
+    row.chi2_per_dof = number_or_nan(json.at("chi2_per_dof"));
+    row.values = json.at("values").get<std::vector<double>>();
+    for (const Json& n : json.at("numbers")) {
+      SequenceNumber number{n.at("name"), n.at("unit"), number_or_nan(n.at("value")), {}};
+      if (!n.at("sigma").is_null()) number.sigma = n.at("sigma").get<double>();
+      row.numbers.push_back(number);
+    }
+    return row;
+  } catch (const Json::exception&) {
+    throw sim::Error(sim::ErrorKind::unreadable_input,
+                     {"is no row of a sequence", file, 0, "", "what vegard sequence wrote",
+                      "remove it, and the frame is fitted anew"});
+  }
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,205 @@
+#include "fit/search/file_journal.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <system_error>
+
+#include "fit/search/step_record.h"
+#include "sim/base/error.h"
+#include "sim/base/file/durable_rename.h"
+#include "sim/base/file/output_error.h"
+
+namespace vegard::fit {
+namespace fs = std::filesystem;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kFormat = 1;
+
+std::string header_line(const JournalSubject& subject) {
+  Json json;
+  json["journal"] = kFormat;
+  json["of"] = Json::object();
+  for (const auto& [name, value] : subject) json["of"][name] = value;
+  return checked_line(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+sim::Error refused(const std::string& file, const std::string& problem, const std::string& hint) {
+  sim::ErrorDetails details;
+  details.file = file;
+  details.problem = problem;
+  details.hint = hint;
+  return sim::Error(sim::ErrorKind::existing_output, details);
+}
+
+/// In what two headers differ, in words.
+std::string difference(const Json& mine, const Json& theirs) {
+  if (mine.value("journal", Json()) != theirs.value("journal", Json())) return "has another format";
+  const Json a = mine.value("of", Json::object()), b = theirs.value("of", Json::object());
+  for (const auto& [name, value] : a.items())
+    if (b.value(name, Json()) != value) return "is the journal of another fit: " + name + " differs";
+  return "is the journal of another fit";
+}
+
+std::string all_of(int descriptor, const std::string& file) {
+  std::string bytes;
+  char buffer[1 << 16];
+  while (true) {
+    const ssize_t count = ::pread(descriptor, buffer, sizeof buffer, static_cast<off_t>(bytes.size()));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw sim::unwritable(file, errno);
+    if (count == 0) return bytes;
+    bytes.append(buffer, static_cast<std::size_t>(count));
+  }
+}
+
+/// Returns an errno value.
+int write_at(int descriptor, const std::string& bytes, long long at) {
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t count = ::pwrite(descriptor, bytes.data() + done, bytes.size() - done,
+                                   static_cast<off_t>(at + static_cast<long long>(done)));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return errno;
+    done += static_cast<std::size_t>(count);
+  }
+  return ::fdatasync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
+}
+
+bool begins_with(const std::string& text, const std::string& beginning) {
+  return text.compare(0, beginning.size(), beginning) == 0;
+}
+
+}  // namespace
+
+std::string journal_file(const std::string& run_directory) {
+  std::string path = run_directory;
+  while (path.size() > 1 && path.back() == '/') path.pop_back();
+  return path + ".part";
+}
+
+FileJournal::FileJournal(const std::string& file, const JournalSubject& subject, JournalMode mode)
+    : file_(file) {
+  try {
+    open(subject, mode);
+  } catch (...) {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    throw;
+  }
+}
+
+void FileJournal::open(const JournalSubject& subject, JournalMode mode) {
+  std::error_code trouble;
+  const std::string folder = fs::path(file_).parent_path().string();
+  for (fs::path missing = folder; !missing.empty() && !fs::exists(missing, trouble);
+       missing = missing.parent_path())
+    made_folders_.push_back(missing.string());
+  trouble.clear();
+  if (!folder.empty()) fs::create_directories(folder, trouble);
+  if (trouble) throw sim::unwritable(file_, trouble.value());
+  descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
+  if (descriptor_ < 0) throw sim::unwritable(file_, errno);
+  struct stat status {};
+  if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode))
+    throw refused(file_, "is in the way of the fit's journal", "choose another name for the run");
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw refused(file_, "is in use by a fit that is at work", "wait for it, or choose another name");
+
+  const std::string header = header_line(subject), bytes = all_of(descriptor_, file_);
+  const std::size_t line = bytes.find('\n');
+  // A header that was torn while it was written is one of ours, and holds nothing.
+  const bool nothing = line == std::string::npos && begins_with(header, bytes);
+  const std::optional<std::string> text =
+      line == std::string::npos ? std::nullopt : checked_text(bytes.substr(0, line));
+  const Json found = text ? Json::parse(*text, nullptr, false) : Json();
+  if (!nothing && !(found.is_object() && found.contains("journal")))
+    throw refused(file_, "is in the way of the fit's journal, and is none itself",
+                  "choose another name for the run");
+  const bool same = begins_with(bytes, header);
+  if (same) read_steps(bytes, header.size());
+  const bool has_steps = !nothing && bytes.size() > line + 1;
+  if (mode == JournalMode::fresh && has_steps)
+    throw refused(
+        file_, "holds the finished steps of a fit that was cut off",
+        "use --resume to go on with it, --overwrite to begin anew, or choose another name for the run");
+  if (mode == JournalMode::resume && has_steps && !same)
+    throw refused(file_, difference(Json::parse(*checked_text(header.substr(0, header.size() - 1))), found),
+                  "call it as before, or use --overwrite without --resume to begin anew");
+  if (mode != JournalMode::resume || !same) {
+    steps_.clear();
+    if (::ftruncate(descriptor_, 0) != 0) throw sim::unwritable(file_, errno);
+    if (const int error = write_at(descriptor_, header, 0); error != 0) {
+      unlink();
+      throw sim::unwritable(file_, error);
+    }
+    end_ = static_cast<long long>(header.size());
+    sim::make_durable(folder.empty() ? "." : folder);
+  } else if (::ftruncate(descriptor_, end_) != 0) {
+    throw sim::unwritable(file_, errno);
+  }
+  found_ = static_cast<int>(steps_.size());
+}
+
+FileJournal::~FileJournal() {
+  if (descriptor_ < 0) return;
+  if (steps_.empty()) unlink();
+  ::close(descriptor_);
+}
+
+void FileJournal::unlink() {
+  ::unlink(file_.c_str());
+  std::error_code in_use;
+  for (const std::string& folder : made_folders_) fs::remove(folder, in_use);
+}
+
+void FileJournal::remove() {
+  if (descriptor_ < 0) return;
+  unlink();
+  ::close(descriptor_);
+  descriptor_ = -1;
+}
+
+void FileJournal::read_steps(const std::string& bytes, std::size_t begin) {
+  while (true) {
+    end_ = static_cast<long long>(begin);
+    const std::size_t line = bytes.find('\n', begin);
+    if (line == std::string::npos) return;
+    const std::optional<std::string> text = checked_text(bytes.substr(begin, line - begin));
+    if (!text) return;
+    auto step = step_of_text(*text);
+    if (!step) return;
+    steps_.insert(std::move(*step));
+    begin = line + 1;
+  }
+}
+
+const StepOutput* FileJournal::stored(const std::string& name) const {
+  const auto found = steps_.find(name);
+  return found == steps_.end() ? nullptr : &found->second;
+}
+
+void FileJournal::store(const std::string& name, const StepOutput& output) {
+  if (!problem_.empty() || descriptor_ < 0) return;
+  append(checked_line(step_text(name, output)));
+  if (problem_.empty()) steps_[name] = output;
+}
+
+void FileJournal::append(const std::string& line) {
+  if (const int error = write_at(descriptor_, line, end_); error != 0) {
+    problem_ = sim::unwritable(file_, error).what();
+    // Half a line would be dropped by a reader too.
+    static_cast<void>(::ftruncate(descriptor_, end_) == 0);
+    return;
+  }
+  end_ += static_cast<long long>(line.size());
+}
+
+}  // namespace vegard::fit

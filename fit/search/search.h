@@ -1,0 +1,36 @@
+// The search: from a start that is some way off to the bottom of the right valley.
+//
+// The landscape is smooth in distance, energy and bearing, and periodic in wavelength and phase: descents
+// that start with the wavelength a few per cent off end in wrong places. So, with a coarse model (fewer
+// beams, profiles smoothed down the rows, so that a lower border is felt from afar): (1) *overall* trials and
+// descents of what shapes the profile as a whole, (2) the sheets' *course* through the bands
+// (fit/search/course.h), or, where it does not show, a *scan* of wavelengths, each with its best amplitude
+// and phase, (3) descents of everything from the best distinct trials, those of footprints nearer and farther
+// among them (fit/parameters/volume_starts.h); then (4) *polish* with the full model. Coefficients of
+// free-form profiles only take part in the polish.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fit/fit.h"
+#include "fit/search/descent.h"
+
+namespace vegard::fit {
+
+struct SearchOutcome {
+  Descent best;                 ///< of the full model
+  std::vector<Descent> others;  ///< ends of the other polished descents, best first; for the verdict
+  double chi2_initial = 0.0;    ///< of the full model at the user's start
+};
+
+/// What the search works on: the same photographs twice.
+struct SearchModels {
+  std::vector<CostTerm> coarse, full;
+};
+
+SearchOutcome search(const sim::Scene& scene, const std::vector<FreeNumber>& free, const SearchModels& models,
+                     const FitOptions& options, EvaluationLog& log, std::vector<TraceRow>& trace);
+
+}  // namespace vegard::fit

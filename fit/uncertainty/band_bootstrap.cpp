@@ -1,0 +1,105 @@
+#include "fit/uncertainty/band_bootstrap.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "fit/uncertainty/sample_summary.h"
+#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/random.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kRankTolerance = 1e-12;
+constexpr std::uint32_t kDraw = 0, kShift = 1;  // what a random number is for
+
+/// What a group of rows says: Jᵀ J and Jᵀ r.
+struct Normal {
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd right;
+  explicit Normal(Eigen::Index n) : matrix(Eigen::MatrixXd::Zero(n, n)), right(Eigen::VectorXd::Zero(n)) {}
+};
+
+/// Empty where the matrix, scaled to a unit diagonal, is not of full rank.
+std::vector<double> solved(const Normal& normal) {
+  const Eigen::Index n = normal.right.size();
+  const Eigen::VectorXd length = normal.matrix.diagonal().cwiseMax(0.0).cwiseSqrt();
+  if (!(length.minCoeff() > 0.0)) return {};
+  const Eigen::MatrixXd unit = length.cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unit * normal.matrix * unit);
+  if (eigen.info() != Eigen::Success ||
+      !(eigen.eigenvalues()(0) > kRankTolerance * eigen.eigenvalues()(n - 1)))
+    return {};
+  const Eigen::VectorXd along = eigen.eigenvectors().transpose() * (unit * normal.right);
+  const Eigen::VectorXd step = -(unit * (eigen.eigenvectors() * along.cwiseQuotient(eigen.eigenvalues())));
+  if (!step.allFinite()) return {};
+  return {step.data(), step.data() + n};
+}
+
+}  // namespace
+
+BandBootstrap band_bootstrap(const BandRows& rows, const BootstrapOptions& options) {
+  BandBootstrap result;
+  const auto n = static_cast<Eigen::Index>(rows.coordinates);
+  // Bands without a row (all masked) cannot be drawn.
+  std::vector<int> present = rows.band;
+  std::sort(present.begin(), present.end());
+  present.erase(std::unique(present.begin(), present.end()), present.end());
+  present.erase(present.begin(), std::lower_bound(present.begin(), present.end(), 0));
+  result.bands = static_cast<int>(present.size());
+  if (result.bands < 2 || n == 0) return result;
+
+  std::vector<Normal> of_band(present.size(), Normal(n));
+  Normal of_none(n);
+  std::vector<std::size_t> priors;
+  for (std::size_t r = 0; r < rows.residual.size(); ++r) {
+    const Eigen::Map<const Eigen::VectorXd> row(rows.jacobian.data() + r * rows.coordinates, n);
+    if (rows.band[r] < 0) priors.push_back(r);
+    const auto place = std::lower_bound(present.begin(), present.end(), rows.band[r]) - present.begin();
+    Normal& normal = rows.band[r] < 0 ? of_none : of_band[static_cast<std::size_t>(place)];
+    normal.matrix.noalias() += row * row.transpose();
+    normal.right += row * rows.residual[r];
+  }
+
+  const double widened = std::sqrt(result.bands / (result.bands - 1.0));
+  for (int replicate = 0; replicate < options.replicates; ++replicate) {
+    if (options.stop != nullptr && options.stop->load()) break;
+    const auto at = static_cast<std::uint32_t>(replicate);
+    std::vector<double> weight(static_cast<std::size_t>(present.back()) + 1, 0.0);
+    Normal normal = of_none;
+    for (std::uint32_t draw = 0; draw < present.size(); ++draw) {
+      const sim::Words w = sim::random_words(options.seed, sim::Stream::bootstrap, at, draw, kDraw);
+      const auto which = static_cast<std::size_t>(static_cast<std::uint64_t>(w[0]) * present.size() >> 32);
+      weight[static_cast<std::size_t>(present[which])] += 1.0;
+      normal.matrix += of_band[which].matrix;
+      normal.right += of_band[which].right;
+    }
+    std::vector<double> shift(rows.residual.size(), 0.0);
+    for (std::size_t p = 0; options.shift_priors && p < priors.size(); ++p) {
+      const sim::Words w =
+          sim::random_words(options.seed, sim::Stream::bootstrap, at, static_cast<std::uint32_t>(p), kShift);
+      shift[priors[p]] = sim::normal_quantile(sim::fine_uniform(w[0], w[1])) / widened;
+      normal.right +=
+          Eigen::Map<const Eigen::VectorXd>(rows.jacobian.data() + priors[p] * rows.coordinates, n) *
+          shift[priors[p]];
+    }
+    std::vector<double> step = solved(normal);
+    if (!step.empty() && options.refit) step = options.refit(weight, shift, step);
+    if (step.size() != rows.coordinates) {
+      ++result.failed;
+      continue;
+    }
+    ++result.replicates;
+    for (const double s : step) result.samples.push_back(widened * s);
+  }
+  const SampleSummary summary = summary_of_samples(result.samples, rows.coordinates);
+  result.mean = summary.mean;
+  result.sigma = summary.sigma;
+  result.step68 = summary.interval68;
+  result.step95 = summary.interval95;
+  result.correlation = summary.correlation;
+  return result;
+}
+
+}  // namespace vegard::fit

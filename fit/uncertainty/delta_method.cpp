@@ -1,0 +1,68 @@
+#include "fit/uncertainty/delta_method.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kStep = 0.1;          // of a standard deviation
+constexpr double kStepWithout = 1e-4;  // of the value, or of one unit, where there is none
+
+}  // namespace
+
+std::optional<double> combined_sigma(const std::vector<double>& slope, const ValueUncertainty& known) {
+  double variance = 0.0;
+  for (std::size_t j = 0; j < slope.size(); ++j)
+    for (std::size_t k = 0; k < slope.size(); ++k)
+      if (slope[j] != 0.0 && slope[k] != 0.0) variance += slope[j] * slope[k] * known.covariance[j][k];
+  // A direction that only the limits bound spoils what owes it half of its variance.
+  const auto spoils = [&](const std::vector<double>& direction) {
+    double reach = std::numeric_limits<double>::infinity(), along = 0.0;
+    for (std::size_t j = 0; j < slope.size(); ++j) {
+      if (direction[j] == 0.0) continue;
+      reach = std::min(reach, std::sqrt(std::max(0.0, known.covariance[j][j])) / std::abs(direction[j]));
+      along += slope[j] * direction[j];
+    }
+    return std::isfinite(reach) && along * along * reach * reach > 0.5 * variance;
+  };
+  if (std::any_of(known.undetermined.begin(), known.undetermined.end(), spoils)) return std::nullopt;
+  if (!std::isfinite(variance) || variance <= 0.0) return std::nullopt;
+  return std::sqrt(variance);
+}
+
+DeltaMethod::DeltaMethod(const sim::Scene& best, const std::vector<FreeNumber>& free,
+                         const std::vector<double>& values, const ValueUncertainty& known)
+    : best_(best), free_(free), values_(values), known_(known), map_(best, free) {}
+
+std::vector<DeltaMethod::Estimate> DeltaMethod::operator()(const Numbers& numbers) const {
+  std::vector<Estimate> result;
+  for (const double value : numbers(best_)) result.push_back({value, {}, false});
+  std::vector<std::vector<double>> slopes(result.size(), std::vector<double>(free_.size(), 0.0));
+  for (std::size_t j = 0; j < free_.size(); ++j) {
+    const double variance = known_.covariance[j][j];
+    const double step = std::isfinite(variance) && variance > 0.0
+                            ? kStep * std::sqrt(variance)
+                            : kStepWithout * std::max(1.0, std::abs(values_[j]));
+    const double low = std::clamp(values_[j] - step, free_[j].min, free_[j].max);
+    const double high = std::clamp(values_[j] + step, free_[j].min, free_[j].max);
+    if (!(high > low)) continue;
+    const auto at = [&](double value) {
+      sim::Scene moved = best_;
+      std::vector<double> v = values_;
+      v[j] = value;
+      map_.put(v, moved);
+      return numbers(moved);
+    };
+    const std::vector<double> above = at(high), below = at(low);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      slopes[i][j] = (above[i] - below[i]) / (high - low);
+      result[i].moves = result[i].moves || slopes[i][j] != 0.0;
+    }
+  }
+  for (std::size_t i = 0; i < result.size(); ++i) result[i].sigma = combined_sigma(slopes[i], known_);
+  return result;
+}
+
+}  // namespace vegard::fit

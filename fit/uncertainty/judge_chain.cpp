@@ -1,0 +1,150 @@
+#include "fit/uncertainty/judge_chain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "fit/parameters/phase_anchor.h"
+#include "fit/parameters/turns.h"
+#include "fit/uncertainty/judged_values.h"
+#include "sim/scene/table/free_entry_keys.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr int kStepsOfBatch = 20;
+constexpr double kNowhere = -std::numeric_limits<double>::infinity();
+
+class Density {
+ public:
+  explicit Density(const JudgedFit& fit)
+      : fit_(fit),
+        cost_(fit.free, cost_terms(fit.observations, fit.free, Detail::full), uncounted_,
+              {{}, {}, fit.prior, fit.inflation, {}}) {
+    std::vector<bool> of_profile(fit.free.size(), false);
+    for (const SplineLine& line : fit.prior.lines)
+      for (const int j : line.numbers) of_profile[j] = true;
+    for (std::size_t j = 0; j < fit.free.size(); ++j) {
+      const std::optional<sim::Prior>& prior = fit.free[j].prior;
+      const bool has_prior = of_profile[j] || (prior && prior->law != sim::uniform_law);
+      const bool by_logarithm = of_profile[j] || (prior && prior->law == sim::log_normal_law);
+      volume_.push_back(!has_prior ? Volume::flat : by_logarithm ? Volume::of_logarithm : Volume::of_value);
+    }
+    sim::Scene there = fit.scene;
+    ParameterMap(fit.scene, fit.free).put(fit.values, there);
+    anchors_ = phase_anchors(there, fit.free, fit.values);
+  }
+
+  double operator()(const std::vector<double>& coordinates) const {
+    std::vector<double> values;
+    for (std::size_t j = 0; j < coordinates.size(); ++j) values.push_back(fit_.free[j].value(coordinates[j]));
+    if (turns_away(values)) return kNowhere;
+    const double chi2 = cost_.at(values, false).chi2 / (fit_.inflation * fit_.inflation);
+    return -0.5 * chi2 + log_volume(coordinates, values);
+  }
+
+ private:
+  enum class Volume { flat, of_value, of_logarithm };
+
+  /// A phase counts where it is in view; at the sheet's far end it may go round while nothing in view does.
+  bool turns_away(const std::vector<double>& values) const {
+    std::vector<double> away;
+    for (std::size_t j = 0; j < values.size(); ++j) away.push_back(values[j] - fit_.values[j]);
+    for (const PhaseAnchor& a : anchors_) away[a.phase] += a.more(values[a.wavelength]);
+    for (std::size_t j = 0; j < values.size(); ++j) {
+      const double turn = full_turn(fit_.free[j]);
+      if (turn > 0.0 && std::abs(away[j]) > 0.5 * turn) return true;
+    }
+    return false;
+  }
+
+  /// Priors are densities in values, the chain goes by coordinates.
+  double log_volume(const std::vector<double>& coordinates, const std::vector<double>& values) const {
+    double sum = 0.0;
+    std::vector<FreeNumber> flat;
+    std::vector<double> at;
+    for (std::size_t j = 0; j < coordinates.size(); ++j) {
+      if (volume_[j] == Volume::flat) {
+        flat.push_back(fit_.free[j]);
+        at.push_back(coordinates[j]);
+        continue;
+      }
+      sum += std::log(fit_.free[j].slope(coordinates[j]));
+      if (volume_[j] == Volume::of_logarithm) sum -= std::log(values[j]);
+    }
+    return sum + log_flat_prior(flat, at);
+  }
+
+  const JudgedFit& fit_;
+  mutable EvaluationLog uncounted_;
+  const ProfileCost cost_;
+  std::vector<Volume> volume_;
+  std::vector<PhaseAnchor> anchors_;
+};
+
+/// What a batch has added to the chain, and where it has left the walkers.
+StepOutput output_of(const EnsembleState& state, std::size_t chain_before) {
+  StepOutput output;
+  output.numbers["counts"] = {static_cast<double>(state.coordinates), static_cast<double>(state.step),
+                              static_cast<double>(state.next_walker), static_cast<double>(state.proposed),
+                              static_cast<double>(state.accepted)};
+  output.numbers["place"] = state.place;
+  output.numbers["density"] = state.density;
+  output.numbers["chain"].assign(state.chain.begin() + static_cast<std::ptrdiff_t>(chain_before),
+                                 state.chain.end());
+  output.flags["no start"] = state.no_start;
+  return output;
+}
+
+void take(const StepOutput& output, EnsembleState& state) {
+  const std::vector<double>& counts = output.numbers.at("counts");
+  state.coordinates = static_cast<std::size_t>(counts.at(0));
+  state.step = static_cast<int>(counts.at(1));
+  state.next_walker = static_cast<int>(counts.at(2));
+  state.proposed = static_cast<std::int64_t>(counts.at(3));
+  state.accepted = static_cast<std::int64_t>(counts.at(4));
+  state.place = output.numbers.at("place");
+  state.density = output.numbers.at("density");
+  const std::vector<double>& added = output.numbers.at("chain");
+  state.chain.insert(state.chain.end(), added.begin(), added.end());
+  state.no_start = output.flags.at("no start");
+}
+
+}  // namespace
+
+int burn_in_of_chain(int steps) { return (steps + 3) / 4; }
+
+EnsembleState chain_of_fit(const JudgedFit& fit, int steps, const std::atomic<bool>* stop, Journal& journal,
+                           const std::function<void(double share)>& progress) {
+  const Density density(fit);
+  const LogDensity log_density = [&](const std::vector<double>& at) { return density(at); };
+  const std::vector<double> centre = fit.coordinates();
+  const auto stopped = [&] { return stop != nullptr && stop->load(); };
+  EnsembleOptions options;
+  options.burn_in = burn_in_of_chain(steps);
+  options.seed = fit.scene.seed;
+  options.stop = stop;
+  const int all = options.burn_in + steps;
+  EnsembleState state;
+  for (int end = 0; end < all && !state.no_start && !stopped();) {
+    end = std::min(end + kStepsOfBatch, all);
+    options.steps = end - options.burn_in;
+    options.progress = [&](double share) {
+      if (progress) progress(share * end / all);
+    };
+    // Of another number of steps the burn-in is another.
+    const std::string name = "chain of " + std::to_string(steps) + " steps, to step " + std::to_string(end);
+    const StepOutput output = journal.step(name, [&] {
+      EnsembleState next = state;
+      run_ensemble(log_density, centre, fit.uncertainty.covariance, options, next);
+      StepOutput batch = output_of(next, state.chain.size());
+      batch.whole = !stopped();
+      return batch;
+    });
+    take(output, state);
+  }
+  return state;
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,24 @@
+// A Markov chain (ensemble_sampler.h) over a fit's parameters, on the full model.
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+#include "fit/search/journal.h"
+#include "fit/uncertainty/judged_fit.h"
+#include "sim/base/number/ensemble_sampler.h"
+
+namespace vegard::fit {
+
+/// Steps that are thrown away before so many are kept: a quarter as many.
+int burn_in_of_chain(int steps);
+
+/// The chain in the numbers' own coordinates. Its density is exp(-chi2 / 2), chi2 of the data over the
+/// inflation squared and that of priors, times the coordinates' share in the values' volume; a number
+/// without a prior is alike likely everywhere between its limits (judged_values.h), and no angle leaves the
+/// half turn to either side of the answer. Every twenty steps are a step of the journal. With `stop` raised
+/// it comes back unfinished.
+EnsembleState chain_of_fit(const JudgedFit& fit, int steps, const std::atomic<bool>* stop, Journal& journal,
+                           const std::function<void(double share)>& progress);
+
+}  // namespace vegard::fit

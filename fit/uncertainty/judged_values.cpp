@@ -1,0 +1,110 @@
+#include "fit/uncertainty/judged_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "fit/uncertainty/sample_summary.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr std::size_t kMostSamples = 4000;
+
+std::optional<double> end_in_values(const std::optional<double>& coordinate, std::size_t j,
+                                    const Telling& telling) {
+  if (!coordinate) return {};
+  return telling.value(j, *coordinate);
+}
+
+/// Every so many samples, so that no more than kMostSamples are left, of all walkers alike.
+std::vector<double> thinned(const std::vector<double>& samples, std::size_t numbers, int walkers) {
+  const std::size_t count = samples.size() / numbers;
+  std::size_t stride = (count + kMostSamples - 1) / kMostSamples;
+  if (stride < 2) return samples;
+  while (std::gcd(stride, static_cast<std::size_t>(walkers)) != 1) ++stride;
+  std::vector<double> kept;
+  for (std::size_t i = 0; i < count; i += stride) {
+    const auto begin = samples.begin() + static_cast<std::ptrdiff_t>(i * numbers);
+    kept.insert(kept.end(), begin, begin + static_cast<std::ptrdiff_t>(numbers));
+  }
+  return kept;
+}
+
+}  // namespace
+
+double Telling::value(std::size_t j, double coordinate) const {
+  return free[j].value(coordinate) + (told[j] - free[j].value(answer[j]));
+}
+
+ProfiledInterval in_values(const LikelihoodProfile& profile, const Telling& telling) {
+  ProfiledInterval p;
+  p.parameter = profile.coordinate;
+  p.lower68 = end_in_values(profile.interval68.lower, p.parameter, telling);
+  p.upper68 = end_in_values(profile.interval68.upper, p.parameter, telling);
+  p.lower95 = end_in_values(profile.interval95.lower, p.parameter, telling);
+  p.upper95 = end_in_values(profile.interval95.upper, p.parameter, telling);
+  for (const ProfilePoint& at : profile.path) {
+    p.rise.push_back(at.rise);
+    p.values.emplace_back();
+    for (std::size_t j = 0; j < at.point.size(); ++j)
+      p.values.back().push_back(telling.value(j, at.point[j]));
+  }
+  p.whole = profile.whole;
+  p.found_better = profile.better.has_value();
+  return p;
+}
+
+BootstrapErrors in_values(const BandBootstrap& bootstrap, const Telling& telling) {
+  BootstrapErrors b;
+  b.bands = bootstrap.bands;
+  b.replicates = bootstrap.replicates;
+  b.failed = bootstrap.failed;
+  const std::size_t n = telling.free.size();
+  std::vector<double> values = bootstrap.samples;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = telling.value(i % n, telling.answer[i % n] + values[i]);
+  const SampleSummary s = summary_of_samples(values, n);
+  b.sigma = s.sigma;
+  b.interval68 = s.interval68;
+  b.interval95 = s.interval95;
+  b.correlation = s.correlation;
+  return b;
+}
+
+ChainErrors in_values(const EnsembleState& state, int burn_in, const Telling& telling) {
+  ChainErrors c;
+  EnsembleState told = state;
+  const std::size_t n = telling.free.size();
+  for (std::size_t i = 0; i < told.chain.size(); ++i) told.chain[i] = telling.value(i % n, told.chain[i]);
+  const EnsembleSummary e = summary_of(told);
+  const SampleSummary s = summary_of_samples(told.chain, n);
+  c.walkers = e.walkers;
+  c.burn_in = burn_in;
+  c.steps = e.steps;
+  c.acceptance = e.acceptance;
+  c.median = s.median;
+  c.sigma = s.sigma;
+  c.interval68 = s.interval68;
+  c.interval95 = s.interval95;
+  c.correlation = s.correlation;
+  c.autocorrelation_steps = e.autocorrelation_steps;
+  c.effective = e.effective;
+  c.long_enough = e.long_enough;
+  c.samples = thinned(told.chain, n, c.walkers);
+  return c;
+}
+
+double log_flat_prior(const std::vector<FreeNumber>& free, const std::vector<double>& coordinates) {
+  double sum = 0.0;
+  for (std::size_t j = 0; j < free.size(); ++j) {
+    const FreeNumber& n = free[j];
+    if (!std::isfinite(n.min) || !std::isfinite(n.max)) continue;
+    const double slope = n.slope(coordinates[j]);
+    sum += n.logarithmic() ? std::log(slope / n.value(coordinates[j])) - std::log(std::log(n.max / n.min))
+                           : std::log(slope) - std::log(n.max - n.min);
+  }
+  return sum;
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,33 @@
+// From the solver's coordinates to the parameters' own units, for the judges of error bars.
+#pragma once
+
+#include <vector>
+
+#include "fit/parameters/free_parameters.h"
+#include "fit/uncertainty/band_bootstrap.h"
+#include "fit/uncertainty/judged_errors.h"
+#include "fit/uncertainty/profile_likelihood.h"
+#include "sim/base/number/ensemble_sampler.h"
+
+namespace vegard::fit {
+
+/// Where coordinates are as values, and how they are told.
+struct Telling {
+  const std::vector<FreeNumber>& free;
+  std::vector<double> answer;  ///< coordinates
+  std::vector<double> told;    ///< values of the answer as the result has them: an angle may be turns away
+
+  double value(std::size_t j, double coordinate) const;
+};
+
+ProfiledInterval in_values(const LikelihoodProfile& profile, const Telling& telling);
+BootstrapErrors in_values(const BandBootstrap& bootstrap, const Telling& telling);
+ChainErrors in_values(const EnsembleState& state, int burn_in, const Telling& telling);
+
+/// Logarithm of the density, in coordinates, of a prior that is flat between a number's limits in its value,
+/// or in the value's logarithm for a logarithmic number; 0 (and no density that could be normed) for a number
+/// with an open side. A chain must have it beside -chi2 / 2: flat in coordinates, where the limits lie at
+/// infinity, walkers would run away along whatever the data do not bound.
+double log_flat_prior(const std::vector<FreeNumber>& free, const std::vector<double>& coordinates);
+
+}  // namespace vegard::fit

@@ -1,0 +1,21 @@
+// The judges of a fit's error bars, each where it is asked for: profile likelihood, bootstrap, Markov chain.
+#pragma once
+
+#include <cstddef>
+
+#include "fit/fit.h"
+#include "fit/search/journal.h"
+#include "fit/uncertainty/judged_fit.h"
+
+namespace vegard::fit {
+
+/// What the fit before the judges is to be told: its share of the progress leaves them room. The share that
+/// each takes is a guess, by evaluations. `numbers` are free.
+FitOptions leaving_room_for_judges(const FitOptions& options, std::size_t numbers);
+
+/// Asks them and puts what they say into `result`, whose parameters are there already. Of coefficients of
+/// free-form profiles no intervals are asked. When `options.stop` is raised, the judge that was at work and
+/// those behind it are left out, and result.judges_cut_short is set.
+void judge_error_bars(const JudgedFit& fit, const FitOptions& options, Journal& journal, FitResult& result);
+
+}  // namespace vegard::fit

@@ -1,0 +1,175 @@
+#include "fit/uncertainty/uncertainty.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kRankTolerance = 1e-12;
+constexpr double kStandardErrors = 2.0;
+constexpr double kLeans = 0.1;      // of the largest part of an undetermined direction: what belongs to it
+constexpr double kLeftOpen = 0.25;  // of the variance inside the limits
+constexpr double kAsGoodAsNoLimit = 1e5;  // standard deviations
+
+/// Mean product of pairs of residuals over the mean square.
+class Correlation {
+ public:
+  void add(double a, double b) {
+    product_ += a * b;
+    square_ += 0.5 * (a * a + b * b);
+  }
+  double value() const { return square_ > 0.0 ? product_ / square_ : 0.0; }
+
+ private:
+  double product_ = 0.0, square_ = 0.0;
+};
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Standard error of the mean, over the pairs of samplings, of the information along each direction, a column
+/// of `directions`; 0 for one sampling.
+std::vector<double> standard_errors(const std::vector<std::vector<double>>& jacobians, int residuals,
+                                    int coordinates, const Eigen::MatrixXd& directions) {
+  constexpr Eigen::Index kAtOnce = 16;  // directions: memory
+  std::vector<double> errors;
+  for (Eigen::Index first = 0; first < directions.cols(); first += kAtOnce) {
+    const Eigen::Index some = std::min(kAtOnce, directions.cols() - first);
+    std::vector<Eigen::MatrixXd> along;
+    for (const std::vector<double>& jacobian : jacobians)
+      along.emplace_back(Eigen::Map<const RowMajor>(jacobian.data(), residuals, coordinates) *
+                         directions.middleCols(first, some));
+    for (Eigen::Index d = 0; d < some; ++d) {
+      double sum = 0.0, square = 0.0;
+      int pairs = 0;
+      for (std::size_t a = 0; a < along.size(); ++a)
+        for (std::size_t b = a + 1; b < along.size(); ++b, ++pairs) {
+          const double product = along[a].col(d).dot(along[b].col(d));
+          sum += product;
+          square += product * product;
+        }
+      const double variance = pairs < 2 ? 0.0 : std::max(0.0, (square - sum * sum / pairs) / (pairs - 1));
+      errors.push_back(pairs < 2 ? 0.0 : std::sqrt(variance / pairs));
+    }
+  }
+  return errors;
+}
+
+}  // namespace
+
+double error_inflation(const Profile& data, const std::vector<std::size_t>& used,
+                       const std::vector<double>& residual, int dof) {
+  std::vector<double> at(data.mean.size(), std::numeric_limits<double>::quiet_NaN());
+  double chi2 = 0.0;
+  for (std::size_t k = 0; k < used.size(); ++k) {
+    at[used[k]] = residual[k];
+    chi2 += residual[k] * residual[k];
+  }
+  const auto correlation = [&](int d_band, int d_row, int d_channel) {
+    Correlation c;
+    for (int b = 0; b + d_band < data.bands; ++b)
+      for (int r = 0; r + d_row < data.rows; ++r)
+        for (int ch = 0; ch + d_channel < 3; ++ch) {
+          const double one = at[data.index(b, r, ch)];
+          const double two = at[data.index(b + d_band, r + d_row, ch + d_channel)];
+          if (!std::isnan(one) && !std::isnan(two)) c.add(one, two);
+        }
+    return c.value();
+  };
+  // The largest partial sum: residuals that swing about zero at once and yet drift slowly are not
+  // independent.
+  double sum = 1.0, together = 1.0;
+  for (int lag = 1; lag < data.rows / 4; ++lag) {
+    sum += 2.0 * correlation(0, lag, 0);
+    together = std::max(together, sum);
+  }
+  together *= 1.0 + 2.0 * std::max(0.0, correlation(0, 0, 1));
+  together *= 1.0 + 2.0 * std::max(0.0, correlation(1, 0, 0));
+  return std::sqrt(std::max(1.0, chi2 / std::max(1, dof)) * together);
+}
+
+PriorKnowledge no_prior_knowledge(std::size_t coordinates) {
+  return {std::vector<double>(coordinates * coordinates, 0.0),
+          std::vector<double>(coordinates, std::numeric_limits<double>::infinity()),
+          std::vector<bool>(coordinates, false)};
+}
+
+Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int residuals, int coordinates,
+                        const PriorKnowledge& prior, double inflation) {
+  const auto samplings = static_cast<double>(jacobians.size());
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(residuals, coordinates);
+  Eigen::MatrixXd own = Eigen::MatrixXd::Zero(coordinates, coordinates);
+  for (const std::vector<double>& jacobian : jacobians) {
+    const Eigen::Map<const RowMajor> j(jacobian.data(), residuals, coordinates);
+    sum += j;
+    own += j.transpose() * j;
+  }
+  // (Σ J)ᵀ(Σ J) − Σ JᵀJ holds the products of different samplings only. One sampling alone has to do with its
+  // own.
+  const Eigen::MatrixXd all = sum.transpose() * sum;
+  const double believed = 1.0 / (inflation * inflation);
+  const Eigen::MatrixXd of_data =
+      believed * (samplings > 1 ? Eigen::MatrixXd((all - own) / (samplings * (samplings - 1.0))) : own);
+  const Eigen::MatrixXd of_priors =
+      Eigen::Map<const RowMajor>(prior.information.data(), coordinates, coordinates);
+
+  // Scaled to a unit diagonal, so that units do not matter.
+  Eigen::VectorXd length = (of_data + of_priors).diagonal().cwiseMax(0.0).cwiseSqrt();
+  for (int i = 0; i < coordinates; ++i)
+    if (!(length(i) > 0.0)) length(i) = 1.0;
+  const Eigen::MatrixXd scale = length.cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale * of_data * scale);
+  const Eigen::VectorXd& value = eigen.eigenvalues();
+  const Eigen::MatrixXd& v = eigen.eigenvectors();
+  const double largest = coordinates > 0 ? value(coordinates - 1) : 0.0;
+  const std::vector<double> errors = standard_errors(jacobians, residuals, coordinates, scale * v);
+  Eigen::MatrixXd information = scale * of_priors * scale;
+  for (int k = 0; k < coordinates; ++k)
+    if (value(k) > std::max(kRankTolerance * largest, kStandardErrors * believed * errors[k]))
+      information += value(k) * v.col(k) * v.col(k).transpose();
+  Eigen::VectorXd limit(coordinates);  // standard deviations, scaled
+  for (int i = 0; i < coordinates; ++i) {
+    limit(i) = std::min(kAsGoodAsNoLimit, std::sqrt(prior.limit_variance[i]) * length(i));
+    information(i, i) += 1.0 / (limit(i) * limit(i));
+  }
+  const Eigen::MatrixXd covariance =
+      information.ldlt().solve(Eigen::MatrixXd::Identity(coordinates, coordinates));
+
+  Uncertainty result;
+  result.inflation = inflation;
+  const Eigen::MatrixXd shrink = limit.cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> left(shrink * covariance * shrink);
+  for (int k = 0; k < coordinates; ++k) {
+    if (left.eigenvalues()(k) < kLeftOpen) continue;
+    const Eigen::VectorXd leaning = limit.cwiseProduct(left.eigenvectors().col(k));
+    Eigen::VectorXd direction = leaning.cwiseQuotient(length);
+    const double most = leaning.cwiseAbs().maxCoeff();
+    for (int i = 0; i < coordinates; ++i)
+      if (std::abs(leaning(i)) < kLeans * most) direction(i) = 0.0;
+    direction /= direction.cwiseAbs().maxCoeff();
+    result.undetermined.emplace_back(direction.data(), direction.data() + coordinates);
+  }
+  result.covariance.assign(coordinates, std::vector<double>(coordinates));
+  for (int i = 0; i < coordinates; ++i)
+    for (int k = 0; k < coordinates; ++k)
+      result.covariance[i][k] = covariance(i, k) / (length(i) * length(k));
+  result.sigma.resize(coordinates);
+  result.correlation.assign(coordinates, std::vector<double>(coordinates, 0.0));
+  const auto known = [&](int i) {
+    return std::isfinite(covariance(i, i)) &&
+           (prior.has_prior[i] || covariance(i, i) < kLeftOpen * limit(i) * limit(i));
+  };
+  for (int i = 0; i < coordinates; ++i) {
+    result.sigma[i] =
+        known(i) ? std::sqrt(covariance(i, i)) / length(i) : std::numeric_limits<double>::quiet_NaN();
+    for (int k = 0; k < coordinates; ++k) {
+      const double both = std::sqrt(covariance(i, i) * covariance(k, k));
+      if (known(i) && known(k) && both > 0.0) result.correlation[i][k] = covariance(i, k) / both;
+    }
+  }
+  return result;
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,144 @@
+#include "sim/base/file/csv_table.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "sim/base/embedded_table.h"
+#include "sim/base/error.h"
+
+namespace vegard::sim {
+namespace {
+
+[[noreturn]] void fail(const std::string& file, int line, const std::string& problem,
+                       const std::string& expected, const std::string& hint = {}) {
+  ErrorDetails details;
+  details.problem = problem;
+  details.file = file;
+  details.line = line;
+  details.expected = expected;
+  details.hint = hint;
+  throw Error(ErrorKind::unreadable_input, details);
+}
+
+std::string_view trimmed(std::string_view cell) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const std::size_t first = cell.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return cell.substr(first, cell.find_last_not_of(kBlanks) - first + 1);
+}
+
+std::vector<std::string_view> cells_of(std::string_view line) {
+  std::vector<std::string_view> cells;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(',', begin), line.size());
+    cells.push_back(trimmed(line.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return cells;
+}
+
+std::optional<double> number_in(std::string_view cell) {
+  if (!cell.empty() && cell.front() == '+') cell.remove_prefix(1);
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+  if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(number)) return std::nullopt;
+  return number;
+}
+
+void read_header(std::string_view line, int line_number, CsvTable& table) {
+  for (const std::string_view cell : cells_of(line)) {
+    if (cell.empty()) fail(table.name, line_number, "a column without a name", "names in the first line");
+    if (table.has(cell))
+      fail(table.name, line_number, "two columns are called '" + std::string(cell) + "'",
+           "a name of its own for each column");
+    table.columns.emplace_back(cell);
+  }
+  if (number_in(table.columns.front()))
+    fail(table.name, line_number, "the first line begins with the number " + table.columns.front(),
+         "names of columns in the first line");
+  table.numbers.resize(table.columns.size());
+}
+
+void read_row(std::string_view line, int line_number, CsvTable& table) {
+  const std::vector<std::string_view> cells = cells_of(line);
+  if (cells.size() != table.columns.size())
+    fail(table.name, line_number,
+         std::to_string(cells.size()) + (cells.size() == 1 ? " cell" : " cells") + " for " +
+             std::to_string(table.columns.size()) + " columns",
+         "a number for each column, with commas between");
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const std::optional<double> number = number_in(cells[c]);
+    if (!number)
+      fail(table.name, line_number,
+           "'" + std::string(cells[c]) + "' in column '" + table.columns[c] + "' is no number",
+           "a finite number such as 1.5e-3");
+    table.numbers[c].push_back(*number);
+  }
+  table.lines.push_back(line_number);
+}
+
+}  // namespace
+
+bool CsvTable::has(std::string_view column_name) const {
+  return std::find(columns.begin(), columns.end(), column_name) != columns.end();
+}
+
+const std::vector<double>& CsvTable::column(std::string_view column_name) const {
+  const auto found = std::find(columns.begin(), columns.end(), column_name);
+  if (found == columns.end()) {
+    std::string there;
+    for (const std::string& name_there : columns) there += (there.empty() ? "" : ", ") + name_there;
+    fail(name, 0, "there is no column '" + std::string(column_name) + "'", "one beside " + there);
+  }
+  return numbers[static_cast<std::size_t>(found - columns.begin())];
+}
+
+void CsvTable::require_increasing(std::string_view column_name) const {
+  const std::vector<double>& values = column(column_name);
+  for (std::size_t r = 1; r < values.size(); ++r)
+    if (!(values[r] > values[r - 1]))
+      fail(name, lines[r], "'" + std::string(column_name) + "' does not increase",
+           "rows in the order of that column");
+}
+
+void CsvTable::require_within(std::string_view column_name, double min, double max) const {
+  const std::vector<double>& values = column(column_name);
+  for (std::size_t r = 0; r < values.size(); ++r)
+    if (!(values[r] >= min && values[r] <= max)) {
+      const auto text = [](double number) {
+        char buffer[32];
+        const auto end = std::to_chars(buffer, buffer + sizeof buffer, number).ptr;
+        return std::string(buffer, end);
+      };
+      fail(name, lines[r], text(values[r]) + " in column '" + std::string(column_name) + "'",
+           "from " + text(min) + " to " + text(max));
+    }
+}
+
+CsvTable read_csv_table(std::string_view text, const std::string& name) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
+  CsvTable table;
+  table.name = name;
+  int line_number = 0;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = trimmed(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    ++line_number;
+    if (line.empty() || line.front() == '#') continue;
+    if (table.columns.empty())
+      read_header(line, line_number, table);
+    else
+      read_row(line, line_number, table);
+  }
+  if (table.columns.empty()) fail(name, 0, "is empty", "a line of column names, then numbers");
+  if (table.lines.empty()) fail(name, 0, "has no rows", "numbers below the line of column names");
+  return table;
+}
+
+CsvTable embedded_csv_table(const std::string& name) { return read_csv_table(embedded_table(name), name); }
+
+}  // namespace vegard::sim

@@ -1,0 +1,292 @@
+#include "sim/base/grid/volumegrid_text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "sim/base/error.h"
+#include "sim/base/grid/volumegrid_words.h"
+#include "sim/base/large_vector.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr int kMostSide = 65536;
+constexpr double kCubeTolerance = 1e-4;                                  // the text may have few digits
+constexpr float kMostNumber = 1e30f;                                     // as of OpenVDB files
+constexpr double kMostPlace = 1e12, kLeastEdge = 1e-9, kMostEdge = 1e9;  // squares of lengths stay numbers
+constexpr int kEdge = SparseGrid::kEdge;
+
+using Kind = VolumegridWords::Kind;
+
+std::string in_words(double number) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.9g", number);
+  return text;
+}
+
+/// Takes densities in the order of the file, and puts them into bricks as soon as it knows where they belong.
+class DensityFiller {
+ public:
+  DensityFiller(SparseGrid& grid, std::uint64_t most_bytes) : grid_(grid), most_bytes_(most_bytes) {}
+
+  void know_size(const std::array<int, 3>& size, const VolumegridWords& words) {
+    size_ = size;
+    expected_ = static_cast<std::uint64_t>(size[0]) * size[1] * size[2];
+    columns_ = (size[0] + kEdge - 1) / kEdge;
+    const std::size_t bricks = static_cast<std::size_t>(columns_) * ((size[1] + kEdge - 1) / kEdge);
+    slab_bytes_ = bricks * sizeof(float*);
+    if (slab_bytes_ > most_bytes_) refuse_size(words);
+    slab_.assign(bricks, nullptr);
+    known_ = true;
+    for (const float number : early_) put(number, words);
+    LargeVector<float>().swap(early_);
+  }
+
+  void add(float number, const VolumegridWords& words) {
+    ++count_;
+    if (known_) return put(number, words);
+    if (early_.size() * sizeof(float) >= most_bytes_) refuse_size(words);
+    early_.push_back(number);
+  }
+
+  std::uint64_t count() const { return count_; }
+  std::uint64_t expected() const { return expected_; }
+
+ private:
+  [[noreturn]] void refuse_size(const VolumegridWords& words) const {
+    words.refuse("its densities take more than " + in_words(static_cast<double>(most_bytes_) / 1048576.0) +
+                     " MB of memory",
+                 "fewer voxels along x and y, or fewer that are not 0");
+  }
+
+  void put(float number, const VolumegridWords& words) {
+    if (at_[2] >= size_[2]) words.refuse("there are too many densities", expected_words());
+    if (number != 0.0f) {
+      float*& brick = slab_[static_cast<std::size_t>(at_[1] / kEdge) * columns_ + at_[0] / kEdge];
+      if (brick == nullptr) {
+        const std::uint64_t after = (grid_.bricks.size() + 1) * (SparseGrid::kVoxels * sizeof(float));
+        if (after + slab_bytes_ > most_bytes_) refuse_size(words);
+        brick = grid_.brick({at_[0] / kEdge, at_[1] / kEdge, at_[2] / kEdge}).data();
+      }
+      brick[SparseGrid::within(at_[0] % kEdge, at_[1] % kEdge, at_[2] % kEdge)] = number;
+    }
+    if (++at_[0] < size_[0]) return;
+    at_[0] = 0;
+    if (++at_[1] < size_[1]) return;
+    at_[1] = 0;
+    if (++at_[2] % kEdge == 0) std::fill(slab_.begin(), slab_.end(), nullptr);
+  }
+
+ public:
+  std::string expected_words() const {
+    return std::to_string(expected_) + " of them, nx ny nz = " + std::to_string(size_[0]) + " x " +
+           std::to_string(size_[1]) + " x " + std::to_string(size_[2]);
+  }
+
+ private:
+  SparseGrid& grid_;
+  std::uint64_t most_bytes_;
+  bool known_ = false;
+  std::array<int, 3> size_{0, 0, 0}, at_{0, 0, 0};
+  int columns_ = 0;
+  std::uint64_t count_ = 0, expected_ = 0;
+  std::uint64_t slab_bytes_ = 0;
+  std::vector<float*> slab_;  ///< bricks of the present eight layers
+  LargeVector<float> early_;  ///< densities before their sizes
+};
+
+/// One "volumegrid" and its parameters.
+class VolumegridReader {
+ public:
+  VolumegridReader(const std::string& path, std::uint64_t most_bytes)
+      : words_(path), filler_(out_.grid, most_bytes) {
+    out_.grid.channels = {{"density", ""}};
+  }
+
+  VolumegridFile read() {
+    find_volume();
+    while (kind_ == Kind::text) read_parameter();
+    finish();
+    for (; kind_ != Kind::end; kind_ = words_.next())
+      if (is_volume() && words_.next() == Kind::text && words_.word() == "volumegrid")
+        words_.refuse("there is a second volumegrid", "one in a file");
+    return std::move(out_);
+  }
+
+ private:
+  bool is_volume() const { return kind_ == Kind::bare && words_.word() == "Volume"; }
+
+  void find_volume() {
+    bool found = false;
+    while (!found) {
+      kind_ = words_.next();
+      if (kind_ == Kind::end)
+        words_.refuse("it has no volumegrid", "Volume \"volumegrid\" and its parameters",
+                      "an OpenVDB file's name ends in .vdb");
+      if (!is_volume()) continue;
+      kind_ = words_.next();
+      found = kind_ == Kind::text && words_.word() == "volumegrid";
+    }
+    kind_ = words_.next();
+  }
+
+  /// Calls use() for each word of the parameter's value, and goes to the word behind it.
+  template <class Use>
+  void for_each_value(const std::string& name, const Use& use) {
+    kind_ = words_.next();
+    if (kind_ == Kind::end) words_.refuse("the file ends before the value of \"" + name + "\"", "a value");
+    if (kind_ == Kind::close) words_.refuse("a ] without its [", "a value of \"" + name + "\"");
+    const bool bracketed = kind_ == Kind::open;
+    if (bracketed) kind_ = words_.next();
+    while (!bracketed || kind_ != Kind::close) {
+      if (kind_ == Kind::end) {
+        const bool counts = name == "density" && filler_.expected() > 0;
+        words_.refuse("the file is cut off within \"" + name + "\"" +
+                          (counts ? ", after " + std::to_string(filler_.count()) + " densities" : ""),
+                      counts ? filler_.expected_words() : "a ]");
+      }
+      if (kind_ == Kind::open) words_.refuse("a [ within a list", "numbers, or a ]");
+      use();
+      if (!bracketed) break;
+      kind_ = words_.next();
+    }
+    kind_ = words_.next();
+  }
+
+  double number(const std::string& name) {
+    if (kind_ != Kind::bare)
+      words_.refuse("\"" + words_.word() + "\" is no number of \"" + name + "\"", "a finite number");
+    return words_.number();
+  }
+
+  void read_parameter() {
+    const std::string declared = words_.word();
+    const std::size_t blank = declared.find_first_of(" \t");
+    const std::size_t behind = declared.find_first_not_of(" \t", blank);
+    if (blank == std::string::npos || behind == std::string::npos)
+      words_.refuse("\"" + declared + "\" is no parameter", "a type and a name, such as \"integer nx\"");
+    const std::string type = declared.substr(0, blank);
+    const std::string name = declared.substr(behind, declared.find_last_not_of(" \t") + 1 - behind);
+    const int axis = name == "nx" ? 0 : name == "ny" ? 1 : name == "nz" ? 2 : -1;
+    if (axis >= 0) {
+      if (size_[axis] > 0) words_.refuse("\"" + name + "\" is given twice", "one number of voxels");
+      return read_size(name, axis);
+    }
+    if (name == "p0" || name == "p1") return read_corner(name);
+    if (name == "density") {
+      if (filler_.count() > 0) words_.refuse("\"density\" is given twice", "one list");
+      return for_each_value(name, [&] {
+        const double value = number(name);
+        if (std::abs(value) > static_cast<double>(kMostNumber))
+          words_.refuse("the density " + words_.word() + " is too large", "at most 1e30");
+        filler_.add(static_cast<float>(value), words_);
+      });
+    }
+    if (type == "color" || type == "rgb" || type == "spectrum") return read_numbers(name, out_.colours[name]);
+    for_each_value(name, [] {});
+  }
+
+  void read_size(const std::string& name, int axis) {
+    int values = 0;
+    for_each_value(name, [&] {
+      const double value = number(name);
+      if (!(value >= 1.0 && value <= kMostSide) || value != std::floor(value) || ++values > 1)
+        words_.refuse("'" + words_.word() + "' is no number of voxels",
+                      "\"" + name + "\", one whole number from 1 to 65536");
+      size_[axis] = static_cast<int>(value);
+    });
+    if (values == 0) words_.refuse("\"" + name + "\" has no value", "a whole number from 1 to 65536");
+    if (!sized_ && size_[0] > 0 && size_[1] > 0 && size_[2] > 0) {
+      sized_ = true;
+      filler_.know_size(size_, words_);
+    }
+  }
+
+  void read_numbers(const std::string& name, std::array<double, 3>& to) {
+    std::size_t values = 0;
+    const int line = words_.line();
+    for_each_value(name, [&] {
+      const double value = number(name);
+      if (values < 3) to[values] = value;
+      ++values;
+    });
+    if (values == 3) return;
+    words_.refuse(
+        "\"" + name + "\" of line " + std::to_string(line) + " has " + std::to_string(values) + " numbers",
+        "three");
+  }
+
+  void read_corner(const std::string& name) {
+    const int corner = name == "p0" ? 0 : 1;
+    if (corner_line_[corner] > 0) words_.refuse("\"" + name + "\" is given twice", "one point");
+    corner_line_[corner] = words_.line();
+    read_numbers(name, corner_[corner]);
+    for (const double place : corner_[corner])
+      if (!(std::abs(place) <= kMostPlace))
+        words_.refuse(
+            "\"" + name + "\" of line " + std::to_string(corner_line_[corner]) + " is at " + in_words(place),
+            "places from -1e12 to 1e12");
+  }
+
+  void finish() {
+    constexpr const char* kName[3] = {"nx", "ny", "nz"};
+    for (int a = 0; a < 3; ++a)
+      if (size_[a] == 0)
+        words_.refuse(std::string("there is no \"integer ") + kName[a] + "\"",
+                      "how many voxels there are along each axis");
+    if (filler_.count() != filler_.expected())
+      words_.refuse("there are " + std::to_string(filler_.count()) + " densities", filler_.expected_words());
+    double edge[3];
+    for (int a = 0; a < 3; ++a) {
+      edge[a] = (corner_[1][a] - corner_[0][a]) / size_[a];
+      if (!(edge[a] > 0.0)) words_.refuse("p1 is not above p0 along all axes", "a box from p0 to p1");
+      if (!(edge[a] >= kLeastEdge && edge[a] <= kMostEdge))
+        words_.refuse("its voxels are " + in_words(edge[a]) + " wide", "a box of voxels from 1e-9 to 1e9");
+    }
+    const double mean = (edge[0] + edge[1] + edge[2]) / 3.0;
+    for (int a = 0; a < 3; ++a)
+      if (std::abs(edge[a] - mean) > kCubeTolerance * mean)
+        words_.refuse("its voxels are no cubes, but " + in_words(edge[0]) + " x " + in_words(edge[1]) +
+                          " x " + in_words(edge[2]),
+                      "p1 - p0 in the proportion of nx, ny and nz",
+                      "sample it anew with cubes; cells along an axis of " +
+                          in_words(std::round(size_[0] * edge[0] / edge[2])) + ", " +
+                          in_words(std::round(size_[1] * edge[1] / edge[2])) + " and " + in_words(size_[2]) +
+                          " would be");
+    out_.grid.voxel = mean;
+    out_.grid.origin = corner_[0];
+    out_.size = size_;
+  }
+
+  VolumegridWords words_;
+  Kind kind_ = Kind::end;
+  VolumegridFile out_;
+  DensityFiller filler_;
+  bool sized_ = false;
+  std::array<int, 3> size_{0, 0, 0};
+  int corner_line_[2] = {0, 0};  ///< where it is given; or not
+  std::array<double, 3> corner_[2] = {{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}};
+};
+
+}  // namespace
+
+bool is_volumegrid_name(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".pbrt" || extension == ".volumegrid" || extension == ".txt";
+}
+
+VolumegridFile read_volumegrid(const std::string& path, std::uint64_t most_bytes) {
+  return VolumegridReader(path, most_bytes).read();
+}
+
+}  // namespace vegard::sim

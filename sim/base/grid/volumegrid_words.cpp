@@ -1,0 +1,103 @@
+#include "sim/base/grid/volumegrid_words.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+namespace vegard::sim {
+namespace {
+
+constexpr std::size_t kPiece = std::size_t{1} << 20, kLongestWord = 256;
+
+bool is_blank(int c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f'; }
+
+bool ends_word(int c) { return c < 0 || is_blank(c) || c == '[' || c == ']' || c == '"' || c == '#'; }
+
+}  // namespace
+
+VolumegridWords::VolumegridWords(const std::string& path)
+    : path_(path), stream_(path, std::ios::binary), buffer_(kPiece) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) refuse("it is not there", "a volumegrid's text");
+  if (!std::filesystem::is_regular_file(path, ignored)) refuse("it is no file", "a volumegrid's text");
+  if (!stream_) refuse("it cannot be read", "a volumegrid's text");
+}
+
+void VolumegridWords::refuse(const std::string& problem, const std::string& expected,
+                             const std::string& hint) const {
+  const bool is_open = filled_ > 0;
+  throw Error(ErrorKind::unreadable_input, {problem, path_, is_open ? word_line_ : 0, "", expected, hint});
+}
+
+bool VolumegridWords::fill() {
+  stream_.read(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  const auto count = static_cast<std::size_t>(stream_.gcount());
+  if (stream_.bad()) refuse("it cannot be read to its end", "a file that may be read");
+  if (count == 0) return false;  // at_ stays behind the last letter
+  at_ = 0;
+  filled_ = count;
+  return true;
+}
+
+VolumegridWords::Kind VolumegridWords::next() {
+  word_.clear();
+  int c = peek();
+  while (is_blank(c) || c == '#') {
+    if (c == '#') {
+      while (c >= 0 && c != '\n') {
+        ++at_;
+        c = peek();
+      }
+      continue;
+    }
+    if (c == '\n') ++line_;
+    ++at_;
+    c = peek();
+  }
+  word_line_ = line_;
+  if (c < 0) return Kind::end;
+  if (c == '[' || c == ']') {
+    ++at_;
+    word_ = static_cast<char>(c);
+    return c == '[' ? Kind::open : Kind::close;
+  }
+  const auto add = [&] {
+    if (word_.size() == kLongestWord)
+      refuse("a word of more than 256 letters begins with '" + word_.substr(0, 20) + "'",
+             "numbers and names parted by blanks", "is it a text?");
+    word_ += static_cast<char>(c);
+    ++at_;
+    c = peek();
+  };
+  if (c == '"') {
+    ++at_;
+    c = peek();
+    while (c != '"') {
+      if (c < 0 || c == '\n') refuse("a \" is not closed in its line", "another \"");
+      add();
+    }
+    ++at_;
+    return Kind::text;
+  }
+  while (!ends_word(c)) add();
+  return Kind::bare;
+}
+
+double VolumegridWords::number() const {
+  const char* from = word_.data();
+  const char* const to = from + word_.size();
+  if (from != to && *from == '+') ++from;
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(from, to, value);
+  // Beyond a double's range: 0 or infinity, which only this one tells apart.
+  if (error == std::errc::result_out_of_range && end == to) {
+    value = std::strtod(word_.c_str(), nullptr);
+    if (std::isfinite(value)) return value;
+  }
+  if (error != std::errc() || end != to || !std::isfinite(value))
+    refuse("'" + word_ + "' is no number", "a finite number");
+  return value;
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,48 @@
+// Gradient noise from a table, with its gradient: for density maps, which ask for it a hundred million times.
+//
+// It is the noise of sim/base/number/noise.h (K. Perlin, "Improving noise", SIGGRAPH 2002: gradients towards
+// the twelve edges of a cube, weighted by the quintic 6t⁵ - 15t⁴ + 10t³), but the nodes' gradients are drawn
+// once, from Philox, for a cube of kPeriod nodes that repeats.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "sim/base/number/dual.h"
+#include "sim/base/number/random.h"
+
+namespace vegard::sim {
+
+/// Noise at a point, and its slopes.
+struct NoiseAt {
+  double value, slope[3];
+};
+
+class NoiseLattice {
+ public:
+  static constexpr int kPeriod = 64;
+  static constexpr double kLargest = 1.04;  ///< no value is farther from 0
+
+  /// The noise of a seed, a stream and an address, such as that of one of several nodes.
+  NoiseLattice(std::uint64_t seed, Stream stream, std::uint32_t address);
+
+  /// 0 at points with integer coordinates; continuous, with its first and second derivatives.
+  double value(double x, double y, double z) const;
+  NoiseAt with_slope(double x, double y, double z) const;
+
+ private:
+  std::vector<std::uint8_t> edge_;  ///< [z][y][x], 0 to 11
+};
+
+inline double noise_of(const NoiseLattice& lattice, const double point[3]) {
+  return lattice.value(point[0], point[1], point[2]);
+}
+
+template <class D>
+Dual<double, D> noise_of(const NoiseLattice& lattice, const Dual<double, D> point[3]) {
+  const NoiseAt at = lattice.with_slope(point[0].v, point[1].v, point[2].v);
+  return {at.value, point[0].d * at.slope[0] + point[1].d * at.slope[1] + point[2].d * at.slope[2]};
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,20 @@
+// Random numbers of Poisson's distribution, as a pure function of (seed, stream, indices).
+//
+// Source: inversion for means below 10 (Devroye 1986, Non-uniform random variate generation, X.3); above,
+// transformed rejection with squeeze, PTRS (Hoermann 1993, Insurance: Mathematics and Economics 12, 39,
+// doi:10.1016/0167-6687(93)90997-4), which is exact as well; from 10^7 on a rounded normal number, whose
+// missing skewness is below 0.0004.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/base/number/random.h"
+
+namespace vegard::sim {
+
+/// A whole number; 0 for a mean of 0. `mean` at least 0 and finite. Takes the words (i, j, k), and where they
+/// do not suffice (i, j, k + 4), (i, j, k + 8) and so on: k below 4 tells four numbers of one (i, j) apart.
+double poisson(double mean, std::uint64_t seed, Stream stream, std::uint32_t i, std::uint32_t j,
+               std::uint32_t k);
+
+}  // namespace vegard::sim

@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "sim/base/file/whole_file.h"
+#include "sim/base/picture/image_io.h"
+#include "sim/base/picture/image_io/library.h"
+#include "sim/base/picture/image_io/words.h"
+
+namespace vegard::sim {
+namespace {
+
+/// libjpeg ends the whole process with "Bogus marker length" above 65 533 bytes; EXIF shares them with other
+/// entries.
+constexpr std::size_t jpeg_description_limit = 30000;
+/// libjpeg ends the process here too.
+constexpr int jpeg_size_limit = 65500;
+
+template <typename Step>
+std::vector<Step> quantised(const Image& encoded) {
+  constexpr double largest = std::numeric_limits<Step>::max();
+  std::vector<Step> steps(encoded.data.size());
+  std::transform(encoded.data.begin(), encoded.data.end(), steps.begin(), [](float value) {
+    if (!(value > 0.0f)) return Step{0};
+    // Exact in double before the rounding: 24 bits times 16.
+    return static_cast<Step>(std::floor(std::min(1.0, static_cast<double>(value)) * largest + 0.5));
+  });
+  return steps;
+}
+
+void check_display(ImageFormat format, const Image& encoded, int bits, int jpeg_quality,
+                   const std::string& name) {
+  const auto refuse = [&](const char* problem, const char* expected) {
+    throw failure(ErrorKind::usage, name, problem, expected);
+  };
+  if (format == ImageFormat::exr) refuse("EXR is not a display format", ".png, .tif or .jpg");
+  if (bits != 8 && bits != 16) refuse("no such number of bits per channel", "8 or 16");
+  if (format == ImageFormat::jpeg) {
+    if (bits != 8) refuse("JPEG cannot hold 16 bits per channel", "8, or .png or .tif");
+    if (jpeg_quality < 1 || jpeg_quality > 100) refuse("no such JPEG quality", "1 to 100");
+    if (encoded.width > jpeg_size_limit || encoded.height > jpeg_size_limit) {
+      refuse("too large for a JPEG", "at most 65500 pixels a side");
+    }
+  }
+}
+
+}  // namespace
+
+std::string encode_display(ImageFormat format, const Image& encoded, int bits, int jpeg_quality,
+                           const ImageAttributes& attributes, const std::string& name) {
+  assert(!encoded.empty() && (encoded.channels() == 1 || encoded.channels() == 3));
+  check_display(format, encoded, bits, jpeg_quality, name);
+
+  OIIO::ImageSpec spec(encoded.width, encoded.height, encoded.channels(),
+                       bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16);
+  spec.attribute("DateTime", exif_time(value_or_empty(attributes, "DateTime")));
+  std::string file_name;
+  if (format == ImageFormat::png) {
+    file_name = "image.png";
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    describe_in_own_keys(spec, attributes);
+  } else if (format == ImageFormat::tiff) {
+    // No colour space here: OpenImageIO 2.4 makes EXIF data of it and then, writing to memory, a file that
+    // none can read.
+    file_name = "image.tif";
+    spec.attribute("compression", "zip");
+    describe_in_one_text(spec, description_of(attributes));
+  } else {
+    file_name = "image.jpg";
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    spec.attribute("CompressionQuality", jpeg_quality);
+    spec.attribute("jpeg:subsampling", "4:4:4");  // aurorae are thin coloured lines
+    describe_in_one_text(spec, description_of(attributes).substr(0, jpeg_description_limit));
+  }
+  if (bits == 8) return encode(file_name, name, spec, quantised<std::uint8_t>(encoded).data());
+  return encode(file_name, name, spec, quantised<std::uint16_t>(encoded).data());
+}
+
+void write_display(const std::string& path, const Image& encoded, int bits, int jpeg_quality,
+                   const ImageAttributes& attributes, bool overwrite) {
+  const ImageFormat format = image_format(path);
+  check_display(format, encoded, bits, jpeg_quality, path);
+  WholeFile file(path, overwrite);
+  file.write(encode_display(format, encoded, bits, jpeg_quality, attributes, path));
+  file.commit();
+}
+
+}  // namespace vegard::sim

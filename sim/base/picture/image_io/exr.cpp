@@ -1,0 +1,115 @@
+#include <OpenImageIO/filesystem.h>
+
+#include <algorithm>
+#include <cassert>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "sim/base/file/whole_file.h"
+#include "sim/base/picture/image_io.h"
+#include "sim/base/picture/image_io/library.h"
+#include "sim/base/picture/image_io/words.h"
+
+namespace vegard::sim {
+
+std::string encode_exr(const std::vector<const Image*>& images, const ImageAttributes& attributes,
+                       const std::string& name) {
+  assert(!images.empty() && !images.front()->empty());
+  const int width = images.front()->width, height = images.front()->height;
+  std::vector<std::string> names;
+  for (const Image* image : images) {
+    assert(image->width == width && image->height == height);
+    names.insert(names.end(), image->channel_names.begin(), image->channel_names.end());
+  }
+  assert(std::set<std::string>(names.begin(), names.end()).size() == names.size());
+
+  std::vector<float> joined;
+  const float* pixels = images.front()->data.data();
+  if (images.size() > 1) {
+    joined.reserve(static_cast<std::size_t>(width) * height * names.size());
+    for (std::size_t pixel = 0; pixel < static_cast<std::size_t>(width) * height; ++pixel) {
+      for (const Image* image : images) {
+        const auto first = image->data.begin() + static_cast<std::ptrdiff_t>(pixel * image->channels());
+        joined.insert(joined.end(), first, first + image->channels());
+      }
+    }
+    pixels = joined.data();
+  }
+
+  OIIO::ImageSpec spec(width, height, static_cast<int>(names.size()), OIIO::TypeDesc::FLOAT);
+  spec.channelnames = names;
+  spec.attribute("compression", "zip");
+  spec.attribute("DateTime", exif_time(value_or_empty(attributes, "DateTime")));
+  describe_in_own_keys(spec, attributes);
+  return encode("image.exr", name, spec, pixels);
+}
+
+void write_exr(const std::string& path, const std::vector<const Image*>& images,
+               const ImageAttributes& attributes, bool overwrite) {
+  if (image_format(path) != ImageFormat::exr) {
+    throw failure(ErrorKind::usage, path, "linear images are written as EXR", ".exr");
+  }
+  WholeFile file(path, overwrite);
+  file.write(encode_exr(images, attributes, path));
+  file.commit();
+}
+
+void write_exr(const std::string& path, const Image& image, const ImageAttributes& attributes,
+               bool overwrite) {
+  write_exr(path, std::vector<const Image*>{&image}, attributes, overwrite);
+}
+
+namespace {
+
+/// `memory`: the bytes, if they are not to be read from `path`.
+ExrFile read(const std::string& path, OIIO::Filesystem::IOProxy* memory) {
+  const auto unreadable = [&](const std::string& problem) {
+    return failure(ErrorKind::unreadable_input, path, problem);
+  };
+  // By name, so that a picture in another format that happens to be called .exr is not read as something
+  // else.
+  const auto input = OIIO::ImageInput::create("openexr");
+  OIIO::ImageSpec spec;
+  const bool in_memory = input && memory != nullptr && input->set_ioproxy(memory);
+  if (!input || (memory != nullptr && !in_memory) || !input->open(in_memory ? "image.exr" : path, spec)) {
+    throw unreadable("cannot be read as EXR: " + (input ? input->geterror() : OIIO::geterror()));
+  }
+  if (spec.deep) throw unreadable("is a deep EXR, which has no single value per pixel");
+  check_size(spec, path);
+
+  ExrFile result;
+  result.image = Image(spec.width, spec.height, spec.channelnames);
+  // A file cut short may be read with "success" and an error string beside it.
+  const bool complete =
+      input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, result.image.data.data());
+  if (!complete || input->has_error()) throw unreadable("is truncated or damaged: " + input->geterror());
+
+  const std::string_view prefix(own_prefix);
+  for (const auto& attribute : spec.extra_attribs) {
+    const std::string key = attribute.name().string();
+    if (attribute.type() != OIIO::TypeDesc::STRING) continue;
+    if (key.compare(0, prefix.size(), prefix) == 0) {
+      result.attributes[key.substr(prefix.size())] = attribute.get_string();
+    } else if (key == "ImageDescription" || (key == "DateTime" && attribute.get_string() != unknown_time)) {
+      result.attributes[key] = attribute.get_string();
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+ExrFile read_exr(const std::string& path) {
+  configure_library();
+  check_is_file(path);
+  return read(path, nullptr);
+}
+
+ExrFile read_exr_bytes(std::string_view bytes, const std::string& name) {
+  configure_library();
+  OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+  return read(name, &memory);
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "sim/base/picture/image_io.h"
+#include "sim/base/picture/image_io/library.h"
+#include "sim/base/picture/whole_picture.h"
+
+namespace vegard::sim {
+namespace {
+
+/// Where in the file's channels the picture's R, G, B or Y, and A are.
+struct PictureChannels {
+  std::vector<std::string> names;
+  std::vector<int> of_file;
+};
+
+PictureChannels picture_channels(const OIIO::ImageSpec& spec, bool by_name, const std::string& path) {
+  PictureChannels found;
+  const auto take = [&](const char* name, int channel) {
+    found.names.emplace_back(name);
+    found.of_file.push_back(channel);
+  };
+  const auto named = [&](const char* name) {
+    const auto at = std::find(spec.channelnames.begin(), spec.channelnames.end(), name);
+    return at == spec.channelnames.end() ? -1 : static_cast<int>(at - spec.channelnames.begin());
+  };
+  int alpha = spec.alpha_channel;
+  if (by_name) {
+    alpha = named("A");
+    if (named("R") >= 0 && named("G") >= 0 && named("B") >= 0) {
+      for (const char* name : {"R", "G", "B"}) take(name, named(name));
+    } else if (named("Y") >= 0) {
+      take("Y", named("Y"));
+    } else if (spec.nchannels == 1) {
+      alpha = -1;
+      take("Y", 0);
+    } else {
+      throw failure(ErrorKind::unreadable_input, path, "has no colour", "channels R, G, B or Y");
+    }
+  } else {
+    std::vector<int> colours;
+    for (int c = 0; c < spec.nchannels; ++c)
+      if (c != alpha) colours.push_back(c);
+    if (colours.empty()) throw failure(ErrorKind::unreadable_input, path, "has no colour");
+    if (colours.size() < 3) {
+      take("Y", colours[0]);
+    } else {
+      take("R", colours[0]);
+      take("G", colours[1]);
+      take("B", colours[2]);
+    }
+  }
+  if (alpha >= 0) take("A", alpha);
+  return found;
+}
+
+/// Only of the formats whose decoders do not say it themselves.
+bool is_whole(const std::string& path, ImageFormat format) {
+  if (format != ImageFormat::png && format != ImageFormat::jpeg) return true;
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  return format == ImageFormat::png ? png_is_whole(bytes) : jpeg_is_whole(bytes);
+}
+
+/// EXIF 2.3, tag 274: the stored place of the pixel (x, y) of the upright picture.
+std::pair<int, int> stored_place(int orientation, int x, int y, int stored_width, int stored_height) {
+  if (orientation >= 5) std::swap(x, y);
+  const bool right_to_left = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
+  const bool upwards = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
+  return {right_to_left ? stored_width - 1 - x : x, upwards ? stored_height - 1 - y : y};
+}
+
+}  // namespace
+
+PictureFile read_picture(const std::string& path) {
+  configure_library();
+  const auto unreadable = [&](const std::string& problem, const std::string& expected = {}) {
+    return failure(ErrorKind::unreadable_input, path, problem, expected);
+  };
+  check_is_file(path);
+  ImageFormat format{};
+  try {
+    format = image_format(path);
+  } catch (const Error& error) {
+    throw unreadable(error.details().problem, error.details().expected);
+  }
+  if (!is_whole(path, format)) throw unreadable("is truncated, damaged or not what its name says");
+  const std::map<ImageFormat, std::string> decoders = {{ImageFormat::exr, "openexr"},
+                                                       {ImageFormat::png, "png"},
+                                                       {ImageFormat::tiff, "tiff"},
+                                                       {ImageFormat::jpeg, "jpeg"}};
+  // By name, as in read_exr().
+  const auto input = OIIO::ImageInput::create(decoders.at(format));
+  OIIO::ImageSpec spec, wish;
+  wish.attribute("oiio:UnassociatedAlpha", 1);  // else integers are multiplied while sRGB-encoded
+  if (!input || !input->open(path, spec, wish)) {
+    throw unreadable("cannot be read as " + decoders.at(format) + ": " +
+                     (input ? input->geterror() : OIIO::geterror()));
+  }
+  if (spec.deep) throw unreadable("is a deep EXR, which has no single value per pixel");
+  check_size(spec, path);
+  const PictureChannels channels = picture_channels(spec, format == ImageFormat::exr, path);
+
+  std::vector<float> stored(static_cast<std::size_t>(spec.width) * spec.height * spec.nchannels);
+  // A file cut short may be read with "success" and an error string beside it.
+  const bool complete = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, stored.data());
+  if (!complete || input->has_error()) throw unreadable("is truncated or damaged: " + input->geterror());
+
+  PictureFile file;
+  file.floating = spec.format.is_floating_point();
+  file.colour_times_alpha =
+      channels.names.back() == "A" && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0;
+  const int orientation = spec.get_int_attribute("Orientation", 1);
+  const bool turned = orientation >= 5 && orientation <= 8;
+  file.image = Image(turned ? spec.height : spec.width, turned ? spec.width : spec.height, channels.names);
+  for (int y = 0; y < file.image.height; ++y) {
+    for (int x = 0; x < file.image.width; ++x) {
+      const auto [from_x, from_y] = stored_place(orientation, x, y, spec.width, spec.height);
+      const std::size_t from = (static_cast<std::size_t>(from_y) * spec.width + from_x) * spec.nchannels;
+      for (int c = 0; c < file.image.channels(); ++c) {
+        const float value = stored[from + channels.of_file[c]];
+        if (!std::isfinite(value)) throw unreadable("holds values that are no finite numbers");
+        file.image.at(x, y, c) = value;
+      }
+    }
+  }
+  return file;
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,98 @@
+#include "sim/emit/footprint/map/make_footprint.h"
+
+#include <cmath>
+#include <string>
+#include <type_traits>
+
+#include "sim/emit/aurora/sheet_shape.h"
+#include "sim/emit/footprint/map/noise_footprint.h"
+#include "sim/emit/footprint/map/picture_footprint.h"
+#include "sim/emit/footprint/map/plane_flow.h"
+#include "sim/emit/footprint/map/plane_grid.h"
+#include "sim/emit/footprint/map/sheet_footprint.h"
+#include "sim/emit/footprint/map/spline_footprint.h"
+#include "sim/scene/structs/footprint_size.h"
+#include "sim/scene/structs/line_of.h"
+#include "sim/scene/table/value_check.h"
+#include "sim/scene/table/value_words.h"
+
+namespace vegard::sim {
+namespace {
+
+/// Its number in the scene, which its random numbers go by; 0 for one that is not of it.
+int index_of(const Scene& scene, const Footprint& footprint) {
+  for (std::size_t i = 0; i < scene.footprints.size(); ++i)
+    if (&scene.footprints[i] == &footprint) return static_cast<int>(i);
+  return 0;
+}
+
+/// A map of dual numbers may be asked for much more memory than the same scene's picture.
+template <class T>
+void check_memory(const Scene& scene, const Footprint& f) {
+  const double cells = map_cells(f), each = bytes_per_cell(f, sizeof(T));
+  if (cells * each <= kMostMapBytes) return;
+  const auto gigabytes = [](double bytes) { return short_real_text(std::round(bytes * 1e-8) * 0.1); };
+  complain(
+      {"the footprint's map of " + short_real_text(cells) + " cells would take " + gigabytes(cells * each) +
+           " GB with its derivatives, " + short_real_text(each) + " bytes a cell",
+       "at most " + short_real_text(std::floor(kMostMapBytes / each)) + " cells in a fit",
+       "raise cell_km for the fit, or make size_km smaller"},
+      {scene.file, line_of(scene, "footprint." + f.name + ".cell_km"), "footprint." + f.name + ".cell_km"});
+}
+
+template <class T>
+PlaneFootprint<T> at_rest(const Scene& scene, const Footprint& f, const FootprintPictures& pictures,
+                          const NumberAs<T>& number, int threads) {
+  if (f.source == "spline") return spline_plane(f, number, threads);
+  if (f.source == "sheets") return sheet_plane(scene, f, number, threads);
+  if (f.source == "noise") return as_free(noise_plane(f, scene.seed, index_of(scene, f), threads), f, number);
+  return as_free(picture_plane(f, pictures, threads), f, number);
+}
+
+PlaneFootprint<double> values(const PlaneFootprint<double>& plane) { return plane; }
+PlaneFootprint<double> values(const PlaneFootprint<FreeDual>& plane) {
+  PlaneFootprint<double> of;
+  of.west_km = plane.west_km;
+  of.south_km = plane.south_km;
+  of.cell_km = plane.cell_km;
+  of.grid.columns = plane.grid.columns;
+  of.grid.rows = plane.grid.rows;
+  of.grid.flux_mw_m2.reserve(plane.grid.flux_mw_m2.size());
+  for (const FreeDual& flux : plane.grid.flux_mw_m2) of.grid.flux_mw_m2.push_back(flux.v);
+  return of;
+}
+
+}  // namespace
+
+template <class T>
+PlaneFootprint<T> make_plane_footprint(const Scene& scene, const Footprint& f,
+                                       const FootprintPictures& pictures, const NumberAs<T>& number,
+                                       int threads) {
+  if constexpr (!std::is_same_v<T, double>) check_memory<T>(scene, f);
+  const bool flows = f.flow_turns > 0.0;
+  // A spline knows where it goes with the centre to a point of the grid. What stands still in its box goes
+  // with it, and so does all that the flow has wound up, ripples included.
+  const bool goes_with_box = f.source != "sheets" && (flows || f.source != "spline");
+  const NumberAs<T> of_box = [&](const double& n) {
+    return &n == &f.center_km.east || &n == &f.center_km.north ? T(n) : number(n);
+  };
+  PlaneFootprint<T> plane = at_rest(scene, f, pictures, goes_with_box ? of_box : number, threads);
+  if (flows)
+    carry(wind_up(values(plane), f, scene.seed, index_of(scene, f), falls_along_field(scene), threads), plane,
+          threads);
+  if (goes_with_box) move_with_centre(f, number, plane);
+  return plane;
+}
+
+template PlaneFootprint<double> make_plane_footprint(const Scene&, const Footprint&, const FootprintPictures&,
+                                                     const NumberAs<double>&, int);
+template PlaneFootprint<FreeDual> make_plane_footprint(const Scene&, const Footprint&,
+                                                       const FootprintPictures&, const NumberAs<FreeDual>&,
+                                                       int);
+
+CubeFootprint<double> make_cube_footprint(const Scene&, const Footprint& f, const FootprintPictures& pictures,
+                                          int threads) {
+  return f.source == "spline" ? spline_cube(f, threads) : picture_cube(f, pictures, threads);
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,45 @@
+// The one door to footprints: from a scene's words to a map of energy flux and energy.
+//
+// docs/volumes.md, "Footprints", says how each kind is made.
+#pragma once
+
+#include <array>
+
+#include "sim/base/image.h"
+#include "sim/emit/footprint/map/footprint_map.h"
+#include "sim/light/emitter.h"
+#include "sim/scene/structs/scene.h"
+
+namespace vegard::sim {
+
+/// What a footprint has from files: one channel each, as read_picture() has it, top row first. Null: none.
+struct FootprintPictures {
+  const Image* flux = nullptr;
+  const Image* energy = nullptr;
+  std::array<const Image*, 6> face{};  ///< px, nx, py, ny, pz, nz
+  std::array<const Image*, 6> energy_face{};
+};
+
+/// Of a footprint of shape "box". The map's flux is in mW m^-2; energies are over footprint.energy_kev. For T
+/// = FreeDual it carries the derivatives by every number that `number` gives a tangent: east_km, north_km,
+/// center_km, width_km, energy_flux_mw_m2, point_flux and point_energy; of a footprint that flows only by
+/// center_km, energy_flux_mw_m2 and point_energy, which the flow does not depend on. The grid itself stays
+/// where center_km has it. The same for every number of threads. Throws Error(scene) where derivatives need
+/// more memory than kMostMapBytes (sim/scene/structs/footprint_size.h).
+template <class T>
+PlaneFootprint<T> make_plane_footprint(const Scene& scene, const Footprint& footprint,
+                                       const FootprintPictures& pictures, const NumberAs<T>& number,
+                                       int threads);
+
+extern template PlaneFootprint<double> make_plane_footprint(const Scene&, const Footprint&,
+                                                            const FootprintPictures&, const NumberAs<double>&,
+                                                            int);
+extern template PlaneFootprint<FreeDual> make_plane_footprint(const Scene&, const Footprint&,
+                                                              const FootprintPictures&,
+                                                              const NumberAs<FreeDual>&, int);
+
+/// Of a footprint of shape "shell".
+CubeFootprint<double> make_cube_footprint(const Scene& scene, const Footprint& footprint,
+                                          const FootprintPictures& pictures, int threads);
+
+}  // namespace vegard::sim

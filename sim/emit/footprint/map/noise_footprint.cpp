@@ -1,0 +1,88 @@
+#include "sim/emit/footprint/map/noise_footprint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "sim/base/number/noise.h"
+#include "sim/base/number/smooth_step.h"
+#include "sim/base/parallel.h"
+#include "sim/emit/footprint/map/plane_grid.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr double kPushed = 0.4;   // how far places are pushed aside, in the largest waves
+constexpr int kLevelPlaces = 96;  // along either side of the box, from which the dark level is taken
+// Half way between planes of nodes, where all noise would be weak.
+constexpr double kPlane = 0.5;
+
+/// The height of the ridges at a place, in the largest waves.
+class Ridges {
+ public:
+  Ridges(std::uint64_t seed, int index, int octaves) : seed_(seed), index_(index), octaves_(octaves) {}
+
+  double at(double x, double y) const {
+    const double px = x + kPushed * noise(1, x, y), py = y + kPushed * noise(2, x, y);
+    double sum = 0.0, size = 1.0, scale = 1.0, weight = 1.0;
+    for (int k = 0; k < octaves_; ++k) {
+      const double ridge = 1.0 - std::min(1.0, std::abs(noise(3 + k, px * scale, py * scale)));
+      const double height = ridge * ridge * weight;
+      sum += size * height;
+      weight = std::min(1.0, 1.5 * height);
+      size *= 0.5;
+      scale *= 2.0;
+    }
+    return sum;
+  }
+
+ private:
+  double noise(int part, double x, double y) const {
+    return gradient_noise(seed_, Stream::footprint, static_cast<std::uint64_t>(index_) << 8 | part, x, y,
+                          kPlane);
+  }
+
+  std::uint64_t seed_;
+  int index_, octaves_;
+};
+
+}  // namespace
+
+PlaneFootprint<double> noise_plane(const Footprint& f, std::uint64_t seed, int index, int threads) {
+  PlaneFootprint<double> plane = plane_grid<double>(f);
+  FootprintGrid<double>& grid = plane.grid;
+  if (f.noise_coverage <= 0.0) return plane;
+  const Ridges ridges(seed, index, f.noise_octaves);
+  const auto height_at = [&](double east_km, double north_km) {
+    return ridges.at(east_km / f.noise_scale_km, north_km / f.noise_scale_km);
+  };
+  // The dark level does not depend on the grid, so that a finer one shows the same.
+  std::vector<double> heights(static_cast<std::size_t>(kLevelPlaces) * kLevelPlaces);
+  parallel_for(kLevelPlaces, threads, [&](std::size_t row, int) {
+    for (int column = 0; column < kLevelPlaces; ++column)
+      heights[row * kLevelPlaces + column] =
+          height_at(((column + 0.5) / kLevelPlaces - 0.5) * f.size_km.east,
+                    ((static_cast<double>(row) + 0.5) / kLevelPlaces - 0.5) * f.size_km.north);
+  });
+  std::sort(heights.begin(), heights.end());
+  const double rank = (1.0 - f.noise_coverage) * static_cast<double>(heights.size() - 1);
+  const double dark = heights[static_cast<std::size_t>(rank)], brightest = heights.back();
+  if (brightest <= dark) return plane;
+  grid.flux_mw_m2.assign(grid.cells(), 0.0);
+  parallel_for(grid.rows, threads, [&](std::size_t row, int) {
+    const double north = (static_cast<double>(row) + 0.5 - 0.5 * grid.rows) * f.cell_km;
+    for (int column = 0; column < grid.columns; ++column) {
+      const double east = (column + 0.5 - 0.5 * grid.columns) * f.cell_km;
+      const auto fade = [](double place, double size) {
+        return smooth_step((1.0 - std::abs(place) / (0.5 * size)) / kNoiseFade);
+      };
+      const double edge = fade(east, f.size_km.east) * fade(north, f.size_km.north);
+      if (edge <= 0.0) continue;
+      grid.flux_mw_m2[row * grid.columns + column] =
+          edge * smooth_step((height_at(east, north) - dark) / (brightest - dark));
+    }
+  });
+  return plane;
+}
+
+}  // namespace vegard::sim

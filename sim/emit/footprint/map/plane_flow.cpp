@@ -1,0 +1,312 @@
+#include "sim/emit/footprint/map/plane_flow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "sim/base/number/noise.h"
+#include "sim/base/parallel.h"
+#include "sim/emit/footprint/map/plane_fft.h"
+#include "sim/light/sample.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr double kPi = 3.141592653589793;
+constexpr double kMostCells = 262144.0;  // of the flow's grid
+constexpr double kAround = 1.25;         // the periodic plane over the box
+constexpr double kStep = 0.5;            // of time, over the inverse of the largest vorticity
+constexpr int kStretchSteps = 6;         // of time, to a stretch
+constexpr int kMidpointLooks = 3;        // each a quarter as far from the middle as the one before
+constexpr int kRippleOctaves = 3;
+
+using Layer = std::vector<double>;
+
+/// Cubic convolution (R. Keys, 1981) of a periodic plane, of some layers at one place at once.
+class Cubic {
+ public:
+  Cubic(int columns, int rows) : columns_(columns), rows_(rows) {}
+
+  void look(double column, double row) {
+    const double c = std::floor(column), r = std::floor(row);
+    weigh(column - c, across_, across_slope_);
+    weigh(row - r, up_, up_slope_);
+    int at_column = around(static_cast<int>(c) - 1, columns_),
+        at_row = around(static_cast<int>(r) - 1, rows_);
+    for (int k = 0; k < 4; ++k) {
+      column_[k] = at_column;
+      row_[k] = static_cast<std::size_t>(at_row) * columns_;
+      if (++at_column == columns_) at_column = 0;
+      if (++at_row == rows_) at_row = 0;
+    }
+  }
+
+  double of(const Layer& layer) const {
+    double sum = 0.0;
+    for (int j = 0; j < 4; ++j) {
+      double in_row = 0.0;
+      for (int i = 0; i < 4; ++i) in_row += across_[i] * layer[row_[j] + column_[i]];
+      sum += up_[j] * in_row;
+    }
+    return sum;
+  }
+
+  /// The velocity of a stream function.
+  void velocity(const Layer& stream, double& by_column, double& by_row) const {
+    by_column = by_row = 0.0;
+    for (int j = 0; j < 4; ++j) {
+      double in_row = 0.0, slope = 0.0;
+      for (int i = 0; i < 4; ++i) {
+        const double here = stream[row_[j] + column_[i]];
+        in_row += across_[i] * here;
+        slope += across_slope_[i] * here;
+      }
+      by_column -= up_slope_[j] * in_row;
+      by_row += up_[j] * slope;
+    }
+  }
+
+  /// Leads a place at the end of the stretches back to where it was before the first.
+  void follow(const std::vector<FlowStretch>& stretches, double& column, double& row) {
+    for (auto stretch = stretches.rbegin(); stretch != stretches.rend(); ++stretch) {
+      look(column, row);
+      column += of(stretch->columns);
+      row += of(stretch->rows);
+    }
+  }
+
+ private:
+  static int around(int i, int n) { return (i % n + n) % n; }
+  static void weigh(double t, double w[4], double slope[4]) {
+    w[0] = -0.5 * t * (1.0 - t) * (1.0 - t);
+    w[1] = 1.0 + t * t * (1.5 * t - 2.5);
+    w[2] = t * (0.5 + t * (2.0 - 1.5 * t));
+    w[3] = -0.5 * t * t * (1.0 - t);
+    slope[0] = -0.5 * (1.0 - t) * (1.0 - 3.0 * t);
+    slope[1] = t * (4.5 * t - 5.0);
+    slope[2] = 0.5 + t * (4.0 - 4.5 * t);
+    slope[3] = t * (1.5 * t - 1.0);
+  }
+
+  int columns_, rows_;
+  double across_[4], up_[4], across_slope_[4], up_slope_[4];
+  int column_[4];
+  std::size_t row_[4];
+};
+
+/// The flow while it is worked out. Lengths are in its cells.
+class Flow {
+ public:
+  Flow(int columns, int rows, int threads)
+      : columns_(columns), rows_(rows), threads_(threads), cells_(static_cast<std::size_t>(columns) * rows) {}
+
+  /// The vorticity at the very start, largest 1, and at the start of this stretch.
+  Layer first, start;
+  /// Where each cell came from since this stretch began, less where it is.
+  FlowStretch back;
+  Layer stream, velocity_column, velocity_row;
+
+  /// Stream function and velocities of the vorticity that has come to each cell.
+  void solve() {
+    std::vector<std::complex<double>> plane(cells_);
+    each_row([&](int r) {
+      Cubic cubic(columns_, rows_);
+      for (int c = 0; c < columns_; ++c) {
+        const std::size_t i = at(c, r);
+        cubic.look(c + back.columns[i], r + back.rows[i]);
+        plane[i] = cubic.of(start);
+      }
+    });
+    transform_plane(plane, columns_, rows_, false, threads_);
+    each_row([&](int r) {
+      const double ky = 2.0 * kPi * wave_number(r, rows_) / rows_;
+      for (int c = 0; c < columns_; ++c) {
+        const double kx = 2.0 * kPi * wave_number(c, columns_) / columns_;
+        const double square = kx * kx + ky * ky;
+        // The mean has no flow.
+        plane[at(c, r)] *= square > 0.0 ? -1.0 / square : 0.0;
+      }
+    });
+    transform_plane(plane, columns_, rows_, true, threads_);
+    for (std::size_t i = 0; i < cells_; ++i) stream[i] = plane[i].real();
+    each_row([&](int r) {
+      Cubic cubic(columns_, rows_);
+      for (int c = 0; c < columns_; ++c) {
+        cubic.look(c, r);
+        cubic.velocity(stream, velocity_column[at(c, r)], velocity_row[at(c, r)]);
+      }
+    });
+  }
+
+  /// Follows every cell back by a step, by the implicit midpoint rule, which keeps areas. `middle` is the
+  /// stream function in the step's middle.
+  void step(double time, const Layer& middle) {
+    FlowStretch next;
+    next.columns.resize(cells_);
+    next.rows.resize(cells_);
+    each_row([&](int r) {
+      Cubic cubic(columns_, rows_);
+      for (int c = 0; c < columns_; ++c) {
+        double by_column = 0.0, by_row = 0.0;
+        for (int k = 0; k < kMidpointLooks; ++k) {
+          cubic.look(c - 0.5 * time * by_column, r - 0.5 * time * by_row);
+          cubic.velocity(middle, by_column, by_row);
+        }
+        cubic.look(c - time * by_column, r - time * by_row);
+        const std::size_t i = at(c, r);
+        next.columns[i] = cubic.of(back.columns) - time * by_column;
+        next.rows[i] = cubic.of(back.rows) - time * by_row;
+      }
+    });
+    back = std::move(next);
+  }
+
+  /// Begins another stretch: its vorticity is that of the very start, at the places where all stretches
+  /// together lead back to, so that no error adds up.
+  void begin_stretch(const std::vector<FlowStretch>& before) {
+    back.columns.assign(cells_, 0.0);
+    back.rows.assign(cells_, 0.0);
+    start.resize(cells_);
+    each_row([&](int r) {
+      Cubic cubic(columns_, rows_);
+      for (int c = 0; c < columns_; ++c) {
+        double column = c, row = r;
+        cubic.follow(before, column, row);
+        cubic.look(column, row);
+        start[at(c, r)] = cubic.of(first);
+      }
+    });
+  }
+
+  double energy() const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < cells_; ++i)
+      sum += 0.5 * (velocity_column[i] * velocity_column[i] + velocity_row[i] * velocity_row[i]);
+    return sum;
+  }
+
+  std::size_t cells() const { return cells_; }
+  std::size_t at(int column, int row) const { return static_cast<std::size_t>(row) * columns_ + column; }
+  template <class Body>
+  void each_row(const Body& body) {
+    parallel_for(rows_, threads_, [&](std::size_t row, int) { body(static_cast<int>(row)); });
+  }
+
+ private:
+  int columns_, rows_, threads_;
+  std::size_t cells_;
+};
+
+}  // namespace
+
+PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& f, std::uint64_t seed, int index,
+                  bool stands_north, int threads) {
+  PlaneFlow result;
+  const FootprintGrid<double>& grid = plane.grid;
+  if (f.flow_turns <= 0.0 || grid.flux_mw_m2.empty()) return result;
+  int block = 1;  // of the footprint's cells, to one of the flow's along either axis
+  while (kAround * kAround * grid.columns * grid.rows / (block * block) > kMostCells) ++block;
+  const int box_columns = (grid.columns + block - 1) / block, box_rows = (grid.rows + block - 1) / block;
+  const int columns = transform_size(static_cast<int>(std::ceil(kAround * box_columns))),
+            rows = transform_size(static_cast<int>(std::ceil(kAround * box_rows)));
+  const int margin_columns = (columns - box_columns) / 2, margin_rows = (rows - box_rows) / 2;
+  const double cell_km = block * plane.cell_km;
+  Flow flow(columns, rows, threads);
+  for (Layer* layer : {&flow.first, &flow.stream, &flow.velocity_column, &flow.velocity_row})
+    layer->assign(flow.cells(), 0.0);
+  parallel_for(box_rows, threads, [&](std::size_t r, int) {
+    const int row = static_cast<int>(r);
+    for (int column = 0; column < box_columns; ++column) {
+      double sum = 0.0;
+      for (int j = row * block; j < std::min(grid.rows, (row + 1) * block); ++j)
+        for (int i = column * block; i < std::min(grid.columns, (column + 1) * block); ++i)
+          sum += grid.flux_mw_m2[static_cast<std::size_t>(j) * grid.columns + i];
+      if (sum == 0.0) continue;
+      // Counted from the middle of the box, so that it goes with the footprint.
+      const double east = (column + 0.5 - 0.5 * box_columns) * cell_km,
+                   north = (row + 0.5 - 0.5 * box_rows) * cell_km;
+      const double noise = octave_noise(seed, Stream::ripple, static_cast<std::uint32_t>(index),
+                                        kRippleOctaves, east / f.flow_scale_km, north / f.flow_scale_km, 0.5);
+      flow.first[flow.at(column + margin_columns, row + margin_rows)] = sum * (1.0 + f.flow_ripple * noise);
+    }
+  });
+  double largest = 0.0;
+  for (const double w : flow.first) largest = std::max(largest, std::abs(w));
+  if (largest <= 0.0) return result;
+  for (double& w : flow.first) w *= (stands_north ? -1.0 : 1.0) / largest;
+
+  const double duration = 4.0 * kPi * f.flow_turns;
+  const int steps = std::max(1, static_cast<int>(std::ceil(duration / kStep)));
+  const double time = duration / steps;
+  flow.begin_stretch({});
+  flow.solve();
+  result.energy_first = flow.energy();
+  Layer before = flow.stream, middle(flow.cells());
+  for (int s = 0; s < steps; ++s) {
+    // In the middle of the step, from this one and the one before.
+    for (std::size_t i = 0; i < flow.cells(); ++i) middle[i] = 1.5 * flow.stream[i] - 0.5 * before[i];
+    before = flow.stream;
+    flow.step(time, middle);
+    if ((s + 1) % kStretchSteps == 0 || s + 1 == steps) {
+      result.stretches.push_back(flow.back);
+      flow.begin_stretch(result.stretches);
+    }
+    flow.solve();
+  }
+  result.energy_last = flow.energy();
+  result.columns = columns;
+  result.rows = rows;
+  result.cell_km = cell_km;
+  result.west_km = plane.west_km - margin_columns * cell_km;
+  result.south_km = plane.south_km - margin_rows * cell_km;
+  result.velocity_east = std::move(flow.velocity_column);
+  result.velocity_north = std::move(flow.velocity_row);
+  return result;
+}
+
+template <class T>
+void carry(const PlaneFlow& flow, PlaneFootprint<T>& plane, int threads) {
+  FootprintGrid<T>& grid = plane.grid;
+  if (flow.columns == 0 || grid.flux_mw_m2.empty()) return;
+  constexpr int kParts = 2;
+  const bool has_energy = !grid.ln_energy.empty();
+  const std::vector<T> flux = grid.flux_mw_m2, energy = grid.ln_energy;
+  parallel_for(grid.rows, threads, [&](std::size_t row, int) {
+    Cubic cubic(flow.columns, flow.rows);
+    for (int column = 0; column < grid.columns; ++column) {
+      T sum(0.0), of_energy(0.0);
+      for (int part = 0; part < kParts * kParts; ++part) {
+        const double east = plane.west_km + (column + (part % kParts + 0.5) / kParts) * plane.cell_km;
+        const double north =
+            plane.south_km + (static_cast<double>(row) + (part / kParts + 0.5) / kParts) * plane.cell_km;
+        double flow_column = (east - flow.west_km) / flow.cell_km - 0.5,
+               flow_row = (north - flow.south_km) / flow.cell_km - 0.5;
+        cubic.follow(flow.stretches, flow_column, flow_row);
+        const double x =
+            (flow.west_km + (flow_column + 0.5) * flow.cell_km - plane.west_km) / plane.cell_km - 0.5;
+        const double y =
+            (flow.south_km + (flow_row + 0.5) * flow.cell_km - plane.south_km) / plane.cell_km - 0.5;
+        const double left = std::floor(x), below = std::floor(y);
+        if (left < -1.0 || below < -1.0 || left >= grid.columns || below >= grid.rows) continue;
+        for (int j = 0; j < 2; ++j)
+          for (int i = 0; i < 2; ++i) {
+            const int c = static_cast<int>(left) + i, r = static_cast<int>(below) + j;
+            if (c < 0 || r < 0 || c >= grid.columns || r >= grid.rows) continue;
+            const double weight = (i == 0 ? left + 1.0 - x : x - left) *
+                                  (j == 0 ? below + 1.0 - y : y - below) / (kParts * kParts);
+            const std::size_t from = static_cast<std::size_t>(r) * grid.columns + c;
+            sum = sum + flux[from] * weight;
+            if (has_energy) of_energy = of_energy + flux[from] * energy[from] * weight;
+          }
+      }
+      const std::size_t to = row * grid.columns + column;
+      grid.flux_mw_m2[to] = sum;
+      if (has_energy) grid.ln_energy[to] = value_of(sum) > 0.0 ? of_energy / sum : T(0.0);
+    }
+  });
+}
+
+template void carry(const PlaneFlow&, PlaneFootprint<double>&, int);
+template void carry(const PlaneFlow&, PlaneFootprint<FreeDual>&, int);
+
+}  // namespace vegard::sim

@@ -1,0 +1,53 @@
+// The light of strands along rays.
+//
+// Light is the integral of the density along the ray (strand.h), times rayleighs to a unit of path. Strands
+// are cut into straight segments (strand_joints.h), which rays find by a hierarchy of boxes and whose
+// integrals are exact or nearly so (segment_light.h). The search is in doubles; for T = FreeDual those
+// segments only that are met are worked out with derivatives. Where a strand comes within its radius of
+// itself it counts for each of its arms.
+//
+// Strands narrower than about a pixel are widened to it without changing their light, to the radius at which
+// the projected strand's wave of the length of a pixel vanishes or nearly so, that is, at which rays a pixel
+// apart sum up to its light wherever they fall.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/emit/sun/strand/segment_light.h"
+#include "sim/emit/sun/strand/segment_tree.h"
+#include "sim/emit/sun/strand/strand.h"
+#include "sim/emit/sun/sun_frame.h"
+#include "sim/light/emitter.h"
+
+namespace vegard::sim {
+
+template <class T>
+class StrandEmitter : public Emitter<T> {
+ public:
+  /// `light` per line, of density 1 to a unit of path (line_light.h); empty: dark.
+  StrandEmitter(const Strands<T>& strands, const Sun& sun, const SunFrame<T>& frame, std::vector<T> light);
+
+  void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override;
+  bool is_mixed() const override { return true; }
+
+  std::size_t segments() const { return segments_.size(); }
+
+ private:
+  void march_ray(const T enu[3], const T& end_km, double blur, std::size_t ray, std::size_t rays,
+                 const BundleLight<T>& out) const;
+
+  SunFrame<T> frame_;
+  double radius_;  ///< of the photosphere
+  RadialFalloff falloff_;
+  std::vector<T> light_;
+  std::vector<PlacedJoint<double>> plain_;  ///< by their values
+  std::vector<PlacedJoint<T>> joints_;      ///< empty if T is double
+  std::vector<std::uint32_t> segments_;     ///< the joint that each begins with; it ends with the next
+  SegmentTree tree_;
+};
+
+extern template class StrandEmitter<double>;
+extern template class StrandEmitter<FreeDual>;
+
+}  // namespace vegard::sim

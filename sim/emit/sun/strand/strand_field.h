@@ -1,0 +1,44 @@
+// The light of strands as a field in space, in the Sun's frame and unit: loops, bundles, ropes.
+//
+// Cells of a lattice know the pieces of strands that reach into them, so that a place is held against those
+// only. What a place gets is what a voxel there would (strand_grid.h): a strand lights it once, from its
+// nearest point.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/emit/sun/strand/strand_pieces.h"
+#include "sim/light/emitter.h"
+#include "sim/scene/structs/scene.h"
+
+namespace vegard::sim {
+
+class StrandField : public LightField {
+ public:
+  /// `light`: rayleighs of density 1 to a unit of path, per line, or empty. It absorbs nothing, and is dark
+  /// within the photosphere. Throws Error(usage) if pieces and cells would take more than `memory_limit`
+  /// bytes, or strands are thinner than cells can be counted.
+  StrandField(const Strands<double>& strands, const Sun& sun, const std::vector<double>& light, int lines,
+              std::uint64_t memory_limit = std::uint64_t{4} << 30);
+
+  double unit_cm() const override { return unit_cm_; }
+  Box3 bounds() const override { return bounds_; }
+  bool is_dark(const Box3& box) const override;
+  void sample(std::size_t count, const double* const point[3], float* const emission[],
+              float* density) const override;
+
+  /// Of all strands, at a place.
+  double density_at(const double place[3]) const;
+
+ private:
+  RadialFalloff falloff_;
+  double unit_cm_, sun_radius_;
+  std::vector<double> rate_;  ///< photons cm^-3 s^-1 of density 1, per line
+  Box3 bounds_;
+  SparseGrid lattice_;  ///< its bricks are the cells; it holds none
+  std::vector<PiecesOfStrand> strands_;
+  std::vector<ReachOfStrand> reaches_;  ///< by cell, then strand, then piece
+};
+
+}  // namespace vegard::sim

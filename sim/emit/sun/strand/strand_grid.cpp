@@ -1,0 +1,141 @@
+#include "sim/emit/sun/strand/strand_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <tuple>
+
+#include "sim/base/error.h"
+#include "sim/base/parallel.h"
+#include "sim/emit/sun/strand/strand_nearest.h"
+#include "sim/emit/sun/strand/strand_pieces.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr int kEdge = SparseGrid::kEdge, kVoxels = SparseGrid::kVoxels;
+constexpr double kBricksAtOnce = 2e6;  // of find_bricks(), times some 24 bytes and as many to sort them
+constexpr std::size_t kStrandsAtOnce = 512;
+
+/// Voxels of a brick, [low, high) along each axis.
+struct VoxelRange {
+  int low[3], high[3];
+};
+
+VoxelRange voxels_about(const StrandPiece& piece, double reach, const int corner[3]) {
+  VoxelRange range;
+  for (int a = 0; a < 3; ++a) {
+    const double low = piece.from[a] + std::min(0.0, piece.way[a]) - reach - corner[a];
+    const double high = piece.from[a] + std::max(0.0, piece.way[a]) + reach - corner[a];
+    range.low[a] = static_cast<int>(std::clamp(std::ceil(low), 0.0, 1.0 * kEdge));
+    range.high[a] = static_cast<int>(std::clamp(std::floor(high) + 1.0, 0.0, 1.0 * kEdge));
+  }
+  return range;
+}
+
+void try_piece(const PiecesOfStrand& of, std::uint32_t index, const int corner[3], NearestPiece* nearest) {
+  const VoxelRange range = voxels_about(of.pieces[index], of.radius + of.off, corner);
+  const double inverse = inverse_square(of.pieces[index]);
+  for (int i = range.low[0]; i < range.high[0]; ++i)
+    for (int j = range.low[1]; j < range.high[1]; ++j)
+      for (int k = range.low[2]; k < range.high[2]; ++k) {
+        const double place[3] = {1.0 * corner[0] + i, 1.0 * corner[1] + j, 1.0 * corner[2] + k};
+        hold_against(of, index, inverse, place, nearest[SparseGrid::within(i, j, k)]);
+      }
+}
+
+/// Reaches of one brick, ordered by strand: their densities, added to `sum`.
+void fill_brick(const std::vector<PiecesOfStrand>& strands, RadialFalloff falloff, const ReachOfStrand* first,
+                const ReachOfStrand* last, double* sum) {
+  const int corner[3] = {first->brick.x * kEdge, first->brick.y * kEdge, first->brick.z * kEdge};
+  std::vector<NearestPiece> nearest(kVoxels);
+  while (first != last) {
+    const PiecesOfStrand& of = strands[first->strand];
+    const std::uint32_t strand = first->strand;
+    std::fill(nearest.begin(), nearest.end(), NearestPiece{});
+    for (; first != last && first->strand == strand; ++first)
+      for (std::uint32_t p = first->first; p < first->last; ++p) try_piece(of, p, corner, nearest.data());
+    for (int v = 0; v < kVoxels; ++v)
+      if (nearest[v].square < NearestPiece::kNone)
+        sum[v] += density_from(of, falloff, nearest[v],
+                               {1.0 * corner[0] + v / (kEdge * kEdge), 1.0 * corner[1] + v / kEdge % kEdge,
+                                1.0 * corner[2] + v % kEdge});
+  }
+}
+
+[[noreturn]] void refuse_memory(double bytes) {
+  char text[96];
+  std::snprintf(text, sizeof text, "its grid would take more than the %.3g GB that it may",
+                bytes / (1024.0 * 1024.0 * 1024.0));
+  throw Error(ErrorKind::usage, {text, "", 0, "", "larger voxels", ""});
+}
+
+/// The strands of a block, whose numbers count from its beginning.
+void add_block(const std::vector<PiecesOfStrand>& strands, RadialFalloff falloff,
+               const std::vector<double>& gain, const StrandGridOptions& options, SparseGrid& grid) {
+  std::vector<std::vector<ReachOfStrand>> of_strand(strands.size());
+  parallel_for(strands.size(), options.threads, [&](std::size_t s, int) {
+    find_bricks(strands[s], static_cast<std::uint32_t>(s), BrickPart::centres, of_strand[s]);
+  });
+  std::vector<ReachOfStrand> all;
+  for (std::vector<ReachOfStrand>& some : of_strand) {
+    all.insert(all.end(), some.begin(), some.end());
+    some = {};
+  }
+  std::sort(all.begin(), all.end(), [](const ReachOfStrand& a, const ReachOfStrand& b) {
+    return std::tie(a.brick, a.strand, a.first) < std::tie(b.brick, b.strand, b.first);
+  });
+  std::vector<std::size_t> begin;
+  for (std::size_t r = 0; r < all.size(); ++r)
+    if (r == 0 || !(all[r].brick == all[r - 1].brick)) begin.push_back(r);
+  begin.push_back(all.size());
+
+  const std::size_t channels = grid.channels.size();
+  const double brick_bytes = static_cast<double>(channels * kVoxels * sizeof(float));
+  const auto limit = static_cast<double>(options.memory_limit);
+  // Some at a time, so that the limit is met early.
+  constexpr std::size_t kAtOnce = 2048;
+  for (std::size_t from = 0; from + 1 < begin.size(); from += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, begin.size() - 1 - from);
+    std::vector<SparseGrid::Brick> made(count);
+    parallel_for(count, options.threads, [&](std::size_t b, int) {
+      double sum[kVoxels] = {};
+      fill_brick(strands, falloff, all.data() + begin[from + b], all.data() + begin[from + b + 1], sum);
+      if (std::none_of(sum, sum + kVoxels, [](double x) { return x != 0.0; })) return;
+      made[b].resize(channels * kVoxels);
+      for (std::size_t c = 0; c < channels; ++c)
+        for (int v = 0; v < kVoxels; ++v) made[b][c * kVoxels + v] = static_cast<float>(gain[c] * sum[v]);
+    });
+    for (std::size_t b = 0; b < count; ++b) {
+      if (made[b].empty()) continue;
+      SparseGrid::Brick& there = grid.bricks[all[begin[from + b]].brick];
+      if (there.empty()) {
+        there = std::move(made[b]);
+        continue;
+      }
+      for (std::size_t n = 0; n < there.size(); ++n) there[n] += made[b][n];
+    }
+    if (static_cast<double>(grid.bricks.size()) * brick_bytes > limit) refuse_memory(limit);
+  }
+}
+
+}  // namespace
+
+void add_strands(const Strands<double>& strands, const std::vector<double>& gain,
+                 const StrandGridOptions& options, SparseGrid& grid) {
+  std::vector<PiecesOfStrand> block;
+  double bricks = 0.0;
+  const auto flush = [&] {
+    add_block(block, strands.falloff, gain, options, grid);
+    block.clear();
+    bricks = 0.0;
+  };
+  for (const Strand<double>& strand : strands.all) {
+    block.push_back(pieces_of(strand, grid));
+    bricks += bricks_about(block.back());
+    if (bricks > kBricksAtOnce || block.size() == kStrandsAtOnce) flush();
+  }
+  if (!block.empty()) flush();
+}
+
+}  // namespace vegard::sim

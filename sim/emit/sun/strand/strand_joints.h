@@ -1,0 +1,33 @@
+// A strand cut into straight segments: the joints between them.
+//
+// The number of segments is decided by values, never by T: a chord is nowhere farther from its curve than a
+// twentieth of the strand's radius, by the bound max |B''| / (8 m²) on the error of m chords at equal steps
+// of u, where max |B''| = 6 max(|P0 - 2 P1 + P2|, |P1 - 2 P2 + P3|). Wherever `along` has a number there is a
+// joint, so that density is linear within a segment; and a segment's radius changes by a quarter at most.
+#pragma once
+
+#include <vector>
+
+#include "sim/base/number/vec3.h"
+#include "sim/emit/sun/strand/strand.h"
+#include "sim/light/sample.h"
+
+namespace vegard::sim {
+
+template <class T>
+struct StrandJoint {
+  Vec3<T> place;
+  Vec3<T> normal;  ///< of the plane in which its two segments meet, which bisects their angle; of length 1,
+                   ///< along the strand; at the chain's ends, the curve's tangent
+  T radius;
+  T along;  ///< density in the middle
+};
+
+/// Adds the joints of a strand, at least two, from its start to its end.
+template <class T>
+void add_joints(const Strand<T>& strand, std::vector<StrandJoint<T>>& joints);
+
+extern template void add_joints(const Strand<double>&, std::vector<StrandJoint<double>>&);
+extern template void add_joints(const Strand<FreeDual>&, std::vector<StrandJoint<FreeDual>>&);
+
+}  // namespace vegard::sim

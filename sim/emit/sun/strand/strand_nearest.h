@@ -1,0 +1,53 @@
+// The nearest point of a strand by its straight pieces: which piece, then the curve itself.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "sim/emit/sun/strand/strand_pieces.h"
+
+namespace vegard::sim {
+
+/// What a place knows of the pieces that it has been held against.
+struct NearestPiece {
+  static constexpr double kNone = std::numeric_limits<double>::infinity();
+  double square = kNone;  ///< of the distance; kNone if none is within reach
+  double rival = kNone;   ///< the same of the nearest piece that is not next to that one in its cubic
+  double t = 0.0;
+  std::uint32_t piece = 0;
+};
+
+/// Holds a place, in voxels (strand_pieces.h), against a piece. `inverse` is 1 over the square of its length.
+inline void hold_against(const PiecesOfStrand& of, std::uint32_t index, double inverse, const double place[3],
+                         NearestPiece& nearest) {
+  const StrandPiece& piece = of.pieces[index];
+  const double to[3] = {place[0] - piece.from[0], place[1] - piece.from[1], place[2] - piece.from[2]};
+  const double s =
+      std::clamp((to[0] * piece.way[0] + to[1] * piece.way[1] + to[2] * piece.way[2]) * inverse, 0.0, 1.0);
+  double square = 0.0;
+  for (int a = 0; a < 3; ++a) square += (to[a] - s * piece.way[a]) * (to[a] - s * piece.way[a]);
+  const double reach = of.radius + of.off;
+  if (square > reach * reach) return;
+  const std::uint32_t before = of.pieces[nearest.piece].number;
+  const bool next = before == piece.number || before + 1 == piece.number;
+  if (square < nearest.square) {
+    if (!next) nearest.rival = std::min(nearest.rival, nearest.square);
+    nearest.square = square;
+    nearest.t = piece.t + s * piece.t_way;
+    nearest.piece = index;
+  } else if (!next) {
+    nearest.rival = std::min(nearest.rival, square);
+  }
+}
+
+/// 1 over the square of a piece's length; 0 if it has none.
+double inverse_square(const StrandPiece& piece);
+
+/// The strand's density at a place in voxels, all of whose pieces within reach were held against it, in
+/// their order. Right to a millionth of the falloff.
+double density_from(const PiecesOfStrand& of, RadialFalloff falloff, const NearestPiece& nearest,
+                    const std::array<double, 3>& place);
+
+}  // namespace vegard::sim

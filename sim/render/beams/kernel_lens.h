@@ -1,0 +1,21 @@
+// What is behind the kernel's door for every lens but a plain pinhole: the same functions as in
+// sim/render/beams/kernel.h.
+#pragma once
+
+#include "sim/render/beams/kernel.h"
+
+namespace vegard::sim {
+
+std::uint64_t fall_on_film_by_lens(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                                   std::int64_t* film);
+std::uint64_t fall_with_tangents_by_lens(const KernelScene& scene, const SharedChain& shared,
+                                         const BeamGroup* groups, const GroupChain* chains, std::size_t count,
+                                         std::int64_t* film, TangentFilm& tangents);
+std::uint64_t fall_reference_by_lens(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                                     double* film);
+std::uint64_t fall_until_by_lens(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                                 FallPhase phase);
+std::uint64_t record_splats_by_lens(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                                    SplatRecord& record);
+
+}  // namespace vegard::sim

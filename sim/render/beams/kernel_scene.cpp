@@ -1,0 +1,138 @@
+#include "sim/render/beams/kernel_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/earth.h"
+#include "sim/emit/aurora/beam.h"
+#include "sim/emit/aurora/dipole.h"
+#include "sim/emit/aurora/sheet_shape.h"
+#include "sim/light/sheet_profile.h"
+
+namespace vegard::sim {
+namespace {
+
+/// A scene number (in degrees) as a local input, in radians.
+template <class T>
+T local(double degrees, int input, double scale = kRadiansPerDegree) {
+  T dual(degrees * scale);
+  dual.d.t[input] = scale;
+  return dual;
+}
+
+/// Whether a fit is to find a pinhole's distortion, which may be none at present: its light is the same to
+/// the last bit whether derivatives are wanted or not.
+bool may_be_distorted(const Fit& fit) {
+  const auto is_distortion = [](const std::string& path) {
+    for (const char* known : {"camera.k1", "camera.k2", "camera.k3", "camera.p1", "camera.p2"})
+      if (path == known) return true;
+    return false;
+  };
+  return std::any_of(fit.free.begin(), fit.free.end(),
+                     [&](const FreeParameter& free) { return is_distortion(free.path); }) ||
+         std::any_of(fit.tied.begin(), fit.tied.end(),
+                     [&](const TiedParameter& tied) { return is_distortion(tied.path); });
+}
+
+/// Whether any of the film looks below the horizon: its border, or the nadir itself.
+bool looks_below_horizon(const CameraView<double>& view, const FilmGeometry& film, double altitude_km) {
+  const double radius = kEarthRadiusKm / (kEarthRadiusKm + std::max(0.0, altitude_km));
+  const double lowest = -std::sqrt(1.0 - radius * radius);
+  const auto below = [&](double column, double row) {
+    double enu[3];
+    return !enu_of_pixel(view, film.x0_px + column * film.cell_width_px,
+                         film.y0_px + row * film.cell_height_px, enu) ||
+           enu[2] <= lowest;
+  };
+  constexpr int kPieces = 64;
+  for (int i = 0; i <= kPieces; ++i) {
+    const double across = static_cast<double>(film.columns) * i / kPieces,
+                 down = static_cast<double>(film.rows) * i / kPieces;
+    if (below(across, 0.0) || below(across, film.rows) || below(0.0, down) || below(film.columns, down))
+      return true;
+  }
+  const double nadir[3] = {0.0, 0.0, -1.0};
+  double x_px = 0.0, y_px = 0.0;
+  return pixel_of_enu(view, nadir, x_px, y_px) && x_px >= film.x0_px && y_px >= film.y0_px &&
+         x_px <= film.x0_px + film.columns * film.cell_width_px &&
+         y_px <= film.y0_px + film.rows * film.cell_height_px;
+}
+
+PitchLaw pitch_law(const std::string& name) {
+  if (name == "product") return PitchLaw::product;
+  if (name == "increment") return PitchLaw::increment;
+  if (name == "constant") return PitchLaw::constant;
+  return PitchLaw::reduced;
+}
+
+}  // namespace
+
+int Seeds::parameter_at(const double* address) const {
+  for (std::size_t i = 0; i < count_; ++i)
+    if (free_[first_ + i] == address) return static_cast<int>(i);
+  return -1;
+}
+
+FreeDual Seeds::operator()(const double& number, double scale) const {
+  FreeDual dual(number * scale);
+  const int i = parameter_at(&number);
+  if (i >= 0) dual.d.t[i] = scale;
+  return dual;
+}
+
+SheetShape<double> shape_of(const Scene& scene, int sheet, int arc, double instant_s, const NoSeeds& seed) {
+  return sheet_shape<double>(scene, sheet, arc, instant_s, seed);
+}
+SheetShape<FreeDual> shape_of(const Scene& scene, int sheet, int arc, double instant_s, const Seeds& seed) {
+  return sheet_shape<FreeDual>(scene, sheet, arc, instant_s, seed);
+}
+
+KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_step, const FilmGeometry& film,
+                         const std::vector<HeightProfile>& profiles) {
+  KernelScene k;
+  k.fall = fall_frame(local<PlaceDual>(scene.field.inclination_deg, inclination),
+                      local<PlaceDual>(scene.field.declination_deg, declination));
+  k.beams_own_field = scene.field.model == "dipole";
+  if (k.beams_own_field) k.dipole = dipole_axis(scene.field, scene.site);
+  k.deflection.law = pitch_law(sheet.pitch_law);
+  k.deflection.loss_cone_rad = local<LocalDual>(sheet.loss_cone_deg, loss_cone);
+  k.deflection.pitch_step_rad = local<LocalDual>(sheet.pitch_step_rad, pitch_step, 1.0);
+  k.deflection.path_step = path_step;
+  k.view = camera_view<LocalDual>(scene.camera, [&](CameraNumber which) {
+    return local<LocalDual>(*camera_number_address(scene.camera, which), first_camera_input + which, 1.0);
+  });
+  k.plain_pinhole = is_plain_pinhole(k.view.lens) && !may_be_distorted(scene.fit);
+  k.film = film;
+  k.observer_altitude_km = scene.site.altitude_m * 1e-3;
+  if (film.columns > 0) {
+    const CameraView<double> plain = camera_view(scene.camera);
+    k.edges = film_edges(plain.lens, film);
+    k.earth_hides = looks_below_horizon(plain, film, k.observer_altitude_km);
+  }
+  k.nearest_cell = scene.film.splat == "nearest";
+  k.unit_weight = scene.film.weight == "unit";
+  k.seed = scene.seed;
+  k.profiles = profiles.data();
+  return k;
+}
+
+std::vector<const double*> local_input_addresses(const Scene& scene, const Sheet& sheet) {
+  std::vector<const double*> at(local_inputs, nullptr);
+  at[inclination] = &scene.field.inclination_deg;
+  at[declination] = &scene.field.declination_deg;
+  static_assert(static_cast<int>(camera_inputs) == static_cast<int>(camera_numbers));
+  for (int n = 0; n < camera_numbers; ++n)
+    at[first_camera_input + n] = camera_number_address(scene.camera, static_cast<CameraNumber>(n));
+  at[loss_cone] = &sheet.loss_cone_deg;
+  at[pitch_step] = &sheet.pitch_step_rad;
+  return at;
+}
+
+std::vector<HeightProfile> height_profiles(const Scene& scene) {
+  std::vector<HeightProfile> all;
+  for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+    all.push_back(sheet_profile(scene.emission.lines, scene, static_cast<int>(s)));
+  return all;
+}
+
+}  // namespace vegard::sim

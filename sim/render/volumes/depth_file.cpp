@@ -1,0 +1,97 @@
+#include "sim/render/volumes/depth_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "sim/base/error.h"
+#include "sim/base/parallel.h"
+#include "sim/base/picture/image_io.h"
+#include "sim/view/camera/rays.h"
+
+namespace vegard::sim {
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, const std::string& problem, const std::string& expected) {
+  ErrorDetails details;
+  details.file = path;
+  details.key = "march.depth";
+  details.problem = problem;
+  details.expected = expected;
+  throw Error(ErrorKind::unreadable_input, details);
+}
+
+bool is_exr(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".exr";
+}
+
+bool is_depth(const std::string& channel) {
+  return channel == "Z" || (channel.size() > 2 && channel.compare(channel.size() - 2, 2, ".Z") == 0);
+}
+
+/// The one channel that counts.
+Image depth_channel(const std::string& path) {
+  const Image all = is_exr(path) ? read_exr(path).image : read_picture(path).image;
+  const auto& names = all.channel_names;
+  const auto found = std::find_if(names.begin(), names.end(), is_depth);
+  const int channel = found != names.end() ? static_cast<int>(found - names.begin()) : 0;
+  Image one(all.width, all.height, {"Z"});
+  for (std::size_t i = 0; i < one.data.size(); ++i) one.data[i] = all.data[i * names.size() + channel];
+  return one;
+}
+
+}  // namespace
+
+DepthImage read_depth(const Scene& scene) {
+  if (scene.march.depth.empty()) return {};
+  const std::string path = (std::filesystem::path(scene.file).parent_path() / scene.march.depth).string();
+  Image values;
+  try {
+    values = depth_channel(path);
+  } catch (const Error& error) {
+    ErrorDetails details = error.details();
+    details.key = "march.depth";
+    if (details.hint.empty()) details.hint = "its name is relative to the scene's file";
+    throw Error(error.kind(), details);
+  }
+  const auto size = [](int width, int height) {
+    return std::to_string(width) + " x " + std::to_string(height) + " pixels";
+  };
+  if (values.width != scene.camera.width || values.height != scene.camera.height)
+    refuse(path, "the depths have " + size(values.width, values.height),
+           size(scene.camera.width, scene.camera.height) + ", as the camera has");
+  if (!std::all_of(values.data.begin(), values.data.end(), [](float value) { return value >= 0.0f; }))
+    refuse(path, "a depth is negative or no number", "0 or above; infinity where nothing stands");
+  return depth_image(scene.march, values);
+}
+
+double ray_end_km(const CameraView<double>& view, double observer_altitude_km, const DepthImage& depth,
+                  double x_px, double y_px, const double direction[3]) {
+  const double* forward = view.camera_from_enu[2];
+  const double cosine = forward[0] * direction[0] + forward[1] * direction[1] + forward[2] * direction[2];
+  return std::min(ground_km(observer_altitude_km, direction[2]), depth.end_km(x_px, y_px, cosine));
+}
+
+std::vector<float> ray_ends_km(const Scene& scene, const FilmGeometry& film, const DepthImage& depth,
+                               int threads) {
+  const CameraView<double> view = camera_view(scene.camera);
+  const double observer_km = scene.site.altitude_m * 1e-3;
+  std::vector<float> ends(static_cast<std::size_t>(film.rows) * film.columns);
+  parallel_for(static_cast<std::size_t>(film.rows), threads, [&](std::size_t row, int) {
+    const double y = film.y0_px + (static_cast<double>(row) + 0.5) * film.cell_height_px;
+    for (int column = 0; column < film.columns; ++column) {
+      const double x = film.x0_px + (column + 0.5) * film.cell_width_px;
+      double enu[3];
+      ends[row * film.columns + column] =
+          enu_of_pixel(view, x, y, enu) ? static_cast<float>(ray_end_km(view, observer_km, depth, x, y, enu))
+                                        : std::numeric_limits<float>::quiet_NaN();
+    }
+  });
+  return ends;
+}
+
+}  // namespace vegard::sim

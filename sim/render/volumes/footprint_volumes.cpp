@@ -1,0 +1,95 @@
+#include "sim/render/volumes/footprint_volumes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "sim/emit/footprint/curtain_emitter.h"
+#include "sim/emit/footprint/footprint_emitter.h"
+#include "sim/emit/footprint/map/make_footprint.h"
+#include "sim/light/profile_table_by_flux.h"
+#include "sim/render/volumes/footprint_pictures.h"
+#include "sim/render/volumes/footprint_profiles.h"
+
+namespace vegard::sim {
+namespace {
+
+/// The least and the greatest ln(energy) of footprints' grids.
+struct EnergyRange {
+  double least = 0.0, most = 0.0;
+  template <class T>
+  void take(const FootprintGrid<T>& grid) {
+    for (const T& ln : grid.ln_energy) {
+      least = std::min(least, value_of(ln));
+      most = std::max(most, value_of(ln));
+    }
+  }
+};
+
+struct Profiles {
+  ProfileTable usual, by_flux;
+};
+
+Profiles profiles_of(const Scene& scene, const Footprint& f, const EnergyRange& range, bool with_slopes) {
+  Profiles profiles;
+  profiles.usual = footprint_profiles(scene, f, range.least, range.most);
+  if (!with_slopes) return profiles;
+  profiles.by_flux = profile_table_by_flux(scene.emission.lines, scene, f, profiles.usual);
+  if (f.light == "colours") profiles.by_flux = colours_table(profiles.by_flux, colour_ladder(scene, f));
+  return profiles;
+}
+
+}  // namespace
+
+template <class T>
+std::unique_ptr<Emitter<T>> footprint_emitter(const Scene& scene, const Footprint& f,
+                                              const VolumeFiles& files, const NumberAs<T>& number,
+                                              int threads) {
+  const FootprintPictures pictures = footprint_pictures(files, f);
+  constexpr bool kSlopes = !std::is_same_v<T, double>;
+  EnergyRange range;
+  if (f.model == "curtain") {
+    for (const double energy : f.point_energy) {
+      range.least = std::min(range.least, std::log(energy));
+      range.most = std::max(range.most, std::log(energy));
+    }
+    const Profiles profiles = profiles_of(scene, f, range, kSlopes);
+    return curtain_emitter<T>(scene, f, profiles.usual, profiles.by_flux, number);
+  }
+  if (f.shape == "shell") {
+    CubeFootprint<double> map = make_cube_footprint(scene, f, pictures, threads);
+    for (const FootprintGrid<double>& face : map.face) range.take(face);
+    const Profiles profiles = profiles_of(scene, f, range, kSlopes);
+    return cube_footprint_emitter<T>(scene, f, std::move(map), profiles.usual, profiles.by_flux, number,
+                                     threads);
+  }
+  PlaneFootprint<T> map = make_plane_footprint<T>(scene, f, pictures, number, threads);
+  range.take(map.grid);
+  const Profiles profiles = profiles_of(scene, f, range, kSlopes);
+  return plane_footprint_emitter<T>(scene, f, std::move(map), profiles.usual, profiles.by_flux, number,
+                                    threads);
+}
+
+template std::unique_ptr<Emitter<double>> footprint_emitter(const Scene&, const Footprint&,
+                                                            const VolumeFiles&, const NumberAs<double>&, int);
+template std::unique_ptr<Emitter<FreeDual>> footprint_emitter(const Scene&, const Footprint&,
+                                                              const VolumeFiles&, const NumberAs<FreeDual>&,
+                                                              int);
+
+std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint& f, const VolumeFiles& files,
+                                            int threads) {
+  const FootprintPictures pictures = footprint_pictures(files, f);
+  EnergyRange range;
+  if (f.shape == "shell") {
+    CubeFootprint<double> map = make_cube_footprint(scene, f, pictures, threads);
+    for (const FootprintGrid<double>& face : map.face) range.take(face);
+    return cube_footprint_field(scene, f, std::move(map), profiles_of(scene, f, range, false).usual, threads);
+  }
+  PlaneFootprint<double> map = make_plane_footprint<double>(
+      scene, f, pictures, [](const double& number) { return number; }, threads);
+  range.take(map.grid);
+  return plane_footprint_field(scene, f, std::move(map), profiles_of(scene, f, range, false).usual, threads);
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,35 @@
+// Loops that are drawn by a grid (`voxel` above 0): strands to voxels, blur, sharpen, and then as a volume in
+// the Sun's frame is drawn (sim/emit/grid/).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "sim/base/grid/sparse_grid.h"
+#include "sim/light/emitter.h"
+#include "sim/scene/structs/scene.h"
+
+namespace vegard::sim {
+
+/// The density of loop `index` on voxels, in the Sun's frame and unit, after its passes of blur and sharpen:
+/// one channel, "density". Throws Error(scene) with the key of `voxel` if it would take more than
+/// `memory_limit` bytes.
+SparseGrid loop_grid(const Scene& scene, std::uint32_t index, int threads,
+                     std::uint64_t memory_limit = std::uint64_t{4} << 30);
+
+/// Its light along rays. For T = FreeDual derivatives are those by where the rays and the Sun are; the loop's
+/// own numbers may not be free then (sim/scene/freedom/idle_volume_parameter.h).
+template <class T>
+std::unique_ptr<Emitter<T>> loop_grid_emitter(const Scene& scene, std::uint32_t index,
+                                              const NumberAs<T>& number, int threads);
+
+/// The same in space, dark within the photosphere.
+std::unique_ptr<LightField> loop_grid_field(const Scene& scene, std::uint32_t index, int threads,
+                                            std::uint64_t memory_limit = std::uint64_t{4} << 30);
+
+extern template std::unique_ptr<Emitter<double>> loop_grid_emitter(const Scene&, std::uint32_t,
+                                                                   const NumberAs<double>&, int);
+extern template std::unique_ptr<Emitter<FreeDual>> loop_grid_emitter(const Scene&, std::uint32_t,
+                                                                     const NumberAs<FreeDual>&, int);
+
+}  // namespace vegard::sim

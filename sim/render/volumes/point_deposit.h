@@ -1,0 +1,49 @@
+// Points of light into the voxels about them.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "sim/base/grid/sparse_grid.h"
+#include "sim/light/emitter.h"
+#include "sim/render/beams/points.h"
+
+namespace vegard::sim {
+
+/// Shares every point among the eight voxels about it, so that their sum is the points' and their middle is
+/// theirs. Sums are doubles, in the order of the points.
+class PointDeposit {
+ public:
+  /// `lines`: which of the points' lines become the channels. Voxels of `edge_km`, the low corner of voxel
+  /// (0, 0, 0) at the observer. What lies outside `box` is left out. Above `most_bytes` it only counts.
+  PointDeposit(const std::vector<int>& lines, double edge_km, const std::optional<Box3>& box,
+               std::uint64_t most_bytes);
+
+  void add(const EmissionPoints& points);
+
+  /// What all bricks take, or would.
+  std::uint64_t bytes() const { return (bricks_.size() + left_out_.size()) * bytes_of_brick_; }
+  bool is_full() const { return full_; }
+
+  /// Adds the volume emission rate, photons cm^-3 s^-1, to `grid`, channel by channel, and forgets it.
+  void move_to(SparseGrid& grid);
+
+  static std::uint64_t bytes_of_brick(std::size_t lines);
+
+ private:
+  std::vector<double>* brick(const BrickCoordinate& at);
+
+  std::vector<int> lines_;
+  double edge_km_;
+  std::optional<Box3> box_;
+  std::uint64_t most_bytes_, bytes_of_brick_;
+  bool full_ = false;
+  std::map<BrickCoordinate, std::vector<double>> bricks_;  ///< [line][voxel], photons per second
+  std::set<BrickCoordinate> left_out_;
+  BrickCoordinate last_at_;
+  std::vector<double>* last_ = nullptr;
+};
+
+}  // namespace vegard::sim

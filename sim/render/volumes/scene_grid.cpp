@@ -1,0 +1,229 @@
+#include "sim/render/volumes/scene_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numeric>
+
+#include "sim/base/error.h"
+#include "sim/base/grid/vdb_bytes.h"
+#include "sim/render/volumes/field_sampling.h"
+#include "sim/render/volumes/light_fields.h"
+#include "sim/render/volumes/point_deposit.h"
+#include "sim/render/volumes/thin_strands.h"
+#include "sim/render/volumes/volume_files.h"
+#include "sim/scene/file/volume_grid_file.h"
+
+namespace vegard::sim {
+namespace {
+
+std::string text_of(double x, const char* format) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, x);
+  return text;
+}
+
+/// What is lit is a surface at least: the bytes fall with the square of the voxel, or faster. Where voxels as
+/// large as that would miss strands, only a part of what is there will do.
+[[noreturn]] void refuse_memory(double bytes, const SceneGridOptions& options, double most_voxel) {
+  const double limit = static_cast<double>(options.memory_limit), gb = 1024.0 * 1024.0 * 1024.0;
+  const double would_do = options.voxel * std::sqrt(bytes / limit) * 1.05;
+  const std::string part = "a --box about a part of it";
+  throw Error(
+      ErrorKind::usage,
+      {"voxels of " + text_of(options.voxel, "%g") + " would take about " + text_of(bytes / gb, "%.2g") +
+           " GB",
+       "", 0, "--memory-limit", "at most " + text_of(limit / gb, "%.3g") + " GB",
+       would_do <= most_voxel ? "Voxels of " + text_of(would_do, "%.2g") + " would do, or " + part
+                              : "Choose with --of NAME, or " + part + ": larger voxels would miss strands"});
+}
+
+void add_relative_light(SparseGrid& grid) {
+  const std::size_t lines = grid.channels.size() - 1;
+  const auto light = [&](const SparseGrid::Brick& brick, int v) {
+    float sum = 0.0f;
+    for (std::size_t l = 0; l < lines; ++l) sum += brick[l * SparseGrid::kVoxels + v];
+    return sum;
+  };
+  float most = 0.0f;
+  for (const auto& [at, brick] : grid.bricks)
+    for (int v = 0; v < SparseGrid::kVoxels; ++v) most = std::max(most, light(brick, v));
+  if (most <= 0.0f) return;
+  for (auto& [at, brick] : grid.bricks)
+    for (int v = 0; v < SparseGrid::kVoxels; ++v)
+      brick[lines * SparseGrid::kVoxels + v] = light(brick, v) / most;
+}
+
+bool any_density(const SparseGrid& grid) {
+  const std::size_t first = (grid.channels.size() - 1) * SparseGrid::kVoxels;
+  return std::any_of(grid.bricks.begin(), grid.bricks.end(), [&](const auto& brick) {
+    return std::any_of(brick.second.begin() + first, brick.second.end(), [](float x) { return x != 0.0f; });
+  });
+}
+
+/// Of the box about all fields, as far as it is cropped.
+double longest_side(const std::vector<const LightField*>& fields, const std::optional<Box3>& crop) {
+  double longest = 0.0;
+  for (int a = 0; a < 3; ++a) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const LightField* field : fields) {
+      low = std::min(low, field->bounds().low[a]);
+      high = std::max(high, field->bounds().high[a]);
+    }
+    if (crop) {
+      low = std::max(low, crop->low[a]);
+      high = std::min(high, crop->high[a]);
+    }
+    longest = std::max(longest, high - low);
+  }
+  return longest;
+}
+
+/// Rounded down to two digits.
+double two_digits(double x) {
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
+  return std::floor(x / unit * (1.0 + 1e-12)) * unit;
+}
+
+/// Some 300 to the longest side, and two to the radius of the thinnest strand, or one where two would be more
+/// than 1200 to the side.
+double usual_voxel(double side, double strand_radius) {
+  constexpr double kUsual = 300.0, kManyForStrands = 1200.0;
+  if (!(side > 0.0)) return SceneGridOptions::kVoxelOfBeams;
+  double voxel = side / kUsual;
+  if (voxel > 0.5 * strand_radius)
+    voxel =
+        0.5 * strand_radius * kManyForStrands >= side ? 0.5 * strand_radius : std::min(voxel, strand_radius);
+  return two_digits(voxel);
+}
+
+SceneGrid grid_with_strands(const Scene& scene, const std::vector<const LightField*>& fields,
+                            const SceneGridOptions& asked, double strand_radius) {
+  SceneGridOptions options = asked;
+  if (options.voxel == 0.0)
+    options.voxel = scene.sheets.empty() ? usual_voxel(longest_side(fields, options.box), strand_radius)
+                                         : SceneGridOptions::kVoxelOfBeams;
+  SceneGrid out;
+  const int all_lines = static_cast<int>(scene.emission.lines.size());
+  std::vector<int> lines = options.lines;
+  if (lines.empty()) {
+    lines.resize(all_lines);
+    std::iota(lines.begin(), lines.end(), 0);
+  }
+  out.grid.voxel = options.voxel;
+  for (const int l : lines)
+    out.grid.channels.push_back({emission_grid_name(scene.emission.lines[l]), "photons cm^-3 s^-1"});
+  out.grid.channels.push_back({"density", ""});
+  if (!fields.empty()) out.unit_cm = fields.front()->unit_cm();
+  const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
+
+  // What a brick takes at the worst of its stations: as sums, as numbers, and on its way into the file.
+  const std::uint64_t kept = vdb_bytes_of_brick(out.grid.channels.size(), true);
+  const std::uint64_t summed = std::max(PointDeposit::bytes_of_brick(lines.size()), kept);
+  const double parts = (scene.sheets.empty() ? 0.0 : 1.0) + static_cast<double>(fields.size());
+  double done = 0.0;
+  const auto progress = [&](double share) {
+    if (options.progress) options.progress((done + share) / parts);
+  };
+  if (!scene.sheets.empty()) {
+    PointDeposit deposit(lines, options.voxel, options.box,
+                         options.memory_limit / summed * PointDeposit::bytes_of_brick(lines.size()));
+    PointOptions points;
+    points.threads = options.threads;
+    points.progress = progress;
+    points.stop = options.stop;
+    stream_points(scene, points, [&](const EmissionPoints& some) { deposit.add(some); });
+    if (stopped()) return out;
+    if (deposit.is_full())
+      refuse_memory(
+          static_cast<double>(deposit.bytes()) / PointDeposit::bytes_of_brick(lines.size()) * summed, options,
+          strand_radius);
+    deposit.move_to(out.grid);
+    done += 1.0;
+  }
+  // Of all before any is sampled, which takes its time.
+  std::vector<BricksToSample> bricks_of;
+  for (const LightField* field : fields) {
+    bricks_of.push_back(bricks_to_sample(*field, out.grid, options.box, all_lines,
+                                         static_cast<double>(options.memory_limit / kept),
+                                         static_cast<double>(options.memory_limit), [&] {
+                                           progress(0.0);
+                                           return !stopped();
+                                         }));
+    if (stopped()) return out;
+    const double too_many = bricks_of.back().too_many;
+    if (too_many > 0.0)
+      refuse_memory(std::max(too_many * static_cast<double>(kept), 1.0 * options.memory_limit), options,
+                    strand_radius);
+  }
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    const std::size_t before = out.grid.bricks.size();
+    const auto room = [&](double share) {
+      progress(share);
+      return !stopped() && out.grid.bricks.size() * kept <= options.memory_limit;
+    };
+    const double share = sample_field(*fields[f], all_lines, lines, bricks_of[f].bricks, options.box,
+                                      options.threads, room, out.grid);
+    if (stopped()) return out;
+    const double more = static_cast<double>(out.grid.bricks.size() - before);
+    if (out.grid.bricks.size() * kept > options.memory_limit)
+      refuse_memory((static_cast<double>(before) + more / share) * static_cast<double>(kept), options,
+                    strand_radius);
+    done += 1.0;
+  }
+  out.absorbs = any_density(out.grid);
+  if (!out.absorbs) {
+    add_relative_light(out.grid);
+    out.grid.channels.back().unit = "of the brightest voxel";
+  }
+  return out;
+}
+
+}  // namespace
+
+SceneGrid grid_of_fields(const Scene& scene, const std::vector<const LightField*>& fields,
+                         const SceneGridOptions& options) {
+  return grid_with_strands(scene, fields, options, std::numeric_limits<double>::infinity());
+}
+
+SceneGrid grid_of_scene(const Scene& scene, const SceneGridOptions& options) {
+  for (const Nebula& nebula : scene.nebulae)
+    if (nebula.method == "literal")
+      throw Error(ErrorKind::usage,
+                  {"the nebula '" + nebula.name + "' is marched literally and has no light in space", "", 0,
+                   "SCENE", "method = \"physical\"", "Leave it out with --of NAME"});
+  for (const Footprint& footprint : scene.footprints)
+    if (footprint.model == "curtain")
+      throw Error(ErrorKind::usage, {"the footprint '" + footprint.name + "' is a curtain without thickness",
+                                     "", 0, "SCENE", "model = \"volume\"", "Leave it out with --of NAME"});
+  const ThinStrand thinnest = thinnest_strand(scene);
+  if (options.voxel > thinnest.radius)
+    throw Error(ErrorKind::usage,
+                {"strands of the " + thinnest.what + ", of radius " + text_of(thinnest.radius, "%.6g") +
+                     ", would fall between voxels of " + text_of(options.voxel, "%g"),
+                 "", 0, "--voxel", "at most their radius",
+                 "half of it shows how they fall off; or leave it out with --of NAME"});
+  const VolumeFiles files = read_volume_files(scene);
+  const std::vector<NamedField> named = light_fields(scene, files, options.threads, options.memory_limit);
+  std::vector<const LightField*> fields;
+  const auto differs = [&](FieldFrame frame) {
+    return !scene.sheets.empty() || std::any_of(named.begin(), named.end(), [frame](const NamedField& other) {
+      return other.frame != frame;
+    });
+  };
+  for (const NamedField& one : named) {
+    // A nebula's frame is its own, the Sun's kinds share theirs, and everything else is in kilometres.
+    const bool alone = one.frame != FieldFrame::ground &&
+                       (differs(one.frame) || (one.frame == FieldFrame::nebula && named.size() > 1));
+    if (alone)
+      throw Error(
+          ErrorKind::usage,
+          {"the " + one.what + " is in a frame of its own, and the scene has more that shines", "", 0,
+           "SCENE", "one nebula, what is on the Sun, or light in kilometres", "Choose with --of NAME"});
+    fields.push_back(one.field.get());
+  }
+  return grid_with_strands(scene, fields, options, thinnest.radius);
+}
+
+}  // namespace vegard::sim

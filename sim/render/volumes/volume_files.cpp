@@ -1,0 +1,44 @@
+#include "sim/render/volumes/volume_files.h"
+
+#include <new>
+
+#include "sim/base/error.h"
+#include "sim/render/volumes/depth_file.h"
+#include "sim/scene/file/scene_pictures.h"
+#include "sim/scene/file/volume_grid_file.h"
+
+namespace vegard::sim {
+namespace {
+
+std::vector<std::shared_ptr<const GridBricks>> read_grids(const Scene& scene) {
+  std::vector<std::shared_ptr<const GridBricks>> grids;
+  for (const Volume& volume : scene.volumes) {
+    const VolumeGridFile file = read_volume_grid(scene, volume);
+    ErrorDetails details;
+    try {
+      grids.push_back(std::make_shared<const GridBricks>(file.grid, file.emission, file.density, file.place,
+                                                         file.site, scene.site));
+      continue;
+    } catch (const Error& error) {
+      details = error.details();
+    } catch (const std::bad_alloc&) {
+      details.problem = "there is not enough memory for its grids";
+      details.file = file.place;
+    }
+    details.key = "volume." + volume.name + ".file";
+    throw Error(ErrorKind::unreadable_input, details);
+  }
+  return grids;
+}
+
+}  // namespace
+
+VolumeFiles read_volume_files(const Scene& scene) {
+  VolumeFiles files;
+  files.depth = read_depth(scene);
+  files.pictures = read_scene_pictures(scene);
+  files.grids = read_grids(scene);
+  return files;
+}
+
+}  // namespace vegard::sim

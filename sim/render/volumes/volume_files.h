@@ -1,0 +1,25 @@
+// What a scene's volumes read from files.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/base/image.h"
+#include "sim/emit/grid/grid_bricks.h"
+#include "sim/scene/structs/scene.h"
+#include "sim/view/film/depth_image.h"
+
+namespace vegard::sim {
+
+struct VolumeFiles {
+  DepthImage depth;                       ///< march.depth
+  std::map<std::string, Image> pictures;  ///< one channel, 0 to 1, by the name that the scene has
+  std::vector<std::shared_ptr<const GridBricks>> grids;  ///< [volume of the scene]
+};
+
+/// Throws Error(unreadable_input) that names the key.
+VolumeFiles read_volume_files(const Scene& scene);
+
+}  // namespace vegard::sim

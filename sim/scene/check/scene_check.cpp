@@ -1,0 +1,230 @@
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <variant>
+
+#include "sim/base/error.h"
+#include "sim/scene/structs/line_of.h"
+#include "sim/scene/table/parameter_declarations.h"
+#include "sim/scene/table/parameter_table.h"
+#include "sim/scene/table/photo_scene.h"
+#include "sim/scene/table/spline_rates.h"
+#include "sim/scene/table/table_files.h"
+#include "sim/scene/table/value_check.h"
+#include "sim/scene/table/value_words.h"
+
+namespace vegard::sim {
+namespace {
+
+std::optional<Complaint> complaint_about(const Declaration& d, const ValueRef& value) {
+  struct Check {
+    const Declaration& d;
+    std::optional<Complaint> operator()(const double* v) const { return number_complaint(d, *v); }
+    std::optional<Complaint> operator()(const int* v) const { return number_complaint(d, *v); }
+    std::optional<Complaint> operator()(const std::uint64_t* v) const {
+      // TOML's integers end there.
+      constexpr auto largest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+      if (*v <= largest) return number_complaint(d, static_cast<double>(*v));
+      return Complaint{std::to_string(*v) + " is too large", "at most " + std::to_string(largest), ""};
+    }
+    std::optional<Complaint> operator()(const bool*) const { return std::nullopt; }
+    std::optional<Complaint> operator()(const std::string* v) const { return text_complaint(d, *v); }
+  };
+  return std::visit(Check{d}, value);
+}
+
+void check_names(const Scene& scene) {
+  for (const RepeatedTable& repeated : repeated_tables()) {
+    std::set<std::string> names;
+    for (std::size_t e = 0; e < repeated.count(scene); ++e) {
+      const std::string& name = repeated.name(scene, static_cast<int>(e));
+      if (names.insert(name).second) continue;
+      complain({"two of [[" + repeated.table + "]] are called '" + name + "'",
+                "a name of its own for each " + repeated.table, ""},
+               {scene.file, 0, repeated.table + "." + name + ".name"});
+    }
+  }
+}
+
+/// Structures keep to their slots, of which each has but one; and a form's light is where its beams are.
+void check_structures(const Scene& scene) {
+  const auto check = [&](const Sheet& sheet, const std::string& what, double size_km, double spacing_km,
+                         const std::string& size, const std::string& spacing) {
+    if (spacing_km <= 0.0 || size_km <= spacing_km) return;
+    // The message points at a key that the file has.
+    const std::string path = "sheet." + sheet.name + ".";
+    const std::string key = path + (line_of(scene, path + size) > 0 ? size : spacing);
+    complain({what + " would overlap: " + size + " is " + short_real_text(size_km) + ", " + spacing + " " +
+                  short_real_text(spacing_km),
+              size + " at most " + spacing, "lower the one or raise the other"},
+             {scene.file, 0, key});
+  };
+  for (const Sheet& sheet : scene.sheets) {
+    check(sheet, "folds", sheet.fold_length_km, sheet.fold_spacing_km, "fold_length_km", "fold_spacing_km");
+    check(sheet, "curls", sheet.curl_radius_km, sheet.curl_spacing_km, "curl_radius_km", "curl_spacing_km");
+    // Else a given brightness might have no light at all to be reached with.
+    if (sheet.profile == "form" && sheet.peak_km >= sheet.top_km) {
+      const std::string path = "sheet." + sheet.name + ".";
+      complain({"the form's light peaks at " + short_real_text(sheet.peak_km) +
+                    " km, above its beams, which start at " + short_real_text(sheet.top_km),
+                "peak_km below top_km", "lower the one or raise the other"},
+               {scene.file, 0, path + (line_of(scene, path + "peak_km") > 0 ? "peak_km" : "top_km")});
+    }
+  }
+}
+
+/// Observer and filters have no raw channels to mix: what would be ignored is refused.
+void check_response(const Scene& scene) {
+  const Sensor& sensor = scene.sensor;
+  const bool filters = sensor.response == "filters", grey = sensor.response == "grey";
+  if (sensor.response != "cie" && !filters && !grey) return;
+  const Sensor none;
+  const bool balanced = sensor.white_balance_rule == "given" && sensor.white_balance != none.white_balance;
+  if (!balanced && sensor.matrix_rule != "given") return;
+  const std::string key = balanced ? "white_balance" : "matrix_rule";
+  complain({filters ? "channels behind a filter each are neither balanced nor mixed"
+            : grey  ? "channels that see all light alike are neither balanced nor mixed"
+                    : "the CIE observer has no raw channels to balance or to mix",
+            "sensor.response with a camera, or sensor." + key + " as it is without being set",
+            "a camera's name or a table"},
+           {scene.file, 0, "sensor." + key});
+}
+
+/// The way of excited atoms is drawn for a plain pinhole only: what would be ignored is refused.
+void check_blur(const Scene& scene) {
+  if (scene.blur.model != "physical") return;
+  const Camera& c = scene.camera;
+  const bool is_plain = c.model == "pinhole" && c.k1 == 0.0 && c.k2 == 0.0 && c.k3 == 0.0 && c.p1 == 0.0 &&
+                        c.p2 == 0.0 && c.aspect == 1.0 && !c.mirrored && c.principal_x_px == 0.0 &&
+                        c.principal_y_px == 0.0;
+  if (!is_plain)
+    complain(
+        {"the physical blur is drawn by a pinhole without distortion only, its axis in the picture's middle",
+         "blur.model = \"angle\" with this camera", ""},
+        {scene.file, 0, "blur.model"});
+}
+
+/// What such a file has to hold is checked where it is used.
+void check_profile_files(const Scene& scene) {
+  for (const Sheet& sheet : scene.sheets) {
+    if (sheet.profile != "file" || is_table_file(sheet.profile_file)) continue;
+    const std::string path = "sheet." + sheet.name + ".";
+    const bool is_named = !sheet.profile_file.empty();
+    complain({is_named ? "'" + sheet.profile_file + "' is no CSV file by its name"
+                       : "the profile is to come from a file, but profile_file names none",
+              "profile_file = \"a name that ends in .csv\"", "the file stands beside the scene's"},
+             {scene.file, 0, path + (is_named ? "profile_file" : "profile")});
+  }
+}
+
+/// At the key that the file has, of two that do not go together.
+Origin origin_of(const Scene& scene, const std::string& key, const std::string& other) {
+  return {scene.file, 0, line_of(scene, key) > 0 || line_of(scene, other) == 0 ? key : other};
+}
+
+/// Whatever a curve or an exposure needs must be there, and a lens gives some light everywhere.
+void check_sensor(const Scene& scene) {
+  const Sensor& sensor = scene.sensor;
+  if (sensor.exposure == "camera" && scene.time.exposure_s <= 0.0)
+    complain({"a camera that is exposed for no time sees nothing", "time.exposure_s above 0",
+              "set time.exposure_s, or sensor.exposure = \"gain\""},
+             origin_of(scene, "sensor.exposure", "time.exposure_s"));
+  if (sensor.tone == "file" && !is_table_file(sensor.tone_file))
+    complain({"the tone \"file\" has no file", "sensor.tone_file, the name of a .csv", ""},
+             origin_of(scene, "sensor.tone_file", "sensor.tone"));
+  const auto& [r2, r4, r6] = sensor.vignetting;
+  constexpr int kSteps = 100;
+  constexpr double kLeast = 0.01;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double square = static_cast<double>(i) * i / (kSteps * kSteps);
+    const double light = 1.0 + square * (r2 + square * (r4 + square * r6));
+    if (light < kLeast)
+      complain({"the lens would give " + short_real_text(light) + " of its light at " +
+                    short_real_text(std::sqrt(square)) + " of the way to the corner",
+                "at least " + short_real_text(kLeast) + " everywhere", ""},
+               {scene.file, 0, "sensor.vignetting"});
+  }
+}
+
+/// As many coefficients as the lines ask for, between two altitudes where the beams are, and of a brightness
+/// of their own.
+void check_splines(const Scene& scene) {
+  for (const Sheet& sheet : scene.sheets) {
+    if (!has_spline_profile(sheet)) continue;
+    const std::string path = "sheet." + sheet.name + ".";
+    const auto origin = [&](const std::string& key) { return Origin{scene.file, 0, path + key}; };
+    if (sheet.spline_bottom_km + 10.0 > sheet.spline_top_km)
+      complain({"the profile has no room between " + short_real_text(sheet.spline_bottom_km) + " and " +
+                    short_real_text(sheet.spline_top_km) + " km",
+                "spline_bottom_km at least 10 km below spline_top_km", ""},
+               origin("spline_top_km"));
+    // Above its beams a profile has no light, and coefficients there would be told by nothing.
+    if (sheet.spline_top_km > sheet.top_km)
+      complain({"the profile reaches up to " + short_real_text(sheet.spline_top_km) +
+                    " km, above its beams, which start at " + short_real_text(sheet.top_km),
+                "spline_top_km at most top_km", "lower the one or raise the other"},
+               origin_of(scene, path + "spline_top_km", path + "top_km"));
+    const std::size_t lines = scene.emission.lines.size(),
+                      wanted = lines * static_cast<std::size_t>(sheet.spline_knots);
+    if (sheet.spline_rate.size() != wanted)
+      complain({std::to_string(sheet.spline_rate.size()) + " coefficients for " + std::to_string(lines) +
+                    " emission lines with " + std::to_string(sheet.spline_knots) + " knots each",
+                std::to_string(wanted) + " coefficients", "leave spline_rate out, and it is filled in"},
+               origin("spline_rate"));
+    if (sheet.brightness_kilorayleigh > 0.0)
+      complain({"a free-form profile has its own brightness", "brightness_kilorayleigh (and ibc) left out",
+                "the coefficients times energy_flux_mw_m2 are the light"},
+               origin("brightness_kilorayleigh"));
+  }
+}
+
+void check_region(const Scene& scene) {
+  const auto& [x, y, width, height] = scene.fit.roi_px;
+  const bool is_whole_image = x == 0 && y == 0 && width == 0 && height == 0;
+  if (is_whole_image) return;
+  const Origin origin{scene.file, 0, "fit.roi_px"};
+  if (width == 0 || height == 0) {
+    complain({"the region of interest is empty", "x, y, width and height, with width and height above 0",
+              "all four zero stands for the whole image"},
+             origin);
+  }
+  if (scene.fit.bands > width) {
+    complain({std::to_string(scene.fit.bands) + " bands do not fit into a region " + std::to_string(width) +
+                  " pixels wide",
+              "at most one band per pixel column", "lower fit.bands or widen fit.roi_px"},
+             origin);
+  }
+}
+
+}  // namespace
+
+void validate(const Scene& scene) {
+  for (const Declaration& d : declarations()) {
+    if (!d.list_rule) continue;  // none of a sheet has one
+    if (const auto complaint = d.list_rule(scene, d.list(scene, -1))) {
+      complain(*complaint, {scene.file, 0, key_path(d, scene, -1)});
+    }
+  }
+  for (const ParameterPath& path : all_paths(scene)) {
+    const Declaration& d = declaration_of(*path.row);
+    // Only read through: the accessors take a Scene they could change.
+    const ValueRef value = d.at(const_cast<Scene&>(scene), path.element, path.component);
+    if (const auto complaint = complaint_about(d, value)) complain(*complaint, {scene.file, 0, path.text});
+  }
+  check_names(scene);
+  check_structures(scene);
+  check_response(scene);
+  check_blur(scene);
+  check_profile_files(scene);
+  check_sensor(scene);
+  check_splines(scene);
+  check_volumes(scene);
+  check_sun(scene);
+  check_region(scene);
+  check_free_parameters(scene);
+  check_tied_parameters(scene);
+  check_photos(scene);
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,184 @@
+#include "sim/scene/file/free_parameters_toml.h"
+
+#include <algorithm>
+
+#include "sim/scene/table/free_entry_keys.h"
+#include "sim/scene/table/nearest_name.h"
+#include "sim/scene/table/toml_value.h"
+#include "sim/scene/table/value_words.h"
+
+namespace vegard::sim {
+namespace {
+
+Origin inside(const Origin& origin, const toml::node& node, const std::string& key) {
+  return {origin.file, origin.line > 0 ? line_of(node) : 0, origin.key + "." + key};
+}
+
+void refuse_unknown_keys(const toml::table& table, const std::vector<std::string>& known,
+                         const Origin& origin) {
+  for (const auto& [key, node] : table) {
+    const std::string name(key.str());
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    complain({"unknown key '" + name + "'", "", nearest_hint(name, known)}, inside(origin, node, name));
+  }
+}
+
+Prior read_prior(const toml::node& node, const Origin& origin) {
+  const std::string expected = "a table { mean, sigma }, with a law if it is not \"normal\"";
+  const toml::table* table = node.as_table();
+  if (table == nullptr) complain({"found " + found_text(node), expected, ""}, origin);
+  std::vector<std::string> known;
+  for (const FreePriorKey& key : free_prior_keys()) known.push_back(key.key);
+  known.push_back(prior_law_key);
+  refuse_unknown_keys(*table, known, origin);
+  Prior prior;
+  if (const toml::node* law = table->get(prior_law_key))
+    prior.law = text_of(*law, inside(origin, *law, prior_law_key), "a text in quotes");
+  for (const FreePriorKey& key : free_prior_keys()) {
+    const toml::node* number = table->get(key.key);
+    if (prior.law == uniform_law) {
+      if (number == nullptr) continue;
+      complain({"a uniform prior has no " + key.key, "{ law = \"uniform\" }, with min and max beside it", ""},
+               inside(origin, *number, key.key));
+    }
+    if (number == nullptr) complain({"the prior has no " + key.key, expected, ""}, origin);
+    prior.*key.place = number_of(*number, inside(origin, *number, key.key), "a number");
+  }
+  return prior;
+}
+
+FreeParameter read_entry(const toml::node& node, const Origin& origin) {
+  FreeParameter free;
+  free.line = origin.line;
+  if (const auto* path = node.as_string()) {
+    free.path = path->get();
+    return free;
+  }
+  const toml::table* table = node.as_table();
+  if (table == nullptr) {
+    complain(
+        {"found " + found_text(node), "a path in quotes, or a table { path, start, min, max, prior }", ""},
+        origin);
+  }
+  std::vector<std::string> known = {free_path_key};
+  for (const FreeNumberKey& key : free_number_keys()) known.push_back(key.key);
+  for (const FreeTextKey& key : free_text_keys()) known.push_back(key.key);
+  known.push_back(free_prior_key);
+  refuse_unknown_keys(*table, known, origin);
+
+  for (const FreeTextKey& key : free_text_keys()) {
+    if (const toml::node* text = table->get(key.key))
+      free.*key.place = text_of(*text, inside(origin, *text, key.key), "a text in quotes");
+  }
+  const toml::node* path = table->get(free_path_key);
+  if (path == nullptr && free.name.empty())
+    complain({"the entry has no path", "path = \"sheet.main.energy_kev\" or another",
+              "a number that only expressions use has a name instead"},
+             origin);
+  if (path != nullptr) free.path = text_of(*path, inside(origin, *path, free_path_key), "a path in quotes");
+  for (const FreeNumberKey& key : free_number_keys()) {
+    if (const toml::node* number = table->get(key.key)) {
+      free.*key.place = number_of(*number, inside(origin, *number, key.key), "a number");
+    }
+  }
+  if (const toml::node* prior = table->get(free_prior_key)) {
+    free.prior = read_prior(*prior, inside(origin, *prior, free_prior_key));
+  }
+  return free;
+}
+
+std::string prior_text(const Prior& prior) {
+  std::string text;
+  if (prior.law != uniform_law) {
+    for (const FreePriorKey& key : free_prior_keys())
+      text += (text.empty() ? "" : ", ") + key.key + " = " + real_text(prior.*key.place);
+  }
+  if (prior.law != normal_law)
+    text += (text.empty() ? "" : ", ") + std::string(prior_law_key) + " = " + quoted_text(prior.law);
+  return text;
+}
+
+std::string entry_text(const FreeParameter& free) {
+  std::string inner;
+  const auto add = [&](const std::string& key, const std::string& value) {
+    inner += (inner.empty() ? "" : ", ") + key + " = " + value;
+  };
+  for (const FreeTextKey& key : free_text_keys()) {
+    if (const std::string& text = free.*key.place; !text.empty()) add(key.key, quoted_text(text));
+  }
+  for (const FreeNumberKey& key : free_number_keys()) {
+    if (const auto& number = free.*key.place) add(key.key, real_text(*number));
+  }
+  if (free.prior) add(free_prior_key, "{ " + prior_text(*free.prior) + " }");
+  if (inner.empty()) return quoted_text(free.path);
+  if (free.path.empty()) return "{ " + inner + " }";
+  return std::string("{ ") + free_path_key + " = " + quoted_text(free.path) + ", " + inner + " }";
+}
+
+TiedParameter read_tied_entry(const toml::node& node, const Origin& origin) {
+  const std::string expected = "a table { path, equals }";
+  const toml::table* table = node.as_table();
+  if (table == nullptr) complain({"found " + found_text(node), expected, ""}, origin);
+  std::vector<std::string> known;
+  for (const TiedKey& key : tied_keys()) known.push_back(key.key);
+  refuse_unknown_keys(*table, known, origin);
+  TiedParameter tied;
+  tied.line = origin.line;
+  for (const TiedKey& key : tied_keys()) {
+    const toml::node* text = table->get(key.key);
+    if (text == nullptr && key.is_needed) complain({"the entry has no " + key.key, expected, ""}, origin);
+    if (text != nullptr)
+      tied.*key.place = text_of(*text, inside(origin, *text, key.key), key.type + " in quotes");
+  }
+  return tied;
+}
+
+std::string tied_entry_text(const TiedParameter& tied) {
+  std::string inner;
+  for (const TiedKey& key : tied_keys()) {
+    const std::string& text = tied.*key.place;
+    if (key.is_needed || !text.empty())
+      inner += (inner.empty() ? "" : ", ") + key.key + " = " + quoted_text(text);
+  }
+  return "{ " + inner + " }";
+}
+
+/// What `read` makes of every element.
+template <typename Entry>
+std::vector<Entry> read_array(const toml::node& node, const Origin& origin, const std::string& expected,
+                              Entry (*read)(const toml::node&, const Origin&)) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr) complain({"found " + found_text(node), expected, ""}, origin);
+  std::vector<Entry> entries;
+  for (const toml::node& entry : *array)
+    entries.push_back(read(entry, {origin.file, origin.line > 0 ? line_of(entry) : 0, origin.key}));
+  return entries;
+}
+
+template <typename Entry>
+std::string array_text(const std::vector<Entry>& entries, std::string (*text_of_entry)(const Entry&)) {
+  if (entries.empty()) return "[]";
+  std::string text = "[\n";
+  for (const Entry& entry : entries) text += "  " + text_of_entry(entry) + ",\n";
+  return text + "]";
+}
+
+}  // namespace
+
+std::vector<FreeParameter> read_free_parameters(const toml::node& node, const Origin& origin) {
+  return read_array(node, origin, "an array of paths and tables", read_entry);
+}
+
+std::string free_parameters_text(const std::vector<FreeParameter>& free) {
+  return array_text(free, entry_text);
+}
+
+std::vector<TiedParameter> read_tied_parameters(const toml::node& node, const Origin& origin) {
+  return read_array(node, origin, "an array of tables { path, equals }", read_tied_entry);
+}
+
+std::string tied_parameters_text(const std::vector<TiedParameter>& tied) {
+  return array_text(tied, tied_entry_text);
+}
+
+}  // namespace vegard::sim

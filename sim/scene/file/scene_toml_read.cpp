@@ -1,0 +1,299 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include <toml++/toml.h>
+
+#include "sim/base/error.h"
+#include "sim/scene/file/free_parameters_toml.h"
+#include "sim/scene/file/photo_entries_toml.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/structs/line_of.h"
+#include "sim/scene/structs/photo_entry_keys.h"
+#include "sim/scene/table/alternative_forms.h"
+#include "sim/scene/table/free_entry_keys.h"
+#include "sim/scene/table/nearest_name.h"
+#include "sim/scene/table/parameter_declarations.h"
+#include "sim/scene/table/spline_rates.h"
+#include "sim/scene/table/table_files.h"
+#include "sim/scene/table/toml_value.h"
+#include "sim/scene/table/value_words.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr std::size_t max_bytes = 16 << 20;
+
+/// Keys that a table knows, in the order of the declarations. The file itself is the table "".
+std::vector<std::string> known_keys(const std::string& table) {
+  std::vector<std::string> keys;
+  for (const Declaration& d : declarations()) {
+    if (d.table == table) keys.push_back(d.key);
+  }
+  for (const FileKey& key : all_file_keys()) {
+    if (key.table == table) keys.push_back(key.key);
+  }
+  return keys;
+}
+
+std::vector<std::string> known_tables() {
+  std::vector<std::string> tables;
+  for (const Declaration& d : declarations()) {
+    if (!d.table.empty() && (tables.empty() || tables.back() != d.table)) tables.push_back(d.table);
+  }
+  return tables;
+}
+
+/// That of an element to which nobody gave one.
+std::string default_name(const RepeatedTable& repeated) {
+  Scene scene;
+  repeated.append(scene);
+  return repeated.name(scene, 0);
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string title(const std::string& table) {
+  if (table.empty()) return "the top of the file";
+  return repeated_table(table) != nullptr ? "[[" + table + "]]" : "[" + table + "]";
+}
+
+/// Names the table where such a key lives, or the nearest key of this table, or a much nearer one elsewhere.
+std::string hint_for_key(const std::string& table, const std::string& key) {
+  std::vector<std::string> tables = known_tables();
+  tables.insert(tables.begin(), "");
+  for (const std::string& other : tables) {
+    if (other != table && contains(known_keys(other), key)) return "'" + key + "' belongs to " + title(other);
+  }
+  std::vector<std::string> here = known_keys(table);
+  if (table.empty()) here.insert(here.end(), tables.begin() + 1, tables.end());
+  if (is_near(key, nearest_name(key, here))) return nearest_hint(key, here);
+  for (const std::string& other : tables) {
+    const std::string nearest = nearest_name(key, known_keys(other));
+    if (is_near(key, nearest)) return "did you mean '" + nearest + "' of " + title(other) + "?";
+  }
+  return nearest_hint(key, here);
+}
+
+/// Reads one document. Lines of keys are kept for what only shows later.
+class Reader {
+ public:
+  Reader(Scene& scene, const toml::table& document) : scene_(scene), document_(document) {}
+
+  void read() {
+    refuse_unknown_keys("", document_, known_tables());
+    read_table("", -1, &document_);
+    for (const std::string& table : known_tables()) {
+      if (const RepeatedTable* repeated = repeated_table(table)) {
+        read_repeated(*repeated);
+      } else {
+        read_table(table, -1, table_of(table));
+      }
+    }
+    fill_spline_rates(scene_);
+    check_whole();
+  }
+
+ private:
+  Origin origin(const toml::node& node, const std::string& key) const {
+    return {scene_.file, line_of(node), key};
+  }
+
+  /// The first unknown key of the file's order; toml++ keeps a table sorted by name.
+  void refuse_unknown_keys(const std::string& table, const toml::table& values,
+                           const std::vector<std::string>& also_known = {}) const {
+    const std::vector<std::string> known = known_keys(table);
+    const toml::key* first = nullptr;
+    for (const auto& [key, node] : values) {
+      const std::string name(key.str());
+      if (contains(known, name) || contains(also_known, name)) continue;
+      if (first == nullptr || key.source().begin < first->source().begin) first = &key;
+    }
+    if (first == nullptr) return;
+    const std::string name(first->str());
+    const std::string what =
+        values.get(name)->is_table() || values.get(name)->is_array_of_tables() ? "table" : "key";
+    complain({"unknown " + what + " '" + name + "'", "", hint_for_key(table, name)},
+             {scene_.file, static_cast<int>(first->source().begin.line),
+              table.empty() ? name : table + "." + name});
+  }
+
+  const toml::table* table_of(const std::string& name) const {
+    const toml::node* node = document_.get(name);
+    if (node == nullptr || node->is_table()) return node == nullptr ? nullptr : node->as_table();
+    complain({"found " + found_text(*node), "one table [" + name + "]", ""}, origin(*node, name));
+  }
+
+  void read_repeated(const RepeatedTable& repeated) {
+    const std::string& name = repeated.table;
+    const toml::node* node = document_.get(name);
+    if (node == nullptr) return;
+    const std::string expected = "an array of tables [[" + name + "]]";
+    const toml::array* elements = node->as_array();
+    if (elements == nullptr) {
+      complain({"found " + found_text(*node), expected, node->is_table() ? "write [[" + name + "]]" : ""},
+               origin(*node, name));
+    }
+    std::map<std::string, int> line_of_name;
+    for (const toml::node& element : *elements) {
+      const toml::table* values = element.as_table();
+      if (values == nullptr) complain({"found " + found_text(element), expected, ""}, origin(element, name));
+      repeated.append(scene_);
+      const int index = static_cast<int>(repeated.count(scene_)) - 1;
+      read_table(name, index, values);
+      const std::string& own_name = repeated.name(scene_, index);
+      element_lines_.emplace(name + "." + own_name, line_of(element));
+      const auto [earlier, is_new] = line_of_name.emplace(own_name, line_of(element));
+      if (!is_new) {
+        complain({"two of [[" + name + "]] are called '" + own_name + "', the first in line " +
+                      std::to_string(earlier->second),
+                  "a name of its own for each " + name,
+                  "without a name one is called '" + default_name(repeated) + "'"},
+                 origin(element, name));
+      }
+    }
+  }
+
+  void read_table(const std::string& table, int element, const toml::table* values) {
+    if (values == nullptr) return;
+    if (!table.empty()) refuse_unknown_keys(table, *values);
+    for (const Declaration& d : declarations()) {
+      const toml::node* node = d.table == table ? values->get(d.key) : nullptr;
+      if (node == nullptr) continue;
+      const Origin where = origin(*node, key_path(d, scene_, element));
+      assign_key(scene_, d, element, *node, where);
+      scene_.lines[key_path(d, scene_, element)] = where.line;
+    }
+    for (const AlternativeForm& form : alternative_forms()) {
+      if (form.keys.front().table == table) read_form(form, element, *values);
+    }
+    if (table == free_table) {
+      const toml::node* free = values->get(free_key);
+      if (free != nullptr) {
+        scene_.fit.free =
+            read_free_parameters(*free, origin(*free, std::string(free_table) + "." + free_key));
+      }
+      if (const toml::node* tied = values->get(tied_key))
+        scene_.fit.tied =
+            read_tied_parameters(*tied, origin(*tied, std::string(free_table) + "." + tied_key));
+      if (const toml::node* photos = values->get(photo_key)) {
+        scene_.fit.photos =
+            read_photo_entries(*photos, origin(*photos, std::string(free_table) + "." + photo_key));
+      }
+    }
+  }
+
+  void read_form(const AlternativeForm& form, int sheet, const toml::table& values) {
+    const FileKey *given = nullptr, *missing = nullptr;
+    for (const FileKey& key : form.keys) (values.get(key.key) != nullptr ? given : missing) = &key;
+    if (given == nullptr) return;
+    const Origin where = origin(*values.get(given->key), given->table + "." + given->key);
+    if (missing != nullptr) {
+      complain({given->key + " needs " + missing->key + " beside it", "both or neither", ""}, where);
+    }
+    for (const std::string& key : form.replaces) {
+      if (values.get(key) == nullptr) continue;
+      complain(
+          {given->key + " and " + key + " say the same in two ways", "one of the two forms", form.words()},
+          where);
+    }
+    std::vector<std::vector<double>> numbers;
+    for (const FileKey& key : form.keys) numbers.push_back(read_form_key(form, key, *values.get(key.key)));
+    if (const auto complaint = form.convert(scene_, sheet, numbers)) complain(*complaint, where);
+    for (const std::string& key : form.replaces) {
+      const Declaration& d = *find_declaration(given->table, key);
+      scene_.lines[key_path(d, scene_, sheet)] = where.line;
+    }
+  }
+
+  std::vector<double> read_form_key(const AlternativeForm& form, const FileKey& key,
+                                    const toml::node& node) const {
+    const Origin where = origin(node, key.table + "." + key.key);
+    const std::vector<double> numbers = form.components.empty()
+                                            ? std::vector<double>{number_of(node, where, key.type)}
+                                            : numbers_of(node, form.components.size(), where, key.type);
+    for (const double number : numbers) {
+      if (number >= form.min && number <= form.max) continue;
+      complain({short_real_text(number) + " is outside the limits",
+                key.type + " from " + short_real_text(form.min) + " to " + short_real_text(form.max) +
+                    (key.unit.empty() ? "" : " (" + key.unit + ")"),
+                ""},
+               where);
+    }
+    return numbers;
+  }
+
+  /// What only the whole scene shows, with the line of the key that it names.
+  void check_whole() const {
+    try {
+      validate(scene_);
+    } catch (const Error& error) {
+      ErrorDetails details = error.details();
+      if (details.line == 0) details.line = line_of(scene_, details.key);
+      if (details.line == 0) details.line = line_of_element(details.key);
+      throw Error(error.kind(), details);
+    }
+  }
+
+  /// Of the element that a path such as "footprint.arc.image" belongs to; 0 if to none.
+  int line_of_element(const std::string& path) const {
+    const auto found = element_lines_.find(path.substr(0, path.rfind('.')));
+    return found == element_lines_.end() ? 0 : found->second;
+  }
+
+  Scene& scene_;
+  const toml::table& document_;
+  std::map<std::string, int> element_lines_;  ///< by "footprint.arc"
+};
+
+std::string read_text(const std::string& file) {
+  const auto fail = [&](const std::string& problem, const std::string& expected) {
+    ErrorDetails details;
+    details.problem = problem;
+    details.file = file;
+    details.expected = expected;
+    throw Error(ErrorKind::unreadable_input, details);
+  };
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) fail("is a directory", "a scene file");
+  if (!std::filesystem::exists(file, ignored)) fail("there is no such file", "a scene file");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) fail("cannot be opened", "a scene file that may be read");
+  // Asking a pipe or a device for its size says nothing: read, but not for ever.
+  std::string text(max_bytes + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (stream.bad()) fail("cannot be read", "a scene file");
+  if (text.size() > max_bytes) fail("is larger than 16 MB", "a scene file of a few kilobytes");
+  return text;
+}
+
+}  // namespace
+
+Scene parse_scene(const std::string& text, const std::string& name) {
+  Scene scene;
+  scene.file = name;
+  try {
+    const toml::table document = toml::parse(text, name);
+    Reader(scene, document).read();
+  } catch (const toml::parse_error& error) {
+    ErrorDetails details;
+    details.problem = std::string(error.description());
+    details.file = name;
+    details.line = static_cast<int>(error.source().begin.line);
+    details.expected = "a TOML file";
+    throw Error(ErrorKind::scene, details);
+  }
+  return scene;
+}
+
+Scene read_scene(const std::string& file) {
+  Scene scene = parse_scene(read_text(file), file);
+  read_table_files(scene);
+  return scene;
+}
+
+}  // namespace vegard::sim

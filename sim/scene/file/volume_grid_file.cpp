@@ -1,0 +1,150 @@
+#include "sim/scene/file/volume_grid_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+
+#include "sim/base/error.h"
+#include "sim/base/grid/vdb_io.h"
+#include "sim/base/grid/volumegrid_text.h"
+#include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/table/table_files.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr const char *kDensity = "density", *kSunFrame = "sun";
+constexpr std::uint64_t kMostBytes = std::uint64_t{8} << 30;
+/// What a brick made ready for rays, with the voxels next to it, takes for a line at least.
+constexpr std::uint64_t kBytesForRays = 9 * 9 * 9 * sizeof(float);
+
+bool is_emission(const std::string& name) { return name.rfind("emission_", 0) == 0; }
+
+bool wants_density(const Scene& scene, const Volume& volume) {
+  if (volume.extinction_per_km > 0.0) return true;
+  const std::string path = "volume." + volume.name + ".extinction_per_km";
+  return std::any_of(scene.fit.free.begin(), scene.fit.free.end(),
+                     [&](const FreeParameter& free) { return free.path == path; }) ||
+         std::any_of(scene.fit.tied.begin(), scene.fit.tied.end(),
+                     [&](const TiedParameter& tied) { return tied.path == path; });
+}
+
+std::string words(const std::vector<std::string>& names) {
+  std::string all;
+  for (std::size_t i = 0; i < names.size() && i < 20; ++i) all += (i > 0 ? ", " : "") + names[i];
+  return names.size() > 20 ? all + ", ..." : all;
+}
+
+std::string range_text(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", x);
+  return text;
+}
+
+/// There is no density below nothing: such numbers come of resampling and would make light.
+void clamp_density(SparseGrid& grid, int channel) {
+  for (auto& [at, brick] : grid.bricks)
+    for (int v = 0; v < SparseGrid::kVoxels; ++v) {
+      float& number = brick[static_cast<std::size_t>(channel) * SparseGrid::kVoxels + v];
+      number = std::max(number, 0.0f);
+    }
+}
+
+/// An OpenVDB file, or a volumegrid by its name.
+VdbFile read_any(const std::string& place, const std::vector<std::string>& wanted,
+                 std::uint64_t bytes_beside) {
+  if (!is_volumegrid_name(place)) return read_vdb(place, wanted, kMostBytes, bytes_beside);
+  VdbFile file;
+  file.grid = read_volumegrid(place, kMostBytes).grid;
+  file.names = {kDensity};
+  return file;
+}
+
+template <class Refuse>
+void scale_to_unit(SparseGrid& grid, double ratio, const Refuse& refuse) {
+  if (!(ratio >= 1e-9 && ratio <= 1e9))
+    refuse("its metadata unit_km is out of range", "a number such as the scene's sun.unit_km", "");
+  grid.voxel *= ratio;
+  for (double& x : grid.origin) x *= ratio;
+}
+
+}  // namespace
+
+std::string emission_grid_name(double line_nm) { return "emission_" + line_name(line_nm); }
+
+VolumeGridFile read_volume_grid(const Scene& scene, const Volume& volume) {
+  VolumeGridFile out;
+  out.place = table_place(scene, volume.file);
+  const auto refuse = [&](const std::string& problem, const std::string& expected,
+                          const std::string& hint = {}) {
+    throw Error(ErrorKind::unreadable_input,
+                {problem, out.place, 0, "volume." + volume.name + ".file", expected, hint});
+  };
+  const bool by_density = !volume.density_rayleigh.empty();
+  std::vector<std::string> wanted;
+  if (!by_density)
+    for (const double nm : scene.emission.lines) wanted.push_back(emission_grid_name(nm));
+  VdbFile file;
+  try {
+    wanted.emplace_back(kDensity);
+    file = read_any(out.place, wanted, kBytesForRays * scene.emission.lines.size());
+  } catch (const Error& error) {
+    ErrorDetails details = error.details();
+    if (details.key.empty()) details.key = "volume." + volume.name + ".file";
+    throw Error(error.kind(), details);
+  }
+  out.grid = std::move(file.grid);
+  for (const double nm : scene.emission.lines)
+    out.emission.push_back(out.grid.channel(emission_grid_name(nm)));
+  out.density = out.grid.channel(kDensity);
+  if (out.density >= 0) clamp_density(out.grid, out.density);
+  if (std::all_of(out.emission.begin(), out.emission.end(), [](int c) { return c < 0; })) {
+    const bool others = !by_density && std::any_of(file.names.begin(), file.names.end(), is_emission);
+    if (by_density && out.density < 0)
+      refuse("it has no grid of a density for density_rayleigh" +
+                 (file.names.empty() ? std::string() : ", but " + words(file.names)),
+             "a grid \"density\"", "");
+    if (out.density < 0 || others)
+      refuse(file.names.empty() ? "it has no grid of floats"
+                                : "it has no grid for the scene's lines, but " + words(file.names),
+             "a grid such as " + wanted.front(),
+             others ? "emission.lines may name the lines that it has" : "");
+    std::fill(out.emission.begin(), out.emission.end(), out.density);
+  }
+  if (!wants_density(scene, volume)) out.density = -1;
+  const auto number = [&](const char* name, double otherwise) {
+    const auto found = file.metadata.numbers.find(name);
+    return found == file.metadata.numbers.end() ? otherwise : found->second;
+  };
+  const auto frame = file.metadata.texts.find("frame");
+  const bool of_sun = frame != file.metadata.texts.end() && frame->second == kSunFrame;
+  const bool of_site = file.metadata.numbers.count("site_latitude_deg") > 0;
+  if (of_sun != (volume.frame == kSunFrame) && (of_sun || of_site))
+    refuse(of_sun ? "it stands on the Sun, and the volume's frame is \"site\""
+                  : "it stands on the ground, and the volume's frame is \"sun\"",
+           of_sun ? "frame = \"sun\"" : "frame = \"site\"", "its metadata say where it is at home");
+  if (of_sun) {
+    scale_to_unit(out.grid, number("unit_km", scene.sun.unit_km) / scene.sun.unit_km, refuse);
+    out.site = scene.site;
+    return out;
+  }
+  if (const double cm = number("unit_cm", 1e5); !(std::abs(cm / 1e5 - 1.0) <= 1e-9))
+    refuse("it holds a nebula in a frame of its own", "a grid in km about an observer",
+           "Such a file is for other programs; [[nebula]] is how vegard shows it");
+  out.site = scene.site;
+  const auto in_range = [&](const char* name, double otherwise, double least, double most) {
+    const double here = number(name, otherwise);
+    if (!(here >= least && here <= most))
+      refuse(std::string("its metadata ") + name + " is out of range",
+             "a number from " + range_text(least) + " to " + range_text(most));
+    return here;
+  };
+  // As in a scene (rows/place.cpp).
+  out.site.latitude_deg = in_range("site_latitude_deg", scene.site.latitude_deg, -90.0, 90.0);
+  out.site.longitude_deg = in_range("site_longitude_deg", scene.site.longitude_deg, -180.0, 360.0);
+  out.site.altitude_m = in_range("site_altitude_m", scene.site.altitude_m, -500.0, 1e9);
+  return out;
+}
+
+}  // namespace vegard::sim

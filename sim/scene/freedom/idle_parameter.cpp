@@ -1,0 +1,91 @@
+#include "sim/scene/freedom/idle_parameter.h"
+
+#include <string>
+
+#include "sim/scene/freedom/free_path.h"
+#include "sim/scene/freedom/idle_sun_parameter.h"
+#include "sim/scene/freedom/idle_volume_parameter.h"
+
+namespace vegard::sim {
+namespace {
+
+/// Whether any coefficient of a sheet's free-form profile is free.
+bool has_free_spline(const Scene& scene, int sheet) {
+  for (const FreeParameter& free : scene.fit.free)
+    for (const ParameterPath& path : paths_of(scene, free))
+      if (path.row->table == sheet_table && path.row->key == "spline_rate" && path.sheet() == sheet)
+        return true;
+  return false;
+}
+
+}  // namespace
+
+std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const ParameterPath& path) {
+  const std::string expected = "a parameter that the light depends on";
+  const std::string& key = path.row->key;
+  if (path.row->table == "field" && scene.field.model == "dipole") {
+    return Complaint{"the field is a dipole's, so " + key + " counts for nothing", expected,
+                     "leave it out of fit.free, or set field.model to \"uniform\""};
+  }
+  if (path.row->table == "camera") {
+    const std::string& model = scene.camera.model;
+    const bool pinhole = model == "pinhole", radial = key == "k1" || key == "k2" || key == "k3";
+    if ((key == "hfov_deg" && !pinhole) || (key == "focal_px" && pinhole) ||
+        (radial && !pinhole && model != "polynomial")) {
+      return Complaint{"the lens is \"" + model + "\", so " + key + " counts for nothing", expected,
+                       radial    ? "leave it out of fit.free, or set camera.model to \"polynomial\""
+                       : pinhole ? "a pinhole has camera.hfov_deg"
+                                 : "this lens has camera.focal_px"};
+    }
+  }
+  if (path.row->table == "air" && scene.air.model == "none") {
+    return Complaint{"there is no air, so " + key + " counts for nothing", expected,
+                     "leave it out of fit.free, or set air.model to \"standard\""};
+  }
+  if (const auto complaint = why_volume_number_counts_for_nothing(scene, path)) return complaint;
+  if (const auto complaint = why_sun_number_counts_for_nothing(scene, path)) return complaint;
+  if (path.row->table != sheet_table) return std::nullopt;
+  const Sheet& sheet = scene.sheets[path.sheet()];
+  if (key == "energy_kev" && sheet.profile == "file") {
+    return Complaint{
+        "the sheet's profile comes from a file, so the energy of its electrons counts for nothing", expected,
+        "leave it out of fit.free, or set profile to a spectrum of electrons"};
+  }
+  if (key == "energy_spread" && sheet.profile != "gaussian") {
+    return Complaint{"the sheet's profile is \"" + sheet.profile + "\", so energy_spread counts for nothing",
+                     expected, "leave it out of fit.free, or set profile to \"gaussian\""};
+  }
+  if (key == "energy_flux_mw_m2" && sheet.brightness_kilorayleigh > 0.0) {
+    return Complaint{"the sheet's brightness is given, so its energy flux counts for nothing", expected,
+                     "leave it out of fit.free, or brightness_kilorayleigh (and ibc) out of the sheet"};
+  }
+  if (key == "energy_flux_mw_m2" && sheet.profile == "spline" && has_free_spline(scene, path.sheet())) {
+    return Complaint{
+        "the sheet's spline_rate is free, so its energy flux counts for nothing: their product "
+        "is the light",
+        expected, "leave energy_flux_mw_m2 out of fit.free"};
+  }
+  if (key == "fold_stage" && sheet.fold_spacing_km == 0.0) {
+    return Complaint{"the sheet has no folds, so their stage counts for nothing", expected,
+                     "leave it out of fit.free, or set fold_spacing_km"};
+  }
+  if (key == "arc_spacing_km" && sheet.arcs == 1) {
+    return Complaint{"the sheet is a single arc, so the spacing of arcs counts for nothing", expected,
+                     "leave it out of fit.free, or set arcs"};
+  }
+  if (key == "spline_rate" && sheet.profile != "spline") {
+    return Complaint{"the sheet's profile is \"" + sheet.profile + "\", so spline_rate counts for nothing",
+                     expected, "leave it out of fit.free, or set the profile to \"spline\""};
+  }
+  if (key == "energy_kev" && sheet.profile == "spline") {
+    return Complaint{"the sheet's profile is free, so the electrons' energy counts for nothing", expected,
+                     "leave it out of fit.free; sheet." + sheet.name + ".spline_rate is the light"};
+  }
+  if ((key == "peak_km" || key == "lower_km" || key == "upper_km") && sheet.profile != "form") {
+    return Complaint{"the sheet's profile is \"" + sheet.profile + "\", so " + key + " counts for nothing",
+                     expected, "leave it out of fit.free, or set the profile to \"form\""};
+  }
+  return std::nullopt;
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,11 @@
+#include "sim/scene/lines/camera_responses.h"
+
+namespace vegard::sim {
+
+const std::vector<std::string>& built_in_cameras() {
+  static const std::vector<std::string> names = {"canon_5d_mark_ii", "nikon_d200", "nikon_d700",
+                                                 "sony_a7s_ii"};
+  return names;
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,42 @@
+// The emission lines of the aurora and of nebulae: what is known of each, one row a line. The one list of
+// them: a scene may name these, and their light and colour follow from the row.
+//
+// Most lines have a column of their own in the emission tables (data/glow). The others come from the same
+// upper state as one that has, or go with it by a ratio from the literature: their light is that column's
+// times `ratio`. Those of nebulae (sim/scene/lines/nebular_lines.h) have no column: electrons in the air
+// leave them dark. docs/lines.md prints the list.
+#pragma once
+
+#include <vector>
+
+namespace vegard::sim {
+
+/// A wavelength at which a line, or a set of bands under one name, shines, and its share of the photons.
+struct LineComponent {
+  double wavelength_nm;
+  double share;
+};
+
+struct EmissionLine {
+  double wavelength_nm;  ///< its name; of a set of bands that of one of them
+  const char* species;
+  const char* transition;
+  double lifetime_s;                      ///< of the upper state, without collisions
+  const char* table_column;               ///< in data/glow/ver_maxwellian.csv; empty: not of the aurora
+  double ratio;                           ///< of its photons to the column's
+  const char* ratio_source;               ///< empty for a line with a column of its own; else with the spread
+  const char* blended_with;               ///< what stands so near that a colour filter of some nm has both
+  std::vector<LineComponent> components;  ///< shares add up to 1; the wavelength alone for a single line
+  const char* components_source = "";     ///< where the shares come from; empty for a single line
+};
+
+/// Whether electrons in the air make it shine. The others are of nebulae, and dark in any aurora.
+bool is_auroral(const EmissionLine& line);
+
+/// Every line, by increasing wavelength.
+const std::vector<EmissionLine>& emission_lines();
+
+/// The line within 0.05 nm of this wavelength, or nullptr.
+const EmissionLine* find_emission_line(double wavelength_nm);
+
+}  // namespace vegard::sim

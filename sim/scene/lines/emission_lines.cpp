@@ -1,0 +1,59 @@
+#include "sim/scene/lines/emission_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "sim/scene/lines/emission_line.h"
+
+namespace vegard::sim {
+namespace {
+
+std::vector<double> wavelengths() {
+  std::vector<double> lines;
+  for (const EmissionLine& line : emission_lines()) lines.push_back(line.wavelength_nm);
+  return lines;
+}
+
+double width_of(const Scene& scene, double line_nm, double otherwise) {
+  const auto& lines = scene.emission.lines;
+  const auto found = std::find(lines.begin(), lines.end(), line_nm);
+  const auto index = static_cast<std::size_t>(found - lines.begin());
+  return index < scene.blur.width_deg.size() ? scene.blur.width_deg[index] : otherwise;
+}
+
+}  // namespace
+
+const std::vector<double>& known_emission_lines_nm() {
+  static const std::vector<double> lines = wavelengths();
+  return lines;
+}
+
+double default_blur_width_deg(double line_nm) {
+  const EmissionLine* line = find_emission_line(line_nm);
+  const Scene scene;
+  for (const double own_nm : scene.emission.lines) {
+    const EmissionLine* own = find_emission_line(own_nm);
+    if (line != nullptr && own != nullptr && std::string_view(line->table_column) == own->table_column)
+      return width_of(scene, own_nm, 0.0);
+  }
+  return 0.0;
+}
+
+void change_lines(Scene& scene, const std::vector<double>& lines_nm) {
+  std::vector<double> widths;
+  for (const double line : lines_nm) widths.push_back(width_of(scene, line, default_blur_width_deg(line)));
+  scene.emission.lines = lines_nm;
+  scene.blur.width_deg = widths;
+}
+
+int line_index(const std::vector<double>& lines_nm, double line_nm) {
+  const EmissionLine* line = find_emission_line(line_nm);
+  for (std::size_t l = 0; line != nullptr && l < lines_nm.size(); ++l)
+    if (find_emission_line(lines_nm[l]) == line) return static_cast<int>(l);
+  return -1;
+}
+
+std::string line_name(double line_nm) { return std::to_string(std::lround(line_nm * 10.0)); }
+
+}  // namespace vegard::sim

@@ -1,0 +1,72 @@
+#include "sim/scene/structs/footprint_size.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "sim/base/earth.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr double kPieceWidths = 0.8;
+constexpr double kCurtainPieceKm = 4.0, kShellCurtainPieceKm = 16.0;
+constexpr double kFootRadiusKm = kEarthRadiusKm + kFootAltitudeKm;
+
+bool is_shell(const Footprint& f) { return f.shape == "shell"; }
+
+/// Between two points of the spline.
+double chord_km(const Footprint& f, std::size_t a, std::size_t b) {
+  if (!is_shell(f)) return std::hypot(f.east_km[b] - f.east_km[a], f.north_km[b] - f.north_km[a]);
+  const double la = f.latitude_deg[a] * kRadiansPerDegree, lb = f.latitude_deg[b] * kRadiansPerDegree;
+  const double half = 0.5 * kRadiansPerDegree * (f.longitude_deg[b] - f.longitude_deg[a]);
+  const double up = std::sin(0.5 * (lb - la)), aside = std::sin(half);
+  return 2.0 * kFootRadiusKm * std::sqrt(up * up + std::cos(la) * std::cos(lb) * aside * aside);
+}
+
+}  // namespace
+
+double drawn_width_km(const Footprint& f) {
+  // A cube's face spans two radii; its cells are widest in its middle.
+  const double cell_km = is_shell(f) ? 2.0 * kFootRadiusKm / f.face_cells : f.cell_km;
+  return std::max(f.width_km, kNarrowestCells * cell_km);
+}
+
+double longest_piece_km(const Footprint& f) {
+  if (f.model == "curtain") return is_shell(f) ? kShellCurtainPieceKm : kCurtainPieceKm;
+  return kPieceWidths * drawn_width_km(f);
+}
+
+double spline_pieces(const Footprint& f) {
+  const std::size_t n = is_shell(f) ? f.latitude_deg.size() : f.east_km.size();
+  if (n < 2) return 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < (f.closed ? n : n - 1); ++i)
+    sum += std::max(16.0, std::ceil(1.5 * chord_km(f, i, (i + 1) % n) / longest_piece_km(f)));
+  return sum;
+}
+
+double longest_side_cells(const Footprint& f) {
+  return std::ceil(std::max(f.size_km.east, f.size_km.north) / f.cell_km);
+}
+
+double map_cells(const Footprint& f) {
+  if (is_shell(f)) return 6.0 * (f.face_cells + 2.0) * (f.face_cells + 2.0);
+  return std::ceil(f.size_km.east / f.cell_km) * std::ceil(f.size_km.north / f.cell_km);
+}
+
+double bytes_per_cell(const Footprint& f, std::size_t number_bytes) {
+  const bool of_sheets = f.source == "sheets";
+  const bool has_energy = of_sheets || !f.point_energy.empty() || !f.energy_image.empty();
+  const double layers = has_energy ? 2.0 : 1.0;
+  double numbers = layers + (of_sheets ? 4.0 : 0.0);
+  // The flow is worked out from plain numbers.
+  double plain = 0.0;
+  if (!is_shell(f) && f.flow_turns > 0.0) {
+    numbers = std::max(numbers, 2.0 * layers);
+    plain = 8.0;
+  }
+  return numbers * static_cast<double>(number_bytes) + plain;
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,38 @@
+// How large the parts of a footprint become, from its keys alone.
+#pragma once
+
+#include <cstddef>
+
+#include "sim/scene/structs/scene.h"
+
+namespace vegard::sim {
+
+/// Where the Gaussian across a spline is narrower than this many cells it is drawn as wide as this, and as
+/// much fainter: the samples of a narrower one would not add up to it.
+inline constexpr double kNarrowestCells = 0.7;
+
+/// Standard deviation of the Gaussian as it is drawn, at the scene's own width_km.
+double drawn_width_km(const Footprint& footprint);
+
+/// How long a piece of a footprint's spline is at most: of a volume 0.8 of the drawn width, since an even sum
+/// of Gaussians so far apart is their integral to 1e-13; of a curtain 4 km, of a shell's 16 km.
+double longest_piece_km(const Footprint& footprint);
+
+/// How many pieces its spline has, from point to point: 16 or more, and as if each way were half as long
+/// again as its chord.
+double spline_pieces(const Footprint& footprint);
+inline constexpr double kMostSplinePieces = 1048576.0;
+
+/// Cells of the map along the longer side of a box, and in all.
+double longest_side_cells(const Footprint& footprint);
+double map_cells(const Footprint& footprint);
+inline constexpr double kMostBoxCells = 67108864.0;
+/// What the map of the dark can hold, which has a cell for 8 x 8 and counts in squares of 32 bits.
+inline constexpr double kMostSideCells = 262000.0;
+
+/// Memory while a map is made, per cell, where a number takes `number_bytes`: flux, ln E where it varies,
+/// four layers of sheets at a time, and both as they were before the flow.
+double bytes_per_cell(const Footprint& footprint, std::size_t number_bytes);
+inline constexpr double kMostMapBytes = 4e9;
+
+}  // namespace vegard::sim

@@ -1,0 +1,48 @@
+// East, north and up of a place on the globe, and what leads from one place's frame to another's.
+#pragma once
+
+#include <cmath>
+
+#include "sim/base/earth.h"
+#include "sim/scene/structs/scene.h"
+
+namespace vegard::sim {
+
+/// Unit vectors in coordinates of the Earth: z through the north pole, x through latitude and longitude 0.
+struct SiteAxes {
+  double axis[3][3];  ///< east, north, up
+};
+
+inline SiteAxes axes_at(const Site& site) {
+  const double lat = site.latitude_deg * kRadiansPerDegree, lon = site.longitude_deg * kRadiansPerDegree;
+  return {{{-std::sin(lon), std::cos(lon), 0.0},
+           {-std::sin(lat) * std::cos(lon), -std::sin(lat) * std::sin(lon), std::cos(lat)},
+           {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)}}};
+}
+
+/// A point of one frame in another: turn p + shift_km. Frames are east, north and up of an observer at its
+/// origin, its altitude included.
+struct SiteTurn {
+  double turn[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+  double shift_km[3] = {0.0, 0.0, 0.0};
+};
+
+inline SiteTurn turn_between(const Site& from, const Site& to) {
+  SiteTurn out;
+  if (from.latitude_deg == to.latitude_deg && from.longitude_deg == to.longitude_deg) {
+    out.shift_km[2] = (from.altitude_m - to.altitude_m) * 1e-3;
+    return out;
+  }
+  const SiteAxes a = axes_at(from), b = axes_at(to);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      out.turn[i][j] = 0.0;
+      for (int k = 0; k < 3; ++k) out.turn[i][j] += b.axis[i][k] * a.axis[j][k];
+    }
+    out.shift_km[i] = out.turn[i][2] * (kEarthRadiusKm + from.altitude_m * 1e-3) -
+                      (i == 2 ? kEarthRadiusKm + to.altitude_m * 1e-3 : 0.0);
+  }
+  return out;
+}
+
+}  // namespace vegard::sim

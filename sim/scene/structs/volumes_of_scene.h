@@ -1,0 +1,141 @@
+// What shines in a scene beside its sheets, marched along rays: plain numbers, as in
+// sim/scene/structs/scene.h.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "sim/scene/structs/east_north.h"
+
+namespace vegard::sim {
+
+/// Aurora by its footprint: light = energy flux at the foot of the field line through a point, times the
+/// height profile of the electrons that fall there (after Lawlor and Genetti 2011, docs/volumes.md).
+struct Footprint {
+  std::string name = "arc";
+  std::string shape =
+      "box";  ///< "box": about a point of the observer's tangent plane; "shell": around the Earth
+  std::string model = "volume";     ///< or "curtain": upright walls without thickness along the splines
+  std::string source = "spline";    ///< or "image", "cube", "sheets", "noise"
+  std::string fall = "field";       ///< along the scene's field, or "vertical" (a shell's always is)
+  EastNorth center_km{0.0, 200.0};  ///< middle of a box, of the feet at 110 km
+  EastNorth size_km{800.0, 600.0};  ///< its whole extent
+  double cell_km = 1.0;             ///< edge of a cell of a box's footprint
+  int face_cells = 1024;  ///< of a shell's footprint: cells along an edge of each of the six cube faces
+
+  /// Points of the spline, in their order: of a box by distance from its middle, of a shell on the globe.
+  std::vector<double> east_km, north_km;
+  std::vector<double> latitude_deg, longitude_deg;
+  bool closed = false;    ///< the last point is followed by the first
+  double width_km = 3.0;  ///< standard deviation of the Gaussian across the curve
+
+  std::string
+      image;  ///< of a picture: north up over a box; equirectangular or "NAME_{face}.png" around the Earth
+  double image_gamma = 1.0;  ///< the energy flux goes as the picture's value to this power
+  std::string energy_image;  ///< of the electrons' energy; empty: the same everywhere
+  double energy_ratio =
+      1.0;  ///< energy where that picture is white, over energy_kev, which is where it is black
+  std::vector<double> point_energy;  ///< at the spline's points, over energy_kev; empty: 1
+  std::vector<double> point_flux;    ///< at the spline's points, over energy_flux_mw_m2; empty: 1
+
+  double noise_scale_km = 120.0;  ///< of the largest waves of a noise footprint
+  int noise_octaves = 5;
+  double noise_coverage = 0.3;  ///< share of the box, roughly, that shines
+
+  double flow_turns = 0.0;      ///< by how many turns the flow winds the brightest part up; 0: none
+  double flow_scale_km = 20.0;  ///< of the ripples that it starts from
+  double flow_ripple = 0.3;     ///< their strength, of that of the sheet's own shear
+
+  std::string light = "lines";  ///< or "colours": two colours, between two altitudes
+  std::array<double, 3> low_colour{0.1, 1.0, 0.3},
+      high_colour{0.9, 0.1, 0.3};  ///< linear, of the sensor's primaries
+  double low_km = 110.0, high_km = 220.0;
+
+  double energy_kev = 3.0;
+  double energy_flux_mw_m2 = 5.0;
+  std::string profile = "maxwellian";  ///< as a sheet's, of a spectrum or a form
+  double energy_spread = 0.2;
+  double peak_km = 110.0, lower_km = 4.0, upper_km = 20.0;
+  double top_km = 300.0;  ///< above which there is no light
+};
+
+/// A nebula, or any cloud beyond the air: emission and absorption of a few density maps (docs/nebulae.md).
+/// Lengths are in units of `unit_pc`.
+struct Nebula {
+  std::string name = "nebula";
+  std::string method = "physical";  ///< or "literal": the march of the source with its constants
+  double azimuth_deg = 0.0, elevation_deg = 45.0;  ///< of its middle
+  double distance_pc = 1000.0;                     ///< of its middle
+  double unit_pc = 1.0;
+  double position_angle_deg = 0.0;    ///< how far it is turned anticlockwise in the picture
+  double bound = 2.8284271247461903;  ///< radius of the sphere that holds it: the source's sqrt(8)
+  double edge = 0.1;                  ///< over which density falls from 1 to 0 (h)
+  double step = 0.02;                 ///< of the march
+
+  std::string gas;   ///< the node of what shines by lines; empty: none
+  std::string glow;  ///< the node of a second light
+  std::string dust;  ///< the node of what absorbs
+  std::vector<double>
+      inner_rayleigh;  ///< per line: of the gas at density 1, to a unit of path, at the middle
+  std::vector<double> outer_rayleigh;             ///< and far out
+  std::vector<double> glow_rayleigh;              ///< of the glow
+  double inner_radius = 0.3, outer_radius = 1.5;  ///< between which the one passes into the other
+  double density_power = 1.0;                     ///< light goes as density to this power
+  double brightness = 1.0;                        ///< times all light
+  double dust_depth = 0.0;                        ///< optical depth at 550 nm of density 1, to a unit of path
+  double dust_exponent = 1.3;                     ///< of wavelength, falling
+  std::array<double, 3> colour_a{1.0, 0.5, 0.3}, colour_b{0.3, 0.6, 1.0};  ///< of the literal march
+};
+
+/// One node of a density map: a signed distance, negative inside, in its nebula's units.
+struct Node {
+  std::string name = "node";
+  std::string kind = "sphere";
+  std::string of;                                   ///< the nodes that it works on, separated by commas
+  std::array<double, 3> center{0.0, 0.0, 0.0};      ///< right, up, towards the observer
+  std::array<double, 3> angles_deg{0.0, 0.0, 0.0};  ///< turns about these axes, one after the other
+  std::array<double, 3> stretch{1.0, 1.0, 1.0};     ///< along them
+  double radius = 1.0;
+  double thickness = 0.1;
+  double length = 1.0;
+  double waist = 0.2;
+  double amplitude = 0.1;
+  double frequency = 1.0;
+  double gain = 0.5;  ///< from one octave to the next
+  double blend = 0.0;
+  int octaves = 5;
+  int seed = 0;
+};
+
+/// Light from an OpenVDB file, as vegard volume writes it (docs/openvdb.md).
+struct Volume {
+  std::string name = "volume";
+  std::string file;                               ///< beside the scene's
+  std::string frame = "site";                     ///< where the file is at home: "site", or "sun"
+  std::array<double, 3> shift_km{0.0, 0.0, 0.0};  ///< east, north, up
+  double gain = 1.0;
+  double extinction_per_km = 0.0;        ///< of density 1 of its grid "density"
+  std::vector<double> density_rayleigh;  ///< light of that density, per line, to a km of path; empty: none
+  double step_voxels = 0.5;              ///< of the march
+};
+
+/// How volumes are marched and how they meet what else is in the picture.
+struct March {
+  double step_km = 2.0;         ///< of aurora by its footprint
+  double step_cells = 2.0;      ///< by which a step moves the foot, at most
+  bool skip = true;             ///< empty space by the distance to the footprint
+  std::string ghosts = "span";  ///< rays begin at the camera; or "literal", the source's rule
+  std::string depth;            ///< a picture of the distance to what stands before the sky; empty: none
+  std::string depth_is =
+      "distance";               ///< km along the ray; or "forward", along the axis; or "log", of the source
+  double depth_gain = 1.0;      ///< km to a unit of that picture
+  double depth_far_km = 1e6;    ///< of a logarithmic depth
+  std::string blend = "alpha";  ///< or "add"
+  int shrink = 1;          ///< every so-many pixels across and down is marched, the others follow by depth
+  double smooth_px = 0.0;  ///< blur of what was marched, to hide its grain
+  double glow = 0.0;       ///< share of the light that is spread about
+  double glow_deg = 1.0;   ///< how far
+};
+
+}  // namespace vegard::sim

@@ -1,0 +1,58 @@
+// The keys of the entries of fit.free and fit.tied, each named once for the reader, the writer and the
+// listings.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/scene/structs/scene.h"
+#include "sim/scene/table/parameter_table.h"
+
+namespace vegard::sim {
+
+inline const char* const free_table = "fit";
+inline const char* const free_key = "free";
+inline const char* const free_path_key = "path";
+inline const char* const free_prior_key = "prior";
+inline const char* const tied_key = "tied";
+
+struct FreeNumberKey {
+  std::string key, meaning;
+  std::optional<double> FreeParameter::*place;
+};
+const std::vector<FreeNumberKey>& free_number_keys();
+
+/// Texts of an entry, beside its path.
+struct FreeTextKey {
+  std::string key, meaning, type;
+  std::string FreeParameter::*place;
+};
+const std::vector<FreeTextKey>& free_text_keys();
+
+struct FreePriorKey {
+  std::string key, meaning;
+  double Prior::*place;
+};
+const std::vector<FreePriorKey>& free_prior_keys();
+
+inline const char* const prior_law_key = "law";
+inline const char* const normal_law = "normal";
+inline const char* const log_normal_law = "log-normal";
+inline const char* const uniform_law = "uniform";
+
+struct TiedKey {
+  std::string key, meaning, type;
+  bool is_needed;
+  std::string TiedParameter::*place;
+};
+const std::vector<TiedKey>& tied_keys();
+
+inline const char* const linear_scale = "linear";
+inline const char* const logarithmic_scale = "logarithmic";
+
+/// On which scale a fit moves a parameter: what the entry says, else the table's; linear for a number without
+/// a path (`row` null).
+ParameterScale scale_of(const FreeParameter& free, const ParameterRow* row);
+
+}  // namespace vegard::sim

@@ -1,0 +1,185 @@
+#include "sim/scene/table/photo_scene.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "sim/base/error.h"
+#include "sim/scene/structs/photo_entry_keys.h"
+#include "sim/scene/table/decoding_word.h"
+#include "sim/scene/table/free_entry_keys.h"
+#include "sim/scene/table/nearest_name.h"
+#include "sim/scene/table/parameter_declarations.h"
+#include "sim/scene/table/parameter_table.h"
+#include "sim/scene/table/table_files.h"
+#include "sim/scene/table/value_check.h"
+
+namespace vegard::sim {
+namespace {
+
+const char* const kLines = "emission.lines";
+
+Origin origin_of(const Scene& scene, const PhotoEntry& entry, const std::string& key) {
+  return {scene.file, entry.line, std::string(free_table) + "." + photo_key + (key.empty() ? "" : "." + key)};
+}
+
+/// What steers the search as a whole is no matter of one photograph; a table's file would not be found again
+/// beside a written scene.
+void refuse_common_keys(const Scene& scene, const PhotoEntry& entry, const ParameterPath& path,
+                        const std::string& value) {
+  static const std::set<std::string> kOfSearch = {"scan_points",        "scan_descents", "overall_trials",
+                                                  "polish_descents",    "search_beams",  "search_smoothing",
+                                                  "profile_smoothness", "decoding"};
+  const Origin origin = origin_of(scene, entry, std::string(photo_set_key) + "." + path.text);
+  if (path.row->table == free_table && kOfSearch.count(path.row->key) > 0)
+    complain({path.text + " is no matter of a single photograph", "a path that a photograph may differ in",
+              path.row->key == "decoding" ? "give the entry a decoding" : "set it in [fit]"},
+             origin);
+  if (declaration_of(*path.row).names_table && value.size() > 2 &&
+      is_table_file(value.substr(1, value.size() - 2)))
+    complain({"a table in a file cannot be set for a single photograph", "the name of what is built in",
+              "set " + path.text + " of the scene"},
+             origin);
+}
+
+template <class Code>
+void with_entrys_line(const Scene& scene, const PhotoEntry& entry, const Code& code) {
+  try {
+    code();
+  } catch (const Error& error) {
+    ErrorDetails details = error.details();
+    details.file = scene.file;
+    if (details.line == 0) details.line = entry.line;
+    if (details.problem.find("photograph '") != 0)
+      details.problem = "photograph '" + entry.name + "': " + details.problem;
+    throw Error(error.kind(), details);
+  }
+}
+
+void carry_sheets(const Station& station, Scene& scene) {
+  for (Sheet& sheet : scene.sheets) station.carry(sheet);
+}
+
+std::set<std::string> paths_set_by(const Scene& scene, const PhotoEntry& entry) {
+  std::set<std::string> paths;
+  for (const auto& [path, value] : entry.set)
+    for (const ParameterPath& p : resolve(scene, path)) paths.insert(p.text);
+  return paths;
+}
+
+/// A number that is free for all photographs is none that one of them has for itself.
+void check_shared_free(const Scene& scene, const PhotoEntry& entry, const Scene& own) {
+  const std::set<std::string> alone = paths_set_by(own, entry);
+  for (const FreeParameter& free : scene.fit.free) {
+    if (!free.photo.empty() || free.path.empty()) continue;
+    for (const ParameterPath& path : resolve(scene, free.path))
+      if (alone.count(path.text) > 0)
+        complain({"free for all photographs, but '" + entry.name + "' sets it for itself",
+                  "shared by all or a matter of each", "give the entry of fit.free photo = \"NAME\""},
+                 {scene.file, free.line, path.text});
+  }
+}
+
+/// Of fit.free what belongs to the photograph alone, as if there were no other, and no ties, which may be to
+/// what is shared.
+void leave_only_own(const PhotoEntry& entry, Scene& own) {
+  std::vector<FreeParameter>& free = own.fit.free;
+  free.erase(
+      std::remove_if(free.begin(), free.end(), [&](const FreeParameter& f) { return f.photo != entry.name; }),
+      free.end());
+  for (FreeParameter& f : free) f.photo.clear();
+  own.fit.tied.clear();
+}
+
+/// Sheets are carried over to another site; nothing else that shines is.
+void refuse_volumes_elsewhere(const Scene& scene, const PhotoEntry& entry, const Scene& of_photo) {
+  if (!station_of_photo(scene, of_photo).is_elsewhere()) return;
+  const char* what = !of_photo.footprints.empty() ? "[[footprint]]"
+                     : !of_photo.nebulae.empty()  ? "[[nebula]]"
+                     : !of_photo.volumes.empty()  ? "[[volume]]"
+                     : of_photo.sun.shown         ? "[sun]"
+                                                  : nullptr;
+  if (what == nullptr) return;
+  complain({"taken from another site, where the scene's " + std::string(what) +
+                " would stand elsewhere: only sheets are carried over",
+            "photographs of volumes from one site", "leave the site out of the photograph's set"},
+           origin_of(scene, entry, photo_set_key));
+}
+
+void check_one(const Scene& scene, const PhotoEntry& entry) {
+  with_entrys_line(scene, entry, [&] {
+    Scene at_home = scene_of_photo_at_home(scene, entry);
+    leave_only_own(entry, at_home);
+    validate(at_home);
+    check_shared_free(scene, entry, at_home);
+    Scene there = at_home;
+    there.fit.free.clear();
+    refuse_volumes_elsewhere(scene, entry, at_home);
+    carry_sheets(station_of_photo(scene, at_home), there);
+    validate(there);
+  });
+}
+
+}  // namespace
+
+Scene scene_of_photo_at_home(const Scene& scene, const PhotoEntry& entry) {
+  Scene own = scene;
+  own.fit.photos.clear();
+  with_entrys_line(scene, entry, [&] {
+    // Lines first: others are lists with an element for each of them.
+    for (const bool lines : {true, false})
+      for (const auto& [path, value] : entry.set) {
+        if ((path == kLines) != lines) continue;
+        if (path == std::string(free_table) + "." + free_key)
+          complain({"fit.free is no matter of a single photograph", "a path that a photograph may differ in",
+                    "give entries of fit.free photo = \"" + entry.name + "\""},
+                   origin_of(scene, entry, photo_set_key));
+        refuse_common_keys(scene, entry, resolve(own, path).front(), value);
+        set_from_text(own, path, value);
+      }
+  });
+  return own;
+}
+
+Station station_of_photo(const Scene& scene, const Scene& of_photo) {
+  return Station(scene.site, of_photo.site);
+}
+
+Scene scene_of_photo(const Scene& scene, const PhotoEntry& entry) {
+  Scene own = scene_of_photo_at_home(scene, entry);
+  leave_only_own(entry, own);
+  carry_sheets(station_of_photo(scene, own), own);
+  return own;
+}
+
+const PhotoEntry* find_photo(const Scene& scene, const std::string& name) {
+  for (const PhotoEntry& entry : scene.fit.photos)
+    if (entry.name == name) return &entry;
+  return nullptr;
+}
+
+void check_photos(const Scene& scene) {
+  std::map<std::string, int> line_of_name;
+  for (const PhotoEntry& entry : scene.fit.photos) {
+    if (entry.file.empty())
+      complain({"the photograph has no file", "file = \"the name of an image\"", ""},
+               origin_of(scene, entry, ""));
+    // It becomes part of the names of files.
+    if (entry.name.find_first_of("/\\") != std::string::npos || entry.name.empty() || entry.name[0] == '.')
+      complain({"'" + entry.name + "' cannot be part of a file's name", "a name without slashes", ""},
+               origin_of(scene, entry, "name"));
+    const auto [earlier, is_new] = line_of_name.emplace(entry.name, entry.line);
+    if (!is_new)
+      complain({"two photographs are called '" + entry.name + "'" +
+                    (earlier->second > 0 ? ", the first in line " + std::to_string(earlier->second) : ""),
+                "a name of its own for each photograph",
+                "a photograph without a name is called by its file's name without its ending"},
+               origin_of(scene, entry, "name"));
+    if (!entry.decoding.empty())
+      if (const auto complaint = decoding_complaint(entry.decoding))
+        complain(*complaint, origin_of(scene, entry, "decoding"));
+  }
+  for (const PhotoEntry& entry : scene.fit.photos) check_one(scene, entry);
+}
+
+}  // namespace vegard::sim

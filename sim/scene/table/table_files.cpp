@@ -1,0 +1,97 @@
+#include "sim/scene/table/table_files.h"
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "sim/base/error.h"
+#include "sim/scene/structs/line_of.h"
+#include "sim/scene/table/decoding_word.h"
+#include "sim/scene/table/parameter_declarations.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr std::size_t kMostBytes = 16 << 20;
+
+template <class Use>
+void for_each_table_key(Scene& scene, const Use& use) {
+  for (const Declaration& d : declarations()) {
+    if (!d.names_table) continue;
+    for (int e = 0; e < element_count(d, scene); ++e) {
+      std::string& value = *std::get<std::string*>(d.at(scene, e, 0));
+      if (!is_table_file(value)) continue;
+      // "curve:FILE.csv" of fit.decoding: a word before the name.
+      const std::size_t word = value.compare(0, kCurveWord.size(), kCurveWord) == 0 ? kCurveWord.size() : 0;
+      std::string name = value.substr(word);
+      use(key_path(d, scene, e), name);
+      value.replace(word, std::string::npos, name);
+    }
+  }
+}
+
+std::string read_text(const Scene& scene, const TableFile& table) {
+  const std::string place = table_place(scene, table.name);
+  const auto fail = [&](const std::string& problem, const std::string& expected) {
+    ErrorDetails details;
+    details.problem = "'" + place + "' " + problem;
+    details.file = scene.file;
+    details.line = line_of(scene, table.path);
+    details.key = table.path;
+    details.expected = expected;
+    details.hint = "its name is relative to the scene's file";
+    throw Error(ErrorKind::unreadable_input, details);
+  };
+  std::error_code ignored;
+  if (!std::filesystem::exists(place, ignored)) fail("is not there", "a CSV file");
+  if (!std::filesystem::is_regular_file(place, ignored)) fail("is no file", "a CSV file");
+  if (std::filesystem::file_size(place, ignored) > kMostBytes) fail("has more than 16 MB", "a table");
+  std::ifstream stream(place, std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(stream)), {});
+  if (!stream) fail("cannot be read", "a CSV file that may be read");
+  return text;
+}
+
+}  // namespace
+
+bool is_table_file(const std::string& value) {
+  constexpr std::string_view kExtension = ".csv";
+  return value.size() > kExtension.size() &&
+         value.compare(value.size() - kExtension.size(), kExtension.size(), kExtension) == 0;
+}
+
+std::vector<TableFile> table_files(const Scene& scene) {
+  std::vector<TableFile> files;
+  // Only read through: the accessors take a Scene they could change.
+  for_each_table_key(const_cast<Scene&>(scene), [&](const std::string& path, const std::string& name) {
+    files.push_back({path, name});
+  });
+  return files;
+}
+
+std::string table_place(const Scene& scene, const std::string& name) {
+  return (std::filesystem::path(scene.file).parent_path() / name).string();
+}
+
+void read_table_files(Scene& scene) {
+  scene.tables.clear();
+  for (const TableFile& table : table_files(scene)) scene.tables[table.path] = read_text(scene, table);
+}
+
+const std::string& table_text(const Scene& scene, const std::string& path) { return scene.tables.at(path); }
+
+Scene with_tables_beside(const Scene& scene) {
+  Scene moved = scene;
+  std::set<std::string> taken;
+  for_each_table_key(moved, [&](const std::string& path, std::string& value) {
+    std::string name = std::filesystem::path(value).filename().string();
+    if (!taken.insert(name).second) {
+      name = path + ".csv";
+      taken.insert(name);
+    }
+    value = name;
+  });
+  return moved;
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,48 @@
+// Checks of single values against their declaration, and of a scene as a whole.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/scene/table/parameter_declarations.h"
+
+namespace vegard::sim {
+
+/// Where a value stands, for messages.
+struct Origin {
+  std::string file;
+  int line = 0;
+  std::string key;
+};
+
+/// Throws Error(scene).
+[[noreturn]] void complain(const Complaint& complaint, const Origin& origin);
+
+/// What would be right, in words: "a number from 0.1 to 20 (keV)", "\"srgb\" or \"smpte-c\"".
+std::string expected_text(const Declaration& declaration);
+
+/// Not finite, outside the limits, or against the rule.
+std::optional<Complaint> number_complaint(const Declaration& declaration, double number);
+
+/// None of the choices, or against the rule.
+std::optional<Complaint> text_complaint(const Declaration& declaration, const std::string& text);
+
+/// A name that is none of fit.photos; empty stands for all photographs.
+std::optional<Complaint> photo_complaint(const Scene& scene, const std::string& photo);
+
+/// Footprints, nebulae with their nodes, and volumes: that what one number needs is there. Throws
+/// Error(scene) with the scene's file.
+void check_volumes(const Scene& scene);
+
+/// The Sun and what stands on it: the same.
+void check_sun(const Scene& scene);
+
+/// Paths, names, limits, scales and priors of fit.free. Throws Error(scene) with the scene's file and the
+/// entry's line.
+void check_free_parameters(const Scene& scene);
+
+/// Paths and expressions of fit.tied, at the numbers that fit.free starts from. To be called after
+/// check_free_parameters(). Throws Error(scene) with the scene's file and the entry's line.
+void check_tied_parameters(const Scene& scene);
+
+}  // namespace vegard::sim

@@ -1,0 +1,80 @@
+#include "sim/view/camera/camera.h"
+
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace vegard::sim {
+
+const double* camera_number_address(const Camera& camera, CameraNumber which) {
+  switch (which) {
+    case azimuth_number:
+      return &camera.azimuth_deg;
+    case elevation_number:
+      return &camera.elevation_deg;
+    case roll_number:
+      return &camera.roll_deg;
+    case scale_number:
+      return camera.model == "pinhole" ? &camera.hfov_deg : &camera.focal_px;
+    case principal_x_number:
+      return &camera.principal_x_px;
+    case principal_y_number:
+      return &camera.principal_y_px;
+    case aspect_number:
+      return &camera.aspect;
+    case k1_number:
+      return &camera.k1;
+    case k2_number:
+      return &camera.k2;
+    case k3_number:
+      return &camera.k3;
+    case p1_number:
+      return &camera.p1;
+    case p2_number:
+      return &camera.p2;
+    case camera_numbers:
+      break;
+  }
+  assert(false);
+  return nullptr;
+}
+
+CameraView<double> camera_view(const Camera& camera) {
+  return camera_view<double>(camera,
+                             [&](CameraNumber which) { return *camera_number_address(camera, which); });
+}
+
+Direction direction_of_pixel(const Camera& camera, double x_px, double y_px) {
+  double enu[3];
+  if (!enu_of_pixel(camera_view(camera), x_px, y_px, enu)) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    return {kNone, kNone};
+  }
+  return direction_of_enu(enu);
+}
+
+Direction direction_of_enu(const double enu[3]) {
+  Direction direction;
+  direction.azimuth_deg = std::atan2(enu[0], enu[1]) / kRadiansPerDegree;
+  if (direction.azimuth_deg < 0.0) direction.azimuth_deg += 360.0;
+  direction.elevation_deg = std::atan2(enu[2], std::hypot(enu[0], enu[1])) / kRadiansPerDegree;
+  return direction;
+}
+
+void enu_of_direction(const Direction& direction, double enu[3]) {
+  const double azimuth = direction.azimuth_deg * kRadiansPerDegree;
+  const double elevation = direction.elevation_deg * kRadiansPerDegree;
+  enu[0] = std::cos(elevation) * std::sin(azimuth);
+  enu[1] = std::cos(elevation) * std::cos(azimuth);
+  enu[2] = std::sin(elevation);
+}
+
+double pixels_per_degree(const Camera& camera) {
+  return camera.model == "pinhole" ? camera.width / camera.hfov_deg : camera.focal_px * kRadiansPerDegree;
+}
+
+double pixels_per_degree_growth(const Camera& camera) {
+  return camera.model == "pinhole" ? -1.0 / camera.hfov_deg : 1.0 / camera.focal_px;
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,179 @@
+// Lenses: from a direction before the camera to a place in the picture, and back.
+//
+// A lens with an axis draws the direction at the angle theta off it at the distance focal_px rho(theta) from
+// the principal point: rho = tan theta (pinhole), theta (equidistant), 2 sin(theta / 2) (equisolid), 2
+// tan(theta / 2) (stereographic), sin theta (orthographic) or theta (1 + k1 theta^2 + k2 theta^4 + k3
+// theta^6) (polynomial). A pinhole may have Brown's distortion, with the five coefficients and signs of
+// OpenCV (D. C. Brown, "Decentering distortion of lenses", Photogrammetric Engineering 32, 1966): its radial
+// terms multiply rho by 1 + k1 r^2 + k2 r^4 + k3 r^6, r = tan theta. The decentring terms p1 and p2 move the
+// place (x, y), in units of focal_px and before the radial terms of a pinhole, by (2 p1 x y + p2 (r^2 + 2
+// x^2), p1 (r^2 + 2 y^2) + 2 p2 x y), in every lens.
+//
+// Camera axes are right, down, forward; pixels are those of docs/architecture.md: the centre of the first one
+// is at (0.5, 0.5). T is double or a dual number over it (sim/base/number/dual.h).
+#pragma once
+
+#include <cmath>
+
+#include "sim/base/number/dual.h"
+#include "sim/scene/structs/scene.h"
+
+namespace vegard::sim {
+
+enum class LensModel : int { pinhole, equidistant, equisolid, stereographic, orthographic, polynomial };
+
+/// By the name in Camera::model.
+LensModel lens_model(const std::string& name);
+
+template <class T>
+struct Lens {
+  LensModel model = LensModel::pinhole;
+  T focal_px;                        ///< across the picture, on the axis
+  T aspect;                          ///< scale down the picture over scale across it
+  T principal_x_px, principal_y_px;  ///< from the picture's upper left corner
+  T k1, k2, k3, p1, p2;
+  double side = 1.0;  ///< -1: left and right are exchanged
+  /// What is farther off the axis than this has no image: the lens's own end, or where its radial terms would
+  /// fold the picture back.
+  double least_cosine = 0.0;
+};
+
+/// Whether the lens is a pinhole without any distortion.
+template <class T>
+bool is_plain_pinhole(const Lens<T>& lens) {
+  return lens.model == LensModel::pinhole && value_of(lens.k1) == 0.0 && value_of(lens.k2) == 0.0 &&
+         value_of(lens.k3) == 0.0 && value_of(lens.p1) == 0.0 && value_of(lens.p2) == 0.0;
+}
+
+/// Where the lens's picture ends, see Lens::least_cosine: by its model and radial terms alone. At most 170
+/// degrees off the axis.
+double least_cosine(LensModel model, double k1, double k2, double k3);
+
+/// rho(theta); of a pinhole with its radial terms.
+template <class T>
+T radius_of_angle(const Lens<T>& lens, const T& theta) {
+  switch (lens.model) {
+    case LensModel::equisolid:
+      return sine(theta * 0.5) * 2.0;
+    case LensModel::stereographic:
+      return tangent(theta * 0.5) * 2.0;
+    case LensModel::orthographic:
+      return sine(theta);
+    case LensModel::pinhole:
+    case LensModel::polynomial: {
+      const T r = lens.model == LensModel::pinhole ? tangent(theta) : theta;
+      const T r2 = r * r;
+      return r * (r2 * (r2 * (r2 * lens.k3 + lens.k2) + lens.k1) + T(1.0));
+    }
+    case LensModel::equidistant:
+      break;
+  }
+  return theta;
+}
+
+/// The decentring terms' shift of a place (x, y) in units of focal_px.
+template <class T>
+void decentring(const Lens<T>& lens, const T& x, const T& y, T& shift_x, T& shift_y) {
+  const T xy = x * y * 2.0, r2 = x * x + y * y;
+  shift_x = lens.p1 * xy + lens.p2 * (r2 + x * x * 2.0);
+  shift_y = lens.p1 * (r2 + y * y * 2.0) + lens.p2 * xy;
+}
+
+/// Where the direction (of any length but 0) is seen; false, and nothing told, if the lens has no image of
+/// it.
+template <class T>
+bool project(const Lens<T>& lens, const T in_camera[3], T& x_px, T& y_px) {
+  const T &right = in_camera[0], &down = in_camera[1], &forward = in_camera[2];
+  const T across2 = right * right + down * down;
+  const double length = std::sqrt(value_of(across2) + value_of(forward) * value_of(forward));
+  if (!(value_of(forward) > lens.least_cosine * length)) return false;
+  T x, y, shift_x, shift_y;
+  if (lens.model == LensModel::pinhole) {
+    x = right / forward;
+    y = down / forward;
+    decentring(lens, x, y, shift_x, shift_y);
+    const T r2 = x * x + y * y;
+    const T radial = r2 * (r2 * (r2 * lens.k3 + lens.k2) + lens.k1) + T(1.0);
+    x = x * radial;
+    y = y * radial;
+  } else {
+    // On the axis itself every lens is a pinhole.
+    const bool on_axis = value_of(across2) < 1e-24 * length * length;
+    T scale;
+    if (on_axis) {
+      scale = T(1.0) / forward;
+    } else {
+      const T across = square_root(across2);
+      scale = radius_of_angle(lens, arctangent(across, forward)) / across;
+    }
+    x = right * scale;
+    y = down * scale;
+    decentring(lens, x, y, shift_x, shift_y);
+  }
+  x_px = lens.principal_x_px + (x + shift_x) * lens.focal_px * lens.side;
+  y_px = lens.principal_y_px + (y + shift_y) * lens.focal_px * lens.aspect;
+  return true;
+}
+
+/// The direction, of length 1, in which a place of the picture looks; false, and nothing told, outside of
+/// what the lens draws. The inverse of project() to 1e-12 of a radian.
+bool unproject(const Lens<double>& lens, double x_px, double y_px, double in_camera[3]);
+
+/// The same with exact derivatives by whatever the lens's numbers are duals of.
+template <class T>
+bool unproject(const Lens<T>& lens, double x_px, double y_px, T in_camera[3]);
+
+/// The solid angle of a pixel there, in steradians: |d direction / d (x, y)|. 0 outside of the lens's
+/// picture.
+double pixel_steradians(const Lens<double>& lens, double x_px, double y_px);
+
+// ---------------------------------------------------------------------------------------------------------
+
+/// The lens with its numbers alone.
+template <class T>
+Lens<double> values_of(const Lens<T>& lens) {
+  Lens<double> plain;
+  plain.model = lens.model;
+  plain.focal_px = value_of(lens.focal_px);
+  plain.aspect = value_of(lens.aspect);
+  plain.principal_x_px = value_of(lens.principal_x_px);
+  plain.principal_y_px = value_of(lens.principal_y_px);
+  plain.k1 = value_of(lens.k1);
+  plain.k2 = value_of(lens.k2);
+  plain.k3 = value_of(lens.k3);
+  plain.p1 = value_of(lens.p1);
+  plain.p2 = value_of(lens.p2);
+  plain.side = lens.side;
+  plain.least_cosine = lens.least_cosine;
+  return plain;
+}
+
+/// Two directions across `direction` and its change of place in the picture by each: d (x, y) / d (a, b).
+struct PlaceSlopes {
+  double across[2][3];
+  double slope[2][2];  ///< [x or y][a or b]
+  double determinant() const { return slope[0][0] * slope[1][1] - slope[0][1] * slope[1][0]; }
+};
+/// Of a direction of length 1 that has an image.
+PlaceSlopes place_slopes(const Lens<double>& lens, const double direction[3]);
+
+template <class T>
+bool unproject(const Lens<T>& lens, double x_px, double y_px, T in_camera[3]) {
+  const Lens<double> plain = values_of(lens);
+  double at[3];
+  if (!unproject(plain, x_px, y_px, at)) return false;
+  // The implicit function theorem: the direction moves so that its place stays.
+  const PlaceSlopes slopes = place_slopes(plain, at);
+  const T there[3] = {T(at[0]), T(at[1]), T(at[2])};
+  T x, y;
+  if (!project(lens, there, x, y)) return false;
+  // To the last bit the value is that without derivatives.
+  const T off_x = x - value_of(x), off_y = y - value_of(y);
+  const double inverse = 1.0 / slopes.determinant();
+  const T a = (off_y * slopes.slope[0][1] - off_x * slopes.slope[1][1]) * inverse;
+  const T b = (off_x * slopes.slope[1][0] - off_y * slopes.slope[0][0]) * inverse;
+  for (int i = 0; i < 3; ++i) in_camera[i] = a * slopes.across[0][i] + b * slopes.across[1][i] + at[i];
+  return true;
+}
+
+}  // namespace vegard::sim

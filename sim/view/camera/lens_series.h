@@ -1,0 +1,60 @@
+// A lens as a series, for the kernel: one polynomial stands for every lens with an axis, without an angle or
+// a branch.
+//
+// With Q = sin^2(theta / 2) = (1 - cos theta) / 2, rho(theta) / sin(theta / 2) is an even function of the
+// angle that is analytic in Q wherever the lens draws anything (Q < 1): S(Q). A direction (x, y, z) of length
+// l is then seen at S(Q) (x, y) / (2 l sqrt(1 - Q)), and the picture's area per steradian is (S^2 + 2 Q S S')
+// / 4, in units of focal_px^2: an equisolid lens has S = 2.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/view/camera/lens.h"
+
+namespace vegard::sim {
+
+template <class T>
+struct LensSeries {
+  static constexpr int kMost = 24;
+  int terms = 0;
+  double most_q = 0.0;  ///< it holds from 0 to here
+  T value[kMost];       ///< S = sum of value[k] T_k(2 Q / most_q - 1), Chebyshev's polynomials
+  T slope[kMost];       ///< the same of dS/dQ
+};
+
+/// Up to `widest_rad` off the axis, at most where the lens ends and 134 degrees. As many terms as leave less
+/// than 1e-9 of the whole away, if kMost are enough for that: beyond 100 degrees they are good to 1e-7.
+template <class T>
+LensSeries<T> lens_series(const Lens<T>& lens, double widest_rad) {
+  constexpr double kPi = 3.14159265358979323846, kFarthest = 0.85;
+  constexpr int n = LensSeries<T>::kMost;
+  LensSeries<T> series;
+  const double sine_of_half = std::sin(0.5 * std::min(widest_rad, std::acos(lens.least_cosine)));
+  series.most_q = std::clamp(sine_of_half * sine_of_half, 1e-6, kFarthest);
+  T at_node[n];
+  for (int i = 0; i < n; ++i) {
+    const double q = 0.5 * series.most_q * (1.0 + std::cos(kPi * (i + 0.5) / n));
+    const double half = std::asin(std::sqrt(q));
+    at_node[i] = radius_of_angle(lens, T(2.0 * half)) * (1.0 / std::sin(half));
+  }
+  for (int k = 0; k < n; ++k) {
+    T sum(0.0);
+    for (int i = 0; i < n; ++i) sum = sum + at_node[i] * std::cos(kPi * k * (i + 0.5) / n);
+    series.value[k] = sum * ((k == 0 ? 1.0 : 2.0) / n);
+  }
+  series.terms = n;
+  const double small = 1e-9 * std::abs(value_of(series.value[0]));
+  while (series.terms > 1 && std::abs(value_of(series.value[series.terms - 1])) < small) --series.terms;
+  // Coefficients of the derivative, from the last to the first.
+  T after(0.0), after_next(0.0);
+  for (int k = series.terms - 1; k >= 0; --k) {
+    const T here = k + 1 < series.terms ? after_next + series.value[k + 1] * (2.0 * (k + 1)) : T(0.0);
+    series.slope[k] = here * ((k == 0 ? 0.5 : 1.0) * 2.0 / series.most_q);
+    after_next = after;
+    after = here;
+  }
+  return series;
+}
+
+}  // namespace vegard::sim

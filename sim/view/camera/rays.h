@@ -1,0 +1,29 @@
+// Rays of a film: from the observer through the middles of its cells.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "sim/base/earth.h"
+#include "sim/view/camera/camera.h"
+
+namespace vegard::sim {
+
+/// The direction, of length 1, of a film's cell; false where the lens sees nothing.
+template <class T>
+bool enu_of_cell(const CameraView<T>& view, const FilmGeometry& film, int row, int column, T enu[3]) {
+  return enu_of_pixel(view, film.x0_px + (column + 0.5) * film.cell_width_px,
+                      film.y0_px + (row + 0.5) * film.cell_height_px, enu);
+}
+
+/// Where a ray from the observer meets the ground, in km; infinity if nowhere. `up` is the direction's third
+/// component.
+inline double ground_km(double observer_altitude_km, double up) {
+  const double radius = kEarthRadiusKm + observer_altitude_km;
+  const double along = radius * up;  // of the observer's place, from the Earth's centre
+  const double square = along * along - (radius * radius - kEarthRadiusKm * kEarthRadiusKm);
+  if (along >= 0.0 || square < 0.0) return std::numeric_limits<double>::infinity();
+  return std::max(0.0, -along - std::sqrt(square));
+}
+
+}  // namespace vegard::sim

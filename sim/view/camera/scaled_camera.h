@@ -1,0 +1,20 @@
+// A camera with fewer or more pixels that sees the same.
+#pragma once
+
+#include "sim/scene/structs/scene.h"
+
+namespace vegard::sim {
+
+struct PictureSize {
+  int width = 0, height = 0;
+};
+
+/// The largest size of the camera's shape, to the nearest pixel, within `most`, and never larger than the
+/// camera's own.
+PictureSize size_within(const Camera& camera, const PictureSize& most);
+
+/// The camera with another number of pixels: what it saw at (x, y) stands at (x w' / w, y h' / h). Where the
+/// two ratios differ, so do a pixel's width and height (Camera::aspect).
+Camera scaled_camera(const Camera& camera, const PictureSize& size);
+
+}  // namespace vegard::sim

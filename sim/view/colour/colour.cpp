@@ -1,0 +1,92 @@
+#include "sim/view/colour/colour.h"
+
+#include <cassert>
+
+#include "sim/base/file/csv_table.h"
+#include "sim/base/number/spline.h"
+
+namespace vegard::sim {
+namespace {
+
+struct Observer {
+  std::vector<double> wavelength_nm;
+  std::array<std::vector<double>, 3> bar, curvature;
+
+  Observer() {
+    const CsvTable table = embedded_csv_table("cie1931_2deg_5nm.csv");
+    wavelength_nm = table.numbers.at(0);
+    for (int i = 0; i < 3; ++i) bar[i] = table.numbers.at(1 + i);
+    assert(wavelength_nm.size() == 81);
+    for (int i = 0; i < 3; ++i) curvature[i] = spline_curvature(wavelength_nm, bar[i]);
+  }
+};
+
+struct Chromaticity {
+  double x, y;
+  Vector3 xyz() const { return {x / y, 1.0, (1.0 - x - y) / y}; }
+};
+
+/// The matrix whose white (equal RGB) is `white` and whose primaries have these chromaticities.
+Matrix3 rgb_from_xyz(const std::array<Chromaticity, 3>& primaries, const Chromaticity& white) {
+  Matrix3 columns;
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) columns[r][c] = primaries[c].xyz()[r];
+  const Vector3 share = product(inverse(columns), white.xyz());
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) columns[r][c] *= share[c];
+  return inverse(columns);
+}
+
+/// XYZ under one white to XYZ that look alike under another: the whites' ratio in the Bradford cone responses
+/// (Lam 1985; the matrix as in ICC.1:2010, annex E).
+Matrix3 bradford(const Chromaticity& from, const Chromaticity& to) {
+  constexpr Matrix3 kCones = {
+      {{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
+  const Vector3 old_white = product(kCones, from.xyz()), new_white = product(kCones, to.xyz());
+  Vector3 ratio;
+  for (int i = 0; i < 3; ++i) ratio[i] = new_white[i] / old_white[i];
+  return product(inverse(kCones), product(diagonal(ratio), kCones));
+}
+
+}  // namespace
+
+Vector3 colour_matching(double wavelength_nm) {
+  static const Observer observer;
+  if (wavelength_nm < observer.wavelength_nm.front() || wavelength_nm > observer.wavelength_nm.back())
+    return {};
+  Vector3 result;
+  for (int i = 0; i < 3; ++i)
+    result[i] =
+        spline_at(observer.wavelength_nm, observer.bar[i], observer.curvature[i], wavelength_nm).value;
+  return result;
+}
+
+Matrix3 rgb_from_xyz(const std::string& primaries) {
+  constexpr Chromaticity kD65{0.3127, 0.3290}, kAces{0.32168, 0.33767};
+  if (primaries == "smpte-c") return rgb_from_xyz({{{0.630, 0.340}, {0.310, 0.595}, {0.155, 0.070}}}, kD65);
+  if (primaries == "rec2020") return rgb_from_xyz({{{0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}}}, kD65);
+  if (primaries == "acescg")
+    return product(rgb_from_xyz({{{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}}}, kAces),
+                   bradford(kD65, kAces));
+  assert(primaries == "srgb");
+  return rgb_from_xyz({{{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}}}, kD65);
+}
+
+Vector3 rgb_of_line(double wavelength_nm, const std::string& primaries) {
+  return product(rgb_from_xyz(primaries), colour_matching(wavelength_nm));
+}
+
+Image rgb_from_rayleigh(const Image& rayleigh, const std::vector<Vector3>& weights) {
+  assert(rayleigh.channels() == static_cast<int>(weights.size()));
+  Image rgb(rayleigh.width, rayleigh.height, {"R", "G", "B"});
+  const std::size_t pixels = static_cast<std::size_t>(rayleigh.width) * rayleigh.height;
+  for (std::size_t p = 0; p < pixels; ++p) {
+    for (std::size_t l = 0; l < weights.size(); ++l) {
+      const double kilorayleigh = rayleigh.data[p * weights.size() + l] * 1e-3;
+      for (int c = 0; c < 3; ++c) rgb.data[p * 3 + c] += static_cast<float>(kilorayleigh * weights[l][c]);
+    }
+  }
+  return rgb;
+}
+
+}  // namespace vegard::sim

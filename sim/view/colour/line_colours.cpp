@@ -1,0 +1,62 @@
+#include "sim/view/colour/line_colours.h"
+
+#include "sim/scene/lines/emission_line.h"
+#include "sim/view/colour/filter_response.h"
+#include "sim/view/colour/sensor_response.h"
+#include "sim/view/colour/sensor_scale.h"
+
+namespace vegard::sim {
+
+double gain_per_kilorayleigh(const Scene& scene) {
+  if (scene.sensor.exposure == "gain") return scene.sensor.gain_per_kilorayleigh;
+  constexpr double kGreenNm = 557.7;
+  const SensorResponse response(scene);
+  const double raw_green = sees_through_filters(scene) ? 1.0
+                                                       : product(inverse(response.rgb_from_raw()),
+                                                                 response.rgb_per_kilorayleigh(kGreenNm))[1];
+  const double white_e = sensor_scale(scene.sensor, scene.time).white_e;
+  return green_electrons_per_kilorayleigh(scene.sensor, scene.time) / (white_e * raw_green);
+}
+
+std::vector<Vector3> line_colours_at_unit_gain(const Scene& scene) {
+  if (sees_through_filters(scene)) return filter_colours(scene);
+  if (scene.sensor.response == "grey")  // to the last bit, also of a line that stands for a band
+    return std::vector<Vector3>(scene.emission.lines.size(), Vector3{1.0, 1.0, 1.0});
+  const SensorResponse response(scene);
+  std::vector<Vector3> colours;
+  for (const double wavelength_nm : scene.emission.lines) {
+    Vector3 colour{};
+    for (const LineComponent& component : find_emission_line(wavelength_nm)->components) {
+      const Vector3 rgb = response.rgb_per_kilorayleigh(component.wavelength_nm);
+      for (int c = 0; c < 3; ++c) colour[c] += component.share * rgb[c];
+    }
+    colours.push_back(colour);
+  }
+  return colours;
+}
+
+Vector3 line_colour(const Scene& scene, double wavelength_nm) {
+  Vector3 colour = SensorResponse(scene).rgb_per_kilorayleigh(wavelength_nm);
+  for (double& channel : colour) channel *= gain_per_kilorayleigh(scene);
+  return colour;
+}
+
+std::vector<Vector3> line_colours(const Scene& scene) {
+  std::vector<Vector3> colours = line_colours_at_unit_gain(scene);
+  for (Vector3& rgb : colours)
+    for (double& channel : rgb) channel *= gain_per_kilorayleigh(scene);
+  return colours;
+}
+
+Matrix3 rgb_from_raw(const Scene& scene) { return SensorResponse(scene).rgb_from_raw(); }
+
+Matrix3 raw_from_rgb(const Scene& scene) { return inverse(rgb_from_raw(scene)); }
+
+std::vector<Vector3> raw_lines_at_unit_gain(const Scene& scene) {
+  const Matrix3 raw_of_rgb = raw_from_rgb(scene);
+  std::vector<Vector3> raw;
+  for (const Vector3& rgb : line_colours_at_unit_gain(scene)) raw.push_back(product(raw_of_rgb, rgb));
+  return raw;
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,32 @@
+#include "sim/view/colour/radiometry.h"
+
+#include "sim/scene/lines/emission_line.h"
+#include "sim/view/colour/colour.h"
+
+namespace vegard::sim {
+
+double radiance_w_m2_sr_per_rayleigh(double wavelength_nm) {
+  constexpr double kMetresPerNanometre = 1e-9;
+  return kPhotonsPerRayleigh_m2_s_sr * kPlanckTimesLight_j_m / (wavelength_nm * kMetresPerNanometre);
+}
+
+double luminance_cd_m2_per_rayleigh(double wavelength_nm) {
+  return kLuminousEfficacy_lm_w * colour_matching(wavelength_nm)[1] *
+         radiance_w_m2_sr_per_rayleigh(wavelength_nm);
+}
+
+double line_luminance_cd_m2_per_rayleigh(double line_nm) {
+  double luminance = 0.0;
+  for (const LineComponent& component : find_emission_line(line_nm)->components)
+    luminance += component.share * luminance_cd_m2_per_rayleigh(component.wavelength_nm);
+  return luminance;
+}
+
+double pixel_photons_s_per_rayleigh(const Optics& optics) {
+  constexpr double kPi = 3.14159265358979323846, kMetresPerMicrometre = 1e-6;
+  const double pixel_m = optics.pixel_um * kMetresPerMicrometre;
+  return kPhotonsPerRayleigh_m2_s_sr * kPi / (4.0 * optics.f_number * optics.f_number) * optics.transmission *
+         pixel_m * pixel_m;
+}
+
+}  // namespace vegard::sim

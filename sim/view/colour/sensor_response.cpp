@@ -1,0 +1,200 @@
+#include "sim/view/colour/sensor_response.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/error.h"
+#include "sim/base/file/csv_table.h"
+#include "sim/scene/structs/line_of.h"
+#include "sim/scene/table/table_files.h"
+#include "sim/view/colour/colour.h"
+#include "sim/view/colour/filter_response.h"
+#include "sim/view/colour/illuminants.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr double kGreenNm = 557.7;
+constexpr const char* kChannels[3] = {"red", "green", "blue"};
+
+/// Sums over wavelengths are taken at these; the tables of light and observer are no finer.
+template <class Use>
+void for_each_nm(const Use& use) {
+  for (double nm = 380.0; nm <= 780.0; nm += 5.0) use(nm, daylight_power(nm, kD65Temperature_k));
+}
+
+CsvTable table_of(const Scene& scene) {
+  const std::string& response = scene.sensor.response;
+  if (!is_table_file(response)) return embedded_csv_table(response + ".csv");
+  return read_csv_table(table_text(scene, "sensor.response"), table_place(scene, response));
+}
+
+ChannelTable channels_of(const Scene& scene) {
+  const CsvTable table = table_of(scene);
+  const bool per_photon = is_table_file(scene.sensor.response) && scene.sensor.response_per == "photon";
+  ChannelTable channels;
+  table.require_increasing("wavelength_nm");
+  table.require_within("wavelength_nm", 100.0, 10000.0);
+  channels.wavelength_nm = table.column("wavelength_nm");
+  for (int c = 0; c < 3; ++c) {
+    table.require_within(kChannels[c], 0.0, 1e30);
+    channels.response[c] = table.column(kChannels[c]);
+    if (per_photon)
+      for (std::size_t i = 0; i < table.rows(); ++i) channels.response[c][i] *= channels.wavelength_nm[i];
+  }
+  const double green = channels.at(kGreenNm)[1];
+  if (!(green > 0.0)) {
+    ErrorDetails details;
+    details.file = table.name;
+    details.key = "sensor.response";
+    details.problem = "the green channel has no response at 557.7 nm";
+    details.expected = "one above 0: it sets the scale of the gain";
+    throw Error(ErrorKind::unreadable_input, details);
+  }
+  const double scale = colour_matching(kGreenNm)[1] / green;
+  for (std::vector<double>& channel : channels.response)
+    for (double& value : channel) value *= scale;
+  return channels;
+}
+
+Matrix3 rgb_of_raw(const ChannelTable& channels, const Sensor& sensor) {
+  const bool daylight = sensor.white_balance_rule == "daylight";
+  const Matrix3 balance = diagonal(daylight ? daylight_balance(channels) : sensor.white_balance);
+  if (sensor.matrix_rule == "none") return balance;
+  if (sensor.matrix_rule == "colorimetric")
+    return product(colorimetric_matrix(channels, sensor.primaries), balance);
+  Matrix3 given;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) given[r][c] = sensor.matrix[3 * r + c];
+  return product(given, balance);
+}
+
+}  // namespace
+
+Vector3 ChannelTable::at(double nm) const {
+  if (nm < wavelength_nm.front() || nm > wavelength_nm.back()) return {};
+  const auto above = std::upper_bound(wavelength_nm.begin(), wavelength_nm.end(), nm);
+  const std::size_t i = std::min<std::size_t>(above - wavelength_nm.begin(), wavelength_nm.size() - 1);
+  if (i == 0) return {response[0][0], response[1][0], response[2][0]};  // a table of one row
+  const double t = (nm - wavelength_nm[i - 1]) / (wavelength_nm[i] - wavelength_nm[i - 1]);
+  Vector3 result;
+  for (int c = 0; c < 3; ++c) result[c] = response[c][i - 1] + t * (response[c][i] - response[c][i - 1]);
+  return result;
+}
+
+Vector3 daylight_balance(const ChannelTable& channels) {
+  Vector3 sum{};
+  for_each_nm([&](double nm, double power) {
+    const Vector3 response = channels.at(nm);
+    for (int c = 0; c < 3; ++c) sum[c] += power * response[c];
+  });
+  Vector3 gains;
+  for (int c = 0; c < 3; ++c) gains[c] = sum[c] > 0.0 ? sum[1] / sum[c] : 1.0;
+  return gains;
+}
+
+Matrix3 colorimetric_matrix(const ChannelTable& channels, const std::string& primaries) {
+  const Vector3 balance = daylight_balance(channels);
+  const Matrix3 from_xyz = rgb_from_xyz(primaries);
+  double white_luminance = 0.0, white_green = 0.0;
+  for_each_nm([&](double nm, double power) {
+    white_luminance += power * colour_matching(nm)[1];
+    white_green += power * channels.at(nm)[1];
+  });
+  // A row (a, b, 1 - a - b) keeps white; what is left to find are a and b of each of the three.
+  double square[2][2] = {}, mixed[3][2] = {};
+  const auto learn = [&](const Vector3& raw, const Vector3& xyz) {
+    Vector3 balanced, scaled;
+    for (int c = 0; c < 3; ++c) {
+      balanced[c] = raw[c] * balance[c] / white_green;
+      scaled[c] = xyz[c] / white_luminance;
+    }
+    const Vector3 wanted = product(from_xyz, scaled);
+    const double slope[2] = {balanced[0] - balanced[2], balanced[1] - balanced[2]};
+    for (int i = 0; i < 2; ++i) {
+      for (int j = 0; j < 2; ++j) square[i][j] += slope[i] * slope[j];
+      for (int row = 0; row < 3; ++row) mixed[row][i] += slope[i] * (wanted[row] - balanced[2]);
+    }
+  };
+  for (double centre = 400.0; centre <= 700.0; centre += 20.0) {
+    for (const double sigma : {15.0, 30.0, 60.0}) {
+      Vector3 raw{}, xyz{}, rest_raw{}, rest_xyz{};
+      for_each_nm([&](double nm, double power) {
+        const double band = std::exp(-0.5 * (nm - centre) * (nm - centre) / (sigma * sigma));
+        const Vector3 response = channels.at(nm), matching = colour_matching(nm);
+        for (int c = 0; c < 3; ++c) {
+          raw[c] += power * band * response[c];
+          xyz[c] += power * band * matching[c];
+          rest_raw[c] += power * (1.0 - band) * response[c];
+          rest_xyz[c] += power * (1.0 - band) * matching[c];
+        }
+      });
+      learn(raw, xyz);
+      learn(rest_raw, rest_xyz);
+    }
+  }
+  const double determinant = square[0][0] * square[1][1] - square[0][1] * square[1][0];
+  // Channels that are all alike have no colour to find: their light stays grey.
+  if (!(determinant > 1e-12 * square[0][0] * square[1][1])) return kIdentity3;
+  Matrix3 matrix;
+  for (int row = 0; row < 3; ++row) {
+    const double a = (mixed[row][0] * square[1][1] - mixed[row][1] * square[0][1]) / determinant;
+    const double b = (mixed[row][1] * square[0][0] - mixed[row][0] * square[1][0]) / determinant;
+    matrix[row] = {a, b, 1.0 - a - b};
+  }
+  return matrix;
+}
+
+SensorResponse::SensorResponse(const Scene& scene)
+    : is_cie_(scene.sensor.response == "cie"), is_grey_(scene.sensor.response == "grey") {
+  if (is_grey_) {
+    rgb_from_channels_ = kIdentity3;
+    return;
+  }
+  if (is_cie_) {
+    rgb_from_channels_ = rgb_from_xyz(scene.sensor.primaries);
+    return;
+  }
+  const bool filters = sees_through_filters(scene);
+  table_ = filters ? filter_channels(scene) : channels_of(scene);
+  if (table_.wavelength_nm.empty()) table_.wavelength_nm = {kGreenNm}, table_.response.fill({0.0});
+  first_nm_ = table_.wavelength_nm.front();
+  last_nm_ = table_.wavelength_nm.back();
+  if (filters) {
+    rgb_from_channels_ = kIdentity3;
+    return;
+  }
+  rgb_from_raw_ = rgb_of_raw(table_, scene.sensor);
+  constexpr double kLeastDeterminant = 1e-9;
+  // Not the other way round: what is no number is refused too.
+  if (!(relative_determinant(rgb_from_raw_) > kLeastDeterminant)) {
+    const bool is_given = scene.sensor.matrix_rule == "given";
+    ErrorDetails details;
+    details.file = scene.file;
+    details.key = is_given ? "sensor.matrix" : "sensor.response";
+    details.line = line_of(scene, details.key);
+    details.problem = is_given ? "the matrix has no inverse: two colours would become one"
+                               : "the three channels do not tell three colours apart";
+    details.expected = is_given ? "rows that are no multiples or sums of each other"
+                                : "red, green and blue channels that differ, none of them dark";
+    throw Error(ErrorKind::scene, details);
+  }
+  rgb_from_channels_ = rgb_from_raw_;
+}
+
+Vector3 SensorResponse::channels_of_power(double wavelength_nm) const {
+  if (is_grey_) {
+    const double per_photon = colour_matching(kGreenNm)[1] * wavelength_nm / kGreenNm;
+    return {per_photon, per_photon, per_photon};
+  }
+  return is_cie_ ? colour_matching(wavelength_nm) : table_.at(wavelength_nm);
+}
+
+Vector3 SensorResponse::rgb_per_kilorayleigh(double wavelength_nm) const {
+  Vector3 rgb = product(rgb_from_channels_, channels_of_power(wavelength_nm));
+  // A rayleigh counts photons, whose energy falls with their wavelength.
+  for (double& channel : rgb) channel *= (kGreenNm / wavelength_nm) / colour_matching(kGreenNm)[1];
+  return rgb;
+}
+
+}  // namespace vegard::sim

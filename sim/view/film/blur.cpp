@@ -1,0 +1,203 @@
+#include "sim/view/film/blur.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "sim/base/parallel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sim/view/film/blur.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace vegard::sim {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// out[i] = weights[0] in[i] + sum over k of weights[k] (before[k][i] + after[k][i]); a null pointer is
+/// darkness.
+void WeightedSum(const float* in, const float* const* before, const float* const* after, const float* weights,
+                 int radius, float* out, std::size_t count) {
+  const hn::ScalableTag<float> d;
+  const std::size_t lanes = hn::Lanes(d);
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes) {
+    auto sum = hn::Mul(hn::LoadU(d, in + i), hn::Set(d, weights[0]));
+    for (int k = 1; k <= radius; ++k) {
+      auto pair = hn::Zero(d);
+      if (before[k] != nullptr) pair = hn::LoadU(d, before[k] + i);
+      if (after[k] != nullptr) pair = hn::Add(pair, hn::LoadU(d, after[k] + i));
+      sum = hn::Add(sum, hn::Mul(pair, hn::Set(d, weights[k])));
+    }
+    hn::StoreU(sum, d, out + i);
+  }
+  for (; i < count; ++i) {
+    float sum = in[i] * weights[0];
+    for (int k = 1; k <= radius; ++k) {
+      float pair = 0.0f;
+      if (before[k] != nullptr) pair = before[k][i];
+      if (after[k] != nullptr) pair = pair + after[k][i];
+      sum = sum + pair * weights[k];
+    }
+    out[i] = sum;
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace vegard::sim
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace vegard::sim {
+
+HWY_EXPORT(WeightedSum);
+
+namespace {
+
+constexpr double kReach = 4.0;  // standard deviations
+constexpr int kRowsPerTask = 16;
+
+int reach(double sigma, int radius) {
+  return radius >= 0 ? radius : static_cast<int>(std::ceil(kReach * sigma));
+}
+
+/// The normal distribution function.
+double below(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
+double density(double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * std::acos(-1.0)); }
+
+template <class Body>
+void for_blocks(int rows, int threads, const Body& body) {
+  const std::size_t tasks = static_cast<std::size_t>((rows + kRowsPerTask - 1) / kRowsPerTask);
+  parallel_for(tasks, threads, [&](std::size_t task, int) {
+    const int first = static_cast<int>(task) * kRowsPerTask;
+    body(first, std::min(rows, first + kRowsPerTask));
+  });
+}
+
+template <class Body>
+void for_rows(int rows, int threads, const Body& body) {
+  for_blocks(rows, threads, [&](int first, int end) {
+    for (int row = first; row < end; ++row) body(row);
+  });
+}
+
+}  // namespace
+
+BlurKernel gaussian_kernel(double sigma, int radius) {
+  if (sigma <= 0.0) return {{1.0f}};
+  const int n = reach(sigma, radius);
+  std::vector<double> weights(n + 1);
+  double sum = 0.0;
+  for (int k = 0; k <= n; ++k) {
+    weights[k] = below((k + 0.5) / sigma) - below((k - 0.5) / sigma);
+    sum += (k == 0 ? 1.0 : 2.0) * weights[k];
+  }
+  BlurKernel kernel;
+  for (double w : weights) kernel.weights.push_back(static_cast<float>(w / sum));
+  return kernel;
+}
+
+BlurKernel gaussian_kernel_derivative(double sigma, int radius) {
+  const int n = reach(sigma, radius);
+  std::vector<double> weights(n + 1), growth(n + 1);
+  double sum = 0.0, sum_growth = 0.0;
+  for (int k = 0; k <= n; ++k) {
+    const double high = (k + 0.5) / sigma, low = (k - 0.5) / sigma;
+    weights[k] = below(high) - below(low);
+    growth[k] = (low * density(low) - high * density(high)) / sigma;
+    sum += (k == 0 ? 1.0 : 2.0) * weights[k];
+    sum_growth += (k == 0 ? 1.0 : 2.0) * growth[k];
+  }
+  BlurKernel kernel;
+  for (int k = 0; k <= n; ++k)
+    kernel.weights.push_back(static_cast<float>(growth[k] / sum - weights[k] * sum_growth / (sum * sum)));
+  return kernel;
+}
+
+void blur_down_row(const float* in, float* out, int rows, int columns, int channels, const BlurKernel& kernel,
+                   int row) {
+  const std::ptrdiff_t pitch = static_cast<std::ptrdiff_t>(columns) * channels;
+  const int radius = kernel.radius();
+  std::vector<const float*> before(radius + 1, nullptr), after(radius + 1, nullptr);
+  for (int k = 1; k <= radius; ++k) {
+    if (row - k >= 0) before[k] = in + (row - k) * pitch;
+    if (row + k < rows) after[k] = in + (row + k) * pitch;
+  }
+  HWY_DYNAMIC_DISPATCH(WeightedSum)
+  (in + row * pitch, before.data(), after.data(), kernel.weights.data(), radius, out,
+   static_cast<std::size_t>(pitch));
+}
+
+void blur_down(const float* in, float* out, int rows, int columns, int channels, const BlurKernel& kernel,
+               int threads) {
+  const std::ptrdiff_t pitch = static_cast<std::ptrdiff_t>(columns) * channels;
+  for_rows(rows, threads,
+           [&](int row) { blur_down_row(in, out + row * pitch, rows, columns, channels, kernel, row); });
+}
+
+void blur_across(const float* in, float* out, int rows, int columns, int channels, const BlurKernel& kernel,
+                 int threads) {
+  const std::ptrdiff_t pitch = static_cast<std::ptrdiff_t>(columns) * channels;
+  const int radius = kernel.radius();
+  for_rows(rows, threads, [&](int row) {
+    // The row with darkness on both sides, so that every shift of it is an ordinary array.
+    const std::ptrdiff_t margin = static_cast<std::ptrdiff_t>(radius) * channels;
+    std::vector<float> wide(static_cast<std::size_t>(pitch + 2 * margin), 0.0f);
+    std::copy_n(in + row * pitch, pitch, wide.begin() + margin);
+    const float* centre = wide.data() + margin;
+    std::vector<const float*> before(radius + 1, nullptr), after(radius + 1, nullptr);
+    for (int k = 1; k <= radius; ++k) {
+      before[k] = centre - static_cast<std::ptrdiff_t>(k) * channels;
+      after[k] = centre + static_cast<std::ptrdiff_t>(k) * channels;
+    }
+    HWY_DYNAMIC_DISPATCH(WeightedSum)
+    (centre, before.data(), after.data(), kernel.weights.data(), radius, out + row * pitch,
+     static_cast<std::size_t>(pitch));
+  });
+}
+
+void blur_window(const float* in, int rows, int columns, const std::vector<BlurKernel>& kernels,
+                 const Window& window, float* out, int threads) {
+  const std::ptrdiff_t pitch = static_cast<std::ptrdiff_t>(kernels.size());
+  for_blocks(window.rows, threads, [&](int first_row, int end_row) {
+    std::vector<float> down, both(window.columns);
+    std::vector<const float*> before, after;
+    for (std::ptrdiff_t plane = 0; plane < pitch; ++plane) {
+      const BlurKernel& kernel = kernels[plane];
+      const int radius = kernel.radius();
+      // What the window needs of a row that is blurred down; beyond the plane's edges it stays dark.
+      const int first = std::max(0, window.first_column - radius);
+      const int end = std::min(columns, window.first_column + window.columns + radius);
+      const int dark = first - (window.first_column - radius);
+      down.assign(static_cast<std::size_t>(window.columns) + 2 * radius, 0.0f);
+      before.assign(radius + 1, nullptr);
+      after.assign(radius + 1, nullptr);
+      for (int y = first_row; y < end_row; ++y) {
+        const int row = window.first_row + y;
+        const float* centre = in + (plane * rows + row) * columns + first;
+        for (int k = 1; k <= radius; ++k) {
+          const std::ptrdiff_t away = static_cast<std::ptrdiff_t>(k) * columns;
+          before[k] = row - k >= 0 ? centre - away : nullptr;
+          after[k] = row + k < rows ? centre + away : nullptr;
+        }
+        HWY_DYNAMIC_DISPATCH(WeightedSum)
+        (centre, before.data(), after.data(), kernel.weights.data(), radius, down.data() + dark,
+         static_cast<std::size_t>(end - first));
+        for (int k = 1; k <= radius; ++k) {
+          before[k] = down.data() + radius - k;
+          after[k] = down.data() + radius + k;
+        }
+        HWY_DYNAMIC_DISPATCH(WeightedSum)
+        (down.data() + radius, before.data(), after.data(), kernel.weights.data(), radius, both.data(),
+         both.size());
+        float* to = out + static_cast<std::ptrdiff_t>(y) * window.columns * pitch + plane;
+        for (int x = 0; x < window.columns; ++x) to[x * pitch] = both[x];
+      }
+    }
+  });
+}
+
+}  // namespace vegard::sim
+#endif

@@ -1,0 +1,23 @@
+// Where a picture is brightest.
+#pragma once
+
+#include <vector>
+
+#include "sim/base/image.h"
+#include "sim/scene/structs/scene.h"
+
+namespace vegard::sim {
+
+/// A pixel, by column and row from 0, and where its centre looks.
+struct BrightSpot {
+  int x = 0, y = 0;
+  double azimuth_deg = 0.0, elevation_deg = 0.0;
+  double value = 0.0;            ///< weighted sum of the lines
+  std::vector<double> rayleigh;  ///< of every line there
+};
+
+/// The pixel where the sum of the lines' rayleighs, each times its weight, is largest; the first of equals,
+/// row by row. One weight per channel.
+BrightSpot brightest_spot(const Image& rayleigh, const std::vector<double>& weights, const Camera& camera);
+
+}  // namespace vegard::sim

@@ -1,0 +1,97 @@
+#include "sim/view/sky/bright_stars.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cctype>
+#include <charconv>
+#include <string_view>
+
+#include "sim/base/embedded_table.h"
+
+namespace vegard::sim {
+namespace {
+
+std::vector<std::string> cells_of(std::string_view line) {
+  std::vector<std::string> cells(1);
+  for (const char c : line) {
+    if (c == ',') {
+      cells.emplace_back();
+    } else {
+      cells.back() += c;
+    }
+  }
+  return cells;
+}
+
+/// 0 for an empty cell.
+template <typename Number>
+Number number_in(const std::string& cell) {
+  Number number{};
+  std::from_chars(cell.data(), cell.data() + cell.size(), number);
+  return number;
+}
+
+std::vector<BrightStar> read_table() {
+  const std::string_view text = embedded_table("bright_stars.csv");
+  std::vector<BrightStar> stars;
+  bool header = true;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = text.substr(begin, end - begin);
+    begin = end + 1;
+    if (line.empty() || line.front() == '#') continue;
+    if (header) {
+      header = false;
+      continue;
+    }
+    const std::vector<std::string> cells = cells_of(line);
+    assert(cells.size() == 9);
+    BrightStar star;
+    star.hip = number_in<int>(cells[0]);
+    star.hd = number_in<int>(cells[1]);
+    star.designation = cells[2];
+    star.name = cells[3];
+    star.place.j2000 = {number_in<double>(cells[4]), number_in<double>(cells[5])};
+    star.place.motion_ra_mas_per_year = number_in<double>(cells[6]);
+    star.place.motion_dec_mas_per_year = number_in<double>(cells[7]);
+    star.magnitude = number_in<double>(cells[8]);
+    stars.push_back(star);
+  }
+  return stars;
+}
+
+/// Small letters, blanks left out.
+std::string plain(const std::string& words) {
+  std::string out;
+  for (const char c : words)
+    if (!std::isspace(static_cast<unsigned char>(c)))
+      out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+}  // namespace
+
+std::string BrightStar::label() const {
+  if (!name.empty()) return name;
+  if (!designation.empty()) return designation;
+  return "HIP " + std::to_string(hip);
+}
+
+const std::vector<BrightStar>& bright_stars() {
+  static const std::vector<BrightStar> stars = read_table();
+  return stars;
+}
+
+const BrightStar* find_bright_star(const std::string& words) {
+  const std::string wanted = plain(words);
+  if (wanted.empty()) return nullptr;
+  for (const BrightStar& star : bright_stars()) {
+    if (wanted == plain(star.name) || wanted == plain(star.designation) ||
+        wanted == "hip" + std::to_string(star.hip) ||
+        (star.hd > 0 && wanted == "hd" + std::to_string(star.hd)))
+      return &star;
+  }
+  return nullptr;
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,84 @@
+#include "sim/view/sky/night_sky.h"
+
+#include <cmath>
+
+#include "sim/base/parallel.h"
+#include "sim/view/colour/line_colours.h"
+#include "sim/view/sky/airglow.h"
+#include "sim/view/sky/continuum_colour.h"
+#include "sim/view/sky/light_pollution.h"
+#include "sim/view/sky/twilight.h"
+
+namespace vegard::sim {
+namespace {
+
+Vector3 times(double factor, Vector3 rgb) {
+  for (double& channel : rgb) channel *= factor;
+  return rgb;
+}
+
+}  // namespace
+
+bool has_night_sky(const Scene& scene) {
+  const Airglow& glow = scene.airglow;
+  return glow.green_rayleigh > 0.0 || glow.red_rayleigh > 0.0 || glow.sodium_rayleigh > 0.0 ||
+         scene.twilight.shown || scene.light_pollution.luminance_mcd_m2 > 0.0;
+}
+
+template <class T>
+NightSky<T>::NightSky(const Scene& scene)
+    : twilight_(scene.twilight),
+      town_(scene.light_pollution),
+      observer_km_(scene.site.altitude_m * 1e-3),
+      lowest_sine_(sine_of_horizon(observer_km_)),
+      air_(scene),
+      town_luminance_(sky_number<T>(scene, sky_pollution)) {
+  const double gain = scene.sky.lights_gain;
+  for (const AirglowLayer& layer : kAirglowLayers)
+    glows_.push_back({layer.altitude_km, sky_number<T>(scene, layer.brightness),
+                      times(1e-3 * gain, line_colour(scene, layer.wavelength_nm)),
+                      LineDepths<T>(layer.wavelength_nm, sky_number<T>(scene, sky_aerosol_depth),
+                                    sky_number<T>(scene, sky_angstrom), scene.air.ozone_dobson)});
+  if (twilight_.shown)
+    twilight_rgb_ = times(gain, colour_of_continuum(scene, twilight_spectrum(twilight_.sun_elevation_deg)));
+  const Spectrum lamps = black_body(town_.colour_temperature_k);
+  town_rgb_ = times(1e-3 * gain / luminance_of_continuum(lamps), colour_of_continuum(scene, lamps));
+}
+
+template <class T>
+std::array<T, 3> NightSky<T>::light(const SightLine<T>& line) const {
+  std::array<T, 3> rgb = {T(0.0), T(0.0), T(0.0)};
+  if (value_of(line.up) < lowest_sine_) return rgb;
+  const auto add = [&](const T& brightness, const Vector3& colour) {
+    for (int c = 0; c < 3; ++c) rgb[c] = rgb[c] + brightness * colour[c];
+  };
+  Airmasses<T> through{T(0.0), T(0.0), T(0.0)};
+  if (!air_.none()) through = air_.towards(line.up);
+  for (const Glow& glow : glows_)
+    add(glow.rayleighs * van_rhijn(line.up, glow.altitude_km, observer_km_) *
+            glow.depths.transmission(through),
+        glow.rgb_per_rayleigh);
+  if (twilight_.shown) add(twilight_gradient(line, twilight_), twilight_rgb_);
+  add(town_luminance_ * light_pollution_share(line, town_), town_rgb_);
+  return rgb;
+}
+
+template class NightSky<double>;
+template class NightSky<SkyDual>;
+
+Image night_sky_light(const Scene& scene, int threads) {
+  Image light(scene.camera.width, scene.camera.height, {"R", "G", "B"});
+  const SkyView<double> view(scene);
+  const NightSky<double> sky(scene);
+  parallel_for(static_cast<std::size_t>(light.height), threads, [&](std::size_t row, int) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < light.width; ++x) {
+      if (!view.sees(x + 0.5, y + 0.5)) continue;
+      const std::array<double, 3> rgb = sky.light(view.at(x + 0.5, y + 0.5));
+      for (int c = 0; c < 3; ++c) light.at(x, y, c) = static_cast<float>(rgb[c]);
+    }
+  });
+  return light;
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,152 @@
+#include "sim/view/sky/star_place.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/earth.h"
+#include "sim/view/sky/instant.h"
+
+namespace vegard::sim {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+constexpr double kSecond = kRadiansPerDegree / 3600.0;  // of arc
+constexpr double kDaysPerYear = 365.25;
+
+Vector vector_of(const Equatorial& place) {
+  const double a = place.right_ascension_deg * kRadiansPerDegree,
+               d = place.declination_deg * kRadiansPerDegree;
+  return {std::cos(d) * std::cos(a), std::cos(d) * std::sin(a), std::sin(d)};
+}
+
+Equatorial place_of(const Vector& v) {
+  double a = std::atan2(v[1], v[0]) / kRadiansPerDegree;
+  if (a < 0.0) a += 360.0;
+  return {a, std::atan2(v[2], std::hypot(v[0], v[1])) / kRadiansPerDegree};
+}
+
+/// The vector in axes that are turned about the first (0) or third (2) of the old ones by an angle,
+/// anticlockwise.
+Vector turned(const Vector& v, int axis, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  if (axis == 0) return {v[0], c * v[1] + s * v[2], -s * v[1] + c * v[2]};
+  if (axis == 1) return {c * v[0] - s * v[2], v[1], s * v[0] + c * v[2]};
+  return {c * v[0] + s * v[1], -s * v[0] + c * v[1], v[2]};
+}
+
+Vector moved(const CataloguePlace& star, double julian_date) {
+  const double a = star.j2000.right_ascension_deg * kRadiansPerDegree;
+  const double d = star.j2000.declination_deg * kRadiansPerDegree;
+  const double years = (julian_date - kJ2000) / kDaysPerYear;
+  const double east = star.motion_ra_mas_per_year * 1e-3 * kSecond * years;
+  const double north = star.motion_dec_mas_per_year * 1e-3 * kSecond * years;
+  Vector v = vector_of(star.j2000);
+  // In a straight line, as the stars go: near the poles an angle a year would not do.
+  v[0] += -std::sin(a) * east - std::sin(d) * std::cos(a) * north;
+  v[1] += std::cos(a) * east - std::sin(d) * std::sin(a) * north;
+  v[2] += std::cos(d) * north;
+  return v;
+}
+
+Vector precessed(const Vector& v, double julian_date) {
+  const double t = (julian_date - kJ2000) / kDaysPerCentury;
+  const double zeta = t * (2306.2181 + t * (0.30188 + t * 0.017998)) * kSecond;
+  const double z = t * (2306.2181 + t * (1.09468 + t * 0.018203)) * kSecond;
+  const double theta = t * (2004.3109 - t * (0.42665 + t * 0.041833)) * kSecond;
+  return turned(turned(turned(v, 2, -zeta), 1, theta), 2, -z);
+}
+
+/// What the sky of an instant hangs on, in radians (Meeus, chapters 22 and 25).
+struct Sky {
+  double obliquity, nutation_in_longitude, nutation_in_obliquity, sun_longitude;
+};
+
+Sky sky_of(double julian_date) {
+  const double t = (julian_date - kJ2000) / kDaysPerCentury;
+  const double node = (125.04452 - 1934.136261 * t) * kRadiansPerDegree;
+  const double sun = (280.46646 + 36000.76983 * t) * kRadiansPerDegree;  // mean longitudes
+  const double moon = (218.3165 + 481267.8813 * t) * kRadiansPerDegree;
+  const double anomaly = (357.52911 + 35999.05029 * t) * kRadiansPerDegree;
+  Sky sky;
+  sky.nutation_in_longitude = (-17.20 * std::sin(node) - 1.32 * std::sin(2.0 * sun) -
+                               0.23 * std::sin(2.0 * moon) + 0.21 * std::sin(2.0 * node)) *
+                              kSecond;
+  sky.nutation_in_obliquity = (9.20 * std::cos(node) + 0.57 * std::cos(2.0 * sun) +
+                               0.10 * std::cos(2.0 * moon) - 0.09 * std::cos(2.0 * node)) *
+                              kSecond;
+  sky.obliquity = (84381.448 - 46.8150 * t) * kSecond;
+  sky.sun_longitude = sun + (1.9146 * std::sin(anomaly) + 0.02 * std::sin(2.0 * anomaly)) * kRadiansPerDegree;
+  return sky;
+}
+
+Vector aberrated(const Vector& v, const Sky& sky) {
+  constexpr double kAberration = 20.49552 * kSecond;
+  const double s = std::sin(sky.sun_longitude), c = std::cos(sky.sun_longitude);
+  // The Earth moves a quarter of a turn behind the Sun's place.
+  return {v[0] + kAberration * s, v[1] - kAberration * c * std::cos(sky.obliquity),
+          v[2] - kAberration * c * std::sin(sky.obliquity)};
+}
+
+Vector nutated(const Vector& v, const Sky& sky) {
+  const Vector ecliptic = turned(turned(v, 0, sky.obliquity), 2, -sky.nutation_in_longitude);
+  return turned(ecliptic, 0, -(sky.obliquity + sky.nutation_in_obliquity));
+}
+
+Vector apparent(const CataloguePlace& star, double julian_date) {
+  const Sky sky = sky_of(julian_date);
+  return nutated(aberrated(precessed(moved(star, julian_date), julian_date), sky), sky);
+}
+
+/// The standard atmosphere's share of the refraction of 1010 hPa and 10 degrees at this height.
+double refraction_at(double true_elevation_deg, double height_m) {
+  constexpr double kTropopause_m = 11000.0, kLapse_c_per_m = 0.0065;
+  const double low_m = std::clamp(height_m, -500.0, kTropopause_m);
+  const double temperature_c = 15.0 - kLapse_c_per_m * low_m;
+  double pressure_hpa = 1013.25 * std::pow(1.0 - 2.25577e-5 * low_m, 5.25588);
+  if (height_m > kTropopause_m) pressure_hpa *= std::exp(-(height_m - kTropopause_m) / 6341.6);
+  return refraction_deg(true_elevation_deg, pressure_hpa, temperature_c);
+}
+
+}  // namespace
+
+Equatorial mean_place(const CataloguePlace& star, double julian_date) {
+  return place_of(precessed(moved(star, julian_date), julian_date));
+}
+
+Equatorial apparent_place(const CataloguePlace& star, double julian_date) {
+  return place_of(apparent(star, julian_date));
+}
+
+std::array<double, 3> direction_of_star(const CataloguePlace& star, const Observer& observer,
+                                        double julian_date) {
+  const Sky sky = sky_of(julian_date);
+  const Equatorial place = apparent_place(star, julian_date);
+  const double equinoxes_deg = sky.nutation_in_longitude * std::cos(sky.obliquity) / kRadiansPerDegree;
+  const double hour_angle = (mean_sidereal_time_deg(julian_date) + equinoxes_deg + observer.longitude_deg -
+                             place.right_ascension_deg) *
+                            kRadiansPerDegree;
+  const double d = place.declination_deg * kRadiansPerDegree, f = observer.latitude_deg * kRadiansPerDegree;
+  double east = -std::cos(d) * std::sin(hour_angle);
+  double north = std::sin(d) * std::cos(f) - std::cos(d) * std::cos(hour_angle) * std::sin(f);
+  double up = std::sin(d) * std::sin(f) + std::cos(d) * std::cos(hour_angle) * std::cos(f);
+  if (observer.refracting_air) {
+    const double level = std::hypot(east, north), elevation = std::atan2(up, level);
+    const double seen =
+        elevation + refraction_at(elevation / kRadiansPerDegree, observer.height_m) * kRadiansPerDegree;
+    const double scale = level > 0.0 ? std::cos(seen) / level : 0.0;
+    east *= scale;
+    north *= scale;
+    up = std::sin(seen);
+  }
+  return {east, north, up};
+}
+
+double refraction_deg(double true_elevation_deg, double pressure_hpa, double temperature_c) {
+  if (true_elevation_deg < -1.0) return 0.0;
+  const double angle_deg = true_elevation_deg + 10.3 / (true_elevation_deg + 5.11);
+  const double minutes = 1.02 / std::tan(angle_deg * kRadiansPerDegree);
+  return std::max(0.0, minutes * pressure_hpa / 1010.0 * 283.0 / (273.0 + temperature_c)) / 60.0;
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,207 @@
+#include "fit/answer/verdict.h"
+
+#include <gtest/gtest.h>
+
+namespace vegard::fit {
+namespace {
+
+/// A fit with nothing against it.
+FitResult fine() {
+  FitResult r;
+  r.chi2 = 1000.0;
+  r.dof = 1000;
+  r.rms_over_peak = 0.01;
+  r.error_inflation = 2.0;
+  FittedParameter p;
+  p.path = "sheet.main.energy_kev";
+  p.sigma = 0.1;
+  p.moved_sigma = 3.0;
+  r.chi2_initial = 5e5;
+  r.steepest_cosine = 0.001;
+  r.parameters.push_back(p);
+  return r;
+}
+
+Evidence clear() {
+  Evidence e;
+  e.converged = true;
+  e.chi2_without_aurora = 1e6;
+  return e;
+}
+
+TEST(Judge, BelievesWhatNothingSpeaksAgainst) {
+  FitResult r = fine();
+  judge(clear(), r);
+  EXPECT_EQ(r.verdict, Verdict::good);
+  EXPECT_TRUE(r.reasons.empty());
+}
+
+TEST(Judge, NotesAChi2ThatProvesLittle) {
+  FitResult r = fine();
+  r.chi2 = 290.0;
+  judge(clear(), r);
+  EXPECT_EQ(r.verdict, Verdict::good);
+  ASSERT_EQ(r.reasons.size(), 1u);
+  EXPECT_NE(r.reasons[0].find("proves little"), std::string::npos);
+}
+
+TEST(Judge, DoubtsForEachReasonByItself) {
+  const auto doubts = [](const Evidence& evidence, FitResult r, const std::string& word) {
+    judge(evidence, r);
+    EXPECT_EQ(r.verdict, Verdict::doubtful) << word;
+    ASSERT_EQ(r.reasons.size(), 1u) << word;
+    EXPECT_NE(r.reasons[0].find(word), std::string::npos) << r.reasons[0];
+    EXPECT_NE(r.verdict_line.find(word), std::string::npos) << r.verdict_line;
+  };
+  FitResult r = fine();
+  r.chi2 = 3100.0;
+  doubts(clear(), r, "misses something");
+  r = fine();
+  r.rms_over_peak = 0.11;
+  doubts(clear(), r, "rms residual");
+  r = fine();
+  r.error_inflation = 10.1;  // 102 residuals to one independent value: fewer than ten are left
+  doubts(clear(), r, "patterns");
+  r = fine();
+  r.parameters[0].at_limit = true;
+  doubts(clear(), r, "at a limit");
+  r = fine();
+  r.parameters[0].sigma.reset();
+  doubts(clear(), r, "no error bar");
+  r = fine();
+  r.chi2_initial = 999.0;
+  doubts(clear(), r, "lost its way");
+  r = fine();
+  r.steepest_cosine = 0.03;
+  doubts(clear(), r, "still falls");
+  r = fine();
+  r.parameters.push_back(r.parameters[0]);
+  r.parameters[0].moved = false;
+  doubts(clear(), r, "did not move");
+  Evidence e = clear();
+  e.chi2_without_aurora = 1900.0;
+  doubts(e, fine(), "without any aurora");
+  e = clear();
+  e.second_mode = true;
+  e.second_mode_text = "another answer";
+  doubts(e, fine(), "another answer");
+}
+
+TEST(Judge, KeepsWhatItAskedAndWhatItFound) {
+  FitResult r = fine();
+  r.chi2 = 3100.0;
+  r.termination = "converged";
+  judge(clear(), r);
+  std::vector<std::string> names, failed;
+  for (const Check& check : r.checks) {
+    names.push_back(check.name);
+    EXPECT_FALSE(check.words.empty()) << check.name;
+    if (!check.passed) failed.push_back(check.name);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"converged", "chi2 fell", "level at the end",
+                                             "chi2 per degree of freedom", "rms residual",
+                                             "independent values", "moved", "inside the limits", "error bars",
+                                             "aurora or none", "one answer"}));
+  EXPECT_EQ(failed, std::vector<std::string>{"chi2 per degree of freedom"});
+  judge(clear(), r);
+  EXPECT_EQ(r.checks.size(), names.size()) << "judged again, not twice";
+}
+
+TEST(Judge, AStartThatIsTheAnswerIsNoReasonToDoubt) {
+  FitResult r = fine();
+  r.parameters.push_back(r.parameters[0]);
+  for (FittedParameter& p : r.parameters) p.moved = false;
+  judge(clear(), r);
+  EXPECT_EQ(r.verdict, Verdict::good) << r.verdict_line;
+  // All stand still on a slope: nothing was searched.
+  r.steepest_cosine = 0.5;
+  judge(clear(), r);
+  EXPECT_EQ(r.verdict, Verdict::doubtful);
+  EXPECT_EQ(r.reasons.size(), 3u);
+}
+
+TEST(Judge, AParameterWithoutInfluenceDoesNotHaveToMove) {
+  FitResult r = fine();
+  r.parameters.push_back(r.parameters[0]);
+  r.parameters[1].moved = false;
+  r.parameters[1].sigma.reset();
+  r.parameters[1].why_no_sigma = "the data do not bound it";
+  judge(clear(), r);
+  ASSERT_EQ(r.reasons.size(), 1u);
+  EXPECT_NE(r.reasons[0].find("no error bar"), std::string::npos);
+}
+
+TEST(Judge, TellsATradeOffOnceThoughManyLeanOnIt) {
+  FitResult r = fine();
+  r.best.sheets.resize(1);
+  r.parameters.push_back(r.parameters[0]);
+  r.parameters[1].path = "sheet.main.center_km.north";
+  for (FittedParameter& p : r.parameters) {
+    p.sigma.reset();
+    p.why_no_sigma = "told in the report";
+  }
+  r.undetermined = {"distance and energy of the main sheet trade off: this with that looks the same"};
+  judge(clear(), r);
+  ASSERT_GE(r.reasons.size(), 2u);
+  EXPECT_EQ(r.reasons[0], r.undetermined[0]);
+  EXPECT_EQ(r.reasons[1], "no error bar for energy_kev and center_km.north");
+  EXPECT_EQ(r.verdict_line.find("told in the report"), std::string::npos) << r.verdict_line;
+}
+
+TEST(Judge, NotesAnUnusualSheetWithoutDoubt) {
+  FitResult r = fine();
+  r.best.sheets.resize(1);
+  r.best.sheets[0].wavelength_km = 10.0;
+  judge(clear(), r);
+  EXPECT_EQ(r.verdict, Verdict::good);
+  ASSERT_EQ(r.reasons.size(), 1u);
+  EXPECT_NE(r.reasons[0].find("nature prefers 5.2 to 31.4"), std::string::npos) << r.reasons[0];
+  EXPECT_EQ(r.verdict_line.find("nature"), std::string::npos);
+}
+
+TEST(Judge, NeverCallsAFailureASuccess) {
+  FitResult r = fine();
+  Evidence e = clear();
+  e.converged = false;
+  judge(e, r);
+  EXPECT_EQ(r.verdict, Verdict::failed);
+  e = clear();
+  e.aurora_in_view = false;
+  judge(e, r);
+  EXPECT_EQ(r.verdict, Verdict::failed);
+  EXPECT_NE(r.verdict_line.find("region of interest"), std::string::npos);
+  e = clear();
+  e.stopped = true;
+  judge(e, r);
+  EXPECT_EQ(r.verdict, Verdict::interrupted);
+}
+
+TEST(Judge, SpeaksOfWhatTheSceneShinesWith) {
+  const auto words_of = [](const sim::Scene& scene) {
+    FitResult r = fine();
+    r.best = scene;
+    Evidence dark = clear();
+    dark.chi2_without_aurora = r.chi2;
+    judge(dark, r);
+    return r.verdict_line;
+  };
+  sim::Scene sun;
+  sun.sun.shown = true;
+  EXPECT_NE(words_of(sun).find("a sky without any solar light explains"), std::string::npos);
+  sim::Scene arc = sun;
+  arc.footprints.resize(1);
+  EXPECT_NE(words_of(arc).find("without any aurora"), std::string::npos);
+  sim::Scene nebula;
+  nebula.nebulae.resize(1);
+  EXPECT_NE(words_of(nebula).find("without any nebula"), std::string::npos);
+  FitResult none = fine();
+  none.best = sun;
+  Evidence outside = clear();
+  outside.aurora_in_view = false;
+  judge(outside, none);
+  EXPECT_NE(none.verdict_line.find("no light of the scene's Sun falls into"), std::string::npos)
+      << none.verdict_line;
+}
+
+}  // namespace
+}  // namespace vegard::fit

@@ -1,0 +1,75 @@
+#include "fit/compare/inflation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fit/compare/observation.h"
+#include "tests/support/free_paths.h"
+#include "tests/support/rendered_photo.h"
+#include "tests/support/small_scene.h"
+
+namespace vegard::fit {
+namespace {
+
+/// One scene beside two photographs: of another distance, and of another distance and energy in fewer rows.
+struct Fitting {
+  sim::Scene scene = tests::small_scene(), smaller;
+  std::vector<FreeNumber> free;
+  Photo first, second;
+  std::vector<Observation> observations;
+  EvaluationLog log;
+
+  Fitting() {
+    scene.blur.width_deg = {0.43, 0.25, 0.3};
+    scene.fit.bands = 4;
+    scene.fit.free = {tests::free_entry("sheet.main.energy_kev")};
+    free = free_numbers(scene);
+    sim::Scene elsewhere = scene;
+    elsewhere.sheets[0].center_km.north += 8.0;
+    first = tests::rendered_photo(elsewhere);
+    elsewhere.sheets[0].center_km.north -= 14.0;
+    elsewhere.sheets[0].energy_kev *= 1.5;
+    second = tests::rendered_photo(elsewhere);
+    smaller = scene;
+    smaller.fit.roi_px = {0, 30, 160, 60};
+    observations.push_back(observed(scene, first, 2));
+    observations.push_back(observed(smaller, second, 2));
+  }
+  /// The photographs of these indices together.
+  ProfileCost cost(const std::vector<std::size_t>& which) {
+    std::vector<CostTerm> all = cost_terms(observations, free, Detail::full), terms;
+    for (const std::size_t i : which) terms.push_back(all[i]);
+    return ProfileCost(free, terms, log);
+  }
+  double inflation(const std::vector<std::size_t>& which, int unknowns) {
+    const ProfileCost some = cost(which);
+    return joint_inflation(some, some.at({free[0].start}, false), unknowns);
+  }
+};
+
+TEST(JointInflation, OfOnePhotographIsItsOwn) {
+  Fitting fit;
+  Comparison& full = *fit.observations[0].full;
+  const double own = full.error_inflation(full.at(fit.scene), full.residuals() - 9);
+  EXPECT_GT(own, 1.5) << "the photograph is of another scene";
+  EXPECT_DOUBLE_EQ(fit.inflation({0}, 9), own);
+}
+
+TEST(JointInflation, OfAPhotographTwiceIsThatOfOne) {
+  Fitting fit;
+  EXPECT_DOUBLE_EQ(fit.inflation({0, 0}, 18), fit.inflation({0}, 9));
+}
+
+TEST(JointInflation, IsTheMeanSquareByTheNumberOfResiduals) {
+  Fitting fit;
+  const double n0 = fit.observations[0].full->residuals(), n1 = fit.observations[1].full->residuals();
+  ASSERT_NE(n0, n1);
+  const double own0 = fit.inflation({0}, 0), own1 = fit.inflation({1}, 0);
+  ASSERT_GT(std::abs(own0 - own1), 0.1);
+  EXPECT_NEAR(fit.inflation({0, 1}, 0), std::sqrt((n0 * own0 * own0 + n1 * own1 * own1) / (n0 + n1)), 1e-9);
+  EXPECT_DOUBLE_EQ(fit.inflation({0, 1}, 10), fit.inflation({1, 0}, 10));
+}
+
+}  // namespace
+}  // namespace vegard::fit

@@ -1,0 +1,121 @@
+#include "fit/report/run_directory.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "sim/base/picture/image_io.h"
+#include "sim/scene/file/scene_toml.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/full_disk.h"
+#include "tests/support/small_fit.h"
+#include "tests/support/temporary_folder.h"
+
+namespace vegard::fit {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::bytes_of;
+using tests::expect_error;
+using tests::TemporaryFolder;
+
+class RunDirectory : public ::testing::Test {
+ protected:
+  void write(const std::string& name, bool overwrite = false) {
+    write_run(folder / name, overwrite, result, photo, {1});
+  }
+  std::set<std::string> files(const std::string& name) const {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder / name)) names.insert(entry.path().filename());
+    return names;
+  }
+  TemporaryFolder folder;
+  Photo photo = tests::small_photo();
+  FitResult result = tests::small_fit(photo);
+};
+
+TEST_F(RunDirectory, HoldsAllFilesAndNothingElse) {
+  write("run");
+  EXPECT_EQ(files("run"), (std::set<std::string>{"best.toml", "map.svg", "model.exr", "profiles.csv",
+                                                 "report.html", "residual.exr", "result.json", "trace.csv"}));
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST_F(RunDirectory, HasTheSameBytesForAnyNumberOfThreads) {
+  write_run(folder / "a", false, result, photo, {1});
+  write_run(folder / "b", false, result, photo, {2});
+  for (const std::string& name : files("a"))
+    EXPECT_TRUE(bytes_of(folder / ("a/" + name)) == bytes_of(folder / ("b/" + name))) << name;
+}
+
+TEST_F(RunDirectory, HoldsTheBestSceneAsAScene) {
+  result.verdict_line = "Doubtful:\nseed = 3 \x01";
+  write("run");
+  const sim::Scene scene = sim::read_scene(folder / "run/best.toml");
+  EXPECT_EQ(sim::write_scene(scene), sim::write_scene(result.best));
+  EXPECT_EQ(scene.seed, result.seed);
+  EXPECT_EQ(bytes_of(folder / "run/best.toml").substr(0, 30), "# The best scene of a fit. veg");
+}
+
+// What a scene reads beside it is not copied, grids may be large: the best scene calls it as it is called
+// from the run's directory.
+TEST_F(RunDirectory, FindsFilesBesideTheSceneAgain) {
+  result.best.file = folder / "scenes/aurora.toml";
+  result.best.composite.background = "pictures/hill.jpg";
+  result.best.composite.mask = "/elsewhere/mask.png";
+  write("run");
+  const sim::Scene scene = sim::read_scene(folder / "run/best.toml");
+  EXPECT_EQ(scene.composite.background, "../scenes/pictures/hill.jpg");
+  EXPECT_EQ(scene.composite.mask, "/elsewhere/mask.png");
+}
+
+TEST_F(RunDirectory, HoldsThePictures) {
+  result.photos[0].best.site.time_utc = "2019-09-05T22:11:12Z";
+  write("run");
+  const sim::ExrFile model = sim::read_exr(folder / "run/model.exr");
+  EXPECT_EQ(model.image.channel_names,
+            (std::vector<std::string>{"R", "G", "B", "rayleigh.4278", "rayleigh.5577", "rayleigh.6300"}));
+  EXPECT_EQ(model.attributes.at("seed"), "9223372036854775807");
+  EXPECT_NE(model.attributes.at("gain").find("linear between"), std::string::npos);
+  EXPECT_EQ(model.attributes.at("scene"), sim::write_scene(result.photos[0].best));
+  const sim::ExrFile residual = sim::read_exr(folder / "run/residual.exr");
+  for (int c = 0; c < 3; ++c)
+    EXPECT_FLOAT_EQ(residual.image.at(7, 5, c), photo.linear.at(7, 5, c) - model.image.at(7, 5, c));
+}
+
+TEST_F(RunDirectory, RefusesWhatExists) {
+  write("run");
+  const std::string before = bytes_of(folder / "run/result.json");
+  result.chi2 = 99.0;
+  expect_error(sim::ErrorKind::existing_output, [&] { write("run"); });
+  expect_error(sim::ErrorKind::existing_output, [&] { check_run_directory(folder / "run", false); });
+  EXPECT_EQ(bytes_of(folder / "run/result.json"), before);
+  EXPECT_NO_THROW(check_run_directory(folder / "run", true));
+  write("run", true);
+  EXPECT_NE(bytes_of(folder / "run/result.json"), before);
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST_F(RunDirectory, LeavesNothingOnAFullDisk) {
+  for (const rlim_t bytes : {100, 5000, 20000}) {
+    const tests::FullDisk full(bytes);
+    const std::string text = expect_error(sim::ErrorKind::unwritable_output, [&] { write("run"); });
+    EXPECT_NE(text.find("/run/"), std::string::npos) << text;
+    EXPECT_EQ(text.find("partial"), std::string::npos) << text;
+    EXPECT_EQ(folder.entries(), 0);
+  }
+}
+
+TEST_F(RunDirectory, KeepsTheOldRunOnAFullDisk) {
+  write("run");
+  const std::string before = bytes_of(folder / "run/report.html");
+  const tests::FullDisk full(5000);
+  expect_error(sim::ErrorKind::unwritable_output, [&] { write("run", true); });
+  EXPECT_TRUE(bytes_of(folder / "run/report.html") == before);
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+}  // namespace
+}  // namespace vegard::fit

@@ -1,0 +1,57 @@
+#include "fit/uncertainty/delta_method.h"
+#include "tests/support/free_paths.h"
+#include "tests/support/one_sheet.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vegard::fit {
+namespace {
+
+struct TwoNumbers {
+  sim::Scene scene = tests::with_sheet({});
+  std::vector<FreeNumber> free;
+  std::vector<double> values = {3.0, 200.0};
+  ValueUncertainty known{{{0.04, 0.3}, {0.3, 9.0}}, {}};
+
+  TwoNumbers() {
+    scene.fit.free = {tests::free_entry("sheet.main.energy_kev"),
+                      tests::free_entry("sheet.main.center_km.north")};
+    free = free_numbers(scene);
+  }
+  std::vector<DeltaMethod::Estimate> of(const DeltaMethod::Numbers& numbers) const {
+    return DeltaMethod(scene, free, values, known)(numbers);
+  }
+};
+
+TEST(DeltaMethod, OfALinearNumberIsTheFormulaWithItsCorrelation) {
+  const TwoNumbers two;
+  const auto found = two.of([](const sim::Scene& x) {
+    return std::vector<double>{2.0 * x.sheets[0].energy_kev - 0.5 * x.sheets[0].center_km.north, 7.0};
+  });
+  ASSERT_EQ(found.size(), 2u);
+  // 4 * 0.04 - 2 * 0.3 + 0.25 * 9
+  ASSERT_TRUE(found[0].sigma);
+  EXPECT_NEAR(*found[0].sigma, std::sqrt(1.81), 1e-9);
+  EXPECT_FALSE(found[1].sigma);
+  EXPECT_FALSE(found[1].moves);
+}
+
+TEST(DeltaMethod, OfABentNumberIsFirstOrder) {
+  const TwoNumbers two;
+  const auto found =
+      two.of([](const sim::Scene& x) { return std::vector<double>{std::log(x.sheets[0].energy_kev)}; });
+  // The central difference over 0.02 keV to either side of 3 keV: off by (0.02 / 3)^2 / 3 of itself.
+  EXPECT_NEAR(found[0].sigma.value(), 0.2 / 3.0, 2e-5 * 0.2 / 3.0);
+}
+
+TEST(DeltaMethod, AtALimitGoesByTheOtherSide) {
+  TwoNumbers two;
+  two.free[0].max = 3.0;
+  const auto found = two.of([](const sim::Scene& x) { return std::vector<double>{x.sheets[0].energy_kev}; });
+  EXPECT_NEAR(found[0].sigma.value(), 0.2, 1e-9);
+}
+
+}  // namespace
+}  // namespace vegard::fit
