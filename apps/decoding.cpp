@@ -1,6 +1,6 @@
 #include "apps/decoding.h"
 
-#include "sim/scene/table/decoding_word.h"
+#include "sim/scene/rows/decoding_word.h"
 
 namespace vegard::apps {
 

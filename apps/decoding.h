@@ -12,7 +12,7 @@ namespace vegard::apps {
 /// Adds --decoding; `word` stays empty if it is not given, and must outlive the parsing.
 void add_decoding_option(CLI::App& command, std::string& word);
 
-/// The command line's word (sim/scene/table/decoding_word.h), or where it is empty the scene's. The scene's
+/// The command line's word (sim/scene/rows/decoding_word.h), or where it is empty the scene's. The scene's
 /// table of a curve is that of `scene`, or a file in the folder `beside`; the command line's stands where it
 /// says.
 fit::Decoding decoding_of(const std::string& word, const std::string& scene_word,

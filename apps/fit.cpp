@@ -38,7 +38,7 @@
 #include "sim/base/version.h"
 #include "sim/scene/file/named_files.h"
 #include "sim/scene/file/scene_toml.h"
-#include "sim/scene/table/decoding_word.h"
+#include "sim/scene/rows/decoding_word.h"
 #include "sim/scene/table/photo_scene.h"
 #include "sim/scene/table/table_files.h"
 

@@ -3,7 +3,7 @@
 #include "apps/composite_pictures.h"
 #include "apps/output_files.h"
 #include "apps/usage_error.h"
-#include "sim/scene/table/decoding_word.h"
+#include "sim/scene/rows/decoding_word.h"
 #include "sim/scene/table/table_files.h"
 
 namespace vegard::apps {

@@ -11,8 +11,8 @@
 
 #include "apps/exit_code.h"
 #include "sim/scene/file/scene_toml.h"
+#include "sim/scene/rows/forms.h"
 #include "sim/scene/table/alternative_forms.h"
-#include "sim/scene/table/forms.h"
 #include "sim/scene/table/parameter_table.h"
 
 namespace vegard::apps {

@@ -31,7 +31,7 @@
 #include "sim/base/file/whole_file.h"
 #include "sim/base/version.h"
 #include "sim/scene/file/scene_toml.h"
-#include "sim/scene/table/decoding_word.h"
+#include "sim/scene/rows/decoding_word.h"
 
 namespace vegard::apps {
 namespace {

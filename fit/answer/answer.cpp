@@ -9,8 +9,8 @@
 #include "fit/parameters/turns.h"
 #include "fit/photo/grey_light.h"
 #include "fit/uncertainty/trade_off.h"
+#include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/parameter_table.h"
-#include "sim/scene/table/value_words.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/sky/night_sky.h"
 

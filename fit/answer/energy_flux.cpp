@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/scene/table/spline_rates.h"
+#include "sim/scene/rows/spline_rates.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/sensor/expected_counts.h"
 

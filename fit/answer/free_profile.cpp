@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/scene/table/spline_rates.h"
+#include "sim/scene/rows/spline_rates.h"
 
 namespace vegard::fit {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "sim/scene/lines/emission_lines.h"
-#include "sim/scene/table/spline_rates.h"
+#include "sim/scene/rows/spline_rates.h"
 
 namespace vegard::fit {
 namespace {

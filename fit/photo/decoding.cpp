@@ -6,7 +6,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/sha256.h"
-#include "sim/scene/table/decoding_word.h"
+#include "sim/scene/rows/decoding_word.h"
 #include "sim/scene/table/table_files.h"
 
 namespace vegard::fit {

@@ -32,7 +32,7 @@ inline const Decoding Decoding::linear{Decoding::Kind::linear, {}, {}, 0};
 inline const Decoding Decoding::sensor{Decoding::Kind::sensor, {}, {}, 0};
 inline const Decoding Decoding::unknown{Decoding::Kind::unknown, {}, {}, 1};
 
-/// Of a word of sim/scene/table/decoding_word.h. A curve's table is the scene's own where the word is that of
+/// Of a word of sim/scene/rows/decoding_word.h. A curve's table is the scene's own where the word is that of
 /// `scene` (its fit.decoding), else a file in the folder `beside`; empty: where the program runs. Throws
 /// sim::Error(usage) for what is no such word, and (unreadable_input) for a table that is none.
 Decoding decoding_of_word(const std::string& word, const sim::Scene* scene = nullptr,

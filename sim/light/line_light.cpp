@@ -9,7 +9,7 @@
 #include "sim/base/error.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/lines/emission_lines.h"
-#include "sim/scene/table/spline_rates.h"
+#include "sim/scene/rows/spline_rates.h"
 
 namespace vegard::fit {
 namespace {

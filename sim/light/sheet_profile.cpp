@@ -7,7 +7,7 @@
 #include "sim/light/form_profile.h"
 #include "sim/light/spectrum_profile.h"
 #include "sim/light/spline_profile.h"
-#include "sim/scene/table/spline_rates.h"
+#include "sim/scene/rows/spline_rates.h"
 #include "sim/scene/table/table_files.h"
 
 namespace vegard::sim {

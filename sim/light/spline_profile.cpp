@@ -5,7 +5,7 @@
 
 #include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"
-#include "sim/scene/table/spline_rates.h"
+#include "sim/scene/rows/spline_rates.h"
 
 namespace vegard::sim {
 HeightProfile spline_profile(const std::vector<double>& wavelengths_nm, const Scene& scene,

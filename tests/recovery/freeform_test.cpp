@@ -16,8 +16,8 @@
 #include "sim/light/sheet_profile.h"
 #include "sim/render/render.h"
 #include "sim/scene/file/scene_toml.h"
+#include "sim/scene/rows/spline_rates.h"
 #include "sim/scene/table/parameter_table.h"
-#include "sim/scene/table/spline_rates.h"
 #include "tests/recovery/independent_picture.h"
 #include "tests/support/free_paths.h"
 

@@ -9,7 +9,7 @@
 #include "fit/photo/pointing/solved_field.h"
 #include "sim/base/earth.h"
 #include "sim/base/error.h"
-#include "sim/scene/table/nearest_name.h"
+#include "sim/scene/rows/nearest_name.h"
 #include "sim/view/sky/bright_stars.h"
 
 namespace vegard::fit {

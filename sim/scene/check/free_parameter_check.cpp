@@ -7,12 +7,12 @@
 #include "sim/scene/freedom/expression.h"
 #include "sim/scene/freedom/free_path.h"
 #include "sim/scene/freedom/idle_parameter.h"
+#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/free_entry_keys.h"
-#include "sim/scene/table/nearest_name.h"
 #include "sim/scene/table/parameter_declarations.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/scene/table/value_check.h"
-#include "sim/scene/table/value_words.h"
 
 namespace vegard::sim {
 namespace {

@@ -5,14 +5,16 @@
 #include <variant>
 
 #include "sim/base/error.h"
+#include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/rows/parameter_rules.h"
+#include "sim/scene/rows/spline_rates.h"
+#include "sim/scene/rows/value_words.h"
 #include "sim/scene/structs/line_of.h"
 #include "sim/scene/table/parameter_declarations.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/scene/table/photo_scene.h"
-#include "sim/scene/table/spline_rates.h"
 #include "sim/scene/table/table_files.h"
 #include "sim/scene/table/value_check.h"
-#include "sim/scene/table/value_words.h"
 
 namespace vegard::sim {
 namespace {
@@ -219,8 +221,8 @@ void validate(const Scene& scene) {
   check_profile_files(scene);
   check_sensor(scene);
   check_splines(scene);
-  check_volumes(scene);
-  check_sun(scene);
+  for (const EmitterKind& kind : emitter_kinds())
+    if (kind.check != nullptr) kind.check(scene);
   check_region(scene);
   check_free_parameters(scene);
   check_tied_parameters(scene);

@@ -7,9 +7,9 @@
 #include "sim/scene/freedom/free_path.h"
 #include "sim/scene/freedom/idle_parameter.h"
 #include "sim/scene/freedom/ties.h"
+#include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/parameter_declarations.h"
 #include "sim/scene/table/value_check.h"
-#include "sim/scene/table/value_words.h"
 
 namespace vegard::sim {
 namespace {

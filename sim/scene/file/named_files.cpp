@@ -1,7 +1,5 @@
 #include "sim/scene/file/named_files.h"
 
-#include <utility>
-
 #include "sim/scene/table/parameter_declarations.h"
 
 namespace vegard::sim {
@@ -12,15 +10,8 @@ constexpr std::string_view kFace = "{face}";
 /// Calls use(path, name) for every name that is not empty.
 template <class Use>
 void for_each_name(Scene& scene, const Use& use) {
-  for (const auto& [table, key] : {std::pair{"footprint", "image"},
-                                   {"footprint", "energy_image"},
-                                   {"volume", "file"},
-                                   {"chromosphere", "biasmap"},
-                                   {"march", "depth"},
-                                   {"composite", "background"},
-                                   {"composite", "foreground"},
-                                   {"composite", "mask"}}) {
-    const Declaration& d = *find_declaration(table, key);
+  for (const Declaration& d : declarations()) {
+    if (!d.names_file) continue;
     for (int e = 0; e < element_count(d, scene); ++e) {
       std::string& name = *std::get<std::string*>(d.at(scene, e, 0));
       if (!name.empty()) use(key_path(d, scene, e), name);

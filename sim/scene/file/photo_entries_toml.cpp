@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <tuple>
 
+#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/rows/value_words.h"
 #include "sim/scene/structs/photo_entry_keys.h"
 #include "sim/scene/table/free_entry_keys.h"
-#include "sim/scene/table/nearest_name.h"
 #include "sim/scene/table/toml_value.h"
-#include "sim/scene/table/value_words.h"
 
 namespace vegard::sim {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/picture/image_io.h"
+#include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/file/named_files.h"
 
 namespace vegard::sim {
@@ -47,14 +48,13 @@ std::vector<std::string> picture_files(const Footprint& f, const std::string& na
 
 std::map<std::string, Image> read_scene_pictures(const Scene& scene) {
   std::map<std::string, Image> pictures;
-  for (const Footprint& f : scene.footprints) {
-    const std::string path = "footprint." + f.name + ".";
-    for (const std::string& name : picture_files(f, f.image)) read(scene, path + "image", name, pictures);
-    for (const std::string& name : picture_files(f, f.energy_image))
-      read(scene, path + "energy_image", name, pictures);
+  for (const EmitterKind& kind : emitter_kinds()) {
+    if (kind.pictures == nullptr) continue;
+    for (const PictureOfScene& picture : kind.pictures(scene))
+      for (const std::string& name :
+           picture.is_cube ? files_of_name(picture.name) : std::vector<std::string>{picture.name})
+        read(scene, picture.path, name, pictures);
   }
-  for (const Chromosphere& c : scene.chromospheres)
-    if (!c.biasmap.empty()) read(scene, "chromosphere." + c.name + ".biasmap", c.biasmap, pictures);
   return pictures;
 }
 

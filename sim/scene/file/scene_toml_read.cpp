@@ -9,16 +9,17 @@
 #include "sim/scene/file/free_parameters_toml.h"
 #include "sim/scene/file/photo_entries_toml.h"
 #include "sim/scene/file/scene_toml.h"
+#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/rows/spline_rates.h"
+#include "sim/scene/rows/value_words.h"
 #include "sim/scene/structs/line_of.h"
 #include "sim/scene/structs/photo_entry_keys.h"
 #include "sim/scene/table/alternative_forms.h"
 #include "sim/scene/table/free_entry_keys.h"
-#include "sim/scene/table/nearest_name.h"
 #include "sim/scene/table/parameter_declarations.h"
-#include "sim/scene/table/spline_rates.h"
+#include "sim/scene/table/parameter_table.h"
 #include "sim/scene/table/table_files.h"
 #include "sim/scene/table/toml_value.h"
-#include "sim/scene/table/value_words.h"
 
 namespace vegard::sim {
 namespace {

@@ -4,11 +4,12 @@
 
 #include "sim/base/error.h"
 #include "sim/scene/file/free_parameters_toml.h"
+#include "sim/scene/rows/spline_rates.h"
+#include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/free_entry_keys.h"
+#include "sim/scene/table/parameter_declarations.h"
 #include "sim/scene/table/parameter_table.h"
-#include "sim/scene/table/spline_rates.h"
 #include "sim/scene/table/toml_value.h"
-#include "sim/scene/table/value_words.h"
 
 namespace vegard::sim {
 namespace {

@@ -9,7 +9,7 @@
 #include <mutex>
 
 #include "sim/base/error.h"
-#include "sim/scene/table/nearest_name.h"
+#include "sim/scene/rows/nearest_name.h"
 
 namespace vegard::sim {
 namespace {

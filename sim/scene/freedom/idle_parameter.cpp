@@ -2,9 +2,8 @@
 
 #include <string>
 
+#include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/freedom/free_path.h"
-#include "sim/scene/freedom/idle_sun_parameter.h"
-#include "sim/scene/freedom/idle_volume_parameter.h"
 
 namespace vegard::sim {
 namespace {
@@ -42,8 +41,9 @@ std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const Par
     return Complaint{"there is no air, so " + key + " counts for nothing", expected,
                      "leave it out of fit.free, or set air.model to \"standard\""};
   }
-  if (const auto complaint = why_volume_number_counts_for_nothing(scene, path)) return complaint;
-  if (const auto complaint = why_sun_number_counts_for_nothing(scene, path)) return complaint;
+  for (const EmitterKind& kind : emitter_kinds())
+    if (kind.why_idle != nullptr)
+      if (const auto complaint = kind.why_idle(scene, path)) return complaint;
   if (path.row->table != sheet_table) return std::nullopt;
   const Sheet& sheet = scene.sheets[path.sheet()];
   if (key == "energy_kev" && sheet.profile == "file") {

@@ -5,8 +5,7 @@
 
 #include <optional>
 
-#include "sim/scene/table/parameter_declarations.h"
-#include "sim/scene/table/parameter_table.h"
+#include "sim/scene/rows/declaration.h"
 
 namespace vegard::sim {
 

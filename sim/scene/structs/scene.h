@@ -5,6 +5,7 @@
 // lengths in km.
 #pragma once
 
+#include <any>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -119,7 +120,7 @@ struct Sheet {
   double spline_bottom_km = 80.0;      ///< where a free-form profile begins, dark
   double spline_top_km = 500.0;        ///< and ends, dark
   int spline_knots = 36;               ///< its coefficients per line
-  /// Photons cm^-3 s^-1 per mW m^-2, [line][knot] (sim/scene/table/spline_rates.h); empty without such a
+  /// Photons cm^-3 s^-1 per mW m^-2, [line][knot] (sim/scene/rows/spline_rates.h); empty without such a
   /// profile.
   std::vector<double> spline_rate;
 
@@ -380,6 +381,9 @@ struct Scene {
   Time time;
   Substorm substorm;
   Fit fit;
+  /// Elements of kinds of emitters that a program has added to those here (sim/scene/emitters/
+  /// emitter_kinds.h): a std::vector of the kind's struct, by its table.
+  std::map<std::string, std::any> added;
   // Neither of these two is written to an output, nor does a result depend on it.
   std::string file;                  ///< where it was read from
   std::map<std::string, int> lines;  ///< of the keys in that file, by path (sim/scene/structs/line_of.h)

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/scene/rows/declaration.h"
 #include "sim/scene/structs/scene.h"
-#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::sim {
 

@@ -1,40 +1,60 @@
 #include "sim/scene/table/parameter_declarations.h"
 
+#include <algorithm>
 #include <iterator>
 
-#include "sim/scene/table/rows/rows.h"
+#include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/rows/row.h"
+#include "sim/scene/rows/rows.h"
 
 namespace vegard::sim {
 namespace {
 
+/// A name of a repeated table's element must be able to stand inside a path and must not be such a table's
+/// key, or "sheet.width_km" would mean two things.
+std::optional<Complaint> element_name_complaint(const std::string& name) {
+  const char* expected = "letters a-z, digits, '-' and '_'";
+  if (name.empty()) return Complaint{"the name is empty", expected, ""};
+  const bool is_plain = std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+  });
+  if (!is_plain)
+    return Complaint{"the name '" + name + "' cannot stand in a path such as sheet.main.energy_kev", expected,
+                     ""};
+  for (const RepeatedTable& repeated : repeated_tables())
+    if (find_declaration(repeated.table, name) != nullptr)
+      return Complaint{"the name '" + name + "' is also a key of [[" + repeated.table + "]]",
+                       "a name that is not a key", ""};
+  return std::nullopt;
+}
+
 std::vector<Declaration> declare() {
+  using Rows = std::vector<Declaration> (*)();
+  std::vector<Rows> groups = {place_rows, sheet_rows};
+  for (const EmitterKind& kind : emitter_kinds()) groups.push_back(kind.rows);
+  for (const Rows rows : {march_rows, light_rows, sensor_rows, sky_rows, night_sky_rows, time_rows, fit_rows})
+    groups.push_back(rows);
   std::vector<Declaration> all;
-  for (const auto rows :
-       {place_rows, sheet_rows, footprint_rows, nebula_rows, node_rows, volume_rows, sun_rows,
-        chromosphere_rows, loop_rows, corona_rows, bundle_rows, ejection_rows, march_rows, light_rows,
-        sensor_rows, sky_rows, night_sky_rows, time_rows, fit_rows}) {
+  for (const Rows rows : groups) {
     std::vector<Declaration> group = rows();
     std::move(group.begin(), group.end(), std::back_inserter(all));
   }
+  for (Declaration& d : all)
+    if (d.key == "name" && repeated_table(d.table) != nullptr) d.text_rule = element_name_complaint;
   return all;
 }
 
-template <class Element>
-RepeatedTable repeated(const std::string& table, std::vector<Element> Scene::*in) {
-  return {table, [=](const Scene& scene) { return (scene.*in).size(); },
-          [=](const Scene& scene, int element) -> const std::string& { return (scene.*in).at(element).name; },
-          [=](Scene& scene) { (scene.*in).emplace_back(); }};
+std::vector<RepeatedTable> all_repeated_tables() {
+  std::vector<RepeatedTable> all = {repeated_table_of(sheet_table, &Scene::sheets)};
+  for (const EmitterKind& kind : emitter_kinds())
+    all.insert(all.end(), kind.repeated.begin(), kind.repeated.end());
+  return all;
 }
 
 }  // namespace
 
 const std::vector<RepeatedTable>& repeated_tables() {
-  static const std::vector<RepeatedTable> all = {
-      repeated(sheet_table, &Scene::sheets), repeated("footprint", &Scene::footprints),
-      repeated("nebula", &Scene::nebulae),   repeated("node", &Scene::nodes),
-      repeated("volume", &Scene::volumes),   repeated("chromosphere", &Scene::chromospheres),
-      repeated("loop", &Scene::loops),       repeated("corona", &Scene::coronae),
-      repeated("bundle", &Scene::bundles),   repeated("ejection", &Scene::ejections)};
+  static const std::vector<RepeatedTable> all = all_repeated_tables();
   return all;
 }
 

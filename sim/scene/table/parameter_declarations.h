@@ -1,76 +1,22 @@
-// The declarations behind parameter_table(): each row's words and limits together with its place inside a
-// Scene.
+// The declarations behind parameter_table(), as a list: of all groups of rows, and of the tables that a scene
+// may hold several times.
 //
-// For the files of this folder only; everyone else sees ParameterRow.
+// For the files of sim/scene only; everyone else sees ParameterRow.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <limits>
-#include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "sim/scene/rows/declaration.h"
 #include "sim/scene/structs/scene.h"
-#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::sim {
-
-inline const char* const sheet_table = "sheet";
-
-/// A table that a scene may hold several times, as [[sheet]]: its elements have names, by which paths call
-/// them.
-struct RepeatedTable {
-  std::string table;
-  std::function<std::size_t(const Scene&)> count;
-  std::function<const std::string&(const Scene&, int element)> name;
-  std::function<void(Scene&)> append;  ///< an element with its defaults
-};
 
 /// In the order of a scene file.
 const std::vector<RepeatedTable>& repeated_tables();
 
 /// The one of that name, or null.
 const RepeatedTable* repeated_table(const std::string& table);
-
-/// What is wrong with a value, before anyone knows in which file it stands.
-struct Complaint {
-  std::string problem, expected, hint;
-};
-
-/// A parameter's place. Which alternative it holds decides the row's kind.
-using ValueRef = std::variant<double*, int*, std::uint64_t*, bool*, std::string*>;
-
-/// One key of one table: a scalar or a whole vector.
-struct Declaration {
-  std::string table, key, unit, meaning;
-  std::vector<std::string> components;  ///< names of a vector's components, empty for a scalar
-  double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();
-  std::vector<std::string> choices;
-  ParameterScale scale = ParameterScale::linear;
-  bool can_be_free = false;
-
-  /// `element` is read by repeated tables only.
-  std::function<ValueRef(Scene&, int element, int component)> at;
-
-  /// Only for a vector whose length the scene decides; `components` then holds one stand-in.
-  std::function<const std::vector<double>&(const Scene&, int element)> list;
-  std::function<void(Scene&, int element, const std::vector<double>&)> set_list;
-  std::function<std::optional<Complaint>(const Scene&, const std::vector<double>&)> list_rule;  ///< or none
-  std::function<std::string(const Scene&, int element, int component)> list_component;
-
-  /// What limits and choices cannot say.
-  std::function<std::optional<Complaint>(double)> number_rule;
-  std::function<std::optional<Complaint>(const std::string&)> text_rule;
-
-  /// A text that may name a table (sim/scene/table/table_files.h).
-  bool names_table = false;
-
-  /// What follows from a new value, of a scalar in a repeated table.
-  void (*then)(Scene&, int element) = nullptr;
-};
 
 /// In the order of a scene file.
 const std::vector<Declaration>& declarations();

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "sim/base/error.h"
+#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/alternative_forms.h"
-#include "sim/scene/table/nearest_name.h"
 #include "sim/scene/table/parameter_declarations.h"
-#include "sim/scene/table/value_words.h"
 
 namespace vegard::sim {
 namespace {
@@ -64,6 +64,7 @@ Table build_table() {
       row.scale = d.scale;
       row.can_be_free = d.can_be_free;
       row.meaning = d.meaning;
+      row.noun = d.noun;
       table.rows.push_back(std::move(row));
       table.declaration_of_row.push_back(&d);
     }

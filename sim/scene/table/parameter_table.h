@@ -2,49 +2,17 @@
 //
 // From one row come: the TOML key, `--set path=value`, the limits check, `vegard params`, the documentation
 // page docs/parameters.md, and the fit's free parameter with its transform and its unit in reports. The rows
-// themselves stand in parameter_declarations.cpp; the few keys that are not rows, in alternative_forms.h.
+// themselves stand in sim/scene/rows/ and, of what shines, in sim/scene/emitters/; the few keys that are not
+// rows, in alternative_forms.h.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "sim/scene/rows/declaration.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
-
-enum class ParameterKind { real, integer, boolean, text };
-
-/// How a real parameter is stepped and transformed when it is free. An angle is periodic: its limits only
-/// keep nonsense out and lie several turns apart.
-enum class ParameterScale { linear, logarithmic, angle };
-
-/// One row: a scalar, or one component of a vector ("sheet", "center_km", "east"). A vector whose length the
-/// scene decides (emission.lines, blur.width_deg) is one row for all its components, with a component such as
-/// "<line>".
-struct ParameterRow {
-  std::string table;      ///< "sheet"; empty for a key of the file itself ("seed")
-  std::string key;        ///< "center_km"
-  std::string component;  ///< "east", or empty for a scalar
-  ParameterKind kind = ParameterKind::real;
-  std::string unit;          ///< "km"; empty if it has none
-  std::string default_text;  ///< as one would write it in TOML; of a vector of free length, the whole vector
-  double min = 0.0, max = 0.0;       ///< hard limits of a number, inclusive; +-infinity where there is none
-  std::vector<std::string> choices;  ///< of a text; empty: any
-  ParameterScale scale = ParameterScale::linear;
-  bool can_be_free = false;  ///< continuous, and the simulator has its derivative
-  std::string meaning;       ///< one line
-};
-
-/// A row applied to one scene: which sheet it means.
-struct ParameterPath {
-  const ParameterRow* row = nullptr;
-  int element = -1;   ///< which of a repeated table's elements, -1 for other tables
-  int component = 0;  ///< index of the component inside its vector
-  std::string text;   ///< "sheet.main.center_km.east"
-
-  /// Index into Scene::sheets, -1 for a number of anything else.
-  int sheet() const { return row != nullptr && row->table == "sheet" ? element : -1; }
-};
 
 /// In the order of a scene file. The rows live as long as the program.
 const std::vector<ParameterRow>& parameter_table();

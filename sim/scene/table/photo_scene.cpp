@@ -5,10 +5,12 @@
 #include <set>
 
 #include "sim/base/error.h"
+#include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/rows/decoding_word.h"
+#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/structs/photo_entry_keys.h"
-#include "sim/scene/table/decoding_word.h"
 #include "sim/scene/table/free_entry_keys.h"
-#include "sim/scene/table/nearest_name.h"
 #include "sim/scene/table/parameter_declarations.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/scene/table/table_files.h"
@@ -94,13 +96,11 @@ void leave_only_own(const PhotoEntry& entry, Scene& own) {
 /// Sheets are carried over to another site; nothing else that shines is.
 void refuse_volumes_elsewhere(const Scene& scene, const PhotoEntry& entry, const Scene& of_photo) {
   if (!station_of_photo(scene, of_photo).is_elsewhere()) return;
-  const char* what = !of_photo.footprints.empty() ? "[[footprint]]"
-                     : !of_photo.nebulae.empty()  ? "[[nebula]]"
-                     : !of_photo.volumes.empty()  ? "[[volume]]"
-                     : of_photo.sun.shown         ? "[sun]"
-                                                  : nullptr;
-  if (what == nullptr) return;
-  complain({"taken from another site, where the scene's " + std::string(what) +
+  const auto kind = std::find_if(emitter_kinds().begin(), emitter_kinds().end(),
+                                 [&](const EmitterKind& each) { return is_in_scene(each, of_photo); });
+  if (kind == emitter_kinds().end()) return;
+  const std::string what = kind->repeated.empty() ? "[" + kind->table + "]" : "[[" + kind->table + "]]";
+  complain({"taken from another site, where the scene's " + what +
                 " would stand elsewhere: only sheets are carried over",
             "photographs of volumes from one site", "leave the site out of the photograph's set"},
            origin_of(scene, entry, photo_set_key));

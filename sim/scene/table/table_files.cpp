@@ -5,8 +5,9 @@
 #include <set>
 
 #include "sim/base/error.h"
+#include "sim/scene/rows/decoding_word.h"
+#include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/structs/line_of.h"
-#include "sim/scene/table/decoding_word.h"
 #include "sim/scene/table/parameter_declarations.h"
 
 namespace vegard::sim {
@@ -53,12 +54,6 @@ std::string read_text(const Scene& scene, const TableFile& table) {
 }
 
 }  // namespace
-
-bool is_table_file(const std::string& value) {
-  constexpr std::string_view kExtension = ".csv";
-  return value.size() > kExtension.size() &&
-         value.compare(value.size() - kExtension.size(), kExtension.size(), kExtension) == 0;
-}
 
 std::vector<TableFile> table_files(const Scene& scene) {
   std::vector<TableFile> files;

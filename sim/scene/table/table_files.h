@@ -12,9 +12,6 @@
 
 namespace vegard::sim {
 
-/// True for a text that names a table in a file; others are empty or names of what is built in.
-bool is_table_file(const std::string& value);
-
 /// A table that the scene names.
 struct TableFile {
   std::string path;  ///< of the key, "sheet.main.profile_file"

@@ -2,7 +2,8 @@
 
 #include <cstdint>
 
-#include "sim/scene/table/value_words.h"
+#include "sim/scene/rows/value_words.h"
+#include "sim/scene/table/parameter_declarations.h"
 
 namespace vegard::sim {
 namespace {
@@ -90,6 +91,14 @@ void assign_list(Scene& scene, const Declaration& d, int sheet, const toml::node
   set_list(scene, d, sheet, list, origin);
 }
 
+/// Of a form: what the table says of other keys of the same element.
+void assign_presets(Scene& scene, const Declaration& d, int sheet) {
+  for (const auto& [key, text] : d.presets(*std::get<std::string*>(d.at(scene, sheet, 0)))) {
+    const toml::table table = toml::parse("value = " + text);
+    assign_key(scene, *find_declaration(d.table, key), sheet, *table.get("value"), {"", 0, key});
+  }
+}
+
 }  // namespace
 
 int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
@@ -151,6 +160,7 @@ void assign_component(Scene& scene, const Declaration& d, int sheet, int compone
   }
   std::visit(Assign{d, node, origin}, d.at(scene, sheet, component));
   if (d.then != nullptr) d.then(scene, sheet);
+  if (d.presets != nullptr) assign_presets(scene, d, sheet);
 }
 
 void assign_key(Scene& scene, const Declaration& d, int sheet, const toml::node& node, const Origin& origin) {

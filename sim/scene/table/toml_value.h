@@ -9,7 +9,7 @@
 
 #include <toml++/toml.h>
 
-#include "sim/scene/table/parameter_declarations.h"
+#include "sim/scene/rows/declaration.h"
 #include "sim/scene/table/value_check.h"
 
 namespace vegard::sim {

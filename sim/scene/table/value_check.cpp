@@ -3,22 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/error.h"
-#include "sim/scene/table/nearest_name.h"
-#include "sim/scene/table/value_words.h"
+#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/rows/value_words.h"
+#include "sim/scene/table/parameter_declarations.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::sim {
-
-void complain(const Complaint& complaint, const Origin& origin) {
-  ErrorDetails details;
-  details.problem = complaint.problem;
-  details.file = origin.file;
-  details.line = origin.line;
-  details.key = origin.key;
-  details.expected = complaint.expected;
-  details.hint = complaint.hint;
-  throw Error(ErrorKind::scene, details);
-}
 
 std::string expected_text(const Declaration& d) {
   const ParameterRow& row = first_row_of(d);

@@ -4,19 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "sim/scene/table/parameter_declarations.h"
+#include "sim/scene/rows/complaint.h"
+#include "sim/scene/rows/declaration.h"
 
 namespace vegard::sim {
-
-/// Where a value stands, for messages.
-struct Origin {
-  std::string file;
-  int line = 0;
-  std::string key;
-};
-
-/// Throws Error(scene).
-[[noreturn]] void complain(const Complaint& complaint, const Origin& origin);
 
 /// What would be right, in words: "a number from 0.1 to 20 (keV)", "\"srgb\" or \"smpte-c\"".
 std::string expected_text(const Declaration& declaration);
@@ -29,13 +20,6 @@ std::optional<Complaint> text_complaint(const Declaration& declaration, const st
 
 /// A name that is none of fit.photos; empty stands for all photographs.
 std::optional<Complaint> photo_complaint(const Scene& scene, const std::string& photo);
-
-/// Footprints, nebulae with their nodes, and volumes: that what one number needs is there. Throws
-/// Error(scene) with the scene's file.
-void check_volumes(const Scene& scene);
-
-/// The Sun and what stands on it: the same.
-void check_sun(const Scene& scene);
 
 /// Paths, names, limits, scales and priors of fit.free. Throws Error(scene) with the scene's file and the
 /// entry's line.

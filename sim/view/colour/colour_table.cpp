@@ -5,6 +5,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/csv_table.h"
+#include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/table/table_files.h"
 
 namespace vegard::sim {

@@ -11,7 +11,7 @@
 
 #include "fit/measure/noise_model.h"
 #include "sim/render/render.h"
-#include "sim/scene/table/spline_rates.h"
+#include "sim/scene/rows/spline_rates.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/small_scene.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/render/render.h"
-#include "sim/scene/table/spline_rates.h"
+#include "sim/scene/rows/spline_rates.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::fit {

@@ -8,7 +8,7 @@
 
 #include "sim/base/number/random.h"
 #include "sim/scene/file/scene_toml.h"
-#include "sim/scene/table/spline_rates.h"
+#include "sim/scene/rows/spline_rates.h"
 
 namespace vegard::fit {
 namespace {

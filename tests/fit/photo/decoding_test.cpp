@@ -8,7 +8,7 @@
 
 #include "fit/photo/photo.h"
 #include "sim/scene/file/scene_toml.h"
-#include "sim/scene/table/decoding_word.h"
+#include "sim/scene/rows/decoding_word.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sim/light/sheet_profile.h"
-#include "sim/scene/table/spline_rates.h"
+#include "sim/scene/rows/spline_rates.h"
 #include "tests/support/one_sheet.h"
 
 namespace vegard::sim {

@@ -12,7 +12,7 @@
 #include "sim/base/earth.h"
 #include "sim/render/film.h"
 #include "sim/scene/file/scene_toml.h"
-#include "sim/scene/table/forms.h"
+#include "sim/scene/rows/forms.h"
 #include "tests/support/exposed.h"
 
 namespace vegard::sim {

@@ -11,10 +11,10 @@
 #include "sim/emit/footprint/map/plane_grid.h"
 #include "sim/emit/footprint/map/sheet_footprint.h"
 #include "sim/emit/footprint/map/spline_footprint.h"
+#include "sim/scene/rows/complaint.h"
+#include "sim/scene/rows/value_words.h"
 #include "sim/scene/structs/footprint_size.h"
 #include "sim/scene/structs/line_of.h"
-#include "sim/scene/table/value_check.h"
-#include "sim/scene/table/value_words.h"
 
 namespace vegard::sim {
 namespace {

@@ -1,6 +1,6 @@
 #include "sim/scene/table/parameter_table.h"
 
-#include "sim/scene/table/spline_rates.h"
+#include "sim/scene/rows/spline_rates.h"
 
 #include <cmath>
 #include <limits>

@@ -1,0 +1,97 @@
+// [[bundle]]: straight lines that stand on the Sun.
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/earth.h"
+#include "sim/scene/emitters/element_rules.h"
+#include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/rows/line_component.h"
+#include "sim/scene/rows/row.h"
+#include "sim/scene/rows/value_words.h"
+
+namespace vegard::sim {
+namespace {
+
+template <class Value>
+Row row(const char* key, Value Bundle::*value) {
+  return Row("bundle", key, &Scene::bundles, value);
+}
+
+std::vector<Declaration> bundle_rows() {
+  using B = Bundle;
+  // clang-format off
+  return {
+      row("name", &B::name).means("by which paths call the bundle"),
+      row("count", &B::count).within(1, 100000).means("how many lines it has"),
+      row("length", &B::length).within(1e-6, 1e9).may_be_free(ParameterScale::logarithmic).means("of a line, in units of the Sun's frame, as all its lengths"),
+      row("gradient_deg", &B::gradient_deg).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("of a line from the vertical, towards the equator: its gradient at the start"),
+      row("slope_noise_deg", &B::slope_noise_deg).in("deg").within(0, 90).may_be_free(ParameterScale::linear).means("standard deviation of a line's slope, in either direction"),
+      row("position_noise_deg", &B::position_noise_deg).in("deg").within(0, 90).may_be_free(ParameterScale::linear).means("standard deviation of a foot's place, off places that are spread evenly"),
+      row("density_noise", &B::density_noise).within(0, 5).may_be_free(ParameterScale::linear).means("standard deviation of the logarithm of a line's density"),
+      row("density", &B::density).within(0, 1e18).may_be_free(ParameterScale::logarithmic).means("in the middle of a line at its foot"),
+      row("falloff_length", &B::falloff_length).within(1e-6, 1e9).may_be_free(ParameterScale::logarithmic).means("along a line, over which its density falls to 1 / e"),
+      row("foot_radius", &B::foot_radius).within(1e-9, 1e9).may_be_free(ParameterScale::logarithmic).means("of a line at its foot, beyond which it has no density"),
+      row("top_radius", &B::top_radius).within(1e-9, 1e9).may_be_free(ParameterScale::logarithmic).means("the same at its end"),
+      row("density_falloff", &B::density_falloff).one_of({"smooth", "linear", "gaussian"}).means("density across a line, as of a loop's strand"),
+      row("filaments", &B::filaments).within(0, 10000).means("places that feet are drawn together to; 0: none"),
+      row("filament_pull", &B::filament_pull).within(0, 1).may_be_free(ParameterScale::linear).means("how near a foot comes to its place: 1 - this is what is left of their distance"),
+      row("lowest_latitude_deg", &B::lowest_latitude_deg).in("deg").within(-90, 90).means("of feet"),
+      row("highest_latitude_deg", &B::highest_latitude_deg).in("deg").within(-90, 90).means("of feet"),
+      row("horizon_deg", &B::horizon_deg).in("deg").within(0.1, 90).means("feet are at most so far from the limb, as the observer sees it: streaks over the horizon; 90: anywhere"),
+      row("rayleigh", &B::rayleigh).of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
+          .means("light of density 1 to a unit of path, per emission line"),
+      row("temperature_mk", &B::temperature_mk).in("MK").within(0, 100).may_be_free(ParameterScale::logarithmic).means("if not 0, lines with a response to temperature (docs/lines.md) shine by it"),
+  };
+  // clang-format on
+}
+
+void check_the_bundle(const Scene& scene, const Bundle& b) {
+  const ElementCheck check(scene, "bundle." + b.name);
+  check.check_shown();
+  check.check_lines(b.rayleigh, false, "rayleigh");
+  check.check_below(b.lowest_latitude_deg, "lowest_latitude_deg", b.highest_latitude_deg,
+                    "highest_latitude_deg");
+  // Places of a latitude are from |latitude - B0| to 180° - |latitude + B0| off the middle of the disc.
+  const double b0 = scene.sun.latitude_deg;
+  const auto within = [&](double latitude) {
+    return std::clamp(latitude, b.lowest_latitude_deg, b.highest_latitude_deg);
+  };
+  const double least = std::abs(within(b0) - b0), most = 180.0 - std::abs(within(-b0) + b0);
+  const double limb = std::acos(std::min(1.0, scene.sun.radius * scene.sun.unit_km / scene.sun.distance_km)) /
+                      kRadiansPerDegree;
+  if (limb + b.horizon_deg < least || limb - b.horizon_deg > most)
+    check.refuse({"no place between these latitudes is within " + short_real_text(b.horizon_deg) +
+                      " degrees of the limb",
+                  "a larger horizon_deg, or other latitudes", ""},
+                 "horizon_deg");
+}
+
+void check_bundles(const Scene& scene) {
+  for (const Bundle& bundle : scene.bundles) check_the_bundle(scene, bundle);
+}
+
+std::optional<Complaint> why_bundle_idle(const Scene& scene, const ParameterPath& path) {
+  if (path.row->table != "bundle") return std::nullopt;
+  const Bundle& b = scene.bundles[static_cast<std::size_t>(path.element)];
+  const std::string& key = path.row->key;
+  if (key == "filament_pull" && b.filaments == 0)
+    return idle("the bundle has no filaments", key, "give it filaments");
+  if (key == "temperature_mk") return why_temperature_idle(scene, b.temperature_mk);
+  return std::nullopt;
+}
+
+}  // namespace
+
+EmitterKind bundle_kind() {
+  EmitterKind kind;
+  kind.table = "bundle";
+  kind.repeated = {repeated_table_of(kind.table, &Scene::bundles)};
+  kind.rows = bundle_rows;
+  kind.light = LightKind::sun;
+  kind.check = check_bundles;
+  kind.why_idle = why_bundle_idle;
+  kind.place_in_preview = 5;
+  return kind;
+}
+
+}  // namespace vegard::sim

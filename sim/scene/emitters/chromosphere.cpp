@@ -1,0 +1,99 @@
+// [[chromosphere]]: noise between two concentric spheres of the Sun.
+#include "sim/scene/emitters/element_rules.h"
+#include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/rows/line_component.h"
+#include "sim/scene/rows/row.h"
+#include "sim/scene/rows/value_words.h"
+
+namespace vegard::sim {
+namespace {
+
+template <class Value>
+Row row(const char* key, Value Chromosphere::*value) {
+  return Row("chromosphere", key, &Scene::chromospheres, value);
+}
+
+std::vector<Declaration> chromosphere_rows() {
+  using C = Chromosphere;
+  // clang-format off
+  return {
+      row("name", &C::name).means("by which paths call the chromosphere"),
+      row("innerradius", &C::innerradius).within(1e-3, 1e9).means("radius of the sphere below it, in units of the Sun's frame, as all its lengths"),
+      row("outerradius", &C::outerradius).within(1e-3, 1e9).means("radius of the sphere above it"),
+      row("roughness", &C::roughness).within(0, 1).may_be_free(ParameterScale::linear).means("height of an octave of its turbulence over that of the one before (ω)"),
+      row("octaves", &C::octaves).within(1, 12).means("octaves of its turbulence"),
+      row("scale", &C::scale).within(1e-3, 1e6).may_be_free(ParameterScale::logarithmic).means("length of the largest waves: size of the granules"),
+      row("shift", &C::shift).of({"x", "y", "z"}).within(-1e6, 1e6).may_be_free(ParameterScale::linear).means("of the turbulence, in lengths of its largest waves"),
+      row("coverage", &C::coverage).within(-1, 10).may_be_free(ParameterScale::linear).means("of the cutoff F(x) = amplitude (1 - exp(-(x - coverage) sharpness)), 0 where that is negative: turbulence up to it is empty"),
+      row("sharpness", &C::sharpness).within(0, 1000).may_be_free(ParameterScale::logarithmic).means("of the cutoff: how soon it comes near to its amplitude"),
+      row("amplitude", &C::amplitude).within(0, 1e6).may_be_free(ParameterScale::logarithmic).means("of the cutoff: the density that it comes near to"),
+      row("biasmap", &C::biasmap).names_file().means("picture by latitude (from the north pole down) and longitude (-180° to 180°), beside the scene's file; empty: none"),
+      row("peak", &C::peak).within(-1e6, 1e6).may_be_free(ParameterScale::linear).means("density that is added after the cutoff where that picture is white"),
+      row("cutoff", &C::cutoff).means("false: the density is the turbulence as it is"),
+      row("rayleigh", &C::rayleigh).of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
+          .means("light of density 1 to a unit of path, per emission line; empty: it is dark"),
+      row("extinction", &C::extinction).within(0, 1e6).may_be_free(ParameterScale::linear).means("extinction of density 1, to a unit of path: what lies behind it is dimmed"),
+      row("step", &C::step).within(1e-3, 1e6).means("step of the march"),
+  };
+  // clang-format on
+}
+
+void check_the_chromosphere(const Scene& scene, const Chromosphere& c) {
+  const ElementCheck check(scene, "chromosphere." + c.name);
+  check.check_shown();
+  check.check_lines(c.rayleigh, true, "rayleigh");
+  check.check_below(c.innerradius, "innerradius", c.outerradius, "outerradius");
+  constexpr double kMostSteps = 100000.0;
+  const double steps = 2.0 * c.outerradius / c.step;
+  if (steps > kMostSteps)
+    check.refuse({short_real_text(steps) + " steps from side to side",
+                  "at most " + short_real_text(kMostSteps), "a larger step"},
+                 "step");
+  if (c.peak != 0.0 && c.biasmap.empty())
+    check.refuse({"there is no map for the peak", "biasmap = \"a picture's name\"", "or peak = 0"}, "peak");
+}
+
+void check_chromospheres(const Scene& scene) {
+  for (const Chromosphere& chromosphere : scene.chromospheres) check_the_chromosphere(scene, chromosphere);
+}
+
+std::optional<Complaint> why_chromosphere_idle(const Scene& scene, const ParameterPath& parameter) {
+  if (parameter.row->table != "chromosphere") return std::nullopt;
+  const Chromosphere& c = scene.chromospheres[static_cast<std::size_t>(parameter.element)];
+  const std::string& key = parameter.row->key;
+  if (key == "peak" && c.biasmap.empty()) return idle("the chromosphere has no map", key, "name a biasmap");
+  if (!c.cutoff && is_one_of(key, {"coverage", "sharpness", "amplitude"}))
+    return idle("the chromosphere has no cutoff", key, "set cutoff = true");
+  if (key == "roughness" && c.octaves == 1)
+    return idle("the turbulence has one octave", key, "give it more octaves");
+  const std::string path = "chromosphere." + c.name + ".";
+  const bool is_dark = all_zero(c.rayleigh) && !frees(scene, path + "rayleigh"),
+             is_clear = c.extinction == 0.0 && !frees(scene, path + "extinction");
+  if (is_dark && is_clear && !is_one_of(key, {"rayleigh", "extinction"}))
+    return idle("the chromosphere neither shines nor absorbs", key, "give it rayleigh or extinction");
+  return std::nullopt;
+}
+
+std::vector<PictureOfScene> pictures_of_chromospheres(const Scene& scene) {
+  std::vector<PictureOfScene> all;
+  for (const Chromosphere& c : scene.chromospheres)
+    if (!c.biasmap.empty()) all.push_back({"chromosphere." + c.name + ".biasmap", c.biasmap});
+  return all;
+}
+
+}  // namespace
+
+EmitterKind chromosphere_kind() {
+  EmitterKind kind;
+  kind.table = "chromosphere";
+  kind.repeated = {repeated_table_of(kind.table, &Scene::chromospheres)};
+  kind.rows = chromosphere_rows;
+  kind.light = LightKind::sun;
+  kind.check = check_chromospheres;
+  kind.why_idle = why_chromosphere_idle;
+  kind.pictures = pictures_of_chromospheres;
+  kind.place_in_preview = 3;
+  return kind;
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,87 @@
+// [[corona]]: the corona at large.
+#include <algorithm>
+
+#include "sim/scene/emitters/element_rules.h"
+#include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/rows/line_component.h"
+#include "sim/scene/rows/row.h"
+
+namespace vegard::sim {
+namespace {
+
+template <class Value>
+Row row(const char* key, Value Corona::*value) {
+  return Row("corona", key, &Scene::coronae, value);
+}
+
+std::string name_by_term(const Scene&, int, int index) { return std::to_string(index); }
+
+std::vector<Declaration> corona_rows() {
+  using C = Corona;
+  // clang-format off
+  return {
+      row("name", &C::name).means("by which paths call the corona"),
+      row("density", &C::density).within(0, 1e18).may_be_free(ParameterScale::logarithmic).means("at the photosphere, where the shares add up to 1: density (Σ share (r / R)^-power)"),
+      row("share", &C::share).of({"<n>"}).named_by(name_by_term).within(0, 1e6).may_be_free(ParameterScale::linear).means("of the falloff's terms"),
+      row("power", &C::power).of({"<n>"}).named_by(name_by_term).within(0, 100).may_be_free(ParameterScale::linear).means("of the falloff's terms"),
+      row("polar", &C::polar).within(0, 10).may_be_free(ParameterScale::linear).means("density over the poles, of that over the equator; between them by the square of the sine of the latitude"),
+      row("reach", &C::reach).within(1.001, 1000).means("where it ends, in radii of the photosphere"),
+      row("light", &C::light).one_of({"density", "square", "scattered"}).means("light as density; as its square, as of collisions; or as density times the photosphere's light scattered by free electrons (Thomson)"),
+      row("rayleigh", &C::rayleigh).of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
+          .means("light of density 1 to a unit of path, per emission line; of scattered light at the photosphere's edge"),
+      row("temperature_mk", &C::temperature_mk).in("MK").within(0, 100).may_be_free(ParameterScale::logarithmic).means("if not 0, lines with a response to temperature (docs/lines.md) shine by it"),
+  };
+  // clang-format on
+}
+
+void check_the_corona(const Scene& scene, const Corona& c) {
+  const ElementCheck check(scene, "corona." + c.name);
+  check.check_shown();
+  check.check_lines(c.rayleigh, false, "rayleigh");
+  if (c.share.empty() || c.share.size() != c.power.size())
+    check.refuse(
+        {std::to_string(c.share.size()) + " of share for " + std::to_string(c.power.size()) + " of power",
+         "as many of one as of the other, and at least one", ""},
+        "share");
+}
+
+void check_coronae(const Scene& scene) {
+  for (const Corona& corona : scene.coronae) check_the_corona(scene, corona);
+}
+
+std::optional<Complaint> why_corona_idle(const Scene& scene, const ParameterPath& path) {
+  if (path.row->table != "corona") return std::nullopt;
+  const Corona& c = scene.coronae[static_cast<std::size_t>(path.element)];
+  const std::string& key = path.row->key;
+  const auto term = static_cast<std::size_t>(std::max(0, path.component));
+  if (key == "power" && term < c.share.size() && c.share[term] == 0.0 &&
+      !frees(scene, "corona." + c.name + ".share"))
+    return idle("its share is 0", key, "give it a share");
+  if (key == "temperature_mk") return why_temperature_idle(scene, c.temperature_mk);
+  return std::nullopt;
+}
+
+OnSun coronae_on_sun(const Scene& scene) {
+  if (!scene.sun.shown || scene.coronae.empty()) return OnSun::nothing;
+  const bool has_poles = std::any_of(scene.coronae.begin(), scene.coronae.end(), [&](const Corona& c) {
+    return c.polar != 1.0 || frees(scene, "corona." + c.name + ".polar");
+  });
+  return has_poles ? OnSun::alike_about_axis : OnSun::alike_all_round;
+}
+
+}  // namespace
+
+EmitterKind corona_kind() {
+  EmitterKind kind;
+  kind.table = "corona";
+  kind.repeated = {repeated_table_of(kind.table, &Scene::coronae)};
+  kind.rows = corona_rows;
+  kind.light = LightKind::sun;
+  kind.check = check_coronae;
+  kind.why_idle = why_corona_idle;
+  kind.on_sun = coronae_on_sun;
+  kind.place_in_preview = 4;
+  return kind;
+}
+
+}  // namespace vegard::sim

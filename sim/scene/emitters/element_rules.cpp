@@ -1,0 +1,62 @@
+#include "sim/scene/emitters/element_rules.h"
+
+#include <algorithm>
+
+#include "sim/scene/lines/solar_lines.h"
+
+namespace vegard::sim {
+
+void ElementCheck::refuse(const Complaint& complaint, const std::string& key) const {
+  complain(complaint, {scene_.file, 0, path_ + "." + key});
+}
+
+void ElementCheck::check_shown() const {
+  if (!scene_.sun.shown)
+    refuse({"it stands on the Sun, which is not in the scene", "shown = true in [sun]", ""}, "name");
+}
+
+void ElementCheck::check_lines(const std::vector<double>& list, bool may_be_empty, const char* key) const {
+  const std::size_t lines = scene_.emission.lines.size();
+  if (list.size() == lines || (may_be_empty && list.empty())) return;
+  refuse({std::to_string(list.size()) + " numbers for " + std::to_string(lines) + " emission lines",
+          "one per line of emission.lines, in its order", ""},
+         key);
+}
+
+void ElementCheck::check_below(double low, const char* low_key, double high, const char* high_key) const {
+  if (low < high) return;
+  refuse(
+      {std::string(low_key) + " is not below " + high_key, std::string(low_key) + " below " + high_key, ""},
+      low_key);
+}
+
+bool is_one_of(const std::string& word, std::initializer_list<const char*> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool all_zero(const std::vector<double>& list) {
+  return std::all_of(list.begin(), list.end(), [](double x) { return x == 0.0; });
+}
+
+bool frees(const Scene& scene, const std::string& path) {
+  return std::any_of(scene.fit.free.begin(), scene.fit.free.end(), [&](const FreeParameter& free) {
+    return free.path == path || free.path.rfind(path + ".", 0) == 0;
+  });
+}
+
+Complaint idle(const std::string& what, const std::string& key, const std::string& hint) {
+  return {what + ", so " + key + " counts for nothing", "a parameter that the light depends on",
+          "leave it out of fit.free, or " + hint};
+}
+
+std::optional<Complaint> why_temperature_idle(const Scene& scene, double temperature_mk) {
+  if (temperature_mk == 0.0)
+    return idle("the light is that of any temperature", "temperature_mk", "set it above 0");
+  const std::vector<double>& lines = scene.emission.lines;
+  if (std::any_of(lines.begin(), lines.end(), [](double nm) { return temperature_response(nm).has_value(); }))
+    return std::nullopt;
+  return idle("no emission line has a response to the temperature", "temperature_mk",
+              "name a line of the corona in emission.lines");
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,302 @@
+// [[footprint]]: aurora by its footprint.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "sim/base/earth.h"
+#include "sim/scene/emitters/element_rules.h"
+#include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/rows/row.h"
+#include "sim/scene/rows/value_words.h"
+#include "sim/scene/structs/footprint_size.h"
+
+namespace vegard::sim {
+namespace {
+
+template <class Value>
+Row row(const char* key, Value Footprint::*value) {
+  return Row("footprint", key, &Scene::footprints, value);
+}
+
+std::string name_by_point(const Scene&, int, int index) { return std::to_string(index); }
+
+std::vector<Declaration> footprint_rows() {
+  using F = Footprint;
+  // clang-format off
+  return {
+      row("name", &F::name).means("by which paths call the footprint"),
+      row("shape", &F::shape).one_of({"box", "shell"})
+          .means("a box about a point of the observer's tangent plane, or a shell around the whole Earth"),
+      row("model", &F::model).one_of({"volume", "curtain"})
+          .means("light with a thickness, or upright walls without one along the splines, a cheap preview"),
+      row("source", &F::source).one_of({"spline", "image", "cube", "sheets", "noise"})
+          .means("where the footprint comes from: a curve through points, a picture, six pictures of a cube's faces, the scene's sheets (which are then not drawn as beams), or fractal noise in a box"),
+      row("fall", &F::fall).one_of({"field", "vertical"})
+          .means("along the scene's field, or straight down; a shell's light always falls straight down"),
+      row("center_km", &F::center_km).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
+          .means("middle of a box, of the feet at 110 km altitude"),
+      row("size_km", &F::size_km).of({"east", "north"}).in("km").within(1, 6000)
+          .means("extent of a box"),
+      row("cell_km", &F::cell_km).in("km").within(0.01, 100).means("edge of a cell of a box's footprint"),
+      row("face_cells", &F::face_cells).within(16, 8192)
+          .means("cells along an edge of each of the six cube faces of a shell's footprint"),
+      row("east_km", &F::east_km).of({"<n>"}).named_by(name_by_point).in("km").within(-6000, 6000).may_be_free(ParameterScale::linear)
+          .means("points of a box's spline, from the box's middle to the east"),
+      row("north_km", &F::north_km).of({"<n>"}).named_by(name_by_point).in("km").within(-6000, 6000).may_be_free(ParameterScale::linear)
+          .means("the same to the north"),
+      row("latitude_deg", &F::latitude_deg).of({"<n>"}).named_by(name_by_point).in("deg").within(-90, 90)
+          .means("points of a shell's spline: geographic latitude"),
+      row("longitude_deg", &F::longitude_deg).of({"<n>"}).named_by(name_by_point).in("deg").within(-360, 720)
+          .means("the same: longitude, east positive"),
+      row("closed", &F::closed).means("the spline's last point is followed by its first"),
+      row("width_km", &F::width_km).in("km").within(0.01, 1000).may_be_free(ParameterScale::logarithmic)
+          .means("standard deviation of the Gaussian across the spline"),
+      row("image", &F::image).names_file()
+          .means("picture of the footprint beside the scene's file: north up over a box; equirectangular around the Earth; of a cube \"NAME_{face}.png\" with the faces px, nx, py, ny, pz, nz (docs/volumes.md says which way up); values are taken as they stand"),
+      row("image_gamma", &F::image_gamma).within(0.1, 10).means("the energy flux goes as the picture's value to this power"),
+      row("energy_image", &F::energy_image).names_file().means("picture of the electrons' energy, of the same extent; empty: the same everywhere"),
+      row("energy_ratio", &F::energy_ratio).within(0.01, 100)
+          .means("energy where energy_image is white, over energy_kev, which is where it is black; between them the logarithm is even"),
+      row("point_energy", &F::point_energy).of({"<n>"}).named_by(name_by_point).within(0.05, 20).may_be_free(ParameterScale::logarithmic)
+          .means("energy at the spline's points, over energy_kev; empty: 1 everywhere"),
+      row("point_flux", &F::point_flux).of({"<n>"}).named_by(name_by_point).within(0, 1000).may_be_free(ParameterScale::linear)
+          .means("energy flux at the spline's points, over energy_flux_mw_m2; empty: 1 everywhere"),
+      row("noise_scale_km", &F::noise_scale_km).in("km").within(1, 5000).means("largest waves of a noise footprint"),
+      row("noise_octaves", &F::noise_octaves).within(1, 10).means("its octaves"),
+      row("noise_coverage", &F::noise_coverage).within(0, 1).means("roughly the share of the box that shines"),
+      row("flow_turns", &F::flow_turns).within(0, 10)
+          .means("how far a plane incompressible flow has wound the footprint up, in turns of its fastest part; 0: not at all"),
+      row("flow_scale_km", &F::flow_scale_km).in("km").within(1, 2000).means("of the ripples that the flow starts from"),
+      row("flow_ripple", &F::flow_ripple).within(0, 10).means("their strength, over that of the footprint's own shear"),
+      row("light", &F::light).one_of({"lines", "colours"})
+          .means("the emission lines of the electrons, or two colours between two altitudes in the place of theirs"),
+      row("low_colour", &F::low_colour).of({"r", "g", "b"}).within(0, 1).means("colour at low_km, linear, of the sensor's primaries"),
+      row("high_colour", &F::high_colour).of({"r", "g", "b"}).within(0, 1).means("colour at high_km"),
+      row("low_km", &F::low_km).in("km").within(80, 640).means("altitude of low_colour and below"),
+      row("high_km", &F::high_km).in("km").within(80, 640).means("altitude of high_colour and above"),
+      row("energy_kev", &F::energy_kev).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
+          .means("characteristic energy of the electrons, as a sheet's"),
+      row("energy_flux_mw_m2", &F::energy_flux_mw_m2).in("mW m⁻²").within(0, 10000).may_be_free(ParameterScale::logarithmic)
+          .means("energy flux Q at the spline, or where the picture is white"),
+      row("profile", &F::profile).one_of({"maxwellian", "mono", "gaussian", "form"})
+          .means("light against altitude: of a spectrum of electrons, or a form"),
+      row("energy_spread", &F::energy_spread).within(0.01, 1).means("of the profile \"gaussian\", as a sheet's"),
+      row("peak_km", &F::peak_km).in("km").within(81, 600).means("of the profile \"form\": altitude of its peak"),
+      row("lower_km", &F::lower_km).in("km").within(0.5, 100).means("below the peak a form's light has fallen to a tenth"),
+      row("upper_km", &F::upper_km).in("km").within(0.5, 500).means("above the peak a form's light has fallen to a tenth"),
+      row("top_km", &F::top_km).in("km").within(100, 640).means("above which there is no light"),
+  };
+  // clang-format on
+}
+
+using Refuse = std::function<void(const Complaint&, const std::string& key)>;
+
+/// That no map, and no curve, takes more memory than a machine has.
+void check_size(const Footprint& f, const Refuse& refuse) {
+  const bool is_shell = f.shape == "shell", of_spline = f.source == "spline";
+  if (of_spline && spline_pieces(f) > kMostSplinePieces)
+    refuse({"the spline would be drawn in " + short_real_text(spline_pieces(f)) + " pieces of " +
+                short_real_text(longest_piece_km(f)) + " km",
+            "at most 1048576", "a larger width_km, larger cells, or points nearer to each other"},
+           is_shell ? "longitude_deg" : "east_km");
+  if (f.model == "curtain") return;
+  if (!is_shell && longest_side_cells(f) > kMostSideCells)
+    refuse({"the box has " + short_real_text(longest_side_cells(f)) + " cells along a side", "at most 262000",
+            "a larger cell_km, or a smaller size_km"},
+           "cell_km");
+  if (!is_shell && map_cells(f) > kMostBoxCells)
+    refuse({"the box has more than 67108864 cells: " + short_real_text(map_cells(f)),
+            "a larger cell_km, or a smaller size_km", ""},
+           "cell_km");
+  const double bytes = map_cells(f) * bytes_per_cell(f, sizeof(double));
+  if (bytes > kMostMapBytes)
+    refuse({"the footprint's map would take " + short_real_text(std::round(bytes * 1e-8) * 0.1) + " GB, " +
+                short_real_text(bytes_per_cell(f, sizeof(double))) + " bytes a cell",
+            "at most 4 GB", is_shell ? "fewer face_cells" : "a larger cell_km, or a smaller size_km"},
+           is_shell ? "face_cells" : "cell_km");
+}
+
+/// Between neighbours a quarter of the way round or more apart, a spline would leave the sphere too far to be
+/// drawn back to it.
+void check_points_of_shell(const Footprint& f, const Refuse& refuse) {
+  const auto unit = [&](std::size_t i) {
+    const double latitude = f.latitude_deg[i] * kRadiansPerDegree,
+                 longitude = f.longitude_deg[i] * kRadiansPerDegree;
+    return std::array<double, 3>{std::cos(latitude) * std::cos(longitude),
+                                 std::cos(latitude) * std::sin(longitude), std::sin(latitude)};
+  };
+  const std::size_t n = f.latitude_deg.size();
+  for (std::size_t i = 0; i < (f.closed ? n : n - 1); ++i) {
+    const std::size_t next = (i + 1) % n;
+    const std::array<double, 3> a = unit(i), b = unit(next);
+    const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    if (cosine > 1e-9) continue;
+    const double degrees = std::acos(std::clamp(cosine, -1.0, 1.0)) / kRadiansPerDegree;
+    refuse({"points " + std::to_string(i) + " and " + std::to_string(next) + " are " +
+                short_real_text(std::round(degrees * 10.0) * 0.1) + " degrees apart on the globe",
+            "neighbours less than 90 degrees apart" +
+                std::string(f.closed ? ", the last and the first of a closed curve too" : ""),
+            "more points between them"},
+           "longitude_deg");
+  }
+}
+
+void check_the_footprint(const Scene& scene, const Footprint& f) {
+  const std::string path = "footprint." + f.name + ".";
+  const auto refuse = [&](const Complaint& complaint, const std::string& key) {
+    complain(complaint, {scene.file, 0, path + key});
+  };
+  const bool is_shell = f.shape == "shell";
+  const auto &x = is_shell ? f.longitude_deg : f.east_km, &y = is_shell ? f.latitude_deg : f.north_km;
+  const char *x_key = is_shell ? "longitude_deg" : "east_km", *y_key = is_shell ? "latitude_deg" : "north_km";
+  if (f.source == "spline") {
+    if (x.size() != y.size())
+      refuse({std::to_string(x.size()) + " of " + x_key + " for " + std::to_string(y.size()) + " of " + y_key,
+              "as many of one as of the other", ""},
+             y_key);
+    if (x.size() < 2 || x.size() > 1000)
+      refuse({"a spline through " + std::to_string(x.size()) + " points",
+              std::string(x_key) + " and " + y_key + " of 2 to 1000 points", ""},
+             x_key);
+    if (is_shell) check_points_of_shell(f, refuse);
+  }
+  for (const auto& [list, key] : {std::pair{&f.point_energy, "point_energy"}, {&f.point_flux, "point_flux"}})
+    if (!list->empty() && (f.source != "spline" || list->size() != x.size()))
+      refuse({std::to_string(list->size()) + " numbers for " +
+                  std::to_string(f.source == "spline" ? x.size() : 0) + " points of a spline",
+              "one for every point, or none", ""},
+             key);
+  if (f.model == "curtain" && f.source != "spline")
+    refuse({"a curtain stands on a spline, not on a footprint of " + quoted_text(f.source),
+            "source = \"spline\"", "or model = \"volume\""},
+           "model");
+  const bool of_file = f.source == "image" || f.source == "cube";
+  if (of_file && f.image.empty())
+    refuse(
+        {"the footprint is to come from a picture, but image names none", "image = \"a picture's name\"", ""},
+        "source");
+  if (f.source == "cube" && (!is_shell || f.image.find("{face}") == std::string::npos))
+    refuse(
+        {is_shell ? "'" + f.image + "' does not say where the face's name stands" : "a box has no cube faces",
+         is_shell ? "a name such as \"foot_{face}.png\"" : "shape = \"shell\"", ""},
+        is_shell ? "image" : "source");
+  if (is_shell && (f.source == "sheets" || f.source == "noise"))
+    refuse({"a footprint of " + quoted_text(f.source) + " is a box's", "shape = \"box\"", ""}, "source");
+  if (f.source == "sheets" && scene.sheets.empty())
+    refuse({"the footprint is to be that of the sheets, but there are none", "a [[sheet]], or another source",
+            ""},
+           "source");
+  if (is_shell && f.flow_turns > 0.0)
+    refuse({"a flow is of a plane, and a shell has none", "flow_turns = 0, or shape = \"box\"", ""},
+           "flow_turns");
+  check_size(f, refuse);
+  if (f.low_km >= f.high_km) refuse({"low_km is not below high_km", "low_km below high_km", ""}, "low_km");
+}
+
+void check_footprints(const Scene& scene) {
+  for (const Footprint& footprint : scene.footprints) check_the_footprint(scene, footprint);
+}
+
+std::optional<Complaint> of_footprint(const Footprint& f, const std::string& key) {
+  if (f.shape == "shell" && !is_one_of(key, {"energy_kev"}))
+    return Complaint{"the footprint is a shell, whose map has no derivative by " + key,
+                     "a number of a footprint of shape \"box\", or energy_kev", "leave it out of fit.free"};
+  const bool of_spline = is_one_of(key, {"east_km", "north_km", "width_km", "point_energy", "point_flux"});
+  if (of_spline && f.source != "spline")
+    return idle("the footprint comes from \"" + f.source + "\"", key, "set source to \"spline\"");
+  if (f.model != "curtain" && f.flow_turns > 0.0 &&
+      is_one_of(key, {"east_km", "north_km", "width_km", "point_flux"}))
+    return Complaint{
+        "the flow that winds the footprint up depends on " + key + ", and its derivative is not known",
+        "a footprint that does not flow, or a number that its flow does not depend on",
+        "set flow_turns = 0, or leave it out of fit.free"};
+  if (f.source == "sheets" && is_one_of(key, {"center_km", "energy_kev", "energy_flux_mw_m2"}))
+    return idle("feet, energy and flux are those of the sheets", key, "free the sheets' own numbers");
+  return std::nullopt;
+}
+
+/// Of a sheet that a footprint is made of.
+std::optional<Complaint> of_sheet_in_footprint(const Scene& scene, const Sheet& sheet,
+                                               const std::string& key) {
+  const bool is_in_one = std::any_of(scene.footprints.begin(), scene.footprints.end(),
+                                     [](const Footprint& f) { return f.source == "sheets"; });
+  if (is_in_one && key == "energy_kev" && sheet.brightness_kilorayleigh > 0.0)
+    return Complaint{
+        "the sheet's brightness is given, and how the energy flux of its footprint depends on "
+        "its energy then is not known",
+        "a sheet of given energy_flux_mw_m2",
+        "set energy_flux_mw_m2 in the place of brightness_kilorayleigh, or leave it out of "
+        "fit.free"};
+  const bool flows = std::any_of(scene.footprints.begin(), scene.footprints.end(), [](const Footprint& f) {
+    return f.source == "sheets" && f.flow_turns > 0.0;
+  });
+  // The flow goes by ratios of fluxes, and so not by the flux of a single sheet.
+  if (!flows || key == "energy_kev" || (key == "energy_flux_mw_m2" && scene.sheets.size() == 1))
+    return std::nullopt;
+  return Complaint{
+      "the flow that winds the sheets' footprint up depends on " + key + ", and its derivative is not known",
+      "a footprint that does not flow, or a number that its flow does not depend on",
+      "set the footprint's flow_turns = 0, or leave it out of fit.free"};
+}
+
+std::optional<Complaint> why_footprint_idle(const Scene& scene, const ParameterPath& path) {
+  const std::string& table = path.row->table;
+  const auto e = static_cast<std::size_t>(path.element);
+  if (table == "footprint") return of_footprint(scene.footprints[e], path.row->key);
+  if (table == sheet_table) return of_sheet_in_footprint(scene, scene.sheets[e], path.row->key);
+  return std::nullopt;
+}
+
+bool footprints_could_shine(const Scene& scene) {
+  return std::any_of(scene.footprints.begin(), scene.footprints.end(),
+                     [](const Footprint& f) { return f.energy_flux_mw_m2 > 0.0; });
+}
+
+bool footprints_of_sheets(const Scene& scene) {
+  return std::any_of(scene.footprints.begin(), scene.footprints.end(),
+                     [](const Footprint& f) { return f.source == "sheets"; });
+}
+
+std::vector<Whereabouts> where_footprints_are(const Scene& scene) {
+  std::vector<Whereabouts> all;
+  for (const Footprint& f : scene.footprints) {
+    all.push_back({Whereabouts::Known::place, "footprint '" + f.name + "'", f.center_km});
+    if (f.shape == "box") continue;
+    all.back().known = Whereabouts::Known::words;
+    all.back().words = "stands around the Earth";
+  }
+  return all;
+}
+
+std::vector<PictureOfScene> pictures_of_footprints(const Scene& scene) {
+  std::vector<PictureOfScene> all;
+  for (const Footprint& f : scene.footprints) {
+    if (f.source != "image" && f.source != "cube") continue;
+    const std::string path = "footprint." + f.name + ".";
+    for (const auto& [key, name] : {std::pair{"image", f.image}, {"energy_image", f.energy_image}})
+      if (!name.empty()) all.push_back({path + key, name, f.source == "cube"});
+  }
+  return all;
+}
+
+}  // namespace
+
+EmitterKind footprint_kind() {
+  EmitterKind kind;
+  kind.table = "footprint";
+  kind.repeated = {repeated_table_of(kind.table, &Scene::footprints)};
+  kind.rows = footprint_rows;
+  kind.light = LightKind::aurora;
+  kind.check = check_footprints;
+  kind.why_idle = why_footprint_idle;
+  kind.could_shine = footprints_could_shine;
+  kind.moves = footprints_of_sheets;
+  kind.made_of_sheets = footprints_of_sheets;
+  kind.whereabouts = where_footprints_are;
+  kind.pictures = pictures_of_footprints;
+  kind.place_in_preview = 0;
+  return kind;
+}
+
+}  // namespace vegard::sim

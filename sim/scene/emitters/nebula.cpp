@@ -1,0 +1,279 @@
+// [[nebula]]: clouds beyond the air, and [[node]]: what their density maps are made of.
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+#include "sim/scene/emitters/element_rules.h"
+#include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/rows/line_component.h"
+#include "sim/scene/rows/row.h"
+#include "sim/scene/rows/value_words.h"
+#include "sim/scene/structs/node_names.h"
+
+namespace vegard::sim {
+namespace {
+
+template <class Value>
+Row row(const char* key, Value Nebula::*value) {
+  return Row("nebula", key, &Scene::nebulae, value);
+}
+
+template <class Value>
+Row node(const char* key, Value Node::*value) {
+  return Row("node", key, &Scene::nodes, value);
+}
+
+std::vector<Declaration> nebula_rows() {
+  using N = Nebula;
+  // clang-format off
+  return {
+      row("name", &N::name).means("by which paths call the nebula"),
+      row("method", &N::method).one_of({"physical", "literal"})
+          .means("emission and absorption along each ray, in rayleighs; or the source's march with its constants, which gives colours only"),
+      row("azimuth_deg", &N::azimuth_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("direction of its middle, from north to the east"),
+      row("elevation_deg", &N::elevation_deg).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("direction of its middle above the horizon"),
+      row("distance_pc", &N::distance_pc).in("pc").within(0, 1e7).may_be_free(ParameterScale::logarithmic).means("distance of its middle; less than its bound: the camera is inside"),
+      row("unit_pc", &N::unit_pc).in("pc").within(1e-6, 1e6).may_be_free(ParameterScale::logarithmic).means("its unit of length, which all its lengths are in"),
+      row("position_angle_deg", &N::position_angle_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("how far it is turned anticlockwise, as the observer sees it"),
+      row("bound", &N::bound).within(0.01, 1000).means("radius of the sphere that holds it; the source's is √8"),
+      row("edge", &N::edge).within(1e-6, 100).may_be_free(ParameterScale::logarithmic).means("over which the density falls from 1 to 0 outside of a node's surface (h of the source)"),
+      row("step", &N::step).within(1e-4, 1).means("step of the march; the literal march has its own"),
+      row("gas", &N::gas).means("name of the node of what shines by lines, and of the literal march's map; empty: none"),
+      row("glow", &N::glow).means("name of the node of a second light; empty: none"),
+      row("dust", &N::dust).means("name of the node of what absorbs; empty: none"),
+      row("inner_rayleigh", &N::inner_rayleigh).of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
+          .means("light of the gas at density 1 to a unit of path, per emission line, near the middle"),
+      row("outer_rayleigh", &N::outer_rayleigh).of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
+          .means("the same far out"),
+      row("glow_rayleigh", &N::glow_rayleigh).of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
+          .means("light of the glow at density 1 to a unit of path, per emission line"),
+      row("inner_radius", &N::inner_radius).within(0, 1000).may_be_free(ParameterScale::linear).means("distance from the middle up to which inner_rayleigh holds"),
+      row("outer_radius", &N::outer_radius).within(1e-6, 1000).may_be_free(ParameterScale::linear).means("distance from which on outer_rayleigh holds"),
+      row("density_power", &N::density_power).within(0.1, 4).may_be_free(ParameterScale::linear).means("light goes as density to this power: 2 for recombination"),
+      row("brightness", &N::brightness).within(0, 1e9).may_be_free(ParameterScale::logarithmic).means("times all its light"),
+      row("dust_depth", &N::dust_depth).within(0, 1e6).may_be_free(ParameterScale::linear).means("optical depth at 550 nm of dust of density 1 to a unit of path"),
+      row("dust_exponent", &N::dust_exponent).within(-4, 8).may_be_free(ParameterScale::linear).means("optical depth goes as wavelength to minus this power"),
+      row("colour_a", &N::colour_a).of({"r", "g", "b"}).within(0, 100).means("of the literal march: light's colour at the middle"),
+      row("colour_b", &N::colour_b).of({"r", "g", "b"}).within(0, 100).means("of the literal march: and at distance 1"),
+  };
+  // clang-format on
+}
+
+std::vector<Declaration> node_rows() {
+  // clang-format off
+  return {
+      node("name", &Node::name).means("by which other nodes, nebulae and paths call it"),
+      node("kind", &Node::kind)
+          .one_of({"sphere", "shell", "lobes", "torus", "tube", "slab", "filaments", "turbulence", "warp", "union", "intersection", "difference", "scale", "rotate", "move"})
+          .means("what it is: docs/nebulae.md"),
+      node("of", &Node::of).means("names of the nodes that it works on, separated by commas"),
+      node("center", &Node::center).of({"right", "up", "near"}).within(-1000, 1000).may_be_free(ParameterScale::linear)
+          .means("place of a shape's middle: to the right, up and towards the observer"),
+      node("angles_deg", &Node::angles_deg).of({"right", "up", "near"}).in("deg").within(-720, 720).may_be_free(ParameterScale::angle)
+          .means("turns of what it is or works on, about these axes one after the other"),
+      node("stretch", &Node::stretch).of({"right", "up", "near"}).within(0.01, 100).may_be_free(ParameterScale::logarithmic)
+          .means("stretch of what it is or works on along these axes, before any turn"),
+      node("radius", &Node::radius).within(0, 1000).may_be_free(ParameterScale::linear).means("of a sphere, shell, torus, tube; the largest of lobes"),
+      node("thickness", &Node::thickness).within(1e-6, 1000).may_be_free(ParameterScale::logarithmic).means("of a shell's, slab's and lobes' walls and of a torus's ring, from side to side"),
+      node("length", &Node::length).within(0, 1000).may_be_free(ParameterScale::linear).means("from the middle to the end of lobes or of a tube"),
+      node("waist", &Node::waist).within(0, 1000).may_be_free(ParameterScale::linear).means("radius of lobes in the middle"),
+      node("amplitude", &Node::amplitude).within(-100, 100).may_be_free(ParameterScale::linear).means("of filaments, turbulence and warp, in lengths"),
+      node("frequency", &Node::frequency).within(1e-3, 1e3).may_be_free(ParameterScale::logarithmic).means("of the largest waves of noise, to a unit of length"),
+      node("gain", &Node::gain).within(0, 1).may_be_free(ParameterScale::linear).means("height of an octave of noise over that of the one before"),
+      node("blend", &Node::blend).within(0, 100).may_be_free(ParameterScale::linear).means("length over which a union, intersection or difference is rounded; 0: sharp"),
+      node("octaves", &Node::octaves).within(1, 12).means("of noise"),
+      node("seed", &Node::seed).within(0, 1e9).means("of its noise, beside the scene's"),
+  };
+  // clang-format on
+}
+
+std::vector<Declaration> rows_of_nebulae_and_nodes() {
+  std::vector<Declaration> all = nebula_rows(), of_nodes = node_rows();
+  std::move(of_nodes.begin(), of_nodes.end(), std::back_inserter(all));
+  return all;
+}
+
+/// Names of nodes must be there, and no node may stand on itself.
+void check_nodes(const Scene& scene) {
+  constexpr std::size_t kMostNodes = 1000;
+  constexpr double kMostAsked = 10000.0;
+  if (scene.nodes.size() > kMostNodes)
+    complain({std::to_string(scene.nodes.size()) + " nodes", "at most " + std::to_string(kMostNodes), ""},
+             {scene.file, 0, "node." + scene.nodes[kMostNodes].name + ".name"});
+  const auto index_of = [&](const std::string& name) {
+    const auto found =
+        std::find_if(scene.nodes.begin(), scene.nodes.end(), [&](const Node& n) { return n.name == name; });
+    return static_cast<std::size_t>(found - scene.nodes.begin());
+  };
+  for (const Node& node : scene.nodes) {
+    const std::string key = "node." + node.name + ".of";
+    const std::vector<std::string> names = node_names(node.of);
+    const NodeArity arity = arity_of(node.kind);
+    if (names.size() < arity.least || names.size() > arity.most)
+      complain({"a node of kind " + quoted_text(node.kind) + " works on " + arity.words() + ", not on " +
+                    std::to_string(names.size()),
+                "of = " + std::string(arity.most == 0 ? "\"\"" : "names of nodes, separated by commas"), ""},
+               {scene.file, 0, key});
+    for (const std::string& name : names)
+      if (index_of(name) == scene.nodes.size())
+        complain({"there is no node '" + name + "'", "the name of a [[node]]", ""}, {scene.file, 0, key});
+  }
+  std::vector<int> state(scene.nodes.size(), 0);  // 1: on the way, 2: done
+  // A node that several work on is asked by each of them.
+  std::vector<double> asked(scene.nodes.size(), 1.0);
+  const auto visit = [&](const auto& self, std::size_t n) -> void {
+    if (state[n] == 2) return;
+    if (state[n] == 1)
+      complain({"the node '" + scene.nodes[n].name + "' works on itself, directly or by others",
+                "nodes without a circle", ""},
+               {scene.file, 0, "node." + scene.nodes[n].name + ".of"});
+    state[n] = 1;
+    for (const std::string& name : node_names(scene.nodes[n].of)) {
+      self(self, index_of(name));
+      asked[n] += asked[index_of(name)];
+    }
+    if (asked[n] > kMostAsked)
+      complain({"the node '" + scene.nodes[n].name + "' asks " + short_real_text(asked[n]) +
+                    " nodes for each point, those that work on one another counted each time",
+                "at most " + short_real_text(kMostAsked), "let fewer nodes share what they work on"},
+               {scene.file, 0, "node." + scene.nodes[n].name + ".of"});
+    state[n] = 2;
+  };
+  for (std::size_t n = 0; n < scene.nodes.size(); ++n) visit(visit, n);
+}
+
+void check_the_nebula(const Scene& scene, const Nebula& nebula) {
+  const std::string path = "nebula." + nebula.name + ".";
+  const auto refuse = [&](const Complaint& complaint, const std::string& key) {
+    complain(complaint, {scene.file, 0, path + key});
+  };
+  const auto is_node = [&](const std::string& name) {
+    return std::any_of(scene.nodes.begin(), scene.nodes.end(), [&](const Node& n) { return n.name == name; });
+  };
+  for (const auto& [name, key] : {std::pair{nebula.gas, "gas"}, {nebula.glow, "glow"}, {nebula.dust, "dust"}})
+    if (!name.empty() && !is_node(name))
+      refuse({"there is no node '" + name + "'", "the name of a [[node]], or none", ""}, key);
+  if (nebula.gas.empty() && nebula.glow.empty() && nebula.dust.empty())
+    refuse({"the nebula is made of nothing", "gas, glow or dust with the name of a [[node]]", ""}, "gas");
+  if (nebula.method == "literal" && nebula.gas.empty())
+    refuse({"the literal march has no map", "gas with the name of a [[node]]", ""}, "gas");
+  constexpr double kMostSteps = 100000.0;
+  if (2.0 * nebula.bound / nebula.step > kMostSteps)
+    refuse(
+        {short_real_text(2.0 * nebula.bound / nebula.step) + " steps from side to side of the nebula's bound",
+         "at most " + short_real_text(kMostSteps), "a larger step, or a smaller bound"},
+        "step");
+  const std::size_t lines = scene.emission.lines.size();
+  const auto check_list = [&](const std::vector<double>& list, const std::string& node, const char* key) {
+    if (list.size() != lines && (!node.empty() || !list.empty()))
+      refuse({std::to_string(list.size()) + " numbers for " + std::to_string(lines) + " emission lines",
+              "one per line of emission.lines, in its order", ""},
+             key);
+  };
+  const std::string gas = nebula.method == "literal" ? "" : nebula.gas;
+  check_list(nebula.inner_rayleigh, gas, "inner_rayleigh");
+  check_list(nebula.outer_rayleigh, gas, "outer_rayleigh");
+  check_list(nebula.glow_rayleigh, nebula.glow, "glow_rayleigh");
+  if (nebula.inner_radius >= nebula.outer_radius)
+    refuse({"inner_radius is not below outer_radius", "inner_radius below outer_radius", ""}, "inner_radius");
+}
+
+void check_nebulae(const Scene& scene) {
+  check_nodes(scene);
+  for (const Nebula& nebula : scene.nebulae) check_the_nebula(scene, nebula);
+}
+
+std::optional<Complaint> of_nebula(const Scene& scene, const Nebula& n, const std::string& key) {
+  if (n.method == "literal")
+    return Complaint{"the literal march makes colours, not light that could be compared",
+                     "a nebula with method = \"physical\"", "leave it out of fit.free"};
+  const bool of_gas = is_one_of(key, {"inner_rayleigh", "outer_rayleigh", "inner_radius", "outer_radius"});
+  if (of_gas && n.gas.empty()) return idle("the nebula has no gas", key, "name the node of its gas");
+  if (key == "glow_rayleigh" && n.glow.empty())
+    return idle("the nebula has no glow", key, "name the node of its glow");
+  if (is_one_of(key, {"brightness", "density_power"}) && n.gas.empty() && n.glow.empty())
+    return idle("nothing in the nebula shines", key, "name the node of its gas");
+  if (is_one_of(key, {"dust_depth", "dust_exponent"}) && n.dust.empty())
+    return idle("the nebula has no dust", key, "name the node of its dust");
+  if (key == "dust_exponent" && n.dust_depth == 0.0 && !frees(scene, "nebula." + n.name + ".dust_depth"))
+    return idle("its dust has no depth", key, "give it a dust_depth");
+  return std::nullopt;
+}
+
+/// Names of the nodes that some nebula of the physical march is made of.
+std::set<std::string> nodes_in_use(const Scene& scene) {
+  std::set<std::string> used;
+  const auto visit = [&](const auto& self, const std::string& name) -> void {
+    if (name.empty() || !used.insert(name).second) return;
+    for (const Node& node : scene.nodes)
+      if (node.name == name)
+        for (const std::string& of : node_names(node.of)) self(self, of);
+  };
+  for (const Nebula& nebula : scene.nebulae)
+    if (nebula.method != "literal")
+      for (const std::string* name : {&nebula.gas, &nebula.glow, &nebula.dust}) visit(visit, *name);
+  return used;
+}
+
+std::optional<Complaint> of_node(const Scene& scene, const Node& node, const std::string& key) {
+  if (nodes_in_use(scene).count(node.name) == 0)
+    return Complaint{"no nebula that is marched physically is made of the node",
+                     "a parameter that the light depends on",
+                     "leave it out of fit.free, or name it in a nebula"};
+  const std::string& kind = node.kind;
+  const bool is_noise = is_one_of(kind, {"filaments", "turbulence", "warp"});
+  const bool counts = key == "radius"      ? is_one_of(kind, {"sphere", "shell", "torus", "tube", "lobes"})
+                      : key == "thickness" ? is_one_of(kind, {"shell", "slab", "lobes", "torus"})
+                      : key == "length"    ? is_one_of(kind, {"lobes", "tube"})
+                      : key == "waist"     ? kind == "lobes"
+                      : key == "blend"     ? is_one_of(kind, {"union", "intersection", "difference"})
+                      : key == "amplitude" || key == "frequency" || key == "gain" ? is_noise
+                                                                                  : true;
+  if (counts) return std::nullopt;
+  return idle("the node is of kind \"" + kind + "\"", key, "free a number that this kind has");
+}
+
+std::optional<Complaint> why_nebula_idle(const Scene& scene, const ParameterPath& path) {
+  const auto e = static_cast<std::size_t>(path.element);
+  if (path.row->table == "nebula") return of_nebula(scene, scene.nebulae[e], path.row->key);
+  if (path.row->table == "node") return of_node(scene, scene.nodes[e], path.row->key);
+  return std::nullopt;
+}
+
+/// The literal march makes a layer of colours of its own.
+bool nebulae_are_drawn(const Scene& scene) {
+  return std::any_of(scene.nebulae.begin(), scene.nebulae.end(),
+                     [](const Nebula& n) { return n.method != "literal"; });
+}
+
+bool nebulae_could_shine(const Scene& scene) {
+  return std::any_of(scene.nebulae.begin(), scene.nebulae.end(),
+                     [](const Nebula& n) { return n.method != "literal" && n.brightness > 0.0; });
+}
+
+std::vector<Whereabouts> where_nebulae_are(const Scene& scene) {
+  std::vector<Whereabouts> all;
+  for (const Nebula& n : scene.nebulae)
+    all.push_back(
+        {Whereabouts::Known::direction, "nebula '" + n.name + "'", {}, n.azimuth_deg, n.elevation_deg});
+  return all;
+}
+
+}  // namespace
+
+EmitterKind nebula_kind() {
+  EmitterKind kind;
+  kind.table = "nebula";
+  kind.repeated = {repeated_table_of(kind.table, &Scene::nebulae), repeated_table_of("node", &Scene::nodes)};
+  kind.rows = rows_of_nebulae_and_nodes;
+  kind.light = LightKind::nebula;
+  kind.check = check_nebulae;
+  kind.why_idle = why_nebula_idle;
+  kind.is_drawn = nebulae_are_drawn;
+  kind.could_shine = nebulae_could_shine;
+  kind.whereabouts = where_nebulae_are;
+  kind.place_in_preview = 1;
+  return kind;
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,84 @@
+// [[volume]]: light from files of voxels.
+#include <algorithm>
+
+#include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/rows/line_component.h"
+#include "sim/scene/rows/row.h"
+
+namespace vegard::sim {
+namespace {
+
+template <class Value>
+Row row(const char* key, Value Volume::*value) {
+  return Row("volume", key, &Scene::volumes, value);
+}
+
+std::vector<Declaration> volume_rows() {
+  // clang-format off
+  return {
+      row("name", &Volume::name).means("by which paths call the volume"),
+      row("file", &Volume::file).names_file().means("file beside the scene's: OpenVDB, with grids such as emission_5577 or density, or the densities of a pbrt volumegrid (`.pbrt`, `.volumegrid`, `.txt`)"),
+      row("frame", &Volume::frame).one_of({"site", "sun"})
+          .means("where the file is at home: on the ground, in km; or on the Sun, in units of sun.unit_km"),
+      row("shift_km", &Volume::shift_km).of({"east", "north", "up"}).in("km").within(-1e5, 1e5).may_be_free(ParameterScale::linear)
+          .means("by how much it is moved; on the Sun along the x, y and z of its frame"),
+      row("gain", &Volume::gain).within(0, 1e9).may_be_free(ParameterScale::logarithmic).means("times its light"),
+      row("extinction_per_km", &Volume::extinction_per_km).in("km⁻¹").within(0, 1e6).may_be_free(ParameterScale::linear)
+          .means("extinction of density 1 of its grid \"density\"; 0: nothing is absorbed"),
+      row("density_rayleigh", &Volume::density_rayleigh).of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e12).may_be_free(ParameterScale::linear)
+          .means("light of density 1 of its grid \"density\", per emission line, to a km of path (a unit of the Sun's frame), in place of the file's emission grids; empty: none"),
+      row("step_voxels", &Volume::step_voxels).within(0.05, 8).means("step of the march, in edges of a voxel"),
+  };
+  // clang-format on
+}
+
+void check_the_volume(const Scene& scene, const Volume& volume) {
+  const auto refuse = [&](const Complaint& complaint, const char* key) {
+    complain(complaint, {scene.file, 0, "volume." + volume.name + "." + key});
+  };
+  if (volume.file.empty()) refuse({"the volume names no file", "file = \"NAME.vdb\"", ""}, "file");
+  if (volume.frame == "sun" && !scene.sun.shown)
+    refuse({"it stands on the Sun, which is not in the scene", "shown = true in [sun]", ""}, "frame");
+  if (!volume.density_rayleigh.empty() && volume.density_rayleigh.size() != scene.emission.lines.size())
+    refuse({std::to_string(volume.density_rayleigh.size()) + " numbers for " +
+                std::to_string(scene.emission.lines.size()) + " emission lines",
+            "one per line of emission.lines, in its order", ""},
+           "density_rayleigh");
+}
+
+void check_volumes(const Scene& scene) {
+  for (const Volume& volume : scene.volumes) check_the_volume(scene, volume);
+}
+
+OnSun volumes_on_sun(const Scene& scene) {
+  const bool any = std::any_of(scene.volumes.begin(), scene.volumes.end(),
+                               [](const Volume& v) { return v.frame == "sun"; });
+  return any ? OnSun::uneven : OnSun::nothing;
+}
+
+std::vector<Whereabouts> where_volumes_are(const Scene& scene) {
+  std::vector<Whereabouts> all;
+  for (const Volume& v : scene.volumes)
+    all.push_back({Whereabouts::Known::file,
+                   "volume '" + v.name + "'",
+                   {},
+                   0.0,
+                   0.0,
+                   "stands where " + v.file + " has it"});
+  return all;
+}
+
+}  // namespace
+
+EmitterKind volume_kind() {
+  EmitterKind kind;
+  kind.table = "volume";
+  kind.repeated = {repeated_table_of(kind.table, &Scene::volumes)};
+  kind.rows = volume_rows;
+  kind.check = check_volumes;
+  kind.on_sun = volumes_on_sun;
+  kind.whereabouts = where_volumes_are;
+  return kind;
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,23 @@
+// What is wrong with a scene, as one says it to whoever wrote it.
+#pragma once
+
+#include <string>
+
+namespace vegard::sim {
+
+/// What is wrong with a value, before anyone knows in which file it stands.
+struct Complaint {
+  std::string problem, expected, hint;
+};
+
+/// Where a value stands, for messages.
+struct Origin {
+  std::string file;
+  int line = 0;
+  std::string key;
+};
+
+/// Throws Error(scene).
+[[noreturn]] void complain(const Complaint& complaint, const Origin& origin);
+
+}  // namespace vegard::sim

@@ -1,0 +1,107 @@
+// What a parameter is: a row as everyone sees it, and the declaration behind it, which also knows the row's
+// place inside a Scene. The table that lists them all is sim/scene/table/parameter_table.h.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "sim/scene/rows/complaint.h"
+#include "sim/scene/structs/scene.h"
+
+namespace vegard::sim {
+
+enum class ParameterKind { real, integer, boolean, text };
+
+/// How a real parameter is stepped and transformed when it is free. An angle is periodic: its limits only
+/// keep nonsense out and lie several turns apart.
+enum class ParameterScale { linear, logarithmic, angle };
+
+/// One row: a scalar, or one component of a vector ("sheet", "center_km", "east"). A vector whose length the
+/// scene decides (emission.lines, blur.width_deg) is one row for all its components, with a component such as
+/// "<line>".
+struct ParameterRow {
+  std::string table;      ///< "sheet"; empty for a key of the file itself ("seed")
+  std::string key;        ///< "center_km"
+  std::string component;  ///< "east", or empty for a scalar
+  ParameterKind kind = ParameterKind::real;
+  std::string unit;          ///< "km"; empty if it has none
+  std::string default_text;  ///< as one would write it in TOML; of a vector of free length, the whole vector
+  double min = 0.0, max = 0.0;       ///< hard limits of a number, inclusive; +-infinity where there is none
+  std::vector<std::string> choices;  ///< of a text; empty: any
+  ParameterScale scale = ParameterScale::linear;
+  bool can_be_free = false;  ///< continuous, and the simulator has its derivative
+  std::string meaning;       ///< one line
+  std::string noun;          ///< what people call it, where that is not the key without its unit; else empty
+};
+
+/// A row applied to one scene: which sheet it means.
+struct ParameterPath {
+  const ParameterRow* row = nullptr;
+  int element = -1;   ///< which of a repeated table's elements, -1 for other tables
+  int component = 0;  ///< index of the component inside its vector
+  std::string text;   ///< "sheet.main.center_km.east"
+
+  /// Index into Scene::sheets, -1 for a number of anything else.
+  int sheet() const { return row != nullptr && row->table == "sheet" ? element : -1; }
+};
+
+inline const char* const sheet_table = "sheet";
+
+/// A table that a scene may hold several times, as [[sheet]]: its elements have names, by which paths call
+/// them.
+struct RepeatedTable {
+  std::string table;
+  std::function<std::size_t(const Scene&)> count;
+  std::function<const std::string&(const Scene&, int element)> name;
+  std::function<void(Scene&)> append;  ///< an element with its defaults
+  /// Leaves the elements of those names.
+  std::function<void(Scene&, const std::function<bool(const std::string& name)>&)> keep;
+};
+
+/// A parameter's place. Which alternative it holds decides the row's kind.
+using ValueRef = std::variant<double*, int*, std::uint64_t*, bool*, std::string*>;
+
+/// A key and its value as TOML text.
+using KeyAndText = std::pair<std::string, std::string>;
+
+/// One key of one table: a scalar or a whole vector.
+struct Declaration {
+  std::string table, key, unit, meaning, noun;
+  std::vector<std::string> components;  ///< names of a vector's components, empty for a scalar
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  std::vector<std::string> choices;
+  ParameterScale scale = ParameterScale::linear;
+  bool can_be_free = false;
+
+  /// `element` is read by repeated tables only.
+  std::function<ValueRef(Scene&, int element, int component)> at;
+
+  /// Only for a vector whose length the scene decides; `components` then holds one stand-in.
+  std::function<const std::vector<double>&(const Scene&, int element)> list;
+  std::function<void(Scene&, int element, const std::vector<double>&)> set_list;
+  std::function<std::optional<Complaint>(const Scene&, const std::vector<double>&)> list_rule;  ///< or none
+  std::function<std::string(const Scene&, int element, int component)> list_component;
+
+  /// What limits and choices cannot say.
+  std::function<std::optional<Complaint>(double)> number_rule;
+  std::function<std::optional<Complaint>(const std::string&)> text_rule;
+
+  /// A text that may name a table (sim/scene/table/table_files.h), or a picture or grid
+  /// (sim/scene/file/named_files.h).
+  bool names_table = false, names_file = false;
+
+  /// What follows from a new value, of a scalar in a repeated table.
+  void (*then)(Scene&, int element) = nullptr;
+
+  /// Other keys of the same element that a new value of a text sets, or none.
+  const std::vector<KeyAndText>& (*presets)(const std::string& value) = nullptr;
+};
+
+}  // namespace vegard::sim

@@ -1,0 +1,93 @@
+#include "sim/scene/rows/forms.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+
+namespace vegard::sim {
+namespace {
+
+constexpr std::size_t kForms = 8;
+
+const char* const kNames[kForms][2] = {
+    {"homogeneous_arc", "an even arc without rays"},
+    {"band", "an even band, which bends more than an arc"},
+    {"rayed_arc", "an arc broken up into rays"},
+    {"rayed_band", "a band of many short rays"},
+    {"rays", "a bundle of rays apart from other forms"},
+    {"corona", "a rayed band, to be placed overhead and seen along the field"},
+    {"drapery", "a folded band of long rays, like a curtain"},
+    {"diffuse_patches", "weak patches without structure, like clouds"},
+};
+
+/// One key per row, one form per column. Of its folds, curls, rays and patches a form says nothing about
+/// motion and lifetime.
+struct FormRow {
+  const char* key;
+  const char* of_form[kForms];
+};
+
+// clang-format off
+const FormRow kRows[] = {
+    //                       arc     band    r. arc  r. band rays   corona  drapery patches
+    {"length_km",            {"1200", "1200", "1200", "1200", "60",  "1200", "800", "600"}},
+    {"thickness_km",           {"3", "8", "3", "10", "1", "10", "9", "10"}},
+    {"wavelength_km",          {"160", "110", "120", "110", "30", "110", "95", "300"}},
+    {"phase_shift_rad",      {"0.5",  "0.5",  "0.5",  "0.5",  "0.5", "0.5",  "1.0", "0.5"}},
+    {"layers",                 {"3", "3", "2", "2", "2", "2", "2", "1"}},
+    {"width_km",               {"1.5", "2.0", "0.3", "0.4", "0.3", "0.4", "0.35", "25"}},
+    {"beams_per_km",           {"80", "80", "60", "60", "150", "60", "60", "500"}},
+    {"spacing_jitter",       {"0",    "0",    "0.5",  "0.5",  "0.5", "0.5",  "0.5", "0"}},
+    {"top_km",               {"500",  "500",  "500",  "500",  "640", "500",  "640", "500"}},
+    {"energy_kev",             {"4", "4", "3", "2.5", "1.2", "2.5", "2.5", "5"}},
+    {"energy_flux_mw_m2",    {"4",    "5",    "12",   "18",   "40",  "18",   "40",  "0.5"}},
+    {"profile",              {"'form'", "'form'","'form'", "'form'","'form'", "'form'","'form'", "'form'"}},
+    {"peak_km",              {"108",  "108",  "110",  "112",  "120", "112",  "115", "110"}},
+    {"lower_km",             {"4",    "4.5",  "4",    "4.5",  "4.8", "4.5",  "4.8", "4.8"}},
+    {"upper_km",               {"20", "22", "60", "90", "300", "90", "180", "20"}},
+    {"fold_spacing_km",        {"0", "0", "0", "30", "0", "30", "26", "0"}},
+    {"fold_length_km",         {"8", "8", "8", "20", "8", "20", "20", "8"}},
+    {"fold_stage",             {"0.5", "0.5", "0.5", "0.6", "0.5", "0.6", "0.9", "0.5"}},
+    {"curl_spacing_km",        {"0", "0", "0", "8", "0", "8", "0", "0"}},
+    {"curl_radius_km",       {"1",    "1",    "1",    "1",    "1",   "1",    "1",   "1"}},
+    {"ray_contrast",           {"0", "0", "0.6", "0.5", "1.2", "0.5", "0.5", "0"}},
+    {"ray_width_km",           {"1", "1", "1", "1", "1", "1", "1", "1"}},
+    {"ray_length_contrast",    {"0", "0", "0.3", "0.35", "0.4", "0.35", "0.3", "0"}},
+    {"patch_size_km",          {"0", "0", "0", "0", "0", "0", "0", "20"}},
+    {"patch_contrast",       {"1",    "1",    "1",    "1",    "1",   "1",    "1",   "1"}},
+    {"border_amplitude_km",    {"0", "0", "2", "3", "3", "3", "3", "2"}},
+    {"border_scale_km",        {"20", "20", "40", "40", "20", "40", "40", "20"}},
+};
+// clang-format on
+
+std::vector<Form> build_forms() {
+  std::vector<Form> all = {{Sheet{}.form, "what the keys say, nothing else", {}}};
+  for (std::size_t f = 0; f < kForms; ++f) {
+    Form form{kNames[f][0], kNames[f][1], {}};
+    for (const FormRow& row : kRows) form.values.emplace_back(row.key, row.of_form[f]);
+    all.push_back(std::move(form));
+  }
+  return all;
+}
+
+}  // namespace
+
+const std::vector<Form>& forms() {
+  static const std::vector<Form> all = build_forms();
+  return all;
+}
+
+std::vector<std::string> form_names() {
+  std::vector<std::string> names;
+  std::transform(forms().begin(), forms().end(), std::back_inserter(names),
+                 [](const Form& f) { return f.name; });
+  return names;
+}
+
+const std::vector<KeyAndText>& values_of_form(const std::string& name) {
+  const auto found =
+      std::find_if(forms().begin(), forms().end(), [&](const Form& form) { return form.name == name; });
+  return (found == forms().end() ? forms().front() : *found).values;  // of "custom", which sets nothing
+}
+
+}  // namespace vegard::sim

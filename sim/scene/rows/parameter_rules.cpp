@@ -1,0 +1,112 @@
+#include "sim/scene/rows/parameter_rules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/rows/value_words.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr std::size_t max_lines = 8;
+
+std::string known_lines_text() {
+  std::string text;
+  for (const double line : known_emission_lines_nm()) text += (text.empty() ? "" : ", ") + real_text(line);
+  return text;
+}
+
+bool is_calendar_day(int year, int month, int day) {
+  static const int days[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+  const bool is_leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+  return month >= 1 && month <= 12 && day >= 1 && day <= days[month - 1] + (month == 2 && is_leap ? 1 : 0);
+}
+
+/// Whether `text` looks like `form`, in which 0 stands for any digit.
+bool has_form(const std::string& text, const std::string& form) {
+  return std::equal(text.begin(), text.end(), form.begin(), form.end(),
+                    [](char c, char f) { return f == '0' ? c >= '0' && c <= '9' : c == f; });
+}
+
+/// "T05:00:00.25Z" becomes "T05:00:00Z".
+std::string without_fraction(std::string text) {
+  const std::size_t dot = text.find('.');
+  if (dot == std::string::npos) return text;
+  const std::size_t end = text.find_first_not_of("0123456789", dot + 1);
+  return end == std::string::npos || end == dot + 1 ? text : text.erase(dot, end - dot);
+}
+
+bool is_iso_time(const std::string& time) {
+  const std::string text = without_fraction(time);
+  const bool has_seconds = has_form(text, "0000-00-00T00:00:00Z");
+  const bool has_time = has_seconds || (text == time && has_form(text, "0000-00-00T00:00Z"));
+  if (!has_time && !(text == time && has_form(text, "0000-00-00"))) return false;
+  const auto number = [&](std::size_t begin, std::size_t digits) {
+    return std::stoi(text.substr(begin, digits));
+  };
+  if (!is_calendar_day(number(0, 4), number(5, 2), number(8, 2))) return false;
+  if (has_time && (number(11, 2) >= 24 || number(14, 2) >= 60)) return false;
+  // A leap second is the 61st of its minute.
+  return !has_seconds || number(17, 2) <= 60;
+}
+
+}  // namespace
+
+std::optional<Complaint> inclination_complaint(double inclination_deg) {
+  if (std::abs(inclination_deg) >= 20.0) return std::nullopt;
+  return Complaint{"the field is nearly horizontal (" + short_real_text(inclination_deg) + " deg)",
+                   "an inclination of at least 20 above or below the horizon",
+                   "aurorae stand where the field is steep: 75 to 85 under the northern auroral oval"};
+}
+
+std::optional<Complaint> none_or_some_complaint(double value) {
+  if (value == 0.0 || value >= 1e-3) return std::nullopt;
+  return Complaint{short_real_text(value) + " is neither 0 nor enough", "0, or at least 0.001", ""};
+}
+
+bool is_table_file(const std::string& value) {
+  constexpr std::string_view kExtension = ".csv";
+  return value.size() > kExtension.size() &&
+         value.compare(value.size() - kExtension.size(), kExtension.size(), kExtension) == 0;
+}
+
+std::optional<Complaint> time_complaint(const std::string& time_utc) {
+  if (time_utc.empty() || is_iso_time(time_utc)) return std::nullopt;
+  return Complaint{"'" + time_utc + "' is not a time", "ISO 8601 in UTC such as \"2019-09-01T05:00:00Z\"",
+                   ""};
+}
+
+std::optional<Complaint> line_complaint(double line_nm) {
+  const auto& known = known_emission_lines_nm();
+  if (std::find(known.begin(), known.end(), line_nm) != known.end()) return std::nullopt;
+  const auto nearest = std::min_element(known.begin(), known.end(), [&](double a, double b) {
+    return std::abs(a - line_nm) < std::abs(b - line_nm);
+  });
+  return Complaint{"no emission line at " + short_real_text(line_nm) + " nm", "one of " + known_lines_text(),
+                   nearest == known.end() ? "" : "the nearest known is " + real_text(*nearest)};
+}
+
+std::optional<Complaint> lines_complaint(const Scene&, const std::vector<double>& lines_nm) {
+  if (lines_nm.empty() || lines_nm.size() > max_lines) {
+    return Complaint{std::to_string(lines_nm.size()) + " emission lines",
+                     "1 to " + std::to_string(max_lines) + " of " + known_lines_text(), ""};
+  }
+  std::vector<double> sorted = lines_nm;
+  std::sort(sorted.begin(), sorted.end());
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twice == sorted.end()) return std::nullopt;
+  return Complaint{"the line " + real_text(*twice) + " stands twice", "each line once", ""};
+}
+
+std::optional<Complaint> blur_complaint(const Scene& scene, const std::vector<double>& width_deg) {
+  const std::size_t lines = scene.emission.lines.size();
+  if (width_deg.size() == lines) return std::nullopt;
+  return Complaint{
+      std::to_string(width_deg.size()) + " widths for " + std::to_string(lines) + " emission lines",
+      "one width per line of emission.lines, in its order", ""};
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,71 @@
+// Where the observer stands and looks: [site], [field], [camera].
+#include "sim/scene/rows/parameter_rules.h"
+#include "sim/scene/rows/row.h"
+#include "sim/scene/rows/rows.h"
+
+namespace vegard::sim {
+namespace {}  // namespace
+
+std::vector<Declaration> place_rows() {
+  // clang-format off
+  return {
+      Row("seed", &Scene::seed).from(0).means("seed of all random numbers"),
+
+      Row("site", "latitude_deg", &Scene::site, &Site::latitude_deg).in("deg").within(-90, 90)
+          .means("geographic latitude of the observer, north positive"),
+      Row("site", "longitude_deg", &Scene::site, &Site::longitude_deg).in("deg").within(-180, 360)
+          .means("geographic longitude of the observer, east positive"),
+      Row("site", "altitude_m", &Scene::site, &Site::altitude_m).in("m").within(-500, 1e9)
+          .means("altitude of the observer above the sphere of the Earth"),
+      Row("site", "time_utc", &Scene::site, &Site::time_utc).rule(time_complaint)
+          .means("when, in ISO 8601 such as \"2019-09-01T05:00:00Z\"; empty if unknown; goes into file headers"),
+
+      Row("field", "model", &Scene::field, &Field::model).one_of({"uniform", "dipole"})
+          .means("the same field everywhere, or a tilted dipole's at each foot"),
+      Row("field", "inclination_deg", &Scene::field, &Field::inclination_deg).in("deg").within(-90, 90)
+          .rule(inclination_complaint).may_be_free(ParameterScale::linear)
+          .means("inclination of the magnetic field, below the horizon in the north; at least 20 from the horizontal"),
+      Row("field", "declination_deg", &Scene::field, &Field::declination_deg).in("deg").within(-180, 180).may_be_free(ParameterScale::linear)
+          .means("declination of the magnetic field, from north to the east"),
+      Row("field", "pole_latitude_deg", &Scene::field, &Field::pole_latitude_deg).in("deg").within(45, 90)
+          .means("latitude of the dipole's northern pole; the default is that of 2020"),
+      Row("field", "pole_longitude_deg", &Scene::field, &Field::pole_longitude_deg).in("deg").within(-180, 360)
+          .means("longitude of the dipole's northern pole, east positive"),
+
+      Row("camera", "model", &Scene::camera, &Camera::model)
+          .one_of({"pinhole", "equidistant", "equisolid", "stereographic", "orthographic", "polynomial"})
+          .means("projection of the lens"),
+      Row("camera", "width", &Scene::camera, &Camera::width).in("px").within(1, 65535).means("width of the image"),
+      Row("camera", "height", &Scene::camera, &Camera::height).in("px").within(1, 65535).means("height of the image"),
+      Row("camera", "hfov_deg", &Scene::camera, &Camera::hfov_deg).in("deg").within(0.1, 170).may_be_free(ParameterScale::linear)
+          .means("horizontal field of view of a pinhole, before any distortion; other lenses have focal_px"),
+      Row("camera", "focal_px", &Scene::camera, &Camera::focal_px).in("px").within(1, 1e6).may_be_free(ParameterScale::linear)
+          .means("scale of every lens but the pinhole: pixels to a radian on its axis"),
+      Row("camera", "azimuth_deg", &Scene::camera, &Camera::azimuth_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle)
+          .means("azimuth of the line of sight, from north to the east"),
+      Row("camera", "elevation_deg", &Scene::camera, &Camera::elevation_deg).in("deg").within(-90, 90).may_be_free(ParameterScale::linear)
+          .means("elevation of the line of sight above the horizon"),
+      Row("camera", "roll_deg", &Scene::camera, &Camera::roll_deg).in("deg").within(-180, 180).may_be_free(ParameterScale::linear)
+          .means("how far the scene appears turned clockwise in the picture"),
+      Row("camera", "principal_x_px", &Scene::camera, &Camera::principal_x_px).in("px").within(-65535, 65535).may_be_free(ParameterScale::linear)
+          .means("principal point, where the lens's axis meets the picture: to the right of the middle"),
+      Row("camera", "principal_y_px", &Scene::camera, &Camera::principal_y_px).in("px").within(-65535, 65535).may_be_free(ParameterScale::linear)
+          .means("the same: below the middle"),
+      Row("camera", "aspect", &Scene::camera, &Camera::aspect).within(0.2, 5).may_be_free(ParameterScale::linear)
+          .means("scale down the picture over scale across it"),
+      Row("camera", "mirrored", &Scene::camera, &Camera::mirrored).means("left and right are exchanged"),
+      Row("camera", "k1", &Scene::camera, &Camera::k1).within(-10, 10).may_be_free(ParameterScale::linear)
+          .means("radial term of r² (pinhole, Brown's distortion) or θ² (polynomial)"),
+      Row("camera", "k2", &Scene::camera, &Camera::k2).within(-10, 10).may_be_free(ParameterScale::linear)
+          .means("radial term of r⁴ or θ⁴"),
+      Row("camera", "k3", &Scene::camera, &Camera::k3).within(-10, 10).may_be_free(ParameterScale::linear)
+          .means("radial term of r⁶ or θ⁶"),
+      Row("camera", "p1", &Scene::camera, &Camera::p1).within(-1, 1).may_be_free(ParameterScale::linear)
+          .means("decentring of the lens, as OpenCV's p1"),
+      Row("camera", "p2", &Scene::camera, &Camera::p2).within(-1, 1).may_be_free(ParameterScale::linear)
+          .means("decentring of the lens, as OpenCV's p2"),
+  };
+  // clang-format on
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,169 @@
+// How a row of the parameter table is written down: Row("table", "key", place).in("km").within(0,
+// 1).means("…").
+//
+// For the files of this folder and of sim/scene/emitters/, and for kinds of emitters that a program adds.
+#pragma once
+
+#include <algorithm>
+#include <any>
+#include <array>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "sim/scene/rows/declaration.h"
+
+namespace vegard::sim {
+
+/// The component of a member: the member itself if it is a scalar.
+template <class T>
+ValueRef component_of(T& scalar, int) {
+  return &scalar;
+}
+inline ValueRef component_of(EastNorth& point, int c) { return c == 0 ? &point.east : &point.north; }
+inline ValueRef component_of(std::vector<double>& list, int c) { return &list.at(c); }
+template <class T, std::size_t n>
+ValueRef component_of(std::array<T, n>& array, int c) {
+  return &array.at(c);
+}
+
+/// The elements of a table that a program has added, in Scene::added: `table` of them, which Element stands
+/// for.
+template <class Element>
+class AddedElements {
+ public:
+  explicit AddedElements(std::string table) : table_(std::move(table)) {}
+
+  const std::string& table() const { return table_; }
+
+  const std::vector<Element>& in(const Scene& scene) const {
+    static const std::vector<Element> none;
+    const auto found = scene.added.find(table_);
+    return found == scene.added.end() ? none : std::any_cast<const std::vector<Element>&>(found->second);
+  }
+  std::vector<Element>& in(Scene& scene) const {
+    std::any& slot = scene.added[table_];
+    if (!slot.has_value()) slot = std::vector<Element>();
+    return std::any_cast<std::vector<Element>&>(slot);
+  }
+
+ private:
+  std::string table_;
+};
+
+/// A table that a scene may hold several times, of elements with a name; `in` gives them.
+template <class In>
+RepeatedTable repeated_table_in(const std::string& table, const In& in) {
+  return {table, [=](const Scene& scene) { return in(scene).size(); },
+          [=](const Scene& scene, int element) -> const std::string& { return in(scene).at(element).name; },
+          [=](Scene& scene) { in(scene).emplace_back(); },
+          [=](Scene& scene, const std::function<bool(const std::string&)>& stays) {
+            auto& all = in(scene);
+            all.erase(std::remove_if(all.begin(), all.end(),
+                                     [&](const auto& element) { return !stays(element.name); }),
+                      all.end());
+          }};
+}
+
+template <class Element>
+RepeatedTable repeated_table_of(const std::string& table, std::vector<Element> Scene::*in) {
+  return repeated_table_in(
+      table, [=](auto& scene) -> auto& { return scene.*in; });
+}
+
+template <class Element>
+RepeatedTable repeated_table_of(const AddedElements<Element>& added) {
+  return repeated_table_in(
+      added.table(), [=](auto& scene) -> auto& { return added.in(scene); });
+}
+
+/// Builds a Declaration step by step, so that each row below reads as one sentence.
+class Row {
+ public:
+  template <class Value>
+  Row(std::string key, Value Scene::*value) {
+    d_.key = std::move(key);
+    d_.at = [=](Scene& scene, int, int c) { return component_of(scene.*value, c); };
+  }
+
+  template <class Table, class Value>
+  Row(std::string table, std::string key, Table Scene::*in, Value Table::*value) {
+    d_.table = std::move(table);
+    d_.key = std::move(key);
+    d_.at = [=](Scene& scene, int, int c) { return component_of(scene.*in.*value, c); };
+    if constexpr (std::is_same_v<Value, std::vector<double>>) {
+      d_.list = [=](const Scene& scene, int) -> const std::vector<double>& { return scene.*in.*value; };
+      d_.set_list = [=](Scene& scene, int, const std::vector<double>& list) { scene.*in.*value = list; };
+    }
+  }
+
+  template <class Value>
+  Row(std::string key, Value Sheet::*value) : Row(sheet_table, std::move(key), &Scene::sheets, value) {}
+
+  /// Of a repeated table.
+  template <class Element, class Value>
+  Row(std::string table, std::string key, std::vector<Element> Scene::*in, Value Element::*value) {
+    of_elements(
+        std::move(table), std::move(key), [=](auto& scene) -> auto& { return scene.*in; }, value);
+  }
+  template <class Element, class Value>
+  Row(std::string key, const AddedElements<Element>& added, Value Element::*value) {
+    of_elements(
+        added.table(), std::move(key), [=](auto& scene) -> auto& { return added.in(scene); }, value);
+  }
+
+  Row& means(std::string meaning) { return d_.meaning = std::move(meaning), *this; }
+  Row& in(std::string unit) { return d_.unit = std::move(unit), *this; }
+  Row& from(double min) { return d_.min = min, *this; }
+  Row& within(double min, double max) { return d_.min = min, d_.max = max, *this; }
+  Row& one_of(std::vector<std::string> choices) { return d_.choices = std::move(choices), *this; }
+  Row& of(std::vector<std::string> components) { return d_.components = std::move(components), *this; }
+  Row& may_be_free(ParameterScale scale) { return d_.scale = scale, d_.can_be_free = true, *this; }
+  Row& rule(std::optional<Complaint> (*check)(double)) { return d_.number_rule = check, *this; }
+  Row& rule(std::optional<Complaint> (*check)(const std::string&)) { return d_.text_rule = check, *this; }
+  Row& list_rule(std::optional<Complaint> (*check)(const Scene&, const std::vector<double>&)) {
+    return d_.list_rule = check, *this;
+  }
+  Row& set_by(void (*set)(Scene&, const std::vector<double>&)) {
+    d_.set_list = [=](Scene& scene, int, const std::vector<double>& list) { set(scene, list); };
+    return *this;
+  }
+  Row& names_table() { return d_.names_table = true, *this; }
+  Row& presets(const std::vector<KeyAndText>& (*values)(const std::string&)) {
+    return d_.presets = values, *this;
+  }
+  Row& names_file() { return d_.names_file = true, *this; }
+  Row& called(std::string noun) { return d_.noun = std::move(noun), *this; }
+  Row& then(void (*follow)(Scene&, int)) { return d_.then = follow, *this; }
+  Row& named_by(std::string (*name)(const Scene&, int component)) {
+    d_.list_component = [=](const Scene& scene, int, int c) { return name(scene, c); };
+    return *this;
+  }
+  Row& named_by(std::string (*name)(const Scene&, int sheet, int component)) {
+    return d_.list_component = name, *this;
+  }
+
+  operator Declaration() const { return d_; }
+
+ private:
+  template <class In, class Element, class Value>
+  void of_elements(std::string table, std::string key, const In& in, Value Element::*value) {
+    d_.table = std::move(table);
+    d_.key = std::move(key);
+    d_.at = [=](Scene& scene, int e, int c) { return component_of(in(scene).at(e).*value, c); };
+    if constexpr (std::is_same_v<Value, std::vector<double>>) {
+      d_.list = [=](const Scene& scene, int e) -> const std::vector<double>& {
+        return in(scene).at(e).*value;
+      };
+      d_.set_list = [=](Scene& scene, int e, const std::vector<double>& list) {
+        in(scene).at(e).*value = list;
+      };
+    }
+  }
+
+  Declaration d_;
+};
+
+}  // namespace vegard::sim

@@ -1,0 +1,153 @@
+// [[sheet]]: where electrons fall and with what light.
+#include "sim/scene/rows/forms.h"
+#include "sim/scene/rows/parameter_rules.h"
+#include "sim/scene/rows/row.h"
+#include "sim/scene/rows/rows.h"
+#include "sim/scene/rows/spline_rates.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+std::string spline_rate_name(const Scene& scene, int sheet, int index) {
+  return spline_rate_component(scene, sheet, index);
+}
+
+/// Who asks for a number of beams does not want a form's, which goes by the length.
+void count_beams(Scene& scene, int sheet) { scene.sheets.at(sheet).beams_per_km = 0.0; }
+
+}  // namespace
+
+std::vector<Declaration> sheet_rows() {
+  // clang-format off
+  return {
+      Row("name", &Sheet::name).means("by which paths call the sheet"),
+      Row("form", &Sheet::form).one_of(form_names()).presets(values_of_form)
+          .means("preset of other keys of the sheet, which those keys override: docs/forms.md, vegard params --forms"),
+      Row("center_km", &Sheet::center_km).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
+          .means("middle between start and end, of the feet at 110 km altitude"),
+      Row("bearing_deg", &Sheet::bearing_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle)
+          .means("direction from start to end, from north to the east"),
+      Row("length_km", &Sheet::length_km).in("km").within(0.1, 5000).may_be_free(ParameterScale::logarithmic)
+          .means("distance from start to end"),
+      Row("thickness_km", &Sheet::thickness_km).in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
+          .means("amplitude of the sine (1 to 10 in nature)"),
+      Row("wavelength_km", &Sheet::wavelength_km).in("km").within(1, 5000).may_be_free(ParameterScale::logarithmic)
+          .means("wavelength of the sine"),
+      Row("phase_rad", &Sheet::phase_rad).in("rad").within(-8 * pi, 8 * pi).may_be_free(ParameterScale::angle)
+          .means("phase of the first layer's sine, counted from the start"),
+      Row("phase_shift_rad", &Sheet::phase_shift_rad).in("rad").within(-2 * pi, 2 * pi).may_be_free(ParameterScale::linear)
+          .means("phase from the first layer to the last"),
+      Row("layers", &Sheet::layers).within(1, 100).means("number of sine curves in the sheet"),
+      Row("width_km", &Sheet::width_km).in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
+          .means("standard deviation of a layer's Gaussian cross-section"),
+      Row("beams", &Sheet::beams).within(1, 10000000).then(count_beams)
+          .means("number of electron beams in each layer; setting it sets beams_per_km to 0"),
+      Row("energy_kev", &Sheet::energy_kev).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
+          .means("characteristic energy E0 of Maxwellian electrons, whose mean energy is twice that; of the profiles \"mono\" and \"gaussian\" the electrons' energy, or the middle of their energies"),
+      Row("energy_spread", &Sheet::energy_spread).within(0.01, 1).may_be_free(ParameterScale::logarithmic)
+          .means("of the profile \"gaussian\": standard deviation of the electrons' energies, as a fraction of energy_kev"),
+      Row("energy_flux_mw_m2", &Sheet::energy_flux_mw_m2).in("mW m⁻²").within(0, 10000).may_be_free(ParameterScale::logarithmic)
+          .means("energy flux Q, at its peak across a layer"),
+      Row("path_spread", &Sheet::path_spread).within(0, 1)
+          .means("largest random shortening of a beam, as a fraction of its path"),
+      Row("loss_cone_deg", &Sheet::loss_cone_deg).in("deg").within(0, 30).may_be_free(ParameterScale::linear)
+          .means("pitch angle at the lower end of the path"),
+      Row("pitch_step_rad", &Sheet::pitch_step_rad).in("rad").within(0, 0.5).may_be_free(ParameterScale::linear)
+          .means("how much smaller the pitch angle is at the upper end"),
+      Row("pitch_law", &Sheet::pitch_law).one_of({"reduced", "product", "increment", "constant"})
+          .means("reading of the paper's equation (4): αD − Δα(1 − t); literally αD·t·Δα; t·Δα; or αD throughout"),
+      Row("path_step", &Sheet::path_step).within(1e-5, 0.5)
+          .means("largest step between two deflections, as a fraction of the path"),
+      Row("top_km", &Sheet::top_km).in("km").within(150, 640).means("altitude at which a beam starts"),
+      Row("spacing_jitter", &Sheet::spacing_jitter).within(0, 0.999)
+          .means("random shift of the beams along the sheet, as a fraction of their spacing"),
+      Row("spacing_rule", &Sheet::spacing_rule).one_of({"stratified", "tied", "literal"})
+          .means("places of the beams: each in a stretch of its own; a jittered walk; or the paper's walk, whose phase does not follow it"),
+      Row("beams_per_km", &Sheet::beams_per_km).in("km⁻¹").within(0, 100000)
+          .means("electron beams per kilometre of each layer, in place of their number; 0: beams says"),
+      Row("step_rule", &Sheet::step_rule).one_of({"given", "energy"})
+          .means("whether path_step is taken as it is, or follows from the electrons' mean energy"),
+      Row("arcs", &Sheet::arcs).within(1, 64).means("how many like sheets stand side by side, center_km in their middle"),
+      Row("arc_spacing_km", &Sheet::arc_spacing_km).in("km").within(0.1, 1000).may_be_free(ParameterScale::logarithmic)
+          .means("distance between them (10 to 100 in nature)"),
+      Row("brightness_kilorayleigh", &Sheet::brightness_kilorayleigh).in("kR").within(0, 1e6)
+          .means("of 557.7 nm seen along the field, at its peak across a layer, in place of the energy flux; 0: that says"),
+      Row("profile", &Sheet::profile).one_of({"maxwellian", "mono", "gaussian", "form", "file", "spline"})
+          .means("light against altitude: of electrons with a Maxwellian spectrum, a single energy, or a Gaussian one; the form's measured curve with the Maxwellian's ratios of lines; that of profile_file; or a free form of its own for each line"),
+      Row("profile_file", &Sheet::profile_file).names_table()
+          .means("of the profile \"file\": a CSV of altitude_km and, per line, photons cm⁻³ s⁻¹, beside the scene's file"),
+      Row("peak_km", &Sheet::peak_km).in("km").within(85, 400).may_be_free(ParameterScale::linear)
+          .means("altitude of a form's brightest light"),
+      Row("lower_km", &Sheet::lower_km).in("km").within(0.5, 100).may_be_free(ParameterScale::logarithmic)
+          .means("how far below the peak a form's light has fallen to a tenth"),
+      Row("upper_km", &Sheet::upper_km).in("km").within(1, 500).may_be_free(ParameterScale::logarithmic)
+          .means("how far above the peak a form's light has fallen to a tenth"),
+      Row("spline_bottom_km", &Sheet::spline_bottom_km).in("km").within(80, 630)
+          .means("altitude at which a free-form profile begins, dark"),
+      Row("spline_top_km", &Sheet::spline_top_km).in("km").within(90, 640)
+          .means("altitude at which a free-form profile ends, dark"),
+      Row("spline_knots", &Sheet::spline_knots).within(4, 64)
+          .means("coefficients of a free-form profile per line, closer together low down"),
+      Row("spline_rate", &Sheet::spline_rate).of({"<line>_<n>"}).named_by(spline_rate_name)
+          .in("cm⁻³ s⁻¹ per mW m⁻²").within(1e-12, 1e6).may_be_free(ParameterScale::logarithmic)
+          .means("coefficients of a free-form profile, about the emission rate at their altitudes: all of the first "
+                 "line from the bottom up, then the next line's, such as sheet.main.spline_rate.5577_3; "
+                 "empty: one broad layer for all lines"),
+      Row("fold_spacing_km", &Sheet::fold_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
+          .means("mean distance between folds (about 20 in nature); 0: no folds"),
+      Row("fold_spacing_jitter", &Sheet::fold_spacing_jitter).within(0, 1)
+          .means("random shift of the folds, as a fraction of their spacing"),
+      Row("fold_length_km", &Sheet::fold_length_km).in("km").within(0.01, 1000)
+          .means("stretch of the sine that a fold replaces, at most the spacing"),
+      Row("fold_stage", &Sheet::fold_stage).within(0, 1).may_be_free(ParameterScale::linear)
+          .means("how far a fold has turned: 0 a ripple, about a half an overhang, 1 a horseshoe bend"),
+      Row("fold_stage_spread", &Sheet::fold_stage_spread).within(0, 1)
+          .means("how much less than that folds may have turned, as a fraction of it"),
+      Row("fold_speed_km_s", &Sheet::fold_speed_km_s).in("km s⁻¹").within(-100, 100)
+          .means("of the folds, from start to end (0 to 5 in nature)"),
+      Row("fold_lifetime_s", &Sheet::fold_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
+          .means("of a fold (more than 1 in nature); 0: folds last"),
+      Row("curl_spacing_km", &Sheet::curl_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
+          .means("mean distance between curls (2 to 10 in nature); 0: no curls"),
+      Row("curl_radius_km", &Sheet::curl_radius_km).in("km").within(0.01, 100).means("of a curl, at most the spacing"),
+      Row("curl_turn_rad", &Sheet::curl_turn_rad).in("rad").within(-100, 100)
+          .means("angle by which a curl has wound up its centre, counter-clockwise seen against the field"),
+      Row("curl_gather", &Sheet::curl_gather).within(0, 0.95)
+          .means("how much closer beams stand in the centre of a curl, as a fraction of their spacing"),
+      Row("curl_speed_km_s", &Sheet::curl_speed_km_s).in("km s⁻¹").within(-100, 100)
+          .means("of the curls, from start to end (0 to 8 in nature, at most 90)"),
+      Row("curl_lifetime_s", &Sheet::curl_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
+          .means("of a curl (0.25 to 0.75 in nature); 0: curls last"),
+      Row("ray_contrast", &Sheet::ray_contrast).within(0, 3)
+          .means("standard deviation of the logarithm of the light from ray to ray; 0: no rays"),
+      Row("ray_width_km", &Sheet::ray_width_km).in("km").within(0.01, 100)
+          .means("full width of the rays' autocorrelation at half its height (1 or less in nature)"),
+      Row("ray_length_contrast", &Sheet::ray_length_contrast).within(0, 2)
+          .means("standard deviation of the logarithm of the rays' extent above the peak"),
+      Row("ray_speed_km_s", &Sheet::ray_speed_km_s).in("km s⁻¹").within(-100, 100)
+          .means("of the rays, from start to end"),
+      Row("ray_lifetime_s", &Sheet::ray_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint).means("of a ray; 0: rays last"),
+      Row("patch_size_km", &Sheet::patch_size_km).in("km").within(0, 1000).rule(none_or_some_complaint)
+          .means("of patches of light along and across the sheet, full width of their autocorrelation; 0: no patches"),
+      Row("patch_contrast", &Sheet::patch_contrast).within(0, 3)
+          .means("standard deviation of the logarithm of the light from patch to patch"),
+      Row("patch_lifetime_s", &Sheet::patch_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint).means("of a patch; 0: patches last"),
+      Row("border_amplitude_km", &Sheet::border_amplitude_km).in("km").within(0, 100)
+          .means("by which the lower border goes up and down; 0: it is even"),
+      Row("border_scale_km", &Sheet::border_scale_km).in("km").within(0.1, 1000)
+          .means("length of the lower border's longest waves"),
+      Row("border_octaves", &Sheet::border_octaves).within(1, 8)
+          .means("of the lower border's waves, each half as long and half as high as the one before"),
+      Row("border_lifetime_s", &Sheet::border_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
+          .means("of the lower border's course; 0: it lasts"),
+      Row("drift_km_s", &Sheet::drift_km_s).of({"east", "north"}).in("km s⁻¹").within(-100, 100)
+          .means("velocity of the whole sheet (0.1 to 0.2 north to south in nature, 10 east to west)"),
+      Row("sine_speed_km_s", &Sheet::sine_speed_km_s).in("km s⁻¹").within(-100, 100)
+          .means("of the sine, from start to end"),
+  };
+  // clang-format on
+}
+
+}  // namespace vegard::sim

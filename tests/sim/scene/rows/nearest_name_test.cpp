@@ -1,0 +1,35 @@
+#include "sim/scene/rows/nearest_name.h"
+
+#include <gtest/gtest.h>
+
+namespace vegard::sim {
+namespace {
+
+TEST(EditDistance, CountsEditsAndSwaps) {
+  EXPECT_EQ(edit_distance("", ""), 0u);
+  EXPECT_EQ(edit_distance("", "abc"), 3u);
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);  // Levenshtein's textbook pair
+  EXPECT_EQ(edit_distance("widht", "width"), 1u);     // one swap, not two substitutions
+  EXPECT_EQ(edit_distance("Width", "width"), 0u);
+  EXPECT_EQ(edit_distance("abcdef", "azced"), edit_distance("azced", "abcdef"));
+}
+
+TEST(NearestName, PrefersFewestEditsThenTheFirst) {
+  EXPECT_EQ(nearest_name("heigth", {"width", "height"}), "height");
+  EXPECT_EQ(nearest_name("ac", {"ab", "ad"}), "ab");
+  EXPECT_EQ(nearest_name("x", {}), "");
+}
+
+TEST(NearestName, TakesACutShortNameForItsWhole) {
+  // By plain edits "layers" (3) would be nearer to "lat" than "latitude_deg" (9).
+  EXPECT_EQ(nearest_name("lat", {"layers", "latitude_deg"}), "latitude_deg");
+}
+
+TEST(NearestHint, IsOnlyAsSureAsTheNamesAreNear) {
+  EXPECT_EQ(nearest_hint("widht", {"width"}), "did you mean 'width'?");
+  EXPECT_EQ(nearest_hint("qqqqqqq", {"width"}), "the nearest known is 'width'");
+  EXPECT_EQ(nearest_hint("qqqqqqq", {}), "");
+}
+
+}  // namespace
+}  // namespace vegard::sim
