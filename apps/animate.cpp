@@ -32,9 +32,10 @@
 #include "apps/scene_options.h"
 #include "apps/usage_error.h"
 #include "sim/base/file/whole_file.h"
+#include "sim/render/emitters/volume_files.h"
 #include "sim/render/render.h"
-#include "sim/render/volumes/volume_files.h"
 #include "sim/render/volumes/volumes.h"
+#include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/colour/colour_table.h"
 #include "sim/view/sensor/tone_curve.h"
@@ -182,7 +183,7 @@ int run(const Options& options) {
   }
   const sim::CompositePictures pictures = read_composite_pictures(scene);
   // Every frame reads its own; here only so that what is wrong with them is told before a folder is made.
-  if (sim::has_volumes(scene) || !scene.nebulae.empty()) sim::read_volume_files(scene);
+  if (sim::has_emitters(scene)) sim::read_volume_files(scene);
   // A measured tone curve is read by whatever is encoded with it; here, before the work.
   sim::ToneCurve check_of_the_curve(scene);
   sim::ColourTable check_of_the_colours(scene);

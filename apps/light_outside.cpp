@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "sim/base/earth.h"
 #include "sim/light/sheet_profile.h"
+#include "sim/scene/emitters/emitter_kinds.h"
 
 namespace vegard::apps {
 namespace {
@@ -32,13 +35,20 @@ bool could_shine(const sim::Scene& scene) {
   const bool sheets = std::any_of(scene.sheets.begin(), scene.sheets.end(), [](const sim::Sheet& sheet) {
     return sim::has_given_brightness(sheet) || sheet.energy_flux_mw_m2 > 0.0;
   });
-  const bool footprints =
-      std::any_of(scene.footprints.begin(), scene.footprints.end(),
-                  [](const sim::Footprint& footprint) { return footprint.energy_flux_mw_m2 > 0.0; });
-  return sheets || footprints || !scene.volumes.empty() || scene.sun.shown ||
-         std::any_of(scene.nebulae.begin(), scene.nebulae.end(), [](const sim::Nebula& nebula) {
-           return nebula.method != "literal" && nebula.brightness > 0.0;
-         });
+  const std::vector<sim::EmitterKind>& kinds = sim::emitter_kinds();
+  return sheets || std::any_of(kinds.begin(), kinds.end(),
+                               [&](const sim::EmitterKind& kind) { return sim::could_shine(kind, scene); });
+}
+
+std::string words_of(const sim::Whereabouts& where, double observer_altitude_km) {
+  switch (where.known) {
+    case sim::Whereabouts::Known::place:
+      return place_of(where.what, where.center_km, observer_altitude_km);
+    case sim::Whereabouts::Known::direction:
+      return direction_words(where.what, where.azimuth_deg, where.elevation_deg);
+    default:
+      return where.what + " " + where.words;
+  }
 }
 
 }  // namespace
@@ -58,16 +68,16 @@ std::string warning_if_out_of_view(const sim::Scene& scene, const sim::Image& ra
   const double observer_km = scene.site.altitude_m * 1e-3;
   for (const sim::Sheet& sheet : scene.sheets)
     text += "; " + place_of("sheet '" + sheet.name + "'", sheet.center_km, observer_km);
-  for (const sim::Footprint& footprint : scene.footprints)
-    text += "; " + (footprint.shape == "box"
-                        ? place_of("footprint '" + footprint.name + "'", footprint.center_km, observer_km)
-                        : "footprint '" + footprint.name + "' stands around the Earth");
-  for (const sim::Nebula& nebula : scene.nebulae)
-    text += "; " + direction_words("nebula '" + nebula.name + "'", nebula.azimuth_deg, nebula.elevation_deg);
-  if (scene.sun.shown)
-    text += "; " + direction_words("the Sun", scene.sun.azimuth_deg, scene.sun.elevation_deg);
-  for (const sim::Volume& volume : scene.volumes)
-    text += "; volume '" + volume.name + "' stands where " + volume.file + " has it";
+  std::vector<sim::Whereabouts> all;
+  for (const sim::EmitterKind& kind : sim::emitter_kinds()) {
+    if (kind.whereabouts == nullptr) continue;
+    for (sim::Whereabouts& where : kind.whereabouts(scene)) all.push_back(std::move(where));
+  }
+  // Who has to look into a file for it learns so last.
+  std::stable_partition(all.begin(), all.end(), [](const sim::Whereabouts& where) {
+    return where.known != sim::Whereabouts::Known::file;
+  });
+  for (const sim::Whereabouts& where : all) text += "; " + words_of(where, observer_km);
   return text;
 }
 

@@ -18,6 +18,7 @@
 #include "apps/usage_error.h"
 #include "sim/render/beams/points.h"
 #include "sim/render/volumes/volumes.h"
+#include "sim/scene/emitters/emitter_kinds.h"
 
 namespace vegard::apps {
 namespace {
@@ -44,7 +45,7 @@ int thinning(const Options& options, const sim::Scene& scene) {
 int run(const Options& options) {
   const std::atomic<bool>& stop = watch_for_interrupt();
   const sim::Scene scene = scene_of(options.scene);
-  if (scene.sheets.empty() && (sim::has_volumes(scene) || !scene.nebulae.empty()))
+  if (scene.sheets.empty() && sim::has_emitters(scene))
     throw sim::Error(sim::ErrorKind::scene,
                      {"volumes have no points, and the scene has no sheet", options.scene.file, 0, "",
                       "a [[sheet]]", "vegard volume fills an OpenVDB file with their light"});

@@ -1,13 +1,13 @@
 #include "apps/preview_controls.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
 #include <fmt/format.h>
 
 #include "sim/base/error.h"
+#include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::apps {
@@ -21,9 +21,11 @@ double round_number(double value) {
 }
 
 int place_in_order(const sim::ParameterPath& path) {
-  constexpr std::array<const char*, 9> kFirst = {"footprint", "nebula", "loop",   "chromosphere", "corona",
-                                                 "bundle",    "sun",    "camera", "sheet"};
-  return static_cast<int>(std::find(kFirst.begin(), kFirst.end(), path.row->table) - kFirst.begin());
+  const std::string& table = path.row->table;
+  if (table == "camera") return sim::EmitterKind::kLastInPreview - 2;
+  if (table == sim::sheet_table) return sim::EmitterKind::kLastInPreview - 1;
+  const sim::EmitterKind* kind = sim::kind_of_table(table);
+  return kind != nullptr && kind->table == table ? kind->place_in_preview : sim::EmitterKind::kLastInPreview;
 }
 
 std::vector<sim::ParameterPath> real_paths(const sim::Scene& scene) {

@@ -6,6 +6,8 @@
 
 #include "apps/finite_range.h"
 #include "apps/usage_error.h"
+#include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/table/parameter_declarations.h"
 
 namespace vegard::apps {
 
@@ -61,33 +63,27 @@ sim::SceneGridOptions scene_grid_options(const VoxelOptions& options, int thread
 
 void keep_named(sim::Scene& scene, const std::vector<std::string>& names) {
   if (names.empty()) return;
+  // What shines; nodes do not.
+  std::vector<const sim::RepeatedTable*> tables = {sim::repeated_table(sim::sheet_table)};
+  for (const sim::EmitterKind& kind : sim::emitter_kinds())
+    if (!kind.repeated.empty()) tables.push_back(&kind.repeated.front());
   for (const std::string& name : names) {
-    const auto is = [&](const auto& list) {
-      return std::any_of(list.begin(), list.end(), [&](const auto& one) { return one.name == name; });
+    const auto has_one = [&](const sim::RepeatedTable* table) {
+      for (std::size_t e = 0; e < table->count(scene); ++e)
+        if (table->name(scene, static_cast<int>(e)) == name) return true;
+      return false;
     };
-    if (!is(scene.sheets) && !is(scene.footprints) && !is(scene.nebulae) && !is(scene.volumes) &&
-        !is(scene.chromospheres) && !is(scene.loops) && !is(scene.coronae) && !is(scene.bundles) &&
-        !is(scene.ejections))
+    if (std::none_of(tables.begin(), tables.end(), has_one))
       throw usage_error("--of", "nothing that shines is called '" + name + "'",
                         "the name of a sheet, footprint, nebula, volume, or of a thing on the Sun");
   }
-  const auto keep = [&](auto& list) {
-    const auto other = [&](const auto& one) {
-      return std::find(names.begin(), names.end(), one.name) == names.end();
-    };
-    list.erase(std::remove_if(list.begin(), list.end(), other), list.end());
+  const auto is_named = [&](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
   };
-  keep(scene.footprints);
-  if (std::none_of(scene.footprints.begin(), scene.footprints.end(),
-                   [](const sim::Footprint& one) { return one.source == "sheets"; }))
-    keep(scene.sheets);
-  keep(scene.nebulae);
-  keep(scene.volumes);
-  keep(scene.chromospheres);
-  keep(scene.loops);
-  keep(scene.coronae);
-  keep(scene.bundles);
-  keep(scene.ejections);
+  // Sheets come last: it depends on the others whether they stay.
+  std::rotate(tables.begin(), tables.begin() + 1, tables.end());
+  for (const sim::RepeatedTable* table : tables)
+    if (table->table != sim::sheet_table || !sim::has_emitters_of_sheets(scene)) table->keep(scene, is_named);
 }
 
 }  // namespace vegard::apps

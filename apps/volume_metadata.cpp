@@ -4,6 +4,7 @@
 
 #include "sim/base/version.h"
 #include "sim/light/emitter.h"
+#include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/view/colour/line_colours.h"
 
@@ -16,10 +17,10 @@ double rayleigh_per_unit(const sim::SceneGrid& made) { return sim::kRayleighsPer
 }  // namespace
 
 bool is_of_sun(const sim::Scene& scene) {
-  return std::any_of(scene.volumes.begin(), scene.volumes.end(),
-                     [](const sim::Volume& volume) { return volume.frame == "sun"; }) ||
-         (scene.sun.shown && (!scene.chromospheres.empty() || !scene.loops.empty() ||
-                              !scene.coronae.empty() || !scene.bundles.empty() || !scene.ejections.empty()));
+  const std::vector<sim::EmitterKind>& kinds = sim::emitter_kinds();
+  return std::any_of(kinds.begin(), kinds.end(), [&](const sim::EmitterKind& kind) {
+    return sim::what_is_on_sun(kind, scene) != sim::OnSun::nothing;
+  });
 }
 
 sim::VdbMetadata volume_metadata(const sim::Scene& scene, const sim::SceneGrid& made) {

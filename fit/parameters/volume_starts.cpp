@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+
+#include "sim/scene/emitters/emitter_kinds.h"
 
 namespace vegard::fit {
 namespace {
@@ -34,11 +35,7 @@ double distance_of(const sim::Scene& scene, const FreeNumber& n) {
 
 }  // namespace
 
-bool is_of_volume(const FreeNumber& number) {
-  static const char* const kTables[] = {"footprint",    "nebula", "node",   "volume", "sun",
-                                        "chromosphere", "loop",   "corona", "bundle", "ejection"};
-  return std::find(std::begin(kTables), std::end(kTables), number.table()) != std::end(kTables);
-}
+bool is_of_volume(const FreeNumber& number) { return sim::kind_of_table(number.table()) != nullptr; }
 
 std::vector<double> moved_footprints(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                                      std::vector<double> values, double distance, double energy) {

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 
 #include "sim/base/file/number_text.h"
+#include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::fit {
 namespace {
@@ -15,35 +16,6 @@ constexpr double kNoticeableShare = 0.1, kNoticeableDegrees = 10.0, kNoticeableR
 constexpr double kUnnoticed = 0.02;  // of what the most noticeable number of a direction changes by
 constexpr std::size_t kMostMembers = 3;
 constexpr double kNearlyAll = 0.9;  // of a step: along the line of sight, or across it
-
-/// Where the key without its unit is not what people say.
-const std::map<std::string, std::string>& nouns() {
-  static const std::map<std::string, std::string> kNouns = {
-      {"thickness_km", "amplitude"},
-      {"width_km", "layer width"},
-      {"loss_cone_deg", "pitch angle"},
-      {"arc_spacing_km", "spacing of the arcs"},
-      {"peak_km", "peak altitude"},
-      {"lower_km", "extent below the peak"},
-      {"upper_km", "extent above the peak"},
-      {"hfov_deg", "field of view"},
-      {"green_rayleigh", "green light"},
-      {"red_rayleigh", "red light"},
-      {"sodium_rayleigh", "sodium light"},
-      {"inner_rayleigh", "inner light"},
-      {"outer_rayleigh", "outer light"},
-      {"glow_rayleigh", "glow"},
-      {"east_km", "east of point"},
-      {"north_km", "north of point"},
-      {"point_energy", "energy of point"},
-      {"point_flux", "energy flux of point"},
-      {"innerradius", "inner radius"},
-      {"outerradius", "outer radius"},
-      {"speed_km_s", "speed"},
-      {"scale", "size of the granules"},
-  };
-  return kNouns;
-}
 
 std::string without_unit(std::string key) {
   for (const char* unit : {"_mw_m2", "_mcd_m2", "_km_s", "_rayleigh", "_km", "_kev", "_deg", "_rad"}) {
@@ -59,9 +31,7 @@ std::string without_unit(std::string key) {
 
 std::string noun_of(const sim::ParameterPath& path) {
   const std::string& key = path.row->key;
-  const auto known = nouns().find(key);
-  std::string noun = known != nouns().end() ? known->second : without_unit(key);
-  if (key == "width_km" && path.sheet() < 0) noun = "width";  // it has no layers
+  std::string noun = path.row->noun.empty() ? without_unit(key) : path.row->noun;
   // One of several of a kind: the line of a blur, the coefficient of a profile.
   const std::size_t at = path.text.rfind(key + ".");
   if (!path.row->component.empty() && at != std::string::npos)
@@ -69,36 +39,36 @@ std::string noun_of(const sim::ParameterPath& path) {
   return noun;
 }
 
-/// Of one of several tables of a kind; empty for others.
-const std::string& element_name(const sim::Scene& scene, const sim::ParameterPath& path) {
-  static const std::string none;
-  const std::string& table = path.row->table;
-  const auto e = static_cast<std::size_t>(path.element);
-  if (table == "sheet") return scene.sheets[e].name;
-  if (table == "footprint") return scene.footprints[e].name;
-  if (table == "nebula") return scene.nebulae[e].name;
-  if (table == "node") return scene.nodes[e].name;
-  if (table == "volume") return scene.volumes[e].name;
-  if (table == "chromosphere") return scene.chromospheres[e].name;
-  if (table == "loop") return scene.loops[e].name;
-  if (table == "corona") return scene.coronae[e].name;
-  if (table == "bundle") return scene.bundles[e].name;
-  if (table == "ejection") return scene.ejections[e].name;
-  return none;
+/// The first components, to the east, of all that has a centre on the ground: sheets, footprints.
+std::vector<sim::ParameterPath> centres_of(const sim::Scene& scene) {
+  std::vector<sim::ParameterPath> centres = sim::all_paths(scene);
+  centres.erase(std::remove_if(centres.begin(), centres.end(),
+                               [](const sim::ParameterPath& path) {
+                                 return path.row->key != "center_km" || path.component != 0;
+                               }),
+                centres.end());
+  return centres;
 }
 
-/// Which of the centres of sheets and footprints, one after the other, a number is a component of; -1: none.
-int centre_of(const sim::Scene& scene, const sim::ParameterPath& path) {
-  if (path.row == nullptr || path.row->key != "center_km") return -1;
-  return path.sheet() >= 0 ? path.sheet() : static_cast<int>(scene.sheets.size()) + path.element;
+/// Which of the centres a number is a component of; -1: none.
+int centre_of(const std::vector<sim::ParameterPath>& centres, const sim::ParameterPath& path) {
+  if (path.row == nullptr) return -1;
+  const auto found = std::find_if(centres.begin(), centres.end(), [&](const sim::ParameterPath& centre) {
+    return path.row->table == centre.row->table && path.row->key == centre.row->key &&
+           path.element == centre.element;
+  });
+  return found == centres.end() ? -1 : static_cast<int>(found - centres.begin());
 }
 
 std::string owner_of(const sim::Scene& scene, const sim::ParameterPath& path) {
   const std::string& table = path.row->table;
   if (table.empty()) return {};
-  const std::string& name = element_name(scene, path);
+  const std::string name = sim::element_name(scene, path);
   // "the bright loop", but not "the loop loop"
-  const std::string kind = table == "sun" ? "Sun" : without_unit(table);
+  const sim::EmitterKind* emitter = sim::kind_of_table(table);
+  const std::string kind = emitter != nullptr && emitter->table == table && !emitter->spoken.empty()
+                               ? emitter->spoken
+                               : without_unit(table);
   return "the " + (name.empty() || name == kind ? "" : name + " ") + kind;
 }
 
@@ -241,11 +211,15 @@ std::vector<Member> members_of(const std::vector<SpokenNumber>& numbers,
 
 std::vector<SpokenNumber> spoken_numbers(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                                          const std::vector<double>& values) {
+  const std::vector<sim::ParameterPath> first_components = centres_of(scene);
   std::vector<sim::EastNorth> centres;
-  for (const sim::Sheet& sheet : scene.sheets) centres.push_back(sheet.center_km);
-  for (const sim::Footprint& footprint : scene.footprints) centres.push_back(footprint.center_km);
+  for (sim::ParameterPath path : first_components) {
+    const double east = *sim::real_value(scene, path);
+    path.component = 1;
+    centres.push_back({east, *sim::real_value(scene, path)});
+  }
   for (std::size_t j = 0; j < free.size(); ++j)
-    if (const int c = centre_of(scene, free[j].path); c >= 0)
+    if (const int c = centre_of(first_components, free[j].path); c >= 0)
       (free[j].path.component == 0 ? centres[c].east : centres[c].north) = values[j];
   std::vector<SpokenNumber> numbers;
   for (std::size_t j = 0; j < free.size(); ++j) {
@@ -257,7 +231,7 @@ std::vector<SpokenNumber> spoken_numbers(const sim::Scene& scene, const std::vec
     n.unit = free[j].unit();
     n.value = values[j];
     n.noticeable = noticeable_change(free[j], values[j]);
-    n.centre = centre_of(scene, path);
+    n.centre = centre_of(first_components, path);
     n.of_profile = free[j].key() == "spline_rate";
     if (n.centre >= 0) {
       n.place = path.component == 0 ? SpokenNumber::Place::east : SpokenNumber::Place::north;

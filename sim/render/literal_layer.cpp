@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "sim/render/volumes/depth_file.h"
+#include "sim/render/emitters/depth_file.h"
 #include "sim/render/volumes/literal_nebula.h"
 #include "sim/view/film/composite.h"
 

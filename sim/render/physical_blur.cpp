@@ -10,6 +10,7 @@
 #include "sim/render/beams/kernel_levels.h"
 #include "sim/render/beams/kernel_scene.h"
 #include "sim/render/film.h"
+#include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/view/film/level_ladder.h"
 
 namespace vegard::sim {
@@ -26,10 +27,7 @@ Scene with_lines(const Scene& scene, const std::vector<double>& lines_nm) {
   Scene part = scene;
   part.emission.lines = lines_nm;
   part.blur.width_deg.assign(lines_nm.size(), 0.0);
-  part.footprints.clear();
-  part.nebulae.clear();
-  part.volumes.clear();
-  part.sun.shown = false;
+  remove_emitters(part);
   return part;
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "sim/emit/aurora/motion.h"
+#include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/view/sky/night_sky.h"
 #include "sim/view/sky/stars.h"
@@ -53,8 +54,11 @@ std::string bits_of(std::initializer_list<double> numbers) {
 
 /// Those, and the tables of all that is marched.
 std::set<std::string> volumes_and(std::set<std::string> tables) {
-  tables.insert({"[[footprint]]", "[[nebula]]", "[[node]]", "[[volume]]", "[march]", "[sun]",
-                 "[[chromosphere]]", "[[loop]]", "[[corona]]", "[[bundle]]", "[[ejection]]"});
+  tables.insert("[march]");
+  for (const EmitterKind& kind : emitter_kinds()) {
+    if (kind.repeated.empty()) tables.insert("[" + kind.table + "]");
+    for (const RepeatedTable& repeated : kind.repeated) tables.insert("[[" + repeated.table + "]]");
+  }
   return tables;
 }
 
@@ -73,13 +77,8 @@ void RenderMemory::look_at(const Scene& scene, int threads) {
 std::shared_ptr<const Volumes> RenderMemory::volumes() {
   if (!has_volumes(*scene_)) return nullptr;
   std::set<std::string> others = lights_and({"[camera]", "[blur]", "[film]"});
-  const auto& footprints = scene_->footprints;
-  if (std::none_of(footprints.begin(), footprints.end(),
-                   [](const Footprint& footprint) { return footprint.source == "sheets"; })) {
-    others.insert({"[[sheet]]", "[substorm]"});
-    // Ejections move.
-    if (!scene_->sun.shown || scene_->ejections.empty()) others.insert("[time]");
-  }
+  if (!has_emitters_of_sheets(*scene_)) others.insert({"[[sheet]]", "[substorm]"});
+  if (!has_moving_emitters(*scene_)) others.insert("[time]");
   // A picture of depth is of the camera's size.
   const std::string key =
       key_without(tables_, others) +

@@ -42,7 +42,7 @@ check_sources() {
       sub(/[^\/]*$/, "", folder)
       library = from != "apps"
       # What volumes are made of is read in these and handed on.
-      reads_volumes = FILENAME ~ /^sim\/render\/volumes\/(depth_file|volume_files)\.cpp$/
+      reads_volumes = FILENAME ~ /^sim\/render\/emitters\/(depth_file|volume_files)\.cpp$/
       physics = from ~ /^sim\/(light|emit|view|render)$/ && !reads_volumes
     }
     { code = $0; sub(/\/\/.*/, "", code) }

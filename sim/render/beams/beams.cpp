@@ -12,6 +12,7 @@
 #include "sim/light/electron.h"
 #include "sim/light/electron_spectrum.h"
 #include "sim/light/sheet_profile.h"
+#include "sim/scene/emitters/emitter_kinds.h"
 
 namespace vegard::sim {
 namespace {
@@ -83,10 +84,7 @@ T light_per_path(const Sheet& sheet, const T& vertical) {
 
 }  // namespace
 
-bool has_footprint_of_sheets(const Scene& scene) {
-  return std::any_of(scene.footprints.begin(), scene.footprints.end(),
-                     [](const Footprint& footprint) { return footprint.source == "sheets"; });
-}
+bool has_footprint_of_sheets(const Scene& scene) { return has_emitters_of_sheets(scene); }
 
 BeamLayout::BeamLayout(const Scene& scene, double beyond)
     : instants_s_(instants_s(scene.time)), sheets_(scene.sheets), seed_(scene.seed) {

@@ -8,6 +8,7 @@
 #include "sim/render/beams/beams.h"
 #include "sim/render/beams/kernel.h"
 #include "sim/render/beams/kernel_scene.h"
+#include "sim/scene/emitters/emitter_kinds.h"
 
 namespace vegard::sim {
 namespace {
@@ -64,7 +65,7 @@ std::uint64_t stream_points(const Scene& scene, const PointOptions& options,
   assert(options.every % 2 == 1);
   Scene still = scene;
   still.time.instants = 1;
-  still.footprints.clear();  // the points are those of the beams, whatever is drawn in their place
+  remove_emitters(still);  // the points are those of the beams, whatever is drawn in their place
   const BeamLayout layout(still, 0.0);
   const std::vector<HeightProfile> profiles = height_profiles(still);
   const FilmGeometry no_film;
@@ -112,7 +113,7 @@ int thinning_for(const Scene& scene, std::uint64_t most, int threads, const std:
   // To count takes long. So the search begins where the expected count says, and widens from there.
   Scene still = scene;
   still.time.instants = 1;
-  still.footprints.clear();  // the points are those of the beams, whatever is drawn in their place
+  remove_emitters(still);  // the points are those of the beams, whatever is drawn in their place
   const BeamLayout layout(still, 0.0);
   int low = -1, high = last;  // `low` is too little, or below all
   while (high - low > 2) {

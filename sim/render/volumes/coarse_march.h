@@ -9,7 +9,7 @@
 
 namespace vegard::sim {
 
-/// Where the rays of a film end: sim/render/volumes/depth_file.h.
+/// Where the rays of a film end: sim/render/emitters/depth_file.h.
 using EndsOfRays = std::function<std::vector<float>(const FilmGeometry& film)>;
 
 /// The light of a film by that of one with cells `shrink` times as wide and high

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "sim/base/parallel.h"
-#include "sim/render/volumes/emitters.h"
+#include "sim/render/emitters/emitter_makers.h"
+#include "sim/render/emitters/volume_files.h"
 #include "sim/render/volumes/row_of_rays.h"
-#include "sim/render/volumes/volume_files.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::sim {
@@ -25,11 +25,9 @@ namespace vegard::sim {
 template <class T>
 class RowMarch {
  public:
-  using Emitters = std::vector<std::unique_ptr<Emitter<T>>>;
-
   /// Of the emitters `made` beforehand, or if there are none of those that the scene makes now.
   RowMarch(const Scene& scene, const VolumeFiles& files, const NumberAs<T>& number, int threads,
-           const Emitters* made = nullptr)
+           const Emitters<T>* made = nullptr)
       : lines_(static_cast<int>(scene.emission.lines.size())),
         observer_km_(scene.site.altitude_m * 1e-3),
         depth_(files.depth),
@@ -39,7 +37,7 @@ class RowMarch {
         view_(camera_view<T>(
             scene.camera,
             [&](CameraNumber which) { return number(*camera_number_address(scene.camera, which)); })),
-        made_here_(made != nullptr ? Emitters() : make_emitters<T>(scene, files, number, threads)),
+        made_here_(made != nullptr ? Emitters<T>() : make_emitters<T>(scene, files, number, threads)),
         emitters_(made != nullptr ? *made : made_here_),
         slots_(thread_count(threads)) {
     for (std::size_t e = 0; e < emitters_.size(); ++e) {
@@ -210,8 +208,8 @@ class RowMarch {
   CameraView<double> plain_view_;
   double rad_per_px_;
   CameraView<T> view_;
-  const Emitters made_here_;
-  const Emitters& emitters_;
+  const Emitters<T> made_here_;
+  const Emitters<T>& emitters_;
   std::vector<std::size_t> absorbers_, mixed_;
   std::vector<Slot> slots_;
 };

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "sim/emit/sun/sun_frame.h"
-#include "sim/render/volumes/depth_file.h"
+#include "sim/render/emitters/depth_file.h"
 #include "sim/view/camera/rays.h"
 
 namespace vegard::sim {

@@ -8,11 +8,10 @@
 
 #include "sim/base/error.h"
 #include "sim/base/grid/vdb_bytes.h"
+#include "sim/render/emitters/emitter_makers.h"
+#include "sim/render/emitters/volume_files.h"
 #include "sim/render/volumes/field_sampling.h"
-#include "sim/render/volumes/light_fields.h"
 #include "sim/render/volumes/point_deposit.h"
-#include "sim/render/volumes/thin_strands.h"
-#include "sim/render/volumes/volume_files.h"
 #include "sim/scene/file/volume_grid_file.h"
 
 namespace vegard::sim {
@@ -188,16 +187,10 @@ SceneGrid grid_of_fields(const Scene& scene, const std::vector<const LightField*
 }
 
 SceneGrid grid_of_scene(const Scene& scene, const SceneGridOptions& options) {
-  for (const Nebula& nebula : scene.nebulae)
-    if (nebula.method == "literal")
-      throw Error(ErrorKind::usage,
-                  {"the nebula '" + nebula.name + "' is marched literally and has no light in space", "", 0,
-                   "SCENE", "method = \"physical\"", "Leave it out with --of NAME"});
-  for (const Footprint& footprint : scene.footprints)
-    if (footprint.model == "curtain")
-      throw Error(ErrorKind::usage, {"the footprint '" + footprint.name + "' is a curtain without thickness",
-                                     "", 0, "SCENE", "model = \"volume\"", "Leave it out with --of NAME"});
-  const ThinStrand thinnest = thinnest_strand(scene);
+  if (const auto complaint = why_no_light_field(scene))
+    throw Error(ErrorKind::usage,
+                {complaint->problem, "", 0, "SCENE", complaint->expected, "Leave it out with --of NAME"});
+  const ThinPart thinnest = thinnest_part(scene);
   if (options.voxel > thinnest.radius)
     throw Error(ErrorKind::usage,
                 {"strands of the " + thinnest.what + ", of radius " + text_of(thinnest.radius, "%.6g") +

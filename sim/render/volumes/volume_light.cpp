@@ -1,7 +1,7 @@
 // From the march of the volumes to their light as it is seen: at a coarser resolution, softened, with glow.
+#include "sim/render/emitters/depth_file.h"
+#include "sim/render/emitters/volume_files.h"
 #include "sim/render/volumes/coarse_march.h"
-#include "sim/render/volumes/depth_file.h"
-#include "sim/render/volumes/volume_files.h"
 #include "sim/render/volumes/volumes.h"
 #include "sim/view/film/soft_light.h"
 

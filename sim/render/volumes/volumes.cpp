@@ -5,22 +5,18 @@
 
 #include "sim/base/parallel.h"
 #include "sim/render/beams/kernel_scene.h"
-#include "sim/render/volumes/emitters.h"
+#include "sim/render/emitters/emitter_makers.h"
+#include "sim/render/emitters/volume_files.h"
 #include "sim/render/volumes/row_march.h"
-#include "sim/render/volumes/volume_files.h"
 
 namespace vegard::sim {
 
-bool has_volumes(const Scene& scene) {
-  return !scene.footprints.empty() || !scene.volumes.empty() || scene.sun.shown ||
-         std::any_of(scene.nebulae.begin(), scene.nebulae.end(),
-                     [](const Nebula& nebula) { return nebula.method != "literal"; });
-}
+bool has_volumes(const Scene& scene) { return has_drawn_emitters(scene); }
 
 /// Emitters look into the scene that they are made of.
 struct Volumes::Made {
   Scene scene;
-  std::vector<std::unique_ptr<Emitter<double>>> emitters;
+  Emitters<double> emitters;
 };
 
 Volumes::Volumes(const Scene& scene, int threads, bool of_one_scene)

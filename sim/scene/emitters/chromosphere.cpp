@@ -18,11 +18,11 @@ std::vector<Declaration> chromosphere_rows() {
   // clang-format off
   return {
       row("name", &C::name).means("by which paths call the chromosphere"),
-      row("innerradius", &C::innerradius).within(1e-3, 1e9).means("radius of the sphere below it, in units of the Sun's frame, as all its lengths"),
-      row("outerradius", &C::outerradius).within(1e-3, 1e9).means("radius of the sphere above it"),
+      row("innerradius", &C::innerradius).called("inner radius").within(1e-3, 1e9).means("radius of the sphere below it, in units of the Sun's frame, as all its lengths"),
+      row("outerradius", &C::outerradius).called("outer radius").within(1e-3, 1e9).means("radius of the sphere above it"),
       row("roughness", &C::roughness).within(0, 1).may_be_free(ParameterScale::linear).means("height of an octave of its turbulence over that of the one before (ω)"),
       row("octaves", &C::octaves).within(1, 12).means("octaves of its turbulence"),
-      row("scale", &C::scale).within(1e-3, 1e6).may_be_free(ParameterScale::logarithmic).means("length of the largest waves: size of the granules"),
+      row("scale", &C::scale).called("size of the granules").within(1e-3, 1e6).may_be_free(ParameterScale::logarithmic).means("length of the largest waves: size of the granules"),
       row("shift", &C::shift).of({"x", "y", "z"}).within(-1e6, 1e6).may_be_free(ParameterScale::linear).means("of the turbulence, in lengths of its largest waves"),
       row("coverage", &C::coverage).within(-1, 10).may_be_free(ParameterScale::linear).means("of the cutoff F(x) = amplitude (1 - exp(-(x - coverage) sharpness)), 0 where that is negative: turbulence up to it is empty"),
       row("sharpness", &C::sharpness).within(0, 1000).may_be_free(ParameterScale::logarithmic).means("of the cutoff: how soon it comes near to its amplitude"),

@@ -39,6 +39,11 @@ std::vector<EmitterKind> all_kinds() {
   return all;
 }
 
+bool any_kind(bool (*is)(const EmitterKind&, const Scene&), const Scene& scene) {
+  return std::any_of(emitter_kinds().begin(), emitter_kinds().end(),
+                     [&](const EmitterKind& kind) { return is(kind, scene); });
+}
+
 }  // namespace
 
 const std::vector<EmitterKind>& emitter_kinds() {
@@ -62,15 +67,10 @@ void add_emitter_kind(const EmitterKind& kind) {
   added.all.push_back(kind);
 }
 
-bool has_drawn_emitters(const Scene& scene) {
-  return std::any_of(emitter_kinds().begin(), emitter_kinds().end(),
-                     [&](const EmitterKind& kind) { return is_drawn(kind, scene); });
-}
-
-bool has_emitters(const Scene& scene) {
-  return std::any_of(emitter_kinds().begin(), emitter_kinds().end(),
-                     [&](const EmitterKind& kind) { return is_in_scene(kind, scene); });
-}
+bool has_drawn_emitters(const Scene& scene) { return any_kind(is_drawn, scene); }
+bool has_emitters(const Scene& scene) { return any_kind(is_in_scene, scene); }
+bool has_emitters_of_sheets(const Scene& scene) { return any_kind(is_made_of_sheets, scene); }
+bool has_moving_emitters(const Scene& scene) { return any_kind(moves, scene); }
 
 void remove_emitters(Scene& scene) {
   for (const EmitterKind& kind : emitter_kinds())

@@ -25,6 +25,11 @@ void add_emitter_kind(const EmitterKind& kind);
 bool has_drawn_emitters(const Scene& scene);
 bool has_emitters(const Scene& scene);
 
+/// Whether any goes by the scene's sheets, which are then not drawn as beams; and whether any changes with
+/// the scene's clock.
+bool has_emitters_of_sheets(const Scene& scene);
+bool has_moving_emitters(const Scene& scene);
+
 /// Leaves the sheets alone.
 void remove_emitters(Scene& scene);
 

@@ -41,9 +41,9 @@ std::vector<Declaration> footprint_rows() {
       row("cell_km", &F::cell_km).in("km").within(0.01, 100).means("edge of a cell of a box's footprint"),
       row("face_cells", &F::face_cells).within(16, 8192)
           .means("cells along an edge of each of the six cube faces of a shell's footprint"),
-      row("east_km", &F::east_km).of({"<n>"}).named_by(name_by_point).in("km").within(-6000, 6000).may_be_free(ParameterScale::linear)
+      row("east_km", &F::east_km).called("east of point").of({"<n>"}).named_by(name_by_point).in("km").within(-6000, 6000).may_be_free(ParameterScale::linear)
           .means("points of a box's spline, from the box's middle to the east"),
-      row("north_km", &F::north_km).of({"<n>"}).named_by(name_by_point).in("km").within(-6000, 6000).may_be_free(ParameterScale::linear)
+      row("north_km", &F::north_km).called("north of point").of({"<n>"}).named_by(name_by_point).in("km").within(-6000, 6000).may_be_free(ParameterScale::linear)
           .means("the same to the north"),
       row("latitude_deg", &F::latitude_deg).of({"<n>"}).named_by(name_by_point).in("deg").within(-90, 90)
           .means("points of a shell's spline: geographic latitude"),
@@ -58,9 +58,9 @@ std::vector<Declaration> footprint_rows() {
       row("energy_image", &F::energy_image).names_file().means("picture of the electrons' energy, of the same extent; empty: the same everywhere"),
       row("energy_ratio", &F::energy_ratio).within(0.01, 100)
           .means("energy where energy_image is white, over energy_kev, which is where it is black; between them the logarithm is even"),
-      row("point_energy", &F::point_energy).of({"<n>"}).named_by(name_by_point).within(0.05, 20).may_be_free(ParameterScale::logarithmic)
+      row("point_energy", &F::point_energy).called("energy of point").of({"<n>"}).named_by(name_by_point).within(0.05, 20).may_be_free(ParameterScale::logarithmic)
           .means("energy at the spline's points, over energy_kev; empty: 1 everywhere"),
-      row("point_flux", &F::point_flux).of({"<n>"}).named_by(name_by_point).within(0, 1000).may_be_free(ParameterScale::linear)
+      row("point_flux", &F::point_flux).called("energy flux of point").of({"<n>"}).named_by(name_by_point).within(0, 1000).may_be_free(ParameterScale::linear)
           .means("energy flux at the spline's points, over energy_flux_mw_m2; empty: 1 everywhere"),
       row("noise_scale_km", &F::noise_scale_km).in("km").within(1, 5000).means("largest waves of a noise footprint"),
       row("noise_octaves", &F::noise_octaves).within(1, 10).means("its octaves"),
@@ -82,9 +82,9 @@ std::vector<Declaration> footprint_rows() {
       row("profile", &F::profile).one_of({"maxwellian", "mono", "gaussian", "form"})
           .means("light against altitude: of a spectrum of electrons, or a form"),
       row("energy_spread", &F::energy_spread).within(0.01, 1).means("of the profile \"gaussian\", as a sheet's"),
-      row("peak_km", &F::peak_km).in("km").within(81, 600).means("of the profile \"form\": altitude of its peak"),
-      row("lower_km", &F::lower_km).in("km").within(0.5, 100).means("below the peak a form's light has fallen to a tenth"),
-      row("upper_km", &F::upper_km).in("km").within(0.5, 500).means("above the peak a form's light has fallen to a tenth"),
+      row("peak_km", &F::peak_km).called("peak altitude").in("km").within(81, 600).means("of the profile \"form\": altitude of its peak"),
+      row("lower_km", &F::lower_km).called("extent below the peak").in("km").within(0.5, 100).means("below the peak a form's light has fallen to a tenth"),
+      row("upper_km", &F::upper_km).called("extent above the peak").in("km").within(0.5, 500).means("above the peak a form's light has fallen to a tenth"),
       row("top_km", &F::top_km).in("km").within(100, 640).means("above which there is no light"),
   };
   // clang-format on

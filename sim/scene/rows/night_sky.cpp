@@ -20,11 +20,11 @@ std::vector<Declaration> night_sky_rows() {
       Row("air", "ozone_dobson", &Scene::air, &LowerAir::ozone_dobson).in("DU").within(0, 1000)
           .means("column of ozone, whose Chappuis band takes from green to red"),
 
-      Row("airglow", "green_rayleigh", &Scene::airglow, &Airglow::green_rayleigh).in("R").within(0, 1e5).may_be_free(ParameterScale::linear)
+      Row("airglow", "green_rayleigh", &Scene::airglow, &Airglow::green_rayleigh).called("green light").in("R").within(0, 1e5).may_be_free(ParameterScale::linear)
           .means("zenith airglow of 557.7 nm, at 97 km; 0: none; 163 at Paranal in the mean"),
-      Row("airglow", "red_rayleigh", &Scene::airglow, &Airglow::red_rayleigh).in("R").within(0, 1e5).may_be_free(ParameterScale::linear)
+      Row("airglow", "red_rayleigh", &Scene::airglow, &Airglow::red_rayleigh).called("red light").in("R").within(0, 1e5).may_be_free(ParameterScale::linear)
           .means("zenith airglow of 630.0 nm, at 250 km; 0: none; some 120 at Paranal in the mean, fewer at high latitudes"),
-      Row("airglow", "sodium_rayleigh", &Scene::airglow, &Airglow::sodium_rayleigh).in("R").within(0, 1e5).may_be_free(ParameterScale::linear)
+      Row("airglow", "sodium_rayleigh", &Scene::airglow, &Airglow::sodium_rayleigh).called("sodium light").in("R").within(0, 1e5).may_be_free(ParameterScale::linear)
           .means("zenith airglow of both sodium lines, 589.3 nm, at 92 km; 0: none; 37 at Paranal in the mean"),
 
       Row("twilight", "shown", &Scene::twilight, &Twilight::shown).means("whether there is the light of a sun below the horizon"),

@@ -37,7 +37,7 @@ std::vector<Declaration> place_rows() {
           .means("projection of the lens"),
       Row("camera", "width", &Scene::camera, &Camera::width).in("px").within(1, 65535).means("width of the image"),
       Row("camera", "height", &Scene::camera, &Camera::height).in("px").within(1, 65535).means("height of the image"),
-      Row("camera", "hfov_deg", &Scene::camera, &Camera::hfov_deg).in("deg").within(0.1, 170).may_be_free(ParameterScale::linear)
+      Row("camera", "hfov_deg", &Scene::camera, &Camera::hfov_deg).called("field of view").in("deg").within(0.1, 170).may_be_free(ParameterScale::linear)
           .means("horizontal field of view of a pinhole, before any distortion; other lenses have focal_px"),
       Row("camera", "focal_px", &Scene::camera, &Camera::focal_px).in("px").within(1, 1e6).may_be_free(ParameterScale::linear)
           .means("scale of every lens but the pinhole: pixels to a radian on its axis"),

@@ -31,7 +31,7 @@ std::vector<Declaration> sheet_rows() {
           .means("direction from start to end, from north to the east"),
       Row("length_km", &Sheet::length_km).in("km").within(0.1, 5000).may_be_free(ParameterScale::logarithmic)
           .means("distance from start to end"),
-      Row("thickness_km", &Sheet::thickness_km).in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
+      Row("thickness_km", &Sheet::thickness_km).called("amplitude").in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
           .means("amplitude of the sine (1 to 10 in nature)"),
       Row("wavelength_km", &Sheet::wavelength_km).in("km").within(1, 5000).may_be_free(ParameterScale::logarithmic)
           .means("wavelength of the sine"),
@@ -40,7 +40,7 @@ std::vector<Declaration> sheet_rows() {
       Row("phase_shift_rad", &Sheet::phase_shift_rad).in("rad").within(-2 * pi, 2 * pi).may_be_free(ParameterScale::linear)
           .means("phase from the first layer to the last"),
       Row("layers", &Sheet::layers).within(1, 100).means("number of sine curves in the sheet"),
-      Row("width_km", &Sheet::width_km).in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
+      Row("width_km", &Sheet::width_km).called("layer width").in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
           .means("standard deviation of a layer's Gaussian cross-section"),
       Row("beams", &Sheet::beams).within(1, 10000000).then(count_beams)
           .means("number of electron beams in each layer; setting it sets beams_per_km to 0"),
@@ -52,7 +52,7 @@ std::vector<Declaration> sheet_rows() {
           .means("energy flux Q, at its peak across a layer"),
       Row("path_spread", &Sheet::path_spread).within(0, 1)
           .means("largest random shortening of a beam, as a fraction of its path"),
-      Row("loss_cone_deg", &Sheet::loss_cone_deg).in("deg").within(0, 30).may_be_free(ParameterScale::linear)
+      Row("loss_cone_deg", &Sheet::loss_cone_deg).called("pitch angle").in("deg").within(0, 30).may_be_free(ParameterScale::linear)
           .means("pitch angle at the lower end of the path"),
       Row("pitch_step_rad", &Sheet::pitch_step_rad).in("rad").within(0, 0.5).may_be_free(ParameterScale::linear)
           .means("how much smaller the pitch angle is at the upper end"),
@@ -70,7 +70,7 @@ std::vector<Declaration> sheet_rows() {
       Row("step_rule", &Sheet::step_rule).one_of({"given", "energy"})
           .means("whether path_step is taken as it is, or follows from the electrons' mean energy"),
       Row("arcs", &Sheet::arcs).within(1, 64).means("how many like sheets stand side by side, center_km in their middle"),
-      Row("arc_spacing_km", &Sheet::arc_spacing_km).in("km").within(0.1, 1000).may_be_free(ParameterScale::logarithmic)
+      Row("arc_spacing_km", &Sheet::arc_spacing_km).called("spacing of the arcs").in("km").within(0.1, 1000).may_be_free(ParameterScale::logarithmic)
           .means("distance between them (10 to 100 in nature)"),
       Row("brightness_kilorayleigh", &Sheet::brightness_kilorayleigh).in("kR").within(0, 1e6)
           .means("of 557.7 nm seen along the field, at its peak across a layer, in place of the energy flux; 0: that says"),
@@ -78,11 +78,11 @@ std::vector<Declaration> sheet_rows() {
           .means("light against altitude: of electrons with a Maxwellian spectrum, a single energy, or a Gaussian one; the form's measured curve with the Maxwellian's ratios of lines; that of profile_file; or a free form of its own for each line"),
       Row("profile_file", &Sheet::profile_file).names_table()
           .means("of the profile \"file\": a CSV of altitude_km and, per line, photons cm⁻³ s⁻¹, beside the scene's file"),
-      Row("peak_km", &Sheet::peak_km).in("km").within(85, 400).may_be_free(ParameterScale::linear)
+      Row("peak_km", &Sheet::peak_km).called("peak altitude").in("km").within(85, 400).may_be_free(ParameterScale::linear)
           .means("altitude of a form's brightest light"),
-      Row("lower_km", &Sheet::lower_km).in("km").within(0.5, 100).may_be_free(ParameterScale::logarithmic)
+      Row("lower_km", &Sheet::lower_km).called("extent below the peak").in("km").within(0.5, 100).may_be_free(ParameterScale::logarithmic)
           .means("how far below the peak a form's light has fallen to a tenth"),
-      Row("upper_km", &Sheet::upper_km).in("km").within(1, 500).may_be_free(ParameterScale::logarithmic)
+      Row("upper_km", &Sheet::upper_km).called("extent above the peak").in("km").within(1, 500).may_be_free(ParameterScale::logarithmic)
           .means("how far above the peak a form's light has fallen to a tenth"),
       Row("spline_bottom_km", &Sheet::spline_bottom_km).in("km").within(80, 630)
           .means("altitude at which a free-form profile begins, dark"),

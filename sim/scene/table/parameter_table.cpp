@@ -226,6 +226,11 @@ std::vector<ParameterPath> resolve(const Scene& scene, const std::string& path) 
   return found;
 }
 
+std::string element_name(const Scene& scene, const ParameterPath& path) {
+  const RepeatedTable* repeated = repeated_table(path.row->table);
+  return repeated == nullptr ? std::string() : repeated->name(scene, path.element);
+}
+
 double* real_value(Scene& scene, const ParameterPath& path) {
   assert(path.row->kind == ParameterKind::real);
   return std::get<double*>(declaration_of(*path.row).at(scene, path.element, path.component));

@@ -31,6 +31,9 @@ std::vector<ParameterPath> resolve(const Scene& scene, const std::string& path);
 /// Every path of this scene, in the order of the table; the sheets follow each other.
 std::vector<ParameterPath> all_paths(const Scene& scene);
 
+/// The name of the element that it belongs to; empty for a number of a table that a scene has once.
+std::string element_name(const Scene& scene, const ParameterPath& path);
+
 /// Where a real parameter lives inside `scene` (the identity by which the simulator recognises a free
 /// parameter). The path must have been resolved in a scene with the same sheets and lines.
 double* real_value(Scene& scene, const ParameterPath& path);

@@ -8,7 +8,7 @@
 
 #include "sim/base/grid/vdb_io.h"
 #include "sim/render/beams/points.h"
-#include "sim/render/volumes/volume_files.h"
+#include "sim/render/emitters/volume_files.h"
 #include "sim/render/volumes/volumes.h"
 #include "sim/scene/file/volume_grid_file.h"
 #include "tests/support/expect_error.h"

@@ -1,4 +1,4 @@
-#include "sim/render/volumes/footprint_profiles.h"
+#include "sim/render/emitters/footprint_profiles.h"
 
 #include "sim/view/colour/line_colours.h"
 

@@ -1,5 +1,6 @@
 // Loops by a grid: their light beside that of strands, derivatives, and grids of what is on the Sun.
-#include "sim/render/volumes/loop_grid.h"
+#include "sim/render/emitters/loop_grid.h"
+#include "sim/render/emitters/emitter_makers.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,6 @@
 #include "sim/emit/grid/grid_filter.h"
 #include "sim/emit/sun/sun_frame.h"
 #include "sim/render/volumes/scene_grid.h"
-#include "sim/render/volumes/sun_emitters.h"
-#include "sim/render/volumes/thin_strands.h"
 #include "sim/scene/freedom/idle_parameter.h"
 #include "sim/scene/table/parameter_table.h"
 #include "tests/support/expect_error.h"
@@ -81,8 +80,7 @@ std::vector<double> ends(const Scene& scene) {
 /// [line][ray], of everything on the Sun.
 template <class T>
 std::vector<T> light_of(const Scene& scene, const NumberAs<T>& number, const std::vector<double>& end) {
-  std::vector<std::unique_ptr<Emitter<T>>> emitters;
-  add_sun_emitters<T>(scene, {}, number, 1, emitters);
+  const Emitters<T> emitters = make_emitters<T>(scene, {}, number, 1);
   constexpr std::size_t kRays = static_cast<std::size_t>(kAcross) * kAcross;
   std::vector<T> direction[3], all(2 * kRays, T(0.0));
   for (int axis = 0; axis < 3; ++axis)
@@ -299,13 +297,13 @@ TEST(SceneGrid, RefusesVoxelsThatStrandsWouldFallBetween) {
   options.voxel = 0.5;
   text = tests::expect_error(ErrorKind::usage, [&] { grid_of_scene(scene, options); });
   EXPECT_NE(text.find("ejection 'c', of radius "), std::string::npos) << text;
-  EXPECT_GT(thinnest_strand(scene).radius, 0.3 * 0.5);
-  EXPECT_LT(thinnest_strand(scene).radius, 0.5 * 0.5);
+  EXPECT_GT(thinnest_part(scene).radius, 0.3 * 0.5);
+  EXPECT_LT(thinnest_part(scene).radius, 0.5 * 0.5);
   scene.ejections[0].kind = "shell";
-  EXPECT_TRUE(thinnest_strand(scene).what.empty());
+  EXPECT_TRUE(thinnest_part(scene).what.empty());
   scene.ejections[0].kind = "rope";
   scene.sun.shown = false;
-  EXPECT_TRUE(thinnest_strand(scene).what.empty());
+  EXPECT_TRUE(thinnest_part(scene).what.empty());
 }
 
 TEST(SceneGrid, ChoosesAVoxelByWhatThereIs) {

@@ -1,9 +1,9 @@
-#include "sim/render/volumes/footprint_pictures.h"
+#include "sim/render/emitters/footprint_pictures.h"
 
 #include <gtest/gtest.h>
 
 #include "sim/base/picture/image_io.h"
-#include "sim/render/volumes/bias_map.h"
+#include "sim/render/emitters/bias_map.h"
 #include "sim/scene/file/scene_pictures.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sim/base/image.h"
-#include "sim/render/volumes/volume_files.h"
+#include "sim/render/emitters/volume_files.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {

@@ -1,4 +1,4 @@
-#include "sim/render/volumes/footprint_pictures.h"
+#include "sim/render/emitters/footprint_pictures.h"
 
 #include <string>
 #include <vector>

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "sim/light/emitter.h"
-#include "sim/render/volumes/volume_files.h"
+#include "sim/render/emitters/volume_files.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {

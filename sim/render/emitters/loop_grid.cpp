@@ -1,4 +1,4 @@
-#include "sim/render/volumes/loop_grid.h"
+#include "sim/render/emitters/loop_grid.h"
 
 #include "sim/base/error.h"
 #include "sim/emit/grid/grid_bricks.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/render/volumes/footprint_volumes.h"
+#include "sim/render/emitters/footprint_volumes.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
 

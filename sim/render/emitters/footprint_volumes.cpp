@@ -1,4 +1,4 @@
-#include "sim/render/volumes/footprint_volumes.h"
+#include "sim/render/emitters/footprint_volumes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,9 @@
 #include "sim/emit/footprint/footprint_emitter.h"
 #include "sim/emit/footprint/map/make_footprint.h"
 #include "sim/light/profile_table_by_flux.h"
-#include "sim/render/volumes/footprint_pictures.h"
-#include "sim/render/volumes/footprint_profiles.h"
+#include "sim/render/emitters/emitter_makers.h"
+#include "sim/render/emitters/footprint_pictures.h"
+#include "sim/render/emitters/footprint_profiles.h"
 
 namespace vegard::sim {
 namespace {
@@ -90,6 +91,35 @@ std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint&
       scene, f, pictures, [](const double& number) { return number; }, threads);
   range.take(map.grid);
   return plane_footprint_field(scene, f, std::move(map), profiles_of(scene, f, range, false).usual, threads);
+}
+
+namespace {
+
+template <class T>
+void add_footprints(const EmitterInputs<T>& in, Emitters<T>& all) {
+  for (const Footprint& footprint : in.scene.footprints)
+    all.push_back(footprint_emitter<T>(in.scene, footprint, in.files, in.number, in.threads));
+}
+
+void add_footprint_fields(const FieldInputs& in, std::vector<NamedField>& all) {
+  for (const Footprint& footprint : in.scene.footprints)
+    all.push_back({"footprint '" + footprint.name + "'",
+                   footprint_field(in.scene, footprint, in.files, in.threads), FieldFrame::ground});
+}
+
+std::optional<Complaint> why_footprint_has_no_field(const Scene& scene) {
+  for (const Footprint& footprint : scene.footprints)
+    if (footprint.model == "curtain")
+      return Complaint{"the footprint '" + footprint.name + "' is a curtain without thickness",
+                       "model = \"volume\"", ""};
+  return std::nullopt;
+}
+
+}  // namespace
+
+EmitterMaker footprint_maker() {
+  return {"footprint", add_footprints<double>, add_footprints<FreeDual>, add_footprint_fields,
+          why_footprint_has_no_field};
 }
 
 }  // namespace vegard::sim

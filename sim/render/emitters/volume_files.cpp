@@ -1,9 +1,9 @@
-#include "sim/render/volumes/volume_files.h"
+#include "sim/render/emitters/volume_files.h"
 
 #include <new>
 
 #include "sim/base/error.h"
-#include "sim/render/volumes/depth_file.h"
+#include "sim/render/emitters/depth_file.h"
 #include "sim/scene/file/scene_pictures.h"
 #include "sim/scene/file/volume_grid_file.h"
 

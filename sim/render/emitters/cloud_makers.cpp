@@ -1,0 +1,60 @@
+// Nebulae of the physical march, and grids from files.
+#include <memory>
+
+#include "sim/emit/grid/grid_emitter.h"
+#include "sim/emit/grid/grid_field.h"
+#include "sim/emit/nebula/nebula_emitter.h"
+#include "sim/emit/nebula/nebula_field.h"
+#include "sim/render/emitters/emitter_makers.h"
+
+namespace vegard::sim {
+namespace {
+
+template <class T>
+void add_nebulae(const EmitterInputs<T>& in, Emitters<T>& all) {
+  for (const Nebula& nebula : in.scene.nebulae)
+    if (nebula.method != "literal")
+      all.push_back(std::make_unique<NebulaEmitter<T>>(in.scene, nebula, in.number));
+}
+
+void add_nebula_fields(const FieldInputs& in, std::vector<NamedField>& all) {
+  for (const Nebula& nebula : in.scene.nebulae)
+    all.push_back({"nebula '" + nebula.name + "'", std::make_unique<NebulaField>(in.scene, nebula),
+                   FieldFrame::nebula});
+}
+
+std::optional<Complaint> why_nebula_has_no_field(const Scene& scene) {
+  for (const Nebula& nebula : scene.nebulae)
+    if (nebula.method == "literal")
+      return Complaint{"the nebula '" + nebula.name + "' is marched literally and has no light in space",
+                       "method = \"physical\"", ""};
+  return std::nullopt;
+}
+
+template <class T>
+void add_volumes(const EmitterInputs<T>& in, Emitters<T>& all) {
+  for (std::size_t v = 0; v < in.scene.volumes.size(); ++v)
+    all.push_back(
+        std::make_unique<GridEmitter<T>>(*in.files.grids[v], in.scene.volumes[v], in.number, &in.scene.sun));
+}
+
+void add_volume_fields(const FieldInputs& in, std::vector<NamedField>& all) {
+  for (std::size_t v = 0; v < in.scene.volumes.size(); ++v) {
+    const Volume& volume = in.scene.volumes[v];
+    all.push_back({"volume '" + volume.name + "'",
+                   std::make_unique<GridField>(*in.files.grids[v], volume, &in.scene.sun),
+                   volume.frame == "sun" ? FieldFrame::sun : FieldFrame::ground});
+  }
+}
+
+}  // namespace
+
+EmitterMaker nebula_maker() {
+  return {"nebula", add_nebulae<double>, add_nebulae<FreeDual>, add_nebula_fields, why_nebula_has_no_field};
+}
+
+EmitterMaker volume_maker() {
+  return {"volume", add_volumes<double>, add_volumes<FreeDual>, add_volume_fields};
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,164 @@
+// What of a scene's Sun is made of strands: loops, bundles, ejections (whose shells are none). Loops with
+// voxels are drawn by a grid of their own.
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include "sim/base/error.h"
+#include "sim/emit/sun/line_light.h"
+#include "sim/emit/sun/strand/bundle.h"
+#include "sim/emit/sun/strand/ejection_shell.h"
+#include "sim/emit/sun/strand/flux_rope.h"
+#include "sim/emit/sun/strand/macro_loop.h"
+#include "sim/emit/sun/strand/strand_emitter.h"
+#include "sim/emit/sun/strand/strand_field.h"
+#include "sim/emit/sun/sun_fields.h"
+#include "sim/render/emitters/emitter_makers.h"
+#include "sim/render/emitters/loop_grid.h"
+
+namespace vegard::sim {
+namespace {
+
+/// The scene's numbers as they are.
+NumberAs<double> as_they_are() {
+  return [](const double& number) { return number; };
+}
+
+template <class T, class Element>
+void add_strands(const EmitterInputs<T>& in, const Strands<T>& strands, const Element& of, Emitters<T>& all) {
+  all.push_back(
+      std::make_unique<StrandEmitter<T>>(strands, in.scene.sun, SunFrame<T>(in.scene.sun, in.number),
+                                         line_light<T>(in.scene, of.rayleigh, of.temperature_mk, in.number)));
+}
+
+template <class Element>
+std::unique_ptr<const LightField> strand_field(const FieldInputs& in, const Strands<double>& strands,
+                                               const Element& of) {
+  try {
+    return std::make_unique<StrandField>(
+        strands, in.scene.sun, line_light<double>(in.scene, of.rayleigh, of.temperature_mk, as_they_are()),
+        static_cast<int>(in.scene.emission.lines.size()), in.memory_limit);
+  } catch (const Error& error) {
+    ErrorDetails details = error.details();
+    details.problem = "'" + of.name + "': " + details.problem;
+    details.key = "--memory-limit";
+    details.hint = "Leave it out with --of NAME";
+    throw Error(error.kind(), details);
+  }
+}
+
+template <class T>
+void add_loops(const EmitterInputs<T>& in, Emitters<T>& all) {
+  for (const Loop& loop : in.scene.loops)
+    if (loop.voxel == 0.0)
+      add_strands(in, strands_of<T>(in.scene.sun, loop, in.scene.seed, in.number), loop, all);
+}
+
+template <class T>
+void add_gridded_loops(const EmitterInputs<T>& in, Emitters<T>& all) {
+  for (std::size_t i = 0; i < in.scene.loops.size(); ++i)
+    if (in.scene.loops[i].voxel > 0.0)
+      all.push_back(loop_grid_emitter<T>(in.scene, static_cast<std::uint32_t>(i), in.number, in.threads));
+}
+
+void add_loop_fields(const FieldInputs& in, std::vector<NamedField>& all) {
+  for (std::size_t i = 0; i < in.scene.loops.size(); ++i) {
+    const Loop& loop = in.scene.loops[i];
+    std::unique_ptr<const LightField> field;
+    if (loop.voxel > 0.0)
+      field = loop_grid_field(in.scene, static_cast<std::uint32_t>(i), in.threads, in.memory_limit);
+    else
+      field = strand_field(in, strands_of<double>(in.scene.sun, loop, in.scene.seed, as_they_are()), loop);
+    all.push_back({"loop '" + loop.name + "'", std::move(field), FieldFrame::sun});
+  }
+}
+
+ThinPart thinnest_loop(const Scene& scene) {
+  ThinPart thinnest;
+  for (const Loop& loop : scene.loops)
+    if (loop.strand_radius < thinnest.radius) thinnest = {"loop '" + loop.name + "'", loop.strand_radius};
+  return thinnest;
+}
+
+template <class T>
+void add_bundles(const EmitterInputs<T>& in, Emitters<T>& all) {
+  for (const Bundle& bundle : in.scene.bundles)
+    add_strands(in, strands_of<T>(in.scene.sun, bundle, in.scene.seed, in.number), bundle, all);
+}
+
+void add_bundle_fields(const FieldInputs& in, std::vector<NamedField>& all) {
+  for (const Bundle& bundle : in.scene.bundles)
+    all.push_back(
+        {"bundle '" + bundle.name + "'",
+         strand_field(in, strands_of<double>(in.scene.sun, bundle, in.scene.seed, as_they_are()), bundle),
+         FieldFrame::sun});
+}
+
+/// A line counts with the thinner of its ends.
+ThinPart thinnest_bundle(const Scene& scene) {
+  ThinPart thinnest;
+  for (const Bundle& bundle : scene.bundles)
+    if (const double radius = std::min(bundle.foot_radius, bundle.top_radius); radius < thinnest.radius)
+      thinnest = {"bundle '" + bundle.name + "'", radius};
+  return thinnest;
+}
+
+template <class T>
+void add_ejections(const EmitterInputs<T>& in, Emitters<T>& all) {
+  const Scene& scene = in.scene;
+  for (const Ejection& ejection : scene.ejections)
+    if (ejection.kind == "rope")
+      add_strands(in, rope_strands<T>(scene.sun, scene.time, ejection, in.number), ejection, all);
+    else
+      all.push_back(std::make_unique<EjectionShellEmitter<T>>(
+          EjectionShell<T>(scene.sun, scene.time, ejection, in.number), scene.sun,
+          SunFrame<T>(scene.sun, in.number),
+          line_light<T>(scene, ejection.rayleigh, ejection.temperature_mk, in.number)));
+}
+
+void add_ejection_fields(const FieldInputs& in, std::vector<NamedField>& all) {
+  for (const Ejection& ejection : in.scene.ejections) {
+    std::unique_ptr<const LightField> field;
+    if (ejection.kind == "rope")
+      field = strand_field(in, rope_strands<double>(in.scene.sun, in.scene.time, ejection, as_they_are()),
+                           ejection);
+    else
+      field = std::make_unique<EjectionShellField>(in.scene, ejection);
+    all.push_back({"ejection '" + ejection.name + "'", std::move(field), FieldFrame::sun});
+  }
+}
+
+/// Strands of a rope are all as thick. Its feet may be points at age 0: a strand counts with the larger
+/// radius of its pieces.
+ThinPart thinnest_rope(const Scene& scene) {
+  ThinPart thinnest;
+  for (const Ejection& ejection : scene.ejections) {
+    if (ejection.kind != "rope") continue;
+    Ejection one = ejection;
+    one.strands = 1;
+    for (const Strand<double>& piece : rope_strands<double>(scene.sun, scene.time, one, as_they_are()).all)
+      if (const double radius = std::max(piece.radius_first, piece.radius_last); radius < thinnest.radius)
+        thinnest = {"ejection '" + ejection.name + "'", radius};
+  }
+  return thinnest;
+}
+
+}  // namespace
+
+EmitterMaker loop_maker() {
+  return {"loop", add_loops<double>, add_loops<FreeDual>, add_loop_fields, nullptr, thinnest_loop};
+}
+
+EmitterMaker gridded_loop_maker() { return {"loop", add_gridded_loops<double>, add_gridded_loops<FreeDual>}; }
+
+EmitterMaker bundle_maker() {
+  return {"bundle", add_bundles<double>, add_bundles<FreeDual>, add_bundle_fields, nullptr, thinnest_bundle};
+}
+
+EmitterMaker ejection_maker() {
+  return {"ejection", add_ejections<double>, add_ejections<FreeDual>, add_ejection_fields,
+          nullptr,    thinnest_rope};
+}
+
+}  // namespace vegard::sim
