@@ -175,7 +175,7 @@ BinGrid profile_bins(const sim::Scene& scene, const Region& region) {
   if (fit.profile_along == "loop") return loop_bins(scene, region);
   if (fit.profile_along == "limb") return limb_bins(scene, region);
   if (fit.profile_along != "field") return column_bins(region, fit.bands);
-  if (scene.field.model != "uniform") {
+  if (scene.field.model != sim::FieldModel::uniform) {
     sim::ErrorDetails details;
     details.key = "fit.profile_along";
     details.problem = "profiles along the field line need a uniform field";

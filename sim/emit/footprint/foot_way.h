@@ -17,7 +17,7 @@ FootWay way_of_foot(const Scene& scene, const Footprint& footprint, const Number
   std::fill_n(axis, 3, T(0.0));
   if (footprint.shape == "shell") return FootWay::shell;
   if (footprint.fall != "field") return FootWay::vertical;
-  if (scene.field.model == "dipole") {
+  if (scene.field.model == FieldModel::dipole) {
     const DipoleAxis dipole = dipole_axis(scene.field, scene.site);
     std::copy_n(dipole.in_enu, 3, axis);
     return FootWay::dipole;

@@ -92,7 +92,7 @@ KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_ste
   KernelScene k;
   k.fall = fall_frame(local<PlaceDual>(scene.field.inclination_deg, inclination),
                       local<PlaceDual>(scene.field.declination_deg, declination));
-  k.beams_own_field = scene.field.model == "dipole";
+  k.beams_own_field = scene.field.model == FieldModel::dipole;
   if (k.beams_own_field) k.dipole = dipole_axis(scene.field, scene.site);
   k.deflection.law = pitch_law(sheet.pitch_law);
   k.deflection.loss_cone_rad = local<LocalDual>(sheet.loss_cone_deg, loss_cone);

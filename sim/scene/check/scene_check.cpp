@@ -30,6 +30,9 @@ std::optional<Complaint> complaint_about(const Declaration& d, const ValueRef& v
     }
     std::optional<Complaint> operator()(const bool*) const { return std::nullopt; }
     std::optional<Complaint> operator()(const std::string* v) const { return text_complaint(d, *v); }
+    std::optional<Complaint> operator()(const KindRef& v) const {
+      return text_complaint(d, kind_word(*d.kind_type, v.number()));
+    }
   };
   return std::visit(Check{d}, value);
 }
@@ -95,9 +98,9 @@ void check_response(const Scene& scene) {
 void check_blur(const Scene& scene) {
   if (scene.blur.model != "physical") return;
   const Camera& c = scene.camera;
-  const bool is_plain = c.model == "pinhole" && c.k1 == 0.0 && c.k2 == 0.0 && c.k3 == 0.0 && c.p1 == 0.0 &&
-                        c.p2 == 0.0 && c.aspect == 1.0 && !c.mirrored && c.principal_x_px == 0.0 &&
-                        c.principal_y_px == 0.0;
+  const bool is_plain = c.model == LensModel::pinhole && c.k1 == 0.0 && c.k2 == 0.0 && c.k3 == 0.0 &&
+                        c.p1 == 0.0 && c.p2 == 0.0 && c.aspect == 1.0 && !c.mirrored &&
+                        c.principal_x_px == 0.0 && c.principal_y_px == 0.0;
   if (!is_plain)
     complain(
         {"the physical blur is drawn by a pinhole without distortion only, its axis in the picture's middle",

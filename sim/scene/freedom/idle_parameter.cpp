@@ -5,6 +5,7 @@
 #include "sim/scene/freedom/free_path.h"
 #include "sim/scene/freedom/idle_sun_parameter.h"
 #include "sim/scene/freedom/idle_volume_parameter.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::sim {
 namespace {
@@ -23,16 +24,16 @@ bool has_free_spline(const Scene& scene, int sheet) {
 std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const ParameterPath& path) {
   const std::string expected = "a parameter that the light depends on";
   const std::string& key = path.row->key;
-  if (path.row->table == "field" && scene.field.model == "dipole") {
+  if (path.row->table == "field" && scene.field.model == FieldModel::dipole) {
     return Complaint{"the field is a dipole's, so " + key + " counts for nothing", expected,
                      "leave it out of fit.free, or set field.model to \"uniform\""};
   }
   if (path.row->table == "camera") {
-    const std::string& model = scene.camera.model;
-    const bool pinhole = model == "pinhole", radial = key == "k1" || key == "k2" || key == "k3";
+    const LensModel model = scene.camera.model;
+    const bool pinhole = model == LensModel::pinhole, radial = key == "k1" || key == "k2" || key == "k3";
     if ((key == "hfov_deg" && !pinhole) || (key == "focal_px" && pinhole) ||
-        (radial && !pinhole && model != "polynomial")) {
-      return Complaint{"the lens is \"" + model + "\", so " + key + " counts for nothing", expected,
+        (radial && !pinhole && model != LensModel::polynomial)) {
+      return Complaint{"the lens is \"" + word_of(model) + "\", so " + key + " counts for nothing", expected,
                        radial    ? "leave it out of fit.free, or set camera.model to \"polynomial\""
                        : pinhole ? "a pinhole has camera.hfov_deg"
                                  : "this lens has camera.focal_px"};

@@ -25,10 +25,15 @@ struct Site {
   std::string time_utc;  ///< ISO 8601, empty if unknown; goes into file headers, never the clock's time
 };
 
+enum class FieldModel {
+  uniform,  ///< the same everywhere
+  dipole    ///< that of a tilted dipole at each foot
+};
+
 /// The geomagnetic field, straight along every beam: the same everywhere, or that of a tilted dipole at each
 /// foot.
 struct Field {
-  std::string model = "uniform";       ///< or "dipole"
+  FieldModel model = FieldModel::uniform;
   double inclination_deg = 78.0;       ///< of the uniform field, below the horizon in the north
   double declination_deg = 0.0;        ///< of the uniform field, from north to the east
   double pole_latitude_deg = 80.65;    ///< of the dipole's pole in the north
@@ -55,12 +60,14 @@ struct Substorm {
   double recovery_s = 3600.0;
 };
 
+/// The projection of a lens: a pinhole with Brown's distortion, a polynomial with terms of the angle off the
+/// axis (sim/view/camera/lens.h).
+enum class LensModel { pinhole, equidistant, equisolid, stereographic, orthographic, polynomial };
+
 /// A camera: a lens (sim/view/camera/lens.h) before pixels. Each lens has its own measure of scale: a pinhole
 /// its field of view, all others focal_px.
 struct Camera {
-  /// "pinhole" (with Brown's distortion), "equidistant", "equisolid", "stereographic", "orthographic" or
-  /// "polynomial" (with terms of the angle off the axis)
-  std::string model = "pinhole";
+  LensModel model = LensModel::pinhole;
   int width = 720;
   int height = 480;
   double hfov_deg = 60.0;    ///< of a pinhole without distortion, across the picture's width

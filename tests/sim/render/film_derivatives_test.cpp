@@ -17,6 +17,7 @@
 #include "sim/view/film/blur.h"
 #include "tests/support/exposed.h"
 #include "tests/support/free_paths.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {
@@ -112,12 +113,12 @@ INSTANTIATE_TEST_SUITE_P(Lens, FilmDerivativesThrough, testing::Values("pinhole"
 
 TEST_P(FilmDerivativesThrough, AgreeWithDifferences) {
   Scene scene = scene_that_needs_all();
-  scene.camera.model = GetParam();
+  scene.camera.model = tests::kind_named<LensModel>(GetParam());
   scene.camera.focal_px = 130.0;
   scene.camera.principal_x_px = -6.0;
   scene.camera.aspect = 1.05;
   scene.camera.mirrored = true;
-  if (scene.camera.model != "equisolid") {
+  if (scene.camera.model != LensModel::equisolid) {
     scene.camera.k1 = -0.06;
     scene.camera.k2 = 0.01;
   }
@@ -170,7 +171,7 @@ TEST(FilmDerivatives, AFormOfGivenBrightnessAgreesWithDifferences) {
 
 TEST(FilmDerivatives, UnderADipoleAgreeWithDifferences) {
   Scene scene = tests::small_scene();
-  scene.field.model = "dipole";
+  scene.field.model = FieldModel::dipole;
   scene.sheets[0].arcs = 2;
   scene.sheets[0].center_km.east = 130.0;
   scene.sheets[0].length_km = 250.0;

@@ -237,14 +237,14 @@ TEST(Film, FollowsTheReferenceInDouble) {
 TEST(Film, ABeamUnderADipoleFallsAsUnderTheUniformFieldOfItsFoot) {
   Scene scene = one_beam(170.0);
   scene.sheets[0].loss_cone_deg = 2.5;
-  scene.field.model = "dipole";
+  scene.field.model = FieldModel::dipole;
   scene.site.latitude_deg = 67.0;
   scene.site.longitude_deg = 25.0;
   const Exposure under_dipole = exposed(scene, shifted_film(scene));
   const EastNorth foot = scene.sheets[0].center_km;
   const FallFrame<double> fall =
       dipole_fall_frame(dipole_axis(scene.field, scene.site), foot.east, foot.north);
-  scene.field.model = "uniform";
+  scene.field.model = FieldModel::uniform;
   const Exposure elsewhere = exposed(scene, shifted_film(scene));
   scene.field.inclination_deg = std::asin(-fall.along[2]) / kRadiansPerDegree;
   scene.field.declination_deg = std::atan2(fall.along[0], fall.along[1]) / kRadiansPerDegree;

@@ -12,6 +12,7 @@
 #include "sim/render/film.h"
 #include "tests/support/all_points.h"
 #include "tests/support/exposed.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {
@@ -32,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(Field, PointsUnder, testing::Values("uniform", "dipole"
 
 TEST_P(PointsUnder, ProjectedGiveTheRayleighsOfTheFilm) {
   Scene scene = tests::small_scene();
-  scene.field.model = GetParam();
+  scene.field.model = tests::kind_named<FieldModel>(GetParam());
   scene.sheets[0].arcs = 2;
   scene.sheets[0].path_spread = 0.3;
   scene.time.start_s = 3.0;
