@@ -22,7 +22,7 @@ sim::Scene true_scene() {
   scene.fit.photos.clear();
   scene.camera.width = 96;
   scene.camera.height = 72;
-  scene.sheets[0].profile = "maxwellian";
+  scene.sheets[0].profile = sim::ProfileKind::maxwellian;
   scene.sheets[0].layers = 1;
   scene.sheets[0].beams = 4000;
   scene.sheets[0].energy_kev = kEnergy;

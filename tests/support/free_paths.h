@@ -42,7 +42,7 @@ inline std::vector<FreePath> free_paths(const sim::Scene& scene) {
         *sim::real_value(scene, path) == 0.0)
       continue;
     if (path.row->key == "energy_spread" && path.sheet() >= 0 &&
-        scene.sheets[path.sheet()].profile != "gaussian")
+        scene.sheets[path.sheet()].profile != sim::ProfileKind::gaussian)
       continue;
     const double value = *sim::real_value(scene, path);
     double step = path.row->scale == sim::ParameterScale::logarithmic && value > 0.0 ? 1e-4 * value : 1e-4;

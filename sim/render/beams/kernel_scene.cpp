@@ -58,13 +58,6 @@ bool looks_below_horizon(const CameraView<double>& view, const FilmGeometry& fil
          y_px <= film.y0_px + film.rows * film.cell_height_px;
 }
 
-PitchLaw pitch_law(const std::string& name) {
-  if (name == "product") return PitchLaw::product;
-  if (name == "increment") return PitchLaw::increment;
-  if (name == "constant") return PitchLaw::constant;
-  return PitchLaw::reduced;
-}
-
 }  // namespace
 
 int Seeds::parameter_at(const double* address) const {
@@ -94,7 +87,7 @@ KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_ste
                       local<PlaceDual>(scene.field.declination_deg, declination));
   k.beams_own_field = scene.field.model == FieldModel::dipole;
   if (k.beams_own_field) k.dipole = dipole_axis(scene.field, scene.site);
-  k.deflection.law = pitch_law(sheet.pitch_law);
+  k.deflection.law = sheet.pitch_law;
   k.deflection.loss_cone_rad = local<LocalDual>(sheet.loss_cone_deg, loss_cone);
   k.deflection.pitch_step_rad = local<LocalDual>(sheet.pitch_step_rad, pitch_step, 1.0);
   k.deflection.path_step = path_step;

@@ -67,7 +67,7 @@ void check_structures(const Scene& scene) {
     check(sheet, "folds", sheet.fold_length_km, sheet.fold_spacing_km, "fold_length_km", "fold_spacing_km");
     check(sheet, "curls", sheet.curl_radius_km, sheet.curl_spacing_km, "curl_radius_km", "curl_spacing_km");
     // Else a given brightness might have no light at all to be reached with.
-    if (sheet.profile == "form" && sheet.peak_km >= sheet.top_km) {
+    if (sheet.profile == ProfileKind::form && sheet.peak_km >= sheet.top_km) {
       const std::string path = "sheet." + sheet.name + ".";
       complain({"the form's light peaks at " + short_real_text(sheet.peak_km) +
                     " km, above its beams, which start at " + short_real_text(sheet.top_km),
@@ -111,7 +111,7 @@ void check_blur(const Scene& scene) {
 /// What such a file has to hold is checked where it is used.
 void check_profile_files(const Scene& scene) {
   for (const Sheet& sheet : scene.sheets) {
-    if (sheet.profile != "file" || is_table_file(sheet.profile_file)) continue;
+    if (sheet.profile != ProfileKind::file || is_table_file(sheet.profile_file)) continue;
     const std::string path = "sheet." + sheet.name + ".";
     const bool is_named = !sheet.profile_file.empty();
     complain({is_named ? "'" + sheet.profile_file + "' is no CSV file by its name"

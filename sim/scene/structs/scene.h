@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sim/scene/structs/east_north.h"
+#include "sim/scene/structs/sheet_kinds.h"
 #include "sim/scene/structs/sun_of_scene.h"
 #include "sim/scene/structs/volumes_of_scene.h"
 
@@ -98,34 +99,34 @@ struct Sheet {
   double phase_rad = 0.0;           ///< of the first layer, counted from the start
   double phase_shift_rad = 0.5;     ///< between the first and the last layer
   int layers = 3;
-  double width_km = 1.5;                    ///< standard deviation of a layer's Gaussian cross-section
-  int beams = 2000;                         ///< per layer
-  double energy_kev = 3.0;                  ///< Maxwellian E0, or the energy of others
-  double energy_flux_mw_m2 = 5.0;           ///< Q, the peak across a layer
-  double path_spread = 0.0;                 ///< random depth, fraction of the path (ΔL)
-  double loss_cone_deg = 2.5;               ///< pitch angle at the lower end of the path (α_D)
-  double pitch_step_rad = 0.015;            ///< reduction of the pitch angle along the path (Δα)
-  std::string pitch_law = "reduced";        ///< the reading of equation (4)
-  double path_step = 1.0 / 300.0;           ///< largest step between deflections, fraction of the path (d_t)
-  double top_km = 500.0;                    ///< altitude at which a beam starts
-  double spacing_jitter = 0.5;              ///< of the beams along the arc, fraction of their spacing (j)
-  std::string spacing_rule = "stratified";  ///< or "tied" (a jittered walk), or "literal" (the paper's)
-  double beams_per_km = 0.0;                ///< if not 0, the number of beams follows from the length
-  std::string step_rule = "given";          ///< "given" (path_step) or "energy": it follows from energy_kev
+  double width_km = 1.5;                   ///< standard deviation of a layer's Gaussian cross-section
+  int beams = 2000;                        ///< per layer
+  double energy_kev = 3.0;                 ///< Maxwellian E0, or the energy of others
+  double energy_flux_mw_m2 = 5.0;          ///< Q, the peak across a layer
+  double path_spread = 0.0;                ///< random depth, fraction of the path (ΔL)
+  double loss_cone_deg = 2.5;              ///< pitch angle at the lower end of the path (α_D)
+  double pitch_step_rad = 0.015;           ///< reduction of the pitch angle along the path (Δα)
+  PitchLaw pitch_law = PitchLaw::reduced;  ///< the reading of equation (4)
+  double path_step = 1.0 / 300.0;          ///< largest step between deflections, fraction of the path (d_t)
+  double top_km = 500.0;                   ///< altitude at which a beam starts
+  double spacing_jitter = 0.5;             ///< of the beams along the arc, fraction of their spacing (j)
+  SpacingRule spacing_rule = SpacingRule::stratified;
+  double beams_per_km = 0.0;  ///< if not 0, the number of beams follows from the length
+  PathStepRule step_rule = PathStepRule::given;
 
   int arcs = 1;                  ///< like sheets side by side
   double arc_spacing_km = 30.0;  ///< between them
 
   double brightness_kilorayleigh = 0.0;  ///< if not 0, of 557.7 nm along the field, in place of Q
-  std::string profile = "maxwellian";  ///< light against altitude: of a spectrum, a form, a file or a spline
-  double energy_spread = 0.2;          ///< of a Gaussian spectrum: standard deviation over energy_kev
-  std::string profile_file;            ///< CSV of a drawn or measured profile, beside the scene's file
-  double peak_km = 110.0;              ///< of a form's light
-  double lower_km = 4.0;               ///< below the peak a form's light has fallen to a tenth
-  double upper_km = 20.0;              ///< above the peak a form's light has fallen to a tenth
-  double spline_bottom_km = 80.0;      ///< where a free-form profile begins, dark
-  double spline_top_km = 500.0;        ///< and ends, dark
-  int spline_knots = 36;               ///< its coefficients per line
+  ProfileKind profile = ProfileKind::maxwellian;
+  double energy_spread = 0.2;      ///< of a Gaussian spectrum: standard deviation over energy_kev
+  std::string profile_file;        ///< CSV of a drawn or measured profile, beside the scene's file
+  double peak_km = 110.0;          ///< of a form's light
+  double lower_km = 4.0;           ///< below the peak a form's light has fallen to a tenth
+  double upper_km = 20.0;          ///< above the peak a form's light has fallen to a tenth
+  double spline_bottom_km = 80.0;  ///< where a free-form profile begins, dark
+  double spline_top_km = 500.0;    ///< and ends, dark
+  int spline_knots = 36;           ///< its coefficients per line
   /// Photons cm^-3 s^-1 per mW m^-2, [line][knot] (sim/scene/table/spline_rates.h); empty without such a
   /// profile.
   std::vector<double> spline_rate;
@@ -164,9 +165,15 @@ struct Sheet {
   double sine_speed_km_s = 0.0;    ///< of the sine along the sheet
 };
 
+/// Light by energy flux.
+enum class FluxLaw {
+  column,  ///< as GLOW's columns have it
+  linear
+};
+
 struct Emission {
   std::vector<double> lines = {630.0, 557.7, 427.8};  ///< wavelengths in nm
-  std::string flux_law = "column";  ///< light by energy flux: as GLOW's columns have it, or "linear"
+  FluxLaw flux_law = FluxLaw::column;
 };
 
 struct Blur {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/scene/structs/east_north.h"
+#include "sim/scene/structs/sheet_kinds.h"
 
 namespace vegard::sim {
 
@@ -54,7 +55,7 @@ struct Footprint {
 
   double energy_kev = 3.0;
   double energy_flux_mw_m2 = 5.0;
-  std::string profile = "maxwellian";  ///< as a sheet's, of a spectrum or a form
+  ProfileKind profile = ProfileKind::maxwellian;  ///< as a sheet's, of a spectrum or a form
   double energy_spread = 0.2;
   double peak_km = 110.0, lower_km = 4.0, upper_km = 20.0;
   double top_km = 300.0;  ///< above which there is no light

@@ -76,7 +76,7 @@ std::vector<Declaration> footprint_rows() {
           .means("characteristic energy of the electrons, as a sheet's"),
       row("energy_flux_mw_m2", &F::energy_flux_mw_m2).in("mW m⁻²").within(0, 10000).may_be_free(logarithmic)
           .means("energy flux Q at the spline, or where the picture is white"),
-      row("profile", &F::profile).one_of({"maxwellian", "mono", "gaussian", "form"})
+      row("profile", &F::profile).one_of<ProfileKind>({{"maxwellian", ProfileKind::maxwellian}, {"mono", ProfileKind::mono}, {"gaussian", ProfileKind::gaussian}, {"form", ProfileKind::form}})
           .means("light against altitude: of a spectrum of electrons, or a form"),
       row("energy_spread", &F::energy_spread).within(0.01, 1).means("of the profile \"gaussian\", as a sheet's"),
       row("peak_km", &F::peak_km).in("km").within(81, 600).means("of the profile \"form\": altitude of its peak"),

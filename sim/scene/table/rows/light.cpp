@@ -24,7 +24,7 @@ std::vector<Declaration> light_rows() {
       Row("emission", "lines", &Scene::emission, &Emission::lines).of({"<n>"}).named_by(index_name).in("nm")
           .rule(line_complaint).list_rule(lines_complaint).set_by(change_lines)
           .means("wavelengths of the emission lines"),
-      Row("emission", "flux_law", &Scene::emission, &Emission::flux_law).one_of({"column", "linear"})
+      Row("emission", "flux_law", &Scene::emission, &Emission::flux_law).one_of<FluxLaw>({{"column", FluxLaw::column}, {"linear", FluxLaw::linear}})
           .means("how light grows with the energy flux of Maxwellian electrons: as the columns of GLOW do, which "
                  "depart from proportion by up to 15 % between 0.1 and 10 mW m⁻²; or in proportion"),
 

@@ -84,7 +84,7 @@ TEST(Points, GiveOffTheLightOfTheSheetsWhereverTheCameraLooks) {
   sheet.beams = 500;
   sheet.layers = 2;
   sheet.loss_cone_deg = 0.0;
-  sheet.pitch_law = "constant";
+  sheet.pitch_law = PitchLaw::constant;
   const EmissionPoints points = all_points(scene);
   EXPECT_NEAR(static_cast<double>(points.size()), 1000 * 600.0, 4 * 14.0 * std::sqrt(1000.0));
   const std::vector<double> photons = photons_per_line(points);

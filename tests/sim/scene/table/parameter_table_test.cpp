@@ -93,7 +93,7 @@ TEST(ParameterTable, DefaultsAreWithinTheirLimits) {
 TEST(ParameterTable, EveryRowOccursInAScene) {
   std::set<const ParameterRow*> seen;
   Scene scene = scene_of_one();
-  scene.sheets[0].profile = "spline";  // or it has no coefficients
+  scene.sheets[0].profile = ProfileKind::spline;  // or it has no coefficients
   fill_spline_rates(scene);
   for (const RepeatedTable& repeated : repeated_tables())
     if (repeated.count(scene) == 0) repeated.append(scene);
