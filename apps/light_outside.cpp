@@ -38,7 +38,7 @@ bool could_shine(const sim::Scene& scene) {
                   [](const sim::Footprint& footprint) { return footprint.energy_flux_mw_m2 > 0.0; });
   return sheets || footprints || !scene.volumes.empty() || scene.sun.shown ||
          std::any_of(scene.nebulae.begin(), scene.nebulae.end(), [](const sim::Nebula& nebula) {
-           return nebula.method != "literal" && nebula.brightness > 0.0;
+           return nebula.method != sim::NebulaMethod::literal && nebula.brightness > 0.0;
          });
 }
 

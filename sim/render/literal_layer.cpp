@@ -36,7 +36,7 @@ Image literal_layer(const Scene& scene, int threads) {
   Image all;
   std::optional<Image> depth_km;
   for (const Nebula& nebula : scene.nebulae) {
-    if (nebula.method != "literal") continue;
+    if (nebula.method != NebulaMethod::literal) continue;
     if (!depth_km && !scene.march.depth.empty())
       depth_km = depths_along_rays(scene, read_depth(scene), threads);
     const Image picture = literal_nebula_picture(scene, nebula, depth_km ? &*depth_km : nullptr, threads);

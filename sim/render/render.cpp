@@ -121,7 +121,7 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
     std::optional<Exposer> own_exposer;
     Exposure exposure;
     Exposer* exposer = nullptr;
-    if (scene.blur.model == "angle")
+    if (scene.blur.model == BlurModel::angle)
       exposer = options.memory != nullptr ? &options.memory->exposer(film)
                                           : &own_exposer.emplace(scene, film, options.threads);
     const auto lines_of = [&](std::size_t n, int only_sheet, std::uint64_t& points) {

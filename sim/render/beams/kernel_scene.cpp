@@ -102,8 +102,8 @@ KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_ste
     k.edges = film_edges(plain.lens, film);
     k.earth_hides = looks_below_horizon(plain, film, k.observer_altitude_km);
   }
-  k.nearest_cell = scene.film.splat == "nearest";
-  k.unit_weight = scene.film.weight == "unit";
+  k.nearest_cell = scene.film.splat == SplatRule::nearest;
+  k.unit_weight = scene.film.weight == PointWeight::unit;
   k.seed = scene.seed;
   k.profiles = profiles.data();
   return k;

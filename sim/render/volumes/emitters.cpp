@@ -14,7 +14,8 @@ std::vector<std::unique_ptr<Emitter<T>>> make_emitters(const Scene& scene, const
   for (const Footprint& footprint : scene.footprints)
     all.push_back(footprint_emitter<T>(scene, footprint, files, number, threads));
   for (const Nebula& nebula : scene.nebulae)
-    if (nebula.method != "literal") all.push_back(std::make_unique<NebulaEmitter<T>>(scene, nebula, number));
+    if (nebula.method != NebulaMethod::literal)
+      all.push_back(std::make_unique<NebulaEmitter<T>>(scene, nebula, number));
   for (std::size_t v = 0; v < scene.volumes.size(); ++v)
     all.push_back(std::make_unique<GridEmitter<T>>(*files.grids[v], scene.volumes[v], number, &scene.sun));
   add_sun_emitters(scene, files, number, threads, all);

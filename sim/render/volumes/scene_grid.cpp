@@ -189,7 +189,7 @@ SceneGrid grid_of_fields(const Scene& scene, const std::vector<const LightField*
 
 SceneGrid grid_of_scene(const Scene& scene, const SceneGridOptions& options) {
   for (const Nebula& nebula : scene.nebulae)
-    if (nebula.method == "literal")
+    if (nebula.method == NebulaMethod::literal)
       throw Error(ErrorKind::usage,
                   {"the nebula '" + nebula.name + "' is marched literally and has no light in space", "", 0,
                    "SCENE", "method = \"physical\"", "Leave it out with --of NAME"});

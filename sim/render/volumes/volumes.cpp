@@ -14,7 +14,7 @@ namespace vegard::sim {
 bool has_volumes(const Scene& scene) {
   return !scene.footprints.empty() || !scene.volumes.empty() || scene.sun.shown ||
          std::any_of(scene.nebulae.begin(), scene.nebulae.end(),
-                     [](const Nebula& nebula) { return nebula.method != "literal"; });
+                     [](const Nebula& nebula) { return nebula.method != NebulaMethod::literal; });
 }
 
 /// Emitters look into the scene that they are made of.

@@ -96,7 +96,7 @@ void check_response(const Scene& scene) {
 
 /// The way of excited atoms is drawn for a plain pinhole only: what would be ignored is refused.
 void check_blur(const Scene& scene) {
-  if (scene.blur.model != "physical") return;
+  if (scene.blur.model != BlurModel::physical) return;
   const Camera& c = scene.camera;
   const bool is_plain = c.model == LensModel::pinhole && c.k1 == 0.0 && c.k2 == 0.0 && c.k3 == 0.0 &&
                         c.p1 == 0.0 && c.p2 == 0.0 && c.aspect == 1.0 && !c.mirrored &&

@@ -180,7 +180,7 @@ void check_nebula(const Scene& scene, const Nebula& nebula) {
       refuse({"there is no node '" + name + "'", "the name of a [[node]], or none", ""}, key);
   if (nebula.gas.empty() && nebula.glow.empty() && nebula.dust.empty())
     refuse({"the nebula is made of nothing", "gas, glow or dust with the name of a [[node]]", ""}, "gas");
-  if (nebula.method == "literal" && nebula.gas.empty())
+  if (nebula.method == NebulaMethod::literal && nebula.gas.empty())
     refuse({"the literal march has no map", "gas with the name of a [[node]]", ""}, "gas");
   constexpr double kMostSteps = 100000.0;
   if (2.0 * nebula.bound / nebula.step > kMostSteps)
@@ -195,7 +195,7 @@ void check_nebula(const Scene& scene, const Nebula& nebula) {
               "one per line of emission.lines, in its order", ""},
              key);
   };
-  const std::string gas = nebula.method == "literal" ? "" : nebula.gas;
+  const std::string gas = nebula.method == NebulaMethod::literal ? "" : nebula.gas;
   check_list(nebula.inner_rayleigh, gas, "inner_rayleigh");
   check_list(nebula.outer_rayleigh, gas, "outer_rayleigh");
   check_list(nebula.glow_rayleigh, nebula.glow, "glow_rayleigh");

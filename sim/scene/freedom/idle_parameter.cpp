@@ -39,7 +39,7 @@ std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const Par
                                  : "this lens has camera.focal_px"};
     }
   }
-  if (path.row->table == "air" && scene.air.model == "none") {
+  if (path.row->table == "air" && scene.air.model == AirModel::none) {
     return Complaint{"there is no air, so " + key + " counts for nothing", expected,
                      "leave it out of fit.free, or set air.model to \"standard\""};
   }

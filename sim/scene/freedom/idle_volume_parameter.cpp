@@ -62,7 +62,7 @@ std::optional<Complaint> of_sheet_in_footprint(const Scene& scene, const Sheet& 
 
 std::optional<Complaint> of_nebula(const Scene& scene, const Nebula& n, const std::string& key) {
   const auto nothing = [&](const std::string& what) { return what + ", so " + key + " counts for nothing"; };
-  if (n.method == "literal")
+  if (n.method == NebulaMethod::literal)
     return Complaint{"the literal march makes colours, not light that could be compared",
                      "a nebula with method = \"physical\"", "leave it out of fit.free"};
   const bool of_gas = is_one_of(key, {"inner_rayleigh", "outer_rayleigh", "inner_radius", "outer_radius"});
@@ -92,7 +92,7 @@ std::set<std::string> nodes_in_use(const Scene& scene) {
         for (const std::string& of : node_names(node.of)) self(self, of);
   };
   for (const Nebula& nebula : scene.nebulae)
-    if (nebula.method != "literal")
+    if (nebula.method != NebulaMethod::literal)
       for (const std::string* name : {&nebula.gas, &nebula.glow, &nebula.dust}) visit(visit, *name);
   return used;
 }

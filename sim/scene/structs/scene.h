@@ -176,17 +176,37 @@ struct Emission {
   FluxLaw flux_law = FluxLaw::column;
 };
 
+enum class BlurKernelKind {
+  full,  ///< untruncated
+  paper  ///< truncated as in the paper
+};
+
+enum class BlurModel {
+  angle,    ///< by a width per line
+  physical  ///< the way of the excited atoms
+};
+
 struct Blur {
   std::vector<double> width_deg = {0.43, 0.18,
                                    0.0};  ///< standard deviation per line, in the order of Emission::lines
-  std::string kernel = "full";            ///< "full" (untruncated) or "paper" (truncated as in the paper)
-  std::string model = "angle";            ///< or "physical": the way of the excited atoms
-  EastNorth wind_m_s{0.0, 0.0};           ///< of the air, that carries them
+  BlurKernelKind kernel = BlurKernelKind::full;
+  BlurModel model = BlurModel::angle;
+  EastNorth wind_m_s{0.0, 0.0};  ///< of the air, that carries them
+};
+
+enum class SplatRule {
+  bilinear,
+  nearest  ///< the paper's
+};
+
+enum class PointWeight {
+  rayleigh,
+  unit  ///< every point counts alike, the paper's forward map
 };
 
 struct Film {
-  std::string splat = "bilinear";   ///< or "nearest", the paper's
-  std::string weight = "rayleigh";  ///< or "unit": every point counts alike, the paper's forward map
+  SplatRule splat = SplatRule::bilinear;
+  PointWeight weight = PointWeight::rayleigh;
 };
 
 /// From light to the numbers of a file (sim/view/sensor/sensor.h). Renders without noise know the primaries,
@@ -233,9 +253,11 @@ struct Sky {
   double lights_gain = 1.0;  ///< times airglow, twilight and light pollution
 };
 
+enum class AirModel { none, standard };
+
 /// What light loses on its way through the lower atmosphere.
 struct LowerAir {
-  std::string model = "none";          ///< or "standard"
+  AirModel model = AirModel::none;
   double aerosol_optical_depth = 0.1;  ///< of the whole vertical column from sea level, at 550 nm
   double angstrom_exponent = 1.3;      ///< of the aerosol's optical depth against wavelength
   double aerosol_height_km = 2.0;      ///< scale height

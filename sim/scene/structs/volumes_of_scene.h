@@ -61,11 +61,16 @@ struct Footprint {
   double top_km = 300.0;  ///< above which there is no light
 };
 
+enum class NebulaMethod {
+  physical,  ///< emission and absorption along each ray, in rayleighs
+  literal    ///< the march of the source with its constants, which gives colours only
+};
+
 /// A nebula, or any cloud beyond the air: emission and absorption of a few density maps (docs/nebulae.md).
 /// Lengths are in units of `unit_pc`.
 struct Nebula {
   std::string name = "nebula";
-  std::string method = "physical";  ///< or "literal": the march of the source with its constants
+  NebulaMethod method = NebulaMethod::physical;
   double azimuth_deg = 0.0, elevation_deg = 45.0;  ///< of its middle
   double distance_pc = 1000.0;                     ///< of its middle
   double unit_pc = 1.0;

@@ -136,7 +136,7 @@ TEST(PaperNumbers, CurlsTravelAHundredAndFortyTwoMetresAFrame) {
 // scaling".
 TEST(PaperNumbers, BlurKernelsAreThePapersAndScale) {
   Scene scene;
-  scene.blur.kernel = "paper";
+  scene.blur.kernel = BlurKernelKind::paper;
   scene.camera.hfov_deg = 35.0;
   const auto expect_kernels = [&](int width, double hfov_deg, int red, int green) {
     scene.camera.width = width;

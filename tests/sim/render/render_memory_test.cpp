@@ -22,7 +22,7 @@ Scene scene_of_everything() {
   scene.stars.gain = 5.0;
   scene.airglow.green_rayleigh = 250.0;
   scene.light_pollution.luminance_mcd_m2 = 1.0;
-  scene.air.model = "standard";
+  scene.air.model = AirModel::standard;
   return scene;
 }
 

@@ -200,7 +200,7 @@ TEST(LiteralLayer, IsBehindTheVolumesAndBeforeTheSky) {
 
 TEST(Air, DimsTheVolumesShareAsTheWhole) {
   Scene scene = small_camera();
-  scene.air.model = "standard";
+  scene.air.model = AirModel::standard;
   Exposure exposure;
   exposure.geometry = film_of(scene);
   exposure.lines = 3;

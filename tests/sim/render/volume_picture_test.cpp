@@ -126,7 +126,7 @@ TEST(VolumePicture, GlowsWithoutLosingLight) {
 TEST(VolumePicture, UnderThePhysicalBlurIsAsMarched) {
   Scene scene = dusty_sphere();
   const Rendering by_angle = render(scene);
-  scene.blur.model = "physical";
+  scene.blur.model = BlurModel::physical;
   const Rendering physical = render(scene);
   EXPECT_GT(total(physical.rayleigh.data), 0.0);
   EXPECT_EQ(physical.rayleigh.data, by_angle.rayleigh.data);

@@ -23,7 +23,7 @@ std::vector<Declaration> nebula_rows() {
   // clang-format off
   return {
       row("name", &N::name).rule(element_name_complaint).means("by which paths call the nebula"),
-      row("method", &N::method).one_of({"physical", "literal"})
+      row("method", &N::method).one_of<NebulaMethod>({{"physical", NebulaMethod::physical}, {"literal", NebulaMethod::literal}})
           .means("emission and absorption along each ray, in rayleighs; or the source's march with its constants, which gives colours only"),
       row("azimuth_deg", &N::azimuth_deg).in("deg").within(-720, 720).may_be_free(angle).means("direction of its middle, from north to the east"),
       row("elevation_deg", &N::elevation_deg).in("deg").within(-90, 90).may_be_free(linear).means("direction of its middle above the horizon"),

@@ -342,8 +342,10 @@ TEST(Validate, RefusesScenesMadeByHand) {
   EXPECT_EQ(validate_error(scene).key, "seed");
 
   scene = Scene();
-  scene.film.splat = "cubic";
-  EXPECT_EQ(validate_error(scene).expected, "\"bilinear\" or \"nearest\"");
+  scene.footprints.resize(1);
+  scene.footprints[0].profile = ProfileKind::file;  // a sheet may have it
+  EXPECT_EQ(validate_error(scene).problem, "\"file\" is not one of the choices");
+  EXPECT_EQ(validate_error(scene).expected, "\"maxwellian\" or \"mono\" or \"gaussian\" or \"form\"");
 
   scene = Scene();
   scene.fit.roi_px = {10, 10, 0, 20};
