@@ -83,8 +83,9 @@ void check_response(const Scene& scene) {
   const bool filters = sensor.response == "filters", grey = sensor.response == "grey";
   if (sensor.response != "cie" && !filters && !grey) return;
   const Sensor none;
-  const bool balanced = sensor.white_balance_rule == "given" && sensor.white_balance != none.white_balance;
-  if (!balanced && sensor.matrix_rule != "given") return;
+  const bool balanced =
+      sensor.white_balance_rule == WhiteBalanceRule::given && sensor.white_balance != none.white_balance;
+  if (!balanced && sensor.matrix_rule != MatrixRule::given) return;
   const std::string key = balanced ? "white_balance" : "matrix_rule";
   complain({filters ? "channels behind a filter each are neither balanced nor mixed"
             : grey  ? "channels that see all light alike are neither balanced nor mixed"
@@ -129,11 +130,11 @@ Origin origin_of(const Scene& scene, const std::string& key, const std::string& 
 /// Whatever a curve or an exposure needs must be there, and a lens gives some light everywhere.
 void check_sensor(const Scene& scene) {
   const Sensor& sensor = scene.sensor;
-  if (sensor.exposure == "camera" && scene.time.exposure_s <= 0.0)
+  if (sensor.exposure == ExposureRule::camera && scene.time.exposure_s <= 0.0)
     complain({"a camera that is exposed for no time sees nothing", "time.exposure_s above 0",
               "set time.exposure_s, or sensor.exposure = \"gain\""},
              origin_of(scene, "sensor.exposure", "time.exposure_s"));
-  if (sensor.tone == "file" && !is_table_file(sensor.tone_file))
+  if (sensor.tone == ToneKind::file && !is_table_file(sensor.tone_file))
     complain({"the tone \"file\" has no file", "sensor.tone_file, the name of a .csv", ""},
              origin_of(scene, "sensor.tone_file", "sensor.tone"));
   const auto& [r2, r4, r6] = sensor.vignetting;

@@ -209,20 +209,47 @@ struct Film {
   PointWeight weight = PointWeight::rayleigh;
 };
 
+enum class Primaries { srgb, smpte_c, rec2020, acescg };
+
+/// What the numbers of a response's table are relative to.
+enum class ResponsePer { energy, photon };
+
+enum class WhiteBalanceRule {
+  given,
+  daylight  ///< D65 becomes neutral
+};
+
+/// From a camera's channels to the primaries.
+enum class MatrixRule {
+  none,          ///< they stay as they are
+  colorimetric,  ///< least squares
+  given
+};
+
+/// Where the gain comes from.
+enum class ExposureRule {
+  gain,   ///< it is given
+  camera  ///< it follows from lens, pixel, time and ISO
+};
+
+/// Filters of the upper left two by two pixels, row by row.
+enum class MosaicPattern { rggb, bggr, grbg, gbrg, none };
+
+enum class ToneKind { srgb, linear, gamma, file };
+
 /// From light to the numbers of a file (sim/view/sensor/sensor.h). Renders without noise know the primaries,
 /// the exposure, the vignetting and the tone curve only.
 struct Sensor {
-  std::string primaries = "srgb";       ///< or "smpte-c", "rec2020", "acescg"
-  std::string response = "cie";         ///< the CIE 1931 observer, a built-in camera, or a table "FILE.csv"
-  std::string response_per = "energy";  ///< what a table counts: "energy" or "photon"
+  Primaries primaries = Primaries::srgb;
+  std::string response = "cie";  ///< the CIE 1931 observer, a built-in camera, or a table "FILE.csv"
+  ResponsePer response_per = ResponsePer::energy;
   std::array<double, 3> white_balance{1.0, 1.0, 1.0};  ///< gains of a camera's raw channels
-  std::string white_balance_rule = "given";            ///< or "daylight": D65 becomes neutral
-  std::string matrix_rule =
-      "none";  ///< from a camera's channels to the primaries: or "colorimetric", "given"
+  WhiteBalanceRule white_balance_rule = WhiteBalanceRule::given;
+  MatrixRule matrix_rule = MatrixRule::none;
   std::array<double, 9> matrix{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};  ///< the given one, by rows
   double gain_per_kilorayleigh =
-      0.05;                       ///< linear sensor value (white = 1) of the luminance of 1 kR of 557.7 nm
-  std::string exposure = "gain";  ///< or "camera": the gain follows from lens, pixel, time and ISO
+      0.05;  ///< linear sensor value (white = 1) of the luminance of 1 kR of 557.7 nm
+  ExposureRule exposure = ExposureRule::gain;
   double f_number = 2.0;
   double lens_transmission = 0.85;
   double pixel_um = 6.0;             ///< edge of a square pixel
@@ -230,14 +257,14 @@ struct Sensor {
   double full_well_e = 50000.0;      ///< what a pixel holds, and white at base_iso
   double iso = 1600.0;               ///< white is full_well_e base_iso / iso electrons
   double base_iso = 100.0;
-  double read_noise_e = 3.0;          ///< standard deviation
-  double dark_e_s = 0.1;              ///< dark current of a pixel
-  double black_level = 0.03;          ///< fraction of the largest digital number
-  int bits = 14;                      ///< of the analogue-digital converter
-  std::string mosaic = "rggb";        ///< filters of the upper left two by two pixels, or "none"
-  double vignetting_cos_power = 0.0;  ///< of the angle off the axis; 4: a simple lens
+  double read_noise_e = 3.0;  ///< standard deviation
+  double dark_e_s = 0.1;      ///< dark current of a pixel
+  double black_level = 0.03;  ///< fraction of the largest digital number
+  int bits = 14;              ///< of the analogue-digital converter
+  MosaicPattern mosaic = MosaicPattern::rggb;
+  double vignetting_cos_power = 0.0;                ///< of the angle off the axis; 4: a simple lens
   std::array<double, 3> vignetting{0.0, 0.0, 0.0};  ///< of r^2, r^4, r^6, r = 1 in the corners
-  std::string tone = "srgb";                        ///< or "linear", "gamma", "file"
+  ToneKind tone = ToneKind::srgb;
   double gamma = 2.2;
   std::string tone_file;              ///< CSV of linear and encoded values, beside the scene's file
   std::string colour_table = "none";  ///< of display files: a false colour for grey, by name or file

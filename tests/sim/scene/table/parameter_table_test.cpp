@@ -218,7 +218,7 @@ TEST(SetFromText, SetsVectorsAndBareWords) {
   EXPECT_EQ(scene.sheets[0].center_km.east, 10.0);
   EXPECT_EQ(scene.sheets[0].center_km.north, 220.5);
   set_from_text(scene, "sensor.primaries", "smpte-c");
-  EXPECT_EQ(scene.sensor.primaries, "smpte-c");
+  EXPECT_EQ(scene.sensor.primaries, Primaries::smpte_c);
   set_from_text(scene, "site.time_utc", "2019-09-01T05:00:00Z");
   EXPECT_EQ(scene.site.time_utc, "2019-09-01T05:00:00Z");
   set_from_text(scene, "fit.roi_px", "[1, 2, 30, 40]");
