@@ -61,7 +61,7 @@ std::string warning_if_out_of_view(const sim::Scene& scene, const sim::Image& ra
   for (const sim::Sheet& sheet : scene.sheets)
     text += "; " + place_of("sheet '" + sheet.name + "'", sheet.center_km, observer_km);
   for (const sim::Footprint& footprint : scene.footprints)
-    text += "; " + (footprint.shape == "box"
+    text += "; " + (footprint.shape == sim::FootprintShape::box
                         ? place_of("footprint '" + footprint.name + "'", footprint.center_km, observer_km)
                         : "footprint '" + footprint.name + "' stands around the Earth");
   for (const sim::Nebula& nebula : scene.nebulae)

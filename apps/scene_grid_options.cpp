@@ -79,7 +79,7 @@ void keep_named(sim::Scene& scene, const std::vector<std::string>& names) {
   };
   keep(scene.footprints);
   if (std::none_of(scene.footprints.begin(), scene.footprints.end(),
-                   [](const sim::Footprint& one) { return one.source == "sheets"; }))
+                   [](const sim::Footprint& one) { return one.source == sim::FootprintSource::sheets; }))
     keep(scene.sheets);
   keep(scene.nebulae);
   keep(scene.volumes);

@@ -164,7 +164,7 @@ void add_footprints(const sim::Scene& best, std::vector<Group>& groups) {
   for (std::size_t i = 0; i < best.footprints.size(); ++i) {
     const sim::Footprint& footprint = best.footprints[i];
     const std::string of = " of the " + footprint.name + " footprint";
-    if (footprint.shape == "box" && footprint.source == "spline")
+    if (footprint.shape == sim::FootprintShape::box && footprint.source == sim::FootprintSource::spline)
       groups.push_back(one({"distance" + of, "km", ""},
                            [i](const sim::Scene& x) { return nearest_on_spline_km(x.footprints[i]); }));
     if (footprint.profile == sim::ProfileKind::maxwellian)

@@ -75,7 +75,7 @@ std::shared_ptr<const Volumes> RenderMemory::volumes() {
   std::set<std::string> others = lights_and({"[camera]", "[blur]", "[film]"});
   const auto& footprints = scene_->footprints;
   if (std::none_of(footprints.begin(), footprints.end(),
-                   [](const Footprint& footprint) { return footprint.source == "sheets"; })) {
+                   [](const Footprint& footprint) { return footprint.source == FootprintSource::sheets; })) {
     others.insert({"[[sheet]]", "[substorm]"});
     // Ejections move.
     if (!scene_->sun.shown || scene_->ejections.empty()) others.insert("[time]");

@@ -85,7 +85,7 @@ T light_per_path(const Sheet& sheet, const T& vertical) {
 
 bool has_footprint_of_sheets(const Scene& scene) {
   return std::any_of(scene.footprints.begin(), scene.footprints.end(),
-                     [](const Footprint& footprint) { return footprint.source == "sheets"; });
+                     [](const Footprint& footprint) { return footprint.source == FootprintSource::sheets; });
 }
 
 BeamLayout::BeamLayout(const Scene& scene, double beyond)

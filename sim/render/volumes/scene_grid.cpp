@@ -194,7 +194,7 @@ SceneGrid grid_of_scene(const Scene& scene, const SceneGridOptions& options) {
                   {"the nebula '" + nebula.name + "' is marched literally and has no light in space", "", 0,
                    "SCENE", "method = \"physical\"", "Leave it out with --of NAME"});
   for (const Footprint& footprint : scene.footprints)
-    if (footprint.model == "curtain")
+    if (footprint.model == FootprintModel::curtain)
       throw Error(ErrorKind::usage, {"the footprint '" + footprint.name + "' is a curtain without thickness",
                                      "", 0, "SCENE", "model = \"volume\"", "Leave it out with --of NAME"});
   const ThinStrand thinnest = thinnest_strand(scene);

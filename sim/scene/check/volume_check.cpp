@@ -8,6 +8,7 @@
 #include "sim/base/earth.h"
 #include "sim/scene/structs/footprint_size.h"
 #include "sim/scene/structs/node_names.h"
+#include "sim/scene/table/parameter_table.h"
 #include "sim/scene/table/value_check.h"
 #include "sim/scene/table/value_words.h"
 
@@ -18,13 +19,13 @@ using Refuse = std::function<void(const Complaint&, const std::string& key)>;
 
 /// That no map, and no curve, takes more memory than a machine has.
 void check_size(const Footprint& f, const Refuse& refuse) {
-  const bool is_shell = f.shape == "shell", of_spline = f.source == "spline";
+  const bool is_shell = f.shape == FootprintShape::shell, of_spline = f.source == FootprintSource::spline;
   if (of_spline && spline_pieces(f) > kMostSplinePieces)
     refuse({"the spline would be drawn in " + short_real_text(spline_pieces(f)) + " pieces of " +
                 short_real_text(longest_piece_km(f)) + " km",
             "at most 1048576", "a larger width_km, larger cells, or points nearer to each other"},
            is_shell ? "longitude_deg" : "east_km");
-  if (f.model == "curtain") return;
+  if (f.model == FootprintModel::curtain) return;
   if (!is_shell && longest_side_cells(f) > kMostSideCells)
     refuse({"the box has " + short_real_text(longest_side_cells(f)) + " cells along a side", "at most 262000",
             "a larger cell_km, or a smaller size_km"},
@@ -71,10 +72,10 @@ void check_footprint(const Scene& scene, const Footprint& f) {
   const auto refuse = [&](const Complaint& complaint, const std::string& key) {
     complain(complaint, {scene.file, 0, path + key});
   };
-  const bool is_shell = f.shape == "shell";
+  const bool is_shell = f.shape == FootprintShape::shell;
   const auto &x = is_shell ? f.longitude_deg : f.east_km, &y = is_shell ? f.latitude_deg : f.north_km;
   const char *x_key = is_shell ? "longitude_deg" : "east_km", *y_key = is_shell ? "latitude_deg" : "north_km";
-  if (f.source == "spline") {
+  if (f.source == FootprintSource::spline) {
     if (x.size() != y.size())
       refuse({std::to_string(x.size()) + " of " + x_key + " for " + std::to_string(y.size()) + " of " + y_key,
               "as many of one as of the other", ""},
@@ -86,28 +87,29 @@ void check_footprint(const Scene& scene, const Footprint& f) {
     if (is_shell) check_points_of_shell(f, refuse);
   }
   for (const auto& [list, key] : {std::pair{&f.point_energy, "point_energy"}, {&f.point_flux, "point_flux"}})
-    if (!list->empty() && (f.source != "spline" || list->size() != x.size()))
+    if (!list->empty() && (f.source != FootprintSource::spline || list->size() != x.size()))
       refuse({std::to_string(list->size()) + " numbers for " +
-                  std::to_string(f.source == "spline" ? x.size() : 0) + " points of a spline",
+                  std::to_string(f.source == FootprintSource::spline ? x.size() : 0) + " points of a spline",
               "one for every point, or none", ""},
              key);
-  if (f.model == "curtain" && f.source != "spline")
-    refuse({"a curtain stands on a spline, not on a footprint of " + quoted_text(f.source),
+  if (f.model == FootprintModel::curtain && f.source != FootprintSource::spline)
+    refuse({"a curtain stands on a spline, not on a footprint of " + quoted_text(word_of(f.source)),
             "source = \"spline\"", "or model = \"volume\""},
            "model");
-  const bool of_file = f.source == "image" || f.source == "cube";
+  const bool of_file = f.source == FootprintSource::image || f.source == FootprintSource::cube;
   if (of_file && f.image.empty())
     refuse(
         {"the footprint is to come from a picture, but image names none", "image = \"a picture's name\"", ""},
         "source");
-  if (f.source == "cube" && (!is_shell || f.image.find("{face}") == std::string::npos))
+  if (f.source == FootprintSource::cube && (!is_shell || f.image.find("{face}") == std::string::npos))
     refuse(
         {is_shell ? "'" + f.image + "' does not say where the face's name stands" : "a box has no cube faces",
          is_shell ? "a name such as \"foot_{face}.png\"" : "shape = \"shell\"", ""},
         is_shell ? "image" : "source");
-  if (is_shell && (f.source == "sheets" || f.source == "noise"))
-    refuse({"a footprint of " + quoted_text(f.source) + " is a box's", "shape = \"box\"", ""}, "source");
-  if (f.source == "sheets" && scene.sheets.empty())
+  if (is_shell && (f.source == FootprintSource::sheets || f.source == FootprintSource::noise))
+    refuse({"a footprint of " + quoted_text(word_of(f.source)) + " is a box's", "shape = \"box\"", ""},
+           "source");
+  if (f.source == FootprintSource::sheets && scene.sheets.empty())
     refuse({"the footprint is to be that of the sheets, but there are none", "a [[sheet]], or another source",
             ""},
            "source");

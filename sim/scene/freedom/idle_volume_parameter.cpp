@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sim/scene/structs/node_names.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::sim {
 namespace {
@@ -19,19 +20,20 @@ Complaint idle(const std::string& problem, const std::string& hint) {
 
 std::optional<Complaint> of_footprint(const Footprint& f, const std::string& key) {
   const auto nothing = [&](const std::string& what) { return what + ", so " + key + " counts for nothing"; };
-  if (f.shape == "shell" && !is_one_of(key, {"energy_kev"}))
+  if (f.shape == FootprintShape::shell && !is_one_of(key, {"energy_kev"}))
     return Complaint{"the footprint is a shell, whose map has no derivative by " + key,
                      "a number of a footprint of shape \"box\", or energy_kev", "leave it out of fit.free"};
   const bool of_spline = is_one_of(key, {"east_km", "north_km", "width_km", "point_energy", "point_flux"});
-  if (of_spline && f.source != "spline")
-    return idle(nothing("the footprint comes from \"" + f.source + "\""), "set source to \"spline\"");
-  if (f.model != "curtain" && f.flow_turns > 0.0 &&
+  if (of_spline && f.source != FootprintSource::spline)
+    return idle(nothing("the footprint comes from \"" + word_of(f.source) + "\""),
+                "set source to \"spline\"");
+  if (f.model != FootprintModel::curtain && f.flow_turns > 0.0 &&
       is_one_of(key, {"east_km", "north_km", "width_km", "point_flux"}))
     return Complaint{
         "the flow that winds the footprint up depends on " + key + ", and its derivative is not known",
         "a footprint that does not flow, or a number that its flow does not depend on",
         "set flow_turns = 0, or leave it out of fit.free"};
-  if (f.source == "sheets" && is_one_of(key, {"center_km", "energy_kev", "energy_flux_mw_m2"}))
+  if (f.source == FootprintSource::sheets && is_one_of(key, {"center_km", "energy_kev", "energy_flux_mw_m2"}))
     return idle(nothing("feet, energy and flux are those of the sheets"), "free the sheets' own numbers");
   return std::nullopt;
 }
@@ -40,7 +42,7 @@ std::optional<Complaint> of_footprint(const Footprint& f, const std::string& key
 std::optional<Complaint> of_sheet_in_footprint(const Scene& scene, const Sheet& sheet,
                                                const std::string& key) {
   const bool is_in_one = std::any_of(scene.footprints.begin(), scene.footprints.end(),
-                                     [](const Footprint& f) { return f.source == "sheets"; });
+                                     [](const Footprint& f) { return f.source == FootprintSource::sheets; });
   if (is_in_one && key == "energy_kev" && sheet.brightness_kilorayleigh > 0.0)
     return Complaint{
         "the sheet's brightness is given, and how the energy flux of its footprint depends on "
@@ -49,7 +51,7 @@ std::optional<Complaint> of_sheet_in_footprint(const Scene& scene, const Sheet& 
         "set energy_flux_mw_m2 in the place of brightness_kilorayleigh, or leave it out of "
         "fit.free"};
   const bool flows = std::any_of(scene.footprints.begin(), scene.footprints.end(), [](const Footprint& f) {
-    return f.source == "sheets" && f.flow_turns > 0.0;
+    return f.source == FootprintSource::sheets && f.flow_turns > 0.0;
   });
   // The flow goes by ratios of fluxes, and so not by the flux of a single sheet.
   if (!flows || key == "energy_kev" || (key == "energy_flux_mw_m2" && scene.sheets.size() == 1))

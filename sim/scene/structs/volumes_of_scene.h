@@ -11,15 +11,37 @@
 
 namespace vegard::sim {
 
+enum class FootprintShape {
+  box,   ///< about a point of the observer's tangent plane
+  shell  ///< around the Earth
+};
+
+enum class FootprintModel {
+  volume,
+  curtain  ///< upright walls without thickness along the splines
+};
+
+/// Where a footprint comes from: a curve, a picture, six of them, the scene's sheets, or noise.
+enum class FootprintSource { spline, image, cube, sheets, noise };
+
+enum class FootprintFall {
+  field,    ///< along the scene's
+  vertical  ///< a shell's always is
+};
+
+enum class FootprintLight {
+  lines,
+  colours  ///< two of them, between two altitudes
+};
+
 /// Aurora by its footprint: light = energy flux at the foot of the field line through a point, times the
 /// height profile of the electrons that fall there (after Lawlor and Genetti 2011, docs/volumes.md).
 struct Footprint {
   std::string name = "arc";
-  std::string shape =
-      "box";  ///< "box": about a point of the observer's tangent plane; "shell": around the Earth
-  std::string model = "volume";     ///< or "curtain": upright walls without thickness along the splines
-  std::string source = "spline";    ///< or "image", "cube", "sheets", "noise"
-  std::string fall = "field";       ///< along the scene's field, or "vertical" (a shell's always is)
+  FootprintShape shape = FootprintShape::box;
+  FootprintModel model = FootprintModel::volume;
+  FootprintSource source = FootprintSource::spline;
+  FootprintFall fall = FootprintFall::field;
   EastNorth center_km{0.0, 200.0};  ///< middle of a box, of the feet at 110 km
   EastNorth size_km{800.0, 600.0};  ///< its whole extent
   double cell_km = 1.0;             ///< edge of a cell of a box's footprint
@@ -48,7 +70,7 @@ struct Footprint {
   double flow_scale_km = 20.0;  ///< of the ripples that it starts from
   double flow_ripple = 0.3;     ///< their strength, of that of the sheet's own shear
 
-  std::string light = "lines";  ///< or "colours": two colours, between two altitudes
+  FootprintLight light = FootprintLight::lines;
   std::array<double, 3> low_colour{0.1, 1.0, 0.3},
       high_colour{0.9, 0.1, 0.3};  ///< linear, of the sensor's primaries
   double low_km = 110.0, high_km = 220.0;

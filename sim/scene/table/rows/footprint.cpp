@@ -23,13 +23,13 @@ std::vector<Declaration> footprint_rows() {
   // clang-format off
   return {
       row("name", &F::name).rule(element_name_complaint).means("by which paths call the footprint"),
-      row("shape", &F::shape).one_of({"box", "shell"})
+      row("shape", &F::shape).one_of<FootprintShape>({{"box", FootprintShape::box}, {"shell", FootprintShape::shell}})
           .means("a box about a point of the observer's tangent plane, or a shell around the whole Earth"),
-      row("model", &F::model).one_of({"volume", "curtain"})
+      row("model", &F::model).one_of<FootprintModel>({{"volume", FootprintModel::volume}, {"curtain", FootprintModel::curtain}})
           .means("light with a thickness, or upright walls without one along the splines, a cheap preview"),
-      row("source", &F::source).one_of({"spline", "image", "cube", "sheets", "noise"})
+      row("source", &F::source).one_of<FootprintSource>({{"spline", FootprintSource::spline}, {"image", FootprintSource::image}, {"cube", FootprintSource::cube}, {"sheets", FootprintSource::sheets}, {"noise", FootprintSource::noise}})
           .means("where the footprint comes from: a curve through points, a picture, six pictures of a cube's faces, the scene's sheets (which are then not drawn as beams), or fractal noise in a box"),
-      row("fall", &F::fall).one_of({"field", "vertical"})
+      row("fall", &F::fall).one_of<FootprintFall>({{"field", FootprintFall::field}, {"vertical", FootprintFall::vertical}})
           .means("along the scene's field, or straight down; a shell's light always falls straight down"),
       row("center_km", &F::center_km).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(linear)
           .means("middle of a box, of the feet at 110 km altitude"),
@@ -66,7 +66,7 @@ std::vector<Declaration> footprint_rows() {
           .means("how far a plane incompressible flow has wound the footprint up, in turns of its fastest part; 0: not at all"),
       row("flow_scale_km", &F::flow_scale_km).in("km").within(1, 2000).means("of the ripples that the flow starts from"),
       row("flow_ripple", &F::flow_ripple).within(0, 10).means("their strength, over that of the footprint's own shear"),
-      row("light", &F::light).one_of({"lines", "colours"})
+      row("light", &F::light).one_of<FootprintLight>({{"lines", FootprintLight::lines}, {"colours", FootprintLight::colours}})
           .means("the emission lines of the electrons, or two colours between two altitudes in the place of theirs"),
       row("low_colour", &F::low_colour).of({"r", "g", "b"}).within(0, 1).means("colour at low_km, linear, of the sensor's primaries"),
       row("high_colour", &F::high_colour).of({"r", "g", "b"}).within(0, 1).means("colour at high_km"),

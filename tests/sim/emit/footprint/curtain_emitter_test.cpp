@@ -22,7 +22,7 @@ std::unique_ptr<Emitter<double>> curtain(const Scene& scene) {
 Scene arc(const char* fall, double width_km = 2.0) {
   Scene scene = scene_at(0.0, "box", fall);
   Footprint& f = scene.footprints[0];
-  f.model = "curtain";
+  f.model = FootprintModel::curtain;
   f.center_km = {0.0, 120.0};
   f.east_km = {-150.0, -40.0, 30.0, 150.0};
   f.north_km = {0.0, 0.0, 0.0, 0.0};
