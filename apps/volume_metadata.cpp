@@ -17,7 +17,7 @@ double rayleigh_per_unit(const sim::SceneGrid& made) { return sim::kRayleighsPer
 
 bool is_of_sun(const sim::Scene& scene) {
   return std::any_of(scene.volumes.begin(), scene.volumes.end(),
-                     [](const sim::Volume& volume) { return volume.frame == "sun"; }) ||
+                     [](const sim::Volume& volume) { return volume.frame == sim::VolumeFrame::sun; }) ||
          (scene.sun.shown && (!scene.chromospheres.empty() || !scene.loops.empty() ||
                               !scene.coronae.empty() || !scene.bundles.empty() || !scene.ejections.empty()));
 }

@@ -20,11 +20,11 @@ Image depths_along_rays(const Scene& scene, const DepthImage& depth, int threads
 
 }  // namespace
 
-Image layer_of_literal(const Image& picture, const std::string& blend) {
+Image layer_of_literal(const Image& picture, BlendRule blend) {
   Image layer = picture;
   for (std::size_t i = 0; i < layer.data.size(); i += 4) {
     float& alpha = layer.data[i + 3];
-    if (blend == "add")
+    if (blend == BlendRule::add)
       alpha = 0.0f;
     else
       for (int c = 0; c < 3; ++c) layer.data[i + c] *= alpha;

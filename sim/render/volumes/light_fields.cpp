@@ -78,7 +78,7 @@ std::vector<NamedField> light_fields(const Scene& scene, const VolumeFiles& file
   for (std::size_t v = 0; v < scene.volumes.size(); ++v)
     all.push_back({"volume '" + scene.volumes[v].name + "'",
                    std::make_unique<GridField>(*files.grids[v], scene.volumes[v], &scene.sun),
-                   scene.volumes[v].frame == "sun" ? FieldFrame::sun : FieldFrame::ground});
+                   scene.volumes[v].frame == VolumeFrame::sun ? FieldFrame::sun : FieldFrame::ground});
   if (scene.sun.shown) add_sun_fields(scene, files, threads, memory_limit, all);
   return all;
 }

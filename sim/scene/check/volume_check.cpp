@@ -137,8 +137,8 @@ void check_nodes(const Scene& scene) {
     const std::vector<std::string> names = node_names(node.of);
     const NodeArity arity = arity_of(node.kind);
     if (names.size() < arity.least || names.size() > arity.most)
-      complain({"a node of kind " + quoted_text(node.kind) + " works on " + arity.words() + ", not on " +
-                    std::to_string(names.size()),
+      complain({"a node of kind " + quoted_text(word_of(node.kind)) + " works on " + arity.words() +
+                    ", not on " + std::to_string(names.size()),
                 "of = " + std::string(arity.most == 0 ? "\"\"" : "names of nodes, separated by commas"), ""},
                {scene.file, 0, key});
     for (const std::string& name : names)
@@ -210,7 +210,7 @@ void check_volume(const Scene& scene, const Volume& volume) {
     complain(complaint, {scene.file, 0, "volume." + volume.name + "." + key});
   };
   if (volume.file.empty()) refuse({"the volume names no file", "file = \"NAME.vdb\"", ""}, "file");
-  if (volume.frame == "sun" && !scene.sun.shown)
+  if (volume.frame == VolumeFrame::sun && !scene.sun.shown)
     refuse({"it stands on the Sun, which is not in the scene", "shown = true in [sun]", ""}, "frame");
   if (!volume.density_rayleigh.empty() && volume.density_rayleigh.size() != scene.emission.lines.size())
     refuse({std::to_string(volume.density_rayleigh.size()) + " numbers for " +

@@ -52,7 +52,7 @@ std::optional<Complaint> of_sun(const Scene& scene, const std::string& key) {
   const bool has_places = !scene.loops.empty() || !scene.chromospheres.empty() || !scene.bundles.empty() ||
                           !scene.ejections.empty() ||
                           std::any_of(scene.volumes.begin(), scene.volumes.end(),
-                                      [](const Volume& v) { return v.frame == "sun"; });
+                                      [](const Volume& v) { return v.frame == VolumeFrame::sun; });
   const bool has_poles =
       has_places || std::any_of(scene.coronae.begin(), scene.coronae.end(), [&](const Corona& c) {
         return c.polar != 1.0 || frees(scene, "corona." + c.name + ".polar");

@@ -1,6 +1,7 @@
 #include "sim/scene/freedom/idle_volume_parameter.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <set>
 #include <string>
 
@@ -102,17 +103,20 @@ std::set<std::string> nodes_in_use(const Scene& scene) {
 std::optional<Complaint> of_node(const Scene& scene, const Node& node, const std::string& key) {
   if (nodes_in_use(scene).count(node.name) == 0)
     return idle("no nebula that is marched physically is made of the node", "name it in a nebula");
-  const std::string& kind = node.kind;
-  const bool is_noise = is_one_of(kind, {"filaments", "turbulence", "warp"});
-  const bool counts = key == "radius"      ? is_one_of(kind, {"sphere", "shell", "torus", "tube", "lobes"})
-                      : key == "thickness" ? is_one_of(kind, {"shell", "slab", "lobes", "torus"})
-                      : key == "length"    ? is_one_of(kind, {"lobes", "tube"})
-                      : key == "waist"     ? kind == "lobes"
-                      : key == "blend"     ? is_one_of(kind, {"union", "intersection", "difference"})
+  using K = NodeKind;
+  const auto is_a = [&](std::initializer_list<K> kinds) {
+    return std::find(kinds.begin(), kinds.end(), node.kind) != kinds.end();
+  };
+  const bool is_noise = is_a({K::filaments, K::turbulence, K::warp});
+  const bool counts = key == "radius"      ? is_a({K::sphere, K::shell, K::torus, K::tube, K::lobes})
+                      : key == "thickness" ? is_a({K::shell, K::slab, K::lobes, K::torus})
+                      : key == "length"    ? is_a({K::lobes, K::tube})
+                      : key == "waist"     ? is_a({K::lobes})
+                      : key == "blend"     ? is_a({K::unite, K::intersect, K::subtract})
                       : key == "amplitude" || key == "frequency" || key == "gain" ? is_noise
                                                                                   : true;
   if (counts) return std::nullopt;
-  return idle("the node is of kind \"" + kind + "\", so " + key + " counts for nothing",
+  return idle("the node is of kind \"" + word_of(node.kind) + "\", so " + key + " counts for nothing",
               "free a number that this kind has");
 }
 

@@ -116,10 +116,29 @@ struct Nebula {
   std::array<double, 3> colour_a{1.0, 0.5, 0.3}, colour_b{0.3, 0.6, 1.0};  ///< of the literal march
 };
 
+/// A shape; noise upon another node; nodes combined; or another node in its place.
+enum class NodeKind {
+  sphere,
+  shell,
+  lobes,
+  torus,
+  tube,
+  slab,
+  filaments,
+  turbulence,
+  warp,
+  unite,
+  intersect,
+  subtract,
+  scale,
+  rotate,
+  move
+};
+
 /// One node of a density map: a signed distance, negative inside, in its nebula's units.
 struct Node {
   std::string name = "node";
-  std::string kind = "sphere";
+  NodeKind kind = NodeKind::sphere;
   std::string of;                                   ///< the nodes that it works on, separated by commas
   std::array<double, 3> center{0.0, 0.0, 0.0};      ///< right, up, towards the observer
   std::array<double, 3> angles_deg{0.0, 0.0, 0.0};  ///< turns about these axes, one after the other
@@ -136,11 +155,14 @@ struct Node {
   int seed = 0;
 };
 
+/// Where a file is at home.
+enum class VolumeFrame { site, sun };
+
 /// Light from an OpenVDB file, as vegard volume writes it (docs/openvdb.md).
 struct Volume {
   std::string name = "volume";
-  std::string file;                               ///< beside the scene's
-  std::string frame = "site";                     ///< where the file is at home: "site", or "sun"
+  std::string file;  ///< beside the scene's
+  VolumeFrame frame = VolumeFrame::site;
   std::array<double, 3> shift_km{0.0, 0.0, 0.0};  ///< east, north, up
   double gain = 1.0;
   double extinction_per_km = 0.0;        ///< of density 1 of its grid "density"
@@ -148,18 +170,32 @@ struct Volume {
   double step_voxels = 0.5;              ///< of the march
 };
 
+/// Where rays begin.
+enum class GhostRule {
+  span,    ///< at the camera
+  literal  ///< by the source's rule
+};
+
+/// What the values of a picture of depths are.
+enum class DepthMeaning {
+  distance,  ///< km along the ray
+  forward,   ///< km along the axis
+  log        ///< the source's
+};
+
+enum class BlendRule { alpha, add };
+
 /// How volumes are marched and how they meet what else is in the picture.
 struct March {
-  double step_km = 2.0;         ///< of aurora by its footprint
-  double step_cells = 2.0;      ///< by which a step moves the foot, at most
-  bool skip = true;             ///< empty space by the distance to the footprint
-  std::string ghosts = "span";  ///< rays begin at the camera; or "literal", the source's rule
-  std::string depth;            ///< a picture of the distance to what stands before the sky; empty: none
-  std::string depth_is =
-      "distance";               ///< km along the ray; or "forward", along the axis; or "log", of the source
-  double depth_gain = 1.0;      ///< km to a unit of that picture
-  double depth_far_km = 1e6;    ///< of a logarithmic depth
-  std::string blend = "alpha";  ///< or "add"
+  double step_km = 2.0;     ///< of aurora by its footprint
+  double step_cells = 2.0;  ///< by which a step moves the foot, at most
+  bool skip = true;         ///< empty space by the distance to the footprint
+  GhostRule ghosts = GhostRule::span;
+  std::string depth;  ///< a picture of the distance to what stands before the sky; empty: none
+  DepthMeaning depth_is = DepthMeaning::distance;
+  double depth_gain = 1.0;    ///< km to a unit of that picture
+  double depth_far_km = 1e6;  ///< of a logarithmic depth
+  BlendRule blend = BlendRule::alpha;
   int shrink = 1;          ///< every so-many pixels across and down is marched, the others follow by depth
   double smooth_px = 0.0;  ///< blur of what was marched, to hide its grain
   double glow = 0.0;       ///< share of the light that is spread about

@@ -22,7 +22,7 @@ std::vector<Declaration> node_rows() {
   return {
       row("name", &Node::name).rule(element_name_complaint).means("by which other nodes, nebulae and paths call it"),
       row("kind", &Node::kind)
-          .one_of({"sphere", "shell", "lobes", "torus", "tube", "slab", "filaments", "turbulence", "warp", "union", "intersection", "difference", "scale", "rotate", "move"})
+          .one_of<NodeKind>({{"sphere", NodeKind::sphere}, {"shell", NodeKind::shell}, {"lobes", NodeKind::lobes}, {"torus", NodeKind::torus}, {"tube", NodeKind::tube}, {"slab", NodeKind::slab}, {"filaments", NodeKind::filaments}, {"turbulence", NodeKind::turbulence}, {"warp", NodeKind::warp}, {"union", NodeKind::unite}, {"intersection", NodeKind::intersect}, {"difference", NodeKind::subtract}, {"scale", NodeKind::scale}, {"rotate", NodeKind::rotate}, {"move", NodeKind::move}})
           .means("what it is: docs/nebulae.md"),
       row("of", &Node::of).means("names of the nodes that it works on, separated by commas"),
       row("center", &Node::center).of({"right", "up", "near"}).within(-1000, 1000).may_be_free(linear)

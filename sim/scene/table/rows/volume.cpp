@@ -21,7 +21,7 @@ std::vector<Declaration> volume_rows() {
   return {
       row("name", &Volume::name).rule(element_name_complaint).means("by which paths call the volume"),
       row("file", &Volume::file).means("file beside the scene's: OpenVDB, with grids such as emission_5577 or density, or the densities of a pbrt volumegrid (`.pbrt`, `.volumegrid`, `.txt`)"),
-      row("frame", &Volume::frame).one_of({"site", "sun"})
+      row("frame", &Volume::frame).one_of<VolumeFrame>({{"site", VolumeFrame::site}, {"sun", VolumeFrame::sun}})
           .means("where the file is at home: on the ground, in km; or on the Sun, in units of sun.unit_km"),
       row("shift_km", &Volume::shift_km).of({"east", "north", "up"}).in("km").within(-1e5, 1e5).may_be_free(linear)
           .means("by how much it is moved; on the Sun along the x, y and z of its frame"),

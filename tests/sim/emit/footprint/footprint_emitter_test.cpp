@@ -326,7 +326,7 @@ TEST(FootprintEmitter, LosesTheNearHalfOfTheEarthByTheLiteralRuleOnly) {
   from_orbit.add(30.0, 0.0);
   Scene scene = scene_at(400.0, "shell");
   const Light span = from_orbit.through(*emitter(scene, even, flat), 2);
-  scene.march.ghosts = "literal";
+  scene.march.ghosts = GhostRule::literal;
   const Light literal = from_orbit.through(*emitter(scene, even, flat), 2);
   EXPECT_GT(span.rayleigh[0], 0.0);
   EXPECT_EQ(literal.rayleigh[0], 0.0);
@@ -339,7 +339,7 @@ TEST(FootprintEmitter, LosesTheNearHalfOfTheEarthByTheLiteralRuleOnly) {
   Scene high = scene_at(200.0, "shell");
   const double ahead = 0.1 * path_km(200.0, within.direction[2][0], 80.0, 300.0);
   EXPECT_NEAR(within.through(*emitter(high, even, flat), 2).rayleigh[0], ahead, 1e-5 * ahead);
-  high.march.ghosts = "literal";
+  high.march.ghosts = GhostRule::literal;
   EXPECT_GT(within.through(*emitter(high, even, flat), 2).rayleigh[0], 1.1 * ahead);
   // From the ground the two rules agree.
   Rays from_ground;
@@ -347,7 +347,7 @@ TEST(FootprintEmitter, LosesTheNearHalfOfTheEarthByTheLiteralRuleOnly) {
   from_ground.add(80.0, 10.0);
   Scene ground = scene_at(0.0, "shell");
   const Light here = from_ground.through(*emitter(ground, even, flat), 2);
-  ground.march.ghosts = "literal";
+  ground.march.ghosts = GhostRule::literal;
   EXPECT_EQ(from_ground.through(*emitter(ground, even, flat), 2).rayleigh, here.rayleigh);
 }
 
