@@ -58,7 +58,7 @@ void add_sun_fields(const Scene& scene, const VolumeFiles& files, int threads, s
     add("bundle", scene.bundles[i].name,
         of_strands(strands_of<double>(sun, scene.bundles[i], scene.seed, number), scene.bundles[i]));
   for (const Ejection& ejection : scene.ejections)
-    if (ejection.kind == "rope")
+    if (ejection.kind == EjectionKind::rope)
       add("ejection", ejection.name,
           of_strands(rope_strands<double>(sun, scene.time, ejection, number), ejection));
     else

@@ -26,7 +26,7 @@ void add_strand_emitters(const Scene& scene, const NumberAs<T>& number,
   for (std::size_t i = 0; i < scene.bundles.size(); ++i)
     add(strands_of<T>(sun, scene.bundles[i], scene.seed, number), scene.bundles[i]);
   for (const Ejection& ejection : scene.ejections)
-    if (ejection.kind == "rope")
+    if (ejection.kind == EjectionKind::rope)
       add(rope_strands<T>(sun, scene.time, ejection, number), ejection);
     else
       all.push_back(std::make_unique<EjectionShellEmitter<T>>(

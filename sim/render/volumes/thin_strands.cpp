@@ -22,7 +22,7 @@ ThinStrand thinnest_strand(const Scene& scene) {
   for (const Bundle& bundle : scene.bundles)
     hold_against("bundle", bundle.name, std::min(bundle.foot_radius, bundle.top_radius));
   for (const Ejection& ejection : scene.ejections) {
-    if (ejection.kind != "rope") continue;
+    if (ejection.kind != EjectionKind::rope) continue;
     Ejection one = ejection;  // strands of a rope are all as thick
     one.strands = 1;
     for (const Strand<double>& piece :

@@ -44,7 +44,7 @@ std::optional<Complaint> of_temperature(const Scene& scene, double temperature_m
 std::optional<Complaint> of_sun(const Scene& scene, const std::string& key) {
   if (!scene.sun.shown) return idle("the Sun is not in the scene", key, "set sun.shown = true");
   const bool scatters = std::any_of(scene.coronae.begin(), scene.coronae.end(),
-                                    [](const Corona& c) { return c.light == "scattered"; });
+                                    [](const Corona& c) { return c.light == CoronaLight::scattered; });
   if (is_one_of(key, {"limb_darkening", "limb_darkening_square"}) && !scatters &&
       all_zero(scene.sun.photosphere_rayleigh) && !frees(scene, "sun.photosphere_rayleigh"))
     return idle("the photosphere is dark", key, "give it sun.photosphere_rayleigh");
@@ -85,7 +85,7 @@ std::optional<Complaint> of_loop(const Scene& scene, const Loop& l, const std::s
     return idle("the loop has no filaments", key, "give it filaments");
   if (key == "filament_pull" && l.filaments >= l.strands)
     return idle("every strand is a filament of its own", key, "give it fewer filaments");
-  if (key == "falloff_least" && l.height_falloff == "none")
+  if (key == "falloff_least" && l.height_falloff == HeightFalloff::none)
     return idle("the loop's light does not fall off along it", key, "name a height_falloff");
   if (is_one_of(key, {"spread", "tilt_per_distance_deg"}) && l.strands == 1)
     return idle("the loop is a single strand", key, "give it more strands");
@@ -120,7 +120,7 @@ std::optional<Complaint> why_sun_number_counts_for_nothing(const Scene& scene, c
   }
   if (table == "ejection") {
     const Ejection& j = scene.ejections[e];
-    if (j.kind == "shell" && is_one_of(key, {"turns", "strand_radius", "bearing_deg"}))
+    if (j.kind == EjectionKind::shell && is_one_of(key, {"turns", "strand_radius", "bearing_deg"}))
       return idle("the ejection is a shell", key, "set kind = \"rope\"");
     if (key == "speed_km_s" && j.age_s + scene.time.start_s <= 0.0 &&
         !frees(scene, "ejection." + j.name + ".age_s"))

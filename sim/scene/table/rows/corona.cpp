@@ -34,7 +34,7 @@ std::vector<Declaration> corona_rows() {
       corona("power", &C::power).of({"<n>"}).named_by(name_by_term).within(0, 100).may_be_free(linear).means("of the falloff's terms"),
       corona("polar", &C::polar).within(0, 10).may_be_free(linear).means("density over the poles, of that over the equator; between them by the square of the sine of the latitude"),
       corona("reach", &C::reach).within(1.001, 1000).means("where it ends, in radii of the photosphere"),
-      corona("light", &C::light).one_of({"density", "square", "scattered"}).means("light as density; as its square, as of collisions; or as density times the photosphere's light scattered by free electrons (Thomson)"),
+      corona("light", &C::light).one_of<CoronaLight>({{"density", CoronaLight::density}, {"square", CoronaLight::square}, {"scattered", CoronaLight::scattered}}).means("light as density; as its square, as of collisions; or as density times the photosphere's light scattered by free electrons (Thomson)"),
       corona("rayleigh", &C::rayleigh).of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e18).may_be_free(linear)
           .means("light of density 1 to a unit of path, per emission line; of scattered light at the photosphere's edge"),
       corona("temperature_mk", &C::temperature_mk).in("MK").within(0, 100).may_be_free(logarithmic).means("if not 0, lines with a response to temperature (docs/lines.md) shine by it"),
@@ -57,7 +57,7 @@ std::vector<Declaration> bundle_rows() {
       bundle("falloff_length", &B::falloff_length).within(1e-6, 1e9).may_be_free(logarithmic).means("along a line, over which its density falls to 1 / e"),
       bundle("foot_radius", &B::foot_radius).within(1e-9, 1e9).may_be_free(logarithmic).means("of a line at its foot, beyond which it has no density"),
       bundle("top_radius", &B::top_radius).within(1e-9, 1e9).may_be_free(logarithmic).means("the same at its end"),
-      bundle("density_falloff", &B::density_falloff).one_of({"smooth", "linear", "gaussian"}).means("density across a line, as of a loop's strand"),
+      bundle("density_falloff", &B::density_falloff).one_of<RadialFalloff>({{"smooth", RadialFalloff::smooth}, {"linear", RadialFalloff::linear}, {"gaussian", RadialFalloff::gaussian}}).means("density across a line, as of a loop's strand"),
       bundle("filaments", &B::filaments).within(0, 10000).means("places that feet are drawn together to; 0: none"),
       bundle("filament_pull", &B::filament_pull).within(0, 1).may_be_free(linear).means("how near a foot comes to its place: 1 - this is what is left of their distance"),
       bundle("lowest_latitude_deg", &B::lowest_latitude_deg).in("deg").within(-90, 90).means("of feet"),

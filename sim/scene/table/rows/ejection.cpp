@@ -23,7 +23,7 @@ std::vector<Declaration> ejection_rows() {
   // clang-format off
   return {
       row("name", &E::name).rule(element_name_complaint).means("by which paths call the ejection"),
-      row("kind", &E::kind).one_of({"rope", "shell"}).means("a flux rope of twisted strands with its feet on the Sun, or a shell"),
+      row("kind", &E::kind).one_of<EjectionKind>({{"rope", EjectionKind::rope}, {"shell", EjectionKind::shell}}).means("a flux rope of twisted strands with its feet on the Sun, or a shell"),
       row("latitude_deg", &E::latitude_deg).in("deg").within(-90, 90).may_be_free(linear).means("heliographic, of the place that it leaves"),
       row("longitude_deg", &E::longitude_deg).in("deg").within(-720, 720).may_be_free(angle).means("the same, growing to the west"),
       row("bearing_deg", &E::bearing_deg).in("deg").within(-720, 720).may_be_free(angle).means("of a rope from foot to foot, from solar north to the west"),

@@ -301,9 +301,9 @@ TEST(SceneGrid, RefusesVoxelsThatStrandsWouldFallBetween) {
   EXPECT_NE(text.find("ejection 'c', of radius "), std::string::npos) << text;
   EXPECT_GT(thinnest_strand(scene).radius, 0.3 * 0.5);
   EXPECT_LT(thinnest_strand(scene).radius, 0.5 * 0.5);
-  scene.ejections[0].kind = "shell";
+  scene.ejections[0].kind = EjectionKind::shell;
   EXPECT_TRUE(thinnest_strand(scene).what.empty());
-  scene.ejections[0].kind = "rope";
+  scene.ejections[0].kind = EjectionKind::rope;
   scene.sun.shown = false;
   EXPECT_TRUE(thinnest_strand(scene).what.empty());
 }
