@@ -60,7 +60,7 @@ double sampling_error_of(const sim::Scene& scene, const Photo& photo, const Prof
 std::vector<double> whole_sigma(const sim::Scene& scene, const Photo& photo, const Profile& data,
                                 double model_error) {
   std::vector<double> sigma = profile_sigma(data, model_error);
-  if (scene.fit.profile_along != "columns") return sigma;
+  if (scene.fit.profile_along != sim::ProfileAlong::columns) return sigma;
   const std::vector<double> of_rays = realisation_sigma(photo, data.region, data.bands, kProfileSmoothing_px);
   for (std::size_t i = 0; i < sigma.size(); ++i)
     if (sigma[i] > 0.0) sigma[i] = std::hypot(sigma[i], of_rays[i]);

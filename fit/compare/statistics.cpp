@@ -43,9 +43,10 @@ void check_what_goes_together(const sim::Scene& scene) {
   };
   if (fit.colour_weight > 0.0 && scene.sensor.response == "grey")
     refuse("fit.colour_weight", "a grey sensor has no colours to compare", "choose another sensor.response");
-  if (fit.profile_along != "loop" && fit.profile_along != "limb") return;
-  const std::string beside =
-      fit.profile_along == "loop" ? "beside profiles across a loop" : "beside profiles away from the limb";
+  if (fit.profile_along != sim::ProfileAlong::loop && fit.profile_along != sim::ProfileAlong::limb) return;
+  const std::string beside = fit.profile_along == sim::ProfileAlong::loop
+                                 ? "beside profiles across a loop"
+                                 : "beside profiles away from the limb";
   const struct {
     const char* key;
     double weight;

@@ -137,7 +137,7 @@ TEST(CurveFit, RefusesWhatItCannotWeigh) {
   scene.fit.colour_weight = 1.0;
   refused(scene, {}, "fit.colour_weight");
   scene = start;
-  scene.fit.photo_noise = "sensor";
+  scene.fit.photo_noise = sim::PhotoNoise::sensor;
   refused(scene, {}, "fit.photo_noise");
   FitOptions options;
   options.mcmc = 10;

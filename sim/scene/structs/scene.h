@@ -369,6 +369,22 @@ struct PhotoEntry {
   int line = 0;
 };
 
+enum class ProfileAlong {
+  columns,
+  elevation,
+  field,
+  loop,  ///< across a loop
+  limb   ///< away from the Sun's
+};
+
+enum class PhotoNoise {
+  estimated,
+  sensor  ///< what [sensor] says
+};
+
+/// Of single residuals.
+enum class ResidualLoss { none, huber, cauchy };
+
 struct Fit {
   std::array<int, 4> roi_px{0, 0, 0, 0};  ///< x, y, width, height; all zero: the whole image
   int bands = 24;
@@ -391,14 +407,14 @@ struct Fit {
   double search_smoothing = 0.025;  ///< of profiles in the search, as a fraction of the region's height
 
   // What is compared: weights of the statistics in chi2, 0: not at all (fit/compare/statistic.h).
-  double profile_weight = 1.0;                    ///< intensity along columns, elevation or the field line
-  double colour_weight = 0.0;                     ///< log ratios of the channels along the same
-  double horizontal_weight = 0.0;                 ///< intensity across the picture in a few strips
-  double border_weight = 0.0;                     ///< the lower border's course from band to band
-  double image_weight = 0.0;                      ///< a low-resolution image
-  double texture_weight = 0.0;                    ///< autocovariance along the arc: ray spacing and contrast
-  double granulation_weight = 0.0;                ///< angular power spectrum of the light on a disc
-  std::string profile_along = "columns";          ///< "columns", "elevation", "field", "loop" or "limb"
+  double profile_weight = 1.0;      ///< intensity along columns, elevation or the field line
+  double colour_weight = 0.0;       ///< log ratios of the channels along the same
+  double horizontal_weight = 0.0;   ///< intensity across the picture in a few strips
+  double border_weight = 0.0;       ///< the lower border's course from band to band
+  double image_weight = 0.0;        ///< a low-resolution image
+  double texture_weight = 0.0;      ///< autocovariance along the arc: ray spacing and contrast
+  double granulation_weight = 0.0;  ///< angular power spectrum of the light on a disc
+  ProfileAlong profile_along = ProfileAlong::columns;
   std::vector<double> guide_x_px, guide_y_px;     ///< of profiles across a loop: points drawn along it
   double guide_half_width_px = 20.0;              ///< how far such a profile reaches to either side
   double guide_cell_px = 1.0;                     ///< from position to position across
@@ -407,9 +423,9 @@ struct Fit {
   int horizontal_strips = 4;
   int image_cell_px = 16;
 
-  std::string photo_noise = "estimated";  ///< or "sensor": what [sensor] says
-  std::string loss = "none";              ///< of single residuals: "none", "huber" or "cauchy"
-  double loss_sigma = 3.0;                ///< from where on a residual counts less
+  PhotoNoise photo_noise = PhotoNoise::estimated;
+  ResidualLoss loss = ResidualLoss::none;
+  double loss_sigma = 3.0;  ///< from where on a residual counts less
 };
 
 struct Scene {

@@ -172,7 +172,7 @@ TEST(BinGrid, StripsAndCellsTakeTheBandOfTheirCentre) {
 TEST(BinGrid, RefusesWhatItCannotDraw) {
   sim::Scene scene = tests::small_scene();
   scene.fit.bands = 4;
-  scene.fit.profile_along = "field";
+  scene.fit.profile_along = sim::ProfileAlong::field;
   scene.field.model = sim::FieldModel::dipole;
   const std::string text = tests::expect_error(sim::ErrorKind::scene, [&] { profile_bins(scene, kRegion); });
   EXPECT_NE(text.find("fit.profile_along"), std::string::npos) << text;
