@@ -170,6 +170,24 @@ TEST(ParameterTable, EveryValueIsReachedByItsPathSetAndReadBack) {
   }
 }
 
+// A kind is a number inside: two words of one number, or one in another's place, would come back as another.
+TEST(ParameterTable, EveryWordOfAChoiceComesBack) {
+  Scene scene = scene_of_one();
+  scene.footprints.resize(1), scene.nebulae.resize(1), scene.nodes.resize(1), scene.volumes.resize(1);
+  scene.loops.resize(1), scene.coronae.resize(1), scene.bundles.resize(1), scene.ejections.resize(1);
+  int words = 0;
+  for (const ParameterPath& path : all_paths(scene))
+    for (const std::string& word : path.row->choices) {
+      set_from_text(scene, path.text, word);
+      EXPECT_EQ(value_text(scene, path), "\"" + word + "\"") << path.text;
+      ++words;
+    }
+  EXPECT_GT(words, 100);
+  EXPECT_EQ(word_of(HeightFalloff::inverse_square), "inverse-square");
+  EXPECT_EQ(word_of(NodeKind::subtract), "difference");
+  EXPECT_EQ(word_of(static_cast<NodeKind>(99)), "");
+}
+
 TEST(Resolve, GivesOnePathPerComponentOfAVector) {
   const auto paths = resolve(scene_of_two(), "sheet.far.center_km");
   ASSERT_EQ(paths.size(), 2u);
