@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "sim/base/error.h"
+#include "sim/scene/lines/camera_responses.h"
 #include "sim/scene/structs/line_of.h"
 #include "sim/scene/table/parameter_declarations.h"
 #include "sim/scene/table/parameter_table.h"
@@ -80,16 +81,16 @@ void check_structures(const Scene& scene) {
 /// Observer and filters have no raw channels to mix: what would be ignored is refused.
 void check_response(const Scene& scene) {
   const Sensor& sensor = scene.sensor;
-  const bool filters = sensor.response == "filters", grey = sensor.response == "grey";
-  if (sensor.response != "cie" && !filters && !grey) return;
+  const ResponseKind kind = response_kind(sensor.response);
+  if (kind == ResponseKind::measured) return;
   const Sensor none;
   const bool balanced =
       sensor.white_balance_rule == WhiteBalanceRule::given && sensor.white_balance != none.white_balance;
   if (!balanced && sensor.matrix_rule != MatrixRule::given) return;
   const std::string key = balanced ? "white_balance" : "matrix_rule";
-  complain({filters ? "channels behind a filter each are neither balanced nor mixed"
-            : grey  ? "channels that see all light alike are neither balanced nor mixed"
-                    : "the CIE observer has no raw channels to balance or to mix",
+  complain({kind == ResponseKind::filters ? "channels behind a filter each are neither balanced nor mixed"
+            : kind == ResponseKind::grey  ? "channels that see all light alike are neither balanced nor mixed"
+                                          : "the CIE observer has no raw channels to balance or to mix",
             "sensor.response with a camera, or sensor." + key + " as it is without being set",
             "a camera's name or a table"},
            {scene.file, 0, "sensor." + key});

@@ -5,6 +5,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/csv_table.h"
+#include "sim/scene/lines/camera_responses.h"
 #include "sim/scene/structs/line_of.h"
 #include "sim/scene/table/table_files.h"
 #include "sim/view/colour/colour.h"
@@ -147,7 +148,8 @@ Matrix3 colorimetric_matrix(const ChannelTable& channels, Primaries primaries) {
 }
 
 SensorResponse::SensorResponse(const Scene& scene)
-    : is_cie_(scene.sensor.response == "cie"), is_grey_(scene.sensor.response == "grey") {
+    : is_cie_(response_kind(scene.sensor.response) == ResponseKind::cie),
+      is_grey_(response_kind(scene.sensor.response) == ResponseKind::grey) {
   if (is_grey_) {
     rgb_from_channels_ = kIdentity3;
     return;
