@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/scene/table/parameter_table.h"
 #include "sim/view/colour/eye.h"
 #include "sim/view/colour/radiometry.h"
 
@@ -54,7 +55,7 @@ BrightnessReport brightness_report(const sim::Scene& scene, const sim::Rendering
   }
   report.most_luminous = sim::brightest_spot(rendering.rayleigh, luminance, scene.camera);
   report.eye = eye_report(report.most_luminous.value);
-  report.sensor_exposure = scene.sensor.exposure;
+  report.sensor_exposure = sim::word_of(scene.sensor.exposure);
   report.counts = sim::expected_counts(scene);
   report.spot_counts = counts_of(report.counts, report.most_luminous.rayleigh);
   return report;

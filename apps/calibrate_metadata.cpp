@@ -25,7 +25,7 @@ PictureSays with_metadata(const CalibrateOptions& options, const std::optional<s
   // An angle across the picture's width means nothing across another.
   if (!camera_scene || scene.lines.count("camera.width") + scene.lines.count("camera.height") > 0 ||
       scene.lines.count("camera.hfov_deg") + scene.lines.count("camera.focal_px") > 0 ||
-      scene.camera.model != "pinhole")
+      scene.camera.model != sim::LensModel::pinhole)
     for (const char* key : {"camera.hfov_deg", "camera.width", "camera.height"}) given.insert(key);
 
   fit::PhotoDefaults defaults = fit::with_photo_defaults(scene, metadata, given);

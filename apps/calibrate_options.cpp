@@ -4,6 +4,7 @@
 
 #include "apps/decoding.h"
 #include "apps/usage_error.h"
+#include "sim/scene/table/parameter_table.h"
 #include "sim/view/sky/instant.h"
 
 namespace vegard::apps {
@@ -204,7 +205,7 @@ fit::LensSettings lens_settings(const CalibrateOptions& options, const std::opti
   fit::LensForm form;
   bool known = false;
   for (const fit::LensForm& one : fit::lens_forms())
-    if (options.lens == fit::name_of(one.model)) {
+    if (options.lens == sim::word_of(one.model)) {
       form.model = one.model;
       known = true;
     }

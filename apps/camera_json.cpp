@@ -8,6 +8,7 @@
 #include "sim/base/earth.h"
 #include "sim/base/error.h"
 #include "sim/base/version.h"
+#include "sim/scene/table/parameter_table.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::apps {
@@ -55,7 +56,7 @@ Json projection_matrix(const sim::Camera& camera, const sim::Lens<double>& lens)
 std::string camera_json(const sim::Scene& scene) {
   const sim::Camera& camera = scene.camera;
   const sim::CameraView<double> view = sim::camera_view(camera);
-  if (camera.model == "pinhole" && (!sim::is_plain_pinhole(view.lens) || camera.mirrored)) {
+  if (camera.model == sim::LensModel::pinhole && (!sim::is_plain_pinhole(view.lens) || camera.mirrored)) {
     sim::ErrorDetails details;
     details.key = "camera";
     details.problem = "a camera with distortion, or one that is mirrored, has no matrices";
@@ -63,10 +64,10 @@ std::string camera_json(const sim::Scene& scene) {
     details.hint = "leave out --camera-json";
     throw sim::Error(sim::ErrorKind::scene, details);
   }
-  if (camera.model != "pinhole") {
+  if (camera.model != sim::LensModel::pinhole) {
     sim::ErrorDetails details;
     details.key = "camera.model";
-    details.problem = "a camera of the model '" + camera.model + "' has no matrices";
+    details.problem = "a camera of the model '" + sim::word_of(camera.model) + "' has no matrices";
     details.expected = "\"pinhole\"";
     details.hint = "leave out --camera-json";
     throw sim::Error(sim::ErrorKind::scene, details);

@@ -10,6 +10,7 @@
 #include "sim/base/earth.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::apps {
 namespace {
@@ -62,9 +63,10 @@ std::string warning_if_out_of_view(const sim::Scene& scene, const sim::Image& ra
       "{:g}\u00b0, "
       "elevation {:g}\u00b0, ",
       scene.camera.azimuth_deg, scene.camera.elevation_deg);
-  text += scene.camera.model == "pinhole"
+  text += scene.camera.model == sim::LensModel::pinhole
               ? fmt::format("with {:g}\u00b0 across", scene.camera.hfov_deg)
-              : fmt::format("its lens {}, {:g} px to a radian", scene.camera.model, scene.camera.focal_px);
+              : fmt::format("its lens {}, {:g} px to a radian", sim::word_of(scene.camera.model),
+                            scene.camera.focal_px);
   const double observer_km = scene.site.altitude_m * 1e-3;
   for (const sim::Sheet& sheet : scene.sheets)
     text += "; " + place_of("sheet '" + sheet.name + "'", sheet.center_km, observer_km);

@@ -8,6 +8,7 @@
 #include "sim/base/version.h"
 #include "sim/render/as_seen.h"
 #include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/parameter_table.h"
 #include "sim/view/sensor/sensor.h"
 #include "sim/view/sensor/tone_curve.h"
 
@@ -43,7 +44,7 @@ std::string encoding_words(const sim::Scene& scene, const PictureOptions& option
                                  ? ""
                                  : "; false colour by sensor.colour_table = " + scene.sensor.colour_table;
   if (options.as_seen) return "sRGB-encoded" + colour;  // for the eye, whatever the sensor's tone
-  return sim::ToneCurve(scene).name() + (scene.sensor.tone == "linear" ? "" : "-encoded") +
+  return sim::ToneCurve(scene).name() + (scene.sensor.tone == sim::ToneKind::linear ? "" : "-encoded") +
          (options.photograph ? noise_words(options) : "") + colour;
 }
 
@@ -89,7 +90,7 @@ std::string encoded_raw(const std::string& path, const PictureOptions& options, 
   for (float& value : raw.data) value /= kLargest;
   sim::ImageAttributes attributes = attributes_of(scene);
   attributes["units"] = "raw numbers of " + std::to_string(scene.sensor.bits) + " bits, mosaic " +
-                        scene.sensor.mosaic + noise_words(options);
+                        sim::word_of(scene.sensor.mosaic) + noise_words(options);
   constexpr int kBits = 16, kNoQuality = 100;
   return sim::encode_display(sim::image_format(path), raw, kBits, kNoQuality, attributes, path);
 }

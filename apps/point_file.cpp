@@ -14,6 +14,7 @@
 #include "sim/base/file/output_error.h"
 #include "sim/base/version.h"
 #include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/table/parameter_table.h"
 #include "sim/view/colour/line_colours.h"
 
 namespace vegard::apps {
@@ -44,7 +45,7 @@ std::vector<std::string> remarks_on(const sim::Scene& scene, const std::string& 
           fmt::format(", time.start_s {}", scene.time.start_s),
       "x east, y north, z up, in " + unit + ", the observer at the origin",
       "line_*: photons per second into all directions, by wavelength in tenths of a nanometre",
-      "red green blue: linear light (" + scene.sensor.primaries +
+      "red green blue: linear light (" + sim::word_of(scene.sensor.primaries) +
           "), only its colour: the largest is 1; brightness is in the lines"};
   remarks.push_back(every == 1 ? "every beam"
                                : fmt::format("one of {} beams, with the light of all of them", every));

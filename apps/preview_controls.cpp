@@ -122,7 +122,7 @@ void PreviewControls::look_about(double right_px, double down_px) {
 void PreviewControls::zoom(double steps) {
   sim::Camera& camera = scene_.camera;
   const double closer = std::pow(1.05, steps);
-  if (camera.model == "pinhole") {
+  if (camera.model == sim::LensModel::pinhole) {
     const double half = std::tan(0.5 * camera.hfov_deg * sim::kRadiansPerDegree) / closer;
     set_camera(&camera.hfov_deg, "camera.hfov_deg", 2.0 * std::atan(half) / sim::kRadiansPerDegree);
   } else {

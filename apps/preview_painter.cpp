@@ -4,6 +4,7 @@
 
 #include "apps/composite_pictures.h"
 #include "sim/render/render.h"
+#include "sim/scene/table/parameter_table.h"
 #include "sim/view/sensor/sensor.h"
 #include "sim/view/sensor/tone_curve.h"
 #include "sim/view/sensor/vignetting.h"
@@ -20,7 +21,7 @@ ScreenPicture PreviewPainter::paint(const sim::Scene& whole, const sim::Reductio
     pictures_key_ = pictures_key;
   }
   const std::string tone_key =
-      fmt::format("{} {} {}", scene.sensor.tone, scene.sensor.gamma, scene.sensor.tone_file);
+      fmt::format("{} {} {}", sim::word_of(scene.sensor.tone), scene.sensor.gamma, scene.sensor.tone_file);
   if (!display_ || tone_key != tone_key_) {
     display_.emplace(sim::ToneCurve(scene));
     tone_key_ = tone_key;

@@ -32,6 +32,7 @@
 #include "sim/base/file/whole_file.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/structs/scene.h"
+#include "sim/scene/table/parameter_table.h"
 #include "sim/view/camera/tangent_altitude.h"
 #include "sim/view/colour/filter_response.h"
 #include "sim/view/colour/sensor_response.h"
@@ -130,7 +131,7 @@ std::optional<double> limb_observer_km(const std::optional<sim::Scene>& scene) {
 fit::LineBrightness lines_of(const sim::Scene& scene, const fit::Photo& photo, const fit::Profile& profile) {
   return placing_errors(scene, [&] {
     const fit::LineBrightness lines = fit::line_brightness(scene, profile);
-    if (!photo.floating && photo.filters.empty() && scene.sensor.matrix_rule != "none")
+    if (!photo.floating && photo.filters.empty() && scene.sensor.matrix_rule != sim::MatrixRule::none)
       std::fputs(
           "vegard: the picture's file has cut off what its colour matrix put out of gamut, so that lines of "
           "little light are told wrong (sensor.matrix_rule = \"none\" has them right)\n",
@@ -158,13 +159,15 @@ Measured measure_bands(const Options& options, const std::optional<sim::Scene>& 
   }
   const int bands =
       options.bands.value_or(scene ? scene->fit.bands : std::min(sim::Fit{}.bands, region.width));
-  const bool of_the_sun = scene && (scene->fit.profile_along == "loop" || scene->fit.profile_along == "limb");
+  const bool of_the_sun = scene && (scene->fit.profile_along == sim::ProfileAlong::loop ||
+                                    scene->fit.profile_along == sim::ProfileAlong::limb);
   const fit::Profile profile =
       of_the_sun ? sun_profile(*scene, photo, region, bands) : fit::extract_profile(photo, region, bands);
   std::optional<fit::LineBrightness> lines;
   if (options.lines && of_the_sun)
-    throw usage_error("--lines", "lines are told along columns only",
-                      "no fit.profile_along = \"" + scene->fit.profile_along + "\" in the scene");
+    throw usage_error(
+        "--lines", "lines are told along columns only",
+        "no fit.profile_along = \"" + sim::word_of(scene->fit.profile_along) + "\" in the scene");
   if (options.lines) lines = lines_of(*scene, photo, profile);
   return {fit::profile_csv(photo, profile, elevation, lines ? &*lines : nullptr, limb_observer_km(scene)),
           fit::profile_plot(photo, profile, elevation),

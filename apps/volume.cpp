@@ -22,6 +22,7 @@
 #include "sim/base/grid/vdb_io.h"
 #include "sim/render/volumes/scene_grid.h"
 #include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::apps {
 namespace {
@@ -83,7 +84,7 @@ int run(const Options& options) {
   out.centre_index = options.convention == "blender" ? 0.5 : 0.0;
   out.overwrite = options.overwrite;
   out.colour_of_channel = colours_of_channels(scene, made, grid_of.lines);
-  out.colour_unit = fmt::format("linear RGB ({}) of a unit of length", scene.sensor.primaries);
+  out.colour_unit = fmt::format("linear RGB ({}) of a unit of length", sim::word_of(scene.sensor.primaries));
   const sim::VdbMetadata metadata = volume_metadata(scene, made);
   const std::string report = fmt::format("{} bricks of 8 x 8 x 8 voxels of {} {}", bricks, made.grid.voxel,
                                          made.unit_cm == 1e5 ? "km" : "units");

@@ -46,7 +46,7 @@ void check(const sim::Scene& scene, const std::vector<FreeNumber>& free, const F
                                                    {"fit.texture_weight", f.texture_weight}};
   for (const auto& [key, weight] : others)
     if (weight > 0.0) refuse(scene, key, "profiles alone can be compared", "0");
-  if (f.photo_noise != "estimated")
+  if (f.photo_noise != sim::PhotoNoise::estimated)
     refuse(scene, "fit.photo_noise", "the sensor's noise is no guide", "\"estimated\"");
   if (!spline_lines(scene, free).empty())
     refuse(scene, "fit.free", "a free-form height profile cannot be told apart", "no spline_rate");

@@ -142,7 +142,7 @@ void put_solution(const Comparison& comparison, const Comparison::Point& point, 
     // The night sky's lights keep the brightness that they had in the fit.
     if (sim::has_night_sky(r.best))
       r.best.sky.lights_gain *= sim::gain_per_kilorayleigh(r.best) / (sum / lit);
-    r.best.sensor.exposure = "gain";  // found, in place of what the camera's settings say
+    r.best.sensor.exposure = sim::ExposureRule::gain;  // found, in place of what the camera's settings say
     r.best.sensor.gain_per_kilorayleigh = sum / lit;
   }
   static const char* const kTerm[3] = {"level", "gradient", "curvature"};

@@ -46,13 +46,13 @@ Group none(const Label& label) {
 void add_energies(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
   const sim::Sheet& sheet = best.sheets[s];
   // A form has an energy for its steps and its power, but its light does not tell it.
-  if (!sim::mean_energy_kev(sheet) || sheet.profile == "form") {
+  if (!sim::mean_energy_kev(sheet) || sheet.profile == sim::ProfileKind::form) {
     groups.push_back(
         none({"mean electron energy" + of, "keV", "the height profile is not that of known electrons"}));
     return;
   }
   // For mono-energetic and Gaussian electrons it is the mean energy itself.
-  if (sheet.profile == "maxwellian")
+  if (sheet.profile == sim::ProfileKind::maxwellian)
     groups.push_back(one({"characteristic energy E0" + of, "keV", ""},
                          [s](const sim::Scene& x) { return x.sheets[s].energy_kev; }));
   groups.push_back(one({"mean electron energy" + of, "keV", ""},
@@ -164,10 +164,10 @@ void add_footprints(const sim::Scene& best, std::vector<Group>& groups) {
   for (std::size_t i = 0; i < best.footprints.size(); ++i) {
     const sim::Footprint& footprint = best.footprints[i];
     const std::string of = " of the " + footprint.name + " footprint";
-    if (footprint.shape == "box" && footprint.source == "spline")
+    if (footprint.shape == sim::FootprintShape::box && footprint.source == sim::FootprintSource::spline)
       groups.push_back(one({"distance" + of, "km", ""},
                            [i](const sim::Scene& x) { return nearest_on_spline_km(x.footprints[i]); }));
-    if (footprint.profile == "maxwellian")
+    if (footprint.profile == sim::ProfileKind::maxwellian)
       groups.push_back(one({"characteristic energy E0" + of, "keV", ""},
                            [i](const sim::Scene& x) { return x.footprints[i].energy_kev; }));
   }

@@ -26,7 +26,7 @@ std::optional<double> relative_sigma_of_gain(const FittedPhoto& photo) {
 /// Of the scale; none if nobody has said what it is.
 std::optional<double> relative_sigma_of_scale(const sim::Scene& known) {
   if (known.sensor.calibration_error > 0.0) return known.sensor.calibration_error;
-  if (known.sensor.exposure != "camera") return {};
+  if (known.sensor.exposure != sim::ExposureRule::camera) return {};
   return sim::expected_counts(known).relative_uncertainty;
 }
 

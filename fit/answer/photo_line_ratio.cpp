@@ -79,7 +79,8 @@ double sky_variance(const FittedPhoto& photo, const std::vector<bool>& lit, int 
 
 std::string why_none_of(const FittedPhoto& photo) {
   if (!photo.best.fit.white_balance_known) return "every channel has a gain of its own";
-  if (photo.best.fit.profile_along != "columns") return "the profile does not run along columns";
+  if (photo.best.fit.profile_along != sim::ProfileAlong::columns)
+    return "the profile does not run along columns";
   if (photo.best.emission.lines.size() > 3) return "three channels cannot tell more than three lines apart";
   return {};
 }

@@ -9,6 +9,7 @@
 #include "fit/measure/realisation.h"
 #include "fit/measure/smoothing.h"
 #include "sim/base/error.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::fit {
 namespace {
@@ -29,18 +30,17 @@ void check_sizes(const sim::Scene& scene, const Photo& photo) {
 /// A film that counts points, or puts each into one cell, has no derivative by the points' places; nor has
 /// the physical blur any here.
 void check_film(const sim::Scene& scene) {
-  const auto refuse = [&](const std::string& key, const std::string& value, const char* needed,
-                          const char* hint) {
+  const auto refuse = [&](const std::string& key, auto value, auto needed, const char* hint) {
     if (value == needed) return;
-    throw sim::Error(sim::ErrorKind::scene, {"\"" + value + "\" cannot be fitted", scene.file, 0, key,
-                                             "\"" + std::string(needed) + "\"", hint});
+    throw sim::Error(sim::ErrorKind::scene, {"\"" + sim::word_of(value) + "\" cannot be fitted", scene.file,
+                                             0, key, "\"" + sim::word_of(needed) + "\"", hint});
   };
   const char* literal = "the literal forward map is for rendering only";
-  refuse("film.weight", scene.film.weight, "rayleigh", literal);
-  refuse("film.splat", scene.film.splat, "bilinear", literal);
-  refuse("blur.model", scene.blur.model, "angle", "the physical blur is for rendering only");
+  refuse("film.weight", scene.film.weight, sim::PointWeight::rayleigh, literal);
+  refuse("film.splat", scene.film.splat, sim::SplatRule::bilinear, literal);
+  refuse("blur.model", scene.blur.model, sim::BlurModel::angle, "the physical blur is for rendering only");
   for (const sim::Nebula& nebula : scene.nebulae)
-    refuse("nebula." + nebula.name + ".method", nebula.method, "physical",
+    refuse("nebula." + nebula.name + ".method", nebula.method, sim::NebulaMethod::physical,
            "the literal march makes colours, not light that could be compared");
 }
 
@@ -60,7 +60,7 @@ double sampling_error_of(const sim::Scene& scene, const Photo& photo, const Prof
 std::vector<double> whole_sigma(const sim::Scene& scene, const Photo& photo, const Profile& data,
                                 double model_error) {
   std::vector<double> sigma = profile_sigma(data, model_error);
-  if (scene.fit.profile_along != "columns") return sigma;
+  if (scene.fit.profile_along != sim::ProfileAlong::columns) return sigma;
   const std::vector<double> of_rays = realisation_sigma(photo, data.region, data.bands, kProfileSmoothing_px);
   for (std::size_t i = 0; i < sigma.size(); ++i)
     if (sigma[i] > 0.0) sigma[i] = std::hypot(sigma[i], of_rays[i]);

@@ -1,7 +1,6 @@
 // Keeps single residuals from ruling a fit.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "sim/scene/structs/scene.h"
@@ -15,13 +14,13 @@ class RobustLoss {
  public:
   explicit RobustLoss(const sim::Fit& fit);
 
-  bool any() const { return kind_ != Kind::none; }
+  bool any() const { return kind_ != sim::ResidualLoss::none; }
   double residual(double r) const;
   double slope(double r) const;  ///< d residual(r) / d r, above 0
 
  private:
-  enum class Kind { none, huber, cauchy } kind_ = Kind::none;
-  double d_ = 1.0;
+  sim::ResidualLoss kind_;
+  double d_;
 };
 
 }  // namespace vegard::fit

@@ -13,6 +13,7 @@
 #include "fit/measure/noise_model.h"
 #include "fit/measure/smoothing.h"
 #include "sim/base/error.h"
+#include "sim/scene/lines/camera_responses.h"
 
 namespace vegard::fit {
 namespace {
@@ -41,11 +42,12 @@ void check_what_goes_together(const sim::Scene& scene) {
     throw sim::Error(sim::ErrorKind::scene,
                      {problem, scene.file, 0, key, "0", "set " + key + " = 0, or " + other});
   };
-  if (fit.colour_weight > 0.0 && scene.sensor.response == "grey")
+  if (fit.colour_weight > 0.0 && sim::response_kind(scene.sensor.response) == sim::ResponseKind::grey)
     refuse("fit.colour_weight", "a grey sensor has no colours to compare", "choose another sensor.response");
-  if (fit.profile_along != "loop" && fit.profile_along != "limb") return;
-  const std::string beside =
-      fit.profile_along == "loop" ? "beside profiles across a loop" : "beside profiles away from the limb";
+  if (fit.profile_along != sim::ProfileAlong::loop && fit.profile_along != sim::ProfileAlong::limb) return;
+  const std::string beside = fit.profile_along == sim::ProfileAlong::loop
+                                 ? "beside profiles across a loop"
+                                 : "beside profiles away from the limb";
   const struct {
     const char* key;
     double weight;

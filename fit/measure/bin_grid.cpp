@@ -171,11 +171,19 @@ BinGrid field_bins(const Region& region, int bands, const sim::Camera& camera, c
 
 BinGrid profile_bins(const sim::Scene& scene, const Region& region) {
   const sim::Fit& fit = scene.fit;
-  if (fit.profile_along == "elevation") return elevation_bins(region, fit.bands, scene.camera);
-  if (fit.profile_along == "loop") return loop_bins(scene, region);
-  if (fit.profile_along == "limb") return limb_bins(scene, region);
-  if (fit.profile_along != "field") return column_bins(region, fit.bands);
-  if (scene.field.model != "uniform") {
+  switch (fit.profile_along) {
+    case sim::ProfileAlong::columns:
+      return column_bins(region, fit.bands);
+    case sim::ProfileAlong::elevation:
+      return elevation_bins(region, fit.bands, scene.camera);
+    case sim::ProfileAlong::loop:
+      return loop_bins(scene, region);
+    case sim::ProfileAlong::limb:
+      return limb_bins(scene, region);
+    case sim::ProfileAlong::field:
+      break;
+  }
+  if (scene.field.model != sim::FieldModel::uniform) {
     sim::ErrorDetails details;
     details.key = "fit.profile_along";
     details.problem = "profiles along the field line need a uniform field";

@@ -42,7 +42,7 @@ std::vector<double> cell_variances(const sim::Scene& scene, const Photo& photo, 
     std::nth_element(sizes.begin(), middle, sizes.end());
     of_pixel = std::pow(*middle / kMedian, 2) / kSquares;
   }
-  const bool of_sensor = scene.fit.photo_noise == "sensor";
+  const bool of_sensor = scene.fit.photo_noise == sim::PhotoNoise::sensor;
   std::vector<double> variances(grid.bins(), 0.0);
   for (std::size_t b = 0; b < grid.bins(); ++b) {
     const std::size_t i = b * 3 + static_cast<std::size_t>(channel);

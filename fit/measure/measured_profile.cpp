@@ -25,7 +25,7 @@ Profile measured_profile(const sim::Scene& scene, const Photo& photo,
                          const std::shared_ptr<const BinGrid>& grid) {
   Profile profile = extract_profile(photo, grid);
   if (is_grey(scene)) keep_one_channel(profile);
-  if (scene.fit.photo_noise != "sensor") return profile;
+  if (scene.fit.photo_noise != sim::PhotoNoise::sensor) return profile;
   const sim::Image variance = sim::light_variance(scene, photo.linear, file_step(photo));
   for (std::size_t bin = 0; bin < grid->bins(); ++bin)
     for (int c = 0; c < 3; ++c) {

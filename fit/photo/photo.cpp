@@ -110,7 +110,7 @@ Photo read_photo_bytes(std::string_view bytes, const std::string& file, const De
     assert(scene != nullptr);
     sim::Scene decoded = *scene;
     // Its tone curve is that of display files.
-    if (codes.linear) decoded.sensor.tone = "linear";
+    if (codes.linear) decoded.sensor.tone = sim::ToneKind::linear;
     photo.tone = std::make_shared<const sim::ToneCurve>(decoded);
   }
   photo.decoding = decoding_text(codes, photo, decoding);

@@ -48,7 +48,7 @@ bool was_taken(const PhotoDefaults& defaults, const std::string& path) {
 void note_the_field(const Given& given, PhotoDefaults& defaults) {
   if (!was_taken(defaults, "site.latitude_deg")) return;
   const sim::Field& field = defaults.scene.field;
-  if (field.model == "dipole") {
+  if (field.model == sim::FieldModel::dipole) {
     defaults.notes.push_back("the dipole's field is that of the photograph's place");
     return;
   }
@@ -71,7 +71,7 @@ PhotoDefaults with_photo_defaults(const sim::Scene& scene, const sim::PictureMet
   defaults.scene = scene;
   for (const PhotoFact& fact : known.facts) {
     if (is_settled(given, fact.path)) continue;
-    if (fact.path == "camera.hfov_deg" && scene.camera.model != "pinhole") continue;
+    if (fact.path == "camera.hfov_deg" && scene.camera.model != sim::LensModel::pinhole) continue;
     if (has_size && (fact.path == "camera.width" || fact.path == "camera.height")) continue;
     try {
       sim::set_from_text(defaults.scene, fact.path, fact.value);

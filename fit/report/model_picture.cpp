@@ -89,7 +89,7 @@ ModelPicture model_picture(const FittedPhoto& fitted, const Photo& photo, int th
   assert(photo.linear.width == fitted.best.camera.width && photo.linear.height == fitted.best.camera.height);
   sim::Scene scene = scene_of_expectation(fitted);
   const sim::Scene with_gain = scene;
-  scene.sensor.exposure = "gain";
+  scene.sensor.exposure = sim::ExposureRule::gain;
   scene.sensor.gain_per_kilorayleigh = 1.0;
   scene.airglow = {};  // added below, at the scene's own gain
   scene.twilight = {};

@@ -5,9 +5,18 @@
 namespace vegard::sim {
 
 std::optional<double> mean_energy_kev(const Sheet& sheet) {
-  if (sheet.profile == "mono") return sheet.energy_kev;
-  if (sheet.profile == "gaussian") return gaussian_mean_energy_kev(sheet.energy_kev, sheet.energy_spread);
-  if (sheet.profile == "maxwellian" || sheet.profile == "form") return 2.0 * sheet.energy_kev;
+  switch (sheet.profile) {
+    case ProfileKind::mono:
+      return sheet.energy_kev;
+    case ProfileKind::gaussian:
+      return gaussian_mean_energy_kev(sheet.energy_kev, sheet.energy_spread);
+    case ProfileKind::maxwellian:
+    case ProfileKind::form:
+      return 2.0 * sheet.energy_kev;
+    case ProfileKind::file:
+    case ProfileKind::spline:
+      break;
+  }
   return std::nullopt;
 }
 

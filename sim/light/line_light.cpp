@@ -69,7 +69,7 @@ LineLight line_light(double wavelength_nm, const sim::Scene& scene, int sheet) {
 bool has_line(double wavelength_nm, const sim::Scene& scene, int sheet) {
   if (sim::has_spline_profile(scene.sheets[sheet]))
     return sim::line_index(scene.emission.lines, wavelength_nm) >= 0;
-  if (scene.sheets[sheet].profile != "file") return true;
+  if (scene.sheets[sheet].profile != sim::ProfileKind::file) return true;
   try {
     sim::sheet_profile({wavelength_nm}, scene, sheet);
     return true;

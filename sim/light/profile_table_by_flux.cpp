@@ -10,8 +10,9 @@ namespace vegard::sim {
 
 ProfileTable profile_table_by_flux(const std::vector<double>& lines_nm, const Scene& scene,
                                    const Footprint& f, const ProfileTable& table) {
-  const bool form = f.profile == "form";
-  if (scene.emission.flux_law == "linear" || !(form || f.profile == "maxwellian")) return {};
+  const bool form = f.profile == ProfileKind::form;
+  if (scene.emission.flux_law == FluxLaw::linear || !(form || f.profile == ProfileKind::maxwellian))
+    return {};
   const std::vector<double>& energies = EmissionTable::glow().energies_kev();
   ProfileTable by_flux = table;
   for (std::size_t i = 0; i < table.of_energy.size(); ++i) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "sim/base/number/dual.h"
+#include "sim/scene/structs/sheet_kinds.h"
 
 namespace vegard::sim {
 
@@ -58,9 +59,6 @@ struct FallFrame {
 struct DipoleAxis {
   double in_enu[3];
 };
-
-/// How a beam is deflected (equation (4) of the source paper and its readings, docs/physics.md row B14).
-enum class PitchLaw : int { reduced, product, increment, constant };
 
 template <class T>
 struct Deflection {

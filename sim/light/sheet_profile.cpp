@@ -19,29 +19,38 @@ FormCurve form_curve(const Sheet& sheet) { return {sheet.peak_km, sheet.lower_km
 
 /// The flux at which the light per mW m^-2 is taken: the sheet's own, at the peak of a layer, for all of it.
 double flux_of(const Scene& scene, const Sheet& sheet) {
-  return scene.emission.flux_law == "linear" || has_given_brightness(sheet) ? 1.0 : sheet.energy_flux_mw_m2;
+  return scene.emission.flux_law == FluxLaw::linear || has_given_brightness(sheet) ? 1.0
+                                                                                   : sheet.energy_flux_mw_m2;
 }
 
 HeightProfile of_unit_flux(const std::vector<double>& wavelengths_nm, const Scene& scene,
                            const Sheet& sheet) {
-  if (has_spline_profile(sheet)) return spline_profile(wavelengths_nm, scene, sheet);
-  if (sheet.profile == "mono") return mono_profile(wavelengths_nm, sheet.energy_kev);
-  if (sheet.profile == "gaussian")
-    return gaussian_profile(wavelengths_nm, sheet.energy_kev, sheet.energy_spread);
-  if (sheet.profile == "file") return drawn_profile(wavelengths_nm, scene, sheet);
   const double flux = flux_of(scene, sheet);
-  if (sheet.profile == "form") return form_profile(wavelengths_nm, sheet.energy_kev, form_curve(sheet), flux);
+  switch (sheet.profile) {
+    case ProfileKind::spline:
+      return spline_profile(wavelengths_nm, scene, sheet);
+    case ProfileKind::mono:
+      return mono_profile(wavelengths_nm, sheet.energy_kev);
+    case ProfileKind::gaussian:
+      return gaussian_profile(wavelengths_nm, sheet.energy_kev, sheet.energy_spread);
+    case ProfileKind::file:
+      return drawn_profile(wavelengths_nm, scene, sheet);
+    case ProfileKind::form:
+      return form_profile(wavelengths_nm, sheet.energy_kev, form_curve(sheet), flux);
+    case ProfileKind::maxwellian:
+      break;
+  }
   return maxwellian_profile(wavelengths_nm, sheet.energy_kev, flux);
 }
 
 /// d rate / d Q of a profile per unit flux; empty if there is none.
 std::vector<float> slope_by_flux(const std::vector<double>& wavelengths_nm, const Scene& scene,
                                  const Sheet& sheet) {
-  if (scene.emission.flux_law == "linear" || has_given_brightness(sheet)) return {};
+  if (scene.emission.flux_law == FluxLaw::linear || has_given_brightness(sheet)) return {};
   const double flux = sheet.energy_flux_mw_m2;
-  if (sheet.profile == "form")
+  if (sheet.profile == ProfileKind::form)
     return form_profile_by_flux(wavelengths_nm, sheet.energy_kev, form_curve(sheet), flux).d_rate_d_ln_energy;
-  if (sheet.profile == "maxwellian")
+  if (sheet.profile == ProfileKind::maxwellian)
     return maxwellian_profile_by_flux(wavelengths_nm, sheet.energy_kev, flux).d_rate_d_ln_energy;
   return {};
 }
@@ -49,7 +58,7 @@ std::vector<float> slope_by_flux(const std::vector<double>& wavelengths_nm, cons
 /// Its derivative by a number; empty for one that it does not depend on, or by the energy alone.
 std::vector<float> slope_of_unit_flux(const std::vector<double>& wavelengths_nm, const Scene& scene,
                                       const Sheet& sheet, const double* number) {
-  if (sheet.profile == "gaussian" && number == &sheet.energy_spread)
+  if (sheet.profile == ProfileKind::gaussian && number == &sheet.energy_spread)
     return gaussian_slope(wavelengths_nm, sheet.energy_kev, sheet.energy_spread);
   if (number == &sheet.energy_flux_mw_m2) return slope_by_flux(wavelengths_nm, scene, sheet);
   if (has_spline_profile(sheet)) {
@@ -57,7 +66,7 @@ std::vector<float> slope_of_unit_flux(const std::vector<double>& wavelengths_nm,
     for (std::size_t i = 0; i < rates.size(); ++i)
       if (number == &rates[i]) return spline_slope(wavelengths_nm, scene, sheet, static_cast<int>(i));
   }
-  if (sheet.profile == "form") {
+  if (sheet.profile == ProfileKind::form) {
     const auto by = [&](double FormCurve::*of_curve) {
       return form_slope(wavelengths_nm, sheet.energy_kev, form_curve(sheet), flux_of(scene, sheet), of_curve);
     };
@@ -108,7 +117,7 @@ std::vector<float> profile_slope(const std::vector<double>& wavelengths_nm, cons
 void check_profiles(const Scene& scene) {
   for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
     const Sheet& sheet = scene.sheets[s];
-    if (sheet.profile != "file") continue;
+    if (sheet.profile != ProfileKind::file) continue;
     of_unit_flux(scene.emission.lines, scene, sheet);
     if (!has_given_brightness(sheet)) continue;
     if (column_below(of_unit_flux(kBrightnessLineNm, scene, sheet), 0, sheet.top_km).rayleigh > 0.0) continue;

@@ -40,7 +40,7 @@ double blur_sigma_px(const Scene& scene, int line) {
 }
 
 int blur_radius_px(const Scene& scene, int line) {
-  if (scene.blur.kernel != "paper") return -1;
+  if (scene.blur.kernel != BlurKernelKind::paper) return -1;
   const EmissionLine* known = find_emission_line(scene.emission.lines[line]);
   const double reach = known != nullptr && known->lifetime_s > 10.0 ? 10.5 / 4.75 : 2.5 / 2.0;
   return static_cast<int>(reach * blur_sigma_px(scene, line));

@@ -20,11 +20,11 @@ Image depths_along_rays(const Scene& scene, const DepthImage& depth, int threads
 
 }  // namespace
 
-Image layer_of_literal(const Image& picture, const std::string& blend) {
+Image layer_of_literal(const Image& picture, BlendRule blend) {
   Image layer = picture;
   for (std::size_t i = 0; i < layer.data.size(); i += 4) {
     float& alpha = layer.data[i + 3];
-    if (blend == "add")
+    if (blend == BlendRule::add)
       alpha = 0.0f;
     else
       for (int c = 0; c < 3; ++c) layer.data[i + c] *= alpha;
@@ -36,7 +36,7 @@ Image literal_layer(const Scene& scene, int threads) {
   Image all;
   std::optional<Image> depth_km;
   for (const Nebula& nebula : scene.nebulae) {
-    if (nebula.method != "literal") continue;
+    if (nebula.method != NebulaMethod::literal) continue;
     if (!depth_km && !scene.march.depth.empty())
       depth_km = depths_along_rays(scene, read_depth(scene), threads);
     const Image picture = literal_nebula_picture(scene, nebula, depth_km ? &*depth_km : nullptr, threads);

@@ -16,6 +16,6 @@ Image literal_layer(const Scene& scene, int threads);
 /// cover() with (sim/view/film/composite.h):
 ///   "alpha": rgb a + c (1 - a);  "add": rgb + c
 /// for c behind it.
-Image layer_of_literal(const Image& picture, const std::string& blend);
+Image layer_of_literal(const Image& picture, BlendRule blend);
 
 }  // namespace vegard::sim

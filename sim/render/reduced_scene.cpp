@@ -15,7 +15,7 @@ double expected_deflection_points(const Scene& scene) {
   for (const Sheet& sheet : scene.sheets) {
     const std::optional<double> energy_kev = mean_energy_kev(sheet);
     const double path_step =
-        sheet.step_rule == "energy" && energy_kev ? path_step_of(*energy_kev) : sheet.path_step;
+        sheet.step_rule == PathStepRule::energy && energy_kev ? path_step_of(*energy_kev) : sheet.path_step;
     points += 2.0 / path_step * beams_per_layer(sheet) * sheet.layers * sheet.arcs;
   }
   return points * scene.time.instants;

@@ -11,6 +11,7 @@
 #include "sim/render/physical_blur.h"
 #include "sim/render/render_memory.h"
 #include "sim/render/volume_layer.h"
+#include "sim/scene/lines/camera_responses.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/view/colour/colour.h"
 #include "sim/view/colour/line_colours.h"
@@ -121,7 +122,7 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
     std::optional<Exposer> own_exposer;
     Exposure exposure;
     Exposer* exposer = nullptr;
-    if (scene.blur.model == "angle")
+    if (scene.blur.model == BlurModel::angle)
       exposer = options.memory != nullptr ? &options.memory->exposer(film)
                                           : &own_exposer.emplace(scene, film, options.threads);
     const auto lines_of = [&](std::size_t n, int only_sheet, std::uint64_t& points) {
@@ -189,7 +190,8 @@ Image shown_light(const Scene& scene, const Rendering& rendering) {
 }
 
 Image light_on_sensor(const Scene& scene, const Rendering& rendering) {
-  return scene.sensor.response == "cie" ? shown_light(scene, rendering) : rendering.rgb;
+  return response_kind(scene.sensor.response) == ResponseKind::cie ? shown_light(scene, rendering)
+                                                                   : rendering.rgb;
 }
 
 Image display_picture(const Scene& scene, const Rendering& rendering) {

@@ -32,7 +32,7 @@ VolumePictures volume_pictures(const Scene& scene, const FilmGeometry& film, con
                                bool blurred, int threads) {
   VolumePictures pictures;
   pictures.rayleigh = picture_of_film(scene, film, light.rayleigh.data(), blurred, threads);
-  if (light.kept.empty() || scene.march.blend == "add") return pictures;
+  if (light.kept.empty() || scene.march.blend == BlendRule::add) return pictures;
   std::vector<float> hidden(light.kept.size());
   for (std::size_t i = 0; i < hidden.size(); ++i) hidden[i] = 1.0f - light.kept[i];
   pictures.hidden = picture_of_film(scene, film, hidden.data(), blurred, threads);

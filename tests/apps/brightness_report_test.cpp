@@ -14,7 +14,7 @@ using nlohmann::json;
 sim::Scene bright_scene() {
   sim::Scene scene = tests::small_scene();
   scene.sheets[0].brightness_kilorayleigh = 100.0;
-  scene.sensor.exposure = "camera";
+  scene.sensor.exposure = sim::ExposureRule::camera;
   scene.time.exposure_s = 2.0;
   return scene;
 }

@@ -118,8 +118,9 @@ TEST(CameraJson, SaysFieldOfViewAndSite) {
               2.0 * std::atan(0.75 * std::tan(M_PI / 6.0)) * 180.0 / M_PI, 1e-12);
   EXPECT_EQ(camera["site"]["altitude_m"], 300.0);
   EXPECT_EQ(camera_json_name("a/b.c.png"), "a/b.c.camera.json");
-  scene.camera.model = "something else";
-  tests::expect_words(sim::ErrorKind::scene, {"camera.model", "pinhole"}, [&] { camera_json(scene); });
+  scene.camera.model = sim::LensModel::equisolid;
+  tests::expect_words(sim::ErrorKind::scene, {"camera.model", "equisolid", "pinhole"},
+                      [&] { camera_json(scene); });
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim/view/camera/camera.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::apps {
@@ -99,7 +100,7 @@ TEST(PreviewControls, DraggingCarriesTheSkyAlong) {
 TEST(PreviewControls, ZoomsEveryLensByTheSameShare) {
   for (const char* model : {"pinhole", "equidistant"}) {
     sim::Scene scene = scene_with_a_footprint();
-    scene.camera.model = model;
+    scene.camera.model = tests::kind_named<sim::LensModel>(model);
     PreviewControls controls(scene);
     const double before = sim::camera_view(scene.camera).lens.focal_px;
     controls.zoom(3.0);

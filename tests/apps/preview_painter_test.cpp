@@ -30,7 +30,7 @@ TEST(PreviewPainter, ShowsTheVeryBytesOfARenderingOfTheReducedScene) {
   reduction.most = {80, 80};
   reduction.points = 1e5;
   for (int n = 0; n < 4; ++n) {
-    if (n == 2) scene.sensor.tone = "gamma";
+    if (n == 2) scene.sensor.tone = sim::ToneKind::gamma;
     if (n == 3) reduction.most = {64, 64};
     scene.camera.azimuth_deg += 3.0;
     scene.sheets[0].energy_kev += 0.5;

@@ -78,7 +78,7 @@ struct Workload {
     scene.camera.azimuth_deg = 0.0;
     scene.march.step_km = step_km;
     sim::Footprint shell;
-    shell.shape = "shell";
+    shell.shape = sim::FootprintShape::shell;
     scene.footprints.push_back(shell);
     film = sim::film_for(scene, 0, 0, width, height, 1.0, 1.0);
     sim::ProfileTable profiles;

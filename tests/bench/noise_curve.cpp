@@ -16,6 +16,7 @@
 #include "fit/report/plot/plot.h"
 #include "sim/render/film.h"
 #include "tests/support/block_means.h"
+#include "tests/support/kind_named.h"
 
 namespace vegard::bench {
 namespace {
@@ -38,7 +39,7 @@ Point measure(int beams, const Rule& rule, const std::vector<double>& truth) {
   for (int s = 0; s < kSeeds; ++s) {
     sim::Scene scene = tests::undeflected_scene(beams);
     scene.seed = 100 + s;
-    scene.sheets[0].spacing_rule = rule.name;
+    scene.sheets[0].spacing_rule = tests::kind_named<sim::SpacingRule>(rule.name);
     scene.sheets[0].spacing_jitter = rule.jitter;
     of_seed.push_back(tests::blocks_by_beams(scene, kLine));
   }

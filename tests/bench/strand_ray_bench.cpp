@@ -18,6 +18,7 @@
 #include "sim/base/parallel.h"
 #include "sim/emit/sun/strand/macro_loop.h"
 #include "sim/emit/sun/strand/strand_emitter.h"
+#include "tests/support/kind_named.h"
 
 namespace vegard::bench {
 namespace {
@@ -50,7 +51,7 @@ class Bench {
     loop.root_noise = 4.0;
     loop.height_noise = 0.15;
     loop.tilt_noise_deg = 6.0;
-    loop.density_falloff = options.falloff;
+    loop.density_falloff = tests::kind_named<sim::RadialFalloff>(options.falloff);
     strands_ = strands_of<double>(sun_, loop, 1, plain);
     cell_rad_ = 160.0 * sun_.unit_km / sun_.distance_km / options.width;
   }

@@ -46,7 +46,7 @@ Scene exposed_scene() {
   return scene;
 }
 
-Rendering rendered(int threads, const char* blur_model = "angle") {
+Rendering rendered(int threads, BlurModel blur_model = BlurModel::angle) {
   RenderOptions options;
   options.threads = threads;
   Scene scene = busy_scene();
@@ -87,10 +87,10 @@ TEST(SameBytes, OfAPictureForAnyThreadsAndRun) {
 }
 
 TEST(SameBytes, OfAPhysicallyBlurredPictureForAnyThreads) {
-  const Rendering one = rendered(1, "physical");
+  const Rendering one = rendered(1, BlurModel::physical);
   EXPECT_FALSE(tests::same_bytes(one.rayleigh.data, rendered(1).rayleigh.data));
   for (int threads : {1, 2, 3}) {
-    const Rendering again = rendered(threads, "physical");
+    const Rendering again = rendered(threads, BlurModel::physical);
     EXPECT_TRUE(tests::same_bytes(one.rayleigh.data, again.rayleigh.data)) << threads << " threads";
     EXPECT_EQ(one.deflection_points, again.deflection_points);
   }
@@ -158,7 +158,7 @@ TEST(SameBytes, OfTheFilmWithAndWithoutDerivatives) {
 
 TEST(SameBytes, OnEveryInstructionSet) {
   const std::string best = kernel_instruction_set();
-  const Rendering picture = rendered(2), physical = rendered(2, "physical");
+  const Rendering picture = rendered(2), physical = rendered(2, BlurModel::physical);
   const Exposure derivatives = with_derivatives(2), beams = with_beam_derivatives(2);
   int tried = 0;
   const std::int64_t available = hwy::SupportedTargets();
@@ -169,7 +169,7 @@ TEST(SameBytes, OnEveryInstructionSet) {
     ASSERT_STREQ(kernel_instruction_set(), hwy::TargetName(target));
     ++tried;
     EXPECT_TRUE(tests::same_bytes(rendered(2).rgb.data, picture.rgb.data));
-    EXPECT_TRUE(tests::same_bytes(rendered(2, "physical").rgb.data, physical.rgb.data));
+    EXPECT_TRUE(tests::same_bytes(rendered(2, BlurModel::physical).rgb.data, physical.rgb.data));
     EXPECT_TRUE(tests::same_bytes(with_derivatives(2).derivative, derivatives.derivative));
     EXPECT_TRUE(tests::same_bytes(with_beam_derivatives(2).derivative, beams.derivative));
   }

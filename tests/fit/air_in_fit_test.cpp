@@ -24,7 +24,7 @@ sim::Scene low_scene() {
   scene.sheets[0].beams = 4000;
   scene.sheets[0].spacing_jitter = 0.0;
   scene.blur.width_deg = {0.43, 0.25, 0.3};
-  scene.air.model = "standard";
+  scene.air.model = sim::AirModel::standard;
   return scene;
 }
 
@@ -178,7 +178,7 @@ TEST(AirInAFit, KnownAirGivesTheEnergyBackAndMissingAirBiasesIt) {
   }
   EXPECT_LT(std::sqrt(residual / light), 0.1);
   sim::Scene airless = start;
-  airless.air.model = "none";
+  airless.air.model = sim::AirModel::none;
   const FitResult without = fit_with(airless, photo);
   std::cout << "E0 4 keV: with the air " << with.parameters[0].value << ", without "
             << without.parameters[0].value << " (chi2 " << with.chi2 << ", " << without.chi2 << ")\n";
@@ -192,7 +192,7 @@ TEST(AirInAFit, KnownAirGivesTheEnergyBackAndMissingAirBiasesIt) {
 // that, and the fit is not to count on it.
 TEST(AirInAFit, AirglowOnABlackSkyIsClippedAsThePhotographWas) {
   sim::Scene truth = low_scene();
-  truth.air.model = "none";
+  truth.air.model = sim::AirModel::none;
   truth.sky = {};
   truth.sheets[0].energy_kev = 3.0;
   truth.airglow.green_rayleigh = 2000.0;

@@ -22,7 +22,7 @@ sim::Scene true_scene() {
   scene.fit.photos.clear();
   scene.camera.width = 96;
   scene.camera.height = 72;
-  scene.sheets[0].profile = "maxwellian";
+  scene.sheets[0].profile = sim::ProfileKind::maxwellian;
   scene.sheets[0].layers = 1;
   scene.sheets[0].beams = 4000;
   scene.sheets[0].energy_kev = kEnergy;
@@ -137,7 +137,7 @@ TEST(CurveFit, RefusesWhatItCannotWeigh) {
   scene.fit.colour_weight = 1.0;
   refused(scene, {}, "fit.colour_weight");
   scene = start;
-  scene.fit.photo_noise = "sensor";
+  scene.fit.photo_noise = sim::PhotoNoise::sensor;
   refused(scene, {}, "fit.photo_noise");
   FitOptions options;
   options.mcmc = 10;

@@ -107,7 +107,7 @@ TEST(CheckDerivatives, EndsWhenItIsToldTo) {
 TEST(CheckDerivatives, OfAPhotographsWholeCost) {
   sim::Scene scene = tests::small_scene();
   scene.sheets[0].beams = 2000;
-  scene.emission.flux_law = "linear";  // else the flux changes the colour too
+  scene.emission.flux_law = sim::FluxLaw::linear;  // else the flux changes the colour too
   scene.sky.level = {0.02, 0.03, 0.05};
   scene.fit.bands = 3;
   for (const char* path : {"sheet.main.center_km.north", "sheet.main.energy_kev", "sheet.main.phase_rad",

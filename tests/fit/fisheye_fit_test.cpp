@@ -13,7 +13,7 @@ namespace {
 sim::Scene all_sky() {
   sim::Scene scene = tests::small_scene();
   sim::Camera& camera = scene.camera;
-  camera.model = "equisolid";
+  camera.model = sim::LensModel::equisolid;
   camera.width = 200;
   camera.height = 200;
   camera.focal_px = 70.0;

@@ -11,6 +11,7 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/sensor/sensor.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::fit {
@@ -20,7 +21,7 @@ const std::string kScenes = std::string(VEGARD_SOURCE_DIR) + "/tests/cli/scenes/
 
 /// A camera with its own tone curve and dark corners, at an ISO of 1600.
 void set_camera(sim::Scene& scene) {
-  scene.sensor.tone = "gamma";
+  scene.sensor.tone = sim::ToneKind::gamma;
   scene.sensor.gamma = 1.8;
   scene.sensor.vignetting_cos_power = 4.0;
   scene.sensor.vignetting = {-0.3, 0.1, 0.0};
@@ -44,7 +45,7 @@ TEST(PhotographOfASensor, IsDecodedByIt) {
   sim::Scene scene = sim::read_scene(kScenes + "small.toml");
   set_camera(scene);
   scene.sky.level = {0.1, 0.1, 0.1};
-  scene.sensor.mosaic = "none";
+  scene.sensor.mosaic = sim::MosaicPattern::none;
   const Taken taken = photograph_of(scene, folder / "photo.tif", 16, 100);
   const Photo photo = read_photo(taken.file, Decoding::sensor, &scene);
   EXPECT_EQ(photo.decoding, "sensor: gamma 1.8 (16-bit TIFF, as asked)");
@@ -95,7 +96,7 @@ TEST(PhotographOfASensor, GivesTheEnergyBack) {
     sim::Scene start = sim::read_scene(kScenes + "fit.toml");
     for (sim::Scene* scene : {&truth, &start}) {
       set_camera(*scene);
-      scene->sensor.mosaic = mosaic;
+      scene->sensor.mosaic = tests::kind_named<sim::MosaicPattern>(mosaic);
       scene->sensor.gain_per_kilorayleigh = 0.03;
     }
     const Taken taken = photograph_of(truth, folder / (std::string(mosaic) + ".png"), 16, 100);

@@ -19,7 +19,7 @@ sim::Scene sequence_scene() {
   scene.fit.photos.clear();
   scene.camera.width = 96;
   scene.camera.height = 72;
-  scene.sheets[0].profile = "maxwellian";
+  scene.sheets[0].profile = sim::ProfileKind::maxwellian;
   scene.sheets[0].layers = 1;
   scene.sheets[0].beams = 4000;
   scene.fit.bands = 6;

@@ -67,7 +67,7 @@ struct TwoPhotographs {
 
 sim::Scene moving_scene() {
   sim::Scene scene = tests::two_stations();
-  scene.sheets[0].profile = "maxwellian";
+  scene.sheets[0].profile = sim::ProfileKind::maxwellian;
   scene.sheets[0].beams = 3000;
   scene.sheets[0].length_km = 260.0;
   scene.sheets[0].bearing_deg = 83.0;

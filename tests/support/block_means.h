@@ -16,7 +16,7 @@ namespace vegard::tests {
 
 inline void fall_straight(sim::Sheet& sheet) {
   sheet.loss_cone_deg = 0.0;
-  sheet.pitch_law = "constant";
+  sheet.pitch_law = sim::PitchLaw::constant;
 }
 
 /// A smooth sheet without deflections, in front of a small camera.

@@ -37,12 +37,12 @@ inline std::vector<FreePath> free_paths(const sim::Scene& scene) {
       continue;  // it counts for nothing, and validate() does not let it be free
     // A Sun that is not shown, lights that do not shine, and air that is not there.
     if (path.row->table == "sun" && !scene.sun.shown) continue;
-    if (path.row->table == "air" && scene.air.model == "none") continue;
+    if (path.row->table == "air" && scene.air.model == sim::AirModel::none) continue;
     if ((path.row->table == "airglow" || path.row->table == "light_pollution") &&
         *sim::real_value(scene, path) == 0.0)
       continue;
     if (path.row->key == "energy_spread" && path.sheet() >= 0 &&
-        scene.sheets[path.sheet()].profile != "gaussian")
+        scene.sheets[path.sheet()].profile != sim::ProfileKind::gaussian)
       continue;
     const double value = *sim::real_value(scene, path);
     double step = path.row->scale == sim::ParameterScale::logarithmic && value > 0.0 ? 1e-4 * value : 1e-4;

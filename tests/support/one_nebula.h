@@ -8,13 +8,14 @@
 
 #include "sim/emit/nebula/nebula_emitter.h"
 #include "sim/scene/structs/scene.h"
+#include "tests/support/kind_named.h"
 
 namespace vegard::tests {
 
 inline sim::Node node_of(const std::string& name, const std::string& kind, const std::string& of = "") {
   sim::Node node;
   node.name = name;
-  node.kind = kind;
+  node.kind = tests::kind_named<sim::NodeKind>(kind);
   node.of = of;
   return node;
 }

@@ -9,7 +9,8 @@ namespace vegard::tests {
 inline sim::Scene small_scene() {
   sim::Scene scene;
   scene.seed = 20140221;
-  scene.emission.flux_law = "linear";  // the film's derivative by the energy flux is that of proportion
+  scene.emission.flux_law =
+      sim::FluxLaw::linear;  // the film's derivative by the energy flux is that of proportion
   scene.camera.width = 160;
   scene.camera.height = 120;
   scene.camera.hfov_deg = 60.0;

@@ -2,28 +2,12 @@
 
 #include <algorithm>
 
+#include "sim/scene/table/parameter_table.h"
+
 namespace vegard::fit {
 
-const char* name_of(sim::LensModel model) {
-  switch (model) {
-    case sim::LensModel::pinhole:
-      return "pinhole";
-    case sim::LensModel::equidistant:
-      return "equidistant";
-    case sim::LensModel::equisolid:
-      return "equisolid";
-    case sim::LensModel::stereographic:
-      return "stereographic";
-    case sim::LensModel::orthographic:
-      return "orthographic";
-    case sim::LensModel::polynomial:
-      return "polynomial";
-  }
-  return "";
-}
-
 std::string words_of(const LensForm& form) {
-  std::string words = name_of(form.model);
+  std::string words = sim::word_of(form.model);
   for (int i = 1; i <= form.radial; ++i) words += " k" + std::to_string(i);
   if (form.decentring) words += ", p1 p2";
   if (form.aspect) words += ", aspect";

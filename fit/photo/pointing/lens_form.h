@@ -15,9 +15,6 @@ struct LensForm {
   bool aspect = false;
 };
 
-/// "pinhole", "polynomial".
-const char* name_of(sim::LensModel model);
-
 /// "polynomial k1 k2, p1 p2, aspect".
 std::string words_of(const LensForm& form);
 

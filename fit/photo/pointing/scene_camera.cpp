@@ -6,6 +6,7 @@
 #include "sim/base/file/csv_text.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/version.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::fit {
 namespace {
@@ -44,7 +45,7 @@ std::string in_one_line(const std::string& words) {
 
 SkyCamera sky_camera_of(const sim::Camera& camera, const Frame& frame) {
   SkyCamera sky;
-  sky.model = sim::lens_model(camera.model);
+  sky.model = camera.model;
   sky.mirrored = camera.mirrored;
   sky.camera_from_enu = rotation_of(camera.azimuth_deg, camera.elevation_deg, camera.roll_deg);
   auto& n = sky.numbers;
@@ -67,7 +68,7 @@ sim::Camera scene_camera_of(const Calibration& calibration) {
   const auto& n = sky.numbers;
   const Frame& frame = calibration.frame;
   sim::Camera camera;
-  camera.model = name_of(sky.model);
+  camera.model = sky.model;
   camera.mirrored = sky.mirrored;
   camera.width = frame.width_px;
   camera.height = frame.height_px;
@@ -120,7 +121,7 @@ std::string camera_toml(const Calibration& calibration, const CalibrationOrigin&
     text += "\n";
   }
   text += "[camera]\n";
-  text += line("model", quoted(name_of(calibration.camera.model)));
+  text += line("model", quoted(sim::word_of(calibration.camera.model)));
   text += line("width", std::to_string(calibration.frame.width_px),
                calibration.frame.known ? "" : "guessed from where the stars are");
   text +=

@@ -32,7 +32,8 @@ double arc_offset_km(const sim::Sheet& sheet, int arc) {
 
 /// By the field, as sim/render/beams/kernel_scene.cpp has it.
 bool is_northern(const sim::Scene& scene) {
-  if (scene.field.model == "dipole") return sim::dipole_axis(scene.field, scene.site).in_enu[2] >= 0.0;
+  if (scene.field.model == sim::FieldModel::dipole)
+    return sim::dipole_axis(scene.field, scene.site).in_enu[2] >= 0.0;
   return scene.field.inclination_deg >= 0.0;
 }
 

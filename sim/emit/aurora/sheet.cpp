@@ -55,17 +55,16 @@ std::uint32_t layer_address(int sheet_index, int arc, int layer) {
 LayerPlaces::LayerPlaces(const Sheet& sheet, std::uint32_t layer_address, std::uint64_t seed, double beyond)
     : seed_(seed),
       address_(layer_address),
-      rule_(sheet.spacing_rule == "literal" ? Rule::literal
-            : sheet.spacing_rule == "tied"  ? Rule::tied
-                                            : Rule::stratified),
+      rule_(sheet.spacing_rule),
       jitter_(sheet.spacing_jitter),
       shift_(uniform(random_words(seed, Stream::cross_section, 0, layer_address)[0])) {
   const int own = beams_per_layer(sheet);
   // An odd number of beams more puts both ends into the middle of a beam: at a border the light has a kink.
-  const int more = rule_ == Rule::literal || beyond <= 0.0 ? 0 : 2 * static_cast<int>(beyond * own) + 1;
+  const int more =
+      rule_ == SpacingRule::literal || beyond <= 0.0 ? 0 : 2 * static_cast<int>(beyond * own) + 1;
   beams_ = own + more;
   beyond_ = 0.5 * more / own;
-  if (rule_ == Rule::stratified) return;
+  if (rule_ == SpacingRule::stratified) return;
   double sum = 0.0;
   for (int i = 0; i < beams_; ++i) {
     if (i % kSumEvery == 0) sums_.push_back(sum);
@@ -77,8 +76,8 @@ LayerPlaces::LayerPlaces(const Sheet& sheet, std::uint32_t layer_address, std::u
 LayerPlaces::Step LayerPlaces::step(int beam) const {
   const Words words = random_words(seed_, Stream::beam_spacing, static_cast<std::uint32_t>(beam), address_);
   const double u = uniform(words[0]), even = 1.0 / beams_;
-  return {rule_ == Rule::literal ? even * (u > 0.5 ? 1.0 + u : 1.0 - u)
-                                 : even * (1.0 + jitter_ * (2.0 * u - 1.0)),
+  return {rule_ == SpacingRule::literal ? even * (u > 0.5 ? 1.0 + u : 1.0 - u)
+                                        : even * (1.0 + jitter_ * (2.0 * u - 1.0)),
           jitter_ * (u - 0.5), uniform(words[1])};
 }
 
@@ -90,22 +89,22 @@ void LayerPlaces::fill(int first, int count, BeamPlace* out) const {
     const Step step = this->step(i);
     BeamPlace& place = out[i - first];
     switch (rule_) {
-      case Rule::stratified:
+      case SpacingRule::stratified:
         place.s = scaled((i + 0.5 + step.shift) * even);
         place.from = scaled(i * even);
         place.to = scaled((i + 1) * even);
         break;
-      case Rule::tied:
+      case SpacingRule::tied:
         place.s = scaled(s + 0.5 * step.length);
         place.from = scaled(s);
         place.to = scaled(s + step.length);
         break;
-      case Rule::literal:
+      case SpacingRule::literal:
         place.s = place.from = s;
         place.to = s + even;
         break;
     }
-    place.s_of_phase = rule_ == Rule::literal ? i * even : place.s;
+    place.s_of_phase = rule_ == SpacingRule::literal ? i * even : place.s;
     s += step.length;
     double across = van_der_corput(static_cast<std::uint32_t>(i)) + shift_;
     if (across >= 1.0) across -= 1.0;

@@ -95,7 +95,6 @@ class LayerPlaces {
   void fill(int first, int count, BeamPlace* out) const;
 
  private:
-  enum class Rule { stratified, tied, literal };
   struct Step {
     double length, shift, depth;
   };
@@ -104,7 +103,7 @@ class LayerPlaces {
   std::uint64_t seed_;
   std::uint32_t address_;
   int beams_;
-  Rule rule_;
+  SpacingRule rule_;
   double jitter_, beyond_, shift_;
   std::vector<double>
       sums_;  ///< of the steps before beam i * kSumEvery; at the end, of all; empty if stratified

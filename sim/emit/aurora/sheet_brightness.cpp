@@ -21,7 +21,7 @@ double vertical_at_centre(const Scene& scene, const Sheet& sheet) {
   if (!(std::hypot(east, north) < kFarthestKm)) return 0.0;
   const Field& field = scene.field;
   const FallFrame<double> fall =
-      field.model == "dipole"
+      field.model == FieldModel::dipole
           ? dipole_fall_frame(dipole_axis(field, scene.site), east, north)
           : fall_frame(field.inclination_deg * kRadiansPerDegree, field.declination_deg * kRadiansPerDegree);
   const Beam<double> beam =

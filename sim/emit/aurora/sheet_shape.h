@@ -12,7 +12,7 @@ namespace vegard::sim {
 
 /// Whether electrons fall along the field, not against it: in the northern magnetic hemisphere, that is.
 inline bool falls_along_field(const Scene& scene) {
-  if (scene.field.model == "dipole") return dipole_axis(scene.field, scene.site).in_enu[2] >= 0.0;
+  if (scene.field.model == FieldModel::dipole) return dipole_axis(scene.field, scene.site).in_enu[2] >= 0.0;
   return scene.field.inclination_deg >= 0.0;
 }
 

@@ -15,9 +15,9 @@ namespace vegard::sim {
 template <class T>
 FootWay way_of_foot(const Scene& scene, const Footprint& footprint, const NumberAs<T>& number, T axis[3]) {
   std::fill_n(axis, 3, T(0.0));
-  if (footprint.shape == "shell") return FootWay::shell;
-  if (footprint.fall != "field") return FootWay::vertical;
-  if (scene.field.model == "dipole") {
+  if (footprint.shape == FootprintShape::shell) return FootWay::shell;
+  if (footprint.fall != FootprintFall::field) return FootWay::vertical;
+  if (scene.field.model == FieldModel::dipole) {
     const DipoleAxis dipole = dipole_axis(scene.field, scene.site);
     std::copy_n(dipole.in_enu, 3, axis);
     return FootWay::dipole;

@@ -9,9 +9,9 @@ MarchRays::MarchRays(const Scene& scene, const Footprint& footprint, double bott
       bottom_km_(bottom_km),
       top_km_(footprint.top_km),
       step_km_(scene.march.step_km),
-      literal_ghosts_(scene.march.ghosts == "literal"),
+      literal_ghosts_(scene.march.ghosts == GhostRule::literal),
       axes_{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}} {
-  if (footprint.shape != "shell") return;
+  if (footprint.shape != FootprintShape::shell) return;
   const double lat = scene.site.latitude_deg * kRadiansPerDegree,
                lon = scene.site.longitude_deg * kRadiansPerDegree;
   const double axes[3][3] = {{-std::sin(lon), std::cos(lon), 0.0},

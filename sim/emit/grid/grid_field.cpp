@@ -13,7 +13,7 @@ constexpr double kBrick = GridBricks::kEdge, kCoarseCell = kBrick * GridBricks::
 }  // namespace
 
 GridField::GridField(const GridBricks& grid, const Volume& volume, const Sun* sun)
-    : grid_(grid), unit_km_(volume.frame == "sun" && sun != nullptr ? sun->unit_km : 1.0) {
+    : grid_(grid), unit_km_(volume.frame == VolumeFrame::sun && sun != nullptr ? sun->unit_km : 1.0) {
   for (int a = 0; a < 3; ++a) {
     from_[a] = grid.place().shift[a];
     for (int c = 0; c < 3; ++c) from_[a] -= volume.shift_km[c] / unit_km_ * grid.place().turn[a][c];

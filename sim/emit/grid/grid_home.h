@@ -34,7 +34,7 @@ GridHome<T> grid_home(const GridBricks& grid, const Volume& volume, const Sun* s
                       const NumberAs<T>& number) {
   GridHome<T> home;
   const GridPlace& place = grid.place();
-  const bool on_sun = volume.frame == "sun" && sun != nullptr;
+  const bool on_sun = volume.frame == VolumeFrame::sun && sun != nullptr;
   const double unit_km = on_sun ? sun->unit_km : 1.0;
   home.voxel_km = grid.voxel_km() * unit_km;
   T shift[3];

@@ -46,23 +46,8 @@ int NodeMap<T>::node(const std::string& name) const {
 template <class T>
 typename NodeMap<T>::Placed NodeMap<T>::worked_out(const Scene& scene, const Node& node,
                                                    const NumberAs<T>& number) {
-  static const std::map<std::string, Kind> kinds = {{"sphere", Kind::sphere},
-                                                    {"shell", Kind::shell},
-                                                    {"lobes", Kind::lobes},
-                                                    {"torus", Kind::torus},
-                                                    {"tube", Kind::tube},
-                                                    {"slab", Kind::slab},
-                                                    {"filaments", Kind::filaments},
-                                                    {"turbulence", Kind::turbulence},
-                                                    {"warp", Kind::warp},
-                                                    {"union", Kind::unite},
-                                                    {"intersection", Kind::intersect},
-                                                    {"difference", Kind::subtract},
-                                                    {"scale", Kind::place},
-                                                    {"rotate", Kind::place},
-                                                    {"move", Kind::place}};
   Placed to;
-  to.kind = kinds.at(node.kind);
+  to.kind = node.kind;
   for (const std::string& name : node_names(node.of)) to.of.push_back(by_name_.at(name));
   to.is_placed = must_place<T>(node);
   T angle[3], product(1.0);
@@ -126,11 +111,19 @@ T NodeMap<T>::distance(int index, const T point[3], double cutoff) const {
     case Kind::subtract:
       d = combined(node, inner, cutoff);
       break;
-    case Kind::place:
+    case Kind::scale:
+    case Kind::rotate:
+    case Kind::move:
       d = distance(node.of[0], inner, cutoff);
       break;
-    default:
+    case Kind::sphere:
+    case Kind::shell:
+    case Kind::lobes:
+    case Kind::torus:
+    case Kind::tube:
+    case Kind::slab:
       d = shape(node, inner);
+      break;
   }
   return node.is_placed ? d * node.scale : d;
 }
@@ -253,7 +246,9 @@ double NodeMap<T>::hull_inside(const Placed& node, const double p[3]) const {
       return most;
     }
     case Kind::subtract:
-    case Kind::place:
+    case Kind::scale:
+    case Kind::rotate:
+    case Kind::move:
       return child(0);
   }
   return 0.0;

@@ -34,21 +34,7 @@ class NodeMap {
   double steepness(int node) const { return nodes_[node].steepness; }
 
  private:
-  enum class Kind {
-    sphere,
-    shell,
-    lobes,
-    torus,
-    tube,
-    slab,
-    filaments,
-    turbulence,
-    warp,
-    unite,
-    intersect,
-    subtract,
-    place
-  };
+  using Kind = NodeKind;
   struct Placed {
     Kind kind;
     std::vector<int> of;

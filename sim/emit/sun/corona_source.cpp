@@ -8,9 +8,7 @@ namespace vegard::sim {
 
 template <class T>
 CoronaSource<T>::CoronaSource(const Scene& scene, const Corona& corona, const NumberAs<T>& number)
-    : kind_(corona.light == "scattered" ? Kind::scattered
-            : corona.light == "square"  ? Kind::square
-                                        : Kind::density),
+    : kind_(corona.light),
       square_radius_(scene.sun.radius * scene.sun.radius),
       density_(number(corona.density)),
       polar_(number(corona.polar)),
@@ -34,8 +32,8 @@ T CoronaSource<T>::density(const T& square, const T& square_sine_latitude) const
 template <class T>
 T CoronaSource<T>::light(const T& square, const T& square_sine_latitude, const T& square_sine_chi) const {
   const T here = density(square, square_sine_latitude);
-  if (kind_ == Kind::density) return here;
-  if (kind_ == Kind::square) return here * here;
+  if (kind_ == CoronaLight::density) return here;
+  if (kind_ == CoronaLight::square) return here * here;
   return here * scattered_light(square_radius_ / square, square_sine_chi, darkening_, darkening_square_) /
          scattered_below_;
 }

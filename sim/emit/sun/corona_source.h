@@ -25,9 +25,7 @@ class CoronaSource {
   T light(const T& square, const T& square_sine_latitude, const T& square_sine_chi) const;
 
  private:
-  enum class Kind { density, square, scattered };
-
-  Kind kind_;
+  CoronaLight kind_;
   double square_radius_;
   T density_, polar_, darkening_, darkening_square_, scattered_below_;
   std::vector<T> share_, power_;

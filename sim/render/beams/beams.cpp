@@ -99,8 +99,8 @@ BeamLayout::BeamLayout(const Scene& scene, double beyond)
   for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
     const Sheet& sheet = scene.sheets[s];
     const std::optional<double> energy_kev = mean_energy_kev(sheet);
-    path_steps_.push_back(sheet.step_rule == "energy" && energy_kev ? path_step_of(*energy_kev)
-                                                                    : sheet.path_step);
+    path_steps_.push_back(sheet.step_rule == PathStepRule::energy && energy_kev ? path_step_of(*energy_kev)
+                                                                                : sheet.path_step);
     places_.emplace_back();
     for (int arc = 0; arc < sheet.arcs; ++arc) {
       places_.back().emplace_back();
@@ -137,7 +137,7 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
   out.axes.clear();
   out.places.resize(chunk.count);
   const Sheet& sheet = scene.sheets[chunk.sheet];
-  const bool literal = sheet.spacing_rule == "literal";
+  const bool literal = sheet.spacing_rule == SpacingRule::literal;
   const double instant = instants_s_[chunk.instant];
   const StretchOfSheet& stretch = stretches_[chunk.instant][chunk.sheet];
   const SheetShape<double> shape = shape_of(scene, chunk.sheet, chunk.arc, instant, NoSeeds());

@@ -58,13 +58,6 @@ bool looks_below_horizon(const CameraView<double>& view, const FilmGeometry& fil
          y_px <= film.y0_px + film.rows * film.cell_height_px;
 }
 
-PitchLaw pitch_law(const std::string& name) {
-  if (name == "product") return PitchLaw::product;
-  if (name == "increment") return PitchLaw::increment;
-  if (name == "constant") return PitchLaw::constant;
-  return PitchLaw::reduced;
-}
-
 }  // namespace
 
 int Seeds::parameter_at(const double* address) const {
@@ -92,9 +85,9 @@ KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_ste
   KernelScene k;
   k.fall = fall_frame(local<PlaceDual>(scene.field.inclination_deg, inclination),
                       local<PlaceDual>(scene.field.declination_deg, declination));
-  k.beams_own_field = scene.field.model == "dipole";
+  k.beams_own_field = scene.field.model == FieldModel::dipole;
   if (k.beams_own_field) k.dipole = dipole_axis(scene.field, scene.site);
-  k.deflection.law = pitch_law(sheet.pitch_law);
+  k.deflection.law = sheet.pitch_law;
   k.deflection.loss_cone_rad = local<LocalDual>(sheet.loss_cone_deg, loss_cone);
   k.deflection.pitch_step_rad = local<LocalDual>(sheet.pitch_step_rad, pitch_step, 1.0);
   k.deflection.path_step = path_step;
@@ -109,8 +102,8 @@ KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_ste
     k.edges = film_edges(plain.lens, film);
     k.earth_hides = looks_below_horizon(plain, film, k.observer_altitude_km);
   }
-  k.nearest_cell = scene.film.splat == "nearest";
-  k.unit_weight = scene.film.weight == "unit";
+  k.nearest_cell = scene.film.splat == SplatRule::nearest;
+  k.unit_weight = scene.film.weight == PointWeight::unit;
   k.seed = scene.seed;
   k.profiles = profiles.data();
   return k;

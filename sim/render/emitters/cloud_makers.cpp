@@ -13,7 +13,7 @@ namespace {
 template <class T>
 void add_nebulae(const EmitterInputs<T>& in, Emitters<T>& all) {
   for (const Nebula& nebula : in.scene.nebulae)
-    if (nebula.method != "literal")
+    if (nebula.method != NebulaMethod::literal)
       all.push_back(std::make_unique<NebulaEmitter<T>>(in.scene, nebula, in.number));
 }
 
@@ -25,7 +25,7 @@ void add_nebula_fields(const FieldInputs& in, std::vector<NamedField>& all) {
 
 std::optional<Complaint> why_nebula_has_no_field(const Scene& scene) {
   for (const Nebula& nebula : scene.nebulae)
-    if (nebula.method == "literal")
+    if (nebula.method == NebulaMethod::literal)
       return Complaint{"the nebula '" + nebula.name + "' is marched literally and has no light in space",
                        "method = \"physical\"", ""};
   return std::nullopt;
@@ -43,7 +43,7 @@ void add_volume_fields(const FieldInputs& in, std::vector<NamedField>& all) {
     const Volume& volume = in.scene.volumes[v];
     all.push_back({"volume '" + volume.name + "'",
                    std::make_unique<GridField>(*in.files.grids[v], volume, &in.scene.sun),
-                   volume.frame == "sun" ? FieldFrame::sun : FieldFrame::ground});
+                   volume.frame == VolumeFrame::sun ? FieldFrame::sun : FieldFrame::ground});
   }
 }
 

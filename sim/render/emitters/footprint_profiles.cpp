@@ -13,7 +13,7 @@ ColourLadder colour_ladder(const Scene& scene, const Footprint& f) {
 
 ProfileTable footprint_profiles(const Scene& scene, const Footprint& f, double ln_least, double ln_most) {
   const ProfileTable usual = profile_table(scene.emission.lines, scene, f, ln_least, ln_most);
-  return f.light == "colours" ? colours_table(usual, colour_ladder(scene, f)) : usual;
+  return f.light == FootprintLight::colours ? colours_table(usual, colour_ladder(scene, f)) : usual;
 }
 
 }  // namespace vegard::sim

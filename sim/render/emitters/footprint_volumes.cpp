@@ -37,7 +37,8 @@ Profiles profiles_of(const Scene& scene, const Footprint& f, const EnergyRange& 
   profiles.usual = footprint_profiles(scene, f, range.least, range.most);
   if (!with_slopes) return profiles;
   profiles.by_flux = profile_table_by_flux(scene.emission.lines, scene, f, profiles.usual);
-  if (f.light == "colours") profiles.by_flux = colours_table(profiles.by_flux, colour_ladder(scene, f));
+  if (f.light == FootprintLight::colours)
+    profiles.by_flux = colours_table(profiles.by_flux, colour_ladder(scene, f));
   return profiles;
 }
 
@@ -50,7 +51,7 @@ std::unique_ptr<Emitter<T>> footprint_emitter(const Scene& scene, const Footprin
   const FootprintPictures pictures = footprint_pictures(files, f);
   constexpr bool kSlopes = !std::is_same_v<T, double>;
   EnergyRange range;
-  if (f.model == "curtain") {
+  if (f.model == FootprintModel::curtain) {
     for (const double energy : f.point_energy) {
       range.least = std::min(range.least, std::log(energy));
       range.most = std::max(range.most, std::log(energy));
@@ -58,7 +59,7 @@ std::unique_ptr<Emitter<T>> footprint_emitter(const Scene& scene, const Footprin
     const Profiles profiles = profiles_of(scene, f, range, kSlopes);
     return curtain_emitter<T>(scene, f, profiles.usual, profiles.by_flux, number);
   }
-  if (f.shape == "shell") {
+  if (f.shape == FootprintShape::shell) {
     CubeFootprint<double> map = make_cube_footprint(scene, f, pictures, threads);
     for (const FootprintGrid<double>& face : map.face) range.take(face);
     const Profiles profiles = profiles_of(scene, f, range, kSlopes);
@@ -82,7 +83,7 @@ std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint&
                                             int threads) {
   const FootprintPictures pictures = footprint_pictures(files, f);
   EnergyRange range;
-  if (f.shape == "shell") {
+  if (f.shape == FootprintShape::shell) {
     CubeFootprint<double> map = make_cube_footprint(scene, f, pictures, threads);
     for (const FootprintGrid<double>& face : map.face) range.take(face);
     return cube_footprint_field(scene, f, std::move(map), profiles_of(scene, f, range, false).usual, threads);
@@ -109,7 +110,7 @@ void add_footprint_fields(const FieldInputs& in, std::vector<NamedField>& all) {
 
 std::optional<Complaint> why_footprint_has_no_field(const Scene& scene) {
   for (const Footprint& footprint : scene.footprints)
-    if (footprint.model == "curtain")
+    if (footprint.model == FootprintModel::curtain)
       return Complaint{"the footprint '" + footprint.name + "' is a curtain without thickness",
                        "model = \"volume\"", ""};
   return std::nullopt;

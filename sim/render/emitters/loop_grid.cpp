@@ -28,7 +28,7 @@ struct LoopVolume {
   static Volume as_volume(const Scene& scene, const Loop& loop) {
     Volume volume;
     volume.name = loop.name;
-    volume.frame = "sun";
+    volume.frame = VolumeFrame::sun;
     volume.density_rayleigh =
         line_light<double>(scene, loop.rayleigh, loop.temperature_mk, NumberAs<double>(plain));
     return volume;

@@ -108,7 +108,7 @@ template <class T>
 void add_ejections(const EmitterInputs<T>& in, Emitters<T>& all) {
   const Scene& scene = in.scene;
   for (const Ejection& ejection : scene.ejections)
-    if (ejection.kind == "rope")
+    if (ejection.kind == EjectionKind::rope)
       add_strands(in, rope_strands<T>(scene.sun, scene.time, ejection, in.number), ejection, all);
     else
       all.push_back(std::make_unique<EjectionShellEmitter<T>>(
@@ -120,7 +120,7 @@ void add_ejections(const EmitterInputs<T>& in, Emitters<T>& all) {
 void add_ejection_fields(const FieldInputs& in, std::vector<NamedField>& all) {
   for (const Ejection& ejection : in.scene.ejections) {
     std::unique_ptr<const LightField> field;
-    if (ejection.kind == "rope")
+    if (ejection.kind == EjectionKind::rope)
       field = strand_field(in, rope_strands<double>(in.scene.sun, in.scene.time, ejection, as_they_are()),
                            ejection);
     else
@@ -134,7 +134,7 @@ void add_ejection_fields(const FieldInputs& in, std::vector<NamedField>& all) {
 ThinPart thinnest_rope(const Scene& scene) {
   ThinPart thinnest;
   for (const Ejection& ejection : scene.ejections) {
-    if (ejection.kind != "rope") continue;
+    if (ejection.kind != EjectionKind::rope) continue;
     Ejection one = ejection;
     one.strands = 1;
     for (const Strand<double>& piece : rope_strands<double>(scene.sun, scene.time, one, as_they_are()).all)

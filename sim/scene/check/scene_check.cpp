@@ -9,6 +9,7 @@
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/rows/spline_rates.h"
 #include "sim/scene/rows/value_words.h"
+#include "sim/scene/lines/camera_responses.h"
 #include "sim/scene/structs/line_of.h"
 #include "sim/scene/table/parameter_declarations.h"
 #include "sim/scene/table/parameter_table.h"
@@ -32,6 +33,9 @@ std::optional<Complaint> complaint_about(const Declaration& d, const ValueRef& v
     }
     std::optional<Complaint> operator()(const bool*) const { return std::nullopt; }
     std::optional<Complaint> operator()(const std::string* v) const { return text_complaint(d, *v); }
+    std::optional<Complaint> operator()(const KindRef& v) const {
+      return text_complaint(d, kind_word(*d.kind_type, v.number()));
+    }
   };
   return std::visit(Check{d}, value);
 }
@@ -66,7 +70,7 @@ void check_structures(const Scene& scene) {
     check(sheet, "folds", sheet.fold_length_km, sheet.fold_spacing_km, "fold_length_km", "fold_spacing_km");
     check(sheet, "curls", sheet.curl_radius_km, sheet.curl_spacing_km, "curl_radius_km", "curl_spacing_km");
     // Else a given brightness might have no light at all to be reached with.
-    if (sheet.profile == "form" && sheet.peak_km >= sheet.top_km) {
+    if (sheet.profile == ProfileKind::form && sheet.peak_km >= sheet.top_km) {
       const std::string path = "sheet." + sheet.name + ".";
       complain({"the form's light peaks at " + short_real_text(sheet.peak_km) +
                     " km, above its beams, which start at " + short_real_text(sheet.top_km),
@@ -79,15 +83,16 @@ void check_structures(const Scene& scene) {
 /// Observer and filters have no raw channels to mix: what would be ignored is refused.
 void check_response(const Scene& scene) {
   const Sensor& sensor = scene.sensor;
-  const bool filters = sensor.response == "filters", grey = sensor.response == "grey";
-  if (sensor.response != "cie" && !filters && !grey) return;
+  const ResponseKind kind = response_kind(sensor.response);
+  if (kind == ResponseKind::measured) return;
   const Sensor none;
-  const bool balanced = sensor.white_balance_rule == "given" && sensor.white_balance != none.white_balance;
-  if (!balanced && sensor.matrix_rule != "given") return;
+  const bool balanced =
+      sensor.white_balance_rule == WhiteBalanceRule::given && sensor.white_balance != none.white_balance;
+  if (!balanced && sensor.matrix_rule != MatrixRule::given) return;
   const std::string key = balanced ? "white_balance" : "matrix_rule";
-  complain({filters ? "channels behind a filter each are neither balanced nor mixed"
-            : grey  ? "channels that see all light alike are neither balanced nor mixed"
-                    : "the CIE observer has no raw channels to balance or to mix",
+  complain({kind == ResponseKind::filters ? "channels behind a filter each are neither balanced nor mixed"
+            : kind == ResponseKind::grey  ? "channels that see all light alike are neither balanced nor mixed"
+                                          : "the CIE observer has no raw channels to balance or to mix",
             "sensor.response with a camera, or sensor." + key + " as it is without being set",
             "a camera's name or a table"},
            {scene.file, 0, "sensor." + key});
@@ -95,11 +100,11 @@ void check_response(const Scene& scene) {
 
 /// The way of excited atoms is drawn for a plain pinhole only: what would be ignored is refused.
 void check_blur(const Scene& scene) {
-  if (scene.blur.model != "physical") return;
+  if (scene.blur.model != BlurModel::physical) return;
   const Camera& c = scene.camera;
-  const bool is_plain = c.model == "pinhole" && c.k1 == 0.0 && c.k2 == 0.0 && c.k3 == 0.0 && c.p1 == 0.0 &&
-                        c.p2 == 0.0 && c.aspect == 1.0 && !c.mirrored && c.principal_x_px == 0.0 &&
-                        c.principal_y_px == 0.0;
+  const bool is_plain = c.model == LensModel::pinhole && c.k1 == 0.0 && c.k2 == 0.0 && c.k3 == 0.0 &&
+                        c.p1 == 0.0 && c.p2 == 0.0 && c.aspect == 1.0 && !c.mirrored &&
+                        c.principal_x_px == 0.0 && c.principal_y_px == 0.0;
   if (!is_plain)
     complain(
         {"the physical blur is drawn by a pinhole without distortion only, its axis in the picture's middle",
@@ -110,7 +115,7 @@ void check_blur(const Scene& scene) {
 /// What such a file has to hold is checked where it is used.
 void check_profile_files(const Scene& scene) {
   for (const Sheet& sheet : scene.sheets) {
-    if (sheet.profile != "file" || is_table_file(sheet.profile_file)) continue;
+    if (sheet.profile != ProfileKind::file || is_table_file(sheet.profile_file)) continue;
     const std::string path = "sheet." + sheet.name + ".";
     const bool is_named = !sheet.profile_file.empty();
     complain({is_named ? "'" + sheet.profile_file + "' is no CSV file by its name"
@@ -128,11 +133,11 @@ Origin origin_of(const Scene& scene, const std::string& key, const std::string& 
 /// Whatever a curve or an exposure needs must be there, and a lens gives some light everywhere.
 void check_sensor(const Scene& scene) {
   const Sensor& sensor = scene.sensor;
-  if (sensor.exposure == "camera" && scene.time.exposure_s <= 0.0)
+  if (sensor.exposure == ExposureRule::camera && scene.time.exposure_s <= 0.0)
     complain({"a camera that is exposed for no time sees nothing", "time.exposure_s above 0",
               "set time.exposure_s, or sensor.exposure = \"gain\""},
              origin_of(scene, "sensor.exposure", "time.exposure_s"));
-  if (sensor.tone == "file" && !is_table_file(sensor.tone_file))
+  if (sensor.tone == ToneKind::file && !is_table_file(sensor.tone_file))
     complain({"the tone \"file\" has no file", "sensor.tone_file, the name of a .csv", ""},
              origin_of(scene, "sensor.tone_file", "sensor.tone"));
   const auto& [r2, r4, r6] = sensor.vignetting;

@@ -32,7 +32,7 @@ std::vector<Declaration> bundle_rows() {
       row("falloff_length", &B::falloff_length).within(1e-6, 1e9).may_be_free(ParameterScale::logarithmic).means("along a line, over which its density falls to 1 / e"),
       row("foot_radius", &B::foot_radius).within(1e-9, 1e9).may_be_free(ParameterScale::logarithmic).means("of a line at its foot, beyond which it has no density"),
       row("top_radius", &B::top_radius).within(1e-9, 1e9).may_be_free(ParameterScale::logarithmic).means("the same at its end"),
-      row("density_falloff", &B::density_falloff).one_of({"smooth", "linear", "gaussian"}).means("density across a line, as of a loop's strand"),
+      row("density_falloff", &B::density_falloff).one_of<RadialFalloff>({{"smooth", RadialFalloff::smooth}, {"linear", RadialFalloff::linear}, {"gaussian", RadialFalloff::gaussian}}).means("density across a line, as of a loop's strand"),
       row("filaments", &B::filaments).within(0, 10000).means("places that feet are drawn together to; 0: none"),
       row("filament_pull", &B::filament_pull).within(0, 1).may_be_free(ParameterScale::linear).means("how near a foot comes to its place: 1 - this is what is left of their distance"),
       row("lowest_latitude_deg", &B::lowest_latitude_deg).in("deg").within(-90, 90).means("of feet"),

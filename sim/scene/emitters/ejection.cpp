@@ -17,7 +17,7 @@ std::vector<Declaration> ejection_rows() {
   // clang-format off
   return {
       row("name", &E::name).means("by which paths call the ejection"),
-      row("kind", &E::kind).one_of({"rope", "shell"}).means("a flux rope of twisted strands with its feet on the Sun, or a shell"),
+      row("kind", &E::kind).one_of<EjectionKind>({{"rope", EjectionKind::rope}, {"shell", EjectionKind::shell}}).means("a flux rope of twisted strands with its feet on the Sun, or a shell"),
       row("latitude_deg", &E::latitude_deg).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("heliographic, of the place that it leaves"),
       row("longitude_deg", &E::longitude_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("the same, growing to the west"),
       row("bearing_deg", &E::bearing_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("of a rope from foot to foot, from solar north to the west"),
@@ -49,7 +49,7 @@ std::optional<Complaint> why_ejection_idle(const Scene& scene, const ParameterPa
   if (path.row->table != "ejection") return std::nullopt;
   const std::string& key = path.row->key;
   const Ejection& j = scene.ejections[static_cast<std::size_t>(path.element)];
-  if (j.kind == "shell" && is_one_of(key, {"turns", "strand_radius", "bearing_deg"}))
+  if (j.kind == EjectionKind::shell && is_one_of(key, {"turns", "strand_radius", "bearing_deg"}))
     return idle("the ejection is a shell", key, "set kind = \"rope\"");
   if (key == "speed_km_s" && j.age_s + scene.time.start_s <= 0.0 &&
       !frees(scene, "ejection." + j.name + ".age_s"))

@@ -30,6 +30,15 @@ void ElementCheck::check_below(double low, const char* low_key, double high, con
       low_key);
 }
 
+std::string word_in(const std::vector<Declaration>& rows, const std::type_info& kind, int number) {
+  for (const Declaration& d : rows) {
+    if (d.kind_type == nullptr || *d.kind_type != kind) continue;
+    const auto found = std::find(d.numbers.begin(), d.numbers.end(), number);
+    if (found != d.numbers.end()) return d.choices[static_cast<std::size_t>(found - d.numbers.begin())];
+  }
+  return {};
+}
+
 bool is_one_of(const std::string& word, std::initializer_list<const char*> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }

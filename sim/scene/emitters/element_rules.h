@@ -6,9 +6,11 @@
 #include <initializer_list>
 #include <optional>
 #include <string>
+#include <typeinfo>
 #include <vector>
 
 #include "sim/scene/rows/complaint.h"
+#include "sim/scene/rows/declaration.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
@@ -29,6 +31,15 @@ class ElementCheck {
   const Scene& scene_;
   std::string path_;
 };
+
+/// The word of an enumerator, as one of the rows has it (word_of() of sim/scene/table/parameter_table.h asks
+/// all rows there are).
+std::string word_in(const std::vector<Declaration>& rows, const std::type_info& kind, int number);
+
+template <class Kind>
+std::string word_in(const std::vector<Declaration>& rows, Kind kind) {
+  return word_in(rows, typeid(Kind), static_cast<int>(kind));
+}
 
 bool is_one_of(const std::string& word, std::initializer_list<const char*> words);
 bool all_zero(const std::vector<double>& list);

@@ -26,13 +26,13 @@ std::vector<Declaration> footprint_rows() {
   // clang-format off
   return {
       row("name", &F::name).means("by which paths call the footprint"),
-      row("shape", &F::shape).one_of({"box", "shell"})
+      row("shape", &F::shape).one_of<FootprintShape>({{"box", FootprintShape::box}, {"shell", FootprintShape::shell}})
           .means("a box about a point of the observer's tangent plane, or a shell around the whole Earth"),
-      row("model", &F::model).one_of({"volume", "curtain"})
+      row("model", &F::model).one_of<FootprintModel>({{"volume", FootprintModel::volume}, {"curtain", FootprintModel::curtain}})
           .means("light with a thickness, or upright walls without one along the splines, a cheap preview"),
-      row("source", &F::source).one_of({"spline", "image", "cube", "sheets", "noise"})
+      row("source", &F::source).one_of<FootprintSource>({{"spline", FootprintSource::spline}, {"image", FootprintSource::image}, {"cube", FootprintSource::cube}, {"sheets", FootprintSource::sheets}, {"noise", FootprintSource::noise}})
           .means("where the footprint comes from: a curve through points, a picture, six pictures of a cube's faces, the scene's sheets (which are then not drawn as beams), or fractal noise in a box"),
-      row("fall", &F::fall).one_of({"field", "vertical"})
+      row("fall", &F::fall).one_of<FootprintFall>({{"field", FootprintFall::field}, {"vertical", FootprintFall::vertical}})
           .means("along the scene's field, or straight down; a shell's light always falls straight down"),
       row("center_km", &F::center_km).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
           .means("middle of a box, of the feet at 110 km altitude"),
@@ -69,7 +69,7 @@ std::vector<Declaration> footprint_rows() {
           .means("how far a plane incompressible flow has wound the footprint up, in turns of its fastest part; 0: not at all"),
       row("flow_scale_km", &F::flow_scale_km).in("km").within(1, 2000).means("of the ripples that the flow starts from"),
       row("flow_ripple", &F::flow_ripple).within(0, 10).means("their strength, over that of the footprint's own shear"),
-      row("light", &F::light).one_of({"lines", "colours"})
+      row("light", &F::light).one_of<FootprintLight>({{"lines", FootprintLight::lines}, {"colours", FootprintLight::colours}})
           .means("the emission lines of the electrons, or two colours between two altitudes in the place of theirs"),
       row("low_colour", &F::low_colour).of({"r", "g", "b"}).within(0, 1).means("colour at low_km, linear, of the sensor's primaries"),
       row("high_colour", &F::high_colour).of({"r", "g", "b"}).within(0, 1).means("colour at high_km"),
@@ -79,7 +79,7 @@ std::vector<Declaration> footprint_rows() {
           .means("characteristic energy of the electrons, as a sheet's"),
       row("energy_flux_mw_m2", &F::energy_flux_mw_m2).in("mW m⁻²").within(0, 10000).may_be_free(ParameterScale::logarithmic)
           .means("energy flux Q at the spline, or where the picture is white"),
-      row("profile", &F::profile).one_of({"maxwellian", "mono", "gaussian", "form"})
+      row("profile", &F::profile).one_of<ProfileKind>({{"maxwellian", ProfileKind::maxwellian}, {"mono", ProfileKind::mono}, {"gaussian", ProfileKind::gaussian}, {"form", ProfileKind::form}})
           .means("light against altitude: of a spectrum of electrons, or a form"),
       row("energy_spread", &F::energy_spread).within(0.01, 1).means("of the profile \"gaussian\", as a sheet's"),
       row("peak_km", &F::peak_km).called("peak altitude").in("km").within(81, 600).means("of the profile \"form\": altitude of its peak"),
@@ -94,13 +94,13 @@ using Refuse = std::function<void(const Complaint&, const std::string& key)>;
 
 /// That no map, and no curve, takes more memory than a machine has.
 void check_size(const Footprint& f, const Refuse& refuse) {
-  const bool is_shell = f.shape == "shell", of_spline = f.source == "spline";
+  const bool is_shell = f.shape == FootprintShape::shell, of_spline = f.source == FootprintSource::spline;
   if (of_spline && spline_pieces(f) > kMostSplinePieces)
     refuse({"the spline would be drawn in " + short_real_text(spline_pieces(f)) + " pieces of " +
                 short_real_text(longest_piece_km(f)) + " km",
             "at most 1048576", "a larger width_km, larger cells, or points nearer to each other"},
            is_shell ? "longitude_deg" : "east_km");
-  if (f.model == "curtain") return;
+  if (f.model == FootprintModel::curtain) return;
   if (!is_shell && longest_side_cells(f) > kMostSideCells)
     refuse({"the box has " + short_real_text(longest_side_cells(f)) + " cells along a side", "at most 262000",
             "a larger cell_km, or a smaller size_km"},
@@ -147,10 +147,10 @@ void check_the_footprint(const Scene& scene, const Footprint& f) {
   const auto refuse = [&](const Complaint& complaint, const std::string& key) {
     complain(complaint, {scene.file, 0, path + key});
   };
-  const bool is_shell = f.shape == "shell";
+  const bool is_shell = f.shape == FootprintShape::shell;
   const auto &x = is_shell ? f.longitude_deg : f.east_km, &y = is_shell ? f.latitude_deg : f.north_km;
   const char *x_key = is_shell ? "longitude_deg" : "east_km", *y_key = is_shell ? "latitude_deg" : "north_km";
-  if (f.source == "spline") {
+  if (f.source == FootprintSource::spline) {
     if (x.size() != y.size())
       refuse({std::to_string(x.size()) + " of " + x_key + " for " + std::to_string(y.size()) + " of " + y_key,
               "as many of one as of the other", ""},
@@ -162,28 +162,31 @@ void check_the_footprint(const Scene& scene, const Footprint& f) {
     if (is_shell) check_points_of_shell(f, refuse);
   }
   for (const auto& [list, key] : {std::pair{&f.point_energy, "point_energy"}, {&f.point_flux, "point_flux"}})
-    if (!list->empty() && (f.source != "spline" || list->size() != x.size()))
+    if (!list->empty() && (f.source != FootprintSource::spline || list->size() != x.size()))
       refuse({std::to_string(list->size()) + " numbers for " +
-                  std::to_string(f.source == "spline" ? x.size() : 0) + " points of a spline",
+                  std::to_string(f.source == FootprintSource::spline ? x.size() : 0) + " points of a spline",
               "one for every point, or none", ""},
              key);
-  if (f.model == "curtain" && f.source != "spline")
-    refuse({"a curtain stands on a spline, not on a footprint of " + quoted_text(f.source),
+  if (f.model == FootprintModel::curtain && f.source != FootprintSource::spline)
+    refuse({"a curtain stands on a spline, not on a footprint of " +
+                quoted_text(word_in(footprint_rows(), f.source)),
             "source = \"spline\"", "or model = \"volume\""},
            "model");
-  const bool of_file = f.source == "image" || f.source == "cube";
+  const bool of_file = f.source == FootprintSource::image || f.source == FootprintSource::cube;
   if (of_file && f.image.empty())
     refuse(
         {"the footprint is to come from a picture, but image names none", "image = \"a picture's name\"", ""},
         "source");
-  if (f.source == "cube" && (!is_shell || f.image.find("{face}") == std::string::npos))
+  if (f.source == FootprintSource::cube && (!is_shell || f.image.find("{face}") == std::string::npos))
     refuse(
         {is_shell ? "'" + f.image + "' does not say where the face's name stands" : "a box has no cube faces",
          is_shell ? "a name such as \"foot_{face}.png\"" : "shape = \"shell\"", ""},
         is_shell ? "image" : "source");
-  if (is_shell && (f.source == "sheets" || f.source == "noise"))
-    refuse({"a footprint of " + quoted_text(f.source) + " is a box's", "shape = \"box\"", ""}, "source");
-  if (f.source == "sheets" && scene.sheets.empty())
+  if (is_shell && (f.source == FootprintSource::sheets || f.source == FootprintSource::noise))
+    refuse({"a footprint of " + quoted_text(word_in(footprint_rows(), f.source)) + " is a box's",
+            "shape = \"box\"", ""},
+           "source");
+  if (f.source == FootprintSource::sheets && scene.sheets.empty())
     refuse({"the footprint is to be that of the sheets, but there are none", "a [[sheet]], or another source",
             ""},
            "source");
@@ -199,19 +202,20 @@ void check_footprints(const Scene& scene) {
 }
 
 std::optional<Complaint> of_footprint(const Footprint& f, const std::string& key) {
-  if (f.shape == "shell" && !is_one_of(key, {"energy_kev"}))
+  if (f.shape == FootprintShape::shell && !is_one_of(key, {"energy_kev"}))
     return Complaint{"the footprint is a shell, whose map has no derivative by " + key,
                      "a number of a footprint of shape \"box\", or energy_kev", "leave it out of fit.free"};
   const bool of_spline = is_one_of(key, {"east_km", "north_km", "width_km", "point_energy", "point_flux"});
-  if (of_spline && f.source != "spline")
-    return idle("the footprint comes from \"" + f.source + "\"", key, "set source to \"spline\"");
-  if (f.model != "curtain" && f.flow_turns > 0.0 &&
+  if (of_spline && f.source != FootprintSource::spline)
+    return idle("the footprint comes from \"" + word_in(footprint_rows(), f.source) + "\"", key,
+                "set source to \"spline\"");
+  if (f.model != FootprintModel::curtain && f.flow_turns > 0.0 &&
       is_one_of(key, {"east_km", "north_km", "width_km", "point_flux"}))
     return Complaint{
         "the flow that winds the footprint up depends on " + key + ", and its derivative is not known",
         "a footprint that does not flow, or a number that its flow does not depend on",
         "set flow_turns = 0, or leave it out of fit.free"};
-  if (f.source == "sheets" && is_one_of(key, {"center_km", "energy_kev", "energy_flux_mw_m2"}))
+  if (f.source == FootprintSource::sheets && is_one_of(key, {"center_km", "energy_kev", "energy_flux_mw_m2"}))
     return idle("feet, energy and flux are those of the sheets", key, "free the sheets' own numbers");
   return std::nullopt;
 }
@@ -220,7 +224,7 @@ std::optional<Complaint> of_footprint(const Footprint& f, const std::string& key
 std::optional<Complaint> of_sheet_in_footprint(const Scene& scene, const Sheet& sheet,
                                                const std::string& key) {
   const bool is_in_one = std::any_of(scene.footprints.begin(), scene.footprints.end(),
-                                     [](const Footprint& f) { return f.source == "sheets"; });
+                                     [](const Footprint& f) { return f.source == FootprintSource::sheets; });
   if (is_in_one && key == "energy_kev" && sheet.brightness_kilorayleigh > 0.0)
     return Complaint{
         "the sheet's brightness is given, and how the energy flux of its footprint depends on "
@@ -229,7 +233,7 @@ std::optional<Complaint> of_sheet_in_footprint(const Scene& scene, const Sheet& 
         "set energy_flux_mw_m2 in the place of brightness_kilorayleigh, or leave it out of "
         "fit.free"};
   const bool flows = std::any_of(scene.footprints.begin(), scene.footprints.end(), [](const Footprint& f) {
-    return f.source == "sheets" && f.flow_turns > 0.0;
+    return f.source == FootprintSource::sheets && f.flow_turns > 0.0;
   });
   // The flow goes by ratios of fluxes, and so not by the flux of a single sheet.
   if (!flows || key == "energy_kev" || (key == "energy_flux_mw_m2" && scene.sheets.size() == 1))
@@ -255,14 +259,14 @@ bool footprints_could_shine(const Scene& scene) {
 
 bool footprints_of_sheets(const Scene& scene) {
   return std::any_of(scene.footprints.begin(), scene.footprints.end(),
-                     [](const Footprint& f) { return f.source == "sheets"; });
+                     [](const Footprint& f) { return f.source == FootprintSource::sheets; });
 }
 
 std::vector<Whereabouts> where_footprints_are(const Scene& scene) {
   std::vector<Whereabouts> all;
   for (const Footprint& f : scene.footprints) {
     all.push_back({Whereabouts::Known::place, "footprint '" + f.name + "'", f.center_km});
-    if (f.shape == "box") continue;
+    if (f.shape == FootprintShape::box) continue;
     all.back().known = Whereabouts::Known::words;
     all.back().words = "stands around the Earth";
   }
@@ -272,10 +276,10 @@ std::vector<Whereabouts> where_footprints_are(const Scene& scene) {
 std::vector<PictureOfScene> pictures_of_footprints(const Scene& scene) {
   std::vector<PictureOfScene> all;
   for (const Footprint& f : scene.footprints) {
-    if (f.source != "image" && f.source != "cube") continue;
+    if (f.source != FootprintSource::image && f.source != FootprintSource::cube) continue;
     const std::string path = "footprint." + f.name + ".";
     for (const auto& [key, name] : {std::pair{"image", f.image}, {"energy_image", f.energy_image}})
-      if (!name.empty()) all.push_back({path + key, name, f.source == "cube"});
+      if (!name.empty()) all.push_back({path + key, name, f.source == FootprintSource::cube});
   }
   return all;
 }

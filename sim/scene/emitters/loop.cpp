@@ -32,8 +32,8 @@ std::vector<Declaration> loop_rows() {
       row("strands", &L::strands).within(1, 100000).means("how many it has"),
       row("spread", &L::spread).within(0, 1e9).may_be_free(ParameterScale::linear).means("strands stand up to so far from its middle plane, to either side"),
       row("strand_radius", &L::strand_radius).within(1e-9, 1e9).may_be_free(ParameterScale::logarithmic).means("of a strand, beyond which it has no density (the density falloff's)"),
-      row("density_falloff", &L::density_falloff).one_of({"smooth", "linear", "gaussian"}).means("density across a strand, with q = distance / strand_radius: (1 - q²)², 1 - q, or exp(-4.5 q²), all 0 beyond q = 1"),
-      row("height_falloff", &L::height_falloff).one_of({"none", "grow", "fade", "logarithmic", "inverse-square"}).means("density along a strand, by the height over its feet: growing or fading linearly, fading as the logarithm or as the inverse square"),
+      row("density_falloff", &L::density_falloff).one_of<RadialFalloff>({{"smooth", RadialFalloff::smooth}, {"linear", RadialFalloff::linear}, {"gaussian", RadialFalloff::gaussian}}).means("density across a strand, with q = distance / strand_radius: (1 - q²)², 1 - q, or exp(-4.5 q²), all 0 beyond q = 1"),
+      row("height_falloff", &L::height_falloff).one_of<HeightFalloff>({{"none", HeightFalloff::none}, {"grow", HeightFalloff::grow}, {"fade", HeightFalloff::fade}, {"logarithmic", HeightFalloff::logarithmic}, {"inverse-square", HeightFalloff::inverse_square}}).means("density along a strand, by the height over its feet: growing or fading linearly, fading as the logarithm or as the inverse square"),
       row("falloff_least", &L::falloff_least).within(0, 1).may_be_free(ParameterScale::linear).means("density of the height falloff where it is least, of that where it is most"),
       row("base_density", &L::base_density).within(0, 1e9).may_be_free(ParameterScale::logarithmic).means("density in the middle of a strand where no falloff lessens it"),
       row("root_noise", &L::root_noise).within(0, 1e9).may_be_free(ParameterScale::linear).means("standard deviation of the places of the feet, along and across"),
@@ -95,7 +95,7 @@ std::optional<Complaint> why_loop_idle(const Scene& scene, const ParameterPath& 
     return idle("the loop has no filaments", key, "give it filaments");
   if (key == "filament_pull" && l.filaments >= l.strands)
     return idle("every strand is a filament of its own", key, "give it fewer filaments");
-  if (key == "falloff_least" && l.height_falloff == "none")
+  if (key == "falloff_least" && l.height_falloff == HeightFalloff::none)
     return idle("the loop's light does not fall off along it", key, "name a height_falloff");
   if (is_one_of(key, {"spread", "tilt_per_distance_deg"}) && l.strands == 1)
     return idle("the loop is a single strand", key, "give it more strands");

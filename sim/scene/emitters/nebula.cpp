@@ -1,5 +1,6 @@
 // [[nebula]]: clouds beyond the air, and [[node]]: what their density maps are made of.
 #include <algorithm>
+#include <initializer_list>
 #include <iterator>
 #include <set>
 
@@ -28,7 +29,7 @@ std::vector<Declaration> nebula_rows() {
   // clang-format off
   return {
       row("name", &N::name).means("by which paths call the nebula"),
-      row("method", &N::method).one_of({"physical", "literal"})
+      row("method", &N::method).one_of<NebulaMethod>({{"physical", NebulaMethod::physical}, {"literal", NebulaMethod::literal}})
           .means("emission and absorption along each ray, in rayleighs; or the source's march with its constants, which gives colours only"),
       row("azimuth_deg", &N::azimuth_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("direction of its middle, from north to the east"),
       row("elevation_deg", &N::elevation_deg).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("direction of its middle above the horizon"),
@@ -64,7 +65,7 @@ std::vector<Declaration> node_rows() {
   return {
       node("name", &Node::name).means("by which other nodes, nebulae and paths call it"),
       node("kind", &Node::kind)
-          .one_of({"sphere", "shell", "lobes", "torus", "tube", "slab", "filaments", "turbulence", "warp", "union", "intersection", "difference", "scale", "rotate", "move"})
+          .one_of<NodeKind>({{"sphere", NodeKind::sphere}, {"shell", NodeKind::shell}, {"lobes", NodeKind::lobes}, {"torus", NodeKind::torus}, {"tube", NodeKind::tube}, {"slab", NodeKind::slab}, {"filaments", NodeKind::filaments}, {"turbulence", NodeKind::turbulence}, {"warp", NodeKind::warp}, {"union", NodeKind::unite}, {"intersection", NodeKind::intersect}, {"difference", NodeKind::subtract}, {"scale", NodeKind::scale}, {"rotate", NodeKind::rotate}, {"move", NodeKind::move}})
           .means("what it is: docs/nebulae.md"),
       node("of", &Node::of).means("names of the nodes that it works on, separated by commas"),
       node("center", &Node::center).of({"right", "up", "near"}).within(-1000, 1000).may_be_free(ParameterScale::linear)
@@ -110,8 +111,8 @@ void check_nodes(const Scene& scene) {
     const std::vector<std::string> names = node_names(node.of);
     const NodeArity arity = arity_of(node.kind);
     if (names.size() < arity.least || names.size() > arity.most)
-      complain({"a node of kind " + quoted_text(node.kind) + " works on " + arity.words() + ", not on " +
-                    std::to_string(names.size()),
+      complain({"a node of kind " + quoted_text(word_in(node_rows(), node.kind)) + " works on " +
+                    arity.words() + ", not on " + std::to_string(names.size()),
                 "of = " + std::string(arity.most == 0 ? "\"\"" : "names of nodes, separated by commas"), ""},
                {scene.file, 0, key});
     for (const std::string& name : names)
@@ -155,7 +156,7 @@ void check_the_nebula(const Scene& scene, const Nebula& nebula) {
       refuse({"there is no node '" + name + "'", "the name of a [[node]], or none", ""}, key);
   if (nebula.gas.empty() && nebula.glow.empty() && nebula.dust.empty())
     refuse({"the nebula is made of nothing", "gas, glow or dust with the name of a [[node]]", ""}, "gas");
-  if (nebula.method == "literal" && nebula.gas.empty())
+  if (nebula.method == NebulaMethod::literal && nebula.gas.empty())
     refuse({"the literal march has no map", "gas with the name of a [[node]]", ""}, "gas");
   constexpr double kMostSteps = 100000.0;
   if (2.0 * nebula.bound / nebula.step > kMostSteps)
@@ -170,7 +171,7 @@ void check_the_nebula(const Scene& scene, const Nebula& nebula) {
               "one per line of emission.lines, in its order", ""},
              key);
   };
-  const std::string gas = nebula.method == "literal" ? "" : nebula.gas;
+  const std::string gas = nebula.method == NebulaMethod::literal ? "" : nebula.gas;
   check_list(nebula.inner_rayleigh, gas, "inner_rayleigh");
   check_list(nebula.outer_rayleigh, gas, "outer_rayleigh");
   check_list(nebula.glow_rayleigh, nebula.glow, "glow_rayleigh");
@@ -184,7 +185,7 @@ void check_nebulae(const Scene& scene) {
 }
 
 std::optional<Complaint> of_nebula(const Scene& scene, const Nebula& n, const std::string& key) {
-  if (n.method == "literal")
+  if (n.method == NebulaMethod::literal)
     return Complaint{"the literal march makes colours, not light that could be compared",
                      "a nebula with method = \"physical\"", "leave it out of fit.free"};
   const bool of_gas = is_one_of(key, {"inner_rayleigh", "outer_rayleigh", "inner_radius", "outer_radius"});
@@ -210,7 +211,7 @@ std::set<std::string> nodes_in_use(const Scene& scene) {
         for (const std::string& of : node_names(node.of)) self(self, of);
   };
   for (const Nebula& nebula : scene.nebulae)
-    if (nebula.method != "literal")
+    if (nebula.method != NebulaMethod::literal)
       for (const std::string* name : {&nebula.gas, &nebula.glow, &nebula.dust}) visit(visit, *name);
   return used;
 }
@@ -220,17 +221,21 @@ std::optional<Complaint> of_node(const Scene& scene, const Node& node, const std
     return Complaint{"no nebula that is marched physically is made of the node",
                      "a parameter that the light depends on",
                      "leave it out of fit.free, or name it in a nebula"};
-  const std::string& kind = node.kind;
-  const bool is_noise = is_one_of(kind, {"filaments", "turbulence", "warp"});
-  const bool counts = key == "radius"      ? is_one_of(kind, {"sphere", "shell", "torus", "tube", "lobes"})
-                      : key == "thickness" ? is_one_of(kind, {"shell", "slab", "lobes", "torus"})
-                      : key == "length"    ? is_one_of(kind, {"lobes", "tube"})
-                      : key == "waist"     ? kind == "lobes"
-                      : key == "blend"     ? is_one_of(kind, {"union", "intersection", "difference"})
+  using K = NodeKind;
+  const auto is_a = [&](std::initializer_list<K> kinds) {
+    return std::find(kinds.begin(), kinds.end(), node.kind) != kinds.end();
+  };
+  const bool is_noise = is_a({K::filaments, K::turbulence, K::warp});
+  const bool counts = key == "radius"      ? is_a({K::sphere, K::shell, K::torus, K::tube, K::lobes})
+                      : key == "thickness" ? is_a({K::shell, K::slab, K::lobes, K::torus})
+                      : key == "length"    ? is_a({K::lobes, K::tube})
+                      : key == "waist"     ? is_a({K::lobes})
+                      : key == "blend"     ? is_a({K::unite, K::intersect, K::subtract})
                       : key == "amplitude" || key == "frequency" || key == "gain" ? is_noise
                                                                                   : true;
   if (counts) return std::nullopt;
-  return idle("the node is of kind \"" + kind + "\"", key, "free a number that this kind has");
+  return idle("the node is of kind \"" + word_in(node_rows(), node.kind) + "\"", key,
+              "free a number that this kind has");
 }
 
 std::optional<Complaint> why_nebula_idle(const Scene& scene, const ParameterPath& path) {
@@ -243,12 +248,12 @@ std::optional<Complaint> why_nebula_idle(const Scene& scene, const ParameterPath
 /// The literal march makes a layer of colours of its own.
 bool nebulae_are_drawn(const Scene& scene) {
   return std::any_of(scene.nebulae.begin(), scene.nebulae.end(),
-                     [](const Nebula& n) { return n.method != "literal"; });
+                     [](const Nebula& n) { return n.method != NebulaMethod::literal; });
 }
 
 bool nebulae_could_shine(const Scene& scene) {
   return std::any_of(scene.nebulae.begin(), scene.nebulae.end(),
-                     [](const Nebula& n) { return n.method != "literal" && n.brightness > 0.0; });
+                     [](const Nebula& n) { return n.method != NebulaMethod::literal && n.brightness > 0.0; });
 }
 
 std::vector<Whereabouts> where_nebulae_are(const Scene& scene) {

@@ -54,7 +54,7 @@ std::optional<Complaint> why_sun_idle(const Scene& scene, const ParameterPath& p
   const std::string& key = path.row->key;
   if (!scene.sun.shown) return idle("the Sun is not in the scene", key, "set sun.shown = true");
   const bool scatters = std::any_of(scene.coronae.begin(), scene.coronae.end(),
-                                    [](const Corona& c) { return c.light == "scattered"; });
+                                    [](const Corona& c) { return c.light == CoronaLight::scattered; });
   if (is_one_of(key, {"limb_darkening", "limb_darkening_square"}) && !scatters &&
       all_zero(scene.sun.photosphere_rayleigh) && !frees(scene, "sun.photosphere_rayleigh"))
     return idle("the photosphere is dark", key, "give it sun.photosphere_rayleigh");

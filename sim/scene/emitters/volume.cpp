@@ -18,7 +18,7 @@ std::vector<Declaration> volume_rows() {
   return {
       row("name", &Volume::name).means("by which paths call the volume"),
       row("file", &Volume::file).names_file().means("file beside the scene's: OpenVDB, with grids such as emission_5577 or density, or the densities of a pbrt volumegrid (`.pbrt`, `.volumegrid`, `.txt`)"),
-      row("frame", &Volume::frame).one_of({"site", "sun"})
+      row("frame", &Volume::frame).one_of<VolumeFrame>({{"site", VolumeFrame::site}, {"sun", VolumeFrame::sun}})
           .means("where the file is at home: on the ground, in km; or on the Sun, in units of sun.unit_km"),
       row("shift_km", &Volume::shift_km).of({"east", "north", "up"}).in("km").within(-1e5, 1e5).may_be_free(ParameterScale::linear)
           .means("by how much it is moved; on the Sun along the x, y and z of its frame"),
@@ -37,7 +37,7 @@ void check_the_volume(const Scene& scene, const Volume& volume) {
     complain(complaint, {scene.file, 0, "volume." + volume.name + "." + key});
   };
   if (volume.file.empty()) refuse({"the volume names no file", "file = \"NAME.vdb\"", ""}, "file");
-  if (volume.frame == "sun" && !scene.sun.shown)
+  if (volume.frame == VolumeFrame::sun && !scene.sun.shown)
     refuse({"it stands on the Sun, which is not in the scene", "shown = true in [sun]", ""}, "frame");
   if (!volume.density_rayleigh.empty() && volume.density_rayleigh.size() != scene.emission.lines.size())
     refuse({std::to_string(volume.density_rayleigh.size()) + " numbers for " +
@@ -52,7 +52,7 @@ void check_volumes(const Scene& scene) {
 
 OnSun volumes_on_sun(const Scene& scene) {
   const bool any = std::any_of(scene.volumes.begin(), scene.volumes.end(),
-                               [](const Volume& v) { return v.frame == "sun"; });
+                               [](const Volume& v) { return v.frame == VolumeFrame::sun; });
   return any ? OnSun::uneven : OnSun::nothing;
 }
 

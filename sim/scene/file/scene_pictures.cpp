@@ -42,8 +42,8 @@ void read(const Scene& scene, const std::string& key, const std::string& name,
 }  // namespace
 
 std::vector<std::string> picture_files(const Footprint& f, const std::string& name) {
-  if (name.empty() || (f.source != "image" && f.source != "cube")) return {};
-  return f.source == "cube" ? files_of_name(name) : std::vector<std::string>{name};
+  if (name.empty() || (f.source != FootprintSource::image && f.source != FootprintSource::cube)) return {};
+  return f.source == FootprintSource::cube ? files_of_name(name) : std::vector<std::string>{name};
 }
 
 std::map<std::string, Image> read_scene_pictures(const Scene& scene) {

@@ -120,7 +120,7 @@ VolumeGridFile read_volume_grid(const Scene& scene, const Volume& volume) {
   const auto frame = file.metadata.texts.find("frame");
   const bool of_sun = frame != file.metadata.texts.end() && frame->second == kSunFrame;
   const bool of_site = file.metadata.numbers.count("site_latitude_deg") > 0;
-  if (of_sun != (volume.frame == kSunFrame) && (of_sun || of_site))
+  if (of_sun != (volume.frame == VolumeFrame::sun) && (of_sun || of_site))
     refuse(of_sun ? "it stands on the Sun, and the volume's frame is \"site\""
                   : "it stands on the ground, and the volume's frame is \"sun\"",
            of_sun ? "frame = \"sun\"" : "frame = \"site\"", "its metadata say where it is at home");

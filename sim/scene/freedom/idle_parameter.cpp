@@ -4,6 +4,7 @@
 
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/freedom/free_path.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::sim {
 namespace {
@@ -22,22 +23,22 @@ bool has_free_spline(const Scene& scene, int sheet) {
 std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const ParameterPath& path) {
   const std::string expected = "a parameter that the light depends on";
   const std::string& key = path.row->key;
-  if (path.row->table == "field" && scene.field.model == "dipole") {
+  if (path.row->table == "field" && scene.field.model == FieldModel::dipole) {
     return Complaint{"the field is a dipole's, so " + key + " counts for nothing", expected,
                      "leave it out of fit.free, or set field.model to \"uniform\""};
   }
   if (path.row->table == "camera") {
-    const std::string& model = scene.camera.model;
-    const bool pinhole = model == "pinhole", radial = key == "k1" || key == "k2" || key == "k3";
+    const LensModel model = scene.camera.model;
+    const bool pinhole = model == LensModel::pinhole, radial = key == "k1" || key == "k2" || key == "k3";
     if ((key == "hfov_deg" && !pinhole) || (key == "focal_px" && pinhole) ||
-        (radial && !pinhole && model != "polynomial")) {
-      return Complaint{"the lens is \"" + model + "\", so " + key + " counts for nothing", expected,
+        (radial && !pinhole && model != LensModel::polynomial)) {
+      return Complaint{"the lens is \"" + word_of(model) + "\", so " + key + " counts for nothing", expected,
                        radial    ? "leave it out of fit.free, or set camera.model to \"polynomial\""
                        : pinhole ? "a pinhole has camera.hfov_deg"
                                  : "this lens has camera.focal_px"};
     }
   }
-  if (path.row->table == "air" && scene.air.model == "none") {
+  if (path.row->table == "air" && scene.air.model == AirModel::none) {
     return Complaint{"there is no air, so " + key + " counts for nothing", expected,
                      "leave it out of fit.free, or set air.model to \"standard\""};
   }
@@ -46,20 +47,22 @@ std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const Par
       if (const auto complaint = kind.why_idle(scene, path)) return complaint;
   if (path.row->table != sheet_table) return std::nullopt;
   const Sheet& sheet = scene.sheets[path.sheet()];
-  if (key == "energy_kev" && sheet.profile == "file") {
+  if (key == "energy_kev" && sheet.profile == ProfileKind::file) {
     return Complaint{
         "the sheet's profile comes from a file, so the energy of its electrons counts for nothing", expected,
         "leave it out of fit.free, or set profile to a spectrum of electrons"};
   }
-  if (key == "energy_spread" && sheet.profile != "gaussian") {
-    return Complaint{"the sheet's profile is \"" + sheet.profile + "\", so energy_spread counts for nothing",
-                     expected, "leave it out of fit.free, or set profile to \"gaussian\""};
+  if (key == "energy_spread" && sheet.profile != ProfileKind::gaussian) {
+    return Complaint{
+        "the sheet's profile is \"" + word_of(sheet.profile) + "\", so energy_spread counts for nothing",
+        expected, "leave it out of fit.free, or set profile to \"gaussian\""};
   }
   if (key == "energy_flux_mw_m2" && sheet.brightness_kilorayleigh > 0.0) {
     return Complaint{"the sheet's brightness is given, so its energy flux counts for nothing", expected,
                      "leave it out of fit.free, or brightness_kilorayleigh (and ibc) out of the sheet"};
   }
-  if (key == "energy_flux_mw_m2" && sheet.profile == "spline" && has_free_spline(scene, path.sheet())) {
+  if (key == "energy_flux_mw_m2" && sheet.profile == ProfileKind::spline &&
+      has_free_spline(scene, path.sheet())) {
     return Complaint{
         "the sheet's spline_rate is free, so its energy flux counts for nothing: their product "
         "is the light",
@@ -73,17 +76,19 @@ std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const Par
     return Complaint{"the sheet is a single arc, so the spacing of arcs counts for nothing", expected,
                      "leave it out of fit.free, or set arcs"};
   }
-  if (key == "spline_rate" && sheet.profile != "spline") {
-    return Complaint{"the sheet's profile is \"" + sheet.profile + "\", so spline_rate counts for nothing",
-                     expected, "leave it out of fit.free, or set the profile to \"spline\""};
+  if (key == "spline_rate" && sheet.profile != ProfileKind::spline) {
+    return Complaint{
+        "the sheet's profile is \"" + word_of(sheet.profile) + "\", so spline_rate counts for nothing",
+        expected, "leave it out of fit.free, or set the profile to \"spline\""};
   }
-  if (key == "energy_kev" && sheet.profile == "spline") {
+  if (key == "energy_kev" && sheet.profile == ProfileKind::spline) {
     return Complaint{"the sheet's profile is free, so the electrons' energy counts for nothing", expected,
                      "leave it out of fit.free; sheet." + sheet.name + ".spline_rate is the light"};
   }
-  if ((key == "peak_km" || key == "lower_km" || key == "upper_km") && sheet.profile != "form") {
-    return Complaint{"the sheet's profile is \"" + sheet.profile + "\", so " + key + " counts for nothing",
-                     expected, "leave it out of fit.free, or set the profile to \"form\""};
+  if ((key == "peak_km" || key == "lower_km" || key == "upper_km") && sheet.profile != ProfileKind::form) {
+    return Complaint{
+        "the sheet's profile is \"" + word_of(sheet.profile) + "\", so " + key + " counts for nothing",
+        expected, "leave it out of fit.free, or set the profile to \"form\""};
   }
   return std::nullopt;
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <typeinfo>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -64,8 +65,27 @@ struct RepeatedTable {
   std::function<void(Scene&, const std::function<bool(const std::string& name)>&)> keep;
 };
 
+/// The place of a kind: an enumerator of whatever enumeration, read and set by its number. Its word is the
+/// row's.
+class KindRef {
+ public:
+  template <class Kind>
+  explicit KindRef(Kind* place)
+      : place_(place),
+        get_([](const void* at) { return static_cast<int>(*static_cast<const Kind*>(at)); }),
+        set_([](void* at, int number) { *static_cast<Kind*>(at) = static_cast<Kind>(number); }) {}
+
+  int number() const { return get_(place_); }
+  void set(int number) const { set_(place_, number); }
+
+ private:
+  void* place_;
+  int (*get_)(const void*);
+  void (*set_)(void*, int);
+};
+
 /// A parameter's place. Which alternative it holds decides the row's kind.
-using ValueRef = std::variant<double*, int*, std::uint64_t*, bool*, std::string*>;
+using ValueRef = std::variant<double*, int*, std::uint64_t*, bool*, std::string*, KindRef>;
 
 /// A key and its value as TOML text.
 using KeyAndText = std::pair<std::string, std::string>;
@@ -77,6 +97,8 @@ struct Declaration {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   std::vector<std::string> choices;
+  std::vector<int> numbers;  ///< of a kind: of the enumerator that each choice is the word of
+  const std::type_info* kind_type = nullptr;  ///< of a kind: its enumeration
   ParameterScale scale = ParameterScale::linear;
   bool can_be_free = false;
 

@@ -59,7 +59,7 @@ std::vector<Declaration> fit_rows() {
           .means("of the autocovariance along the arc, which tells the rays' spacing wherever each of them stands"),
       Row("fit", "granulation_weight", &Scene::fit, &Fit::granulation_weight).within(0, 100)
           .means("of the angular power spectrum of the light on the Sun's disc, which tells the granules' size wherever each of them stands"),
-      Row("fit", "profile_along", &Scene::fit, &Fit::profile_along).one_of({"columns", "elevation", "field", "loop", "limb"})
+      Row("fit", "profile_along", &Scene::fit, &Fit::profile_along).one_of<ProfileAlong>({{"columns", ProfileAlong::columns}, {"elevation", ProfileAlong::elevation}, {"field", ProfileAlong::field}, {"loop", ProfileAlong::loop}, {"limb", ProfileAlong::limb}})
           .means("what profiles run along: the picture's columns, the elevation, the field line in the picture, across a loop that is drawn by guide points, or away from the Sun's limb"),
       Row("fit", "guide_x_px", &Scene::fit, &Fit::guide_x_px).of({"<n>"}).named_by(name_by_point).in("px").within(-1e5, 1e5)
           .means("of profiles across a loop: points drawn along it, from the picture's left edge"),
@@ -77,9 +77,9 @@ std::vector<Declaration> fit_rows() {
           .means("strips of rows in which horizontal profiles are taken"),
       Row("fit", "image_cell_px", &Scene::fit, &Fit::image_cell_px).in("px").within(2, 1000)
           .means("of the picture of low resolution"),
-      Row("fit", "photo_noise", &Scene::fit, &Fit::photo_noise).one_of({"estimated", "sensor"})
+      Row("fit", "photo_noise", &Scene::fit, &Fit::photo_noise).one_of<PhotoNoise>({{"estimated", PhotoNoise::estimated}, {"sensor", PhotoNoise::sensor}})
           .means("whether the photograph's noise is taken from the photograph or from [sensor]"),
-      Row("fit", "loss", &Scene::fit, &Fit::loss).one_of({"none", "huber", "cauchy"})
+      Row("fit", "loss", &Scene::fit, &Fit::loss).one_of<ResidualLoss>({{"none", ResidualLoss::none}, {"huber", ResidualLoss::huber}, {"cauchy", ResidualLoss::cauchy}})
           .means("how single residuals beyond loss_sigma are kept from ruling the fit"),
       Row("fit", "loss_sigma", &Scene::fit, &Fit::loss_sigma).within(0.1, 100)
           .means("from how many standard deviations on a residual counts less"),

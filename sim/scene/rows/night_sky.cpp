@@ -9,7 +9,7 @@ namespace {}  // namespace
 std::vector<Declaration> night_sky_rows() {
   // clang-format off
   return {
-      Row("air", "model", &Scene::air, &LowerAir::model).one_of({"none", "standard"})
+      Row("air", "model", &Scene::air, &LowerAir::model).one_of<AirModel>({{"none", AirModel::none}, {"standard", AirModel::standard}})
           .means("what light loses in the air: nothing, or by molecules, aerosol and ozone as far as it passes them"),
       Row("air", "aerosol_optical_depth", &Scene::air, &LowerAir::aerosol_optical_depth).within(0, 5).may_be_free(ParameterScale::logarithmic)
           .means("of the aerosol from sea level to the zenith at 550 nm; 0.05 is very clear, 0.3 hazy"),

@@ -20,7 +20,7 @@ std::vector<Declaration> place_rows() {
       Row("site", "time_utc", &Scene::site, &Site::time_utc).rule(time_complaint)
           .means("when, in ISO 8601 such as \"2019-09-01T05:00:00Z\"; empty if unknown; goes into file headers"),
 
-      Row("field", "model", &Scene::field, &Field::model).one_of({"uniform", "dipole"})
+      Row("field", "model", &Scene::field, &Field::model).one_of<FieldModel>({{"uniform", FieldModel::uniform}, {"dipole", FieldModel::dipole}})
           .means("the same field everywhere, or a tilted dipole's at each foot"),
       Row("field", "inclination_deg", &Scene::field, &Field::inclination_deg).in("deg").within(-90, 90)
           .rule(inclination_complaint).may_be_free(ParameterScale::linear)
@@ -33,7 +33,7 @@ std::vector<Declaration> place_rows() {
           .means("longitude of the dipole's northern pole, east positive"),
 
       Row("camera", "model", &Scene::camera, &Camera::model)
-          .one_of({"pinhole", "equidistant", "equisolid", "stereographic", "orthographic", "polynomial"})
+          .one_of<LensModel>({{"pinhole", LensModel::pinhole}, {"equidistant", LensModel::equidistant}, {"equisolid", LensModel::equisolid}, {"stereographic", LensModel::stereographic}, {"orthographic", LensModel::orthographic}, {"polynomial", LensModel::polynomial}})
           .means("projection of the lens"),
       Row("camera", "width", &Scene::camera, &Camera::width).in("px").within(1, 65535).means("width of the image"),
       Row("camera", "height", &Scene::camera, &Camera::height).in("px").within(1, 65535).means("height of the image"),

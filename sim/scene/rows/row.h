@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <any>
 #include <array>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -20,7 +21,10 @@ namespace vegard::sim {
 /// The component of a member: the member itself if it is a scalar.
 template <class T>
 ValueRef component_of(T& scalar, int) {
-  return &scalar;
+  if constexpr (std::is_enum_v<T>)
+    return KindRef(&scalar);
+  else
+    return &scalar;
 }
 inline ValueRef component_of(EastNorth& point, int c) { return c == 0 ? &point.east : &point.north; }
 inline ValueRef component_of(std::vector<double>& list, int c) { return &list.at(c); }
@@ -119,6 +123,16 @@ class Row {
   Row& from(double min) { return d_.min = min, *this; }
   Row& within(double min, double max) { return d_.min = min, d_.max = max, *this; }
   Row& one_of(std::vector<std::string> choices) { return d_.choices = std::move(choices), *this; }
+  /// The words of a kind. They stand here and nowhere else.
+  template <class Kind>
+  Row& one_of(std::initializer_list<std::pair<const char*, Kind>> words) {
+    d_.kind_type = &typeid(Kind);
+    for (const auto& [word, kind] : words) {
+      d_.choices.emplace_back(word);
+      d_.numbers.push_back(static_cast<int>(kind));
+    }
+    return *this;
+  }
   Row& of(std::vector<std::string> components) { return d_.components = std::move(components), *this; }
   Row& may_be_free(ParameterScale scale) { return d_.scale = scale, d_.can_be_free = true, *this; }
   Row& rule(std::optional<Complaint> (*check)(double)) { return d_.number_rule = check, *this; }

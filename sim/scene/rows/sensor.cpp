@@ -37,23 +37,23 @@ std::optional<Complaint> colour_table_complaint(const std::string& table) {
 std::vector<Declaration> sensor_rows() {
   // clang-format off
   return {
-      Row("sensor", "primaries", &Scene::sensor, &Sensor::primaries).one_of({"srgb", "smpte-c", "rec2020", "acescg"})
+      Row("sensor", "primaries", &Scene::sensor, &Sensor::primaries).one_of<Primaries>({{"srgb", Primaries::srgb}, {"smpte-c", Primaries::smpte_c}, {"rec2020", Primaries::rec2020}, {"acescg", Primaries::acescg}})
           .means("colour primaries of the image"),
       Row("sensor", "gain_per_kilorayleigh", &Scene::sensor, &Sensor::gain_per_kilorayleigh).within(1e-12, 1e12)
           .means("linear sensor value (white = 1) of the luminance of 1 kR of 557.7 nm; with a camera's response, of its raw green"),
       Row("sensor", "response", &Scene::sensor, &Sensor::response).names_table().rule(response_complaint)
           .means("what makes colours of light: `cie` (the 1931 observer), `filters` (an imager with a narrow filter per line: red, green and blue stand for the first three of emission.lines, 1 per kilorayleigh), `grey` (every photon counts alike, of any wavelength: 1 per kilorayleigh in all three channels), a built-in camera (`canon_5d_mark_ii`, `nikon_d200`, `nikon_d700`, `sony_a7s_ii`) or a table `FILE.csv` of wavelength_nm, red, green, blue beside the scene's file"),
-      Row("sensor", "response_per", &Scene::sensor, &Sensor::response_per).one_of({"energy", "photon"})
+      Row("sensor", "response_per", &Scene::sensor, &Sensor::response_per).one_of<ResponsePer>({{"energy", ResponsePer::energy}, {"photon", ResponsePer::photon}})
           .means("what the numbers of a table `FILE.csv` are relative to"),
-      Row("sensor", "white_balance_rule", &Scene::sensor, &Sensor::white_balance_rule).one_of({"given", "daylight"})
+      Row("sensor", "white_balance_rule", &Scene::sensor, &Sensor::white_balance_rule).one_of<WhiteBalanceRule>({{"given", WhiteBalanceRule::given}, {"daylight", WhiteBalanceRule::daylight}})
           .means("of a camera: `given` (white_balance) or `daylight` (gains that make D65 light neutral)"),
       Row("sensor", "white_balance", &Scene::sensor, &Sensor::white_balance).of({"red", "green", "blue"}).within(1e-6, 1e6)
           .means("given gains of a camera's raw channels"),
-      Row("sensor", "matrix_rule", &Scene::sensor, &Sensor::matrix_rule).one_of({"none", "colorimetric", "given"})
+      Row("sensor", "matrix_rule", &Scene::sensor, &Sensor::matrix_rule).one_of<MatrixRule>({{"none", MatrixRule::none}, {"colorimetric", MatrixRule::colorimetric}, {"given", MatrixRule::given}})
           .means("from a camera's balanced channels to the primaries: `none` (they stay as they are), `colorimetric` (least squares, see physics.md) or `given` (matrix)"),
       Row("sensor", "matrix", &Scene::sensor, &Sensor::matrix).of({"rr", "rg", "rb", "gr", "gg", "gb", "br", "bg", "bb"}).within(-1e6, 1e6)
           .means("the given matrix, by rows: red, green, blue of the picture from red, green, blue of the camera"),
-      Row("sensor", "exposure", &Scene::sensor, &Sensor::exposure).one_of({"gain", "camera"})
+      Row("sensor", "exposure", &Scene::sensor, &Sensor::exposure).one_of<ExposureRule>({{"gain", ExposureRule::gain}, {"camera", ExposureRule::camera}})
           .means("where the gain comes from: gain_per_kilorayleigh, or lens, pixel, time.exposure_s and iso"),
       Row("sensor", "f_number", &Scene::sensor, &Sensor::f_number).within(0.5, 64)
           .means("of the lens, of the exposure \"camera\""),
@@ -77,13 +77,13 @@ std::vector<Declaration> sensor_rows() {
           .means("digital number without light, as a fraction of the largest"),
       Row("sensor", "bits", &Scene::sensor, &Sensor::bits).within(8, 16)
           .means("of the analogue-digital converter"),
-      Row("sensor", "mosaic", &Scene::sensor, &Sensor::mosaic).one_of({"rggb", "bggr", "grbg", "gbrg", "none"})
+      Row("sensor", "mosaic", &Scene::sensor, &Sensor::mosaic).one_of<MosaicPattern>({{"rggb", MosaicPattern::rggb}, {"bggr", MosaicPattern::bggr}, {"grbg", MosaicPattern::grbg}, {"gbrg", MosaicPattern::gbrg}, {"none", MosaicPattern::none}})
           .means("colour filters of the upper left two by two pixels, row by row; none: every pixel sees all colours"),
       Row("sensor", "vignetting_cos_power", &Scene::sensor, &Sensor::vignetting_cos_power).within(0, 16)
           .means("light falls off as this power of the cosine of the angle off the axis (4: a simple lens); 0: it does not"),
       Row("sensor", "vignetting", &Scene::sensor, &Sensor::vignetting).of({"r2", "r4", "r6"}).within(-10, 10)
           .means("light falls off as 1 + r2 r² + r4 r⁴ + r6 r⁶ as well, r = 1 in the picture's corners"),
-      Row("sensor", "tone", &Scene::sensor, &Sensor::tone).one_of({"srgb", "linear", "gamma", "file"})
+      Row("sensor", "tone", &Scene::sensor, &Sensor::tone).one_of<ToneKind>({{"srgb", ToneKind::srgb}, {"linear", ToneKind::linear}, {"gamma", ToneKind::gamma}, {"file", ToneKind::file}})
           .means("curve from linear light to the numbers of a display file"),
       Row("sensor", "gamma", &Scene::sensor, &Sensor::gamma).within(0.2, 5)
           .means("of the tone \"gamma\": numbers are linear light to the power of 1 / this"),

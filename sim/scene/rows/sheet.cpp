@@ -56,25 +56,25 @@ std::vector<Declaration> sheet_rows() {
           .means("pitch angle at the lower end of the path"),
       Row("pitch_step_rad", &Sheet::pitch_step_rad).in("rad").within(0, 0.5).may_be_free(ParameterScale::linear)
           .means("how much smaller the pitch angle is at the upper end"),
-      Row("pitch_law", &Sheet::pitch_law).one_of({"reduced", "product", "increment", "constant"})
+      Row("pitch_law", &Sheet::pitch_law).one_of<PitchLaw>({{"reduced", PitchLaw::reduced}, {"product", PitchLaw::product}, {"increment", PitchLaw::increment}, {"constant", PitchLaw::constant}})
           .means("reading of the paper's equation (4): αD − Δα(1 − t); literally αD·t·Δα; t·Δα; or αD throughout"),
       Row("path_step", &Sheet::path_step).within(1e-5, 0.5)
           .means("largest step between two deflections, as a fraction of the path"),
       Row("top_km", &Sheet::top_km).in("km").within(150, 640).means("altitude at which a beam starts"),
       Row("spacing_jitter", &Sheet::spacing_jitter).within(0, 0.999)
           .means("random shift of the beams along the sheet, as a fraction of their spacing"),
-      Row("spacing_rule", &Sheet::spacing_rule).one_of({"stratified", "tied", "literal"})
+      Row("spacing_rule", &Sheet::spacing_rule).one_of<SpacingRule>({{"stratified", SpacingRule::stratified}, {"tied", SpacingRule::tied}, {"literal", SpacingRule::literal}})
           .means("places of the beams: each in a stretch of its own; a jittered walk; or the paper's walk, whose phase does not follow it"),
       Row("beams_per_km", &Sheet::beams_per_km).in("km⁻¹").within(0, 100000)
           .means("electron beams per kilometre of each layer, in place of their number; 0: beams says"),
-      Row("step_rule", &Sheet::step_rule).one_of({"given", "energy"})
+      Row("step_rule", &Sheet::step_rule).one_of<PathStepRule>({{"given", PathStepRule::given}, {"energy", PathStepRule::energy}})
           .means("whether path_step is taken as it is, or follows from the electrons' mean energy"),
       Row("arcs", &Sheet::arcs).within(1, 64).means("how many like sheets stand side by side, center_km in their middle"),
       Row("arc_spacing_km", &Sheet::arc_spacing_km).called("spacing of the arcs").in("km").within(0.1, 1000).may_be_free(ParameterScale::logarithmic)
           .means("distance between them (10 to 100 in nature)"),
       Row("brightness_kilorayleigh", &Sheet::brightness_kilorayleigh).in("kR").within(0, 1e6)
           .means("of 557.7 nm seen along the field, at its peak across a layer, in place of the energy flux; 0: that says"),
-      Row("profile", &Sheet::profile).one_of({"maxwellian", "mono", "gaussian", "form", "file", "spline"})
+      Row("profile", &Sheet::profile).one_of<ProfileKind>({{"maxwellian", ProfileKind::maxwellian}, {"mono", ProfileKind::mono}, {"gaussian", ProfileKind::gaussian}, {"form", ProfileKind::form}, {"file", ProfileKind::file}, {"spline", ProfileKind::spline}})
           .means("light against altitude: of electrons with a Maxwellian spectrum, a single energy, or a Gaussian one; the form's measured curve with the Maxwellian's ratios of lines; that of profile_file; or a free form of its own for each line"),
       Row("profile_file", &Sheet::profile_file).names_table()
           .means("of the profile \"file\": a CSV of altitude_km and, per line, photons cm⁻³ s⁻¹, beside the scene's file"),

@@ -29,7 +29,7 @@ bool fits(const Scene& scene, const Sheet& sheet) {
 
 }  // namespace
 
-bool has_spline_profile(const Sheet& sheet) { return sheet.profile == "spline"; }
+bool has_spline_profile(const Sheet& sheet) { return sheet.profile == ProfileKind::spline; }
 
 AltitudeSpline altitude_spline(const Sheet& sheet) {
   return AltitudeSpline(sheet.spline_bottom_km, sheet.spline_top_km, sheet.spline_knots);

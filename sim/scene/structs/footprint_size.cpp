@@ -13,7 +13,7 @@ constexpr double kPieceWidths = 0.8;
 constexpr double kCurtainPieceKm = 4.0, kShellCurtainPieceKm = 16.0;
 constexpr double kFootRadiusKm = kEarthRadiusKm + kFootAltitudeKm;
 
-bool is_shell(const Footprint& f) { return f.shape == "shell"; }
+bool is_shell(const Footprint& f) { return f.shape == FootprintShape::shell; }
 
 /// Between two points of the spline.
 double chord_km(const Footprint& f, std::size_t a, std::size_t b) {
@@ -33,7 +33,7 @@ double drawn_width_km(const Footprint& f) {
 }
 
 double longest_piece_km(const Footprint& f) {
-  if (f.model == "curtain") return is_shell(f) ? kShellCurtainPieceKm : kCurtainPieceKm;
+  if (f.model == FootprintModel::curtain) return is_shell(f) ? kShellCurtainPieceKm : kCurtainPieceKm;
   return kPieceWidths * drawn_width_km(f);
 }
 
@@ -56,7 +56,7 @@ double map_cells(const Footprint& f) {
 }
 
 double bytes_per_cell(const Footprint& f, std::size_t number_bytes) {
-  const bool of_sheets = f.source == "sheets";
+  const bool of_sheets = f.source == FootprintSource::sheets;
   const bool has_energy = of_sheets || !f.point_energy.empty() || !f.energy_image.empty();
   const double layers = has_energy ? 2.0 : 1.0;
   double numbers = layers + (of_sheets ? 4.0 : 0.0);

@@ -24,11 +24,27 @@ std::string NodeArity::words() const {
   return most == 1 ? "one node" : "two nodes or more";
 }
 
-NodeArity arity_of(const std::string& kind) {
-  constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
-  if (kind == "union" || kind == "intersection" || kind == "difference") return {2, kAny};
-  for (const char* one : {"filaments", "turbulence", "warp", "scale", "rotate", "move"})
-    if (kind == one) return {1, 1};
+NodeArity arity_of(NodeKind kind) {
+  switch (kind) {
+    case NodeKind::unite:
+    case NodeKind::intersect:
+    case NodeKind::subtract:
+      return {2, std::numeric_limits<std::size_t>::max()};
+    case NodeKind::filaments:
+    case NodeKind::turbulence:
+    case NodeKind::warp:
+    case NodeKind::scale:
+    case NodeKind::rotate:
+    case NodeKind::move:
+      return {1, 1};
+    case NodeKind::sphere:
+    case NodeKind::shell:
+    case NodeKind::lobes:
+    case NodeKind::torus:
+    case NodeKind::tube:
+    case NodeKind::slab:
+      break;
+  }
   return {0, 0};
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/scene/structs/volumes_of_scene.h"
+
 namespace vegard::sim {
 
 /// "hull, lobes" as its names; blanks about them do not count, and an empty text has none.
@@ -16,7 +18,6 @@ struct NodeArity {
   std::string words() const;  ///< "no other node", "one node", "two nodes or more"
 };
 
-/// Of a kind that the parameter table knows.
-NodeArity arity_of(const std::string& kind);
+NodeArity arity_of(NodeKind kind);
 
 }  // namespace vegard::sim

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "sim/scene/structs/east_north.h"
+#include "sim/scene/structs/sheet_kinds.h"
 #include "sim/scene/structs/sun_of_scene.h"
 #include "sim/scene/structs/volumes_of_scene.h"
 
@@ -26,10 +27,15 @@ struct Site {
   std::string time_utc;  ///< ISO 8601, empty if unknown; goes into file headers, never the clock's time
 };
 
+enum class FieldModel {
+  uniform,  ///< the same everywhere
+  dipole    ///< that of a tilted dipole at each foot
+};
+
 /// The geomagnetic field, straight along every beam: the same everywhere, or that of a tilted dipole at each
 /// foot.
 struct Field {
-  std::string model = "uniform";       ///< or "dipole"
+  FieldModel model = FieldModel::uniform;
   double inclination_deg = 78.0;       ///< of the uniform field, below the horizon in the north
   double declination_deg = 0.0;        ///< of the uniform field, from north to the east
   double pole_latitude_deg = 80.65;    ///< of the dipole's pole in the north
@@ -56,12 +62,14 @@ struct Substorm {
   double recovery_s = 3600.0;
 };
 
+/// The projection of a lens: a pinhole with Brown's distortion, a polynomial with terms of the angle off the
+/// axis (sim/view/camera/lens.h).
+enum class LensModel { pinhole, equidistant, equisolid, stereographic, orthographic, polynomial };
+
 /// A camera: a lens (sim/view/camera/lens.h) before pixels. Each lens has its own measure of scale: a pinhole
 /// its field of view, all others focal_px.
 struct Camera {
-  /// "pinhole" (with Brown's distortion), "equidistant", "equisolid", "stereographic", "orthographic" or
-  /// "polynomial" (with terms of the angle off the axis)
-  std::string model = "pinhole";
+  LensModel model = LensModel::pinhole;
   int width = 720;
   int height = 480;
   double hfov_deg = 60.0;    ///< of a pinhole without distortion, across the picture's width
@@ -92,34 +100,34 @@ struct Sheet {
   double phase_rad = 0.0;           ///< of the first layer, counted from the start
   double phase_shift_rad = 0.5;     ///< between the first and the last layer
   int layers = 3;
-  double width_km = 1.5;                    ///< standard deviation of a layer's Gaussian cross-section
-  int beams = 2000;                         ///< per layer
-  double energy_kev = 3.0;                  ///< Maxwellian E0, or the energy of others
-  double energy_flux_mw_m2 = 5.0;           ///< Q, the peak across a layer
-  double path_spread = 0.0;                 ///< random depth, fraction of the path (ΔL)
-  double loss_cone_deg = 2.5;               ///< pitch angle at the lower end of the path (α_D)
-  double pitch_step_rad = 0.015;            ///< reduction of the pitch angle along the path (Δα)
-  std::string pitch_law = "reduced";        ///< the reading of equation (4)
-  double path_step = 1.0 / 300.0;           ///< largest step between deflections, fraction of the path (d_t)
-  double top_km = 500.0;                    ///< altitude at which a beam starts
-  double spacing_jitter = 0.5;              ///< of the beams along the arc, fraction of their spacing (j)
-  std::string spacing_rule = "stratified";  ///< or "tied" (a jittered walk), or "literal" (the paper's)
-  double beams_per_km = 0.0;                ///< if not 0, the number of beams follows from the length
-  std::string step_rule = "given";          ///< "given" (path_step) or "energy": it follows from energy_kev
+  double width_km = 1.5;                   ///< standard deviation of a layer's Gaussian cross-section
+  int beams = 2000;                        ///< per layer
+  double energy_kev = 3.0;                 ///< Maxwellian E0, or the energy of others
+  double energy_flux_mw_m2 = 5.0;          ///< Q, the peak across a layer
+  double path_spread = 0.0;                ///< random depth, fraction of the path (ΔL)
+  double loss_cone_deg = 2.5;              ///< pitch angle at the lower end of the path (α_D)
+  double pitch_step_rad = 0.015;           ///< reduction of the pitch angle along the path (Δα)
+  PitchLaw pitch_law = PitchLaw::reduced;  ///< the reading of equation (4)
+  double path_step = 1.0 / 300.0;          ///< largest step between deflections, fraction of the path (d_t)
+  double top_km = 500.0;                   ///< altitude at which a beam starts
+  double spacing_jitter = 0.5;             ///< of the beams along the arc, fraction of their spacing (j)
+  SpacingRule spacing_rule = SpacingRule::stratified;
+  double beams_per_km = 0.0;  ///< if not 0, the number of beams follows from the length
+  PathStepRule step_rule = PathStepRule::given;
 
   int arcs = 1;                  ///< like sheets side by side
   double arc_spacing_km = 30.0;  ///< between them
 
   double brightness_kilorayleigh = 0.0;  ///< if not 0, of 557.7 nm along the field, in place of Q
-  std::string profile = "maxwellian";  ///< light against altitude: of a spectrum, a form, a file or a spline
-  double energy_spread = 0.2;          ///< of a Gaussian spectrum: standard deviation over energy_kev
-  std::string profile_file;            ///< CSV of a drawn or measured profile, beside the scene's file
-  double peak_km = 110.0;              ///< of a form's light
-  double lower_km = 4.0;               ///< below the peak a form's light has fallen to a tenth
-  double upper_km = 20.0;              ///< above the peak a form's light has fallen to a tenth
-  double spline_bottom_km = 80.0;      ///< where a free-form profile begins, dark
-  double spline_top_km = 500.0;        ///< and ends, dark
-  int spline_knots = 36;               ///< its coefficients per line
+  ProfileKind profile = ProfileKind::maxwellian;
+  double energy_spread = 0.2;      ///< of a Gaussian spectrum: standard deviation over energy_kev
+  std::string profile_file;        ///< CSV of a drawn or measured profile, beside the scene's file
+  double peak_km = 110.0;          ///< of a form's light
+  double lower_km = 4.0;           ///< below the peak a form's light has fallen to a tenth
+  double upper_km = 20.0;          ///< above the peak a form's light has fallen to a tenth
+  double spline_bottom_km = 80.0;  ///< where a free-form profile begins, dark
+  double spline_top_km = 500.0;    ///< and ends, dark
+  int spline_knots = 36;           ///< its coefficients per line
   /// Photons cm^-3 s^-1 per mW m^-2, [line][knot] (sim/scene/rows/spline_rates.h); empty without such a
   /// profile.
   std::vector<double> spline_rate;
@@ -158,38 +166,91 @@ struct Sheet {
   double sine_speed_km_s = 0.0;    ///< of the sine along the sheet
 };
 
+/// Light by energy flux.
+enum class FluxLaw {
+  column,  ///< as GLOW's columns have it
+  linear
+};
+
 struct Emission {
   std::vector<double> lines = {630.0, 557.7, 427.8};  ///< wavelengths in nm
-  std::string flux_law = "column";  ///< light by energy flux: as GLOW's columns have it, or "linear"
+  FluxLaw flux_law = FluxLaw::column;
+};
+
+enum class BlurKernelKind {
+  full,  ///< untruncated
+  paper  ///< truncated as in the paper
+};
+
+enum class BlurModel {
+  angle,    ///< by a width per line
+  physical  ///< the way of the excited atoms
 };
 
 struct Blur {
   std::vector<double> width_deg = {0.43, 0.18,
                                    0.0};  ///< standard deviation per line, in the order of Emission::lines
-  std::string kernel = "full";            ///< "full" (untruncated) or "paper" (truncated as in the paper)
-  std::string model = "angle";            ///< or "physical": the way of the excited atoms
-  EastNorth wind_m_s{0.0, 0.0};           ///< of the air, that carries them
+  BlurKernelKind kernel = BlurKernelKind::full;
+  BlurModel model = BlurModel::angle;
+  EastNorth wind_m_s{0.0, 0.0};  ///< of the air, that carries them
+};
+
+enum class SplatRule {
+  bilinear,
+  nearest  ///< the paper's
+};
+
+enum class PointWeight {
+  rayleigh,
+  unit  ///< every point counts alike, the paper's forward map
 };
 
 struct Film {
-  std::string splat = "bilinear";   ///< or "nearest", the paper's
-  std::string weight = "rayleigh";  ///< or "unit": every point counts alike, the paper's forward map
+  SplatRule splat = SplatRule::bilinear;
+  PointWeight weight = PointWeight::rayleigh;
 };
+
+enum class Primaries { srgb, smpte_c, rec2020, acescg };
+
+/// What the numbers of a response's table are relative to.
+enum class ResponsePer { energy, photon };
+
+enum class WhiteBalanceRule {
+  given,
+  daylight  ///< D65 becomes neutral
+};
+
+/// From a camera's channels to the primaries.
+enum class MatrixRule {
+  none,          ///< they stay as they are
+  colorimetric,  ///< least squares
+  given
+};
+
+/// Where the gain comes from.
+enum class ExposureRule {
+  gain,   ///< it is given
+  camera  ///< it follows from lens, pixel, time and ISO
+};
+
+/// Filters of the upper left two by two pixels, row by row.
+enum class MosaicPattern { rggb, bggr, grbg, gbrg, none };
+
+enum class ToneKind { srgb, linear, gamma, file };
 
 /// From light to the numbers of a file (sim/view/sensor/sensor.h). Renders without noise know the primaries,
 /// the exposure, the vignetting and the tone curve only.
 struct Sensor {
-  std::string primaries = "srgb";       ///< or "smpte-c", "rec2020", "acescg"
-  std::string response = "cie";         ///< the CIE 1931 observer, a built-in camera, or a table "FILE.csv"
-  std::string response_per = "energy";  ///< what a table counts: "energy" or "photon"
+  Primaries primaries = Primaries::srgb;
+  std::string response = "cie";  ///< the CIE 1931 observer, a built-in camera, or a table "FILE.csv"
+  ResponsePer response_per = ResponsePer::energy;
   std::array<double, 3> white_balance{1.0, 1.0, 1.0};  ///< gains of a camera's raw channels
-  std::string white_balance_rule = "given";            ///< or "daylight": D65 becomes neutral
-  std::string matrix_rule =
-      "none";  ///< from a camera's channels to the primaries: or "colorimetric", "given"
+  WhiteBalanceRule white_balance_rule = WhiteBalanceRule::given;
+  MatrixRule matrix_rule = MatrixRule::none;
   std::array<double, 9> matrix{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};  ///< the given one, by rows
   double gain_per_kilorayleigh =
-      0.05;                       ///< linear sensor value (white = 1) of the luminance of 1 kR of 557.7 nm
-  std::string exposure = "gain";  ///< or "camera": the gain follows from lens, pixel, time and ISO
+      0.05;  ///< linear sensor value (white = 1) of the luminance of 1 kR of 557.7 nm
+  ExposureRule exposure = ExposureRule::gain;
   double f_number = 2.0;
   double lens_transmission = 0.85;
   double pixel_um = 6.0;             ///< edge of a square pixel
@@ -197,14 +258,14 @@ struct Sensor {
   double full_well_e = 50000.0;      ///< what a pixel holds, and white at base_iso
   double iso = 1600.0;               ///< white is full_well_e base_iso / iso electrons
   double base_iso = 100.0;
-  double read_noise_e = 3.0;          ///< standard deviation
-  double dark_e_s = 0.1;              ///< dark current of a pixel
-  double black_level = 0.03;          ///< fraction of the largest digital number
-  int bits = 14;                      ///< of the analogue-digital converter
-  std::string mosaic = "rggb";        ///< filters of the upper left two by two pixels, or "none"
-  double vignetting_cos_power = 0.0;  ///< of the angle off the axis; 4: a simple lens
+  double read_noise_e = 3.0;  ///< standard deviation
+  double dark_e_s = 0.1;      ///< dark current of a pixel
+  double black_level = 0.03;  ///< fraction of the largest digital number
+  int bits = 14;              ///< of the analogue-digital converter
+  MosaicPattern mosaic = MosaicPattern::rggb;
+  double vignetting_cos_power = 0.0;                ///< of the angle off the axis; 4: a simple lens
   std::array<double, 3> vignetting{0.0, 0.0, 0.0};  ///< of r^2, r^4, r^6, r = 1 in the corners
-  std::string tone = "srgb";                        ///< or "linear", "gamma", "file"
+  ToneKind tone = ToneKind::srgb;
   double gamma = 2.2;
   std::string tone_file;              ///< CSV of linear and encoded values, beside the scene's file
   std::string colour_table = "none";  ///< of display files: a false colour for grey, by name or file
@@ -220,9 +281,11 @@ struct Sky {
   double lights_gain = 1.0;  ///< times airglow, twilight and light pollution
 };
 
+enum class AirModel { none, standard };
+
 /// What light loses on its way through the lower atmosphere.
 struct LowerAir {
-  std::string model = "none";          ///< or "standard"
+  AirModel model = AirModel::none;
   double aerosol_optical_depth = 0.1;  ///< of the whole vertical column from sea level, at 550 nm
   double angstrom_exponent = 1.3;      ///< of the aerosol's optical depth against wavelength
   double aerosol_height_km = 2.0;      ///< scale height
@@ -307,6 +370,22 @@ struct PhotoEntry {
   int line = 0;
 };
 
+enum class ProfileAlong {
+  columns,
+  elevation,
+  field,
+  loop,  ///< across a loop
+  limb   ///< away from the Sun's
+};
+
+enum class PhotoNoise {
+  estimated,
+  sensor  ///< what [sensor] says
+};
+
+/// Of single residuals.
+enum class ResidualLoss { none, huber, cauchy };
+
 struct Fit {
   std::array<int, 4> roi_px{0, 0, 0, 0};  ///< x, y, width, height; all zero: the whole image
   int bands = 24;
@@ -329,14 +408,14 @@ struct Fit {
   double search_smoothing = 0.025;  ///< of profiles in the search, as a fraction of the region's height
 
   // What is compared: weights of the statistics in chi2, 0: not at all (fit/compare/statistic.h).
-  double profile_weight = 1.0;                    ///< intensity along columns, elevation or the field line
-  double colour_weight = 0.0;                     ///< log ratios of the channels along the same
-  double horizontal_weight = 0.0;                 ///< intensity across the picture in a few strips
-  double border_weight = 0.0;                     ///< the lower border's course from band to band
-  double image_weight = 0.0;                      ///< a low-resolution image
-  double texture_weight = 0.0;                    ///< autocovariance along the arc: ray spacing and contrast
-  double granulation_weight = 0.0;                ///< angular power spectrum of the light on a disc
-  std::string profile_along = "columns";          ///< "columns", "elevation", "field", "loop" or "limb"
+  double profile_weight = 1.0;      ///< intensity along columns, elevation or the field line
+  double colour_weight = 0.0;       ///< log ratios of the channels along the same
+  double horizontal_weight = 0.0;   ///< intensity across the picture in a few strips
+  double border_weight = 0.0;       ///< the lower border's course from band to band
+  double image_weight = 0.0;        ///< a low-resolution image
+  double texture_weight = 0.0;      ///< autocovariance along the arc: ray spacing and contrast
+  double granulation_weight = 0.0;  ///< angular power spectrum of the light on a disc
+  ProfileAlong profile_along = ProfileAlong::columns;
   std::vector<double> guide_x_px, guide_y_px;     ///< of profiles across a loop: points drawn along it
   double guide_half_width_px = 20.0;              ///< how far such a profile reaches to either side
   double guide_cell_px = 1.0;                     ///< from position to position across
@@ -345,9 +424,9 @@ struct Fit {
   int horizontal_strips = 4;
   int image_cell_px = 16;
 
-  std::string photo_noise = "estimated";  ///< or "sensor": what [sensor] says
-  std::string loss = "none";              ///< of single residuals: "none", "huber" or "cauchy"
-  double loss_sigma = 3.0;                ///< from where on a residual counts less
+  PhotoNoise photo_noise = PhotoNoise::estimated;
+  ResidualLoss loss = ResidualLoss::none;
+  double loss_sigma = 3.0;  ///< from where on a residual counts less
 };
 
 struct Scene {

@@ -43,6 +43,22 @@ struct Chromosphere {
   double step = 1.0;             ///< of the march
 };
 
+/// Density across a strand, q the distance from its middle over its radius.
+enum class RadialFalloff {
+  smooth,   ///< (1 - q²)²
+  linear,   ///< 1 - q
+  gaussian  ///< exp(-4.5 q²); all are 0 beyond q = 1
+};
+
+/// Density along a strand, by the height over its feet.
+enum class HeightFalloff {
+  none,
+  grow,         ///< linearly
+  fade,         ///< linearly
+  logarithmic,  ///< it fades as the logarithm of the height
+  inverse_square
+};
+
 /// A macro-loop: strands side by side over one pair of feet.
 struct Loop {
   std::string name = "loop";
@@ -55,11 +71,11 @@ struct Loop {
   double tilt_deg = 0.0;               ///< of its plane from the vertical, to the right of the bearing
   double tilt_per_distance_deg = 0.0;  ///< by which a strand is tilted more to a unit of its distance
   int strands = 100;
-  double spread = 10.0;                    ///< strands stand up to so far across, to either side
-  double strand_radius = 1.0;              ///< beyond which a strand gives no light
-  std::string density_falloff = "smooth";  ///< across a strand
-  std::string height_falloff = "none";     ///< along it
-  double falloff_least = 0.0;              ///< of the height falloff, where it is least
+  double spread = 10.0;        ///< strands stand up to so far across, to either side
+  double strand_radius = 1.0;  ///< beyond which a strand gives no light
+  RadialFalloff density_falloff = RadialFalloff::smooth;
+  HeightFalloff height_falloff = HeightFalloff::none;
+  double falloff_least = 0.0;  ///< of the height falloff, where it is least
   double base_density = 1.0;
   double root_noise = 0.0;    ///< standard deviation of the feet's places
   double height_noise = 0.0;  ///< of the height, a fraction of it
@@ -76,17 +92,23 @@ struct Loop {
   int blur = 0, sharpen = 0;        ///< how often that grid is blurred, and then sharpened
 };
 
+enum class CoronaLight {
+  density,
+  square,    ///< of the density
+  scattered  ///< from the photosphere
+};
+
 /// The corona at large: density = sum of shares (r / R)^-power about the whole Sun.
 struct Corona {
   std::string name = "corona";
   double density = 1.0;  ///< at the photosphere, where shares add up to 1
   std::vector<double> share{1.0};
   std::vector<double> power{6.0};
-  double polar = 1.0;             ///< density over the poles, of that over the equator
-  double reach = 5.0;             ///< where it ends, in radii of the photosphere
-  std::string light = "density";  ///< light as density, as its "square", or "scattered" from the photosphere
-  std::vector<double> rayleigh;   ///< per line: of density 1, to a unit of path
-  double temperature_mk = 0.0;    ///< as a loop's
+  double polar = 1.0;  ///< density over the poles, of that over the equator
+  double reach = 5.0;  ///< where it ends, in radii of the photosphere
+  CoronaLight light = CoronaLight::density;
+  std::vector<double> rayleigh;  ///< per line: of density 1, to a unit of path
+  double temperature_mk = 0.0;   ///< as a loop's
 };
 
 /// Straight bundles of lines that stand on the Sun: rays of the corona, streaks over the horizon.
@@ -101,8 +123,8 @@ struct Bundle {
   double density = 1.0;             ///< at a foot
   double falloff_length = 200.0;    ///< over which the density falls to 1 / e
   double foot_radius = 2.0, top_radius = 10.0;
-  std::string density_falloff = "gaussian";  ///< across a line
-  int filaments = 0;                         ///< feet are drawn together to so many places; 0: none
+  RadialFalloff density_falloff = RadialFalloff::gaussian;
+  int filaments = 0;  ///< feet are drawn together to so many places; 0: none
   double filament_pull = 0.7;
   double lowest_latitude_deg = -90.0, highest_latitude_deg = 90.0;  ///< of feet
   double horizon_deg = 90.0;     ///< feet are at most so far from the limb, as the observer sees it
@@ -110,10 +132,12 @@ struct Bundle {
   double temperature_mk = 0.0;
 };
 
+enum class EjectionKind { rope, shell };
+
 /// A mass ejection: an expanding flux rope of twisted strands, or a shell. Ours: the source only names it.
 struct Ejection {
   std::string name = "ejection";
-  std::string kind = "rope";  ///< or "shell"
+  EjectionKind kind = EjectionKind::rope;
   double latitude_deg = 0.0, longitude_deg = 0.0;
   double bearing_deg = 90.0;   ///< of its axis, from foot to foot
   double width_deg = 40.0;     ///< angle between the feet, or that the shell spans

@@ -7,18 +7,41 @@
 #include <vector>
 
 #include "sim/scene/structs/east_north.h"
+#include "sim/scene/structs/sheet_kinds.h"
 
 namespace vegard::sim {
+
+enum class FootprintShape {
+  box,   ///< about a point of the observer's tangent plane
+  shell  ///< around the Earth
+};
+
+enum class FootprintModel {
+  volume,
+  curtain  ///< upright walls without thickness along the splines
+};
+
+/// Where a footprint comes from: a curve, a picture, six of them, the scene's sheets, or noise.
+enum class FootprintSource { spline, image, cube, sheets, noise };
+
+enum class FootprintFall {
+  field,    ///< along the scene's
+  vertical  ///< a shell's always is
+};
+
+enum class FootprintLight {
+  lines,
+  colours  ///< two of them, between two altitudes
+};
 
 /// Aurora by its footprint: light = energy flux at the foot of the field line through a point, times the
 /// height profile of the electrons that fall there (after Lawlor and Genetti 2011, docs/volumes.md).
 struct Footprint {
   std::string name = "arc";
-  std::string shape =
-      "box";  ///< "box": about a point of the observer's tangent plane; "shell": around the Earth
-  std::string model = "volume";     ///< or "curtain": upright walls without thickness along the splines
-  std::string source = "spline";    ///< or "image", "cube", "sheets", "noise"
-  std::string fall = "field";       ///< along the scene's field, or "vertical" (a shell's always is)
+  FootprintShape shape = FootprintShape::box;
+  FootprintModel model = FootprintModel::volume;
+  FootprintSource source = FootprintSource::spline;
+  FootprintFall fall = FootprintFall::field;
   EastNorth center_km{0.0, 200.0};  ///< middle of a box, of the feet at 110 km
   EastNorth size_km{800.0, 600.0};  ///< its whole extent
   double cell_km = 1.0;             ///< edge of a cell of a box's footprint
@@ -47,24 +70,29 @@ struct Footprint {
   double flow_scale_km = 20.0;  ///< of the ripples that it starts from
   double flow_ripple = 0.3;     ///< their strength, of that of the sheet's own shear
 
-  std::string light = "lines";  ///< or "colours": two colours, between two altitudes
+  FootprintLight light = FootprintLight::lines;
   std::array<double, 3> low_colour{0.1, 1.0, 0.3},
       high_colour{0.9, 0.1, 0.3};  ///< linear, of the sensor's primaries
   double low_km = 110.0, high_km = 220.0;
 
   double energy_kev = 3.0;
   double energy_flux_mw_m2 = 5.0;
-  std::string profile = "maxwellian";  ///< as a sheet's, of a spectrum or a form
+  ProfileKind profile = ProfileKind::maxwellian;  ///< as a sheet's, of a spectrum or a form
   double energy_spread = 0.2;
   double peak_km = 110.0, lower_km = 4.0, upper_km = 20.0;
   double top_km = 300.0;  ///< above which there is no light
+};
+
+enum class NebulaMethod {
+  physical,  ///< emission and absorption along each ray, in rayleighs
+  literal    ///< the march of the source with its constants, which gives colours only
 };
 
 /// A nebula, or any cloud beyond the air: emission and absorption of a few density maps (docs/nebulae.md).
 /// Lengths are in units of `unit_pc`.
 struct Nebula {
   std::string name = "nebula";
-  std::string method = "physical";  ///< or "literal": the march of the source with its constants
+  NebulaMethod method = NebulaMethod::physical;
   double azimuth_deg = 0.0, elevation_deg = 45.0;  ///< of its middle
   double distance_pc = 1000.0;                     ///< of its middle
   double unit_pc = 1.0;
@@ -88,10 +116,29 @@ struct Nebula {
   std::array<double, 3> colour_a{1.0, 0.5, 0.3}, colour_b{0.3, 0.6, 1.0};  ///< of the literal march
 };
 
+/// A shape; noise upon another node; nodes combined; or another node in its place.
+enum class NodeKind {
+  sphere,
+  shell,
+  lobes,
+  torus,
+  tube,
+  slab,
+  filaments,
+  turbulence,
+  warp,
+  unite,
+  intersect,
+  subtract,
+  scale,
+  rotate,
+  move
+};
+
 /// One node of a density map: a signed distance, negative inside, in its nebula's units.
 struct Node {
   std::string name = "node";
-  std::string kind = "sphere";
+  NodeKind kind = NodeKind::sphere;
   std::string of;                                   ///< the nodes that it works on, separated by commas
   std::array<double, 3> center{0.0, 0.0, 0.0};      ///< right, up, towards the observer
   std::array<double, 3> angles_deg{0.0, 0.0, 0.0};  ///< turns about these axes, one after the other
@@ -108,11 +155,14 @@ struct Node {
   int seed = 0;
 };
 
+/// Where a file is at home.
+enum class VolumeFrame { site, sun };
+
 /// Light from an OpenVDB file, as vegard volume writes it (docs/openvdb.md).
 struct Volume {
   std::string name = "volume";
-  std::string file;                               ///< beside the scene's
-  std::string frame = "site";                     ///< where the file is at home: "site", or "sun"
+  std::string file;  ///< beside the scene's
+  VolumeFrame frame = VolumeFrame::site;
   std::array<double, 3> shift_km{0.0, 0.0, 0.0};  ///< east, north, up
   double gain = 1.0;
   double extinction_per_km = 0.0;        ///< of density 1 of its grid "density"
@@ -120,18 +170,32 @@ struct Volume {
   double step_voxels = 0.5;              ///< of the march
 };
 
+/// Where rays begin.
+enum class GhostRule {
+  span,    ///< at the camera
+  literal  ///< by the source's rule
+};
+
+/// What the values of a picture of depths are.
+enum class DepthMeaning {
+  distance,  ///< km along the ray
+  forward,   ///< km along the axis
+  log        ///< the source's
+};
+
+enum class BlendRule { alpha, add };
+
 /// How volumes are marched and how they meet what else is in the picture.
 struct March {
-  double step_km = 2.0;         ///< of aurora by its footprint
-  double step_cells = 2.0;      ///< by which a step moves the foot, at most
-  bool skip = true;             ///< empty space by the distance to the footprint
-  std::string ghosts = "span";  ///< rays begin at the camera; or "literal", the source's rule
-  std::string depth;            ///< a picture of the distance to what stands before the sky; empty: none
-  std::string depth_is =
-      "distance";               ///< km along the ray; or "forward", along the axis; or "log", of the source
-  double depth_gain = 1.0;      ///< km to a unit of that picture
-  double depth_far_km = 1e6;    ///< of a logarithmic depth
-  std::string blend = "alpha";  ///< or "add"
+  double step_km = 2.0;     ///< of aurora by its footprint
+  double step_cells = 2.0;  ///< by which a step moves the foot, at most
+  bool skip = true;         ///< empty space by the distance to the footprint
+  GhostRule ghosts = GhostRule::span;
+  std::string depth;  ///< a picture of the distance to what stands before the sky; empty: none
+  DepthMeaning depth_is = DepthMeaning::distance;
+  double depth_gain = 1.0;    ///< km to a unit of that picture
+  double depth_far_km = 1e6;  ///< of a logarithmic depth
+  BlendRule blend = BlendRule::alpha;
   int shrink = 1;          ///< every so-many pixels across and down is marched, the others follow by depth
   double smooth_px = 0.0;  ///< blur of what was marched, to hide its grain
   double glow = 0.0;       ///< share of the light that is spread about

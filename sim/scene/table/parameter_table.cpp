@@ -19,15 +19,19 @@ struct Table {
   std::vector<const Declaration*> declaration_of_row;
 };
 
-std::string words_of(const ValueRef& value) {
+std::string words_of(const Declaration& d, const ValueRef& value) {
   struct Words {
+    const Declaration& d;
     std::string operator()(const double* v) const { return real_text(*v); }
     std::string operator()(const int* v) const { return std::to_string(*v); }
     std::string operator()(const std::uint64_t* v) const { return std::to_string(*v); }
     std::string operator()(const bool* v) const { return *v ? "true" : "false"; }
     std::string operator()(const std::string* v) const { return quoted_text(*v); }
+    std::string operator()(const KindRef& v) const {
+      return quoted_text(kind_word(*d.kind_type, v.number()));
+    }
   };
-  return std::visit(Words{}, value);
+  return std::visit(Words{d}, value);
 }
 
 ParameterKind kind_of(const ValueRef& value) {
@@ -37,6 +41,7 @@ ParameterKind kind_of(const ValueRef& value) {
     ParameterKind operator()(const std::uint64_t*) const { return ParameterKind::integer; }
     ParameterKind operator()(const bool*) const { return ParameterKind::boolean; }
     ParameterKind operator()(const std::string*) const { return ParameterKind::text; }
+    ParameterKind operator()(const KindRef&) const { return ParameterKind::text; }
   };
   return std::visit(Kind{}, value);
 }
@@ -57,7 +62,7 @@ Table build_table() {
       row.component = d.components.empty() ? "" : d.components[c];
       row.kind = kind_of(value);
       row.unit = d.unit;
-      row.default_text = d.list ? key_text(d, defaults, 0) : words_of(value);
+      row.default_text = d.list ? key_text(d, defaults, 0) : words_of(d, value);
       row.min = d.min;
       row.max = d.max;
       row.choices = d.choices;
@@ -160,10 +165,10 @@ std::string key_path(const Declaration& d, const Scene& scene, int element) {
 std::string key_text(const Declaration& d, const Scene& scene, int element) {
   // The accessors take a Scene they could change; here they are only read through.
   Scene& place = const_cast<Scene&>(scene);
-  if (d.components.empty()) return words_of(d.at(place, element, 0));
+  if (d.components.empty()) return words_of(d, d.at(place, element, 0));
   std::string text = "[";
   for (int c = 0; c < component_count(d, scene, element); ++c)
-    text += (c > 0 ? ", " : "") + words_of(d.at(place, element, c));
+    text += (c > 0 ? ", " : "") + words_of(d, d.at(place, element, c));
   return text + "]";
 }
 
@@ -240,8 +245,19 @@ const double* real_value(const Scene& scene, const ParameterPath& path) {
   return real_value(const_cast<Scene&>(scene), path);
 }
 
+const std::string& kind_word(const std::type_info& kind, int number) {
+  static const std::string none;
+  for (const Declaration& d : declarations()) {
+    if (d.kind_type == nullptr || *d.kind_type != kind) continue;
+    const auto found = std::find(d.numbers.begin(), d.numbers.end(), number);
+    if (found != d.numbers.end()) return d.choices[static_cast<std::size_t>(found - d.numbers.begin())];
+  }
+  return none;
+}
+
 std::string value_text(const Scene& scene, const ParameterPath& path) {
-  return words_of(declaration_of(*path.row).at(const_cast<Scene&>(scene), path.element, path.component));
+  const Declaration& d = declaration_of(*path.row);
+  return words_of(d, d.at(const_cast<Scene&>(scene), path.element, path.component));
 }
 
 }  // namespace vegard::sim

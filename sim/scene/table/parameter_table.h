@@ -7,6 +7,8 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
+#include <typeinfo>
 #include <vector>
 
 #include "sim/scene/rows/declaration.h"
@@ -38,6 +40,16 @@ std::string element_name(const Scene& scene, const ParameterPath& path);
 /// parameter). The path must have been resolved in a scene with the same sheets and lines.
 double* real_value(Scene& scene, const ParameterPath& path);
 const double* real_value(const Scene& scene, const ParameterPath& path);
+
+/// The word of an enumerator, by its number: word_of() below is what to call. Empty if no row has it.
+const std::string& kind_word(const std::type_info& kind, int number);
+
+/// The word that scene files have for a kind: "pinhole" for LensModel::pinhole.
+template <class Kind>
+const std::string& word_of(Kind kind) {
+  static_assert(std::is_enum_v<Kind>);
+  return kind_word(typeid(Kind), static_cast<int>(kind));
+}
 
 /// The value as TOML text.
 std::string value_text(const Scene& scene, const ParameterPath& path);

@@ -1,5 +1,6 @@
 #include "sim/scene/table/toml_value.h"
 
+#include <algorithm>
 #include <cstdint>
 
 #include "sim/scene/rows/value_words.h"
@@ -44,6 +45,12 @@ struct Assign {
     const std::string text = text_of(node, origin, expected_text(d));
     check(text_complaint(d, text));
     *place = text;
+  }
+  void operator()(const KindRef& place) const {
+    const std::string word = text_of(node, origin, expected_text(d));
+    check(text_complaint(d, word));
+    const auto choice = std::find(d.choices.begin(), d.choices.end(), word) - d.choices.begin();
+    place.set(d.numbers.at(static_cast<std::size_t>(choice)));
   }
 
  private:

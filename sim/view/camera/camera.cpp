@@ -15,7 +15,7 @@ const double* camera_number_address(const Camera& camera, CameraNumber which) {
     case roll_number:
       return &camera.roll_deg;
     case scale_number:
-      return camera.model == "pinhole" ? &camera.hfov_deg : &camera.focal_px;
+      return camera.model == LensModel::pinhole ? &camera.hfov_deg : &camera.focal_px;
     case principal_x_number:
       return &camera.principal_x_px;
     case principal_y_number:
@@ -70,11 +70,12 @@ void enu_of_direction(const Direction& direction, double enu[3]) {
 }
 
 double pixels_per_degree(const Camera& camera) {
-  return camera.model == "pinhole" ? camera.width / camera.hfov_deg : camera.focal_px * kRadiansPerDegree;
+  return camera.model == LensModel::pinhole ? camera.width / camera.hfov_deg
+                                            : camera.focal_px * kRadiansPerDegree;
 }
 
 double pixels_per_degree_growth(const Camera& camera) {
-  return camera.model == "pinhole" ? -1.0 / camera.hfov_deg : 1.0 / camera.focal_px;
+  return camera.model == LensModel::pinhole ? -1.0 / camera.hfov_deg : 1.0 / camera.focal_px;
 }
 
 }  // namespace vegard::sim

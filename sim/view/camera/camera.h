@@ -66,7 +66,7 @@ CameraView<T> camera_view(const Camera& camera, const Number& number) {
   view.camera_from_enu[2][2] = se;
 
   Lens<T>& lens = view.lens;
-  lens.model = lens_model(camera.model);
+  lens.model = camera.model;
   const T scale = number(scale_number);
   lens.focal_px = lens.model == LensModel::pinhole
                       ? (0.5 * camera.width) / tangent(scale * (0.5 * kRadiansPerDegree))

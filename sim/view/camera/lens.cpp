@@ -1,7 +1,6 @@
 #include "sim/view/camera/lens.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include "sim/base/earth.h"
 
@@ -79,16 +78,6 @@ double angle_of_radius(const Lens<double>& lens, double radius) {
 }
 
 }  // namespace
-
-LensModel lens_model(const std::string& name) {
-  if (name == "equidistant") return LensModel::equidistant;
-  if (name == "equisolid") return LensModel::equisolid;
-  if (name == "stereographic") return LensModel::stereographic;
-  if (name == "orthographic") return LensModel::orthographic;
-  if (name == "polynomial") return LensModel::polynomial;
-  assert(name == "pinhole");
-  return LensModel::pinhole;
-}
 
 double least_cosine(LensModel model, double k1, double k2, double k3) {
   switch (model) {

@@ -20,11 +20,6 @@
 
 namespace vegard::sim {
 
-enum class LensModel : int { pinhole, equidistant, equisolid, stereographic, orthographic, polynomial };
-
-/// By the name in Camera::model.
-LensModel lens_model(const std::string& name);
-
 template <class T>
 struct Lens {
   LensModel model = LensModel::pinhole;

@@ -61,18 +61,23 @@ Vector3 colour_matching(double wavelength_nm) {
   return result;
 }
 
-Matrix3 rgb_from_xyz(const std::string& primaries) {
+Matrix3 rgb_from_xyz(Primaries primaries) {
   constexpr Chromaticity kD65{0.3127, 0.3290}, kAces{0.32168, 0.33767};
-  if (primaries == "smpte-c") return rgb_from_xyz({{{0.630, 0.340}, {0.310, 0.595}, {0.155, 0.070}}}, kD65);
-  if (primaries == "rec2020") return rgb_from_xyz({{{0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}}}, kD65);
-  if (primaries == "acescg")
-    return product(rgb_from_xyz({{{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}}}, kAces),
-                   bradford(kD65, kAces));
-  assert(primaries == "srgb");
+  switch (primaries) {
+    case Primaries::smpte_c:
+      return rgb_from_xyz({{{0.630, 0.340}, {0.310, 0.595}, {0.155, 0.070}}}, kD65);
+    case Primaries::rec2020:
+      return rgb_from_xyz({{{0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}}}, kD65);
+    case Primaries::acescg:
+      return product(rgb_from_xyz({{{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}}}, kAces),
+                     bradford(kD65, kAces));
+    case Primaries::srgb:
+      break;
+  }
   return rgb_from_xyz({{{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}}}, kD65);
 }
 
-Vector3 rgb_of_line(double wavelength_nm, const std::string& primaries) {
+Vector3 rgb_of_line(double wavelength_nm, Primaries primaries) {
   return product(rgb_from_xyz(primaries), colour_matching(wavelength_nm));
 }
 

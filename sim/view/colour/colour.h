@@ -5,10 +5,10 @@
 // wavelength.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "sim/base/image.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/view/colour/matrix3.h"
 
 namespace vegard::sim {
@@ -17,15 +17,15 @@ namespace vegard::sim {
 /// nm.
 Vector3 colour_matching(double wavelength_nm);
 
-/// Linear RGB from XYZ, with equal RGB for white D65 (x 0.3127, y 0.3290), for a set of primaries: "srgb"
-/// (IEC 61966-2-1, = ITU-R BT.709), "smpte-c" (SMPTE RP 145), "rec2020" (ITU-R BT.2020), or "acescg" (AP1,
+/// Linear RGB from XYZ, with equal RGB for white D65 (x 0.3127, y 0.3290), for a set of primaries: srgb
+/// (IEC 61966-2-1, = ITU-R BT.709), smpte_c (SMPTE RP 145), rec2020 (ITU-R BT.2020), or acescg (AP1,
 /// Academy S-2014-004). ACES has a white of its own, x 0.32168, y 0.33767 (SMPTE ST 2065-1): D65 is taken to
 /// it by the Bradford transform (Lam 1985).
-Matrix3 rgb_from_xyz(const std::string& primaries);
+Matrix3 rgb_from_xyz(Primaries primaries);
 
 /// Linear RGB of light of one wavelength and unit power (in units of the matching functions). Out of gamut:
 /// signed.
-Vector3 rgb_of_line(double wavelength_nm, const std::string& primaries);
+Vector3 rgb_of_line(double wavelength_nm, Primaries primaries);
 
 /// Linear, signed RGB of an image of rayleighs whose channels are the lines of `weights` in their order.
 Image rgb_from_rayleigh(const Image& rayleigh, const std::vector<Vector3>& weights);

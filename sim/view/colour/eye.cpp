@@ -72,7 +72,7 @@ double rod_share(double luminance_cd_m2) {
 }
 
 Vector3 seen_linear_srgb(const EyeLight& light) {
-  static const Matrix3 srgb_from_xyz = rgb_from_xyz("srgb");
+  static const Matrix3 srgb_from_xyz = rgb_from_xyz(Primaries::srgb);
   const double rods = rod_share(light.xyz_cd_m2[1]);
   const double grey = rods * light.scotopic_cd_m2 / luminance_of(kNightBlue);
   Vector3 seen;

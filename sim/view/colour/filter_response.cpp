@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/scene/lines/camera_responses.h"
 #include "sim/view/colour/colour.h"
 
 namespace vegard::sim {
@@ -15,7 +16,9 @@ std::size_t filters(const Scene& scene) { return std::min<std::size_t>(3, scene.
 
 }  // namespace
 
-bool sees_through_filters(const Scene& scene) { return scene.sensor.response == "filters"; }
+bool sees_through_filters(const Scene& scene) {
+  return response_kind(scene.sensor.response) == ResponseKind::filters;
+}
 
 std::vector<Vector3> filter_colours(const Scene& scene) {
   std::vector<Vector3> colours(scene.emission.lines.size(), Vector3{});

@@ -1,5 +1,6 @@
 #include "sim/view/colour/line_colours.h"
 
+#include "sim/scene/lines/camera_responses.h"
 #include "sim/scene/lines/emission_line.h"
 #include "sim/view/colour/filter_response.h"
 #include "sim/view/colour/sensor_response.h"
@@ -8,7 +9,7 @@
 namespace vegard::sim {
 
 double gain_per_kilorayleigh(const Scene& scene) {
-  if (scene.sensor.exposure == "gain") return scene.sensor.gain_per_kilorayleigh;
+  if (scene.sensor.exposure == ExposureRule::gain) return scene.sensor.gain_per_kilorayleigh;
   constexpr double kGreenNm = 557.7;
   const SensorResponse response(scene);
   const double raw_green = sees_through_filters(scene) ? 1.0
@@ -20,7 +21,8 @@ double gain_per_kilorayleigh(const Scene& scene) {
 
 std::vector<Vector3> line_colours_at_unit_gain(const Scene& scene) {
   if (sees_through_filters(scene)) return filter_colours(scene);
-  if (scene.sensor.response == "grey")  // to the last bit, also of a line that stands for a band
+  // To the last bit, also of a line that stands for a band.
+  if (response_kind(scene.sensor.response) == ResponseKind::grey)
     return std::vector<Vector3>(scene.emission.lines.size(), Vector3{1.0, 1.0, 1.0});
   const SensorResponse response(scene);
   std::vector<Vector3> colours;

@@ -6,6 +6,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/scene/rows/parameter_rules.h"
+#include "sim/scene/lines/camera_responses.h"
 #include "sim/scene/structs/line_of.h"
 #include "sim/scene/table/table_files.h"
 #include "sim/view/colour/colour.h"
@@ -32,7 +33,8 @@ CsvTable table_of(const Scene& scene) {
 
 ChannelTable channels_of(const Scene& scene) {
   const CsvTable table = table_of(scene);
-  const bool per_photon = is_table_file(scene.sensor.response) && scene.sensor.response_per == "photon";
+  const bool per_photon =
+      is_table_file(scene.sensor.response) && scene.sensor.response_per == ResponsePer::photon;
   ChannelTable channels;
   table.require_increasing("wavelength_nm");
   table.require_within("wavelength_nm", 100.0, 10000.0);
@@ -59,10 +61,10 @@ ChannelTable channels_of(const Scene& scene) {
 }
 
 Matrix3 rgb_of_raw(const ChannelTable& channels, const Sensor& sensor) {
-  const bool daylight = sensor.white_balance_rule == "daylight";
+  const bool daylight = sensor.white_balance_rule == WhiteBalanceRule::daylight;
   const Matrix3 balance = diagonal(daylight ? daylight_balance(channels) : sensor.white_balance);
-  if (sensor.matrix_rule == "none") return balance;
-  if (sensor.matrix_rule == "colorimetric")
+  if (sensor.matrix_rule == MatrixRule::none) return balance;
+  if (sensor.matrix_rule == MatrixRule::colorimetric)
     return product(colorimetric_matrix(channels, sensor.primaries), balance);
   Matrix3 given;
   for (int r = 0; r < 3; ++r)
@@ -94,7 +96,7 @@ Vector3 daylight_balance(const ChannelTable& channels) {
   return gains;
 }
 
-Matrix3 colorimetric_matrix(const ChannelTable& channels, const std::string& primaries) {
+Matrix3 colorimetric_matrix(const ChannelTable& channels, Primaries primaries) {
   const Vector3 balance = daylight_balance(channels);
   const Matrix3 from_xyz = rgb_from_xyz(primaries);
   double white_luminance = 0.0, white_green = 0.0;
@@ -147,7 +149,8 @@ Matrix3 colorimetric_matrix(const ChannelTable& channels, const std::string& pri
 }
 
 SensorResponse::SensorResponse(const Scene& scene)
-    : is_cie_(scene.sensor.response == "cie"), is_grey_(scene.sensor.response == "grey") {
+    : is_cie_(response_kind(scene.sensor.response) == ResponseKind::cie),
+      is_grey_(response_kind(scene.sensor.response) == ResponseKind::grey) {
   if (is_grey_) {
     rgb_from_channels_ = kIdentity3;
     return;
@@ -169,7 +172,7 @@ SensorResponse::SensorResponse(const Scene& scene)
   constexpr double kLeastDeterminant = 1e-9;
   // Not the other way round: what is no number is refused too.
   if (!(relative_determinant(rgb_from_raw_) > kLeastDeterminant)) {
-    const bool is_given = scene.sensor.matrix_rule == "given";
+    const bool is_given = scene.sensor.matrix_rule == MatrixRule::given;
     ErrorDetails details;
     details.file = scene.file;
     details.key = is_given ? "sensor.matrix" : "sensor.response";

@@ -58,6 +58,6 @@ class SensorResponse {
 Vector3 daylight_balance(const ChannelTable& channels);
 
 /// Linear RGB of the primaries from channels balanced to D65: the rule "colorimetric".
-Matrix3 colorimetric_matrix(const ChannelTable& channels, const std::string& primaries);
+Matrix3 colorimetric_matrix(const ChannelTable& channels, Primaries primaries);
 
 }  // namespace vegard::sim

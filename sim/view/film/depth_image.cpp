@@ -18,11 +18,11 @@ double DepthImage::end_km(double x_px, double y_px, double cosine) const {
 }
 
 DepthImage depth_image(const March& march, const Image& values) {
-  const bool is_log = march.depth_is == "log";
+  const bool is_log = march.depth_is == DepthMeaning::log;
   DepthImage depth;
   depth.width = values.width;
   depth.height = values.height;
-  depth.along_axis = is_log || march.depth_is == "forward";
+  depth.along_axis = is_log || march.depth_is == DepthMeaning::forward;
   const double log_far = std::log1p(march.depth_far_km / march.depth_gain);
   for (int y = 0; y < values.height; ++y) {
     for (int x = 0; x < values.width; ++x) {

@@ -98,10 +98,10 @@ ExpectedCounts expected_counts(const Scene& scene) {
   const bool calibrated = scene.sensor.calibration_error > 0.0;
   if (calibrated)
     add_calibrated(scene.sensor, counts.parts);
-  else if (scene.sensor.exposure == "camera")
+  else if (scene.sensor.exposure == ExposureRule::camera)
     add_by_the_data_sheet(counts.parts);
   add_around_the_camera(scene, counts.parts);
-  if (calibrated || scene.sensor.exposure == "camera") {
+  if (calibrated || scene.sensor.exposure == ExposureRule::camera) {
     double squares = 0.0;
     for (const UncertaintyPart& part : counts.parts) squares += part.relative * part.relative;
     counts.relative_uncertainty = std::sqrt(squares);

@@ -4,20 +4,18 @@
 // different channels stays independent.
 #pragma once
 
-#include <string>
-
 #include "sim/base/image.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 
-/// Channel (0 red, 1 green, 2 blue) of the filter at a pixel. `pattern`: "rggb", "bggr", "grbg" or "gbrg",
-/// the upper left two by two pixels row by row.
-int filter_of_pixel(const std::string& pattern, int x, int y);
+/// Channel (0 red, 1 green, 2 blue) of the filter at a pixel of any pattern but none.
+int filter_of_pixel(MosaicPattern pattern, int x, int y);
 
 /// R, G, B of a mosaic of one channel, at least two by two pixels.
-Image demosaic(const Image& mosaic, const std::string& pattern);
+Image demosaic(const Image& mosaic, MosaicPattern pattern);
 
 /// Variances of what demosaic() gives, where the mosaic's pixels are independent and have these.
-Image demosaic_variance(const Image& mosaic_variance, const std::string& pattern);
+Image demosaic_variance(const Image& mosaic_variance, MosaicPattern pattern);
 
 }  // namespace vegard::sim

@@ -22,7 +22,7 @@ constexpr double kLeastLight = 0.01;  // of a lens, where it tells something
 
 Vector3 pixel(const Image& rgb, int x, int y) { return {rgb.at(x, y, 0), rgb.at(x, y, 1), rgb.at(x, y, 2)}; }
 
-bool has_mosaic(const Scene& scene) { return scene.sensor.mosaic != "none"; }
+bool has_mosaic(const Scene& scene) { return scene.sensor.mosaic != MosaicPattern::none; }
 
 /// One pixel's number, of light that would free so many electrons.
 double number_of(const SensorScale& scale, double full_well_e, std::uint64_t seed, double electrons,
@@ -129,7 +129,7 @@ void recover_light(const Scene& scene, double file_step, Image& rgb, std::vector
   const Matrix3 raw_of_rgb = raw_from_rgb(scene);
   const Vignetting vignetting(with_size_of(scene, rgb));
   const ToneCurve tone(scene);
-  const bool mixes = scene.sensor.matrix_rule != "none";
+  const bool mixes = scene.sensor.matrix_rule != MatrixRule::none;
   // The largest number, or a full pixel as it may be read.
   constexpr double kReadNoises = 5.0;
   const double full_e = std::min(scale.white_e - 0.5 / scale.dn_per_electron,

@@ -24,14 +24,20 @@ double straight_between(const std::vector<double>& xs, const std::vector<double>
 
 ToneCurve::ToneCurve(const Scene& scene) {
   const Sensor& sensor = scene.sensor;
-  if (sensor.tone == "srgb")
-    kind_ = Kind::srgb, name_ = "sRGB";
-  else if (sensor.tone == "linear")
-    kind_ = Kind::linear, name_ = "linear";
-  else if (sensor.tone == "gamma")
-    be_gamma(sensor.gamma);
-  else
-    be_table(table_text(scene, "sensor.tone_file"), sensor.tone_file);
+  switch (sensor.tone) {
+    case ToneKind::srgb:
+      kind_ = Kind::srgb, name_ = "sRGB";
+      break;
+    case ToneKind::linear:
+      kind_ = Kind::linear, name_ = "linear";
+      break;
+    case ToneKind::gamma:
+      be_gamma(sensor.gamma);
+      break;
+    case ToneKind::file:
+      be_table(table_text(scene, "sensor.tone_file"), sensor.tone_file);
+      break;
+  }
 }
 
 ToneCurve ToneCurve::of_gamma(double gamma) {

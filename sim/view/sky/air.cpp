@@ -101,7 +101,7 @@ AirColumn::AirColumn(const AirShape& shape, double observer_km, double unit_km) 
 }
 
 AirAbove::AirAbove(const Scene& scene)
-    : none_(scene.air.model == "none" || scene.site.altitude_m * 1e-3 >= kAirEndsKm) {
+    : none_(scene.air.model == AirModel::none || scene.site.altitude_m * 1e-3 >= kAirEndsKm) {
   if (none_) return;
   const double observer_km = scene.site.altitude_m * 1e-3, scale_km = scene.air.aerosol_height_km;
   molecules_above_ = pressure_share(observer_km);

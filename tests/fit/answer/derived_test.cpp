@@ -1,5 +1,6 @@
 #include "fit/answer/derived.h"
 #include "tests/support/free_paths.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/one_sheet.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +49,7 @@ TEST(Altitudes, ArePlacedAsTheSourcesHaveThem) {
 TEST(Altitudes, AreThoseOfAFormWhereTheSheetHasOne) {
   // 557.7 nm makes up nearly all of the total between 110 and 125 km at 3 keV, so it follows the curve.
   sim::Sheet sheet;
-  sheet.profile = "form";
+  sheet.profile = sim::ProfileKind::form;
   sheet.peak_km = 118.0;
   sheet.lower_km = 5.0;
   EXPECT_NEAR(peak_altitude_km(557.7, tests::with_sheet(sheet), 0), 118.0, 0.5);
@@ -122,7 +123,7 @@ TEST(DerivedNumbers, HaveTheMeanEnergyOfTheSpectrumThatTheSheetHas) {
   scene.sheets.resize(1);
   scene.fit.free = {tests::free_entry("sheet.main.energy_kev")};
   const auto mean = [&](const std::string& profile) -> std::optional<DerivedNumber> {
-    scene.sheets[0].profile = profile;
+    scene.sheets[0].profile = tests::kind_named<sim::ProfileKind>(profile);
     for (const DerivedNumber& d : derived_numbers(scene, free_numbers(scene), {3.0}, {{{0.04}}, {}}))
       if (d.name == "mean electron energy of the main sheet") return d;
     return std::nullopt;

@@ -14,7 +14,7 @@ namespace {
 FittedPhoto found_with(const sim::Scene& known, double share) {
   FittedPhoto fitted;
   fitted.best = known;
-  fitted.best.sensor.exposure = "gain";
+  fitted.best.sensor.exposure = sim::ExposureRule::gain;
   fitted.best.sensor.gain_per_kilorayleigh = share * known.sensor.gain_per_kilorayleigh;
   fitted.solved = {{"gain", 0.06, 0.003}, {"sky.level.red", 0.1, 0.1}};
   return fitted;
@@ -47,7 +47,7 @@ TEST(EnergyFlux, IsMissingWithAReason) {
 
 TEST(EnergyFlux, OfACameraByItsDataSheetIsAsUncertainAsThat) {
   sim::Scene known = tests::with_sheet({});
-  known.sensor.exposure = "camera";
+  known.sensor.exposure = sim::ExposureRule::camera;
   known.time.exposure_s = 5.0;
   std::string why;
   const auto flux = found_flux(known, found_with(known, 1.0), 0, why);

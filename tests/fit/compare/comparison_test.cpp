@@ -14,6 +14,7 @@
 #include "fit/uncertainty/uncertainty.h"
 #include "sim/render/render.h"
 #include "tests/support/free_paths.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::fit {
@@ -142,7 +143,7 @@ TEST(Comparison, JacobianOfProfilesAlongElevationAndFieldAgreesWithDifferences) 
   for (const char* along : {"elevation", "field"})
     expect_jacobian(with([&](sim::Fit& fit) {
                       fit.profile_weight = 1.0;
-                      fit.profile_along = along;
+                      fit.profile_along = tests::kind_named<sim::ProfileAlong>(along);
                     }),
                     0.0, 0.03);
 }

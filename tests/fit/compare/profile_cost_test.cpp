@@ -301,7 +301,7 @@ TEST(ProfileModel, OfAnExposureOfADriftingSheetIsThePhotographsProfile) {
 /// is added from exposures of its slope. No sample moves: the differences are as exact as floats.
 TEST(ProfileModel, DerivativeByTheEnergyFluxHasTheFluxLawInIt) {
   sim::Scene scene = tests::small_scene();
-  scene.emission.flux_law = "column";
+  scene.emission.flux_law = sim::FluxLaw::column;
   scene.sheets[0].beams = 2000;
   scene.sheets[0].energy_flux_mw_m2 = 1.0;
   scene.blur.width_deg = {0.43, 0.25, 0.3};
@@ -341,7 +341,7 @@ TEST(ProfileModel, DerivativeByTheEnergyFluxHasTheFluxLawInIt) {
 TEST(ProfileCost, JacobianOfAFreeFormProfileAgreesWithDifferences) {
   sim::Scene scene = tests::small_scene();
   scene.sheets[0].beams = 2000;
-  scene.sheets[0].profile = "spline";
+  scene.sheets[0].profile = sim::ProfileKind::spline;
   scene.sheets[0].spline_knots = 10;
   scene.blur.width_deg = {0.43, 0.25, 0.3};
   sim::fill_spline_rates(scene);

@@ -4,12 +4,14 @@
 
 #include <cmath>
 
+#include "tests/support/kind_named.h"
+
 namespace vegard::fit {
 namespace {
 
 RobustLoss loss(const std::string& name) {
   sim::Fit fit;
-  fit.loss = name;
+  fit.loss = tests::kind_named<sim::ResidualLoss>(name);
   fit.loss_sigma = 2.0;
   return RobustLoss(fit);
 }

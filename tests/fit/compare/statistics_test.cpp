@@ -11,6 +11,7 @@
 #include "fit/compare/colour_statistic.h"
 #include "fit/measure/noise_model.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/made_photo.h"
 #include "tests/support/small_scene.h"
 
@@ -258,7 +259,7 @@ TEST(Statistics, RefuseWhatMeansNothingBesideALoopALimbOrAGreySensor) {
       scene.fit.bands = kBands;
       scene.fit.*weight = 0.5;
       EXPECT_NO_THROW(build(scene)) << key;
-      scene.fit.profile_along = along;
+      scene.fit.profile_along = tests::kind_named<sim::ProfileAlong>(along);
       const std::string text = tests::expect_error(sim::ErrorKind::scene, [&] { build(scene); });
       EXPECT_NE(text.find(key), std::string::npos) << text;
       EXPECT_NE(text.find(along), std::string::npos) << text;

@@ -78,7 +78,7 @@ TEST(BinGrid, AlongElevationABinHasTheElevationsOfItsRowAtTheMiddleColumn) {
 /// south. Either way a pixel is at the row where the middle column has its elevation.
 TEST(BinGrid, ElevationRunsFromWhicheverSideTheHorizonIs) {
   sim::Camera camera;
-  camera.model = "equidistant";
+  camera.model = sim::LensModel::equidistant;
   camera.width = camera.height = 200;
   camera.focal_px = 100.0 / 1.5707963267948966;
   camera.elevation_deg = 90.0;
@@ -172,8 +172,8 @@ TEST(BinGrid, StripsAndCellsTakeTheBandOfTheirCentre) {
 TEST(BinGrid, RefusesWhatItCannotDraw) {
   sim::Scene scene = tests::small_scene();
   scene.fit.bands = 4;
-  scene.fit.profile_along = "field";
-  scene.field.model = "dipole";
+  scene.fit.profile_along = sim::ProfileAlong::field;
+  scene.field.model = sim::FieldModel::dipole;
   const std::string text = tests::expect_error(sim::ErrorKind::scene, [&] { profile_bins(scene, kRegion); });
   EXPECT_NE(text.find("fit.profile_along"), std::string::npos) << text;
 }

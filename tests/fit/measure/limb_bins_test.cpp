@@ -27,7 +27,7 @@ sim::Scene scene_of_sun() {
   scene.sun.azimuth_deg = 180.0;
   scene.sun.elevation_deg = 40.0;
   scene.sun.position_angle_deg = 30.0;
-  scene.fit.profile_along = "limb";
+  scene.fit.profile_along = sim::ProfileAlong::limb;
   scene.fit.bands = 12;
   scene.fit.limb_lowest = 1.1;
   scene.fit.limb_highest = 2.3;

@@ -19,7 +19,7 @@ sim::Scene scene_of(const std::vector<double>& x, const std::vector<double>& y, 
   sim::Scene scene;
   scene.camera.width = 200;
   scene.camera.height = 160;
-  scene.fit.profile_along = "loop";
+  scene.fit.profile_along = sim::ProfileAlong::loop;
   scene.fit.bands = bands;
   scene.fit.guide_x_px = x;
   scene.fit.guide_y_px = y;

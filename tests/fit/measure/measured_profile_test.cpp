@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/view/sensor/sensor.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/small_fit.h"
 #include "tests/support/small_scene.h"
 
@@ -20,7 +21,7 @@ TEST(MeasuredProfile, TakesTheNoiseOfTheSensorIfAskedTo) {
   const Region region = {0, 0, photo.linear.width, photo.linear.height};
   const auto grid = std::make_shared<const BinGrid>(column_bins(region, 2));
   const Profile estimated = measured_profile(scene, photo, grid);
-  scene.fit.photo_noise = "sensor";
+  scene.fit.photo_noise = sim::PhotoNoise::sensor;
   const Profile given = measured_profile(scene, photo, grid);
   const sim::Image variance = sim::light_variance(scene, photo.linear, file_step(photo));
   EXPECT_EQ(given.mean, estimated.mean);
@@ -45,7 +46,7 @@ TEST(MeasuredProfile, CountsOneChannelOfAGreySensor) {
   const auto grid = std::make_shared<const BinGrid>(column_bins(region, 2));
   const Profile coloured = measured_profile(scene, photo, grid);
   for (const char* noise : {"estimated", "sensor"}) {
-    scene.fit.photo_noise = noise;
+    scene.fit.photo_noise = tests::kind_named<sim::PhotoNoise>(noise);
     scene.sensor.response = "grey";
     const Profile grey = measured_profile(scene, photo, grid);
     for (std::size_t i = 0; i < grey.mean.size(); ++i) {

@@ -15,7 +15,7 @@ namespace {
 TEST(ProfileModel, OfAFreeFormProfileHasNoMemory) {
   sim::Scene scene = tests::small_scene();
   scene.sheets[0].beams = 300;
-  scene.sheets[0].profile = "spline";
+  scene.sheets[0].profile = sim::ProfileKind::spline;
   scene.sheets[0].spline_knots = 10;
   sim::fill_spline_rates(scene);
   Photo photo;

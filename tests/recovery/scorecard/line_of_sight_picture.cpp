@@ -122,7 +122,7 @@ class Sight {
 }  // namespace
 
 sim::Image line_of_sight_rayleighs(const sim::Scene& scene, int threads) {
-  assert(scene.field.model == "uniform" && scene.emission.lines.size() <= kMostLines);
+  assert(scene.field.model == sim::FieldModel::uniform && scene.emission.lines.size() <= kMostLines);
   const Sight sight(scene);
   const sim::CameraView<double> view = sim::camera_view(scene.camera);
   sim::Exposure film;

@@ -20,7 +20,7 @@ sim::Scene undeflected(int number) {
   for (sim::Sheet& sheet : scene.sheets) {
     sheet.loss_cone_deg = 0.0;
     sheet.pitch_step_rad = 0.0;
-    sheet.pitch_law = "constant";
+    sheet.pitch_law = sim::PitchLaw::constant;
   }
   return scene;
 }

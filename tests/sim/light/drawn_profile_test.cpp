@@ -11,7 +11,7 @@ namespace {
 
 Scene scene_with_table(const std::string& text, std::vector<double> lines = {557.7}) {
   Sheet sheet;
-  sheet.profile = "file";
+  sheet.profile = ProfileKind::file;
   sheet.profile_file = "drawn.csv";
   Scene scene = tests::with_sheet(sheet);
   scene.emission.lines = std::move(lines);

@@ -7,6 +7,7 @@
 #include "fit/answer/derived.h"
 #include "sim/light/sheet_profile.h"
 #include "tests/support/free_paths.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/one_sheet.h"
 
 namespace vegard::fit {
@@ -16,7 +17,7 @@ constexpr double kGreenNm = 557.7, kRedNm = 630.0, kBlueNm = 427.8;
 
 sim::Scene scene_of(const std::string& profile, double energy_kev) {
   sim::Sheet sheet;
-  sheet.profile = profile;
+  sheet.profile = tests::kind_named<sim::ProfileKind>(profile);
   sheet.energy_kev = energy_kev;
   return tests::with_sheet(sheet);
 }
@@ -76,7 +77,7 @@ TEST(LineLight, TheLineOfTheBorderIsGreenOrTheBrightestThereIs) {
   sim::Scene scene = scene_of("maxwellian", 3.0);
   scene.emission.lines = {kRedNm, kBlueNm};
   EXPECT_EQ(border_line_nm(scene, 0), kGreenNm) << "tables have it though the scene does not show it";
-  scene.sheets[0].profile = "spline";
+  scene.sheets[0].profile = sim::ProfileKind::spline;
   scene.sheets[0].spline_rate.assign(2 * scene.sheets[0].spline_knots, 1.0);
   for (int k = 0; k < scene.sheets[0].spline_knots; ++k) scene.sheets[0].spline_rate[k] = 3.0;
   EXPECT_FALSE(has_line(kGreenNm, scene, 0));
@@ -123,7 +124,7 @@ TEST(DerivedEnergies, MeanIsTwiceE0AndSoIsItsError) {
   ASSERT_TRUE(e0 != nullptr && mean != nullptr && e0->sigma && mean->sigma);
   EXPECT_NEAR(mean->value, 2.0 * e0->value, 1e-12);
   EXPECT_NEAR(*mean->sigma, 2.0 * *e0->sigma, 1e-9);
-  scene.sheets[0].profile = "mono";
+  scene.sheets[0].profile = sim::ProfileKind::mono;
   EXPECT_EQ(find(derived_numbers(scene, free_numbers(scene), {3.0}, {{{0.04}}, {}}),
                  "characteristic energy E0 of the main sheet"),
             nullptr);

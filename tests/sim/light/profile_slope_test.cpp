@@ -16,7 +16,7 @@ const std::vector<double> kLinesNm = {630.0, 557.7, 427.8};
 TEST(ProfileSlope, OfAFormsCurveIsThatOfTheRate) {
   for (const double brightness : {0.0, 10.0}) {
     Sheet sheet;
-    sheet.profile = "form";
+    sheet.profile = ProfileKind::form;
     sheet.brightness_kilorayleigh = brightness;
     sheet.peak_km = 112.1;  // between two altitudes: the curve's bend is not at one
     sheet.lower_km = 9.0;
@@ -46,7 +46,7 @@ TEST(ProfileSlope, OfAFormsCurveIsThatOfTheRate) {
 
 Scene spline_scene() {
   Sheet sheet;
-  sheet.profile = "spline";
+  sheet.profile = ProfileKind::spline;
   Scene scene = tests::with_sheet(sheet);
   scene.emission.lines = kLinesNm;
   fill_spline_rates(scene);

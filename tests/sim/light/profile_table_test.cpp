@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/light/sheet_profile.h"
+#include "tests/support/kind_named.h"
 
 namespace vegard::sim {
 namespace {
@@ -47,10 +48,10 @@ TEST(ProfileTable, BetweenItsEnergiesIsWithinThreeThousandthsOfThePeak) {
   Scene scene;
   for (const char* profile : {"maxwellian", "gaussian"}) {
     Footprint f;
-    f.profile = profile;
+    f.profile = tests::kind_named<ProfileKind>(profile);
     f.top_km = 640.0;
     // A Gaussian is a sum of many narrow spectra, which takes its time.
-    const double reach = f.profile == "gaussian" ? 0.1 : 1.0;
+    const double reach = f.profile == ProfileKind::gaussian ? 0.1 : 1.0;
     const ProfileTable table = profile_table(kLines, scene, f, -reach, reach);
     for (const double part : {0.13, 0.5, 0.77}) {
       // Half way between two entries, where it is worst.

@@ -1,4 +1,5 @@
 #include "sim/light/sheet_profile.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/one_sheet.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ TEST(SheetProfile, OfAGivenBrightnessHasItInGreenWhateverTheLinesAndTheEnergy) {
   sheet.brightness_kilorayleigh = 10.0;
   for (const char* profile : {"maxwellian", "mono", "gaussian", "form"}) {
     for (double energy : {0.4, 3.0, 12.0}) {
-      sheet.profile = profile;
+      sheet.profile = tests::kind_named<ProfileKind>(profile);
       sheet.energy_kev = energy;
       const HeightProfile both = sheet_profile({427.8, 557.7}, tests::with_sheet(sheet), 0);
       EXPECT_NEAR(column_below(both, 1, sheet.top_km).rayleigh, 10000.0, 0.01);
@@ -34,7 +35,7 @@ TEST(SheetProfile, DerivativeByTheEnergyIsThatOfTheRate) {
   Sheet sheet;
   sheet.brightness_kilorayleigh = 10.0;
   for (const char* profile : {"maxwellian", "mono", "gaussian", "form"}) {
-    sheet.profile = profile;
+    sheet.profile = tests::kind_named<ProfileKind>(profile);
     const auto at = [&](double energy) {
       sheet.energy_kev = energy;
       return sheet_profile({630.0, 557.7, 427.8}, tests::with_sheet(sheet), 0);
@@ -60,15 +61,15 @@ TEST(SheetProfile, FollowsTheColumnsOfItsEnergyFlux) {
   const auto green = [&](double flux, const char* law) {
     sheet.energy_flux_mw_m2 = flux;
     Scene scene = tests::with_sheet(sheet);
-    scene.emission.flux_law = law;
+    scene.emission.flux_law = tests::kind_named<FluxLaw>(law);
     return column_below(sheet_profile({557.7}, scene, 0), 0, HeightProfile::kTopKm).rayleigh;
   };
   // 4723.8 R to 410.1 R above the background, data/glow/linearity_Q.csv.
   for (const char* profile : {"maxwellian", "form"}) {
-    sheet.profile = profile;
+    sheet.profile = tests::kind_named<ProfileKind>(profile);
     EXPECT_EQ(green(10.0, "linear"), green(1.0, "linear"));
     EXPECT_EQ(green(1.0, "column"), green(1.0, "linear"));
-    if (sheet.profile == "maxwellian") {
+    if (sheet.profile == ProfileKind::maxwellian) {
       EXPECT_NEAR(green(10.0, "column") / green(1.0, "column"), 1.1519, 1e-4);
     }
     EXPECT_GT(green(10.0, "column"), 1.05 * green(1.0, "column"));
@@ -82,7 +83,7 @@ TEST(SheetProfile, SlopesAreThoseOfTheRate) {
   sheet.energy_kev = 7.0;
   const std::vector<double> lines = {630.0, 557.7, 427.8};
   for (const char* profile : {"maxwellian", "form"}) {
-    sheet.profile = profile;
+    sheet.profile = tests::kind_named<ProfileKind>(profile);
     for (const double flux : {0.4, 5.0, 14.0}) {
       const auto at = [&](double q) {
         sheet.energy_flux_mw_m2 = q;
@@ -104,7 +105,7 @@ TEST(SheetProfile, SlopesAreThoseOfTheRate) {
   }
   Scene scene = tests::with_sheet(sheet);
   EXPECT_TRUE(profile_slope(lines, scene, 0, &scene.sheets[0].width_km).empty());
-  scene.emission.flux_law = "linear";
+  scene.emission.flux_law = FluxLaw::linear;
   EXPECT_TRUE(profile_slope(lines, scene, 0, &scene.sheets[0].energy_flux_mw_m2).empty());
 }
 

@@ -97,11 +97,11 @@ TEST(SpectrumProfile, SharesOfTheEnergyFluxAndMeanEnergyAreThoseOfTheGaussian) {
   Sheet sheet;
   sheet.energy_kev = 4.0;
   EXPECT_EQ(mean_energy_kev(sheet), 8.0);
-  sheet.profile = "mono";
+  sheet.profile = ProfileKind::mono;
   EXPECT_EQ(mean_energy_kev(sheet), 4.0);
-  sheet.profile = "gaussian";
+  sheet.profile = ProfileKind::gaussian;
   EXPECT_NEAR(*mean_energy_kev(sheet), 4.0, 1e-4);
-  sheet.profile = "file";
+  sheet.profile = ProfileKind::file;
   EXPECT_FALSE(mean_energy_kev(sheet));
 }
 
@@ -112,7 +112,7 @@ TEST(SpectrumProfile, DerivativesByTheSpreadAreThoseOfTheRate) {
   for (const double brightness : {0.0, 10.0}) {
     for (const double spread : {0.05, 0.2, 0.7}) {
       Sheet sheet;
-      sheet.profile = "gaussian";
+      sheet.profile = ProfileKind::gaussian;
       sheet.brightness_kilorayleigh = brightness;
       const auto at = [&](double value) {
         sheet.energy_spread = value;

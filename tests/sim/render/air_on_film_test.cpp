@@ -7,6 +7,7 @@
 #include "sim/render/render.h"
 #include "sim/view/sky/air.h"
 #include "tests/support/free_paths.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {
@@ -15,7 +16,7 @@ namespace {
 Scene airy_scene() {
   Scene scene = tests::small_scene();
   scene.camera.elevation_deg = 22.0;
-  scene.air.model = "standard";
+  scene.air.model = AirModel::standard;
   return scene;
 }
 
@@ -95,7 +96,7 @@ TEST(AirOnFilm, DerivativesAgreeWithDifferences) {
 
 TEST(AirOnFilm, LeavesAFilmWithoutAirAlone) {
   Scene scene = airy_scene();
-  scene.air.model = "none";
+  scene.air.model = AirModel::none;
   Exposer exposer(scene, film_of(scene), 0);
   Exposure bare, again;
   exposer.expose(scene, bare);
@@ -107,11 +108,11 @@ TEST(AirOnFilm, LeavesAFilmWithoutAirAlone) {
 TEST(AirOnFilm, DimsBothKindsOfBlurAndEverySheet) {
   for (const char* model : {"angle", "physical"}) {
     Scene scene = airy_scene();
-    scene.blur.model = model;
+    scene.blur.model = tests::kind_named<BlurModel>(model);
     RenderOptions options;
     options.sheet_layers = true;
     const Rendering with = render(scene, options);
-    scene.air.model = "none";
+    scene.air.model = AirModel::none;
     const Rendering without = render(scene, options);
     double sums[3] = {0.0, 0.0, 0.0};
     for (std::size_t i = 0; i < with.rayleigh.data.size(); ++i) {

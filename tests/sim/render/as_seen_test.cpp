@@ -18,7 +18,7 @@ TEST(AsSeen, TheAuroraDoesNotDependOnTheSensor) {
   Scene scene = small_scene();
   const Image seen = picture_as_seen(scene, render(scene));
   scene.sensor.gain_per_kilorayleigh *= 7.0;
-  scene.sensor.primaries = "smpte-c";
+  scene.sensor.primaries = Primaries::smpte_c;
   EXPECT_EQ(picture_as_seen(scene, render(scene)).data, seen.data);
   EXPECT_GT(*std::max_element(seen.data.begin(), seen.data.end()), 0.1f);
 }

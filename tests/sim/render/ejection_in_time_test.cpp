@@ -6,6 +6,7 @@
 
 #include "sim/render/render.h"
 #include "sim/render/render_memory.h"
+#include "tests/support/kind_named.h"
 
 namespace vegard::sim {
 namespace {
@@ -22,7 +23,7 @@ Scene eruption(const std::string& kind) {
   scene.camera.elevation_deg = 45.0;
   scene.sun.shown = true;
   Ejection ejection;
-  ejection.kind = kind;
+  ejection.kind = tests::kind_named<EjectionKind>(kind);
   ejection.longitude_deg = 80.0;
   ejection.strands = 10;
   ejection.rayleigh = {5.0};

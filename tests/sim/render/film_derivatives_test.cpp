@@ -17,6 +17,7 @@
 #include "sim/view/film/blur.h"
 #include "tests/support/exposed.h"
 #include "tests/support/free_paths.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {
@@ -112,12 +113,12 @@ INSTANTIATE_TEST_SUITE_P(Lens, FilmDerivativesThrough, testing::Values("pinhole"
 
 TEST_P(FilmDerivativesThrough, AgreeWithDifferences) {
   Scene scene = scene_that_needs_all();
-  scene.camera.model = GetParam();
+  scene.camera.model = tests::kind_named<LensModel>(GetParam());
   scene.camera.focal_px = 130.0;
   scene.camera.principal_x_px = -6.0;
   scene.camera.aspect = 1.05;
   scene.camera.mirrored = true;
-  if (scene.camera.model != "equisolid") {
+  if (scene.camera.model != LensModel::equisolid) {
     scene.camera.k1 = -0.06;
     scene.camera.k2 = 0.01;
   }
@@ -158,10 +159,10 @@ TEST(FilmDerivatives, AFormOfGivenBrightnessAgreesWithDifferences) {
   scene.sheets[0].center_km.east = 130.0;
   scene.sheets[0].length_km = 250.0;
   scene.sheets[0].arcs = 2;
-  scene.sheets[0].profile = "form";
+  scene.sheets[0].profile = ProfileKind::form;
   scene.sheets[0].upper_km = 60.0;
   scene.sheets[0].brightness_kilorayleigh = 10.0;
-  scene.sheets[0].step_rule = "energy";
+  scene.sheets[0].step_rule = PathStepRule::energy;
   scene.sheets[0].fold_spacing_km = 25.0;
   scene.sheets[0].fold_length_km = 15.0;
   scene.sheets[0].energy_kev = 4.0;
@@ -170,7 +171,7 @@ TEST(FilmDerivatives, AFormOfGivenBrightnessAgreesWithDifferences) {
 
 TEST(FilmDerivatives, UnderADipoleAgreeWithDifferences) {
   Scene scene = tests::small_scene();
-  scene.field.model = "dipole";
+  scene.field.model = FieldModel::dipole;
   scene.sheets[0].arcs = 2;
   scene.sheets[0].center_km.east = 130.0;
   scene.sheets[0].length_km = 250.0;
@@ -206,8 +207,8 @@ TEST(FilmDerivatives, SouthernSheetsOfTheLiteralRuleAgreeWithDifferences) {
   sheet.length_km = 250.0;
   sheet.fold_spacing_km = 25.0;
   sheet.fold_length_km = 15.0;
-  sheet.spacing_rule = "literal";
-  sheet.pitch_law = "product";
+  sheet.spacing_rule = SpacingRule::literal;
+  sheet.pitch_law = PitchLaw::product;
   sheet.pitch_step_rad = 0.4;
   sheet.loss_cone_deg = 25.0;
   sheet.path_spread = 0.2;
@@ -240,12 +241,12 @@ TEST(FilmDerivatives, TwoSheetsOtherPitchLawsAndFiveLinesAgreeWithDifferences) {
   scene.blur.width_deg = {0.43, 0.18, 0.0, 0.0, 0.0};
   scene.camera.width = 100;
   scene.camera.height = 75;
-  scene.sheets[0].pitch_law = "constant";
+  scene.sheets[0].pitch_law = PitchLaw::constant;
   scene.sheets[0].beams = 200;
   Sheet second = scene.sheets[0];
   second.name = "second";
   second.center_km.north = 260.0;
-  second.pitch_law = "increment";
+  second.pitch_law = PitchLaw::increment;
   second.energy_kev = 8.0;
   scene.sheets.push_back(second);
   const FilmGeometry film = film_for(scene, 0, 0, 100, 75, 1.0, 1.0);

@@ -188,7 +188,7 @@ TEST(Film, BilinearSharesBetweenColumnsAndNearestDoesNot) {
   EXPECT_GT(total(shared, 1), 0.0);
   EXPECT_NEAR(in_column(shared, 79) / total(shared, 1), 0.7, 1e-4);
   EXPECT_NEAR(in_column(shared, 80) / total(shared, 1), 0.3, 1e-4);
-  scene.film.splat = "nearest";
+  scene.film.splat = SplatRule::nearest;
   const Exposure nearest = exposed(scene, shifted_film(scene));
   EXPECT_EQ(in_column(nearest, 79), total(nearest, 1));
   EXPECT_NEAR(total(nearest, 1) / total(shared, 1), 1.0, 1e-3);
@@ -201,7 +201,7 @@ TEST(Film, UnitWeightCountsEveryPointAlike) {
       total(exposed(near, whole_picture(near)), 1) / total(exposed(far, whole_picture(far)), 1);
   EXPECT_GT(fall_off, 2.4);
   EXPECT_LT(fall_off, 4.0);
-  near.film.weight = far.film.weight = "unit";
+  near.film.weight = far.film.weight = PointWeight::unit;
   const double counted = total(exposed(near, whole_picture(near)), 1);
   EXPECT_NEAR(counted / total(exposed(far, whole_picture(far)), 1), 1.0, 1e-3);
   near.sheets[0].energy_flux_mw_m2 *= 3.0;
@@ -237,14 +237,14 @@ TEST(Film, FollowsTheReferenceInDouble) {
 TEST(Film, ABeamUnderADipoleFallsAsUnderTheUniformFieldOfItsFoot) {
   Scene scene = one_beam(170.0);
   scene.sheets[0].loss_cone_deg = 2.5;
-  scene.field.model = "dipole";
+  scene.field.model = FieldModel::dipole;
   scene.site.latitude_deg = 67.0;
   scene.site.longitude_deg = 25.0;
   const Exposure under_dipole = exposed(scene, shifted_film(scene));
   const EastNorth foot = scene.sheets[0].center_km;
   const FallFrame<double> fall =
       dipole_fall_frame(dipole_axis(scene.field, scene.site), foot.east, foot.north);
-  scene.field.model = "uniform";
+  scene.field.model = FieldModel::uniform;
   const Exposure elsewhere = exposed(scene, shifted_film(scene));
   scene.field.inclination_deg = std::asin(-fall.along[2]) / kRadiansPerDegree;
   scene.field.declination_deg = std::atan2(fall.along[0], fall.along[1]) / kRadiansPerDegree;

@@ -87,7 +87,7 @@ SideView thin_side_view(const Sheet& of) {
 TEST(FormOnFilm, FallsAsItsCurveDoes) {
   // Docs/physics.md row B19. A row is 0.2 km; the deflections' spread adds less.
   Sheet sheet;
-  sheet.profile = "form";
+  sheet.profile = ProfileKind::form;
   sheet.lower_km = 4.0;
   sheet.upper_km = 20.0;
   const SideView view = thin_side_view(sheet);

@@ -9,6 +9,7 @@
 #include "sim/view/camera/camera.h"
 #include "tests/support/all_points.h"
 #include "tests/support/exposed.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {
@@ -18,7 +19,7 @@ namespace {
 Scene all_sky(const std::string& model) {
   Scene scene = tests::small_scene();
   Camera& camera = scene.camera;
-  camera.model = model;
+  camera.model = tests::kind_named<LensModel>(model);
   camera.width = camera.height = 140;
   camera.hfov_deg = 110.0;
   camera.focal_px = model == "stereographic" ? 35.0 : 42.0;

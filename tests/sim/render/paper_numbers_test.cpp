@@ -20,6 +20,7 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/view/film/blur.h"
 #include "tests/support/exposed.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {
@@ -34,7 +35,7 @@ TEST(PaperNumbers, PhaseAfterAllPointsIsTwoPiDOverLambda) {
   for (const char* rule : {"literal", "tied"}) {
     for (int n : {7, 300}) {
       Sheet sheet;
-      sheet.spacing_rule = rule;
+      sheet.spacing_rule = tests::kind_named<SpacingRule>(rule);
       sheet.spacing_jitter = 0.0;
       sheet.beams = n;
       std::vector<BeamPlace> places(n);
@@ -135,7 +136,7 @@ TEST(PaperNumbers, CurlsTravelAHundredAndFortyTwoMetresAFrame) {
 // scaling".
 TEST(PaperNumbers, BlurKernelsAreThePapersAndScale) {
   Scene scene;
-  scene.blur.kernel = "paper";
+  scene.blur.kernel = BlurKernelKind::paper;
   scene.camera.hfov_deg = 35.0;
   const auto expect_kernels = [&](int width, double hfov_deg, int red, int green) {
     scene.camera.width = width;
@@ -175,9 +176,9 @@ Scene plane_layer() {
   sheet.beams = 30000;
   sheet.path_step = 0.02;
   sheet.loss_cone_deg = 0.0;
-  sheet.pitch_law = "constant";
+  sheet.pitch_law = PitchLaw::constant;
   sheet.energy_flux_mw_m2 = 2.0;
-  sheet.profile = "form";
+  sheet.profile = ProfileKind::form;
   sheet.upper_km = 10.0;
   scene.sheets = {sheet};
   return scene;
@@ -229,7 +230,7 @@ TEST(PaperNumbers, APointsLightDoesNotDependOnTheResolution) {
     sheet.width_km = sheet.thickness_km = 0.01;
     sheet.layers = sheet.beams = 1;
     sheet.energy_flux_mw_m2 = 1e6;
-    sheet.profile = "form";
+    sheet.profile = ProfileKind::form;
     const Exposure exposure = exposed(scene);
     const double focal = 0.5 * scene.camera.width / std::tan(0.5 * scene.camera.hfov_deg * kRadiansPerDegree);
     double sum = 0.0;

@@ -15,6 +15,7 @@
 #include "sim/view/sensor/sensor.h"
 #include "sim/view/sensor/tone_curve.h"
 #include "sim/view/sensor/vignetting.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {
@@ -76,7 +77,10 @@ class RoundTrip : public ::testing::TestWithParam<Settings> {};
 TEST_P(RoundTrip, FindsTheLightWithinItsNoise) {
   Scene scene = photographed_scene();
   int file_bits = 0;
-  std::tie(scene.sensor.tone, scene.sensor.bits, scene.sensor.mosaic, file_bits) = GetParam();
+  std::string tone, mosaic_word;
+  std::tie(tone, scene.sensor.bits, mosaic_word, file_bits) = GetParam();
+  scene.sensor.tone = tests::kind_named<ToneKind>(tone);
+  scene.sensor.mosaic = tests::kind_named<MosaicPattern>(mosaic_word);
   scene.sensor.gamma = 1.8;
   scene.sensor.tone_file = "curve.csv";
   scene.tables["sensor.tone_file"] =
@@ -88,7 +92,7 @@ TEST_P(RoundTrip, FindsTheLightWithinItsNoise) {
   const Image of_truth = light_variance(scene, truth, step);
   const Image of_found = light_variance(scene, found.light, step);
 
-  const bool mosaic = scene.sensor.mosaic != "none";
+  const bool mosaic = scene.sensor.mosaic != MosaicPattern::none;
   for (int c = 0; c < 3; ++c) {
     Comparison own, all, as_known;
     for (int y = 0; y < truth.height; ++y)
@@ -135,7 +139,7 @@ INSTANTIATE_TEST_SUITE_P(Files, RoundTrip,
 // 10^8 electrons, 16 bits: photons scatter by 1e-4 of white at most, numbers by 1.5e-5.
 TEST(Photograph, OfManyElectronsIsTheLight) {
   Scene scene = photographed_scene();
-  scene.sensor.mosaic = "none";
+  scene.sensor.mosaic = MosaicPattern::none;
   scene.sensor.full_well_e = 1e8, scene.sensor.iso = scene.sensor.base_iso;
   scene.sensor.bits = 16;
   const Image truth = light_on_sensor(scene, render(scene));
@@ -160,7 +164,7 @@ TEST(Photograph, IsAFunctionOfSeedAndFrameAlone) {
 // Two frames of one light differ by the noise of both: independent, and as large as is said.
 TEST(Photograph, FramesHaveIndependentNoise) {
   Scene scene = photographed_scene();
-  scene.sensor.mosaic = "none";
+  scene.sensor.mosaic = MosaicPattern::none;
   scene.sensor.bits = 16;
   const Image truth = light_on_sensor(scene, render(scene));
   const Image a = developed(scene, raw_numbers(scene, truth, 0)),
@@ -185,7 +189,7 @@ TEST(Photograph, FramesHaveIndependentNoise) {
 TEST(Photograph, SaturatesAndSaysSo) {
   Scene scene = photographed_scene();
   scene.sensor.vignetting_cos_power = 0.0, scene.sensor.vignetting = {0.0, 0.0, 0.0};
-  for (const char* mosaic : {"none", "rggb"})
+  for (const MosaicPattern mosaic : {MosaicPattern::none, MosaicPattern::rggb})
     for (const double iso : {1600.0, 100.0, 50.0}) {
       scene.sensor.mosaic = mosaic;
       scene.sensor.iso = iso;
@@ -210,7 +214,7 @@ TEST(Photograph, SaturatesAndSaysSo) {
 // The noise-free picture has the lens and the tone curve of the scene, which the same inverse takes off.
 TEST(Photograph, WithoutNoiseComesBackToTheStepsOfItsFile) {
   Scene scene = photographed_scene();
-  scene.sensor.tone = "gamma";
+  scene.sensor.tone = ToneKind::gamma;
   const Rendering rendering = render(scene);
   const Image truth = light_on_sensor(scene, rendering);
   const Recovered found = recovered(scene, stored(display_picture(scene, rendering), 16), 1.0 / 65535.0);
@@ -223,7 +227,7 @@ TEST(Photograph, FullChannelsAreFoundBehindAGainBelowOneAndAFilesSteps) {
   Scene scene = photographed_scene();
   scene.sensor.response = "nikon_d700";
   scene.sensor.white_balance = {1.0, 0.6, 1.0};
-  scene.sensor.mosaic = "none";
+  scene.sensor.mosaic = MosaicPattern::none;
   scene.sensor.vignetting_cos_power = 0.0, scene.sensor.vignetting = {0.0, 0.0, 0.0};
   scene.camera.width = 32, scene.camera.height = 16;
   Image light(32, 16, {"R", "G", "B"});
@@ -241,15 +245,16 @@ TEST(Photograph, FullChannelsAreFoundBehindAGainBelowOneAndAFilesSteps) {
 TEST(Photograph, RawNumbersOfACameraDoNotDependOnItsMatrix) {
   Scene scene = photographed_scene();
   scene.sensor.response = "sony_a7s_ii";
-  scene.sensor.exposure = "camera";
-  scene.sensor.mosaic = "none";
-  const auto raw_by = [&](const char* rule) {
+  scene.sensor.exposure = ExposureRule::camera;
+  scene.sensor.mosaic = MosaicPattern::none;
+  const auto raw_by = [&](MatrixRule rule) {
     scene.sensor.matrix_rule = rule;
-    scene.sensor.white_balance_rule = std::string(rule) == "none" ? "given" : "daylight";
+    scene.sensor.white_balance_rule =
+        rule == MatrixRule::none ? WhiteBalanceRule::given : WhiteBalanceRule::daylight;
     scene.sky = {};  // it is given in the picture's own colours
     return raw_numbers(scene, light_on_sensor(scene, render(scene)));
   };
-  const Image without = raw_by("none"), with = raw_by("colorimetric");
+  const Image without = raw_by(MatrixRule::none), with = raw_by(MatrixRule::colorimetric);
   // The same random numbers, so that only a rounding of the mean could make another number.
   std::size_t differing = 0;
   for (std::size_t i = 0; i < with.data.size(); ++i) differing += with.data[i] != without.data[i];
@@ -258,8 +263,8 @@ TEST(Photograph, RawNumbersOfACameraDoNotDependOnItsMatrix) {
 
 TEST(Photograph, RawNumbersAreTheExpectedCounts) {
   Scene scene = photographed_scene();
-  scene.sensor.exposure = "camera";
-  scene.sensor.mosaic = "none";
+  scene.sensor.exposure = ExposureRule::camera;
+  scene.sensor.mosaic = MosaicPattern::none;
   scene.sensor.dark_e_s = 20.0;
   const ExpectedCounts counts = expected_counts(scene);
   // 30 kR of 557.7 nm on the axis, through the scene's own colours.

@@ -42,7 +42,7 @@ Scene thin_ray() {
 }
 
 Scene physical(Scene scene) {
-  scene.blur.model = "physical";
+  scene.blur.model = BlurModel::physical;
   return scene;
 }
 

@@ -51,7 +51,7 @@ TEST(ProfileExposure, OfAFormsNumbersAgreesWithDifferences) {
   Scene scene = tests::small_scene();
   scene.sheets.push_back(scene.sheets[0]);  // whose light must not be in it
   scene.sheets[1].name = "other";
-  scene.sheets[0].profile = "form";
+  scene.sheets[0].profile = ProfileKind::form;
   scene.sheets[0].peak_km = 113.1;
   scene.sheets[0].lower_km = 11.0;
   // The places of floats on the film against those of doubles.
@@ -62,7 +62,7 @@ TEST(ProfileExposure, OfAFormsNumbersAgreesWithDifferences) {
 
 TEST(ProfileExposure, OfSplinesCoefficientsAddUpToTheLight) {
   Scene scene = tests::small_scene();
-  scene.sheets[0].profile = "spline";
+  scene.sheets[0].profile = ProfileKind::spline;
   scene.sheets[0].spline_knots = 11;  // eight and three lanes
   fill_spline_rates(scene);
   const Sheet& sheet = scene.sheets[0];

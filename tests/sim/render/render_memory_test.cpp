@@ -22,7 +22,7 @@ Scene scene_of_everything() {
   scene.stars.gain = 5.0;
   scene.airglow.green_rayleigh = 250.0;
   scene.light_pollution.luminance_mcd_m2 = 1.0;
-  scene.air.model = "standard";
+  scene.air.model = AirModel::standard;
   return scene;
 }
 
@@ -38,14 +38,16 @@ std::vector<std::pair<std::string, std::function<void(Scene&)>>> changes() {
       {"another sheet", [](Scene& s) { s.sheets.push_back(s.sheets[0]), s.sheets[1].name = "b"; }},
       {"time runs", [](Scene& s) { s.time.start_s += 300.0; }},
       {"a longer exposure",
-       [](Scene& s) { s.sensor.exposure = "camera", s.time.exposure_s = 4.0, s.time.instants = 2; }},
+       [](Scene& s) {
+         s.sensor.exposure = ExposureRule::camera, s.time.exposure_s = 4.0, s.time.instants = 2;
+       }},
       {"and longer", [](Scene& s) { s.time.exposure_s = 8.0; }},
       {"the site", [](Scene& s) { s.site.latitude_deg = 50.0, s.site.altitude_m = 900.0; }},
       {"clearer air", [](Scene& s) { s.air.aerosol_optical_depth = 0.02; }},
       {"fainter stars", [](Scene& s) { s.stars.faintest_magnitude = 7.5; }},
       {"brighter airglow", [](Scene& s) { s.airglow.green_rayleigh = 900.0; }},
       {"another town", [](Scene& s) { s.light_pollution.azimuth_deg = 10.0; }},
-      {"other primaries", [](Scene& s) { s.sensor.primaries = "rec2020"; }},
+      {"other primaries", [](Scene& s) { s.sensor.primaries = Primaries::rec2020; }},
       {"the sky", [](Scene& s) { s.sky.level[1] = 0.01; }},
       {"less blur", [](Scene& s) { s.blur.width_deg[0] = 0.2; }},
       {"another seed", [](Scene& s) { s.seed = 4; }},

@@ -98,7 +98,7 @@ TEST(Render, SheetsAddUp) {
 TEST(Render, PaperKernelsAreTruncatedAndKeepTheLight) {
   Scene scene = tests::small_scene();
   const Rendering full = render(scene);
-  scene.blur.kernel = "paper";
+  scene.blur.kernel = BlurKernelKind::paper;
   const Rendering cut = render(scene);
   double sum_full = 0.0, sum_cut = 0.0, difference = 0.0;
   for (std::size_t i = 0; i < full.rayleigh.data.size(); i += 3) {

@@ -11,6 +11,7 @@
 #include "sim/render/film.h"
 #include "sim/scene/file/scene_toml.h"
 #include "tests/support/exposed.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {
@@ -36,7 +37,7 @@ Scene magnetic_zenith(double inclination_deg) {
   sheet.beams = 200000;
   sheet.path_step = 0.02;
   sheet.loss_cone_deg = 0.0;
-  sheet.pitch_law = "constant";
+  sheet.pitch_law = PitchLaw::constant;
   scene.sheets = {sheet};
   return scene;
 }
@@ -56,7 +57,7 @@ TEST(Brightness, OfIbcTwoIsTenKilorayleighAlongTheField) {
   for (double inclination : {78.0, 50.0}) {
     for (const char* profile : {"maxwellian", "form"}) {
       Scene scene = magnetic_zenith(inclination);
-      scene.sheets[0].profile = profile;
+      scene.sheets[0].profile = tests::kind_named<ProfileKind>(profile);
       scene.sheets[0].brightness_kilorayleigh = 10.0;
       EXPECT_NEAR(green_kilorayleigh(exposed(scene)), 10.0, 0.25)
           << profile << ", inclination " << inclination;
@@ -107,7 +108,7 @@ TEST(StepRule, OfTheEnergyTakesTheStepsOfItsMeanAndKeepsThemWhileTheEnergyVaries
     return exposure.deflection_points;
   };
   Exposer given(scene, whole_picture(scene), 0);
-  sheet.step_rule = "energy";
+  sheet.step_rule = PathStepRule::energy;
   Exposer of_energy(scene, whole_picture(scene), 0);
   const auto at_ten = points(of_energy);
   EXPECT_EQ(at_ten, points(given)) << "d_t = 1/300 by default";
@@ -115,7 +116,7 @@ TEST(StepRule, OfTheEnergyTakesTheStepsOfItsMeanAndKeepsThemWhileTheEnergyVaries
   EXPECT_EQ(points(of_energy), at_ten) << "frozen while a fit varies E0";
   Exposer fresh(scene, whole_picture(scene), 0);
   EXPECT_NEAR(static_cast<double>(points(fresh)) / static_cast<double>(at_ten), 0.5, 0.005);
-  sheet.profile = "mono";
+  sheet.profile = ProfileKind::mono;
   sheet.energy_kev = 10.0;
   Exposer of_one_energy(scene, whole_picture(scene), 0);
   EXPECT_EQ(points(of_one_energy), at_ten) << "their mean is the energy itself";

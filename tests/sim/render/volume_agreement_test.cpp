@@ -44,7 +44,7 @@ Scene arc(std::uint64_t seed) {
 
 Scene by_its_footprint(Scene scene) {
   Footprint footprint;
-  footprint.source = "sheets";
+  footprint.source = FootprintSource::sheets;
   footprint.center_km = scene.sheets[0].center_km;
   footprint.size_km = {360.0, 120.0};
   footprint.cell_km = 0.5;

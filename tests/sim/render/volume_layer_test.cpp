@@ -69,7 +69,7 @@ TEST(VolumePictures, OfLightThatIsOnlyAddedHideNothing) {
   Scene scene = small_camera();
   const FilmGeometry film = film_of(scene);
   const Image with_alpha = volume_pictures(scene, film, wall(film), true, 1).rayleigh;
-  scene.march.blend = "add";
+  scene.march.blend = BlendRule::add;
   const VolumePictures added = volume_pictures(scene, film, wall(film), true, 1);
   EXPECT_TRUE(added.hidden.empty());
   EXPECT_EQ(added.rayleigh.data, with_alpha.data);
@@ -164,8 +164,8 @@ TEST(LiteralLayer, BlendsByTheTwoIdentities) {
   const Image nebula = filled({"R", "G", "B", "A"}, {0.3f, 0.8f, 0.6f, 0.35f, 0.9f, 0.1f, 0.2f, 1.0f});
   const Image behind = filled({"R", "G", "B"}, {0.25f, 0.5f, 0.125f, 0.7f, 0.3f});
   Image alpha = behind, added = behind;
-  cover(layer_of_literal(nebula, "alpha"), alpha);
-  cover(layer_of_literal(nebula, "add"), added);
+  cover(layer_of_literal(nebula, BlendRule::alpha), alpha);
+  cover(layer_of_literal(nebula, BlendRule::add), added);
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x)
       for (int c = 0; c < 3; ++c) {
@@ -176,8 +176,10 @@ TEST(LiteralLayer, BlendsByTheTwoIdentities) {
 }
 
 TEST(LiteralLayer, OfTwoIsOneBeforeTheOther) {
-  const Image far = layer_of_literal(filled({"R", "G", "B", "A"}, {0.3f, 0.8f, 0.6f, 0.35f}), "alpha");
-  const Image near = layer_of_literal(filled({"R", "G", "B", "A"}, {0.5f, 0.1f, 0.2f, 0.6f}), "alpha");
+  const Image far =
+      layer_of_literal(filled({"R", "G", "B", "A"}, {0.3f, 0.8f, 0.6f, 0.35f}), BlendRule::alpha);
+  const Image near =
+      layer_of_literal(filled({"R", "G", "B", "A"}, {0.5f, 0.1f, 0.2f, 0.6f}), BlendRule::alpha);
   Image in_turn = filled({"R", "G", "B"}, {0.25f, 0.5f, 0.125f}), at_once = in_turn, both = far;
   cover(far, in_turn);
   cover(near, in_turn);
@@ -192,7 +194,8 @@ TEST(LiteralLayer, IsBehindTheVolumesAndBeforeTheSky) {
   Rendering rendering;
   rendering.aurora = filled({"R", "G", "B"}, {0.1f});
   rendering.hidden = filled({"R", "G", "B"}, {0.5f});
-  rendering.literal = layer_of_literal(filled({"R", "G", "B", "A"}, {0.8f, 0.8f, 0.8f, 0.25f}), "alpha");
+  rendering.literal =
+      layer_of_literal(filled({"R", "G", "B", "A"}, {0.8f, 0.8f, 0.8f, 0.25f}), BlendRule::alpha);
   rendering.volume = rendering.literal;
   // 0.1 + 0.5 (0.8 x 0.25 + 0.75 x 0.4)
   EXPECT_NEAR(shown_light(scene, rendering).at(1, 1, 1), 0.35, 1e-6);
@@ -200,7 +203,7 @@ TEST(LiteralLayer, IsBehindTheVolumesAndBeforeTheSky) {
 
 TEST(Air, DimsTheVolumesShareAsTheWhole) {
   Scene scene = small_camera();
-  scene.air.model = "standard";
+  scene.air.model = AirModel::standard;
   Exposure exposure;
   exposure.geometry = film_of(scene);
   exposure.lines = 3;

@@ -59,7 +59,7 @@ TEST(VolumePicture, HidesTheSkyByItsDust) {
 TEST(VolumePicture, IsOnlyAddedIfToldSo) {
   Scene scene = dusty_sphere();
   const Rendering alpha = render(scene);
-  scene.march.blend = "add";
+  scene.march.blend = BlendRule::add;
   const Rendering added = render(scene);
   EXPECT_EQ(added.rayleigh.data, alpha.rayleigh.data) << "dust takes the nebula's own light all the same";
   EXPECT_TRUE(added.hidden.empty());
@@ -71,7 +71,7 @@ TEST(VolumePicture, IsOnlyAddedIfToldSo) {
 TEST(VolumePicture, OfWhatAbsorbsNothingIsTheSameByBothWaysOfBlending) {
   Scene scene = dusty_sphere(0.0);
   const Rendering alpha = render(scene);
-  scene.march.blend = "add";
+  scene.march.blend = BlendRule::add;
   EXPECT_EQ(render(scene).rgb.data, alpha.rgb.data);
 }
 
@@ -126,7 +126,7 @@ TEST(VolumePicture, GlowsWithoutLosingLight) {
 TEST(VolumePicture, UnderThePhysicalBlurIsAsMarched) {
   Scene scene = dusty_sphere();
   const Rendering by_angle = render(scene);
-  scene.blur.model = "physical";
+  scene.blur.model = BlurModel::physical;
   const Rendering physical = render(scene);
   EXPECT_GT(total(physical.rayleigh.data), 0.0);
   EXPECT_EQ(physical.rayleigh.data, by_angle.rayleigh.data);

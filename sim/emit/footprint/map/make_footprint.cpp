@@ -43,9 +43,17 @@ void check_memory(const Scene& scene, const Footprint& f) {
 template <class T>
 PlaneFootprint<T> at_rest(const Scene& scene, const Footprint& f, const FootprintPictures& pictures,
                           const NumberAs<T>& number, int threads) {
-  if (f.source == "spline") return spline_plane(f, number, threads);
-  if (f.source == "sheets") return sheet_plane(scene, f, number, threads);
-  if (f.source == "noise") return as_free(noise_plane(f, scene.seed, index_of(scene, f), threads), f, number);
+  switch (f.source) {
+    case FootprintSource::spline:
+      return spline_plane(f, number, threads);
+    case FootprintSource::sheets:
+      return sheet_plane(scene, f, number, threads);
+    case FootprintSource::noise:
+      return as_free(noise_plane(f, scene.seed, index_of(scene, f), threads), f, number);
+    case FootprintSource::image:
+    case FootprintSource::cube:
+      break;
+  }
   return as_free(picture_plane(f, pictures, threads), f, number);
 }
 
@@ -72,7 +80,8 @@ PlaneFootprint<T> make_plane_footprint(const Scene& scene, const Footprint& f,
   const bool flows = f.flow_turns > 0.0;
   // A spline knows where it goes with the centre to a point of the grid. What stands still in its box goes
   // with it, and so does all that the flow has wound up, ripples included.
-  const bool goes_with_box = f.source != "sheets" && (flows || f.source != "spline");
+  const bool goes_with_box =
+      f.source != FootprintSource::sheets && (flows || f.source != FootprintSource::spline);
   const NumberAs<T> of_box = [&](const double& n) {
     return &n == &f.center_km.east || &n == &f.center_km.north ? T(n) : number(n);
   };
@@ -92,7 +101,7 @@ template PlaneFootprint<FreeDual> make_plane_footprint(const Scene&, const Footp
 
 CubeFootprint<double> make_cube_footprint(const Scene&, const Footprint& f, const FootprintPictures& pictures,
                                           int threads) {
-  return f.source == "spline" ? spline_cube(f, threads) : picture_cube(f, pictures, threads);
+  return f.source == FootprintSource::spline ? spline_cube(f, threads) : picture_cube(f, pictures, threads);
 }
 
 }  // namespace vegard::sim

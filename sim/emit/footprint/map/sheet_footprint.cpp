@@ -46,7 +46,7 @@ void deposit(const Scene& scene, const Layer& which, double scale, const NumberA
   ArcLight light(scene.sheets[which.sheet], arc_address, scene.seed, instant, stretch.drifted_km);
   sheet.beams = footprint_beams(sheet, on.cell_km);
   sheet.beams_per_km = 0.0;
-  sheet.spacing_rule = "stratified";
+  sheet.spacing_rule = SpacingRule::stratified;
   const LayerPlaces places(sheet, address, scene.seed, 0.0);
   FootprintGrid<T>& grid = on.grid;
   const double per_cell = scale / (on.cell_km * on.cell_km);

@@ -156,7 +156,7 @@ Strands<T> strands_of(const Sun& sun, const Bundle& bundle, std::uint64_t seed, 
   auto feet = maker.feet(bundle.count, Which::line);
   maker.gather(feet);
   Strands<T> strands;
-  strands.falloff = radial_falloff(bundle.density_falloff);
+  strands.falloff = bundle.density_falloff;
   for (const auto& foot : feet) strands.all.push_back(maker.line(foot));
   return strands;
 }

@@ -133,13 +133,20 @@ void draw_together(const std::vector<int>& middles, const T& pull, std::vector<S
 
 /// 1 where most, `least` where least; z from 0 at the feet to 1 at the top.
 template <class T>
-T height_falloff(const std::string& word, const T& least, double z) {
+T height_falloff(HeightFalloff falloff, const T& least, double z) {
   const T range = T(1.0) - least;
-  if (word == "grow") return least + range * z;
-  if (word == "fade") return T(1.0) - range * z;
-  if (word == "logarithmic") return T(1.0) - range * (std::log1p(9.0 * z) / std::log(10.0));
-  if (word == "inverse-square")
-    return least + range * ((1.0 / ((1.0 + 3.0 * z) * (1.0 + 3.0 * z)) - 0.0625) / 0.9375);
+  switch (falloff) {
+    case HeightFalloff::grow:
+      return least + range * z;
+    case HeightFalloff::fade:
+      return T(1.0) - range * z;
+    case HeightFalloff::logarithmic:
+      return T(1.0) - range * (std::log1p(9.0 * z) / std::log(10.0));
+    case HeightFalloff::inverse_square:
+      return least + range * ((1.0 / ((1.0 + 3.0 * z) * (1.0 + 3.0 * z)) - 0.0625) / 0.9375);
+    case HeightFalloff::none:
+      break;
+  }
   return T(1.0);
 }
 
@@ -161,12 +168,6 @@ std::vector<T> density_along(const Loop& loop, const NumberAs<T>& number) {
 
 }  // namespace
 
-RadialFalloff radial_falloff(const std::string& word) {
-  if (word == "linear") return RadialFalloff::linear;
-  if (word == "gaussian") return RadialFalloff::gaussian;
-  return RadialFalloff::smooth;
-}
-
 template <class T>
 Strands<T> strands_of(const Sun& sun, const Loop& loop, std::uint64_t seed, const NumberAs<T>& number) {
   const LoopShape<T> shape(sun, loop, number);
@@ -177,7 +178,7 @@ Strands<T> strands_of(const Sun& sun, const Loop& loop, std::uint64_t seed, cons
     chance.emplace_back(seed, static_cast<std::uint32_t>(k), name_number(loop.name));
 
   Strands<T> made;
-  made.falloff = radial_falloff(loop.density_falloff);
+  made.falloff = loop.density_falloff;
   for (int k = 0; k < loop.strands; ++k) {
     const double share = (2.0 * k + 1.0 - loop.strands) / loop.strands;
     Strand<T> strand{shape.points(share, chance[k]), radius, radius, along};

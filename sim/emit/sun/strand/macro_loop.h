@@ -49,7 +49,4 @@ extern template Strands<double> strands_of(const Sun&, const Loop&, std::uint64_
 extern template Strands<FreeDual> strands_of(const Sun&, const Loop&, std::uint64_t,
                                              const NumberAs<FreeDual>&);
 
-/// The falloff of "smooth", "linear" or "gaussian".
-RadialFalloff radial_falloff(const std::string& word);
-
 }  // namespace vegard::sim

@@ -13,13 +13,9 @@
 #include <array>
 #include <vector>
 
-namespace vegard::sim {
+#include "sim/scene/structs/sun_of_scene.h"
 
-enum class RadialFalloff {
-  smooth,   ///< (1 - q²)²
-  linear,   ///< 1 - q
-  gaussian  ///< exp(-4.5 q²); all are 0 beyond q = 1
-};
+namespace vegard::sim {
 
 template <class T>
 struct Strand {

@@ -15,7 +15,7 @@ namespace {
 using sim::LensModel;
 
 /// A whole sky, a little off the middle of the picture and a little off the zenith.
-sim::Camera fisheye(const char* model, double focal_px) {
+sim::Camera fisheye(LensModel model, double focal_px) {
   sim::Camera camera;
   camera.model = model;
   camera.width = static_cast<int>(4 * focal_px);
@@ -49,7 +49,7 @@ void expect_back(const sim::Camera& truth, const fit::LensSettings& settings) {
   EXPECT_LT(found.maps->largest_px, 1e-3);
   EXPECT_EQ(found.used(), static_cast<int>(found.stars.size()));
   for (const std::string& warning : found.warnings) EXPECT_EQ(warning.find("stand for"), std::string::npos);
-  EXPECT_EQ(fit::name_of(found.camera.model), truth.model);
+  EXPECT_EQ(found.camera.model, truth.model);
   EXPECT_EQ(found.camera.mirrored, truth.mirrored);
   const sim::Camera camera = fit::scene_camera_of(found);
   EXPECT_NEAR(camera.principal_x_px, truth.principal_x_px, 1e-3);
@@ -57,14 +57,14 @@ void expect_back(const sim::Camera& truth, const fit::LensSettings& settings) {
 }
 
 TEST(MapCalibration, GivesTheFisheyeBack) {
-  sim::Camera truth = fisheye("equisolid", 6.0);
+  sim::Camera truth = fisheye(LensModel::equisolid, 6.0);
   truth.mirrored = true;
   // Of all lenses, without being told which.
   expect_back(truth, {});
 }
 
 TEST(MapCalibration, GivesARadialPolynomialBack) {
-  sim::Camera truth = fisheye("polynomial", 33.0);
+  sim::Camera truth = fisheye(LensModel::polynomial, 33.0);
   truth.k1 = -0.03;
   truth.k2 = 0.004;
   expect_back(truth, only(LensModel::polynomial));
@@ -80,7 +80,7 @@ TEST(MapCalibration, GivesAPinholeBack) {
 
 // One pixel of the maps shifted by a degree: every pixel is looked at, not those of the grid alone.
 TEST(MapCalibration, LooksAtEveryPixel) {
-  sim::DirectionMap map = sim::direction_map(fisheye("equidistant", 30.0));
+  sim::DirectionMap map = sim::direction_map(fisheye(LensModel::equidistant, 30.0));
   map.elevation_deg[map.index(61, 20)] -= 1.0f;
   const fit::Calibration found = fit::calibrate_maps(only(LensModel::equidistant), map, "maps");
   EXPECT_EQ(found.maps->largest_x, 61);
@@ -91,7 +91,7 @@ TEST(MapCalibration, LooksAtEveryPixel) {
 
 TEST(MapCalibration, FileSaysThatItIsOfMaps) {
   const fit::Calibration found = fit::calibrate_maps(
-      only(LensModel::equidistant), sim::direction_map(fisheye("equidistant", 30.0)), "maps");
+      only(LensModel::equidistant), sim::direction_map(fisheye(LensModel::equidistant, 30.0)), "maps");
   fit::CalibrationOrigin origin;
   origin.stars = "az.fits, el.fits";
   const std::string text = fit::camera_toml(found, origin);
@@ -101,7 +101,7 @@ TEST(MapCalibration, FileSaysThatItIsOfMaps) {
 }
 
 TEST(MapCalibration, RefusesMapsThatTellNoCamera) {
-  sim::DirectionMap map = sim::direction_map(fisheye("equidistant", 30.0));
+  sim::DirectionMap map = sim::direction_map(fisheye(LensModel::equidistant, 30.0));
   // One column of the grid alone.
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x)
@@ -112,9 +112,9 @@ TEST(MapCalibration, RefusesMapsThatTellNoCamera) {
 
 // Azimuths of one camera and elevations of another.
 TEST(MapCalibration, SaysWhenNoCameraStandsForTheMaps) {
-  sim::Camera tilted = fisheye("equidistant", 30.0);
+  sim::Camera tilted = fisheye(LensModel::equidistant, 30.0);
   tilted.elevation_deg = 70.0;
-  sim::DirectionMap map = sim::direction_map(fisheye("equidistant", 30.0));
+  sim::DirectionMap map = sim::direction_map(fisheye(LensModel::equidistant, 30.0));
   map.elevation_deg = sim::direction_map(tilted).elevation_deg;
   const fit::Calibration found = fit::calibrate_maps(only(LensModel::equidistant), map, "maps");
   EXPECT_GT(found.maps->largest_px, 1.0);

@@ -7,6 +7,7 @@
 #include "sim/emit/aurora/motion.h"
 #include "sim/emit/aurora/sheet.h"
 #include "sim/render/beams/kernel_scene.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/one_sheet.h"
 #include "tests/support/small_scene.h"
 
@@ -63,7 +64,7 @@ TEST(SheetPower, IsThatOfAllItsBeams) {
 TEST(SheetPower, OfAGivenBrightnessIsWhatWouldMakeIt) {
   for (const char* profile : {"maxwellian", "form"}) {
     Scene by_flux = tests::small_scene();
-    by_flux.sheets[0].profile = profile;
+    by_flux.sheets[0].profile = tests::kind_named<ProfileKind>(profile);
     const SheetBrightness flux = sheet_brightness(by_flux, 0);
     Scene by_brightness = by_flux;
     by_brightness.sheets[0].brightness_kilorayleigh = flux.layer_green_kilorayleigh;

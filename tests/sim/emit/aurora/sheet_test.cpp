@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/base/earth.h"
+#include "tests/support/kind_named.h"
 
 namespace vegard::sim {
 namespace {
@@ -41,7 +42,7 @@ std::vector<BeamPlace> beam_places(const Sheet& sheet, int sheet_index, int laye
 
 BeamFoot<double> foot_at(const Sheet& sheet, const BeamPlace& place, int layer = 0, double side = 1.0) {
   return beam_foot(shape_of(sheet, side), stretch_of(sheet, 0.0), place, layer, sheet.layers,
-                   sheet.spacing_rule == "literal");
+                   sheet.spacing_rule == SpacingRule::literal);
 }
 
 BeamPlace place_at(double s) {
@@ -86,7 +87,7 @@ TEST(Sheet, SineHasItsPhaseFromTheStartAndTwoPiDOverLambdaInAll) {
 
 TEST(Sheet, LiteralRuleAdvancesThePhaseByEquationTwoAfterEveryBeam) {
   Sheet sheet = slanted();
-  sheet.spacing_rule = "literal";
+  sheet.spacing_rule = SpacingRule::literal;
   sheet.beams = 50;
   const std::vector<BeamPlace> places = beam_places(sheet, 0, 0, 1, 0.0);
   const double step = 310.0 / 50 * 2.0 * kPi / 47.0;
@@ -186,7 +187,7 @@ TEST(Sheet, SharesOfTheLightAddUpToItsLength) {
   for (const char* rule : {"stratified", "tied", "literal"}) {
     for (double beyond : {0.0, 0.5}) {
       Sheet sheet = slanted();
-      sheet.spacing_rule = rule;
+      sheet.spacing_rule = tests::kind_named<SpacingRule>(rule);
       sheet.beams = 333;
       double sum = 0.0;
       for (const BeamPlace& place : beam_places(sheet, 0, 1, 9, beyond))
@@ -233,7 +234,7 @@ TEST(BeamPlaces, StratifiedBeamsKeepToTheirStretches) {
 
 TEST(BeamPlaces, TiedStretchesTouchAndStayWithinTheJitter) {
   Sheet sheet = slanted();
-  sheet.spacing_rule = "tied";
+  sheet.spacing_rule = SpacingRule::tied;
   sheet.beams = 1000;
   sheet.spacing_jitter = 0.5;
   const std::vector<BeamPlace> places = beam_places(sheet, 0, 0, 3, 0.0);
@@ -255,7 +256,7 @@ TEST(BeamPlaces, TiedStretchesTouchAndStayWithinTheJitter) {
 
 TEST(BeamPlaces, LiteralRuleStepsByFiveQuartersOnAverage) {
   Sheet sheet = slanted();
-  sheet.spacing_rule = "literal";
+  sheet.spacing_rule = SpacingRule::literal;
   sheet.beams = 20000;
   const std::vector<BeamPlace> places = beam_places(sheet, 0, 0, 17, 0.0);
   // A step's variance is 1/48 + 1/4: four standard errors of the mean of 20000 are 0.015. Seed 17.

@@ -22,7 +22,7 @@ std::unique_ptr<Emitter<double>> curtain(const Scene& scene) {
 Scene arc(const char* fall, double width_km = 2.0) {
   Scene scene = scene_at(0.0, "box", fall);
   Footprint& f = scene.footprints[0];
-  f.model = "curtain";
+  f.model = FootprintModel::curtain;
   f.center_km = {0.0, 120.0};
   f.east_km = {-150.0, -40.0, 30.0, 150.0};
   f.north_km = {0.0, 0.0, 0.0, 0.0};
@@ -33,7 +33,7 @@ Scene arc(const char* fall, double width_km = 2.0) {
 TEST(CurtainEmitter, SeenFaceOnHasTheLightOfTheVolume) {
   for (const std::string fall : {"vertical", "field", "dipole"}) {
     Scene scene = arc(fall == "dipole" ? "field" : fall.c_str());
-    if (fall == "dipole") scene.field.model = "dipole";
+    if (fall == "dipole") scene.field.model = FieldModel::dipole;
     scene.march.step_km = 0.5;
     const auto map = plane(-150.0, 100.0, 0.5, 600, 80, [](double, double north) {
       return 5.0 * std::exp(-0.5 * std::pow((north - 120.0) / 2.0, 2));

@@ -12,6 +12,7 @@
 #include "sim/emit/footprint/footprint_kernel.h"
 #include "sim/emit/footprint/texel_store.h"
 #include "sim/light/form_profile.h"
+#include "tests/support/kind_named.h"
 
 namespace vegard::sim {
 namespace {
@@ -132,7 +133,7 @@ TEST(FootprintEmitter, AgreesInLanesWithDoublePrecision) {
   const Rays up = sky(150, 3, 2.0, 89.0), down = sky(150, 4, -80.0, 5.0);
   for (const char* fall : {"vertical", "field", "dipole"}) {
     Scene scene = scene_at(0.5, "box", fall == std::string("dipole") ? "field" : fall);
-    if (fall == std::string("dipole")) scene.field.model = "dipole";
+    if (fall == std::string("dipole")) scene.field.model = FieldModel::dipole;
     const auto map = plane(-400.0, -300.0, 2.0, 400, 350, patchy);
     const Light lanes = up.through(*emitter(scene, map, maxwellian()), 3);
     const Light one = up.through(*emitter(scene, map, maxwellian(), MarchBy::reference), 3);
@@ -178,7 +179,7 @@ TEST(FootprintEmitter, StepsNoFartherThanAThinFootprintAllows) {
   // An arc of 0.9 km on cells of 0.3 km: steps of 2 km read its peak too often or too seldom.
   for (const char* fall : {"vertical", "field", "dipole"}) {
     Scene scene = scene_at(0.0, "box", fall == std::string("dipole") ? "field" : fall);
-    if (fall == std::string("dipole")) scene.field.model = "dipole";
+    if (fall == std::string("dipole")) scene.field.model = FieldModel::dipole;
     const auto map = plane(0.0, 240.0, 0.3, 800, 400, [](double east, double north) {
       return 10.0 * std::exp(-0.5 * std::pow((north - 300.0 - 0.1 * (east - 120.0)) / 0.9, 2));
     });
@@ -226,7 +227,7 @@ TEST(FootprintEmitter, PassesOverNothingThatShines) {
   };
   for (const char* model : {"uniform", "dipole"}) {
     Scene scene = scene_at(0.0, "box", "field");
-    scene.field.model = model;
+    scene.field.model = tests::kind_named<FieldModel>(model);
     scene.field.inclination_deg = 60.0;
     compare(scene, plane(-300.0, -250.0, 1.0, 600, 550, spots), up);
     compare(scene, plane(-300.0, -250.0, 1.0, 600, 550, patchy), up);
@@ -275,7 +276,7 @@ TEST(FootprintEmitter, PassesOverWhatIsDark) {
 TEST(FootprintEmitter, GivesTheSameBitsOnEveryInstructionSet) {
   const Rays up = sky(100, 31, 1.0, 89.0), down = sky(100, 32, -80.0, 20.0);
   Scene box = scene_at(0.0, "box", "field"), dipole = box, shell = scene_at(400.0, "shell");
-  dipole.field.model = "dipole";
+  dipole.field.model = FieldModel::dipole;
   auto map = plane(-300.0, -250.0, 1.0, 600, 550, patchy);
   const auto of_box = emitter(box, map, maxwellian()), of_dipole = emitter(dipole, map, maxwellian());
   const auto of_shell = emitter(shell, cube(256, patchy_globe), maxwellian());
@@ -325,7 +326,7 @@ TEST(FootprintEmitter, LosesTheNearHalfOfTheEarthByTheLiteralRuleOnly) {
   from_orbit.add(30.0, 0.0);
   Scene scene = scene_at(400.0, "shell");
   const Light span = from_orbit.through(*emitter(scene, even, flat), 2);
-  scene.march.ghosts = "literal";
+  scene.march.ghosts = GhostRule::literal;
   const Light literal = from_orbit.through(*emitter(scene, even, flat), 2);
   EXPECT_GT(span.rayleigh[0], 0.0);
   EXPECT_EQ(literal.rayleigh[0], 0.0);
@@ -338,7 +339,7 @@ TEST(FootprintEmitter, LosesTheNearHalfOfTheEarthByTheLiteralRuleOnly) {
   Scene high = scene_at(200.0, "shell");
   const double ahead = 0.1 * path_km(200.0, within.direction[2][0], 80.0, 300.0);
   EXPECT_NEAR(within.through(*emitter(high, even, flat), 2).rayleigh[0], ahead, 1e-5 * ahead);
-  high.march.ghosts = "literal";
+  high.march.ghosts = GhostRule::literal;
   EXPECT_GT(within.through(*emitter(high, even, flat), 2).rayleigh[0], 1.1 * ahead);
   // From the ground the two rules agree.
   Rays from_ground;
@@ -346,7 +347,7 @@ TEST(FootprintEmitter, LosesTheNearHalfOfTheEarthByTheLiteralRuleOnly) {
   from_ground.add(80.0, 10.0);
   Scene ground = scene_at(0.0, "shell");
   const Light here = from_ground.through(*emitter(ground, even, flat), 2);
-  ground.march.ghosts = "literal";
+  ground.march.ghosts = GhostRule::literal;
   EXPECT_EQ(from_ground.through(*emitter(ground, even, flat), 2).rayleigh, here.rayleigh);
 }
 

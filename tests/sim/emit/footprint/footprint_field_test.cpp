@@ -4,6 +4,7 @@
 
 #include "march_case.h"
 #include "sim/emit/footprint/footprint_emitter.h"
+#include "tests/support/kind_named.h"
 
 namespace vegard::sim {
 namespace {
@@ -89,7 +90,7 @@ void expect_dark_outside(const Field& field, double reach_km) {
 TEST(FootprintField, CallsNoBoxDarkThatShines) {
   for (const char* model : {"uniform", "dipole"}) {
     Scene scene = scene_at(0.0, "box", "field");
-    scene.field.model = model;
+    scene.field.model = tests::kind_named<FieldModel>(model);
     scene.field.inclination_deg = 65.0;
     expect_dark_outside(*plane_footprint_field(scene, scene.footprints[0],
                                                plane(-100.0, -100.0, 1.0, 200, 200, spots), maxwellian(), 1),

@@ -8,6 +8,7 @@
 
 #include "sim/base/number/random.h"
 #include "sim/emit/footprint/footprint_emitter.h"
+#include "tests/support/kind_named.h"
 
 namespace vegard::sim::march_case {
 
@@ -78,8 +79,8 @@ inline Scene scene_at(double altitude_km, const char* shape, const char* fall = 
   Scene scene;
   scene.site.altitude_m = altitude_km * 1000.0;
   Footprint footprint;
-  footprint.shape = shape;
-  footprint.fall = fall;
+  footprint.shape = tests::kind_named<FootprintShape>(shape);
+  footprint.fall = tests::kind_named<FootprintFall>(fall);
   scene.footprints.push_back(footprint);
   return scene;
 }

@@ -82,7 +82,7 @@ TEST(GridHome, PlacesOnARayAreThoseOfTheSunsFrame) {
   const SparseGrid grid = at_limb(sun, 16, 0.5, [](int, int, int) { return 1.0f; });
   const GridBricks bricks = bricks_of(grid);
   Volume volume;
-  volume.frame = "sun";
+  volume.frame = VolumeFrame::sun;
   const GridHome<double> home = grid_home<double>(bricks, volume, &sun, kPlain);
   EXPECT_EQ(home.voxel_km, 500.0);
   double enu[3];
@@ -109,7 +109,7 @@ TEST(GridHome, DensityShinesByTheUnitOfTheSun) {
   const SparseGrid grid = at_limb(sun, side, 0.5, [](int, int, int) { return 2.0f; });
   const GridBricks bricks = bricks_of(grid);
   Volume volume;
-  volume.frame = "sun";
+  volume.frame = VolumeFrame::sun;
   volume.density_rayleigh = {30.0};
   volume.gain = 1.5;
   volume.step_voxels = 0.05;
@@ -134,7 +134,7 @@ TEST(GridHome, DensityShinesByTheUnitOfTheSun) {
   EXPECT_NEAR(depth_km, 0.5 * (enter + leave), 50.0);
   // The same grid on the ground counts kilometres, and emission photons.
   Volume on_ground = volume;
-  on_ground.frame = "site";
+  on_ground.frame = VolumeFrame::site;
   EXPECT_EQ(grid_home<double>(bricks, on_ground, &sun, kPlain).light[0], 45.0);
   EXPECT_EQ(home.light[0], 0.045);
   on_ground.density_rayleigh.clear();
@@ -146,7 +146,7 @@ TEST(GridHome, AShiftIsInKilometresOfTheSunsFrame) {
   const SparseGrid grid = at_limb(sun, 16, 0.5, [](int, int, int) { return 1.0f; });
   SparseGrid moved = grid;
   Volume volume;
-  volume.frame = "sun";
+  volume.frame = VolumeFrame::sun;
   const GridHome<double> plain = grid_home<double>(bricks_of(grid), volume, &sun, kPlain);
   volume.shift_km = {3000.0, -500.0, 7000.0};
   const GridHome<double> shifted = grid_home<double>(bricks_of(grid), volume, &sun, kPlain);
@@ -167,7 +167,7 @@ TEST(GridHome, DerivativesByTheSunsNumbersAreThoseOfTheSum) {
   });
   const GridBricks bricks = bricks_of(grid);
   Volume volume;
-  volume.frame = "sun";
+  volume.frame = VolumeFrame::sun;
   volume.density_rayleigh = {30.0};
   volume.gain = 1.5;
   double enu[3];
@@ -212,7 +212,7 @@ TEST(GridHome, AFieldOfTheSunIsInItsUnit) {
   const SparseGrid grid = at_limb(sun, 16, 0.5, [](int i, int, int) { return static_cast<float>(i); });
   const GridBricks bricks = bricks_of(grid);
   Volume volume;
-  volume.frame = "sun";
+  volume.frame = VolumeFrame::sun;
   volume.density_rayleigh = {30.0};
   volume.shift_km = {2000.0, 0.0, 0.0};
   const GridField field(bricks, volume, &sun);

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "sim/emit/sun/thomson.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/one_sun.h"
 
 namespace vegard::sim {
@@ -86,7 +87,7 @@ TEST(CoronaEmitter, OfTheSquareIsThatOfTwiceThePower) {
   Scene twice = one_corona({1.0}, {7.0});
   scene.coronae[0].density = 0.3;
   twice.coronae[0].density = 0.09;
-  scene.coronae[0].light = "square";
+  scene.coronae[0].light = CoronaLight::square;
   RaysPast rays;
   for (int i = 0; i < 30; ++i) rays.add(1.0 * i, 0.4 * i);
   const std::vector<double> light = light_of(scene, rays), other = light_of(twice, rays);
@@ -96,7 +97,7 @@ TEST(CoronaEmitter, OfTheSquareIsThatOfTwiceThePower) {
 TEST(CoronaEmitter, IsTheSumAlongTheRayOfAnyLightAndShape) {
   for (const char* kind : {"density", "square", "scattered"}) {
     Scene scene = one_corona({0.1, 0.4, 0.5}, {1.5, 6.0, 16.0});
-    scene.coronae[0].light = kind;
+    scene.coronae[0].light = tests::kind_named<CoronaLight>(kind);
     scene.coronae[0].polar = 0.4;
     scene.sun.limb_darkening = 0.6;
     const std::vector<double> passes = {0.0,   3.0,  9.0,  9.9,  9.999, 10.0, 10.001,
@@ -159,7 +160,7 @@ TEST(CoronaEmitter, OfBaumbachsElectronsHasBaumbachsBrightness) {
   Corona& c = scene.coronae[0];
   c.density = 1e8;
   c.reach = 100.0;
-  c.light = "scattered";
+  c.light = CoronaLight::scattered;
   const double half_square_cm = 0.5 * 2.8179403e-13 * 2.8179403e-13;  // of the electron's radius
   const double radius_cm = 6.957e10;
   c.rayleigh = {half_square_cm * scattered_light(1.0, 1.0, 0.6, 0.0) * radius_cm / scene.sun.radius, 0.0};
@@ -185,7 +186,7 @@ TEST(CoronaEmitter, DerivativesAreThoseOfCentralDifferences) {
   RaysPast rays;
   for (int i = 0; i < 20; ++i) rays.add(1.3 * i - 7.0, 0.7 * i - 3.0);
   for (const char* kind : {"density", "square", "scattered"}) {
-    scene.coronae[0].light = kind;
+    scene.coronae[0].light = tests::kind_named<CoronaLight>(kind);
     const auto make = [&](const Scene& of, const auto& number) {
       using T = decltype(number(of.sun.radius));
       return std::make_unique<CoronaEmitter<T>>(of, of.coronae[0], number);

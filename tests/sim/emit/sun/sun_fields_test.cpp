@@ -7,6 +7,7 @@
 
 #include "sim/emit/sun/chromosphere_emitter.h"
 #include "sim/emit/sun/corona_emitter.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/one_sun.h"
 
 namespace vegard::sim {
@@ -81,7 +82,7 @@ TEST(SunFields, OfACoronaHoldTheRayleighsOfARay) {
   for (const char* kind : {"density", "square", "scattered"}) {
     Scene scene = turned();
     Corona c;
-    c.light = kind;
+    c.light = tests::kind_named<CoronaLight>(kind);
     c.polar = 0.3;
     c.rayleigh = {40.0, 7.0};
     scene.coronae = {c};

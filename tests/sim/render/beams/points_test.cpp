@@ -12,6 +12,7 @@
 #include "sim/render/film.h"
 #include "tests/support/all_points.h"
 #include "tests/support/exposed.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim {
@@ -32,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(Field, PointsUnder, testing::Values("uniform", "dipole"
 
 TEST_P(PointsUnder, ProjectedGiveTheRayleighsOfTheFilm) {
   Scene scene = tests::small_scene();
-  scene.field.model = GetParam();
+  scene.field.model = tests::kind_named<FieldModel>(GetParam());
   scene.sheets[0].arcs = 2;
   scene.sheets[0].path_spread = 0.3;
   scene.time.start_s = 3.0;
@@ -83,7 +84,7 @@ TEST(Points, GiveOffTheLightOfTheSheetsWhereverTheCameraLooks) {
   sheet.beams = 500;
   sheet.layers = 2;
   sheet.loss_cone_deg = 0.0;
-  sheet.pitch_law = "constant";
+  sheet.pitch_law = PitchLaw::constant;
   const EmissionPoints points = all_points(scene);
   EXPECT_NEAR(static_cast<double>(points.size()), 1000 * 600.0, 4 * 14.0 * std::sqrt(1000.0));
   const std::vector<double> photons = photons_per_line(points);

@@ -87,7 +87,7 @@ TEST(RayEnds, AreOfTheNearerOfGroundAndDepth) {
   scene.camera.hfov_deg = 70.0;
   scene.camera.elevation_deg = -5.0;
   scene.site.altitude_m = 4e5;
-  scene.march.depth_is = "forward";
+  scene.march.depth_is = DepthMeaning::forward;
   Image values(40, 30, {"Z"});
   for (float& value : values.data) value = 900.0f;
   const DepthImage depth = depth_image(scene.march, values);

@@ -6,6 +6,7 @@
 #include "sim/render/emitters/bias_map.h"
 #include "sim/scene/file/scene_pictures.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::sim {
@@ -19,8 +20,8 @@ Scene scene_in(const TemporaryFolder& folder, const char* source, const char* im
   scene.file = folder / "scene.toml";
   Footprint f;
   f.name = "oval";
-  f.shape = "shell";
-  f.source = source;
+  f.shape = FootprintShape::shell;
+  f.source = tests::kind_named<FootprintSource>(source);
   f.image = image;
   scene.footprints = {f};
   return scene;
@@ -79,7 +80,7 @@ TEST(FootprintPictures, ThatAreMissingAreToldByTheirKey) {
   scene.footprints[0].energy_image = "gone.png";
   text = expect_error(ErrorKind::unreadable_input, [&] { read_scene_pictures(scene); });
   EXPECT_NE(text.find("footprint.oval.energy_image"), std::string::npos) << text;
-  scene.footprints[0].source = "spline";  // which reads no files
+  scene.footprints[0].source = FootprintSource::spline;  // which reads no files
   EXPECT_NO_THROW(read_scene_pictures(scene));
 }
 

@@ -26,7 +26,7 @@ Vector3 colour_at(const Scene& scene, const HeightProfile& profile, double altit
 TEST(FootprintProfiles, OfColoursInsideTheLinesTriangleHaveThemExactly) {
   Scene scene;
   Footprint f;
-  f.light = "colours";
+  f.light = FootprintLight::colours;
   // Of light that the lines can make: sums of their own colours.
   const std::vector<Vector3> of_line = line_colours_at_unit_gain(scene);
   for (int c = 0; c < 3; ++c) {
@@ -67,7 +67,7 @@ TEST(BeamLayout, HasNoBeamsWhereAFootprintStandsForTheSheets) {
   EXPECT_FALSE(BeamLayout(scene, 0.0).chunks().empty());
   scene.footprints.emplace_back();
   EXPECT_FALSE(BeamLayout(scene, 0.0).chunks().empty());
-  scene.footprints[0].source = "sheets";
+  scene.footprints[0].source = FootprintSource::sheets;
   EXPECT_TRUE(BeamLayout(scene, 0.0).chunks().empty());
 }
 

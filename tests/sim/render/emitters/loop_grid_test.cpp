@@ -299,9 +299,9 @@ TEST(SceneGrid, RefusesVoxelsThatStrandsWouldFallBetween) {
   EXPECT_NE(text.find("ejection 'c', of radius "), std::string::npos) << text;
   EXPECT_GT(thinnest_part(scene).radius, 0.3 * 0.5);
   EXPECT_LT(thinnest_part(scene).radius, 0.5 * 0.5);
-  scene.ejections[0].kind = "shell";
+  scene.ejections[0].kind = EjectionKind::shell;
   EXPECT_TRUE(thinnest_part(scene).what.empty());
-  scene.ejections[0].kind = "rope";
+  scene.ejections[0].kind = EjectionKind::rope;
   scene.sun.shown = false;
   EXPECT_TRUE(thinnest_part(scene).what.empty());
 }

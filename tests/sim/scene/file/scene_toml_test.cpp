@@ -96,7 +96,7 @@ free = [
   EXPECT_EQ(scene.sheets[0].name, "main");
   EXPECT_EQ(scene.sheets[0].center_km.east, -5.0);
   EXPECT_EQ(scene.sheets[0].center_km.north, 210.5);
-  EXPECT_EQ(scene.sheets[0].pitch_law, "product");
+  EXPECT_EQ(scene.sheets[0].pitch_law, PitchLaw::product);
   EXPECT_EQ(scene.sheets[1].energy_kev, 6.5);
   EXPECT_EQ(scene.emission.lines, (std::vector<double>{557.7, 844.6}));
   EXPECT_EQ(scene.blur.width_deg,

@@ -6,6 +6,7 @@
 #include "sim/base/grid/vdb_io.h"
 #include "sim/base/grid/volumegrid_text.h"
 #include "tests/support/expect_words.h"
+#include "tests/support/kind_named.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard {
@@ -29,7 +30,7 @@ Scene scene_in(const tests::TemporaryFolder& folder, const std::string& file, co
   scene.sun.shown = true;
   Volume volume;
   volume.file = file;
-  volume.frame = frame;
+  volume.frame = tests::kind_named<VolumeFrame>(frame);
   scene.volumes = {volume};
   return scene;
 }

@@ -21,7 +21,7 @@ Scene scene_of_all() {
   scene.loops[0].rayleigh = {1.0, 0.0};
   scene.loops[0].filaments = 3;
   scene.loops[0].brightening = 0.5;
-  scene.loops[0].height_falloff = "fade";
+  scene.loops[0].height_falloff = HeightFalloff::fade;
   scene.loops[0].temperature_mk = 1.0;
   scene.coronae.resize(1);
   scene.coronae[0].rayleigh = {1.0, 0.0};
@@ -79,11 +79,11 @@ TEST(IdleSunParameter, WhatCountsForNothingIsRefused) {
   scene.loops[0].strands = 1;
   scene.loops[0].filaments = 0;
   scene.loops[0].brightening = 0.0;
-  scene.loops[0].height_falloff = "none";
+  scene.loops[0].height_falloff = HeightFalloff::none;
   scene.emission.lines = {656.3, 560.0};  // no response to temperature
   scene.coronae[0].share = {0.0};
   scene.bundles[0].filaments = 0;
-  scene.ejections[0].kind = "shell";
+  scene.ejections[0].kind = EjectionKind::shell;
   for (const char* path : kPaths) {
     const std::string text = path;
     if (text == "sun.longitude_deg" || text == "sun.latitude_deg" || text == "sun.position_angle_deg")

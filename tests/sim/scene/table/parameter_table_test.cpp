@@ -93,7 +93,7 @@ TEST(ParameterTable, DefaultsAreWithinTheirLimits) {
 TEST(ParameterTable, EveryRowOccursInAScene) {
   std::set<const ParameterRow*> seen;
   Scene scene = scene_of_one();
-  scene.sheets[0].profile = "spline";  // or it has no coefficients
+  scene.sheets[0].profile = ProfileKind::spline;  // or it has no coefficients
   fill_spline_rates(scene);
   for (const RepeatedTable& repeated : repeated_tables())
     if (repeated.count(scene) == 0) repeated.append(scene);
@@ -170,6 +170,24 @@ TEST(ParameterTable, EveryValueIsReachedByItsPathSetAndReadBack) {
   }
 }
 
+// A kind is a number inside: two words of one number, or one in another's place, would come back as another.
+TEST(ParameterTable, EveryWordOfAChoiceComesBack) {
+  Scene scene = scene_of_one();
+  scene.footprints.resize(1), scene.nebulae.resize(1), scene.nodes.resize(1), scene.volumes.resize(1);
+  scene.loops.resize(1), scene.coronae.resize(1), scene.bundles.resize(1), scene.ejections.resize(1);
+  int words = 0;
+  for (const ParameterPath& path : all_paths(scene))
+    for (const std::string& word : path.row->choices) {
+      set_from_text(scene, path.text, word);
+      EXPECT_EQ(value_text(scene, path), "\"" + word + "\"") << path.text;
+      ++words;
+    }
+  EXPECT_GT(words, 100);
+  EXPECT_EQ(word_of(HeightFalloff::inverse_square), "inverse-square");
+  EXPECT_EQ(word_of(NodeKind::subtract), "difference");
+  EXPECT_EQ(word_of(static_cast<NodeKind>(99)), "");
+}
+
 TEST(Resolve, GivesOnePathPerComponentOfAVector) {
   const auto paths = resolve(scene_of_two(), "sheet.far.center_km");
   ASSERT_EQ(paths.size(), 2u);
@@ -218,7 +236,7 @@ TEST(SetFromText, SetsVectorsAndBareWords) {
   EXPECT_EQ(scene.sheets[0].center_km.east, 10.0);
   EXPECT_EQ(scene.sheets[0].center_km.north, 220.5);
   set_from_text(scene, "sensor.primaries", "smpte-c");
-  EXPECT_EQ(scene.sensor.primaries, "smpte-c");
+  EXPECT_EQ(scene.sensor.primaries, Primaries::smpte_c);
   set_from_text(scene, "site.time_utc", "2019-09-01T05:00:00Z");
   EXPECT_EQ(scene.site.time_utc, "2019-09-01T05:00:00Z");
   set_from_text(scene, "fit.roi_px", "[1, 2, 30, 40]");
@@ -342,8 +360,10 @@ TEST(Validate, RefusesScenesMadeByHand) {
   EXPECT_EQ(validate_error(scene).key, "seed");
 
   scene = Scene();
-  scene.film.splat = "cubic";
-  EXPECT_EQ(validate_error(scene).expected, "\"bilinear\" or \"nearest\"");
+  scene.footprints.resize(1);
+  scene.footprints[0].profile = ProfileKind::file;  // a sheet may have it
+  EXPECT_EQ(validate_error(scene).problem, "\"file\" is not one of the choices");
+  EXPECT_EQ(validate_error(scene).expected, "\"maxwellian\" or \"mono\" or \"gaussian\" or \"form\"");
 
   scene = Scene();
   scene.fit.roi_px = {10, 10, 0, 20};

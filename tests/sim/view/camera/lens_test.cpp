@@ -10,6 +10,7 @@
 #include "sim/view/camera/film_edges.h"
 #include "sim/view/camera/lens_series.h"
 #include "sim/view/camera/widest_angle.h"
+#include "tests/support/kind_named.h"
 
 namespace vegard::sim {
 namespace {
@@ -19,7 +20,7 @@ constexpr double kPi = 3.14159265358979323846;
 /// A camera of a model with everything that a lens may have, where the model has it.
 Camera crooked(const std::string& model) {
   Camera camera;
-  camera.model = model;
+  camera.model = tests::kind_named<LensModel>(model);
   camera.width = 700;
   camera.height = 500;
   camera.hfov_deg = 80.0;
@@ -65,7 +66,7 @@ TEST_P(EveryLens, LooksWhereItDraws) {
 
 TEST_P(EveryLens, HasTheRadiusOfItsNameWithoutDistortion) {
   Camera camera;
-  camera.model = GetParam();
+  camera.model = tests::kind_named<LensModel>(GetParam());
   camera.width = camera.height = 1000;
   camera.hfov_deg = 90.0;  // of a pinhole: 500 pixels to a radian, as focal_px of the others
   camera.focal_px = 500.0;
@@ -187,7 +188,7 @@ TEST(FilmEdges, KeepNothingOfAWholeSkyOut) {
   for (const char* model : {"equidistant", "equisolid", "stereographic", "polynomial"})
     for (double focal_px = 30.0; focal_px < 160.0; focal_px += 1.7) {
       Camera camera;
-      camera.model = model;
+      camera.model = tests::kind_named<LensModel>(model);
       camera.width = camera.height = 200;
       camera.focal_px = focal_px;
       const Lens<double> lens = camera_view(camera).lens;
@@ -214,7 +215,7 @@ TEST(Lens, EndsWhereItsTermsWouldFoldThePictureBack) {
   EXPECT_NEAR(least_cosine(LensModel::polynomial, -0.1, 0.0, 0.0), std::cos(fold), 1e-9);
   EXPECT_EQ(least_cosine(LensModel::pinhole, 0.1, 0.0, 0.0), 0.0);
   Camera camera;
-  camera.model = "polynomial";
+  camera.model = LensModel::polynomial;
   camera.k1 = -0.1;
   camera.focal_px = 100.0;
   camera.elevation_deg = 90.0;
@@ -239,7 +240,7 @@ TEST(Lens, AMirrorExchangesLeftAndRight) {
 
 TEST(Lens, WidestAngleIsThatOfTheFarthestCorner) {
   Camera camera;
-  camera.model = "equidistant";
+  camera.model = LensModel::equidistant;
   camera.width = 301;
   camera.height = 401;
   camera.focal_px = 250.0;

@@ -9,6 +9,7 @@
 
 #include "sim/base/earth.h"
 #include "sim/emit/aurora/beam.h"
+#include "tests/support/kind_named.h"
 
 namespace vegard::sim {
 namespace {
@@ -121,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(Model, LensFilmOf,
 
 TEST_P(LensFilmOf, SeesPointsWhereTheLensDrawsThem) {
   Camera camera;
-  camera.model = GetParam();
+  camera.model = tests::kind_named<LensModel>(GetParam());
   camera.width = 720;
   camera.height = 640;
   camera.hfov_deg = 105.0;
@@ -129,7 +130,7 @@ TEST_P(LensFilmOf, SeesPointsWhereTheLensDrawsThem) {
   camera.principal_x_px = -11.0;
   camera.aspect = 1.04;
   camera.mirrored = true;
-  if (camera.model == "pinhole" || camera.model == "polynomial") {
+  if (camera.model == LensModel::pinhole || camera.model == LensModel::polynomial) {
     camera.k1 = -0.05;
     camera.k2 = 0.004;
     camera.k3 = 0.0003;

@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "sim/view/camera/camera.h"
+#include "tests/support/kind_named.h"
 
 namespace vegard::sim {
 namespace {
 
 Camera tilted(const char* model) {
   Camera camera;
-  camera.model = model;
+  camera.model = tests::kind_named<LensModel>(model);
   camera.width = 1280;
   camera.height = 853;
   camera.hfov_deg = 71.0;

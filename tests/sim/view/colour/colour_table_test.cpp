@@ -69,7 +69,7 @@ TEST(ColourTable, NoneLeavesAPictureAlone) {
 
 TEST(ColourTable, DisplayFilesGoThroughItBehindTheTone) {
   Scene scene;
-  scene.sensor.tone = "gamma";
+  scene.sensor.tone = ToneKind::gamma;
   scene.sensor.gamma = 2.0;
   const Image plain = encoded(scene, greys());
   scene.sensor.colour_table = "171";
@@ -90,9 +90,9 @@ TEST(ColourTable, TakesTheMeanOfTheChannels) {
 
 TEST(ColourTable, PhotographsAreReadWithoutIt) {
   Scene scene;
-  scene.sensor.tone = "gamma";
+  scene.sensor.tone = ToneKind::gamma;
   scene.sensor.gamma = 2.0;
-  scene.sensor.mosaic = "none";
+  scene.sensor.mosaic = MosaicPattern::none;
   std::vector<Image> read;
   std::vector<std::vector<float>> noise;
   for (const char* table : {"none", "171"}) {

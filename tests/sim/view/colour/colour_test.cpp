@@ -7,13 +7,15 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tests/support/kind_named.h"
+
 namespace vegard::sim {
 namespace {
 
 TEST(Colour, LinesHaveTheirSmpteCValues) {
   // docs/physics.md row B24, to three digits behind the point.
   const auto expect = [](double nm, double r, double g, double b) {
-    const Vector3 rgb = rgb_of_line(nm, "smpte-c");
+    const Vector3 rgb = rgb_of_line(nm, Primaries::smpte_c);
     EXPECT_NEAR(rgb[0], r, 6e-4) << nm;
     EXPECT_NEAR(rgb[1], g, 6e-4) << nm;
     EXPECT_NEAR(rgb[2], b, 6e-4) << nm;
@@ -26,13 +28,13 @@ TEST(Colour, LinesHaveTheirSmpteCValues) {
 TEST(Colour, WhiteD65IsEqualRgb) {
   const Vector3 white = {0.3127 / 0.3290, 1.0, (1.0 - 0.3127 - 0.3290) / 0.3290};
   for (const char* primaries : {"srgb", "smpte-c", "rec2020", "acescg"})
-    for (double channel : product(rgb_from_xyz(primaries), white))
+    for (double channel : product(rgb_from_xyz(tests::kind_named<Primaries>(primaries)), white))
       EXPECT_NEAR(channel, 1.0, 1e-12) << primaries;
 }
 
 TEST(Colour, SrgbMatrixIsThatOfTheStandard) {
   // IEC 61966-2-1, four digits.
-  const Matrix3 m = rgb_from_xyz("srgb");
+  const Matrix3 m = rgb_from_xyz(Primaries::srgb);
   const Matrix3 standard = {
       {{3.2406, -1.5372, -0.4986}, {-0.9689, 1.8758, 0.0415}, {0.0557, -0.2040, 1.0570}}};
   for (int r = 0; r < 3; ++r)
@@ -43,7 +45,8 @@ TEST(Colour, OtherPrimariesAreThoseOfTheirStandards) {
   // ITU-R BT.2087-0 (BT.709 to BT.2020) and the Academy's matrix from BT.709 to ACEScg (AP1) with Bradford,
   // four digits each.
   const auto expect = [](const char* primaries, const Matrix3& published) {
-    const Matrix3 m = product(rgb_from_xyz(primaries), inverse(rgb_from_xyz("srgb")));
+    const Matrix3 m = product(rgb_from_xyz(tests::kind_named<Primaries>(primaries)),
+                              inverse(rgb_from_xyz(Primaries::srgb)));
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c) EXPECT_NEAR(m[r][c], published[r][c], 6e-5) << primaries << r << c;
   };

@@ -100,7 +100,7 @@ TEST(Eye, FaintLightIsTheGreyOfNightWhateverItsLine) {
 
 TEST(Eye, BrightLightHasItsFullColour) {
   const EyeLight light = green(1e9);
-  const Vector3 seen = seen_linear_srgb(light), line = rgb_of_line(557.7, "srgb");
+  const Vector3 seen = seen_linear_srgb(light), line = rgb_of_line(557.7, Primaries::srgb);
   for (int c = 0; c < 3; ++c)
     EXPECT_NEAR(seen[c] / light.xyz_cd_m2[1], line[c] / colour_matching(557.7)[1], 1e-5);
 }

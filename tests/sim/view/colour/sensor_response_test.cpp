@@ -8,6 +8,7 @@
 
 #include "sim/base/error.h"
 #include "sim/scene/lines/camera_responses.h"
+#include "sim/scene/table/parameter_table.h"
 #include "sim/view/colour/colour.h"
 #include "sim/view/colour/illuminants.h"
 #include "sim/view/colour/line_colours.h"
@@ -15,8 +16,8 @@
 namespace vegard::sim {
 namespace {
 
-Scene with(const std::string& response, const std::string& balance = "given",
-           const std::string& matrix = "none") {
+Scene with(const std::string& response, WhiteBalanceRule balance = WhiteBalanceRule::given,
+           MatrixRule matrix = MatrixRule::none) {
   Scene scene;
   scene.sensor.response = response;
   scene.sensor.white_balance_rule = balance;
@@ -47,7 +48,8 @@ TEST(SensorResponse, OfTheObserverCountsPhotonsAndGreenHasLuminanceOne) {
   for (const double nm : {630.0, 427.8})
     for (int c = 0; c < 3; ++c)
       EXPECT_NEAR(cie.rgb_per_kilorayleigh(nm)[c] / green[1],
-                  rgb_of_line(nm, "srgb")[c] / rgb_of_line(557.7, "srgb")[1] * 557.7 / nm, 1e-12);
+                  rgb_of_line(nm, Primaries::srgb)[c] / rgb_of_line(557.7, Primaries::srgb)[1] * 557.7 / nm,
+                  1e-12);
   EXPECT_EQ(rgb_from_raw(Scene()), kIdentity3);
 }
 
@@ -62,9 +64,9 @@ TEST(SensorResponse, ScaleIsRawGreenOf557) {
 
 TEST(SensorResponse, DaylightBalanceMakesD65Neutral) {
   for (const std::string& camera : built_in_cameras())
-    for (const char* matrix : {"none", "colorimetric"}) {
-      const Vector3 white = of_daylight(SensorResponse(with(camera, "daylight", matrix)));
-      for (int c = 0; c < 3; ++c) EXPECT_NEAR(white[c] / white[1], 1.0, 1e-12) << camera << matrix;
+    for (const MatrixRule matrix : {MatrixRule::none, MatrixRule::colorimetric}) {
+      const Vector3 white = of_daylight(SensorResponse(with(camera, WhiteBalanceRule::daylight, matrix)));
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(white[c] / white[1], 1.0, 1e-12) << camera << word_of(matrix);
       const Vector3 raw = of_daylight(SensorResponse(with(camera)));
       EXPECT_GT(std::abs(raw[0] / raw[1] - 1.0), 0.05) << "a camera is not neutral by itself";
     }
@@ -73,7 +75,7 @@ TEST(SensorResponse, DaylightBalanceMakesD65Neutral) {
 TEST(SensorResponse, BalanceAndMatrixLeadFromRawToPictures) {
   Scene scene = with("nikon_d700");
   scene.sensor.white_balance = {2.0, 1.0, 1.5};
-  scene.sensor.matrix_rule = "given";
+  scene.sensor.matrix_rule = MatrixRule::given;
   scene.sensor.matrix = {1.5, -0.5, 0.0, -0.2, 1.4, -0.2, 0.1, -0.6, 1.5};
   const Vector3 raw = SensorResponse(with("nikon_d700")).rgb_per_kilorayleigh(427.8);
   const Vector3 rgb = SensorResponse(scene).rgb_per_kilorayleigh(427.8);
@@ -84,7 +86,7 @@ TEST(SensorResponse, BalanceAndMatrixLeadFromRawToPictures) {
 
 TEST(SensorResponse, RefusesWhatHasNoWayBackToRawChannels) {
   Scene scene = with("nikon_d700");
-  scene.sensor.matrix_rule = "given";
+  scene.sensor.matrix_rule = MatrixRule::given;
   scene.sensor.matrix = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
   EXPECT_THROW(SensorResponse{scene}, Error);
   scene.sensor.matrix = {1e-4, 0.0, 0.0, 0.0, 1e4, 0.0, 0.0, 0.0, 1.0};  // odd, but it has one
@@ -105,10 +107,10 @@ std::string luther_camera() {
 }
 
 TEST(SensorResponse, ColorimetricMatrixIsExactForACameraThatSeesAsTheObserver) {
-  for (const char* primaries : {"srgb", "acescg"}) {
+  for (const Primaries primaries : {Primaries::srgb, Primaries::acescg}) {
     Scene scene = with_table(luther_camera());
-    scene.sensor.white_balance_rule = "daylight";
-    scene.sensor.matrix_rule = "colorimetric";
+    scene.sensor.white_balance_rule = WhiteBalanceRule::daylight;
+    scene.sensor.matrix_rule = MatrixRule::colorimetric;
     scene.sensor.primaries = primaries;
     Scene observer;
     observer.sensor.primaries = primaries;
@@ -117,7 +119,7 @@ TEST(SensorResponse, ColorimetricMatrixIsExactForACameraThatSeesAsTheObserver) {
     for (const double nm : {430.0, 520.0, 630.0}) {
       const Vector3 a = camera.rgb_per_kilorayleigh(nm), b = cie.rgb_per_kilorayleigh(nm);
       // The integrated white of D65 and its nominal chromaticity differ in the fifth digit.
-      for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c] / scale, b[c], 3e-4) << primaries << nm;
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c] / scale, b[c], 3e-4) << word_of(primaries) << nm;
     }
   }
 }
@@ -149,8 +151,9 @@ TEST(SensorResponse, ColorimetricMatrixBringsSmoothColoursNearerToTheObserver) {
     return std::sqrt(sum / count);
   };
   for (const std::string& camera : built_in_cameras()) {
-    const double balanced = error(SensorResponse(with(camera, "daylight")));
-    const double matched = error(SensorResponse(with(camera, "daylight", "colorimetric")));
+    const double balanced = error(SensorResponse(with(camera, WhiteBalanceRule::daylight)));
+    const double matched =
+        error(SensorResponse(with(camera, WhiteBalanceRule::daylight, MatrixRule::colorimetric)));
     std::printf("%s: rms error of linear RGB of smooth colours %.3f balanced, %.3f with the matrix\n",
                 camera.c_str(), balanced, matched);
     EXPECT_LT(matched, 0.5 * balanced) << camera;
@@ -159,7 +162,7 @@ TEST(SensorResponse, ColorimetricMatrixBringsSmoothColoursNearerToTheObserver) {
 
 TEST(SensorResponse, TableMayCountPhotons) {
   Scene photons = with_table("wavelength_nm,red,green,blue\n400,0.1,0.2,0.9\n600,0.8,0.6,0.1\n");
-  photons.sensor.response_per = "photon";
+  photons.sensor.response_per = ResponsePer::photon;
   const Scene energy = with_table("wavelength_nm,red,green,blue\n400,40,80,360\n600,480,360,60\n");
   for (const double nm : {400.0, 600.0}) {
     const Vector3 a = SensorResponse(photons).rgb_per_kilorayleigh(nm),

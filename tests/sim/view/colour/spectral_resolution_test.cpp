@@ -14,7 +14,7 @@ namespace {
 Scene with_table(const std::string& rows) {
   Scene scene;
   scene.sensor.response = "own.csv";
-  scene.sensor.response_per = "photon";
+  scene.sensor.response_per = ResponsePer::photon;
   scene.tables["sensor.response"] = "wavelength_nm,red,green,blue\n" + rows;
   return scene;
 }

@@ -34,7 +34,7 @@ TEST(DepthImage, IsThatOfTheNearestPixelAndOfTheEdgeBeyondIt) {
 
 TEST(DepthImage, AlongTheAxisIsLongerAlongTheRay) {
   March march;
-  march.depth_is = "forward";
+  march.depth_is = DepthMeaning::forward;
   march.depth_gain = 10.0;
   const DepthImage depth = depth_image(march, values(1, 1, {3.0f}));
   // The ray (x, y, 1) whose forward component is 1 has the length 1 / cosine.
@@ -45,7 +45,7 @@ TEST(DepthImage, AlongTheAxisIsLongerAlongTheRay) {
 
 TEST(DepthImage, UndoesTheLogarithmOfADepthBuffer) {
   March march;
-  march.depth_is = "log";
+  march.depth_is = DepthMeaning::log;
   march.depth_gain = 0.5;
   march.depth_far_km = 1e5;
   const double c = 1.0 / march.depth_gain;
@@ -62,7 +62,7 @@ TEST(DepthImage, UndoesTheLogarithmOfADepthBuffer) {
 
 TEST(DepthImage, OfAClearedBufferIsNothing) {
   March march;
-  march.depth_is = "log";
+  march.depth_is = DepthMeaning::log;
   EXPECT_EQ(depth_image(march, values(1, 1, {1.0f})).end_km(0.5, 0.5, 0.9), kInfinity);
   EXPECT_EQ(DepthImage().end_km(0.5, 0.5, 0.9), kInfinity) << "no picture at all";
 }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "sim/scene/structs/scene.h"
+#include "tests/support/kind_named.h"
 
 namespace vegard::sim {
 namespace {
@@ -19,7 +20,7 @@ int by_the_curve(const ToneCurve& tone, float light) {
 TEST(DisplayTable, IsTheRoundedCurve) {
   Scene scene;
   for (const char* name : {"srgb", "linear", "gamma"}) {
-    scene.sensor.tone = name;
+    scene.sensor.tone = tests::kind_named<ToneKind>(name);
     const ToneCurve tone(scene);
     const DisplayTable table(tone);
     for (int i = -100; i <= 20100; ++i) {

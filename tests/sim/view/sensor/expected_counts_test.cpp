@@ -8,13 +8,14 @@
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/colour/radiometry.h"
 #include "sim/view/colour/sensor_response.h"
+#include "tests/support/kind_named.h"
 
 namespace vegard::sim {
 namespace {
 
 Scene camera_scene() {
   Scene scene;
-  scene.sensor.exposure = "camera";
+  scene.sensor.exposure = ExposureRule::camera;
   scene.time.exposure_s = 8.0;
   return scene;
 }
@@ -41,7 +42,7 @@ TEST(ExpectedCounts, FollowFromPhotonsOnAPixel) {
 TEST(ExpectedCounts, AreWhatTheGainOfThePictureSays) {
   for (const char* exposure : {"gain", "camera"}) {
     Scene scene = camera_scene();
-    scene.sensor.exposure = exposure;
+    scene.sensor.exposure = tests::kind_named<ExposureRule>(exposure);
     const ExpectedCounts counts = expected_counts(scene);
     EXPECT_NEAR(green(counts).electrons_per_kilorayleigh[1] / counts.white_e, line_colours(scene)[1][1],
                 1e-12);
@@ -124,7 +125,7 @@ TEST(ExpectedCounts, UncertaintyIsKnownOrSaidNotToBe) {
   EXPECT_LT(*calibrated.relative_uncertainty, *by_data_sheet.relative_uncertainty);
 
   scene.sensor.calibration_error = 0.0;
-  scene.sensor.exposure = "gain";
+  scene.sensor.exposure = ExposureRule::gain;
   EXPECT_FALSE(expected_counts(scene).relative_uncertainty);
 }
 

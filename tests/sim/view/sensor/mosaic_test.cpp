@@ -7,10 +7,11 @@
 namespace vegard::sim {
 namespace {
 
-const char* const kPatterns[] = {"rggb", "bggr", "grbg", "gbrg"};
+constexpr MosaicPattern kPatterns[] = {MosaicPattern::rggb, MosaicPattern::bggr, MosaicPattern::grbg,
+                                       MosaicPattern::gbrg};
 
 /// What stands behind the filters of a picture of three channels.
-Image mosaic_of(const Image& rgb, const std::string& pattern) {
+Image mosaic_of(const Image& rgb, MosaicPattern pattern) {
   Image mosaic(rgb.width, rgb.height, {"raw"});
   for (int y = 0; y < rgb.height; ++y)
     for (int x = 0; x < rgb.width; ++x) mosaic.at(x, y, 0) = rgb.at(x, y, filter_of_pixel(pattern, x, y));
@@ -18,7 +19,7 @@ Image mosaic_of(const Image& rgb, const std::string& pattern) {
 }
 
 TEST(Mosaic, HasHalfItsPixelsGreen) {
-  for (const char* pattern : kPatterns) {
+  for (const MosaicPattern pattern : kPatterns) {
     int count[3] = {0, 0, 0};
     for (int y = 0; y < 4; ++y)
       for (int x = 0; x < 4; ++x) ++count[filter_of_pixel(pattern, x, y)];
@@ -26,9 +27,9 @@ TEST(Mosaic, HasHalfItsPixelsGreen) {
     EXPECT_EQ(count[1], 8);
     EXPECT_EQ(count[2], 4);
   }
-  EXPECT_EQ(filter_of_pixel("rggb", 0, 0), 0);
-  EXPECT_EQ(filter_of_pixel("gbrg", 0, 1), 0);
-  EXPECT_EQ(filter_of_pixel("grbg", 2, 3), 2);
+  EXPECT_EQ(filter_of_pixel(MosaicPattern::rggb, 0, 0), 0);
+  EXPECT_EQ(filter_of_pixel(MosaicPattern::gbrg, 0, 1), 0);
+  EXPECT_EQ(filter_of_pixel(MosaicPattern::grbg, 2, 3), 2);
 }
 
 // Light that rises evenly is found again exactly, but for the outermost pixels, which have no neighbours on
@@ -38,7 +39,7 @@ TEST(Mosaic, FindsEvenSlopesAgain) {
   for (int y = 0; y < 7; ++y)
     for (int x = 0; x < 9; ++x)
       for (int c = 0; c < 3; ++c) rgb.at(x, y, c) = static_cast<float>(c + 2 * x - 3 * y * (c + 1));
-  for (const char* pattern : kPatterns) {
+  for (const MosaicPattern pattern : kPatterns) {
     const Image found = demosaic(mosaic_of(rgb, pattern), pattern);
     for (int y = 1; y < 6; ++y)
       for (int x = 1; x < 8; ++x)
@@ -50,7 +51,7 @@ TEST(Mosaic, FindsEvenSlopesAgain) {
 TEST(Mosaic, VariancesAreThoseOfMeans) {
   Image ones(6, 6, {"raw"});
   for (float& value : ones.data) value = 1.0f;
-  const Image variance = demosaic_variance(ones, "rggb");
+  const Image variance = demosaic_variance(ones, MosaicPattern::rggb);
   EXPECT_FLOAT_EQ(variance.at(2, 2, 0), 1.0f);   // red at a red pixel
   EXPECT_FLOAT_EQ(variance.at(3, 2, 0), 0.5f);   // between two
   EXPECT_FLOAT_EQ(variance.at(3, 3, 0), 0.25f);  // between four

@@ -12,7 +12,7 @@ namespace {
 
 Scene with_curve(const std::string& text) {
   Scene scene;
-  scene.sensor.tone = "file";
+  scene.sensor.tone = ToneKind::file;
   scene.sensor.tone_file = "curve.csv";
   scene.tables["sensor.tone_file"] = text;
   return scene;
@@ -22,8 +22,8 @@ const char* const kCurve = "linear,encoded\n0,0.02\n0.1,0.4\n0.5,0.8\n1,1\n";
 
 TEST(ToneCurve, ComesBack) {
   std::vector<Scene> scenes(4);
-  scenes[1].sensor.tone = "linear";
-  scenes[2].sensor.tone = "gamma";
+  scenes[1].sensor.tone = ToneKind::linear;
+  scenes[2].sensor.tone = ToneKind::gamma;
   scenes[2].sensor.gamma = 1.8;
   scenes[3] = with_curve(kCurve);
   for (const Scene& scene : scenes) {
@@ -37,7 +37,7 @@ TEST(ToneCurve, ComesBack) {
 TEST(ToneCurve, IsWhatTheSceneSays) {
   Scene scene;
   EXPECT_EQ(ToneCurve(scene).encode(0.3), srgb_encode(0.3));
-  scene.sensor.tone = "gamma";
+  scene.sensor.tone = ToneKind::gamma;
   scene.sensor.gamma = 2.0;
   EXPECT_NEAR(ToneCurve(scene).encode(0.25), 0.5, 1e-15);
   const ToneCurve measured(with_curve(kCurve));

@@ -14,7 +14,7 @@ double sine(double elevation_deg) { return std::sin(elevation_deg * kRadiansPerD
 
 Scene under_air() {
   Scene scene;
-  scene.air.model = "standard";
+  scene.air.model = AirModel::standard;
   return scene;
 }
 

@@ -30,7 +30,7 @@ double luminance(const Scene& scene, const std::array<double, 3>& rgb) {
 Scene sky_scene() {
   Scene scene = tests::small_scene();
   scene.camera.elevation_deg = 15.0;
-  scene.air.model = "standard";
+  scene.air.model = AirModel::standard;
   scene.airglow = {163.0, 123.0, 37.0};
   scene.twilight.shown = true;
   scene.twilight.sun_azimuth_deg = 20.0;
@@ -60,7 +60,7 @@ TEST(Airglow, AtTheZenithIsItsRayleighs) {
   const auto rgb = NightSky<double>(scene).light(towards(0.0, 90.0));
   const Vector3 line = line_colour(scene, 557.7);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(rgb[c], 0.163 * line[c], 1e-12);
-  scene.air.model = "standard";
+  scene.air.model = AirModel::standard;
   const auto dimmed = NightSky<double>(scene).light(towards(0.0, 25.0));
   EXPECT_NEAR(dimmed[1],
               0.163 * line[1] * air_transmission(scene, 557.7, 25.0) *

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sim/base/earth.h"
+#include "sim/scene/table/parameter_table.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/colour.h"
 
@@ -193,7 +194,7 @@ TEST(Stars, TrailIsTheMeanOfItsInstants) {
 }
 
 TEST(Stars, TintsHaveLuminanceOneAndTurnFromBlueToRed) {
-  for (const char* primaries : {"srgb", "smpte-c"}) {
+  for (const Primaries primaries : {Primaries::srgb, Primaries::smpte_c}) {
     Scene scene;
     scene.sensor.primaries = primaries;
     const SensorResponse response(scene);
@@ -209,7 +210,7 @@ TEST(Stars, TintsHaveLuminanceOneAndTurnFromBlueToRed) {
                         tint[1] * (m[0][0] * m[2][2] - m[0][2] * m[2][0]) +
                         tint[2] * (m[0][2] * m[1][0] - m[0][0] * m[1][2])) /
                        determinant;
-      EXPECT_NEAR(y, 1.0, 1e-9) << primaries << index;
+      EXPECT_NEAR(y, 1.0, 1e-9) << word_of(primaries) << index;
       EXPECT_GT(tint[0] / tint[2], redness_before);
       redness_before = tint[0] / tint[2];
     }

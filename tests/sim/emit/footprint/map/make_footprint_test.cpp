@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim/base/error.h"
+#include "tests/support/kind_named.h"
 
 namespace vegard::sim {
 namespace {
@@ -26,7 +27,7 @@ Image blob() {
 Scene scene_with(const char* source) {
   Scene scene;
   Footprint f;
-  f.source = source;
+  f.source = tests::kind_named<FootprintSource>(source);
   f.size_km = {240.0, 180.0};
   f.cell_km = 2.0;
   f.east_km = {-80.0, 0.0, 70.0};
@@ -156,7 +157,7 @@ TEST(MakeFootprint, RefusesDerivativesThatTakeTooMuchMemory) {
 TEST(MakeFootprint, OfAShellComesFromACurveOrAPicture) {
   Scene scene = scene_with("spline");
   Footprint& f = scene.footprints[0];
-  f.shape = "shell";
+  f.shape = FootprintShape::shell;
   f.face_cells = 32;
   f.width_km = 400.0;
   f.latitude_deg = {70.0, 72.0, 68.0};
@@ -169,7 +170,7 @@ TEST(MakeFootprint, OfAShellComesFromACurveOrAPicture) {
     return value;
   };
   EXPECT_NEAR(most(make_cube_footprint(scene, f, {}, 2)), 5.0, 0.3);
-  f.source = "image";
+  f.source = FootprintSource::image;
   const Image image = blob();
   FootprintPictures pictures;
   pictures.flux = &image;

@@ -9,7 +9,7 @@ namespace {
 
 Footprint noise(double coverage) {
   Footprint f;
-  f.source = "noise";
+  f.source = FootprintSource::noise;
   f.size_km = {800.0, 600.0};
   f.cell_km = 8.0;
   f.noise_coverage = coverage;

@@ -6,6 +6,7 @@
 
 #include "sim/base/number/random.h"
 #include "sim/emit/footprint/map/cube_faces.h"
+#include "tests/support/kind_named.h"
 
 namespace vegard::sim {
 namespace {
@@ -42,8 +43,8 @@ Image ramp(int width, int height, double across, double down, double base = 0.0)
 
 Footprint shell(const char* source) {
   Footprint f;
-  f.shape = "shell";
-  f.source = source;
+  f.shape = FootprintShape::shell;
+  f.source = tests::kind_named<FootprintSource>(source);
   f.face_cells = 32;
   f.energy_flux_mw_m2 = 2.0;
   return f;
@@ -119,7 +120,7 @@ TEST(PictureFootprint, OfSixFacesKnowsWhichIsWhereAndWhichWayUp) {
 
 TEST(PictureFootprint, OverABoxHasNorthUpAndFillsIt) {
   Footprint f;
-  f.source = "image";
+  f.source = FootprintSource::image;
   f.size_km = {100.0, 60.0};
   f.cell_km = 2.0;
   f.image_gamma = 2.0;

@@ -27,7 +27,7 @@ Scene one_sheet() {
 
 Footprint box() {
   Footprint f;
-  f.source = "sheets";
+  f.source = FootprintSource::sheets;
   f.center_km = {20.0, 180.0};
   f.size_km = {200.0, 120.0};
   f.energy_kev = 2.0;

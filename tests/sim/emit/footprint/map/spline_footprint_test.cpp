@@ -163,7 +163,7 @@ TEST(SplineFootprint, DerivativesAreThoseOfDifferences) {
 
 TEST(SplineFootprint, AroundThePoleHasNoPreferredSideAndTheTotalOfItsLength) {
   Footprint f;
-  f.shape = "shell";
+  f.shape = FootprintShape::shell;
   f.closed = true;
   f.face_cells = 256;
   f.width_km = 150.0;

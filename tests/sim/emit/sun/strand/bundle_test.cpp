@@ -144,7 +144,7 @@ TEST(Bundle, DensityFallsAlongALine) {
 TEST(Bundle, DerivativesAreThoseOfItsLight) {
   Bundle bundle = quiet();
   bundle.count = 90;
-  bundle.density_falloff = "smooth";
+  bundle.density_falloff = RadialFalloff::smooth;
   bundle.filaments = 9;
   bundle.slope_noise_deg = 6.0;
   bundle.position_noise_deg = 3.0;

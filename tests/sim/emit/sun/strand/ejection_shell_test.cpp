@@ -22,7 +22,7 @@ Scene a_scene() {
   scene.sun = tests::level_sun(kDistance);
   scene.sun.radius = 700.0;
   Ejection ejection;
-  ejection.kind = "shell";
+  ejection.kind = EjectionKind::shell;
   ejection.longitude_deg = 70.0;
   ejection.latitude_deg = 20.0;
   ejection.start_height = 100.0;

@@ -26,7 +26,7 @@ TEST(LoopLight, DerivativesAreThoseOfItsLight) {
   loop.tilt_noise_deg = 4.0;
   loop.density_noise = 0.3;
   loop.filaments = 3;
-  loop.height_falloff = "fade";
+  loop.height_falloff = HeightFalloff::fade;
   loop.falloff_least = 0.2;
   loop.brightening = 1.0;
   loop.brightening_at = 0.6;

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "tests/support/free_paths.h"
+#include "tests/support/kind_named.h"
 
 namespace vegard::sim {
 namespace {
@@ -188,7 +189,7 @@ TEST(MacroLoop, HeightFalloffsAreOneWhereMostAndLeastWhereLeast) {
   loop.falloff_least = 0.2;
   loop.base_density = 3.0;
   for (const std::string word : {"none", "grow", "fade", "logarithmic", "inverse-square"}) {
-    loop.height_falloff = word;
+    loop.height_falloff = tests::kind_named<HeightFalloff>(word);
     const std::vector<double> along = made(loop).all[0].along;
     const double at_foot = along.front(), at_top = along[along.size() / 2];
     EXPECT_NEAR(at_foot, word == "grow" ? 0.6 : 3.0, 1e-12) << word;
@@ -199,7 +200,7 @@ TEST(MacroLoop, HeightFalloffsAreOneWhereMostAndLeastWhereLeast) {
       EXPECT_TRUE(word == "grow" ? rise > 0.0 : word == "none" ? rise == 0.0 : rise < 0.0) << word;
     }
   }
-  loop.height_falloff = "none";
+  loop.height_falloff = HeightFalloff::none;
   loop.brightening = 2.0;
   const std::vector<double> bright = made(loop).all[0].along;
   EXPECT_NEAR(bright[bright.size() / 2], 9.0, 1e-12);  // (1 + 2) times the base, at the top
@@ -217,7 +218,7 @@ TEST(MacroLoop, DerivativesAreThoseOfCentralDifferences) {
   askew.tilt_deg = 20.0;
   askew.tilt_per_distance_deg = 1.0;
   askew.strands = 7;
-  askew.height_falloff = "inverse-square";
+  askew.height_falloff = HeightFalloff::inverse_square;
   askew.falloff_least = 0.1;
   askew.root_noise = 1.0;
   askew.height_noise = 0.1;

@@ -1,0 +1,33 @@
+// What the words of a sheet choose. They stand apart from the sheet for those who need no scene: the kernel,
+// and footprints, which share its profiles.
+#pragma once
+
+namespace vegard::sim {
+
+/// Light against altitude.
+enum class ProfileKind {
+  maxwellian,  ///< of electrons whose spectrum is a Maxwellian,
+  mono,        ///< of a single energy,
+  gaussian,    ///< or a Gaussian one
+  form,        ///< a form's measured curve, with the Maxwellian's ratios of lines
+  file,        ///< of a CSV
+  spline       ///< free, a coefficient per knot and line
+};
+
+/// How a beam is deflected: readings of equation (4) of the source paper (docs/physics.md row B14).
+enum class PitchLaw { reduced, product, increment, constant };
+
+/// Where the beams of a layer stand.
+enum class SpacingRule {
+  stratified,  ///< each in a stretch of its own
+  tied,        ///< by a jittered walk
+  literal      ///< by the paper's walk, whose phase does not follow it
+};
+
+/// The largest step of a beam's path.
+enum class PathStepRule {
+  given,  ///< path_step
+  energy  ///< by the electrons' mean energy
+};
+
+}  // namespace vegard::sim
