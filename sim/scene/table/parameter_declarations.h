@@ -51,6 +51,8 @@ struct Declaration {
   std::vector<std::string> choices;
   ParameterScale scale = ParameterScale::linear;
   bool can_be_free = false;
+  ParameterRole role = ParameterRole::none;
+  std::string noun;  ///< empty: the key without its unit
 
   /// `element` is read by repeated tables only.
   std::function<ValueRef(Scene&, int element, int component)> at;
@@ -60,6 +62,8 @@ struct Declaration {
   std::function<void(Scene&, int element, const std::vector<double>&)> set_list;
   std::function<std::optional<Complaint>(const Scene&, const std::vector<double>&)> list_rule;  ///< or none
   std::function<std::string(const Scene&, int element, int component)> list_component;
+  /// Of a list by emission line: how many numbers each line has, the lines in the order of emission.lines.
+  std::function<int(const Scene&, int element)> numbers_per_line;
 
   /// What limits and choices cannot say.
   std::function<std::optional<Complaint>(double)> number_rule;
@@ -86,6 +90,10 @@ const Declaration* find_declaration(const std::string& table, const std::string&
 
 /// How many components the value has in this scene: 1 for a scalar.
 int component_count(const Declaration& declaration, const Scene& scene, int element);
+
+/// The identity of a row's number in this scene; `element` is -1 for a table that is not repeated,
+/// `component` the index within the vector.
+ParameterId id_of(const ParameterRow& row, const Scene& scene, int element, int component);
 
 /// "sheet.main.center_km", the path of the whole key.
 std::string key_path(const Declaration& declaration, const Scene& scene, int element);

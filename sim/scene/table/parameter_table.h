@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/scene/structs/scene.h"
+#include "sim/scene/table/parameter_id.h"
 
 namespace vegard::sim {
 
@@ -33,17 +34,20 @@ struct ParameterRow {
   ParameterScale scale = ParameterScale::linear;
   bool can_be_free = false;  ///< continuous, and the simulator has its derivative
   std::string meaning;       ///< one line
+  std::string noun;          ///< as one speaks of it, without its owner: "amplitude"
+  ParameterRole role = ParameterRole::none;
 };
 
-/// A row applied to one scene: which sheet it means.
+/// An identity as one scene writes it.
 struct ParameterPath {
   const ParameterRow* row = nullptr;
   int element = -1;   ///< which of a repeated table's elements, -1 for other tables
   int component = 0;  ///< index of the component inside its vector
   std::string text;   ///< "sheet.main.center_km.east"
+  ParameterId id;
 
   /// Index into Scene::sheets, -1 for a number of anything else.
-  int sheet() const { return row != nullptr && row->table == "sheet" ? element : -1; }
+  int sheet() const { return id.sheet(); }
 };
 
 /// In the order of a scene file. The rows live as long as the program.
@@ -63,8 +67,8 @@ std::vector<ParameterPath> resolve(const Scene& scene, const std::string& path);
 /// Every path of this scene, in the order of the table; the sheets follow each other.
 std::vector<ParameterPath> all_paths(const Scene& scene);
 
-/// Where a real parameter lives inside `scene` (the identity by which the simulator recognises a free
-/// parameter). The path must have been resolved in a scene with the same sheets and lines.
+/// Where a real parameter lives inside `scene`. The path must have been resolved in a scene with the same
+/// sheets and lines; number_at() finds its place in any.
 double* real_value(Scene& scene, const ParameterPath& path);
 const double* real_value(const Scene& scene, const ParameterPath& path);
 

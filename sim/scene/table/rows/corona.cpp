@@ -1,6 +1,5 @@
 // [[corona]] and [[bundle]]: the corona at large, and its straight lines.
 #include "sim/scene/table/parameter_rules.h"
-#include "sim/scene/table/rows/line_component.h"
 #include "sim/scene/table/rows/row.h"
 #include "sim/scene/table/rows/rows.h"
 
@@ -35,7 +34,7 @@ std::vector<Declaration> corona_rows() {
       corona("polar", &C::polar).within(0, 10).may_be_free(linear).means("density over the poles, of that over the equator; between them by the square of the sine of the latitude"),
       corona("reach", &C::reach).within(1.001, 1000).means("where it ends, in radii of the photosphere"),
       corona("light", &C::light).one_of({"density", "square", "scattered"}).means("light as density; as its square, as of collisions; or as density times the photosphere's light scattered by free electrons (Thomson)"),
-      corona("rayleigh", &C::rayleigh).of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e18).may_be_free(linear)
+      corona("rayleigh", &C::rayleigh).by_line().in("R").within(0, 1e18).may_be_free(linear)
           .means("light of density 1 to a unit of path, per emission line; of scattered light at the photosphere's edge"),
       corona("temperature_mk", &C::temperature_mk).in("MK").within(0, 100).may_be_free(logarithmic).means("if not 0, lines with a response to temperature (docs/lines.md) shine by it"),
   };
@@ -63,7 +62,7 @@ std::vector<Declaration> bundle_rows() {
       bundle("lowest_latitude_deg", &B::lowest_latitude_deg).in("deg").within(-90, 90).means("of feet"),
       bundle("highest_latitude_deg", &B::highest_latitude_deg).in("deg").within(-90, 90).means("of feet"),
       bundle("horizon_deg", &B::horizon_deg).in("deg").within(0.1, 90).means("feet are at most so far from the limb, as the observer sees it: streaks over the horizon; 90: anywhere"),
-      bundle("rayleigh", &B::rayleigh).of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e18).may_be_free(linear)
+      bundle("rayleigh", &B::rayleigh).by_line().in("R").within(0, 1e18).may_be_free(linear)
           .means("light of density 1 to a unit of path, per emission line"),
       bundle("temperature_mk", &B::temperature_mk).in("MK").within(0, 100).may_be_free(logarithmic).means("if not 0, lines with a response to temperature (docs/lines.md) shine by it"),
   };

@@ -1,6 +1,5 @@
 // [[nebula]]: clouds beyond the air, by their density maps.
 #include "sim/scene/table/parameter_rules.h"
-#include "sim/scene/table/rows/line_component.h"
 #include "sim/scene/table/rows/row.h"
 #include "sim/scene/table/rows/rows.h"
 
@@ -36,11 +35,11 @@ std::vector<Declaration> nebula_rows() {
       row("gas", &N::gas).means("name of the node of what shines by lines, and of the literal march's map; empty: none"),
       row("glow", &N::glow).means("name of the node of a second light; empty: none"),
       row("dust", &N::dust).means("name of the node of what absorbs; empty: none"),
-      row("inner_rayleigh", &N::inner_rayleigh).of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e9).may_be_free(linear)
+      row("inner_rayleigh", &N::inner_rayleigh).called("inner light").by_line().in("R").within(0, 1e9).may_be_free(linear)
           .means("light of the gas at density 1 to a unit of path, per emission line, near the middle"),
-      row("outer_rayleigh", &N::outer_rayleigh).of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e9).may_be_free(linear)
+      row("outer_rayleigh", &N::outer_rayleigh).called("outer light").by_line().in("R").within(0, 1e9).may_be_free(linear)
           .means("the same far out"),
-      row("glow_rayleigh", &N::glow_rayleigh).of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e9).may_be_free(linear)
+      row("glow_rayleigh", &N::glow_rayleigh).called("glow").by_line().in("R").within(0, 1e9).may_be_free(linear)
           .means("light of the glow at density 1 to a unit of path, per emission line"),
       row("inner_radius", &N::inner_radius).within(0, 1000).may_be_free(linear).means("distance from the middle up to which inner_rayleigh holds"),
       row("outer_radius", &N::outer_radius).within(1e-6, 1000).may_be_free(linear).means("distance from which on outer_rayleigh holds"),
