@@ -31,7 +31,7 @@ std::string without_unit(std::string key) {
 
 std::string noun_of(const sim::ParameterPath& path) {
   const std::string& key = path.row->key;
-  std::string noun = path.row->noun.empty() ? without_unit(key) : path.row->noun;
+  std::string noun = path.row->noun;
   // One of several of a kind: the line of a blur, the coefficient of a profile.
   const std::size_t at = path.text.rfind(key + ".");
   if (!path.row->component.empty() && at != std::string::npos)

@@ -5,7 +5,6 @@
 #include "sim/base/earth.h"
 #include "sim/scene/emitters/element_rules.h"
 #include "sim/scene/emitters/emitter_kinds.h"
-#include "sim/scene/rows/line_component.h"
 #include "sim/scene/rows/row.h"
 #include "sim/scene/rows/value_words.h"
 
@@ -38,7 +37,7 @@ std::vector<Declaration> bundle_rows() {
       row("lowest_latitude_deg", &B::lowest_latitude_deg).in("deg").within(-90, 90).means("of feet"),
       row("highest_latitude_deg", &B::highest_latitude_deg).in("deg").within(-90, 90).means("of feet"),
       row("horizon_deg", &B::horizon_deg).in("deg").within(0.1, 90).means("feet are at most so far from the limb, as the observer sees it: streaks over the horizon; 90: anywhere"),
-      row("rayleigh", &B::rayleigh).of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
+      row("rayleigh", &B::rayleigh).by_line().in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
           .means("light of density 1 to a unit of path, per emission line"),
       row("temperature_mk", &B::temperature_mk).in("MK").within(0, 100).may_be_free(ParameterScale::logarithmic).means("if not 0, lines with a response to temperature (docs/lines.md) shine by it"),
   };

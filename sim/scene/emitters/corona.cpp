@@ -3,7 +3,6 @@
 
 #include "sim/scene/emitters/element_rules.h"
 #include "sim/scene/emitters/emitter_kinds.h"
-#include "sim/scene/rows/line_component.h"
 #include "sim/scene/rows/row.h"
 
 namespace vegard::sim {
@@ -27,7 +26,7 @@ std::vector<Declaration> corona_rows() {
       row("polar", &C::polar).within(0, 10).may_be_free(ParameterScale::linear).means("density over the poles, of that over the equator; between them by the square of the sine of the latitude"),
       row("reach", &C::reach).within(1.001, 1000).means("where it ends, in radii of the photosphere"),
       row("light", &C::light).one_of<CoronaLight>({{"density", CoronaLight::density}, {"square", CoronaLight::square}, {"scattered", CoronaLight::scattered}}).means("light as density; as its square, as of collisions; or as density times the photosphere's light scattered by free electrons (Thomson)"),
-      row("rayleigh", &C::rayleigh).of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
+      row("rayleigh", &C::rayleigh).by_line().in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
           .means("light of density 1 to a unit of path, per emission line; of scattered light at the photosphere's edge"),
       row("temperature_mk", &C::temperature_mk).in("MK").within(0, 100).may_be_free(ParameterScale::logarithmic).means("if not 0, lines with a response to temperature (docs/lines.md) shine by it"),
   };

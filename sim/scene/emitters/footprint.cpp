@@ -34,16 +34,16 @@ std::vector<Declaration> footprint_rows() {
           .means("where the footprint comes from: a curve through points, a picture, six pictures of a cube's faces, the scene's sheets (which are then not drawn as beams), or fractal noise in a box"),
       row("fall", &F::fall).one_of<FootprintFall>({{"field", FootprintFall::field}, {"vertical", FootprintFall::vertical}})
           .means("along the scene's field, or straight down; a shell's light always falls straight down"),
-      row("center_km", &F::center_km).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
+      row("center_km", &F::center_km).as(ParameterRole::footprint_centre).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
           .means("middle of a box, of the feet at 110 km altitude"),
       row("size_km", &F::size_km).of({"east", "north"}).in("km").within(1, 6000)
           .means("extent of a box"),
       row("cell_km", &F::cell_km).in("km").within(0.01, 100).means("edge of a cell of a box's footprint"),
       row("face_cells", &F::face_cells).within(16, 8192)
           .means("cells along an edge of each of the six cube faces of a shell's footprint"),
-      row("east_km", &F::east_km).called("east of point").of({"<n>"}).named_by(name_by_point).in("km").within(-6000, 6000).may_be_free(ParameterScale::linear)
+      row("east_km", &F::east_km).called("east of point").as(ParameterRole::footprint_east).of({"<n>"}).named_by(name_by_point).in("km").within(-6000, 6000).may_be_free(ParameterScale::linear)
           .means("points of a box's spline, from the box's middle to the east"),
-      row("north_km", &F::north_km).called("north of point").of({"<n>"}).named_by(name_by_point).in("km").within(-6000, 6000).may_be_free(ParameterScale::linear)
+      row("north_km", &F::north_km).called("north of point").as(ParameterRole::footprint_north).of({"<n>"}).named_by(name_by_point).in("km").within(-6000, 6000).may_be_free(ParameterScale::linear)
           .means("the same to the north"),
       row("latitude_deg", &F::latitude_deg).of({"<n>"}).named_by(name_by_point).in("deg").within(-90, 90)
           .means("points of a shell's spline: geographic latitude"),
@@ -75,9 +75,9 @@ std::vector<Declaration> footprint_rows() {
       row("high_colour", &F::high_colour).of({"r", "g", "b"}).within(0, 1).means("colour at high_km"),
       row("low_km", &F::low_km).in("km").within(80, 640).means("altitude of low_colour and below"),
       row("high_km", &F::high_km).in("km").within(80, 640).means("altitude of high_colour and above"),
-      row("energy_kev", &F::energy_kev).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
+      row("energy_kev", &F::energy_kev).as(ParameterRole::footprint_energy).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
           .means("characteristic energy of the electrons, as a sheet's"),
-      row("energy_flux_mw_m2", &F::energy_flux_mw_m2).in("mW m⁻²").within(0, 10000).may_be_free(ParameterScale::logarithmic)
+      row("energy_flux_mw_m2", &F::energy_flux_mw_m2).as(ParameterRole::footprint_energy_flux).in("mW m⁻²").within(0, 10000).may_be_free(ParameterScale::logarithmic)
           .means("energy flux Q at the spline, or where the picture is white"),
       row("profile", &F::profile).one_of<ProfileKind>({{"maxwellian", ProfileKind::maxwellian}, {"mono", ProfileKind::mono}, {"gaussian", ProfileKind::gaussian}, {"form", ProfileKind::form}})
           .means("light against altitude: of a spectrum of electrons, or a form"),

@@ -3,7 +3,6 @@
 
 #include "sim/scene/emitters/element_rules.h"
 #include "sim/scene/emitters/emitter_kinds.h"
-#include "sim/scene/rows/line_component.h"
 #include "sim/scene/rows/row.h"
 #include "sim/scene/rows/value_words.h"
 
@@ -45,7 +44,7 @@ std::vector<Declaration> loop_rows() {
       row("brightening", &L::brightening).within(0, 1e6).may_be_free(ParameterScale::linear).means("added to the density along a strand at its height, a multiple of base_density"),
       row("brightening_at", &L::brightening_at).within(0, 1).may_be_free(ParameterScale::linear).means("where it is brightest: 0 at the feet, 1 at the top"),
       row("brightening_width", &L::brightening_width).within(1e-3, 10).may_be_free(ParameterScale::logarithmic).means("standard deviation of its Gaussian in height, of the strand's height"),
-      row("rayleigh", &L::rayleigh).of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
+      row("rayleigh", &L::rayleigh).by_line().in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
           .means("light of density 1 to a unit of path, per emission line"),
       row("temperature_mk", &L::temperature_mk).in("MK").within(0, 100).may_be_free(ParameterScale::logarithmic).means("if not 0, lines with a response to temperature (docs/lines.md) shine by it"),
       row("voxel", &L::voxel).within(0, 1e9).means("if not 0, the loop is drawn by a grid with voxels of this edge; 0: strand by strand"),

@@ -6,7 +6,6 @@
 
 #include "sim/scene/emitters/element_rules.h"
 #include "sim/scene/emitters/emitter_kinds.h"
-#include "sim/scene/rows/line_component.h"
 #include "sim/scene/rows/row.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/structs/node_names.h"
@@ -42,11 +41,11 @@ std::vector<Declaration> nebula_rows() {
       row("gas", &N::gas).means("name of the node of what shines by lines, and of the literal march's map; empty: none"),
       row("glow", &N::glow).means("name of the node of a second light; empty: none"),
       row("dust", &N::dust).means("name of the node of what absorbs; empty: none"),
-      row("inner_rayleigh", &N::inner_rayleigh).called("inner light").of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
+      row("inner_rayleigh", &N::inner_rayleigh).called("inner light").by_line().in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
           .means("light of the gas at density 1 to a unit of path, per emission line, near the middle"),
-      row("outer_rayleigh", &N::outer_rayleigh).called("outer light").of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
+      row("outer_rayleigh", &N::outer_rayleigh).called("outer light").by_line().in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
           .means("the same far out"),
-      row("glow_rayleigh", &N::glow_rayleigh).called("glow").of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
+      row("glow_rayleigh", &N::glow_rayleigh).called("glow").by_line().in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
           .means("light of the glow at density 1 to a unit of path, per emission line"),
       row("inner_radius", &N::inner_radius).within(0, 1000).may_be_free(ParameterScale::linear).means("distance from the middle up to which inner_rayleigh holds"),
       row("outer_radius", &N::outer_radius).within(1e-6, 1000).may_be_free(ParameterScale::linear).means("distance from which on outer_rayleigh holds"),

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "sim/scene/emitters/emitter_kinds.h"
-#include "sim/scene/rows/line_component.h"
 #include "sim/scene/rows/row.h"
 
 namespace vegard::sim {
@@ -25,7 +24,7 @@ std::vector<Declaration> volume_rows() {
       row("gain", &Volume::gain).within(0, 1e9).may_be_free(ParameterScale::logarithmic).means("times its light"),
       row("extinction_per_km", &Volume::extinction_per_km).in("km⁻¹").within(0, 1e6).may_be_free(ParameterScale::linear)
           .means("extinction of density 1 of its grid \"density\"; 0: nothing is absorbed"),
-      row("density_rayleigh", &Volume::density_rayleigh).of({"<line>"}).named_by(name_by_line).in("R").within(0, 1e12).may_be_free(ParameterScale::linear)
+      row("density_rayleigh", &Volume::density_rayleigh).by_line().in("R").within(0, 1e12).may_be_free(ParameterScale::linear)
           .means("light of density 1 of its grid \"density\", per emission line, to a km of path (a unit of the Sun's frame), in place of the file's emission grids; empty: none"),
       row("step_voxels", &Volume::step_voxels).within(0.05, 8).means("step of the march, in edges of a voxel"),
   };

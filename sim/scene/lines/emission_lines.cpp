@@ -54,6 +54,8 @@ int line_index(const std::vector<double>& lines_nm, double line_nm) {
   return -1;
 }
 
-std::string line_name(double line_nm) { return std::to_string(std::lround(line_nm * 10.0)); }
+int line_in_angstrom(double line_nm) { return static_cast<int>(std::lround(line_nm * 10.0)); }
+
+std::string line_name(double line_nm) { return std::to_string(line_in_angstrom(line_nm)); }
 
 }  // namespace vegard::sim

@@ -23,6 +23,9 @@ void change_lines(Scene& scene, const std::vector<double>& lines_nm);
 /// with what find_emission_line() allows for.
 int line_index(const std::vector<double>& lines_nm, double line_nm);
 
+/// A line's wavelength in whole angstrom, by which paths tell lines apart.
+int line_in_angstrom(double line_nm);
+
 /// How a line is called in a path: its wavelength in angstrom, "6300".
 std::string line_name(double line_nm);
 

@@ -23,6 +23,66 @@ enum class ParameterKind { real, integer, boolean, text };
 /// keep nonsense out and lie several turns apart.
 enum class ParameterScale { linear, logarithmic, angle };
 
+/// What those who work with parameters need to know of one, as its row of the table declares it. Most need to
+/// know nothing. Each role but `none` is that of one key.
+enum class ParameterRole {
+  none,
+  // of a sheet
+  centre,  ///< component 0 to the east, 1 to the north
+  bearing,
+  length,
+  amplitude,  ///< of its sine
+  wavelength,
+  phase,
+  drift,  ///< component 0 to the east, 1 to the north
+  energy,
+  energy_spread,
+  energy_flux,
+  loss_cone,
+  pitch_step,
+  form_peak,
+  form_lower,
+  form_upper,
+  profile_coefficient,  ///< of a free-form profile
+  // of the magnetic field
+  inclination,
+  declination,
+  // of the camera
+  camera_azimuth,
+  camera_elevation,
+  camera_roll,
+  field_of_view,  ///< of a pinhole
+  focal_length,   ///< of every other lens
+  principal_x,
+  principal_y,
+  lens_aspect,
+  lens_k1,
+  lens_k2,
+  lens_k3,
+  lens_p1,
+  lens_p2,
+  blur_width,
+  // of the air and the night sky
+  aerosol_depth,
+  angstrom_exponent,
+  green_airglow,
+  red_airglow,
+  sodium_airglow,
+  town_light,
+  // of a footprint
+  footprint_centre,  ///< component 0 to the east, 1 to the north
+  footprint_east,    ///< of a point of its curve, from the centre
+  footprint_north,
+  footprint_energy,
+  footprint_energy_flux,
+  // of the Sun and what stands on it
+  sun_azimuth,
+  sun_elevation,
+  granule_size,
+  granule_shift,
+  roles  ///< how many there are
+};
+
 /// One row: a scalar, or one component of a vector ("sheet", "center_km", "east"). A vector whose length the
 /// scene decides (emission.lines, blur.width_deg) is one row for all its components, with a component such as
 /// "<line>".
@@ -38,21 +98,37 @@ struct ParameterRow {
   ParameterScale scale = ParameterScale::linear;
   bool can_be_free = false;  ///< continuous, and the simulator has its derivative
   std::string meaning;       ///< one line
-  std::string noun;          ///< what people call it, where that is not the key without its unit; else empty
+  std::string noun;          ///< as one speaks of it, without its owner: "amplitude"
+  ParameterRole role = ParameterRole::none;
 };
 
-/// A row applied to one scene: which sheet it means.
+inline const char* const sheet_table = "sheet";
+
+/// One number. A number of a list by emission line is known by its line, not by its place in the list: scenes
+/// of several photographs may have their lines in different orders, or lack some.
+struct ParameterId {
+  const ParameterRow* row = nullptr;  ///< of parameter_table(); null: no parameter
+  int element = -1;                   ///< which of a repeated table's elements, -1 for other tables
+  int line = 0;       ///< line_in_angstrom() for a list by emission line, 0 for everything else
+  int component = 0;  ///< index within its vector, or among the numbers of its line
+
+  bool any() const { return row != nullptr; }
+  ParameterRole role() const { return row == nullptr ? ParameterRole::none : row->role; }
+  /// Index into Scene::sheets, -1 for a number of anything else.
+  int sheet() const { return row != nullptr && row->table == sheet_table ? element : -1; }
+};
+
+/// An identity as one scene writes it.
 struct ParameterPath {
   const ParameterRow* row = nullptr;
   int element = -1;   ///< which of a repeated table's elements, -1 for other tables
   int component = 0;  ///< index of the component inside its vector
   std::string text;   ///< "sheet.main.center_km.east"
+  ParameterId id;
 
   /// Index into Scene::sheets, -1 for a number of anything else.
-  int sheet() const { return row != nullptr && row->table == "sheet" ? element : -1; }
+  int sheet() const { return id.sheet(); }
 };
-
-inline const char* const sheet_table = "sheet";
 
 /// A table that a scene may hold several times, as [[sheet]]: its elements have names, by which paths call
 /// them.
@@ -92,7 +168,7 @@ using KeyAndText = std::pair<std::string, std::string>;
 
 /// One key of one table: a scalar or a whole vector.
 struct Declaration {
-  std::string table, key, unit, meaning, noun;
+  std::string table, key, unit, meaning;
   std::vector<std::string> components;  ///< names of a vector's components, empty for a scalar
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
@@ -101,6 +177,8 @@ struct Declaration {
   const std::type_info* kind_type = nullptr;  ///< of a kind: its enumeration
   ParameterScale scale = ParameterScale::linear;
   bool can_be_free = false;
+  ParameterRole role = ParameterRole::none;
+  std::string noun;  ///< empty: the key without its unit
 
   /// `element` is read by repeated tables only.
   std::function<ValueRef(Scene&, int element, int component)> at;
@@ -110,6 +188,8 @@ struct Declaration {
   std::function<void(Scene&, int element, const std::vector<double>&)> set_list;
   std::function<std::optional<Complaint>(const Scene&, const std::vector<double>&)> list_rule;  ///< or none
   std::function<std::string(const Scene&, int element, int component)> list_component;
+  /// Of a list by emission line: how many numbers each line has, the lines in the order of emission.lines.
+  std::function<int(const Scene&, int element)> numbers_per_line;
 
   /// What limits and choices cannot say.
   std::function<std::optional<Complaint>(double)> number_rule;

@@ -9,11 +9,6 @@ namespace {
 
 std::string index_name(const Scene&, int index) { return std::to_string(index); }
 
-std::string name_by_line(const Scene& scene, int index) {
-  const auto& lines = scene.emission.lines;
-  return index < static_cast<int>(lines.size()) ? line_name(lines[index]) : std::to_string(index);
-}
-
 }  // namespace
 
 std::vector<Declaration> light_rows() {
@@ -26,7 +21,7 @@ std::vector<Declaration> light_rows() {
           .means("how light grows with the energy flux of Maxwellian electrons: as the columns of GLOW do, which "
                  "depart from proportion by up to 15 % between 0.1 and 10 mW m⁻²; or in proportion"),
 
-      Row("blur", "width_deg", &Scene::blur, &Blur::width_deg).of({"<line>"}).named_by(name_by_line).in("deg")
+      Row("blur", "width_deg", &Scene::blur, &Blur::width_deg).as(ParameterRole::blur_width).by_line().in("deg")
           .within(0, 10).list_rule(blur_complaint).may_be_free(ParameterScale::logarithmic)
           .means("standard deviation per emission line, in the order of emission.lines (of the model \"angle\"); a "
                  "component is called by its line's wavelength in ångström, such as blur.width_deg.6300"),

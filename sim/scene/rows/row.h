@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/rows/declaration.h"
 
 namespace vegard::sim {
@@ -83,6 +84,12 @@ RepeatedTable repeated_table_of(const AddedElements<Element>& added) {
       added.table(), [=](auto& scene) -> auto& { return added.in(scene); });
 }
 
+/// How a list with a number per emission line calls them.
+inline std::string name_by_line(const Scene& scene, int /*element*/, int index) {
+  const auto& lines = scene.emission.lines;
+  return index < static_cast<int>(lines.size()) ? line_name(lines[index]) : std::to_string(index);
+}
+
 /// Builds a Declaration step by step, so that each row below reads as one sentence.
 class Row {
  public:
@@ -135,6 +142,8 @@ class Row {
   }
   Row& of(std::vector<std::string> components) { return d_.components = std::move(components), *this; }
   Row& may_be_free(ParameterScale scale) { return d_.scale = scale, d_.can_be_free = true, *this; }
+  Row& as(ParameterRole role) { return d_.role = role, *this; }
+  Row& called(std::string noun) { return d_.noun = std::move(noun), *this; }
   Row& rule(std::optional<Complaint> (*check)(double)) { return d_.number_rule = check, *this; }
   Row& rule(std::optional<Complaint> (*check)(const std::string&)) { return d_.text_rule = check, *this; }
   Row& list_rule(std::optional<Complaint> (*check)(const Scene&, const std::vector<double>&)) {
@@ -149,7 +158,6 @@ class Row {
     return d_.presets = values, *this;
   }
   Row& names_file() { return d_.names_file = true, *this; }
-  Row& called(std::string noun) { return d_.noun = std::move(noun), *this; }
   Row& then(void (*follow)(Scene&, int)) { return d_.then = follow, *this; }
   Row& named_by(std::string (*name)(const Scene&, int component)) {
     d_.list_component = [=](const Scene& scene, int, int c) { return name(scene, c); };
@@ -157,6 +165,17 @@ class Row {
   }
   Row& named_by(std::string (*name)(const Scene&, int sheet, int component)) {
     return d_.list_component = name, *this;
+  }
+
+  /// A list with a number for each emission line.
+  Row& by_line() {
+    return by_line("<line>", name_by_line, [](const Scene&, int) { return 1; });
+  }
+  /// With several for each: `component` stands for their names.
+  Row& by_line(std::string component, std::string (*name)(const Scene&, int element, int component_index),
+               int (*numbers)(const Scene&, int element)) {
+    d_.numbers_per_line = numbers;
+    return of({std::move(component)}).named_by(name);
   }
 
   operator Declaration() const { return d_; }

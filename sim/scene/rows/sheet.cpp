@@ -10,9 +10,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-std::string spline_rate_name(const Scene& scene, int sheet, int index) {
-  return spline_rate_component(scene, sheet, index);
-}
+int spline_knots(const Scene& scene, int sheet) { return scene.sheets.at(sheet).spline_knots; }
 
 /// Who asks for a number of beams does not want a form's, which goes by the length.
 void count_beams(Scene& scene, int sheet) { scene.sheets.at(sheet).beams_per_km = 0.0; }
@@ -25,17 +23,17 @@ std::vector<Declaration> sheet_rows() {
       Row("name", &Sheet::name).means("by which paths call the sheet"),
       Row("form", &Sheet::form).one_of(form_names()).presets(values_of_form)
           .means("preset of other keys of the sheet, which those keys override: docs/forms.md, vegard params --forms"),
-      Row("center_km", &Sheet::center_km).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
+      Row("center_km", &Sheet::center_km).as(ParameterRole::centre).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
           .means("middle between start and end, of the feet at 110 km altitude"),
-      Row("bearing_deg", &Sheet::bearing_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle)
+      Row("bearing_deg", &Sheet::bearing_deg).as(ParameterRole::bearing).in("deg").within(-720, 720).may_be_free(ParameterScale::angle)
           .means("direction from start to end, from north to the east"),
-      Row("length_km", &Sheet::length_km).in("km").within(0.1, 5000).may_be_free(ParameterScale::logarithmic)
+      Row("length_km", &Sheet::length_km).as(ParameterRole::length).in("km").within(0.1, 5000).may_be_free(ParameterScale::logarithmic)
           .means("distance from start to end"),
-      Row("thickness_km", &Sheet::thickness_km).called("amplitude").in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
+      Row("thickness_km", &Sheet::thickness_km).called("amplitude").as(ParameterRole::amplitude).in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
           .means("amplitude of the sine (1 to 10 in nature)"),
-      Row("wavelength_km", &Sheet::wavelength_km).in("km").within(1, 5000).may_be_free(ParameterScale::logarithmic)
+      Row("wavelength_km", &Sheet::wavelength_km).as(ParameterRole::wavelength).in("km").within(1, 5000).may_be_free(ParameterScale::logarithmic)
           .means("wavelength of the sine"),
-      Row("phase_rad", &Sheet::phase_rad).in("rad").within(-8 * pi, 8 * pi).may_be_free(ParameterScale::angle)
+      Row("phase_rad", &Sheet::phase_rad).as(ParameterRole::phase).in("rad").within(-8 * pi, 8 * pi).may_be_free(ParameterScale::angle)
           .means("phase of the first layer's sine, counted from the start"),
       Row("phase_shift_rad", &Sheet::phase_shift_rad).in("rad").within(-2 * pi, 2 * pi).may_be_free(ParameterScale::linear)
           .means("phase from the first layer to the last"),
@@ -44,17 +42,17 @@ std::vector<Declaration> sheet_rows() {
           .means("standard deviation of a layer's Gaussian cross-section"),
       Row("beams", &Sheet::beams).within(1, 10000000).then(count_beams)
           .means("number of electron beams in each layer; setting it sets beams_per_km to 0"),
-      Row("energy_kev", &Sheet::energy_kev).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
+      Row("energy_kev", &Sheet::energy_kev).as(ParameterRole::energy).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
           .means("characteristic energy E0 of Maxwellian electrons, whose mean energy is twice that; of the profiles \"mono\" and \"gaussian\" the electrons' energy, or the middle of their energies"),
-      Row("energy_spread", &Sheet::energy_spread).within(0.01, 1).may_be_free(ParameterScale::logarithmic)
+      Row("energy_spread", &Sheet::energy_spread).as(ParameterRole::energy_spread).within(0.01, 1).may_be_free(ParameterScale::logarithmic)
           .means("of the profile \"gaussian\": standard deviation of the electrons' energies, as a fraction of energy_kev"),
-      Row("energy_flux_mw_m2", &Sheet::energy_flux_mw_m2).in("mW m⁻²").within(0, 10000).may_be_free(ParameterScale::logarithmic)
+      Row("energy_flux_mw_m2", &Sheet::energy_flux_mw_m2).as(ParameterRole::energy_flux).in("mW m⁻²").within(0, 10000).may_be_free(ParameterScale::logarithmic)
           .means("energy flux Q, at its peak across a layer"),
       Row("path_spread", &Sheet::path_spread).within(0, 1)
           .means("largest random shortening of a beam, as a fraction of its path"),
-      Row("loss_cone_deg", &Sheet::loss_cone_deg).called("pitch angle").in("deg").within(0, 30).may_be_free(ParameterScale::linear)
+      Row("loss_cone_deg", &Sheet::loss_cone_deg).called("pitch angle").as(ParameterRole::loss_cone).in("deg").within(0, 30).may_be_free(ParameterScale::linear)
           .means("pitch angle at the lower end of the path"),
-      Row("pitch_step_rad", &Sheet::pitch_step_rad).in("rad").within(0, 0.5).may_be_free(ParameterScale::linear)
+      Row("pitch_step_rad", &Sheet::pitch_step_rad).as(ParameterRole::pitch_step).in("rad").within(0, 0.5).may_be_free(ParameterScale::linear)
           .means("how much smaller the pitch angle is at the upper end"),
       Row("pitch_law", &Sheet::pitch_law).one_of<PitchLaw>({{"reduced", PitchLaw::reduced}, {"product", PitchLaw::product}, {"increment", PitchLaw::increment}, {"constant", PitchLaw::constant}})
           .means("reading of the paper's equation (4): αD − Δα(1 − t); literally αD·t·Δα; t·Δα; or αD throughout"),
@@ -78,11 +76,11 @@ std::vector<Declaration> sheet_rows() {
           .means("light against altitude: of electrons with a Maxwellian spectrum, a single energy, or a Gaussian one; the form's measured curve with the Maxwellian's ratios of lines; that of profile_file; or a free form of its own for each line"),
       Row("profile_file", &Sheet::profile_file).names_table()
           .means("of the profile \"file\": a CSV of altitude_km and, per line, photons cm⁻³ s⁻¹, beside the scene's file"),
-      Row("peak_km", &Sheet::peak_km).called("peak altitude").in("km").within(85, 400).may_be_free(ParameterScale::linear)
+      Row("peak_km", &Sheet::peak_km).called("peak altitude").as(ParameterRole::form_peak).in("km").within(85, 400).may_be_free(ParameterScale::linear)
           .means("altitude of a form's brightest light"),
-      Row("lower_km", &Sheet::lower_km).called("extent below the peak").in("km").within(0.5, 100).may_be_free(ParameterScale::logarithmic)
+      Row("lower_km", &Sheet::lower_km).called("extent below the peak").as(ParameterRole::form_lower).in("km").within(0.5, 100).may_be_free(ParameterScale::logarithmic)
           .means("how far below the peak a form's light has fallen to a tenth"),
-      Row("upper_km", &Sheet::upper_km).called("extent above the peak").in("km").within(1, 500).may_be_free(ParameterScale::logarithmic)
+      Row("upper_km", &Sheet::upper_km).called("extent above the peak").as(ParameterRole::form_upper).in("km").within(1, 500).may_be_free(ParameterScale::logarithmic)
           .means("how far above the peak a form's light has fallen to a tenth"),
       Row("spline_bottom_km", &Sheet::spline_bottom_km).in("km").within(80, 630)
           .means("altitude at which a free-form profile begins, dark"),
@@ -90,7 +88,7 @@ std::vector<Declaration> sheet_rows() {
           .means("altitude at which a free-form profile ends, dark"),
       Row("spline_knots", &Sheet::spline_knots).within(4, 64)
           .means("coefficients of a free-form profile per line, closer together low down"),
-      Row("spline_rate", &Sheet::spline_rate).of({"<line>_<n>"}).named_by(spline_rate_name)
+      Row("spline_rate", &Sheet::spline_rate).as(ParameterRole::profile_coefficient).by_line("<line>_<n>", spline_rate_component, spline_knots)
           .in("cm⁻³ s⁻¹ per mW m⁻²").within(1e-12, 1e6).may_be_free(ParameterScale::logarithmic)
           .means("coefficients of a free-form profile, about the emission rate at their altitudes: all of the first "
                  "line from the bottom up, then the next line's, such as sheet.main.spline_rate.5577_3; "
@@ -142,7 +140,7 @@ std::vector<Declaration> sheet_rows() {
           .means("of the lower border's waves, each half as long and half as high as the one before"),
       Row("border_lifetime_s", &Sheet::border_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
           .means("of the lower border's course; 0: it lasts"),
-      Row("drift_km_s", &Sheet::drift_km_s).of({"east", "north"}).in("km s⁻¹").within(-100, 100)
+      Row("drift_km_s", &Sheet::drift_km_s).as(ParameterRole::drift).of({"east", "north"}).in("km s⁻¹").within(-100, 100)
           .means("velocity of the whole sheet (0.1 to 0.2 north to south in nature, 10 east to west)"),
       Row("sine_speed_km_s", &Sheet::sine_speed_km_s).in("km s⁻¹").within(-100, 100)
           .means("of the sine, from start to end"),

@@ -33,6 +33,10 @@ const Declaration* find_declaration(const std::string& table, const std::string&
 /// How many components the value has in this scene: 1 for a scalar.
 int component_count(const Declaration& declaration, const Scene& scene, int element);
 
+/// The identity of a row's number in this scene; `element` is -1 for a table that is not repeated,
+/// `component` the index within the vector.
+ParameterId id_of(const ParameterRow& row, const Scene& scene, int element, int component);
+
 /// "sheet.main.center_km", the path of the whole key.
 std::string key_path(const Declaration& declaration, const Scene& scene, int element);
 

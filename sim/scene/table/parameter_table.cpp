@@ -46,6 +46,19 @@ ParameterKind kind_of(const ValueRef& value) {
   return std::visit(Kind{}, value);
 }
 
+/// The key without its unit, in words.
+std::string noun_of_key(std::string key) {
+  for (const char* unit : {"_mw_m2", "_mcd_m2", "_km_s", "_rayleigh", "_km", "_kev", "_deg", "_rad"}) {
+    const std::string ending = unit;
+    if (key.size() <= ending.size() || key.compare(key.size() - ending.size(), ending.size(), ending) != 0)
+      continue;
+    key.erase(key.size() - ending.size());
+    break;
+  }
+  std::replace(key.begin(), key.end(), '_', ' ');
+  return key;
+}
+
 Table build_table() {
   Scene defaults;
   for (const RepeatedTable& repeated : repeated_tables()) repeated.append(defaults);
@@ -69,7 +82,8 @@ Table build_table() {
       row.scale = d.scale;
       row.can_be_free = d.can_be_free;
       row.meaning = d.meaning;
-      row.noun = d.noun;
+      row.noun = d.noun.empty() ? noun_of_key(d.key) : d.noun;
+      row.role = d.role;
       table.rows.push_back(std::move(row));
       table.declaration_of_row.push_back(&d);
     }
@@ -92,7 +106,9 @@ void append_paths(const Scene& scene, const Declaration& d, int element, std::ve
   const ParameterRow* first = &first_row_of(d);
   for (int c = 0; c < component_count(d, scene, element); ++c) {
     const std::string name = component_name(d, scene, element, c);
-    paths.push_back({d.list ? first : first + c, element, c, name.empty() ? whole : whole + "." + name});
+    const ParameterRow* row = d.list ? first : first + c;
+    paths.push_back(
+        {row, element, c, name.empty() ? whole : whole + "." + name, id_of(*row, scene, element, c)});
   }
 }
 
@@ -219,6 +235,13 @@ std::vector<ParameterPath> all_paths(const Scene& scene) {
     d = end;
   }
   return paths;
+}
+
+std::string path_of(const Scene& scene, const ParameterId& id) {
+  const Declaration& d = declaration_of(*id.row);
+  const std::string name = component_name(d, scene, id.element, index_in(scene, id));
+  const std::string whole = key_path(d, scene, id.element);
+  return name.empty() ? whole : whole + "." + name;
 }
 
 std::vector<ParameterPath> resolve(const Scene& scene, const std::string& path) {

@@ -13,6 +13,7 @@
 
 #include "sim/scene/rows/declaration.h"
 #include "sim/scene/structs/scene.h"
+#include "sim/scene/table/parameter_id.h"
 
 namespace vegard::sim {
 
@@ -36,8 +37,8 @@ std::vector<ParameterPath> all_paths(const Scene& scene);
 /// The name of the element that it belongs to; empty for a number of a table that a scene has once.
 std::string element_name(const Scene& scene, const ParameterPath& path);
 
-/// Where a real parameter lives inside `scene` (the identity by which the simulator recognises a free
-/// parameter). The path must have been resolved in a scene with the same sheets and lines.
+/// Where a real parameter lives inside `scene`. The path must have been resolved in a scene with the same
+/// sheets and lines; number_at() finds its place in any.
 double* real_value(Scene& scene, const ParameterPath& path);
 const double* real_value(const Scene& scene, const ParameterPath& path);
 
