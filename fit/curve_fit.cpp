@@ -14,6 +14,7 @@
 #include "fit/parameters/turns.h"
 #include "fit/search/journal.h"
 #include "fit/search/profile_rounds.h"
+#include "fit/search/search.h"
 #include "fit/search/search_outcome.h"
 #include "fit/uncertainty/sampled_uncertainty.h"
 #include "sim/base/error.h"

@@ -4,6 +4,7 @@
 // has what that costs: a column of the Jacobian differs by up to 1.6 % of its norm for the profile).
 #include "fit/compare/comparison.h"
 #include "fit/compare/inflation.h"
+#include "fit/measure/profile_bins.h"
 
 #include <gtest/gtest.h>
 
