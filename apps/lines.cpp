@@ -13,7 +13,7 @@
 #include "fit/report/quenching_plot.h"
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
-#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/lines/solar_lines.h"
 
 namespace vegard::apps {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "sim/light/excited_atom.h"
-#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::fit {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/csv_table.h"
-#include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/table_files.h"

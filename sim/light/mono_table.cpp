@@ -8,7 +8,7 @@
 #include "sim/base/number/spline.h"
 #include "sim/light/emission_table.h"
 #include "sim/light/glow_air.h"
-#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::sim {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "sim/light/emission_table.h"
 #include "sim/light/mono_table.h"
-#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::sim {
 namespace {

@@ -3,7 +3,6 @@
 #include <cassert>
 #include <cstddef>
 
-#include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/rows/spline_rates.h"
 

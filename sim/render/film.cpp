@@ -11,7 +11,7 @@
 #include "sim/render/beams/derivative_passes.h"
 #include "sim/render/beams/kernel.h"
 #include "sim/render/beams/kernel_scene.h"
-#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/emission_lines.h"
 #include "sim/view/film/tangent_film.h"
 
 namespace vegard::sim {

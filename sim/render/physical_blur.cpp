@@ -11,6 +11,7 @@
 #include "sim/render/beams/kernel_scene.h"
 #include "sim/render/film.h"
 #include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/lines/emission_lines.h"
 #include "sim/view/film/level_ladder.h"
 
 namespace vegard::sim {

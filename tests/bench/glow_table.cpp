@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/emission_lines.h"
 #include "tests/support/glow_columns.h"
 
 namespace vegard::bench {

@@ -14,7 +14,7 @@
 #include "sim/light/glow_air.h"
 #include "sim/light/mono_table.h"
 #include "sim/light/spectrum_profile.h"
-#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::bench {
 namespace {

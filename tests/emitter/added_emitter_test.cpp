@@ -131,7 +131,7 @@ TEST(AddedEmitter, ShinesAlongRaysWithItsDerivatives) {
   const auto light_of = [&](const sim::Scene& of) { return volumes.light(of, film).rayleigh; };
 
   // The ray to the lamp's middle has all of its light, and a little of the other's.
-  const std::vector<float> light = light_of(scene);
+  const auto light = light_of(scene);
   float most = 0.0f;
   for (std::size_t cell = 0; cell < cells; ++cell) most = std::max(most, light[cells + cell]);
   EXPECT_NEAR(most, 1000.0f, 5.0f) << "630.0 nm is the lamp's alone";
@@ -141,7 +141,7 @@ TEST(AddedEmitter, ShinesAlongRaysWithItsDerivatives) {
     sim::Scene less = scene, more = scene;
     number(less, paths[j]) -= step;
     number(more, paths[j]) += step;
-    const std::vector<float> low = light_of(less), high = light_of(more);
+    const auto low = light_of(less), high = light_of(more);
     double largest = 0.0, off = 0.0;
     for (std::size_t i = 0; i < light.size(); ++i) {
       const double expected = (static_cast<double>(high[i]) - low[i]) / (2.0 * step);
@@ -181,14 +181,14 @@ TEST(AddedEmitter, IsMadeAnewWhenItsTableOrTheClockChanges) {
     memory.exposer(film).expose(of, exposure);
     return exposure.volumes.rayleigh;
   };
-  const std::vector<float> before = light(scene);
+  const auto before = light(scene);
   sim::Scene wider = scene;
   number(wider, "glow_ball.lamp.width_km") = 8.0;
   EXPECT_NE(light(wider), before);
   EXPECT_EQ(light(scene), before);
   sim::Scene later = scene;
   number(later, "glow_ball.lamp.rise_km_s") = 1.0;
-  const std::vector<float> rising = light(later);
+  const auto rising = light(later);
   later.time.start_s = 5.0;
   EXPECT_NE(light(later), rising) << "it moves with the clock";
 }

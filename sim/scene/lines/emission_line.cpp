@@ -1,11 +1,5 @@
 #include "sim/scene/lines/emission_line.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "sim/scene/lines/nebular_lines.h"
-#include "sim/scene/lines/solar_lines.h"
-
 namespace vegard::sim {
 namespace {
 
@@ -65,11 +59,13 @@ constexpr const char* kFirstPositiveSource =
     "in "
     "aurora with a red lower border (Evans and Vallance Jones 1965, type-B)";
 
+}  // namespace
+
 /// Sources of the lifetimes: 630.0 nm 110 s, 557.7 nm 0.7 s and 427.8 nm below 1 ms as in Baranoski et al.
 /// 2000, section 2.1; the N2 bands and the allowed lines of O are prompt (microseconds at most; the level
 /// B3Pi, v' = 3, lives 1/sum(A) = 6.5 microseconds by Vallance Jones 1974); 520.0 nm, N(2D), 26 hours.
-std::vector<EmissionLine> rows() {
-  std::vector<EmissionLine> lines = {
+std::vector<EmissionLine> auroral_lines() {
+  return {
       {337.1, "N2", "second positive (0,0)", 4e-8, "ver_3371", 1.0, "", "N2 second positive (1,1) 333.8", {}},
       {391.4,
        "N2+",
@@ -132,28 +128,8 @@ std::vector<EmissionLine> rows() {
        "N2 first positive (4,3) 837.0 and (3,2) 854.2",
        {}},
   };
-  for (const EmissionLine& line : nebular_lines()) lines.push_back(line);
-  for (const EmissionLine& line : solar_lines()) lines.push_back(line);
-  std::sort(lines.begin(), lines.end(),
-            [](const EmissionLine& a, const EmissionLine& b) { return a.wavelength_nm < b.wavelength_nm; });
-  for (EmissionLine& line : lines)
-    if (line.components.empty()) line.components = {{line.wavelength_nm, 1.0}};
-  return lines;
-}
-
-}  // namespace
-
-const std::vector<EmissionLine>& emission_lines() {
-  static const std::vector<EmissionLine> lines = rows();
-  return lines;
 }
 
 bool is_auroral(const EmissionLine& line) { return line.table_column[0] != '\0'; }
-
-const EmissionLine* find_emission_line(double wavelength_nm) {
-  for (const EmissionLine& line : emission_lines())
-    if (std::abs(line.wavelength_nm - wavelength_nm) < 0.05) return &line;
-  return nullptr;
-}
 
 }  // namespace vegard::sim

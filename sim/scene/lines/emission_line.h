@@ -1,5 +1,6 @@
-// The emission lines of the aurora and of nebulae: what is known of each, one row a line. The one list of
-// them: a scene may name these, and their light and colour follow from the row.
+// An emission line: what is known of it; and the lines of the aurora. The one list of all lines, of nebulae
+// and the Sun too, is emission_lines() (sim/scene/lines/emission_lines.h): a scene may name these, and their
+// light and colour follow from the row.
 //
 // Most lines have a column of their own in the emission tables (data/glow). The others come from the same
 // upper state as one that has, or go with it by a ratio from the literature: their light is that column's
@@ -33,10 +34,7 @@ struct EmissionLine {
 /// Whether electrons in the air make it shine. The others are of nebulae, and dark in any aurora.
 bool is_auroral(const EmissionLine& line);
 
-/// Every line, by increasing wavelength.
-const std::vector<EmissionLine>& emission_lines();
-
-/// The line within 0.05 nm of this wavelength, or nullptr.
-const EmissionLine* find_emission_line(double wavelength_nm);
+/// Those of the aurora: the lines and bands of oxygen and nitrogen.
+std::vector<EmissionLine> auroral_lines();
 
 }  // namespace vegard::sim

@@ -4,10 +4,22 @@
 #include <cmath>
 #include <string_view>
 
-#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/nebular_lines.h"
+#include "sim/scene/lines/solar_lines.h"
 
 namespace vegard::sim {
 namespace {
+
+std::vector<EmissionLine> all_lines() {
+  std::vector<EmissionLine> lines = auroral_lines();
+  for (const EmissionLine& line : nebular_lines()) lines.push_back(line);
+  for (const EmissionLine& line : solar_lines()) lines.push_back(line);
+  std::sort(lines.begin(), lines.end(),
+            [](const EmissionLine& a, const EmissionLine& b) { return a.wavelength_nm < b.wavelength_nm; });
+  for (EmissionLine& line : lines)
+    if (line.components.empty()) line.components = {{line.wavelength_nm, 1.0}};
+  return lines;
+}
 
 std::vector<double> wavelengths() {
   std::vector<double> lines;
@@ -23,6 +35,17 @@ double width_of(const Scene& scene, double line_nm, double otherwise) {
 }
 
 }  // namespace
+
+const std::vector<EmissionLine>& emission_lines() {
+  static const std::vector<EmissionLine> lines = all_lines();
+  return lines;
+}
+
+const EmissionLine* find_emission_line(double wavelength_nm) {
+  for (const EmissionLine& line : emission_lines())
+    if (std::abs(line.wavelength_nm - wavelength_nm) < 0.05) return &line;
+  return nullptr;
+}
 
 const std::vector<double>& known_emission_lines_nm() {
   static const std::vector<double> lines = wavelengths();

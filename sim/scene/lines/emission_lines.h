@@ -1,12 +1,19 @@
-// Which emission lines a scene may name, and the blur that belongs to each.
+// The one list of emission lines: which a scene may name, and the blur that belongs to each.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "sim/scene/lines/emission_line.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
+
+/// Every line, by increasing wavelength.
+const std::vector<EmissionLine>& emission_lines();
+
+/// The line within 0.05 nm of this wavelength, or nullptr.
+const EmissionLine* find_emission_line(double wavelength_nm);
 
 /// Wavelengths in nm of emission_lines(), ascending.
 const std::vector<double>& known_emission_lines_nm();

@@ -1,5 +1,5 @@
 #include "sim/view/colour/eye.h"
-#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/emission_lines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "sim/view/colour/line_colours.h"
 
 #include "sim/scene/lines/camera_responses.h"
-#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/emission_lines.h"
 #include "sim/view/colour/filter_response.h"
 #include "sim/view/colour/sensor_response.h"
 #include "sim/view/colour/sensor_scale.h"

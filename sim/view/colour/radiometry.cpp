@@ -1,6 +1,6 @@
 #include "sim/view/colour/radiometry.h"
 
-#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/emission_lines.h"
 #include "sim/view/colour/colour.h"
 
 namespace vegard::sim {

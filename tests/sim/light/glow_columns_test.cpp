@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::sim {
 namespace {

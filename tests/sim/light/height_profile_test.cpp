@@ -9,7 +9,7 @@
 
 #include "sim/base/error.h"
 #include "sim/light/emission_table.h"
-#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::sim {
 namespace {

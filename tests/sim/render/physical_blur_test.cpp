@@ -10,6 +10,7 @@
 #include "sim/base/earth.h"
 #include "sim/light/height_profile.h"
 #include "sim/render/render.h"
+#include "sim/scene/lines/emission_lines.h"
 #include "sim/view/camera/camera.h"
 #include "tests/support/small_scene.h"
 

@@ -3,22 +3,12 @@
 // docs/volumes.md, "Footprints", says how each kind is made.
 #pragma once
 
-#include <array>
-
-#include "sim/base/image.h"
 #include "sim/emit/footprint/map/footprint_map.h"
+#include "sim/emit/footprint/map/picture_footprint.h"
 #include "sim/light/emitter.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
-
-/// What a footprint has from files: one channel each, as read_picture() has it, top row first. Null: none.
-struct FootprintPictures {
-  const Image* flux = nullptr;
-  const Image* energy = nullptr;
-  std::array<const Image*, 6> face{};  ///< px, nx, py, ny, pz, nz
-  std::array<const Image*, 6> energy_face{};
-};
 
 /// Of a footprint of shape "box". The map's flux is in mW m^-2; energies are over footprint.energy_kev. For T
 /// = FreeDual it carries the derivatives by every number that `number` gives a tangent: east_km, north_km,

@@ -4,11 +4,21 @@
 // "Footprints": u = 1/2 - atan2(-z, -x) / 2π, v = 1/2 + asin(-y) / π, with y to the north pole.
 #pragma once
 
+#include <array>
+
+#include "sim/base/image.h"
 #include "sim/emit/footprint/map/footprint_map.h"
-#include "sim/emit/footprint/map/make_footprint.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
+
+/// What a footprint has from files: one channel each, as read_picture() has it, top row first. Null: none.
+struct FootprintPictures {
+  const Image* flux = nullptr;
+  const Image* energy = nullptr;
+  std::array<const Image*, 6> face{};  ///< px, nx, py, ny, pz, nz
+  std::array<const Image*, 6> energy_face{};
+};
 
 /// A place on a picture, as a fraction of its width from the left and of its height from the top.
 struct PicturePlace {

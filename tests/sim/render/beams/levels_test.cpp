@@ -11,6 +11,7 @@
 #include "sim/light/excited_atom.h"
 #include "sim/render/beams/beams.h"
 #include "sim/render/beams/kernel_scene.h"
+#include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::sim {
 namespace {

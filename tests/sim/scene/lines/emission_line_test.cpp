@@ -1,4 +1,3 @@
-#include "sim/scene/lines/emission_line.h"
 
 #include <gtest/gtest.h>
 
