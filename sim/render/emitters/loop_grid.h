@@ -18,7 +18,7 @@ SparseGrid loop_grid(const Scene& scene, std::uint32_t index, int threads,
                      std::uint64_t memory_limit = std::uint64_t{4} << 30);
 
 /// Its light along rays. For T = FreeDual derivatives are those by where the rays and the Sun are; the loop's
-/// own numbers may not be free then (sim/scene/freedom/idle_volume_parameter.h).
+/// own numbers may not be free then (sim/scene/emitters/loop.cpp).
 template <class T>
 std::unique_ptr<Emitter<T>> loop_grid_emitter(const Scene& scene, std::uint32_t index,
                                               const NumberAs<T>& number, int threads);
