@@ -3,7 +3,7 @@
 namespace vegard::sim {
 
 bool is_in_scene(const EmitterKind& kind, const Scene& scene) {
-  return kind.repeated.empty() ? scene.sun.shown : kind.repeated.front().count(scene) > 0;
+  return kind.repeated.empty() ? kind.is_drawn(scene) : kind.repeated.front().count(scene) > 0;
 }
 
 bool is_drawn(const EmitterKind& kind, const Scene& scene) {

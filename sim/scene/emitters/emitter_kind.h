@@ -56,7 +56,8 @@ struct EmitterKind {
   /// asked for every number, of other tables too.
   std::optional<Complaint> (*why_idle)(const Scene&, const ParameterPath&) = nullptr;
 
-  /// Whether it is there to be drawn. Null: if there is an element, and for light of the Sun the Sun too.
+  /// Whether it is there to be drawn. Null: if there is an element, and for light of the Sun the Sun too. A
+  /// table that a scene has once has to say it.
   bool (*is_drawn)(const Scene&) = nullptr;
 
   /// Whether there is light in it at all. Null: if it is drawn.
@@ -86,7 +87,7 @@ struct EmitterKind {
   int place_in_preview = kLastInPreview;
 };
 
-/// Whether the scene has an element of it (or the Sun).
+/// Whether the scene has an element of it; of a table that a scene has once, whether it is drawn.
 bool is_in_scene(const EmitterKind& kind, const Scene& scene);
 
 bool is_drawn(const EmitterKind& kind, const Scene& scene);

@@ -65,6 +65,8 @@ std::optional<Complaint> why_sun_idle(const Scene& scene, const ParameterPath& p
   return std::nullopt;
 }
 
+bool sun_is_shown(const Scene& scene) { return scene.sun.shown; }
+
 /// The photosphere is what the others stand on.
 OnSun photosphere_on_sun(const Scene&) { return OnSun::nothing; }
 
@@ -80,6 +82,7 @@ EmitterKind sun_kind() {
   kind.table = "sun";
   kind.rows = sun_rows;
   kind.light = LightKind::sun;
+  kind.is_drawn = sun_is_shown;
   kind.check = check_sun;
   kind.why_idle = why_sun_idle;
   kind.on_sun = photosphere_on_sun;
