@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 
@@ -16,64 +15,20 @@ constexpr double kUnnoticed = 0.02;  // of what the most noticeable number of a 
 constexpr std::size_t kMostMembers = 3;
 constexpr double kNearlyAll = 0.9;  // of a step: along the line of sight, or across it
 
-/// Where the key without its unit is not what people say.
-const std::map<std::string, std::string>& nouns() {
-  static const std::map<std::string, std::string> kNouns = {
-      {"thickness_km", "amplitude"},
-      {"width_km", "layer width"},
-      {"loss_cone_deg", "pitch angle"},
-      {"arc_spacing_km", "spacing of the arcs"},
-      {"peak_km", "peak altitude"},
-      {"lower_km", "extent below the peak"},
-      {"upper_km", "extent above the peak"},
-      {"hfov_deg", "field of view"},
-      {"green_rayleigh", "green light"},
-      {"red_rayleigh", "red light"},
-      {"sodium_rayleigh", "sodium light"},
-      {"inner_rayleigh", "inner light"},
-      {"outer_rayleigh", "outer light"},
-      {"glow_rayleigh", "glow"},
-      {"east_km", "east of point"},
-      {"north_km", "north of point"},
-      {"point_energy", "energy of point"},
-      {"point_flux", "energy flux of point"},
-      {"innerradius", "inner radius"},
-      {"outerradius", "outer radius"},
-      {"speed_km_s", "speed"},
-      {"scale", "size of the granules"},
-  };
-  return kNouns;
-}
-
-std::string without_unit(std::string key) {
-  for (const char* unit : {"_mw_m2", "_mcd_m2", "_km_s", "_rayleigh", "_km", "_kev", "_deg", "_rad"}) {
-    const std::string ending = unit;
-    if (key.size() <= ending.size() || key.compare(key.size() - ending.size(), ending.size(), ending) != 0)
-      continue;
-    key.erase(key.size() - ending.size());
-    break;
-  }
-  std::replace(key.begin(), key.end(), '_', ' ');
-  return key;
-}
-
-std::string noun_of(const sim::ParameterPath& path) {
-  const std::string& key = path.row->key;
-  const auto known = nouns().find(key);
-  std::string noun = known != nouns().end() ? known->second : without_unit(key);
-  if (key == "width_km" && path.sheet() < 0) noun = "width";  // it has no layers
+std::string noun_of(const FreeNumber& number) {
+  if (!number.has_path()) return number.name;
+  const sim::ParameterRow& row = *number.id.row;
   // One of several of a kind: the line of a blur, the coefficient of a profile.
-  const std::size_t at = path.text.rfind(key + ".");
-  if (!path.row->component.empty() && at != std::string::npos)
-    noun += " " + path.text.substr(at + key.size() + 1);
-  return noun;
+  const std::size_t at = number.path.rfind(row.key + ".");
+  const bool one_of_several = !row.component.empty() && at != std::string::npos;
+  return one_of_several ? row.noun + " " + number.path.substr(at + row.key.size() + 1) : row.noun;
 }
 
 /// Of one of several tables of a kind; empty for others.
-const std::string& element_name(const sim::Scene& scene, const sim::ParameterPath& path) {
+const std::string& element_name(const sim::Scene& scene, const sim::ParameterId& id) {
   static const std::string none;
-  const std::string& table = path.row->table;
-  const auto e = static_cast<std::size_t>(path.element);
+  const std::string& table = id.row->table;
+  const auto e = static_cast<std::size_t>(id.element);
   if (table == "sheet") return scene.sheets[e].name;
   if (table == "footprint") return scene.footprints[e].name;
   if (table == "nebula") return scene.nebulae[e].name;
@@ -88,17 +43,19 @@ const std::string& element_name(const sim::Scene& scene, const sim::ParameterPat
 }
 
 /// Which of the centres of sheets and footprints, one after the other, a number is a component of; -1: none.
-int centre_of(const sim::Scene& scene, const sim::ParameterPath& path) {
-  if (path.row == nullptr || path.row->key != "center_km") return -1;
-  return path.sheet() >= 0 ? path.sheet() : static_cast<int>(scene.sheets.size()) + path.element;
+int centre_of(const sim::Scene& scene, const sim::ParameterId& id) {
+  if (id.role() == sim::ParameterRole::centre) return id.element;
+  if (id.role() != sim::ParameterRole::footprint_centre) return -1;
+  return static_cast<int>(scene.sheets.size()) + id.element;
 }
 
-std::string owner_of(const sim::Scene& scene, const sim::ParameterPath& path) {
-  const std::string& table = path.row->table;
-  if (table.empty()) return {};
-  const std::string& name = element_name(scene, path);
+std::string owner_of(const sim::Scene& scene, const sim::ParameterId& id) {
+  if (!id.any() || id.row->table.empty()) return {};
+  std::string table = id.row->table;
+  std::replace(table.begin(), table.end(), '_', ' ');
+  const std::string& name = element_name(scene, id);
   // "the bright loop", but not "the loop loop"
-  const std::string kind = table == "sun" ? "Sun" : without_unit(table);
+  const std::string kind = table == "sun" ? "Sun" : table;
   return "the " + (name.empty() || name == kind ? "" : name + " ") + kind;
 }
 
@@ -130,9 +87,8 @@ Member member_of(const SpokenNumber& n, double change, std::size_t index) {
   m.noticeable = n.noticeable;
   m.unit = n.unit;
   m.of = {index};
-  const bool altitude = n.noun == "peak altitude";
-  m.more = altitude ? "higher" : "more";
-  m.less = altitude ? "lower" : "less";
+  m.more = n.is_altitude ? "higher" : "more";
+  m.less = n.is_altitude ? "lower" : "less";
   if (n.of_profile) {
     // Its unit and size say nothing to anyone.
     m.change = 100.0 * change / n.value;
@@ -245,22 +201,23 @@ std::vector<SpokenNumber> spoken_numbers(const sim::Scene& scene, const std::vec
   for (const sim::Sheet& sheet : scene.sheets) centres.push_back(sheet.center_km);
   for (const sim::Footprint& footprint : scene.footprints) centres.push_back(footprint.center_km);
   for (std::size_t j = 0; j < free.size(); ++j)
-    if (const int c = centre_of(scene, free[j].path); c >= 0)
-      (free[j].path.component == 0 ? centres[c].east : centres[c].north) = values[j];
+    if (const int c = centre_of(scene, free[j].id); c >= 0)
+      (free[j].id.component == 0 ? centres[c].east : centres[c].north) = values[j];
   std::vector<SpokenNumber> numbers;
   for (std::size_t j = 0; j < free.size(); ++j) {
-    const sim::ParameterPath& path = free[j].path;
+    const sim::ParameterId& id = free[j].id;
     SpokenNumber n;
     n.path = free[j].label();
-    n.noun = free[j].has_path() ? noun_of(path) : free[j].name;
-    if (free[j].has_path()) n.owner = owner_of(scene, path);
+    n.noun = noun_of(free[j]);
+    n.owner = owner_of(scene, id);
     n.unit = free[j].unit();
     n.value = values[j];
     n.noticeable = noticeable_change(free[j], values[j]);
-    n.centre = centre_of(scene, path);
-    n.of_profile = free[j].key() == "spline_rate";
+    n.centre = centre_of(scene, id);
+    n.of_profile = id.role() == sim::ParameterRole::profile_coefficient;
+    n.is_altitude = id.role() == sim::ParameterRole::form_peak;
     if (n.centre >= 0) {
-      n.place = path.component == 0 ? SpokenNumber::Place::east : SpokenNumber::Place::north;
+      n.place = id.component == 0 ? SpokenNumber::Place::east : SpokenNumber::Place::north;
       n.centre_km = centres[n.centre];
     }
     numbers.push_back(n);
