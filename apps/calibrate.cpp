@@ -163,8 +163,8 @@ void print(const fit::Calibration& calibration) {
                 calibration.rms_px, calibration.used(), calibration.stars.size(), calibration.without_rms_px);
   for (const fit::CameraEstimate& estimate : calibration.estimates)
     if (estimate.free)
-      std::printf("camera.%s: %s %s\n", estimate.key.c_str(),
-                  fit::number_with_error(estimate.value, estimate.sigma).c_str(), estimate.unit.c_str());
+      std::printf("camera.%s: %s %s\n", estimate.key().c_str(),
+                  fit::number_with_error(estimate.value, estimate.sigma).c_str(), estimate.unit().c_str());
   std::printf("the axis is known to %s deg, the turn about it to %s deg\n",
               fit::short_number(calibration.line_of_sight_sigma_deg, 2).c_str(),
               fit::short_number(calibration.twist_sigma_deg, 2).c_str());

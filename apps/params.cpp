@@ -132,21 +132,21 @@ std::string parameter_listing(const std::string& scene_file) {
     }
   } else {
     const sim::Scene scene = sim::read_scene(scene_file);
-    std::set<std::string> fitted, tied;
+    std::set<sim::ParameterId> fitted, tied;
     for (const sim::FreeParameter& free : scene.fit.free) {
       if (free.path.empty()) continue;  // a number of expressions
-      for (const sim::ParameterPath& path : sim::resolve(scene, free.path)) fitted.insert(path.text);
+      for (const sim::ParameterPath& path : sim::resolve(scene, free.path)) fitted.insert(path.id);
     }
     for (const sim::TiedParameter& entry : scene.fit.tied)
-      tied.insert(sim::resolve(scene, entry.path).front().text);
+      tied.insert(sim::resolve(scene, entry.path).front().id);
     lines.push_back({"path", "value", "unit", "limits", "free", "meaning"});
     for (const sim::ParameterPath& path : sim::all_paths(scene)) {
-      const bool is_fitted = fitted.count(path.text) > 0;
+      const bool is_fitted = fitted.count(path.id) > 0;
       add(path.text, sim::value_text(scene, path), *path.row,
-          is_fitted                   ? "yes"
-          : tied.count(path.text) > 0 ? "tied"
-          : path.row->can_be_free     ? "can be"
-                                      : "");
+          is_fitted                 ? "yes"
+          : tied.count(path.id) > 0 ? "tied"
+          : path.row->can_be_free   ? "can be"
+                                    : "");
     }
   }
   append_file_keys(lines);

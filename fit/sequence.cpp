@@ -25,7 +25,7 @@ sim::Scene started_at(const sim::Scene& scene, const std::vector<double>& values
       sim::FreeParameter one = entry;
       one.path = path.text;
       for (std::size_t j = 0; j < free.size() && j < values.size(); ++j)
-        if (free[j].path.text == path.text) one.start = std::clamp(values[j], free[j].min, free[j].max);
+        if (free[j].id == path.id) one.start = std::clamp(values[j], free[j].min, free[j].max);
       warm.fit.free.push_back(one);
     }
   }
@@ -72,7 +72,8 @@ SequenceRow sequence_row(const std::string& frame, double time_s, const sim::Sce
     if (!p.of_profile) row.numbers.push_back({p.path, p.unit, p.value, p.sigma});
   }
   const FittedPhoto& fitted = result.photos.front();
-  const auto put_flux = [&](const std::string& path, const auto& found, std::size_t index) {
+  const auto put_flux = [&](sim::ParameterRole role, const auto& found, std::size_t index) {
+    const std::string path = sim::path_of(fitted.best, sim::parameter_with(role, static_cast<int>(index)));
     const auto is_it = [&](const auto& own) { return own.path == path; };
     if (std::any_of(result.parameters.begin(), result.parameters.end(), is_it) ||
         std::any_of(result.tied.begin(), result.tied.end(), is_it))
@@ -82,10 +83,9 @@ SequenceRow sequence_row(const std::string& frame, double time_s, const sim::Sce
       row.numbers.push_back({path, "mW m\u207b\u00b2", flux->mw_m2, flux->sigma});
   };
   for (std::size_t s = 0; s < fitted.best.sheets.size(); ++s)
-    put_flux("sheet." + fitted.best.sheets[s].name + ".energy_flux_mw_m2", found_flux, s);
+    put_flux(sim::ParameterRole::energy_flux, found_flux, s);
   for (std::size_t f = 0; f < fitted.best.footprints.size(); ++f)
-    put_flux("footprint." + fitted.best.footprints[f].name + ".energy_flux_mw_m2", found_flux_of_footprint,
-             f);
+    put_flux(sim::ParameterRole::footprint_energy_flux, found_flux_of_footprint, f);
   // Q stands above, under the path that it has where it is free; what a number never has needs no column.
   for (const DerivedNumber& d : result.derived)
     if (d.name.compare(0, 13, "energy flux Q") != 0 && d.why_none.empty())

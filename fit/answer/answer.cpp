@@ -56,7 +56,7 @@ ValueUncertainty put_parameters(const sim::Scene& scene, const std::vector<FreeN
     p.min = n.min;
     p.max = n.max;
     p.at_limit = n.at_limit(values[j]);
-    p.of_profile = n.key() == "spline_rate";
+    p.of_profile = n.id.role() == sim::ParameterRole::profile_coefficient;
     const double way = apart(n, values[j], n.start);
     p.moved = way > kStandsStill * (n.logarithmic() ? std::abs(n.start) : std::max(1.0, std::abs(n.start)));
     const double at = n.coordinate(values[j]);
@@ -89,8 +89,8 @@ std::vector<TiedNumber> tied_numbers(const ParameterMap& map, const std::vector<
                                      const sim::Scene& scene, const ValueUncertainty& known) {
   std::vector<TiedNumber> result;
   for (const ParameterMap::Dependent& d : map.dependents(values, scene)) {
-    TiedNumber tied{d.path.text, d.path.row->unit, d.path.row->meaning, d.equals, 0.0, {}};
-    tied.value = *sim::real_value(scene, d.path);
+    TiedNumber tied{sim::path_of(scene, d.id), d.id.row->unit, d.id.row->meaning, d.equals, 0.0, {}};
+    tied.value = *sim::number_at(scene, d.id);
     tied.sigma = combined_sigma(d.slopes, known);
     result.push_back(tied);
   }
@@ -184,11 +184,11 @@ sim::PhotoEntry entry_of_best(const sim::PhotoEntry& entry, const FittedPhoto& f
     best.set.emplace_back(path, value);
   };
   for (std::size_t j = 0; j < free.size(); ++j) {
-    const auto set_at = [&](const sim::ParameterPath& path, const std::string& photo) {
-      if (photo == entry.name) set(path.text, sim::real_text(parameters[j].value));
+    const auto set_at = [&](const sim::ParameterId& id, const std::string& photo) {
+      if (photo == entry.name) set(sim::path_of(fitted.best, id), sim::real_text(parameters[j].value));
     };
-    set_at(free[j].path, free[j].photo);
-    for (const FreePlace& place : free[j].also) set_at(place.path, place.photo);
+    set_at(free[j].id, free[j].photo);
+    for (const FreePlace& place : free[j].also) set_at(place.id, place.photo);
   }
   for (const char* key : {"sensor.exposure", "sensor.gain_per_kilorayleigh", "sky.level", "sky.gradient",
                           "sky.curvature", "sky.lights_gain"})

@@ -25,7 +25,7 @@ double wavelength_ratio(const sim::Sheet& sheet) { return sheet.wavelength_km / 
 /// What a number will be called, and the words for when it has no value.
 struct Label {
   std::string name, unit, why_none;
-  bool is_detail = false;
+  bool is_detail = false, is_longitude = false;
 };
 
 /// Numbers that are worked out together.
@@ -120,7 +120,7 @@ void add_feet(const sim::Scene& best, int s, const std::string& of, std::vector<
     const std::string foot = std::string(" of ") + which + of;
     group.labels.push_back({"latitude" + foot, "deg", beyond, is_detail});
     if (!with_longitude) continue;
-    group.labels.push_back({"longitude" + foot, "deg", beyond, is_detail});
+    group.labels.push_back({"longitude" + foot, "deg", beyond, is_detail, true});
     group.labels.push_back({"geomagnetic latitude" + foot, "deg", beyond, is_detail});
   }
   group.numbers = [s, with_longitude](const sim::Scene& x) {
@@ -194,8 +194,6 @@ std::vector<Group> groups_of(const sim::Scene& best) {
   return groups;
 }
 
-bool is_longitude(const Label& label) { return label.name.compare(0, 9, "longitude") == 0; }
-
 }  // namespace
 
 double nearest_distance_km(const sim::Sheet& sheet, double instant_s) {
@@ -245,7 +243,7 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
         d.value = kNaN;
         d.why_none = label.why_none;
       } else {
-        if (is_longitude(label)) d.value = wrapped_longitude_deg(d.value);
+        if (label.is_longitude) d.value = wrapped_longitude_deg(d.value);
         d.sigma = found[i].sigma;
         if (!d.sigma)
           d.why_no_sigma = found[i].moves ? "the data do not determine it" : "it follows from what was fixed";

@@ -10,7 +10,6 @@
 #include "sim/base/error.h"
 #include "sim/base/number/random.h"
 #include "sim/emit/sun/sun_frame.h"
-#include "sim/scene/table/counterpart.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::fit {
@@ -191,10 +190,11 @@ void GranulationStatistic::evaluate(const StatisticInput& input, double* residua
     const sim::Scene drawn = realisation(scene, k);
     ModelProfile model;
     // The shifts follow a scale that moves: three derivatives more for each chromosphere.
-    std::vector<const double*> free = sim::counterparts(scene, input.numbers, drawn);
+    std::vector<sim::ParameterId> free = input.numbers;
     if (numbers > 0) {
-      for (const sim::Chromosphere& c : drawn.chromospheres)
-        for (const double& shift : c.shift) free.push_back(&shift);
+      for (std::size_t c = 0; c < drawn.chromospheres.size(); ++c)
+        for (int i = 0; i < 3; ++i)
+          free.push_back(sim::parameter_with(sim::ParameterRole::granule_shift, static_cast<int>(c), i));
       model_->evaluate_with_derivatives(drawn, free, model);
     } else {
       model_->evaluate(drawn, model);
@@ -210,7 +210,8 @@ void GranulationStatistic::evaluate(const StatisticInput& input, double* residua
       };
       add(n, 1.0);
       for (std::size_t c = 0; c < drawn.chromospheres.size(); ++c)
-        if (const double scale = drawn.chromospheres[c].scale; free[n] == &drawn.chromospheres[c].scale)
+        if (const double scale = drawn.chromospheres[c].scale;
+            free[n] == sim::parameter_with(sim::ParameterRole::granule_size, static_cast<int>(c)))
           for (int i = 0; i < 3; ++i) add(numbers + 3 * c + i, middle_[c][i] / (scale * scale));
       const std::vector<double> by_number = spectrum_->slope(light, grow);
       for (std::size_t b = 0; b < power.size(); ++b) slope[n][b] += by_number[b] / kRealisations;

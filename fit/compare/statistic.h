@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/scene/structs/scene.h"
+#include "sim/scene/table/parameter_id.h"
 
 namespace vegard::fit {
 
@@ -22,12 +23,12 @@ struct SolvedLight {
   std::vector<double> aurora_slope, behind_slope;
 };
 
-/// What a statistic is of. `numbers` are the scene's that move, for what follows from no bin: their addresses
-/// and, row-major [number][parameter], d number / d parameter (empty: the identity).
+/// What a statistic is of. `numbers` are the scene's that move, for what follows from no bin: which they
+/// are and, row-major [number][parameter], d number / d parameter (empty: the identity).
 struct StatisticInput {
   const SolvedLight& light;
   const sim::Scene& scene;
-  const std::vector<const double*>& numbers;
+  const std::vector<sim::ParameterId>& numbers;
   const std::vector<double>& slopes;
 };
 

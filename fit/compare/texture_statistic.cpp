@@ -9,7 +9,6 @@
 
 #include "fit/measure/noise_model.h"
 #include "fit/measure/profile.h"
-#include "sim/scene/table/counterpart.h"
 
 namespace vegard::fit {
 
@@ -117,11 +116,8 @@ std::vector<Row> read_rows(const Photo& photo, const Region& region, int bands) 
 }
 
 /// Coefficients of free-form profiles, of which there are many, have no part in where the rays stand.
-bool shapes_a_profile(const sim::Scene& scene, const double* number) {
-  return std::any_of(scene.sheets.begin(), scene.sheets.end(), [&](const sim::Sheet& sheet) {
-    return std::any_of(sheet.spline_rate.begin(), sheet.spline_rate.end(),
-                       [&](const double& rate) { return &rate == number; });
-  });
+bool shapes_a_profile(const sim::ParameterId& number) {
+  return number.role() == sim::ParameterRole::profile_coefficient;
 }
 
 /// (1/n) sum over pairs `lag` apart, as a symmetric matrix; without parabolas.
@@ -403,12 +399,12 @@ void TextureStatistic::evaluate(const StatisticInput& input, double* residual, d
   }
   const std::array<std::vector<double>, 2> by_rays = slopes(seen, at);
   for (std::size_t n = 0; n < input.numbers.size(); ++n) {
-    if (shapes_a_profile(input.scene, input.numbers[n])) continue;
-    const double step = kWideStep * std::max(1.0, std::abs(*input.numbers[n]));
+    const sim::ParameterId& number = input.numbers[n];
+    if (shapes_a_profile(number)) continue;
+    const double step = kWideStep * std::max(1.0, std::abs(*sim::number_at(input.scene, number)));
     sim::Scene more = input.scene, less = input.scene;
-    double* up = sim::counterpart(input.scene, input.numbers[n], more);
-    *up += step;
-    *sim::counterpart(input.scene, input.numbers[n], less) -= step;
+    *sim::number_at(more, number) += step;
+    *sim::number_at(less, number) -= step;
     const Views above = views(more), below = views(less);
     if (same(above) && same(below)) continue;
     const std::vector<double> high = residual_of(above, at[0], at[1]), low = residual_of(below, at[0], at[1]);

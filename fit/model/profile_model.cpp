@@ -15,7 +15,6 @@
 #include "sim/render/air_on_film.h"
 #include "sim/render/film.h"
 #include "sim/scene/file/scene_toml.h"
-#include "sim/scene/table/counterpart.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/film/blur.h"
 #include "sim/view/sky/night_sky.h"
@@ -57,7 +56,7 @@ struct ProfileShapers {
 
 /// What the free numbers do to the height profiles. The energy flux scales the light too, which the kernel
 /// has.
-ProfileShapers profile_shapers(const sim::Scene& scene, const std::vector<const double*>& free) {
+ProfileShapers profile_shapers(const sim::Scene& scene, const std::vector<sim::ParameterId>& free) {
   ProfileShapers result;
   result.of_sheet.resize(scene.sheets.size());
   result.alone.assign(free.size(), false);
@@ -67,7 +66,7 @@ ProfileShapers profile_shapers(const sim::Scene& scene, const std::vector<const 
       const std::vector<float> slope =
           sim::profile_slope(scene.emission.lines, scene, static_cast<int>(s), free[j]);
       if (slope.empty()) continue;
-      result.alone[j] = free[j] != &scene.sheets[s].energy_flux_mw_m2;
+      result.alone[j] = free[j].role() != sim::ParameterRole::energy_flux;
       const std::size_t stride = slope.size() / sim::HeightProfile::kAltitudes;
       for (std::size_t l = 0; l < scene.emission.lines.size(); ++l) {
         std::vector<float> rate(sim::HeightProfile::kAltitudes);
@@ -174,8 +173,8 @@ struct ProfileModel::Workspace {
     }
   }
 
-  /// Copies the numbers of `from`; the addresses in `free` follow to the copy.
-  std::vector<const double*> adopt(const sim::Scene& from, const std::vector<const double*>& free) {
+  /// Copies the numbers of `from`.
+  void adopt(const sim::Scene& from) {
     for (std::size_t s = 0; s < from.sheets.size(); ++s) used_beams[s] = scene.sheets[s].beams;
     scene = from;
     scene.march.shrink = 1;  // light and derivatives are to be of one march
@@ -183,7 +182,6 @@ struct ProfileModel::Workspace {
       scene.sheets[s].beams = used_beams[s];
       scene.sheets[s].beams_per_km = 0.0;
     }
-    return sim::counterparts(from, free, scene);
   }
 
   /// The kernel of a line, or its derivative, in cells of so many pixels.
@@ -281,7 +279,7 @@ struct ProfileModel::Workspace {
   }
 
   /// The same with their derivatives by `free`. A free brightness counts even where it is 0.
-  void add_offset(const std::vector<const double*>& free, ModelProfile& out) const {
+  void add_offset(const std::vector<sim::ParameterId>& free, ModelProfile& out) const {
     const std::vector<int> which = sim::sky_numbers_of(scene, free);
     out.offset.clear();
     out.offset_derivative.clear();
@@ -411,7 +409,7 @@ std::uint64_t ProfileModel::deflection_points() const { return work_->exposure.d
 
 void ProfileModel::evaluate(const sim::Scene& scene, ModelProfile& out) {
   Workspace& w = *work_;
-  w.adopt(scene, {});
+  w.adopt(scene);
   w.exposer->expose(w.scene, w.exposure);
   sim::dim_by_air(w.scene, w.exposure, w.threads);
   out.free = 0;
@@ -421,16 +419,16 @@ void ProfileModel::evaluate(const sim::Scene& scene, ModelProfile& out) {
   if (w.smooth_rows > 0.0) smooth(out, w.grids, w.smooth_rows);
 }
 
-void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std::vector<const double*>& free,
-                                             ModelProfile& out) {
+void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene,
+                                             const std::vector<sim::ParameterId>& free, ModelProfile& out) {
   Workspace& w = *work_;
-  const std::vector<const double*> moved = w.adopt(scene, free);
-  const ProfileShapers shapers = profile_shapers(w.scene, moved);
-  std::vector<const double*> of_kernel;
+  w.adopt(scene);
+  const ProfileShapers shapers = profile_shapers(w.scene, free);
+  std::vector<sim::ParameterId> of_kernel;
   std::vector<int> kernel_parameters;
-  for (std::size_t j = 0; j < moved.size(); ++j)
+  for (std::size_t j = 0; j < free.size(); ++j)
     if (!shapers.alone[j]) {
-      of_kernel.push_back(moved[j]);
+      of_kernel.push_back(free[j]);
       kernel_parameters.push_back(static_cast<int>(j));
     }
   if (of_kernel.empty()) {
@@ -444,7 +442,7 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std:
   w.find_shown();
   out.free = static_cast<int>(free.size());
   out.derivative.assign(out.value.size() * free.size(), 0.0);
-  w.add_offset(moved, out);
+  w.add_offset(free, out);
 
   const std::size_t cells = w.exposure.cells();
   if (!of_kernel.empty()) w.add_exposed(kernel_parameters, out);
@@ -455,10 +453,11 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene, const std:
     const sim::BlurKernel down = w.kernel(l, w.film.cell_height_px);
     const sim::BlurKernel across = w.kernel(l, w.film.cell_width_px);
     // The blur's own width, free or following the field of view: sigma = width * pixels / hfov.
-    for (std::size_t j = 0; j < moved.size(); ++j) {
+    for (std::size_t j = 0; j < free.size(); ++j) {
       double growth = 0.0;
-      if (moved[j] == &w.scene.blur.width_deg[l]) growth = sim::pixels_per_degree(w.scene.camera);
-      if (moved[j] == sim::camera_number_address(w.scene.camera, sim::scale_number))
+      if (free[j].role() == sim::ParameterRole::blur_width && sim::index_in(w.scene, free[j]) == l)
+        growth = sim::pixels_per_degree(w.scene.camera);
+      if (sim::camera_number_of(w.scene.camera, free[j]) == sim::scale_number)
         growth = sigma * sim::pixels_per_degree_growth(w.scene.camera);
       if (growth == 0.0 || sigma <= 0.0) continue;
       const float* plane = w.exposure.rayleigh.data() + l * cells;

@@ -9,6 +9,7 @@
 #include "fit/measure/profile.h"
 #include "fit/photo/photo.h"
 #include "sim/scene/structs/scene.h"
+#include "sim/scene/table/parameter_id.h"
 
 namespace vegard::fit {
 
@@ -41,7 +42,8 @@ class ProfileModel {
 
   /// The scene may differ from the constructor's in continuous parameters only.
   void evaluate(const sim::Scene& scene, ModelProfile& out);
-  void evaluate_with_derivatives(const sim::Scene& scene, const std::vector<const double*>& free,
+  /// By `free`, numbers of the scene.
+  void evaluate_with_derivatives(const sim::Scene& scene, const std::vector<sim::ParameterId>& free,
                                  ModelProfile& out);
 
   /// Deflection points of the last evaluation.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/parameters/volume_starts.h"
 #include "sim/base/error.h"
+#include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/freedom/ties.h"
 #include "sim/scene/table/free_entry_keys.h"
 #include "sim/scene/table/photo_scene.h"
@@ -36,7 +36,8 @@ void keep_in_reach(const sim::FreeParameter& entry, const sim::ParameterPath& pa
 FreeNumber number_of(const sim::Scene& scene, const sim::FreeParameter& entry,
                      const sim::ParameterPath& path) {
   FreeNumber number;
-  number.path = path;
+  number.id = path.id;
+  number.path = path.text;
   number.photo = entry.photo;
   number.name = entry.name;
   if (path.row != nullptr) {
@@ -65,14 +66,12 @@ void mark_those_in_expressions(const sim::Scene& scene, std::vector<FreeNumber>&
     for (const sim::Tie& tie : sim::ties_of(scene, photo))
       for (const sim::Tie::Input& input : tie.inputs)
         for (FreeNumber& number : numbers) {
-          const auto is_input = [&](const sim::ParameterPath& path) {
-            return input.path.row != nullptr && path.text == input.path.text;
-          };
-          const bool is_used = input.path.row == nullptr
-                                   ? number.name == input.name
-                                   : is_input(number.path) ||
-                                         std::any_of(number.also.begin(), number.also.end(),
-                                                     [&](const FreePlace& p) { return is_input(p.path); });
+          const sim::ParameterId& used = input.path.id;
+          const bool is_used =
+              !used.any()
+                  ? number.name == input.name
+                  : number.id == used || std::any_of(number.also.begin(), number.also.end(),
+                                                     [&](const FreePlace& p) { return p.id == used; });
           number.in_expressions = number.in_expressions || is_used;
         }
 }
@@ -87,34 +86,24 @@ FreeNumber* named(std::vector<FreeNumber>& numbers, const std::string& name) {
 
 }  // namespace
 
-const std::string& FreeNumber::key() const {
-  static const std::string none;
-  return has_path() ? path.row->key : none;
-}
-
-const std::string& FreeNumber::table() const {
-  static const std::string none;
-  return has_path() ? path.row->table : none;
-}
-
 const std::string& FreeNumber::unit() const {
   static const std::string none;
-  return has_path() ? path.row->unit : none;
+  return has_path() ? id.row->unit : none;
 }
 
 const std::string& FreeNumber::meaning() const {
   static const std::string of_expressions = "a number that expressions use";
-  return has_path() ? path.row->meaning : of_expressions;
+  return has_path() ? id.row->meaning : of_expressions;
 }
 
 std::string FreeNumber::label() const {
-  const std::string& text = has_path() ? path.text : name;
+  const std::string& text = has_path() ? path : name;
   return photo.empty() ? text : text + " of " + photo;
 }
 
 bool FreeNumber::logarithmic() const {
   const sim::ParameterScale in_force = scale        ? *scale
-                                       : has_path() ? path.row->scale
+                                       : has_path() ? id.row->scale
                                                     : sim::ParameterScale::linear;
   return in_force == sim::ParameterScale::logarithmic && min > 0.0;
 }
@@ -155,6 +144,10 @@ bool FreeNumber::at_limit(double value) const {
          (finite(max) && place(max) - place(value) < kAtLimit * range);
 }
 
+bool is_of_volume(const FreeNumber& number) {
+  return number.has_path() && sim::kind_of_table(number.id.row->table) != nullptr;
+}
+
 std::vector<FreeNumber> free_numbers(const sim::Scene& scene) {
   std::vector<FreeNumber> numbers;
   for (const sim::FreeParameter& entry : scene.fit.free) {
@@ -166,7 +159,7 @@ std::vector<FreeNumber> free_numbers(const sim::Scene& scene) {
     const sim::Scene own = photo == nullptr ? scene : sim::scene_of_photo_at_home(scene, *photo);
     for (const sim::ParameterPath& path : sim::resolve(own, entry.path)) {
       if (FreeNumber* first = named(numbers, entry.name)) {
-        first->also.push_back({path, entry.photo});
+        first->also.push_back({path.id, entry.photo});
         first->min = std::max(first->min, path.row->min);
         first->max = std::min(first->max, path.row->max);
       } else {
@@ -195,7 +188,7 @@ void start_from(const std::vector<FreeNumber>& free, const std::vector<double>& 
     }
     const std::vector<sim::ParameterPath> paths = sim::resolve(scene, entry.path);
     for (std::size_t j = 0; j < free.size() && paths.size() == 1; ++j)
-      if (free[j].photo == entry.photo && free[j].path.text == paths.front().text) entry.start = values[j];
+      if (free[j].photo == entry.photo && free[j].id == paths.front().id) entry.start = values[j];
   }
 }
 

@@ -16,12 +16,13 @@ namespace vegard::fit {
 
 /// A parameter that a free number is, in one photograph (a name of fit.photos) or in all (empty).
 struct FreePlace {
-  sim::ParameterPath path;
+  sim::ParameterId id;
   std::string photo;
 };
 
 struct FreeNumber {
-  sim::ParameterPath path;      ///< its first place; `row` is null for a number that only expressions use
+  sim::ParameterId id;          ///< its first place; none for a number that only expressions use
+  std::string path;             ///< of that place, as the report writes it
   std::string photo;            ///< of that place
   std::vector<FreePlace> also;  ///< further places, of entries with the same name
   std::string name;             ///< by which expressions call it, or empty
@@ -31,17 +32,15 @@ struct FreeNumber {
   std::optional<sim::Prior> prior;
   std::optional<sim::ParameterScale> scale;  ///< in place of the table's
 
-  bool has_path() const { return path.row != nullptr; }
-  const std::string& key() const;      ///< "center_km"; empty without a path
-  const std::string& table() const;    ///< "sheet"; empty without a path
+  bool has_path() const { return id.any(); }
   const std::string& unit() const;     ///< empty if it has none
   const std::string& meaning() const;  ///< one line
-  bool is_angle() const { return has_path() && path.row->scale == sim::ParameterScale::angle; }
+  bool is_angle() const { return has_path() && id.row->scale == sim::ParameterScale::angle; }
   /// The path or the name, and of which photograph if of one alone: "camera.roll_deg of south".
   std::string label() const;
 
   /// Whether the user has set both limits.
-  bool limited() const { return !has_path() || (min > path.row->min && max < path.row->max); }
+  bool limited() const { return !has_path() || (min > id.row->min && max < id.row->max); }
   bool logarithmic() const;
   /// The solver's coordinate of a value strictly inside the limits, and back; a value at or beyond a limit is
   /// first moved inside by a millionth of the range.
@@ -52,6 +51,10 @@ struct FreeNumber {
   /// the table set.
   bool at_limit(double value) const;
 };
+
+/// Whether the number is one of a footprint, nebula, density node or grid, of the Sun or of what stands on
+/// it.
+bool is_of_volume(const FreeNumber& number);
 
 /// scene.fit.free, vectors taken apart and entries of one name put together, in the order of the scene file.
 /// `start` is the (first) entry's, else the scene's value. Throws sim::Error(scene) when there is none.

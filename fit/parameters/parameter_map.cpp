@@ -22,28 +22,25 @@ ParameterMap::ParameterMap(const sim::Scene& scene, const std::vector<FreeNumber
   const std::string& photo = frame.name;
   for (std::size_t j = 0; j < free.size(); ++j) {
     const int number = static_cast<int>(j);
-    if (free[j].has_path() && belongs(free[j].photo, photo)) places_.push_back({free[j].path, number});
+    if (free[j].has_path() && belongs(free[j].photo, photo)) places_.push_back({free[j].id, number});
     for (const FreePlace& place : free[j].also)
-      if (belongs(place.photo, photo)) places_.push_back({place.path, number});
+      if (belongs(place.photo, photo)) places_.push_back({place.id, number});
   }
   if (!photo.empty()) {
-    // Its lines may stand elsewhere in a list, or be missing.
-    std::vector<Place> here;
-    for (const Place& place : places_)
-      if (const auto path = frame_.place(scene, place.path)) here.push_back({*path, place.number});
-    places_ = std::move(here);
+    // Some of its lines may be missing.
+    const auto is_missing = [&](const Place& place) { return sim::number_at(scene, place.id) == nullptr; };
+    places_.erase(std::remove_if(places_.begin(), places_.end(), is_missing), places_.end());
   }
   for (const sim::Tie& tie : sim::ties_of(scene, photo)) {
     Following following{tie, {}, std::vector<bool>(free.size(), false)};
     for (const sim::Tie::Input& wanted : tie.inputs) {
-      Input input{wanted.path, -1, -1};
+      Input input{wanted.path.id, -1, -1};
       for (std::size_t j = 0; j < free.size(); ++j)
-        if (wanted.path.row == nullptr && free[j].name == wanted.name) input.number = static_cast<int>(j);
+        if (!input.id.any() && free[j].name == wanted.name) input.number = static_cast<int>(j);
       for (const Place& place : places_)
-        if (wanted.path.row != nullptr && place.path.text == wanted.path.text) input.number = place.number;
+        if (input.id.any() && place.id == input.id) input.number = place.number;
       for (std::size_t t = 0; t < following_.size(); ++t)
-        if (wanted.path.row != nullptr && following_[t].tie.path.text == wanted.path.text)
-          input.tie = static_cast<int>(t);
+        if (input.id.any() && following_[t].tie.path.id == input.id) input.tie = static_cast<int>(t);
       if (input.number >= 0) following.uses[input.number] = true;
       for (std::size_t j = 0; input.tie >= 0 && j < free.size(); ++j)
         if (following_[input.tie].uses[j]) following.uses[j] = true;
@@ -64,7 +61,7 @@ std::vector<double> ParameterMap::input_values(const Following& following, const
                                                const sim::Scene& scene) const {
   std::vector<double> inputs;
   for (const Input& input : following.inputs)
-    inputs.push_back(input.number >= 0 ? values[input.number] : *sim::real_value(scene, input.path));
+    inputs.push_back(input.number >= 0 ? values[input.number] : *sim::number_at(scene, input.id));
   return inputs;
 }
 
@@ -76,10 +73,10 @@ bool ParameterMap::put(const std::vector<double>& values, sim::Scene& scene) con
 }
 
 bool ParameterMap::put_at_home(const std::vector<double>& values, sim::Scene& scene) const {
-  for (const Place& place : places_) *sim::real_value(scene, place.path) = values[place.number];
+  for (const Place& place : places_) *sim::number_at(scene, place.id) = values[place.number];
   bool within_limits = true;
   for (const Following& f : following_) {
-    double& number = *sim::real_value(scene, f.tie.path);
+    double& number = *sim::number_at(scene, f.tie.path.id);
     const double value = f.tie.expression.value(input_values(f, values, scene));
     within_limits = within_limits && sim::is_within_limits(f.tie.path, value);
     // Without any value it stays as it is.
@@ -111,19 +108,18 @@ std::vector<std::vector<double>> ParameterMap::tie_slopes(const std::vector<doub
 
 ParameterMap::Motion ParameterMap::motion(const std::vector<double>& values, const std::vector<int>& moved,
                                           const sim::Scene& scene) const {
-  if (!frame_.station.is_elsewhere()) return motion_at_home(values, moved, scene, scene);
+  if (!frame_.station.is_elsewhere()) return motion_at_home(values, moved, scene);
   sim::Scene at_home = scene;
   frame_.go_home(at_home);
   put_at_home(values, at_home);
-  Motion motion = motion_at_home(values, moved, at_home, scene);
+  Motion motion = motion_at_home(values, moved, at_home);
   frame_.carry(at_home, scene, motion.numbers, motion.slopes);
   return motion;
 }
 
-/// Addresses inside `scene`, slopes by the numbers of `at_home`.
 ParameterMap::Motion ParameterMap::motion_at_home(const std::vector<double>& values,
-                                                  const std::vector<int>& moved, const sim::Scene& at_home,
-                                                  const sim::Scene& scene) const {
+                                                  const std::vector<int>& moved,
+                                                  const sim::Scene& at_home) const {
   Motion motion;
   motion.moved = moved.size();
   std::vector<int> number_of_row;  // the free number that a row is, by its index in `moved`; -1: a tie
@@ -131,7 +127,7 @@ ParameterMap::Motion ParameterMap::motion_at_home(const std::vector<double>& val
   for (std::size_t k = 0; k < moved.size(); ++k)
     for (const Place& place : places_)
       if (place.number == moved[k]) {
-        motion.numbers.push_back(sim::real_value(scene, place.path));
+        motion.numbers.push_back(place.id);
         number_of_row.push_back(static_cast<int>(k));
         tie_of_row.push_back(0);
       }
@@ -141,7 +137,7 @@ ParameterMap::Motion ParameterMap::motion_at_home(const std::vector<double>& val
   for (std::size_t t = 0; t < following_.size(); ++t) {
     const auto uses = [&](int j) { return static_cast<bool>(following_[t].uses[j]); };
     if (std::none_of(moved.begin(), moved.end(), uses)) continue;
-    motion.numbers.push_back(sim::real_value(scene, following_[t].tie.path));
+    motion.numbers.push_back(following_[t].tie.path.id);
     number_of_row.push_back(-1);
     tie_of_row.push_back(t);
     is_identity = false;
@@ -163,14 +159,14 @@ std::vector<ParameterMap::Dependent> ParameterMap::dependents(const std::vector<
   std::vector<Dependent> all;
   for (const Place& place : places_) {
     const FreeNumber& number = free_[place.number];
-    if (number.path.text == place.path.text) continue;
-    Dependent same{place.path, number.label(), std::vector<double>(free_.size(), 0.0)};
+    if (number.id == place.id) continue;
+    Dependent same{place.id, number.label(), std::vector<double>(free_.size(), 0.0)};
     same.slopes[place.number] = 1.0;
     all.push_back(std::move(same));
   }
   const std::vector<std::vector<double>> of_ties = tie_slopes(values, scene);
   for (std::size_t t = 0; t < following_.size(); ++t)
-    all.push_back({following_[t].tie.path, following_[t].tie.expression.text(), of_ties[t]});
+    all.push_back({following_[t].tie.path.id, following_[t].tie.expression.text(), of_ties[t]});
   return all;
 }
 

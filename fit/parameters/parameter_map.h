@@ -32,7 +32,7 @@ class ParameterMap {
 
   /// What changes in the scene when some of the free numbers (indices into `free`) do.
   struct Motion {
-    std::vector<const double*> numbers;  ///< addresses inside the scene
+    std::vector<sim::ParameterId> numbers;
     /// d number / d free, row-major [number][moved]; empty stands for the identity.
     std::vector<double> slopes;
     std::size_t moved = 0;  ///< how many free numbers move
@@ -46,7 +46,7 @@ class ParameterMap {
 
   /// A number of the scene that follows from free ones.
   struct Dependent {
-    sim::ParameterPath path;
+    sim::ParameterId id;
     std::string equals;          ///< an expression, or what it is the same as
     std::vector<double> slopes;  ///< d number / d free, of all free numbers
   };
@@ -55,13 +55,13 @@ class ParameterMap {
 
  private:
   struct Place {
-    sim::ParameterPath path;
+    sim::ParameterId id;
     int number = 0;  ///< index into `free`
   };
   /// An input of a tie, of which at most one holds: a free number that is no parameter of this photograph, a
   /// place, an earlier tie; else the parameter is fixed.
   struct Input {
-    sim::ParameterPath path;  ///< `row` is null for a number called by its name
+    sim::ParameterId id;  ///< none for a number called by its name
     int number = -1, tie = -1;
   };
   struct Following {
@@ -72,7 +72,7 @@ class ParameterMap {
 
   bool put_at_home(const std::vector<double>& values, sim::Scene& scene) const;
   Motion motion_at_home(const std::vector<double>& values, const std::vector<int>& moved,
-                        const sim::Scene& at_home, const sim::Scene& scene) const;
+                        const sim::Scene& at_home) const;
   std::vector<double> input_values(const Following& following, const std::vector<double>& values,
                                    const sim::Scene& scene) const;
   /// d tie / d free, [tie][free].

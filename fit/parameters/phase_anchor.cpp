@@ -41,11 +41,11 @@ std::vector<PhaseAnchor> phase_anchors(const sim::Scene& scene, const std::vecto
   std::vector<PhaseAnchor> anchors;
   for (std::size_t p = 0; p < moved.size(); ++p) {
     // Limits of the user's are those of the phase at the start.
-    if (moved[p].key() != "phase_rad" || moved[p].limited()) continue;
+    if (moved[p].id.role() != sim::ParameterRole::phase || moved[p].limited()) continue;
     for (std::size_t w = 0; w < moved.size(); ++w)
-      if (moved[w].key() == "wavelength_km" && moved[w].path.sheet() == moved[p].path.sheet())
+      if (moved[w].id == sim::parameter_with(sim::ParameterRole::wavelength, moved[p].id.element))
         anchors.push_back({static_cast<int>(p), static_cast<int>(w),
-                           distance_in_view_km(scene, scene.sheets[moved[p].path.sheet()]), values[w]});
+                           distance_in_view_km(scene, scene.sheets[moved[p].id.element]), values[w]});
   }
   return anchors;
 }

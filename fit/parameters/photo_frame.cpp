@@ -10,27 +10,24 @@ namespace {
 
 using sim::Station;
 
-std::array<const double*, Station::kNumbers> numbers_of(const sim::Sheet& sheet) {
-  std::array<const double*, Station::kNumbers> numbers;
-  const auto places = Station::numbers(const_cast<sim::Sheet&>(sheet));  // only read through
-  std::copy(places.begin(), places.end(), numbers.begin());
-  return numbers;
+/// Those of Station::numbers(), in their order.
+std::array<sim::ParameterId, Station::kNumbers> ids_of(int sheet) {
+  using sim::ParameterRole;
+  const auto id = [&](ParameterRole role, int component = 0) {
+    return sim::parameter_with(role, sheet, component);
+  };
+  return {id(ParameterRole::centre, 0), id(ParameterRole::centre, 1),  id(ParameterRole::bearing),
+          id(ParameterRole::length),    id(ParameterRole::wavelength), id(ParameterRole::drift, 0),
+          id(ParameterRole::drift, 1)};
 }
 
 }  // namespace
 
-std::optional<sim::ParameterPath> PhotoFrame::place(const sim::Scene& scene,
-                                                    const sim::ParameterPath& path) const {
-  for (sim::ParameterPath& here : sim::all_paths(scene))
-    if (here.text == path.text) return std::move(here);
-  return {};
-}
-
 void PhotoFrame::go_home(sim::Scene& scene) const {
   if (!station.is_elsewhere()) return;
   for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
-    const auto from = numbers_of(sheets_at_home[s]);
-    const auto to = Station::numbers(scene.sheets[s]);
+    sim::Sheet at_home = sheets_at_home[s];
+    const auto from = Station::numbers(at_home), to = Station::numbers(scene.sheets[s]);
     for (int i = 0; i < Station::kNumbers; ++i) *to[i] = *from[i];
   }
 }
@@ -40,7 +37,7 @@ void PhotoFrame::carry(sim::Scene& scene) const {
 }
 
 void PhotoFrame::carry(const sim::Scene& at_home, const sim::Scene& there,
-                       std::vector<const double*>& numbers, std::vector<double>& slopes) const {
+                       std::vector<sim::ParameterId>& numbers, std::vector<double>& slopes) const {
   if (!station.is_elsewhere() || numbers.empty()) return;
   const std::size_t moved = slopes.empty() ? numbers.size() : slopes.size() / numbers.size();
   if (slopes.empty()) {
@@ -48,7 +45,7 @@ void PhotoFrame::carry(const sim::Scene& at_home, const sim::Scene& there,
     for (std::size_t j = 0; j < moved; ++j) slopes[j * moved + j] = 1.0;
   }
   for (std::size_t s = 0; s < there.sheets.size(); ++s) {
-    const auto places = numbers_of(there.sheets[s]);
+    const auto places = ids_of(static_cast<int>(s));
     std::array<std::vector<double>, Station::kNumbers> home;  // rows of slopes
     bool any = false;
     for (int i = 0; i < Station::kNumbers; ++i) {

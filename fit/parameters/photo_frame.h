@@ -5,13 +5,12 @@
 // over (sim/scene/structs/station.h), and so has the chain rule.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/structs/station.h"
-#include "sim/scene/table/parameter_table.h"
+#include "sim/scene/table/parameter_id.h"
 
 namespace vegard::fit {
 
@@ -20,18 +19,14 @@ struct PhotoFrame {
   sim::Station station;
   std::vector<sim::Sheet> sheets_at_home;  ///< of its scene before they were carried over
 
-  /// Where a number of the shared scene is in the photograph's; none if that has no such line.
-  std::optional<sim::ParameterPath> place(const sim::Scene& scene, const sim::ParameterPath& path) const;
-
   /// Gives a scene's sheets the places that they have at home, for free numbers to be written into, and
   /// carries them over again. Nothing happens to a photograph of the scene's own site.
   void go_home(sim::Scene& scene) const;
   void carry(sim::Scene& scene) const;
 
-  /// Replaces the numbers of sheets at home (addresses inside `there`, whose other numbers stay) by those
-  /// that the photograph sees. slopes: d number / d free, row-major [number][moved]; empty stands for the
-  /// identity.
-  void carry(const sim::Scene& at_home, const sim::Scene& there, std::vector<const double*>& numbers,
+  /// Replaces the numbers of sheets at home by those that the photograph sees; other numbers stay. slopes: d
+  /// number / d free, row-major [number][moved]; empty stands for the identity.
+  void carry(const sim::Scene& at_home, const sim::Scene& there, std::vector<sim::ParameterId>& numbers,
              std::vector<double>& slopes) const;
 };
 

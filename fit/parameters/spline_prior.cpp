@@ -21,7 +21,9 @@ constexpr double kSettled = 1e-3;  // of a smoothness
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-bool is_spline(const FreeNumber& number) { return number.key() == "spline_rate"; }
+bool is_spline(const FreeNumber& number) {
+  return number.id.role() == sim::ParameterRole::profile_coefficient;
+}
 
 int scale_line(const sim::Scene& scene) {
   return std::max(0, sim::line_index(scene.emission.lines, kGreenNm));
@@ -62,9 +64,9 @@ std::vector<SplineLine> spline_lines(const sim::Scene& scene, const std::vector<
   std::map<std::pair<int, int>, std::map<int, int>> found;  // [sheet, line][knot]
   for (std::size_t j = 0; j < free.size(); ++j) {
     if (!is_spline(free[j])) continue;
-    const int sheet = free[j].path.sheet(), knots = scene.sheets[sheet].spline_knots;
-    const int line = free[j].path.component / knots;
-    found[{sheet, line}][free[j].path.component % knots] = static_cast<int>(j);
+    const int sheet = free[j].id.sheet(), knots = scene.sheets[sheet].spline_knots;
+    const int index = sim::index_in(scene, free[j].id);
+    found[{sheet, index / knots}][index % knots] = static_cast<int>(j);
   }
   std::vector<SplineLine> lines;
   for (const auto& [key, numbers] : found) {

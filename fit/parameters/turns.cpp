@@ -12,7 +12,7 @@ double full_turn(const FreeNumber& number) {
 
 double without_turns(const FreeNumber& number, double value) {
   const double turn = full_turn(number);
-  if (turn == 0.0 || number.min > number.path.row->min || number.max < number.path.row->max) return value;
+  if (turn == 0.0 || number.min > number.id.row->min || number.max < number.id.row->max) return value;
   return value - turn * std::floor(value / turn);
 }
 

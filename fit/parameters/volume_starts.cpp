@@ -3,29 +3,32 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/scene/emitters/emitter_kinds.h"
-
 namespace vegard::fit {
 namespace {
+
+using sim::ParameterRole;
 
 constexpr double kLeastError_km = 20.0, kAngleError_deg = 20.0, kSunError_deg = 0.1;
 constexpr double kApart = 0.1, kEnergyApart = 0.25;
 
-bool is_of_footprint(const FreeNumber& n) { return n.table() == "footprint"; }
-
 /// 0: east, 1: north; -1: no place.
 int axis_of(const FreeNumber& n) {
-  if (!is_of_footprint(n)) return -1;
-  if (n.key() == "center_km") return n.path.component;
-  if (n.key() == "east_km") return 0;
-  if (n.key() == "north_km") return 1;
-  return -1;
+  switch (n.id.role()) {
+    case ParameterRole::footprint_centre:
+      return n.id.component;
+    case ParameterRole::footprint_east:
+      return 0;
+    case ParameterRole::footprint_north:
+      return 1;
+    default:
+      return -1;
+  }
 }
 
-bool is_energy(const FreeNumber& n) { return is_of_footprint(n) && n.key() == "energy_kev"; }
+bool is_energy(const FreeNumber& n) { return n.id.role() == ParameterRole::footprint_energy; }
 
 double centre_of(const sim::Scene& scene, const FreeNumber& n, int axis) {
-  const sim::EastNorth& centre = scene.footprints[static_cast<std::size_t>(n.path.element)].center_km;
+  const sim::EastNorth& centre = scene.footprints[static_cast<std::size_t>(n.id.element)].center_km;
   return axis == 0 ? centre.east : centre.north;
 }
 
@@ -35,21 +38,18 @@ double distance_of(const sim::Scene& scene, const FreeNumber& n) {
 
 }  // namespace
 
-bool is_of_volume(const FreeNumber& number) { return sim::kind_of_table(number.table()) != nullptr; }
-
 std::vector<double> moved_footprints(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                                      std::vector<double> values, double distance, double energy) {
   const auto free_centre = [&](const FreeNumber& point, int axis) {
-    return std::any_of(free.begin(), free.end(), [&](const FreeNumber& n) {
-      return is_of_footprint(n) && n.key() == "center_km" && n.path.element == point.path.element &&
-             n.path.component == axis;
-    });
+    const sim::ParameterId centre =
+        sim::parameter_with(ParameterRole::footprint_centre, point.id.element, axis);
+    return std::any_of(free.begin(), free.end(), [&](const FreeNumber& n) { return n.id == centre; });
   };
   for (std::size_t j = 0; j < free.size(); ++j) {
     const int axis = axis_of(free[j]);
     if (axis >= 0) {
       // Points count from the centre, which goes along if it can.
-      const bool stays = free[j].key() != "center_km" && !free_centre(free[j], axis);
+      const bool stays = free[j].id.role() != ParameterRole::footprint_centre && !free_centre(free[j], axis);
       const double from_centre = stays ? centre_of(scene, free[j], axis) : 0.0;
       values[j] = distance * (from_centre + values[j]) - from_centre;
     }
@@ -68,7 +68,7 @@ std::optional<double> usual_error(const sim::Scene& scene, const FreeNumber& num
   if (!is_of_volume(number)) return {};
   if (axis_of(number) >= 0) return std::max(kLeastError_km, share * distance_of(scene, number));
   // Across a disc of half a degree a tenth of a degree is far.
-  if (number.table() == "sun" && (number.key() == "azimuth_deg" || number.key() == "elevation_deg"))
+  if (number.id.role() == ParameterRole::sun_azimuth || number.id.role() == ParameterRole::sun_elevation)
     return kSunError_deg;
   if (number.is_angle() || number.unit() == "deg") return kAngleError_deg;
   if (number.start == 0.0) return {};

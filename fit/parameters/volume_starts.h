@@ -14,10 +14,6 @@
 
 namespace vegard::fit {
 
-/// Whether the number is one of an emitter's: of a footprint, nebula, density node or grid, of the Sun or of
-/// what stands on it.
-bool is_of_volume(const FreeNumber& number);
-
 /// `values` with every footprint `distance` times as far from the observer, as far as its centre and its
 /// points are free, and `energy` times the energy.
 std::vector<double> moved_footprints(const sim::Scene& scene, const std::vector<FreeNumber>& free,

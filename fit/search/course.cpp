@@ -64,10 +64,10 @@ std::vector<std::vector<CoursePoint>> courses(Comparison& comparison, const sim:
   const std::size_t sheets = scene.sheets.size();
   ParameterMap::Motion motion;
   std::vector<Line> lines;
-  for (const sim::Sheet& sheet : scene.sheets) {
-    motion.numbers.push_back(&sheet.center_km.east);
-    motion.numbers.push_back(&sheet.center_km.north);
-    lines.push_back(line_of(scene, sheet));
+  for (std::size_t s = 0; s < sheets; ++s) {
+    for (int c = 0; c < 2; ++c)
+      motion.numbers.push_back(sim::parameter_with(sim::ParameterRole::centre, static_cast<int>(s), c));
+    lines.push_back(line_of(scene, scene.sheets[s]));
   }
   const Comparison::Point point = comparison.at(scene, motion);
   std::vector<double> jacobian;

@@ -35,6 +35,7 @@ constexpr double kNearlyStraight = 0.1;
 constexpr double kDamping = 1e-4;
 constexpr double kPi = 3.141592653589793;
 
+using sim::ParameterRole;
 using Values = std::vector<double>;
 
 struct Trial {
@@ -59,21 +60,23 @@ std::vector<Trial> trials_of(const StepOutput& output) {
   return trials;
 }
 
-bool is(const FreeNumber& number, const char* key) { return number.key() == key; }
-bool is_periodic(const FreeNumber& n) { return is(n, "wavelength_km") || is(n, "phase_rad"); }
+bool is(const FreeNumber& number, ParameterRole role) { return number.id.role() == role; }
+bool is_periodic(const FreeNumber& n) {
+  return is(n, ParameterRole::wavelength) || is(n, ParameterRole::phase);
+}
 
 /// What shapes the profile as a whole, rather than its course along the arc.
 bool is_overall(const FreeNumber& n) {
   if (is_of_volume(n)) return false;
-  return is(n, "center_km") || is(n, "energy_kev") || is(n, "bearing_deg") || is(n, "energy_flux_mw_m2") ||
-         !n.has_path();
+  return is(n, ParameterRole::centre) || is(n, ParameterRole::energy) || is(n, ParameterRole::bearing) ||
+         is(n, ParameterRole::energy_flux) || !n.has_path();
 }
 
 /// The coefficients of free-form profiles stay as they are until the polish: they would make up for whatever
 /// a trial has wrong.
-bool is_searched(const FreeNumber& n) { return !is(n, "spline_rate"); }
+bool is_searched(const FreeNumber& n) { return !is(n, ParameterRole::profile_coefficient); }
 
-bool is_thickness(const FreeNumber& n) { return is(n, "thickness_km"); }
+bool is_thickness(const FreeNumber& n) { return is(n, ParameterRole::amplitude); }
 
 std::vector<std::size_t> indices(const std::vector<FreeNumber>& free, bool (*belongs)(const FreeNumber&)) {
   std::vector<std::size_t> result;
@@ -219,15 +222,15 @@ class Search {
       const std::optional<double> error = usual_error(scene_, n, kPull);
       return error ? std::optional(sim::Prior{n.start, *error}) : std::nullopt;
     }
-    if (is(n, "center_km")) {
+    if (is(n, ParameterRole::centre)) {
       double square = 0.0;
       for (const FreeNumber& other : free_)
-        if (is(other, "center_km") && other.path.sheet() >= 0 && other.path.sheet() == n.path.sheet())
+        if (is(other, ParameterRole::centre) && other.id.element == n.id.element)
           square += other.start * other.start;
       return sim::Prior{n.start, std::max(20.0, kPull * std::sqrt(square))};
     }
     if (n.logarithmic()) return sim::Prior{n.start, 2.0 * kPull * n.start};
-    if (is(n, "bearing_deg")) return sim::Prior{n.start, 20.0};
+    if (is(n, ParameterRole::bearing)) return sim::Prior{n.start, 20.0};
     return {};
   }
 
@@ -277,15 +280,15 @@ class Search {
       Values values = straight;
       for (std::size_t j : which) {
         const FreeNumber& n = free_[j];
-        const int s = std::max(0, n.path.sheet());
+        const int s = std::max(0, n.id.sheet());
         const double distance =
             std::exp((u[1] - 0.5) * kDistances) * (s > 0 ? std::exp((u[1 + 2 * s] - 0.5) * kApart) : 1.0);
-        if (is(n, "center_km")) values[j] *= distance;
-        if (is(n, "energy_kev")) values[j] *= std::exp((u[2 + 2 * s] - 0.5) * kEnergies);
+        if (is(n, ParameterRole::centre)) values[j] *= distance;
+        if (is(n, ParameterRole::energy)) values[j] *= std::exp((u[2 + 2 * s] - 0.5) * kEnergies);
         if (!n.has_path())
           values[j] =
               n.logarithmic() ? n.min * std::pow(n.max / n.min, u[1]) : n.min + u[1] * (n.max - n.min);
-        if (is(n, "bearing_deg")) values[j] += (u[0] - 0.5) * turned_by(n);
+        if (is(n, ParameterRole::bearing)) values[j] += (u[0] - 0.5) * turned_by(n);
         values[j] = inside(n, values[j]);
       }
       trials.push_back(tried(values));
@@ -523,8 +526,8 @@ class Search {
   /// sixth of a turn, and their footprints at like distances.
   bool same_valley(const Values& a, const Values& b) const {
     for (std::size_t j : indices(free_, is_periodic)) {
-      if (is(free_[j], "wavelength_km") && std::abs(std::log(a[j] / b[j])) > 0.05) return false;
-      if (is(free_[j], "phase_rad") && std::abs(std::remainder(a[j] - b[j], 2.0 * kPi)) > kPi / 3.0)
+      if (is(free_[j], ParameterRole::wavelength) && std::abs(std::log(a[j] / b[j])) > 0.05) return false;
+      if (is(free_[j], ParameterRole::phase) && std::abs(std::remainder(a[j] - b[j], 2.0 * kPi)) > kPi / 3.0)
         return false;
     }
     return !footprints_differ(scene_, free_, a, b);

@@ -7,6 +7,8 @@
 namespace vegard::fit {
 namespace {
 
+using sim::ParameterRole;
+
 constexpr double kPi = 3.141592653589793;
 
 double inside(const FreeNumber& n, double value) { return n.value(n.coordinate(value)); }
@@ -30,10 +32,10 @@ sim::Scene scene_at(const sim::Scene& start, const std::vector<FreeNumber>& free
 SineNumbers sine_numbers(const std::vector<FreeNumber>& free, int sheet) {
   SineNumbers sine;
   for (std::size_t j = 0; j < free.size(); ++j) {
-    if (free[j].path.sheet() != sheet) continue;
-    if (free[j].key() == "wavelength_km") sine.wavelength = static_cast<int>(j);
-    if (free[j].key() == "phase_rad") sine.phase = static_cast<int>(j);
-    if (free[j].key() == "thickness_km") sine.thickness = static_cast<int>(j);
+    if (free[j].id.sheet() != sheet) continue;
+    if (free[j].id.role() == ParameterRole::wavelength) sine.wavelength = static_cast<int>(j);
+    if (free[j].id.role() == ParameterRole::phase) sine.phase = static_cast<int>(j);
+    if (free[j].id.role() == ParameterRole::amplitude) sine.thickness = static_cast<int>(j);
   }
   return sine;
 }
@@ -48,8 +50,8 @@ void take_sine(const sim::Scene& start, const std::vector<FreeNumber>& free, con
   const double aside[2] = {-side * along[1], side * along[0]};
   int centre[2] = {-1, -1};
   for (std::size_t j = 0; j < free.size(); ++j)
-    if (free[j].key() == "center_km" && free[j].path.sheet() == s)
-      centre[free[j].path.component] = static_cast<int>(j);
+    if (free[j].id.role() == ParameterRole::centre && free[j].id.sheet() == s)
+      centre[free[j].id.component] = static_cast<int>(j);
   const auto move = [&](int j, double by) {
     if (j >= 0) values[j] = inside(free[j], values[j] + by);
   };
@@ -79,7 +81,7 @@ void take_sine(const sim::Scene& start, const std::vector<FreeNumber>& free, con
   move(centre[1], shift[1]);
   const double moved_along = shift[0] * along[0] + shift[1] * along[1];
   for (std::size_t j = 0; j < free.size(); ++j)
-    if (free[j].key() == "bearing_deg" && free[j].path.sheet() == s)
+    if (free[j].id == sim::parameter_with(ParameterRole::bearing, s))
       move(static_cast<int>(j), -side * std::atan(found.slope) * 180.0 / kPi);
   const SineNumbers sine = sine_numbers(free, s);
   if (sine.wavelength >= 0) values[sine.wavelength] = inside(free[sine.wavelength], found.wavelength_km);

@@ -17,58 +17,31 @@ constexpr double kUnnoticed = 0.02;  // of what the most noticeable number of a 
 constexpr std::size_t kMostMembers = 3;
 constexpr double kNearlyAll = 0.9;  // of a step: along the line of sight, or across it
 
-std::string without_unit(std::string key) {
-  for (const char* unit : {"_mw_m2", "_mcd_m2", "_km_s", "_rayleigh", "_km", "_kev", "_deg", "_rad"}) {
-    const std::string ending = unit;
-    if (key.size() <= ending.size() || key.compare(key.size() - ending.size(), ending.size(), ending) != 0)
-      continue;
-    key.erase(key.size() - ending.size());
-    break;
-  }
-  std::replace(key.begin(), key.end(), '_', ' ');
-  return key;
-}
-
-std::string noun_of(const sim::ParameterPath& path) {
-  const std::string& key = path.row->key;
-  std::string noun = path.row->noun;
+std::string noun_of(const FreeNumber& number) {
+  if (!number.has_path()) return number.name;
+  const sim::ParameterRow& row = *number.id.row;
   // One of several of a kind: the line of a blur, the coefficient of a profile.
-  const std::size_t at = path.text.rfind(key + ".");
-  if (!path.row->component.empty() && at != std::string::npos)
-    noun += " " + path.text.substr(at + key.size() + 1);
-  return noun;
+  const std::size_t at = number.path.rfind(row.key + ".");
+  const bool one_of_several = !row.component.empty() && at != std::string::npos;
+  return one_of_several ? row.noun + " " + number.path.substr(at + row.key.size() + 1) : row.noun;
 }
 
-/// The first components, to the east, of all that has a centre on the ground: sheets, footprints.
-std::vector<sim::ParameterPath> centres_of(const sim::Scene& scene) {
-  std::vector<sim::ParameterPath> centres = sim::all_paths(scene);
-  centres.erase(std::remove_if(centres.begin(), centres.end(),
-                               [](const sim::ParameterPath& path) {
-                                 return path.row->key != "center_km" || path.component != 0;
-                               }),
-                centres.end());
-  return centres;
+/// Which of the centres of sheets and footprints, one after the other, a number is a component of; -1: none.
+int centre_of(const sim::Scene& scene, const sim::ParameterId& id) {
+  if (id.role() == sim::ParameterRole::centre) return id.element;
+  if (id.role() != sim::ParameterRole::footprint_centre) return -1;
+  return static_cast<int>(scene.sheets.size()) + id.element;
 }
 
-/// Which of the centres a number is a component of; -1: none.
-int centre_of(const std::vector<sim::ParameterPath>& centres, const sim::ParameterPath& path) {
-  if (path.row == nullptr) return -1;
-  const auto found = std::find_if(centres.begin(), centres.end(), [&](const sim::ParameterPath& centre) {
-    return path.row->table == centre.row->table && path.row->key == centre.row->key &&
-           path.element == centre.element;
-  });
-  return found == centres.end() ? -1 : static_cast<int>(found - centres.begin());
-}
-
-std::string owner_of(const sim::Scene& scene, const sim::ParameterPath& path) {
-  const std::string& table = path.row->table;
-  if (table.empty()) return {};
-  const std::string name = sim::element_name(scene, path);
+std::string owner_of(const sim::Scene& scene, const sim::ParameterId& id) {
+  if (!id.any() || id.row->table.empty()) return {};
+  std::string table = id.row->table;
+  std::replace(table.begin(), table.end(), '_', ' ');
+  const std::string name = sim::element_name(scene, id);
   // "the bright loop", but not "the loop loop"
-  const sim::EmitterKind* emitter = sim::kind_of_table(table);
-  const std::string kind = emitter != nullptr && emitter->table == table && !emitter->spoken.empty()
-                               ? emitter->spoken
-                               : without_unit(table);
+  const sim::EmitterKind* emitter = sim::kind_of_table(id.row->table);
+  const bool is_spoken = emitter != nullptr && emitter->table == id.row->table && !emitter->spoken.empty();
+  const std::string kind = is_spoken ? emitter->spoken : table;
   return "the " + (name.empty() || name == kind ? "" : name + " ") + kind;
 }
 
@@ -100,9 +73,8 @@ Member member_of(const SpokenNumber& n, double change, std::size_t index) {
   m.noticeable = n.noticeable;
   m.unit = n.unit;
   m.of = {index};
-  const bool altitude = n.noun == "peak altitude";
-  m.more = altitude ? "higher" : "more";
-  m.less = altitude ? "lower" : "less";
+  m.more = n.is_altitude ? "higher" : "more";
+  m.less = n.is_altitude ? "lower" : "less";
   if (n.of_profile) {
     // Its unit and size say nothing to anyone.
     m.change = 100.0 * change / n.value;
@@ -211,30 +183,27 @@ std::vector<Member> members_of(const std::vector<SpokenNumber>& numbers,
 
 std::vector<SpokenNumber> spoken_numbers(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                                          const std::vector<double>& values) {
-  const std::vector<sim::ParameterPath> first_components = centres_of(scene);
   std::vector<sim::EastNorth> centres;
-  for (sim::ParameterPath path : first_components) {
-    const double east = *sim::real_value(scene, path);
-    path.component = 1;
-    centres.push_back({east, *sim::real_value(scene, path)});
-  }
+  for (const sim::Sheet& sheet : scene.sheets) centres.push_back(sheet.center_km);
+  for (const sim::Footprint& footprint : scene.footprints) centres.push_back(footprint.center_km);
   for (std::size_t j = 0; j < free.size(); ++j)
-    if (const int c = centre_of(first_components, free[j].path); c >= 0)
-      (free[j].path.component == 0 ? centres[c].east : centres[c].north) = values[j];
+    if (const int c = centre_of(scene, free[j].id); c >= 0)
+      (free[j].id.component == 0 ? centres[c].east : centres[c].north) = values[j];
   std::vector<SpokenNumber> numbers;
   for (std::size_t j = 0; j < free.size(); ++j) {
-    const sim::ParameterPath& path = free[j].path;
+    const sim::ParameterId& id = free[j].id;
     SpokenNumber n;
     n.path = free[j].label();
-    n.noun = free[j].has_path() ? noun_of(path) : free[j].name;
-    if (free[j].has_path()) n.owner = owner_of(scene, path);
+    n.noun = noun_of(free[j]);
+    n.owner = owner_of(scene, id);
     n.unit = free[j].unit();
     n.value = values[j];
     n.noticeable = noticeable_change(free[j], values[j]);
-    n.centre = centre_of(first_components, path);
-    n.of_profile = free[j].key() == "spline_rate";
+    n.centre = centre_of(scene, id);
+    n.of_profile = id.role() == sim::ParameterRole::profile_coefficient;
+    n.is_altitude = id.role() == sim::ParameterRole::form_peak;
     if (n.centre >= 0) {
-      n.place = path.component == 0 ? SpokenNumber::Place::east : SpokenNumber::Place::north;
+      n.place = id.component == 0 ? SpokenNumber::Place::east : SpokenNumber::Place::north;
       n.centre_km = centres[n.centre];
     }
     numbers.push_back(n);

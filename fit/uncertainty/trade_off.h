@@ -24,6 +24,7 @@ struct SpokenNumber {
   bool other_component_free = false;  ///< of that centre
   sim::EastNorth centre_km;           ///< from the observer
   bool of_profile = false;            ///< a coefficient of a free-form profile
+  bool is_altitude = false;           ///< which is higher, not more
 };
 
 /// `values` are those of `free` in the order of the scene file.

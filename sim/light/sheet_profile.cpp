@@ -57,24 +57,29 @@ std::vector<float> slope_by_flux(const std::vector<double>& wavelengths_nm, cons
 
 /// Its derivative by a number; empty for one that it does not depend on, or by the energy alone.
 std::vector<float> slope_of_unit_flux(const std::vector<double>& wavelengths_nm, const Scene& scene,
-                                      const Sheet& sheet, const double* number) {
-  if (sheet.profile == ProfileKind::gaussian && number == &sheet.energy_spread)
-    return gaussian_slope(wavelengths_nm, sheet.energy_kev, sheet.energy_spread);
-  if (number == &sheet.energy_flux_mw_m2) return slope_by_flux(wavelengths_nm, scene, sheet);
-  if (has_spline_profile(sheet)) {
-    const std::vector<double>& rates = sheet.spline_rate;
-    for (std::size_t i = 0; i < rates.size(); ++i)
-      if (number == &rates[i]) return spline_slope(wavelengths_nm, scene, sheet, static_cast<int>(i));
+                                      const Sheet& sheet, const ParameterId& number) {
+  const auto by_form = [&](double FormCurve::*of_curve) {
+    if (sheet.profile != ProfileKind::form) return std::vector<float>();
+    return form_slope(wavelengths_nm, sheet.energy_kev, form_curve(sheet), flux_of(scene, sheet), of_curve);
+  };
+  switch (number.role()) {
+    case ParameterRole::energy_spread:
+      if (sheet.profile != ProfileKind::gaussian) return {};
+      return gaussian_slope(wavelengths_nm, sheet.energy_kev, sheet.energy_spread);
+    case ParameterRole::energy_flux:
+      return slope_by_flux(wavelengths_nm, scene, sheet);
+    case ParameterRole::profile_coefficient:
+      if (!has_spline_profile(sheet)) return {};
+      return spline_slope(wavelengths_nm, scene, sheet, index_in(scene, number));
+    case ParameterRole::form_peak:
+      return by_form(&FormCurve::peak_km);
+    case ParameterRole::form_lower:
+      return by_form(&FormCurve::lower_km);
+    case ParameterRole::form_upper:
+      return by_form(&FormCurve::upper_km);
+    default:
+      return {};
   }
-  if (sheet.profile == ProfileKind::form) {
-    const auto by = [&](double FormCurve::*of_curve) {
-      return form_slope(wavelengths_nm, sheet.energy_kev, form_curve(sheet), flux_of(scene, sheet), of_curve);
-    };
-    if (number == &sheet.peak_km) return by(&FormCurve::peak_km);
-    if (number == &sheet.lower_km) return by(&FormCurve::lower_km);
-    if (number == &sheet.upper_km) return by(&FormCurve::upper_km);
-  }
-  return {};
 }
 
 }  // namespace
@@ -98,7 +103,8 @@ HeightProfile sheet_profile(const std::vector<double>& wavelengths_nm, const Sce
 }
 
 std::vector<float> profile_slope(const std::vector<double>& wavelengths_nm, const Scene& scene, int index,
-                                 const double* number) {
+                                 const ParameterId& number) {
+  if (number.sheet() != index) return {};
   const Sheet& sheet = scene.sheets[index];
   std::vector<float> slope = slope_of_unit_flux(wavelengths_nm, scene, sheet, number);
   if (slope.empty() || !has_given_brightness(sheet)) return slope;

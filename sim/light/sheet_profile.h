@@ -6,6 +6,7 @@
 
 #include "sim/light/height_profile.h"
 #include "sim/scene/structs/scene.h"
+#include "sim/scene/table/parameter_id.h"
 
 namespace vegard::sim {
 
@@ -24,7 +25,7 @@ HeightProfile sheet_profile(const std::vector<double>& wavelengths_nm, const Sce
 /// than by energy_kev, whose derivative the profile itself carries. Empty for a number that does not. By
 /// energy_flux_mw_m2 it is the part that comes on top of proportion, d(rate per mW m^-2)/dQ.
 std::vector<float> profile_slope(const std::vector<double>& wavelengths_nm, const Scene& scene, int sheet,
-                                 const double* number);
+                                 const ParameterId& number);
 
 /// Throws Error(unreadable_input) if a profile that comes from a user's table cannot be used for the scene's
 /// lines and brightness. To be called when a scene has been read, before any work.

@@ -51,7 +51,7 @@ void dim_by_air(const Scene& scene, Exposure& exposure, int threads) {
                          });
 }
 
-void dim_by_air(const Scene& scene, const std::vector<const double*>& free, Exposure& exposure, int threads) {
+void dim_by_air(const Scene& scene, const std::vector<ParameterId>& free, Exposure& exposure, int threads) {
   assert(exposure.free == static_cast<int>(free.size()));
   const AirAbove air(scene);
   if (air.none()) return;

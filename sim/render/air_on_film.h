@@ -16,10 +16,10 @@ namespace vegard::sim {
 /// touched where scene.air.model is "none". The volumes' share of the exposure is dimmed too.
 void dim_by_air(const Scene& scene, Exposure& exposure, int threads = 0);
 
-/// The same with the derivatives by `free`, addresses of numbers inside `scene` in the order of
+/// The same with the derivatives by `free`, numbers of the scene in the order of
 /// exposure.derivative: T dI + I dT, where T depends on the camera's angles and on the aerosol's depth and
 /// exponent.
-void dim_by_air(const Scene& scene, const std::vector<const double*>& free, Exposure& exposure,
+void dim_by_air(const Scene& scene, const std::vector<ParameterId>& free, Exposure& exposure,
                 int threads = 0);
 
 /// That transmission itself, [line][row][column]; empty where scene.air.model is "none".

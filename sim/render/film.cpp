@@ -20,12 +20,11 @@ namespace {
 constexpr int kShards = 8;  // of the derivatives; fixed, so that sums do not depend on the threads
 
 /// Distortion that is free may be none at present.
-bool frees_distortion(const Camera& camera, const std::vector<const double*>& free) {
-  for (int n = k1_number; n <= p2_number; ++n)
-    if (std::find(free.begin(), free.end(), camera_number_address(camera, static_cast<CameraNumber>(n))) !=
-        free.end())
-      return true;
-  return false;
+bool frees_distortion(const Camera& camera, const std::vector<ParameterId>& free) {
+  return std::any_of(free.begin(), free.end(), [&](const ParameterId& id) {
+    const int number = camera_number_of(camera, id);
+    return number >= k1_number && number <= p2_number;
+  });
 }
 
 Scene with_other_seed(Scene scene, std::uint64_t sampling) {
@@ -172,7 +171,7 @@ void Exposer::expose(const Scene& scene, Exposure& out, const std::function<void
   if (only_sheet < 0) w.add_volumes(scene, out, w.layout.chunks().empty() ? progress : nullptr, stop);
 }
 
-void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<const double*>& free,
+void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<ParameterId>& free,
                                       Exposure& out) {
   Workspace& w = *work_;
   const int lines = static_cast<int>(scene.emission.lines.size());
@@ -193,9 +192,21 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<cons
   const std::size_t shards =
       std::min<std::size_t>(kShards, std::max<std::size_t>(1, w.layout.chunks().size()));
   for (const DerivativePass& pass : passes) {
-    const Seeds seeds(free, pass.first, pass.count);
-    std::vector<int> of_energy;
-    for (const Sheet& sheet : scene.sheets) of_energy.push_back(seeds.parameter_at(&sheet.energy_kev));
+    const Seeds seeds(scene, free, pass.first, pass.count);
+    std::vector<int> of_energy(scene.sheets.size(), -1);
+    std::vector<SharedChain> of_sheets(scene.sheets.size());
+    for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
+      std::fill_n(of_sheets[s].parameter_of_local, local_inputs, -1);
+      of_sheets[s].parameter_of_energy = of_energy.data();
+      // From the last: of a number that is free twice the first counts.
+      for (std::size_t i = pass.count; i-- > 0;) {
+        const ParameterId& id = free[pass.first + i];
+        const int k = local_input_of(scene, static_cast<int>(s), id);
+        if (k >= 0) of_sheets[s].parameter_of_local[k] = static_cast<int>(i);
+        if (id == parameter_with(ParameterRole::energy, static_cast<int>(s)))
+          of_energy[s] = static_cast<int>(i);
+      }
+    }
 
     w.clear_slots(stride);
     std::vector<std::unique_ptr<TangentFilm>>& tangents = w.tangents;
@@ -210,16 +221,10 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<cons
       for (std::size_t c = w.layout.chunks().size() * shard / shards;
            c < w.layout.chunks().size() * (shard + 1) / shards; ++c) {
         const Chunk& chunk = w.layout.chunks()[c];
-        const Sheet& sheet = scene.sheets[chunk.sheet];
-        SharedChain shared;
-        const std::vector<const double*> at = local_input_addresses(scene, sheet);
-        for (int k = 0; k < local_inputs; ++k)
-          shared.parameter_of_local[k] = at[k] != nullptr ? seeds.parameter_at(at[k]) : -1;
-        shared.parameter_of_energy = of_energy.data();
         w.layout.pack(scene, chunk, kernels[chunk.sheet], seeds, packed);
         // The kernel's energy tangents are by log(E0).
-        points += fall_on_film_with_tangents(kernels[chunk.sheet], shared, packed.groups.data(),
-                                             packed.chains.data(), packed.groups.size(),
+        points += fall_on_film_with_tangents(kernels[chunk.sheet], of_sheets[chunk.sheet],
+                                             packed.groups.data(), packed.chains.data(), packed.groups.size(),
                                              w.slot_films[slot].data(), *tangents[shard]);
       }
     });

@@ -64,10 +64,9 @@ class Exposer {
   void expose(const Scene& scene, Exposure& out, const std::function<void(double)>& progress = {},
               const std::atomic<bool>* stop = nullptr, int only_sheet = -1);
 
-  /// `free` are addresses of numbers inside `scene` (see real_value() of the parameter table). What they do
-  /// to the height profile, other than by energy_kev, is not in the derivatives: see expose_profiles().
-  /// march.shrink counts as 1.
-  void expose_with_derivatives(const Scene& scene, const std::vector<const double*>& free, Exposure& out);
+  /// By `free`, numbers of the scene. What they do to the height profile, other than by energy_kev, is not in
+  /// the derivatives: see expose_profiles(). march.shrink counts as 1.
+  void expose_with_derivatives(const Scene& scene, const std::vector<ParameterId>& free, Exposure& out);
 
   /// The light of one sheet alone, once for every height profile of `rates` ([altitude] as a line of
   /// HeightProfile has them, signed) that is put in the place of its own: planes of rayleighs in their order,

@@ -102,9 +102,8 @@ struct Workload {
   }
 
   void aim() {
-    const sim::CameraView<double> view = sim::camera_view<double>(scene.camera, [&](sim::CameraNumber which) {
-      return *sim::camera_number_address(scene.camera, which);
-    });
+    const sim::CameraView<double> view = sim::camera_view<double>(
+        scene.camera, [&](sim::CameraNumber which) { return sim::camera_number(scene.camera, which); });
     for (auto& axis : direction) axis.resize(film.rows);
     end_km.resize(film.rows);
     for (int row = 0; row < film.rows; ++row)

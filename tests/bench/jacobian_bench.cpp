@@ -44,10 +44,10 @@ sim::Scene scene_with_free(int beams, const std::vector<std::string>& paths) {
   return scene;
 }
 
-std::vector<const double*> addresses(const sim::Scene& scene, const std::vector<fit::FreeNumber>& free) {
-  std::vector<const double*> result;
-  for (const fit::FreeNumber& number : free) result.push_back(sim::real_value(scene, number.path));
-  return result;
+std::vector<sim::ParameterId> ids_of(const std::vector<fit::FreeNumber>& free) {
+  std::vector<sim::ParameterId> ids;
+  for (const fit::FreeNumber& number : free) ids.push_back(number.id);
+  return ids;
 }
 
 /// A photograph of the scene as this program renders it, every pixel usable.
@@ -101,7 +101,7 @@ struct Problem {
     double* jacobians[] = {jacobian.data()};
     return cost.Evaluate(blocks, residuals.data(), jacobians);
   }
-  void profile_with_derivatives() { model.evaluate_with_derivatives(scene, addresses(scene, free), profile); }
+  void profile_with_derivatives() { model.evaluate_with_derivatives(scene, ids_of(free), profile); }
   void linear_part() {
     std::vector<double> out;
     const fit::LinearPart& linear = comparison.linear();
@@ -140,13 +140,13 @@ struct ForwardRender {
 /// The exposure alone, on the film that the fit's model uses.
 struct ModelExposure {
   const sim::Scene& scene;
-  std::vector<const double*> free;
+  std::vector<sim::ParameterId> free;
   sim::Exposer exposer;
   sim::Exposure exposure;
 
   explicit ModelExposure(const Problem& p)
       : scene(p.scene),
-        free(addresses(p.scene, p.free)),
+        free(ids_of(p.free)),
         exposer(p.scene,
                 sim::film_for(p.scene, 0, 0, p.scene.camera.width, p.scene.camera.height, kCellWidth, 1.0),
                 kThreads, kBeyond) {}

@@ -61,7 +61,7 @@ Exposure with_derivatives(int threads) {
   const FilmGeometry film = film_for(scene, 0, 0, 160, 120, 2.0, 1.0);
   Exposure exposure;
   Exposer(scene, film, threads, 0.5)
-      .expose_with_derivatives(scene, tests::addresses_of(scene, tests::free_paths(scene)), exposure);
+      .expose_with_derivatives(scene, tests::ids_of(tests::free_paths(scene)), exposure);
   return exposure;
 }
 
@@ -71,7 +71,9 @@ Exposure with_beam_derivatives(int threads) {
   const FilmGeometry film = film_for(scene, 0, 0, 160, 120, 2.0, 1.0);
   Exposure exposure;
   Exposer(scene, film, threads)
-      .expose_with_derivatives(scene, {&scene.sheets[0].phase_rad, &scene.sheets[1].energy_kev}, exposure);
+      .expose_with_derivatives(
+          scene, {parameter_with(ParameterRole::phase, 0), parameter_with(ParameterRole::energy, 1)},
+          exposure);
   return exposure;
 }
 
@@ -99,7 +101,8 @@ TEST(SameBytes, OfAPhysicallyBlurredPictureForAnyThreads) {
 TEST(SameBytes, OfAnExposureOverInstantsForAnyThreads) {
   const Scene scene = exposed_scene();
   const FilmGeometry film = film_for(scene, 0, 0, 160, 120, 2.0, 1.0);
-  const std::vector<const double*> free = {&scene.sheets[0].center_km.north, &scene.sheets[1].energy_kev};
+  const std::vector<ParameterId> free = {parameter_with(ParameterRole::centre, 0, 1),
+                                         parameter_with(ParameterRole::energy, 1)};
   RenderOptions options;
   options.threads = 1;
   const Rendering one = render(scene, options);
@@ -148,8 +151,8 @@ TEST(SameBytes, OfTheFilmWithAndWithoutDerivatives) {
   Exposer exposer(scene, film, 2);
   Exposure plain, derived, few;
   exposer.expose(scene, plain);
-  exposer.expose_with_derivatives(scene, tests::addresses_of(scene, tests::free_paths(scene)), derived);
-  exposer.expose_with_derivatives(scene, {&scene.sheets[0].phase_rad}, few);
+  exposer.expose_with_derivatives(scene, tests::ids_of(tests::free_paths(scene)), derived);
+  exposer.expose_with_derivatives(scene, {parameter_with(ParameterRole::phase, 0)}, few);
   EXPECT_TRUE(tests::same_bytes(plain.rayleigh, derived.rayleigh));
   EXPECT_TRUE(tests::same_bytes(plain.rayleigh, few.rayleigh));
   EXPECT_EQ(plain.deflection_points, derived.deflection_points);

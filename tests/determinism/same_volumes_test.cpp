@@ -4,6 +4,7 @@
 #include "sim/render/beams/kernel.h"
 #include "sim/render/render.h"
 #include "sim/scene/file/scene_toml.h"
+#include "tests/support/free_paths.h"
 #include "tests/support/only_target.h"
 #include "tests/support/same_bytes.h"
 
@@ -75,10 +76,11 @@ Exposure derived(int threads) {
   const FilmGeometry film = film_for(scene, 0, 0, 96, 64, 4.0, 2.0);
   Exposure exposure;
   Exposer(scene, film, threads)
-      .expose_with_derivatives(scene,
-                               {&scene.footprints[0].energy_kev, &scene.nebulae[0].dust_depth,
-                                &scene.nodes[1].amplitude, &scene.camera.azimuth_deg},
-                               exposure);
+      .expose_with_derivatives(
+          scene,
+          tests::ids_of(scene, {"footprint.energy_kev", "nebula.dust_depth",
+                                "node." + scene.nodes[1].name + ".amplitude", "camera.azimuth_deg"}),
+          exposure);
   return exposure;
 }
 

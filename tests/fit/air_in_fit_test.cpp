@@ -96,7 +96,7 @@ TEST(AirInAFit, JacobianAgreesWithDifferences) {
     EXPECT_EQ(residuals(u, &jacobian), residuals(u, nullptr));
     for (std::size_t j = 0; j < free.size(); ++j) {
       SCOPED_TRACE(free[j].label());
-      const std::string& table = free[j].table();
+      const std::string& table = free[j].id.row->table;
       double step = 5e-4 * free[j].start;
       if (table == "camera") step = 1.5e-3;
       if (table == "air" || table == "airglow" || table == "light_pollution") step = 0.02 * free[j].start;

@@ -94,7 +94,7 @@ TEST(SeveralPhotographs, JacobianAgreesWithDifferences) {
   two.residuals(u, &jacobian);
   for (std::size_t j = 0; j < u.size(); ++j) {
     SCOPED_TRACE(two.free[j].label());
-    const std::string& key = two.free[j].path.row->key;
+    const std::string& key = two.free[j].id.row->key;
     // About a hundredth of a pixel, as tests/fit/profile_cost_test.cpp has it.
     const double by_value = key == "center_km"    ? 0.004
                             : key == "length_km"  ? 0.01

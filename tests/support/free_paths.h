@@ -55,10 +55,17 @@ inline std::vector<FreePath> free_paths(const sim::Scene& scene) {
   return all;
 }
 
-inline std::vector<const double*> addresses_of(const sim::Scene& scene, const std::vector<FreePath>& paths) {
-  std::vector<const double*> result;
-  for (const FreePath& p : paths) result.push_back(sim::real_value(scene, p.path));
-  return result;
+inline std::vector<sim::ParameterId> ids_of(const std::vector<FreePath>& paths) {
+  std::vector<sim::ParameterId> ids;
+  for (const FreePath& p : paths) ids.push_back(p.path.id);
+  return ids;
+}
+
+/// Of paths to single numbers of a scene.
+inline std::vector<sim::ParameterId> ids_of(const sim::Scene& scene, const std::vector<std::string>& paths) {
+  std::vector<sim::ParameterId> ids;
+  for (const std::string& path : paths) ids.push_back(sim::parameter_at(scene, path).value());
+  return ids;
 }
 
 }  // namespace vegard::tests

@@ -18,8 +18,7 @@ constexpr double kDegrees = 1.0 / sim::kRadiansPerDegree;
 
 /// A scene's number as a function of a calibration's.
 struct SceneNumber {
-  const char* key;
-  const char* unit;
+  sim::ParameterRole role;
   double value;
   Eigen::RowVectorXd by_number;  ///< [LensNumber]
 };
@@ -27,31 +26,33 @@ struct SceneNumber {
 std::vector<SceneNumber> scene_numbers(const SkyCamera& camera, const Frame& frame,
                                        const Pointing& pointing) {
   std::vector<SceneNumber> all;
-  const auto add = [&](const char* key, const char* unit, double value, LensNumber number, double slope) {
-    all.push_back({key, unit, value, Eigen::RowVectorXd::Zero(lens_numbers)});
+  using sim::ParameterRole;
+  const auto add = [&](ParameterRole role, double value, LensNumber number, double slope) {
+    all.push_back({role, value, Eigen::RowVectorXd::Zero(lens_numbers)});
     all.back().by_number[number] = slope;
   };
   const double angles[3] = {pointing.azimuth_deg, pointing.elevation_deg, pointing.roll_deg};
-  constexpr const char* kAngles[3] = {"azimuth_deg", "elevation_deg", "roll_deg"};
+  constexpr ParameterRole kAngles[3] = {ParameterRole::camera_azimuth, ParameterRole::camera_elevation,
+                                        ParameterRole::camera_roll};
   for (int i = 0; i < 3; ++i) {
-    all.push_back({kAngles[i], "deg", angles[i], Eigen::RowVectorXd::Zero(lens_numbers)});
+    all.push_back({kAngles[i], angles[i], Eigen::RowVectorXd::Zero(lens_numbers)});
     all.back().by_number.head<3>() = pointing.by_turns.row(i);
   }
   const auto& n = camera.numbers;
   const double half = 0.5 * frame.width_px, focal = n[focal_px_number];
   if (camera.model == sim::LensModel::pinhole)
-    add("hfov_deg", "deg", 2.0 * std::atan(half / focal) * kDegrees, focal_px_number,
+    add(ParameterRole::field_of_view, 2.0 * std::atan(half / focal) * kDegrees, focal_px_number,
         -2.0 * half / (focal * focal + half * half) * kDegrees);
   else
-    add("focal_px", "px", focal, focal_px_number, 1.0);
-  add("principal_x_px", "px", n[centre_x_number] - half, centre_x_number, 1.0);
-  add("principal_y_px", "px", n[centre_y_number] - 0.5 * frame.height_px, centre_y_number, 1.0);
-  add("aspect", "", n[aspect_ratio_number], aspect_ratio_number, 1.0);
-  add("k1", "", n[radial_1_number], radial_1_number, 1.0);
-  add("k2", "", n[radial_2_number], radial_2_number, 1.0);
-  add("k3", "", n[radial_3_number], radial_3_number, 1.0);
-  add("p1", "", n[decentring_1_number], decentring_1_number, 1.0);
-  add("p2", "", n[decentring_2_number], decentring_2_number, 1.0);
+    add(ParameterRole::focal_length, focal, focal_px_number, 1.0);
+  add(ParameterRole::principal_x, n[centre_x_number] - half, centre_x_number, 1.0);
+  add(ParameterRole::principal_y, n[centre_y_number] - 0.5 * frame.height_px, centre_y_number, 1.0);
+  add(ParameterRole::lens_aspect, n[aspect_ratio_number], aspect_ratio_number, 1.0);
+  add(ParameterRole::lens_k1, n[radial_1_number], radial_1_number, 1.0);
+  add(ParameterRole::lens_k2, n[radial_2_number], radial_2_number, 1.0);
+  add(ParameterRole::lens_k3, n[radial_3_number], radial_3_number, 1.0);
+  add(ParameterRole::lens_p1, n[decentring_1_number], decentring_1_number, 1.0);
+  add(ParameterRole::lens_p2, n[decentring_2_number], decentring_2_number, 1.0);
   return all;
 }
 
@@ -81,7 +82,7 @@ void tell_errors(Calibration& calibration, const std::vector<LensNumber>& free) 
   std::vector<Eigen::RowVectorXd> of_free;
   for (const SceneNumber& number :
        scene_numbers(calibration.camera, calibration.frame, calibration.pointing)) {
-    CameraEstimate estimate{number.key, number.unit, number.value, 0.0, false};
+    CameraEstimate estimate{sim::parameter_with(number.role), number.value, 0.0, false};
     for (const LensNumber one : free) estimate.free = estimate.free || number.by_number[one] != 0.0;
     if (estimate.free) {
       of_free.push_back(number.by_number * roots);
@@ -115,9 +116,10 @@ void tell_warnings(Calibration& calibration) {
     for (std::size_t j = i + 1; j < free.size(); ++j) {
       const double r = calibration.correlation(static_cast<int>(i), static_cast<int>(j));
       if (std::abs(r) < kStrong) continue;
-      std::string words = free[i]->key + " and " + free[j]->key + " are hardly told apart (correlation " +
+      std::string words = free[i]->key() + " and " + free[j]->key() + " are hardly told apart (correlation " +
                           number_text("%.3f)", r);
-      if (free[i]->key == "azimuth_deg" && free[j]->key == "roll_deg")
+      if (free[i]->id.role() == sim::ParameterRole::camera_azimuth &&
+          free[j]->id.role() == sim::ParameterRole::camera_roll)
         words +=
             number_text(": the camera looks %.1f° from the zenith; about its axis it is known to %.3f°",
                         90.0 - std::abs(calibration.pointing.elevation_deg), calibration.twist_sigma_deg);

@@ -9,17 +9,20 @@
 
 #include "fit/photo/pointing/lens_choice.h"
 #include "fit/photo/pointing/pointing.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::fit {
 
 /// A number in a scene's [camera] and its standard deviation: least squares with the noise that the residuals
 /// show.
 struct CameraEstimate {
-  std::string key;  ///< "azimuth_deg"
-  std::string unit;
+  sim::ParameterId id;  ///< which of the camera's numbers
   double value = 0.0;
   double sigma = 0.0;
   bool free = false;  ///< else it was held and sigma means nothing
+
+  const std::string& key() const { return id.row->key; }  ///< "azimuth_deg"
+  const std::string& unit() const { return id.row->unit; }
 };
 
 struct StarResidual {

@@ -79,7 +79,7 @@ std::string calibration_json(const Calibration& calibration, const CalibrationOr
   json["numbers"] = Json::array();
   for (const CameraEstimate& estimate : calibration.estimates) {
     json["numbers"].push_back(
-        {{"key", "camera." + estimate.key}, {"unit", estimate.unit}, {"value", number(estimate.value)}});
+        {{"key", "camera." + estimate.key()}, {"unit", estimate.unit()}, {"value", number(estimate.value)}});
     json["numbers"].back()["sigma"] = estimate.free ? number(estimate.sigma) : Json(nullptr);
   }
   json["correlation"] = Json::array();

@@ -31,7 +31,8 @@ std::string quoted(const std::string& words) {
 
 /// Whether a number that was not fitted has to be told all the same.
 bool is_default(const CameraEstimate& estimate) {
-  return estimate.key == "aspect" ? estimate.value == 1.0 : estimate.value == 0.0;
+  return estimate.id.role() == sim::ParameterRole::lens_aspect ? estimate.value == 1.0
+                                                               : estimate.value == 0.0;
 }
 
 std::string in_one_line(const std::string& words) {
@@ -128,7 +129,7 @@ std::string camera_toml(const Calibration& calibration, const CalibrationOrigin&
       line("height", std::to_string(calibration.frame.height_px), calibration.frame.known ? "" : "likewise");
   for (const CameraEstimate& estimate : calibration.estimates) {
     if (!estimate.free && is_default(estimate)) continue;
-    text += line(estimate.key, real(estimate.value),
+    text += line(estimate.key(), real(estimate.value),
                  estimate.free ? "± " + short_number(estimate.sigma, 2) : "held");
   }
   if (calibration.camera.mirrored) text += line("mirrored", "true");

@@ -9,24 +9,21 @@ namespace vegard::sim {
 namespace {
 
 /// The local inputs that a number is, in some sheet.
-std::set<int> local_inputs_at(const Scene& scene, const double* number) {
+std::set<int> local_inputs_of(const Scene& scene, const ParameterId& number) {
   std::set<int> inputs;
-  for (const Sheet& sheet : scene.sheets) {
-    const std::vector<const double*> at = local_input_addresses(scene, sheet);
-    for (int k = 0; k < local_inputs; ++k)
-      if (at[k] == number) inputs.insert(k);
-  }
+  for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+    if (const int k = local_input_of(scene, static_cast<int>(s), number); k >= 0) inputs.insert(k);
   return inputs;
 }
 
 }  // namespace
 
-std::vector<DerivativePass> derivative_passes(const Scene& scene, const std::vector<const double*>& free) {
+std::vector<DerivativePass> derivative_passes(const Scene& scene, const std::vector<ParameterId>& free) {
   constexpr std::size_t kMostShared = kMostCarried - beam_inputs;
   std::vector<DerivativePass> passes(1);
   std::set<int> shared;
   for (std::size_t i = 0; i < free.size(); ++i) {
-    const std::set<int> own = local_inputs_at(scene, free[i]);
+    const std::set<int> own = local_inputs_of(scene, free[i]);
     std::set<int> together = shared;
     together.insert(own.begin(), own.end());
     if (passes.back().count == kTangentWidth || together.size() > kMostShared) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/scene/structs/scene.h"
+#include "sim/scene/table/parameter_id.h"
 
 namespace vegard::sim {
 
@@ -14,8 +15,8 @@ struct DerivativePass {
 };
 
 /// As few passes as will do, at least one: none has more than kTangentWidth parameters, nor more that beams
-/// share than the kernel carries (kMostCarried less beam_inputs, sim/light/sample.h). `free` are addresses
-/// inside `scene`.
-std::vector<DerivativePass> derivative_passes(const Scene& scene, const std::vector<const double*>& free);
+/// share than the kernel carries (kMostCarried less beam_inputs, sim/light/sample.h). `free` are numbers of
+/// the scene.
+std::vector<DerivativePass> derivative_passes(const Scene& scene, const std::vector<ParameterId>& free);
 
 }  // namespace vegard::sim

@@ -23,10 +23,15 @@ T local(double degrees, int input, double scale = kRadiansPerDegree) {
 /// Whether a fit is to find a pinhole's distortion, which may be none at present: its light is the same to
 /// the last bit whether derivatives are wanted or not.
 bool may_be_distorted(const Fit& fit) {
+  static const std::vector<std::string> distortions = [] {
+    std::vector<std::string> paths;
+    for (const ParameterRole role : {ParameterRole::lens_k1, ParameterRole::lens_k2, ParameterRole::lens_k3,
+                                     ParameterRole::lens_p1, ParameterRole::lens_p2})
+      paths.push_back(path_of({}, parameter_with(role)));
+    return paths;
+  }();
   const auto is_distortion = [](const std::string& path) {
-    for (const char* known : {"camera.k1", "camera.k2", "camera.k3", "camera.p1", "camera.p2"})
-      if (path == known) return true;
-    return false;
+    return std::find(distortions.begin(), distortions.end(), path) != distortions.end();
   };
   return std::any_of(fit.free.begin(), fit.free.end(),
                      [&](const FreeParameter& free) { return is_distortion(free.path); }) ||
@@ -60,16 +65,14 @@ bool looks_below_horizon(const CameraView<double>& view, const FilmGeometry& fil
 
 }  // namespace
 
-int Seeds::parameter_at(const double* address) const {
-  for (std::size_t i = 0; i < count_; ++i)
-    if (free_[first_ + i] == address) return static_cast<int>(i);
-  return -1;
+Seeds::Seeds(const Scene& scene, const std::vector<ParameterId>& free, std::size_t first, std::size_t count) {
+  for (std::size_t i = first; i < first + count; ++i) places_.push_back(number_at(scene, free[i]));
 }
 
 FreeDual Seeds::operator()(const double& number, double scale) const {
   FreeDual dual(number * scale);
-  const int i = parameter_at(&number);
-  if (i >= 0) dual.d.t[i] = scale;
+  const auto found = std::find(places_.begin(), places_.end(), &number);
+  if (found != places_.end()) dual.d.t[found - places_.begin()] = scale;
   return dual;
 }
 
@@ -92,7 +95,7 @@ KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_ste
   k.deflection.pitch_step_rad = local<LocalDual>(sheet.pitch_step_rad, pitch_step, 1.0);
   k.deflection.path_step = path_step;
   k.view = camera_view<LocalDual>(scene.camera, [&](CameraNumber which) {
-    return local<LocalDual>(*camera_number_address(scene.camera, which), first_camera_input + which, 1.0);
+    return local<LocalDual>(camera_number(scene.camera, which), first_camera_input + which, 1.0);
   });
   k.plain_pinhole = is_plain_pinhole(k.view.lens) && !may_be_distorted(scene.fit);
   k.film = film;
@@ -109,16 +112,24 @@ KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_ste
   return k;
 }
 
-std::vector<const double*> local_input_addresses(const Scene& scene, const Sheet& sheet) {
-  std::vector<const double*> at(local_inputs, nullptr);
-  at[inclination] = &scene.field.inclination_deg;
-  at[declination] = &scene.field.declination_deg;
+int local_input_of(const Scene& scene, int sheet, const ParameterId& id) {
   static_assert(static_cast<int>(camera_inputs) == static_cast<int>(camera_numbers));
-  for (int n = 0; n < camera_numbers; ++n)
-    at[first_camera_input + n] = camera_number_address(scene.camera, static_cast<CameraNumber>(n));
-  at[loss_cone] = &sheet.loss_cone_deg;
-  at[pitch_step] = &sheet.pitch_step_rad;
-  return at;
+  switch (id.role()) {
+    case ParameterRole::none:
+      return -1;
+    case ParameterRole::inclination:
+      return inclination;
+    case ParameterRole::declination:
+      return declination;
+    case ParameterRole::loss_cone:
+      return id.element == sheet ? loss_cone : -1;
+    case ParameterRole::pitch_step:
+      return id.element == sheet ? pitch_step : -1;
+    default:
+      break;
+  }
+  const int of_camera = camera_number_of(scene.camera, id);
+  return of_camera < 0 ? -1 : first_camera_input + of_camera;
 }
 
 std::vector<HeightProfile> height_profiles(const Scene& scene) {

@@ -7,24 +7,23 @@
 #include "sim/emit/aurora/sheet.h"
 #include "sim/render/beams/kernel.h"
 #include "sim/scene/structs/scene.h"
+#include "sim/scene/table/parameter_id.h"
 
 namespace vegard::sim {
 
-/// Turns numbers of a scene into dual numbers: the tangent is 1 for the parameter that lives at that address.
-/// Stands for `count` free parameters from `first` on, one pass of the kernel.
+/// Turns numbers of a scene into dual numbers: the tangent is 1 for a free parameter's own number. Stands for
+/// `count` free parameters from `first` on, one pass of the kernel. Whoever works out light holds plain
+/// structs of the scene and asks for their members: here alone a member is looked up among the places of the
+/// free.
 class Seeds {
  public:
-  Seeds(const std::vector<const double*>& free, std::size_t first, std::size_t count)
-      : free_(free), first_(first), count_(count) {}
+  Seeds(const Scene& scene, const std::vector<ParameterId>& free, std::size_t first, std::size_t count);
 
-  /// Which of these parameters lives there; -1 if none.
-  int parameter_at(const double* address) const;
-
+  /// `number` is a member of the scene.
   FreeDual operator()(const double& number, double scale = 1.0) const;
 
  private:
-  const std::vector<const double*>& free_;
-  std::size_t first_, count_;
+  std::vector<const double*> places_;
 };
 
 /// The same for who wants no derivatives.
@@ -41,8 +40,8 @@ SheetShape<FreeDual> shape_of(const Scene& scene, int sheet, int arc, double ins
 KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_step, const FilmGeometry& film,
                          const std::vector<HeightProfile>& profiles);
 
-/// Where in the scene the local inputs live, by LocalInput; null for those of a beam.
-std::vector<const double*> local_input_addresses(const Scene& scene, const Sheet& sheet);
+/// The LocalInput that a parameter is for the beams of a sheet; -1 for one that is none, or each beam's own.
+int local_input_of(const Scene& scene, int sheet, const ParameterId& id);
 
 /// One height profile per sheet.
 std::vector<HeightProfile> height_profiles(const Scene& scene);

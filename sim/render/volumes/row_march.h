@@ -34,9 +34,8 @@ class RowMarch {
         sun_(scene),
         plain_view_(camera_view(scene.camera)),
         rad_per_px_(radians_per_px(plain_view_, scene.camera)),
-        view_(camera_view<T>(
-            scene.camera,
-            [&](CameraNumber which) { return number(*camera_number_address(scene.camera, which)); })),
+        view_(camera_view<T>(scene.camera,
+                             [&](CameraNumber which) { return number(camera_number(scene.camera, which)); })),
         made_here_(made != nullptr ? Emitters<T>() : make_emitters<T>(scene, files, number, threads)),
         emitters_(made != nullptr ? *made : made_here_),
         slots_(thread_count(threads)) {

@@ -49,7 +49,7 @@ VolumeLight Volumes::light(const Scene& scene, const FilmGeometry& film,
 }
 
 void Volumes::add_light_derivatives(const Scene& scene, const FilmGeometry& film,
-                                    const std::vector<const double*>& free, std::size_t stride,
+                                    const std::vector<ParameterId>& free, std::size_t stride,
                                     float* derivative) const {
   if (!is_spread(scene.march)) {
     add_derivatives(scene, film, free, stride, derivative);

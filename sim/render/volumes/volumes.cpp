@@ -68,13 +68,13 @@ MarchCells Volumes::marcher(const Scene& scene, const std::function<void(double)
 }
 
 void Volumes::add_derivatives(const Scene& scene, const FilmGeometry& film,
-                              const std::vector<const double*>& free, std::size_t stride,
+                              const std::vector<ParameterId>& free, std::size_t stride,
                               float* derivative) const {
   const std::size_t cells = static_cast<std::size_t>(film.rows) * film.columns;
   const int lines = static_cast<int>(scene.emission.lines.size());
   for (std::size_t first = 0; first < free.size(); first += kTangentWidth) {
     const std::size_t count = std::min<std::size_t>(kTangentWidth, free.size() - first);
-    const Seeds seeds(free, first, count);
+    const Seeds seeds(scene, free, first, count);
     RowMarch<FreeDual> rows(
         scene, *files_, [&](const double& number) { return seeds(number); }, threads_);
     parallel_for(static_cast<std::size_t>(film.rows), threads_, [&](std::size_t row, int slot) {

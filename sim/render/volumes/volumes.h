@@ -47,10 +47,10 @@ class Volumes {
                     const std::function<void(double)>& progress = {}, const std::atomic<bool>* stop = nullptr,
                     bool whole_resolution = false) const;
 
-  /// Adds the derivatives of the light at the film's own resolution by `free`, addresses of numbers inside
-  /// `scene`, to [line][row][column][stride].
+  /// Adds the derivatives of the light at the film's own resolution by `free`, numbers of the
+  /// scene, to [line][row][column][stride].
   void add_light_derivatives(const Scene& scene, const FilmGeometry& film,
-                             const std::vector<const double*>& free, std::size_t stride,
+                             const std::vector<ParameterId>& free, std::size_t stride,
                              float* derivative) const;
 
   /// The march alone, ready to be run on several films of this scene, which must outlive it.
@@ -58,7 +58,7 @@ class Volumes {
                      const std::atomic<bool>* stop = nullptr) const;
 
   /// The derivatives of the march alone.
-  void add_derivatives(const Scene& scene, const FilmGeometry& film, const std::vector<const double*>& free,
+  void add_derivatives(const Scene& scene, const FilmGeometry& film, const std::vector<ParameterId>& free,
                        std::size_t stride, float* derivative) const;
 
  private:

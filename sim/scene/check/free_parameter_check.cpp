@@ -154,7 +154,7 @@ void check_same_number(const Scene& scene, const FreeParameter& first, const Fre
               "entries of one name are one number if both have a path"},
              origin);
   const ParameterPath a = paths_of(scene, first).front(), b = paths_of(scene, later).front();
-  if (a.row->key == "spline_rate" || b.row->key == "spline_rate")
+  if (a.row->role == ParameterRole::profile_coefficient || b.row->role == ParameterRole::profile_coefficient)
     complain({"coefficients of a free-form profile cannot be one number", "a name of its own for each", ""},
              origin);
   if (a.row->unit != b.row->unit)
@@ -198,7 +198,7 @@ std::optional<Complaint> photo_complaint(const Scene& scene, const std::string& 
 }
 
 void check_free_parameters(const Scene& scene) {
-  std::map<std::string, std::vector<const FreeParameter*>> owners;
+  std::map<ParameterId, std::vector<const FreeParameter*>> owners;
   std::map<std::string, const FreeParameter*> named;
   for (const FreeParameter& free : scene.fit.free) {
     const std::vector<ParameterPath> paths = paths_of(scene, free);
@@ -216,13 +216,13 @@ void check_free_parameters(const Scene& scene) {
       const bool is_shared = free.photo.empty();
       if (is_shared)
         if (const auto idle = why_it_counts_for_nothing(scene, path)) complain(*idle, origin);
-      for (const FreeParameter* owner : owners[path.text]) {
+      for (const FreeParameter* owner : owners[path.id]) {
         if (meet(owner->photo, free.photo))
           complain({"free twice, first as '" + owner->path + "'" + line_words(owner->line),
                     "each parameter once", ""},
                    origin);
       }
-      owners[path.text].push_back(&free);
+      owners[path.id].push_back(&free);
       if (first == named.end() && is_shared) check_numbers(scene, free, path);
       lower_limit = std::min(lower_limit, free.min.value_or(path.row->min));
     }

@@ -23,20 +23,20 @@ void check_path(const Scene& scene, const TiedParameter& tied) {
     if (!path.row->can_be_free)
       complain({"this parameter cannot be tied", "one that `vegard params` lists as free", ""}, origin);
     if (const auto idle = why_it_counts_for_nothing(scene, path)) complain(*idle, origin);
-    if (path.row->key == "spline_rate")
+    if (path.row->role == ParameterRole::profile_coefficient)
       complain({"a coefficient of a free-form profile cannot be tied", "one that is free, or fixed", ""},
                origin);
     for (const FreeParameter& free : scene.fit.free) {
       if (!meet(free.photo, tied.photo)) continue;
       for (const ParameterPath& other : paths_of(scene, free))
-        if (other.text == path.text)
+        if (other.id == path.id)
           complain({"both tied and free, free as '" + free.path + "'" + line_words(free.line),
                     "one of the two", ""},
                    origin);
     }
     for (const TiedParameter& other : scene.fit.tied) {
       if (&other == &tied) break;
-      if (meet(other.photo, tied.photo) && paths_of(scene, other).front().text == path.text)
+      if (meet(other.photo, tied.photo) && paths_of(scene, other).front().id == path.id)
         complain({"tied twice, first" + line_words(other.line), "each parameter once", ""}, origin);
     }
   }
@@ -63,7 +63,7 @@ void check_values(const Scene& scene, const std::string& photo) {
     if (is_within_limits(tie.path, value)) value = std::clamp(value, tie.path.row->min, tie.path.row->max);
     *real_value(start, tie.path) = value;
     const auto entry = std::find_if(scene.fit.tied.begin(), scene.fit.tied.end(), [&](const auto& tied) {
-      return meet(tied.photo, photo) && paths_of(scene, tied).front().text == tie.path.text;
+      return meet(tied.photo, photo) && paths_of(scene, tied).front().id == tie.path.id;
     });
     if (auto complaint = number_complaint(declaration_of(*tie.path.row), value)) {
       complaint->problem =

@@ -13,8 +13,7 @@ namespace {
 bool has_free_spline(const Scene& scene, int sheet) {
   for (const FreeParameter& free : scene.fit.free)
     for (const ParameterPath& path : paths_of(scene, free))
-      if (path.row->table == sheet_table && path.row->key == "spline_rate" && path.sheet() == sheet)
-        return true;
+      if (path.row->role == ParameterRole::profile_coefficient && path.element == sheet) return true;
   return false;
 }
 

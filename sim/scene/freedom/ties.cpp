@@ -78,7 +78,7 @@ class Ordering {
     way_.push_back(i);
     for (const Tie::Input& input : ties_[i].inputs)
       for (std::size_t k = 0; k < ties_.size(); ++k)
-        if (input.path.row != nullptr && ties_[k].path.text == input.path.text) visit(k);
+        if (input.path.row != nullptr && ties_[k].path.id == input.path.id) visit(k);
     way_.pop_back();
     done_.insert(i);
     ordered_.push_back(ties_[i]);

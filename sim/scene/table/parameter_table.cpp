@@ -254,9 +254,9 @@ std::vector<ParameterPath> resolve(const Scene& scene, const std::string& path) 
   return found;
 }
 
-std::string element_name(const Scene& scene, const ParameterPath& path) {
-  const RepeatedTable* repeated = repeated_table(path.row->table);
-  return repeated == nullptr ? std::string() : repeated->name(scene, path.element);
+std::string element_name(const Scene& scene, const ParameterId& id) {
+  const RepeatedTable* repeated = repeated_table(id.row->table);
+  return repeated == nullptr ? std::string() : repeated->name(scene, id.element);
 }
 
 double* real_value(Scene& scene, const ParameterPath& path) {

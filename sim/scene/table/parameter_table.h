@@ -35,7 +35,7 @@ std::vector<ParameterPath> resolve(const Scene& scene, const std::string& path);
 std::vector<ParameterPath> all_paths(const Scene& scene);
 
 /// The name of the element that it belongs to; empty for a number of a table that a scene has once.
-std::string element_name(const Scene& scene, const ParameterPath& path);
+std::string element_name(const Scene& scene, const ParameterId& id);
 
 /// Where a real parameter lives inside `scene`. The path must have been resolved in a scene with the same
 /// sheets and lines; number_at() finds its place in any.

@@ -62,20 +62,20 @@ void carry_sheets(const Station& station, Scene& scene) {
   for (Sheet& sheet : scene.sheets) station.carry(sheet);
 }
 
-std::set<std::string> paths_set_by(const Scene& scene, const PhotoEntry& entry) {
-  std::set<std::string> paths;
+std::set<ParameterId> set_by(const Scene& scene, const PhotoEntry& entry) {
+  std::set<ParameterId> ids;
   for (const auto& [path, value] : entry.set)
-    for (const ParameterPath& p : resolve(scene, path)) paths.insert(p.text);
-  return paths;
+    for (const ParameterPath& p : resolve(scene, path)) ids.insert(p.id);
+  return ids;
 }
 
 /// A number that is free for all photographs is none that one of them has for itself.
 void check_shared_free(const Scene& scene, const PhotoEntry& entry, const Scene& own) {
-  const std::set<std::string> alone = paths_set_by(own, entry);
+  const std::set<ParameterId> alone = set_by(own, entry);
   for (const FreeParameter& free : scene.fit.free) {
     if (!free.photo.empty() || free.path.empty()) continue;
     for (const ParameterPath& path : resolve(scene, free.path))
-      if (alone.count(path.text) > 0)
+      if (alone.count(path.id) > 0)
         complain({"free for all photographs, but '" + entry.name + "' sets it for itself",
                   "shared by all or a matter of each", "give the entry of fit.free photo = \"NAME\""},
                  {scene.file, free.line, path.text});

@@ -6,42 +6,80 @@
 
 namespace vegard::sim {
 
-const double* camera_number_address(const Camera& camera, CameraNumber which) {
+const double& camera_number(const Camera& camera, CameraNumber which) {
   switch (which) {
     case azimuth_number:
-      return &camera.azimuth_deg;
+      return camera.azimuth_deg;
     case elevation_number:
-      return &camera.elevation_deg;
+      return camera.elevation_deg;
     case roll_number:
-      return &camera.roll_deg;
+      return camera.roll_deg;
     case scale_number:
-      return camera.model == LensModel::pinhole ? &camera.hfov_deg : &camera.focal_px;
+      return camera.model == LensModel::pinhole ? camera.hfov_deg : camera.focal_px;
     case principal_x_number:
-      return &camera.principal_x_px;
+      return camera.principal_x_px;
     case principal_y_number:
-      return &camera.principal_y_px;
+      return camera.principal_y_px;
     case aspect_number:
-      return &camera.aspect;
+      return camera.aspect;
     case k1_number:
-      return &camera.k1;
+      return camera.k1;
     case k2_number:
-      return &camera.k2;
+      return camera.k2;
     case k3_number:
-      return &camera.k3;
+      return camera.k3;
     case p1_number:
-      return &camera.p1;
+      return camera.p1;
     case p2_number:
-      return &camera.p2;
+      return camera.p2;
     case camera_numbers:
       break;
   }
   assert(false);
-  return nullptr;
+  return camera.azimuth_deg;
+}
+
+ParameterRole role_of(const Camera& camera, CameraNumber which) {
+  switch (which) {
+    case azimuth_number:
+      return ParameterRole::camera_azimuth;
+    case elevation_number:
+      return ParameterRole::camera_elevation;
+    case roll_number:
+      return ParameterRole::camera_roll;
+    case scale_number:
+      return camera.model == LensModel::pinhole ? ParameterRole::field_of_view : ParameterRole::focal_length;
+    case principal_x_number:
+      return ParameterRole::principal_x;
+    case principal_y_number:
+      return ParameterRole::principal_y;
+    case aspect_number:
+      return ParameterRole::lens_aspect;
+    case k1_number:
+      return ParameterRole::lens_k1;
+    case k2_number:
+      return ParameterRole::lens_k2;
+    case k3_number:
+      return ParameterRole::lens_k3;
+    case p1_number:
+      return ParameterRole::lens_p1;
+    case p2_number:
+      return ParameterRole::lens_p2;
+    case camera_numbers:
+      break;
+  }
+  assert(false);
+  return ParameterRole::none;
+}
+
+int camera_number_of(const Camera& camera, const ParameterId& id) {
+  for (int which = 0; which < camera_numbers; ++which)
+    if (role_of(camera, static_cast<CameraNumber>(which)) == id.role()) return which;
+  return -1;
 }
 
 CameraView<double> camera_view(const Camera& camera) {
-  return camera_view<double>(camera,
-                             [&](CameraNumber which) { return *camera_number_address(camera, which); });
+  return camera_view<double>(camera, [&](CameraNumber which) { return camera_number(camera, which); });
 }
 
 Direction direction_of_pixel(const Camera& camera, double x_px, double y_px) {

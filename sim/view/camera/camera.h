@@ -5,6 +5,7 @@
 #include "sim/base/earth.h"
 #include "sim/base/number/dual.h"
 #include "sim/scene/structs/scene.h"
+#include "sim/scene/table/parameter_id.h"
 #include "sim/view/camera/lens.h"
 
 namespace vegard::sim {
@@ -35,8 +36,13 @@ enum CameraNumber : int {
   camera_numbers  ///< how many there are
 };
 
-/// Where the number lives in the camera.
-const double* camera_number_address(const Camera& camera, CameraNumber which);
+const double& camera_number(const Camera& camera, CameraNumber which);
+
+/// What it is in the table, of this camera's lens.
+ParameterRole role_of(const Camera& camera, CameraNumber which);
+
+/// The CameraNumber that a parameter is; -1 for one that this camera's picture does not depend on.
+int camera_number_of(const Camera& camera, const ParameterId& id);
 
 /// A camera ready to look. T is double or a dual number.
 template <class T>

@@ -4,45 +4,47 @@
 
 namespace vegard::sim {
 
-const double* sky_number_address(const Scene& scene, SkyNumber which) {
+ParameterId sky_number_id(const Scene& scene, SkyNumber which) {
   if (which >= first_sky_camera && which < sky_numbers)
-    return camera_number_address(scene.camera, static_cast<CameraNumber>(which - first_sky_camera));
+    return parameter_with(role_of(scene.camera, static_cast<CameraNumber>(which - first_sky_camera)));
   switch (which) {
     case sky_aerosol_depth:
-      return &scene.air.aerosol_optical_depth;
+      return parameter_with(ParameterRole::aerosol_depth);
     case sky_angstrom:
-      return &scene.air.angstrom_exponent;
+      return parameter_with(ParameterRole::angstrom_exponent);
     case sky_green:
-      return &scene.airglow.green_rayleigh;
+      return parameter_with(ParameterRole::green_airglow);
     case sky_red:
-      return &scene.airglow.red_rayleigh;
+      return parameter_with(ParameterRole::red_airglow);
     case sky_sodium:
-      return &scene.airglow.sodium_rayleigh;
+      return parameter_with(ParameterRole::sodium_airglow);
     case sky_pollution:
-      return &scene.light_pollution.luminance_mcd_m2;
+      return parameter_with(ParameterRole::town_light);
     default:
       break;
   }
   assert(false);
-  return nullptr;
+  return {};
 }
 
-std::vector<int> sky_numbers_of(const Scene& scene, const std::vector<const double*>& free) {
+std::vector<int> sky_numbers_of(const Scene& scene, const std::vector<ParameterId>& free) {
   std::vector<int> which(free.size(), -1);
-  for (std::size_t j = 0; j < free.size(); ++j)
-    for (int k = 0; k < sky_numbers; ++k)
-      if (free[j] == sky_number_address(scene, static_cast<SkyNumber>(k))) which[j] = k;
+  for (int k = 0; k < sky_numbers; ++k) {
+    const ParameterId number = sky_number_id(scene, static_cast<SkyNumber>(k));
+    for (std::size_t j = 0; j < free.size(); ++j)
+      if (free[j] == number) which[j] = k;
+  }
   return which;
 }
 
 template <>
 double sky_number<double>(const Scene& scene, SkyNumber which) {
-  return *sky_number_address(scene, which);
+  return *number_at(scene, sky_number_id(scene, which));
 }
 
 template <>
 SkyDual sky_number<SkyDual>(const Scene& scene, SkyNumber which) {
-  SkyDual number(*sky_number_address(scene, which));
+  SkyDual number(sky_number<double>(scene, which));
   number.d.t[which] = 1.0;
   return number;
 }

@@ -6,6 +6,7 @@
 
 #include "sim/base/number/dual.h"
 #include "sim/scene/structs/scene.h"
+#include "sim/scene/table/parameter_id.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::sim {
@@ -24,11 +25,10 @@ enum SkyNumber : int {
 /// Tangents by the scene's own units (degrees, rayleighs, mcd m^-2).
 using SkyDual = Dual<double, Tangents<double, sky_numbers>>;
 
-/// Where the number lives in the scene.
-const double* sky_number_address(const Scene& scene, SkyNumber which);
+ParameterId sky_number_id(const Scene& scene, SkyNumber which);
 
 /// For every free parameter the SkyNumber that it is, or -1.
-std::vector<int> sky_numbers_of(const Scene& scene, const std::vector<const double*>& free);
+std::vector<int> sky_numbers_of(const Scene& scene, const std::vector<ParameterId>& free);
 
 /// Its value; a SkyDual has a tangent of 1 by itself. T is double or SkyDual.
 template <class T>

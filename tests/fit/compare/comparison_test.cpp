@@ -87,7 +87,7 @@ void expect_jacobian(const sim::Scene& scene, double smooth_rows, double toleran
   comparison->jacobian(point, jacobian);
   ASSERT_EQ(jacobian.size(), n * p);
   for (std::size_t j = 0; j < p; ++j) {
-    SCOPED_TRACE(free[j].path.text);
+    SCOPED_TRACE(free[j].path);
     const auto at = [&](double step) {
       std::vector<double> values = start;
       values[j] += step;

@@ -50,7 +50,7 @@ const Region kAll{0, 0, 40, 36};
 
 std::vector<double> residuals_at(const GranulationStatistic& statistic, const sim::Scene& scene) {
   const SolvedLight none;
-  const std::vector<const double*> numbers;
+  const std::vector<sim::ParameterId> numbers;
   const std::vector<double> slopes;
   std::vector<double> residual(statistic.residuals());
   statistic.evaluate({none, scene, numbers, slopes}, residual.data(), nullptr);
@@ -69,7 +69,9 @@ TEST(GranulationStatistic, HasTheDerivativesOfItsResiduals) {
   sim::Chromosphere& c = scene.chromospheres[0];
   c.scale = 63.0;
   double* const numbers[] = {&c.scale, &c.coverage, &c.roughness};
-  const std::vector<const double*> free(std::begin(numbers), std::end(numbers));
+  std::vector<sim::ParameterId> free;
+  for (const char* path : {"chromosphere.scale", "chromosphere.coverage", "chromosphere.roughness"})
+    free.push_back(sim::parameter_at(scene, path).value());
   SolvedLight light;
   light.free = 3;
   const std::vector<double> identity;

@@ -96,13 +96,13 @@ struct Fitting {
 /// In the scene's unit: moves the light by about a hundredth of a pixel. Shorter, and the rounding of floats
 /// shows; longer, and samples cross from cell to cell.
 double step_of(const FreeNumber& number) {
-  const std::string& key = number.key();
+  const std::string& key = number.id.row->key;
   if (key == "center_km") return 0.004;
   if (key == "inclination_deg" || key == "declination_deg") return 0.01;
   if (key == "loss_cone_deg") return 0.008;
   if (key == "pitch_step_rad") return 1.5e-4;
   if (key == "length_km") return 0.01;
-  if (number.table() == "camera") return 1.5e-3;
+  if (number.id.row->table == "camera") return 1.5e-3;
   if (!number.has_path()) return 0.004;  // a distance
   return number.logarithmic() ? 5e-4 * number.start : 5e-4;
 }
@@ -128,7 +128,7 @@ void expect_jacobian(const Fitting& fit) {
       size += difference * difference;
     }
     EXPECT_GT(size, 0.0);
-    const std::string& key = fit.free[j].key();
+    const std::string& key = fit.free[j].id.row->key;
     const bool weak = key == "loss_cone_deg" || key == "pitch_step_rad";
     EXPECT_LT(std::sqrt(error / size), weak ? 0.1 : 0.03);
   }
@@ -312,7 +312,7 @@ TEST(ProfileModel, DerivativeByTheEnergyFluxHasTheFluxLawInIt) {
   const Photo photo = photo_of(scene, true);  // nothing is clipped
   ProfileModel model(scene, photo, {20, 10, 120, 100}, 4, 1.0, 0.0, 2);
   ModelProfile here, up, down;
-  model.evaluate_with_derivatives(scene, {&flux}, here);
+  model.evaluate_with_derivatives(scene, {sim::parameter_with(sim::ParameterRole::energy_flux, 0)}, here);
   ASSERT_EQ(here.free, 1);
   const double step = 0.02;
   flux += step;

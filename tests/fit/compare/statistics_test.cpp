@@ -23,7 +23,7 @@ constexpr int kBands = 6;
 constexpr double kNoise = 0.02;
 constexpr unsigned kPhotos = 40;
 
-const std::vector<const double*> kNoNumbers;
+const std::vector<sim::ParameterId> kNoNumbers;
 const std::vector<double> kNoSlopes;
 
 SolvedLight true_light(const BinGrid& grid, const tests::MadeCurtain& curtain) {

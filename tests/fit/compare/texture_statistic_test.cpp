@@ -66,7 +66,7 @@ Photo photo_of_rays(const sim::Scene& scene, unsigned seed, double contrast = kC
 const Region kWhole{0, 0, 480, 40};
 
 std::vector<double> residuals_of(const TextureStatistic& texture, const sim::Scene& scene,
-                                 const std::vector<const double*>& numbers = {},
+                                 const std::vector<sim::ParameterId>& numbers = {},
                                  std::vector<double>* jacobian = nullptr) {
   SolvedLight light;
   light.free = static_cast<int>(numbers.size());
@@ -163,18 +163,18 @@ TEST(TextureStatistic, OfEvenLightThereIsNone) {
 TEST(TextureStatistic, SlopesAgreeWithDifferences) {
   const sim::Scene scene = scene_of_rays();
   const TextureStatistic texture(scene, photo_of_rays(scene, 5), kWhole, 2.0);
-  const std::vector<const double*> numbers = {&scene.sheets[0].center_km.north, &scene.sheets[0].bearing_deg,
-                                              &scene.camera.azimuth_deg, &scene.sheets[0].energy_kev,
-                                              &scene.camera.hfov_deg};
+  using sim::ParameterRole;
+  const std::vector<sim::ParameterId> numbers = {
+      sim::parameter_with(ParameterRole::centre, 0, 1), sim::parameter_with(ParameterRole::bearing, 0),
+      sim::parameter_with(ParameterRole::camera_azimuth), sim::parameter_with(ParameterRole::energy, 0),
+      sim::parameter_with(ParameterRole::field_of_view)};
   std::vector<double> jacobian;
   residuals_of(texture, scene, numbers, &jacobian);
   constexpr double h = 0.02;
   for (std::size_t j = 0; j < numbers.size(); ++j) {
     const auto at = [&](double step) {
       sim::Scene moved = scene;
-      double* const all[] = {&moved.sheets[0].center_km.north, &moved.sheets[0].bearing_deg,
-                             &moved.camera.azimuth_deg, &moved.sheets[0].energy_kev, &moved.camera.hfov_deg};
-      *all[j] += step;
+      *sim::number_at(moved, numbers[j]) += step;
       return residuals_of(texture, moved);
     };
     const std::vector<double> up = at(h), down = at(-h);

@@ -23,9 +23,9 @@ TEST(ProfileModel, OfAFreeFormProfileHasNoMemory) {
   photo.usable.assign(photo.linear.data.size(), 1);
   const Region region{20, 10, 120, 100};
   const auto coefficients = [](const sim::Scene& of) {
-    std::vector<const double*> addresses;
-    for (const double& rate : of.sheets[0].spline_rate) addresses.push_back(&rate);
-    return addresses;
+    std::vector<sim::ParameterId> ids;
+    for (const sim::ParameterPath& path : sim::resolve(of, "sheet.spline_rate")) ids.push_back(path.id);
+    return ids;
   };
   sim::Scene later = scene;
   for (double& rate : later.sheets[0].spline_rate) rate *= 3.7;

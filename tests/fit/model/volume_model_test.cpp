@@ -88,8 +88,8 @@ void expect_derivatives(const sim::Scene& scene, const std::vector<Step>& steps)
   const Photo photo = dark_photo(scene);
   const Region region{0, 0, scene.camera.width, scene.camera.height};
   ProfileModel model(scene, photo, region, 6, 1.0, 0.0, 2);
-  std::vector<const double*> free;
-  for (const Step& s : steps) free.push_back(sim::real_value(scene, sim::resolve(scene, s.path).front()));
+  std::vector<sim::ParameterId> free;
+  for (const Step& s : steps) free.push_back(sim::parameter_at(scene, s.path).value());
   ModelProfile here;
   model.evaluate_with_derivatives(scene, free, here);
   ASSERT_GT(length(here.value), 0.0);
@@ -101,7 +101,7 @@ void expect_derivatives(const sim::Scene& scene, const std::vector<Step>& steps)
     std::vector<double> difference(plain.value.size()), slope(plain.value.size());
     for (const double sign : {1.0, -1.0}) {
       sim::Scene moved = scene;
-      *sim::real_value(moved, sim::resolve(moved, steps[j].path).front()) += sign * steps[j].step;
+      *sim::number_at(moved, free[j]) += sign * steps[j].step;
       ModelProfile there;
       model.evaluate(moved, there);
       for (std::size_t i = 0; i < there.value.size(); ++i)

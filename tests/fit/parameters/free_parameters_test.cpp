@@ -31,7 +31,7 @@ TEST(FreeNumber, CoordinatesComeBackAsValues) {
       const double value = number.logarithmic() ? number.min * std::pow(number.max / number.min, share)
                                                 : number.min + share * (number.max - number.min);
       EXPECT_NEAR(number.value(number.coordinate(value)), value, 1e-9 * (std::abs(value) + 1.0))
-          << number.path.text;
+          << number.path;
     }
   }
 }
@@ -42,7 +42,7 @@ TEST(FreeNumber, SlopeIsTheDerivativeOfTheValue) {
     for (double u : {-3.0, -0.2, 0.0, 1.7}) {
       constexpr double h = 1e-5;
       const double difference = (number.value(u + h) - number.value(u - h)) / (2 * h);
-      EXPECT_NEAR(number.slope(u), difference, 1e-6 * std::abs(difference) + 1e-12) << number.path.text;
+      EXPECT_NEAR(number.slope(u), difference, 1e-6 * std::abs(difference) + 1e-12) << number.path;
       EXPECT_GT(number.slope(u), 0.0);
     }
   }
@@ -54,7 +54,7 @@ TEST(FreeNumber, OneSidedAndUnboundedTransformsInvertToo) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const char* path : {"sheet.main.energy_kev", "sheet.main.center_km.east"}) {
     number.path = sim::resolve(scene, path)[0];
-    number.min = number.path.row->scale == sim::ParameterScale::logarithmic ? 0.5 : -kInfinity;
+    number.min = number.id.row->scale == sim::ParameterScale::logarithmic ? 0.5 : -kInfinity;
     number.max = kInfinity;
     for (double value : {0.7, 3.0, 400.0}) {
       const double u = number.coordinate(value);
@@ -93,7 +93,7 @@ TEST(FreeNumbers, TakeVectorsApartAndStartWhereTheEntrySays) {
   scene.fit.free[1].prior = sim::Prior{5.0, 1.0};
   const std::vector<FreeNumber> numbers = free_numbers(scene);
   ASSERT_EQ(numbers.size(), 3u);
-  EXPECT_EQ(numbers[0].path.text, "sheet.main.center_km.east");
+  EXPECT_EQ(numbers[0].path, "sheet.main.center_km.east");
   EXPECT_EQ(numbers[0].start, 10.0);
   EXPECT_EQ(numbers[1].start, 190.0);
   EXPECT_EQ(numbers[2].start, 4.5);

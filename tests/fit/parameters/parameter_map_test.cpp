@@ -48,12 +48,12 @@ TEST(FreeNumbers, OfOneNameAreOneAndANumberMayHaveNoPath) {
   EXPECT_FALSE(free[0].has_path());
   EXPECT_EQ(free[0].label(), "distance");
   EXPECT_EQ(free[0].unit(), "");
-  EXPECT_EQ(free[0].key(), "");
+  EXPECT_FALSE(free[0].id.any());
   EXPECT_TRUE(free[0].logarithmic());
   EXPECT_NEAR(free[0].value(0.0), 200.0, 1e-9) << "the middle of the logarithms of 100 and 400";
   EXPECT_EQ(free[3].label(), "sheet.a.width_km");
   ASSERT_EQ(free[3].also.size(), 1u);
-  EXPECT_EQ(free[3].also[0].path.text, "sheet.far-off.width_km");
+  EXPECT_EQ(sim::path_of(scene, free[3].also[0].id), "sheet.far-off.width_km");
   EXPECT_EQ(full_turn(free[1]), 0.0) << "formulas may tell a turn from none";
 }
 
@@ -115,7 +115,7 @@ TEST(ParameterMap, ItsSlopesAgreeWithDifferences) {
         const double difference = (*sim::real_value(up, path) - *sim::real_value(down, path)) / (2.0 * step);
         double slope = 0.0;
         for (std::size_t i = 0; i < motion.numbers.size(); ++i)
-          if (motion.numbers[i] == sim::real_value(scene, path)) slope = motion.slopes[i * moved.size() + k];
+          if (motion.numbers[i] == path.id) slope = motion.slopes[i * moved.size() + k];
         // The differences' own truncation: the step squared over six, of a sine over degrees.
         EXPECT_NEAR(slope, difference, 1e-7 * std::max(1.0, std::abs(difference))) << path.text;
       }
@@ -131,7 +131,7 @@ TEST(ParameterMap, IsTheIdentityWhereNothingIsTied) {
   const std::vector<FreeNumber> all = free_numbers(scene);
   const ParameterMap tied(scene, all);
   const ParameterMap::Motion alone = tied.motion({300.0, 60.0, 5.0, 0.7, 50.0}, {4}, scene);
-  EXPECT_EQ(alone.numbers, (std::vector<const double*>{&scene.camera.hfov_deg}));
+  EXPECT_EQ(alone.numbers, tests::ids_of(scene, {"camera.hfov_deg"}));
   EXPECT_TRUE(alone.slopes.empty());
 
   scene.fit.tied.clear();
@@ -140,8 +140,7 @@ TEST(ParameterMap, IsTheIdentityWhereNothingIsTied) {
   const ParameterMap map(scene, free);
   EXPECT_TRUE(map.is_plain());
   const ParameterMap::Motion motion = map.motion({1.0, 2.0, 3.0}, {2, 0}, scene);
-  EXPECT_EQ(motion.numbers,
-            (std::vector<const double*>{&scene.sheets[1].energy_kev, &scene.sheets[0].center_km.east}));
+  EXPECT_EQ(motion.numbers, tests::ids_of(scene, {"sheet.far-off.energy_kev", "sheet.a.center_km.east"}));
   EXPECT_TRUE(motion.slopes.empty());
 }
 
@@ -196,11 +195,11 @@ TEST(ParameterMap, NamesWhatFollowsWithItsSlopes) {
   map.put(values, scene);
   const std::vector<ParameterMap::Dependent> all = map.dependents(values, scene);
   ASSERT_EQ(all.size(), 6u);
-  EXPECT_EQ(all[0].path.text, "sheet.far-off.width_km");
+  EXPECT_EQ(sim::path_of(scene, all[0].id), "sheet.far-off.width_km");
   EXPECT_EQ(all[0].equals, "sheet.a.width_km");
   EXPECT_EQ(all[0].slopes, (std::vector<double>{0.0, 0.0, 0.0, 1.0, 0.0}));
   for (const ParameterMap::Dependent& d : all) {
-    if (d.path.text != "sheet.far-off.center_km.east") continue;
+    if (sim::path_of(scene, d.id) != "sheet.far-off.center_km.east") continue;
     EXPECT_NEAR(d.slopes[0], 0.5, 1e-10);
     EXPECT_NEAR(d.slopes[2], 2.0, 1e-9) << "10 ln(0.8 E) by E at 5";
   }

@@ -131,8 +131,7 @@ TEST(SplinePrior, CoefficientsListedOneByOneAndOutOfOrderAreAsSmooth) {
     ASSERT_EQ(others[l].bends.size(), 62u);
     for (std::size_t b = 0; b < 62; ++b)
       for (int i = 0; i < 3; ++i) {
-        EXPECT_EQ(other[others[l].bends[b].numbers[i]].path.text,
-                  free[lines[l].bends[b].numbers[i]].path.text);
+        EXPECT_EQ(other[others[l].bends[b].numbers[i]].path, free[lines[l].bends[b].numbers[i]].path);
         EXPECT_EQ(others[l].bends[b].factors[i], lines[l].bends[b].factors[i]);
       }
   }

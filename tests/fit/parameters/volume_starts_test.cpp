@@ -67,7 +67,7 @@ TEST(VolumeStarts, KnowWhatStandsOnTheSun) {
                            "sun.azimuth_deg", "sun.position_angle_deg"})
     scene.fit.free.push_back(tests::free_entry(path));
   const std::vector<FreeNumber> free = free_numbers(scene);
-  for (const FreeNumber& n : free) EXPECT_TRUE(is_of_volume(n)) << n.path.text;
+  for (const FreeNumber& n : free) EXPECT_TRUE(is_of_volume(n)) << n.path;
   EXPECT_NEAR(*usual_error(scene, free[0], 0.3), 0.6 * 60.0, 1e-9);
   EXPECT_NEAR(*usual_error(scene, free[1], 0.3), 20.0, 1e-9);
   EXPECT_NEAR(*usual_error(scene, free[2], 0.3), 0.6 * 20.0, 1e-9);

@@ -138,7 +138,8 @@ TEST(TradeOff, SpeaksOfEveryNumberThatMayBeFree) {
     std::vector<FreeNumber> free;
     for (const sim::ParameterPath& p : sim::resolve(scene, path)) {
       free.emplace_back();
-      free.back().path = p;
+      free.back().id = p.id;
+      free.back().path = p.text;
       free.back().start = *sim::real_value(scene, p);
       free.back().min = p.row->min;
       free.back().max = p.row->max;

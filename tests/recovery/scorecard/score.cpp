@@ -28,7 +28,7 @@ double misfit(const sim::Sheet& truth, const sim::Sheet& found) {
 double z_of_parameter(const sim::Scene& start, const fit::FitResult& result, const std::string& path,
                       double truth) {
   for (const fit::FreeNumber& number : fit::free_numbers(start)) {
-    if (number.path.text != path) continue;
+    if (number.path != path) continue;
     for (const fit::FittedParameter& p : result.parameters) {
       if (p.path != path || !p.interval68) continue;
       const double sigma =

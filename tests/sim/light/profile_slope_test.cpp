@@ -21,18 +21,19 @@ TEST(ProfileSlope, OfAFormsCurveIsThatOfTheRate) {
     sheet.peak_km = 112.1;  // between two altitudes: the curve's bend is not at one
     sheet.lower_km = 9.0;
     Scene scene = tests::with_sheet(sheet);
-    for (double Sheet::*number : {&Sheet::peak_km, &Sheet::lower_km, &Sheet::upper_km}) {
-      Sheet& in_scene = scene.sheets[0];
-      const std::vector<float> slope = profile_slope(kLinesNm, scene, 0, &(in_scene.*number));
+    for (const ParameterRole role :
+         {ParameterRole::form_peak, ParameterRole::form_lower, ParameterRole::form_upper}) {
+      const ParameterId id = parameter_with(role, 0);
+      const std::vector<float> slope = profile_slope(kLinesNm, scene, 0, id);
       const HeightProfile here = sheet_profile(kLinesNm, scene, 0);
       ASSERT_EQ(slope.size(), here.rate.size());
       constexpr double kStep = 0.01;
-      const double value = in_scene.*number;
-      in_scene.*number = value + kStep;
+      const double value = *number_at(scene, id);
+      *number_at(scene, id) = value + kStep;
       const HeightProfile more = sheet_profile(kLinesNm, scene, 0);
-      in_scene.*number = value - kStep;
+      *number_at(scene, id) = value - kStep;
       const HeightProfile less = sheet_profile(kLinesNm, scene, 0);
-      in_scene.*number = value;
+      *number_at(scene, id) = value;
       double largest = 0.0;
       for (const float s : slope) largest = std::max<double>(largest, std::abs(s));
       ASSERT_GT(largest, 0.0);
@@ -57,7 +58,9 @@ TEST(ProfileSlope, OfACoefficientIsItsBasisInItsLine) {
   Scene scene = spline_scene();
   Sheet& sheet = scene.sheets[0];
   const int index = spline_rate_index(sheet, 1, 9);
-  const std::vector<float> slope = profile_slope(kLinesNm, scene, 0, &sheet.spline_rate[index]);
+  const std::vector<float> slope = profile_slope(
+      kLinesNm, scene, 0,
+      parameter_at(scene, "sheet.spline_rate." + spline_rate_component(scene, 0, index)).value());
   const HeightProfile before = sheet_profile(kLinesNm, scene, 0);
   sheet.spline_rate[index] += 64.0;
   const HeightProfile after = sheet_profile(kLinesNm, scene, 0);
@@ -89,8 +92,8 @@ TEST(SplineProfile, OfALineThatTheSceneDoesNotHaveIsDark) {
 
 TEST(ProfileSlope, OfAnythingElseIsNone) {
   Scene scene = spline_scene();
-  EXPECT_TRUE(profile_slope(kLinesNm, scene, 0, &scene.sheets[0].peak_km).empty());
-  EXPECT_TRUE(profile_slope(kLinesNm, scene, 0, &scene.sheets[0].center_km.east).empty());
+  EXPECT_TRUE(profile_slope(kLinesNm, scene, 0, parameter_with(ParameterRole::form_peak, 0)).empty());
+  EXPECT_TRUE(profile_slope(kLinesNm, scene, 0, parameter_with(ParameterRole::centre, 0)).empty());
 }
 
 }  // namespace

@@ -92,7 +92,8 @@ TEST(SheetProfile, SlopesAreThoseOfTheRate) {
       const HeightProfile here = at(flux), more = at(flux * (1.0 + h)), less = at(flux * (1.0 - h));
       sheet.energy_flux_mw_m2 = flux;
       const Scene scene = tests::with_sheet(sheet);
-      const std::vector<float> slope = profile_slope(lines, scene, 0, &scene.sheets[0].energy_flux_mw_m2);
+      const std::vector<float> slope =
+          profile_slope(lines, scene, 0, parameter_with(ParameterRole::energy_flux, 0));
       ASSERT_EQ(slope.size(), here.rate.size());
       double largest = 0.0;
       for (std::size_t i = 0; i < slope.size(); ++i) {
@@ -104,9 +105,9 @@ TEST(SheetProfile, SlopesAreThoseOfTheRate) {
     }
   }
   Scene scene = tests::with_sheet(sheet);
-  EXPECT_TRUE(profile_slope(lines, scene, 0, &scene.sheets[0].width_km).empty());
+  EXPECT_TRUE(profile_slope(lines, scene, 0, parameter_at(scene, "sheet.width_km").value()).empty());
   scene.emission.flux_law = FluxLaw::linear;
-  EXPECT_TRUE(profile_slope(lines, scene, 0, &scene.sheets[0].energy_flux_mw_m2).empty());
+  EXPECT_TRUE(profile_slope(lines, scene, 0, parameter_with(ParameterRole::energy_flux, 0)).empty());
 }
 
 }  // namespace

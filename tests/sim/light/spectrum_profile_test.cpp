@@ -120,7 +120,8 @@ TEST(SpectrumProfile, DerivativesByTheSpreadAreThoseOfTheRate) {
       };
       const HeightProfile more = at(spread * (1.0 + h)), less = at(spread * (1.0 - h)), here = at(spread);
       const Scene scene = tests::with_sheet(sheet);
-      const std::vector<float> slope = profile_slope(kLines, scene, 0, &scene.sheets[0].energy_spread);
+      const std::vector<float> slope =
+          profile_slope(kLines, scene, 0, parameter_with(ParameterRole::energy_spread, 0));
       ASSERT_EQ(slope.size(), here.rate.size());
       for (int l = 0; l < 3; ++l) {
         const double peak = peak_of(slope, l);
@@ -130,7 +131,7 @@ TEST(SpectrumProfile, DerivativesByTheSpreadAreThoseOfTheRate) {
                       1e-3 * peak + 1.2e-7 / (h * spread) * here.rate[a * 4 + l])
               << spread << ", line " << l << ", altitude " << HeightProfile::altitude_km(a);
       }
-      EXPECT_TRUE(profile_slope(kLines, scene, 0, &scene.sheets[0].width_km).empty());
+      EXPECT_TRUE(profile_slope(kLines, scene, 0, parameter_at(scene, "sheet.width_km").value()).empty());
     }
   }
 }

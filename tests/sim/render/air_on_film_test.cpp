@@ -52,12 +52,12 @@ TEST(AirOnFilm, MultipliesByTheTransmissionOfEveryCell) {
 TEST(AirOnFilm, DerivativesAgreeWithDifferences) {
   const Scene scene = airy_scene();
   // Those of the film are tested elsewhere: here it stays as it is, and the air alone moves.
-  std::vector<const double*> free;
+  std::vector<ParameterId> free;
   std::vector<ParameterPath> paths;
   for (const char* path : {"air.aerosol_optical_depth", "air.angstrom_exponent", "camera.elevation_deg",
                            "camera.roll_deg", "camera.hfov_deg", "camera.azimuth_deg"}) {
     paths.push_back(resolve(scene, path).front());
-    free.push_back(real_value(scene, paths.back()));
+    free.push_back(paths.back().id);
   }
   Exposer exposer(scene, film_of(scene), 0);
   Exposure exposure;

@@ -55,7 +55,7 @@ void expect_derivatives(const Scene& scene, double tolerance, const std::string&
               paths.end());
   ASSERT_GT(paths.size(), 16u) << "more than one pass of the kernel";
   Exposure exposure;
-  exposer.expose_with_derivatives(scene, tests::addresses_of(scene, paths), exposure);
+  exposer.expose_with_derivatives(scene, tests::ids_of(paths), exposure);
   const int lines = exposure.lines;
   const std::size_t cells = exposure.cells();
   const auto cell = [&](int l, int r, int c) {
@@ -179,12 +179,14 @@ TEST(FilmDerivatives, UnderADipoleAgreeWithDifferences) {
   scene.sheets[0].fold_length_km = 15.0;
   expect_derivatives(scene, 0.01, "field");
   // What belongs to the beams alone goes through a kernel of its own.
-  const std::vector<const double*> free = {&scene.sheets[0].center_km.north, &scene.sheets[0].bearing_deg};
+  const std::vector<ParameterId> free = {parameter_with(ParameterRole::centre, 0, 1),
+                                         parameter_with(ParameterRole::bearing, 0)};
   const FilmGeometry film = tests::whole_picture(scene);
   Exposure alone, among_all;
   Exposer exposer(scene, film, 1);
   exposer.expose_with_derivatives(scene, free, alone);
-  exposer.expose_with_derivatives(scene, {free[0], free[1], &scene.camera.roll_deg}, among_all);
+  exposer.expose_with_derivatives(scene, {free[0], free[1], parameter_with(ParameterRole::camera_roll)},
+                                  among_all);
   double difference = 0.0, size = 0.0;
   for (std::size_t i = 0; i < alone.cells() * alone.lines; ++i)
     for (int k = 0; k < 2; ++k) {
@@ -252,9 +254,10 @@ TEST(FilmDerivatives, TwoSheetsOtherPitchLawsAndFiveLinesAgreeWithDifferences) {
   const FilmGeometry film = film_for(scene, 0, 0, 100, 75, 1.0, 1.0);
   Exposer exposer(scene, film, 0, 0.5);
   Exposure exposure;
-  const std::vector<const double*> free = {&scene.sheets[0].pitch_step_rad, &scene.sheets[0].loss_cone_deg,
-                                           &scene.sheets[1].pitch_step_rad, &scene.sheets[1].loss_cone_deg,
-                                           &scene.sheets[1].energy_kev};
+  const std::vector<ParameterId> free = {
+      parameter_with(ParameterRole::pitch_step, 0), parameter_with(ParameterRole::loss_cone, 0),
+      parameter_with(ParameterRole::pitch_step, 1), parameter_with(ParameterRole::loss_cone, 1),
+      parameter_with(ParameterRole::energy, 1)};
   exposer.expose_with_derivatives(scene, free, exposure);
   double size[5] = {};
   for (std::size_t i = 0; i < exposure.cells() * exposure.lines; ++i)

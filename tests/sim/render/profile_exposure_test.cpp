@@ -22,13 +22,14 @@ std::vector<std::vector<float>> lanes_of(const std::vector<float>& slope, int li
 }
 
 /// By a number of sheet 0; the reference in double has no units of film to round to.
-void expect_exact(const Scene& scene, double Sheet::*number, double step, double tolerance) {
+void expect_exact(const Scene& scene, double Sheet::*number, ParameterRole role, double step,
+                  double tolerance) {
   const FilmGeometry film = film_for(scene, 0, 0, scene.camera.width, scene.camera.height, 1.0, 1.0);
   Exposer exposer(scene, film, 2);
   const int lines = static_cast<int>(scene.emission.lines.size());
   Exposure slope;
   exposer.expose_profiles(
-      scene, 0, lanes_of(profile_slope(scene.emission.lines, scene, 0, &(scene.sheets[0].*number)), lines),
+      scene, 0, lanes_of(profile_slope(scene.emission.lines, scene, 0, parameter_with(role, 0)), lines),
       slope);
   Scene more = scene, less = scene;
   more.sheets[0].*number += step;
@@ -55,9 +56,9 @@ TEST(ProfileExposure, OfAFormsNumbersAgreesWithDifferences) {
   scene.sheets[0].peak_km = 113.1;
   scene.sheets[0].lower_km = 11.0;
   // The places of floats on the film against those of doubles.
-  expect_exact(scene, &Sheet::peak_km, 0.02, 3e-3);
-  expect_exact(scene, &Sheet::lower_km, 0.02, 3e-3);
-  expect_exact(scene, &Sheet::upper_km, 0.02, 3e-3);
+  expect_exact(scene, &Sheet::peak_km, ParameterRole::form_peak, 0.02, 3e-3);
+  expect_exact(scene, &Sheet::lower_km, ParameterRole::form_lower, 0.02, 3e-3);
+  expect_exact(scene, &Sheet::upper_km, ParameterRole::form_upper, 0.02, 3e-3);
 }
 
 TEST(ProfileExposure, OfSplinesCoefficientsAddUpToTheLight) {
@@ -71,7 +72,11 @@ TEST(ProfileExposure, OfSplinesCoefficientsAddUpToTheLight) {
   std::vector<std::vector<float>> basis;
   for (int k = 0; k < sheet.spline_knots; ++k)
     basis.push_back(
-        lanes_of(profile_slope(scene.emission.lines, scene, 0, &sheet.spline_rate[k]), 1).front());
+        lanes_of(profile_slope(
+                     scene.emission.lines, scene, 0,
+                     parameter_at(scene, "sheet.spline_rate." + spline_rate_component(scene, 0, k)).value()),
+                 1)
+            .front());
   Exposure whole, parts;
   exposer.expose(scene, whole);
   exposer.expose_profiles(scene, 0, basis, parts);

@@ -10,6 +10,7 @@
 #include "sim/render/render.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_table.h"
+#include "tests/support/free_paths.h"
 
 namespace vegard::sim {
 namespace {
@@ -142,16 +143,15 @@ TEST(SunOrder, DerivativesThroughAnAbsorberAgreeWithDifferences) {
       "sun.distance_km",       "sun.azimuth_deg",  "sun.elevation_deg",
       "sun.latitude_deg",      "camera.hfov_deg",  "camera.azimuth_deg",
       "corona.corona.power.0", "loop.loop.height", "chromosphere.chromosphere.extinction"};
-  std::vector<const double*> free;
-  for (const std::string& path : paths) free.push_back(real_value(scene, resolve(scene, path).at(0)));
+  const std::vector<ParameterId> free = tests::ids_of(scene, paths);
   Exposure exposure;
   exposer.expose_with_derivatives(scene, free, exposure);
   for (std::size_t j = 0; j < paths.size(); ++j) {
     const bool is_angle = paths[j].find("_deg") != std::string::npos;
-    const double step = is_angle ? 2e-4 : 1e-4 * std::max(1e-2, std::abs(*free[j]));
+    const double step = is_angle ? 2e-4 : 1e-4 * std::max(1e-2, std::abs(*number_at(scene, free[j])));
     Scene more = scene, less = scene;
-    *real_value(more, resolve(more, paths[j]).at(0)) += step;
-    *real_value(less, resolve(less, paths[j]).at(0)) -= step;
+    *number_at(more, free[j]) += step;
+    *number_at(less, free[j]) -= step;
     Exposure up, down;
     exposer.expose(more, up);
     exposer.expose(less, down);

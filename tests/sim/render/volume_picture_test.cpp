@@ -142,7 +142,7 @@ TEST(VolumePicture, HasItsDerivativesSoftenedAndGlowing) {
   scene.march.shrink = 4;
   Exposer exposer(scene, film_for(scene, 0, 0, kWidth, kHeight, 1.0, 1.0), 2);
   Exposure exposure;
-  exposer.expose_with_derivatives(scene, {&scene.nebulae[0].brightness}, exposure);
+  exposer.expose_with_derivatives(scene, {parameter_at(scene, "nebula.brightness").value()}, exposure);
   float largest = 0.0f;
   for (const float light : exposure.rayleigh) largest = std::max(largest, light);
   ASSERT_GT(largest, 100.0f);

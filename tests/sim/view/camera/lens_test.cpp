@@ -111,7 +111,7 @@ TEST_P(EveryLens, KnowsHowItsLinesOfSightTurn) {
   using LensDual = Dual<double, Tangents<double, camera_numbers>>;
   const Camera camera = crooked(GetParam());
   const CameraView<LensDual> dual = camera_view<LensDual>(camera, [&](CameraNumber which) {
-    LensDual number(*camera_number_address(camera, which));
+    LensDual number(camera_number(camera, which));
     number.d.t[which] = 1.0;
     return number;
   });
@@ -121,8 +121,8 @@ TEST_P(EveryLens, KnowsHowItsLinesOfSightTurn) {
     const auto which = static_cast<CameraNumber>(n);
     Camera more = camera, less = camera;
     const double step = which >= k1_number ? 1e-6 : 1e-5;
-    const_cast<double&>(*camera_number_address(more, which)) += step;
-    const_cast<double&>(*camera_number_address(less, which)) -= step;
+    const_cast<double&>(camera_number(more, which)) += step;
+    const_cast<double&>(camera_number(less, which)) -= step;
     double up[3], down[3];
     ASSERT_TRUE(enu_of_pixel(camera_view(more), 290.5, 333.5, up));
     ASSERT_TRUE(enu_of_pixel(camera_view(less), 290.5, 333.5, down));

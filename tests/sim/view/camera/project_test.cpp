@@ -65,7 +65,7 @@ template <template <class> class Film>
 void expect_seen_as_projected(const Camera& camera, double tolerance) {
   const Lens<double> lens = camera_view(camera).lens;
   const Lens<LocalDual> dual = camera_view<LocalDual>(camera, [&](CameraNumber which) {
-                                 return LocalDual(*camera_number_address(camera, which));
+                                 return LocalDual(camera_number(camera, which));
                                }).lens;
   FilmGeometry geometry;
   geometry.x0_px = -7.0;

@@ -158,9 +158,9 @@ TEST(NightSky, DerivativesAgreeWithDifferences) {
   for (int k = 0; k < sky_numbers; ++k) {
     const auto which = static_cast<SkyNumber>(k);
     Scene more = scene, less = scene;
-    const double step = 1e-4 * std::max(1.0, std::abs(*sky_number_address(scene, which)));
-    *const_cast<double*>(sky_number_address(more, which)) += step;
-    *const_cast<double*>(sky_number_address(less, which)) -= step;
+    const double step = 1e-4 * std::max(1.0, std::abs(sky_number<double>(scene, which)));
+    *number_at(more, sky_number_id(more, which)) += step;
+    *number_at(less, sky_number_id(less, which)) -= step;
     double error = 0.0, size = 0.0;
     for (double x : {3.0, 41.0, 90.0, 155.0})
       for (double y : {4.0, 33.0, 61.0}) {

@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# Does key_literals_test.sh find what it is there to find, and nothing else?
+# usage: key_literals_self_check.sh
+set -euo pipefail
+checker=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/key_literals_test.sh
+tree=$(mktemp -d)
+trap 'rm -rf "$tree" "$tree.log"' EXIT
+failures=0
+
+mkdir -p "$tree/sim/scene/table/rows" "$tree/fit/search" "$tree/fit/parameters"
+cat >"$tree/sim/scene/rows/sheet.cpp" <<'ROWS'
+      Row("energy_kev", &Sheet::energy_kev).in("keV").may_be_free(logarithmic)
+          .means("energy"),
+      Row("center_km", &Sheet::center_km).of({"east", "north"}).in("km")
+          .may_be_free(linear),
+      Row("camera", "k1", &Scene::camera, &Camera::k1).may_be_free(linear),
+      Row("profile", &Sheet::profile).one_of({"form", "file"}),
+ROWS
+
+# judge refuses|accepts LINE: the line alone in a file of the search
+judge() {
+  printf '%s\n' "$2" >"$tree/fit/search/one.cpp"
+  local found=refuses
+  "$checker" "$tree" >"$tree.log" 2>&1 && found=accepts
+  if [[ $found != "$1" ]]; then
+    echo "$found, and should not: $2"
+    failures=$((failures + 1))
+  elif [[ $1 == refuses ]] && ! grep -qF fit/search/one.cpp:1 "$tree.log"; then
+    echo "found, but not under its name: $2"
+    failures=$((failures + 1))
+  fi
+}
+
+judge accepts '#include "fit/search/energy_kev"'
+judge accepts 'return free.id.role() == ParameterRole::energy;'
+judge accepts '// as in key == "energy_kev"'
+judge accepts 'complain("set energy_kev of the sheet");'
+judge accepts 'if (profile == "form") return;'
+judge refuses 'if (number.key() == "energy_kev") return;'
+judge refuses 'if ("energy_kev" != key) return;'
+judge refuses 'if (is(number, "center_km")) return;'
+judge refuses 'if (path == "camera.k1") return;'
+judge refuses 'for (const char* key : {"k1", "k2"}) find(key);'
+judge refuses 'static const std::set<std::string> kOverall = {"center_km"};'
+rm "$tree/fit/search/one.cpp"
+printf '%s\n' 'if (key == "k1") return;' >"$tree/fit/parameters/two.cpp"
+if "$checker" "$tree" >"$tree.log" 2>&1; then
+  echo "not found in fit/parameters"
+  failures=$((failures + 1))
+fi
+if "$checker" "$tree/fit" >"$tree.log" 2>&1; then
+  echo "a tree without rows is accepted"
+  failures=$((failures + 1))
+fi
+
+if [[ $failures -gt 0 ]]; then
+  echo "$failures of the self-checks failed"
+  exit 1
+fi
