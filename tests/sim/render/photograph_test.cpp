@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "sim/render/render.h"
+#include "sim/scene/table/parameter_table.h"
 #include "sim/view/colour/sensor_scale.h"
 #include "sim/view/sensor/expected_counts.h"
 #include "sim/view/sensor/mosaic.h"
@@ -206,7 +207,8 @@ TEST(Photograph, SaturatesAndSaysSo) {
       for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 12; ++x) {
           if (x == 5 || x == 6) continue;  // behind a mosaic they take from both sides
-          EXPECT_EQ(found.usable[light.index(x, y, 1)], x < 6) << mosaic << " at " << x << " ISO " << iso;
+          EXPECT_EQ(found.usable[light.index(x, y, 1)], x < 6)
+              << word_of(mosaic) << " at " << x << " ISO " << iso;
         }
     }
 }
