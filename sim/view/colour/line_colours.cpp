@@ -1,7 +1,6 @@
 #include "sim/view/colour/line_colours.h"
 
 #include "sim/scene/lines/emission_line.h"
-#include "sim/view/colour/filter_response.h"
 #include "sim/view/colour/sensor_response.h"
 #include "sim/view/colour/sensor_scale.h"
 
