@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "fit/measure/profile_bins.h"
 #include "fit/model/bin_weights.h"
 #include "sim/emit/aurora/sheet.h"
 #include "sim/render/film.h"
