@@ -1,7 +1,7 @@
 #include "apps/filter_options.h"
 
 #include "apps/usage_error.h"
-#include "sim/view/colour/filter_response.h"
+#include "sim/view/colour/sensor_response.h"
 
 namespace vegard::apps {
 

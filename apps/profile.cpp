@@ -35,7 +35,6 @@
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/camera/tangent_altitude.h"
-#include "sim/view/colour/filter_response.h"
 #include "sim/view/colour/sensor_response.h"
 #include "sim/view/colour/spectral_resolution.h"
 

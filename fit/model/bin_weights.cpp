@@ -4,9 +4,9 @@
 
 namespace vegard::fit {
 
-BinWeights bin_weights(const Photo& photo, const std::vector<std::shared_ptr<const BinGrid>>& grids,
-                       const sim::FilmGeometry& film) {
-  BinWeights weights;
+sim::CellWeights bin_weights(const Photo& photo, const std::vector<std::shared_ptr<const BinGrid>>& grids,
+                             const sim::FilmGeometry& film) {
+  sim::CellWeights weights;
   for (const std::shared_ptr<const BinGrid>& grid : grids) {
     const Region& region = grid->region;
     const int cell = static_cast<int>(std::lround(film.cell_width_px));
@@ -18,7 +18,7 @@ BinWeights bin_weights(const Photo& photo, const std::vector<std::shared_ptr<con
       for (std::size_t r = grid->first_run[bin]; r < grid->first_run[bin + 1]; ++r) {
         const BinGrid::Run& of_pixels = grid->runs[r];
         const int begin = of_pixels.begin - region.x, end = of_pixels.end - region.x;
-        BinWeights::Run run;
+        sim::CellWeights::Run run;
         run.row = top + of_pixels.y - region.y;
         run.first_column = left + begin / cell;
         run.columns = (end - 1) / cell - begin / cell + 1;

@@ -1,5 +1,6 @@
 // The profile that a scene's aurora would have, at unit gain and without the sky, with its exact derivatives;
-// and that of the night sky's known lights, at the scene's own gain.
+// and that of the night sky's known lights, at the scene's own gain: a picture, formed by
+// sim/render/picture_model.h, in the photograph's bins.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +9,22 @@
 
 #include "fit/measure/profile.h"
 #include "fit/photo/photo.h"
+#include "sim/render/picture_model.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_id.h"
 
 namespace vegard::fit {
 
-/// Values indexed as in Profile; derivatives [value index * free + parameter].
-struct ModelProfile {
-  std::vector<double> value;
-  int free = 0;
-  std::vector<double> derivative;
-  /// Airglow, twilight and light pollution, which no gain scales; empty where the scene has none.
-  std::vector<double> offset;
-  std::vector<double> offset_derivative;  ///< as `derivative`
-};
+/// Values indexed as in Profile.
+using ModelProfile = sim::PictureMeans;
+
+/// Gaussian smoothing of a model, derivatives included, as smoothed() of fit/measure/smoothing.h has it of a
+/// profile: of every band and channel along its rows, sigma in rows. A model has every row.
+void smooth(ModelProfile& model, int bands, int rows, double sigma_rows);
+
+/// The same of a model in the bins of several grids, one grid's after the other's, sigma in pixels along the
+/// positions.
+void smooth(ModelProfile& model, const std::vector<std::shared_ptr<const BinGrid>>& grids, double sigma_px);
 
 /// Renders the region of interest again and again. The film's cells are one pixel high and up to four wide:
 /// profiles average over columns, and a band has at least a dozen of them (docs/fitting.md has what this
@@ -48,6 +51,9 @@ class ProfileModel {
 
   /// Deflection points of the last evaluation.
   std::uint64_t deflection_points() const;
+
+  /// What it bins.
+  const sim::PictureModel& picture() const;
 
  private:
   struct Workspace;

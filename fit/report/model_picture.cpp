@@ -9,6 +9,7 @@
 #include "fit/photo/grey_light.h"
 #include "fit/report/table/report_bins.h"
 #include "sim/emit/aurora/sheet.h"
+#include "sim/render/picture.h"
 #include "sim/render/render.h"
 #include "sim/view/film/composite.h"
 #include "sim/view/sky/night_sky.h"
@@ -29,20 +30,16 @@ int dense(int beams) {
 /// Gain and sky of the bins that a pixel is in, where bins are no columns of rows; elsewhere the mean gain
 /// and the scene's sky. A gain that the data do not tell may be a hundred times the others': the mean in its
 /// place.
-void add_gain_and_sky_by_bins(const FittedPhoto& fitted, bool clips, sim::Image& rgb) {
+void add_gain_and_sky_by_bins(const FittedPhoto& fitted, sim::Image& rgb) {
   const BinGrid& grid = *fitted.data.grid;
   const bool grey = is_grey(fitted.best);
-  const auto shown = [&](int x, int y, int c) {
-    const float light = rgb.at(x, y, c);
-    return clips ? std::max(light, 0.0f) : light;
-  };
   sim::Image level(rgb.width, rgb.height, rgb.channel_names);
   sim::add_sky(fitted.best.sky, level);
   sim::Image result = level;
   const double mean_gain = fitted.best.sensor.gain_per_kilorayleigh;
   for (int y = 0; y < rgb.height; ++y)
     for (int x = 0; x < rgb.width; ++x)
-      for (int c = 0; c < 3; ++c) result.at(x, y, c) += static_cast<float>(mean_gain * shown(x, y, c));
+      for (int c = 0; c < 3; ++c) result.at(x, y, c) += static_cast<float>(mean_gain * rgb.at(x, y, c));
   const std::vector<std::vector<bool>> told = told_gains(fitted);
   for (std::size_t bin = 0; bin < grid.bins(); ++bin)
     for (std::size_t r = grid.first_run[bin]; r < grid.first_run[bin + 1]; ++r) {
@@ -52,7 +49,7 @@ void add_gain_and_sky_by_bins(const FittedPhoto& fitted, bool clips, sim::Image&
           const double behind = fitted.behind[bin * 3 + (grey ? kGreyChannel : c)];
           const int band = grid.band[bin];
           const double gain = told[band][c] ? fitted.gain[band][c] : mean_gain;
-          result.at(x, run.y, c) = static_cast<float>(behind + gain * shown(x, run.y, c));
+          result.at(x, run.y, c) = static_cast<float>(behind + gain * rgb.at(x, run.y, c));
         }
     }
   rgb = std::move(result);
@@ -104,21 +101,18 @@ ModelPicture model_picture(const FittedPhoto& fitted, const Photo& photo, int th
   picture.rgb = std::move(rendering.aurora);
   // As in the fit, out-of-gamut light is clipped before gain and sky, or kept.
   const bool clips = !keeps_negative_light(photo);
+  if (clips) sim::keep_what_is_shown(picture.rgb);
   const bool by_bins = has_named_axes(fitted.data) && !fitted.gain.empty() && !fitted.behind.empty();
-  if (by_bins) add_gain_and_sky_by_bins(fitted, clips, picture.rgb);
+  if (by_bins) add_gain_and_sky_by_bins(fitted, picture.rgb);
   for (int x = 0; x < picture.rgb.width && !by_bins; ++x)
     for (int c = 0; c < 3; ++c) {
       const auto gain = static_cast<float>(gain_at_column(fitted, x + 0.5, c));
-      for (int y = 0; y < picture.rgb.height; ++y) {
-        const float light = picture.rgb.at(x, y, c);
-        picture.rgb.at(x, y, c) = gain * (clips ? std::max(light, 0.0f) : light);
-      }
+      for (int y = 0; y < picture.rgb.height; ++y) picture.rgb.at(x, y, c) *= gain;
     }
   if (!by_bins) sim::add_sky(scene.sky, picture.rgb);
   if (sim::has_night_sky(with_gain)) {
     sim::Image night_sky = sim::night_sky_light(with_gain, threads);
-    if (clips)
-      for (float& light : night_sky.data) light = std::max(light, 0.0f);
+    if (clips) sim::keep_what_is_shown(night_sky);
     sim::add_light(night_sky, 1.0, picture.rgb);
   }
   picture.rayleigh = std::move(rendering.rayleigh);

@@ -9,13 +9,13 @@
 #include "sim/render/film.h"
 #include "sim/render/literal_layer.h"
 #include "sim/render/physical_blur.h"
+#include "sim/render/picture.h"
 #include "sim/render/render_memory.h"
 #include "sim/render/volume_layer.h"
 #include "sim/scene/lines/camera_responses.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/view/colour/colour.h"
 #include "sim/view/colour/line_colours.h"
-#include "sim/view/film/blur.h"
 #include "sim/view/sensor/sensor.h"
 #include "sim/view/sensor/vignetting.h"
 #include "sim/view/sky/night_sky.h"
@@ -34,10 +34,6 @@ Image dark_lines(const Scene& scene) {
 
 Image through_the_sensor(const Scene& scene, const Image& rayleigh) {
   return rgb_from_rayleigh(rayleigh, line_colours(scene));
-}
-
-void clip_below_0(Image& rgb) {
-  for (float& value : rgb.data) value = std::max(value, 0.0f);
 }
 
 void add_behind(const Scene& scene, const Rendering& layers, const Image& night_sky, Image& rgb) {
@@ -100,7 +96,10 @@ void add_volume_layers(const Scene& scene, const VolumePictures& volumes, int th
 
 Image rayleigh_image(const Scene& scene, const Exposure& exposure, int threads) {
   assert(exposure.lines == static_cast<int>(scene.emission.lines.size()));
-  return picture_of_film(scene, exposure.geometry, exposure.rayleigh.data(), true, threads);
+  Image rayleigh;
+  blur_lines(scene, exposure.geometry, exposure.rayleigh.data(), pixels_on(exposure.geometry, scene.camera),
+             threads, rayleigh);
+  return rayleigh;
 }
 
 Rendering render(const Scene& scene, const RenderOptions& options) {
@@ -138,10 +137,11 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
       exposer->expose(scene, exposure, progress_of(n), options.stop, only_sheet);
       points = exposure.deflection_points;
       if (stopped()) return Image();
-      dim_by_air(scene, exposure, options.threads);
+      Image lines;
+      form_lines(scene, exposure, pixels_on(film, scene.camera), options.threads, lines);
       if (exposure.volumes.lines > 0)
         volumes = volume_pictures(scene, film, exposure.volumes, true, options.threads);
-      return rayleigh_image(scene, exposure, options.threads);
+      return lines;
     };
     result.rayleigh = lines_of(0, -1, result.deflection_points);
     if (stopped()) return {};
@@ -183,8 +183,8 @@ Image sky_light(const Scene& scene) {
 
 Image shown_light(const Scene& scene, const Rendering& rendering) {
   Image light = rendering.aurora, night_sky = rendering.night_sky;
-  clip_below_0(light);
-  clip_below_0(night_sky);
+  keep_what_is_shown(light);
+  keep_what_is_shown(night_sky);
   compose(scene, rendering, night_sky, light);
   return light;
 }

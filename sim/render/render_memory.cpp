@@ -1,123 +1,97 @@
 #include "sim/render/render_memory.h"
 
 #include <algorithm>
-#include <initializer_list>
-#include <set>
+#include <utility>
 
 #include "sim/emit/aurora/motion.h"
 #include "sim/scene/emitters/emitter_kinds.h"
-#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/same_values.h"
 #include "sim/view/sky/night_sky.h"
 #include "sim/view/sky/stars.h"
 
 namespace vegard::sim {
 namespace {
 
-using Tables = std::map<std::string, std::string>;
-
-/// A scene's text by the heads of its tables, "[camera]"; of repeated tables all in one.
-Tables tables_of(const std::string& text) {
-  Tables tables;
-  std::string* table = &tables[""];
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;
-    if (text[at] == '[') table = &tables[text.substr(at, end - at - 1)];
-    table->append(text, at, end - at);
-    at = end;
-  }
-  return tables;
-}
-
-/// Everything but these tables.
-std::string key_without(const Tables& tables, const std::set<std::string>& left_out) {
-  std::string key;
-  for (const auto& [name, text] : tables)
-    if (left_out.count(name) == 0) key += text;
-  return key;
-}
-
 /// That a picture's light is put together from what shines, and has no part in that.
-const std::set<std::string> kLights = {
-    "[sky]", "[air]", "[airglow]", "[twilight]", "[light_pollution]", "[composite]", "[stars]", "[fit]"};
+const std::set<std::string> kLights = {"sky",       "air",   "airglow", "twilight", "light_pollution",
+                                       "composite", "stars", "fit"};
 
 std::set<std::string> lights_and(std::set<std::string> others) {
   others.insert(kLights.begin(), kLights.end());
   return others;
 }
 
-/// Numbers by their bits.
-std::string bits_of(std::initializer_list<double> numbers) {
-  std::string text;
-  for (const double number : numbers) text.append(reinterpret_cast<const char*>(&number), sizeof number);
-  return text;
+bool same_film(const FilmGeometry& a, const FilmGeometry& b) {
+  return a.x0_px == b.x0_px && a.y0_px == b.y0_px && a.cell_width_px == b.cell_width_px &&
+         a.cell_height_px == b.cell_height_px && a.columns == b.columns && a.rows == b.rows;
 }
 
-/// Those, and the tables of all that is marched.
+/// These, and the tables of all that is marched.
 std::set<std::string> volumes_and(std::set<std::string> tables) {
-  tables.insert("[march]");
+  tables.insert("march");
   for (const EmitterKind& kind : emitter_kinds()) {
-    if (kind.repeated.empty()) tables.insert("[" + kind.table + "]");
-    for (const RepeatedTable& repeated : kind.repeated) tables.insert("[[" + repeated.table + "]]");
+    if (kind.repeated.empty()) tables.insert(kind.table);
+    for (const RepeatedTable& repeated : kind.repeated) tables.insert(repeated.table);
   }
   return tables;
 }
 
 }  // namespace
 
+template <class T>
+bool RenderMemory::is_good(const Kept<T>& kept, const std::set<std::string>& but_for) const {
+  return kept.made_for && kept.threads == threads_ && same_values(*kept.made_for, *scene_, but_for);
+}
+
 void RenderMemory::look_at(const Scene& scene, int threads) {
   scene_ = &scene;
   threads_ = threads;
-  tables_ = tables_of(write_scene(scene));
-  // Tables that the scene names as files, and the folder that it names all of its files from.
-  tables_["files"] = scene.file;
-  for (const auto& [path, text] : scene.tables) tables_["files"] += path + text;
-  tables_["files"] += std::to_string(threads);
 }
 
 std::shared_ptr<const Volumes> RenderMemory::volumes() {
   if (!has_volumes(*scene_)) return nullptr;
-  std::set<std::string> others = lights_and({"[camera]", "[blur]", "[film]"});
-  if (!has_emitters_of_sheets(*scene_)) others.insert({"[[sheet]]", "[substorm]"});
-  if (!has_moving_emitters(*scene_)) others.insert("[time]");
+  std::set<std::string> others = lights_and({"camera", "blur", "film"});
+  if (!has_emitters_of_sheets(*scene_)) others.insert({"sheet", "substorm"});
+  if (!has_moving_emitters(*scene_)) others.insert("time");
   // A picture of depth is of the camera's size.
-  const std::string key =
-      key_without(tables_, others) +
-      bits_of({static_cast<double>(scene_->camera.width), static_cast<double>(scene_->camera.height)});
-  if (volumes_.value == nullptr || volumes_.key != key)
-    volumes_ = {key, std::make_shared<Volumes>(*scene_, threads_, true)};
+  const auto same_size = [&](const Camera& camera) {
+    return camera.width == scene_->camera.width && camera.height == scene_->camera.height;
+  };
+  if (!is_good(volumes_, others) || !same_size(volumes_.made_for->camera))
+    volumes_ = {*scene_, threads_, std::make_shared<Volumes>(*scene_, threads_, true)};
   return volumes_.value;
 }
 
 Exposer& RenderMemory::exposer(const FilmGeometry& film) {
-  const std::string key = key_without(tables_, lights_and({"[camera]", "[sensor]"})) +
-                          bits_of({film.x0_px, film.y0_px, film.cell_width_px, film.cell_height_px,
-                                   static_cast<double>(film.columns), static_cast<double>(film.rows)});
   const std::shared_ptr<const Volumes> light = volumes();
-  if (exposer_.value == nullptr || exposer_.key != key || light != volumes_of_exposer_) {
-    exposer_ = {key, std::make_unique<Exposer>(*scene_, film, threads_, 0.0, 0, light)};
+  if (!is_good(exposer_, lights_and({"camera", "sensor"})) || !same_film(film, film_of_exposer_) ||
+      light != volumes_of_exposer_) {
+    exposer_ = {*scene_, threads_, std::make_unique<Exposer>(*scene_, film, threads_, 0.0, 0, light)};
+    film_of_exposer_ = film;
     volumes_of_exposer_ = light;
   }
   return *exposer_.value;
 }
 
 const Image& RenderMemory::stars(const std::atomic<bool>* stop) {
-  const std::string key = key_without(tables_, volumes_and({"[[sheet]]", "[sky]", "[composite]", "[fit]"}));
-  if (stars_.value.empty() || stars_.key != key) {
+  if (!is_good(stars_, volumes_and({"sheet", "sky", "composite", "fit"}))) {
     stars_ = {};
     Image light = star_light(*scene_, instants_s(scene_->time), stop);
-    if (stop == nullptr || !stop->load()) stars_.key = key;  // else stars are missing
     stars_.value = std::move(light);
+    stars_.threads = threads_;
+    if (stop == nullptr || !stop->load()) stars_.made_for = *scene_;  // else stars are missing
   }
   return stars_.value;
 }
 
 const Image& RenderMemory::night_sky() {
   // Of the time the sensor's exposure alone.
-  const std::string key =
-      key_without(tables_, volumes_and({"[[sheet]]", "[composite]", "[fit]", "[stars]", "[time]"})) +
-      bits_of({scene_->time.exposure_s, static_cast<double>(scene_->time.instants)});
-  if (night_sky_.value.empty() || night_sky_.key != key)
-    night_sky_ = {key, night_sky_light(*scene_, threads_)};
+  const auto same_exposure = [&](const Time& time) {
+    return time.exposure_s == scene_->time.exposure_s && time.instants == scene_->time.instants;
+  };
+  if (!is_good(night_sky_, volumes_and({"sheet", "composite", "fit", "stars", "time"})) ||
+      !same_exposure(night_sky_.made_for->time))
+    night_sky_ = {*scene_, threads_, night_sky_light(*scene_, threads_)};
   return night_sky_.value;
 }
 

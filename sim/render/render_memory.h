@@ -3,8 +3,9 @@
 #pragma once
 
 #include <atomic>
-#include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 
 #include "sim/base/image.h"
@@ -30,19 +31,24 @@ class RenderMemory {
   const Image& night_sky();
 
  private:
+  /// A part, and the scene that it was made for: good for every other that has the same values, but for those
+  /// of tables that have no part in it.
   template <class T>
   struct Kept {
-    std::string key;
+    std::optional<Scene> made_for;
+    int threads = 0;
     T value{};
   };
+  template <class T>
+  bool is_good(const Kept<T>& kept, const std::set<std::string>& but_for) const;
 
   std::shared_ptr<const Volumes> volumes();
 
   const Scene* scene_ = nullptr;
   int threads_ = 0;
-  std::map<std::string, std::string> tables_;  ///< the scene's text, by the table's name
   Kept<std::shared_ptr<const Volumes>> volumes_;
   Kept<std::unique_ptr<Exposer>> exposer_;
+  FilmGeometry film_of_exposer_;
   std::shared_ptr<const Volumes> volumes_of_exposer_;
   Kept<Image> stars_, night_sky_;
 };

@@ -3,39 +3,27 @@
 #include <algorithm>
 #include <vector>
 
-#include "sim/render/film.h"
-#include "sim/scene/lines/emission_lines.h"
+#include "sim/render/picture.h"
 #include "sim/view/colour/colour.h"
 #include "sim/view/colour/line_colours.h"
-#include "sim/view/film/blur.h"
 
 namespace vegard::sim {
 
-Image picture_of_film(const Scene& scene, const FilmGeometry& film, const float* planes, bool blurred,
-                      int threads) {
-  const int width = scene.camera.width, height = scene.camera.height;
-  std::vector<std::string> names;
-  std::vector<BlurKernel> kernels;
-  for (std::size_t l = 0; l < scene.emission.lines.size(); ++l) {
-    const int line = static_cast<int>(l);
-    names.push_back(line_name(scene.emission.lines[l]));
-    kernels.push_back(blurred ? gaussian_kernel(blur_sigma_px(scene, line), blur_radius_px(scene, line))
-                              : gaussian_kernel(0.0));
-  }
-  Image image(width, height, names);
-  const Window window{static_cast<int>(-film.y0_px), static_cast<int>(-film.x0_px), height, width};
-  blur_window(planes, film.rows, film.columns, kernels, window, image.data.data(), threads);
-  return image;
-}
-
 VolumePictures volume_pictures(const Scene& scene, const FilmGeometry& film, const VolumeLight& light,
                                bool blurred, int threads) {
+  const auto picture_of = [&](const float* planes, Image& out) {
+    const Window pixels = pixels_on(film, scene.camera);
+    if (blurred)
+      blur_lines(scene, film, planes, pixels, threads, out);
+    else
+      take_lines(scene, film, planes, pixels, threads, out);
+  };
   VolumePictures pictures;
-  pictures.rayleigh = picture_of_film(scene, film, light.rayleigh.data(), blurred, threads);
+  picture_of(light.rayleigh.data(), pictures.rayleigh);
   if (light.kept.empty() || scene.march.blend == BlendRule::add) return pictures;
   std::vector<float> hidden(light.kept.size());
   for (std::size_t i = 0; i < hidden.size(); ++i) hidden[i] = 1.0f - light.kept[i];
-  pictures.hidden = picture_of_film(scene, film, hidden.data(), blurred, threads);
+  picture_of(hidden.data(), pictures.hidden);
   return pictures;
 }
 

@@ -14,11 +14,6 @@
 
 namespace vegard::sim {
 
-/// Planes of a film, one per emission line of the scene, as a picture of the camera, whose cells are its
-/// pixels (film_for()): blurred line by line, by blur.width_deg, or not at all.
-Image picture_of_film(const Scene& scene, const FilmGeometry& film, const float* planes, bool blurred,
-                      int threads);
-
 /// Both with one channel per line.
 struct VolumePictures {
   Image rayleigh;
@@ -27,7 +22,8 @@ struct VolumePictures {
   bool empty() const { return rayleigh.empty(); }
 };
 
-/// march.blend = "add" hides nothing.
+/// Of a film whose cells are the camera's pixels, blurred as the lines are (sim/render/picture.h), or not at
+/// all. march.blend = "add" hides nothing.
 VolumePictures volume_pictures(const Scene& scene, const FilmGeometry& film, const VolumeLight& light,
                                bool blurred, int threads);
 

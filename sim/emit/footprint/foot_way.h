@@ -5,7 +5,7 @@
 
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/dipole.h"
-#include "sim/emit/footprint/footprint_kernel.h"
+#include "sim/emit/footprint/footprint_kernel_types.h"
 #include "sim/light/emitter.h"
 #include "sim/scene/structs/scene.h"
 

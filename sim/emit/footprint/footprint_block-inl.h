@@ -15,7 +15,7 @@
 
 #include "sim/base/earth.h"
 #include "sim/base/number/lanes-inl.h"
-#include "sim/emit/footprint/footprint_kernel.h"
+#include "sim/emit/footprint/footprint_kernel_types.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace vegard::sim {

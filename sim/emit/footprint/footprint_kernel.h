@@ -1,44 +1,17 @@
 // The kernel's door of the march through footprints: stretches of rays in, their light out.
 //
-// Behind it is what is compiled once per instruction set; what crosses the door are plain arrays. The steps
-// of a ray lie side by side in the lanes, sixteen to a block; so no lane waits for another ray, and a block
-// is passed over as a whole where the map of the lit says that nothing in it shines. What a block adds does
-// not depend on which others are passed over, nor on the instruction set.
+// Behind it is what is compiled once per instruction set; what crosses the door are plain arrays
+// (sim/emit/footprint/footprint_kernel_types.h). The steps of a ray lie side by side in the lanes, sixteen to
+// a block; so no lane waits for another ray, and a block is passed over as a whole where the map of the lit
+// says that nothing in it shines. What a block adds does not depend on which others are passed over, nor on
+// the instruction set.
 #pragma once
 
-#include <array>
 #include <cstddef>
 
-#include "sim/emit/footprint/lit_map.h"
-#include "sim/emit/footprint/march_span.h"
-#include "sim/emit/footprint/step_profile.h"
-#include "sim/light/emitter.h"
+#include "sim/emit/footprint/footprint_kernel_types.h"
 
 namespace vegard::sim {
-
-/// A part of a footprint's grid that holds all its light, with a dark border.
-struct TexelWindow {
-  const float* flux = nullptr;       ///< [row][column]; null: dark
-  const float* ln_energy = nullptr;  ///< null: 0 everywhere
-  int columns = 0, rows = 0;
-  double first_x = 0.0, first_y = 0.0;  ///< the grid's texel that is the window's first
-};
-
-struct FootprintKernel {
-  FootWay way = FootWay::vertical;
-  double axis[3] = {0.0, 0.0, -1.0};  ///< the direction of fall, or the dipole's
-  /// Texels of the grid by places on the plane in km, or on a face: x = place * texels + first.
-  double texels = 1.0, first_x = 0.0, first_y = 0.0;
-  std::array<TexelWindow, 6> window;   ///< of a plane the first one only
-  std::array<const LitMap*, 6> lit{};  ///< null: nothing is passed over
-  const StepProfile* profile = nullptr;
-};
-
-struct SpanLight {
-  double rayleigh[kMostLines];
-  double weighted_km;  ///< sum over the lines of rayleighs times the distance along the ray
-  double entry_km;     ///< where the first block with light begins; infinity if there is none
-};
 
 /// What comes out of each span. Returns the steps that were not passed over.
 std::size_t march_spans(const FootprintKernel& kernel, const MarchSpan* spans, std::size_t count,

@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "sim/emit/footprint/foot.h"
-#include "sim/emit/footprint/footprint_kernel.h"
+#include "sim/emit/footprint/footprint_kernel_types.h"
 #include "sim/emit/footprint/map/footprint_map.h"
 #include "sim/emit/footprint/march_span.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/emit/footprint/footprint_kernel.h"
+#include "sim/emit/footprint/footprint_kernel_types.h"
 #include "sim/emit/footprint/map/footprint_map.h"
 
 namespace vegard::sim {

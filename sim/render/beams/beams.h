@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "sim/emit/aurora/sheet.h"
-#include "sim/render/beams/kernel.h"
 #include "sim/render/beams/kernel_scene.h"
+#include "sim/render/beams/kernel_types.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {

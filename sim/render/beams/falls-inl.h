@@ -13,11 +13,12 @@
 
 #include "sim/base/number/dual-inl.h"
 #include "sim/base/number/lanes-inl.h"
-#include "sim/render/beams/kernel.h"
+#include "sim/render/beams/kernel_types.h"
 #include "sim/render/beams/reference-inl.h"
 #include "sim/render/beams/samples-inl.h"
 #include "sim/view/film/splat-inl.h"
 #include "sim/view/film/splat_tangents-inl.h"
+#include "sim/view/film/tangent_film.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace vegard::sim {

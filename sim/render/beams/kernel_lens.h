@@ -2,7 +2,11 @@
 // sim/render/beams/kernel.h.
 #pragma once
 
-#include "sim/render/beams/kernel.h"
+#include <cstddef>
+#include <cstdint>
+
+#include "sim/render/beams/kernel_types.h"
+#include "sim/view/film/tangent_film.h"
 
 namespace vegard::sim {
 

@@ -5,20 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "sim/render/beams/kernel.h"
+#include "sim/render/beams/kernel_types.h"
 
 namespace vegard::sim {
-
-/// What becomes of a line's light and where it goes. The film of the KernelScene has cells of one pixel and
-/// covers all that can fall on any level; nothing is kept for it.
-struct KernelLevels {
-  const float* lifetime_s = nullptr;    ///< [HeightProfile::kAltitudes]
-  const float* variance_km2 = nullptr;  ///< likewise
-  double wind_enu_km_s[3] = {0.0, 0.0, 0.0};
-  int count = 0;  ///< of levels
-  const FilmGeometry* films = nullptr;
-  const float* variance_px2 = nullptr;
-};
 
 /// Lets the groups fall on the films of all levels, films[level][row][column], in the units of the value
 /// film. The height profiles hold one line. Returns the number of deflection points computed.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/emit/aurora/sheet.h"
-#include "sim/render/beams/kernel.h"
+#include "sim/render/beams/kernel_types.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_id.h"
 

@@ -15,7 +15,7 @@
 #include <cstring>
 
 #include "sim/base/earth.h"
-#include "sim/render/beams/kernel_levels.h"
+#include "sim/render/beams/kernel_types.h"
 #include "sim/render/beams/samples-inl.h"
 #include "sim/view/film/level_ladder.h"
 

@@ -7,27 +7,13 @@
 #pragma once
 
 #include <atomic>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <vector>
 
+#include "sim/render/beams/emission_points.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
-
-/// Some of the points, in order.
-struct EmissionPoints {
-  int lines = 0;
-  std::vector<float> position_in_enu_km;  ///< [point * 3]: east, north, up of the observer
-  std::vector<float> photons_per_s;       ///< [point * lines + line], into all directions
-
-  std::size_t size() const { return position_in_enu_km.size() / 3; }
-  void clear() {
-    position_in_enu_km.clear();
-    photons_per_s.clear();
-  }
-};
 
 struct PointOptions {
   /// Odd: of so many neighbouring beams of a layer the middle one is kept (of a layer with fewer, its middle

@@ -16,7 +16,7 @@
 #include "sim/base/number/dual-inl.h"
 #include "sim/base/number/lanes-inl.h"
 #include "sim/emit/aurora/fall-inl.h"
-#include "sim/render/beams/kernel.h"
+#include "sim/render/beams/kernel_types.h"
 #include "sim/view/camera/project-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -2,7 +2,6 @@
 
 #include "sim/scene/lines/camera_responses.h"
 #include "sim/scene/lines/emission_lines.h"
-#include "sim/view/colour/filter_response.h"
 #include "sim/view/colour/sensor_response.h"
 #include "sim/view/colour/sensor_scale.h"
 

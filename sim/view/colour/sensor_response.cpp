@@ -5,18 +5,18 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/csv_table.h"
-#include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/lines/camera_responses.h"
+#include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/structs/line_of.h"
 #include "sim/scene/table/table_files.h"
 #include "sim/view/colour/colour.h"
-#include "sim/view/colour/filter_response.h"
 #include "sim/view/colour/illuminants.h"
 
 namespace vegard::sim {
 namespace {
 
-constexpr double kGreenNm = 557.7;
+constexpr double kGreenNm = 557.7;  // a kilorayleigh of it is what all responses are relative to
+constexpr double kFilterHalfBase_nm = 5.0;
 constexpr const char* kChannels[3] = {"red", "green", "blue"};
 
 /// Sums over wavelengths are taken at these; the tables of light and observer are no finer.
@@ -71,6 +71,8 @@ Matrix3 rgb_of_raw(const ChannelTable& channels, const Sensor& sensor) {
     for (int c = 0; c < 3; ++c) given[r][c] = sensor.matrix[3 * r + c];
   return product(given, balance);
 }
+
+std::size_t filters(const Scene& scene) { return std::min<std::size_t>(3, scene.emission.lines.size()); }
 
 }  // namespace
 
@@ -146,6 +148,34 @@ Matrix3 colorimetric_matrix(const ChannelTable& channels, Primaries primaries) {
     matrix[row] = {a, b, 1.0 - a - b};
   }
   return matrix;
+}
+
+bool sees_through_filters(const Scene& scene) {
+  return response_kind(scene.sensor.response) == ResponseKind::filters;
+}
+
+std::vector<Vector3> filter_colours(const Scene& scene) {
+  std::vector<Vector3> colours(scene.emission.lines.size(), Vector3{});
+  for (std::size_t i = 0; i < filters(scene); ++i) colours[i][i] = 1.0;
+  return colours;
+}
+
+ChannelTable filter_channels(const Scene& scene) {
+  ChannelTable table;
+  std::vector<double>& nm = table.wavelength_nm;
+  for (std::size_t i = 0; i < filters(scene); ++i)
+    for (const double offset : {-kFilterHalfBase_nm, 0.0, kFilterHalfBase_nm})
+      nm.push_back(scene.emission.lines[i] + offset);
+  std::sort(nm.begin(), nm.end());
+  nm.erase(std::unique(nm.begin(), nm.end()), nm.end());
+  for (std::size_t c = 0; c < 3; ++c)
+    for (const double at : nm) {
+      const double line = c < filters(scene) ? scene.emission.lines[c] : 0.0;
+      // Responses are per power, and a photon of a longer wave has less of it.
+      const double per_photon = colour_matching(kGreenNm)[1] * at / kGreenNm;
+      table.response[c].push_back(per_photon * std::max(0.0, 1.0 - std::abs(at - line) / kFilterHalfBase_nm));
+    }
+  return table;
 }
 
 SensorResponse::SensorResponse(const Scene& scene)

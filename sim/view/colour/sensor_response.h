@@ -1,5 +1,5 @@
-// What a sensor makes of light of one wavelength: the CIE 1931 observer, a camera's three channels,
-// or a grey one that counts photons of any wavelength alike.
+// What a sensor makes of light of one wavelength: the CIE 1931 observer, a camera's three channels, the
+// channels of an imager behind narrow filters, or a grey one that counts photons of any wavelength alike.
 //
 // Sources: docs/physics.md, "Cameras". A camera's raw channels are scaled so that green is 1 for a
 // kilorayleigh of 557.7 nm at unit gain, as the observer's luminance is. White balance and matrix lead from
@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "sim/scene/structs/scene.h"
@@ -59,5 +60,18 @@ Vector3 daylight_balance(const ChannelTable& channels);
 
 /// Linear RGB of the primaries from channels balanced to D65: the rule "colorimetric".
 Matrix3 colorimetric_matrix(const ChannelTable& channels, Primaries primaries);
+
+/// Whether the channels are those of an imager behind narrow filters, one per emission line:
+/// sensor.response = "filters".
+bool sees_through_filters(const Scene& scene);
+
+/// Linear light per kilorayleigh of each of the scene's lines at a gain_per_kilorayleigh of 1: channel i has
+/// 1 for line i and nothing for any other. Lines behind the third are seen by none.
+std::vector<Vector3> filter_colours(const Scene& scene);
+
+/// What the filters let through of other light: triangles around the lines' wavelengths, 5 nm wide at half
+/// their height, which a spectrum in steps of 5 nm is summed under exactly. At the line itself a channel
+/// gives 1 per kilorayleigh.
+ChannelTable filter_channels(const Scene& scene);
 
 }  // namespace vegard::sim

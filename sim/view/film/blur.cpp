@@ -158,40 +158,40 @@ void blur_across(const float* in, float* out, int rows, int columns, int channel
   });
 }
 
-void blur_window(const float* in, int rows, int columns, const std::vector<BlurKernel>& kernels,
+void blur_window(const float* in, int rows, int columns, const std::vector<PlaneBlur>& blurs,
                  const Window& window, float* out, int threads) {
-  const std::ptrdiff_t pitch = static_cast<std::ptrdiff_t>(kernels.size());
+  const std::ptrdiff_t pitch = static_cast<std::ptrdiff_t>(blurs.size());
   for_blocks(window.rows, threads, [&](int first_row, int end_row) {
     std::vector<float> down, both(window.columns);
     std::vector<const float*> before, after;
     for (std::ptrdiff_t plane = 0; plane < pitch; ++plane) {
-      const BlurKernel& kernel = kernels[plane];
-      const int radius = kernel.radius();
+      const BlurKernel &by_rows = blurs[plane].down, &by_columns = blurs[plane].across;
+      const int reach_down = by_rows.radius(), reach_across = by_columns.radius();
       // What the window needs of a row that is blurred down; beyond the plane's edges it stays dark.
-      const int first = std::max(0, window.first_column - radius);
-      const int end = std::min(columns, window.first_column + window.columns + radius);
-      const int dark = first - (window.first_column - radius);
-      down.assign(static_cast<std::size_t>(window.columns) + 2 * radius, 0.0f);
-      before.assign(radius + 1, nullptr);
-      after.assign(radius + 1, nullptr);
+      const int first = std::max(0, window.first_column - reach_across);
+      const int end = std::min(columns, window.first_column + window.columns + reach_across);
+      const int dark = first - (window.first_column - reach_across);
+      down.assign(static_cast<std::size_t>(window.columns) + 2 * reach_across, 0.0f);
+      before.assign(std::max(reach_down, reach_across) + 1, nullptr);
+      after.assign(before.size(), nullptr);
       for (int y = first_row; y < end_row; ++y) {
         const int row = window.first_row + y;
         const float* centre = in + (plane * rows + row) * columns + first;
-        for (int k = 1; k <= radius; ++k) {
+        for (int k = 1; k <= reach_down; ++k) {
           const std::ptrdiff_t away = static_cast<std::ptrdiff_t>(k) * columns;
           before[k] = row - k >= 0 ? centre - away : nullptr;
           after[k] = row + k < rows ? centre + away : nullptr;
         }
         HWY_DYNAMIC_DISPATCH(WeightedSum)
-        (centre, before.data(), after.data(), kernel.weights.data(), radius, down.data() + dark,
+        (centre, before.data(), after.data(), by_rows.weights.data(), reach_down, down.data() + dark,
          static_cast<std::size_t>(end - first));
-        for (int k = 1; k <= radius; ++k) {
-          before[k] = down.data() + radius - k;
-          after[k] = down.data() + radius + k;
+        for (int k = 1; k <= reach_across; ++k) {
+          before[k] = down.data() + reach_across - k;
+          after[k] = down.data() + reach_across + k;
         }
         HWY_DYNAMIC_DISPATCH(WeightedSum)
-        (down.data() + radius, before.data(), after.data(), kernel.weights.data(), radius, both.data(),
-         both.size());
+        (down.data() + reach_across, before.data(), after.data(), by_columns.weights.data(), reach_across,
+         both.data(), both.size());
         float* to = out + static_cast<std::ptrdiff_t>(y) * window.columns * pitch + plane;
         for (int x = 0; x < window.columns; ++x) to[x * pitch] = both[x];
       }

@@ -40,9 +40,14 @@ struct Window {
   int first_row = 0, first_column = 0, rows = 0, columns = 0;
 };
 
-/// blur_down() and then blur_across() of planes of [rows][columns], as many as there are kernels, with the
-/// same sums; of the result only the window is worked out, [row][column][plane].
-void blur_window(const float* in, int rows, int columns, const std::vector<BlurKernel>& kernels,
+/// What a plane is blurred by, in its own cells: down its columns and across its rows.
+struct PlaneBlur {
+  BlurKernel down, across;
+};
+
+/// blur_down() and then blur_across() of planes of [rows][columns], as many as there are blurs, with the same
+/// sums; of the result only the window is worked out, [row][column][plane].
+void blur_window(const float* in, int rows, int columns, const std::vector<PlaneBlur>& blurs,
                  const Window& window, float* out, int threads);
 
 }  // namespace vegard::sim

@@ -68,13 +68,14 @@ template class NightSky<SkyDual>;
 
 Image night_sky_light(const Scene& scene, int threads) {
   Image light(scene.camera.width, scene.camera.height, {"R", "G", "B"});
-  const SkyView<double> view(scene);
-  const NightSky<double> sky(scene);
+  FilmGeometry film;
+  film.columns = light.width;
+  film.rows = light.height;
+  const NightSkyOnFilm<double> sky(scene, film);
   parallel_for(static_cast<std::size_t>(light.height), threads, [&](std::size_t row, int) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < light.width; ++x) {
-      if (!view.sees(x + 0.5, y + 0.5)) continue;
-      const std::array<double, 3> rgb = sky.light(view.at(x + 0.5, y + 0.5));
+      const std::array<double, 3> rgb = sky.light(x, y);
       for (int c = 0; c < 3; ++c) light.at(x, y, c) = static_cast<float>(rgb[c]);
     }
   });

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fit/model/profile_model.h"
+
 namespace vegard::fit {
 namespace {
 

@@ -31,13 +31,13 @@ TEST(BinWeights, OfRowsGiveTheMeansOfThePhotographWithItsMask) {
   film.columns = 25;
   film.rows = 16;
   const Profile profile = extract_profile(photo, region, 3);
-  const BinWeights weights = bin_weights(photo, {profile.grid}, film);
-  ASSERT_EQ(weights.bins() * 3, profile.mean.size());
-  for (std::size_t bin = 0; bin < weights.bins(); ++bin) {
+  const sim::CellWeights weights = bin_weights(photo, {profile.grid}, film);
+  ASSERT_EQ(weights.means() * 3, profile.mean.size());
+  for (std::size_t bin = 0; bin < weights.means(); ++bin) {
     for (int c = 0; c < 3; ++c) {
       double sum = 0.0, pixels = 0.0;
       for (std::size_t r = weights.first_run[bin]; r < weights.first_run[bin + 1]; ++r) {
-        const BinWeights::Run& run = weights.runs[r];
+        const sim::CellWeights::Run& run = weights.runs[r];
         for (int i = 0; i < run.columns; ++i) {
           const float weight = weights.pixels[run.first_pixels + i * 3 + c];
           const int x = static_cast<int>(film.x0_px) + (run.first_column + i) * 3;

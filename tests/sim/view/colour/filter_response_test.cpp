@@ -1,4 +1,4 @@
-#include "sim/view/colour/filter_response.h"
+#include "sim/view/colour/sensor_response.h"
 
 #include <gtest/gtest.h>
 

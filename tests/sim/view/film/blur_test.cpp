@@ -142,16 +142,17 @@ TEST(BlurWindow, IsAPartOfThePlanesBlurredBothWays) {
   constexpr std::size_t kCells = kRows * kColumns;
   std::vector<float> in(kCells * kPlanes), down(in.size()), both(in.size());
   for (std::size_t i = 0; i < in.size(); ++i) in[i] = static_cast<float>((i * 2654435761u) >> 8 & 0xffff);
-  const std::vector<BlurKernel> kernels = {gaussian_kernel(0.0), gaussian_kernel(3.0), gaussian_kernel(1.3)};
+  const BlurKernel none = gaussian_kernel(0.0), wide = gaussian_kernel(3.0), narrow = gaussian_kernel(1.3);
+  const std::vector<PlaneBlur> blurs = {{none, wide}, {wide, narrow}, {narrow, none}};
   for (std::size_t plane = 0; plane < kPlanes; ++plane) {
     const std::size_t at = plane * kCells;
-    blur_down(in.data() + at, down.data() + at, kRows, kColumns, 1, kernels[plane], 1);
-    blur_across(down.data() + at, both.data() + at, kRows, kColumns, 1, kernels[plane], 1);
+    blur_down(in.data() + at, down.data() + at, kRows, kColumns, 1, blurs[plane].down, 1);
+    blur_across(down.data() + at, both.data() + at, kRows, kColumns, 1, blurs[plane].across, 1);
   }
   for (const Window& w :
        {Window{14, 15, 12, 20}, Window{0, 0, kRows, kColumns}, Window{0, 3, 30, 2}, Window{33, 50, 7, 3}}) {
     std::vector<float> out(static_cast<std::size_t>(w.rows) * w.columns * kPlanes);
-    blur_window(in.data(), kRows, kColumns, kernels, w, out.data(), 2);
+    blur_window(in.data(), kRows, kColumns, blurs, w, out.data(), 2);
     for (int y = 0; y < w.rows; ++y)
       for (int x = 0; x < w.columns; ++x)
         for (int plane = 0; plane < kPlanes; ++plane)

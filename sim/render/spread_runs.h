@@ -1,4 +1,5 @@
-// Sums of a film row's derivatives over the cells of a bin, with the blur along the row in the weights.
+// Sums of a film row's derivatives over runs of cells, with the blur along the row in the weights: the
+// transpose of the blur.
 #pragma once
 
 #include <algorithm>
@@ -6,23 +7,23 @@
 #include <cstdlib>
 #include <vector>
 
-#include "fit/model/bin_weights.h"
 #include "sim/light/sample.h"
+#include "sim/render/cell_weights.h"
 #include "sim/view/film/blur.h"
 
-namespace vegard::fit {
+namespace vegard::sim {
 
 /// Sums over runs of cells of what is yet to be blurred along the row: the run's weights are spread by the
 /// blur instead of the light. Rows that follow each other mostly weigh their cells alike, so that the last
 /// spread of each place in the row is kept.
 class SpreadRuns {
  public:
-  SpreadRuns(const sim::BlurKernel& across, int film_columns) : across_(across), columns_(film_columns) {}
+  SpreadRuns(const BlurKernel& across, int film_columns) : across_(across), columns_(film_columns) {}
 
   /// The sum of `light`, a film row of [column][stride], blurred, over the run with these weights of its
   /// cells; null if all of them are 0. Stays until the next call. `place`: any number that tells the runs of
   /// a row apart.
-  const float* sum(std::size_t place, const BinWeights::Run& run, const float* weights, const float* light,
+  const float* sum(std::size_t place, const CellWeights::Run& run, const float* weights, const float* light,
                    std::size_t stride) {
     if (place >= kept_.size()) kept_.resize(place + 1);
     Spread& spread = kept_[place];
@@ -44,14 +45,14 @@ class SpreadRuns {
 
  private:
   static constexpr int kPart = 16;  // what strides are whole multiples of
-  static_assert(sim::kTangentWidth == kPart);
+  static_assert(kTangentWidth == kPart);
   struct Spread {
     int run_first = -1;
     bool dark = true;
     std::vector<float> weights, wide;  // of the run's cells, and of all that the blur brings in
     std::size_t first = 0;             // column of the first of the latter
   };
-  void make(const BinWeights::Run& run, const float* weights, Spread& spread) const {
+  void make(const CellWeights::Run& run, const float* weights, Spread& spread) const {
     const int radius = across_.radius();
     const int first = std::max(0, run.first_column - radius);
     const int end = std::min(columns_, run.first_column + run.columns + radius);
@@ -69,10 +70,10 @@ class SpreadRuns {
     }
   }
 
-  const sim::BlurKernel& across_;
+  const BlurKernel& across_;
   int columns_;
   std::vector<Spread> kept_;
   std::vector<float> sum_;
 };
 
-}  // namespace vegard::fit
+}  // namespace vegard::sim

@@ -1,0 +1,38 @@
+// The plain numbers and arrays that cross the door of the march through footprints: the footprint's grid, and
+// what comes out of a stretch of a ray.
+#pragma once
+
+#include <array>
+
+#include "sim/emit/footprint/lit_map.h"
+#include "sim/emit/footprint/march_span.h"
+#include "sim/emit/footprint/step_profile.h"
+#include "sim/light/emitter.h"
+
+namespace vegard::sim {
+
+/// A part of a footprint's grid that holds all its light, with a dark border.
+struct TexelWindow {
+  const float* flux = nullptr;       ///< [row][column]; null: dark
+  const float* ln_energy = nullptr;  ///< null: 0 everywhere
+  int columns = 0, rows = 0;
+  double first_x = 0.0, first_y = 0.0;  ///< the grid's texel that is the window's first
+};
+
+struct FootprintKernel {
+  FootWay way = FootWay::vertical;
+  double axis[3] = {0.0, 0.0, -1.0};  ///< the direction of fall, or the dipole's
+  /// Texels of the grid by places on the plane in km, or on a face: x = place * texels + first.
+  double texels = 1.0, first_x = 0.0, first_y = 0.0;
+  std::array<TexelWindow, 6> window;   ///< of a plane the first one only
+  std::array<const LitMap*, 6> lit{};  ///< null: nothing is passed over
+  const StepProfile* profile = nullptr;
+};
+
+struct SpanLight {
+  double rayleigh[kMostLines];
+  double weighted_km;  ///< sum over the lines of rayleighs times the distance along the ray
+  double entry_km;     ///< where the first block with light begins; infinity if there is none
+};
+
+}  // namespace vegard::sim

@@ -1,0 +1,122 @@
+// The plain numbers and arrays that cross the kernel's doors: beams in groups of sixteen, what they share,
+// and what comes back.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "sim/light/height_profile.h"
+#include "sim/light/sample.h"
+#include "sim/view/camera/camera.h"
+#include "sim/view/camera/film_edges.h"
+
+namespace vegard::sim {
+
+inline constexpr int kGroup = 16;  ///< beams that fall side by side
+
+/// A rayleigh on the value film is 2^20 units of a 64-bit integer: sums do not depend on their order, a
+/// thousandth of a rayleigh still has three digits. A cell overflows at 8e12 rayleighs, and one sample may
+/// add up to 2e9 (2^31): IBC 4, the brightest aurora, is 1e6 along the field.
+inline constexpr double kFilmUnitsPerRayleigh = 1048576.0;
+
+/// A number with its derivatives by the local inputs that it hangs on, for sixteen beams.
+struct GroupNumber {
+  double value[kGroup];
+  double tangent[place_inputs][kGroup];
+};
+
+/// Unit vectors in east, north, up of beams that each have a direction of their own: along, and two across.
+struct GroupAxes {
+  GroupNumber axis[3][3];
+};
+
+/// Sixteen beams of one layer. Empty places have end_of_path 0.
+struct BeamGroup {
+  GroupNumber start_in_enu_km[3];
+  GroupNumber length_km;
+  GroupNumber vertical;  ///< how much of the light of a vertical kilometre a kilometre of path has
+  double flux_km2_mw_m2[kGroup];
+  double end_of_path[kGroup];
+  double altitude_shift_km[kGroup];  ///< how much lower the light of a point is read than it stands
+  double stretch_above[kGroup];      ///< of the height profile above its peak; then not 0
+  std::uint32_t index[kGroup];
+  bool reads_elsewhere = false;     ///< else shift and stretch are not looked at
+  double peak_km = 0.0;             ///< of the height profile, from which on it is stretched
+  std::uint32_t layer_address = 0;  ///< sheet and layer, as in the random streams
+  int sheet = 0;                    ///< which height profile
+  const GroupAxes* axes = nullptr;  ///< only where KernelScene::beams_own_field
+
+  BeamGroup() {}  // NOLINT: the numbers are left to whoever packs the group, they are many
+};
+
+/// At which altitude of the height profile the light is read for a point that stands at `altitude_km`.
+inline double altitude_read_km(const BeamGroup& group, int beam, double altitude_km) {
+  if (!group.reads_elsewhere) return altitude_km;
+  const double off = altitude_km - group.altitude_shift_km[beam] - group.peak_km;
+  return group.peak_km + (off > 0.0 ? off / group.stretch_above[beam] : off);
+}
+
+/// The other way round: where a point stands whose light is read at `read_km`.
+inline double altitude_of_read_km(const BeamGroup& group, int beam, double read_km) {
+  if (!group.reads_elsewhere) return read_km;
+  const double off = read_km - group.peak_km;
+  return group.peak_km + group.altitude_shift_km[beam] + (off > 0.0 ? off * group.stretch_above[beam] : off);
+}
+
+/// How a group's local inputs follow from the free parameters: derivatives of each beam's foot and log(flux).
+struct GroupChain {
+  float foot_east[kGroup][kTangentWidth];
+  float foot_north[kGroup][kTangentWidth];
+  float log_flux[kGroup][kTangentWidth];
+};
+
+/// What all beams share.
+struct KernelScene {
+  FallFrame<PlaceDual> fall;     ///< of the uniform field
+  bool beams_own_field = false;  ///< the beams fall along BeamGroup::axes instead
+  DipoleAxis dipole{};           ///< of the field that beams have their own direction of
+  Deflection<LocalDual> deflection;
+  CameraView<LocalDual> view;
+  bool plain_pinhole = true;  ///< no distortion, and none whose derivatives are wanted
+  FilmGeometry film;
+  FilmEdges edges;  ///< of the film; none where a film without columns leaves nothing out
+  double observer_altitude_km = 0.0;
+  bool earth_hides = false;   ///< some of the film looks below the horizon
+  bool nearest_cell = false;  ///< the paper's forward map, instead of bilinear
+  bool unit_weight = false;   ///< every point counts alike, instead of rayleighs
+  std::uint64_t seed = 0;
+  const HeightProfile* profiles = nullptr;  ///< one per sheet
+};
+
+/// How the chain goes on from the local inputs that all beams share, and from the energies.
+struct SharedChain {
+  int parameter_of_local[local_inputs];      ///< index of the free parameter, -1 if it is not free
+  const int* parameter_of_energy = nullptr;  ///< per sheet, -1 if not free
+};
+
+/// What becomes of a line's light whose atoms wander before they shine, and where it goes. The film of the
+/// KernelScene has cells of one pixel and covers all that can fall on any level; nothing is kept for it.
+struct KernelLevels {
+  const float* lifetime_s = nullptr;    ///< [HeightProfile::kAltitudes]
+  const float* variance_km2 = nullptr;  ///< likewise
+  double wind_enu_km_s[3] = {0.0, 0.0, 0.0};
+  int count = 0;  ///< of levels
+  const FilmGeometry* films = nullptr;
+  const float* variance_px2 = nullptr;
+};
+
+/// How far fall_until() goes.
+enum class FallPhase {
+  path,     ///< deflection points in the beams' own frame
+  samples,  ///< and where on the film and how bright those in view are
+};
+
+/// The samples that fall_on_film splats, in its order, as splat_on_film takes them.
+struct SplatRecord {
+  std::vector<float> column, row;
+  std::vector<float> weights;  ///< [point * stride + line], rayleighs
+  std::size_t points() const { return column.size(); }
+};
+
+}  // namespace vegard::sim

@@ -1,0 +1,85 @@
+#include "sim/render/picture.h"
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "sim/render/air_on_film.h"
+#include "sim/scene/lines/emission_lines.h"
+
+namespace vegard::sim {
+namespace {
+
+/// A line's blur in cells of so many pixels: its standard deviation, and the kernel's radius or -1.
+struct BlurInCells {
+  double sigma;
+  int radius;
+
+  BlurInCells(const Scene& scene, int line, double cell_px) : sigma(blur_sigma_px(scene, line) / cell_px) {
+    const int radius_px = blur_radius_px(scene, line);
+    radius = radius_px < 0 ? -1 : static_cast<int>(std::lround(radius_px / cell_px));
+  }
+  BlurKernel kernel() const { return gaussian_kernel(sigma, radius); }
+  BlurKernel slope() const { return gaussian_kernel_derivative(sigma, radius); }
+};
+
+void blur_by(const std::vector<PlaneBlur>& blurs, const Scene& scene, const FilmGeometry& film,
+             const float* planes, const Window& window, int threads, Image& out) {
+  if (out.width != window.columns || out.height != window.rows || out.channel_names.size() != blurs.size()) {
+    std::vector<std::string> names;
+    for (const double nm : scene.emission.lines) names.push_back(line_name(nm));
+    out = Image(window.columns, window.rows, names);
+  }
+  blur_window(planes, film.rows, film.columns, blurs, window, out.data.data(), threads);
+}
+
+}  // namespace
+
+Window pixels_on(const FilmGeometry& film, const Camera& camera) {
+  return {static_cast<int>(-film.y0_px), static_cast<int>(-film.x0_px), camera.height, camera.width};
+}
+
+Window all_of(const FilmGeometry& film) { return {0, 0, film.rows, film.columns}; }
+
+PlaneBlur line_blur(const Scene& scene, const FilmGeometry& film, int line) {
+  return {BlurInCells(scene, line, film.cell_height_px).kernel(),
+          BlurInCells(scene, line, film.cell_width_px).kernel()};
+}
+
+PlaneBlur line_blur_slope(const Scene& scene, const FilmGeometry& film, int line) {
+  return {BlurInCells(scene, line, film.cell_height_px).slope(),
+          BlurInCells(scene, line, film.cell_width_px).slope()};
+}
+
+void blur_lines(const Scene& scene, const FilmGeometry& film, const float* planes, const Window& window,
+                int threads, Image& out) {
+  std::vector<PlaneBlur> blurs;
+  for (std::size_t l = 0; l < scene.emission.lines.size(); ++l)
+    blurs.push_back(line_blur(scene, film, static_cast<int>(l)));
+  blur_by(blurs, scene, film, planes, window, threads, out);
+}
+
+void take_lines(const Scene& scene, const FilmGeometry& film, const float* planes, const Window& window,
+                int threads, Image& out) {
+  const BlurKernel none = gaussian_kernel(0.0);
+  blur_by(std::vector<PlaneBlur>(scene.emission.lines.size(), {none, none}), scene, film, planes, window,
+          threads, out);
+}
+
+void form_lines(const Scene& scene, Exposure& exposure, const Window& window, int threads, Image& rayleigh) {
+  dim_by_air(scene, exposure, threads);
+  blur_lines(scene, exposure.geometry, exposure.rayleigh.data(), window, threads, rayleigh);
+}
+
+void form_lines(const Scene& scene, const std::vector<ParameterId>& free, Exposure& exposure,
+                const Window& window, int threads, Image& rayleigh) {
+  dim_by_air(scene, free, exposure, threads);
+  blur_lines(scene, exposure.geometry, exposure.rayleigh.data(), window, threads, rayleigh);
+}
+
+void keep_what_is_shown(Image& light) {
+  for (float& value : light.data)
+    if (!is_shown(value)) value = 0.0f;
+}
+
+}  // namespace vegard::sim

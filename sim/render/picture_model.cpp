@@ -1,0 +1,414 @@
+#include "sim/render/picture_model.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "sim/base/large_vector.h"
+#include "sim/base/parallel.h"
+#include "sim/light/sheet_profile.h"
+#include "sim/render/air_on_film.h"
+#include "sim/render/film.h"
+#include "sim/render/picture.h"
+#include "sim/render/spread_runs.h"
+#include "sim/scene/table/same_values.h"
+#include "sim/view/colour/line_colours.h"
+#include "sim/view/film/blur.h"
+#include "sim/view/sky/night_sky.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr std::size_t kMeansPerTask = 64, kFilmRowsPerTask = 16;
+
+/// The light of a line grows with a parameter as that of a height profile, a row of SheetShapers::rates.
+struct Shaper {
+  int parameter = 0, line = 0;
+  std::size_t rate = 0;
+};
+struct SheetShapers {
+  std::vector<std::vector<float>> rates;  // each once: lines share their splines' basis
+  std::vector<Shaper> shapers;
+};
+struct ProfileShapers {
+  std::vector<SheetShapers> of_sheet;
+  std::vector<bool> alone;  // by parameter: it does nothing but shape a profile
+};
+
+/// What the free numbers do to the height profiles. The energy flux scales the light too, which the kernel
+/// has.
+ProfileShapers profile_shapers(const Scene& scene, const std::vector<ParameterId>& free) {
+  ProfileShapers result;
+  result.of_sheet.resize(scene.sheets.size());
+  result.alone.assign(free.size(), false);
+  for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
+    SheetShapers& of_sheet = result.of_sheet[s];
+    for (std::size_t j = 0; j < free.size(); ++j) {
+      const std::vector<float> slope =
+          profile_slope(scene.emission.lines, scene, static_cast<int>(s), free[j]);
+      if (slope.empty()) continue;
+      result.alone[j] = free[j].role() != ParameterRole::energy_flux;
+      const std::size_t stride = slope.size() / HeightProfile::kAltitudes;
+      for (std::size_t l = 0; l < scene.emission.lines.size(); ++l) {
+        std::vector<float> rate(HeightProfile::kAltitudes);
+        for (std::size_t a = 0; a < rate.size(); ++a) rate[a] = slope[a * stride + l];
+        if (std::all_of(rate.begin(), rate.end(), [](float x) { return x == 0.0f; })) continue;
+        const auto found = std::find(of_sheet.rates.begin(), of_sheet.rates.end(), rate);
+        of_sheet.shapers.push_back({static_cast<int>(j), static_cast<int>(l),
+                                    static_cast<std::size_t>(found - of_sheet.rates.begin())});
+        if (found == of_sheet.rates.end()) of_sheet.rates.push_back(std::move(rate));
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+struct PictureModel::Workspace {
+  int threads = 1;
+  bool keeps_negative_light = false;
+  FilmGeometry film;
+  CellWeights weights;
+  std::vector<std::vector<std::size_t>> runs_of_row;  // of the weights, by film row
+  std::unique_ptr<Exposer> exposer;
+  Exposure exposure;
+  Image rayleigh, rgb;               // of all cells, of the last evaluation
+  std::vector<float> down, blurred;  // planes
+  std::vector<std::uint8_t> lit;     // [row][column][channel]: not clipped
+  // As weights.pixels, 0 where the light is clipped, [cell of a run] within [channel] within the run: what
+  // the derivatives of the cells count for.
+  std::vector<float> shown;
+  std::vector<double> slopes;   // [run][channel][stride]
+  std::vector<Vector3> colour;  // RGB per rayleigh at unit gain, of the last evaluation
+
+  // Blurred light of the profiles' slopes, by sheet: [line][rate][row][column]. Coefficients of splines do
+  // not change it, so it stays as long as nothing else in the scene changes.
+  std::vector<LargeVector<float>> shaped;
+  std::vector<SheetShapers> shaped_by;
+  std::optional<Scene> shaped_in;
+  // The coefficients that the model was made with. The scale on which the slopes' light is rounded goes by
+  // these, not by those at which it happens to be asked for first: it is to be the same after a resumption.
+  std::vector<std::vector<double>> first_rates;
+
+  void shape(const Scene& scene, const ProfileShapers& shapers) {
+    if (std::all_of(shapers.of_sheet.begin(), shapers.of_sheet.end(),
+                    [](const SheetShapers& of_sheet) { return of_sheet.rates.empty(); }))
+      return;
+    Scene rest = scene;
+    for (std::size_t s = 0; s < rest.sheets.size(); ++s) rest.sheets[s].spline_rate = first_rates[s];
+    const auto same = [](const SheetShapers& a, const SheetShapers& b) { return a.rates == b.rates; };
+    if (shaped_in && same_values(*shaped_in, rest, {"fit"}) &&
+        std::equal(shaped_by.begin(), shaped_by.end(), shapers.of_sheet.begin(), shapers.of_sheet.end(),
+                   same))
+      return;
+    shaped_by = shapers.of_sheet;
+    shaped.resize(scene.sheets.size());
+    const std::vector<float> kept = transmission_on_film(scene, film, threads);
+    Exposure light;
+    std::vector<float> dimmed;
+    for (std::size_t s = 0; s < shaped.size(); ++s) {
+      const auto& rates = shapers.of_sheet[s].rates;
+      if (rates.empty()) continue;
+      exposer->expose_profiles(rest, static_cast<int>(s), rates, light);
+      const std::size_t cells = light.cells(), lines_count = scene.emission.lines.size();
+      shaped[s].resize(cells * lines_count * rates.size());
+      down.resize(cells);
+      for (std::size_t l = 0; l < lines_count; ++l) {
+        const PlaneBlur blur = line_blur(scene, film, static_cast<int>(l));
+        for (std::size_t i = 0; i < rates.size(); ++i) {
+          const float* plane = light.rayleigh.data() + i * cells;
+          if (!kept.empty()) {
+            dimmed.assign(plane, plane + cells);
+            for (std::size_t cell = 0; cell < cells; ++cell) dimmed[cell] *= kept[l * cells + cell];
+            plane = dimmed.data();
+          }
+          blur_down(plane, down.data(), film.rows, film.columns, 1, blur.down, threads);
+          blur_across(down.data(), shaped[s].data() + (l * rates.size() + i) * cells, film.rows, film.columns,
+                      1, blur.across, threads);
+        }
+      }
+    }
+    shaped_in = std::move(rest);
+  }
+
+  /// Calls body(mean) for every mean, on all threads.
+  template <class Body>
+  void for_every_mean(const Body& body) const {
+    parallel_for((weights.means() + kMeansPerTask - 1) / kMeansPerTask, threads, [&](std::size_t task, int) {
+      const std::size_t first = task * kMeansPerTask;
+      for (std::size_t mean = first; mean < std::min(weights.means(), first + kMeansPerTask); ++mean)
+        body(mean);
+    });
+  }
+
+  /// Calls body(run, index) for every run of a mean; index: of the run's first cell on the film.
+  template <class Body>
+  void for_every_run(std::size_t mean, const Body& body) const {
+    for (std::size_t r = weights.first_run[mean]; r < weights.first_run[mean + 1]; ++r) {
+      const CellWeights::Run& run = weights.runs[r];
+      body(run, static_cast<std::size_t>(run.row) * film.columns + run.first_column);
+    }
+  }
+
+  /// Colours the lines' light; fills `rgb`, `lit` and the values.
+  void finish_values(const Scene& scene, PictureMeans& out) {
+    const std::size_t cells = exposure.cells(), count = static_cast<std::size_t>(exposure.lines);
+    colour = colours(scene);
+    lit.resize(cells * 3);
+    if (rgb.empty()) rgb = Image(film.columns, film.rows, {"R", "G", "B"});
+    parallel_for(static_cast<std::size_t>(film.rows), threads, [&](std::size_t row, int) {
+      for (std::size_t cell = row * film.columns; cell < (row + 1) * film.columns; ++cell) {
+        const float* lines = &rayleigh.data[cell * count];
+        for (int c = 0; c < 3; ++c) {
+          double light = 0.0;
+          for (std::size_t l = 0; l < count; ++l) light += colour[l][c] * lines[l];
+          const bool shows = keeps_negative_light || is_shown(light);
+          lit[cell * 3 + c] = shows;
+          rgb.data[cell * 3 + c] = shows ? static_cast<float>(light) : 0.0f;
+        }
+      }
+    });
+    out.value.resize(weights.means() * 3);
+    for_every_mean([&](std::size_t mean) {
+      double sum[3] = {0.0, 0.0, 0.0};
+      for_every_run(mean, [&](const CellWeights::Run& run, std::size_t first) {
+        const float *pixels = &weights.pixels[run.first_pixels], *light = &rgb.data[first * 3];
+        for (int i = 0; i < run.columns; ++i)
+          for (int c = 0; c < 3; ++c) sum[c] += static_cast<double>(pixels[i * 3 + c]) * light[i * 3 + c];
+      });
+      for (int c = 0; c < 3; ++c) out.value[mean * 3 + c] = sum[c] * weights.inverse[mean * 3 + c];
+    });
+  }
+
+  /// After finish_values().
+  void find_shown() {
+    shown.resize(weights.pixels.size());
+    for_every_mean([&](std::size_t mean) {
+      for_every_run(mean, [&](const CellWeights::Run& run, std::size_t first) {
+        const float* pixels = &weights.pixels[run.first_pixels];
+        for (int c = 0; c < 3; ++c)
+          for (int i = 0; i < run.columns; ++i)
+            shown[run.first_pixels + static_cast<std::size_t>(c) * run.columns + i] =
+                lit[(first + i) * 3 + c] ? pixels[i * 3 + c] : 0.0f;
+      });
+    });
+  }
+
+  /// Calls body(value index, mean) with the means of the night sky. T is double or SkyDual.
+  template <class T, class Body>
+  void night_sky(const Scene& scene, const Body& body) const {
+    const NightSkyOnFilm<T> sky(scene, film);
+    for_every_mean([&](std::size_t mean) {
+      std::array<T, 3> sum = {T(0.0), T(0.0), T(0.0)};
+      for_every_run(mean, [&](const CellWeights::Run& run, std::size_t) {
+        for (int i = 0; i < run.columns; ++i) {
+          const float* pixels = &weights.pixels[run.first_pixels + static_cast<std::size_t>(i) * 3];
+          if (pixels[0] + pixels[1] + pixels[2] == 0.0f) continue;
+          const std::array<T, 3> light = sky.light(run.first_column + i, run.row);
+          for (int c = 0; c < 3; ++c)
+            if (keeps_negative_light || is_shown(value_of(light[c])))
+              sum[c] = sum[c] + light[c] * static_cast<double>(pixels[c]);
+        }
+      });
+      for (int c = 0; c < 3; ++c)
+        body(mean * 3 + c, sum[c] * static_cast<double>(weights.inverse[mean * 3 + c]));
+    });
+  }
+
+  /// The night sky's lights alone.
+  void add_offset(const Scene& scene, PictureMeans& out) const {
+    out.offset.clear();
+    out.offset_derivative.clear();
+    if (!has_night_sky(scene)) return;
+    out.offset.resize(out.value.size());
+    night_sky<double>(scene, [&](std::size_t i, double mean) { out.offset[i] = mean; });
+  }
+
+  /// The same with their derivatives by `free`. A free brightness counts even where it is 0.
+  void add_offset(const Scene& scene, const std::vector<ParameterId>& free, PictureMeans& out) const {
+    const std::vector<int> which = sky_numbers_of(scene, free);
+    out.offset.clear();
+    out.offset_derivative.clear();
+    const bool any_free =
+        std::any_of(which.begin(), which.end(), [](int k) { return k >= sky_green && k < first_sky_camera; });
+    if (!has_night_sky(scene) && !any_free) return;
+    out.offset.resize(out.value.size());
+    out.offset_derivative.assign(out.value.size() * free.size(), 0.0);
+    night_sky<SkyDual>(scene, [&](std::size_t i, const SkyDual& mean) {
+      out.offset[i] = mean.v;
+      for (std::size_t j = 0; j < which.size(); ++j)
+        if (which[j] >= 0) out.offset_derivative[i * free.size() + j] = mean.d.t[which[j]];
+    });
+  }
+
+  /// RGB per rayleigh at unit gain.
+  static std::vector<Vector3> colours(const Scene& scene) {
+    std::vector<Vector3> weights_per_kilorayleigh = line_colours_at_unit_gain(scene);
+    for (Vector3& of_line : weights_per_kilorayleigh)
+      for (double& channel : of_line) channel *= 1e-3;
+    return weights_per_kilorayleigh;
+  }
+
+  /// Adds the means of a plane of derivatives that is blurred already, [row][column], of line `l`, to those
+  /// of a parameter.
+  void add_plane(const float* plane, int parameter, int l, PictureMeans& out) const {
+    for_every_mean([&](std::size_t mean) {
+      float sum[3] = {};
+      for_every_run(mean, [&](const CellWeights::Run& run, std::size_t first) {
+        for (int c = 0; c < 3; ++c) {
+          const float* weight = &shown[run.first_pixels + static_cast<std::size_t>(c) * run.columns];
+          for (int i = 0; i < run.columns; ++i) sum[c] += weight[i] * plane[first + i];
+        }
+      });
+      for (int c = 0; c < 3; ++c)
+        out.derivative[(mean * 3 + c) * out.free + parameter] +=
+            colour[l][c] * weights.inverse[mean * 3 + c] * sum[c];
+    });
+  }
+
+  /// Blurs the exposure's derivatives and adds their means to those of `parameters`. The blur along a row
+  /// and the sum over a run's cells are one sum with other weights, and there are fewer runs than cells.
+  void add_exposed(const Scene& scene, const std::vector<int>& parameters, PictureMeans& out) {
+    const std::size_t cells = exposure.cells(), stride = static_cast<std::size_t>(exposure.free_stride);
+    std::vector<PlaneBlur> blurs;
+    for (int l = 0; l < exposure.lines; ++l) blurs.push_back(line_blur(scene, film, l));
+    slopes.assign(weights.runs.size() * 3 * stride, 0.0);
+    const std::size_t tasks = (static_cast<std::size_t>(film.rows) + kFilmRowsPerTask - 1) / kFilmRowsPerTask;
+    parallel_for(tasks, threads, [&](std::size_t task, int) {
+      std::vector<float> wide(film.columns * stride);
+      for (int l = 0; l < exposure.lines; ++l) {
+        SpreadRuns spread(blurs[l].across, film.columns);
+        for (std::size_t row = task * kFilmRowsPerTask;
+             row < std::min<std::size_t>(film.rows, (task + 1) * kFilmRowsPerTask); ++row) {
+          if (runs_of_row[row].empty()) continue;
+          blur_down_row(exposure.derivative.data() + l * cells * stride, wide.data(), film.rows, film.columns,
+                        static_cast<int>(stride), blurs[l].down, static_cast<int>(row));
+          for (std::size_t i = 0; i < runs_of_row[row].size(); ++i) {
+            const std::size_t index = runs_of_row[row][i];
+            const CellWeights::Run& run = weights.runs[index];
+            const float* of_run = &shown[run.first_pixels];
+            const float *before = nullptr, *sum = nullptr;
+            for (int c = 0; c < 3; ++c, of_run += run.columns) {
+              // Two channels often show the same cells.
+              if (before == nullptr || !std::equal(of_run, of_run + run.columns, before))
+                sum = spread.sum(i * 3 + c, run, of_run, wide.data(), stride);
+              before = of_run;
+              if (sum == nullptr) continue;
+              double* to = slopes.data() + (index * 3 + c) * stride;
+              for (std::size_t j = 0; j < stride; ++j) to[j] += colour[l][c] * sum[j];
+            }
+          }
+        }
+      }
+    });
+    for_every_mean([&](std::size_t mean) {
+      for (std::size_t r = weights.first_run[mean]; r < weights.first_run[mean + 1]; ++r) {
+        for (int c = 0; c < 3; ++c) {
+          const double* from = slopes.data() + (r * 3 + c) * stride;
+          double* to = out.derivative.data() + (mean * 3 + c) * out.free;
+          for (std::size_t j = 0; j < parameters.size(); ++j)
+            to[parameters[j]] += weights.inverse[mean * 3 + c] * from[j];
+        }
+      }
+    });
+  }
+
+  /// The blur's own width, free or following the field of view: sigma = width * pixels / hfov.
+  void add_blur_widths(const Scene& scene, const std::vector<ParameterId>& free, PictureMeans& out) {
+    const std::size_t cells = exposure.cells();
+    down.resize(cells);
+    blurred.resize(cells);
+    for (int l = 0; l < exposure.lines; ++l) {
+      const double sigma = blur_sigma_px(scene, l);
+      if (sigma <= 0.0) continue;
+      const PlaneBlur blur = line_blur(scene, film, l), slope = line_blur_slope(scene, film, l);
+      for (std::size_t j = 0; j < free.size(); ++j) {
+        double growth = 0.0;
+        if (free[j].role() == ParameterRole::blur_width && index_in(scene, free[j]) == l)
+          growth = pixels_per_degree(scene.camera);
+        if (camera_number_of(scene.camera, free[j]) == scale_number)
+          growth = sigma * pixels_per_degree_growth(scene.camera);
+        if (growth == 0.0) continue;
+        const float* plane = exposure.rayleigh.data() + l * cells;
+        const auto add = [&](const BlurKernel& first, const BlurKernel& second, double per_cell) {
+          blur_down(plane, down.data(), film.rows, film.columns, 1, first, threads);
+          blur_across(down.data(), blurred.data(), film.rows, film.columns, 1, second, threads);
+          for (float& x : blurred) x *= static_cast<float>(growth * per_cell);
+          add_plane(blurred.data(), static_cast<int>(j), l, out);
+        };
+        add(slope.down, blur.across, 1.0 / film.cell_height_px);
+        add(blur.down, slope.across, 1.0 / film.cell_width_px);
+      }
+    }
+  }
+};
+
+PictureModel::PictureModel(const Scene& scene, const FilmGeometry& film, CellWeights weights,
+                           const PictureModelOptions& options)
+    : work_(std::make_unique<Workspace>()) {
+  Workspace& w = *work_;
+  w.threads = thread_count(options.threads);
+  w.keeps_negative_light = options.keeps_negative_light;
+  w.film = film;
+  w.weights = std::move(weights);
+  w.runs_of_row.resize(film.rows);
+  for (std::size_t r = 0; r < w.weights.runs.size(); ++r) w.runs_of_row[w.weights.runs[r].row].push_back(r);
+  for (const Sheet& sheet : scene.sheets) w.first_rates.push_back(sheet.spline_rate);
+  w.exposer = std::make_unique<Exposer>(scene, film, options.threads, options.beyond, options.sampling);
+}
+
+PictureModel::~PictureModel() = default;
+
+const Image& PictureModel::rayleigh() const { return work_->rayleigh; }
+
+const Image& PictureModel::rgb() const { return work_->rgb; }
+
+std::uint64_t PictureModel::deflection_points() const { return work_->exposure.deflection_points; }
+
+void PictureModel::evaluate(const Scene& scene, PictureMeans& out) {
+  Workspace& w = *work_;
+  w.exposer->expose(scene, w.exposure);
+  form_lines(scene, w.exposure, all_of(w.film), w.threads, w.rayleigh);
+  out.free = 0;
+  out.derivative.clear();
+  w.finish_values(scene, out);
+  w.add_offset(scene, out);
+}
+
+void PictureModel::evaluate_with_derivatives(const Scene& scene, const std::vector<ParameterId>& free,
+                                             PictureMeans& out) {
+  Workspace& w = *work_;
+  const ProfileShapers shapers = profile_shapers(scene, free);
+  std::vector<ParameterId> of_kernel;
+  std::vector<int> kernel_parameters;
+  for (std::size_t j = 0; j < free.size(); ++j)
+    if (!shapers.alone[j]) {
+      of_kernel.push_back(free[j]);
+      kernel_parameters.push_back(static_cast<int>(j));
+    }
+  if (of_kernel.empty()) {
+    w.exposer->expose(scene, w.exposure);
+    form_lines(scene, w.exposure, all_of(w.film), w.threads, w.rayleigh);
+  } else {
+    w.exposer->expose_with_derivatives(scene, of_kernel, w.exposure);
+    form_lines(scene, of_kernel, w.exposure, all_of(w.film), w.threads, w.rayleigh);
+  }
+  w.finish_values(scene, out);
+  w.find_shown();
+  out.free = static_cast<int>(free.size());
+  out.derivative.assign(out.value.size() * free.size(), 0.0);
+  w.add_offset(scene, free, out);
+  if (!of_kernel.empty()) w.add_exposed(scene, kernel_parameters, out);
+  w.add_blur_widths(scene, free, out);
+  w.shape(scene, shapers);
+  for (std::size_t s = 0; s < shapers.of_sheet.size(); ++s)
+    for (const Shaper& shaper : shapers.of_sheet[s].shapers)
+      w.add_plane(w.shaped[s].data() +
+                      (shaper.line * shapers.of_sheet[s].rates.size() + shaper.rate) * w.exposure.cells(),
+                  shaper.parameter, shaper.line, out);
+}
+
+}  // namespace vegard::sim
