@@ -126,7 +126,7 @@ void tell_warnings(Calibration& calibration) {
   const int left_out = static_cast<int>(calibration.stars.size()) - calibration.used();
   if (3 * left_out > static_cast<int>(calibration.stars.size()))
     calibration.warnings.push_back(
-        calibration.evidence == Evidence::stars
+        calibration.evidence == CalibrationEvidence::stars
             ? "more than a third of the stars were left out: are they the stars they are called?"
             : "more than a third of the points were left out: no lens that is known here made these maps");
 }
@@ -152,8 +152,8 @@ void leave_out(Calibration& calibration, const std::vector<LensNumber>& free) {
 
 }  // namespace
 
-const char* words_of(Evidence evidence) {
-  return evidence == Evidence::stars ? "stars" : "points of the maps";
+const char* words_of(CalibrationEvidence evidence) {
+  return evidence == CalibrationEvidence::stars ? "stars" : "points of the maps";
 }
 
 std::string words_of(const MapAgreement& agreement) {
@@ -172,7 +172,7 @@ int Calibration::used() const {
 }
 
 Calibration calibrate(const LensSettings& settings, const std::vector<StarSighting>& stars,
-                      const Frame& frame, const std::string& name, Evidence evidence) {
+                      const Frame& frame, const std::string& name, CalibrationEvidence evidence) {
   std::size_t fewest = settings.only.size();
   if (fewest == 0) {
     fewest = lens_numbers;
@@ -189,7 +189,7 @@ Calibration calibrate(const LensSettings& settings, const std::vector<StarSighti
     details.file = name;
     details.problem = std::string("no lens brings the ") + words_of(evidence) + " to where they were seen";
     details.hint =
-        evidence == Evidence::stars
+        evidence == CalibrationEvidence::stars
             ? "are they the stars they are called? Check the time, the site, and the columns' meaning"
             : "do both maps belong to one camera, and say degrees from north to the east and above the "
               "horizon?";
@@ -223,7 +223,7 @@ Calibration calibrate(const LensSettings& settings, const std::vector<StarSighti
     calibration.residuals.push_back(one);
   }
   tell_errors(calibration, chosen.free);
-  if (evidence == Evidence::stars) leave_out(calibration, chosen.free);
+  if (evidence == CalibrationEvidence::stars) leave_out(calibration, chosen.free);
   tell_warnings(calibration);
   return calibration;
 }

@@ -55,7 +55,7 @@ std::string residuals_csv(const Calibration& calibration) {
 std::string calibration_json(const Calibration& calibration, const CalibrationOrigin& origin) {
   Json json;
   json["vegard"] = sim::version();
-  const bool stars = calibration.evidence == Evidence::stars;
+  const bool stars = calibration.evidence == CalibrationEvidence::stars;
   json[stars ? "stars_from" : "maps_from"] = origin.stars;
   if (!origin.image.empty()) json["picture"] = origin.image;
   if (!origin.site.time_utc.empty()) json["time_utc"] = origin.site.time_utc;
