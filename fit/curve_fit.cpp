@@ -22,7 +22,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kIterations = 60;
+constexpr int kCurveIterations = 60;
 constexpr double kShareOfSearch = 0.5, kSharePerTrial = 0.03, kMostShare = 0.88;  // guesses
 
 sim::BentSrgb bent_at(const std::vector<double>& logarithms) {
@@ -126,7 +126,7 @@ class CurveFit {
     ParameterMap(scene_, free_).put(from, there);
     const ProfileCost cost(free_, terms, log_, {{}, {}, {}, weight_, phase_anchors(there, free_, from)});
     return descent_of(recorded_step(options_.journal, stage, log_, trace_, [&] {
-      return output_of(descend(cost, from, kIterations, stage, log_, trace_));
+      return output_of(descend(cost, from, kCurveIterations, stage, log_, trace_));
     }));
   }
 

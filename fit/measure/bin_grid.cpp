@@ -15,8 +15,8 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kRowsEachSide = 7;   ///< 15 rows of 30 pixels give the noise to 4 %
-constexpr int kHorizontalBin = 8;  ///< pixels
+constexpr int kPooledRowsEachSide = 7;  ///< 15 rows of 30 pixels give the noise to 4 %
+constexpr int kHorizontalBin = 8;       ///< pixels
 constexpr int kCellsEachSide = 1;
 
 /// Band of every column, counted from the region's left.
@@ -40,7 +40,7 @@ BinGrid vertical(const Region& region, int bands) {
   grid.region = region;
   grid.groups = bands;
   grid.positions = region.height;
-  grid.pooled = kRowsEachSide;
+  grid.pooled = kPooledRowsEachSide;
   grid.narrowest_px = region.width / bands;
   for (int b = 0; b < bands; ++b) grid.band.insert(grid.band.end(), region.height, b);
   return grid;

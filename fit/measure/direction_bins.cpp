@@ -13,11 +13,11 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kZenithDeg = 90.0;
+constexpr double kDirectionZenithDeg = 90.0;
 constexpr double kRounding = 1e-9;  ///< of degrees, so that touching sectors do not overlap
-constexpr int kPositionsEachSide = 1;
+constexpr int kDirectionPositionsEachSide = 1;
 constexpr double kDeepestKm = 1000.0;  ///< below the Earth's edge, for tangent altitudes
-constexpr int kMostSteps = 10000;
+constexpr int kDirectionMostSteps = 10000;
 
 [[noreturn]] void refuse(const std::string& key, const std::string& problem, const std::string& expected) {
   sim::ErrorDetails details;
@@ -45,8 +45,8 @@ void check_tangent_steps(const DirectionSectors& sectors) {
            short_number(steps.lowest_km) + " to " + short_number(steps.highest_km) + " km holds no limb",
            "growing, from -" + short_number(kDeepestKm) + " to at most " +
                short_number(*sectors.observer_km) + ", where the observer is");
-  if ((steps.highest_km - steps.lowest_km) / steps.step_km > kMostSteps)
-    refuse("--tangent-step", "more than " + std::to_string(kMostSteps) + " steps", "larger steps");
+  if ((steps.highest_km - steps.lowest_km) / steps.step_km > kDirectionMostSteps)
+    refuse("--tangent-step", "more than " + std::to_string(kDirectionMostSteps) + " steps", "larger steps");
 }
 
 void check(const DirectionSectors& sectors) {
@@ -54,9 +54,9 @@ void check(const DirectionSectors& sectors) {
   for (const double azimuth : sectors.azimuths_deg)
     if (!std::isfinite(azimuth)) refuse("--azimuths", "an azimuth is no number", "azimuths in degrees");
   if (sectors.tangent) check_tangent_steps(sectors);
-  if (!(sectors.step_deg >= kLeastStep_deg && sectors.step_deg <= kZenithDeg))
+  if (!(sectors.step_deg >= kLeastStep_deg && sectors.step_deg <= kDirectionZenithDeg))
     refuse("--elevation-step", short_number(sectors.step_deg) + "\u00b0 is no step", "0.0001 to 90");
-  if (!(sectors.lowest_deg >= -kZenithDeg && sectors.lowest_deg < kZenithDeg))
+  if (!(sectors.lowest_deg >= -kDirectionZenithDeg && sectors.lowest_deg < kDirectionZenithDeg))
     refuse("--lowest", short_number(sectors.lowest_deg) + "\u00b0 is no elevation to begin at",
            "-90 to below 90");
   const double spacing = least_spacing_deg(sectors.azimuths_deg);
@@ -72,7 +72,8 @@ int position_count(const DirectionSectors& sectors) {
     return static_cast<int>(std::ceil(
         (sectors.tangent->highest_km - sectors.tangent->lowest_km) / sectors.tangent->step_km - kRounding));
   return std::max(
-      1, static_cast<int>(std::ceil((kZenithDeg - sectors.lowest_deg) / sectors.step_deg - kRounding)));
+      1,
+      static_cast<int>(std::ceil((kDirectionZenithDeg - sectors.lowest_deg) / sectors.step_deg - kRounding)));
 }
 
 /// Positions from the lowest's lower edge; NaN where there are none.
@@ -105,7 +106,7 @@ double elevation_of_position_deg(const DirectionSectors& sectors, int position) 
   if (sectors.tangent)
     return sim::elevation_of_tangent_deg(*sectors.observer_km, tangent_of_position_km(sectors, position));
   const double low = sectors.lowest_deg + position * sectors.step_deg;
-  return 0.5 * (low + std::min(kZenithDeg, low + sectors.step_deg));
+  return 0.5 * (low + std::min(kDirectionZenithDeg, low + sectors.step_deg));
 }
 
 double tangent_of_position_km(const DirectionSectors& sectors, int position) {
@@ -123,7 +124,7 @@ BinGrid direction_bins(const sim::DirectionMap& map, const Region& region, const
   grid.region = region;
   grid.groups = static_cast<int>(sectors.azimuths_deg.size());
   grid.positions = position_count(sectors);
-  grid.pooled = kPositionsEachSide;
+  grid.pooled = kDirectionPositionsEachSide;
   grid.position_px = 0.0;
   for (int group = 0; group < grid.groups; ++group) grid.band.insert(grid.band.end(), grid.positions, group);
   gather(

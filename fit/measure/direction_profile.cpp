@@ -10,11 +10,11 @@
 
 #include "sim/base/file/csv_text.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::fit {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kColours = 7;               ///< of distinct_colour()
 constexpr int kMostLines = 2 * kColours;  ///< the second seven are dashed
 
@@ -91,7 +91,7 @@ Ratio channel_ratio(const Profile& profile, int band, int row, int numerator, in
   const double a = profile.mean[i + numerator], b = profile.mean[i + denominator];
   const double sigma_a = profile.standard_error[i + numerator],
                sigma_b = profile.standard_error[i + denominator];
-  if (!std::isfinite(a) || !(b > 0.0)) return {kNaN, kNaN};
+  if (!std::isfinite(a) || !(b > 0.0)) return {sim::kNaN, sim::kNaN};
   return {a / b, std::hypot(sigma_a, a / b * sigma_b) / b};
 }
 

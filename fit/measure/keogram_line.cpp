@@ -13,10 +13,10 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kZenithDeg = 90.0;
+constexpr double kKeogramZenithDeg = 90.0;
 constexpr int kPooledRows = 7;
 constexpr double kTrialHalfWidthDeg = 5.0;  ///< in which the pixels' size is found
-constexpr double kLeastPixels = 1.5, kMostSteps = 200.0;
+constexpr double kLeastPixels = 1.5, kKeogramMostSteps = 200.0;
 constexpr double kBothSides = 0.25;  ///< share of the whole beyond the zenith that makes it the other side
 
 [[noreturn]] void refuse(const std::string& key, const std::string& problem, const std::string& expected) {
@@ -41,7 +41,7 @@ FromPlane from_plane(double azimuth_deg, double elevation_deg, double plane_azim
   seen.across_deg =
       std::asin(std::clamp(std::cos(elevation) * std::sin(turn), -1.0, 1.0)) / sim::kRadiansPerDegree;
   seen.along_deg = std::atan2(up, forward) / sim::kRadiansPerDegree;
-  if (seen.along_deg < -kZenithDeg) seen.along_deg += 360.0;
+  if (seen.along_deg < -kKeogramZenithDeg) seen.along_deg += 360.0;
   return seen;
 }
 
@@ -78,7 +78,7 @@ Span span_of(const sim::DirectionMap& map, const Region& region, double azimuth_
 double usual_step(const Span& trial) {
   const double length = trial.max - trial.min, across = trial.across_max - trial.across_min;
   const double pixel = std::sqrt(length * across / trial.pixels);
-  return round_up(std::max({kLeastPixels * pixel, length / kMostSteps, 1e-6}));
+  return round_up(std::max({kLeastPixels * pixel, length / kKeogramMostSteps, 1e-6}));
 }
 
 }  // namespace
@@ -108,7 +108,7 @@ KeogramLine meridian_line(const sim::DirectionMap& map, const Region& region,
   if (!std::isfinite(options.azimuth_deg)) refuse("--azimuth", "the azimuth is no number", "degrees");
   if (options.width_deg && !(*options.width_deg > 0.0 && *options.width_deg <= 180.0))
     refuse("--width", short_number(*options.width_deg) + "\u00b0 is no width", "more than 0, at most 180");
-  if (options.step_deg && !(*options.step_deg >= 1e-4 && *options.step_deg <= kZenithDeg))
+  if (options.step_deg && !(*options.step_deg >= 1e-4 && *options.step_deg <= kKeogramZenithDeg))
     refuse("--elevation-step", short_number(*options.step_deg) + "\u00b0 is no step", "0.0001 to 90");
 
   KeogramLine line;
@@ -116,7 +116,7 @@ KeogramLine meridian_line(const sim::DirectionMap& map, const Region& region,
   line.azimuth_deg = options.azimuth_deg;
   const double trial_half_width = options.width_deg ? 0.5 * *options.width_deg : kTrialHalfWidthDeg;
   Span trial = span_of(map, region, line.azimuth_deg, trial_half_width);
-  if (trial.pixels > 0.0 && trial.min > kZenithDeg) {
+  if (trial.pixels > 0.0 && trial.min > kKeogramZenithDeg) {
     line.azimuth_deg += 180.0;
     trial = span_of(map, region, line.azimuth_deg, trial_half_width);
   }
@@ -138,7 +138,7 @@ KeogramLine meridian_line(const sim::DirectionMap& map, const Region& region,
   grid.pooled = kPooledRows;
   grid.position_px = 0.0;
   grid.band.assign(grid.positions, 0);
-  const bool both_sides = span.max - kZenithDeg > kBothSides * (span.max - span.min);
+  const bool both_sides = span.max - kKeogramZenithDeg > kBothSides * (span.max - span.min);
   const auto place_of = [&](double steps) {
     const int from_horizon = std::clamp(static_cast<int>(steps), 0, grid.positions - 1);
     return both_sides ? from_horizon : grid.positions - 1 - from_horizon;

@@ -13,9 +13,9 @@
 namespace vegard::fit {
 namespace {
 
-constexpr std::size_t kLeastPoints = 3;
-constexpr int kLeastPositions = 5;
-constexpr int kPositionsEachSide = 4;  ///< whose noise is pooled: bins are small, loops narrow
+constexpr std::size_t kLoopLeastPoints = 3;
+constexpr int kLoopLeastPositions = 5;
+constexpr int kLoopPositionsEachSide = 4;  ///< whose noise is pooled: bins are small, loops narrow
 
 [[noreturn]] void refuse(const sim::Scene& scene, const std::string& key, const std::string& problem,
                          const std::string& expected, const std::string& hint = {}) {
@@ -24,7 +24,7 @@ constexpr int kPositionsEachSide = 4;  ///< whose noise is pooled: bins are smal
 
 void check_points(const sim::Scene& scene) {
   const std::vector<double>&x = scene.fit.guide_x_px, &y = scene.fit.guide_y_px;
-  if (x.size() < kLeastPoints)
+  if (x.size() < kLoopLeastPoints)
     refuse(scene, "guide_x_px", std::to_string(x.size()) + " guide points are drawn along the loop",
            "three or more", "read their pixels off the photograph, from one foot to the other");
   if (x.size() != y.size())
@@ -78,11 +78,12 @@ BinGrid loop_bins(const sim::Scene& scene, const Region& region) {
   grid.region = region;
   grid.groups = fit.bands;
   grid.positions = static_cast<int>(std::lround(2.0 * fit.guide_half_width_px / fit.guide_cell_px));
-  if (grid.positions < kLeastPositions)
+  if (grid.positions < kLoopLeastPositions)
     refuse(scene, "guide_half_width_px",
            std::to_string(grid.positions) + " cells of " + short_number(fit.guide_cell_px) +
                " px lie across the loop",
-           "at least " + std::to_string(kLeastPositions), "a wider profile, or smaller fit.guide_cell_px");
+           "at least " + std::to_string(kLoopLeastPositions),
+           "a wider profile, or smaller fit.guide_cell_px");
   const GuideCurve curve(fit.guide_x_px, fit.guide_y_px);
   if (curve.length_px() < fit.bands)
     refuse(scene, "bands",
@@ -91,7 +92,7 @@ BinGrid loop_bins(const sim::Scene& scene, const Region& region) {
            "bands of a pixel or more");
   grid.along = {"distance across the loop", "px", -fit.guide_half_width_px, fit.guide_cell_px};
   grid.across = {"distance along the loop", "px", 0.0, curve.length_px() / fit.bands};
-  grid.pooled = kPositionsEachSide;
+  grid.pooled = kLoopPositionsEachSide;
   grid.position_px = fit.guide_cell_px;
   for (int b = 0; b < grid.groups; ++b) grid.band.insert(grid.band.end(), grid.positions, b);
   const double reach = fit.guide_half_width_px + 1.0;  // the nearest sample is farther than the curve

@@ -16,7 +16,7 @@ namespace vegard::fit {
 namespace {
 
 const char* const kAzimuth = "azimuth_deg";
-const char* const kElevation = "elevation_deg";
+const char* const kMapElevation = "elevation_deg";
 
 [[noreturn]] void refuse(const std::string& file, const std::string& problem, const std::string& expected) {
   sim::ErrorDetails details;
@@ -94,7 +94,7 @@ sim::Image read_angles(const std::string& file, const std::string& channel) {
 }
 
 sim::DirectionMap read_direction_map(const std::string& azimuth_file, const std::string& elevation_file) {
-  return direction_map(read_angles(azimuth_file, kAzimuth), read_angles(elevation_file, kElevation),
+  return direction_map(read_angles(azimuth_file, kAzimuth), read_angles(elevation_file, kMapElevation),
                        azimuth_file, elevation_file);
 }
 

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/base/number/constants.h"
+
 namespace vegard::fit {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 struct Cell {
-  double data = kNaN, sigma = kNaN, model = kNaN;
+  double data = sim::kNaN, sigma = sim::kNaN, model = sim::kNaN;
 };
 
 Cell mean_over_bands(const FittedPhoto& fitted, int first_band, int end_band, int row, int channel) {

@@ -16,8 +16,8 @@ constexpr double kSide_px = 460.0, kLeft_px = 62.0, kTop_px = 58.0, kRight_px = 
 constexpr double kMargin = 0.12;  // of the map's width, on each side
 constexpr double kLeastHalf_km = 60.0, kFarthest_km = 1500.0;
 constexpr double kSineShows_px = 1.0;  // amplitude
-constexpr int kCoarse = 65, kFine = 1201;
-constexpr Colour kInk{29, 36, 48}, kSoft{102, 112, 128}, kField{140, 150, 160};
+constexpr int kMapCoarse = 65, kFine = 1201;
+constexpr Colour kMapInk{29, 36, 48}, kSoft{102, 112, 128}, kField{140, 150, 160};
 
 using Points = std::vector<GroundPoint>;
 
@@ -84,7 +84,7 @@ MapFrame frame_of(const FitResult& result, const std::vector<Station>& stations)
   for (const Station& station : stations) take(station.site);
   for (const sim::Sheet& sheet : result.best.sheets)
     for (int arc = 0; arc < sheet.arcs; ++arc)
-      for (const GroundPoint& p : on_ground(straight_feet(sheet, result.best.time.start_s, arc, kCoarse)))
+      for (const GroundPoint& p : on_ground(straight_feet(sheet, result.best.time.start_s, arc, kMapCoarse)))
         take(p);
   MapFrame frame;
   frame.area_px = {kLeft_px, kTop_px, kSide_px, kSide_px};
@@ -118,7 +118,7 @@ void draw_sheet(const MapFrame& frame, const FitResult& result, std::size_t s, P
       band.insert(band.end(), right.rbegin(), right.rend());
       canvas.area(frame.pixels(band), colour, 0.25);
     }
-    canvas.line(frame.pixels(on_ground(straight_feet(sheet, instant, arc, kCoarse))), colour,
+    canvas.line(frame.pixels(on_ground(straight_feet(sheet, instant, arc, kMapCoarse))), colour,
                 sine_shows ? 0.8 : 1.8, sine_shows);
     if (sine_shows)
       canvas.line(frame.pixels(on_ground(sine_feet(result.best, sheet, instant, arc, kFine))), colour, 1.8,
@@ -138,7 +138,7 @@ void draw_legend(const FitResult& result, PlotCanvas& canvas) {
   const double x = kLeft_px + kSide_px + 18.0;
   double y = kTop_px + 14.0;
   const auto entry = [&](const std::string& text, bool head) {
-    canvas.text({x + 30.0, y + 4.0}, text, {12.0, TextAnchor::start, head ? kInk : kSoft});
+    canvas.text({x + 30.0, y + 4.0}, text, {12.0, TextAnchor::start, head ? kMapInk : kSoft});
     y += 18.0;
   };
   for (std::size_t s = 0; s < result.best.sheets.size(); ++s) {
@@ -152,7 +152,7 @@ void draw_legend(const FitResult& result, PlotCanvas& canvas) {
   }
   canvas.area({{x, y - 5.0}, {x + 22.0, y - 5.0}, {x + 22.0, y + 5.0}, {x, y + 5.0}}, kField, 0.3);
   entry("seen at 110 km", true);
-  canvas.dot({x + 11.0, y}, 7.0, kInk);
+  canvas.dot({x + 11.0, y}, 7.0, kMapInk);
   entry(result.photos.size() > 1 ? "cameras" : "camera", true);
 }
 
@@ -166,7 +166,7 @@ std::string foot_map_svg(const FitResult& result) {
   const PlotSize size{kLeft_px + kSide_px + kRight_px, kTop_px + kSide_px + kBottom_px};
   return drawn_svg("Where the feet stand", size, [&](PlotCanvas& canvas) {
     canvas.area({{0, 0}, {size.width, 0}, {size.width, size.height}, {0, size.height}}, {255, 255, 255}, 1.0);
-    canvas.text({kLeft_px, 22.0}, "Where the feet stand", {15.0, TextAnchor::start, kInk, true});
+    canvas.text({kLeft_px, 22.0}, "Where the feet stand", {15.0, TextAnchor::start, kMapInk, true});
     canvas.text({kLeft_px, 41.0}, grid.note, {12.0, TextAnchor::start, kSoft});
     canvas.begin_clip(frame.area_px);
     for (const Station& station : stations) draw_field_of_view(frame, station, canvas);
@@ -174,9 +174,9 @@ std::string foot_map_svg(const FitResult& result) {
     for (std::size_t s = 0; s < result.best.sheets.size(); ++s) draw_sheet(frame, result, s, canvas);
     for (const Station& station : stations) {
       const PlotPoint at = frame.pixel(station.site);
-      canvas.dot(at, 8.0, kInk);
+      canvas.dot(at, 8.0, kMapInk);
       canvas.text({at.x + 8.0, at.y + 4.0}, station.name.empty() ? "site" : station.name,
-                  {12.0, TextAnchor::start, kInk});
+                  {12.0, TextAnchor::start, kMapInk});
     }
     draw_scale(frame, canvas);
     canvas.end_clip();

@@ -13,10 +13,10 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kGap = 1.5;  ///< median distances
+constexpr double kKeogramPlotGap = 1.5;  ///< median distances
 constexpr double kLeftOut = 0.005;
 constexpr int kPanelWidth = 900, kPanelHeight = 360;
-constexpr int kFiner = 2;  ///< pixels of the raster for each of the panel, as its PNG has
+constexpr int kKeogramPlotFiner = 2;  ///< pixels of the raster for each of the panel, as its PNG has
 constexpr double kTickDistance = 75.0;
 constexpr Colour kNothing{205, 205, 205};
 
@@ -79,7 +79,7 @@ std::pair<std::size_t, std::size_t> pictures_between(const Keogram& keogram,
 Raster raster_of(const Keogram& keogram, const KeogramLook& look, const Scale& scale,
                  const std::vector<TimeSpan>& spans) {
   Raster raster;
-  raster.width = kPanelWidth * kFiner;
+  raster.width = kPanelWidth * kKeogramPlotFiner;
   raster.height = keogram.positions();
   raster.left = spans.front().begin;
   raster.right = spans.back().end;
@@ -173,7 +173,9 @@ std::vector<TimeSpan> column_spans(const Keogram& keogram) {
     std::sort(sorted.begin(), sorted.end());
     median = sorted[(sorted.size() - 1) / 2];
   }
-  const auto reach = [&](double distance) { return 0.5 * (distance > kGap * median ? median : distance); };
+  const auto reach = [&](double distance) {
+    return 0.5 * (distance > kKeogramPlotGap * median ? median : distance);
+  };
   std::vector<TimeSpan> spans;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const double before = i > 0 ? distances[i - 1] : median,

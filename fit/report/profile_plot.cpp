@@ -7,16 +7,16 @@
 
 #include "fit/report/table/report_bins.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::fit {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kMostPanels = 6;
 constexpr int kMostRows = 500;
 
 struct Cell {
-  double mean = kNaN, sigma = kNaN;
+  double mean = sim::kNaN, sigma = sim::kNaN;
 };
 
 /// The mean over the usable pixels of some bands and rows, and its standard error.

@@ -13,7 +13,7 @@ namespace vegard::sim {
 namespace {
 
 constexpr double kBackgroundEnergyKev = 10.0;  // both tables have it, and the lines are faint there
-constexpr double kRounding = 5e-5;             // of column_brightness.csv
+constexpr double kColumnRounding = 5e-5;       // of column_brightness.csv
 constexpr double kLowestFlux = 0.1, kHighestFlux = 10.0;
 
 struct Curve {
@@ -54,7 +54,7 @@ std::map<std::string, ColumnLaw> read_laws() {
     const std::map<double, double> at_one = columns_at(linearity, name, 1.0);
     const double alone = columns_at(brightness, name, 1.0).at(kBackgroundEnergyKev);
     const double beyond = at_one.at(kBackgroundEnergyKev) - alone;
-    if (std::abs(beyond) > kRounding * alone) law.background_rayleigh = beyond;
+    if (std::abs(beyond) > kColumnRounding * alone) law.background_rayleigh = beyond;
     for (const auto& [energy, column] : at_one) law.log_energy.push_back(std::log(energy));
     law.at_low = curve_of(law.log_energy, columns_at(linearity, name, kLowestFlux), kLowestFlux, at_one,
                           law.background_rayleigh);

@@ -13,7 +13,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kStrong = 0.95;  // of a correlation that is told
+constexpr double kCorrelationStrong = 0.95;  // of a correlation that is told
 constexpr double kDegrees = 1.0 / sim::kRadiansPerDegree;
 
 /// A scene's number as a function of a calibration's.
@@ -114,7 +114,7 @@ void tell_warnings(Calibration& calibration) {
   for (std::size_t i = 0; i < free.size(); ++i)
     for (std::size_t j = i + 1; j < free.size(); ++j) {
       const double r = calibration.correlation(static_cast<int>(i), static_cast<int>(j));
-      if (std::abs(r) < kStrong) continue;
+      if (std::abs(r) < kCorrelationStrong) continue;
       std::string words = free[i]->key + " and " + free[j]->key + " are hardly told apart (correlation " +
                           number_text("%.3f)", r);
       if (free[i]->key == "azimuth_deg" && free[j]->key == "roll_deg")

@@ -18,7 +18,7 @@ namespace {
 using sim::kRadiansPerDegree;
 
 // Elevation, roll, logarithm of the focal length in pixels, dip; angles in radians.
-constexpr int kUnknowns = 4, kElevation = 0, kRoll = 1, kLogFocal = 2, kDip = 3;
+constexpr int kUnknowns = 4, kHorizonElevation = 0, kRoll = 1, kLogFocal = 2, kDip = 3;
 using Numbers = std::array<double, kUnknowns>;
 
 [[noreturn]] void refuse(const std::string& key, const std::string& problem, const std::string& expected,
@@ -41,8 +41,8 @@ struct PointResidual {
     using std::exp;
     using std::sin;
     using std::sqrt;
-    const T ce = cos(number[kElevation]);
-    const T up[3] = {ce * sin(number[kRoll]), -ce * cos(number[kRoll]), sin(number[kElevation])};
+    const T ce = cos(number[kHorizonElevation]);
+    const T up[3] = {ce * sin(number[kRoll]), -ce * cos(number[kRoll]), sin(number[kHorizonElevation])};
     const T focal = exp(number[kLogFocal]);
     const T length2 = focal * focal + x_px * x_px + y_px * y_px, length = sqrt(length2);
     const T along = (up[0] * x_px + up[1] * y_px + up[2] * focal) / length;
@@ -63,7 +63,7 @@ struct Descent {
 };
 
 std::vector<int> free_numbers(const HorizonProblem& p) {
-  std::vector<int> free = {kElevation, kRoll};
+  std::vector<int> free = {kHorizonElevation, kRoll};
   if (!p.hfov_deg) free.push_back(kLogFocal);
   if (p.free_dip) free.push_back(kDip);
   return free;
@@ -254,7 +254,7 @@ HorizonCalibration calibrate_horizon(const HorizonProblem& p) {
       found.information.inverse() * std::pow(result.used_error_px / p.point_error_px, 2);
   for (std::size_t i = 0; i < free.size(); ++i)
     sigma[free[i]] = std::sqrt(covariance(static_cast<int>(i), static_cast<int>(i)));
-  result.elevation_deg = degrees(found.numbers[kElevation], sigma[kElevation]);
+  result.elevation_deg = degrees(found.numbers[kHorizonElevation], sigma[kHorizonElevation]);
   result.roll_deg = degrees(found.numbers[kRoll], sigma[kRoll]);
   result.dip_deg = degrees(found.numbers[kDip], sigma[kDip]);
   const double focal_px = std::exp(found.numbers[kLogFocal]);

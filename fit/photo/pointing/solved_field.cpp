@@ -9,7 +9,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kMostPixels = 1e6;
+constexpr double kFieldMostPixels = 1e6;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& problem, const std::string& expected) {
   sim::ErrorDetails details;
@@ -26,8 +26,10 @@ bool is_fits_table(std::string_view bytes) { return bytes.substr(0, 9) == "SIMPL
 std::vector<StarSighting> solved_field(std::string_view bytes, const std::string& file,
                                        const SkyOfPicture& sky, double first_pixel) {
   constexpr std::array<const char*, 4> kNames = {"field_x", "field_y", "index_ra", "index_dec"};
-  constexpr std::array<std::array<double, 2>, 4> kLimits = {
-      {{-kMostPixels, kMostPixels}, {-kMostPixels, kMostPixels}, {0.0, 360.0}, {-90.0, 90.0}}};
+  constexpr std::array<std::array<double, 2>, 4> kLimits = {{{-kFieldMostPixels, kFieldMostPixels},
+                                                             {-kFieldMostPixels, kFieldMostPixels},
+                                                             {0.0, 360.0},
+                                                             {-90.0, 90.0}}};
   const sim::FitsTable table = sim::read_fits_table(bytes, file);
   std::array<const std::vector<double>*, 4> columns{};
   for (std::size_t c = 0; c < kNames.size(); ++c) {

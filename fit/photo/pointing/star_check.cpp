@@ -9,7 +9,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kNarrowest = 0.01;  // width over length: of a line
+constexpr double kStarsNarrowest = 0.01;  // width over length: of a line
 
 [[noreturn]] void refuse(const std::string& name, const std::string& problem, const std::string& expected,
                          const std::string& hint) {
@@ -47,7 +47,7 @@ void check_stars(const std::vector<StarSighting>& stars, int free_numbers, const
           .cwiseSqrt();
   if (spread[1] < 1.0)
     refuse(name, "all " + called + " stand in one point of the picture", called + " all over it", "");
-  if (spread[0] < kNarrowest * spread[1])
+  if (spread[0] < kStarsNarrowest * spread[1])
     refuse(name, "all " + called + " stand on one line of the picture", called + " on both sides of it", "");
   const Eigen::MatrixXd across = directions.rowwise() - directions.colwise().mean();
   const Eigen::VectorXd width =
@@ -57,7 +57,7 @@ void check_stars(const std::vector<StarSighting>& stars, int free_numbers, const
           .cwiseSqrt();
   if (width[2] < 1e-5)
     refuse(name, "all " + called + " stand in one point of the sky", "different " + called, "");
-  if (width[1] < kNarrowest * width[2])
+  if (width[1] < kStarsNarrowest * width[2])
     refuse(name, "all " + called + " stand on one line of the sky", called + " on both sides of it", "");
 }
 

@@ -19,10 +19,11 @@ namespace vegard::sim {
 namespace {
 
 constexpr int kMostSide = 65536;
-constexpr double kCubeTolerance = 1e-4;                                  // the text may have few digits
-constexpr float kMostNumber = 1e30f;                                     // as of OpenVDB files
-constexpr double kMostPlace = 1e12, kLeastEdge = 1e-9, kMostEdge = 1e9;  // squares of lengths stay numbers
-constexpr int kEdge = SparseGrid::kEdge;
+constexpr double kCubeTolerance = 1e-4;   // the text may have few digits
+constexpr float kTextMostNumber = 1e30f;  // as of OpenVDB files
+constexpr double kTextMostPlace = 1e12, kLeastEdge = 1e-9,
+                 kTextMostEdge = 1e9;  // squares of lengths stay numbers
+constexpr int kTextEdge = SparseGrid::kEdge;
 
 using Kind = VolumegridWords::Kind;
 
@@ -40,8 +41,8 @@ class DensityFiller {
   void know_size(const std::array<int, 3>& size, const VolumegridWords& words) {
     size_ = size;
     expected_ = static_cast<std::uint64_t>(size[0]) * size[1] * size[2];
-    columns_ = (size[0] + kEdge - 1) / kEdge;
-    const std::size_t bricks = static_cast<std::size_t>(columns_) * ((size[1] + kEdge - 1) / kEdge);
+    columns_ = (size[0] + kTextEdge - 1) / kTextEdge;
+    const std::size_t bricks = static_cast<std::size_t>(columns_) * ((size[1] + kTextEdge - 1) / kTextEdge);
     slab_bytes_ = bricks * sizeof(float*);
     if (slab_bytes_ > most_bytes_) refuse_size(words);
     slab_.assign(bricks, nullptr);
@@ -70,19 +71,19 @@ class DensityFiller {
   void put(float number, const VolumegridWords& words) {
     if (at_[2] >= size_[2]) words.refuse("there are too many densities", expected_words());
     if (number != 0.0f) {
-      float*& brick = slab_[static_cast<std::size_t>(at_[1] / kEdge) * columns_ + at_[0] / kEdge];
+      float*& brick = slab_[static_cast<std::size_t>(at_[1] / kTextEdge) * columns_ + at_[0] / kTextEdge];
       if (brick == nullptr) {
         const std::uint64_t after = (grid_.bricks.size() + 1) * (SparseGrid::kVoxels * sizeof(float));
         if (after + slab_bytes_ > most_bytes_) refuse_size(words);
-        brick = grid_.brick({at_[0] / kEdge, at_[1] / kEdge, at_[2] / kEdge}).data();
+        brick = grid_.brick({at_[0] / kTextEdge, at_[1] / kTextEdge, at_[2] / kTextEdge}).data();
       }
-      brick[SparseGrid::within(at_[0] % kEdge, at_[1] % kEdge, at_[2] % kEdge)] = number;
+      brick[SparseGrid::within(at_[0] % kTextEdge, at_[1] % kTextEdge, at_[2] % kTextEdge)] = number;
     }
     if (++at_[0] < size_[0]) return;
     at_[0] = 0;
     if (++at_[1] < size_[1]) return;
     at_[1] = 0;
-    if (++at_[2] % kEdge == 0) std::fill(slab_.begin(), slab_.end(), nullptr);
+    if (++at_[2] % kTextEdge == 0) std::fill(slab_.begin(), slab_.end(), nullptr);
   }
 
  public:
@@ -185,7 +186,7 @@ class VolumegridReader {
       if (filler_.count() > 0) words_.refuse("\"density\" is given twice", "one list");
       return for_each_value(name, [&] {
         const double value = number(name);
-        if (std::abs(value) > static_cast<double>(kMostNumber))
+        if (std::abs(value) > static_cast<double>(kTextMostNumber))
           words_.refuse("the density " + words_.word() + " is too large", "at most 1e30");
         filler_.add(static_cast<float>(value), words_);
       });
@@ -230,7 +231,7 @@ class VolumegridReader {
     corner_line_[corner] = words_.line();
     read_numbers(name, corner_[corner]);
     for (const double place : corner_[corner])
-      if (!(std::abs(place) <= kMostPlace))
+      if (!(std::abs(place) <= kTextMostPlace))
         words_.refuse(
             "\"" + name + "\" of line " + std::to_string(corner_line_[corner]) + " is at " + in_words(place),
             "places from -1e12 to 1e12");
@@ -248,7 +249,7 @@ class VolumegridReader {
     for (int a = 0; a < 3; ++a) {
       edge[a] = (corner_[1][a] - corner_[0][a]) / size_[a];
       if (!(edge[a] > 0.0)) words_.refuse("p1 is not above p0 along all axes", "a box from p0 to p1");
-      if (!(edge[a] >= kLeastEdge && edge[a] <= kMostEdge))
+      if (!(edge[a] >= kLeastEdge && edge[a] <= kTextMostEdge))
         words_.refuse("its voxels are " + in_words(edge[a]) + " wide", "a box of voxels from 1e-9 to 1e9");
     }
     const double mean = (edge[0] + edge[1] + edge[2]) / 3.0;

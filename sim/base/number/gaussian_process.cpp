@@ -9,7 +9,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kReach = 4.5;  // of the kernel, in its standard deviations
+constexpr double kKernelReach = 4.5;  // of the kernel, in its standard deviations
 constexpr int kMostNodes = 11;
 constexpr std::int64_t kMostRemembered = 1 << 16;
 // In nodes to a width: 4 sqrt(ln 2), from exp(-δ²/4) = 1/2 at half the width.
@@ -23,8 +23,8 @@ struct Kernel {
   int count;
   double weight[kMostNodes];
 
-  explicit Kernel(double place) : first(static_cast<std::int64_t>(std::ceil(place - kReach))) {
-    const auto last = static_cast<std::int64_t>(std::floor(place + kReach));
+  explicit Kernel(double place) : first(static_cast<std::int64_t>(std::ceil(place - kKernelReach))) {
+    const auto last = static_cast<std::int64_t>(std::floor(place + kKernelReach));
     count = static_cast<int>(last - first) + 1;
     // exp(-(x - k)²/2) is exp(-x²/2) times powers of exp(x) times constants.
     static const struct Constants {
@@ -61,8 +61,8 @@ GaussianProcess::GaussianProcess(std::uint64_t seed, Stream stream, std::uint32_
       lasts_(lifetime <= 0.0) {}
 
 void GaussianProcess::remember(double first, double last) {
-  first_ = static_cast<std::int64_t>(std::floor(first * per_width_ - kReach));
-  const auto end = static_cast<std::int64_t>(std::ceil(last * per_width_ + kReach)) + 1;
+  first_ = static_cast<std::int64_t>(std::floor(first * per_width_ - kKernelReach));
+  const auto end = static_cast<std::int64_t>(std::ceil(last * per_width_ + kKernelReach)) + 1;
   nodes_.assign(static_cast<std::size_t>(std::clamp<std::int64_t>(end - first_, 0, kMostRemembered)),
                 std::numeric_limits<double>::quiet_NaN());
 }

@@ -9,9 +9,9 @@ namespace {
 constexpr int kMask = NoiseLattice::kPeriod - 1;
 
 // The edges of a cube, twelve of them: where they point.
-constexpr double kEdge[3][12] = {{1, -1, 1, -1, 1, -1, 1, -1, 0, 0, 0, 0},
-                                 {1, 1, -1, -1, 0, 0, 0, 0, 1, -1, 1, -1},
-                                 {0, 0, 0, 0, 1, 1, -1, -1, 1, 1, -1, -1}};
+constexpr double kLatticeEdge[3][12] = {{1, -1, 1, -1, 1, -1, 1, -1, 0, 0, 0, 0},
+                                        {1, 1, -1, -1, 0, 0, 0, 0, 1, -1, 1, -1},
+                                        {0, 0, 0, 0, 1, 1, -1, -1, 1, 1, -1, -1}};
 
 double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
 double fade_slope(double t) { return 30.0 * t * t * (t - 1.0) * (t - 1.0); }
@@ -58,8 +58,8 @@ double NoiseLattice::value(double px, double py, double pz) const {
   const double u = fade(cell.rest[0]), v = fade(cell.rest[1]), w = fade(cell.rest[2]);
   const auto corner = [&](int i, int j, int k) {
     const int edge = edge_[cell.z[k] + cell.y[j] + cell.x[i]];
-    return kEdge[0][edge] * (cell.rest[0] - i) + kEdge[1][edge] * (cell.rest[1] - j) +
-           kEdge[2][edge] * (cell.rest[2] - k);
+    return kLatticeEdge[0][edge] * (cell.rest[0] - i) + kLatticeEdge[1][edge] * (cell.rest[1] - j) +
+           kLatticeEdge[2][edge] * (cell.rest[2] - k);
   };
   return mix(mix(mix(corner(0, 0, 0), corner(1, 0, 0), u), mix(corner(0, 1, 0), corner(1, 1, 0), u), v),
              mix(mix(corner(0, 0, 1), corner(1, 0, 1), u), mix(corner(0, 1, 1), corner(1, 1, 1), u), v), w);
@@ -78,10 +78,10 @@ NoiseAt NoiseLattice::with_slope(double px, double py, double pz) const {
   for (int n = 0; n < 8; ++n) {
     const int i = n & 1, j = n >> 1 & 1, k = n >> 2;
     edge[n] = edge_[cell.z[k] + cell.y[j] + cell.x[i]];
-    corner[n] = kEdge[0][edge[n]] * (cell.rest[0] - i) + kEdge[1][edge[n]] * (cell.rest[1] - j) +
-                kEdge[2][edge[n]] * (cell.rest[2] - k);
+    corner[n] = kLatticeEdge[0][edge[n]] * (cell.rest[0] - i) +
+                kLatticeEdge[1][edge[n]] * (cell.rest[1] - j) + kLatticeEdge[2][edge[n]] * (cell.rest[2] - k);
     const double all = weight[0][i] * weight[1][j] * weight[2][k];
-    for (int axis = 0; axis < 3; ++axis) at.slope[axis] += all * kEdge[axis][edge[n]];
+    for (int axis = 0; axis < 3; ++axis) at.slope[axis] += all * kLatticeEdge[axis][edge[n]];
     at.slope[0] += (i == 1 ? 1.0 : -1.0) * weight_slope[0] * weight[1][j] * weight[2][k] * corner[n];
     at.slope[1] += (j == 1 ? 1.0 : -1.0) * weight_slope[1] * weight[0][i] * weight[2][k] * corner[n];
     at.slope[2] += (k == 1 ? 1.0 : -1.0) * weight_slope[2] * weight[0][i] * weight[1][j] * corner[n];

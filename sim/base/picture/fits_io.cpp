@@ -19,7 +19,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr std::size_t kBlock = 2880;
+constexpr std::size_t kFitsBlock = 2880;
 constexpr LONGLONG kMostValues = LONGLONG{1} << 30;  // 4 GiB of floats
 
 [[noreturn]] void refuse(ErrorKind kind, const std::string& name, const std::string& problem,
@@ -57,9 +57,9 @@ class Reader {
     padded_ = with_cards_in_order(bytes);
     if (!padded_.empty()) bytes = padded_;
     // Some writers leave the last block short, which CFITSIO does not read.
-    if (bytes.size() % kBlock != 0) {
+    if (bytes.size() % kFitsBlock != 0) {
       if (padded_.empty()) padded_.assign(bytes);
-      padded_.resize((bytes.size() / kBlock + 1) * kBlock, '\0');
+      padded_.resize((bytes.size() / kFitsBlock + 1) * kFitsBlock, '\0');
       bytes = padded_;
     }
     // Opened for reading only: CFITSIO writes to neither.
@@ -342,7 +342,7 @@ std::string encode_fits(const Image& image, const std::vector<FitsKeyword>& keyw
   std::size_t size = 0;
   int status = 0;
   fitsfile* raw = nullptr;
-  fits_create_memfile(&raw, &buffer, &size, kBlock * 64, std::realloc, &status);
+  fits_create_memfile(&raw, &buffer, &size, kFitsBlock * 64, std::realloc, &status);
   std::string bytes;
   if (status == 0) {
     const std::unique_ptr<fitsfile, Close> file(raw);

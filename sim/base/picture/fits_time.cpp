@@ -7,7 +7,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr std::size_t kCard = 80, kKey = 8;
+constexpr std::size_t kFitsCard = 80, kKey = 8;
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(' ');
@@ -18,8 +18,8 @@ std::string_view trimmed(std::string_view text) {
 /// The texts of the first header by their keywords, as far as the bytes reach.
 std::map<std::string_view, std::string_view> texts_of(std::string_view bytes) {
   std::map<std::string_view, std::string_view> texts;
-  for (; bytes.size() >= kCard; bytes.remove_prefix(kCard)) {
-    const std::string_view key = trimmed(bytes.substr(0, kKey)), value = bytes.substr(kKey, kCard - kKey);
+  for (; bytes.size() >= kFitsCard; bytes.remove_prefix(kFitsCard)) {
+    const std::string_view key = trimmed(bytes.substr(0, kKey)), value = bytes.substr(kKey, kFitsCard - kKey);
     if (key == "END") break;
     const std::size_t begin = value.find('\'');
     if (value.substr(0, 2) != "= " || begin == std::string_view::npos) continue;

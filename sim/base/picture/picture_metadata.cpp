@@ -26,7 +26,7 @@ constexpr int kExposureTime = 33434, kFNumber = 33437, kSensitivity = 34855, kTi
               kExifHeight = 40963, kFocalPlaneX = 41486, kFocalPlaneUnit = 41488, kFocal35mm = 41989,
               kLensModel = 42036;
 constexpr int kLatitudeRef = 1, kLatitude = 2, kLongitudeRef = 3, kLongitude = 4, kAltitudeRef = 5,
-              kAltitude = 6, kGpsTime = 7, kGpsDate = 29;
+              kGpsAltitude = 6, kGpsTime = 7, kGpsDate = 29;
 
 std::optional<double> between(std::optional<double> value, double least, double most) {
   return value && *value >= least && *value <= most ? value : std::nullopt;
@@ -116,7 +116,7 @@ void read_gps(const TiffDirectory& gps, PictureMetadata& metadata) {
   const auto latitude = coordinate(gps, kLatitude, kLatitudeRef, "NS", 90.0);
   const auto longitude = coordinate(gps, kLongitude, kLongitudeRef, "EW", 180.0);
   if (latitude && longitude) metadata.latitude_deg = latitude, metadata.longitude_deg = longitude;
-  const auto altitude = between(gps.number(kAltitude), 0.0, 1e7);
+  const auto altitude = between(gps.number(kGpsAltitude), 0.0, 1e7);
   // 0 above sea level, 1 below.
   const double below = gps.number(kAltitudeRef).value_or(0.0);
   if (altitude && (below == 0.0 || below == 1.0))

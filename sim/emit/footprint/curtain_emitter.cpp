@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/emit/footprint/foot_way.h"
 #include "sim/emit/footprint/map/curve.h"
@@ -15,7 +16,6 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kSqrtTwoPi = 2.5066282746310002;
 constexpr double kLeastCosine = 0.052;  // 3 degrees
 constexpr double kFootRadius = kEarthRadiusKm + kFootAltitudeKm;
 

@@ -11,7 +11,7 @@ namespace {
 constexpr int kIterations = 50;
 constexpr double kInsideGain = 1.0 / 200.0, kStepGain = 1.0 / 90.0;  // of opacity, at every step
 constexpr double kGrey = 0.3, kEmission = 0.2, kDensityScale = 0.2;
-constexpr double kStepOfDistance = 0.1, kLeastStep = 0.01;
+constexpr double kStepOfDistance = 0.1, kLiteralLeastStep = 0.01;
 constexpr double kScattering = 0.2, kScattered = 0.4;
 
 double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
@@ -54,7 +54,8 @@ std::array<double, 4> literal_march(const LiteralCloud& cloud, const std::array<
       sum[3] += alpha * room;
     }
     opacity = std::min(opacity + kStepGain, 1.0);
-    t += std::max(distance * kStepOfDistance * std::max(std::min(from_middle, observer), 1.0), kLeastStep);
+    t += std::max(distance * kStepOfDistance * std::max(std::min(from_middle, observer), 1.0),
+                  kLiteralLeastStep);
   }
   // The last density alone, as the source has it.
   const double scattered = kScattered / std::exp(local * kScattering);

@@ -9,14 +9,14 @@
 #include <mutex>
 
 #include "sim/base/error.h"
+#include "sim/base/number/constants.h"
 #include "sim/scene/table/nearest_name.h"
 
 namespace vegard::sim {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kStep = 1.0 / 4096.0;  // of a value
-constexpr double kLeastValue = 1e-3;    // for the step of values near 0, unless that leads out of the domain
+constexpr double kExpressionStep = 1.0 / 4096.0;  // of a value
+constexpr double kLeastValue = 1e-3;  // for the step of values near 0, unless that leads out of the domain
 constexpr const char* kPiWord = "pi";
 constexpr const char* kOperators = "+-*/^(), \t";
 
@@ -238,8 +238,8 @@ std::vector<double> Expression::slopes(const std::vector<double>& values) const 
       return (4.0 * difference(0.5 * step) - difference(step)) / 3.0;
     };
     const double size = std::abs(values[i]);
-    double slope = extrapolated(kStep * std::max(size, kLeastValue));
-    if (!std::isfinite(slope) && size > 0.0) slope = extrapolated(kStep * size);
+    double slope = extrapolated(kExpressionStep * std::max(size, kLeastValue));
+    if (!std::isfinite(slope) && size > 0.0) slope = extrapolated(kExpressionStep * size);
     result.push_back(slope);
   }
   return result;

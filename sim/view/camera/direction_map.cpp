@@ -10,7 +10,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
+constexpr float kMapNowhere = std::numeric_limits<float>::quiet_NaN();
 constexpr double kLargestRadian = 6.2832;  ///< 2 pi
 constexpr double kLeastInRadians = 1.5;
 
@@ -18,7 +18,7 @@ DirectionMap empty_map(int width, int height) {
   DirectionMap map;
   map.width = width;
   map.height = height;
-  map.azimuth_deg.assign(static_cast<std::size_t>(width) * height, kNowhere);
+  map.azimuth_deg.assign(static_cast<std::size_t>(width) * height, kMapNowhere);
   map.elevation_deg = map.azimuth_deg;
   return map;
 }

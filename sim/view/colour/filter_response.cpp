@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/scene/lines/emission_line.h"
 #include "sim/view/colour/colour.h"
 
 namespace vegard::sim {
 namespace {
 
 constexpr double kHalfBase_nm = 5.0;
-constexpr double kGreenNm = 557.7;  // a kilorayleigh of it is what all responses are relative to
 
 std::size_t filters(const Scene& scene) { return std::min<std::size_t>(3, scene.emission.lines.size()); }
 

@@ -9,7 +9,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kLeastShare = 1e-3;
+constexpr double kEstimateLeastShare = 1e-3;
 
 [[noreturn]] void refuse(const std::string& problem, const std::string& expected, const std::string& hint) {
   ErrorDetails details;
@@ -35,7 +35,7 @@ LineEstimator::LineEstimator(std::vector<Vector3> rgb_per_rayleigh) : rgb_(std::
            "one to three lines", "name those that make up most of the light");
   const Eigen::MatrixXd scaled = columns(rgb_).colwise().normalized();
   const auto singular = scaled.jacobiSvd().singularValues();
-  if (!(singular(singular.size() - 1) > kLeastShare))
+  if (!(singular(singular.size() - 1) > kEstimateLeastShare))
     refuse("the sensor cannot tell the colours of the lines apart", "lines of different colours that it sees",
            "leave one of them out");
 }

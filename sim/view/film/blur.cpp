@@ -56,11 +56,11 @@ HWY_EXPORT(WeightedSum);
 
 namespace {
 
-constexpr double kReach = 4.0;  // standard deviations
+constexpr double kBlurReach = 4.0;  // standard deviations
 constexpr int kRowsPerTask = 16;
 
 int reach(double sigma, int radius) {
-  return radius >= 0 ? radius : static_cast<int>(std::ceil(kReach * sigma));
+  return radius >= 0 ? radius : static_cast<int>(std::ceil(kBlurReach * sigma));
 }
 
 /// The normal distribution function.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "sim/base/number/constants.h"
 #include "sim/base/number/noise.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/footprint/map/plane_fft.h"
@@ -12,12 +13,11 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
-constexpr double kMostCells = 262144.0;  // of the flow's grid
-constexpr double kAround = 1.25;         // the periodic plane over the box
-constexpr double kStep = 0.5;            // of time, over the inverse of the largest vorticity
-constexpr int kStretchSteps = 6;         // of time, to a stretch
-constexpr int kMidpointLooks = 3;        // each a quarter as far from the middle as the one before
+constexpr double kFlowMostCells = 262144.0;  // of the flow's grid
+constexpr double kAround = 1.25;             // the periodic plane over the box
+constexpr double kFlowStep = 0.5;            // of time, over the inverse of the largest vorticity
+constexpr int kStretchSteps = 6;             // of time, to a stretch
+constexpr int kMidpointLooks = 3;            // each a quarter as far from the middle as the one before
 constexpr int kRippleOctaves = 3;
 
 using Layer = std::vector<double>;
@@ -205,7 +205,7 @@ PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& f, std::
   const FootprintGrid<double>& grid = plane.grid;
   if (f.flow_turns <= 0.0 || grid.flux_mw_m2.empty()) return result;
   int block = 1;  // of the footprint's cells, to one of the flow's along either axis
-  while (kAround * kAround * grid.columns * grid.rows / (block * block) > kMostCells) ++block;
+  while (kAround * kAround * grid.columns * grid.rows / (block * block) > kFlowMostCells) ++block;
   const int box_columns = (grid.columns + block - 1) / block, box_rows = (grid.rows + block - 1) / block;
   const int columns = transform_size(static_cast<int>(std::ceil(kAround * box_columns))),
             rows = transform_size(static_cast<int>(std::ceil(kAround * box_rows)));
@@ -236,7 +236,7 @@ PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& f, std::
   for (double& w : flow.first) w *= (stands_north ? -1.0 : 1.0) / largest;
 
   const double duration = 4.0 * kPi * f.flow_turns;
-  const int steps = std::max(1, static_cast<int>(std::ceil(duration / kStep)));
+  const int steps = std::max(1, static_cast<int>(std::ceil(duration / kFlowStep)));
   const double time = duration / steps;
   flow.begin_stretch({});
   flow.solve();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/footprint/map/cube_faces.h"
@@ -14,7 +15,6 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kSqrtTwoPi = 2.5066282746310002;
 constexpr int kBandRows = 64;
 
 template <class T, int axes>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/number/constants.h"
 #include "sim/base/number/gauss_legendre.h"
 #include "sim/emit/sun/line_light.h"
 #include "sim/emit/sun/ray_stop.h"
@@ -10,11 +11,7 @@
 #include "sim/light/light_of_fields.h"
 
 namespace vegard::sim {
-namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-
-}  // namespace
+namespace {}  // namespace
 
 template <class T>
 EjectionShell<T>::EjectionShell(const Sun& sun, const Ejection& ejection, const T& front,

@@ -11,7 +11,7 @@ using Place = std::array<double, 3>;
 constexpr double kOff = 0.01;  // of the radius
 constexpr double kLeastLength = 2.0;
 constexpr double kMostPieces = 1e6;
-constexpr int kEdge = SparseGrid::kEdge;
+constexpr int kPieceEdge = SparseGrid::kEdge;
 
 double length(const Place& a, const Place& b) {
   return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
@@ -52,8 +52,8 @@ PieceBricks bricks_of(const StrandPiece& piece, BrickPart part, double reach) {
     const double low = piece.from[a] + std::min(0.0, piece.way[a]) - reach;
     const double high = piece.from[a] + std::max(0.0, piece.way[a]) + reach;
     const bool whole = part == BrickPart::whole;
-    all.low[a] = static_cast<int>(std::floor((whole ? low + 0.5 : std::ceil(low)) / kEdge));
-    all.high[a] = static_cast<int>(std::floor((whole ? high + 0.5 : std::floor(high)) / kEdge));
+    all.low[a] = static_cast<int>(std::floor((whole ? low + 0.5 : std::ceil(low)) / kPieceEdge));
+    all.high[a] = static_cast<int>(std::floor((whole ? high + 0.5 : std::floor(high)) / kPieceEdge));
   }
   return all;
 }
@@ -105,14 +105,16 @@ PiecesOfStrand pieces_of(const Strand<double>& strand, const SparseGrid& grid) {
 void find_bricks(const PiecesOfStrand& strand, std::uint32_t index, BrickPart part,
                  std::vector<ReachOfStrand>& to) {
   const double reach = strand.radius + strand.off;
-  const double half_diagonal = 0.5 * (part == BrickPart::whole ? kEdge : kEdge - 1) * std::sqrt(3.0);
+  const double half_diagonal =
+      0.5 * (part == BrickPart::whole ? kPieceEdge : kPieceEdge - 1) * std::sqrt(3.0);
   std::vector<ReachOfStrand> found;
   for (std::uint32_t p = 0; p < strand.pieces.size(); ++p) {
     const PieceBricks box = bricks_of(strand.pieces[p], part, reach);
     for (int x = box.low[0]; x <= box.high[0]; ++x)
       for (int y = box.low[1]; y <= box.high[1]; ++y)
         for (int z = box.low[2]; z <= box.high[2]; ++z) {
-          const Place middle{kEdge * (x + 0.5) - 0.5, kEdge * (y + 0.5) - 0.5, kEdge * (z + 0.5) - 0.5};
+          const Place middle{kPieceEdge * (x + 0.5) - 0.5, kPieceEdge * (y + 0.5) - 0.5,
+                             kPieceEdge * (z + 0.5) - 0.5};
           if (distance_to_line(strand.pieces[p], middle) <= reach + half_diagonal)
             found.push_back({{x, y, z}, index, p, p + 1});
         }
@@ -132,7 +134,7 @@ double bricks_about(const PiecesOfStrand& strand) {
   double count = 0.0;
   for (const StrandPiece& piece : strand.pieces) {
     double of_piece = 1.0;
-    for (int a = 0; a < 3; ++a) of_piece *= (std::abs(piece.way[a]) + 2.0 * reach) / kEdge + 1.0;
+    for (int a = 0; a < 3; ++a) of_piece *= (std::abs(piece.way[a]) + 2.0 * reach) / kPieceEdge + 1.0;
     count += of_piece;
   }
   return count;
