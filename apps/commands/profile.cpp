@@ -28,6 +28,7 @@
 #include "fit/report/table/profile_csv.h"
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
+#include "sim/base/image.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/view/camera/camera.h"
@@ -52,10 +53,6 @@ struct ProfileRequest {
   SectorOptions sectors;
   bool overwrite = false, lines = false, no_metadata = false;
 };
-
-std::string size_text(int width, int height) {
-  return std::to_string(width) + " x " + std::to_string(height);
-}
 
 /// Errors of the region and the bands name the scene's keys; on the command line they are options.
 template <typename Call>
@@ -245,7 +242,7 @@ void run_profile(const ProfileRequest& options) {
   if (plot_file) plot_file->commit();
 
   std::printf("%s: %s pixels, decoding: %s\n", photo.file_name.c_str(),
-              size_text(photo.linear.width, photo.linear.height).c_str(), photo.decoding.c_str());
+              sim::size_text(photo.linear.width, photo.linear.height).c_str(), photo.decoding.c_str());
   std::printf("%s: %s\n", options.output.c_str(), measured.words.c_str());
   for (const std::string& line : measured.details) std::printf("  %s\n", line.c_str());
   if (plot_file) std::printf("%s\n", options.plot.c_str());

@@ -6,15 +6,10 @@
 #include "apps/options/refusals.h"
 #include "fit/photo/direction_map_file.h"
 #include "sim/base/error.h"
+#include "sim/base/image.h"
 
 namespace vegard::apps {
-namespace {
-
-std::string size_text(int width, int height) {
-  return std::to_string(width) + " x " + std::to_string(height);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 void add_map_options(const Command& command, MapOptions& options) {
   command.option("--azimuth-map", options.azimuth_map,
@@ -28,8 +23,8 @@ void check_camera_size(const sim::Scene& scene, int width_px, int height_px, con
   if (scene.camera.width == width_px && scene.camera.height == height_px) return;
   sim::ErrorDetails details;
   details.key = "camera.width";
-  details.problem = "the scene's camera has " + size_text(scene.camera.width, scene.camera.height) +
-                    " pixels, the photograph " + picture + " has " + size_text(width_px, height_px);
+  details.problem = "the scene's camera has " + sim::size_text(scene.camera.width, scene.camera.height) +
+                    " pixels, the photograph " + picture + " has " + sim::size_text(width_px, height_px);
   details.hint = "set camera.width and camera.height to the photograph's";
   throw with_place(sim::Error(sim::ErrorKind::scene, details), scene);
 }
@@ -57,8 +52,8 @@ std::optional<KnownDirections> known_directions(const MapOptions& options, const
   if (known.map.width != width_px || known.map.height != height_px) {
     sim::ErrorDetails details;
     details.file = az;
-    details.problem = "the maps have " + size_text(known.map.width, known.map.height) + " pixels";
-    details.expected = size_text(width_px, height_px) + ", the size of " + picture;
+    details.problem = "the maps have " + sim::size_text(known.map.width, known.map.height) + " pixels";
+    details.expected = sim::size_text(width_px, height_px) + ", the size of " + picture;
     throw sim::Error(sim::ErrorKind::unreadable_input, details);
   }
   return known;

@@ -19,14 +19,6 @@ constexpr double kTrialHalfWidthDeg = 5.0;  ///< in which the pixels' size is fo
 constexpr double kLeastPixels = 1.5, kKeogramMostSteps = 200.0;
 constexpr double kBothSides = 0.25;  ///< share of the whole beyond the zenith that makes it the other side
 
-[[noreturn]] void refuse(const std::string& key, const std::string& problem, const std::string& expected) {
-  sim::ErrorDetails details;
-  details.key = key;
-  details.problem = problem;
-  details.expected = expected;
-  throw sim::Error(sim::ErrorKind::usage, details);
-}
-
 /// A direction as seen from a vertical plane.
 struct FromPlane {
   double along_deg;   ///< from the horizon at the plane's azimuth, -90 to 270
@@ -85,8 +77,9 @@ double usual_step(const Span& trial) {
 
 KeogramLine column_line(const Region& region, int width_px) {
   if (width_px < 0 || width_px > region.width)
-    refuse("--width", "a strip of " + std::to_string(width_px) + " columns is not in the region",
-           "1 to " + std::to_string(region.width) + " px");
+    sim::refuse_key(sim::ErrorKind::usage, "--width",
+                    "a strip of " + std::to_string(width_px) + " columns is not in the region",
+                    "1 to " + std::to_string(region.width) + " px");
   const int width = width_px == 0 ? region.width : width_px;
   BinGrid grid;
   grid.region = {region.x + (region.width - width) / 2, region.y, width, region.height};
@@ -105,11 +98,14 @@ KeogramLine column_line(const Region& region, int width_px) {
 
 KeogramLine meridian_line(const sim::DirectionMap& map, const Region& region,
                           const MeridianOptions& options) {
-  if (!std::isfinite(options.azimuth_deg)) refuse("--azimuth", "the azimuth is no number", "degrees");
+  if (!std::isfinite(options.azimuth_deg))
+    sim::refuse_key(sim::ErrorKind::usage, "--azimuth", "the azimuth is no number", "degrees");
   if (options.width_deg && !(*options.width_deg > 0.0 && *options.width_deg <= 180.0))
-    refuse("--width", short_number(*options.width_deg) + "\u00b0 is no width", "more than 0, at most 180");
+    sim::refuse_key(sim::ErrorKind::usage, "--width", short_number(*options.width_deg) + "\u00b0 is no width",
+                    "more than 0, at most 180");
   if (options.step_deg && !(*options.step_deg >= 1e-4 && *options.step_deg <= kKeogramZenithDeg))
-    refuse("--elevation-step", short_number(*options.step_deg) + "\u00b0 is no step", "0.0001 to 90");
+    sim::refuse_key(sim::ErrorKind::usage, "--elevation-step",
+                    short_number(*options.step_deg) + "\u00b0 is no step", "0.0001 to 90");
 
   KeogramLine line;
   line.of_directions = true;
@@ -125,10 +121,10 @@ KeogramLine meridian_line(const sim::DirectionMap& map, const Region& region,
   line.width = options.width_deg.value_or(2.0 * line.step);
   const Span span = span_of(map, region, line.azimuth_deg, 0.5 * line.width);
   if (span.pixels == 0.0)
-    refuse("--azimuth",
-           "the picture shows nothing of the vertical plane at azimuth " + short_number(options.azimuth_deg) +
-               "\u00b0",
-           "a direction that it does show");
+    sim::refuse_key(sim::ErrorKind::usage, "--azimuth",
+                    "the picture shows nothing of the vertical plane at azimuth " +
+                        short_number(options.azimuth_deg) + "\u00b0",
+                    "a direction that it does show");
 
   const double first = std::floor(span.min / line.step), end = std::floor(span.max / line.step) + 1.0;
   BinGrid grid;

@@ -16,26 +16,22 @@ namespace {
 constexpr int kLimbLeastPositions = 3;
 constexpr int kLimbPositionsEachSide = 1;  ///< whose noise is pooled
 
-[[noreturn]] void refuse(const sim::Scene& scene, const std::string& key, const std::string& problem,
-                         const std::string& expected, const std::string& hint = {}) {
-  throw sim::Error(sim::ErrorKind::scene, {problem, scene.file, 0, key, expected, hint});
-}
-
 }  // namespace
 
 BinGrid limb_bins(const sim::Scene& scene, const Region& region) {
   const sim::Fit& fit = scene.fit;
   if (!scene.sun.shown)
-    refuse(scene, "sun.shown", "there is no Sun that profiles could lead away from", "true",
-           "or another fit.profile_along");
+    sim::refuse_scene_key(scene.file, "sun.shown", "there is no Sun that profiles could lead away from",
+                          "true", "or another fit.profile_along");
   if (!(fit.limb_lowest < fit.limb_highest))
-    refuse(scene, "fit.limb_lowest", "limb_lowest is not below limb_highest",
-           "limb_lowest below limb_highest");
+    sim::refuse_scene_key(scene.file, "fit.limb_lowest", "limb_lowest is not below limb_highest",
+                          "limb_lowest below limb_highest");
   const double steps = std::ceil((fit.limb_highest - fit.limb_lowest) / fit.limb_step - 1e-9);
   constexpr double kMostPositions = 10000.0;
   if (steps < kLimbLeastPositions || steps > kMostPositions)
-    refuse(scene, "fit.limb_step", short_number(steps) + " steps lie between limb_lowest and limb_highest",
-           std::to_string(kLimbLeastPositions) + " to " + short_number(kMostPositions, 5));
+    sim::refuse_scene_key(scene.file, "fit.limb_step",
+                          short_number(steps) + " steps lie between limb_lowest and limb_highest",
+                          std::to_string(kLimbLeastPositions) + " to " + short_number(kMostPositions, 5));
   BinGrid grid;
   grid.region = region;
   grid.groups = fit.bands;
@@ -64,10 +60,11 @@ BinGrid limb_bins(const sim::Scene& scene, const Region& region) {
       },
       grid);
   if (grid.runs.empty())
-    refuse(scene, "sun.azimuth_deg",
-           "no pixel of the region is " + short_number(fit.limb_lowest) + " to " +
-               short_number(fit.limb_highest) + " radii from the Sun's middle",
-           "the Sun in view", "check sun.azimuth_deg, sun.elevation_deg and where the camera points");
+    sim::refuse_scene_key(scene.file, "sun.azimuth_deg",
+                          "no pixel of the region is " + short_number(fit.limb_lowest) + " to " +
+                              short_number(fit.limb_highest) + " radii from the Sun's middle",
+                          "the Sun in view",
+                          "check sun.azimuth_deg, sun.elevation_deg and where the camera points");
   const double radius_rad = std::asin(scene.sun.radius * scene.sun.unit_km / scene.sun.distance_km);
   grid.position_px =
       fit.limb_step * radius_rad / sim::kRadiansPerDegree * sim::pixels_per_degree(scene.camera);

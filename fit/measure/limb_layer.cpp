@@ -45,14 +45,14 @@ T column_km(double tangent_km, const T& peak_km, const T& lower_width_km, const 
   return 2.0 * step_km * sum;
 }
 
-struct Points {
+struct LayerPoints {
   std::vector<double> tangent_km, light;
   double top_km = 0.0;
   double scale = 1.0;  ///< light in units of its largest
 };
 
 struct LayerCost {
-  const Points& points;
+  const LayerPoints& points;
 
   template <typename T>
   bool operator()(const T* numbers, T* residuals) const {
@@ -66,8 +66,9 @@ struct LayerCost {
   }
 };
 
-Points usable(const std::vector<double>& tangent_km, const std::vector<double>& light, double observer_km) {
-  Points points;
+LayerPoints usable(const std::vector<double>& tangent_km, const std::vector<double>& light,
+                   double observer_km) {
+  LayerPoints points;
   for (std::size_t i = 0; i < light.size(); ++i)
     if (std::isfinite(light[i]) && tangent_km[i] >= kLimbAirKm) {
       points.tangent_km.push_back(tangent_km[i]);
@@ -89,7 +90,7 @@ double apparent_peak_km(double peak_km, double lower_width_km, double upper_widt
 
 std::optional<LimbLayer> find_limb_layer(const std::vector<double>& tangent_km,
                                          const std::vector<double>& light, double observer_km) {
-  Points points = usable(tangent_km, light, observer_km);
+  LayerPoints points = usable(tangent_km, light, observer_km);
   if (points.light.size() < kLayerLeastPoints) return std::nullopt;
   const auto [darkest, brightest] = std::minmax_element(points.light.begin(), points.light.end());
   const double at_km = points.tangent_km[brightest - points.light.begin()];

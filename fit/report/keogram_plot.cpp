@@ -35,12 +35,12 @@ Rgb colour_map(double value) {
   return colour;
 }
 
-struct Scale {
+struct KeogramScale {
   double black = 0.0, white = 1.0;
 };
 
-Scale scale_of(const Keogram& keogram, const KeogramLook& look) {
-  Scale scale;
+KeogramScale scale_of(const Keogram& keogram, const KeogramLook& look) {
+  KeogramScale scale;
   if (!keogram.srgb) {
     std::vector<double> values;
     for (const KeogramColumn& column : keogram.columns)
@@ -76,7 +76,7 @@ std::pair<std::size_t, std::size_t> pictures_between(const Keogram& keogram,
   return {0, 0};
 }
 
-Raster raster_of(const Keogram& keogram, const KeogramLook& look, const Scale& scale,
+Raster raster_of(const Keogram& keogram, const KeogramLook& look, const KeogramScale& scale,
                  const std::vector<TimeSpan>& spans) {
   Raster raster;
   raster.width = kPanelWidth * kKeogramPlotFiner;
@@ -188,7 +188,7 @@ std::vector<TimeSpan> column_spans(const Keogram& keogram) {
 Plot keogram_plot(const Keogram& keogram, const KeogramLook& look) {
   const char* const names[3] = {"red", "green", "blue"};
   const std::vector<TimeSpan> spans = column_spans(keogram);
-  const Scale scale = scale_of(keogram, look);
+  const KeogramScale scale = scale_of(keogram, look);
   Plot plot;
   plot.title = "Keogram of " + std::to_string(keogram.columns.size()) + " pictures, from " +
                keogram.columns.front().file_name;

@@ -20,7 +20,7 @@ std::int64_t days_before_year(std::int64_t year) {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Reads on through a text; every step fails for good once one has.
-struct Reader {
+struct TimeReader {
   std::string_view text;
   std::size_t at = 0;
   bool good = true;
@@ -59,7 +59,7 @@ std::optional<double> seconds_of(int year, int month, int day, int hour, int min
 }
 
 /// Date and time from the reader's place on; with separators as in ISO, or as two runs of digits.
-std::optional<double> read_moment(Reader& in, bool separated, std::string_view between,
+std::optional<double> read_moment(TimeReader& in, bool separated, std::string_view between,
                                   std::string_view colons) {
   const int year = in.number(4);
   if (separated) in.one_of("-");
@@ -82,7 +82,7 @@ std::optional<double> read_moment(Reader& in, bool separated, std::string_view b
 }  // namespace
 
 std::optional<double> utc_seconds(std::string_view iso) {
-  Reader in{iso};
+  TimeReader in{iso};
   const std::optional<double> seconds = read_moment(in, true, "T ", ":");
   if (in.next_is("Z")) ++in.at;
   return in.at == iso.size() ? seconds : std::nullopt;
@@ -92,7 +92,7 @@ std::optional<double> utc_seconds_in_name(std::string_view file_name) {
   for (std::size_t begin = 0; begin < file_name.size(); ++begin) {
     if (begin > 0 && is_digit(file_name[begin - 1])) continue;
     for (const bool separated : {false, true}) {
-      Reader in{file_name, begin};
+      TimeReader in{file_name, begin};
       const std::optional<double> seconds = read_moment(in, separated, "T_- ", ":-_");
       if (seconds && !in.digit_next()) return seconds;
     }

@@ -16,14 +16,14 @@ constexpr double kBackgroundEnergyKev = 10.0;  // both tables have it, and the l
 constexpr double kColumnRounding = 5e-5;       // of column_brightness.csv
 constexpr double kLowestFlux = 0.1, kHighestFlux = 10.0;
 
-struct Curve {
+struct FluxCurve {
   std::vector<double> log_factor, curvature;  ///< at the energies
 };
 
 struct ColumnLaw {
   double background_rayleigh = 0.0;
   std::vector<double> log_energy;
-  Curve at_low, at_high;
+  FluxCurve at_low, at_high;
 };
 
 /// R_5577 of a table at one flux (or, of a table without, at all rows) by energy.
@@ -35,9 +35,9 @@ std::map<double, double> columns_at(const CsvTable& table, const std::string& na
   return columns;
 }
 
-Curve curve_of(const std::vector<double>& log_energy, const std::map<double, double>& at_flux, double flux,
-               const std::map<double, double>& at_one, double background) {
-  Curve curve;
+FluxCurve curve_of(const std::vector<double>& log_energy, const std::map<double, double>& at_flux,
+                   double flux, const std::map<double, double>& at_one, double background) {
+  FluxCurve curve;
   for (const auto& [energy, column] : at_one)
     curve.log_factor.push_back(std::log((at_flux.at(energy) - background) / (flux * (column - background))));
   curve.curvature = spline_curvature(log_energy, curve.log_factor);
@@ -89,7 +89,7 @@ SplineValue along_flux(double low, double middle, double high, double log_flux) 
 FluxFactor flux_factor(const std::string& column, double energy_kev, double energy_flux_mw_m2) {
   const ColumnLaw& law = law_of(column);
   const double log_energy = std::log(energy_kev), log_flux = std::log(energy_flux_mw_m2);
-  const auto at = [&](const Curve& curve) {
+  const auto at = [&](const FluxCurve& curve) {
     return spline_at(law.log_energy, curve.log_factor, curve.curvature, log_energy);
   };
   const SplineValue low = at(law.at_low), high = at(law.at_high);

@@ -15,7 +15,8 @@
 namespace vegard::fit {
 namespace {
 
-constexpr Colour kPlotInk{38, 38, 38}, kSoftInk{95, 95, 95}, kGrid{232, 232, 232}, kFrame{150, 150, 150};
+constexpr Colour kPlotInk{38, 38, 38}, kPlotSoftInk{95, 95, 95}, kPlotGrid{232, 232, 232},
+    kPlotFrame{150, 150, 150};
 constexpr double kPlotTitleSize = 16, kPanelTitleSize = 12.5, kLabelSize = 12.5, kPlotTickSize = 11,
                  kPlotNoteSize = 12;
 constexpr double kPlotEdge = 18;  ///< free at the outside
@@ -152,7 +153,7 @@ AxisTicks ticks_of(const Axis& axis, AxisTicks chosen) {
 }
 
 /// A panel's way from data to pixels.
-struct Scale {
+struct PlotScale {
   PlotRectangle area;
   AxisTicks x, y;
   bool x_reversed = false, y_reversed = false;
@@ -167,27 +168,27 @@ struct Scale {
   PlotPoint place(double vx, double vy) const { return {place_x(vx), place_y(vy)}; }
 };
 
-void draw_grid(const Scale& scale, bool numbers_left, PlotCanvas& canvas) {
+void draw_grid(const PlotScale& scale, bool numbers_left, PlotCanvas& canvas) {
   const PlotRectangle& a = scale.area;
   const double right = a.x + a.width, bottom = a.y + a.height;
   for (const double v : scale.x.places)
-    canvas.line({{scale.place_x(v), a.y}, {scale.place_x(v), bottom}}, kGrid, 1, false);
+    canvas.line({{scale.place_x(v), a.y}, {scale.place_x(v), bottom}}, kPlotGrid, 1, false);
   for (const double v : scale.y.places)
-    canvas.line({{a.x, scale.place_y(v)}, {right, scale.place_y(v)}}, kGrid, 1, false);
-  canvas.line({{a.x, a.y}, {a.x, bottom}, {right, bottom}}, kFrame, 1, false);
+    canvas.line({{a.x, scale.place_y(v)}, {right, scale.place_y(v)}}, kPlotGrid, 1, false);
+  canvas.line({{a.x, a.y}, {a.x, bottom}, {right, bottom}}, kPlotFrame, 1, false);
   TextStyle style;
   style.size_px = kPlotTickSize;
-  style.colour = kSoftInk;
+  style.colour = kPlotSoftInk;
   style.anchor = TextAnchor::middle;
   for (std::size_t i = 0; i < scale.x.places.size(); ++i) {
     const double px = scale.place_x(scale.x.places[i]);
-    canvas.line({{px, bottom}, {px, bottom + kTickLength}}, kFrame, 1, false);
+    canvas.line({{px, bottom}, {px, bottom + kTickLength}}, kPlotFrame, 1, false);
     canvas.text({px, bottom + kTickLength + 13}, scale.x.labels[i], style);
   }
   style.anchor = TextAnchor::end;
   for (std::size_t i = 0; i < scale.y.places.size(); ++i) {
     const double py = scale.place_y(scale.y.places[i]);
-    canvas.line({{a.x - kTickLength, py}, {a.x, py}}, kFrame, 1, false);
+    canvas.line({{a.x - kTickLength, py}, {a.x, py}}, kPlotFrame, 1, false);
     if (numbers_left)
       canvas.text({a.x - kTickLength - 4, py + 0.36 * kPlotTickSize}, scale.y.labels[i], style);
   }
@@ -197,7 +198,7 @@ bool finite_at(const Series& series, std::size_t i) {
   return std::isfinite(series.x[i]) && std::isfinite(series.y[i]);
 }
 
-void draw_band(const Series& series, const Scale& scale, PlotCanvas& canvas) {
+void draw_band(const Series& series, const PlotScale& scale, PlotCanvas& canvas) {
   constexpr double kOpacity = 0.22;
   std::vector<PlotPoint> there, back;
   auto close = [&] {
@@ -219,14 +220,14 @@ void draw_band(const Series& series, const Scale& scale, PlotCanvas& canvas) {
   close();
 }
 
-void draw_raster(const Raster& raster, const Scale& scale, PlotCanvas& canvas) {
+void draw_raster(const Raster& raster, const PlotScale& scale, PlotCanvas& canvas) {
   if (raster.rgb.empty()) return;
   const PlotPoint corner = scale.place(raster.left, raster.top),
                   end = scale.place(raster.right, raster.bottom);
   canvas.picture({corner.x, corner.y, end.x - corner.x, end.y - corner.y}, raster);
 }
 
-void draw_series(const Series& series, const Scale& scale, PlotCanvas& canvas) {
+void draw_series(const Series& series, const PlotScale& scale, PlotCanvas& canvas) {
   std::vector<PlotPoint> run;
   auto finish = [&] {
     if (run.size() > 1) canvas.line(run, series.colour, series.width_px, series.mark == Mark::dashed_line);
@@ -281,7 +282,7 @@ void draw_head(const Plot& plot, PlotCanvas& canvas) {
   if (!plot.note.empty()) {
     style.size_px = kPlotNoteSize;
     style.bold = false;
-    style.colour = kSoftInk;
+    style.colour = kPlotSoftInk;
     canvas.text({kPlotEdge, base_line + 9}, plot.note, style);
     base_line += kPlotNoteHeight;
   }
@@ -298,7 +299,7 @@ void label_axes(const Axis& x, const Axis& y, const PlotRectangle& area, PlotCan
   canvas.text({area.x - kPlotLeft + 14, area.y + area.height / 2}, y.label, style);
 }
 
-void check(const Plot& plot) {
+void check_plot(const Plot& plot) {
   for (const Panel& panel : plot.panels) {
     assert(panel.x.tick_places.size() == panel.x.tick_labels.size());
     assert(panel.y.tick_places.size() == panel.y.tick_labels.size());
@@ -341,7 +342,7 @@ Colour distinct_colour(int index) {
 PlotSize plot_size(const Plot& plot) { return lay_out(plot).size; }
 
 void draw_plot(const Plot& plot, PlotCanvas& canvas) {
-  check(plot);
+  check_plot(plot);
   const Layout layout = lay_out(plot);
   canvas.area(
       {{0, 0}, {layout.size.width, 0}, {layout.size.width, layout.size.height}, {0, layout.size.height}},
@@ -366,7 +367,7 @@ void draw_plot(const Plot& plot, PlotCanvas& canvas) {
     x = axis_limits(axes.x, x);
     y = axis_limits(axes.y, y);
     const PlotRectangle& area = layout.panels[i];
-    const Scale scale{
+    const PlotScale scale{
         area, ticks_of(axes.x, horizontal_ticks(x, area.width)),
         ticks_of(axes.y, axis_ticks(y.min, y.max, std::max(2, static_cast<int>(area.height / 42)))),
         axes.x.reversed, axes.y.reversed};

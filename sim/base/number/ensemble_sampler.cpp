@@ -35,7 +35,7 @@ int walkers_of(const EnsembleOptions& options, std::size_t coordinates) {
   return least + least % 2;
 }
 
-std::uint32_t below(std::uint32_t word, std::uint32_t count) {
+std::uint32_t random_below(std::uint32_t word, std::uint32_t count) {
   return static_cast<std::uint32_t>(static_cast<std::uint64_t>(word) * count >> 32);
 }
 
@@ -139,7 +139,7 @@ class Ensemble {
                           static_cast<std::uint32_t>(walker), kMove);
     const int other_half = walker < half_ ? half_ : 0;
     const auto half = static_cast<std::uint32_t>(half_);
-    const std::uint32_t first = below(w[0], half);
+    const std::uint32_t first = random_below(w[0], half);
     const double* const own = place_of(walker);
     const double* const a = place_of(other_half + static_cast<int>(first));
     std::vector<double> at(state_.coordinates);
@@ -156,7 +156,7 @@ class Ensemble {
     // ter Braak's 2.38 / √(2 d), and now and then 1. The factor is drawn about it, so that a proposal does
     // not come from a few places only; the pair may be drawn either way round, so that the move is its own
     // way back.
-    const std::uint32_t second = (first + 1 + below(w[1], half - 1)) % half;
+    const std::uint32_t second = (first + 1 + random_below(w[1], half - 1)) % half;
     const double* const b = place_of(other_half + static_cast<int>(second));
     const bool jump = sim::uniform(w[2]) < kJumpShare;
     const double factor = jump ? 1.0 : 2.38 / std::sqrt(2.0 * d) * (0.5 + sim::uniform(w[3]));

@@ -11,8 +11,8 @@
 namespace vegard::sim {
 namespace {
 
-constexpr int kFilterEdge = SparseGrid::kEdge, kFilterReach = Mask5::kReach, kTaps = Mask5::kSide;
-constexpr int kFilterSide = kFilterEdge + 2 * kFilterReach;  // a brick with what the mask sees about it
+constexpr int kFilterReach = Mask5::kReach, kTaps = Mask5::kSide;
+constexpr int kFilterSide = SparseGrid::kEdge + 2 * kFilterReach;  // a brick with what the mask sees about it
 constexpr int kFilterBlock = kFilterSide * kFilterSide * kFilterSide;
 
 /// A mask that is a product of three rows, but for its middle: blur and sharpen are.
@@ -60,15 +60,15 @@ void gather(const SparseGrid& grid, int channel, const BrickCoordinate& at, floa
         const auto found = grid.bricks.find({at.x + x, at.y + y, at.z + z});
         if (found == grid.bricks.end()) continue;
         const float* from = found->second.data() + static_cast<std::size_t>(channel) * SparseGrid::kVoxels;
-        const auto first = [](int d) { return d < 0 ? kFilterEdge - kFilterReach : 0; };
-        const auto last = [](int d) { return d > 0 ? kFilterReach : kFilterEdge; };
+        const auto first = [](int d) { return d < 0 ? SparseGrid::kEdge - kFilterReach : 0; };
+        const auto last = [](int d) { return d > 0 ? kFilterReach : SparseGrid::kEdge; };
         for (int i = first(x); i < last(x); ++i)
           for (int j = first(y); j < last(y); ++j)
             for (int k = first(z); k < last(z); ++k)
-              block[((i + x * kFilterEdge + kFilterReach) * kFilterSide + j + y * kFilterEdge +
+              block[((i + x * SparseGrid::kEdge + kFilterReach) * kFilterSide + j + y * SparseGrid::kEdge +
                      kFilterReach) *
                         kFilterSide +
-                    k + z * kFilterEdge + kFilterReach] = from[SparseGrid::within(i, j, k)];
+                    k + z * SparseGrid::kEdge + kFilterReach] = from[SparseGrid::within(i, j, k)];
       }
 }
 
@@ -83,21 +83,21 @@ void along(const float* in, std::size_t pitch, const float row[kTaps], float* ou
 
 void convolve(const Product& product, const float* block, float* out) {
   constexpr int kPlane = kFilterSide * kFilterSide, kRow = kFilterSide;
-  float by_x[kFilterEdge * kPlane], by_y[kFilterEdge * kFilterEdge * kFilterSide];
-  for (int i = 0; i < kFilterEdge; ++i)
+  float by_x[SparseGrid::kEdge * kPlane], by_y[SparseGrid::kEdge * SparseGrid::kEdge * kFilterSide];
+  for (int i = 0; i < SparseGrid::kEdge; ++i)
     along(block + i * kPlane, kPlane, product.row[0], by_x + i * kPlane, kPlane);
-  for (int i = 0; i < kFilterEdge; ++i)
-    for (int j = 0; j < kFilterEdge; ++j)
-      along(by_x + i * kPlane + j * kRow, kRow, product.row[1], by_y + (i * kFilterEdge + j) * kFilterSide,
-            kFilterSide);
-  for (int i = 0; i < kFilterEdge; ++i)
-    for (int j = 0; j < kFilterEdge; ++j)
-      along(by_y + (i * kFilterEdge + j) * kFilterSide, 1, product.row[2],
-            out + (i * kFilterEdge + j) * kFilterEdge, kFilterEdge);
+  for (int i = 0; i < SparseGrid::kEdge; ++i)
+    for (int j = 0; j < SparseGrid::kEdge; ++j)
+      along(by_x + i * kPlane + j * kRow, kRow, product.row[1],
+            by_y + (i * SparseGrid::kEdge + j) * kFilterSide, kFilterSide);
+  for (int i = 0; i < SparseGrid::kEdge; ++i)
+    for (int j = 0; j < SparseGrid::kEdge; ++j)
+      along(by_y + (i * SparseGrid::kEdge + j) * kFilterSide, 1, product.row[2],
+            out + (i * SparseGrid::kEdge + j) * SparseGrid::kEdge, SparseGrid::kEdge);
   if (product.middle != 0.0f)
-    for (int i = 0; i < kFilterEdge; ++i)
-      for (int j = 0; j < kFilterEdge; ++j)
-        for (int k = 0; k < kFilterEdge; ++k)
+    for (int i = 0; i < SparseGrid::kEdge; ++i)
+      for (int j = 0; j < SparseGrid::kEdge; ++j)
+        for (int k = 0; k < SparseGrid::kEdge; ++k)
           out[SparseGrid::within(i, j, k)] +=
               product.middle *
               block[((i + kFilterReach) * kFilterSide + j + kFilterReach) * kFilterSide + k + kFilterReach];
@@ -110,13 +110,13 @@ void convolve(const Mask5& mask, const float* block, float* out) {
       for (int z = -kFilterReach; z <= kFilterReach; ++z) {
         const auto weight = static_cast<float>(mask.weights[Mask5::at(x, y, z)]);
         if (weight == 0.0f) continue;
-        for (int i = 0; i < kFilterEdge; ++i)
-          for (int j = 0; j < kFilterEdge; ++j) {
+        for (int i = 0; i < SparseGrid::kEdge; ++i)
+          for (int j = 0; j < SparseGrid::kEdge; ++j) {
             const float* from = block +
                                 ((i + kFilterReach - x) * kFilterSide + j + kFilterReach - y) * kFilterSide +
                                 kFilterReach - z;
             float* to = out + SparseGrid::within(i, j, 0);
-            for (int k = 0; k < kFilterEdge; ++k) to[k] += weight * from[k];
+            for (int k = 0; k < SparseGrid::kEdge; ++k) to[k] += weight * from[k];
           }
       }
 }
@@ -125,12 +125,12 @@ void convolve(const Mask5& mask, const float* block, float* out) {
 std::set<BrickCoordinate> reached(const SparseGrid& grid) {
   std::set<BrickCoordinate> all;
   for (const auto& [at, numbers] : grid.bricks) {
-    int low[3] = {kFilterEdge, kFilterEdge, kFilterEdge}, high[3] = {-1, -1, -1};
+    int low[3] = {SparseGrid::kEdge, SparseGrid::kEdge, SparseGrid::kEdge}, high[3] = {-1, -1, -1};
     for (std::size_t c = 0; c < grid.channels.size(); ++c)
       for (int v = 0; v < SparseGrid::kVoxels; ++v) {
         if (numbers[c * SparseGrid::kVoxels + v] == 0.0f) continue;
-        const int index[3] = {v / (kFilterEdge * kFilterEdge), v / kFilterEdge % kFilterEdge,
-                              v % kFilterEdge};
+        const int index[3] = {v / (SparseGrid::kEdge * SparseGrid::kEdge),
+                              v / SparseGrid::kEdge % SparseGrid::kEdge, v % SparseGrid::kEdge};
         for (int a = 0; a < 3; ++a) {
           low[a] = std::min(low[a], index[a]);
           high[a] = std::max(high[a], index[a]);
@@ -140,7 +140,7 @@ std::set<BrickCoordinate> reached(const SparseGrid& grid) {
     int from[3], to[3];
     for (int a = 0; a < 3; ++a) {
       from[a] = low[a] < kFilterReach ? -1 : 0;
-      to[a] = high[a] >= kFilterEdge - kFilterReach ? 1 : 0;
+      to[a] = high[a] >= SparseGrid::kEdge - kFilterReach ? 1 : 0;
     }
     for (int x = from[0]; x <= to[0]; ++x)
       for (int y = from[1]; y <= to[1]; ++y)

@@ -12,8 +12,6 @@ namespace vegard::sim {
 namespace {
 
 constexpr std::size_t kSamplingBricksAtOnce = 256;
-constexpr int kSamplingVoxels = SparseGrid::kVoxels, kSamplingEdge = SparseGrid::kEdge;
-
 struct BrickRange {
   int low[3], high[3];  ///< high is the first beyond
 };
@@ -21,8 +19,8 @@ struct BrickRange {
 Box3 box_of(const BrickRange& r, const SparseGrid& grid) {
   Box3 box;
   for (int a = 0; a < 3; ++a) {
-    box.low[a] = grid.origin[a] + r.low[a] * kSamplingEdge * grid.voxel;
-    box.high[a] = grid.origin[a] + r.high[a] * kSamplingEdge * grid.voxel;
+    box.low[a] = grid.origin[a] + r.low[a] * SparseGrid::kEdge * grid.voxel;
+    box.high[a] = grid.origin[a] + r.high[a] * SparseGrid::kEdge * grid.voxel;
   }
   return box;
 }
@@ -51,28 +49,28 @@ SparseGrid::Brick sampled(const LightField& field, int all_lines, const std::vec
                           const BrickCoordinate& at, const std::optional<Box3>& crop,
                           const SparseGrid& grid) {
   std::vector<double> place[3];
-  for (auto& axis : place) axis.resize(kSamplingVoxels);
-  const int corner[3] = {at.x * kSamplingEdge, at.y * kSamplingEdge, at.z * kSamplingEdge};
-  for (int v = 0; v < kSamplingVoxels; ++v) {
-    const int within[3] = {v / (kSamplingEdge * kSamplingEdge), v / kSamplingEdge % kSamplingEdge,
-                           v % kSamplingEdge};
+  for (auto& axis : place) axis.resize(SparseGrid::kVoxels);
+  const int corner[3] = {at.x * SparseGrid::kEdge, at.y * SparseGrid::kEdge, at.z * SparseGrid::kEdge};
+  for (int v = 0; v < SparseGrid::kVoxels; ++v) {
+    const int within[3] = {v / (SparseGrid::kEdge * SparseGrid::kEdge),
+                           v / SparseGrid::kEdge % SparseGrid::kEdge, v % SparseGrid::kEdge};
     for (int a = 0; a < 3; ++a) place[a][v] = grid.origin[a] + (corner[a] + within[a] + 0.5) * grid.voxel;
   }
-  std::vector<float> numbers((all_lines + 1) * kSamplingVoxels, 0.0f);
+  std::vector<float> numbers((all_lines + 1) * SparseGrid::kVoxels, 0.0f);
   std::vector<float*> of_line(all_lines);
-  for (int l = 0; l < all_lines; ++l) of_line[l] = numbers.data() + l * kSamplingVoxels;
-  float* density = numbers.data() + all_lines * kSamplingVoxels;
+  for (int l = 0; l < all_lines; ++l) of_line[l] = numbers.data() + l * SparseGrid::kVoxels;
+  float* density = numbers.data() + all_lines * SparseGrid::kVoxels;
   const double* const points[3] = {place[0].data(), place[1].data(), place[2].data()};
-  field.sample(kSamplingVoxels, points, of_line.data(), density);
-  SparseGrid::Brick out((lines.size() + 1) * kSamplingVoxels);
+  field.sample(SparseGrid::kVoxels, points, of_line.data(), density);
+  SparseGrid::Brick out((lines.size() + 1) * SparseGrid::kVoxels);
   for (std::size_t c = 0; c <= lines.size(); ++c)
-    std::copy_n(c < lines.size() ? of_line[lines[c]] : density, kSamplingVoxels,
-                out.begin() + c * kSamplingVoxels);
+    std::copy_n(c < lines.size() ? of_line[lines[c]] : density, SparseGrid::kVoxels,
+                out.begin() + c * SparseGrid::kVoxels);
   if (crop)
-    for (int v = 0; v < kSamplingVoxels; ++v)
+    for (int v = 0; v < SparseGrid::kVoxels; ++v)
       for (int a = 0; a < 3; ++a)
         if (place[a][v] < crop->low[a] || place[a][v] > crop->high[a])
-          for (std::size_t c = 0; c <= lines.size(); ++c) out[c * kSamplingVoxels + v] = 0.0f;
+          for (std::size_t c = 0; c <= lines.size(); ++c) out[c * SparseGrid::kVoxels + v] = 0.0f;
   if (std::all_of(out.begin(), out.end(), [](float x) { return x == 0.0f; })) out.clear();
   return out;
 }
@@ -125,7 +123,7 @@ BricksToSample bricks_to_sample(const LightField& field, const SparseGrid& grid,
   const Box3 box = field.bounds();
   BrickRange range;
   for (int a = 0; a < 3; ++a) {
-    const double edge = grid.voxel * kSamplingEdge;
+    const double edge = grid.voxel * SparseGrid::kEdge;
     double low = box.low[a], high = box.high[a];
     if (crop) {
       low = std::max(low, crop->low[a]);

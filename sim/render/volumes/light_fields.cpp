@@ -10,6 +10,7 @@
 #include "sim/emit/sun/strand/macro_loop.h"
 #include "sim/emit/sun/strand/strand_field.h"
 #include "sim/emit/sun/sun_fields.h"
+#include "sim/light/emitter.h"
 #include "sim/render/volumes/bias_map.h"
 #include "sim/render/volumes/footprint_volumes.h"
 #include "sim/render/volumes/loop_grid.h"
@@ -17,13 +18,11 @@
 namespace vegard::sim {
 namespace {
 
-double plain(const double& number) { return number; }
-
 /// Of everything on the Sun but the photosphere, which is a surface.
 void add_sun_fields(const Scene& scene, const VolumeFiles& files, int threads, std::uint64_t memory_limit,
                     std::vector<NamedField>& all) {
   const Sun& sun = scene.sun;
-  const NumberAs<double> number = plain;
+  const NumberAs<double> number = plain_number;
   const auto add = [&](const char* kind, const std::string& name, std::unique_ptr<const LightField> field) {
     all.push_back({kind + (" '" + name + "'"), std::move(field), FieldFrame::sun});
   };

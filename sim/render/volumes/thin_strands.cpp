@@ -4,13 +4,10 @@
 #include <limits>
 
 #include "sim/emit/sun/strand/flux_rope.h"
+#include "sim/light/emitter.h"
 
 namespace vegard::sim {
-namespace {
-
-double plain(const double& number) { return number; }
-
-}  // namespace
+namespace {}  // namespace
 
 ThinStrand thinnest_strand(const Scene& scene) {
   ThinStrand thinnest{"", std::numeric_limits<double>::infinity()};
@@ -26,7 +23,7 @@ ThinStrand thinnest_strand(const Scene& scene) {
     Ejection one = ejection;  // strands of a rope are all as thick
     one.strands = 1;
     for (const Strand<double>& piece :
-         rope_strands<double>(scene.sun, scene.time, one, NumberAs<double>(plain)).all)
+         rope_strands<double>(scene.sun, scene.time, one, NumberAs<double>(plain_number)).all)
       hold_against("ejection", ejection.name, std::max(piece.radius_first, piece.radius_last));
   }
   return thinnest;

@@ -46,9 +46,9 @@ const std::vector<Function>& functions() {
   return all;
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_decimal(char c) { return c >= '0' && c <= '9'; }
 bool begins_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_in_word(char c) { return begins_word(c) || is_digit(c) || c == '.'; }
+bool is_in_word(char c) { return begins_word(c) || is_decimal(c) || c == '.'; }
 
 [[noreturn]] void fail(const std::string& problem, const std::string& expected, const std::string& hint) {
   ErrorDetails details;
@@ -66,7 +66,7 @@ std::string place_text(const std::string& text, std::size_t at) {
 /// Where a number that begins at `at` ends: digits, a point, an exponent.
 std::size_t end_of_number(const std::string& text, std::size_t at) {
   const auto skip_digits = [&] {
-    while (at < text.size() && is_digit(text[at])) ++at;
+    while (at < text.size() && is_decimal(text[at])) ++at;
   };
   skip_digits();
   if (at < text.size() && text[at] == '.') {
@@ -76,7 +76,7 @@ std::size_t end_of_number(const std::string& text, std::size_t at) {
   if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
     std::size_t exponent = at + 1;
     if (exponent < text.size() && (text[exponent] == '+' || text[exponent] == '-')) ++exponent;
-    if (exponent < text.size() && is_digit(text[exponent])) {
+    if (exponent < text.size() && is_decimal(text[exponent])) {
       at = exponent;
       skip_digits();
     }
@@ -148,7 +148,7 @@ class Expression::Formula {
                  std::vector<std::string>& names) {
     for (std::size_t at = 0; at < text.size();) {
       const char c = text[at];
-      if (is_digit(c) || c == '.') {
+      if (is_decimal(c) || c == '.') {
         const std::size_t end = std::max(at + 1, end_of_number(text, at));
         for (std::size_t i = at; i < end; ++i) append(text.substr(i, 1), i);
         at = end;

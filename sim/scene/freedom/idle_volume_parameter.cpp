@@ -9,7 +9,7 @@
 namespace vegard::sim {
 namespace {
 
-bool is_one_of(const std::string& word, std::initializer_list<const char*> words) {
+bool is_any_of(const std::string& word, std::initializer_list<const char*> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
@@ -19,19 +19,19 @@ Complaint idle(const std::string& problem, const std::string& hint) {
 
 std::optional<Complaint> of_footprint(const Footprint& f, const std::string& key) {
   const auto nothing = [&](const std::string& what) { return what + ", so " + key + " counts for nothing"; };
-  if (f.shape == "shell" && !is_one_of(key, {"energy_kev"}))
+  if (f.shape == "shell" && !is_any_of(key, {"energy_kev"}))
     return Complaint{"the footprint is a shell, whose map has no derivative by " + key,
                      "a number of a footprint of shape \"box\", or energy_kev", "leave it out of fit.free"};
-  const bool of_spline = is_one_of(key, {"east_km", "north_km", "width_km", "point_energy", "point_flux"});
+  const bool of_spline = is_any_of(key, {"east_km", "north_km", "width_km", "point_energy", "point_flux"});
   if (of_spline && f.source != "spline")
     return idle(nothing("the footprint comes from \"" + f.source + "\""), "set source to \"spline\"");
   if (f.model != "curtain" && f.flow_turns > 0.0 &&
-      is_one_of(key, {"east_km", "north_km", "width_km", "point_flux"}))
+      is_any_of(key, {"east_km", "north_km", "width_km", "point_flux"}))
     return Complaint{
         "the flow that winds the footprint up depends on " + key + ", and its derivative is not known",
         "a footprint that does not flow, or a number that its flow does not depend on",
         "set flow_turns = 0, or leave it out of fit.free"};
-  if (f.source == "sheets" && is_one_of(key, {"center_km", "energy_kev", "energy_flux_mw_m2"}))
+  if (f.source == "sheets" && is_any_of(key, {"center_km", "energy_kev", "energy_flux_mw_m2"}))
     return idle(nothing("feet, energy and flux are those of the sheets"), "free the sheets' own numbers");
   return std::nullopt;
 }
@@ -65,13 +65,13 @@ std::optional<Complaint> of_nebula(const Scene& scene, const Nebula& n, const st
   if (n.method == "literal")
     return Complaint{"the literal march makes colours, not light that could be compared",
                      "a nebula with method = \"physical\"", "leave it out of fit.free"};
-  const bool of_gas = is_one_of(key, {"inner_rayleigh", "outer_rayleigh", "inner_radius", "outer_radius"});
+  const bool of_gas = is_any_of(key, {"inner_rayleigh", "outer_rayleigh", "inner_radius", "outer_radius"});
   if (of_gas && n.gas.empty()) return idle(nothing("the nebula has no gas"), "name the node of its gas");
   if (key == "glow_rayleigh" && n.glow.empty())
     return idle(nothing("the nebula has no glow"), "name the node of its glow");
-  if (is_one_of(key, {"brightness", "density_power"}) && n.gas.empty() && n.glow.empty())
+  if (is_any_of(key, {"brightness", "density_power"}) && n.gas.empty() && n.glow.empty())
     return idle(nothing("nothing in the nebula shines"), "name the node of its gas");
-  if (is_one_of(key, {"dust_depth", "dust_exponent"}) && n.dust.empty())
+  if (is_any_of(key, {"dust_depth", "dust_exponent"}) && n.dust.empty())
     return idle(nothing("the nebula has no dust"), "name the node of its dust");
   const auto frees = [&](const std::string& path) {
     return std::any_of(scene.fit.free.begin(), scene.fit.free.end(),
@@ -101,12 +101,12 @@ std::optional<Complaint> of_node(const Scene& scene, const Node& node, const std
   if (nodes_in_use(scene).count(node.name) == 0)
     return idle("no nebula that is marched physically is made of the node", "name it in a nebula");
   const std::string& kind = node.kind;
-  const bool is_noise = is_one_of(kind, {"filaments", "turbulence", "warp"});
-  const bool counts = key == "radius"      ? is_one_of(kind, {"sphere", "shell", "torus", "tube", "lobes"})
-                      : key == "thickness" ? is_one_of(kind, {"shell", "slab", "lobes", "torus"})
-                      : key == "length"    ? is_one_of(kind, {"lobes", "tube"})
+  const bool is_noise = is_any_of(kind, {"filaments", "turbulence", "warp"});
+  const bool counts = key == "radius"      ? is_any_of(kind, {"sphere", "shell", "torus", "tube", "lobes"})
+                      : key == "thickness" ? is_any_of(kind, {"shell", "slab", "lobes", "torus"})
+                      : key == "length"    ? is_any_of(kind, {"lobes", "tube"})
                       : key == "waist"     ? kind == "lobes"
-                      : key == "blend"     ? is_one_of(kind, {"union", "intersection", "difference"})
+                      : key == "blend"     ? is_any_of(kind, {"union", "intersection", "difference"})
                       : key == "amplitude" || key == "frequency" || key == "gain" ? is_noise
                                                                                   : true;
   if (counts) return std::nullopt;

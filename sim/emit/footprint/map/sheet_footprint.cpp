@@ -17,7 +17,7 @@ constexpr int kSheetsMostBeams = 1000000;
 constexpr double kBeamsPerCell = 64.0;
 
 /// A stretch of one layer.
-struct Layer {
+struct LayerOfFeet {
   int instant, sheet, arc, layer;
 };
 
@@ -31,7 +31,7 @@ double flux_scale(const Scene& scene, int sheet) {
 
 /// Where the feet of one layer's beams come down, as a grid of flux.
 template <class T>
-void deposit(const Scene& scene, const Layer& which, double scale, const NumberAs<T>& number,
+void deposit(const Scene& scene, const LayerOfFeet& which, double scale, const NumberAs<T>& number,
              PlaneFootprint<T>& on) {
   Sheet sheet = scene.sheets[which.sheet];
   const double instant = instants_s(scene.time)[which.instant];
@@ -97,7 +97,7 @@ PlaneFootprint<T> sheet_plane(const Scene& scene, const Footprint& f, const Numb
   grid.flux_mw_m2.assign(grid.cells(), T(0.0));
   grid.ln_energy.assign(grid.cells(), T(0.0));
   const int instants = static_cast<int>(instants_s(scene.time).size());
-  std::vector<Layer> layers;
+  std::vector<LayerOfFeet> layers;
   std::vector<double> scales;
   for (int s = 0; s < static_cast<int>(scene.sheets.size()); ++s) {
     scales.push_back(flux_scale(scene, s) / instants);
@@ -113,7 +113,7 @@ PlaneFootprint<T> sheet_plane(const Scene& scene, const Footprint& f, const Numb
     parallel_for(count, threads, [&](std::size_t i, int) {
       some[i] = plane_grid<T>(f);
       some[i].grid.flux_mw_m2.assign(grid.cells(), T(0.0));
-      const Layer& layer = layers[first + i];
+      const LayerOfFeet& layer = layers[first + i];
       deposit(scene, layer, scales[layer.sheet], number, some[i]);
     });
     for (std::size_t i = 0; i < count; ++i) {

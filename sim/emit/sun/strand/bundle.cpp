@@ -22,7 +22,7 @@ double normal(std::uint32_t word) { return normal_quantile(uniform(word)); }
 
 /// Chords of the exponential, straight from step to step, lie over it by (length / (32 falloff_length))²
 /// / 12.
-constexpr int kSteps = 32;
+constexpr int kBundleSteps = 32;
 
 enum class Which : std::uint32_t { line = 0, slope = 1, filament = 2 };
 
@@ -108,8 +108,8 @@ class BundleMaker {
     strand.radius_first = foot_radius;
     strand.radius_last = top_radius;
     const T at_end = exponential(T(0.0) - length / falloff);
-    for (int k = 0; k <= kSteps; ++k) {
-      const T at = whole * (static_cast<double>(k) / kSteps) - foot_radius;
+    for (int k = 0; k <= kBundleSteps; ++k) {
+      const T at = whole * (static_cast<double>(k) / kBundleSteps) - foot_radius;
       strand.along.push_back(density * (exponential(T(0.0) - at / falloff) - at_end) / (1.0 - at_end));
     }
     return strand;

@@ -7,11 +7,9 @@
 namespace vegard::sim {
 namespace {
 
-constexpr auto logarithmic = ParameterScale::logarithmic;
-
 std::string index_name(const Scene&, int index) { return std::to_string(index); }
 
-std::string name_by_line(const Scene& scene, int index) {
+std::string name_by_emission_line(const Scene& scene, int index) {
   const auto& lines = scene.emission.lines;
   return index < static_cast<int>(lines.size()) ? line_name(lines[index]) : std::to_string(index);
 }
@@ -28,8 +26,8 @@ std::vector<Declaration> light_rows() {
           .means("how light grows with the energy flux of Maxwellian electrons: as the columns of GLOW do, which "
                  "depart from proportion by up to 15 % between 0.1 and 10 mW m⁻²; or in proportion"),
 
-      Row("blur", "width_deg", &Scene::blur, &Blur::width_deg).of({"<line>"}).named_by(name_by_line).in("deg")
-          .within(0, 10).list_rule(blur_complaint).may_be_free(logarithmic)
+      Row("blur", "width_deg", &Scene::blur, &Blur::width_deg).of({"<line>"}).named_by(name_by_emission_line).in("deg")
+          .within(0, 10).list_rule(blur_complaint).may_be_free(ParameterScale::logarithmic)
           .means("standard deviation per emission line, in the order of emission.lines (of the model \"angle\"); a "
                  "component is called by its line's wavelength in ångström, such as blur.width_deg.6300"),
       Row("blur", "kernel", &Scene::blur, &Blur::kernel).one_of({"full", "paper"})

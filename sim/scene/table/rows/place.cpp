@@ -4,13 +4,6 @@
 #include "sim/scene/table/rows/rows.h"
 
 namespace vegard::sim {
-namespace {
-
-constexpr auto linear = ParameterScale::linear;
-constexpr auto angle = ParameterScale::angle;
-
-}  // namespace
-
 std::vector<Declaration> place_rows() {
   // clang-format off
   return {
@@ -28,9 +21,9 @@ std::vector<Declaration> place_rows() {
       Row("field", "model", &Scene::field, &Field::model).one_of({"uniform", "dipole"})
           .means("the same field everywhere, or a tilted dipole's at each foot"),
       Row("field", "inclination_deg", &Scene::field, &Field::inclination_deg).in("deg").within(-90, 90)
-          .rule(inclination_complaint).may_be_free(linear)
+          .rule(inclination_complaint).may_be_free(ParameterScale::linear)
           .means("inclination of the magnetic field, below the horizon in the north; at least 20 from the horizontal"),
-      Row("field", "declination_deg", &Scene::field, &Field::declination_deg).in("deg").within(-180, 180).may_be_free(linear)
+      Row("field", "declination_deg", &Scene::field, &Field::declination_deg).in("deg").within(-180, 180).may_be_free(ParameterScale::linear)
           .means("declination of the magnetic field, from north to the east"),
       Row("field", "pole_latitude_deg", &Scene::field, &Field::pole_latitude_deg).in("deg").within(45, 90)
           .means("latitude of the dipole's northern pole; the default is that of 2020"),
@@ -42,32 +35,32 @@ std::vector<Declaration> place_rows() {
           .means("projection of the lens"),
       Row("camera", "width", &Scene::camera, &Camera::width).in("px").within(1, 65535).means("width of the image"),
       Row("camera", "height", &Scene::camera, &Camera::height).in("px").within(1, 65535).means("height of the image"),
-      Row("camera", "hfov_deg", &Scene::camera, &Camera::hfov_deg).in("deg").within(0.1, 170).may_be_free(linear)
+      Row("camera", "hfov_deg", &Scene::camera, &Camera::hfov_deg).in("deg").within(0.1, 170).may_be_free(ParameterScale::linear)
           .means("horizontal field of view of a pinhole, before any distortion; other lenses have focal_px"),
-      Row("camera", "focal_px", &Scene::camera, &Camera::focal_px).in("px").within(1, 1e6).may_be_free(linear)
+      Row("camera", "focal_px", &Scene::camera, &Camera::focal_px).in("px").within(1, 1e6).may_be_free(ParameterScale::linear)
           .means("scale of every lens but the pinhole: pixels to a radian on its axis"),
-      Row("camera", "azimuth_deg", &Scene::camera, &Camera::azimuth_deg).in("deg").within(-720, 720).may_be_free(angle)
+      Row("camera", "azimuth_deg", &Scene::camera, &Camera::azimuth_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle)
           .means("azimuth of the line of sight, from north to the east"),
-      Row("camera", "elevation_deg", &Scene::camera, &Camera::elevation_deg).in("deg").within(-90, 90).may_be_free(linear)
+      Row("camera", "elevation_deg", &Scene::camera, &Camera::elevation_deg).in("deg").within(-90, 90).may_be_free(ParameterScale::linear)
           .means("elevation of the line of sight above the horizon"),
-      Row("camera", "roll_deg", &Scene::camera, &Camera::roll_deg).in("deg").within(-180, 180).may_be_free(linear)
+      Row("camera", "roll_deg", &Scene::camera, &Camera::roll_deg).in("deg").within(-180, 180).may_be_free(ParameterScale::linear)
           .means("how far the scene appears turned clockwise in the picture"),
-      Row("camera", "principal_x_px", &Scene::camera, &Camera::principal_x_px).in("px").within(-65535, 65535).may_be_free(linear)
+      Row("camera", "principal_x_px", &Scene::camera, &Camera::principal_x_px).in("px").within(-65535, 65535).may_be_free(ParameterScale::linear)
           .means("principal point, where the lens's axis meets the picture: to the right of the middle"),
-      Row("camera", "principal_y_px", &Scene::camera, &Camera::principal_y_px).in("px").within(-65535, 65535).may_be_free(linear)
+      Row("camera", "principal_y_px", &Scene::camera, &Camera::principal_y_px).in("px").within(-65535, 65535).may_be_free(ParameterScale::linear)
           .means("the same: below the middle"),
-      Row("camera", "aspect", &Scene::camera, &Camera::aspect).within(0.2, 5).may_be_free(linear)
+      Row("camera", "aspect", &Scene::camera, &Camera::aspect).within(0.2, 5).may_be_free(ParameterScale::linear)
           .means("scale down the picture over scale across it"),
       Row("camera", "mirrored", &Scene::camera, &Camera::mirrored).means("left and right are exchanged"),
-      Row("camera", "k1", &Scene::camera, &Camera::k1).within(-10, 10).may_be_free(linear)
+      Row("camera", "k1", &Scene::camera, &Camera::k1).within(-10, 10).may_be_free(ParameterScale::linear)
           .means("radial term of r² (pinhole, Brown's distortion) or θ² (polynomial)"),
-      Row("camera", "k2", &Scene::camera, &Camera::k2).within(-10, 10).may_be_free(linear)
+      Row("camera", "k2", &Scene::camera, &Camera::k2).within(-10, 10).may_be_free(ParameterScale::linear)
           .means("radial term of r⁴ or θ⁴"),
-      Row("camera", "k3", &Scene::camera, &Camera::k3).within(-10, 10).may_be_free(linear)
+      Row("camera", "k3", &Scene::camera, &Camera::k3).within(-10, 10).may_be_free(ParameterScale::linear)
           .means("radial term of r⁶ or θ⁶"),
-      Row("camera", "p1", &Scene::camera, &Camera::p1).within(-1, 1).may_be_free(linear)
+      Row("camera", "p1", &Scene::camera, &Camera::p1).within(-1, 1).may_be_free(ParameterScale::linear)
           .means("decentring of the lens, as OpenCV's p1"),
-      Row("camera", "p2", &Scene::camera, &Camera::p2).within(-1, 1).may_be_free(linear)
+      Row("camera", "p2", &Scene::camera, &Camera::p2).within(-1, 1).may_be_free(ParameterScale::linear)
           .means("decentring of the lens, as OpenCV's p2"),
   };
   // clang-format on

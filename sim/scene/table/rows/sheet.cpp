@@ -9,9 +9,6 @@ namespace vegard::sim {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr auto linear = ParameterScale::linear;
-constexpr auto logarithmic = ParameterScale::logarithmic;
-constexpr auto angle = ParameterScale::angle;
 
 std::string spline_rate_name(const Scene& scene, int sheet, int index) {
   return spline_rate_component(scene, sheet, index);
@@ -28,36 +25,36 @@ std::vector<Declaration> sheet_rows() {
       Row("name", &Sheet::name).rule(element_name_complaint).means("by which paths call the sheet"),
       Row("form", &Sheet::form).one_of(form_names()).then(apply_form)
           .means("preset of other keys of the sheet, which those keys override: docs/forms.md, vegard params --forms"),
-      Row("center_km", &Sheet::center_km).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(linear)
+      Row("center_km", &Sheet::center_km).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
           .means("middle between start and end, of the feet at 110 km altitude"),
-      Row("bearing_deg", &Sheet::bearing_deg).in("deg").within(-720, 720).may_be_free(angle)
+      Row("bearing_deg", &Sheet::bearing_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle)
           .means("direction from start to end, from north to the east"),
-      Row("length_km", &Sheet::length_km).in("km").within(0.1, 5000).may_be_free(logarithmic)
+      Row("length_km", &Sheet::length_km).in("km").within(0.1, 5000).may_be_free(ParameterScale::logarithmic)
           .means("distance from start to end"),
-      Row("thickness_km", &Sheet::thickness_km).in("km").within(0.01, 100).may_be_free(logarithmic)
+      Row("thickness_km", &Sheet::thickness_km).in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
           .means("amplitude of the sine (1 to 10 in nature)"),
-      Row("wavelength_km", &Sheet::wavelength_km).in("km").within(1, 5000).may_be_free(logarithmic)
+      Row("wavelength_km", &Sheet::wavelength_km).in("km").within(1, 5000).may_be_free(ParameterScale::logarithmic)
           .means("wavelength of the sine"),
-      Row("phase_rad", &Sheet::phase_rad).in("rad").within(-8 * pi, 8 * pi).may_be_free(angle)
+      Row("phase_rad", &Sheet::phase_rad).in("rad").within(-8 * pi, 8 * pi).may_be_free(ParameterScale::angle)
           .means("phase of the first layer's sine, counted from the start"),
-      Row("phase_shift_rad", &Sheet::phase_shift_rad).in("rad").within(-2 * pi, 2 * pi).may_be_free(linear)
+      Row("phase_shift_rad", &Sheet::phase_shift_rad).in("rad").within(-2 * pi, 2 * pi).may_be_free(ParameterScale::linear)
           .means("phase from the first layer to the last"),
       Row("layers", &Sheet::layers).within(1, 100).means("number of sine curves in the sheet"),
-      Row("width_km", &Sheet::width_km).in("km").within(0.01, 100).may_be_free(logarithmic)
+      Row("width_km", &Sheet::width_km).in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
           .means("standard deviation of a layer's Gaussian cross-section"),
       Row("beams", &Sheet::beams).within(1, 10000000).then(count_beams)
           .means("number of electron beams in each layer; setting it sets beams_per_km to 0"),
-      Row("energy_kev", &Sheet::energy_kev).in("keV").within(0.1, 20).may_be_free(logarithmic)
+      Row("energy_kev", &Sheet::energy_kev).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
           .means("characteristic energy E0 of Maxwellian electrons, whose mean energy is twice that; of the profiles \"mono\" and \"gaussian\" the electrons' energy, or the middle of their energies"),
-      Row("energy_spread", &Sheet::energy_spread).within(0.01, 1).may_be_free(logarithmic)
+      Row("energy_spread", &Sheet::energy_spread).within(0.01, 1).may_be_free(ParameterScale::logarithmic)
           .means("of the profile \"gaussian\": standard deviation of the electrons' energies, as a fraction of energy_kev"),
-      Row("energy_flux_mw_m2", &Sheet::energy_flux_mw_m2).in("mW m⁻²").within(0, 10000).may_be_free(logarithmic)
+      Row("energy_flux_mw_m2", &Sheet::energy_flux_mw_m2).in("mW m⁻²").within(0, 10000).may_be_free(ParameterScale::logarithmic)
           .means("energy flux Q, at its peak across a layer"),
       Row("path_spread", &Sheet::path_spread).within(0, 1)
           .means("largest random shortening of a beam, as a fraction of its path"),
-      Row("loss_cone_deg", &Sheet::loss_cone_deg).in("deg").within(0, 30).may_be_free(linear)
+      Row("loss_cone_deg", &Sheet::loss_cone_deg).in("deg").within(0, 30).may_be_free(ParameterScale::linear)
           .means("pitch angle at the lower end of the path"),
-      Row("pitch_step_rad", &Sheet::pitch_step_rad).in("rad").within(0, 0.5).may_be_free(linear)
+      Row("pitch_step_rad", &Sheet::pitch_step_rad).in("rad").within(0, 0.5).may_be_free(ParameterScale::linear)
           .means("how much smaller the pitch angle is at the upper end"),
       Row("pitch_law", &Sheet::pitch_law).one_of({"reduced", "product", "increment", "constant"})
           .means("reading of the paper's equation (4): αD − Δα(1 − t); literally αD·t·Δα; t·Δα; or αD throughout"),
@@ -73,7 +70,7 @@ std::vector<Declaration> sheet_rows() {
       Row("step_rule", &Sheet::step_rule).one_of({"given", "energy"})
           .means("whether path_step is taken as it is, or follows from the electrons' mean energy"),
       Row("arcs", &Sheet::arcs).within(1, 64).means("how many like sheets stand side by side, center_km in their middle"),
-      Row("arc_spacing_km", &Sheet::arc_spacing_km).in("km").within(0.1, 1000).may_be_free(logarithmic)
+      Row("arc_spacing_km", &Sheet::arc_spacing_km).in("km").within(0.1, 1000).may_be_free(ParameterScale::logarithmic)
           .means("distance between them (10 to 100 in nature)"),
       Row("brightness_kilorayleigh", &Sheet::brightness_kilorayleigh).in("kR").within(0, 1e6)
           .means("of 557.7 nm seen along the field, at its peak across a layer, in place of the energy flux; 0: that says"),
@@ -81,11 +78,11 @@ std::vector<Declaration> sheet_rows() {
           .means("light against altitude: of electrons with a Maxwellian spectrum, a single energy, or a Gaussian one; the form's measured curve with the Maxwellian's ratios of lines; that of profile_file; or a free form of its own for each line"),
       Row("profile_file", &Sheet::profile_file).names_table()
           .means("of the profile \"file\": a CSV of altitude_km and, per line, photons cm⁻³ s⁻¹, beside the scene's file"),
-      Row("peak_km", &Sheet::peak_km).in("km").within(85, 400).may_be_free(linear)
+      Row("peak_km", &Sheet::peak_km).in("km").within(85, 400).may_be_free(ParameterScale::linear)
           .means("altitude of a form's brightest light"),
-      Row("lower_km", &Sheet::lower_km).in("km").within(0.5, 100).may_be_free(logarithmic)
+      Row("lower_km", &Sheet::lower_km).in("km").within(0.5, 100).may_be_free(ParameterScale::logarithmic)
           .means("how far below the peak a form's light has fallen to a tenth"),
-      Row("upper_km", &Sheet::upper_km).in("km").within(1, 500).may_be_free(logarithmic)
+      Row("upper_km", &Sheet::upper_km).in("km").within(1, 500).may_be_free(ParameterScale::logarithmic)
           .means("how far above the peak a form's light has fallen to a tenth"),
       Row("spline_bottom_km", &Sheet::spline_bottom_km).in("km").within(80, 630)
           .means("altitude at which a free-form profile begins, dark"),
@@ -94,7 +91,7 @@ std::vector<Declaration> sheet_rows() {
       Row("spline_knots", &Sheet::spline_knots).within(4, 64)
           .means("coefficients of a free-form profile per line, closer together low down"),
       Row("spline_rate", &Sheet::spline_rate).of({"<line>_<n>"}).named_by(spline_rate_name)
-          .in("cm⁻³ s⁻¹ per mW m⁻²").within(1e-12, 1e6).may_be_free(logarithmic)
+          .in("cm⁻³ s⁻¹ per mW m⁻²").within(1e-12, 1e6).may_be_free(ParameterScale::logarithmic)
           .means("coefficients of a free-form profile, about the emission rate at their altitudes: all of the first "
                  "line from the bottom up, then the next line's, such as sheet.main.spline_rate.5577_3; "
                  "empty: one broad layer for all lines"),
@@ -104,7 +101,7 @@ std::vector<Declaration> sheet_rows() {
           .means("random shift of the folds, as a fraction of their spacing"),
       Row("fold_length_km", &Sheet::fold_length_km).in("km").within(0.01, 1000)
           .means("stretch of the sine that a fold replaces, at most the spacing"),
-      Row("fold_stage", &Sheet::fold_stage).within(0, 1).may_be_free(linear)
+      Row("fold_stage", &Sheet::fold_stage).within(0, 1).may_be_free(ParameterScale::linear)
           .means("how far a fold has turned: 0 a ripple, about a half an overhang, 1 a horseshoe bend"),
       Row("fold_stage_spread", &Sheet::fold_stage_spread).within(0, 1)
           .means("how much less than that folds may have turned, as a fraction of it"),
