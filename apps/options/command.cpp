@@ -27,8 +27,9 @@ std::string quoted_for_shell(std::string_view word) {
   return text + "'";
 }
 
-int tell_bad_usage(const std::string& message) {
-  std::fprintf(stderr, "vegard: %s (see vegard --help)\n", message.c_str());
+int tell_bad_usage(const std::string& program, const std::string& message) {
+  std::fprintf(stderr, "%s: %s (see %s --help)
+", program.c_str(), message.c_str(), program.c_str());
   return bad_usage;
 }
 
@@ -150,6 +151,10 @@ Option Command::option(const std::string& names, int& value, const std::string& 
   return Option(app_->add_option(names, value, words));
 }
 
+Option Command::option(const std::string& names, std::uint64_t& value, const std::string& words) const {
+  return Option(app_->add_option(names, value, words));
+}
+
 Option Command::option(const std::string& names, double& value, const std::string& words) const {
   return Option(app_->add_option(names, value, words));
 }
@@ -206,7 +211,8 @@ void Command::runs(std::function<int()> call) const {
 Program::Program(const std::string& name, const std::string& description,
                  const std::function<std::string()>& versions, int argc, const char* const* argv)
     : app_(std::make_unique<CLI::App>(description, name)), argc_(argc), argv_(argv) {
-  app_->set_version_flag("--version", versions, "Print the versions of vegard and of its libraries");
+  if (versions)
+    app_->set_version_flag("--version", versions, "Print the versions of vegard and of its libraries");
 }
 
 Program::~Program() = default;
@@ -225,16 +231,25 @@ std::string Program::command_line() const {
   return text;
 }
 
-int Program::run() {
+Command Program::root() { return Command(app_.get(), &exit_code_); }
+
+void Program::takes_more() { app_->allow_extras(); }
+
+std::optional<int> Program::read() {
   try {
     app_->parse(argc_, argv_);
   } catch (const CLI::ParseError& error) {
     // Help and version come this way too, as good ends.
     if (error.get_exit_code() == 0) return app_->exit(error);
-    return tell_bad_usage(error.what());
+    return tell_bad_usage(app_->get_name(), error.what());
   }
+  return std::nullopt;
+}
+
+int Program::run() {
+  if (const std::optional<int> end = read()) return *end;
   // CLI11's own require_subcommand would hide a misspelt subcommand behind "a subcommand is required".
-  if (app_->get_subcommands().empty()) return tell_bad_usage("which subcommand?");
+  if (app_->get_subcommands().empty()) return tell_bad_usage(app_->get_name(), "which subcommand?");
   return exit_code_;
 }
 

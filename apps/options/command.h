@@ -27,7 +27,7 @@ class Option {
   /// How the help calls its value: "OUT.exr".
   const Option& type_name(const std::string& name) const;
   /// Words in the help in place of those given first.
-  const Option& description(const std::string& words) const;
+  const Option& description(const std::string& words = {}) const;
   /// The value that it has now stands in the help as its default.
   const Option& shows_default() const;
 
@@ -77,20 +77,22 @@ class Command {
   Command(CLI::App* app, int* exit_code) : app_(app), exit_code_(exit_code) {}
 
   /// `names`: "-o,--output", or "SCENE" for a word by its place.
-  Option option(const std::string& names, std::string& value, const std::string& words) const;
-  Option option(const std::string& names, int& value, const std::string& words) const;
-  Option option(const std::string& names, double& value, const std::string& words) const;
-  Option option(const std::string& names, std::optional<int>& value, const std::string& words) const;
+  Option option(const std::string& names, std::string& value, const std::string& words = {}) const;
+  Option option(const std::string& names, int& value, const std::string& words = {}) const;
+  Option option(const std::string& names, std::uint64_t& value, const std::string& words = {}) const;
+  Option option(const std::string& names, double& value, const std::string& words = {}) const;
+  Option option(const std::string& names, std::optional<int>& value, const std::string& words = {}) const;
   Option option(const std::string& names, std::optional<std::uint64_t>& value,
-                const std::string& words) const;
-  Option option(const std::string& names, std::optional<double>& value, const std::string& words) const;
-  Option option(const std::string& names, std::vector<std::string>& values, const std::string& words) const;
-  Option option(const std::string& names, std::vector<int>& values, const std::string& words) const;
-  Option option(const std::string& names, std::vector<double>& values, const std::string& words) const;
+                const std::string& words = {}) const;
+  Option option(const std::string& names, std::optional<double>& value, const std::string& words = {}) const;
+  Option option(const std::string& names, std::vector<std::string>& values,
+                const std::string& words = {}) const;
+  Option option(const std::string& names, std::vector<int>& values, const std::string& words = {}) const;
+  Option option(const std::string& names, std::vector<double>& values, const std::string& words = {}) const;
   /// A list for each occurrence.
   Option option(const std::string& names, std::vector<std::vector<std::string>>& values,
-                const std::string& words) const;
-  Option flag(const std::string& names, bool& value, const std::string& words) const;
+                const std::string& words = {}) const;
+  Option flag(const std::string& names, bool& value, const std::string& words = {}) const;
 
   /// One that was added before.
   Option option_of_name(const std::string& name) const;
@@ -107,24 +109,34 @@ class Command {
   int* exit_code_;
 };
 
-/// The whole command line. Its subcommands are added before it runs.
+/// The whole command line. Options and subcommands are added before it is read.
 class Program {
  public:
-  /// `versions` is what --version prints.
+  /// `versions` is what --version prints; without it there is no such option.
   Program(const std::string& name, const std::string& description,
           const std::function<std::string()>& versions, int argc, const char* const* argv);
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
+  /// A subcommand.
   Command add(const std::string& name, const std::string& description);
+
+  /// What is given without a subcommand.
+  Command root();
+
+  /// Words that nothing takes are no error.
+  void takes_more();
 
   /// The program's name without its folder and the arguments as given, quoted where a shell would need it:
   /// for a result's provenance.
   std::string command_line() const;
 
-  /// Parses, calls the subcommand and gives its exit code. Wrong words are told on standard error. Throws
-  /// what the subcommand throws.
+  /// Parses, and calls the subcommand if there is one. The exit code if this was the end: --help, --version,
+  /// or wrong words, which are told on standard error. Throws what the subcommand throws.
+  std::optional<int> read();
+
+  /// read() of a program that is nothing without a subcommand; gives the exit code.
   int run();
 
  private:

@@ -57,17 +57,17 @@ Vec3<double> precessed(const Vec3<double>& v, double julian_date) {
 }
 
 /// What the sky of an instant hangs on, in radians (Meeus, chapters 22 and 25).
-struct Sky {
+struct SkyOfInstant {
   double obliquity, nutation_in_longitude, nutation_in_obliquity, sun_longitude;
 };
 
-Sky sky_of(double julian_date) {
+SkyOfInstant sky_of(double julian_date) {
   const double t = (julian_date - kJ2000) / kDaysPerCentury;
   const double node = (125.04452 - 1934.136261 * t) * kRadiansPerDegree;
   const double sun = (280.46646 + 36000.76983 * t) * kRadiansPerDegree;  // mean longitudes
   const double moon = (218.3165 + 481267.8813 * t) * kRadiansPerDegree;
   const double anomaly = (357.52911 + 35999.05029 * t) * kRadiansPerDegree;
-  Sky sky;
+  SkyOfInstant sky;
   sky.nutation_in_longitude = (-17.20 * std::sin(node) - 1.32 * std::sin(2.0 * sun) -
                                0.23 * std::sin(2.0 * moon) + 0.21 * std::sin(2.0 * node)) *
                               kSecond;
@@ -79,7 +79,7 @@ Sky sky_of(double julian_date) {
   return sky;
 }
 
-Vec3<double> aberrated(const Vec3<double>& v, const Sky& sky) {
+Vec3<double> aberrated(const Vec3<double>& v, const SkyOfInstant& sky) {
   constexpr double kAberration = 20.49552 * kSecond;
   const double s = std::sin(sky.sun_longitude), c = std::cos(sky.sun_longitude);
   // The Earth moves a quarter of a turn behind the Sun's place.
@@ -87,13 +87,13 @@ Vec3<double> aberrated(const Vec3<double>& v, const Sky& sky) {
           v[2] - kAberration * c * std::sin(sky.obliquity)};
 }
 
-Vec3<double> nutated(const Vec3<double>& v, const Sky& sky) {
+Vec3<double> nutated(const Vec3<double>& v, const SkyOfInstant& sky) {
   const Vec3<double> ecliptic = turned(turned(v, 0, sky.obliquity), 2, -sky.nutation_in_longitude);
   return turned(ecliptic, 0, -(sky.obliquity + sky.nutation_in_obliquity));
 }
 
 Vec3<double> apparent(const CataloguePlace& star, double julian_date) {
-  const Sky sky = sky_of(julian_date);
+  const SkyOfInstant sky = sky_of(julian_date);
   return nutated(aberrated(precessed(moved(star, julian_date), julian_date), sky), sky);
 }
 
@@ -119,7 +119,7 @@ Equatorial apparent_place(const CataloguePlace& star, double julian_date) {
 
 std::array<double, 3> direction_of_star(const CataloguePlace& star, const Observer& observer,
                                         double julian_date) {
-  const Sky sky = sky_of(julian_date);
+  const SkyOfInstant sky = sky_of(julian_date);
   const Equatorial place = apparent_place(star, julian_date);
   const double equinoxes_deg = sky.nutation_in_longitude * std::cos(sky.obliquity) / kRadiansPerDegree;
   const double hour_angle = (mean_sidereal_time_deg(julian_date) + equinoxes_deg + observer.longitude_deg -
