@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# From a fresh clone to a first report: installs what is missing, builds, fits the example and says where its report is.
+# From a fresh clone to a first report: installs what is missing, builds the command, fits the example and says where its report is.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 # shellcheck source=scripts/set_up.sh
 source scripts/set_up.sh
 
-set_up
+set_up vegard
 
 example=data/examples/h000
 run=runs/h000

@@ -7,11 +7,49 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 
+# Two ways to build the same sources (docs/building.md says what each costs). With VEGARD_UNITY several files are one
+# unit: the whole is compiled in a fifth of the time, and a change compiles more than it touches; for those who build
+# once. Without it every file stands on its own feet and includes what it needs; for those who change the sources.
+option(VEGARD_UNITY "Compile several files as one unit" OFF)
+option(VEGARD_PRECOMPILED_HEADERS "Precompile the headers of other libraries" ON)
+option(VEGARD_WARNINGS_AS_ERRORS "Stop at warnings" OFF)
+
 find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  # What ccache must overlook to serve units with a precompiled header.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE})
 endif()
 
 add_library(vegard_compile INTERFACE)
 # No contraction: a*b+c must round the same on a CPU with and without fused multiply-add.
-target_compile_options(vegard_compile INTERFACE -Wall -Wextra -Wshadow -Wno-psabi -ffp-contract=off)
+target_compile_options(vegard_compile INTERFACE -Wall -Wextra -Wno-psabi -ffp-contract=off)
+if(VEGARD_UNITY)
+  # Names that another file of the unit keeps to itself are no names here.
+  target_compile_options(vegard_compile INTERFACE -Wno-subobject-linkage)
+else()
+  target_compile_options(vegard_compile INTERFACE -Wshadow)
+endif()
+if(VEGARD_WARNINGS_AS_ERRORS)
+  target_compile_options(vegard_compile INTERFACE -Werror)
+endif()
+
+# Of the target: as much optimisation as pays where no loop is hot. Release alone; other configurations have their own.
+function(vegard_optimise target level)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level}>)
+endfunction()
+
+# Of the target: units of at most `size` files, in the order of their names, so that those of a folder go together.
+# Files with options of their own stay alone.
+function(vegard_unity target size)
+  if(VEGARD_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${size})
+  endif()
+endfunction()
+
+# Of the target: headers of the standard library and others, never our own.
+function(vegard_precompile target)
+  if(VEGARD_PRECOMPILED_HEADERS)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+  endif()
+endfunction()

@@ -24,34 +24,37 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kIterations = 60;
+constexpr int kCurveIterations = 60;
 constexpr double kShareOfSearch = 0.5, kSharePerTrial = 0.03, kMostShare = 0.88;  // guesses
 
 sim::BentSrgb bent_at(const std::vector<double>& logarithms) {
   return {std::exp(logarithms.front()), std::exp(logarithms.back())};
 }
 
-[[noreturn]] void refuse(const sim::Scene& scene, const std::string& key, const std::string& what,
-                         const std::string& expected) {
+[[noreturn]] void refuse_unknown_curve(const sim::Scene& scene, const std::string& key,
+                                       const std::string& what, const std::string& expected) {
   throw sim::Error(sim::ErrorKind::scene,
                    {what + " with an unknown transfer curve", scene.file, 0, key, expected,
                     "or say the curve: --decoding srgb, gamma:2.2 or curve:FILE.csv"});
 }
 
-void check(const sim::Scene& scene, const std::vector<FreeNumber>& free, const FitOptions& options) {
+void check_curve_fit(const sim::Scene& scene, const std::vector<FreeNumber>& free,
+                     const FitOptions& options) {
   const sim::Fit& f = scene.fit;
-  if (f.profile_weight <= 0.0) refuse(scene, "fit.profile_weight", "nothing would be compared", "above 0");
+  if (f.profile_weight <= 0.0)
+    refuse_unknown_curve(scene, "fit.profile_weight", "nothing would be compared", "above 0");
   const std::pair<const char*, double> others[] = {{"fit.colour_weight", f.colour_weight},
                                                    {"fit.horizontal_weight", f.horizontal_weight},
                                                    {"fit.border_weight", f.border_weight},
                                                    {"fit.image_weight", f.image_weight},
                                                    {"fit.texture_weight", f.texture_weight}};
   for (const auto& [key, weight] : others)
-    if (weight > 0.0) refuse(scene, key, "profiles alone can be compared", "0");
+    if (weight > 0.0) refuse_unknown_curve(scene, key, "profiles alone can be compared", "0");
   if (f.photo_noise != sim::PhotoNoise::estimated)
-    refuse(scene, "fit.photo_noise", "the sensor's noise is no guide", "\"estimated\"");
+    refuse_unknown_curve(scene, "fit.photo_noise", "the sensor's noise is no guide", "\"estimated\"");
   if (!spline_lines(scene, free).empty())
-    refuse(scene, "fit.free", "a free-form height profile cannot be told apart", "no spline_rate");
+    refuse_unknown_curve(scene, "fit.free", "a free-form height profile cannot be told apart",
+                         "no spline_rate");
   if (options.intervals || options.bootstrap > 0 || options.mcmc > 0)
     throw sim::Error(sim::ErrorKind::usage,
                      {"the judges of error bars do not know of an unknown transfer curve", "", 0,
@@ -64,7 +67,7 @@ class CurveFit {
  public:
   CurveFit(const sim::Scene& given, const Photo& as_srgb, const FitOptions& options)
       : options_(options), as_srgb_(as_srgb), free_(free_numbers(given)), scene_(with_ties(given, free_)) {
-    check(scene_, free_, options);
+    check_curve_fit(scene_, free_, options);
     log_.limit = options.max_evaluations;
     log_.stop = options.stop;
   }
@@ -128,7 +131,7 @@ class CurveFit {
     ParameterMap(scene_, free_).put(from, there);
     const ProfileCost cost(free_, terms, log_, {{}, {}, {}, weight_, phase_anchors(there, free_, from)});
     return descent_of(recorded_step(options_.journal, stage, log_, trace_, [&] {
-      return output_of(descend(cost, from, kIterations, stage, log_, trace_));
+      return output_of(descend(cost, from, kCurveIterations, stage, log_, trace_));
     }));
   }
 

@@ -1,4 +1,5 @@
-# Sourced by start.sh and test.sh: installs the packages that are missing, then configures and builds the release preset.
+# Sourced by start.sh and test.sh: installs the packages that are missing, then configures the release preset
+# and builds all of it or one target.
 # shellcheck shell=bash
 
 # Prints the packages of packages.txt that are not installed, one a line.
@@ -35,9 +36,10 @@ install_missing_packages() {
   "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}"
 }
 
-# Expects the project's root as the working directory.
+# usage: set_up [TARGET], without it all. Expects the project's root as the working directory.
+# With VEGARD_WARNINGS_AS_ERRORS=ON in the environment a warning ends it.
 set_up() {
   install_missing_packages
-  cmake --preset release
-  cmake --build --preset release -j "$(nproc)"
+  cmake --preset release "-DVEGARD_WARNINGS_AS_ERRORS=${VEGARD_WARNINGS_AS_ERRORS:-OFF}"
+  cmake --build --preset release -j "$(nproc)" --target "${1:-all}"
 }

@@ -8,16 +8,17 @@
 #include <limits>
 
 #include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/emit/aurora/foot_line.h"
 #include "sim/light/electron_spectrum.h"
 #include "sim/light/line_light.h"
+#include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::fit {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kGreenNm = 557.7, kRedNm = 630.0, kBlueNm = 427.8;
+constexpr double kRedNm = 630.0, kBlueNm = 427.8;
 constexpr double kLeastRatio = 5.2, kMostRatio = 31.4;
 
 double wavelength_ratio(const sim::Sheet& sheet) { return sheet.wavelength_km / (2.0 * sheet.thickness_km); }
@@ -40,7 +41,7 @@ Group one(const Label& label, const std::function<double(const sim::Scene&)>& nu
 
 /// A number that nothing can be said of.
 Group none(const Label& label) {
-  return one(label, [](const sim::Scene&) { return kNaN; });
+  return one(label, [](const sim::Scene&) { return sim::kNaN; });
 }
 
 void add_energies(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
@@ -79,7 +80,7 @@ void add_altitudes(const sim::Scene& best, int s, const std::string& of, std::ve
     }
     group.numbers = [nm, s, is_detail](const sim::Scene& x) {
       const LineLight light = line_light(nm, x, s);
-      std::vector<double> numbers = {light.peak_at_an_end ? kNaN : light.peak_km};
+      std::vector<double> numbers = {light.peak_at_an_end ? sim::kNaN : light.peak_km};
       if (!is_detail)
         numbers.insert(numbers.end(), {light.lower_border_km, light.half_below_km, light.half_above_km});
       return numbers;
@@ -90,9 +91,9 @@ void add_altitudes(const sim::Scene& best, int s, const std::string& of, std::ve
 
 void add_ratios(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
   for (const double nm : {kRedNm, kBlueNm}) {
-    const Label label{fmt::format("I({:.1f})/I({:.1f}) along the field{}", nm, kGreenNm, of), "", ""};
+    const Label label{fmt::format("I({:.1f})/I({:.1f}) along the field{}", nm, sim::kGreenNm, of), "", ""};
     Label absent = label;
-    for (const double needed : {nm, kGreenNm})
+    for (const double needed : {nm, sim::kGreenNm})
       if (!has_line(needed, best, s)) absent.why_none = "the height profile has no " + line_words(needed);
     if (!absent.why_none.empty()) {
       groups.push_back(none(absent));
@@ -100,8 +101,8 @@ void add_ratios(const sim::Scene& best, int s, const std::string& of, std::vecto
     }
     absent.why_none = "557.7 nm is dark";
     groups.push_back(one(absent, [nm, s](const sim::Scene& x) {
-      const double green = line_light(kGreenNm, x, s).column_rayleigh;
-      return green > 0.0 ? line_light(nm, x, s).column_rayleigh / green : kNaN;
+      const double green = line_light(sim::kGreenNm, x, s).column_rayleigh;
+      return green > 0.0 ? line_light(nm, x, s).column_rayleigh / green : sim::kNaN;
     }));
   }
 }
@@ -240,7 +241,7 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
       const Label& label = group.labels[i];
       DerivedNumber d{label.name, found[i].value, {}, label.unit, {}, {}, label.is_detail};
       if (!std::isfinite(d.value)) {
-        d.value = kNaN;
+        d.value = sim::kNaN;
         d.why_none = label.why_none;
       } else {
         if (label.is_longitude) d.value = wrapped_longitude_deg(d.value);

@@ -8,7 +8,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kStepKm = 1.0;
+constexpr double kFreeStepKm = 1.0;
 
 }  // namespace
 
@@ -21,9 +21,9 @@ std::vector<FreeProfile> free_profiles(const sim::Scene& best, const SplinePrior
     FreeProfile profile;
     profile.sheet = sheet.name;
     profile.wavelength_nm = best.emission.lines.at(line.line);
-    const int steps = static_cast<int>((sheet.spline_top_km - sheet.spline_bottom_km) / kStepKm);
+    const int steps = static_cast<int>((sheet.spline_top_km - sheet.spline_bottom_km) / kFreeStepKm);
     for (int i = 1; i < steps; ++i) {
-      const double altitude = sheet.spline_bottom_km + i * kStepKm;
+      const double altitude = sheet.spline_bottom_km + i * kFreeStepKm;
       double rate = 0.0, variance = 0.0;
       for (int k = 0; k < spline.count(); ++k)
         rate += sheet.spline_rate[sim::spline_rate_index(sheet, line.line, k)] * spline.basis(k, altitude);

@@ -11,7 +11,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kMention = 2.0, kPositive = 6.0, kStrong = 10.0;
+constexpr double kMention = 2.0, kPositive = 6.0, kEvidenceStrong = 10.0;
 
 bool is_plural(const std::string& name) { return !name.empty() && name.back() == 's'; }
 
@@ -43,7 +43,7 @@ std::string evidence_words(double bic_difference) {
   const double size = std::abs(bic_difference);
   if (size <= kMention) return "not worth more than a bare mention";
   if (size <= kPositive) return "positive evidence";
-  return size <= kStrong ? "strong evidence" : "very strong evidence";
+  return size <= kEvidenceStrong ? "strong evidence" : "very strong evidence";
 }
 
 std::string compared_in_words(const FittedModel& one, const FittedModel& two) {

@@ -9,20 +9,21 @@
 
 #include "fit/measure/line_brightness.h"
 #include "sim/base/error.h"
+#include "sim/base/number/constants.h"
+#include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::fit {
 namespace {
 
-constexpr double kGreenNm = 557.7, kOthersNm[] = {630.0, 427.8};
+constexpr double kOthersNm[] = {630.0, 427.8};
 constexpr double kLit = 0.1;  // of the brightest bin
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Sums over bins of two lines' brightness.
 struct Sums {
   double line = 0.0, green = 0.0;
   double line2 = 0.0, green2 = 0.0, both = 0.0;  ///< covariance
-  double ratio() const { return green > 0.0 ? line / green : kNaN; }
+  double ratio() const { return green > 0.0 ? line / green : sim::kNaN; }
   /// d ratio = (d line - ratio d green) / green
   double variance() const {
     return (line2 + ratio() * ratio() * green2 - 2.0 * ratio() * both) / (green * green);
@@ -88,15 +89,15 @@ std::string why_none_of(const FittedPhoto& photo) {
 void add_ratio(const FitResult& result, const FittedPhoto& photo, double nm,
                std::vector<DerivedNumber>& ratios) {
   const int line = sim::line_index(photo.best.emission.lines, nm),
-            green = sim::line_index(photo.best.emission.lines, kGreenNm);
+            green = sim::line_index(photo.best.emission.lines, sim::kGreenNm);
   if (line < 0 || green < 0) return;
   const std::string whose = photo.name.empty() ? "" : " " + photo.name;
-  const std::string name = fmt::format("I({:.1f})/I({:.1f}) in the ", nm, kGreenNm);
+  const std::string name = fmt::format("I({:.1f})/I({:.1f}) in the ", nm, sim::kGreenNm);
   DerivedNumber seen, modelled;
   seen.name = name + "photograph" + whose;
   modelled.name = name + "model's picture" + (photo.name.empty() ? "" : " of" + whose);
   seen.is_detail = modelled.is_detail = true;
-  seen.value = modelled.value = kNaN;
+  seen.value = modelled.value = sim::kNaN;
   seen.why_none = why_none_of(photo);
   try {
     if (seen.why_none.empty()) {

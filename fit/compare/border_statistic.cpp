@@ -9,25 +9,25 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kScale = 2.0;  ///< rows
-constexpr int kReach = 6;
+constexpr double kBorderScale = 2.0;  ///< rows
+constexpr int kBorderReach = 6;
 constexpr double kFaint = 0.1;  ///< of the brightest row
 constexpr int kFarther = 3, kLeastRows = 10;
-constexpr double kClear = 5.0;  ///< standard deviations
+constexpr double kBorderClear = 5.0;  ///< standard deviations
 
 /// Of the row at the distance k below: light above less light below, 1 for a step of height 1.
 double fall_weight(int k) {
-  static const std::array<double, 2 * kReach + 1> weights = [] {
-    std::array<double, 2 * kReach + 1> w{};
+  static const std::array<double, 2 * kBorderReach + 1> weights = [] {
+    std::array<double, 2 * kBorderReach + 1> w{};
     double sum = 0.0;
-    for (int j = -kReach; j <= kReach; ++j) {
-      w[j + kReach] = -j * std::exp(-0.5 * j * j / (kScale * kScale));
-      if (j < 0) sum += w[j + kReach];
+    for (int j = -kBorderReach; j <= kBorderReach; ++j) {
+      w[j + kBorderReach] = -j * std::exp(-0.5 * j * j / (kBorderScale * kBorderScale));
+      if (j < 0) sum += w[j + kBorderReach];
     }
     for (double& x : w) x /= sum;
     return w;
   }();
-  return weights[k + kReach];
+  return weights[k + kBorderReach];
 }
 
 struct Square {
@@ -46,7 +46,7 @@ Square square_of_fall(double fall, double noise) {
 
 double fall_at(const std::vector<double>& green, int row) {
   double fall = 0.0;
-  for (int k = -kReach; k <= kReach; ++k) fall += fall_weight(k) * green[row + k];
+  for (int k = -kBorderReach; k <= kBorderReach; ++k) fall += fall_weight(k) * green[row + k];
   return fall;
 }
 
@@ -82,12 +82,12 @@ BorderStatistic::BorderStatistic(const Profile& data, const std::vector<double>&
     Band band;
     band.band = b;
     double clearest = 0.0;
-    const int first = std::max(kReach, brightest - farther),
-              last = std::min(rows - 1 - kReach, faint + farther);
+    const int first = std::max(kBorderReach, brightest - farther),
+              last = std::min(rows - 1 - kBorderReach, faint + farther);
     for (int r = first; r <= last; ++r) {
       double own_square = 0.0, all_square = 0.0;
       bool whole = true;
-      for (int k = -kReach; k <= kReach; ++k) {
+      for (int k = -kBorderReach; k <= kBorderReach; ++k) {
         whole = whole && usable[r + k];
         own_square += std::pow(fall_weight(k) * own[r + k], 2);
         all_square += std::pow(fall_weight(k) * all[r + k], 2);
@@ -97,7 +97,7 @@ BorderStatistic::BorderStatistic(const Profile& data, const std::vector<double>&
       band.noise_of_fall.push_back(std::sqrt(own_square));
       clearest = std::max(clearest, fall_at(green, r) / std::sqrt(all_square));
     }
-    if (clearest < kClear) continue;
+    if (clearest < kBorderClear) continue;
 
     const Course found = course(band, green, false);
     double variance = 0.0, sum = 0.0, second = 0.0;
@@ -106,9 +106,9 @@ BorderStatistic::BorderStatistic(const Profile& data, const std::vector<double>&
     // Covariance of the squares of two Gaussian numbers about zero: 2 covariance^2.
     for (const int r : band.rows)
       for (const int s : band.rows) {
-        if (std::abs(s - r) > 2 * kReach) continue;
+        if (std::abs(s - r) > 2 * kBorderReach) continue;
         double covariance = 0.0;
-        for (int i = std::max(r, s) - kReach; i <= std::min(r, s) + kReach; ++i)
+        for (int i = std::max(r, s) - kBorderReach; i <= std::min(r, s) + kBorderReach; ++i)
           covariance += fall_weight(i - r) * fall_weight(i - s) * own[i] * own[i];
         second += 2.0 * (r - found.row) * (s - found.row) * covariance * covariance;
       }
@@ -135,7 +135,7 @@ BorderStatistic::Course BorderStatistic::course(const Band& band, const std::vec
   course.row /= sum;
   for (std::size_t k = 0; k < band.rows.size(); ++k) {
     const int r = band.rows[k];
-    for (int j = -kReach; j <= kReach; ++j)
+    for (int j = -kBorderReach; j <= kBorderReach; ++j)
       course.slope[r + j] += (r - course.row) * squares[k].slope * fall_weight(j) / sum;
   }
   return course;

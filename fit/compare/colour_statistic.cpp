@@ -9,7 +9,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kBright = 5.0;        ///< standard deviations
+constexpr double kColourBright = 5.0;  ///< standard deviations
 constexpr double kNoiseAbove = 3.0;    ///< standard deviations
 constexpr double kDarkestShare = 0.2;  ///< of the photograph's light
 
@@ -47,7 +47,7 @@ ColourStatistic::ColourStatistic(const Profile& data, const std::vector<double>&
     const auto light = [&](int c) { return data.mean[bin * 3 + c] - sky[c]; };
     const auto bright = [&](int c) {
       return data.count[bin * 3 + c] > 0 && sigma[bin * 3 + c] > 0.0 &&
-             light(c) > kBright * sigma[bin * 3 + c];
+             light(c) > kColourBright * sigma[bin * 3 + c];
     };
     const auto channel = [&](int c) {
       return Channel{bin * 3 + c, data.mean[bin * 3 + c], kDarkestShare * light(c)};

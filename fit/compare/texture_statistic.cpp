@@ -28,14 +28,14 @@ using Row = TextureStatistic::Row;
 
 constexpr int kLags[] = {0, 1, 2, 3, 4, 6, 8, 11, 16, 23, 32, 45, 64};
 constexpr int kWidest = 192;  ///< pixels of a stretch: bands wider than that are cut
-constexpr int kNarrowest = 16;
-constexpr double kBrightRows = 0.7;  ///< of the band's peak
-constexpr double kDimColumn = 0.1;   ///< of the stretch's mean: too dark for a logarithm
-constexpr double kClear = 5.0;       ///< standard deviations
+constexpr int kTextureNarrowest = 16;
+constexpr double kBrightRows = 0.7;    ///< of the band's peak
+constexpr double kDimColumn = 0.1;     ///< of the stretch's mean: too dark for a logarithm
+constexpr double kTextureClear = 5.0;  ///< standard deviations
 /// Of the largest. Differences of lags that are nearly alike tell of the covariance's finest form, which the
 /// model does not have right: with 1e-4, widths come out low by more than their error bars.
 constexpr double kLeastEigenvalue = 1e-2;
-constexpr double kStep = 1e-5, kWideStep = 1e-4;                           ///< of differences, once and twice
+constexpr double kTextureStep = 1e-5, kWideStep = 1e-4;                    ///< of differences, once and twice
 constexpr double kLnContrast[2] = {-4.6, 1.1}, kLnWidth[2] = {-3.9, 4.6};  ///< 0.01 to 3, 0.02 to 100 km
 
 /// Columns begin to end over the rows top to bottom; false if too few are usable.
@@ -60,7 +60,7 @@ bool read_row(const Photo& photo, int begin, int end, int top, int bottom, doubl
     total += light[x - begin];
     ++columns;
   }
-  if (columns < kNarrowest || !(total > 0.0)) return false;
+  if (columns < kTextureNarrowest || !(total > 0.0)) return false;
   const double mean = total / columns;
   row.usable.assign(row.width, false);
   Eigen::MatrixXd trend = Eigen::MatrixXd::Zero(row.width, 3);
@@ -75,7 +75,7 @@ bool read_row(const Photo& photo, int begin, int end, int top, int bottom, doubl
     logarithm(i) = std::log(light[i]);
     row.noise += pixel_variance / (count[i] * light[i] * light[i]);
   }
-  if (columns < kNarrowest) return false;
+  if (columns < kTextureNarrowest) return false;
   row.noise /= columns;
   row.rest = -trend * (trend.transpose() * trend).ldlt().solve(trend.transpose());
   for (int i = 0; i < row.width; ++i)
@@ -222,7 +222,7 @@ TextureStatistic::TextureStatistic(const sim::Scene& scene, const Photo& photo, 
   noise /= columns;
   // Noise alone would leave 0 +- noise / sqrt(pairs) between neighbours, model error up to its square.
   const double of_errors = scene.fit.model_error * scene.fit.model_error;
-  if (!(neighbours / pairs > std::max(of_errors, kClear * noise / std::sqrt(pairs)))) return;
+  if (!(neighbours / pairs > std::max(of_errors, kTextureClear * noise / std::sqrt(pairs)))) return;
 
   std::vector<int> lags;
   for (const int lag : kLags)
@@ -293,10 +293,11 @@ std::array<std::vector<double>, 2> TextureStatistic::slopes(const Views& views,
                                                             const std::array<double, 2>& at) const {
   std::array<std::vector<double>, 2> slope;
   for (int j = 0; j < 2; ++j) {
-    const double c = j == 0 ? kStep : 0.0, w = j == 1 ? kStep : 0.0;
+    const double c = j == 0 ? kTextureStep : 0.0, w = j == 1 ? kTextureStep : 0.0;
     slope[j] = residual_of(views, at[0] + c, at[1] + w);
     const std::vector<double> less = residual_of(views, at[0] - c, at[1] - w);
-    for (std::size_t k = 0; k < less.size(); ++k) slope[j][k] = (slope[j][k] - less[k]) / (2.0 * kStep);
+    for (std::size_t k = 0; k < less.size(); ++k)
+      slope[j][k] = (slope[j][k] - less[k]) / (2.0 * kTextureStep);
   }
   return slope;
 }

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "sim/base/number/constants.h"
+
 namespace vegard::fit {
 namespace {
 
@@ -14,13 +16,12 @@ constexpr double kMedian = 0.6744897501960817;  ///< of |x|, x normal and of var
 
 /// NaN if one of the nine is beyond the picture or unusable.
 double nine_about(const Photo& photo, int x, int y, int channel) {
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  if (x < 1 || y < 1 || x + 1 >= photo.linear.width || y + 1 >= photo.linear.height) return kNaN;
+  if (x < 1 || y < 1 || x + 1 >= photo.linear.width || y + 1 >= photo.linear.height) return sim::kNaN;
   double sum = 0.0;
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx) {
       const std::size_t i = photo.linear.index(x + dx, y + dy, channel);
-      if (!photo.usable[i]) return kNaN;
+      if (!photo.usable[i]) return sim::kNaN;
       sum += kMask[dy + 1] * kMask[dx + 1] * photo.linear.data[i];
     }
   return sum;

@@ -9,11 +9,10 @@
 
 #include "sim/base/file/csv_text.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::fit {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::string comments(const Photo& photo, const DirectionProfile& directions) {
   const Region& region = directions.profile.region;
@@ -61,7 +60,7 @@ Ratio channel_ratio(const Profile& profile, int band, int row, int numerator, in
   const double a = profile.mean[i + numerator], b = profile.mean[i + denominator];
   const double sigma_a = profile.standard_error[i + numerator],
                sigma_b = profile.standard_error[i + denominator];
-  if (!std::isfinite(a) || !(b > 0.0)) return {kNaN, kNaN};
+  if (!std::isfinite(a) || !(b > 0.0)) return {sim::kNaN, sim::kNaN};
   return {a / b, std::hypot(sigma_a, a / b * sigma_b) / b};
 }
 

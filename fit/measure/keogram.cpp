@@ -9,22 +9,11 @@
 #include "sim/base/error.h"
 #include "sim/base/file/csv_text.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/image.h"
 #include "sim/base/utc_seconds.h"
 
 namespace vegard::fit {
 namespace {
-
-[[noreturn]] void refuse(sim::ErrorKind kind, const std::string& file, const std::string& problem,
-                         const std::string& expected, const std::string& hint = {}) {
-  sim::ErrorDetails details;
-  details.file = file;
-  details.problem = problem;
-  details.expected = expected;
-  details.hint = hint;
-  throw sim::Error(kind, details);
-}
-
-std::string size_text(int width, int height) { return fmt::format("{} x {}", width, height); }
 
 const char* time_words(PictureTimes::Kind kind) {
   switch (kind) {
@@ -44,7 +33,7 @@ void describe(const Keogram& keogram, const Say& say) {
   const KeogramLine& line = keogram.line;
   const Region& region = line.grid->region;
   say("pictures", std::to_string(keogram.columns.size()));
-  say("size_px", size_text(keogram.picture_width_px, keogram.picture_height_px));
+  say("size_px", sim::size_text(keogram.picture_width_px, keogram.picture_height_px));
   say("decoding", keogram.decoding);
   if (!keogram.mask_name.empty()) {
     say("mask", keogram.mask_name);
@@ -78,17 +67,17 @@ void add_picture(const Photo& photo, double time, Keogram& keogram) {
   }
   const std::string& first = keogram.columns.empty() ? photo.file_name : keogram.columns.front().file_name;
   if (photo.linear.width != keogram.picture_width_px || photo.linear.height != keogram.picture_height_px)
-    refuse(sim::ErrorKind::unreadable_input, photo.file_name,
-           "the picture has " + size_text(photo.linear.width, photo.linear.height) + " pixels",
-           size_text(keogram.picture_width_px, keogram.picture_height_px) + ", as " + first);
+    sim::refuse_file(sim::ErrorKind::unreadable_input, photo.file_name,
+                     "the picture has " + sim::size_text(photo.linear.width, photo.linear.height) + " pixels",
+                     sim::size_text(keogram.picture_width_px, keogram.picture_height_px) + ", as " + first);
   if (photo.decoding != keogram.decoding)
-    refuse(sim::ErrorKind::unreadable_input, photo.file_name, "its light is " + photo.decoding,
-           keogram.decoding + ", as that of " + first, "pictures of one kind make a keogram");
+    sim::refuse_file(sim::ErrorKind::unreadable_input, photo.file_name, "its light is " + photo.decoding,
+                     keogram.decoding + ", as that of " + first, "pictures of one kind make a keogram");
   if (!keogram.columns.empty() && !(time > keogram.columns.back().time))
-    refuse(sim::ErrorKind::usage, photo.file_name,
-           "it has the time " + time_text(keogram, time) + ", which " + keogram.columns.back().file_name +
-               " has",
-           "a time of its own for each picture", "--times FILE.csv says when each was taken");
+    sim::refuse_file(sim::ErrorKind::usage, photo.file_name,
+                     "it has the time " + time_text(keogram, time) + ", which " +
+                         keogram.columns.back().file_name + " has",
+                     "a time of its own for each picture", "--times FILE.csv says when each was taken");
   const Profile profile = extract_profile(photo, keogram.line.grid);
   keogram.columns.push_back(
       {time, photo.file_name, photo.sha256, profile.mean, profile.standard_error, profile.count});

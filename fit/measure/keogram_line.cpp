@@ -13,19 +13,11 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kZenithDeg = 90.0;
+constexpr double kKeogramZenithDeg = 90.0;
 constexpr int kPooledRows = 7;
 constexpr double kTrialHalfWidthDeg = 5.0;  ///< in which the pixels' size is found
-constexpr double kLeastPixels = 1.5, kMostSteps = 200.0;
+constexpr double kLeastPixels = 1.5, kKeogramMostSteps = 200.0;
 constexpr double kBothSides = 0.25;  ///< share of the whole beyond the zenith that makes it the other side
-
-[[noreturn]] void refuse(const std::string& key, const std::string& problem, const std::string& expected) {
-  sim::ErrorDetails details;
-  details.key = key;
-  details.problem = problem;
-  details.expected = expected;
-  throw sim::Error(sim::ErrorKind::usage, details);
-}
 
 /// A direction as seen from a vertical plane.
 struct FromPlane {
@@ -41,7 +33,7 @@ FromPlane from_plane(double azimuth_deg, double elevation_deg, double plane_azim
   seen.across_deg =
       std::asin(std::clamp(std::cos(elevation) * std::sin(turn), -1.0, 1.0)) / sim::kRadiansPerDegree;
   seen.along_deg = std::atan2(up, forward) / sim::kRadiansPerDegree;
-  if (seen.along_deg < -kZenithDeg) seen.along_deg += 360.0;
+  if (seen.along_deg < -kKeogramZenithDeg) seen.along_deg += 360.0;
   return seen;
 }
 
@@ -78,15 +70,16 @@ Span span_of(const sim::DirectionMap& map, const Region& region, double azimuth_
 double usual_step(const Span& trial) {
   const double length = trial.max - trial.min, across = trial.across_max - trial.across_min;
   const double pixel = std::sqrt(length * across / trial.pixels);
-  return round_up(std::max({kLeastPixels * pixel, length / kMostSteps, 1e-6}));
+  return round_up(std::max({kLeastPixels * pixel, length / kKeogramMostSteps, 1e-6}));
 }
 
 }  // namespace
 
 KeogramLine column_line(const Region& region, int width_px) {
   if (width_px < 0 || width_px > region.width)
-    refuse("--width", "a strip of " + std::to_string(width_px) + " columns is not in the region",
-           "1 to " + std::to_string(region.width) + " px");
+    sim::refuse_key(sim::ErrorKind::usage, "--width",
+                    "a strip of " + std::to_string(width_px) + " columns is not in the region",
+                    "1 to " + std::to_string(region.width) + " px");
   const int width = width_px == 0 ? region.width : width_px;
   BinGrid grid;
   grid.region = {region.x + (region.width - width) / 2, region.y, width, region.height};
@@ -105,18 +98,21 @@ KeogramLine column_line(const Region& region, int width_px) {
 
 KeogramLine meridian_line(const sim::DirectionMap& map, const Region& region,
                           const MeridianOptions& options) {
-  if (!std::isfinite(options.azimuth_deg)) refuse("--azimuth", "the azimuth is no number", "degrees");
+  if (!std::isfinite(options.azimuth_deg))
+    sim::refuse_key(sim::ErrorKind::usage, "--azimuth", "the azimuth is no number", "degrees");
   if (options.width_deg && !(*options.width_deg > 0.0 && *options.width_deg <= 180.0))
-    refuse("--width", short_number(*options.width_deg) + "\u00b0 is no width", "more than 0, at most 180");
-  if (options.step_deg && !(*options.step_deg >= 1e-4 && *options.step_deg <= kZenithDeg))
-    refuse("--elevation-step", short_number(*options.step_deg) + "\u00b0 is no step", "0.0001 to 90");
+    sim::refuse_key(sim::ErrorKind::usage, "--width", short_number(*options.width_deg) + "\u00b0 is no width",
+                    "more than 0, at most 180");
+  if (options.step_deg && !(*options.step_deg >= 1e-4 && *options.step_deg <= kKeogramZenithDeg))
+    sim::refuse_key(sim::ErrorKind::usage, "--elevation-step",
+                    short_number(*options.step_deg) + "\u00b0 is no step", "0.0001 to 90");
 
   KeogramLine line;
   line.of_directions = true;
   line.azimuth_deg = options.azimuth_deg;
   const double trial_half_width = options.width_deg ? 0.5 * *options.width_deg : kTrialHalfWidthDeg;
   Span trial = span_of(map, region, line.azimuth_deg, trial_half_width);
-  if (trial.pixels > 0.0 && trial.min > kZenithDeg) {
+  if (trial.pixels > 0.0 && trial.min > kKeogramZenithDeg) {
     line.azimuth_deg += 180.0;
     trial = span_of(map, region, line.azimuth_deg, trial_half_width);
   }
@@ -125,10 +121,10 @@ KeogramLine meridian_line(const sim::DirectionMap& map, const Region& region,
   line.width = options.width_deg.value_or(2.0 * line.step);
   const Span span = span_of(map, region, line.azimuth_deg, 0.5 * line.width);
   if (span.pixels == 0.0)
-    refuse("--azimuth",
-           "the picture shows nothing of the vertical plane at azimuth " + short_number(options.azimuth_deg) +
-               "\u00b0",
-           "a direction that it does show");
+    sim::refuse_key(sim::ErrorKind::usage, "--azimuth",
+                    "the picture shows nothing of the vertical plane at azimuth " +
+                        short_number(options.azimuth_deg) + "\u00b0",
+                    "a direction that it does show");
 
   const double first = std::floor(span.min / line.step), end = std::floor(span.max / line.step) + 1.0;
   BinGrid grid;
@@ -138,7 +134,7 @@ KeogramLine meridian_line(const sim::DirectionMap& map, const Region& region,
   grid.pooled = kPooledRows;
   grid.position_px = 0.0;
   grid.band.assign(grid.positions, 0);
-  const bool both_sides = span.max - kZenithDeg > kBothSides * (span.max - span.min);
+  const bool both_sides = span.max - kKeogramZenithDeg > kBothSides * (span.max - span.min);
   const auto place_of = [&](double steps) {
     const int from_horizon = std::clamp(static_cast<int>(steps), 0, grid.positions - 1);
     return both_sides ? from_horizon : grid.positions - 1 - from_horizon;

@@ -6,47 +6,43 @@
 #include "fit/measure/bin_grid.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/number/constants.h"
 #include "sim/emit/sun/sun_frame.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::fit {
 namespace {
 
-constexpr int kLeastPositions = 3;
-constexpr int kPositionsEachSide = 1;  ///< whose noise is pooled
-
-[[noreturn]] void refuse(const sim::Scene& scene, const std::string& key, const std::string& problem,
-                         const std::string& expected, const std::string& hint = {}) {
-  throw sim::Error(sim::ErrorKind::scene, {problem, scene.file, 0, key, expected, hint});
-}
+constexpr int kLimbLeastPositions = 3;
+constexpr int kLimbPositionsEachSide = 1;  ///< whose noise is pooled
 
 }  // namespace
 
 BinGrid limb_bins(const sim::Scene& scene, const Region& region) {
   const sim::Fit& fit = scene.fit;
   if (!scene.sun.shown)
-    refuse(scene, "sun.shown", "there is no Sun that profiles could lead away from", "true",
-           "or another fit.profile_along");
+    sim::refuse_scene_key(scene.file, "sun.shown", "there is no Sun that profiles could lead away from",
+                          "true", "or another fit.profile_along");
   if (!(fit.limb_lowest < fit.limb_highest))
-    refuse(scene, "fit.limb_lowest", "limb_lowest is not below limb_highest",
-           "limb_lowest below limb_highest");
+    sim::refuse_scene_key(scene.file, "fit.limb_lowest", "limb_lowest is not below limb_highest",
+                          "limb_lowest below limb_highest");
   const double steps = std::ceil((fit.limb_highest - fit.limb_lowest) / fit.limb_step - 1e-9);
   constexpr double kMostPositions = 10000.0;
-  if (steps < kLeastPositions || steps > kMostPositions)
-    refuse(scene, "fit.limb_step", short_number(steps) + " steps lie between limb_lowest and limb_highest",
-           std::to_string(kLeastPositions) + " to " + short_number(kMostPositions, 5));
+  if (steps < kLimbLeastPositions || steps > kMostPositions)
+    sim::refuse_scene_key(scene.file, "fit.limb_step",
+                          short_number(steps) + " steps lie between limb_lowest and limb_highest",
+                          std::to_string(kLimbLeastPositions) + " to " + short_number(kMostPositions, 5));
   BinGrid grid;
   grid.region = region;
   grid.groups = fit.bands;
   grid.positions = static_cast<int>(steps);
   grid.along = {"distance from the Sun's middle", "radii", fit.limb_lowest, fit.limb_step};
   grid.across = {"position angle", "\u00b0", 0.0, 360.0 / fit.bands};
-  grid.pooled = kPositionsEachSide;
+  grid.pooled = kLimbPositionsEachSide;
   for (int b = 0; b < grid.groups; ++b) grid.band.insert(grid.band.end(), grid.positions, b);
 
   const sim::CameraView<double> view = sim::camera_view(scene.camera);
   const sim::SunFrame<double> frame(scene.sun, [](const double& number) { return number; });
-  constexpr double kPi = 3.14159265358979323846;
   gather(
       [&](int x, int y) {
         double enu[3];
@@ -57,17 +53,18 @@ BinGrid limb_bins(const sim::Scene& scene, const Region& region) {
         const double position = (radii - fit.limb_lowest) / fit.limb_step;
         if (!(position >= 0.0 && position < grid.positions)) return kNoBin;
         // The frame's axes are right and up, the Sun's east is to the left.
-        double angle = std::atan2(-ray.nearest[0], ray.nearest[1]) / (2.0 * kPi);
+        double angle = std::atan2(-ray.nearest[0], ray.nearest[1]) / (2.0 * sim::kPi);
         if (angle < 0.0) angle += 1.0;
         const int group = static_cast<int>(angle * grid.groups) % grid.groups;
         return group * grid.positions + static_cast<int>(position);
       },
       grid);
   if (grid.runs.empty())
-    refuse(scene, "sun.azimuth_deg",
-           "no pixel of the region is " + short_number(fit.limb_lowest) + " to " +
-               short_number(fit.limb_highest) + " radii from the Sun's middle",
-           "the Sun in view", "check sun.azimuth_deg, sun.elevation_deg and where the camera points");
+    sim::refuse_scene_key(scene.file, "sun.azimuth_deg",
+                          "no pixel of the region is " + short_number(fit.limb_lowest) + " to " +
+                              short_number(fit.limb_highest) + " radii from the Sun's middle",
+                          "the Sun in view",
+                          "check sun.azimuth_deg, sun.elevation_deg and where the camera points");
   const double radius_rad = std::asin(scene.sun.radius * scene.sun.unit_km / scene.sun.distance_km);
   grid.position_px =
       fit.limb_step * radius_rad / sim::kRadiansPerDegree * sim::pixels_per_degree(scene.camera);

@@ -13,9 +13,9 @@ namespace vegard::fit {
 namespace {
 
 constexpr int kNumbers = 5;  ///< peak, logarithms of both widths, amplitude, sky
-constexpr std::size_t kLeastPoints = 8;
+constexpr std::size_t kLayerLeastPoints = 8;
 constexpr double kShellKm = 0.5;
-constexpr double kReach = 5.0;  ///< widths from the peak; beyond, there is nothing
+constexpr double kLayerReach = 5.0;  ///< widths from the peak; beyond, there is nothing
 constexpr double kLeastWidthKm = 1.0, kMostWidthKm = 150.0;
 constexpr double kStartWidthKm = 6.0;
 constexpr double kHalf = 1.1774100225154747;  ///< sqrt(2 ln 2)
@@ -40,19 +40,19 @@ T column_km(double tangent_km, const T& peak_km, const T& lower_width_km, const 
     const double z_km = std::hypot(from_centre_km, along_km) - sim::kEarthRadiusKm;
     const T off = z_km - peak_km;
     const T u = off / (off < 0.0 ? lower_width_km : upper_width_km);
-    if (u > -kReach && u < kReach) sum += exp(-0.5 * u * u);
+    if (u > -kLayerReach && u < kLayerReach) sum += exp(-0.5 * u * u);
   }
   return 2.0 * step_km * sum;
 }
 
-struct Points {
+struct LayerPoints {
   std::vector<double> tangent_km, light;
   double top_km = 0.0;
   double scale = 1.0;  ///< light in units of its largest
 };
 
 struct LayerCost {
-  const Points& points;
+  const LayerPoints& points;
 
   template <typename T>
   bool operator()(const T* numbers, T* residuals) const {
@@ -66,8 +66,9 @@ struct LayerCost {
   }
 };
 
-Points usable(const std::vector<double>& tangent_km, const std::vector<double>& light, double observer_km) {
-  Points points;
+LayerPoints usable(const std::vector<double>& tangent_km, const std::vector<double>& light,
+                   double observer_km) {
+  LayerPoints points;
   for (std::size_t i = 0; i < light.size(); ++i)
     if (std::isfinite(light[i]) && tangent_km[i] >= kLimbAirKm) {
       points.tangent_km.push_back(tangent_km[i]);
@@ -89,8 +90,8 @@ double apparent_peak_km(double peak_km, double lower_width_km, double upper_widt
 
 std::optional<LimbLayer> find_limb_layer(const std::vector<double>& tangent_km,
                                          const std::vector<double>& light, double observer_km) {
-  Points points = usable(tangent_km, light, observer_km);
-  if (points.light.size() < kLeastPoints) return std::nullopt;
+  LayerPoints points = usable(tangent_km, light, observer_km);
+  if (points.light.size() < kLayerLeastPoints) return std::nullopt;
   const auto [darkest, brightest] = std::minmax_element(points.light.begin(), points.light.end());
   const double at_km = points.tangent_km[brightest - points.light.begin()];
   const auto [lowest, highest] = std::minmax_element(points.tangent_km.begin(), points.tangent_km.end());
@@ -141,7 +142,7 @@ std::optional<LimbLayer> find_limb_layer(const std::vector<double>& tangent_km,
 
 double limb_column_km(double tangent_km, double peak_km, double lower_km, double upper_km) {
   const double lower = (peak_km - lower_km) / kHalf, upper = (upper_km - peak_km) / kHalf;
-  return column_km(tangent_km, peak_km, lower, upper, peak_km + kReach * upper);
+  return column_km(tangent_km, peak_km, lower, upper, peak_km + kLayerReach * upper);
 }
 
 }  // namespace vegard::fit

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/base/number/constants.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/colour/line_estimate.h"
 #include "sim/view/sky/night_sky.h"
@@ -61,11 +62,10 @@ LineBrightness line_brightness(const sim::Scene& scene, const Profile& profile) 
       }
       const sim::LineEstimate estimate = known ? estimator.estimate(rgb, sigma) : sim::LineEstimate{};
       for (int l = 0; l < estimator.lines(); ++l) {
-        constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-        result.rayleigh.push_back(known ? estimate.rayleigh[l] : kNaN);
-        result.sigma.push_back(known ? std::sqrt(estimate.covariance[l][l]) : kNaN);
+        result.rayleigh.push_back(known ? estimate.rayleigh[l] : sim::kNaN);
+        result.sigma.push_back(known ? std::sqrt(estimate.covariance[l][l]) : sim::kNaN);
         for (int k = 0; k < estimator.lines(); ++k)
-          result.covariance.push_back(known ? estimate.covariance[l][k] : kNaN);
+          result.covariance.push_back(known ? estimate.covariance[l][k] : sim::kNaN);
       }
     }
   }

@@ -13,24 +13,21 @@
 namespace vegard::fit {
 namespace {
 
-constexpr std::size_t kLeastPoints = 3;
-constexpr int kLeastPositions = 5;
-constexpr int kPositionsEachSide = 4;  ///< whose noise is pooled: bins are small, loops narrow
-
-[[noreturn]] void refuse(const sim::Scene& scene, const std::string& key, const std::string& problem,
-                         const std::string& expected, const std::string& hint = {}) {
-  throw sim::Error(sim::ErrorKind::scene, {problem, scene.file, 0, "fit." + key, expected, hint});
-}
+constexpr std::size_t kLoopLeastPoints = 3;
+constexpr int kLoopLeastPositions = 5;
+constexpr int kLoopPositionsEachSide = 4;  ///< whose noise is pooled: bins are small, loops narrow
 
 void check_points(const sim::Scene& scene) {
   const std::vector<double>&x = scene.fit.guide_x_px, &y = scene.fit.guide_y_px;
-  if (x.size() < kLeastPoints)
-    refuse(scene, "guide_x_px", std::to_string(x.size()) + " guide points are drawn along the loop",
-           "three or more", "read their pixels off the photograph, from one foot to the other");
+  if (x.size() < kLoopLeastPoints)
+    sim::refuse_scene_key(
+        scene.file, "fit.guide_x_px", std::to_string(x.size()) + " guide points are drawn along the loop",
+        "three or more", "read their pixels off the photograph, from one foot to the other");
   if (x.size() != y.size())
-    refuse(scene, "guide_y_px",
-           std::to_string(y.size()) + " places down for " + std::to_string(x.size()) + " places across",
-           "as many of guide_y_px as of guide_x_px");
+    sim::refuse_scene_key(
+        scene.file, "fit.guide_y_px",
+        std::to_string(y.size()) + " places down for " + std::to_string(x.size()) + " places across",
+        "as many of guide_y_px as of guide_x_px");
   const auto text = [&](std::size_t i) {
     return "point " + std::to_string(i) + " at (" + short_number(x[i]) + ", " + short_number(y[i]) + ")";
   };
@@ -38,11 +35,13 @@ void check_points(const sim::Scene& scene) {
     const bool is_across = x[i] >= 0.0 && x[i] <= scene.camera.width,
                is_down = y[i] >= 0.0 && y[i] <= scene.camera.height;
     if (!is_across || !is_down)
-      refuse(scene, is_across ? "guide_y_px" : "guide_x_px", text(i) + " lies outside of the picture",
-             "pixels of the photograph, " + std::to_string(scene.camera.width) + " x " +
-                 std::to_string(scene.camera.height));
+      sim::refuse_scene_key(scene.file, is_across ? "fit.guide_y_px" : "fit.guide_x_px",
+                            text(i) + " lies outside of the picture",
+                            "pixels of the photograph, " + std::to_string(scene.camera.width) + " x " +
+                                std::to_string(scene.camera.height));
     if (i > 0 && x[i] == x[i - 1] && y[i] == y[i - 1])
-      refuse(scene, "guide_x_px", text(i) + " is the one before it", "points apart from each other");
+      sim::refuse_scene_key(scene.file, "fit.guide_x_px", text(i) + " is the one before it",
+                            "points apart from each other");
   }
 }
 
@@ -78,20 +77,21 @@ BinGrid loop_bins(const sim::Scene& scene, const Region& region) {
   grid.region = region;
   grid.groups = fit.bands;
   grid.positions = static_cast<int>(std::lround(2.0 * fit.guide_half_width_px / fit.guide_cell_px));
-  if (grid.positions < kLeastPositions)
-    refuse(scene, "guide_half_width_px",
-           std::to_string(grid.positions) + " cells of " + short_number(fit.guide_cell_px) +
-               " px lie across the loop",
-           "at least " + std::to_string(kLeastPositions), "a wider profile, or smaller fit.guide_cell_px");
+  if (grid.positions < kLoopLeastPositions)
+    sim::refuse_scene_key(scene.file, "fit.guide_half_width_px",
+                          std::to_string(grid.positions) + " cells of " + short_number(fit.guide_cell_px) +
+                              " px lie across the loop",
+                          "at least " + std::to_string(kLoopLeastPositions),
+                          "a wider profile, or smaller fit.guide_cell_px");
   const GuideCurve curve(fit.guide_x_px, fit.guide_y_px);
   if (curve.length_px() < fit.bands)
-    refuse(scene, "bands",
-           std::to_string(fit.bands) + " bands do not fit onto a curve of " +
-               short_number(curve.length_px()) + " px",
-           "bands of a pixel or more");
+    sim::refuse_scene_key(scene.file, "fit.bands",
+                          std::to_string(fit.bands) + " bands do not fit onto a curve of " +
+                              short_number(curve.length_px()) + " px",
+                          "bands of a pixel or more");
   grid.along = {"distance across the loop", "px", -fit.guide_half_width_px, fit.guide_cell_px};
   grid.across = {"distance along the loop", "px", 0.0, curve.length_px() / fit.bands};
-  grid.pooled = kPositionsEachSide;
+  grid.pooled = kLoopPositionsEachSide;
   grid.position_px = fit.guide_cell_px;
   for (int b = 0; b < grid.groups; ++b) grid.band.insert(grid.band.end(), grid.positions, b);
   const double reach = fit.guide_half_width_px + 1.0;  // the nearest sample is farther than the curve
@@ -109,8 +109,9 @@ BinGrid loop_bins(const sim::Scene& scene, const Region& region) {
       },
       grid);
   if (grid.runs.empty())
-    refuse(scene, "roi_px", "no pixel of the region is near the curve through the guide points",
-           "a region that the loop is in");
+    sim::refuse_scene_key(scene.file, "fit.roi_px",
+                          "no pixel of the region is near the curve through the guide points",
+                          "a region that the loop is in");
   return grid;
 }
 

@@ -7,10 +7,11 @@
 #include <map>
 #include <utility>
 
+#include "sim/base/number/constants.h"
+
 namespace vegard::fit {
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
 constexpr double kLowest = 2.0;         ///< waves over the longer side: longer ones are the trend's
 constexpr double kHighest = 1.0 / 3.0;  ///< waves to a cell: the cells themselves blur shorter ones
 const double kRatio = std::sqrt(2.0);   ///< of a band's ends
@@ -21,7 +22,8 @@ constexpr int kFarthest = 6;  ///< by how many wavenumbers a window joins neighb
 Eigen::MatrixXcd transform(int n) {
   Eigen::MatrixXcd waves(n, n);
   for (int k = 0; k < n; ++k)
-    for (int u = 0; u < n; ++u) waves(k, u) = std::polar(1.0, -kTwoPi * ((k * static_cast<long>(u)) % n) / n);
+    for (int u = 0; u < n; ++u)
+      waves(k, u) = std::polar(1.0, -sim::kTwoPi * ((k * static_cast<long>(u)) % n) / n);
   return waves;
 }
 

@@ -8,11 +8,10 @@
 
 #include "fit/measure/profile_bins.h"
 #include "sim/base/error.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::fit {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// A sum of squares and what its expectation is in units of the variance.
 struct Scatter {
@@ -27,7 +26,7 @@ struct Scatter {
 /// What one bin tells in one channel.
 struct BinSum {
   int count = 0;
-  double mean = kNaN;
+  double mean = sim::kNaN;
   Scatter neighbours;  ///< of differences of neighbours about their mean
   Scatter values;      ///< of the values about their mean: for bands too narrow or too torn for the other
 };
@@ -122,8 +121,8 @@ Profile extract_profile(const Photo& photo, const std::shared_ptr<const BinGrid>
   profile.rows = grid->positions;
   profile.grid = grid;
   const std::size_t size = grid->bins() * 3;
-  profile.mean.assign(size, kNaN);
-  profile.standard_error.assign(size, kNaN);
+  profile.mean.assign(size, sim::kNaN);
+  profile.standard_error.assign(size, sim::kNaN);
   profile.count.assign(size, 0);
   for (int group = 0; group < grid->groups; ++group)
     for (int channel = 0; channel < 3; ++channel) fill(photo, group, channel, profile);
@@ -135,7 +134,7 @@ Chromaticity chromaticity(const Profile& profile, int band, int row) {
   const double* mean = &profile.mean[i];
   const double* sigma = &profile.standard_error[i];
   const double sum = mean[0] + mean[1] + mean[2];
-  if (!(sum > 0.0)) return {kNaN, kNaN, kNaN, kNaN};
+  if (!(sum > 0.0)) return {sim::kNaN, sim::kNaN, sim::kNaN, sim::kNaN};
   // share_c = v_c / sum: its derivative is (1 - share_c) / sum by v_c and -share_c / sum by each of the
   // others.
   auto sigma_of_share = [&](int c) {

@@ -13,9 +13,9 @@ namespace {
 
 constexpr int kParts = 4;
 constexpr int kLeastWidth_px = 2;  // of a part
-constexpr int kRowsEachSide = 15;
-constexpr double kIndependent = 2.0;  // of the parts
-constexpr double kBright = 0.2;       // of the peak
+constexpr int kRealisedRowsEachSide = 15;
+constexpr double kIndependent = 2.0;     // of the parts
+constexpr double kRealisedBright = 0.2;  // of the peak
 constexpr std::array<double, kParts> kPlace = {-1.5, -0.5, 0.5, 1.5};
 constexpr double kPlaces2 = 5.0;  // sum of their squares
 
@@ -67,7 +67,8 @@ std::vector<double> realisation_sigma(const Photo& photo, const Region& region, 
     for (int c = 0; c < 3; ++c) {
       const std::vector<double> single = excess(parts, b, c, sky[c]);
       for (int r = 0; r < parts.rows; ++r) {
-        const int first = std::max(0, r - kRowsEachSide), last = std::min(parts.rows - 1, r + kRowsEachSide);
+        const int first = std::max(0, r - kRealisedRowsEachSide),
+                  last = std::min(parts.rows - 1, r + kRealisedRowsEachSide);
         double sum = 0.0;
         int count = 0;
         for (int k = first; k <= last; ++k) {
@@ -96,7 +97,7 @@ double sampling_error(const std::vector<double>& one, const std::vector<double>&
     }
     if (!(squares > 0.0)) continue;
     for (std::size_t i = first; i < first + of_band; ++i) {
-      if (!(one[i] > kBright * peak)) continue;
+      if (!(one[i] > kRealisedBright * peak)) continue;
       sum += 0.5 * std::pow((one[i] - products / squares * other[i]) / one[i], 2);
       ++count;
     }

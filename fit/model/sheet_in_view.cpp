@@ -6,13 +6,12 @@
 
 #include "sim/base/earth.h"
 #include "sim/render/film.h"
+#include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::fit {
 namespace {
-
-constexpr double kGreenNm = 557.7;
 
 /// Mean over the sine's phase of the variance of the layers' places across the sheet, and a layer's own.
 double depth_km2(const sim::Sheet& sheet) {
@@ -53,7 +52,7 @@ std::optional<SheetInView> sheet_in_view(const sim::Scene& scene, const sim::She
                turn_along = turn_east * u_east + turn_north * u_north;
   SheetInView seen;
   seen.km_per_px = std::abs(offset * (turn_along * across - along * turn_across) / (across * across));
-  const int green = std::max(0, sim::line_index(scene.emission.lines, kGreenNm));
+  const int green = std::max(0, sim::line_index(scene.emission.lines, sim::kGreenNm));
   const double blur_px = sim::blur_sigma_px(scene, green);
   const double slant = along / across;
   seen.smear_km2 =

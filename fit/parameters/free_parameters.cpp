@@ -19,7 +19,7 @@ bool finite(double x) { return std::isfinite(x); }
 
 constexpr double kNextToNothing = 1e-9;  // of the largest value
 
-constexpr double kReach = 30.0, kLogarithmicReach = 1e3;
+constexpr double kSearchReach = 30.0, kLogarithmicReach = 1e3;
 
 /// Light, sizes and depths of volumes may be next to anything: on the scale of all that the table allows, 0
 /// to 1e9, a usual value would lie at the limit. Without limits of the user's they are looked for within a
@@ -29,7 +29,7 @@ void keep_in_reach(const sim::FreeParameter& entry, const sim::ParameterPath& pa
     if (!entry.min && path.row->min <= 0.0)
       number.min = std::min(number.min, number.start / kLogarithmicReach);
   } else if (!entry.max && number.min == 0.0) {
-    number.max = std::min(number.max, kReach * number.start);
+    number.max = std::min(number.max, kSearchReach * number.start);
   }
 }
 

@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::fit {
 namespace {
-
-constexpr double kTwoPi = 6.283185307179586;
 
 /// Distance along a sheet from its start to where the camera's azimuth meets it.
 double distance_in_view_km(const sim::Scene& scene, const sim::Sheet& sheet) {
@@ -29,11 +28,11 @@ double distance_in_view_km(const sim::Scene& scene, const sim::Sheet& sheet) {
 }  // namespace
 
 double PhaseAnchor::more(double wavelength_km) const {
-  return kTwoPi * distance_km * (1.0 / wavelength_km - 1.0 / start_wavelength_km);
+  return sim::kTwoPi * distance_km * (1.0 / wavelength_km - 1.0 / start_wavelength_km);
 }
 
 double PhaseAnchor::slope(double wavelength_km) const {
-  return -kTwoPi * distance_km / (wavelength_km * wavelength_km);
+  return -sim::kTwoPi * distance_km / (wavelength_km * wavelength_km);
 }
 
 std::vector<PhaseAnchor> phase_anchors(const sim::Scene& scene, const std::vector<FreeNumber>& moved,

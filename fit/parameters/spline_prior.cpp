@@ -7,17 +7,17 @@
 #include <tuple>
 #include <utility>
 
+#include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/rows/spline_rates.h"
 
 namespace vegard::fit {
 namespace {
 
-constexpr double kGreenNm = 557.7;
 constexpr double kLeastSmoothness = 0.05, kMostSmoothness = 100.0;
-constexpr double kRankTolerance = 1e-12;
-constexpr int kMostRounds = 300;
-constexpr double kSettled = 1e-3;  // of a smoothness
+constexpr double kSplineRankTolerance = 1e-12;
+constexpr int kSplineMostRounds = 300;
+constexpr double kSplineSettled = 1e-3;  // of a smoothness
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -26,7 +26,7 @@ bool is_spline(const FreeNumber& number) {
 }
 
 int scale_line(const sim::Scene& scene) {
-  return std::max(0, sim::line_index(scene.emission.lines, kGreenNm));
+  return std::max(0, sim::line_index(scene.emission.lines, sim::kGreenNm));
 }
 
 /// Of one coefficient in the column of its line, as the scene's sheets add up.
@@ -44,11 +44,11 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& information) {
   const Eigen::MatrixXd scaled = scale.asDiagonal() * information * scale.asDiagonal();
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
   const Eigen::LLT<Eigen::MatrixXd> factors(scaled);
-  if (factors.info() == Eigen::Success && factors.rcond() > kRankTolerance) {
+  if (factors.info() == Eigen::Success && factors.rcond() > kSplineRankTolerance) {
     result = factors.solve(Eigen::MatrixXd::Identity(n, n));
   } else {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
-    const double least = kRankTolerance * eigen.eigenvalues().cwiseAbs().maxCoeff();
+    const double least = kSplineRankTolerance * eigen.eigenvalues().cwiseAbs().maxCoeff();
     for (Eigen::Index k = 0; k < n; ++k)
       if (eigen.eigenvalues()(k) > least)
         result +=
@@ -146,7 +146,7 @@ std::vector<double> most_probable_smoothness(const SplinePrior& prior, const std
   };
   const Eigen::MatrixXd before = weight * weight * smoothness_information(prior.smoothness);
   std::vector<double> result = prior.smoothness;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kSplineMostRounds; ++round) {
     const Eigen::MatrixXd now = smoothness_information(result);
     const Eigen::MatrixXd covariance = inverse(data + other + now);
     // At the optimum under `before` the data pull as hard as that did the other way.
@@ -162,7 +162,7 @@ std::vector<double> most_probable_smoothness(const SplinePrior& prior, const std
       change = std::max(change, std::abs(std::log(next / result[l])));
       result[l] = next;
     }
-    if (change < kSettled) break;
+    if (change < kSplineSettled) break;
   }
   return result;
 }

@@ -9,7 +9,7 @@ namespace {
 using sim::ParameterRole;
 
 constexpr double kLeastError_km = 20.0, kAngleError_deg = 20.0, kSunError_deg = 0.1;
-constexpr double kApart = 0.1, kEnergyApart = 0.25;
+constexpr double kVolumeApart = 0.1, kEnergyApart = 0.25;
 
 /// 0: east, 1: north; -1: no place.
 int axis_of(const FreeNumber& n) {
@@ -78,7 +78,8 @@ std::optional<double> usual_error(const sim::Scene& scene, const FreeNumber& num
 bool footprints_differ(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                        const std::vector<double>& a, const std::vector<double>& b) {
   for (std::size_t j = 0; j < free.size(); ++j) {
-    if (axis_of(free[j]) >= 0 && std::abs(a[j] - b[j]) > kApart * distance_of(scene, free[j])) return true;
+    if (axis_of(free[j]) >= 0 && std::abs(a[j] - b[j]) > kVolumeApart * distance_of(scene, free[j]))
+      return true;
     if (is_energy(free[j]) && std::abs(std::log(a[j] / b[j])) > kEnergyApart) return true;
   }
   return false;

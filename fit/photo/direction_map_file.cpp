@@ -16,15 +16,7 @@ namespace vegard::fit {
 namespace {
 
 const char* const kAzimuth = "azimuth_deg";
-const char* const kElevation = "elevation_deg";
-
-[[noreturn]] void refuse(const std::string& file, const std::string& problem, const std::string& expected) {
-  sim::ErrorDetails details;
-  details.file = file;
-  details.problem = problem;
-  details.expected = expected;
-  throw sim::Error(sim::ErrorKind::unreadable_input, details);
-}
+const char* const kMapElevation = "elevation_deg";
 
 sim::Image one_channel(const sim::Image& image, int channel) {
   sim::Image one(image.width, image.height, {image.channel_names[channel]});
@@ -41,7 +33,8 @@ bool is_fits(const std::string& file) {
 
 sim::Image read_fits_angles(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream || !std::filesystem::is_regular_file(file)) refuse(file, "no such file", "a map of angles");
+  if (!stream || !std::filesystem::is_regular_file(file))
+    sim::refuse_file(sim::ErrorKind::unreadable_input, file, "no such file", "a map of angles");
   const std::string bytes(std::istreambuf_iterator<char>(stream), {});
   sim::FitsImage fits = sim::read_fits_image(bytes, file);
   for (std::size_t i = 0; i < fits.known.size(); ++i)
@@ -53,7 +46,8 @@ sim::ImageFormat format_of(const std::string& file) {
   try {
     return sim::image_format(file);
   } catch (const sim::Error&) {
-    refuse(file, "its name does not say that it holds angles", "an EXR, FITS, or a TIFF of floats");
+    sim::refuse_file(sim::ErrorKind::unreadable_input, file, "its name does not say that it holds angles",
+                     "an EXR, FITS, or a TIFF of floats");
   }
 }
 
@@ -86,15 +80,18 @@ sim::Image read_angles(const std::string& file, const std::string& channel) {
     const auto named = std::find(names.begin(), names.end(), channel);
     if (named != names.end()) return one_channel(exr.image, static_cast<int>(named - names.begin()));
     if (names.size() == 1) return exr.image;
-    refuse(file, "which of its channels is meant is not known", "one named " + channel + ", or only one");
+    sim::refuse_file(sim::ErrorKind::unreadable_input, file, "which of its channels is meant is not known",
+                     "one named " + channel + ", or only one");
   }
   const sim::PictureFile picture = sim::read_picture(file);
-  if (!picture.floating) refuse(file, "it holds integers, no angles", "an EXR, FITS, or a TIFF of floats");
+  if (!picture.floating)
+    sim::refuse_file(sim::ErrorKind::unreadable_input, file, "it holds integers, no angles",
+                     "an EXR, FITS, or a TIFF of floats");
   return one_channel(picture.image, 0);
 }
 
 sim::DirectionMap read_direction_map(const std::string& azimuth_file, const std::string& elevation_file) {
-  return direction_map(read_angles(azimuth_file, kAzimuth), read_angles(elevation_file, kElevation),
+  return direction_map(read_angles(azimuth_file, kAzimuth), read_angles(elevation_file, kMapElevation),
                        azimuth_file, elevation_file);
 }
 

@@ -10,6 +10,7 @@
 
 #include "fit/photo/codec/picture_codes.h"
 #include "sim/base/file/sha256.h"
+#include "sim/base/image.h"
 #include "sim/view/sensor/sensor.h"
 #include "sim/view/sensor/transfer_curve.h"
 
@@ -17,10 +18,6 @@ namespace vegard::fit {
 namespace {
 
 std::string file_name_of(const std::string& file) { return std::filesystem::path(file).filename().string(); }
-
-std::string size_text(long long width, long long height) {
-  return std::to_string(width) + " x " + std::to_string(height);
-}
 
 std::string read_bytes(const std::string& file) {
   namespace fs = std::filesystem;
@@ -124,7 +121,8 @@ Photo read_photo_bytes(std::string_view bytes, const std::string& file, const De
     photo.linear = sim::Image(codes.width, codes.height, {"R", "G", "B"});
     photo.usable.assign(photo.linear.data.size(), 0);
   } catch (const std::bad_alloc&) {
-    refuse_image(file, "there is not enough memory for " + size_text(codes.width, codes.height) + " pixels",
+    refuse_image(file,
+                 "there is not enough memory for " + sim::size_text(codes.width, codes.height) + " pixels",
                  "", "scale or crop it first");
   }
   linearise(codes, photo);
@@ -156,8 +154,9 @@ void apply_mask(Photo& photo, const std::string& mask_file) {
   const std::string bytes = read_bytes(mask_file);
   const PictureCodes mask = picture_codes(bytes, mask_file);
   if (mask.width != photo.linear.width || mask.height != photo.linear.height)
-    refuse_image(mask_file, "the mask has " + size_text(mask.width, mask.height) + " pixels",
-                 size_text(photo.linear.width, photo.linear.height) + ", the size of " + photo.file_name, "");
+    refuse_image(mask_file, "the mask has " + sim::size_text(mask.width, mask.height) + " pixels",
+                 sim::size_text(photo.linear.width, photo.linear.height) + ", the size of " + photo.file_name,
+                 "");
   bool any = false;
   for (std::size_t pixel = 0; pixel < mask.values.size() / mask.channels; ++pixel) {
     double sum = 0.0;

@@ -6,17 +6,7 @@
 #include "sim/base/error.h"
 
 namespace vegard::fit {
-namespace {
-
-[[noreturn]] void refuse(const std::string& key, const std::string& problem, const std::string& expected) {
-  sim::ErrorDetails details;
-  details.key = key;
-  details.problem = problem;
-  details.expected = expected;
-  throw sim::Error(sim::ErrorKind::scene, details);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Region checked_region(const std::array<int, 4>& roi_px, int image_width, int image_height) {
   const auto [x, y, width, height] = roi_px;
@@ -27,9 +17,10 @@ Region checked_region(const std::array<int, 4>& roi_px, int image_width, int ima
   if (!inside) {
     std::string text;
     for (const int number : roi_px) text += (text.empty() ? "[" : ", ") + std::to_string(number);
-    refuse("fit.roi_px", "the region " + text + "] does not lie inside the image of " + image + " pixels",
-           "[x, y, width, height] with x + width at most " + std::to_string(image_width) +
-               " and y + height at most " + std::to_string(image_height));
+    sim::refuse_key(sim::ErrorKind::scene, "fit.roi_px",
+                    "the region " + text + "] does not lie inside the image of " + image + " pixels",
+                    "[x, y, width, height] with x + width at most " + std::to_string(image_width) +
+                        " and y + height at most " + std::to_string(image_height));
   }
   return {x, y, width, height};
 }

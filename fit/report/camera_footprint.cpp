@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/base/number/constants.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::fit {
 namespace {
 
-constexpr int kDirections = 180, kSteps = 96, kGrid = 24;
-constexpr double kTwoPi = 6.283185307179586;
+constexpr int kFootprintDirections = 180, kFootprintSteps = 96, kGrid = 24;
 
 std::optional<GroundPoint> seen_by(const sim::Scene& scene, double x_px, double y_px) {
   const sim::Direction d = sim::direction_of_pixel(scene.camera, x_px, y_px);
@@ -40,8 +40,8 @@ std::optional<PlotPoint> pixel_to_start_from(const sim::Scene& scene) {
 /// Directions all around, and those of the picture's corners.
 std::vector<double> angles_from(const sim::Camera& camera, PlotPoint from) {
   std::vector<double> angles;
-  for (int i = 0; i < kDirections; ++i)
-    angles.push_back(kTwoPi * (static_cast<double>(i) / kDirections - 0.5));
+  for (int i = 0; i < kFootprintDirections; ++i)
+    angles.push_back(sim::kTwoPi * (static_cast<double>(i) / kFootprintDirections - 0.5));
   for (const int x : {0, camera.width})
     for (const int y : {0, camera.height}) angles.push_back(std::atan2(y - from.y, x - from.x));
   std::sort(angles.begin(), angles.end());
@@ -67,8 +67,8 @@ std::vector<GroundPoint> camera_footprint(const sim::Scene& scene) {
   for (const double angle : angles_from(scene.camera, *from)) {
     const double dx = std::cos(angle), dy = std::sin(angle);
     const double reach = reach_px(scene.camera, *from, dx, dy);
-    for (int step = kSteps; step >= 0; --step) {
-      const double away = reach * step / kSteps;
+    for (int step = kFootprintSteps; step >= 0; --step) {
+      const double away = reach * step / kFootprintSteps;
       const auto ground = seen_by(scene, from->x + away * dx, from->y + away * dy);
       if (!ground) continue;
       outline.push_back(*ground);

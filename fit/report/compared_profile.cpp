@@ -4,16 +4,16 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/base/number/constants.h"
+
 namespace vegard::fit {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-struct Cell {
-  double data = kNaN, sigma = kNaN, model = kNaN;
+struct ComparedCell {
+  double data = sim::kNaN, sigma = sim::kNaN, model = sim::kNaN;
 };
 
-Cell mean_over_bands(const FittedPhoto& fitted, int first_band, int end_band, int row, int channel) {
+ComparedCell mean_over_bands(const FittedPhoto& fitted, int first_band, int end_band, int row, int channel) {
   double count = 0.0, data = 0.0, model = 0.0, variance = 0.0;
   for (int band = first_band; band < end_band; ++band) {
     const std::size_t i = fitted.data.index(band, row, channel);
@@ -29,12 +29,12 @@ Cell mean_over_bands(const FittedPhoto& fitted, int first_band, int end_band, in
   return {data / count, std::sqrt(variance) / count, model / count};
 }
 
-Cell mean_over_rows(const FittedPhoto& fitted, int first_band, int end_band, int first_row, int end_row,
-                    int channel) {
+ComparedCell mean_over_rows(const FittedPhoto& fitted, int first_band, int end_band, int first_row,
+                            int end_row, int channel) {
   int rows = 0;
   double data = 0.0, model = 0.0, variance = 0.0;
   for (int row = first_row; row < end_row; ++row) {
-    const Cell cell = mean_over_bands(fitted, first_band, end_band, row, channel);
+    const ComparedCell cell = mean_over_bands(fitted, first_band, end_band, row, channel);
     if (!std::isfinite(cell.data)) continue;
     ++rows;
     data += cell.data;
@@ -72,7 +72,7 @@ ComparedProfile compared_profile(const FittedPhoto& fitted, int first_band, int 
     const double y_px = data.region.y + 0.5 * (row + end_row);
     profile.height.push_back(elevation_of_pixel ? elevation_of_pixel(middle, y_px) : y_px);
     for (int c = 0; c < 3; ++c) {
-      const Cell cell = mean_over_rows(fitted, first_band, end_band, row, end_row, c);
+      const ComparedCell cell = mean_over_rows(fitted, first_band, end_band, row, end_row, c);
       profile.data[c].push_back(cell.data);
       profile.sigma[c].push_back(cell.sigma);
       profile.model[c].push_back(cell.model);

@@ -16,15 +16,16 @@ namespace {
 
 constexpr std::size_t kMost = 10;
 constexpr double kWide = 760.0, kLeastCell = 78.0, kMostCell = 210.0;  // of all cells, of one
-constexpr double kGap = 8.0, kEdge = 18.0, kLeft = 74.0, kBelow = 44.0;
-constexpr double kNameSize = 12.0, kValueSize = 11.0, kTickSize = 9.5, kNoteSize = 12.0, kTitleSize = 16.0;
+constexpr double kCornerGap = 8.0, kCornerEdge = 18.0, kCornerLeft = 74.0, kCornerBelow = 44.0;
+constexpr double kNameSize = 12.0, kValueSize = 11.0, kCornerTickSize = 9.5, kCornerNoteSize = 12.0,
+                 kCornerTitleSize = 16.0;
 constexpr double kNameHeight = 34.0;  // name and value above the first cell
-constexpr double kNoteHeight = 18.0;
+constexpr double kCornerNoteHeight = 18.0;
 constexpr double kSigmas = 2.8;        // shown to either side
 constexpr double kLeastShare = 0.003;  // of the samples may fall outside
 constexpr std::size_t kMostDots = 7000, kMostDotsOfOne = 2000;
 constexpr int kBins = 24;
-constexpr Colour kInk{38, 38, 38}, kSoftInk{95, 95, 95}, kFrame{170, 170, 170};
+constexpr Colour kCornerInk{38, 38, 38}, kSoftInk{95, 95, 95}, kFrame{170, 170, 170};
 
 Colour covariance_ink() { return distinct_colour(0); }
 Colour chain_ink() { return distinct_colour(1); }
@@ -82,7 +83,8 @@ AxisTicks ticks_of(const Range& range, double cell) {
   for (int most = 4;; --most) {
     AxisTicks ticks = axis_ticks(range.min, range.max, most);
     double widest = 0.0;
-    for (const std::string& label : ticks.labels) widest = std::max(widest, text_width_px(label, kTickSize));
+    for (const std::string& label : ticks.labels)
+      widest = std::max(widest, text_width_px(label, kCornerTickSize));
     const double step =
         ticks.places.size() < 2 ? cell : (ticks.places[1] - ticks.places[0]) / (range.max - range.min) * cell;
     if (most <= 1 || (step >= widest + 6.0 && ticks.places.size() <= 4)) return ticks;
@@ -99,8 +101,8 @@ struct Corner {
   PlotSize size;
 
   PlotRectangle area(std::size_t row, std::size_t column) const {
-    return {kEdge + kLeft + (cell + kGap) * static_cast<double>(column),
-            top + (cell + kGap) * static_cast<double>(row), cell, cell};
+    return {kCornerEdge + kCornerLeft + (cell + kCornerGap) * static_cast<double>(column),
+            top + (cell + kCornerGap) * static_cast<double>(row), cell, cell};
   }
   double x_in(const PlotRectangle& a, std::size_t j, double value) const {
     const Range& r = sides[j].range;
@@ -143,42 +145,45 @@ Corner lay_out(const CornerData& data) {
     for (const std::string& name : data.left_out) names += (names.empty() ? "" : ", ") + name;
     c.notes.push_back("Left out, without an error bar: " + names + ".");
   }
-  c.top = kEdge + 26.0 + kNoteHeight * static_cast<double>(1 + (c.samples > 0) + c.notes.size()) +
+  c.top = kCornerEdge + 26.0 + kCornerNoteHeight * static_cast<double>(1 + (c.samples > 0) + c.notes.size()) +
           kNameHeight + 6.0;
-  const double step = c.cell + kGap;
+  const double step = c.cell + kCornerGap;
   double right = 0.0;
   for (std::size_t j = 0; j < n; ++j) {
     const double wide = std::max(text_width_px(c.sides[j].parameter.name, 1.08 * kNameSize),
                                  text_width_px(value_text(c.sides[j].parameter), kValueSize));
     right = std::max(right, step * static_cast<double>(j) + std::max(c.cell, wide));
   }
-  c.size.width = kEdge + kLeft + right + kEdge;
+  c.size.width = kCornerEdge + kCornerLeft + right + kCornerEdge;
   for (const std::string& note : c.notes)
-    c.size.width = std::max(c.size.width, 2 * kEdge + text_width_px(note, kNoteSize));
+    c.size.width = std::max(c.size.width, 2 * kCornerEdge + text_width_px(note, kCornerNoteSize));
   c.size.width = std::ceil(std::max(c.size.width, 480.0));
-  c.size.height = std::ceil(c.top + step * static_cast<double>(n) + kBelow);
+  c.size.height = std::ceil(c.top + step * static_cast<double>(n) + kCornerBelow);
   return c;
 }
 
 void draw_head(const Corner& c, PlotCanvas& canvas) {
-  double y = kEdge + 6.0;
-  canvas.text({kEdge, y}, "Every parameter against every other",
-              style(kTitleSize, kInk, TextAnchor::start, true));
+  double y = kCornerEdge + 6.0;
+  canvas.text({kCornerEdge, y}, "Every parameter against every other",
+              style(kCornerTitleSize, kCornerInk, TextAnchor::start, true));
   y += 24.0;
   const double sample = 22.0;
-  canvas.area({{kEdge, y - 9}, {kEdge + sample, y - 9}, {kEdge + sample, y + 1}, {kEdge, y + 1}},
+  canvas.area({{kCornerEdge, y - 9},
+               {kCornerEdge + sample, y - 9},
+               {kCornerEdge + sample, y + 1},
+               {kCornerEdge, y + 1}},
               covariance_ink(), 0.25);
-  canvas.text({kEdge + sample + 7, y}, "covariance: 1 \u03c3 and 2 \u03c3 (39 % and 86 % inside)",
-              style(kNoteSize, kSoftInk));
-  y += kNoteHeight;
+  canvas.text({kCornerEdge + sample + 7, y}, "covariance: 1 \u03c3 and 2 \u03c3 (39 % and 86 % inside)",
+              style(kCornerNoteSize, kSoftInk));
+  y += kCornerNoteHeight;
   if (c.samples > 0) {
-    canvas.dot({kEdge + sample / 2, y - 4}, 4.0, chain_ink());
-    canvas.text({kEdge + sample + 7, y}, "samples of the chain", style(kNoteSize, kSoftInk));
-    y += kNoteHeight;
+    canvas.dot({kCornerEdge + sample / 2, y - 4}, 4.0, chain_ink());
+    canvas.text({kCornerEdge + sample + 7, y}, "samples of the chain", style(kCornerNoteSize, kSoftInk));
+    y += kCornerNoteHeight;
   }
   for (const std::string& note : c.notes) {
-    canvas.text({kEdge, y}, note, style(kNoteSize, kSoftInk));
-    y += kNoteHeight;
+    canvas.text({kCornerEdge, y}, note, style(kCornerNoteSize, kSoftInk));
+    y += kCornerNoteHeight;
   }
 }
 
@@ -194,13 +199,14 @@ void draw_x_axis(const Corner& c, std::size_t j, PlotCanvas& canvas) {
     const double x = c.x_in(a, j, c.sides[j].ticks.places[t]);
     canvas.line({{x, bottom}, {x, bottom + 4}}, kFrame, 1, false);
     // The next cell's numbers stand close by.
-    const double half = 0.5 * text_width_px(c.sides[j].ticks.labels[t], kTickSize);
-    const bool sticks_out = x - half < a.x - kGap / 2 || x + half > a.x + a.width + kGap / 2;
+    const double half = 0.5 * text_width_px(c.sides[j].ticks.labels[t], kCornerTickSize);
+    const bool sticks_out = x - half < a.x - kCornerGap / 2 || x + half > a.x + a.width + kCornerGap / 2;
     if (sticks_out && c.sides[j].ticks.places.size() > 1) continue;
-    canvas.text({x, bottom + 14}, c.sides[j].ticks.labels[t], style(kTickSize, kSoftInk, TextAnchor::middle));
+    canvas.text({x, bottom + 14}, c.sides[j].ticks.labels[t],
+                style(kCornerTickSize, kSoftInk, TextAnchor::middle));
   }
   canvas.text({a.x + a.width / 2, bottom + 32}, c.sides[j].axis_name,
-              style(kValueSize, kInk, TextAnchor::middle));
+              style(kValueSize, kCornerInk, TextAnchor::middle));
 }
 
 void draw_y_axis(const Corner& c, std::size_t j, PlotCanvas& canvas) {
@@ -208,12 +214,12 @@ void draw_y_axis(const Corner& c, std::size_t j, PlotCanvas& canvas) {
   for (std::size_t t = 0; t < c.sides[j].ticks.places.size(); ++t) {
     const double y = c.y_in(a, j, c.sides[j].ticks.places[t]);
     canvas.line({{a.x - 4, y}, {a.x, y}}, kFrame, 1, false);
-    canvas.text({a.x - 7, y + 0.36 * kTickSize}, c.sides[j].ticks.labels[t],
-                style(kTickSize, kSoftInk, TextAnchor::end));
+    canvas.text({a.x - 7, y + 0.36 * kCornerTickSize}, c.sides[j].ticks.labels[t],
+                style(kCornerTickSize, kSoftInk, TextAnchor::end));
   }
-  TextStyle name = style(kValueSize, kInk, TextAnchor::middle);
+  TextStyle name = style(kValueSize, kCornerInk, TextAnchor::middle);
   name.upwards = true;
-  canvas.text({a.x - kLeft + 12, a.y + a.height / 2}, c.sides[j].axis_name, name);
+  canvas.text({a.x - kCornerLeft + 12, a.y + a.height / 2}, c.sides[j].axis_name, name);
 }
 
 /// Density of the samples in equal bins over the range, per unit.
@@ -259,7 +265,7 @@ void draw_diagonal(const Corner& c, std::size_t j, PlotCanvas& canvas) {
   }
   canvas.end_clip();
   draw_frame(a, canvas);
-  canvas.text({a.x, a.y - 21}, side.parameter.name, style(kNameSize, kInk, TextAnchor::start, true));
+  canvas.text({a.x, a.y - 21}, side.parameter.name, style(kNameSize, kCornerInk, TextAnchor::start, true));
   canvas.text({a.x, a.y - 6}, value_text(side.parameter), style(kValueSize, kSoftInk));
 }
 
@@ -298,7 +304,8 @@ void draw_pair(const Corner& c, std::size_t row, std::size_t column, std::size_t
   if (r < 0.0 && text != "0.00") text.insert(0, "\u2212");
   const bool left = r >= 0.0;
   canvas.text({left ? a.x + 4 : a.x + a.width - 4, a.y + 12}, text,
-              style(kTickSize + 0.5, kInk, left ? TextAnchor::start : TextAnchor::end, std::abs(r) > 0.9));
+              style(kCornerTickSize + 0.5, kCornerInk, left ? TextAnchor::start : TextAnchor::end,
+                    std::abs(r) > 0.9));
 }
 
 }  // namespace

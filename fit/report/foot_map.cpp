@@ -16,22 +16,22 @@ constexpr double kSide_px = 460.0, kLeft_px = 62.0, kTop_px = 58.0, kRight_px = 
 constexpr double kMargin = 0.12;  // of the map's width, on each side
 constexpr double kLeastHalf_km = 60.0, kFarthest_km = 1500.0;
 constexpr double kSineShows_px = 1.0;  // amplitude
-constexpr int kCoarse = 65, kFine = 1201;
-constexpr Colour kInk{29, 36, 48}, kSoft{102, 112, 128}, kField{140, 150, 160};
+constexpr int kMapCoarse = 65, kFine = 1201;
+constexpr Colour kMapInk{29, 36, 48}, kSoft{102, 112, 128}, kField{140, 150, 160};
 
-using Points = std::vector<GroundPoint>;
+using GroundPoints = std::vector<GroundPoint>;
 
-Points on_ground(const std::vector<sim::EastNorth>& feet) {
-  Points points;
+GroundPoints on_ground(const std::vector<sim::EastNorth>& feet) {
+  GroundPoints points;
   for (const sim::EastNorth& foot : feet) points.push_back(ground_of_foot(foot));
   return points;
 }
 
 /// A photograph's site and field of view, on the map about the home site.
-struct Station {
+struct MappedStation {
   std::string name;
   GroundPoint site;
-  Points field_of_view;
+  GroundPoints field_of_view;
 };
 
 /// A point of the ground about one site, about another.
@@ -47,12 +47,12 @@ GroundPoint carried(const sim::Site& from, const sim::Site& home, GroundPoint p)
       from.longitude_deg - home.longitude_deg + std::atan2(east, out) / sim::kRadiansPerDegree);
 }
 
-std::vector<Station> stations_of(const FitResult& result) {
+std::vector<MappedStation> stations_of(const FitResult& result) {
   const sim::Site& home = result.best.site;
-  std::vector<Station> stations;
+  std::vector<MappedStation> stations;
   for (const FittedPhoto& photo : result.photos) {
     const sim::Site& site = photo.best.site;
-    Station station{photo.name, carried(site, home, {0.0, 0.0}), camera_footprint(photo.best)};
+    MappedStation station{photo.name, carried(site, home, {0.0, 0.0}), camera_footprint(photo.best)};
     for (GroundPoint& p : station.field_of_view) p = carried(site, home, p);
     stations.push_back(std::move(station));
   }
@@ -60,7 +60,8 @@ std::vector<Station> stations_of(const FitResult& result) {
 }
 
 /// The line of an arc's feet, moved so many sigmas to the left.
-Points moved_line(const sim::Sheet& sheet, const FootBand& band, double instant_s, int arc, double sigmas) {
+GroundPoints moved_line(const sim::Sheet& sheet, const FootBand& band, double instant_s, int arc,
+                        double sigmas) {
   const double bearing = sheet.bearing_deg * sim::kRadiansPerDegree;
   std::vector<sim::EastNorth> feet =
       straight_feet(sheet, instant_s, arc, static_cast<int>(band.sigma_km.size()));
@@ -72,7 +73,7 @@ Points moved_line(const sim::Sheet& sheet, const FootBand& band, double instant_
 }
 
 /// All sites, and the feet that are not absurdly far.
-MapFrame frame_of(const FitResult& result, const std::vector<Station>& stations) {
+MapFrame frame_of(const FitResult& result, const std::vector<MappedStation>& stations) {
   double west = 0.0, east = 0.0, south = 0.0, north = 0.0;
   const auto take = [&](const GroundPoint& p) {
     if (!(std::hypot(p.x, p.y) < kFarthest_km)) return;
@@ -81,10 +82,10 @@ MapFrame frame_of(const FitResult& result, const std::vector<Station>& stations)
     south = std::min(south, p.y);
     north = std::max(north, p.y);
   };
-  for (const Station& station : stations) take(station.site);
+  for (const MappedStation& station : stations) take(station.site);
   for (const sim::Sheet& sheet : result.best.sheets)
     for (int arc = 0; arc < sheet.arcs; ++arc)
-      for (const GroundPoint& p : on_ground(straight_feet(sheet, result.best.time.start_s, arc, kCoarse)))
+      for (const GroundPoint& p : on_ground(straight_feet(sheet, result.best.time.start_s, arc, kMapCoarse)))
         take(p);
   MapFrame frame;
   frame.area_px = {kLeft_px, kTop_px, kSide_px, kSide_px};
@@ -98,7 +99,7 @@ Colour sheet_colour(std::size_t index) {
   return index == 0 ? line_ink(557.7) : distinct_colour(static_cast<int>(index) - 1);
 }
 
-void draw_field_of_view(const MapFrame& frame, const Station& station, PlotCanvas& canvas) {
+void draw_field_of_view(const MapFrame& frame, const MappedStation& station, PlotCanvas& canvas) {
   if (station.field_of_view.size() < 3) return;
   std::vector<PlotPoint> outline = frame.pixels(station.field_of_view);
   canvas.area(outline, kField, 0.16);
@@ -113,12 +114,12 @@ void draw_sheet(const MapFrame& frame, const FitResult& result, std::size_t s, P
   const bool sine_shows = sheet.thickness_km / frame.km_per_px >= kSineShows_px;
   for (int arc = 0; arc < sheet.arcs; ++arc) {
     if (s < result.foot_bands.size() && !result.foot_bands[s].sigma_km.empty()) {
-      Points band = moved_line(sheet, result.foot_bands[s], instant, arc, 1.0);
-      const Points right = moved_line(sheet, result.foot_bands[s], instant, arc, -1.0);
+      GroundPoints band = moved_line(sheet, result.foot_bands[s], instant, arc, 1.0);
+      const GroundPoints right = moved_line(sheet, result.foot_bands[s], instant, arc, -1.0);
       band.insert(band.end(), right.rbegin(), right.rend());
       canvas.area(frame.pixels(band), colour, 0.25);
     }
-    canvas.line(frame.pixels(on_ground(straight_feet(sheet, instant, arc, kCoarse))), colour,
+    canvas.line(frame.pixels(on_ground(straight_feet(sheet, instant, arc, kMapCoarse))), colour,
                 sine_shows ? 0.8 : 1.8, sine_shows);
     if (sine_shows)
       canvas.line(frame.pixels(on_ground(sine_feet(result.best, sheet, instant, arc, kFine))), colour, 1.8,
@@ -138,7 +139,7 @@ void draw_legend(const FitResult& result, PlotCanvas& canvas) {
   const double x = kLeft_px + kSide_px + 18.0;
   double y = kTop_px + 14.0;
   const auto entry = [&](const std::string& text, bool head) {
-    canvas.text({x + 30.0, y + 4.0}, text, {12.0, TextAnchor::start, head ? kInk : kSoft});
+    canvas.text({x + 30.0, y + 4.0}, text, {12.0, TextAnchor::start, head ? kMapInk : kSoft});
     y += 18.0;
   };
   for (std::size_t s = 0; s < result.best.sheets.size(); ++s) {
@@ -152,7 +153,7 @@ void draw_legend(const FitResult& result, PlotCanvas& canvas) {
   }
   canvas.area({{x, y - 5.0}, {x + 22.0, y - 5.0}, {x + 22.0, y + 5.0}, {x, y + 5.0}}, kField, 0.3);
   entry("seen at 110 km", true);
-  canvas.dot({x + 11.0, y}, 7.0, kInk);
+  canvas.dot({x + 11.0, y}, 7.0, kMapInk);
   entry(result.photos.size() > 1 ? "cameras" : "camera", true);
 }
 
@@ -160,23 +161,23 @@ void draw_legend(const FitResult& result, PlotCanvas& canvas) {
 
 std::string foot_map_svg(const FitResult& result) {
   if (result.best.sheets.empty()) return {};
-  const std::vector<Station> stations = stations_of(result);
+  const std::vector<MappedStation> stations = stations_of(result);
   const MapFrame frame = frame_of(result, stations);
   const MapGrid grid = map_grid(frame, result.best);
   const PlotSize size{kLeft_px + kSide_px + kRight_px, kTop_px + kSide_px + kBottom_px};
   return drawn_svg("Where the feet stand", size, [&](PlotCanvas& canvas) {
     canvas.area({{0, 0}, {size.width, 0}, {size.width, size.height}, {0, size.height}}, {255, 255, 255}, 1.0);
-    canvas.text({kLeft_px, 22.0}, "Where the feet stand", {15.0, TextAnchor::start, kInk, true});
+    canvas.text({kLeft_px, 22.0}, "Where the feet stand", {15.0, TextAnchor::start, kMapInk, true});
     canvas.text({kLeft_px, 41.0}, grid.note, {12.0, TextAnchor::start, kSoft});
     canvas.begin_clip(frame.area_px);
-    for (const Station& station : stations) draw_field_of_view(frame, station, canvas);
+    for (const MappedStation& station : stations) draw_field_of_view(frame, station, canvas);
     draw_grid_lines(frame, grid, canvas);
     for (std::size_t s = 0; s < result.best.sheets.size(); ++s) draw_sheet(frame, result, s, canvas);
-    for (const Station& station : stations) {
+    for (const MappedStation& station : stations) {
       const PlotPoint at = frame.pixel(station.site);
-      canvas.dot(at, 8.0, kInk);
+      canvas.dot(at, 8.0, kMapInk);
       canvas.text({at.x + 8.0, at.y + 4.0}, station.name.empty() ? "site" : station.name,
-                  {12.0, TextAnchor::start, kInk});
+                  {12.0, TextAnchor::start, kMapInk});
     }
     draw_scale(frame, canvas);
     canvas.end_clip();

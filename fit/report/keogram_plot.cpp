@@ -13,10 +13,10 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kGap = 1.5;  ///< median distances
+constexpr double kKeogramPlotGap = 1.5;  ///< median distances
 constexpr double kLeftOut = 0.005;
 constexpr int kPanelWidth = 900, kPanelHeight = 360;
-constexpr int kFiner = 2;  ///< pixels of the raster for each of the panel, as its PNG has
+constexpr int kKeogramPlotFiner = 2;  ///< pixels of the raster for each of the panel, as its PNG has
 constexpr double kTickDistance = 75.0;
 constexpr Colour kNothing{205, 205, 205};
 
@@ -35,12 +35,12 @@ Rgb colour_map(double value) {
   return colour;
 }
 
-struct Scale {
+struct KeogramScale {
   double black = 0.0, white = 1.0;
 };
 
-Scale scale_of(const Keogram& keogram, const KeogramLook& look) {
-  Scale scale;
+KeogramScale scale_of(const Keogram& keogram, const KeogramLook& look) {
+  KeogramScale scale;
   if (!keogram.srgb) {
     std::vector<double> values;
     for (const KeogramColumn& column : keogram.columns)
@@ -76,10 +76,10 @@ std::pair<std::size_t, std::size_t> pictures_between(const Keogram& keogram,
   return {0, 0};
 }
 
-Raster raster_of(const Keogram& keogram, const KeogramLook& look, const Scale& scale,
+Raster raster_of(const Keogram& keogram, const KeogramLook& look, const KeogramScale& scale,
                  const std::vector<TimeSpan>& spans) {
   Raster raster;
-  raster.width = kPanelWidth * kFiner;
+  raster.width = kPanelWidth * kKeogramPlotFiner;
   raster.height = keogram.positions();
   raster.left = spans.front().begin;
   raster.right = spans.back().end;
@@ -173,7 +173,9 @@ std::vector<TimeSpan> column_spans(const Keogram& keogram) {
     std::sort(sorted.begin(), sorted.end());
     median = sorted[(sorted.size() - 1) / 2];
   }
-  const auto reach = [&](double distance) { return 0.5 * (distance > kGap * median ? median : distance); };
+  const auto reach = [&](double distance) {
+    return 0.5 * (distance > kKeogramPlotGap * median ? median : distance);
+  };
   std::vector<TimeSpan> spans;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const double before = i > 0 ? distances[i - 1] : median,
@@ -186,7 +188,7 @@ std::vector<TimeSpan> column_spans(const Keogram& keogram) {
 Plot keogram_plot(const Keogram& keogram, const KeogramLook& look) {
   const char* const names[3] = {"red", "green", "blue"};
   const std::vector<TimeSpan> spans = column_spans(keogram);
-  const Scale scale = scale_of(keogram, look);
+  const KeogramScale scale = scale_of(keogram, look);
   Plot plot;
   plot.title = "Keogram of " + std::to_string(keogram.columns.size()) + " pictures, from " +
                keogram.columns.front().file_name;

@@ -7,12 +7,13 @@
 #include <limits>
 
 #include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/emit/aurora/foot_line.h"
 
 namespace vegard::fit {
 namespace {
 
-constexpr Colour kInk{29, 36, 48}, kGridInk{188, 196, 205};
+constexpr Colour kMapGridInk{29, 36, 48}, kGridInk{188, 196, 205};
 constexpr double kKmPerDegree = sim::kEarthRadiusKm * sim::kRadiansPerDegree;
 constexpr int kPointsOfLine = 121;
 
@@ -90,14 +91,14 @@ void add_graticule(const MapFrame& frame, const sim::Scene& scene, MapGrid& grid
 }
 
 void add_rings(const MapFrame& frame, MapGrid& grid) {
-  constexpr double kTwoPi = 6.283185307179586;
   const double step = round_number_below(frame.area_px.width * frame.km_per_px / 4.0);
   const double farthest =
       std::hypot(frame.center_km.x, frame.center_km.y) + 0.71 * frame.area_px.width * frame.km_per_px;
   for (double at = step; at <= farthest; at += step) {
     GridLine line{{}, fmt::format("{:g} km", at), false};
     for (int i = 0; i < kPointsOfLine; ++i)
-      line.points.push_back(frame.pixel({at * std::sin(kTwoPi * part(i)), at * std::cos(kTwoPi * part(i))}));
+      line.points.push_back(
+          frame.pixel({at * std::sin(sim::kTwoPi * part(i)), at * std::cos(sim::kTwoPi * part(i))}));
     grid.lines.push_back(std::move(line));
   }
   grid.note =
@@ -156,7 +157,7 @@ void draw_grid_labels(const MapFrame& frame, const MapGrid& grid, PlotCanvas& ca
   const PlotRectangle& r = frame.area_px;
   canvas.line(
       {{r.x, r.y}, {r.x + r.width, r.y}, {r.x + r.width, r.y + r.height}, {r.x, r.y + r.height}, {r.x, r.y}},
-      kInk, 1.0, false);
+      kMapGridInk, 1.0, false);
   double last_meridian = -std::numeric_limits<double>::infinity();
   std::vector<double> parallels;
   for (const GridLine& line : grid.lines) {
@@ -166,13 +167,13 @@ void draw_grid_labels(const MapFrame& frame, const MapGrid& grid, PlotCanvas& ca
       const double half = 0.5 * text_width_px(line.label, kSize_px);
       if (*at - half < last_meridian + kGap_px) continue;
       last_meridian = *at + half;
-      canvas.text({*at, r.y + r.height + 16.0}, line.label, {kSize_px, TextAnchor::middle, kInk});
+      canvas.text({*at, r.y + r.height + 16.0}, line.label, {kSize_px, TextAnchor::middle, kMapGridInk});
     } else {
       if (std::any_of(parallels.begin(), parallels.end(),
                       [&](double other) { return std::abs(other - *at) < kSize_px + 2.0; }))
         continue;
       parallels.push_back(*at);
-      canvas.text({r.x - kGap_px, *at + 4.0}, line.label, {kSize_px, TextAnchor::end, kInk});
+      canvas.text({r.x - kGap_px, *at + 4.0}, line.label, {kSize_px, TextAnchor::end, kMapGridInk});
     }
   }
 }
@@ -184,12 +185,12 @@ void draw_scale(const MapFrame& frame, PlotCanvas& canvas) {
   canvas.area({{x - 6, y - 22}, {x + length + 6, y - 22}, {x + length + 6, y + 9}, {x - 6, y + 9}},
               {255, 255, 255}, 0.85);
   canvas.line({{x, y - 4}, {x, y + 4}, {x, y}, {x + length, y}, {x + length, y - 4}, {x + length, y + 4}},
-              kInk, 1.4, false);
+              kMapGridInk, 1.4, false);
   canvas.text({x + 0.5 * length, y - 8.0}, fmt::format("{:g} km", length_km),
-              {11.0, TextAnchor::middle, kInk});
+              {11.0, TextAnchor::middle, kMapGridInk});
   const double nx = r.x + r.width - 18.0, ny = r.y + 40.0;
-  canvas.area({{nx, ny - 22}, {nx - 6, ny}, {nx, ny - 5}, {nx + 6, ny}}, kInk, 1.0);
-  canvas.text({nx, ny - 25.0}, "N", {11.0, TextAnchor::middle, kInk, true});
+  canvas.area({{nx, ny - 22}, {nx - 6, ny}, {nx, ny - 5}, {nx + 6, ny}}, kMapGridInk, 1.0);
+  canvas.text({nx, ny - 25.0}, "N", {11.0, TextAnchor::middle, kMapGridInk, true});
 }
 
 }  // namespace vegard::fit

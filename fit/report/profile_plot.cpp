@@ -7,20 +7,21 @@
 
 #include "fit/report/table/report_bins.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::fit {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kMostPanels = 6;
 constexpr int kMostRows = 500;
 
-struct Cell {
-  double mean = kNaN, sigma = kNaN;
+struct PlottedCell {
+  double mean = sim::kNaN, sigma = sim::kNaN;
 };
 
 /// The mean over the usable pixels of some bands and rows, and its standard error.
-Cell average(const Profile& profile, int first_band, int end_band, int first_row, int end_row, int channel) {
+PlottedCell average(const Profile& profile, int first_band, int end_band, int first_row, int end_row,
+                    int channel) {
   double sum = 0.0, variance = 0.0, count = 0.0;
   for (int band = first_band; band < end_band; ++band)
     for (int row = first_row; row < end_row; ++row) {
@@ -69,7 +70,7 @@ Panel band_panel(const Profile& profile, int first_band, int end_band, int rows_
     series.band_along_x = !has_named_axes(profile);
     for (int row = 0; row < profile.rows; row += rows_each) {
       const int end_row = std::min(profile.rows, row + rows_each);
-      const Cell cell = average(profile, first_band, end_band, row, end_row, channel);
+      const PlottedCell cell = average(profile, first_band, end_band, row, end_row, channel);
       if (has_named_axes(profile)) {
         series.x.push_back(profile.grid->along.edge(0.5 * (row + end_row)));
         series.y.push_back(cell.mean);

@@ -12,7 +12,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kBottomKm = 80.0, kTopKm = 500.0, kStepKm = 2.0;
+constexpr double kBottomKm = 80.0, kTopKm = 500.0, kQuenchingStepKm = 2.0;
 
 /// "630.0 and 636.4 nm, O, 110 s"
 std::string label_of(const sim::EmissionLine& line) {
@@ -45,7 +45,7 @@ Plot quenching_plot() {
     share.colour = line_ink(line.wavelength_nm);
     lifetime.label = share.label;
     lifetime.colour = share.colour;
-    for (double altitude = kBottomKm; altitude <= kTopKm; altitude += kStepKm) {
+    for (double altitude = kBottomKm; altitude <= kTopKm; altitude += kQuenchingStepKm) {
       const double tau = sim::effective_lifetime_s(line, sim::standard_air(altitude));
       share.x.push_back(tau / line.lifetime_s);
       lifetime.x.push_back(std::log10(tau));

@@ -52,7 +52,7 @@ std::string png_uri(const cv::Mat& bytes) {
 }
 
 /// The value below which this share of them lies; 0 for none.
-double quantile(std::vector<float> values, double share) {
+double quantile_of_copy(std::vector<float> values, double share) {
   if (values.empty()) return 0.0;
   const auto place =
       values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -82,10 +82,10 @@ std::vector<float> sizes_in_bins(const sim::Image& image, const BinGrid& grid) {
 /// 1 for a picture that fills its range as photographs do; a file of floats has no range, and a very dark
 /// picture would show nothing.
 double brightness_for(const Photo& photo) {
-  constexpr double kDark = 0.1, kShown = 0.6;
+  constexpr double kPictureDark = 0.1, kShown = 0.6;
   const double bright =
-      quantile(sizes_inside(photo.linear, {0, 0, photo.linear.width, photo.linear.height}), 0.995);
-  if (!(bright > 0.0) || (!photo.floating && bright > kDark)) return 1.0;
+      quantile_of_copy(sizes_inside(photo.linear, {0, 0, photo.linear.width, photo.linear.height}), 0.995);
+  if (!(bright > 0.0) || (!photo.floating && bright > kPictureDark)) return 1.0;
   return kShown / bright;
 }
 
@@ -160,18 +160,18 @@ void write_number(cv::Mat& picture, const cv::Mat& band, int which, double scale
       }
   if (count == 0.0) return;
   const std::string number = std::to_string(which);
-  constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
+  constexpr int kPictureFont = cv::FONT_HERSHEY_SIMPLEX;
   constexpr double kSize = 0.5;
   int below = 0;
-  const cv::Size size = cv::getTextSize(number, kFont, kSize, 1, &below);
+  const cv::Size size = cv::getTextSize(number, kPictureFont, kSize, 1, &below);
   const auto inside = [](double place, int length, int room) {
     return std::clamp(static_cast<int>(std::lround(place - 0.5 * length)), 1, std::max(1, room - length - 1));
   };
   const int left = inside(scale * x / count, size.width, picture.cols),
             top = inside(scale * y / count, size.height, picture.rows);
   const cv::Point corner(left, top + size.height);
-  cv::putText(picture, number, corner, kFont, kSize, cv::Scalar(0, 0, 0), 4, cv::LINE_AA);
-  cv::putText(picture, number, corner, kFont, kSize, cv::Scalar(90, 220, 255), 1, cv::LINE_AA);
+  cv::putText(picture, number, corner, kPictureFont, kSize, cv::Scalar(0, 0, 0), 4, cv::LINE_AA);
+  cv::putText(picture, number, corner, kPictureFont, kSize, cv::Scalar(90, 220, 255), 1, cv::LINE_AA);
 }
 
 /// Borders of bands of any form, where neighbouring pixels of the picture are not in the same; and the first
@@ -257,9 +257,10 @@ ReportPictures report_pictures(const FittedPhoto& fitted, const Photo& photo, co
   pictures.photo = png_uri(shown);
   pictures.model = png_uri(to_bytes(shrunk_part(only_inside(model.rgb, region)), for_the_eye));
 
-  const double size = quantile(has_named_axes(fitted.data) ? sizes_in_bins(model.residual, *fitted.data.grid)
-                                                           : sizes_inside(model.residual, region),
-                               0.99);
+  const double size =
+      quantile_of_copy(has_named_axes(fitted.data) ? sizes_in_bins(model.residual, *fitted.data.grid)
+                                                   : sizes_inside(model.residual, region),
+                       0.99);
   // One significant digit: a scale that one can read.
   const double unit = size > 0.0 ? std::pow(10.0, std::floor(std::log10(size))) : 1.0;
   pictures.residual_scale = size > 0.0 ? std::ceil(size / unit) * unit : 1.0;

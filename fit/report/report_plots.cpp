@@ -13,10 +13,10 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kMeanPoints = 160, kBandPoints = 110, kMostBands = 6;
+constexpr int kMeanPoints = 160, kBandPoints = 110, kReportMostBands = 6;
 constexpr int kTallPanel = 430;
-constexpr Colour kModelInk{40, 40, 40};
-const char* const kHowToRead = "Dots: photograph. Shaded: \u00b11 \u03c3. Thin line: model.";
+constexpr Colour kReportModelInk{40, 40, 40};
+const char* const kReportHowToRead = "Dots: photograph. Shaded: \u00b11 \u03c3. Thin line: model.";
 
 void set_height_axis(const FittedPhoto& fitted, const ElevationOfPixel& elevation_of_pixel, Axis& axis) {
   if (elevation_of_pixel) {
@@ -58,7 +58,7 @@ Series curve(const std::string& label, const std::vector<double>& x, const std::
 
 /// Thin and dark, over the dots that it is to meet.
 Series model_curve(const std::vector<double>& x, const std::vector<double>& height) {
-  Series series = curve("model", x, height, kModelInk);
+  Series series = curve("model", x, height, kReportModelInk);
   series.width_px = 1.1;
   return series;
 }
@@ -133,7 +133,7 @@ struct BestSoFar {
 std::string mean_profile_svg(const FittedPhoto& fitted, const ElevationOfPixel& elevation_of_pixel) {
   Plot plot;
   plot.title = "Brightness";
-  plot.note = kHowToRead;
+  plot.note = kReportHowToRead;
   plot.panels.push_back(brightness_panel(fitted.best, mean_of_all(fitted, elevation_of_pixel), 4.4));
   plot.panels[0].x.label = "linear light, mean over the bands";
   set_height_axis(fitted, elevation_of_pixel, plot.panels[0].y);
@@ -182,7 +182,7 @@ std::string colour_svg(const FittedPhoto& fitted, const ElevationOfPixel& elevat
   const ComparedColour colour = compared_colour(profile);
   Plot plot;
   plot.title = "Colour";
-  plot.note = kHowToRead;
+  plot.note = kReportHowToRead;
   plot.panels.push_back(share_panel("r / (r + g + b)", profile, colour.data_r, colour.sigma_r, colour.model_r,
                                     channel_colour(0)));
   plot.panels.push_back(share_panel("g / (r + g + b)", profile, colour.data_g, colour.sigma_g, colour.model_g,
@@ -236,12 +236,12 @@ std::string free_profiles_svg(const FitResult& result) {
 
 std::string band_profiles_svg(const FittedPhoto& fitted, const ElevationOfPixel& elevation_of_pixel) {
   const Profile& data = fitted.data;
-  const int panels = std::min(data.bands, kMostBands);
+  const int panels = std::min(data.bands, kReportMostBands);
   Plot plot;
   plot.title = "Single bands";
   plot.note = panels < data.bands ? std::to_string(panels) + " of " + std::to_string(data.bands) +
-                                        " bands, from left to right. " + kHowToRead
-                                  : std::string("From left to right. ") + kHowToRead;
+                                        " bands, from left to right. " + kReportHowToRead
+                                  : std::string("From left to right. ") + kReportHowToRead;
   for (int p = 0; p < panels; ++p) {
     const int band = (2 * p + 1) * data.bands / (2 * panels);
     Panel panel = brightness_panel(

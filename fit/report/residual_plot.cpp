@@ -94,7 +94,7 @@ Plot residual_plot(const Calibration& calibration) {
   const double extent = std::max(calibration.frame.width_px, calibration.frame.height_px);
   const double factor = round_factor(0.06 * extent / std::max(calibration.rms_px, 1e-6));
   Plot plot;
-  const bool stars = calibration.evidence == Evidence::stars;
+  const bool stars = calibration.evidence == CalibrationEvidence::stars;
   plot.title = (stars ? "Stars seen minus computed, " : "Maps minus camera, ") + words_of(calibration.form);
   char note[200];
   if (stars)

@@ -10,8 +10,8 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kShift = 4;  // fractional bits of OpenCV's coordinates
-constexpr int kMostPixels = 4000;
+constexpr int kOverlayShift = 4;  // fractional bits of OpenCV's coordinates
+constexpr int kOverlayMostPixels = 4000;
 
 double srgb(double linear) {
   linear = std::clamp(linear, 0.0, 1.0);
@@ -27,7 +27,7 @@ cv::Mat display(const Photo& photo, int& scale) {
       for (int c = 0; c < 3; ++c)
         picture.at<cv::Vec3b>(y, x)[c] = static_cast<unsigned char>(
             std::lround(255.0 * srgb(image.at(x, y, std::min(2 - c, image.channels() - 1)))));
-  scale = std::max(image.width, image.height) * 2 <= kMostPixels ? 2 : 1;
+  scale = std::max(image.width, image.height) * 2 <= kOverlayMostPixels ? 2 : 1;
   cv::Mat large;
   cv::resize(picture, large, {}, scale, scale, cv::INTER_NEAREST);
   return large;
@@ -49,8 +49,8 @@ class Overlay {
                         std::abs(x) < 1e4 && std::abs(y) < 1e4;
       const cv::Point here = seen ? point(x, y) : cv::Point();
       // A jump is a line that left the picture at one side.
-      if (open && seen && cv::norm(here - before) < (200 << kShift))
-        cv::line(picture_, before, here, colour, 1, cv::LINE_AA, kShift);
+      if (open && seen && cv::norm(here - before) < (200 << kOverlayShift))
+        cv::line(picture_, before, here, colour, 1, cv::LINE_AA, kOverlayShift);
       open = seen;
       before = here;
     }
@@ -59,11 +59,14 @@ class Overlay {
   void star(const StarSighting& star, bool used) {
     const cv::Scalar colour = used ? cv::Scalar(120, 255, 255) : cv::Scalar(60, 60, 255);
     const cv::Point seen = point(star.x_px, star.y_px);
-    const int arm = 3 << kShift;
-    cv::line(picture_, seen - cv::Point(arm, 0), seen + cv::Point(arm, 0), colour, 1, cv::LINE_AA, kShift);
-    cv::line(picture_, seen - cv::Point(0, arm), seen + cv::Point(0, arm), colour, 1, cv::LINE_AA, kShift);
+    const int arm = 3 << kOverlayShift;
+    cv::line(picture_, seen - cv::Point(arm, 0), seen + cv::Point(arm, 0), colour, 1, cv::LINE_AA,
+             kOverlayShift);
+    cv::line(picture_, seen - cv::Point(0, arm), seen + cv::Point(0, arm), colour, 1, cv::LINE_AA,
+             kOverlayShift);
     double x = 0.0, y = 0.0;
-    if (place(star.enu, x, y)) cv::circle(picture_, point(x, y), 9 << kShift, colour, 1, cv::LINE_AA, kShift);
+    if (place(star.enu, x, y))
+      cv::circle(picture_, point(x, y), 9 << kOverlayShift, colour, 1, cv::LINE_AA, kOverlayShift);
     cv::putText(picture_, ascii(star.name), whole(star.x_px, star.y_px) + cv::Point(12, 4),
                 cv::FONT_HERSHEY_SIMPLEX, 0.36, colour, 1, cv::LINE_AA);
   }
@@ -85,8 +88,8 @@ class Overlay {
 
   /// OpenCV has the centre of the first pixel at 0.
   cv::Point point(double x, double y) const {
-    return {static_cast<int>(std::lround((x * scale_ - 0.5) * (1 << kShift))),
-            static_cast<int>(std::lround((y * scale_ - 0.5) * (1 << kShift)))};
+    return {static_cast<int>(std::lround((x * scale_ - 0.5) * (1 << kOverlayShift))),
+            static_cast<int>(std::lround((y * scale_ - 0.5) * (1 << kOverlayShift)))};
   }
   cv::Point whole(double x, double y) const {
     return {static_cast<int>(std::lround(x * scale_)), static_cast<int>(std::lround(y * scale_))};

@@ -6,17 +6,17 @@
 #include <cmath>
 
 #include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::fit {
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
 constexpr double kRowsTogether =
     30.0;                              // neighbouring rows of a profile whose residuals go up and down as one
 constexpr double kBelieved_km = 12.0;  // how far a stretch may be from where the model has it
 constexpr double kOffset_km = 20.0, kSlope = 0.3;
-constexpr double kSteps = 8.0;  // of the wave number, to one more wave in view
+constexpr double kCourseSteps = 8.0;  // of the wave number, to one more wave in view
 
 struct Line {
   std::array<double, 2> start, along, aside;
@@ -52,8 +52,8 @@ double own_aside_km(const sim::Sheet& sheet, double along_km) {
   double sum = 0.0;
   for (int layer = 0; layer < sheet.layers; ++layer) {
     const double share = sheet.layers > 1 ? static_cast<double>(layer) / (sheet.layers - 1) : 0.0;
-    sum +=
-        std::sin(kTwoPi * along_km / sheet.wavelength_km + sheet.phase_rad + share * sheet.phase_shift_rad);
+    sum += std::sin(sim::kTwoPi * along_km / sheet.wavelength_km + sheet.phase_rad +
+                    share * sheet.phase_shift_rad);
   }
   return sheet.thickness_km * sum / sheet.layers;
 }
@@ -127,7 +127,7 @@ std::vector<SineThroughCourse> sines_through(const std::vector<CoursePoint>& cou
   const auto [first, last] = std::minmax_element(course.begin(), course.end(), by_place);
   const double in_view = std::max(1.0, last->along_km - first->along_km);
   const double lowest = 1.0 / most_wavelength_km, highest = 1.0 / least_wavelength_km;
-  const int steps = 1 + static_cast<int>(std::ceil(kSteps * in_view * (highest - lowest)));
+  const int steps = 1 + static_cast<int>(std::ceil(kCourseSteps * in_view * (highest - lowest)));
   std::vector<SineThroughCourse> all;
   for (int step = 0; step <= steps; ++step) {
     const double wave_number = lowest + (highest - lowest) * step / steps;
@@ -137,7 +137,7 @@ std::vector<SineThroughCourse> sines_through(const std::vector<CoursePoint>& cou
             .asDiagonal();
     Eigen::Vector4d right = Eigen::Vector4d::Zero();
     const auto basis = [&](double along) {
-      const double angle = kTwoPi * along * wave_number;
+      const double angle = sim::kTwoPi * along * wave_number;
       return Eigen::Vector4d(1.0, along - middle_km, std::sin(angle), std::cos(angle));
     };
     double chi2 = 0.0;

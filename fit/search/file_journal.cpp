@@ -74,7 +74,7 @@ int write_at(int descriptor, const std::string& bytes, long long at) {
   return ::fdatasync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
 }
 
-bool begins_with(const std::string& text, const std::string& beginning) {
+bool has_beginning(const std::string& text, const std::string& beginning) {
   return text.compare(0, beginning.size(), beginning) == 0;
 }
 
@@ -116,14 +116,14 @@ void FileJournal::open(const JournalSubject& subject, JournalMode mode) {
   const std::string header = header_line(subject), bytes = all_of(descriptor_, file_);
   const std::size_t line = bytes.find('\n');
   // A header that was torn while it was written is one of ours, and holds nothing.
-  const bool nothing = line == std::string::npos && begins_with(header, bytes);
+  const bool nothing = line == std::string::npos && has_beginning(header, bytes);
   const std::optional<std::string> text =
       line == std::string::npos ? std::nullopt : checked_text(bytes.substr(0, line));
   const Json found = text ? Json::parse(*text, nullptr, false) : Json();
   if (!nothing && !(found.is_object() && found.contains("journal")))
     throw refused(file_, "is in the way of the fit's journal, and is none itself",
                   "choose another name for the run");
-  const bool same = begins_with(bytes, header);
+  const bool same = has_beginning(bytes, header);
   if (same) read_steps(bytes, header.size());
   const bool has_steps = !nothing && bytes.size() > line + 1;
   if (mode == JournalMode::fresh && has_steps)

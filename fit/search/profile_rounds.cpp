@@ -10,8 +10,8 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kRounds = 5, kIterations = 40;
-constexpr double kSettled = 0.1;
+constexpr int kRounds = 5, kRoundsIterations = 40;
+constexpr double kRoundsSettled = 0.1;
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -78,8 +78,8 @@ bool another_round(const sim::Scene& scene, const std::vector<FreeNumber>& free,
     if (scene.fit.profile_smoothness <= 0.0) prior.smoothness = probable;
   }
   const bool same = (round > 0 || !any_profiles) &&
-                    change(prior.smoothness, settled.prior.smoothness) < kSettled &&
-                    std::abs(std::log(inflation / settled.inflation)) < kSettled;
+                    change(prior.smoothness, settled.prior.smoothness) < kRoundsSettled &&
+                    std::abs(std::log(inflation / settled.inflation)) < kRoundsSettled;
   if (same) return false;
   settled.prior = prior;
   settled.inflation = inflation;
@@ -87,7 +87,7 @@ bool another_round(const sim::Scene& scene, const std::vector<FreeNumber>& free,
   terms.front().map.put(point.values, there);
   const ProfileCost cost(free, terms, log,
                          {{}, {}, prior, inflation, phase_anchors(there, free, point.values)});
-  settled.descent = descend(cost, point.values, kIterations, stage_of(round), log, trace);
+  settled.descent = descend(cost, point.values, kRoundsIterations, stage_of(round), log, trace);
   return true;
 }
 

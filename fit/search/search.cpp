@@ -11,6 +11,7 @@
 #include "fit/search/journal.h"
 #include "fit/search/profile_rounds.h"
 #include "fit/search/sine_numbers.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/number/random.h"
 
 namespace vegard::fit {
@@ -22,7 +23,7 @@ constexpr int kLongDescent = 60;
 constexpr int kPhases = 12;         // where the sine's amplitude is fixed
 constexpr double kScanRange = 1.1;  // of log(wavelength): a factor 0.58 to 1.73 about the start
 // Ranges of the overall trials: of logarithms, and degrees.
-constexpr double kDistances = 1.4, kApart = 0.6, kEnergies = 3.0, kBearings = 24.0;
+constexpr double kDistances = 1.4, kSearchApart = 0.6, kEnergies = 3.0, kBearings = 24.0;
 constexpr double kFootprintDistances = 0.8, kFootprintEnergies = 1.6;
 constexpr int kOfFootprints = 4;             // one trial for so many of sheets
 constexpr double kPull = 0.3;                // of the distance: what a start may well be off by
@@ -33,7 +34,6 @@ constexpr int kCourseRounds = 2;
 constexpr double kNearWaveNumber = 2e-3;  // per km, by which a round may move it: half a wave in 250 km
 constexpr double kNearlyStraight = 0.1;
 constexpr double kDamping = 1e-4;
-constexpr double kPi = 3.141592653589793;
 
 using sim::ParameterRole;
 using Values = std::vector<double>;
@@ -281,8 +281,8 @@ class Search {
       for (std::size_t j : which) {
         const FreeNumber& n = free_[j];
         const int s = std::max(0, n.id.sheet());
-        const double distance =
-            std::exp((u[1] - 0.5) * kDistances) * (s > 0 ? std::exp((u[1 + 2 * s] - 0.5) * kApart) : 1.0);
+        const double distance = std::exp((u[1] - 0.5) * kDistances) *
+                                (s > 0 ? std::exp((u[1 + 2 * s] - 0.5) * kSearchApart) : 1.0);
         if (is(n, ParameterRole::centre)) values[j] *= distance;
         if (is(n, ParameterRole::energy)) values[j] *= std::exp((u[2 + 2 * s] - 0.5) * kEnergies);
         if (!n.has_path())
@@ -428,8 +428,8 @@ class Search {
           trials.push_back(straightest_sine(values, sine));
         else
           for (int f = 0; sine.phase >= 0 && f < kPhases; ++f) {
-            values[sine.phase] =
-                inside(free_[sine.phase], base.values[sine.phase] + 2.0 * kPi * (f + shift[1]) / kPhases);
+            values[sine.phase] = inside(free_[sine.phase],
+                                        base.values[sine.phase] + 2.0 * sim::kPi * (f + shift[1]) / kPhases);
             trials.push_back(tried(values));
           }
       }
@@ -450,7 +450,7 @@ class Search {
     std::vector<double> in_phase, quadrature;
     coarse_.data_jacobian(point, in_phase);
     Values turned = values;
-    turned[sine.phase] = inside(free_[sine.phase], 0.5 * kPi);
+    turned[sine.phase] = inside(free_[sine.phase], 0.5 * sim::kPi);
     const ProfileCost::Point quarter = coarse_.at(turned, true);
     coarse_.data_jacobian(quarter, quadrature);
 
@@ -527,7 +527,8 @@ class Search {
   bool same_valley(const Values& a, const Values& b) const {
     for (std::size_t j : indices(free_, is_periodic)) {
       if (is(free_[j], ParameterRole::wavelength) && std::abs(std::log(a[j] / b[j])) > 0.05) return false;
-      if (is(free_[j], ParameterRole::phase) && std::abs(std::remainder(a[j] - b[j], 2.0 * kPi)) > kPi / 3.0)
+      if (is(free_[j], ParameterRole::phase) &&
+          std::abs(std::remainder(a[j] - b[j], 2.0 * sim::kPi)) > sim::kPi / 3.0)
         return false;
     }
     return !footprints_differ(scene_, free_, a, b);

@@ -3,21 +3,20 @@
 #include <cmath>
 
 #include "fit/parameters/parameter_map.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::fit {
 namespace {
 
 using sim::ParameterRole;
 
-constexpr double kPi = 3.141592653589793;
-
-double inside(const FreeNumber& n, double value) { return n.value(n.coordinate(value)); }
+double within_limits(const FreeNumber& n, double value) { return n.value(n.coordinate(value)); }
 
 /// A phase, by whole turns between its limits if it can be, else nearest to 0.
 double turned_inside(const FreeNumber& n, double phase_rad) {
-  double near = std::remainder(phase_rad, 2.0 * kPi);
-  if (n.limited()) near += 2.0 * kPi * std::ceil((n.min - near) / (2.0 * kPi));
-  return inside(n, near);
+  double near = std::remainder(phase_rad, 2.0 * sim::kPi);
+  if (n.limited()) near += 2.0 * sim::kPi * std::ceil((n.min - near) / (2.0 * sim::kPi));
+  return within_limits(n, near);
 }
 
 sim::Scene scene_at(const sim::Scene& start, const std::vector<FreeNumber>& free,
@@ -44,7 +43,7 @@ void take_sine(const sim::Scene& start, const std::vector<FreeNumber>& free, con
                int s, std::vector<double>& values) {
   const sim::Scene scene = scene_at(start, free, values);
   const sim::Sheet& sheet = scene.sheets[s];
-  const double bearing = sheet.bearing_deg * kPi / 180.0,
+  const double bearing = sheet.bearing_deg * sim::kPi / 180.0,
                side = scene.field.inclination_deg < 0.0 ? -1.0 : 1.0;
   const double along[2] = {std::sin(bearing), std::cos(bearing)};
   const double aside[2] = {-side * along[1], side * along[0]};
@@ -53,7 +52,7 @@ void take_sine(const sim::Scene& start, const std::vector<FreeNumber>& free, con
     if (free[j].id.role() == ParameterRole::centre && free[j].id.sheet() == s)
       centre[free[j].id.component] = static_cast<int>(j);
   const auto move = [&](int j, double by) {
-    if (j >= 0) values[j] = inside(free[j], values[j] + by);
+    if (j >= 0) values[j] = within_limits(free[j], values[j] + by);
   };
   // The centre moves aside; if one of its components is held, the other goes further. If it follows from a
   // number without a place in the scene, that moves.
@@ -63,7 +62,7 @@ void take_sine(const sim::Scene& start, const std::vector<FreeNumber>& free, con
     for (std::size_t j = 0; j < free.size(); ++j) {
       if (free[j].has_path()) continue;
       std::vector<double> further = values;
-      further[j] = inside(free[j], values[j] + 1.0);
+      further[j] = within_limits(free[j], values[j] + 1.0);
       const sim::EastNorth there = scene_at(start, free, further).sheets[s].center_km;
       const double by[2] = {there.east - sheet.center_km.east, there.north - sheet.center_km.north};
       const double sideways = by[0] * aside[0] + by[1] * aside[1];
@@ -82,14 +81,16 @@ void take_sine(const sim::Scene& start, const std::vector<FreeNumber>& free, con
   const double moved_along = shift[0] * along[0] + shift[1] * along[1];
   for (std::size_t j = 0; j < free.size(); ++j)
     if (free[j].id == sim::parameter_with(ParameterRole::bearing, s))
-      move(static_cast<int>(j), -side * std::atan(found.slope) * 180.0 / kPi);
+      move(static_cast<int>(j), -side * std::atan(found.slope) * 180.0 / sim::kPi);
   const SineNumbers sine = sine_numbers(free, s);
-  if (sine.wavelength >= 0) values[sine.wavelength] = inside(free[sine.wavelength], found.wavelength_km);
-  if (sine.thickness >= 0) values[sine.thickness] = inside(free[sine.thickness], found.amplitude_km);
+  if (sine.wavelength >= 0)
+    values[sine.wavelength] = within_limits(free[sine.wavelength], found.wavelength_km);
+  if (sine.thickness >= 0) values[sine.thickness] = within_limits(free[sine.thickness], found.amplitude_km);
   if (sine.phase >= 0) {
     const double of_mean_layer = sheet.layers > 1 ? 0.5 * sheet.phase_shift_rad : 0.0;
-    values[sine.phase] = turned_inside(
-        free[sine.phase], found.phase_rad - of_mean_layer + 2.0 * kPi * moved_along / found.wavelength_km);
+    values[sine.phase] =
+        turned_inside(free[sine.phase],
+                      found.phase_rad - of_mean_layer + 2.0 * sim::kPi * moved_along / found.wavelength_km);
   }
 }
 

@@ -11,8 +11,8 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kRankTolerance = 1e-12;
-constexpr std::uint32_t kDraw = 0, kShift = 1;  // what a random number is for
+constexpr double kBootstrapRankTolerance = 1e-12;
+constexpr std::uint32_t kDraw = 0, kBootstrapShift = 1;  // what a random number is for
 
 /// What a group of rows says: Jᵀ J and Jᵀ r.
 struct Normal {
@@ -29,7 +29,7 @@ std::vector<double> solved(const Normal& normal) {
   const Eigen::MatrixXd unit = length.cwiseInverse().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unit * normal.matrix * unit);
   if (eigen.info() != Eigen::Success ||
-      !(eigen.eigenvalues()(0) > kRankTolerance * eigen.eigenvalues()(n - 1)))
+      !(eigen.eigenvalues()(0) > kBootstrapRankTolerance * eigen.eigenvalues()(n - 1)))
     return {};
   const Eigen::VectorXd along = eigen.eigenvectors().transpose() * (unit * normal.right);
   const Eigen::VectorXd step = -(unit * (eigen.eigenvectors() * along.cwiseQuotient(eigen.eigenvalues())));
@@ -77,8 +77,8 @@ BandBootstrap band_bootstrap(const BandRows& rows, const BootstrapOptions& optio
     }
     std::vector<double> shift(rows.residual.size(), 0.0);
     for (std::size_t p = 0; options.shift_priors && p < priors.size(); ++p) {
-      const sim::Words w =
-          sim::random_words(options.seed, sim::Stream::bootstrap, at, static_cast<std::uint32_t>(p), kShift);
+      const sim::Words w = sim::random_words(options.seed, sim::Stream::bootstrap, at,
+                                             static_cast<std::uint32_t>(p), kBootstrapShift);
       shift[priors[p]] = sim::normal_quantile(sim::fine_uniform(w[0], w[1])) / widened;
       normal.right +=
           Eigen::Map<const Eigen::VectorXd>(rows.jacobian.data() + priors[p] * rows.coordinates, n) *

@@ -7,7 +7,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kStep = 0.1;          // of a standard deviation
+constexpr double kDeltaStep = 0.1;     // of a standard deviation
 constexpr double kStepWithout = 1e-4;  // of the value, or of one unit, where there is none
 
 }  // namespace
@@ -43,7 +43,7 @@ std::vector<DeltaMethod::Estimate> DeltaMethod::operator()(const Numbers& number
   for (std::size_t j = 0; j < free_.size(); ++j) {
     const double variance = known_.covariance[j][j];
     const double step = std::isfinite(variance) && variance > 0.0
-                            ? kStep * std::sqrt(variance)
+                            ? kDeltaStep * std::sqrt(variance)
                             : kStepWithout * std::max(1.0, std::abs(values_[j]));
     const double low = std::clamp(values_[j] - step, free_[j].min, free_[j].max);
     const double high = std::clamp(values_[j] + step, free_[j].min, free_[j].max);

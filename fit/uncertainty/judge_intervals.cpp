@@ -12,7 +12,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kIterations = 40;
+constexpr int kIntervalIterations = 40;
 constexpr int kMostWalks = 6;
 constexpr double kWorthTelling = 0.25;  // of chi2 below the answer's: half a standard deviation
 // Where there is no error bar to go by: of a coordinate between two limits, whose whole range is about ten of
@@ -82,7 +82,7 @@ class Minimiser {
                            {moved, held, without_number(fit_.prior, static_cast<int>(j)), fit_.inflation,
                             phase_anchors(there, others, start)});
     std::vector<TraceRow> untold;
-    const Descent least = descend(cost, start, kIterations, {}, log_, untold);
+    const Descent least = descend(cost, start, kIntervalIterations, {}, log_, untold);
     if (!(least.chi2 >= 0.0)) return std::numeric_limits<double>::infinity();  // nothing could be evaluated
     for (std::size_t k = 0; k < moved.size(); ++k) point[moved[k]] = others[k].coordinate(least.values[k]);
     return least.chi2 / unit + of_own_prior;

@@ -7,6 +7,7 @@
 #include "fit/parameters/prior_rows.h"
 #include "fit/parameters/turns.h"
 #include "fit/uncertainty/sampled_jacobians.h"
+#include "sim/base/number/constants.h"
 #include "sim/scene/table/free_entry_keys.h"
 
 namespace vegard::fit {
@@ -31,12 +32,11 @@ Rows rows_of(const std::vector<double>& all, std::size_t length) {
 }  // namespace
 
 double limit_variance(const FreeNumber& n, double slope) {
-  constexpr double kPi = 3.141592653589793;
   const double turn = full_turn(n);
   const double of_turn = turn > 0.0 && slope > 0.0 ? turn * turn / (12.0 * slope * slope)
                                                    : std::numeric_limits<double>::infinity();
   const double of_limits = std::isfinite(n.min) && std::isfinite(n.max)
-                               ? kPi * kPi / 3.0
+                               ? sim::kPi * sim::kPi / 3.0
                                : std::numeric_limits<double>::infinity();
   return std::min(of_turn, of_limits);
 }

@@ -8,7 +8,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kRankTolerance = 1e-12;
+constexpr double kUncertaintyRankTolerance = 1e-12;
 constexpr double kStandardErrors = 2.0;
 constexpr double kLeans = 0.1;      // of the largest part of an undetermined direction: what belongs to it
 constexpr double kLeftOpen = 0.25;  // of the variance inside the limits
@@ -83,7 +83,7 @@ Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int r
   const std::vector<double> errors = standard_errors(jacobians, residuals, coordinates, scale * v);
   Eigen::MatrixXd information = scale * of_priors * scale;
   for (int k = 0; k < coordinates; ++k)
-    if (value(k) > std::max(kRankTolerance * largest, kStandardErrors * believed * errors[k]))
+    if (value(k) > std::max(kUncertaintyRankTolerance * largest, kStandardErrors * believed * errors[k]))
       information += value(k) * v.col(k) * v.col(k).transpose();
   Eigen::VectorXd limit(coordinates);  // standard deviations, scaled
   for (int i = 0; i < coordinates; ++i) {

@@ -5,7 +5,7 @@
 namespace vegard::sim {
 namespace {
 
-std::string compose(const ErrorDetails& d) {
+std::string message_of(const ErrorDetails& d) {
   std::string text;
   if (!d.file.empty()) {
     text += d.file;
@@ -22,6 +22,21 @@ std::string compose(const ErrorDetails& d) {
 }  // namespace
 
 Error::Error(ErrorKind kind, ErrorDetails details)
-    : kind_(kind), details_(std::move(details)), text_(compose(details_)) {}
+    : kind_(kind), details_(std::move(details)), text_(message_of(details_)) {}
+
+void refuse_file(ErrorKind kind, const std::string& file, const std::string& problem,
+                 const std::string& expected, const std::string& hint) {
+  throw Error(kind, {problem, file, 0, {}, expected, hint});
+}
+
+void refuse_key(ErrorKind kind, const std::string& key, const std::string& problem,
+                const std::string& expected, const std::string& hint) {
+  throw Error(kind, {problem, {}, 0, key, expected, hint});
+}
+
+void refuse_scene_key(const std::string& file, const std::string& key, const std::string& problem,
+                      const std::string& expected, const std::string& hint) {
+  throw Error(ErrorKind::scene, {problem, file, 0, key, expected, hint});
+}
 
 }  // namespace vegard::sim

@@ -33,4 +33,9 @@ struct Image {
   float at(int x, int y, int c) const { return data[index(x, y, c)]; }
 };
 
+/// "640 x 480"
+inline std::string size_text(long long width, long long height) {
+  return std::to_string(width) + " x " + std::to_string(height);
+}
+
 }  // namespace vegard::sim

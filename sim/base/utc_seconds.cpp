@@ -9,7 +9,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr std::int64_t kSecondsPerDay = 86400;
+constexpr std::int64_t kUtcSecondsPerDay = 86400;
 
 /// Days from year 1 to the beginning of a year.
 std::int64_t days_before_year(std::int64_t year) {
@@ -20,7 +20,7 @@ std::int64_t days_before_year(std::int64_t year) {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Reads on through a text; every step fails for good once one has.
-struct Reader {
+struct TimeReader {
   std::string_view text;
   std::size_t at = 0;
   bool good = true;
@@ -55,11 +55,11 @@ std::optional<double> seconds_of(int year, int month, int day, int hour, int min
   if (hour > 23 || minute > 59 || second > 60) return std::nullopt;
   std::int64_t days = days_before_year(year) - days_before_year(1970) + day - 1;
   for (int m = 1; m < month; ++m) days += days_in_month(year, m);
-  return static_cast<double>(days * kSecondsPerDay + hour * 3600 + minute * 60 + second) + fraction;
+  return static_cast<double>(days * kUtcSecondsPerDay + hour * 3600 + minute * 60 + second) + fraction;
 }
 
 /// Date and time from the reader's place on; with separators as in ISO, or as two runs of digits.
-std::optional<double> read_moment(Reader& in, bool separated, std::string_view between,
+std::optional<double> read_moment(TimeReader& in, bool separated, std::string_view between,
                                   std::string_view colons) {
   const int year = in.number(4);
   if (separated) in.one_of("-");
@@ -82,7 +82,7 @@ std::optional<double> read_moment(Reader& in, bool separated, std::string_view b
 }  // namespace
 
 std::optional<double> utc_seconds(std::string_view iso) {
-  Reader in{iso};
+  TimeReader in{iso};
   const std::optional<double> seconds = read_moment(in, true, "T ", ":");
   if (in.next_is("Z")) ++in.at;
   return in.at == iso.size() ? seconds : std::nullopt;
@@ -92,7 +92,7 @@ std::optional<double> utc_seconds_in_name(std::string_view file_name) {
   for (std::size_t begin = 0; begin < file_name.size(); ++begin) {
     if (begin > 0 && is_digit(file_name[begin - 1])) continue;
     for (const bool separated : {false, true}) {
-      Reader in{file_name, begin};
+      TimeReader in{file_name, begin};
       const std::optional<double> seconds = read_moment(in, separated, "T_- ", ":-_");
       if (seconds && !in.digit_next()) return seconds;
     }
@@ -103,7 +103,7 @@ std::optional<double> utc_seconds_in_name(std::string_view file_name) {
 std::string utc_text(double seconds) {
   const auto milliseconds = static_cast<std::int64_t>(std::llround(seconds * 1000.0));
   const auto floored = [](std::int64_t a, std::int64_t b) { return a / b - (a % b < 0 ? 1 : 0); };
-  const std::int64_t whole = floored(milliseconds, 1000), days = floored(whole, kSecondsPerDay);
+  const std::int64_t whole = floored(milliseconds, 1000), days = floored(whole, kUtcSecondsPerDay);
   const std::int64_t day_of_era = days + days_before_year(1970);
   std::int64_t year = 1 + day_of_era * 400 / 146097;  // at most a year off
   while (days_before_year(year) > day_of_era) --year;
@@ -112,7 +112,7 @@ std::string utc_text(double seconds) {
   int month = 1;
   for (; day >= days_in_month(static_cast<int>(year), month); ++month)
     day -= days_in_month(static_cast<int>(year), month);
-  const auto of_day = static_cast<int>(whole - days * kSecondsPerDay);
+  const auto of_day = static_cast<int>(whole - days * kUtcSecondsPerDay);
   char text[64];
   std::snprintf(text, sizeof text, "%04d-%02d-%02dT%02d:%02d:%02d", static_cast<int>(year), month, day + 1,
                 of_day / 3600, of_day / 60 % 60, of_day % 60);

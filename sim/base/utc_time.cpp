@@ -7,11 +7,6 @@ namespace vegard::sim {
 namespace {
 
 /// Whether `text` looks like `form`, in which 0 stands for any digit.
-bool has_form(const std::string& text, const std::string& form) {
-  return std::equal(text.begin(), text.end(), form.begin(), form.end(),
-                    [](char c, char f) { return f == '0' ? c >= '0' && c <= '9' : c == f; });
-}
-
 }  // namespace
 
 int days_in_month(int year, int month) {
@@ -70,6 +65,11 @@ CivilTime minutes_later(CivilTime time, int minutes) {
     if (++time.month > 12) time.month = 1, ++time.year;
   }
   return time;
+}
+
+bool has_form(const std::string& text, const std::string& form) {
+  return std::equal(text.begin(), text.end(), form.begin(), form.end(),
+                    [](char c, char f) { return f == '0' ? c >= '0' && c <= '9' : c == f; });
 }
 
 }  // namespace vegard::sim

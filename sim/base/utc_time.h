@@ -30,4 +30,7 @@ std::optional<int> offset_minutes(const std::string& text);
 /// `minutes` later, or earlier if negative; less than a month.
 CivilTime minutes_later(CivilTime time, int minutes);
 
+/// Whether a text is like `form`, with some digit for each 0 in it: "0000-00-00".
+bool has_form(const std::string& text, const std::string& form);
+
 }  // namespace vegard::sim

@@ -17,7 +17,7 @@
 namespace vegard::sim {
 namespace {
 
-const std::string kAltitude = "altitude_km";
+const std::string kDrawnAltitude = "altitude_km";
 
 [[noreturn]] void fail(const CsvTable& table, const std::string& problem, const std::string& expected,
                        const std::string& hint = {}) {
@@ -62,9 +62,9 @@ std::string column_of(const CsvTable& table, double wavelength_nm) {
 CsvTable read_table(const Scene& scene, const Sheet& sheet) {
   CsvTable table = read_csv_table(table_text(scene, "sheet." + sheet.name + ".profile_file"),
                                   table_place(scene, sheet.profile_file));
-  table.require_increasing(kAltitude);
+  table.require_increasing(kDrawnAltitude);
   if (table.rows() < 2) fail(table, "a single row is no profile", "two altitudes at least");
-  const std::vector<double>& altitude = table.column(kAltitude);
+  const std::vector<double>& altitude = table.column(kDrawnAltitude);
   if (altitude.back() <= HeightProfile::kBottomKm || altitude.front() >= HeightProfile::kTopKm)
     fail(table, "the altitudes are all outside of the light's", "some between 80 and 640 km");
   return table;
@@ -91,7 +91,7 @@ HeightProfile drawn_profile(const std::vector<double>& wavelengths_nm, const Sce
     table.require_within(column, 0.0, std::numeric_limits<float>::max());
     for (int a = 0; a < HeightProfile::kAltitudes; ++a)
       profile.rate[static_cast<std::size_t>(a) * profile.stride + l] = static_cast<float>(
-          rate_at(table.column(kAltitude), table.column(column), HeightProfile::altitude_km(a)));
+          rate_at(table.column(kDrawnAltitude), table.column(column), HeightProfile::altitude_km(a)));
   }
   return profile;
 }

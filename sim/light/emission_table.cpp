@@ -11,7 +11,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kFloorOfPeak = 1e-6;
+constexpr double kTableFloorOfPeak = 1e-6;
 
 }  // namespace
 
@@ -41,7 +41,7 @@ EmissionTable::EmissionTable(const std::string& csv) {
     for (std::size_t e = 0; e < energies; ++e) {
       const auto first = values.begin() + static_cast<std::ptrdiff_t>(e * altitudes);
       const double floor =
-          kFloorOfPeak * *std::max_element(first, first + static_cast<std::ptrdiff_t>(altitudes));
+          kTableFloorOfPeak * *std::max_element(first, first + static_cast<std::ptrdiff_t>(altitudes));
       for (std::size_t a = 0; a < altitudes; ++a)
         logs[a * energies + e] = std::log(std::max({values[e * altitudes + a], floor, 1e-30}));
     }

@@ -90,4 +90,7 @@ class LightField {
 /// Rayleighs of a column of 1 photon cm^-3 s^-1, a kilometre long.
 inline constexpr double kRayleighsPerKm = 0.1;
 
+/// For those that want values alone.
+inline const NumberAs<double> plain_number = [](const double& number) { return number; };
+
 }  // namespace vegard::sim

@@ -13,17 +13,17 @@ namespace vegard::sim {
 namespace {
 
 constexpr double kBackgroundEnergyKev = 10.0;  // both tables have it, and the lines are faint there
-constexpr double kRounding = 5e-5;             // of column_brightness.csv
+constexpr double kColumnRounding = 5e-5;       // of column_brightness.csv
 constexpr double kLowestFlux = 0.1, kHighestFlux = 10.0;
 
-struct Curve {
+struct FluxCurve {
   std::vector<double> log_factor, curvature;  ///< at the energies
 };
 
 struct ColumnLaw {
   double background_rayleigh = 0.0;
   std::vector<double> log_energy;
-  Curve at_low, at_high;
+  FluxCurve at_low, at_high;
 };
 
 /// R_5577 of a table at one flux (or, of a table without, at all rows) by energy.
@@ -35,9 +35,9 @@ std::map<double, double> columns_at(const CsvTable& table, const std::string& na
   return columns;
 }
 
-Curve curve_of(const std::vector<double>& log_energy, const std::map<double, double>& at_flux, double flux,
-               const std::map<double, double>& at_one, double background) {
-  Curve curve;
+FluxCurve curve_of(const std::vector<double>& log_energy, const std::map<double, double>& at_flux,
+                   double flux, const std::map<double, double>& at_one, double background) {
+  FluxCurve curve;
   for (const auto& [energy, column] : at_one)
     curve.log_factor.push_back(std::log((at_flux.at(energy) - background) / (flux * (column - background))));
   curve.curvature = spline_curvature(log_energy, curve.log_factor);
@@ -54,7 +54,7 @@ std::map<std::string, ColumnLaw> read_laws() {
     const std::map<double, double> at_one = columns_at(linearity, name, 1.0);
     const double alone = columns_at(brightness, name, 1.0).at(kBackgroundEnergyKev);
     const double beyond = at_one.at(kBackgroundEnergyKev) - alone;
-    if (std::abs(beyond) > kRounding * alone) law.background_rayleigh = beyond;
+    if (std::abs(beyond) > kColumnRounding * alone) law.background_rayleigh = beyond;
     for (const auto& [energy, column] : at_one) law.log_energy.push_back(std::log(energy));
     law.at_low = curve_of(law.log_energy, columns_at(linearity, name, kLowestFlux), kLowestFlux, at_one,
                           law.background_rayleigh);
@@ -89,7 +89,7 @@ SplineValue along_flux(double low, double middle, double high, double log_flux) 
 FluxFactor flux_factor(const std::string& column, double energy_kev, double energy_flux_mw_m2) {
   const ColumnLaw& law = law_of(column);
   const double log_energy = std::log(energy_kev), log_flux = std::log(energy_flux_mw_m2);
-  const auto at = [&](const Curve& curve) {
+  const auto at = [&](const FluxCurve& curve) {
     return spline_at(law.log_energy, curve.log_factor, curve.curvature, log_energy);
   };
   const SplineValue low = at(law.at_low), high = at(law.at_high);

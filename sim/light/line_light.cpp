@@ -8,13 +8,13 @@
 
 #include "sim/base/error.h"
 #include "sim/light/sheet_profile.h"
+#include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/rows/spline_rates.h"
 
 namespace vegard::fit {
 namespace {
 
-constexpr double kGreenNm = 557.7;
 constexpr double kBorder = 0.1;
 constexpr int kLast = sim::HeightProfile::kAltitudes - 1;
 
@@ -79,7 +79,7 @@ bool has_line(double wavelength_nm, const sim::Scene& scene, int sheet) {
 }
 
 double border_line_nm(const sim::Scene& scene, int sheet) {
-  if (has_line(kGreenNm, scene, sheet)) return kGreenNm;
+  if (has_line(sim::kGreenNm, scene, sheet)) return sim::kGreenNm;
   double brightest = 0.0, most = 0.0;
   for (const double line : scene.emission.lines) {
     const double column = line_light(line, scene, sheet).column_rayleigh;

@@ -14,7 +14,7 @@ namespace vegard::sim {
 namespace {
 
 constexpr double kRangeFactor = 0.76, kRangeExponent = 1.03;  // see the header
-constexpr double kFloorOfPeak = 1e-6;                         // as the tables have it
+constexpr double kMonoFloorOfPeak = 1e-6;                     // as the tables have it
 constexpr double kPieceRatio = 1.05;                          // between the energies of two pieces
 constexpr double kFirstPieceKev = 0.02;
 constexpr int kPieces = 200;  // to 330 keV
@@ -31,7 +31,7 @@ LogRate log_ion_pairs(std::size_t altitude, double energy_kev) {
 
 /// The logarithms of rates, raised to the floor below their peak.
 std::vector<double> floored_logs(const std::vector<double>& rates) {
-  const double floor = kFloorOfPeak * *std::max_element(rates.begin(), rates.end());
+  const double floor = kMonoFloorOfPeak * *std::max_element(rates.begin(), rates.end());
   std::vector<double> logs;
   for (const double rate : rates) logs.push_back(std::log(std::max(rate, floor)));
   return logs;

@@ -5,6 +5,7 @@
 // body's own; the observer stands on the near axis.
 #pragma once
 
+#include "sim/base/earth.h"
 #include "sim/light/emitter.h"
 
 namespace vegard::sim {
@@ -24,8 +25,8 @@ class SkyFrame {
   /// `distance` of the observer from the middle, in the frame's unit. Angles in degrees.
   SkyFrame(const T& azimuth_deg, const T& elevation_deg, const T& angle_deg, const T& distance)
       : distance_(distance) {
-    constexpr double kRadian = 3.14159265358979323846 / 180.0;
-    const T azimuth = azimuth_deg * kRadian, elevation = elevation_deg * kRadian, angle = angle_deg * kRadian;
+    const T azimuth = azimuth_deg * kRadiansPerDegree, elevation = elevation_deg * kRadiansPerDegree,
+            angle = angle_deg * kRadiansPerDegree;
     const T east = sine(azimuth), north = cosine(azimuth), high = sine(elevation), level = cosine(elevation);
     const T right[3] = {north, T(0.0) - east, T(0.0)};
     const T up[3] = {T(0.0) - east * high, T(0.0) - north * high, level};

@@ -13,7 +13,7 @@ namespace vegard::sim {
 namespace {
 
 constexpr double kFirstTau = -14.0, kLastTau = 6.0, kTauStep = 0.125;
-constexpr double kLeastShare = 1e-14;  // a piece below that changes no float
+constexpr double kSpectrumLeastShare = 1e-14;  // a piece below that changes no float
 
 std::vector<LogRate> mono_rates(const EmissionLine& line, double energy_kev) {
   std::vector<LogRate> rates = MonoEnergeticTable::glow().at_energy(line.table_column, energy_kev);
@@ -100,7 +100,7 @@ std::vector<GaussianPiece> gaussian_pieces(double energy_kev, double spread) {
     piece.d_log_share_d_spread -= sum_slope / sum;
   }
   pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
-                              [](const GaussianPiece& piece) { return piece.share < kLeastShare; }),
+                              [](const GaussianPiece& piece) { return piece.share < kSpectrumLeastShare; }),
                pieces.end());
   return pieces;
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include "sim/scene/lines/emission_line.h"
 #include "sim/view/colour/colour_table.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/colour/radiometry.h"
@@ -11,8 +12,6 @@
 
 namespace vegard::sim {
 namespace {
-
-constexpr double kGreenNm = 557.7;
 
 /// From the sensor's linear values to XYZ in cd m^-2.
 Eigen::Matrix3d luminous_from_rgb(const Scene& scene) {

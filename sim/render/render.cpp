@@ -45,7 +45,7 @@ void add_behind(const Scene& scene, const Rendering& layers, const Image& night_
 
 /// Everything else in the picture around the aurora's light. `night_sky` is the layer of that name, or what a
 /// display shows of it.
-void compose(const Scene& scene, const Rendering& layers, const Image& night_sky, Image& rgb) {
+void compose_layers(const Scene& scene, const Rendering& layers, const Image& night_sky, Image& rgb) {
   if (layers.volume.empty()) {
     add_behind(scene, layers, night_sky, rgb);
   } else {
@@ -171,7 +171,7 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
     scale_light(scene.composite.foreground_gain, result.foreground);
   }
   result.rgb = result.aurora;
-  compose(scene, result, result.night_sky, result.rgb);
+  compose_layers(scene, result, result.night_sky, result.rgb);
   return result;
 }
 
@@ -185,7 +185,7 @@ Image shown_light(const Scene& scene, const Rendering& rendering) {
   Image light = rendering.aurora, night_sky = rendering.night_sky;
   keep_what_is_shown(light);
   keep_what_is_shown(night_sky);
-  compose(scene, rendering, night_sky, light);
+  compose_layers(scene, rendering, night_sky, light);
   return light;
 }
 

@@ -6,7 +6,6 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -16,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/options/command.h"
 #include "fit/compare/observation.h"
 #include "fit/fit.h"
 #include "sim/scene/table/parameter_table.h"
@@ -162,16 +162,19 @@ std::string against_truth(const Case& of, const fit::FitResult& result) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("What a blind fit costs, in residual evaluations at full resolution and in seconds.");
+  apps::Program program("blind_fit_bench",
+                        "What a blind fit costs, in residual evaluations at full resolution and in seconds.",
+                        {}, argc, argv);
+  const apps::Command app = program.root();
   bool tiny = false;
   std::uint64_t set = 2024;
   int photographs = 3, beams = 4000;
-  app.add_flag("--tiny", tiny, "a check that everything still runs");
-  app.add_option("--set", set, "seed of the truths, as in recovery_scorecard");
-  app.add_option("--photographs", photographs, "how many, of the set's first with one sheet drawn by beams");
-  app.add_option("--beams", beams, "of a layer, in the fit; a photograph has 3000");
-  app.allow_extras();  // what the other benchmarks take
-  CLI11_PARSE(app, argc, argv);
+  app.flag("--tiny", tiny, "a check that everything still runs");
+  app.option("--set", set, "seed of the truths, as in recovery_scorecard");
+  app.option("--photographs", photographs, "how many, of the set's first with one sheet drawn by beams");
+  app.option("--beams", beams, "of a layer, in the fit; a photograph has 3000");
+  program.takes_more();  // what the other benchmarks take
+  if (const std::optional<int> end = program.read()) return *end;
   if (tiny) {
     photographs = 1;
     beams = 40;

@@ -12,7 +12,6 @@
 //     A check that it still runs, on a ball of its own.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -20,6 +19,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "apps/options/command.h"
 #include "sim/base/grid/vdb_io.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/render/volumes/volumes.h"
@@ -166,34 +166,34 @@ int tiny() {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Grids of light: time of the march, and differences of pictures");
-  app.require_subcommand(1);
+  apps::Program program("grid_bench", "Grids of light: time of the march, and differences of pictures", {},
+                        argc, argv);
   std::string scene_file, output, a, b;
-  int threads = 2, repeat = 15, rays = 1, code = 0;
-  CLI::App* one = app.add_subcommand("march", "");
-  one->add_option("SCENE", scene_file)->required();
-  one->add_option("--threads", threads);
-  one->add_option("--repeat", repeat);
-  one->add_option("--rays", rays);
-  one->add_option("-o", output);
-  one->callback([&] {
+  int threads = 2, repeat = 15, rays = 1;
+  const apps::Command one = program.add("march", "");
+  one.option("SCENE", scene_file).required();
+  one.option("--threads", threads);
+  one.option("--repeat", repeat);
+  one.option("--rays", rays);
+  one.option("-o", output);
+  one.runs([&] {
     const Scene scene = scene_at(scene_file, 0);
     const Volumes volumes(scene, threads);
     const Timed timed = march(volumes, scene, rays, repeat);
     fmt::print("march_s {:.5f}  least {:.5f}  most {:.5f}\n", timed.median_s, timed.least_s, timed.most_s);
     if (!output.empty()) write_exr(output, picture(scene, timed.light, rays), {}, true);
+    return 0;
   });
-  CLI::App* two = app.add_subcommand("difference", "");
-  two->add_option("A", a)->required();
-  two->add_option("B", b)->required();
-  two->callback([&] { code = difference(a, b); });
-  CLI::App* three = app.add_subcommand("sweep", "");
-  three->add_option("SCENE", scene_file)->required();
-  three->add_option("--threads", threads);
-  three->callback([&] { code = sweep(scene_file, threads); });
-  app.add_subcommand("tiny", "")->callback([&] { code = tiny(); });
-  CLI11_PARSE(app, argc, argv);
-  return code;
+  const apps::Command two = program.add("difference", "");
+  two.option("A", a).required();
+  two.option("B", b).required();
+  two.runs([&] { return difference(a, b); });
+  const apps::Command three = program.add("sweep", "");
+  three.option("SCENE", scene_file).required();
+  three.option("--threads", threads);
+  three.runs([&] { return sweep(scene_file, threads); });
+  program.add("tiny", "").runs([] { return tiny(); });
+  return program.run();
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "apps/preview_painter.h"
+#include "apps/preview/preview_painter.h"
 #include "interleaved.h"
 
 namespace {

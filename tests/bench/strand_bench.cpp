@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <functional>
 #include <vector>
 
+#include "apps/options/command.h"
 #include "sim/base/number/mask5.h"
 #include "sim/emit/grid/grid_filter.h"
 #include "sim/emit/sun/strand/macro_loop.h"
@@ -171,15 +171,20 @@ int run(int voxels, int strand_count, int threads, int repeat) {
 }
 
 int main_of(int argc, char** argv) {
-  CLI::App app("Strands to voxels");
+  apps::Program program("strand_bench", "Strands to voxels", {}, argc, argv);
+  const apps::Command app = program.root();
   int voxels = 300, strands = 400, threads = 0, repeat = 3;
-  app.add_option("--voxels", voxels)->check(CLI::Range(8, 4096));
-  app.add_option("--strands", strands)->check(CLI::Range(5, 100000));
-  app.add_option("--threads", threads);
-  app.add_option("--repeat", repeat)->check(CLI::Range(1, 100));
-  CLI::App* tiny = app.add_subcommand("tiny");
-  CLI11_PARSE(app, argc, argv);
-  if (*tiny) return run(40, 20, 1, 1);
+  app.option("--voxels", voxels).range(8, 4096);
+  app.option("--strands", strands).range(5, 100000);
+  app.option("--threads", threads);
+  app.option("--repeat", repeat).range(1, 100);
+  bool tiny = false;
+  program.add("tiny", "").runs([&] {
+    tiny = true;
+    return 0;
+  });
+  if (const std::optional<int> end = program.read()) return *end;
+  if (tiny) return run(40, 20, 1, 1);
   return run(voxels, strands, threads, repeat);
 }
 

@@ -8,13 +8,13 @@
 //     A check that it still runs, and that the two agree.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "apps/options/command.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/sun/strand/macro_loop.h"
 #include "sim/emit/sun/strand/strand_emitter.h"
@@ -175,16 +175,20 @@ double run(const Options& options) {
 int main(int argc, char** argv) {
   using namespace vegard::bench;
   Options options;
-  CLI::App app("Rays through strands");
+  vegard::apps::Program program("strand_ray_bench", "Rays through strands", {}, argc, argv);
+  const vegard::apps::Command app = program.root();
   bool tiny = false;
-  app.add_option("--strands", options.strands)->check(CLI::Range(1, 100000));
-  app.add_option("--width", options.width)->check(CLI::Range(1, 10000));
-  app.add_option("--height", options.height)->check(CLI::Range(1, 10000));
-  app.add_option("--threads", options.threads)->check(CLI::Range(0, 1024));
-  app.add_option("--repeat", options.repeat)->check(CLI::Range(1, 1000));
-  app.add_option("--falloff", options.falloff)->check(CLI::IsMember({"smooth", "linear", "gaussian"}));
-  app.add_subcommand("tiny")->callback([&] { tiny = true; });
-  CLI11_PARSE(app, argc, argv);
+  app.option("--strands", options.strands).range(1, 100000);
+  app.option("--width", options.width).range(1, 10000);
+  app.option("--height", options.height).range(1, 10000);
+  app.option("--threads", options.threads).range(0, 1024);
+  app.option("--repeat", options.repeat).range(1, 1000);
+  app.option("--falloff", options.falloff).one_of({"smooth", "linear", "gaussian"});
+  program.add("tiny", "").runs([&] {
+    tiny = true;
+    return 0;
+  });
+  if (const std::optional<int> end = program.read()) return *end;
   if (tiny) {
     options.strands = 20;
     options.width = 82;

@@ -12,12 +12,13 @@
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/sensor/sensor.h"
 #include "tests/support/kind_named.h"
+#include "tests/support/source_folder.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::fit {
 namespace {
 
-const std::string kScenes = std::string(VEGARD_SOURCE_DIR) + "/tests/cli/scenes/";
+const std::string kScenes = tests::source_folder() + "/tests/cli/scenes/";
 
 /// A camera with its own tone curve and dark corners, at an ISO of 1600.
 void set_camera(sim::Scene& scene) {

@@ -20,6 +20,7 @@
 #include "sim/scene/table/parameter_table.h"
 #include "tests/recovery/independent_picture.h"
 #include "tests/support/free_paths.h"
+#include "tests/support/source_folder.h"
 
 namespace vegard::fit {
 namespace {
@@ -120,7 +121,7 @@ const FreeProfile& green_of(const FitResult& result) {
 }
 
 TEST(FreeForm, TheShippedPhotographYieldsItsProfile) {
-  const std::filesystem::path shipped = std::filesystem::path(VEGARD_SOURCE_DIR) / "data/examples/h000";
+  const std::filesystem::path shipped = std::filesystem::path(tests::source_folder()) / "data/examples/h000";
   const sim::Scene scene = sim::read_scene((shipped / "freeform.toml").string());
   const nlohmann::json truth = read_json(shipped / "truth.json");
   const sim::Scene made_from = known_scene(truth);
@@ -177,7 +178,7 @@ TEST(FreeFormMorePhotographs, YieldTheirProfilesInsideTheirBands) {
 /// Two layers, as no electrons of one energy make them; the picture is our own renderer's, with noise of
 /// pixels (seeded), its rays uneven and its beams other random ones than the fit's.
 TEST(FreeFormMorePhotographs, OfTwoLayersYieldBoth) {
-  const std::filesystem::path shipped = std::filesystem::path(VEGARD_SOURCE_DIR) / "data/examples/h000";
+  const std::filesystem::path shipped = std::filesystem::path(tests::source_folder()) / "data/examples/h000";
   const nlohmann::json truth = read_json(shipped / "truth.json");
   double within_one = 0.0, within_two = 0.0;
   int lines = 0;

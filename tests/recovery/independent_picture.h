@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "sim/scene/structs/scene.h"
+#include "tests/support/source_folder.h"
 
 namespace vegard::fit {
 
@@ -69,7 +70,7 @@ inline std::optional<std::filesystem::path> photographs() {
   const char* const named = std::getenv("VEGARD_PHOTOS");
   const std::filesystem::path folder =
       named != nullptr ? std::filesystem::path(named)
-                       : std::filesystem::path(VEGARD_SOURCE_DIR) / "../shared/photos/independent";
+                       : std::filesystem::path(tests::source_folder()) / "../shared/photos/independent";
   if (!std::filesystem::is_directory(folder)) return {};
   return folder;
 }

@@ -16,13 +16,14 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
 #include "tests/recovery/independent_picture.h"
+#include "tests/support/source_folder.h"
 
 namespace vegard::fit {
 namespace {
 
 using Json = nlohmann::json;
 
-const std::filesystem::path kShipped = std::filesystem::path(VEGARD_SOURCE_DIR) / "data/examples/h000";
+const std::filesystem::path kShipped = std::filesystem::path(tests::source_folder()) / "data/examples/h000";
 
 /// The start that the shipped example has too: the place, the wave and the energy far off, the rest as it is.
 sim::Scene start_scene(const Json& truth) {

@@ -7,11 +7,12 @@
 #include "fit/fit.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
+#include "tests/support/source_folder.h"
 
 namespace vegard::fit {
 namespace {
 
-const std::string kShipped = std::string(VEGARD_SOURCE_DIR) + "/data/examples/h000";
+const std::string kShipped = tests::source_folder() + "/data/examples/h000";
 
 /// The shipped example, with so few beams and trials that the whole search takes seconds.
 sim::Scene short_work() {

@@ -25,6 +25,7 @@
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/camera/camera.h"
 #include "tests/support/noisy_photo.h"
+#include "tests/support/source_folder.h"
 
 namespace vegard::fit {
 namespace {
@@ -231,13 +232,13 @@ TEST(SunRecovery, FindsThePowerOfACoronaAgain) {
 std::string photograph(const char* name) {
   const char* given = std::getenv("VEGARD_PHOTOS");
   const std::string folder =
-      given != nullptr ? std::string(given) : std::string(VEGARD_SOURCE_DIR) + "/../shared/photos";
+      given != nullptr ? std::string(given) : tests::source_folder() + "/../shared/photos";
   const std::string file = folder + "/" + name;
   return std::filesystem::exists(file) ? file : std::string();
 }
 
 sim::Scene example(const std::string& name) {
-  return sim::read_scene(std::string(VEGARD_SOURCE_DIR) + "/data/examples/" + name);
+  return sim::read_scene(tests::source_folder() + "/data/examples/" + name);
 }
 
 struct TraceHeader {

@@ -9,11 +9,12 @@
 #include "fit/curve_fit.h"
 #include "sim/scene/file/scene_toml.h"
 #include "tests/support/encoded_photo.h"
+#include "tests/support/source_folder.h"
 
 namespace vegard::fit {
 namespace {
 
-const std::string kShipped = std::string(VEGARD_SOURCE_DIR) + "/data/examples/h000";
+const std::string kShipped = tests::source_folder() + "/data/examples/h000";
 constexpr double kEnergy = 4.3298;  // truth.json
 constexpr int kOfEnergy = 6;        // among the free numbers
 

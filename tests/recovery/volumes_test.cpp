@@ -12,12 +12,13 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
 #include "tests/support/noisy_photo.h"
+#include "tests/support/source_folder.h"
 
 namespace vegard::fit {
 namespace {
 
 sim::Scene example(const std::string& name) {
-  return sim::read_scene(std::string(VEGARD_SOURCE_DIR) + "/data/examples/" + name);
+  return sim::read_scene(tests::source_folder() + "/data/examples/" + name);
 }
 
 /// Of a chi2 of as many degrees of freedom as there are numbers: what one draw in 10 000 exceeds is 4.2 sigma

@@ -9,10 +9,6 @@ namespace {
 
 constexpr const char* known_formats = "JPEG, PNG, TIFF, EXR, FITS, PGM, PPM, camera raw or HEIC";
 
-bool starts_with(std::string_view bytes, std::string_view start) {
-  return bytes.substr(0, start.size()) == start;
-}
-
 }  // namespace
 
 const char* format_name(ImageFormat format) {

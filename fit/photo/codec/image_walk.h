@@ -45,4 +45,8 @@ inline std::uint64_t unsigned_at(std::string_view bytes, std::size_t at, int siz
   return value;
 }
 
+inline bool starts_with(std::string_view bytes, std::string_view start) {
+  return bytes.substr(0, start.size()) == start;
+}
+
 }  // namespace vegard::fit

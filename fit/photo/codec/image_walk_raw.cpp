@@ -14,10 +14,6 @@ constexpr std::uint64_t kColourFilters = 32803, kLinearRaw = 34892;
 constexpr int kCompression = 259, kDngVersion = 50706;
 constexpr std::uint64_t kMakersCompressions[] = {32767, 32769, 32770, 34713, 65535};
 
-bool starts_with(std::string_view bytes, std::string_view start) {
-  return bytes.substr(0, start.size()) == start;
-}
-
 bool is_tiff(std::string_view bytes) {
   return starts_with(bytes, "II\x2a\0"sv) || starts_with(bytes, "MM\0\x2a"sv);
 }

@@ -13,7 +13,7 @@ namespace {
 constexpr int kColumns = 1000;
 constexpr int kRows = 4;         ///< above and below that are compared
 constexpr float kBlack = 0.02f;  ///< added to both: black beside black is no contrast
-constexpr float kEnough = 0.5f, kEdge = 0.2f, kSeen = 0.1f;
+constexpr float kEnough = 0.5f, kSkylineEdge = 0.2f, kSeen = 0.1f;
 constexpr double kSeenIn = 0.5;
 constexpr int kMostJumps = 2;
 constexpr float kEdgesAbove = 0.5f;  ///< what an edge in the sky costs
@@ -47,7 +47,7 @@ Plane cost_of(const Plane& contrast) {
     for (int y = 0; y < contrast.height; ++y) {
       // The slope of an edge is as wide as the rows compared: it does not count against itself.
       if (y >= kRows)
-        above += kEdgesAbove / kRows * std::max(0.0f, std::abs(contrast.at(x, y - kRows)) - kEdge);
+        above += kEdgesAbove / kRows * std::max(0.0f, std::abs(contrast.at(x, y - kRows)) - kSkylineEdge);
       cost.at(x, y) = above - std::min(kEnough, contrast.at(x, y));
     }
   }
@@ -94,7 +94,7 @@ int jumps_of(const std::vector<int>& path) {
 /// Moves the path up to the tips of trees, which the median and the means have cut off: a column climbs as
 /// long as it is dark, seen against the darker part of the sky about it, over gaps between branches.
 void climb(const Plane& shown, std::vector<int>& path) {
-  constexpr int kHighest = 60, kBeside = 10, kDeep = 8, kGap = 6;
+  constexpr int kSkylineHighest = 60, kBeside = 10, kDeep = 8, kGap = 6;
   constexpr double kDarkerPart = 0.3;
   const std::vector<int> line = path;
   std::vector<float> sky, ground;
@@ -102,7 +102,8 @@ void climb(const Plane& shown, std::vector<int>& path) {
     sky.clear();
     ground.clear();
     for (int u = std::max(0, x - kBeside); u <= std::min(shown.width - 1, x + kBeside); ++u) {
-      for (int y = std::max(0, line[u] - kHighest / 2); y < line[u] - 2; ++y) sky.push_back(shown.at(u, y));
+      for (int y = std::max(0, line[u] - kSkylineHighest / 2); y < line[u] - 2; ++y)
+        sky.push_back(shown.at(u, y));
       for (int y = line[u]; y < std::min(shown.height, line[u] + kDeep); ++y)
         ground.push_back(shown.at(u, y));
     }
@@ -111,8 +112,8 @@ void climb(const Plane& shown, std::vector<int>& path) {
         sky.begin() + static_cast<std::ptrdiff_t>(kDarkerPart * static_cast<double>(sky.size() - 1));
     std::nth_element(sky.begin(), darker, sky.end());
     const float above = *darker, under = median(ground);
-    if (above - under < kEdge * (above + under)) continue;
-    const int highest = std::max(0, line[x] - kHighest);
+    if (above - under < kSkylineEdge * (above + under)) continue;
+    const int highest = std::max(0, line[x] - kSkylineHighest);
     for (int y = line[x] - 1; y >= highest && path[x] - y <= kGap; --y)
       if (shown.at(x, y) < 0.5f * (above + under)) path[x] = y;
   }

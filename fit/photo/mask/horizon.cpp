@@ -9,7 +9,7 @@
 namespace vegard::fit {
 namespace {
 
-[[noreturn]] void refuse(const std::string& key, const std::string& problem) {
+[[noreturn]] void refuse_line(const std::string& key, const std::string& problem) {
   sim::ErrorDetails details;
   details.key = key;
   details.problem = problem;
@@ -20,11 +20,11 @@ namespace {
 }  // namespace
 
 Horizon drawn_horizon(std::vector<PicturePoint> points, int width, const std::string& key) {
-  if (points.size() < 2) refuse(key, "a line has at least two points");
+  if (points.size() < 2) refuse_line(key, "a line has at least two points");
   std::sort(points.begin(), points.end(),
             [](const PicturePoint& a, const PicturePoint& b) { return a.x_px < b.x_px; });
   for (std::size_t i = 1; i < points.size(); ++i)
-    if (points[i].x_px == points[i - 1].x_px) refuse(key, "two points are at one x");
+    if (points[i].x_px == points[i - 1].x_px) refuse_line(key, "two points are at one x");
   Horizon horizon;
   std::size_t piece = 1;
   for (int column = 0; column < width; ++column) {

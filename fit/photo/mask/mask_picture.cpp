@@ -22,13 +22,13 @@ std::string png(const cv::Mat& picture) {
 
 /// 1 for a picture that fills its range; else what brings all but the brightest two hundredth into it.
 float brightening(const Photo& photo) {
-  constexpr float kDark = 0.1f, kShown = 0.6f;
+  constexpr float kMaskDark = 0.1f, kShown = 0.6f;
   std::vector<float> light = photo.linear.data;
   if (light.empty()) return 1.0f;
   const auto place =
       light.begin() + static_cast<std::ptrdiff_t>(0.995 * static_cast<double>(light.size() - 1));
   std::nth_element(light.begin(), place, light.end());
-  if (!(*place > 0.0f) || (!photo.floating && *place > kDark)) return 1.0f;
+  if (!(*place > 0.0f) || (!photo.floating && *place > kMaskDark)) return 1.0f;
   return kShown / *place;
 }
 

@@ -13,15 +13,15 @@ namespace vegard::fit {
 namespace {
 
 constexpr int kWorkingSize_px = 9;     ///< the largest star's diameter on the binned picture
-constexpr int kDirections = 8;         ///< of the line segments
+constexpr int kStarDirections = 8;     ///< of the line segments
 constexpr float kUsualTop = 1.0f;      ///< about the median of the top-hat of an even sky, in σ
 constexpr double kSmoothing_px = 0.7;  ///< openings are minima, and noise has them low
 
-cv::Mat mat_of(Plane& plane) { return cv::Mat(plane.height, plane.width, CV_32F, plane.value.data()); }
+cv::Mat mat_sharing(Plane& plane) { return cv::Mat(plane.height, plane.width, CV_32F, plane.value.data()); }
 
 /// A digital line of `length` pixels through the middle of a square.
 cv::Mat segment(int length, int direction) {
-  const double angle = CV_PI * direction / kDirections;
+  const double angle = CV_PI * direction / kStarDirections;
   const int half = length / 2;
   cv::Mat line(2 * half + 1, 2 * half + 1, CV_8U, cv::Scalar(0));
   const double dx = std::cos(angle), dy = std::sin(angle), largest = std::max(std::abs(dx), std::abs(dy));
@@ -33,21 +33,21 @@ cv::Mat segment(int length, int direction) {
 
 Plane smoothed(Plane& light) {
   Plane smooth(light.width, light.height);
-  cv::Mat to = mat_of(smooth);
-  cv::GaussianBlur(mat_of(light), to, {5, 5}, kSmoothing_px, kSmoothing_px, cv::BORDER_REFLECT);
+  cv::Mat to = mat_sharing(smooth);
+  cv::GaussianBlur(mat_sharing(light), to, {5, 5}, kSmoothing_px, kSmoothing_px, cv::BORDER_REFLECT);
   return smooth;
 }
 
 Plane short_light(Plane& smooth, int size_px) {
   cv::Mat openings, opening;
-  for (int direction = 0; direction < kDirections; ++direction) {
-    cv::morphologyEx(mat_of(smooth), opening, cv::MORPH_OPEN, segment(size_px + 3, direction), {-1, -1}, 1,
-                     cv::BORDER_REPLICATE);
+  for (int direction = 0; direction < kStarDirections; ++direction) {
+    cv::morphologyEx(mat_sharing(smooth), opening, cv::MORPH_OPEN, segment(size_px + 3, direction), {-1, -1},
+                     1, cv::BORDER_REPLICATE);
     openings = direction == 0 ? opening.clone() : cv::Mat(cv::max(openings, opening));
   }
   Plane result(smooth.width, smooth.height);
-  cv::Mat difference = mat_of(result);
-  cv::subtract(mat_of(smooth), openings, difference);
+  cv::Mat difference = mat_sharing(result);
+  cv::subtract(mat_sharing(smooth), openings, difference);
   return result;
 }
 

@@ -11,10 +11,10 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kLongestSide_px = 1500;
+constexpr int kTextLongestSide_px = 1500;
 constexpr int kStroke_px = 7;
 constexpr int kLowest_px = 5, kHighest_px = 60;
-constexpr double kSharpness = 0.4, kGap = 1.2, kColour = 0.15, kContrasts = 0.3, kOnBaseline = 2.0 / 3.0,
+constexpr double kSharpness = 0.4, kTextGap = 1.2, kColour = 0.15, kContrasts = 0.3, kOnBaseline = 2.0 / 3.0,
                  kFilled = 0.7;
 constexpr int kBorder_px = 2;
 
@@ -122,7 +122,7 @@ TextLine boxed(const std::vector<Letter>& line, int factor) {
 
 std::vector<TextLine> find_text(const Photo& photo, const TextSettings& settings) {
   const int longest = std::max(photo.linear.width, photo.linear.height);
-  const int factor = (longest + kLongestSide_px - 1) / kLongestSide_px;
+  const int factor = (longest + kTextLongestSide_px - 1) / kTextLongestSide_px;
   std::array<Plane, 3> colours;
   for (int c = 0; c < 3; ++c) colours[c] = shown_brightness(binned(channel_light(photo, c), factor));
   const Plane shown = shown_brightness(binned(mean_light(photo), factor));
@@ -136,7 +136,7 @@ std::vector<TextLine> find_text(const Photo& photo, const TextSettings& settings
     std::vector<std::size_t> chain = {first};
     for (std::size_t next = first + 1; next < letters.size(); ++next) {
       const Letter& last = letters[chain.back()];
-      const double reach = last.right() + kGap * std::max(last.box.height, letters[first].box.height);
+      const double reach = last.right() + kTextGap * std::max(last.box.height, letters[first].box.height);
       if (letters[next].box.x > reach) break;
       if (!taken[next] && letters[next].right() > last.right() && alike(last, letters[next]))
         chain.push_back(next);

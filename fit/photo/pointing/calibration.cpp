@@ -13,7 +13,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kStrong = 0.95;  // of a correlation that is told
+constexpr double kCorrelationStrong = 0.95;  // of a correlation that is told
 constexpr double kDegrees = 1.0 / sim::kRadiansPerDegree;
 
 /// A scene's number as a function of a calibration's.
@@ -115,7 +115,7 @@ void tell_warnings(Calibration& calibration) {
   for (std::size_t i = 0; i < free.size(); ++i)
     for (std::size_t j = i + 1; j < free.size(); ++j) {
       const double r = calibration.correlation(static_cast<int>(i), static_cast<int>(j));
-      if (std::abs(r) < kStrong) continue;
+      if (std::abs(r) < kCorrelationStrong) continue;
       std::string words = free[i]->key() + " and " + free[j]->key() + " are hardly told apart (correlation " +
                           number_text("%.3f)", r);
       if (free[i]->id.role() == sim::ParameterRole::camera_azimuth &&
@@ -128,7 +128,7 @@ void tell_warnings(Calibration& calibration) {
   const int left_out = static_cast<int>(calibration.stars.size()) - calibration.used();
   if (3 * left_out > static_cast<int>(calibration.stars.size()))
     calibration.warnings.push_back(
-        calibration.evidence == Evidence::stars
+        calibration.evidence == CalibrationEvidence::stars
             ? "more than a third of the stars were left out: are they the stars they are called?"
             : "more than a third of the points were left out: no lens that is known here made these maps");
 }
@@ -154,8 +154,8 @@ void leave_out(Calibration& calibration, const std::vector<LensNumber>& free) {
 
 }  // namespace
 
-const char* words_of(Evidence evidence) {
-  return evidence == Evidence::stars ? "stars" : "points of the maps";
+const char* words_of(CalibrationEvidence evidence) {
+  return evidence == CalibrationEvidence::stars ? "stars" : "points of the maps";
 }
 
 std::string words_of(const MapAgreement& agreement) {
@@ -174,7 +174,7 @@ int Calibration::used() const {
 }
 
 Calibration calibrate(const LensSettings& settings, const std::vector<StarSighting>& stars,
-                      const Frame& frame, const std::string& name, Evidence evidence) {
+                      const Frame& frame, const std::string& name, CalibrationEvidence evidence) {
   std::size_t fewest = settings.only.size();
   if (fewest == 0) {
     fewest = lens_numbers;
@@ -191,7 +191,7 @@ Calibration calibrate(const LensSettings& settings, const std::vector<StarSighti
     details.file = name;
     details.problem = std::string("no lens brings the ") + words_of(evidence) + " to where they were seen";
     details.hint =
-        evidence == Evidence::stars
+        evidence == CalibrationEvidence::stars
             ? "are they the stars they are called? Check the time, the site, and the columns' meaning"
             : "do both maps belong to one camera, and say degrees from north to the east and above the "
               "horizon?";
@@ -225,7 +225,7 @@ Calibration calibrate(const LensSettings& settings, const std::vector<StarSighti
     calibration.residuals.push_back(one);
   }
   tell_errors(calibration, chosen.free);
-  if (evidence == Evidence::stars) leave_out(calibration, chosen.free);
+  if (evidence == CalibrationEvidence::stars) leave_out(calibration, chosen.free);
   tell_warnings(calibration);
   return calibration;
 }

@@ -34,10 +34,10 @@ struct StarResidual {
 };
 
 /// What the stars of a calibration are.
-enum class Evidence { stars, maps };
+enum class CalibrationEvidence { stars, maps };
 
 /// "stars", or "points of the maps".
-const char* words_of(Evidence evidence);
+const char* words_of(CalibrationEvidence evidence);
 
 /// A camera against all pixels of maps.
 struct MapAgreement {
@@ -63,7 +63,7 @@ struct Calibration {
   double without_rms_px =
       0.0;                ///< the same of the residuals of fits without each star; of maps not made: rms_px
   double sigma_px = 0.0;  ///< of one coordinate: sqrt(sum / (2 N - k))
-  Evidence evidence = Evidence::stars;
+  CalibrationEvidence evidence = CalibrationEvidence::stars;
   std::optional<MapAgreement> maps;  ///< of a calibration by maps
   Pointing pointing;
   std::vector<CameraEstimate> estimates;
@@ -79,6 +79,7 @@ struct Calibration {
 /// or on one line of the picture or of the sky, or if no lens brings them together. Of maps no fits
 /// without each point are made.
 Calibration calibrate(const LensSettings& settings, const std::vector<StarSighting>& stars,
-                      const Frame& frame, const std::string& name, Evidence evidence = Evidence::stars);
+                      const Frame& frame, const std::string& name,
+                      CalibrationEvidence evidence = CalibrationEvidence::stars);
 
 }  // namespace vegard::fit

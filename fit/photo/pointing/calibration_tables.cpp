@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 /// Those that took part by their BIC, then the others.
 std::vector<const LensCandidate*> in_order(const Calibration& calibration) {
@@ -55,7 +55,7 @@ std::string residuals_csv(const Calibration& calibration) {
 std::string calibration_json(const Calibration& calibration, const CalibrationOrigin& origin) {
   Json json;
   json["vegard"] = sim::version();
-  const bool stars = calibration.evidence == Evidence::stars;
+  const bool stars = calibration.evidence == CalibrationEvidence::stars;
   json[stars ? "stars_from" : "maps_from"] = origin.stars;
   if (!origin.image.empty()) json["picture"] = origin.image;
   if (!origin.site.time_utc.empty()) json["time_utc"] = origin.site.time_utc;
@@ -65,28 +65,29 @@ std::string calibration_json(const Calibration& calibration, const CalibrationOr
   json["picture_size_px"] = {calibration.frame.width_px, calibration.frame.height_px};
   json["picture_size_known"] = calibration.frame.known;
   json[stars ? "stars_used" : "points_used"] = calibration.used();
-  json["rms_px"] = number(calibration.rms_px);
-  if (stars) json["rms_without_each_star_px"] = number(calibration.without_rms_px);
+  json["rms_px"] = json_number(calibration.rms_px);
+  if (stars) json["rms_without_each_star_px"] = json_number(calibration.without_rms_px);
   if (calibration.maps)
     json["maps"] = {{"pixels", calibration.maps->pixels},
                     {"pixels_without_image", calibration.maps->without_image},
-                    {"rms_px", number(calibration.maps->rms_px)},
-                    {"largest_px", number(calibration.maps->largest_px)},
+                    {"rms_px", json_number(calibration.maps->rms_px)},
+                    {"largest_px", json_number(calibration.maps->largest_px)},
                     {"largest_at", {calibration.maps->largest_x, calibration.maps->largest_y}}};
-  json["sigma_px"] = number(calibration.sigma_px);
-  json["axis_sigma_deg"] = number(calibration.line_of_sight_sigma_deg);
-  json["turn_sigma_deg"] = number(calibration.twist_sigma_deg);
+  json["sigma_px"] = json_number(calibration.sigma_px);
+  json["axis_sigma_deg"] = json_number(calibration.line_of_sight_sigma_deg);
+  json["turn_sigma_deg"] = json_number(calibration.twist_sigma_deg);
   json["numbers"] = Json::array();
   for (const CameraEstimate& estimate : calibration.estimates) {
-    json["numbers"].push_back(
-        {{"key", "camera." + estimate.key()}, {"unit", estimate.unit()}, {"value", number(estimate.value)}});
-    json["numbers"].back()["sigma"] = estimate.free ? number(estimate.sigma) : Json(nullptr);
+    json["numbers"].push_back({{"key", "camera." + estimate.key()},
+                               {"unit", estimate.unit()},
+                               {"value", json_number(estimate.value)}});
+    json["numbers"].back()["sigma"] = estimate.free ? json_number(estimate.sigma) : Json(nullptr);
   }
   json["correlation"] = Json::array();
   for (Eigen::Index i = 0; i < calibration.correlation.rows(); ++i) {
     Json row = Json::array();
     for (Eigen::Index j = 0; j < calibration.correlation.cols(); ++j)
-      row.push_back(number(calibration.correlation(i, j)));
+      row.push_back(json_number(calibration.correlation(i, j)));
     json["correlation"].push_back(row);
   }
   json["warnings"] = calibration.warnings;
@@ -94,8 +95,8 @@ std::string calibration_json(const Calibration& calibration, const CalibrationOr
   for (const LensCandidate* candidate : in_order(calibration)) {
     Json row = {{"lens", lens_words(*candidate)}, {"numbers", candidate->free.size()}};
     if (candidate->objection.empty()) {
-      row["rms_px"] = number(candidate->rms_px);
-      row["bic"] = number(candidate->bic);
+      row["rms_px"] = json_number(candidate->rms_px);
+      row["bic"] = json_number(candidate->bic);
     } else {
       row["why_not"] = candidate->objection;
     }
@@ -109,10 +110,10 @@ std::string calibration_json(const Calibration& calibration, const CalibrationOr
     json["stars"].push_back({{"name", calibration.stars[i].name},
                              {"x_px", calibration.stars[i].x_px},
                              {"y_px", calibration.stars[i].y_px},
-                             {"dx_px", number(one.dx_px)},
-                             {"dy_px", number(one.dy_px)},
-                             {"without_dx_px", number(one.without_dx_px)},
-                             {"without_dy_px", number(one.without_dy_px)},
+                             {"dx_px", json_number(one.dx_px)},
+                             {"dy_px", json_number(one.dy_px)},
+                             {"without_dx_px", json_number(one.without_dx_px)},
+                             {"without_dy_px", json_number(one.without_dy_px)},
                              {"used", one.used}});
   }
   return json.dump(2) + "\n";

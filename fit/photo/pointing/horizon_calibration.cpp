@@ -18,18 +18,8 @@ namespace {
 using sim::kRadiansPerDegree;
 
 // Elevation, roll, logarithm of the focal length in pixels, dip; angles in radians.
-constexpr int kUnknowns = 4, kElevation = 0, kRoll = 1, kLogFocal = 2, kDip = 3;
+constexpr int kUnknowns = 4, kHorizonElevation = 0, kRoll = 1, kLogFocal = 2, kDip = 3;
 using Numbers = std::array<double, kUnknowns>;
-
-[[noreturn]] void refuse(const std::string& key, const std::string& problem, const std::string& expected,
-                         const std::string& hint = {}) {
-  sim::ErrorDetails details;
-  details.key = key;
-  details.problem = problem;
-  details.expected = expected;
-  details.hint = hint;
-  throw sim::Error(sim::ErrorKind::usage, details);
-}
 
 /// How far a point, from the picture's middle, is inside the sky, in standard deviations.
 struct PointResidual {
@@ -41,8 +31,8 @@ struct PointResidual {
     using std::exp;
     using std::sin;
     using std::sqrt;
-    const T ce = cos(number[kElevation]);
-    const T up[3] = {ce * sin(number[kRoll]), -ce * cos(number[kRoll]), sin(number[kElevation])};
+    const T ce = cos(number[kHorizonElevation]);
+    const T up[3] = {ce * sin(number[kRoll]), -ce * cos(number[kRoll]), sin(number[kHorizonElevation])};
     const T focal = exp(number[kLogFocal]);
     const T length2 = focal * focal + x_px * x_px + y_px * y_px, length = sqrt(length2);
     const T along = (up[0] * x_px + up[1] * y_px + up[2] * focal) / length;
@@ -54,7 +44,7 @@ struct PointResidual {
   }
 };
 
-struct Descent {
+struct HorizonDescent {
   Numbers numbers{};
   double chi2 = 0.0;  ///< in units of the stated error
   bool usable = false;
@@ -63,14 +53,14 @@ struct Descent {
 };
 
 std::vector<int> free_numbers(const HorizonProblem& p) {
-  std::vector<int> free = {kElevation, kRoll};
+  std::vector<int> free = {kHorizonElevation, kRoll};
   if (!p.hfov_deg) free.push_back(kLogFocal);
   if (p.free_dip) free.push_back(kDip);
   return free;
 }
 
-Descent descend(const HorizonProblem& p, const Numbers& start) {
-  Descent descent;
+HorizonDescent descend(const HorizonProblem& p, const Numbers& start) {
+  HorizonDescent descent;
   descent.numbers = start;
   double* numbers = descent.numbers.data();
   ceres::Problem problem;
@@ -156,62 +146,69 @@ std::optional<Numbers> start(const HorizonProblem& p, double focal_px, double di
 }
 
 /// The best end of descents from a few focal lengths and dips, those given if they are.
-Descent best_descent(const HorizonProblem& p, double side) {
+HorizonDescent best_descent(const HorizonProblem& p, double side) {
   std::vector<double> fields = {25.0, 45.0, 70.0, 95.0};
   if (p.hfov_deg) fields = {*p.hfov_deg};
   std::vector<double> dips = {p.dip_deg};
   if (p.free_dip) dips = {p.dip_deg, 0.5 * p.dip_deg, 1.5 * p.dip_deg, 5.0, 20.0};
-  Descent best;
+  HorizonDescent best;
   for (const double field : fields)
     for (const double dip : dips) {
       const auto numbers = start(p, focal_of_hfov_px(field, p.width_px), dip * kRadiansPerDegree, side);
       if (!numbers) continue;
-      const Descent descent = descend(p, *numbers);
+      const HorizonDescent descent = descend(p, *numbers);
       if (descent.usable && (!best.usable || descent.chi2 < best.chi2)) best = descent;
     }
   return best;
 }
 
-void check(const HorizonProblem& p) {
+void check_horizon(const HorizonProblem& p) {
   if (p.points.size() < 2)
-    refuse("--points", std::to_string(p.points.size()) + " point on the horizon", "at least two points");
+    sim::refuse_key(sim::ErrorKind::usage, "--points",
+                    std::to_string(p.points.size()) + " point on the horizon", "at least two points");
   for (const PixelPoint& point : p.points)
     if (!(point.x_px >= 0.0 && point.x_px <= p.width_px && point.y_px >= 0.0 && point.y_px <= p.height_px))
-      refuse("--points", "a point lies outside of the picture",
-             "0,0 to " + std::to_string(p.width_px) + "," + std::to_string(p.height_px));
+      sim::refuse_key(sim::ErrorKind::usage, "--points", "a point lies outside of the picture",
+                      "0,0 to " + std::to_string(p.width_px) + "," + std::to_string(p.height_px));
   const auto [a, b] = farthest(p.points);
   const double apart = std::hypot(a.x_px - b.x_px, a.y_px - b.y_px);
   if (apart < std::max(1.0, 5.0 * p.point_error_px))
-    refuse("--points", "the points are all one, as well as they are known",
-           "points far apart from each other");
+    sim::refuse_key(sim::ErrorKind::usage, "--points", "the points are all one, as well as they are known",
+                    "points far apart from each other");
   if (!p.sky && std::abs(a.x_px - b.x_px) < std::max(1.0, p.point_error_px))
-    refuse("--points", "the horizon stands upright in the picture: on which side is the sky?", "--sky X,Y");
+    sim::refuse_key(sim::ErrorKind::usage, "--points",
+                    "the horizon stands upright in the picture: on which side is the sky?", "--sky X,Y");
   if (!p.hfov_deg && p.dip_deg <= 0.0)
-    refuse("--hfov", "a straight horizon says nothing about the field of view", "--hfov or --focal-35mm",
-           "seen from far above (--altitude-m) it is bent, and does");
+    sim::refuse_key(sim::ErrorKind::usage, "--hfov",
+                    "a straight horizon says nothing about the field of view", "--hfov or --focal-35mm",
+                    "seen from far above (--altitude-m) it is bent, and does");
   const std::size_t unknowns = free_numbers(p).size();
   if (p.points.size() < unknowns)
-    refuse("--points",
-           std::to_string(p.points.size()) + " points cannot tell " +
-               (p.free_dip ? "the dip" : "the field of view") + " beside elevation and roll",
-           "at least " + std::to_string(unknowns) + " points",
-           p.free_dip ? "" : "or give --hfov or --focal-35mm");
+    sim::refuse_key(sim::ErrorKind::usage, "--points",
+                    std::to_string(p.points.size()) + " points cannot tell " +
+                        (p.free_dip ? "the dip" : "the field of view") + " beside elevation and roll",
+                    "at least " + std::to_string(unknowns) + " points",
+                    p.free_dip ? "" : "or give --hfov or --focal-35mm");
 }
 
 /// A horizon that bends says by itself where the sky is.
-void check_side(const HorizonProblem& p, const Descent& chosen) {
+void check_side(const HorizonProblem& p, const HorizonDescent& chosen) {
   constexpr double kClear = 9.0;  // three standard deviations
   double height = 0.0;
   if (p.sky && !(PointResidual{p.sky->x_px - 0.5 * p.width_px, p.sky->y_px - 0.5 * p.height_px, 1.0}(
                      chosen.numbers.data(), &height) &&
                  height > 0.0))
-    refuse("--sky", "this point lies below the horizon of the others", "a point in the sky");
+    sim::refuse_key(sim::ErrorKind::usage, "--sky", "this point lies below the horizon of the others",
+                    "a point in the sky");
   if (p.points.size() < 3) return;
-  const Descent other = best_descent(p, -1.0);
+  const HorizonDescent other = best_descent(p, -1.0);
   if (!other.usable || other.chi2 + kClear >= chosen.chi2) return;
-  if (p.sky) refuse("--sky", "the horizon bends the other way than with the sky there", "a point in the sky");
-  refuse("--points", "the horizon bends the other way than with the sky at the picture's top",
-         "points on the edge of the Earth, from above", "say where the sky is with --sky X,Y");
+  if (p.sky)
+    sim::refuse_key(sim::ErrorKind::usage, "--sky", "the horizon bends the other way than with the sky there",
+                    "a point in the sky");
+  sim::refuse_key(sim::ErrorKind::usage, "--points",
+                  "the horizon bends the other way than with the sky at the picture's top",
+                  "points on the edge of the Earth, from above", "say where the sky is with --sky X,Y");
 }
 
 ErrorBar degrees(double radians, double sigma_radians) {
@@ -231,11 +228,11 @@ double layer_of_dip_km(double dip_deg, double observer_km) {
 }
 
 HorizonCalibration calibrate_horizon(const HorizonProblem& p) {
-  check(p);
-  const Descent found = best_descent(p, 1.0);
+  check_horizon(p);
+  const HorizonDescent found = best_descent(p, 1.0);
   if (!found.usable)
-    refuse("--points", "no horizon goes through these points", "points on one horizon",
-           "are the field of view and --altitude-m right?");
+    sim::refuse_key(sim::ErrorKind::usage, "--points", "no horizon goes through these points",
+                    "points on one horizon", "are the field of view and --altitude-m right?");
   check_side(p, found);
 
   const std::vector<int> free = free_numbers(p);
@@ -254,7 +251,7 @@ HorizonCalibration calibrate_horizon(const HorizonProblem& p) {
       found.information.inverse() * std::pow(result.used_error_px / p.point_error_px, 2);
   for (std::size_t i = 0; i < free.size(); ++i)
     sigma[free[i]] = std::sqrt(covariance(static_cast<int>(i), static_cast<int>(i)));
-  result.elevation_deg = degrees(found.numbers[kElevation], sigma[kElevation]);
+  result.elevation_deg = degrees(found.numbers[kHorizonElevation], sigma[kHorizonElevation]);
   result.roll_deg = degrees(found.numbers[kRoll], sigma[kRoll]);
   result.dip_deg = degrees(found.numbers[kDip], sigma[kDip]);
   const double focal_px = std::exp(found.numbers[kLogFocal]);
@@ -264,10 +261,12 @@ HorizonCalibration calibrate_horizon(const HorizonProblem& p) {
       std::sin(result.hfov_deg.value * kRadiansPerDegree) * sigma[kLogFocal] / kRadiansPerDegree;
   const auto too_open = [](const ErrorBar& bar) { return !(bar.sigma < std::abs(bar.value) / 3.0); };
   if (!p.hfov_deg && too_open(result.hfov_deg))
-    refuse("--points", "the horizon is not bent enough to tell the field of view", "--hfov or --focal-35mm",
-           "or more points, farther apart");
+    sim::refuse_key(sim::ErrorKind::usage, "--points",
+                    "the horizon is not bent enough to tell the field of view", "--hfov or --focal-35mm",
+                    "or more points, farther apart");
   if (p.free_dip && too_open(result.dip_deg))
-    refuse("--points", "the horizon is not bent enough to tell its dip", "more points, farther apart");
+    sim::refuse_key(sim::ErrorKind::usage, "--points", "the horizon is not bent enough to tell its dip",
+                    "more points, farther apart");
   return result;
 }
 

@@ -12,7 +12,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kWorthAMention = 2.0;  // of BIC
-constexpr int kMostRounds = 6;
+constexpr int kLensMostRounds = 6;
 constexpr double kMedianOfRayleigh = 1.1774100225154747;  // sqrt(2 ln 2)
 constexpr double kExact_px2 = 1e-18;  // of RSS / n: noise-free stars must not make an infinite criterion
 constexpr double kWorstCondition = 1e-7;
@@ -59,7 +59,7 @@ class Chooser {
     const LensCandidate& best = choice_.candidates[reference];
     const std::vector<Eigen::Vector2d> left = residuals(best.fit.camera, stars_);
     choice_.used = kept(left, robust_sigma_px(left, {}, static_cast<int>(best.free.size())));
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kLensMostRounds; ++round) {
       fit_plainly();
       if (choice_.chosen < 0) return choice_;
       const LensCandidate& chosen = choice_.candidates[choice_.chosen];

@@ -63,7 +63,7 @@ MapAgreement map_agreement(const SkyCamera& camera, const sim::DirectionMap& map
 Calibration calibrate_maps(const LensSettings& settings, const sim::DirectionMap& map,
                            const std::string& name) {
   Calibration calibration =
-      calibrate(settings, map_points(map), {map.width, map.height, true}, name, Evidence::maps);
+      calibrate(settings, map_points(map), {map.width, map.height, true}, name, CalibrationEvidence::maps);
   calibration.maps = map_agreement(calibration.camera, map);
   if (calibration.maps->largest_px > kStandsFor_px || calibration.maps->without_image > 0)
     calibration.warnings.push_back(

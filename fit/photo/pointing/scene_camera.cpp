@@ -92,7 +92,7 @@ sim::Camera scene_camera_of(const Calibration& calibration) {
 }
 
 std::string camera_toml(const Calibration& calibration, const CalibrationOrigin& origin) {
-  const bool stars = calibration.evidence == Evidence::stars;
+  const bool stars = calibration.evidence == CalibrationEvidence::stars;
   std::string text = std::string("# A camera found from ") + (stars ? "its stars" : "maps of directions") +
                      " by vegard " + sim::version() + ".\n";
   text += (stars ? "# stars: " : "# maps: ") + in_one_line(origin.stars) + ", " +

@@ -9,15 +9,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kMostPixels = 1e6;
-
-[[noreturn]] void refuse(const std::string& file, const std::string& problem, const std::string& expected) {
-  sim::ErrorDetails details;
-  details.file = file;
-  details.problem = problem;
-  details.expected = expected;
-  throw sim::Error(sim::ErrorKind::unreadable_input, details);
-}
+constexpr double kFieldMostPixels = 1e6;
 
 }  // namespace
 
@@ -26,19 +18,23 @@ bool is_fits_table(std::string_view bytes) { return bytes.substr(0, 9) == "SIMPL
 std::vector<StarSighting> solved_field(std::string_view bytes, const std::string& file,
                                        const SkyOfPicture& sky, double first_pixel) {
   constexpr std::array<const char*, 4> kNames = {"field_x", "field_y", "index_ra", "index_dec"};
-  constexpr std::array<std::array<double, 2>, 4> kLimits = {
-      {{-kMostPixels, kMostPixels}, {-kMostPixels, kMostPixels}, {0.0, 360.0}, {-90.0, 90.0}}};
+  constexpr std::array<std::array<double, 2>, 4> kLimits = {{{-kFieldMostPixels, kFieldMostPixels},
+                                                             {-kFieldMostPixels, kFieldMostPixels},
+                                                             {0.0, 360.0},
+                                                             {-90.0, 90.0}}};
   const sim::FitsTable table = sim::read_fits_table(bytes, file);
   std::array<const std::vector<double>*, 4> columns{};
   for (std::size_t c = 0; c < kNames.size(); ++c) {
     const auto found = table.columns.find(kNames[c]);
     if (found == table.columns.end())
-      refuse(file, std::string("this FITS table has no column ") + kNames[c],
-             "the .corr file of solve-field: field_x, field_y, index_ra, index_dec");
+      sim::refuse_file(sim::ErrorKind::unreadable_input, file,
+                       std::string("this FITS table has no column ") + kNames[c],
+                       "the .corr file of solve-field: field_x, field_y, index_ra, index_dec");
     columns[c] = &found->second;
   }
   if (columns[0]->empty())
-    refuse(file, "this FITS table has no rows", "a star in each: was the field solved?");
+    sim::refuse_file(sim::ErrorKind::unreadable_input, file, "this FITS table has no rows",
+                     "a star in each: was the field solved?");
   require_sky(sky, file);
 
   std::vector<StarSighting> stars;
@@ -47,9 +43,10 @@ std::vector<StarSighting> solved_field(std::string_view bytes, const std::string
     for (std::size_t c = 0; c < kNames.size(); ++c) {
       numbers[c] = (*columns[c])[row];
       if (!(numbers[c] >= kLimits[c][0] && numbers[c] <= kLimits[c][1]))
-        refuse(file, std::string(kNames[c]) + " of row " + std::to_string(row + 1) + " is out of range",
-               std::to_string(static_cast<int>(kLimits[c][0])) + " to " +
-                   std::to_string(static_cast<int>(kLimits[c][1])));
+        sim::refuse_file(sim::ErrorKind::unreadable_input, file,
+                         std::string(kNames[c]) + " of row " + std::to_string(row + 1) + " is out of range",
+                         std::to_string(static_cast<int>(kLimits[c][0])) + " to " +
+                             std::to_string(static_cast<int>(kLimits[c][1])));
     }
     StarSighting star;
     star.name = "row " + std::to_string(row + 1);

@@ -9,17 +9,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kNarrowest = 0.01;  // width over length: of a line
-
-[[noreturn]] void refuse(const std::string& name, const std::string& problem, const std::string& expected,
-                         const std::string& hint) {
-  sim::ErrorDetails details;
-  details.file = name;
-  details.problem = problem;
-  details.expected = expected;
-  details.hint = hint;
-  throw sim::Error(sim::ErrorKind::unreadable_input, details);
-}
+constexpr double kStarsNarrowest = 0.01;  // width over length: of a line
 
 }  // namespace
 
@@ -29,11 +19,11 @@ void check_stars(const std::vector<StarSighting>& stars, int free_numbers, const
   // Four residuals more than numbers, two to a star.
   const int needed = (free_numbers + 4 + 1) / 2;
   if (n < needed)
-    refuse(name,
-           std::to_string(n) + " " + (n == 1 && called == "stars" ? "star" : called) + " for a camera of " +
-               std::to_string(free_numbers) + " numbers",
-           "at least " + std::to_string(needed),
-           "add " + called + ", or hold numbers with --free and --camera");
+    sim::refuse_file(sim::ErrorKind::unreadable_input, name,
+                     std::to_string(n) + " " + (n == 1 && called == "stars" ? "star" : called) +
+                         " for a camera of " + std::to_string(free_numbers) + " numbers",
+                     "at least " + std::to_string(needed),
+                     "add " + called + ", or hold numbers with --free and --camera");
   Eigen::MatrixXd places(n, 2), directions(n, 3);
   for (int i = 0; i < n; ++i) {
     places.row(i) << stars[i].x_px, stars[i].y_px;
@@ -46,9 +36,12 @@ void check_stars(const std::vector<StarSighting>& stars, int free_numbers, const
            .cwiseMax(0.0))
           .cwiseSqrt();
   if (spread[1] < 1.0)
-    refuse(name, "all " + called + " stand in one point of the picture", called + " all over it", "");
-  if (spread[0] < kNarrowest * spread[1])
-    refuse(name, "all " + called + " stand on one line of the picture", called + " on both sides of it", "");
+    sim::refuse_file(sim::ErrorKind::unreadable_input, name,
+                     "all " + called + " stand in one point of the picture", called + " all over it", "");
+  if (spread[0] < kStarsNarrowest * spread[1])
+    sim::refuse_file(sim::ErrorKind::unreadable_input, name,
+                     "all " + called + " stand on one line of the picture", called + " on both sides of it",
+                     "");
   const Eigen::MatrixXd across = directions.rowwise() - directions.colwise().mean();
   const Eigen::VectorXd width =
       (Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(across.transpose() * across / n)
@@ -56,9 +49,11 @@ void check_stars(const std::vector<StarSighting>& stars, int free_numbers, const
            .cwiseMax(0.0))
           .cwiseSqrt();
   if (width[2] < 1e-5)
-    refuse(name, "all " + called + " stand in one point of the sky", "different " + called, "");
-  if (width[1] < kNarrowest * width[2])
-    refuse(name, "all " + called + " stand on one line of the sky", called + " on both sides of it", "");
+    sim::refuse_file(sim::ErrorKind::unreadable_input, name,
+                     "all " + called + " stand in one point of the sky", "different " + called, "");
+  if (width[1] < kStarsNarrowest * width[2])
+    sim::refuse_file(sim::ErrorKind::unreadable_input, name,
+                     "all " + called + " stand on one line of the sky", called + " on both sides of it", "");
 }
 
 }  // namespace vegard::fit

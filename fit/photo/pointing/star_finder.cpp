@@ -8,8 +8,8 @@ namespace {
 
 constexpr int kInner = 4, kOuter = 7;  // of the ring, px
 constexpr double kWeightSigma_px = 1.2;
-constexpr int kReach = 4;  // of the weight
-constexpr int kMostSteps = 30;
+constexpr int kFinderReach = 4;  // of the weight
+constexpr int kFinderMostSteps = 30;
 constexpr double kFarthest_px = 1.5;  // a place that runs farther from its maximum belongs to something else
 constexpr double kSigmaOfMad = 1.4826;
 
@@ -92,11 +92,11 @@ class Finder {
   bool centre(int x, int y, double ground, double pixel_sigma, FoundStar& star) const {
     const double first_x = x + 0.5, first_y = y + 0.5;
     double cx = first_x, cy = first_y;
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kFinderMostSteps; ++step) {
       double sum = 0.0, sum_x = 0.0, sum_y = 0.0, noise_x = 0.0, noise_y = 0.0;
       const int left = static_cast<int>(std::floor(cx)), top = static_cast<int>(std::floor(cy));
-      for (int j = top - kReach; j <= top + kReach; ++j)
-        for (int i = left - kReach; i <= left + kReach; ++i) {
+      for (int j = top - kFinderReach; j <= top + kFinderReach; ++j)
+        for (int i = left - kFinderReach; i <= left + kFinderReach; ++i) {
           if (i < 0 || j < 0 || i >= width_ || j >= height_) continue;
           const double dx = i + 0.5 - cx, dy = j + 0.5 - cy;
           const double weight = std::exp(-0.5 * (dx * dx + dy * dy) / (kWeightSigma_px * kWeightSigma_px));

@@ -7,7 +7,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kTruncation = 0.05, kCoarse = 0.02;  // of the stars' extent
+constexpr double kTruncation = 0.05, kStartCoarse = 0.02;  // of the stars' extent
 constexpr int kMostPairs = 24, kMostScored = 30, kRefined = 4;
 constexpr int kPairsOfOneStar = 5;
 
@@ -145,8 +145,8 @@ CameraFit starting_camera(sim::LensModel model, bool mirrored, const std::vector
                                         focal_px_number,  centre_x_number, centre_y_number};
   double least = 1e300;
   for (const Start& start : starts) {
-    CameraFit fit = fit_camera(start.camera, free, stars, {}, kCoarse * extent);
-    fit = fit_camera(fit.camera, free, stars, {}, 0.25 * kCoarse * extent);
+    CameraFit fit = fit_camera(start.camera, free, stars, {}, kStartCoarse * extent);
+    fit = fit_camera(fit.camera, free, stars, {}, 0.25 * kStartCoarse * extent);
     const double sum = truncated_sum(fit.camera, stars, cut_px, 1e300);
     if (fit.good && sum < least) {
       least = sum;

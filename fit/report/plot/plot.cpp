@@ -15,15 +15,17 @@
 namespace vegard::fit {
 namespace {
 
-constexpr Colour kInk{38, 38, 38}, kSoftInk{95, 95, 95}, kGrid{232, 232, 232}, kFrame{150, 150, 150};
-constexpr double kTitleSize = 16, kPanelTitleSize = 12.5, kLabelSize = 12.5, kTickSize = 11, kNoteSize = 12;
-constexpr double kEdge = 18;  ///< free at the outside
-constexpr double kTitleHeight = 26, kNoteHeight = 20, kLegendHeight = 24;
-constexpr double kLeft = 66;         ///< left of a panel: label, numbers
-constexpr double kBelow = 50;        ///< below a panel: numbers, label
+constexpr Colour kPlotInk{38, 38, 38}, kPlotSoftInk{95, 95, 95}, kPlotGrid{232, 232, 232},
+    kPlotFrame{150, 150, 150};
+constexpr double kPlotTitleSize = 16, kPanelTitleSize = 12.5, kLabelSize = 12.5, kPlotTickSize = 11,
+                 kPlotNoteSize = 12;
+constexpr double kPlotEdge = 18;  ///< free at the outside
+constexpr double kTitleHeight = 26, kPlotNoteHeight = 20, kLegendHeight = 24;
+constexpr double kPlotLeft = 66;     ///< left of a panel: label, numbers
+constexpr double kPlotBelow = 50;    ///< below a panel: numbers, label
 constexpr double kBelowInside = 28;  ///< the same where the label is told once
 constexpr double kPanelTitleHeight = 22;
-constexpr double kGap = 22;  ///< between panels that share an axis
+constexpr double kPlotGap = 22;  ///< between panels that share an axis
 constexpr double kTickLength = 4;
 constexpr double kLegendSample = 22, kLegendTextGap = 7, kLegendGap = 20;
 
@@ -64,7 +66,7 @@ Limits axis_limits(const Axis& axis, Limits data) {
 }
 
 double entry_width(const Series& entry) {
-  return kLegendSample + kLegendTextGap + text_width_px(entry.label, kNoteSize) + kLegendGap;
+  return kLegendSample + kLegendTextGap + text_width_px(entry.label, kPlotNoteSize) + kLegendGap;
 }
 
 double legend_width(const std::vector<const Series*>& entries) {
@@ -97,27 +99,29 @@ Layout lay_out(const Plot& plot) {
   const int count = static_cast<int>(plot.panels.size());
   layout.columns = std::max(1, plot.columns > 0 ? std::min(plot.columns, count) : count);
   layout.rows = std::max(1, (count + layout.columns - 1) / layout.columns);
-  layout.head = kEdge + (plot.title.empty() ? 0 : kTitleHeight) + (plot.note.empty() ? 0 : kNoteHeight) +
+  layout.head = kPlotEdge + (plot.title.empty() ? 0 : kTitleHeight) +
+                (plot.note.empty() ? 0 : kPlotNoteHeight) +
                 (legend_entries(plot).empty() ? 0 : kLegendHeight);
   const bool titled = std::any_of(plot.panels.begin(), plot.panels.end(),
                                   [](const Panel& panel) { return !panel.title.empty(); });
   const double above = titled ? kPanelTitleHeight : 8;
-  const double step_x = plot.panel_width_px + (plot.shared_axes ? kGap : kLeft + kGap);
-  const double step_y = plot.panel_height_px + above + (plot.shared_axes ? kBelowInside : kBelow);
+  const double step_x = plot.panel_width_px + (plot.shared_axes ? kPlotGap : kPlotLeft + kPlotGap);
+  const double step_y = plot.panel_height_px + above + (plot.shared_axes ? kBelowInside : kPlotBelow);
   for (int i = 0; i < count; ++i) {
     const int column = i % layout.columns, row = i / layout.columns;
-    layout.panels.push_back({kEdge + kLeft + step_x * column, layout.head + above + step_y * row,
+    layout.panels.push_back({kPlotEdge + kPlotLeft + step_x * column, layout.head + above + step_y * row,
                              static_cast<double>(plot.panel_width_px),
                              static_cast<double>(plot.panel_height_px)});
   }
-  layout.size.width = kEdge + kLeft + step_x * (layout.columns - 1) + plot.panel_width_px + kEdge;
+  layout.size.width = kPlotEdge + kPlotLeft + step_x * (layout.columns - 1) + plot.panel_width_px + kPlotEdge;
   // A long title, note or legend must not be cut off.
-  layout.size.width = std::max(layout.size.width, kEdge + legend_width(legend_entries(plot)));
+  layout.size.width = std::max(layout.size.width, kPlotEdge + legend_width(legend_entries(plot)));
   for (const auto& [text, text_size] :
-       {std::pair(plot.title, 1.08 * kTitleSize), std::pair(plot.note, kNoteSize)})
-    layout.size.width = std::max(layout.size.width, 2 * kEdge + std::ceil(text_width_px(text, text_size)));
+       {std::pair(plot.title, 1.08 * kPlotTitleSize), std::pair(plot.note, kPlotNoteSize)})
+    layout.size.width =
+        std::max(layout.size.width, 2 * kPlotEdge + std::ceil(text_width_px(text, text_size)));
   layout.size.height =
-      layout.head + step_y * layout.rows + (plot.shared_axes ? kBelow - kBelowInside : 0) + 4;
+      layout.head + step_y * layout.rows + (plot.shared_axes ? kPlotBelow - kBelowInside : 0) + 4;
   return layout;
 }
 
@@ -128,7 +132,8 @@ AxisTicks horizontal_ticks(const Limits& limits, double width_px) {
     AxisTicks ticks = axis_ticks(limits.min, limits.max, std::max(1, most));
     if (most <= 1 || ticks.places.size() < 2) return ticks;
     double widest = 0.0;
-    for (const std::string& label : ticks.labels) widest = std::max(widest, text_width_px(label, kTickSize));
+    for (const std::string& label : ticks.labels)
+      widest = std::max(widest, text_width_px(label, kPlotTickSize));
     const double step = (ticks.places[1] - ticks.places[0]) / (limits.max - limits.min) * width_px;
     if (step >= widest + kBetweenNumbers) return ticks;
   }
@@ -148,7 +153,7 @@ AxisTicks ticks_of(const Axis& axis, AxisTicks chosen) {
 }
 
 /// A panel's way from data to pixels.
-struct Scale {
+struct PlotScale {
   PlotRectangle area;
   AxisTicks x, y;
   bool x_reversed = false, y_reversed = false;
@@ -163,28 +168,29 @@ struct Scale {
   PlotPoint place(double vx, double vy) const { return {place_x(vx), place_y(vy)}; }
 };
 
-void draw_grid(const Scale& scale, bool numbers_left, PlotCanvas& canvas) {
+void draw_grid(const PlotScale& scale, bool numbers_left, PlotCanvas& canvas) {
   const PlotRectangle& a = scale.area;
   const double right = a.x + a.width, bottom = a.y + a.height;
   for (const double v : scale.x.places)
-    canvas.line({{scale.place_x(v), a.y}, {scale.place_x(v), bottom}}, kGrid, 1, false);
+    canvas.line({{scale.place_x(v), a.y}, {scale.place_x(v), bottom}}, kPlotGrid, 1, false);
   for (const double v : scale.y.places)
-    canvas.line({{a.x, scale.place_y(v)}, {right, scale.place_y(v)}}, kGrid, 1, false);
-  canvas.line({{a.x, a.y}, {a.x, bottom}, {right, bottom}}, kFrame, 1, false);
+    canvas.line({{a.x, scale.place_y(v)}, {right, scale.place_y(v)}}, kPlotGrid, 1, false);
+  canvas.line({{a.x, a.y}, {a.x, bottom}, {right, bottom}}, kPlotFrame, 1, false);
   TextStyle style;
-  style.size_px = kTickSize;
-  style.colour = kSoftInk;
+  style.size_px = kPlotTickSize;
+  style.colour = kPlotSoftInk;
   style.anchor = TextAnchor::middle;
   for (std::size_t i = 0; i < scale.x.places.size(); ++i) {
     const double px = scale.place_x(scale.x.places[i]);
-    canvas.line({{px, bottom}, {px, bottom + kTickLength}}, kFrame, 1, false);
+    canvas.line({{px, bottom}, {px, bottom + kTickLength}}, kPlotFrame, 1, false);
     canvas.text({px, bottom + kTickLength + 13}, scale.x.labels[i], style);
   }
   style.anchor = TextAnchor::end;
   for (std::size_t i = 0; i < scale.y.places.size(); ++i) {
     const double py = scale.place_y(scale.y.places[i]);
-    canvas.line({{a.x - kTickLength, py}, {a.x, py}}, kFrame, 1, false);
-    if (numbers_left) canvas.text({a.x - kTickLength - 4, py + 0.36 * kTickSize}, scale.y.labels[i], style);
+    canvas.line({{a.x - kTickLength, py}, {a.x, py}}, kPlotFrame, 1, false);
+    if (numbers_left)
+      canvas.text({a.x - kTickLength - 4, py + 0.36 * kPlotTickSize}, scale.y.labels[i], style);
   }
 }
 
@@ -192,7 +198,7 @@ bool finite_at(const Series& series, std::size_t i) {
   return std::isfinite(series.x[i]) && std::isfinite(series.y[i]);
 }
 
-void draw_band(const Series& series, const Scale& scale, PlotCanvas& canvas) {
+void draw_band(const Series& series, const PlotScale& scale, PlotCanvas& canvas) {
   constexpr double kOpacity = 0.22;
   std::vector<PlotPoint> there, back;
   auto close = [&] {
@@ -214,14 +220,14 @@ void draw_band(const Series& series, const Scale& scale, PlotCanvas& canvas) {
   close();
 }
 
-void draw_raster(const Raster& raster, const Scale& scale, PlotCanvas& canvas) {
+void draw_raster(const Raster& raster, const PlotScale& scale, PlotCanvas& canvas) {
   if (raster.rgb.empty()) return;
   const PlotPoint corner = scale.place(raster.left, raster.top),
                   end = scale.place(raster.right, raster.bottom);
   canvas.picture({corner.x, corner.y, end.x - corner.x, end.y - corner.y}, raster);
 }
 
-void draw_series(const Series& series, const Scale& scale, PlotCanvas& canvas) {
+void draw_series(const Series& series, const PlotScale& scale, PlotCanvas& canvas) {
   std::vector<PlotPoint> run;
   auto finish = [&] {
     if (run.size() > 1) canvas.line(run, series.colour, series.width_px, series.mark == Mark::dashed_line);
@@ -241,9 +247,9 @@ void draw_series(const Series& series, const Scale& scale, PlotCanvas& canvas) {
 }
 
 void draw_legend(const std::vector<const Series*>& entries, double base_line, PlotCanvas& canvas) {
-  double x = kEdge;
+  double x = kPlotEdge;
   for (const Series* entry : entries) {
-    const double middle = base_line - 0.34 * kNoteSize;
+    const double middle = base_line - 0.34 * kPlotNoteSize;
     if (!entry->low.empty())
       canvas.area({{x, middle - 5},
                    {x + kLegendSample, middle - 5},
@@ -256,29 +262,29 @@ void draw_legend(const std::vector<const Series*>& entries, double base_line, Pl
       canvas.line({{x, middle}, {x + kLegendSample, middle}}, entry->colour, entry->width_px + 0.4,
                   entry->mark == Mark::dashed_line);
     TextStyle style;
-    style.size_px = kNoteSize;
-    style.colour = kInk;
+    style.size_px = kPlotNoteSize;
+    style.colour = kPlotInk;
     canvas.text({x + kLegendSample + kLegendTextGap, base_line}, entry->label, style);
     x += entry_width(*entry);
   }
 }
 
 void draw_head(const Plot& plot, PlotCanvas& canvas) {
-  double base_line = kEdge;
+  double base_line = kPlotEdge;
   TextStyle style;
   if (!plot.title.empty()) {
-    style.size_px = kTitleSize;
+    style.size_px = kPlotTitleSize;
     style.bold = true;
-    style.colour = kInk;
-    canvas.text({kEdge, base_line + 12}, plot.title, style);
+    style.colour = kPlotInk;
+    canvas.text({kPlotEdge, base_line + 12}, plot.title, style);
     base_line += kTitleHeight;
   }
   if (!plot.note.empty()) {
-    style.size_px = kNoteSize;
+    style.size_px = kPlotNoteSize;
     style.bold = false;
-    style.colour = kSoftInk;
-    canvas.text({kEdge, base_line + 9}, plot.note, style);
-    base_line += kNoteHeight;
+    style.colour = kPlotSoftInk;
+    canvas.text({kPlotEdge, base_line + 9}, plot.note, style);
+    base_line += kPlotNoteHeight;
   }
   draw_legend(legend_entries(plot), base_line + 13, canvas);
 }
@@ -286,14 +292,14 @@ void draw_head(const Plot& plot, PlotCanvas& canvas) {
 void label_axes(const Axis& x, const Axis& y, const PlotRectangle& area, PlotCanvas& canvas) {
   TextStyle style;
   style.size_px = kLabelSize;
-  style.colour = kInk;
+  style.colour = kPlotInk;
   style.anchor = TextAnchor::middle;
   canvas.text({area.x + area.width / 2, area.y + area.height + 40}, x.label, style);
   style.upwards = true;
-  canvas.text({area.x - kLeft + 14, area.y + area.height / 2}, y.label, style);
+  canvas.text({area.x - kPlotLeft + 14, area.y + area.height / 2}, y.label, style);
 }
 
-void check(const Plot& plot) {
+void check_plot(const Plot& plot) {
   for (const Panel& panel : plot.panels) {
     assert(panel.x.tick_places.size() == panel.x.tick_labels.size());
     assert(panel.y.tick_places.size() == panel.y.tick_labels.size());
@@ -336,7 +342,7 @@ Colour distinct_colour(int index) {
 PlotSize plot_size(const Plot& plot) { return lay_out(plot).size; }
 
 void draw_plot(const Plot& plot, PlotCanvas& canvas) {
-  check(plot);
+  check_plot(plot);
   const Layout layout = lay_out(plot);
   canvas.area(
       {{0, 0}, {layout.size.width, 0}, {layout.size.width, layout.size.height}, {0, layout.size.height}},
@@ -361,7 +367,7 @@ void draw_plot(const Plot& plot, PlotCanvas& canvas) {
     x = axis_limits(axes.x, x);
     y = axis_limits(axes.y, y);
     const PlotRectangle& area = layout.panels[i];
-    const Scale scale{
+    const PlotScale scale{
         area, ticks_of(axes.x, horizontal_ticks(x, area.width)),
         ticks_of(axes.y, axis_ticks(y.min, y.max, std::max(2, static_cast<int>(area.height / 42)))),
         axes.x.reversed, axes.y.reversed};
@@ -370,7 +376,7 @@ void draw_plot(const Plot& plot, PlotCanvas& canvas) {
     TextStyle title;
     title.size_px = kPanelTitleSize;
     title.bold = true;
-    title.colour = kInk;
+    title.colour = kPlotInk;
     canvas.text({area.x, area.y - 8}, panel.title, title);
     canvas.begin_clip(area);
     draw_raster(panel.raster, scale, canvas);

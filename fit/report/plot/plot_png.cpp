@@ -12,9 +12,9 @@ namespace vegard::fit {
 namespace {
 
 constexpr int kOutputScale = 2;  ///< pixels of the file for each of the plot
-constexpr int kFiner = 2;  ///< strokes are drawn this much finer still: OpenCV's own smoothing is coarse
-constexpr int kScale = kOutputScale * kFiner;
-constexpr int kShift = 4;  ///< fractional bits of OpenCV's coordinates
+constexpr int kPngFiner = 2;  ///< strokes are drawn this much finer still: OpenCV's own smoothing is coarse
+constexpr int kPngScale = kOutputScale * kPngFiner;
+constexpr int kPngShift = 4;  ///< fractional bits of OpenCV's coordinates
 
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 constexpr double kFontCapHeight = 21.0;  ///< of that font at scale 1, in pixels
@@ -53,8 +53,8 @@ std::string spelled_in_ascii(std::string_view text) {
 class PngCanvas : public PlotCanvas {
  public:
   explicit PngCanvas(PlotSize size)
-      : whole_(static_cast<int>(std::ceil(size.height)) * kScale,
-               static_cast<int>(std::ceil(size.width)) * kScale, CV_8UC3, cv::Scalar::all(255)),
+      : whole_(static_cast<int>(std::ceil(size.height)) * kPngScale,
+               static_cast<int>(std::ceil(size.width)) * kPngScale, CV_8UC3, cv::Scalar::all(255)),
         view_(whole_) {}
 
   void line(const std::vector<PlotPoint>& points, Colour colour, double width_px, bool dashed) override {
@@ -68,21 +68,22 @@ class PngCanvas : public PlotCanvas {
   void area(const std::vector<PlotPoint>& outline, Colour colour, double opacity) override {
     const std::vector<std::vector<cv::Point>> polygon = {fixed(outline)};
     if (opacity >= 1.0) {
-      cv::fillPoly(view_, polygon, bgr(colour), cv::LINE_AA, kShift);
+      cv::fillPoly(view_, polygon, bgr(colour), cv::LINE_AA, kPngShift);
       return;
     }
     cv::Mat mask(view_.size(), CV_8U, cv::Scalar(0));
-    cv::fillPoly(mask, polygon, cv::Scalar(255.0 * opacity), cv::LINE_8, kShift);
+    cv::fillPoly(mask, polygon, cv::Scalar(255.0 * opacity), cv::LINE_8, kPngShift);
     blend(mask, {0, 0}, colour);
   }
 
   void dot(PlotPoint centre, double diameter_px, Colour colour) override {
-    cv::circle(view_, fixed(centre), static_cast<int>(std::lround(diameter_px / 2 * kScale * (1 << kShift))),
-               bgr(colour), cv::FILLED, cv::LINE_AA, kShift);
+    cv::circle(view_, fixed(centre),
+               static_cast<int>(std::lround(diameter_px / 2 * kPngScale * (1 << kPngShift))), bgr(colour),
+               cv::FILLED, cv::LINE_AA, kPngShift);
   }
 
   void picture(const PlotRectangle& r, const Raster& raster) override {
-    const auto edge = [](double v) { return static_cast<int>(std::lround(v * kScale)); };
+    const auto edge = [](double v) { return static_cast<int>(std::lround(v * kPngScale)); };
     const int left = edge(r.x - origin_.x), top = edge(r.y - origin_.y);
     const int width = std::max(1, edge(r.width)), height = std::max(1, edge(r.height));
     for (int y = std::max(0, top); y < std::min(view_.rows, top + height); ++y) {
@@ -99,10 +100,10 @@ class PngCanvas : public PlotCanvas {
   void text(PlotPoint place, const std::string& text, const TextStyle& style) override {
     const std::string ascii = spelled_in_ascii(text);
     if (ascii.empty()) return;
-    const double cap = kCapHeight * style.size_px * kScale;
+    const double cap = kCapHeight * style.size_px * kPngScale;
     const double scale = cap / kFontCapHeight;
     const int stroke =
-        std::max(1, static_cast<int>(std::lround(style.size_px * kScale * (style.bold ? 0.125 : 0.085))));
+        std::max(1, static_cast<int>(std::lround(style.size_px * kPngScale * (style.bold ? 0.125 : 0.085))));
     const int border = static_cast<int>(cap);
 
     const int width = draw_words(nullptr, {}, ascii, scale, stroke, cap);
@@ -117,18 +118,18 @@ class PngCanvas : public PlotCanvas {
       cv::rotate(ink, ink, cv::ROTATE_90_COUNTERCLOCKWISE);
       origin = {origin.y, ink.rows - 1 - origin.x};
     }
-    const cv::Point at(static_cast<int>(std::lround((place.x - origin_.x) * kScale)),
-                       static_cast<int>(std::lround((place.y - origin_.y) * kScale)));
+    const cv::Point at(static_cast<int>(std::lround((place.x - origin_.x) * kPngScale)),
+                       static_cast<int>(std::lround((place.y - origin_.y) * kPngScale)));
     blend(ink, at - origin, style.colour);
   }
 
   void begin_clip(const PlotRectangle& r) override {
-    const cv::Point from(static_cast<int>(std::lround(r.x * kScale)),
-                         static_cast<int>(std::lround(r.y * kScale)));
-    const cv::Size size(static_cast<int>(std::lround(r.width * kScale)),
-                        static_cast<int>(std::lround(r.height * kScale)));
+    const cv::Point from(static_cast<int>(std::lround(r.x * kPngScale)),
+                         static_cast<int>(std::lround(r.y * kPngScale)));
+    const cv::Size size(static_cast<int>(std::lround(r.width * kPngScale)),
+                        static_cast<int>(std::lround(r.height * kPngScale)));
     view_ = whole_(cv::Rect(from, size) & cv::Rect({0, 0}, whole_.size()));
-    origin_ = {static_cast<double>(from.x) / kScale, static_cast<double>(from.y) / kScale};
+    origin_ = {static_cast<double>(from.x) / kPngScale, static_cast<double>(from.y) / kPngScale};
   }
 
   void end_clip() override {
@@ -138,7 +139,7 @@ class PngCanvas : public PlotCanvas {
 
   std::string png() const {
     cv::Mat small;
-    cv::resize(whole_, small, whole_.size() / kFiner, 0, 0, cv::INTER_AREA);
+    cv::resize(whole_, small, whole_.size() / kPngFiner, 0, 0, cv::INTER_AREA);
     std::vector<unsigned char> bytes;
     cv::imencode(".png", small, bytes);
     return {bytes.begin(), bytes.end()};
@@ -149,7 +150,7 @@ class PngCanvas : public PlotCanvas {
     // The middle of a pixel is at whole numbers in OpenCV, at halves in the plot. Far outside is cut off, so
     // that nothing overflows.
     auto coordinate = [](double v) {
-      return static_cast<int>(std::lround(std::clamp(v * kScale - 0.5, -3e4, 3e4) * (1 << kShift)));
+      return static_cast<int>(std::lround(std::clamp(v * kPngScale - 0.5, -3e4, 3e4) * (1 << kPngShift)));
     };
     return {coordinate(p.x - origin_.x), coordinate(p.y - origin_.y)};
   }
@@ -162,9 +163,9 @@ class PngCanvas : public PlotCanvas {
   }
 
   void stroke(const std::vector<PlotPoint>& points, Colour colour, double width_px) {
-    const int thickness = std::max(1, static_cast<int>(std::lround(width_px * kScale)));
+    const int thickness = std::max(1, static_cast<int>(std::lround(width_px * kPngScale)));
     cv::polylines(view_, std::vector<std::vector<cv::Point>>{fixed(points)}, false, bgr(colour), thickness,
-                  cv::LINE_AA, kShift);
+                  cv::LINE_AA, kPngShift);
   }
 
   static std::vector<std::vector<PlotPoint>> dashes(const std::vector<PlotPoint>& points) {

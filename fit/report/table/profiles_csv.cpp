@@ -5,15 +5,16 @@
 
 #include "fit/report/table/report_bins.h"
 #include "sim/base/file/csv_text.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/version.h"
 
 namespace vegard::fit {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 /// A fit that found nothing may come without a model.
-double at(const std::vector<double>& values, std::size_t i) { return i < values.size() ? values[i] : kNaN; }
+double at(const std::vector<double>& values, std::size_t i) {
+  return i < values.size() ? values[i] : sim::kNaN;
+}
 
 std::string head(const FitResult& result, const FittedPhoto& fitted) {
   std::string text = csv_comment(has_named_axes(fitted.data) ? "profiles: what the fit compared"
@@ -64,7 +65,7 @@ std::string profiles_csv(const FitResult& result, const FittedPhoto& fitted,
       for (int c = 0; c < 3; ++c) {
         const std::size_t i = data.index(band, row, c);
         const double sigma = at(fitted.sigma, i);
-        const double residual = sigma > 0.0 ? (data.mean[i] - at(fitted.model, i)) / sigma : kNaN;
+        const double residual = sigma > 0.0 ? (data.mean[i] - at(fitted.model, i)) / sigma : sim::kNaN;
         text += place + kChannels[c] + "," + csv_number(data.mean[i]) + "," + csv_number(sigma) + "," +
                 csv_number(at(fitted.model, i)) + "," + csv_number(residual) + "," +
                 std::to_string(data.count[i]) + "\n";

@@ -11,11 +11,11 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kMostBands = 12;
+constexpr int kBinsMostBands = 12;
 constexpr double kMostSigma = 0.5;  ///< of a gain that is drawn: others would take the scale for themselves
-constexpr Colour kModelInk{40, 40, 40}, kGrey{120, 120, 120};
+constexpr Colour kBinsModelInk{40, 40, 40}, kGrey{120, 120, 120};
 const char* const kChannelNames[3] = {"red", "green", "blue"};
-const char* const kHowToRead = "Dots: photograph. Shaded: \u00b11 \u03c3. Thin line: model.";
+const char* const kBinsHowToRead = "Dots: photograph. Shaded: \u00b11 \u03c3. Thin line: model.";
 
 /// Photograph and model by position, of one channel; NaN where nothing was used.
 struct Curve {
@@ -72,7 +72,7 @@ Panel light_panel(const FittedPhoto& fitted, int first_band, int end_band, doubl
       dots.high.push_back(curve.data[i] + curve.sigma[i]);
     }
     panel.series.push_back(std::move(dots));
-    models.push_back(line(curve.place, curve.model, kModelInk));
+    models.push_back(line(curve.place, curve.model, kBinsModelInk));
     models.back().label = "model";
   }
   panel.series.insert(panel.series.end(), models.begin(), models.end());
@@ -105,7 +105,7 @@ std::string group_words(const BinAxis& axis, int group) {
 std::string bins_mean_svg(const FittedPhoto& fitted) {
   Plot plot;
   plot.title = "Brightness";
-  plot.note = kHowToRead;
+  plot.note = kBinsHowToRead;
   plot.panels.push_back(light_panel(fitted, 0, fitted.data.bands, 4.4));
   plot.panels[0].x.label = axis_label(fitted.data.grid->along);
   plot.panels[0].y.label = "linear light, mean over the bands";
@@ -149,12 +149,12 @@ std::string bins_residual_svg(const FittedPhoto& fitted) {
 
 std::string bins_bands_svg(const FittedPhoto& fitted) {
   const Profile& data = fitted.data;
-  const int panels = std::min(data.bands, kMostBands);
+  const int panels = std::min(data.bands, kBinsMostBands);
   Plot plot;
   plot.title = "Single bands";
   plot.note = panels < data.bands
-                  ? std::to_string(panels) + " of " + std::to_string(data.bands) + " bands. " + kHowToRead
-                  : std::string(kHowToRead);
+                  ? std::to_string(panels) + " of " + std::to_string(data.bands) + " bands. " + kBinsHowToRead
+                  : std::string(kBinsHowToRead);
   for (int p = 0; p < panels; ++p) {
     const int band = (2 * p + 1) * data.bands / (2 * panels);
     Panel panel = light_panel(fitted, band, band + 1, 3.4);

@@ -66,7 +66,7 @@ Json pair(const std::pair<double, double>& interval) {
   return Json::array({number(interval.first), number(interval.second)});
 }
 
-Json rows(const std::vector<std::vector<double>>& matrix) {
+Json matrix_rows(const std::vector<std::vector<double>>& matrix) {
   Json json = Json::array();
   for (const std::vector<double>& row : matrix) {
     Json cells = Json::array();
@@ -99,7 +99,7 @@ Json profile_intervals(const FitResult& result) {
     entry["found_better"] = p.found_better;
     entry["rise"] = Json::array();
     for (const double rise : p.rise) entry["rise"].push_back(number(rise));
-    entry["values"] = rows(p.values);
+    entry["values"] = matrix_rows(p.values);
     json.push_back(std::move(entry));
   }
   return json;
@@ -118,7 +118,7 @@ Json bootstrap(const FitResult& result) {
     entry["interval68"] = pair(b.interval68[j]);
     entry["interval95"] = pair(b.interval95[j]);
   });
-  json["correlation"] = rows(b.correlation);
+  json["correlation"] = matrix_rows(b.correlation);
   return json;
 }
 
@@ -140,11 +140,11 @@ Json chain(const FitResult& result) {
     entry["autocorrelation_steps"] = number(c.autocorrelation_steps[j]);
     entry["effective_samples"] = number(c.effective[j]);
   });
-  json["correlation"] = rows(c.correlation);
+  json["correlation"] = matrix_rows(c.correlation);
   return json;
 }
 
-Json curve(const FittedCurve& c) {
+Json curve_json(const FittedCurve& c) {
   Json json;
   json["words"] = c.words;
   json["decoding"] = c.decoding_word;
@@ -157,7 +157,7 @@ Json curve(const FittedCurve& c) {
                                  {"undetermined", e.undetermined}});
   if (c.exponents.size() > 1) json["correlation"] = number(c.correlation);
   json["limits"] = {number(c.least), number(c.most)};
-  json["trials"] = rows(c.trials);
+  json["trials"] = matrix_rows(c.trials);
   return json;
 }
 
@@ -194,8 +194,8 @@ std::string result_json(const FitResult& result) {
                                {"unit", d.unit},
                                {"why_none", words(d.why_none)},
                                {"why_no_sigma", words(d.why_no_sigma)}});
-  if (result.curve) json["curve"] = curve(*result.curve);
-  json["correlation"] = rows(result.correlation);
+  if (result.curve) json["curve"] = curve_json(*result.curve);
+  json["correlation"] = matrix_rows(result.correlation);
   if (!result.trade_offs.empty()) json["trade_offs"] = result.trade_offs;
   if (!result.undetermined.empty()) json["undetermined"] = result.undetermined;
   if (!result.profile_intervals.empty()) json["profile_intervals"] = profile_intervals(result);

@@ -8,6 +8,7 @@
 #include "fit/answer/verdict.h"
 #include "sim/base/error.h"
 #include "sim/base/file/csv_text.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/version.h"
 
 namespace vegard::fit {
@@ -15,7 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr Verdict kVerdicts[] = {Verdict::good, Verdict::doubtful, Verdict::failed, Verdict::interrupted};
 
 /// The number of this name in a row, or null.
@@ -46,7 +46,7 @@ bool is_plotted(const std::string& name) {
 
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-double number_or_nan(const Json& json) { return json.is_null() ? kNaN : json.get<double>(); }
+double number_or_nan(const Json& json) { return json.is_null() ? sim::kNaN : json.get<double>(); }
 
 }  // namespace
 
@@ -72,8 +72,8 @@ std::string sequence_csv(const std::vector<SequenceRow>& rows) {
             (row.searched ? "full" : "warm") + "," + csv_number(row.chi2_per_dof);
     for (const SequenceNumber& column : columns) {
       const SequenceNumber* number = find(row, column.name);
-      text += "," + csv_number(number != nullptr ? number->value : kNaN) + "," +
-              csv_number(number != nullptr ? number->sigma.value_or(kNaN) : kNaN);
+      text += "," + csv_number(number != nullptr ? number->value : sim::kNaN) + "," +
+              csv_number(number != nullptr ? number->sigma.value_or(sim::kNaN) : sim::kNaN);
     }
     text += "\n";
   }
@@ -100,8 +100,8 @@ Plot sequence_plot(const std::vector<SequenceRow>& rows) {
       const SequenceNumber* number = find(row, column.name);
       const bool shown =
           number != nullptr && (row.verdict == Verdict::good || row.verdict == Verdict::doubtful);
-      const double value = shown ? number->value : kNaN;
-      const double sigma = shown ? number->sigma.value_or(kNaN) : kNaN;
+      const double value = shown ? number->value : sim::kNaN;
+      const double sigma = shown ? number->sigma.value_or(sim::kNaN) : sim::kNaN;
       line.x.push_back(row.time_s);
       line.y.push_back(value);
       line.low.push_back(value - sigma);

@@ -8,7 +8,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr std::size_t kBlock = 64;
+constexpr std::size_t kShaBlock = 64;
 
 // FIPS 180-4, section 4.2.2: the first 32 bits of the fractional parts of the cube roots of the first 64
 // primes.
@@ -64,14 +64,14 @@ Sha256::Sha256() : state_(kStart) {}
 void Sha256::add(std::string_view bytes) {
   length_ += bytes.size();
   if (!rest_.empty()) {
-    const std::size_t more = std::min(kBlock - rest_.size(), bytes.size());
+    const std::size_t more = std::min(kShaBlock - rest_.size(), bytes.size());
     rest_.append(bytes.substr(0, more));
     bytes.remove_prefix(more);
-    if (rest_.size() < kBlock) return;
+    if (rest_.size() < kShaBlock) return;
     digest_block(state_, rest_.data());
     rest_.clear();
   }
-  for (; bytes.size() >= kBlock; bytes.remove_prefix(kBlock)) digest_block(state_, bytes.data());
+  for (; bytes.size() >= kShaBlock; bytes.remove_prefix(kShaBlock)) digest_block(state_, bytes.data());
   rest_ = bytes;
 }
 
@@ -80,10 +80,10 @@ std::string Sha256::digest() const {
   State state = state_;
   std::string tail = rest_;
   tail += '\x80';
-  while (tail.size() % kBlock != kBlock - 8) tail += '\0';
+  while (tail.size() % kShaBlock != kShaBlock - 8) tail += '\0';
   const std::uint64_t bits = length_ * 8;
   for (int shift = 56; shift >= 0; shift -= 8) tail += static_cast<char>(bits >> shift & 0xff);
-  for (std::size_t at = 0; at < tail.size(); at += kBlock) digest_block(state, tail.data() + at);
+  for (std::size_t at = 0; at < tail.size(); at += kShaBlock) digest_block(state, tail.data() + at);
 
   constexpr char kDigits[] = "0123456789abcdef";
   std::string hex;

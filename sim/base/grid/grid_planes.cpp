@@ -5,8 +5,6 @@
 namespace vegard::sim {
 namespace {
 
-constexpr int kEdge = SparseGrid::kEdge;
-
 GridPlane empty_plane(const VoxelBox& box, int axis, int bin) {
   GridPlane plane;
   plane.axis = axis;
@@ -23,12 +21,12 @@ GridPlane empty_plane(const VoxelBox& box, int axis, int bin) {
 void put_largest(const SparseGrid& grid, int channel, const VoxelBox& box, int first, int last,
                  GridPlane& plane) {
   for (const auto& [at, numbers] : grid.bricks) {
-    const int corner[3] = {at.x * kEdge, at.y * kEdge, at.z * kEdge};
-    if (corner[plane.axis] > last || corner[plane.axis] + kEdge <= first) continue;
+    const int corner[3] = {at.x * SparseGrid::kEdge, at.y * SparseGrid::kEdge, at.z * SparseGrid::kEdge};
+    if (corner[plane.axis] > last || corner[plane.axis] + SparseGrid::kEdge <= first) continue;
     const float* number = numbers.data() + static_cast<std::size_t>(channel) * SparseGrid::kVoxels;
-    for (int i = 0; i < kEdge; ++i)
-      for (int j = 0; j < kEdge; ++j)
-        for (int k = 0; k < kEdge; ++k) {
+    for (int i = 0; i < SparseGrid::kEdge; ++i)
+      for (int j = 0; j < SparseGrid::kEdge; ++j)
+        for (int k = 0; k < SparseGrid::kEdge; ++k) {
           const float here = number[SparseGrid::within(i, j, k)];
           if (!(here > 0.0f)) continue;
           const int voxel[3] = {corner[0] + i, corner[1] + j, corner[2] + k};
@@ -48,8 +46,10 @@ std::optional<VoxelBox> lit_box(const SparseGrid& grid, int channel) {
   for (const auto& [at, numbers] : grid.bricks)
     for (int v = 0; v < SparseGrid::kVoxels; ++v) {
       if (numbers[static_cast<std::size_t>(channel) * SparseGrid::kVoxels + v] == 0.0f) continue;
-      const std::array<int, 3> voxel = {at.x * kEdge + v / (kEdge * kEdge), at.y * kEdge + v / kEdge % kEdge,
-                                        at.z * kEdge + v % kEdge};
+      const std::array<int, 3> voxel = {
+          at.x * SparseGrid::kEdge + v / (SparseGrid::kEdge * SparseGrid::kEdge),
+          at.y * SparseGrid::kEdge + v / SparseGrid::kEdge % SparseGrid::kEdge,
+          at.z * SparseGrid::kEdge + v % SparseGrid::kEdge};
       if (!box) box = VoxelBox{voxel, voxel};
       for (int a = 0; a < 3; ++a) {
         box->low[a] = std::min(box->low[a], voxel[a]);

@@ -22,11 +22,6 @@ using FloatLeaf = FloatGrid::TreeType::LeafNodeType;
 using ColourLeaf = Vec3SGrid::TreeType::LeafNodeType;
 static_assert(FloatLeaf::DIM == SparseGrid::kEdge, "a brick is a leaf");
 
-void start_library() {
-  static std::once_flag once;
-  std::call_once(once, [] { openvdb::initialize(); });
-}
-
 /// The library's way of writing to a stream that can be sought, which it keeps from others than its files:
 /// theirs does not notice a full disk.
 class Archive : public openvdb::io::Archive {
@@ -112,7 +107,7 @@ void add_colours(const SparseGrid::Brick& brick, const std::vector<std::array<fl
 
 void write_vdb(const std::string& path, SparseGrid&& grid, const VdbMetadata& metadata,
                const VdbOptions& options) {
-  start_library();
+  start_vdb_library();
   WholeFile file(path, options.overwrite);
   const auto transform = transform_of(grid, options.centre_index);
   std::vector<FloatGrid::Ptr> of_channel;
@@ -161,5 +156,10 @@ void write_vdb(const std::string& path, SparseGrid&& grid, const VdbMetadata& me
 }
 
 std::string vdb_library_version() { return openvdb::getLibraryVersionString(); }
+
+void start_vdb_library() {
+  static std::once_flag once;
+  std::call_once(once, [] { openvdb::initialize(); });
+}
 
 }  // namespace vegard::sim

@@ -57,4 +57,7 @@ VdbFile read_vdb(const std::string& path, const std::vector<std::string>& wanted
 /// "10.0.1"
 std::string vdb_library_version();
 
+/// Before anything else that OpenVDB does; once is enough, and more do no harm.
+void start_vdb_library();
+
 }  // namespace vegard::sim

@@ -18,15 +18,8 @@ namespace {
 
 using openvdb::FloatGrid;
 
-constexpr float kMostNumber = 1e30f;  // sums along a ray and a gain stay floats
-constexpr double kMostEdge = 1e9, kMostPlace = 1e12;
-constexpr int kVoxels = SparseGrid::kVoxels;
-
-void start_library() {
-  static std::once_flag once;
-  std::call_once(once, [] { openvdb::initialize(); });
-}
-
+constexpr float kVdbMostNumber = 1e30f;  // sums along a ray and a gain stay floats
+constexpr double kVdbMostEdge = 1e9, kVdbMostPlace = 1e12;
 Error unreadable(const std::string& path, const std::string& problem, const std::string& expected = {},
                  const std::string& hint = {}) {
   return Error(ErrorKind::unreadable_input, {problem, path, 0, "", expected, hint});
@@ -74,9 +67,9 @@ class BoundedFile : public std::filebuf {
 
 /// A file whose grids are read one by one. Unlike the library's own it ends with an exception where the file
 /// ends, and not with whatever stood in memory.
-class Reader : public openvdb::io::Archive {
+class VdbReader : public openvdb::io::Archive {
  public:
-  explicit Reader(const std::string& path)
+  explicit VdbReader(const std::string& path)
       : metadata_(new openvdb::io::StreamMetadata), file_(path), stream_(&file_) {
     stream_.exceptions(std::ios::badbit | std::ios::failbit | std::ios::eofbit);
     metadata_->setSeekable(true);
@@ -159,7 +152,7 @@ void take_place(const std::string& path, const FloatGrid& from, double centre_in
   if (!good)
     throw unreadable(path, "the grid '" + from.getName() + "' has voxels that are no cubes", expected,
                      "Resample it onto cubes");
-  if (!(to.voxel >= 1.0 / kMostEdge && to.voxel <= kMostEdge))
+  if (!(to.voxel >= 1.0 / kVdbMostEdge && to.voxel <= kVdbMostEdge))
     throw unreadable(path, "the edge of its voxels is out of range", "1e-9 to 1e9");
   for (int c = 0; c < 3; ++c) {
     to.origin[c] = m(3, c);
@@ -167,7 +160,7 @@ void take_place(const std::string& path, const FloatGrid& from, double centre_in
       to.axes[a][c] = m(a, c) / to.voxel;
       to.origin[c] += (centre_index - 0.5) * m(a, c);
     }
-    if (!(std::abs(to.origin[c]) <= kMostPlace))
+    if (!(std::abs(to.origin[c]) <= kVdbMostPlace))
       throw unreadable(path, "a grid's place is no number, or out of range", "at most 1e12 from the origin");
   }
 }
@@ -187,7 +180,7 @@ class BrickFilling {
   BrickFilling(const std::string& path, std::uint64_t most_bytes, std::uint64_t bytes_beside, SparseGrid& to)
       : path_(path),
         most_bytes_(most_bytes),
-        bytes_of_brick_(to.channels.size() * kVoxels * sizeof(float) + bytes_beside),
+        bytes_of_brick_(to.channels.size() * SparseGrid::kVoxels * sizeof(float) + bytes_beside),
         most_bricks_(most_bytes / bytes_of_brick_),
         to_(to) {}
 
@@ -212,13 +205,13 @@ class BrickFilling {
           for (std::int64_t k = box.min().z(); k <= box.max().z(); k += 8)
             std::fill_n(numbers(openvdb::Coord(static_cast<int>(i), static_cast<int>(j), static_cast<int>(k)),
                                 channel),
-                        kVoxels, number);
+                        SparseGrid::kVoxels, number);
     }
   }
 
  private:
   float checked(float number, std::size_t channel) const {
-    if (!(std::abs(number) <= kMostNumber))
+    if (!(std::abs(number) <= kVdbMostNumber))
       throw unreadable(
           path_,
           "the grid '" + to_.channels[channel].name + "' holds numbers that are not finite or above 1e30",
@@ -230,7 +223,7 @@ class BrickFilling {
     SparseGrid::Brick& brick = to_.brick({corner.x() >> 3, corner.y() >> 3, corner.z() >> 3});
     if (to_.bricks.size() > most_bricks_)
       throw too_large(path_, static_cast<double>(to_.bricks.size()) * bytes_of_brick_, most_bytes_);
-    return brick.data() + channel * kVoxels;
+    return brick.data() + channel * SparseGrid::kVoxels;
   }
 
   const std::string& path_;
@@ -243,11 +236,11 @@ double bricks_of(const FloatGrid& grid) {
   double bricks = static_cast<double>(grid.tree().leafCount());
   auto tile = grid.cbeginValueOn();
   tile.setMaxDepth(FloatGrid::ValueOnCIter::LEAF_DEPTH - 1);
-  for (; tile; ++tile) bricks += static_cast<double>(tile.getVoxelCount()) / kVoxels;
+  for (; tile; ++tile) bricks += static_cast<double>(tile.getVoxelCount()) / SparseGrid::kVoxels;
   return bricks;
 }
 
-VdbFile read_from(Reader& file, const std::string& path, const std::vector<std::string>& wanted,
+VdbFile read_from(VdbReader& file, const std::string& path, const std::vector<std::string>& wanted,
                   std::uint64_t most_bytes, std::uint64_t bytes_beside) {
   VdbFile out;
   take_metadata(file.metadata(), out.metadata);
@@ -257,7 +250,7 @@ VdbFile read_from(Reader& file, const std::string& path, const std::vector<std::
   double in_trees = 0.0, most_bricks = 0.0;
   const auto room = [&] {
     const double in_bricks =
-        most_bricks * static_cast<double>(grids.size() * kVoxels * sizeof(float) + bytes_beside);
+        most_bricks * static_cast<double>(grids.size() * SparseGrid::kVoxels * sizeof(float) + bytes_beside);
     if (in_trees + in_bricks > static_cast<double>(most_bytes))
       throw too_large(path, in_trees + in_bricks, most_bytes);
   };
@@ -308,9 +301,9 @@ VdbFile read_vdb(const std::string& path, const std::vector<std::string>& wanted
     return unreadable(path, "cannot be read as OpenVDB: " + why, expected);
   };
   if (const std::string complaint = vdb_outline_complaint(path); !complaint.empty()) throw refused(complaint);
-  start_library();
+  start_vdb_library();
   try {
-    Reader file(path);
+    VdbReader file(path);
     return read_from(file, path, wanted, most_bytes, bytes_beside);
   } catch (const Error&) {
     throw;

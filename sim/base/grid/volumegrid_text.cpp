@@ -19,12 +19,11 @@ namespace vegard::sim {
 namespace {
 
 constexpr int kMostSide = 65536;
-constexpr double kCubeTolerance = 1e-4;                                  // the text may have few digits
-constexpr float kMostNumber = 1e30f;                                     // as of OpenVDB files
-constexpr double kMostPlace = 1e12, kLeastEdge = 1e-9, kMostEdge = 1e9;  // squares of lengths stay numbers
-constexpr int kEdge = SparseGrid::kEdge;
-
-using Kind = VolumegridWords::Kind;
+constexpr double kCubeTolerance = 1e-4;   // the text may have few digits
+constexpr float kTextMostNumber = 1e30f;  // as of OpenVDB files
+constexpr double kTextMostPlace = 1e12, kLeastEdge = 1e-9,
+                 kTextMostEdge = 1e9;  // squares of lengths stay numbers
+using WordKind = VolumegridWords::Kind;
 
 std::string in_words(double number) {
   char text[40];
@@ -40,8 +39,9 @@ class DensityFiller {
   void know_size(const std::array<int, 3>& size, const VolumegridWords& words) {
     size_ = size;
     expected_ = static_cast<std::uint64_t>(size[0]) * size[1] * size[2];
-    columns_ = (size[0] + kEdge - 1) / kEdge;
-    const std::size_t bricks = static_cast<std::size_t>(columns_) * ((size[1] + kEdge - 1) / kEdge);
+    columns_ = (size[0] + SparseGrid::kEdge - 1) / SparseGrid::kEdge;
+    const std::size_t bricks =
+        static_cast<std::size_t>(columns_) * ((size[1] + SparseGrid::kEdge - 1) / SparseGrid::kEdge);
     slab_bytes_ = bricks * sizeof(float*);
     if (slab_bytes_ > most_bytes_) refuse_size(words);
     slab_.assign(bricks, nullptr);
@@ -70,19 +70,23 @@ class DensityFiller {
   void put(float number, const VolumegridWords& words) {
     if (at_[2] >= size_[2]) words.refuse("there are too many densities", expected_words());
     if (number != 0.0f) {
-      float*& brick = slab_[static_cast<std::size_t>(at_[1] / kEdge) * columns_ + at_[0] / kEdge];
+      float*& brick =
+          slab_[static_cast<std::size_t>(at_[1] / SparseGrid::kEdge) * columns_ + at_[0] / SparseGrid::kEdge];
       if (brick == nullptr) {
         const std::uint64_t after = (grid_.bricks.size() + 1) * (SparseGrid::kVoxels * sizeof(float));
         if (after + slab_bytes_ > most_bytes_) refuse_size(words);
-        brick = grid_.brick({at_[0] / kEdge, at_[1] / kEdge, at_[2] / kEdge}).data();
+        brick =
+            grid_.brick({at_[0] / SparseGrid::kEdge, at_[1] / SparseGrid::kEdge, at_[2] / SparseGrid::kEdge})
+                .data();
       }
-      brick[SparseGrid::within(at_[0] % kEdge, at_[1] % kEdge, at_[2] % kEdge)] = number;
+      brick[SparseGrid::within(at_[0] % SparseGrid::kEdge, at_[1] % SparseGrid::kEdge,
+                               at_[2] % SparseGrid::kEdge)] = number;
     }
     if (++at_[0] < size_[0]) return;
     at_[0] = 0;
     if (++at_[1] < size_[1]) return;
     at_[1] = 0;
-    if (++at_[2] % kEdge == 0) std::fill(slab_.begin(), slab_.end(), nullptr);
+    if (++at_[2] % SparseGrid::kEdge == 0) std::fill(slab_.begin(), slab_.end(), nullptr);
   }
 
  public:
@@ -113,27 +117,27 @@ class VolumegridReader {
 
   VolumegridFile read() {
     find_volume();
-    while (kind_ == Kind::text) read_parameter();
+    while (kind_ == WordKind::text) read_parameter();
     finish();
-    for (; kind_ != Kind::end; kind_ = words_.next())
-      if (is_volume() && words_.next() == Kind::text && words_.word() == "volumegrid")
+    for (; kind_ != WordKind::end; kind_ = words_.next())
+      if (is_volume() && words_.next() == WordKind::text && words_.word() == "volumegrid")
         words_.refuse("there is a second volumegrid", "one in a file");
     return std::move(out_);
   }
 
  private:
-  bool is_volume() const { return kind_ == Kind::bare && words_.word() == "Volume"; }
+  bool is_volume() const { return kind_ == WordKind::bare && words_.word() == "Volume"; }
 
   void find_volume() {
     bool found = false;
     while (!found) {
       kind_ = words_.next();
-      if (kind_ == Kind::end)
+      if (kind_ == WordKind::end)
         words_.refuse("it has no volumegrid", "Volume \"volumegrid\" and its parameters",
                       "an OpenVDB file's name ends in .vdb");
       if (!is_volume()) continue;
       kind_ = words_.next();
-      found = kind_ == Kind::text && words_.word() == "volumegrid";
+      found = kind_ == WordKind::text && words_.word() == "volumegrid";
     }
     kind_ = words_.next();
   }
@@ -142,18 +146,19 @@ class VolumegridReader {
   template <class Use>
   void for_each_value(const std::string& name, const Use& use) {
     kind_ = words_.next();
-    if (kind_ == Kind::end) words_.refuse("the file ends before the value of \"" + name + "\"", "a value");
-    if (kind_ == Kind::close) words_.refuse("a ] without its [", "a value of \"" + name + "\"");
-    const bool bracketed = kind_ == Kind::open;
+    if (kind_ == WordKind::end)
+      words_.refuse("the file ends before the value of \"" + name + "\"", "a value");
+    if (kind_ == WordKind::close) words_.refuse("a ] without its [", "a value of \"" + name + "\"");
+    const bool bracketed = kind_ == WordKind::open;
     if (bracketed) kind_ = words_.next();
-    while (!bracketed || kind_ != Kind::close) {
-      if (kind_ == Kind::end) {
+    while (!bracketed || kind_ != WordKind::close) {
+      if (kind_ == WordKind::end) {
         const bool counts = name == "density" && filler_.expected() > 0;
         words_.refuse("the file is cut off within \"" + name + "\"" +
                           (counts ? ", after " + std::to_string(filler_.count()) + " densities" : ""),
                       counts ? filler_.expected_words() : "a ]");
       }
-      if (kind_ == Kind::open) words_.refuse("a [ within a list", "numbers, or a ]");
+      if (kind_ == WordKind::open) words_.refuse("a [ within a list", "numbers, or a ]");
       use();
       if (!bracketed) break;
       kind_ = words_.next();
@@ -162,7 +167,7 @@ class VolumegridReader {
   }
 
   double number(const std::string& name) {
-    if (kind_ != Kind::bare)
+    if (kind_ != WordKind::bare)
       words_.refuse("\"" + words_.word() + "\" is no number of \"" + name + "\"", "a finite number");
     return words_.number();
   }
@@ -185,7 +190,7 @@ class VolumegridReader {
       if (filler_.count() > 0) words_.refuse("\"density\" is given twice", "one list");
       return for_each_value(name, [&] {
         const double value = number(name);
-        if (std::abs(value) > static_cast<double>(kMostNumber))
+        if (std::abs(value) > static_cast<double>(kTextMostNumber))
           words_.refuse("the density " + words_.word() + " is too large", "at most 1e30");
         filler_.add(static_cast<float>(value), words_);
       });
@@ -230,7 +235,7 @@ class VolumegridReader {
     corner_line_[corner] = words_.line();
     read_numbers(name, corner_[corner]);
     for (const double place : corner_[corner])
-      if (!(std::abs(place) <= kMostPlace))
+      if (!(std::abs(place) <= kTextMostPlace))
         words_.refuse(
             "\"" + name + "\" of line " + std::to_string(corner_line_[corner]) + " is at " + in_words(place),
             "places from -1e12 to 1e12");
@@ -248,7 +253,7 @@ class VolumegridReader {
     for (int a = 0; a < 3; ++a) {
       edge[a] = (corner_[1][a] - corner_[0][a]) / size_[a];
       if (!(edge[a] > 0.0)) words_.refuse("p1 is not above p0 along all axes", "a box from p0 to p1");
-      if (!(edge[a] >= kLeastEdge && edge[a] <= kMostEdge))
+      if (!(edge[a] >= kLeastEdge && edge[a] <= kTextMostEdge))
         words_.refuse("its voxels are " + in_words(edge[a]) + " wide", "a box of voxels from 1e-9 to 1e9");
     }
     const double mean = (edge[0] + edge[1] + edge[2]) / 3.0;
@@ -267,7 +272,7 @@ class VolumegridReader {
   }
 
   VolumegridWords words_;
-  Kind kind_ = Kind::end;
+  WordKind kind_ = WordKind::end;
   VolumegridFile out_;
   DensityFiller filler_;
   bool sized_ = false;

@@ -7,11 +7,11 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kFirstStep = 0.1, kLeastStep = 0.01, kMostStep = 0.25;
-constexpr double kMostWay = 0.5;       // of one round
-constexpr double kCloseEnough = 0.35;  // of the step between places: a third of a standard deviation
-constexpr double kWideLook = 2.0;      // standard deviations: a parabola is not to be trusted that far
-constexpr int kMostRounds = 8, kMostHalvings = 2;
+constexpr double kFirstStep = 0.1, kSearchLeastStep = 0.01, kMostStep = 0.25;
+constexpr double kMostWay = 0.5;             // of one round
+constexpr double kSearchCloseEnough = 0.35;  // of the step between places: a third of a standard deviation
+constexpr double kWideLook = 2.0;            // standard deviations: a parabola is not to be trusted that far
+constexpr int kMostRounds = 8, kSearchMostHalvings = 2;
 constexpr double kLeftOpen = 0.25;  // of the variance inside the limits, as of any parameter
 
 class Minimum {
@@ -28,7 +28,7 @@ class Minimum {
       if (!look_around()) break;
       const Eigen::VectorXd bottom = bottom_of_parabola();
       const Eigen::VectorXd way = bottom - centre_;
-      const bool is_near = ((way.cwiseAbs() - kCloseEnough * step_).array() <= 0.0).all();
+      const bool is_near = ((way.cwiseAbs() - kSearchCloseEnough * step_).array() <= 0.0).all();
       if ((is_near && is_close_look()) || at_edge(way)) {
         found_.converged = true;
         finish(bottom);
@@ -37,7 +37,7 @@ class Minimum {
       for (int k = 0; k < n_; ++k) {
         const double curvature = hessian_(k, k);
         step_(k) =
-            curvature > 0.0 ? std::clamp(std::sqrt(2.0 / curvature), kLeastStep, kMostStep) : kMostStep;
+            curvature > 0.0 ? std::clamp(std::sqrt(2.0 / curvature), kSearchLeastStep, kMostStep) : kMostStep;
       }
       if (!go_to(bottom)) break;
     }
@@ -110,7 +110,7 @@ class Minimum {
   /// lead astray: then half of the way, and so on.
   bool go_to(const Eigen::VectorXd& bottom) {
     Eigen::VectorXd place = bottom;
-    for (int halving = 0; halving <= kMostHalvings; ++halving) {
+    for (int halving = 0; halving <= kSearchMostHalvings; ++halving) {
       const CurveTrial* trial = at(place);
       if (trial == nullptr) return false;
       if (trial->value < found_.centre.value) break;
@@ -120,7 +120,7 @@ class Minimum {
         std::min_element(found_.trials.begin(), found_.trials.end(),
                          [](const CurveTrial& a, const CurveTrial& b) { return a.value < b.value; });
     const Eigen::VectorXd next = Eigen::Map<const Eigen::VectorXd>(lowest->at.data(), n_);
-    if ((next - centre_).norm() < 1e-12) step_ = (0.5 * step_).cwiseMax(kLeastStep);
+    if ((next - centre_).norm() < 1e-12) step_ = (0.5 * step_).cwiseMax(kSearchLeastStep);
     centre_ = next;
     return true;
   }
@@ -142,7 +142,7 @@ class Minimum {
   bool is_close_look() const {
     for (int k = 0; k < n_; ++k)
       if (hessian_(k, k) > 0.0 &&
-          step_(k) > std::max(kLeastStep, kWideLook * std::sqrt(2.0 / hessian_(k, k))))
+          step_(k) > std::max(kSearchLeastStep, kWideLook * std::sqrt(2.0 / hessian_(k, k))))
         return false;
     return true;
   }
@@ -153,8 +153,8 @@ class Minimum {
     for (int k = 0; k < n_; ++k) {
       const double left = way(k) > 0.0 ? limit_ - centre_(k) : limit_ + centre_(k);
       const bool at_this = left <= 1.001 * step_(k) && way(k) != 0.0;
-      any = any || (at_this && std::abs(way(k)) > kCloseEnough * step_(k));
-      if (!at_this && std::abs(way(k)) > kCloseEnough * step_(k)) return false;
+      any = any || (at_this && std::abs(way(k)) > kSearchCloseEnough * step_(k));
+      if (!at_this && std::abs(way(k)) > kSearchCloseEnough * step_(k)) return false;
     }
     return any;
   }

@@ -15,10 +15,11 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kNowhere = -std::numeric_limits<double>::infinity();
-constexpr int kAttempts = 60;         // to place a walker
-constexpr double kShrink = 0.8;       // of the spread, from one attempt to the next
-constexpr double kLeastShare = 1e-4;  // of the largest variance, for directions that the covariance lacks
+constexpr double kSamplerNowhere = -std::numeric_limits<double>::infinity();
+constexpr int kAttempts = 60;    // to place a walker
+constexpr double kShrink = 0.8;  // of the spread, from one attempt to the next
+constexpr double kSamplerLeastShare =
+    1e-4;                             // of the largest variance, for directions that the covariance lacks
 constexpr double kJumpShare = 0.1;    // of the differential moves: whole differences, from mode to mode
 constexpr double kWindow = 5.0;       // Sokal's c
 constexpr double kLongEnough = 50.0;  // autocorrelation times
@@ -34,11 +35,11 @@ int walkers_of(const EnsembleOptions& options, std::size_t coordinates) {
   return least + least % 2;
 }
 
-std::uint32_t below(std::uint32_t word, std::uint32_t count) {
+std::uint32_t random_below(std::uint32_t word, std::uint32_t count) {
   return static_cast<std::uint32_t>(static_cast<std::uint64_t>(word) * count >> 32);
 }
 
-double finite_or_nowhere(double density) { return std::isfinite(density) ? density : kNowhere; }
+double finite_or_nowhere(double density) { return std::isfinite(density) ? density : kSamplerNowhere; }
 
 /// A matrix L with L Lᵀ the covariance. A Cholesky factor wherever there is one: it goes along with an affine
 /// change of the coordinates that is triangular itself.
@@ -59,8 +60,8 @@ Eigen::MatrixXd root_of(const std::vector<std::vector<double>>& covariance) {
     if (!(length(i) > 0.0)) length(i) = longest > 0.0 ? longest : 1.0;
   const Eigen::MatrixXd unit = length.cwiseInverse().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unit * c * unit);
-  const Eigen::VectorXd value =
-      eigen.eigenvalues().cwiseMax(kLeastShare * std::max(1.0, n > 0 ? eigen.eigenvalues()(n - 1) : 1.0));
+  const Eigen::VectorXd value = eigen.eigenvalues().cwiseMax(
+      kSamplerLeastShare * std::max(1.0, n > 0 ? eigen.eigenvalues()(n - 1) : 1.0));
   return length.asDiagonal() * eigen.eigenvectors() * value.cwiseSqrt().asDiagonal();
 }
 
@@ -94,7 +95,7 @@ class Ensemble {
       std::vector<double> at(d);
       for (std::size_t j = 0; j < d; ++j) at[j] = centre[j] + step(static_cast<Eigen::Index>(j));
       const double density = finite_or_nowhere(log_density_(at));
-      if (density == kNowhere) continue;
+      if (density == kSamplerNowhere) continue;
       state_.place.insert(state_.place.end(), at.begin(), at.end());
       state_.density.push_back(density);
       return true;
@@ -113,7 +114,7 @@ class Ensemble {
     const double density = finite_or_nowhere(log_density_(at));
     const double log_ratio = log_factor + density - state_.density[walker];
     state_.proposed += counts;
-    if (density > kNowhere && std::log(sim::fine_uniform(accept[0], accept[1])) < log_ratio) {
+    if (density > kSamplerNowhere && std::log(sim::fine_uniform(accept[0], accept[1])) < log_ratio) {
       std::copy(at.begin(), at.end(), state_.place.begin() + begin_of(walker));
       state_.density[walker] = density;
       state_.accepted += counts;
@@ -138,7 +139,7 @@ class Ensemble {
                           static_cast<std::uint32_t>(walker), kMove);
     const int other_half = walker < half_ ? half_ : 0;
     const auto half = static_cast<std::uint32_t>(half_);
-    const std::uint32_t first = below(w[0], half);
+    const std::uint32_t first = random_below(w[0], half);
     const double* const own = place_of(walker);
     const double* const a = place_of(other_half + static_cast<int>(first));
     std::vector<double> at(state_.coordinates);
@@ -155,7 +156,7 @@ class Ensemble {
     // ter Braak's 2.38 / √(2 d), and now and then 1. The factor is drawn about it, so that a proposal does
     // not come from a few places only; the pair may be drawn either way round, so that the move is its own
     // way back.
-    const std::uint32_t second = (first + 1 + below(w[1], half - 1)) % half;
+    const std::uint32_t second = (first + 1 + random_below(w[1], half - 1)) % half;
     const double* const b = place_of(other_half + static_cast<int>(second));
     const bool jump = sim::uniform(w[2]) < kJumpShare;
     const double factor = jump ? 1.0 : 2.38 / std::sqrt(2.0 * d) * (0.5 + sim::uniform(w[3]));

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "sim/base/number/constants.h"
+
 namespace vegard::sim {
 
 /// The N points and weights on 0 to 1 that integrate polynomials up to the degree 2 N - 1 exactly: zeros of
@@ -13,7 +15,6 @@ struct GaussLegendre {
   std::array<double, N> place, weight;
 
   GaussLegendre() {
-    constexpr double kPi = 3.14159265358979323846;
     for (int i = 0; i < N; ++i) {
       double z = std::cos(kPi * (i + 0.75) / (N + 0.5)), slope = 1.0;
       for (int round = 0; round < 20; ++round) {

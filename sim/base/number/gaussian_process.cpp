@@ -9,8 +9,8 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kReach = 4.5;  // of the kernel, in its standard deviations
-constexpr int kMostNodes = 11;
+constexpr double kKernelReach = 4.5;  // of the kernel, in its standard deviations
+constexpr int kKernelNodes = 11;
 constexpr std::int64_t kMostRemembered = 1 << 16;
 // In nodes to a width: 4 sqrt(ln 2), from exp(-δ²/4) = 1/2 at half the width.
 constexpr double kNodesPerWidth = 3.3302184446307908;
@@ -21,16 +21,16 @@ constexpr double kNorm = 0.7511255444649425;  // pi^(-1/4)
 struct Kernel {
   std::int64_t first;
   int count;
-  double weight[kMostNodes];
+  double weight[kKernelNodes];
 
-  explicit Kernel(double place) : first(static_cast<std::int64_t>(std::ceil(place - kReach))) {
-    const auto last = static_cast<std::int64_t>(std::floor(place + kReach));
+  explicit Kernel(double place) : first(static_cast<std::int64_t>(std::ceil(place - kKernelReach))) {
+    const auto last = static_cast<std::int64_t>(std::floor(place + kKernelReach));
     count = static_cast<int>(last - first) + 1;
     // exp(-(x - k)²/2) is exp(-x²/2) times powers of exp(x) times constants.
     static const struct Constants {
-      double of[kMostNodes];
+      double of[kKernelNodes];
       Constants() {
-        for (int k = 0; k < kMostNodes; ++k) of[k] = std::exp(-0.5 * k * k);
+        for (int k = 0; k < kKernelNodes; ++k) of[k] = std::exp(-0.5 * k * k);
       }
     } constants;
     const double x = place - static_cast<double>(first), grow = std::exp(x);
@@ -61,8 +61,8 @@ GaussianProcess::GaussianProcess(std::uint64_t seed, Stream stream, std::uint32_
       lasts_(lifetime <= 0.0) {}
 
 void GaussianProcess::remember(double first, double last) {
-  first_ = static_cast<std::int64_t>(std::floor(first * per_width_ - kReach));
-  const auto end = static_cast<std::int64_t>(std::ceil(last * per_width_ + kReach)) + 1;
+  first_ = static_cast<std::int64_t>(std::floor(first * per_width_ - kKernelReach));
+  const auto end = static_cast<std::int64_t>(std::ceil(last * per_width_ + kKernelReach)) + 1;
   nodes_.assign(static_cast<std::size_t>(std::clamp<std::int64_t>(end - first_, 0, kMostRemembered)),
                 std::numeric_limits<double>::quiet_NaN());
 }

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::string_view kBetween = " \t\r,;";
 
-[[noreturn]] void fail(const std::string& file, int line, const std::string& problem,
-                       const std::string& expected) {
+[[noreturn]] void refuse_mask(const std::string& file, int line, const std::string& problem,
+                              const std::string& expected) {
   throw Error(ErrorKind::unreadable_input, {problem, file, line, "", expected, ""});
 }
 
@@ -58,15 +58,16 @@ Mask5 read_mask5(std::string_view text, const std::string& name) {
       double number = 0.0;
       const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), number);
       if (error != std::errc() || stop != word.data() + word.size() || !std::isfinite(number))
-        fail(name, line_number, "'" + whole + "' is no number", "125 finite numbers");
-      if (count == Mask5::kWeights) fail(name, line_number, "more than 125 numbers", "5 x 5 x 5 of them");
+        refuse_mask(name, line_number, "'" + whole + "' is no number", "125 finite numbers");
+      if (count == Mask5::kWeights)
+        refuse_mask(name, line_number, "more than 125 numbers", "5 x 5 x 5 of them");
       if (std::abs(number) > Mask5::kMostWeight)
-        fail(name, line_number, "the weight " + whole + " is too large", "from -1e6 to 1e6");
+        refuse_mask(name, line_number, "the weight " + whole + " is too large", "from -1e6 to 1e6");
       mask.weights[count++] = number;
     }
   }
   if (count < Mask5::kWeights)
-    fail(name, line_number, std::to_string(count) + " numbers", "125 of them, 5 x 5 x 5");
+    refuse_mask(name, line_number, std::to_string(count) + " numbers", "125 of them, 5 x 5 x 5");
   return mask;
 }
 

@@ -5,10 +5,6 @@
 namespace vegard::sim {
 namespace {
 
-double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
-
-double mix(double a, double b, double t) { return a + t * (b - a); }
-
 /// The way from a node, (x, y, z), times the node's gradient.
 double slope(std::uint32_t random, double x, double y, double z) {
   const std::uint32_t edge = static_cast<std::uint32_t>((static_cast<std::uint64_t>(random) * 12u) >> 32);
@@ -29,9 +25,12 @@ double gradient_noise(std::uint64_t seed, Stream stream, std::uint64_t address, 
     const Words words = random_words(key, stream, word(fx) + i, word(fy) + j, word(fz) + k);
     return slope(words[0], rx - i, ry - j, rz - k);
   };
-  const double u = fade(rx), v = fade(ry), w = fade(rz);
-  return mix(mix(mix(corner(0, 0, 0), corner(1, 0, 0), u), mix(corner(0, 1, 0), corner(1, 1, 0), u), v),
-             mix(mix(corner(0, 0, 1), corner(1, 0, 1), u), mix(corner(0, 1, 1), corner(1, 1, 1), u), v), w);
+  const double u = noise_fade(rx), v = noise_fade(ry), w = noise_fade(rz);
+  return noise_mix(noise_mix(noise_mix(corner(0, 0, 0), corner(1, 0, 0), u),
+                             noise_mix(corner(0, 1, 0), corner(1, 1, 0), u), v),
+                   noise_mix(noise_mix(corner(0, 0, 1), corner(1, 0, 1), u),
+                             noise_mix(corner(0, 1, 1), corner(1, 1, 1), u), v),
+                   w);
 }
 
 double octave_noise(std::uint64_t seed, Stream stream, std::uint32_t address, int octaves, double x, double y,

@@ -19,4 +19,8 @@ double gradient_noise(std::uint64_t seed, Stream stream, std::uint64_t address, 
 double octave_noise(std::uint64_t seed, Stream stream, std::uint32_t address, int octaves, double x, double y,
                     double z);
 
+/// From 0 to 1 with no slope and no bend at either end.
+inline double noise_fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
+inline double noise_mix(double a, double b, double t) { return a + t * (b - a); }
+
 }  // namespace vegard::sim

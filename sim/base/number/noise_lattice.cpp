@@ -3,20 +3,19 @@
 #include <cmath>
 #include <cstddef>
 
+#include "sim/base/number/noise.h"
+
 namespace vegard::sim {
 namespace {
 
 constexpr int kMask = NoiseLattice::kPeriod - 1;
 
 // The edges of a cube, twelve of them: where they point.
-constexpr double kEdge[3][12] = {{1, -1, 1, -1, 1, -1, 1, -1, 0, 0, 0, 0},
-                                 {1, 1, -1, -1, 0, 0, 0, 0, 1, -1, 1, -1},
-                                 {0, 0, 0, 0, 1, 1, -1, -1, 1, 1, -1, -1}};
+constexpr double kLatticeEdge[3][12] = {{1, -1, 1, -1, 1, -1, 1, -1, 0, 0, 0, 0},
+                                        {1, 1, -1, -1, 0, 0, 0, 0, 1, -1, 1, -1},
+                                        {0, 0, 0, 0, 1, 1, -1, -1, 1, 1, -1, -1}};
 
-double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
 double fade_slope(double t) { return 30.0 * t * t * (t - 1.0) * (t - 1.0); }
-double mix(double a, double b, double t) { return a + t * (b - a); }
-
 /// A point's cell: its corners' places in the table, and where in it the point is.
 struct Cell {
   std::size_t x[2], y[2], z[2];
@@ -37,8 +36,8 @@ struct Cell {
 
   /// Where doubles are farther apart than cells, any cell is as good.
   static std::int64_t index(double cell) {
-    constexpr double kFar = 9007199254740992.0;
-    return std::abs(cell) < kFar ? static_cast<std::int64_t>(cell) : 0;
+    constexpr double kLatticeFar = 9007199254740992.0;
+    return std::abs(cell) < kLatticeFar ? static_cast<std::int64_t>(cell) : 0;
   }
 };
 
@@ -55,14 +54,17 @@ NoiseLattice::NoiseLattice(std::uint64_t seed, Stream stream, std::uint32_t addr
 
 double NoiseLattice::value(double px, double py, double pz) const {
   const Cell cell(px, py, pz);
-  const double u = fade(cell.rest[0]), v = fade(cell.rest[1]), w = fade(cell.rest[2]);
+  const double u = noise_fade(cell.rest[0]), v = noise_fade(cell.rest[1]), w = noise_fade(cell.rest[2]);
   const auto corner = [&](int i, int j, int k) {
     const int edge = edge_[cell.z[k] + cell.y[j] + cell.x[i]];
-    return kEdge[0][edge] * (cell.rest[0] - i) + kEdge[1][edge] * (cell.rest[1] - j) +
-           kEdge[2][edge] * (cell.rest[2] - k);
+    return kLatticeEdge[0][edge] * (cell.rest[0] - i) + kLatticeEdge[1][edge] * (cell.rest[1] - j) +
+           kLatticeEdge[2][edge] * (cell.rest[2] - k);
   };
-  return mix(mix(mix(corner(0, 0, 0), corner(1, 0, 0), u), mix(corner(0, 1, 0), corner(1, 1, 0), u), v),
-             mix(mix(corner(0, 0, 1), corner(1, 0, 1), u), mix(corner(0, 1, 1), corner(1, 1, 1), u), v), w);
+  return noise_mix(noise_mix(noise_mix(corner(0, 0, 0), corner(1, 0, 0), u),
+                             noise_mix(corner(0, 1, 0), corner(1, 1, 0), u), v),
+                   noise_mix(noise_mix(corner(0, 0, 1), corner(1, 0, 1), u),
+                             noise_mix(corner(0, 1, 1), corner(1, 1, 1), u), v),
+                   w);
 }
 
 NoiseAt NoiseLattice::with_slope(double px, double py, double pz) const {
@@ -70,7 +72,7 @@ NoiseAt NoiseLattice::with_slope(double px, double py, double pz) const {
   double corner[8], weight[3][2], weight_slope[3];
   int edge[8];
   for (int axis = 0; axis < 3; ++axis) {
-    weight[axis][1] = fade(cell.rest[axis]);
+    weight[axis][1] = noise_fade(cell.rest[axis]);
     weight[axis][0] = 1.0 - weight[axis][1];
     weight_slope[axis] = fade_slope(cell.rest[axis]);
   }
@@ -78,10 +80,10 @@ NoiseAt NoiseLattice::with_slope(double px, double py, double pz) const {
   for (int n = 0; n < 8; ++n) {
     const int i = n & 1, j = n >> 1 & 1, k = n >> 2;
     edge[n] = edge_[cell.z[k] + cell.y[j] + cell.x[i]];
-    corner[n] = kEdge[0][edge[n]] * (cell.rest[0] - i) + kEdge[1][edge[n]] * (cell.rest[1] - j) +
-                kEdge[2][edge[n]] * (cell.rest[2] - k);
+    corner[n] = kLatticeEdge[0][edge[n]] * (cell.rest[0] - i) +
+                kLatticeEdge[1][edge[n]] * (cell.rest[1] - j) + kLatticeEdge[2][edge[n]] * (cell.rest[2] - k);
     const double all = weight[0][i] * weight[1][j] * weight[2][k];
-    for (int axis = 0; axis < 3; ++axis) at.slope[axis] += all * kEdge[axis][edge[n]];
+    for (int axis = 0; axis < 3; ++axis) at.slope[axis] += all * kLatticeEdge[axis][edge[n]];
     at.slope[0] += (i == 1 ? 1.0 : -1.0) * weight_slope[0] * weight[1][j] * weight[2][k] * corner[n];
     at.slope[1] += (j == 1 ? 1.0 : -1.0) * weight_slope[1] * weight[0][i] * weight[2][k] * corner[n];
     at.slope[2] += (k == 1 ? 1.0 : -1.0) * weight_slope[2] * weight[0][i] * weight[1][j] * corner[n];

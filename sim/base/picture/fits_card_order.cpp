@@ -7,7 +7,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr std::size_t kCard = 80;
+constexpr std::size_t kOrderedCard = 80;
 
 std::string_view key_of(std::string_view card) {
   const std::string_view key = card.substr(0, 8);
@@ -19,12 +19,12 @@ std::string_view key_of(std::string_view card) {
 std::string with_cards_in_order(std::string_view bytes) {
   std::vector<std::string_view> cards;
   std::size_t at = 0;
-  for (; at + kCard <= bytes.size(); at += kCard) {
-    const std::string_view card = bytes.substr(at, kCard);
+  for (; at + kOrderedCard <= bytes.size(); at += kOrderedCard) {
+    const std::string_view card = bytes.substr(at, kOrderedCard);
     if (key_of(card) == "END") break;
     cards.push_back(card);
   }
-  if (at + kCard > bytes.size()) return {};
+  if (at + kOrderedCard > bytes.size()) return {};
   std::vector<std::size_t> first;  // which card is to be the first, the second ...
   const auto find = [&](std::string_view key) {
     for (std::size_t i = 0; i < cards.size(); ++i)

@@ -19,18 +19,8 @@
 namespace vegard::sim {
 namespace {
 
-constexpr std::size_t kBlock = 2880;
+constexpr std::size_t kFitsBlock = 2880;
 constexpr LONGLONG kMostValues = LONGLONG{1} << 30;  // 4 GiB of floats
-
-[[noreturn]] void refuse(ErrorKind kind, const std::string& name, const std::string& problem,
-                         const std::string& expected = {}, const std::string& hint = {}) {
-  ErrorDetails details;
-  details.file = name;
-  details.problem = problem;
-  details.expected = expected;
-  details.hint = hint;
-  throw Error(kind, details);
-}
 
 std::string words_of(int status) {
   char text[FLEN_STATUS] = {};
@@ -48,18 +38,18 @@ struct Close {
 };
 
 /// A FITS file in memory, opened for reading.
-class Reader {
+class FitsReader {
  public:
-  Reader(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {
+  FitsReader(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {
     if (bytes.substr(0, 9) != "SIMPLE  =")
-      refuse(ErrorKind::unreadable_input, name, "this is no FITS file",
-             "a file that begins with SIMPLE  =", "unpack it first if it is compressed");
+      refuse_file(ErrorKind::unreadable_input, name, "this is no FITS file",
+                  "a file that begins with SIMPLE  =", "unpack it first if it is compressed");
     padded_ = with_cards_in_order(bytes);
     if (!padded_.empty()) bytes = padded_;
     // Some writers leave the last block short, which CFITSIO does not read.
-    if (bytes.size() % kBlock != 0) {
+    if (bytes.size() % kFitsBlock != 0) {
       if (padded_.empty()) padded_.assign(bytes);
-      padded_.resize((bytes.size() / kBlock + 1) * kBlock, '\0');
+      padded_.resize((bytes.size() / kFitsBlock + 1) * kFitsBlock, '\0');
       bytes = padded_;
     }
     // Opened for reading only: CFITSIO writes to neither.
@@ -71,8 +61,8 @@ class Reader {
     file_.reset(file);
     check(status);
   }
-  Reader(const Reader&) = delete;
-  Reader& operator=(const Reader&) = delete;
+  FitsReader(const FitsReader&) = delete;
+  FitsReader& operator=(const FitsReader&) = delete;
 
   fitsfile* get() const { return file_.get(); }
 
@@ -80,9 +70,9 @@ class Reader {
     if (status == 0) return;
     const std::string words = words_of(status);
     if (status == END_OF_FILE || status == READ_ERROR || status == SEEK_ERROR || status == NO_END)
-      refuse(ErrorKind::unreadable_input, name_, "the file is truncated: " + words, "",
-             "copy it again from where it came");
-    refuse(ErrorKind::unreadable_input, name_, "this FITS file cannot be read: " + words);
+      refuse_file(ErrorKind::unreadable_input, name_, "the file is truncated: " + words, "",
+                  "copy it again from where it came");
+    refuse_file(ErrorKind::unreadable_input, name_, "this FITS file cannot be read: " + words);
   }
 
   /// Moves on until `wanted` is true of a header's type; false if there is none.
@@ -110,11 +100,12 @@ class Reader {
     fits_get_hduaddrll(get(), &header, &data, &end, &status);
     check(status);
     if (size > static_cast<LONGLONG>(bytes_.size()) - data)
-      refuse(ErrorKind::unreadable_input, name_,
-             "the file is truncated: its header promises " + std::to_string(size) + " bytes of data and " +
-                 std::to_string(std::max<LONGLONG>(0, static_cast<LONGLONG>(bytes_.size()) - data)) +
-                 " are there",
-             "", "copy it again from where it came");
+      refuse_file(ErrorKind::unreadable_input, name_,
+                  "the file is truncated: its header promises " + std::to_string(size) +
+                      " bytes of data and " +
+                      std::to_string(std::max<LONGLONG>(0, static_cast<LONGLONG>(bytes_.size()) - data)) +
+                      " are there",
+                  "", "copy it again from where it came");
   }
 
   /// Adds the keywords of the header at hand that are not there yet.
@@ -190,7 +181,7 @@ struct Shape {
   LONGLONG width = 0, height = 0, planes = 1;
 };
 
-Shape shape_of(const Reader& reader, const std::string& name) {
+Shape shape_of(const FitsReader& reader, const std::string& name) {
   constexpr int kMostAxes = 9;
   int status = 0, axes = 0;
   std::array<LONGLONG, kMostAxes> length{};
@@ -199,19 +190,20 @@ Shape shape_of(const Reader& reader, const std::string& name) {
   reader.check(status);
   for (int a = 3; a < axes; ++a)
     if (a >= kMostAxes || length[a] != 1)
-      refuse(ErrorKind::unreadable_input, name, "an image of " + std::to_string(axes) + " axes is not read",
-             "two axes, or planes along a third");
+      refuse_file(ErrorKind::unreadable_input, name,
+                  "an image of " + std::to_string(axes) + " axes is not read",
+                  "two axes, or planes along a third");
   Shape shape{length[0], length[1], axes >= 3 ? length[2] : 1};
   check_pixel_limit(shape.width, shape.height, name);
   if (shape.planes < 1 || shape.planes > kMostValues / (shape.width * shape.height))
-    refuse(ErrorKind::unreadable_input, name,
-           "the image claims " + std::to_string(shape.planes) + " planes of " + std::to_string(shape.width) +
-               " x " + std::to_string(shape.height) + " pixels",
-           "at most 2^30 numbers in all");
+    refuse_file(ErrorKind::unreadable_input, name,
+                "the image claims " + std::to_string(shape.planes) + " planes of " +
+                    std::to_string(shape.width) + " x " + std::to_string(shape.height) + " pixels",
+                "at most 2^30 numbers in all");
   return shape;
 }
 
-void describe_numbers(const Reader& reader, FitsImage& file) {
+void describe_numbers(const FitsReader& reader, FitsImage& file) {
   int status = 0, type = 0;
   fits_get_img_type(reader.get(), &type, &status);
   reader.check(status);
@@ -226,7 +218,7 @@ void describe_numbers(const Reader& reader, FitsImage& file) {
   file.step = std::abs(scale);
 }
 
-void read_values(const Reader& reader, const Shape& shape, bool top_down, FitsImage& file) {
+void read_values(const FitsReader& reader, const Shape& shape, bool top_down, FitsImage& file) {
   const int width = file.image.width, height = file.image.height, planes = file.image.channels();
   std::vector<double> row(width);
   // NaN in the place of BLANK. Flags beside the numbers (fits_read_imgnull) end the process where packed
@@ -263,7 +255,7 @@ void write_rows(fitsfile* file, const Image& image, int* status) {
 }  // namespace
 
 FitsImage read_fits_image(std::string_view bytes, const std::string& name) {
-  const Reader reader(bytes, name);
+  const FitsReader reader(bytes, name);
   FitsImage file;
   FitsKeywords of_first;
   reader.add_keywords(of_first);
@@ -275,7 +267,8 @@ FitsImage read_fits_image(std::string_view bytes, const std::string& name) {
     reader.check(status);
     return axes >= 2;
   });
-  if (!found) refuse(ErrorKind::unreadable_input, name, "there is no image in this FITS file", "two axes");
+  if (!found)
+    refuse_file(ErrorKind::unreadable_input, name, "there is no image in this FITS file", "two axes");
   reader.add_keywords(file.keywords);
   int status = 0;
   const bool compressed = fits_is_compressed_image(reader.get(), &status) != 0;
@@ -288,7 +281,7 @@ FitsImage read_fits_image(std::string_view bytes, const std::string& name) {
                        plane_names(static_cast<int>(shape.planes)));
     file.known.assign(file.image.data.size(), 0);
   } catch (const std::bad_alloc&) {
-    refuse(ErrorKind::unreadable_input, name, "there is not enough memory for its image");
+    refuse_file(ErrorKind::unreadable_input, name, "there is not enough memory for its image");
   }
   const auto order = file.keywords.find("ROWORDER");
   read_values(reader, shape, order != file.keywords.end() && order->second == "TOP-DOWN", file);
@@ -296,13 +289,13 @@ FitsImage read_fits_image(std::string_view bytes, const std::string& name) {
 }
 
 FitsTable read_fits_table(std::string_view bytes, const std::string& name) {
-  const Reader reader(bytes, name);
+  const FitsReader reader(bytes, name);
   FitsTable table;
   const bool found = reader.find([&](int type) {
     int status = 0;
     return type == BINARY_TBL && !fits_is_compressed_image(reader.get(), &status);
   });
-  if (!found) refuse(ErrorKind::unreadable_input, name, "there is no binary table in this FITS file");
+  if (!found) refuse_file(ErrorKind::unreadable_input, name, "there is no binary table in this FITS file");
   reader.add_keywords(table.keywords);
   int status = 0, columns = 0;
   LONGLONG rows = 0;
@@ -311,7 +304,7 @@ FitsTable read_fits_table(std::string_view bytes, const std::string& name) {
   reader.check(status);
   const auto row_bytes = static_cast<LONGLONG>(reader.number("NAXIS1", 0.0));
   if (rows < 0 || row_bytes < 1 || rows > std::numeric_limits<LONGLONG>::max() / row_bytes)
-    refuse(ErrorKind::unreadable_input, name, "the table in this FITS file has an impossible size");
+    refuse_file(ErrorKind::unreadable_input, name, "the table in this FITS file has an impossible size");
   reader.check_data(row_bytes * rows);
   for (int c = 1; c <= columns; ++c) {
     int type = 0;
@@ -342,7 +335,7 @@ std::string encode_fits(const Image& image, const std::vector<FitsKeyword>& keyw
   std::size_t size = 0;
   int status = 0;
   fitsfile* raw = nullptr;
-  fits_create_memfile(&raw, &buffer, &size, kBlock * 64, std::realloc, &status);
+  fits_create_memfile(&raw, &buffer, &size, kFitsBlock * 64, std::realloc, &status);
   std::string bytes;
   if (status == 0) {
     const std::unique_ptr<fitsfile, Close> file(raw);
@@ -364,7 +357,7 @@ std::string encode_fits(const Image& image, const std::vector<FitsKeyword>& keyw
     if (status == 0) bytes.assign(static_cast<const char*>(buffer), static_cast<std::size_t>(end));
   }
   std::free(buffer);
-  if (status != 0) refuse(ErrorKind::unwritable_output, name, "cannot be encoded: " + words_of(status));
+  if (status != 0) refuse_file(ErrorKind::unwritable_output, name, "cannot be encoded: " + words_of(status));
   return bytes;
 }
 

@@ -10,9 +10,9 @@ namespace {
 using namespace std::string_view_literals;
 
 /// Big-endian words one after the other; once one lies beyond the end, none is good any more.
-class Words {
+class ExifWords {
  public:
-  explicit Words(std::string_view bytes) : bytes_(bytes) {}
+  explicit ExifWords(std::string_view bytes) : bytes_(bytes) {}
 
   std::uint64_t next(int size) {
     if (!good_ || bytes_.size() - at_ < static_cast<std::size_t>(size)) {
@@ -49,7 +49,7 @@ class Words {
 
 /// What is inside the first box of this type.
 std::string_view box(std::string_view bytes, std::string_view type) {
-  Words words(bytes);
+  ExifWords words(bytes);
   while (!words.at_end()) {
     std::uint64_t size = words.next(4);
     const std::string_view found = words.letters();
@@ -69,16 +69,16 @@ std::string_view box(std::string_view bytes, std::string_view type) {
 
 /// The number of the item of type "Exif".
 std::optional<std::uint64_t> exif_item(std::string_view item_information) {
-  Words words(item_information);
+  ExifWords words(item_information);
   const std::uint64_t version = words.next(4) >> 24;
   words.next(version == 0 ? 2 : 4);
   std::string_view rest = words.rest();
   while (!rest.empty()) {
-    Words entry(rest);
+    ExifWords entry(rest);
     const std::uint64_t size = entry.next(4);
     const bool is_entry = entry.letters() == "infe"sv;
     if (!entry.good() || size < 8 || size > rest.size()) return std::nullopt;
-    Words inside(rest.substr(8, size - 8));
+    ExifWords inside(rest.substr(8, size - 8));
     const std::uint64_t entry_version = inside.next(4) >> 24;
     if (is_entry && entry_version >= 2) {
       const std::uint64_t id = inside.next(entry_version == 2 ? 2 : 4);
@@ -92,7 +92,7 @@ std::optional<std::uint64_t> exif_item(std::string_view item_information) {
 
 /// The bytes of an item of one extent, counted from the file's beginning.
 std::string_view item(std::string_view bytes, std::string_view locations, std::uint64_t wanted) {
-  Words words(locations);
+  ExifWords words(locations);
   const std::uint64_t version = words.next(4) >> 24;
   const std::uint64_t sizes = words.next(2);
   const int offset_size = sizes >> 12 & 15, length_size = sizes >> 8 & 15, base_size = sizes >> 4 & 15;
@@ -127,7 +127,7 @@ std::string_view heif_exif(std::string_view bytes) {
   const std::string_view boxes = meta.substr(4);  // after its version and flags
   const auto id = exif_item(box(boxes, "iinf"sv));
   if (!id) return {};
-  Words payload(item(bytes, box(boxes, "iloc"sv), *id));
+  ExifWords payload(item(bytes, box(boxes, "iloc"sv), *id));
   const std::uint64_t to_header = payload.next(4);  // how far behind this number the TIFF header begins
   payload.skip(to_header);
   return payload.rest();

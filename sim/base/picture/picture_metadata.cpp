@@ -26,7 +26,7 @@ constexpr int kExposureTime = 33434, kFNumber = 33437, kSensitivity = 34855, kTi
               kExifHeight = 40963, kFocalPlaneX = 41486, kFocalPlaneUnit = 41488, kFocal35mm = 41989,
               kLensModel = 42036;
 constexpr int kLatitudeRef = 1, kLatitude = 2, kLongitudeRef = 3, kLongitude = 4, kAltitudeRef = 5,
-              kAltitude = 6, kGpsTime = 7, kGpsDate = 29;
+              kGpsAltitude = 6, kGpsTime = 7, kGpsDate = 29;
 
 std::optional<double> between(std::optional<double> value, double least, double most) {
   return value && *value >= least && *value <= most ? value : std::nullopt;
@@ -116,7 +116,7 @@ void read_gps(const TiffDirectory& gps, PictureMetadata& metadata) {
   const auto latitude = coordinate(gps, kLatitude, kLatitudeRef, "NS", 90.0);
   const auto longitude = coordinate(gps, kLongitude, kLongitudeRef, "EW", 180.0);
   if (latitude && longitude) metadata.latitude_deg = latitude, metadata.longitude_deg = longitude;
-  const auto altitude = between(gps.number(kAltitude), 0.0, 1e7);
+  const auto altitude = between(gps.number(kGpsAltitude), 0.0, 1e7);
   // 0 above sea level, 1 below.
   const double below = gps.number(kAltitudeRef).value_or(0.0);
   if (altitude && (below == 0.0 || below == 1.0))
@@ -124,7 +124,7 @@ void read_gps(const TiffDirectory& gps, PictureMetadata& metadata) {
   metadata.gps_time_utc = gps_time(gps);
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& problem) {
+[[noreturn]] void refuse_picture(const std::string& path, const std::string& problem) {
   ErrorDetails details;
   details.file = path;
   details.problem = problem;
@@ -161,21 +161,21 @@ PictureMetadata picture_metadata_of(std::string_view bytes) {
 PictureMetadata read_picture_metadata(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) refuse(path, "there is no such file");
-  if (!std::filesystem::is_regular_file(status)) refuse(path, "is not a file");
+  if (!std::filesystem::exists(status)) refuse_picture(path, "there is no such file");
+  if (!std::filesystem::is_regular_file(status)) refuse_picture(path, "is not a file");
   const auto size = std::filesystem::file_size(path, error);
   std::ifstream file(path, std::ios::binary);
-  if (error || !file) refuse(path, "the file cannot be opened");
+  if (error || !file) refuse_picture(path, "the file cannot be opened");
   constexpr std::uintmax_t kHead = 32, kMost = std::uintmax_t{1} << 31, kFitsHeader = 1 << 20;
   std::string head(std::min(size, kHead), '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  if (!file) refuse(path, "the file cannot be read to its end");
+  if (!file) refuse_picture(path, "the file cannot be read to its end");
   const bool fits = head.rfind("SIMPLE  =", 0) == 0;
   if (!fits && (!may_have_exif(head) || size > kMost)) return {};
   std::string bytes(fits ? std::min(size, kFitsHeader) : size, '\0');
   file.seekg(0);
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!file) refuse(path, "the file cannot be read to its end");
+  if (!file) refuse_picture(path, "the file cannot be read to its end");
   return picture_metadata_of(bytes);
 }
 

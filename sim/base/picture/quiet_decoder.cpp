@@ -10,7 +10,7 @@ namespace {
 
 std::mutex mutex;
 int holders = 0;
-int kept = -1;  ///< where the words went before; -1 if they still go there
+int kept_stream = -1;  ///< where the words went before; -1 if they still go there
 
 }  // namespace
 
@@ -19,18 +19,18 @@ QuietDecoder::QuietDecoder() {
   if (holders++ > 0) return;
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (nowhere < 0) return;
-  kept =
+  kept_stream =
       ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0);  // fails where there is no standard error: nothing to keep
-  if (kept >= 0) ::dup2(nowhere, STDERR_FILENO);
+  if (kept_stream >= 0) ::dup2(nowhere, STDERR_FILENO);
   ::close(nowhere);
 }
 
 QuietDecoder::~QuietDecoder() {
   const std::lock_guard<std::mutex> lock(mutex);
-  if (--holders > 0 || kept < 0) return;
-  ::dup2(kept, STDERR_FILENO);
-  ::close(kept);
-  kept = -1;
+  if (--holders > 0 || kept_stream < 0) return;
+  ::dup2(kept_stream, STDERR_FILENO);
+  ::close(kept_stream);
+  kept_stream = -1;
 }
 
 }  // namespace vegard::sim

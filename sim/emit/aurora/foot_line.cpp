@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/emit/aurora/dipole.h"
 
 namespace vegard::fit {
@@ -67,7 +68,6 @@ std::vector<sim::EastNorth> straight_feet(const sim::Sheet& sheet, double instan
 
 std::vector<sim::EastNorth> sine_feet(const sim::Scene& scene, const sim::Sheet& sheet, double instant_s,
                                       int arc, int count) {
-  constexpr double kTwoPi = 6.283185307179586;
   const Line line = line_of_sheet(sheet, instant_s);
   // The sine's positive values lie towards u x B: to the left in the north (sim/emit/aurora/sheet.h).
   const double side = is_northern(scene) ? 1.0 : -1.0;
@@ -75,8 +75,9 @@ std::vector<sim::EastNorth> sine_feet(const sim::Scene& scene, const sim::Sheet&
   std::vector<sim::EastNorth> feet;
   for (int i = 0; i < count; ++i) {
     const double from_start = part(i, count) * sheet.length_km;
-    const double phase = kTwoPi / sheet.wavelength_km * (from_start - sheet.sine_speed_km_s * instant_s) +
-                         sheet.phase_rad + middle_phase;
+    const double phase =
+        sim::kTwoPi / sheet.wavelength_km * (from_start - sheet.sine_speed_km_s * instant_s) +
+        sheet.phase_rad + middle_phase;
     feet.push_back(line.at(from_start - 0.5 * sheet.length_km,
                            side * (arc_offset_km(sheet, arc) + sheet.thickness_km * std::sin(phase))));
   }

@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
 
 namespace vegard::sim {
 namespace {
 
-constexpr int kMostBeams = 10000000;
+constexpr int kSheetMostBeams = 10000000;
 
 /// Van der Corput's sequence in base 2: the bits of i mirrored at the point.
 double van_der_corput(std::uint32_t i) {
@@ -34,7 +35,6 @@ StretchOfSheet stretch_of(const Sheet& sheet, double instant_s) {
 }
 
 double aside_laid_out_km(const Sheet& sheet, const BeamPlace& place, int layer, double instant_s) {
-  constexpr double kTwoPi = 6.283185307179586;
   const double layer_part = sheet.layers > 1 ? static_cast<double>(layer) / (sheet.layers - 1) : 0.0;
   const double phase = kTwoPi / sheet.wavelength_km *
                            (place.s_of_phase * sheet.length_km - sheet.sine_speed_km_s * instant_s) +
@@ -44,7 +44,7 @@ double aside_laid_out_km(const Sheet& sheet, const BeamPlace& place, int layer, 
 
 int beams_per_layer(const Sheet& sheet) {
   if (sheet.beams_per_km <= 0.0) return sheet.beams;
-  return std::clamp(static_cast<int>(std::lround(sheet.beams_per_km * sheet.length_km)), 1, kMostBeams);
+  return std::clamp(static_cast<int>(std::lround(sheet.beams_per_km * sheet.length_km)), 1, kSheetMostBeams);
 }
 
 std::uint32_t layer_address(int sheet_index, int arc, int layer) {

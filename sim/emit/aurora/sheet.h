@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/emit/aurora/curl.h"
 #include "sim/emit/aurora/fold.h"
@@ -152,7 +153,6 @@ PlanePoint<T> structured_point(const LayerSine<T>& layer, const LayerStructure& 
 template <class T>
 BeamFoot<T> beam_foot(const SheetShape<T>& sheet, const StretchOfSheet& stretch, const BeamPlace& place,
                       int layer, int layers, bool literal, const LayerStructure* structure = nullptr) {
-  constexpr double kTwoPi = 6.283185307179586, kSqrtTwoPi = 2.5066282746310002;
   const T &u_east = sheet.along_east, &u_north = sheet.along_north;
   const T center_along = sheet.center_east_km * u_east + sheet.center_north_km * u_north;
   const T center_left = sheet.center_north_km * u_east - sheet.center_east_km * u_north;

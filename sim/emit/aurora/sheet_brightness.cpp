@@ -2,16 +2,17 @@
 
 #include <cmath>
 
+#include "sim/base/number/constants.h"
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/motion.h"
 #include "sim/light/electron_spectrum.h"
 #include "sim/light/sheet_profile.h"
+#include "sim/scene/lines/emission_line.h"
 
 namespace vegard::sim {
 namespace {
 
-constexpr double kGreenNm = 557.7;
 constexpr double kJoulesPerKev = 1.602176634e-16;
 
 /// The cosine between field and vertical at the foot of the sheet's centre; 0 where no beam falls.
@@ -53,7 +54,6 @@ double energy_flux_of(const Scene& scene, int index, double vertical) {
 }
 
 SheetPower power_of(const Scene& scene, const Sheet& sheet, double flux_mw_m2, double mean_energy_kev) {
-  constexpr double kSqrtTwoPi = 2.5066282746310002;
   constexpr double kWattsPerMw = 1e-3, kSquareMetresPerKm2 = 1e6, kSquareCentimetresPerM2 = 1e4;
   SheetPower power;
   power.energy_flux_mw_m2 = flux_mw_m2;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/motion.h"
 #include "sim/emit/aurora/sheet.h"
@@ -20,7 +21,6 @@ inline bool falls_along_field(const Scene& scene) {
 /// scene as T, `number(n)` the number itself.
 template <class T, class Number>
 SheetShape<T> sheet_shape(const Scene& scene, int sheet, int arc, double instant_s, const Number& number) {
-  constexpr double kTwoPi = 6.283185307179586;
   const Sheet& s = scene.sheets[sheet];
   SheetShape<T> shape;
   shape.center_east_km = number(s.center_km.east) + s.drift_km_s.east * instant_s;

@@ -2,12 +2,10 @@
 
 #include <cmath>
 
+#include "sim/base/number/constants.h"
+
 namespace vegard::sim {
-namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-
-}  // namespace
+namespace {}  // namespace
 
 std::int64_t slot_at(double along_km, double spacing_km) {
   return static_cast<std::int64_t>(std::floor(along_km / spacing_km));

@@ -6,7 +6,9 @@
 #include <limits>
 #include <vector>
 
+#include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
+#include "sim/base/number/vec3.h"
 #include "sim/emit/footprint/foot_way.h"
 #include "sim/emit/footprint/map/curve.h"
 #include "sim/emit/footprint/scalar_march.h"
@@ -15,37 +17,21 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kSqrtTwoPi = 2.5066282746310002;
-constexpr double kLeastCosine = 0.052;  // 3 degrees
+constexpr double kCurtainLeastCosine = 0.052;  // 3 degrees
 constexpr double kFootRadius = kEarthRadiusKm + kFootAltitudeKm;
 
 template <class T>
-using Vector = std::array<T, 3>;
-
-template <class T>
-T dot(const Vector<T>& a, const Vector<T>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-template <class T>
-Vector<T> cross(const Vector<T>& a, const Vector<T>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-template <class T>
-Vector<T> times(const Vector<T>& a, const T& s) {
-  return {a[0] * s, a[1] * s, a[2] * s};
-}
-template <class T>
-Vector<T> minus(const Vector<T>& a, const Vector<T>& b) {
+Vec3<T> minus(const Vec3<T>& a, const Vec3<T>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
 /// A piece of a wall, about the Earth's centre.
 template <class T>
 struct Wall {
-  Vector<T> from, way;  ///< feet of its two edges
-  Vector<T> normal;     ///< of length 1
-  T beyond;             ///< normal . from
-  T thickness_km;       ///< along the normal, of flux 1
+  Vec3<T> from, way;  ///< feet of its two edges
+  Vec3<T> normal;     ///< of length 1
+  T beyond;           ///< normal . from
+  T thickness_km;     ///< along the normal, of flux 1
   T flux[2], ln_energy[2];
 };
 
@@ -90,7 +76,7 @@ class CurtainEmitter : public Emitter<T> {
   }
 
   struct Edge {
-    Vector<T> foot;
+    Vec3<T> foot;
     T flux, ln_energy;
   };
 
@@ -103,7 +89,7 @@ class CurtainEmitter : public Emitter<T> {
       point.ln_energy = f.point_energy.empty() ? T(0.0) : logarithm(number(f.point_energy[i]));
     };
     if (foot_.way == FootWay::shell) {
-      std::vector<CurvePoint<T, 3>> points(f.latitude_deg.size());
+      std::vector<CurveNode<T, 3>> points(f.latitude_deg.size());
       for (std::size_t i = 0; i < points.size(); ++i) {
         const double lat = f.latitude_deg[i] * kRadiansPerDegree,
                      lon = f.longitude_deg[i] * kRadiansPerDegree;
@@ -116,7 +102,7 @@ class CurtainEmitter : public Emitter<T> {
       for (const auto& piece : curve.pieces)
         edges.push_back({piece.middle.at, piece.middle.flux, piece.middle.ln_energy});
     } else {
-      std::vector<CurvePoint<T, 2>> points(f.east_km.size());
+      std::vector<CurveNode<T, 2>> points(f.east_km.size());
       for (std::size_t i = 0; i < points.size(); ++i) {
         points[i].at = {number(f.center_km.east) + number(f.east_km[i]),
                         number(f.center_km.north) + number(f.north_km[i])};
@@ -140,20 +126,20 @@ class CurtainEmitter : public Emitter<T> {
     Wall<T> wall;
     wall.from = a.foot;
     wall.way = minus(b.foot, a.foot);
-    Vector<T> along = times(a.foot, T(-1.0 / kFootRadius));
-    const Vector<T> up = times(along, T(-1.0));
+    Vec3<T> along = times3(a.foot, T(-1.0 / kFootRadius));
+    const Vec3<T> up = times3(along, T(-1.0));
     if (foot_.way == FootWay::field) along = {foot_.axis[0], foot_.axis[1], foot_.axis[2]};
     if (foot_.way == FootWay::dipole) {
       T direction[3];
       dipole_fall(foot_.axis, PlaneFoot<T>{a.foot[0], a.foot[1], true}, direction);
       along = {direction[0], direction[1], direction[2]};
     }
-    const Vector<T> normal = cross(wall.way, along), level = cross(wall.way, up);
-    const T size2 = dot(normal, normal), level2 = dot(level, level);
+    const Vec3<T> normal = cross3(wall.way, along), level = cross3(wall.way, up);
+    const T size2 = dot3(normal, normal), level2 = dot3(level, level);
     if (value_of(size2) < 1e-12 || value_of(level2) < 1e-12) return;
-    wall.normal = times(normal, 1.0 / square_root(size2));
-    wall.beyond = dot(wall.normal, wall.from);
-    const T tilt = dot(wall.normal, level) / square_root(level2);
+    wall.normal = times3(normal, 1.0 / square_root(size2));
+    wall.beyond = dot3(wall.normal, wall.from);
+    const T tilt = dot3(wall.normal, level) / square_root(level2);
     wall.thickness_km = width_km * kSqrtTwoPi * (value_of(tilt) < 0.0 ? -tilt : tilt);
     wall.flux[0] = a.flux, wall.flux[1] = b.flux;
     wall.ln_energy[0] = a.ln_energy, wall.ln_energy[1] = b.ln_energy;
@@ -162,18 +148,18 @@ class CurtainEmitter : public Emitter<T> {
 
   void add(const Wall<T>& wall, const MarchSpanOf<T>& span, std::size_t ray, std::size_t rays,
            const BundleLight<T>& out, double& light, double& weighted) const {
-    const Vector<T> place = {span.place_km[0], span.place_km[1], span.place_km[2]};
-    const Vector<T> direction = {span.direction[0], span.direction[1], span.direction[2]};
-    const T cosine = dot(wall.normal, direction);
+    const Vec3<T> place = {span.place_km[0], span.place_km[1], span.place_km[2]};
+    const Vec3<T> direction = {span.direction[0], span.direction[1], span.direction[2]};
+    const T cosine = dot3(wall.normal, direction);
     if (std::fabs(value_of(cosine)) < 1e-9) return;
-    const T u = (wall.beyond - dot(wall.normal, place)) / cosine;
+    const T u = (wall.beyond - dot3(wall.normal, place)) / cosine;
     if (std::fabs(value_of(u)) > -value_of(span.first_km)) return;
     const AirPoint<T> p = point_of_ray(span.place_km, span.direction, span.square_km2, span.along_km, u);
     T share(0.0), stretch(1.0);
     if (foot_.way == FootWay::shell) {
       const T scale = T(kFootRadius) / radius_km(p);
-      const Vector<T> foot = {p.x[0] * scale, p.x[1] * scale, p.x[2] * scale};
-      share = dot(minus(foot, wall.from), wall.way) / dot(wall.way, wall.way);
+      const Vec3<T> foot = {p.x[0] * scale, p.x[1] * scale, p.x[2] * scale};
+      share = dot3(minus(foot, wall.from), wall.way) / dot3(wall.way, wall.way);
     } else {
       const auto foot = marcher_.place_of(p, foot_.axis, 0);
       if (!foot.is_there) return;
@@ -185,7 +171,7 @@ class CurtainEmitter : public Emitter<T> {
     if (foot_.way == FootWay::shell || foot_.way == FootWay::vertical)
       stretch = radius_km(p) * (1.0 / kFootRadius);
     const T size = value_of(cosine) < 0.0 ? -cosine : cosine;
-    const T incidence = value_of(size) < kLeastCosine ? T(kLeastCosine) : size;
+    const T incidence = value_of(size) < kCurtainLeastCosine ? T(kCurtainLeastCosine) : size;
     const T flux = wall.flux[0] + share * (wall.flux[1] - wall.flux[0]);
     T rate[kMostLines];
     marcher_.rates(altitude_km(p), wall.ln_energy[0] + share * (wall.ln_energy[1] - wall.ln_energy[0]), 0,

@@ -11,7 +11,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr int kEdge = GridBricks::kEdge, kSide = GridBricks::kSide, kCoarse = GridBricks::kCoarse;
+constexpr int kBricksEdge = GridBricks::kEdge, kBricksSide = GridBricks::kSide, kCoarse = GridBricks::kCoarse;
 constexpr std::size_t kMostCoarseCells = std::size_t{1} << 27;
 
 GridPlace place_of(const SparseGrid& grid, const Site& site, const Site& observer) {
@@ -34,9 +34,9 @@ std::set<BrickCoordinate> bricks_with_light(const SparseGrid& grid, const std::v
   for (const auto& [at, numbers] : grid.bricks) {
     bool lit[2][2][2] = {};  // whether the brick, or its lowest layer along an axis, has any
     for (const int c : channels)
-      for (int i = 0; i < kEdge; ++i)
-        for (int j = 0; j < kEdge; ++j)
-          for (int k = 0; k < kEdge; ++k)
+      for (int i = 0; i < kBricksEdge; ++i)
+        for (int j = 0; j < kBricksEdge; ++j)
+          for (int k = 0; k < kBricksEdge; ++k)
             if (numbers[c * SparseGrid::kVoxels + SparseGrid::within(i, j, k)] != 0.0f)
               for (int x = 0; x <= (i == 0); ++x)
                 for (int y = 0; y <= (j == 0); ++y)
@@ -49,18 +49,19 @@ std::set<BrickCoordinate> bricks_with_light(const SparseGrid& grid, const std::v
   return all;
 }
 
-/// Copies a channel of the brick and of those above it to kSide^3 voxels, `stride` apart.
+/// Copies a channel of the brick and of those above it to kBricksSide^3 voxels, `stride` apart.
 void gather(const SparseGrid& grid, int channel, const BrickCoordinate& at, float* to, int stride) {
   for (int part = 0; part < 8; ++part) {
     const int d[3] = {part >> 2 & 1, part >> 1 & 1, part & 1};
     const auto found = grid.bricks.find({at.x + d[0], at.y + d[1], at.z + d[2]});
     if (found == grid.bricks.end()) continue;
     const float* from = found->second.data() + static_cast<std::size_t>(channel) * SparseGrid::kVoxels;
-    for (int i = 0; i < (d[0] ? 1 : kEdge); ++i)
-      for (int j = 0; j < (d[1] ? 1 : kEdge); ++j)
-        for (int k = 0; k < (d[2] ? 1 : kEdge); ++k)
-          to[(((i + d[0] * kEdge) * kSide + j + d[1] * kEdge) * kSide + k + d[2] * kEdge) * stride] =
-              from[SparseGrid::within(i, j, k)];
+    for (int i = 0; i < (d[0] ? 1 : kBricksEdge); ++i)
+      for (int j = 0; j < (d[1] ? 1 : kBricksEdge); ++j)
+        for (int k = 0; k < (d[2] ? 1 : kBricksEdge); ++k)
+          to[(((i + d[0] * kBricksEdge) * kBricksSide + j + d[1] * kBricksEdge) * kBricksSide + k +
+              d[2] * kBricksEdge) *
+             stride] = from[SparseGrid::within(i, j, k)];
   }
 }
 

@@ -11,9 +11,9 @@
 namespace vegard::sim {
 namespace {
 
-constexpr int kEdge = SparseGrid::kEdge, kReach = Mask5::kReach, kTaps = Mask5::kSide;
-constexpr int kSide = kEdge + 2 * kReach;  // a brick with what the mask sees about it
-constexpr int kBlock = kSide * kSide * kSide;
+constexpr int kFilterReach = Mask5::kReach, kTaps = Mask5::kSide;
+constexpr int kFilterSide = SparseGrid::kEdge + 2 * kFilterReach;  // a brick with what the mask sees about it
+constexpr int kFilterBlock = kFilterSide * kFilterSide * kFilterSide;
 
 /// A mask that is a product of three rows, but for its middle: blur and sharpen are.
 struct Product {
@@ -26,10 +26,10 @@ std::optional<Product> as_product(const Mask5& mask) {
   const double corner = mask.weights[Mask5::at(-1, -1, -1)];
   if (corner == 0.0) return std::nullopt;
   double row[3][kTaps], largest = 0.0;
-  for (int o = -kReach; o <= kReach; ++o) {
-    row[0][o + kReach] = mask.weights[Mask5::at(o, -1, -1)];
-    row[1][o + kReach] = mask.weights[Mask5::at(-1, o, -1)] / corner;
-    row[2][o + kReach] = mask.weights[Mask5::at(-1, -1, o)] / corner;
+  for (int o = -kFilterReach; o <= kFilterReach; ++o) {
+    row[0][o + kFilterReach] = mask.weights[Mask5::at(o, -1, -1)];
+    row[1][o + kFilterReach] = mask.weights[Mask5::at(-1, o, -1)] / corner;
+    row[2][o + kFilterReach] = mask.weights[Mask5::at(-1, -1, o)] / corner;
   }
   for (const double weight : mask.weights) largest = std::max(largest, std::abs(weight));
   Product product{};
@@ -37,7 +37,7 @@ std::optional<Product> as_product(const Mask5& mask) {
     for (int j = 0; j < kTaps; ++j)
       for (int k = 0; k < kTaps; ++k) {
         const double more = mask.weights[(i * kTaps + j) * kTaps + k] - row[0][i] * row[1][j] * row[2][k];
-        if (i == kReach && j == kReach && k == kReach)
+        if (i == kFilterReach && j == kFilterReach && k == kFilterReach)
           product.middle = static_cast<float>(more);
         else if (std::abs(more) > 1e-12 * largest)
           return std::nullopt;
@@ -51,22 +51,24 @@ std::optional<Product> as_product(const Mask5& mask) {
   return product;
 }
 
-/// A channel of the brick and of those about it, [kSide^3].
+/// A channel of the brick and of those about it, [kFilterSide^3].
 void gather(const SparseGrid& grid, int channel, const BrickCoordinate& at, float* block) {
-  std::fill(block, block + kBlock, 0.0f);
+  std::fill(block, block + kFilterBlock, 0.0f);
   for (int x = -1; x <= 1; ++x)
     for (int y = -1; y <= 1; ++y)
       for (int z = -1; z <= 1; ++z) {
         const auto found = grid.bricks.find({at.x + x, at.y + y, at.z + z});
         if (found == grid.bricks.end()) continue;
         const float* from = found->second.data() + static_cast<std::size_t>(channel) * SparseGrid::kVoxels;
-        const auto first = [](int d) { return d < 0 ? kEdge - kReach : 0; };
-        const auto last = [](int d) { return d > 0 ? kReach : kEdge; };
+        const auto first = [](int d) { return d < 0 ? SparseGrid::kEdge - kFilterReach : 0; };
+        const auto last = [](int d) { return d > 0 ? kFilterReach : SparseGrid::kEdge; };
         for (int i = first(x); i < last(x); ++i)
           for (int j = first(y); j < last(y); ++j)
             for (int k = first(z); k < last(z); ++k)
-              block[((i + x * kEdge + kReach) * kSide + j + y * kEdge + kReach) * kSide + k + z * kEdge +
-                    kReach] = from[SparseGrid::within(i, j, k)];
+              block[((i + x * SparseGrid::kEdge + kFilterReach) * kFilterSide + j + y * SparseGrid::kEdge +
+                     kFilterReach) *
+                        kFilterSide +
+                    k + z * SparseGrid::kEdge + kFilterReach] = from[SparseGrid::within(i, j, k)];
       }
 }
 
@@ -80,36 +82,41 @@ void along(const float* in, std::size_t pitch, const float row[kTaps], float* ou
 }
 
 void convolve(const Product& product, const float* block, float* out) {
-  constexpr int kPlane = kSide * kSide, kRow = kSide;
-  float by_x[kEdge * kPlane], by_y[kEdge * kEdge * kSide];
-  for (int i = 0; i < kEdge; ++i)
+  constexpr int kPlane = kFilterSide * kFilterSide, kRow = kFilterSide;
+  float by_x[SparseGrid::kEdge * kPlane], by_y[SparseGrid::kEdge * SparseGrid::kEdge * kFilterSide];
+  for (int i = 0; i < SparseGrid::kEdge; ++i)
     along(block + i * kPlane, kPlane, product.row[0], by_x + i * kPlane, kPlane);
-  for (int i = 0; i < kEdge; ++i)
-    for (int j = 0; j < kEdge; ++j)
-      along(by_x + i * kPlane + j * kRow, kRow, product.row[1], by_y + (i * kEdge + j) * kSide, kSide);
-  for (int i = 0; i < kEdge; ++i)
-    for (int j = 0; j < kEdge; ++j)
-      along(by_y + (i * kEdge + j) * kSide, 1, product.row[2], out + (i * kEdge + j) * kEdge, kEdge);
+  for (int i = 0; i < SparseGrid::kEdge; ++i)
+    for (int j = 0; j < SparseGrid::kEdge; ++j)
+      along(by_x + i * kPlane + j * kRow, kRow, product.row[1],
+            by_y + (i * SparseGrid::kEdge + j) * kFilterSide, kFilterSide);
+  for (int i = 0; i < SparseGrid::kEdge; ++i)
+    for (int j = 0; j < SparseGrid::kEdge; ++j)
+      along(by_y + (i * SparseGrid::kEdge + j) * kFilterSide, 1, product.row[2],
+            out + (i * SparseGrid::kEdge + j) * SparseGrid::kEdge, SparseGrid::kEdge);
   if (product.middle != 0.0f)
-    for (int i = 0; i < kEdge; ++i)
-      for (int j = 0; j < kEdge; ++j)
-        for (int k = 0; k < kEdge; ++k)
+    for (int i = 0; i < SparseGrid::kEdge; ++i)
+      for (int j = 0; j < SparseGrid::kEdge; ++j)
+        for (int k = 0; k < SparseGrid::kEdge; ++k)
           out[SparseGrid::within(i, j, k)] +=
-              product.middle * block[((i + kReach) * kSide + j + kReach) * kSide + k + kReach];
+              product.middle *
+              block[((i + kFilterReach) * kFilterSide + j + kFilterReach) * kFilterSide + k + kFilterReach];
 }
 
 void convolve(const Mask5& mask, const float* block, float* out) {
   std::fill(out, out + SparseGrid::kVoxels, 0.0f);
-  for (int x = -kReach; x <= kReach; ++x)
-    for (int y = -kReach; y <= kReach; ++y)
-      for (int z = -kReach; z <= kReach; ++z) {
+  for (int x = -kFilterReach; x <= kFilterReach; ++x)
+    for (int y = -kFilterReach; y <= kFilterReach; ++y)
+      for (int z = -kFilterReach; z <= kFilterReach; ++z) {
         const auto weight = static_cast<float>(mask.weights[Mask5::at(x, y, z)]);
         if (weight == 0.0f) continue;
-        for (int i = 0; i < kEdge; ++i)
-          for (int j = 0; j < kEdge; ++j) {
-            const float* from = block + ((i + kReach - x) * kSide + j + kReach - y) * kSide + kReach - z;
+        for (int i = 0; i < SparseGrid::kEdge; ++i)
+          for (int j = 0; j < SparseGrid::kEdge; ++j) {
+            const float* from = block +
+                                ((i + kFilterReach - x) * kFilterSide + j + kFilterReach - y) * kFilterSide +
+                                kFilterReach - z;
             float* to = out + SparseGrid::within(i, j, 0);
-            for (int k = 0; k < kEdge; ++k) to[k] += weight * from[k];
+            for (int k = 0; k < SparseGrid::kEdge; ++k) to[k] += weight * from[k];
           }
       }
 }
@@ -118,11 +125,12 @@ void convolve(const Mask5& mask, const float* block, float* out) {
 std::set<BrickCoordinate> reached(const SparseGrid& grid) {
   std::set<BrickCoordinate> all;
   for (const auto& [at, numbers] : grid.bricks) {
-    int low[3] = {kEdge, kEdge, kEdge}, high[3] = {-1, -1, -1};
+    int low[3] = {SparseGrid::kEdge, SparseGrid::kEdge, SparseGrid::kEdge}, high[3] = {-1, -1, -1};
     for (std::size_t c = 0; c < grid.channels.size(); ++c)
       for (int v = 0; v < SparseGrid::kVoxels; ++v) {
         if (numbers[c * SparseGrid::kVoxels + v] == 0.0f) continue;
-        const int index[3] = {v / (kEdge * kEdge), v / kEdge % kEdge, v % kEdge};
+        const int index[3] = {v / (SparseGrid::kEdge * SparseGrid::kEdge),
+                              v / SparseGrid::kEdge % SparseGrid::kEdge, v % SparseGrid::kEdge};
         for (int a = 0; a < 3; ++a) {
           low[a] = std::min(low[a], index[a]);
           high[a] = std::max(high[a], index[a]);
@@ -131,8 +139,8 @@ std::set<BrickCoordinate> reached(const SparseGrid& grid) {
     if (high[0] < 0) continue;
     int from[3], to[3];
     for (int a = 0; a < 3; ++a) {
-      from[a] = low[a] < kReach ? -1 : 0;
-      to[a] = high[a] >= kEdge - kReach ? 1 : 0;
+      from[a] = low[a] < kFilterReach ? -1 : 0;
+      to[a] = high[a] >= SparseGrid::kEdge - kFilterReach ? 1 : 0;
     }
     for (int x = from[0]; x <= to[0]; ++x)
       for (int y = from[1]; y <= to[1]; ++y)
@@ -157,7 +165,7 @@ void filter_grid(SparseGrid& grid, const Mask5& mask, int threads) {
     for (; first != wanted.end() && first->x == x; ++first) layer.push_back(*first);
     std::vector<SparseGrid::Brick> made(layer.size());
     parallel_for(layer.size(), threads, [&](std::size_t b, int) {
-      std::vector<float> block(kBlock);
+      std::vector<float> block(kFilterBlock);
       SparseGrid::Brick out(static_cast<std::size_t>(channels) * SparseGrid::kVoxels);
       for (int c = 0; c < channels; ++c) {
         gather(grid, c, layer[b], block.data());

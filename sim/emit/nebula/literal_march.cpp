@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/number/smooth_step.h"
+#include "sim/base/number/vec3.h"
 
 namespace vegard::sim {
 namespace {
@@ -11,12 +12,8 @@ namespace {
 constexpr int kIterations = 50;
 constexpr double kInsideGain = 1.0 / 200.0, kStepGain = 1.0 / 90.0;  // of opacity, at every step
 constexpr double kGrey = 0.3, kEmission = 0.2, kDensityScale = 0.2;
-constexpr double kStepOfDistance = 0.1, kLeastStep = 0.01;
-constexpr double kScattering = 0.2, kScattered = 0.4;
-
-double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+constexpr double kStepOfDistance = 0.1, kLiteralLeastStep = 0.01;
+constexpr double kLiteralScattering = 0.2, kScattered = 0.4;
 
 }  // namespace
 
@@ -26,11 +23,11 @@ LiteralCloud literal_cloud(const NodeMap<double>& map, const Nebula& nebula) {
 
 std::array<double, 4> literal_march(const LiteralCloud& cloud, const std::array<double, 3>& origin,
                                     const std::array<double, 3>& direction, double depth) {
-  const double b = dot(direction, origin), c = dot(origin, origin) - cloud.bound * cloud.bound;
+  const double b = dot3(direction, origin), c = dot3(origin, origin) - cloud.bound * cloud.bound;
   const double delta = b * b - c;
   if (delta < 0.0 || std::sqrt(delta) - b <= 0.0) return {0.0, 0.0, 0.0, 0.0};
   const double far = std::sqrt(delta) - b, near = -b - std::sqrt(delta);
-  const double observer = std::sqrt(dot(origin, origin));
+  const double observer = std::sqrt(dot3(origin, origin));
 
   double t = std::max(near, 0.0), opacity = 0.0, local = 0.0;
   std::array<double, 4> sum{};
@@ -54,10 +51,11 @@ std::array<double, 4> literal_march(const LiteralCloud& cloud, const std::array<
       sum[3] += alpha * room;
     }
     opacity = std::min(opacity + kStepGain, 1.0);
-    t += std::max(distance * kStepOfDistance * std::max(std::min(from_middle, observer), 1.0), kLeastStep);
+    t += std::max(distance * kStepOfDistance * std::max(std::min(from_middle, observer), 1.0),
+                  kLiteralLeastStep);
   }
   // The last density alone, as the source has it.
-  const double scattered = kScattered / std::exp(local * kScattering);
+  const double scattered = kScattered / std::exp(local * kLiteralScattering);
   std::array<double, 4> result{};
   for (int channel = 0; channel < 3; ++channel) result[channel] = smooth_step(sum[channel] * scattered);
   result[3] = opacity;

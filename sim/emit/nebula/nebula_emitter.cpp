@@ -10,7 +10,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kNothingComesThrough = 1e-10;
+constexpr double kNebulaNothingComesThrough = 1e-10;
 
 }  // namespace
 
@@ -83,7 +83,7 @@ void NebulaEmitter<T>::march_ray(const T enu[3], double end_km, std::size_t inde
     }
     bright += seen_here;
     weighted += seen_here * value_of(middle);
-    if (std::is_same_v<T, double> && most_kept < kNothingComesThrough) break;
+    if (std::is_same_v<T, double> && most_kept < kNebulaNothingComesThrough) break;
   }
   for (int l = 0; l < out.lines; ++l) {
     const std::size_t to = static_cast<std::size_t>(l) * rays + index;

@@ -3,6 +3,7 @@
 
 #include <type_traits>
 
+#include "sim/base/earth.h"
 #include "sim/light/sample.h"
 
 namespace vegard::sim {
@@ -10,11 +11,10 @@ namespace vegard::sim {
 /// The turns about right, up and near, one after the other: from the outside to the inside.
 template <class T>
 void turn_inside(const T angle_deg[3], T turn[9]) {
-  constexpr double kRadian = 3.14159265358979323846 / 180.0;
   T sin[3], cos[3];
   for (int axis = 0; axis < 3; ++axis) {
-    sin[axis] = sine(angle_deg[axis] * kRadian);
-    cos[axis] = cosine(angle_deg[axis] * kRadian);
+    sin[axis] = sine(angle_deg[axis] * kRadiansPerDegree);
+    cos[axis] = cosine(angle_deg[axis] * kRadiansPerDegree);
   }
   // The rows of the inverse are the columns of Z Y X.
   turn[0] = cos[2] * cos[1];

@@ -12,7 +12,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kNothingComesThrough = 1e-10;
+constexpr double kChromosphereNothingComesThrough = 1e-10;
 
 }  // namespace
 
@@ -99,7 +99,7 @@ bool ChromosphereEmitter<T>::march_way(const SkyRay<T>& ray, const T& first, con
     }
     sum.light = sum.light + seen;
     sum.weighted += value_of(seen) * value_of(middle);
-    if (std::is_same_v<T, double> && value_of(sum.kept) < kNothingComesThrough) return false;
+    if (std::is_same_v<T, double> && value_of(sum.kept) < kChromosphereNothingComesThrough) return false;
   }
   return true;
 }

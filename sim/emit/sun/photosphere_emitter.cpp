@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstddef>
 
+#include "sim/base/number/constants.h"
 #include "sim/emit/sun/line_light.h"
 
 namespace vegard::sim {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 /// Nearer to touching than this, of a pixel's radius, the share (below 1e-9) is left out, or whole.
 constexpr double kTouching = 1e-6;
 

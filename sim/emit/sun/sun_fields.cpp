@@ -6,12 +6,11 @@
 
 #include "sim/emit/sun/line_light.h"
 #include "sim/emit/sun/sun_frame.h"
+#include "sim/light/emitter.h"
 #include "sim/light/light_of_fields.h"
 
 namespace vegard::sim {
 namespace {
-
-const NumberAs<double> plain = [](const double& number) { return number; };
 
 double square_of(const double place[3]) {
   return place[0] * place[0] + place[1] * place[1] + place[2] * place[2];
@@ -57,8 +56,9 @@ ChromosphereField::ChromosphereField(const Scene& scene, int index, const Image*
 ChromosphereField::ChromosphereField(const Scene& scene, const Chromosphere& c, int index,
                                      const Image* biasmap)
     : ShellField(scene.sun, std::max(c.innerradius, scene.sun.radius), c.outerradius,
-                 line_light(scene, c.rayleigh, 0.0, plain), static_cast<int>(scene.emission.lines.size())),
-      density_(scene, index, biasmap, plain),
+                 line_light(scene, c.rayleigh, 0.0, plain_number),
+                 static_cast<int>(scene.emission.lines.size())),
+      density_(scene, index, biasmap, plain_number),
       absorbs_(c.extinction > 0.0) {}
 
 ShellField::Here ChromosphereField::here(const double place[3]) const {
@@ -68,10 +68,10 @@ ShellField::Here ChromosphereField::here(const double place[3]) const {
 
 CoronaField::CoronaField(const Scene& scene, const Corona& corona)
     : ShellField(scene.sun, scene.sun.radius, scene.sun.radius * corona.reach,
-                 line_light(scene, corona.rayleigh, corona.temperature_mk, plain),
+                 line_light(scene, corona.rayleigh, corona.temperature_mk, plain_number),
                  static_cast<int>(scene.emission.lines.size())),
-      source_(scene, corona, plain) {
-  SunFrame<double>(scene.sun, plain).observer(observer_);
+      source_(scene, corona, plain_number) {
+  SunFrame<double>(scene.sun, plain_number).observer(observer_);
 }
 
 ShellField::Here CoronaField::here(const double place[3]) const {

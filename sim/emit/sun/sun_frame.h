@@ -5,6 +5,7 @@
 // right in a picture with north up, as Carrington's and Stonyhurst's do (W. T. Thompson 2006, A&A 449, 791).
 #pragma once
 
+#include "sim/base/earth.h"
 #include "sim/light/emitter.h"
 #include "sim/light/sky_frame.h"
 #include "sim/scene/structs/scene.h"
@@ -18,8 +19,8 @@ class SunFrame {
       : sky_(number(sun.azimuth_deg), number(sun.elevation_deg), number(sun.position_angle_deg),
              number(sun.distance_km) * (1.0 / sun.unit_km)),
         unit_km_(sun.unit_km) {
-    constexpr double kRadian = 3.14159265358979323846 / 180.0;
-    const T b = number(sun.latitude_deg) * kRadian, l = number(sun.longitude_deg) * kRadian;
+    const T b = number(sun.latitude_deg) * kRadiansPerDegree,
+            l = number(sun.longitude_deg) * kRadiansPerDegree;
     const T sin_b = sine(b), cos_b = cosine(b), sin_l = sine(l), cos_l = cosine(l);
     // The middle of the disc is at latitude b and longitude l. In right, up, near: the meridian's direction
     // on the equator is (0, -sin b, cos b), the west (1, 0, 0), the north (0, cos b, sin b).
@@ -82,8 +83,7 @@ struct SunPlace {
 
 template <class T>
 SunPlace<T> sun_place(const T& latitude_deg, const T& longitude_deg) {
-  constexpr double kRadian = 3.14159265358979323846 / 180.0;
-  const T b = latitude_deg * kRadian, l = longitude_deg * kRadian;
+  const T b = latitude_deg * kRadiansPerDegree, l = longitude_deg * kRadiansPerDegree;
   const T sin_b = sine(b), cos_b = cosine(b), sin_l = sine(l), cos_l = cosine(l);
   return {{cos_b * cos_l, cos_b * sin_l, sin_b},
           {T(0.0) - sin_b * cos_l, T(0.0) - sin_b * sin_l, cos_b},

@@ -12,6 +12,7 @@
 // Science Reviews 147, 31): a + b = 2 pi I0 ((1 - u) C + u D), (3 b - a) / 2 = pi I0 ((1 - u) A + u B).
 #pragma once
 
+#include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 
 namespace vegard::sim {
@@ -19,7 +20,6 @@ namespace vegard::sim {
 /// (a + b) - sin²(chi) (3 b - a) / 2 for I0 = 1; in steradians. `square_sine` is (R / r)², from 0 to 1.
 template <class T>
 T scattered_light(const T& square_sine, const T& square_sine_chi, const T& u, const T& v) {
-  constexpr double kPi = 3.14159265358979323846;
   constexpr double kLeast = 1e-24;  // of cos²(Omega): at the photosphere its root would have no slope
   const T square = value_of(square_sine) < 1.0 - kLeast ? T(1.0) - square_sine : T(kLeast);
   const T c = square_root(square), s = square_root(square_sine);

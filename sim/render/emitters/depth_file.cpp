@@ -13,7 +13,8 @@
 namespace vegard::sim {
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, const std::string& problem, const std::string& expected) {
+[[noreturn]] void refuse_depth(const std::string& path, const std::string& problem,
+                               const std::string& expected) {
   ErrorDetails details;
   details.file = path;
   details.key = "march.depth";
@@ -62,10 +63,10 @@ DepthImage read_depth(const Scene& scene) {
     return std::to_string(width) + " x " + std::to_string(height) + " pixels";
   };
   if (values.width != scene.camera.width || values.height != scene.camera.height)
-    refuse(path, "the depths have " + size(values.width, values.height),
-           size(scene.camera.width, scene.camera.height) + ", as the camera has");
+    refuse_depth(path, "the depths have " + size(values.width, values.height),
+                 size(scene.camera.width, scene.camera.height) + ", as the camera has");
   if (!std::all_of(values.data.begin(), values.data.end(), [](float value) { return value >= 0.0f; }))
-    refuse(path, "a depth is negative or no number", "0 or above; infinity where nothing stands");
+    refuse_depth(path, "a depth is negative or no number", "0 or above; infinity where nothing stands");
   return depth_image(scene.march, values);
 }
 

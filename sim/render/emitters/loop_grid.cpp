@@ -8,11 +8,10 @@
 #include "sim/emit/sun/line_light.h"
 #include "sim/emit/sun/strand/macro_loop.h"
 #include "sim/emit/sun/strand/strand_grid.h"
+#include "sim/light/emitter.h"
 
 namespace vegard::sim {
 namespace {
-
-double plain(const double& number) { return number; }
 
 /// Bricks and the volume that they are drawn as.
 struct LoopVolume {
@@ -30,7 +29,7 @@ struct LoopVolume {
     volume.name = loop.name;
     volume.frame = VolumeFrame::sun;
     volume.density_rayleigh =
-        line_light<double>(scene, loop.rayleigh, loop.temperature_mk, NumberAs<double>(plain));
+        line_light<double>(scene, loop.rayleigh, loop.temperature_mk, NumberAs<double>(plain_number));
     return volume;
   }
 
@@ -108,7 +107,7 @@ SparseGrid loop_grid(const Scene& scene, std::uint32_t index, int threads, std::
                                      "larger voxels, or fewer passes", ""});
   };
   try {
-    add_strands(strands_of<double>(scene.sun, loop, scene.seed, NumberAs<double>(plain)), {1.0},
+    add_strands(strands_of<double>(scene.sun, loop, scene.seed, NumberAs<double>(plain_number)), {1.0},
                 {threads, memory_limit}, grid);
     for (int pass = 0; pass < loop.blur; ++pass) filter(blur_mask());
     for (int pass = 0; pass < loop.sharpen; ++pass) filter(sharpen_mask());

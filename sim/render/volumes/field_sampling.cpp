@@ -11,9 +11,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr std::size_t kBricksAtOnce = 256;
-constexpr int kVoxels = SparseGrid::kVoxels, kEdge = SparseGrid::kEdge;
-
+constexpr std::size_t kSamplingBricksAtOnce = 256;
 struct BrickRange {
   int low[3], high[3];  ///< high is the first beyond
 };
@@ -21,8 +19,8 @@ struct BrickRange {
 Box3 box_of(const BrickRange& r, const SparseGrid& grid) {
   Box3 box;
   for (int a = 0; a < 3; ++a) {
-    box.low[a] = grid.origin[a] + r.low[a] * kEdge * grid.voxel;
-    box.high[a] = grid.origin[a] + r.high[a] * kEdge * grid.voxel;
+    box.low[a] = grid.origin[a] + r.low[a] * SparseGrid::kEdge * grid.voxel;
+    box.high[a] = grid.origin[a] + r.high[a] * SparseGrid::kEdge * grid.voxel;
   }
   return box;
 }
@@ -51,26 +49,28 @@ SparseGrid::Brick sampled(const LightField& field, int all_lines, const std::vec
                           const BrickCoordinate& at, const std::optional<Box3>& crop,
                           const SparseGrid& grid) {
   std::vector<double> place[3];
-  for (auto& axis : place) axis.resize(kVoxels);
-  const int corner[3] = {at.x * kEdge, at.y * kEdge, at.z * kEdge};
-  for (int v = 0; v < kVoxels; ++v) {
-    const int within[3] = {v / (kEdge * kEdge), v / kEdge % kEdge, v % kEdge};
+  for (auto& axis : place) axis.resize(SparseGrid::kVoxels);
+  const int corner[3] = {at.x * SparseGrid::kEdge, at.y * SparseGrid::kEdge, at.z * SparseGrid::kEdge};
+  for (int v = 0; v < SparseGrid::kVoxels; ++v) {
+    const int within[3] = {v / (SparseGrid::kEdge * SparseGrid::kEdge),
+                           v / SparseGrid::kEdge % SparseGrid::kEdge, v % SparseGrid::kEdge};
     for (int a = 0; a < 3; ++a) place[a][v] = grid.origin[a] + (corner[a] + within[a] + 0.5) * grid.voxel;
   }
-  std::vector<float> numbers((all_lines + 1) * kVoxels, 0.0f);
+  std::vector<float> numbers((all_lines + 1) * SparseGrid::kVoxels, 0.0f);
   std::vector<float*> of_line(all_lines);
-  for (int l = 0; l < all_lines; ++l) of_line[l] = numbers.data() + l * kVoxels;
-  float* density = numbers.data() + all_lines * kVoxels;
+  for (int l = 0; l < all_lines; ++l) of_line[l] = numbers.data() + l * SparseGrid::kVoxels;
+  float* density = numbers.data() + all_lines * SparseGrid::kVoxels;
   const double* const points[3] = {place[0].data(), place[1].data(), place[2].data()};
-  field.sample(kVoxels, points, of_line.data(), density);
-  SparseGrid::Brick out((lines.size() + 1) * kVoxels);
+  field.sample(SparseGrid::kVoxels, points, of_line.data(), density);
+  SparseGrid::Brick out((lines.size() + 1) * SparseGrid::kVoxels);
   for (std::size_t c = 0; c <= lines.size(); ++c)
-    std::copy_n(c < lines.size() ? of_line[lines[c]] : density, kVoxels, out.begin() + c * kVoxels);
+    std::copy_n(c < lines.size() ? of_line[lines[c]] : density, SparseGrid::kVoxels,
+                out.begin() + c * SparseGrid::kVoxels);
   if (crop)
-    for (int v = 0; v < kVoxels; ++v)
+    for (int v = 0; v < SparseGrid::kVoxels; ++v)
       for (int a = 0; a < 3; ++a)
         if (place[a][v] < crop->low[a] || place[a][v] > crop->high[a])
-          for (std::size_t c = 0; c <= lines.size(); ++c) out[c * kVoxels + v] = 0.0f;
+          for (std::size_t c = 0; c <= lines.size(); ++c) out[c * SparseGrid::kVoxels + v] = 0.0f;
   if (std::all_of(out.begin(), out.end(), [](float x) { return x == 0.0f; })) out.clear();
   return out;
 }
@@ -123,7 +123,7 @@ BricksToSample bricks_to_sample(const LightField& field, const SparseGrid& grid,
   const Box3 box = field.bounds();
   BrickRange range;
   for (int a = 0; a < 3; ++a) {
-    const double edge = grid.voxel * kEdge;
+    const double edge = grid.voxel * SparseGrid::kEdge;
     double low = box.low[a], high = box.high[a];
     if (crop) {
       low = std::max(low, crop->low[a]);
@@ -179,9 +179,9 @@ BricksToSample bricks_to_sample(const LightField& field, const SparseGrid& grid,
 double sample_field(const LightField& field, int all_lines, const std::vector<int>& lines,
                     const std::vector<BrickCoordinate>& bricks, const std::optional<Box3>& crop, int threads,
                     const std::function<bool(double)>& room, SparseGrid& grid) {
-  std::vector<SparseGrid::Brick> some(kBricksAtOnce);
-  for (std::size_t first = 0; first < bricks.size(); first += kBricksAtOnce) {
-    const std::size_t count = std::min(kBricksAtOnce, bricks.size() - first);
+  std::vector<SparseGrid::Brick> some(kSamplingBricksAtOnce);
+  for (std::size_t first = 0; first < bricks.size(); first += kSamplingBricksAtOnce) {
+    const std::size_t count = std::min(kSamplingBricksAtOnce, bricks.size() - first);
     parallel_for(count, threads, [&](std::size_t i, int) {
       some[i] = sampled(field, all_lines, lines, bricks[first + i], crop, grid);
     });

@@ -17,7 +17,7 @@
 namespace vegard::sim {
 namespace {
 
-std::string text_of(double x, const char* format) {
+std::string formatted(double x, const char* format) {
   char text[32];
   std::snprintf(text, sizeof text, format, x);
   return text;
@@ -31,10 +31,10 @@ std::string text_of(double x, const char* format) {
   const std::string part = "a --box about a part of it";
   throw Error(
       ErrorKind::usage,
-      {"voxels of " + text_of(options.voxel, "%g") + " would take about " + text_of(bytes / gb, "%.2g") +
+      {"voxels of " + formatted(options.voxel, "%g") + " would take about " + formatted(bytes / gb, "%.2g") +
            " GB",
-       "", 0, "--memory-limit", "at most " + text_of(limit / gb, "%.3g") + " GB",
-       would_do <= most_voxel ? "Voxels of " + text_of(would_do, "%.2g") + " would do, or " + part
+       "", 0, "--memory-limit", "at most " + formatted(limit / gb, "%.3g") + " GB",
+       would_do <= most_voxel ? "Voxels of " + formatted(would_do, "%.2g") + " would do, or " + part
                               : "Choose with --of NAME, or " + part + ": larger voxels would miss strands"});
 }
 
@@ -193,8 +193,8 @@ SceneGrid grid_of_scene(const Scene& scene, const SceneGridOptions& options) {
   const ThinPart thinnest = thinnest_part(scene);
   if (options.voxel > thinnest.radius)
     throw Error(ErrorKind::usage,
-                {"strands of the " + thinnest.what + ", of radius " + text_of(thinnest.radius, "%.6g") +
-                     ", would fall between voxels of " + text_of(options.voxel, "%g"),
+                {"strands of the " + thinnest.what + ", of radius " + formatted(thinnest.radius, "%.6g") +
+                     ", would fall between voxels of " + formatted(options.voxel, "%g"),
                  "", 0, "--voxel", "at most their radius",
                  "half of it shows how they fall off; or leave it out with --of NAME"});
   const VolumeFiles files = read_volume_files(scene);

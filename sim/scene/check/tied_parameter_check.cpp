@@ -14,7 +14,7 @@
 namespace vegard::sim {
 namespace {
 
-std::string line_words(int line) { return line > 0 ? " in line " + std::to_string(line) : ""; }
+std::string in_line(int line) { return line > 0 ? " in line " + std::to_string(line) : ""; }
 
 /// Whether it may follow from others at all, whatever the expression.
 void check_path(const Scene& scene, const TiedParameter& tied) {
@@ -30,14 +30,14 @@ void check_path(const Scene& scene, const TiedParameter& tied) {
       if (!meet(free.photo, tied.photo)) continue;
       for (const ParameterPath& other : paths_of(scene, free))
         if (other.id == path.id)
-          complain({"both tied and free, free as '" + free.path + "'" + line_words(free.line),
-                    "one of the two", ""},
-                   origin);
+          complain(
+              {"both tied and free, free as '" + free.path + "'" + in_line(free.line), "one of the two", ""},
+              origin);
     }
     for (const TiedParameter& other : scene.fit.tied) {
       if (&other == &tied) break;
       if (meet(other.photo, tied.photo) && paths_of(scene, other).front().id == path.id)
-        complain({"tied twice, first" + line_words(other.line), "each parameter once", ""}, origin);
+        complain({"tied twice, first" + in_line(other.line), "each parameter once", ""}, origin);
     }
   }
 }

@@ -48,7 +48,7 @@ void collect(const toml::table& table, const std::string& prefix, const Origin& 
   }
 }
 
-PhotoEntry read_entry(const toml::table& table, const Origin& origin) {
+PhotoEntry read_photo_entry(const toml::table& table, const Origin& origin) {
   std::vector<std::string> known;
   for (const PhotoTextKey& key : photo_text_keys()) known.push_back(key.key);
   known.push_back(photo_set_key);
@@ -95,7 +95,7 @@ std::vector<PhotoEntry> read_photo_entries(const toml::node& node, const Origin&
     const Origin where{origin.file, line_of(element), origin.key};
     const toml::table* table = element.as_table();
     if (table == nullptr) complain({"found " + found_text(element), expected, ""}, where);
-    photos.push_back(read_entry(*table, where));
+    photos.push_back(read_photo_entry(*table, where));
   }
   return photos;
 }

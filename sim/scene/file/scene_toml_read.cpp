@@ -80,9 +80,9 @@ std::string hint_for_key(const std::string& table, const std::string& key) {
 }
 
 /// Reads one document. Lines of keys are kept for what only shows later.
-class Reader {
+class SceneReader {
  public:
-  Reader(Scene& scene, const toml::table& document) : scene_(scene), document_(document) {}
+  SceneReader(Scene& scene, const toml::table& document) : scene_(scene), document_(document) {}
 
   void read() {
     refuse_unknown_keys("", document_, known_tables());
@@ -279,7 +279,7 @@ Scene parse_scene(const std::string& text, const std::string& name) {
   scene.file = name;
   try {
     const toml::table document = toml::parse(text, name);
-    Reader(scene, document).read();
+    SceneReader(scene, document).read();
   } catch (const toml::parse_error& error) {
     ErrorDetails details;
     details.problem = std::string(error.description());

@@ -9,14 +9,14 @@
 #include <mutex>
 
 #include "sim/base/error.h"
+#include "sim/base/number/constants.h"
 #include "sim/scene/rows/nearest_name.h"
 
 namespace vegard::sim {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kStep = 1.0 / 4096.0;  // of a value
-constexpr double kLeastValue = 1e-3;    // for the step of values near 0, unless that leads out of the domain
+constexpr double kExpressionStep = 1.0 / 4096.0;  // of a value
+constexpr double kLeastValue = 1e-3;  // for the step of values near 0, unless that leads out of the domain
 constexpr const char* kPiWord = "pi";
 constexpr const char* kOperators = "+-*/^(), \t";
 
@@ -46,9 +46,9 @@ const std::vector<Function>& functions() {
   return all;
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_decimal(char c) { return c >= '0' && c <= '9'; }
 bool begins_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_in_word(char c) { return begins_word(c) || is_digit(c) || c == '.'; }
+bool is_in_word(char c) { return begins_word(c) || is_decimal(c) || c == '.'; }
 
 [[noreturn]] void fail(const std::string& problem, const std::string& expected, const std::string& hint) {
   ErrorDetails details;
@@ -66,7 +66,7 @@ std::string place_text(const std::string& text, std::size_t at) {
 /// Where a number that begins at `at` ends: digits, a point, an exponent.
 std::size_t end_of_number(const std::string& text, std::size_t at) {
   const auto skip_digits = [&] {
-    while (at < text.size() && is_digit(text[at])) ++at;
+    while (at < text.size() && is_decimal(text[at])) ++at;
   };
   skip_digits();
   if (at < text.size() && text[at] == '.') {
@@ -76,7 +76,7 @@ std::size_t end_of_number(const std::string& text, std::size_t at) {
   if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
     std::size_t exponent = at + 1;
     if (exponent < text.size() && (text[exponent] == '+' || text[exponent] == '-')) ++exponent;
-    if (exponent < text.size() && is_digit(text[exponent])) {
+    if (exponent < text.size() && is_decimal(text[exponent])) {
       at = exponent;
       skip_digits();
     }
@@ -148,7 +148,7 @@ class Expression::Formula {
                  std::vector<std::string>& names) {
     for (std::size_t at = 0; at < text.size();) {
       const char c = text[at];
-      if (is_digit(c) || c == '.') {
+      if (is_decimal(c) || c == '.') {
         const std::size_t end = std::max(at + 1, end_of_number(text, at));
         for (std::size_t i = at; i < end; ++i) append(text.substr(i, 1), i);
         at = end;
@@ -238,8 +238,8 @@ std::vector<double> Expression::slopes(const std::vector<double>& values) const 
       return (4.0 * difference(0.5 * step) - difference(step)) / 3.0;
     };
     const double size = std::abs(values[i]);
-    double slope = extrapolated(kStep * std::max(size, kLeastValue));
-    if (!std::isfinite(slope) && size > 0.0) slope = extrapolated(kStep * size);
+    double slope = extrapolated(kExpressionStep * std::max(size, kLeastValue));
+    if (!std::isfinite(slope) && size > 0.0) slope = extrapolated(kExpressionStep * size);
     result.push_back(slope);
   }
   return result;

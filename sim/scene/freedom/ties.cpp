@@ -11,7 +11,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of a limit
+constexpr double kTieRounding = 1e-9;  // of a limit
 
 bool belongs(const std::string& entry_photo, const std::string& photo) {
   return entry_photo.empty() || entry_photo == photo;
@@ -96,8 +96,8 @@ class Ordering {
 
 bool is_within_limits(const ParameterPath& path, double value) {
   const double min = path.row->min, max = path.row->max;
-  return std::isfinite(value) && value >= min - kRounding * std::abs(min) &&
-         value <= max + kRounding * std::abs(max);
+  return std::isfinite(value) && value >= min - kTieRounding * std::abs(min) &&
+         value <= max + kTieRounding * std::abs(max);
 }
 
 std::vector<Tie> ties_of(const Scene& scene, const std::string& photo) {

@@ -12,6 +12,9 @@
 
 namespace vegard::sim {
 
+/// The green line of oxygen, which brightness is told by.
+inline constexpr double kGreenNm = 557.7;
+
 /// A wavelength at which a line, or a set of bands under one name, shines, and its share of the photons.
 struct LineComponent {
   double wavelength_nm;

@@ -5,7 +5,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kFirstNm = 400.0, kLastNm = 700.0, kStepNm = 10.0;  // of the continua
+constexpr double kNebularFirstNm = 400.0, kNebularLastNm = 700.0, kNebularStepNm = 10.0;  // of the continua
 
 constexpr const char* kOxygenSource =
     "500.7 to 495.9 as 2.98 in energy (Storey and Zeippen 2000, MNRAS 312, 813; Osterbrock and Ferland "
@@ -31,7 +31,7 @@ template <class Photons>
 std::vector<LineComponent> bands_of(const Photons& photons) {
   std::vector<LineComponent> bands;
   double sum = 0.0;
-  for (double nm = kFirstNm; nm <= kLastNm; nm += kStepNm) {
+  for (double nm = kNebularFirstNm; nm <= kNebularLastNm; nm += kNebularStepNm) {
     bands.push_back({nm, photons(nm)});
     sum += bands.back().share;
   }

@@ -5,7 +5,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kFirstNm = 400.0, kLastNm = 700.0, kStepNm = 10.0;  // of white light
+constexpr double kSolarFirstNm = 400.0, kSolarLastNm = 700.0, kSolarStepNm = 10.0;  // of white light
 constexpr double kWhiteNm = 560.0;
 
 constexpr const char* kWhiteSource =
@@ -17,7 +17,7 @@ std::vector<LineComponent> white_light() {
   constexpr double kTemperatureK = 5772.0, kSecondRadiationConstantNmK = 1.438776877e7;
   std::vector<LineComponent> bands;
   double sum = 0.0;
-  for (double nm = kFirstNm; nm <= kLastNm; nm += kStepNm) {
+  for (double nm = kSolarFirstNm; nm <= kSolarLastNm; nm += kSolarStepNm) {
     bands.push_back(
         {nm, std::pow(nm, -4.0) / std::expm1(kSecondRadiationConstantNmK / (nm * kTemperatureK))});
     sum += bands.back().share;

@@ -10,7 +10,7 @@
 namespace vegard::sim {
 namespace {
 
-using Kind = DecodingWord::Kind;
+using DecodingKind = DecodingWord::Kind;
 
 constexpr double kLeast = 0.2, kMost = 5.0;  // of gammas and exponents, as sensor.gamma
 const char* const kWords =
@@ -77,24 +77,26 @@ std::optional<Complaint> decoding_complaint(const std::string& text) {
 DecodingWord decoding_word(const std::string& text) {
   DecodingWord word;
   if (text.compare(0, kCurveWord.size(), kCurveWord) == 0) {
-    word.kind = Kind::curve;
+    word.kind = DecodingKind::curve;
     word.file = text.substr(kCurveWord.size());
     return word;
   }
   const std::vector<std::string> parts = parts_of(text);
   const std::string& name = parts.front();
   if (name == "srgb" && parts.size() > 1) {
-    word.kind = Kind::bent;
+    word.kind = DecodingKind::bent;
     word.black = *number_of(parts[1]);
     word.white = *number_of(parts.back());
   } else if (name == "gamma") {
-    word.kind = Kind::gamma;
+    word.kind = DecodingKind::gamma;
     word.gamma = *number_of(parts[1]);
   } else if (name == "unknown") {
-    word.kind = Kind::unknown;
+    word.kind = DecodingKind::unknown;
     word.unknowns = parts.size() > 1 ? static_cast<int>(*number_of(parts[1])) : 1;
   } else if (name != "auto") {
-    word.kind = name == "srgb" ? Kind::srgb : name == "linear" ? Kind::linear : Kind::sensor;
+    word.kind = name == "srgb"     ? DecodingKind::srgb
+                : name == "linear" ? DecodingKind::linear
+                                   : DecodingKind::sensor;
   }
   return word;
 }

@@ -28,7 +28,7 @@ struct FormRow {
 };
 
 // clang-format off
-const FormRow kRows[] = {
+const FormRow kFormRows[] = {
     //                       arc     band    r. arc  r. band rays   corona  drapery patches
     {"length_km",            {"1200", "1200", "1200", "1200", "60",  "1200", "800", "600"}},
     {"thickness_km",           {"3", "8", "3", "10", "1", "10", "9", "10"}},
@@ -64,7 +64,7 @@ std::vector<Form> build_forms() {
   std::vector<Form> all = {{Sheet{}.form, "what the keys say, nothing else", {}}};
   for (std::size_t f = 0; f < kForms; ++f) {
     Form form{kNames[f][0], kNames[f][1], {}};
-    for (const FormRow& row : kRows) form.values.emplace_back(row.key, row.of_form[f]);
+    for (const FormRow& row : kFormRows) form.values.emplace_back(row.key, row.of_form[f]);
     all.push_back(std::move(form));
   }
   return all;

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "sim/base/utc_time.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/rows/value_words.h"
 
@@ -26,11 +27,6 @@ bool is_calendar_day(int year, int month, int day) {
 }
 
 /// Whether `text` looks like `form`, in which 0 stands for any digit.
-bool has_form(const std::string& text, const std::string& form) {
-  return std::equal(text.begin(), text.end(), form.begin(), form.end(),
-                    [](char c, char f) { return f == '0' ? c >= '0' && c <= '9' : c == f; });
-}
-
 /// "T05:00:00.25Z" becomes "T05:00:00Z".
 std::string without_fraction(std::string text) {
   const std::size_t dot = text.find('.');

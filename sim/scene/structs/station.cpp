@@ -9,11 +9,11 @@
 namespace vegard::sim {
 namespace {
 
-using PlaceDual = Dual<double, Tangents<double, Station::kNumbers>>;
+using StationDual = Dual<double, Tangents<double, Station::kNumbers>>;
 
 /// atan2(east, north), from north to the east.
 double direction_rad(double east, double north) { return std::atan2(east, north); }
-PlaceDual direction_rad(const PlaceDual& east, const PlaceDual& north) {
+StationDual direction_rad(const StationDual& east, const StationDual& north) {
   const double inverse = 1.0 / (east.v * east.v + north.v * north.v);
   return {std::atan2(east.v, north.v), (east.d * north.v - north.d * east.v) * inverse};
 }
@@ -72,9 +72,9 @@ void Station::carry(Sheet& sheet) const {
 std::array<double, Station::kNumbers * Station::kNumbers> Station::slopes(const Sheet& at_home) const {
   Sheet sheet = at_home;
   const std::array<double*, kNumbers> places = numbers(sheet);
-  PlaceDual number[kNumbers];
+  StationDual number[kNumbers];
   for (int i = 0; i < kNumbers; ++i) {
-    number[i] = PlaceDual(*places[i]);
+    number[i] = StationDual(*places[i]);
     number[i].d.t[i] = 1.0;
   }
   carry_numbers(turn_, number);

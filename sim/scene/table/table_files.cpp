@@ -13,7 +13,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr std::size_t kMostBytes = 16 << 20;
+constexpr std::size_t kTableMostBytes = 16 << 20;
 
 template <class Use>
 void for_each_table_key(Scene& scene, const Use& use) {
@@ -46,7 +46,7 @@ std::string read_text(const Scene& scene, const TableFile& table) {
   std::error_code ignored;
   if (!std::filesystem::exists(place, ignored)) fail("is not there", "a CSV file");
   if (!std::filesystem::is_regular_file(place, ignored)) fail("is no file", "a CSV file");
-  if (std::filesystem::file_size(place, ignored) > kMostBytes) fail("has more than 16 MB", "a table");
+  if (std::filesystem::file_size(place, ignored) > kTableMostBytes) fail("has more than 16 MB", "a table");
   std::ifstream stream(place, std::ios::binary);
   std::string text((std::istreambuf_iterator<char>(stream)), {});
   if (!stream) fail("cannot be read", "a CSV file that may be read");

@@ -10,7 +10,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
+constexpr float kMapNowhere = std::numeric_limits<float>::quiet_NaN();
 constexpr double kLargestRadian = 6.2832;  ///< 2 pi
 constexpr double kLeastInRadians = 1.5;
 
@@ -18,7 +18,7 @@ DirectionMap empty_map(int width, int height) {
   DirectionMap map;
   map.width = width;
   map.height = height;
-  map.azimuth_deg.assign(static_cast<std::size_t>(width) * height, kNowhere);
+  map.azimuth_deg.assign(static_cast<std::size_t>(width) * height, kMapNowhere);
   map.elevation_deg = map.azimuth_deg;
   return map;
 }
@@ -34,18 +34,6 @@ bool is_direction(double azimuth, double elevation) {
   if (azimuth == 0.0 && elevation == 0.0) return false;
   // Comparisons that NaN fails.
   return azimuth >= -360.0 && azimuth <= 720.0 && elevation >= -90.0 && elevation <= 90.0;
-}
-
-[[noreturn]] void refuse(const std::string& file, const std::string& problem, const std::string& expected) {
-  ErrorDetails details;
-  details.file = file;
-  details.problem = problem;
-  details.expected = expected;
-  throw Error(ErrorKind::unreadable_input, details);
-}
-
-std::string size_text(const Image& image) {
-  return std::to_string(image.width) + " x " + std::to_string(image.height);
 }
 
 }  // namespace
@@ -65,8 +53,9 @@ DirectionMap direction_map(const Camera& camera) {
 DirectionMap direction_map(const Image& azimuth, const Image& elevation, const std::string& azimuth_name,
                            const std::string& elevation_name) {
   if (azimuth.width != elevation.width || azimuth.height != elevation.height)
-    refuse(elevation_name, "the map of elevations has " + size_text(elevation) + " pixels",
-           size_text(azimuth) + ", as the map of azimuths, " + azimuth_name);
+    refuse_file(ErrorKind::unreadable_input, elevation_name,
+                "the map of elevations has " + size_text(elevation.width, elevation.height) + " pixels",
+                size_text(azimuth.width, azimuth.height) + ", as the map of azimuths, " + azimuth_name);
   DirectionMap map = empty_map(azimuth.width, azimuth.height);
   double largest = 0.0;
   bool any = false;
@@ -80,10 +69,12 @@ DirectionMap direction_map(const Image& azimuth, const Image& elevation, const s
       map.elevation_deg[map.index(x, y)] = static_cast<float>(el);
     }
   if (!any)
-    refuse(elevation_name, "no pixel of the maps looks anywhere", "azimuths and elevations in degrees");
+    refuse_file(ErrorKind::unreadable_input, elevation_name, "no pixel of the maps looks anywhere",
+                "azimuths and elevations in degrees");
   // Less than a quarter turn in all is a narrow field near north, if it is not in radians.
   if (largest > kLeastInRadians && largest <= kLargestRadian)
-    refuse(azimuth_name, "no angle in the maps is above 2 pi: they seem to be in radians", "degrees");
+    refuse_file(ErrorKind::unreadable_input, azimuth_name,
+                "no angle in the maps is above 2 pi: they seem to be in radians", "degrees");
   return map;
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/number/constants.h"
 #include "sim/view/camera/lens.h"
 
 namespace vegard::sim {
@@ -27,7 +28,7 @@ struct LensSeries {
 /// than 1e-9 of the whole away, if kMost are enough for that: beyond 100 degrees they are good to 1e-7.
 template <class T>
 LensSeries<T> lens_series(const Lens<T>& lens, double widest_rad) {
-  constexpr double kPi = 3.14159265358979323846, kFarthest = 0.85;
+  constexpr double kFarthest = 0.85;
   constexpr int n = LensSeries<T>::kMost;
   LensSeries<T> series;
   const double sine_of_half = std::sin(0.5 * std::min(widest_rad, std::acos(lens.least_cosine)));

@@ -4,13 +4,10 @@
 #include <limits>
 
 #include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::sim {
-namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
+namespace {}  // namespace
 
 double tangent_altitude_km(double observer_km, double elevation_deg) {
   if (!(elevation_deg < 0.0)) return kNaN;

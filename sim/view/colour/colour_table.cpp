@@ -11,8 +11,9 @@
 namespace vegard::sim {
 namespace {
 
-constexpr const char* kChannels[3] = {"red", "green", "blue"};
-constexpr int kRows = 256;  // of a formula's table: exact at its greys of 8 bits, and straight in between
+constexpr const char* kTableChannels[3] = {"red", "green", "blue"};
+constexpr int kTableRows =
+    256;  // of a formula's table: exact at its greys of 8 bits, and straight in between
 
 double ramp(double x, double from, double to) { return std::clamp((x - from) / (to - from), 0.0, 1.0); }
 
@@ -29,8 +30,8 @@ ColourTable ColourTable::named(const std::string& name) {
   ColourTable table;
   if (name == "none") return table;
   assert(name == "171" || name == "195" || name == "284" || name == "304");
-  for (int i = 0; i < kRows; ++i) {
-    const double x = static_cast<double>(i) / (kRows - 1);
+  for (int i = 0; i < kTableRows; ++i) {
+    const double x = static_cast<double>(i) / (kTableRows - 1);
     table.grey_.push_back(x);
     const std::array<double, 3> rgb = formula(name, x);
     for (int c = 0; c < 3; ++c) table.rgb_[c].push_back(rgb[c]);
@@ -48,9 +49,9 @@ ColourTable::ColourTable(const Scene& scene) {
   const CsvTable csv = read_csv_table(table_text(scene, "sensor.colour_table"), place);
   csv.require_within("grey", 0.0, 1.0);
   csv.require_increasing("grey");
-  for (int c = 0; c < 3; ++c) csv.require_within(kChannels[c], 0.0, 1.0);
+  for (int c = 0; c < 3; ++c) csv.require_within(kTableChannels[c], 0.0, 1.0);
   grey_ = csv.column("grey");
-  for (int c = 0; c < 3; ++c) rgb_[c] = csv.column(kChannels[c]);
+  for (int c = 0; c < 3; ++c) rgb_[c] = csv.column(kTableChannels[c]);
   for (const bool first : {true, false})
     if ((first ? grey_.front() : grey_.back()) != (first ? 0.0 : 1.0))
       throw Error(ErrorKind::unreadable_input,

@@ -9,7 +9,6 @@ namespace vegard::sim {
 
 double gain_per_kilorayleigh(const Scene& scene) {
   if (scene.sensor.exposure == ExposureRule::gain) return scene.sensor.gain_per_kilorayleigh;
-  constexpr double kGreenNm = 557.7;
   const SensorResponse response(scene);
   const double raw_green = sees_through_filters(scene) ? 1.0
                                                        : product(inverse(response.rgb_from_raw()),

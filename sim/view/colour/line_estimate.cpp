@@ -9,9 +9,10 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kLeastShare = 1e-3;
+constexpr double kEstimateLeastShare = 1e-3;
 
-[[noreturn]] void refuse(const std::string& problem, const std::string& expected, const std::string& hint) {
+[[noreturn]] void refuse_lines(const std::string& problem, const std::string& expected,
+                               const std::string& hint) {
   ErrorDetails details;
   details.key = "emission.lines";
   details.problem = problem;
@@ -31,13 +32,13 @@ Eigen::MatrixXd columns(const std::vector<Vector3>& rgb) {
 
 LineEstimator::LineEstimator(std::vector<Vector3> rgb_per_rayleigh) : rgb_(std::move(rgb_per_rayleigh)) {
   if (rgb_.empty() || rgb_.size() > 3)
-    refuse("three channels cannot give the light of " + std::to_string(rgb_.size()) + " lines",
-           "one to three lines", "name those that make up most of the light");
+    refuse_lines("three channels cannot give the light of " + std::to_string(rgb_.size()) + " lines",
+                 "one to three lines", "name those that make up most of the light");
   const Eigen::MatrixXd scaled = columns(rgb_).colwise().normalized();
   const auto singular = scaled.jacobiSvd().singularValues();
-  if (!(singular(singular.size() - 1) > kLeastShare))
-    refuse("the sensor cannot tell the colours of the lines apart", "lines of different colours that it sees",
-           "leave one of them out");
+  if (!(singular(singular.size() - 1) > kEstimateLeastShare))
+    refuse_lines("the sensor cannot tell the colours of the lines apart",
+                 "lines of different colours that it sees", "leave one of them out");
 }
 
 LineEstimate LineEstimator::estimate(const Vector3& rgb, const Matrix3& covariance) const {

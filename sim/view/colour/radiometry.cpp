@@ -1,5 +1,6 @@
 #include "sim/view/colour/radiometry.h"
 
+#include "sim/base/number/constants.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/view/colour/colour.h"
 
@@ -23,7 +24,7 @@ double line_luminance_cd_m2_per_rayleigh(double line_nm) {
 }
 
 double pixel_photons_s_per_rayleigh(const Optics& optics) {
-  constexpr double kPi = 3.14159265358979323846, kMetresPerMicrometre = 1e-6;
+  constexpr double kMetresPerMicrometre = 1e-6;
   const double pixel_m = optics.pixel_um * kMetresPerMicrometre;
   return kPhotonsPerRayleigh_m2_s_sr * kPi / (4.0 * optics.f_number * optics.f_number) * optics.transmission *
          pixel_m * pixel_m;

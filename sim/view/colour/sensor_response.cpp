@@ -6,6 +6,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/scene/lines/camera_responses.h"
+#include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/structs/line_of.h"
 #include "sim/scene/table/table_files.h"
@@ -15,9 +16,8 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kGreenNm = 557.7;  // a kilorayleigh of it is what all responses are relative to
 constexpr double kFilterHalfBase_nm = 5.0;
-constexpr const char* kChannels[3] = {"red", "green", "blue"};
+constexpr const char* kResponseChannels[3] = {"red", "green", "blue"};
 
 /// Sums over wavelengths are taken at these; the tables of light and observer are no finer.
 template <class Use>
@@ -40,8 +40,8 @@ ChannelTable channels_of(const Scene& scene) {
   table.require_within("wavelength_nm", 100.0, 10000.0);
   channels.wavelength_nm = table.column("wavelength_nm");
   for (int c = 0; c < 3; ++c) {
-    table.require_within(kChannels[c], 0.0, 1e30);
-    channels.response[c] = table.column(kChannels[c]);
+    table.require_within(kResponseChannels[c], 0.0, 1e30);
+    channels.response[c] = table.column(kResponseChannels[c]);
     if (per_photon)
       for (std::size_t i = 0; i < table.rows(); ++i) channels.response[c][i] *= channels.wavelength_nm[i];
   }

@@ -56,15 +56,15 @@ HWY_EXPORT(WeightedSum);
 
 namespace {
 
-constexpr double kReach = 4.0;  // standard deviations
+constexpr double kBlurReach = 4.0;  // standard deviations
 constexpr int kRowsPerTask = 16;
 
 int reach(double sigma, int radius) {
-  return radius >= 0 ? radius : static_cast<int>(std::ceil(kReach * sigma));
+  return radius >= 0 ? radius : static_cast<int>(std::ceil(kBlurReach * sigma));
 }
 
 /// The normal distribution function.
-double below(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
+double normal_share_below(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
 double density(double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * std::acos(-1.0)); }
 
 template <class Body>
@@ -91,7 +91,7 @@ BlurKernel gaussian_kernel(double sigma, int radius) {
   std::vector<double> weights(n + 1);
   double sum = 0.0;
   for (int k = 0; k <= n; ++k) {
-    weights[k] = below((k + 0.5) / sigma) - below((k - 0.5) / sigma);
+    weights[k] = normal_share_below((k + 0.5) / sigma) - normal_share_below((k - 0.5) / sigma);
     sum += (k == 0 ? 1.0 : 2.0) * weights[k];
   }
   BlurKernel kernel;
@@ -105,7 +105,7 @@ BlurKernel gaussian_kernel_derivative(double sigma, int radius) {
   double sum = 0.0, sum_growth = 0.0;
   for (int k = 0; k <= n; ++k) {
     const double high = (k + 0.5) / sigma, low = (k - 0.5) / sigma;
-    weights[k] = below(high) - below(low);
+    weights[k] = normal_share_below(high) - normal_share_below(low);
     growth[k] = (low * density(low) - high * density(high)) / sigma;
     sum += (k == 0 ? 1.0 : 2.0) * weights[k];
     sum_growth += (k == 0 ? 1.0 : 2.0) * growth[k];

@@ -7,7 +7,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kNarrowestPx = 0.71;
+constexpr double kLevelNarrowestPx = 0.71;
 constexpr double kNarrowestCells = 1.4;  // a level has at least so many cells to its width
 constexpr double kOfBilinear = 1.0 / 6.0, kOfQuadratic = 1.0 / 4.0, kOfCubic = 1.0 / 3.0, kOfBox = 1.0 / 12.0;
 
@@ -61,7 +61,7 @@ std::vector<CubicTaps> taps_of(int pixels, double start_px, double cell_px) {
 
 std::vector<BlurLevel> level_ladder(int width_px, int height_px, double widest_px) {
   std::vector<BlurLevel> levels = {level_of(width_px, height_px, 0.0)};
-  double sigma_px = kNarrowestPx;
+  double sigma_px = kLevelNarrowestPx;
   do {
     levels.push_back(level_of(width_px, height_px, sigma_px));
     sigma_px *= std::sqrt(2.0);

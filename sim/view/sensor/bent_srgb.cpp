@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kKnee = 0.04045;         // of sRGB, where its line meets its power
 constexpr double kAtWhite = 2.4 / 1.055;  // d ln D / d v there
-constexpr int kMostHalvings = 200;        // far more than a double has bits
-constexpr double kCloseEnough = 1e-13;
+constexpr int kBentMostHalvings = 200;    // far more than a double has bits
+constexpr double kBentCloseEnough = 1e-13;
 
 /// d ln D / d v of sRGB's decoding.
 double srgb_log_slope(double encoded) { return encoded <= kKnee ? 1.0 / encoded : 2.4 / (encoded + 0.055); }
@@ -37,12 +37,12 @@ double BentSrgb::encode(double linear) const {
   double low = 0.0, high = 1.0;
   while (decode(high) < light && high < 1e6) high *= 2.0;
   double v = std::min(high, srgb_encode(std::pow(light, 2.0 / (black + white))));
-  for (int i = 0; i < kMostHalvings && high - low > kCloseEnough * high; ++i) {
+  for (int i = 0; i < kBentMostHalvings && high - low > kBentCloseEnough * high; ++i) {
     const double here = decode(v);
     (here < light ? low : high) = v;
     double next = here > 0.0 ? v - std::log(here / light) * here / slope(v) : low;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (std::abs(next - v) <= kCloseEnough * v) return std::copysign(next, linear);
+    if (std::abs(next - v) <= kBentCloseEnough * v) return std::copysign(next, linear);
     v = next;
   }
   return std::copysign(v, linear);

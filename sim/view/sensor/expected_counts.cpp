@@ -4,14 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/base/number/constants.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/colour/sensor_scale.h"
 
 namespace vegard::sim {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// Angle between the axis and the farthest corner of the picture; a fisheye's is taken for 90 degrees at
 /// most.

@@ -5,16 +5,16 @@
 
 #include "sim/base/earth.h"
 #include "sim/base/file/csv_table.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::sim {
 namespace {
 
-constexpr double kTwoPi = 6.28318530717958647692;
 constexpr double kMoleculesPerDobson_cm2 = 2.687e16;
 constexpr double kAirEndsKm = 80.0;  // where the aurora's light begins
-constexpr int kIntervals = 192;
+constexpr int kAirIntervals = 192;
 constexpr int kPanels = 40;
-constexpr double kReach = 40.0;  // in scale heights: what lies higher is e^-40 of it all
+constexpr double kAirReach = 40.0;  // in scale heights: what lies higher is e^-40 of it all
 
 // Gauss-Legendre, 6 points on [-1, 1] (Abramowitz and Stegun, table 25.4).
 constexpr double kNode[3] = {0.238619186083197, 0.661209386466265, 0.932469514203152};
@@ -88,10 +88,10 @@ AirShape ozone_shape() { return {22.0, 5.0, true}; }
 AirColumn::AirColumn(const AirShape& shape, double observer_km, double unit_km) {
   lowest_sine_ = sine_of_horizon(observer_km);
   const double top_km = shape.gaussian ? std::max(observer_km, shape.centre_km) + 9.0 * shape.width_km
-                                       : observer_km + kReach * shape.width_km;
-  log_column_.resize(kIntervals + 1);
-  slope_.resize(kIntervals + 1);
-  for (int i = 0; i <= kIntervals; ++i) {
+                                       : observer_km + kAirReach * shape.width_km;
+  log_column_.resize(kAirIntervals + 1);
+  slope_.resize(kAirIntervals + 1);
+  for (int i = 0; i <= kAirIntervals; ++i) {
     SineDual sine(sine_at(i));
     sine.d.t[0] = 1.0;
     const SineDual column = column_km(shape, observer_km, top_km, sine) / unit_km;

@@ -11,7 +11,7 @@
 namespace vegard::sim {
 namespace {
 
-std::vector<std::string> cells_of(std::string_view line) {
+std::vector<std::string> star_cells(std::string_view line) {
   std::vector<std::string> cells(1);
   for (const char c : line) {
     if (c == ',') {
@@ -25,13 +25,13 @@ std::vector<std::string> cells_of(std::string_view line) {
 
 /// 0 for an empty cell.
 template <typename Number>
-Number number_in(const std::string& cell) {
+Number star_number(const std::string& cell) {
   Number number{};
   std::from_chars(cell.data(), cell.data() + cell.size(), number);
   return number;
 }
 
-std::vector<BrightStar> read_table() {
+std::vector<BrightStar> read_star_table() {
   const std::string_view text = embedded_table("bright_stars.csv");
   std::vector<BrightStar> stars;
   bool header = true;
@@ -44,24 +44,24 @@ std::vector<BrightStar> read_table() {
       header = false;
       continue;
     }
-    const std::vector<std::string> cells = cells_of(line);
+    const std::vector<std::string> cells = star_cells(line);
     assert(cells.size() == 9);
     BrightStar star;
-    star.hip = number_in<int>(cells[0]);
-    star.hd = number_in<int>(cells[1]);
+    star.hip = star_number<int>(cells[0]);
+    star.hd = star_number<int>(cells[1]);
     star.designation = cells[2];
     star.name = cells[3];
-    star.place.j2000 = {number_in<double>(cells[4]), number_in<double>(cells[5])};
-    star.place.motion_ra_mas_per_year = number_in<double>(cells[6]);
-    star.place.motion_dec_mas_per_year = number_in<double>(cells[7]);
-    star.magnitude = number_in<double>(cells[8]);
+    star.place.j2000 = {star_number<double>(cells[4]), star_number<double>(cells[5])};
+    star.place.motion_ra_mas_per_year = star_number<double>(cells[6]);
+    star.place.motion_dec_mas_per_year = star_number<double>(cells[7]);
+    star.magnitude = star_number<double>(cells[8]);
     stars.push_back(star);
   }
   return stars;
 }
 
 /// Small letters, blanks left out.
-std::string plain(const std::string& words) {
+std::string name_without_blanks(const std::string& words) {
   std::string out;
   for (const char c : words)
     if (!std::isspace(static_cast<unsigned char>(c)))
@@ -78,15 +78,15 @@ std::string BrightStar::label() const {
 }
 
 const std::vector<BrightStar>& bright_stars() {
-  static const std::vector<BrightStar> stars = read_table();
+  static const std::vector<BrightStar> stars = read_star_table();
   return stars;
 }
 
 const BrightStar* find_bright_star(const std::string& words) {
-  const std::string wanted = plain(words);
+  const std::string wanted = name_without_blanks(words);
   if (wanted.empty()) return nullptr;
   for (const BrightStar& star : bright_stars()) {
-    if (wanted == plain(star.name) || wanted == plain(star.designation) ||
+    if (wanted == name_without_blanks(star.name) || wanted == name_without_blanks(star.designation) ||
         wanted == "hip" + std::to_string(star.hip) ||
         (star.hd > 0 && wanted == "hd" + std::to_string(star.hd)))
       return &star;

@@ -8,13 +8,13 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kFirstNm = 380.0, kLastNm = 780.0, kStepNm = 5.0;
+constexpr double kContinuumFirstNm = 380.0, kContinuumLastNm = 780.0, kContinuumStepNm = 5.0;
 
 /// Calls body(wavelength_nm, rayleighs of this step).
 template <class Body>
 void for_every_step(const Spectrum& radiance, const Body& body) {
-  for (double nm = kFirstNm; nm <= kLastNm; nm += kStepNm)
-    body(nm, radiance(nm) * kStepNm / radiance_w_m2_sr_per_rayleigh(nm));
+  for (double nm = kContinuumFirstNm; nm <= kContinuumLastNm; nm += kContinuumStepNm)
+    body(nm, radiance(nm) * kContinuumStepNm / radiance_w_m2_sr_per_rayleigh(nm));
 }
 
 }  // namespace

@@ -8,18 +8,18 @@ namespace vegard::sim {
 namespace {
 
 constexpr double kJulianDateOf1970 = 2440587.5;
-constexpr double kSecondsPerDay = 86400.0;
+constexpr double kInstantSecondsPerDay = 86400.0;
 
 }  // namespace
 
 std::optional<double> julian_date(const std::string& utc) {
   const std::optional<double> seconds = utc_seconds(utc);
   if (!seconds) return std::nullopt;
-  return kJulianDateOf1970 + *seconds / kSecondsPerDay;
+  return kJulianDateOf1970 + *seconds / kInstantSecondsPerDay;
 }
 
 std::string text_of_julian_date(double julian_date) {
-  return utc_text(std::round((julian_date - kJulianDateOf1970) * kSecondsPerDay));
+  return utc_text(std::round((julian_date - kJulianDateOf1970) * kInstantSecondsPerDay));
 }
 
 double mean_sidereal_time_deg(double julian_date) {

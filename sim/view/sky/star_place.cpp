@@ -4,23 +4,22 @@
 #include <cmath>
 
 #include "sim/base/earth.h"
+#include "sim/base/number/vec3.h"
 #include "sim/view/sky/instant.h"
 
 namespace vegard::sim {
 namespace {
 
-using Vector = std::array<double, 3>;
-
 constexpr double kSecond = kRadiansPerDegree / 3600.0;  // of arc
 constexpr double kDaysPerYear = 365.25;
 
-Vector vector_of(const Equatorial& place) {
+Vec3<double> vector_of(const Equatorial& place) {
   const double a = place.right_ascension_deg * kRadiansPerDegree,
                d = place.declination_deg * kRadiansPerDegree;
   return {std::cos(d) * std::cos(a), std::cos(d) * std::sin(a), std::sin(d)};
 }
 
-Equatorial place_of(const Vector& v) {
+Equatorial place_of(const Vec3<double>& v) {
   double a = std::atan2(v[1], v[0]) / kRadiansPerDegree;
   if (a < 0.0) a += 360.0;
   return {a, std::atan2(v[2], std::hypot(v[0], v[1])) / kRadiansPerDegree};
@@ -28,20 +27,20 @@ Equatorial place_of(const Vector& v) {
 
 /// The vector in axes that are turned about the first (0) or third (2) of the old ones by an angle,
 /// anticlockwise.
-Vector turned(const Vector& v, int axis, double angle) {
+Vec3<double> turned(const Vec3<double>& v, int axis, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   if (axis == 0) return {v[0], c * v[1] + s * v[2], -s * v[1] + c * v[2]};
   if (axis == 1) return {c * v[0] - s * v[2], v[1], s * v[0] + c * v[2]};
   return {c * v[0] + s * v[1], -s * v[0] + c * v[1], v[2]};
 }
 
-Vector moved(const CataloguePlace& star, double julian_date) {
+Vec3<double> moved(const CataloguePlace& star, double julian_date) {
   const double a = star.j2000.right_ascension_deg * kRadiansPerDegree;
   const double d = star.j2000.declination_deg * kRadiansPerDegree;
   const double years = (julian_date - kJ2000) / kDaysPerYear;
   const double east = star.motion_ra_mas_per_year * 1e-3 * kSecond * years;
   const double north = star.motion_dec_mas_per_year * 1e-3 * kSecond * years;
-  Vector v = vector_of(star.j2000);
+  Vec3<double> v = vector_of(star.j2000);
   // In a straight line, as the stars go: near the poles an angle a year would not do.
   v[0] += -std::sin(a) * east - std::sin(d) * std::cos(a) * north;
   v[1] += std::cos(a) * east - std::sin(d) * std::sin(a) * north;
@@ -49,7 +48,7 @@ Vector moved(const CataloguePlace& star, double julian_date) {
   return v;
 }
 
-Vector precessed(const Vector& v, double julian_date) {
+Vec3<double> precessed(const Vec3<double>& v, double julian_date) {
   const double t = (julian_date - kJ2000) / kDaysPerCentury;
   const double zeta = t * (2306.2181 + t * (0.30188 + t * 0.017998)) * kSecond;
   const double z = t * (2306.2181 + t * (1.09468 + t * 0.018203)) * kSecond;
@@ -58,17 +57,17 @@ Vector precessed(const Vector& v, double julian_date) {
 }
 
 /// What the sky of an instant hangs on, in radians (Meeus, chapters 22 and 25).
-struct Sky {
+struct SkyOfInstant {
   double obliquity, nutation_in_longitude, nutation_in_obliquity, sun_longitude;
 };
 
-Sky sky_of(double julian_date) {
+SkyOfInstant sky_of(double julian_date) {
   const double t = (julian_date - kJ2000) / kDaysPerCentury;
   const double node = (125.04452 - 1934.136261 * t) * kRadiansPerDegree;
   const double sun = (280.46646 + 36000.76983 * t) * kRadiansPerDegree;  // mean longitudes
   const double moon = (218.3165 + 481267.8813 * t) * kRadiansPerDegree;
   const double anomaly = (357.52911 + 35999.05029 * t) * kRadiansPerDegree;
-  Sky sky;
+  SkyOfInstant sky;
   sky.nutation_in_longitude = (-17.20 * std::sin(node) - 1.32 * std::sin(2.0 * sun) -
                                0.23 * std::sin(2.0 * moon) + 0.21 * std::sin(2.0 * node)) *
                               kSecond;
@@ -80,7 +79,7 @@ Sky sky_of(double julian_date) {
   return sky;
 }
 
-Vector aberrated(const Vector& v, const Sky& sky) {
+Vec3<double> aberrated(const Vec3<double>& v, const SkyOfInstant& sky) {
   constexpr double kAberration = 20.49552 * kSecond;
   const double s = std::sin(sky.sun_longitude), c = std::cos(sky.sun_longitude);
   // The Earth moves a quarter of a turn behind the Sun's place.
@@ -88,13 +87,13 @@ Vector aberrated(const Vector& v, const Sky& sky) {
           v[2] - kAberration * c * std::sin(sky.obliquity)};
 }
 
-Vector nutated(const Vector& v, const Sky& sky) {
-  const Vector ecliptic = turned(turned(v, 0, sky.obliquity), 2, -sky.nutation_in_longitude);
+Vec3<double> nutated(const Vec3<double>& v, const SkyOfInstant& sky) {
+  const Vec3<double> ecliptic = turned(turned(v, 0, sky.obliquity), 2, -sky.nutation_in_longitude);
   return turned(ecliptic, 0, -(sky.obliquity + sky.nutation_in_obliquity));
 }
 
-Vector apparent(const CataloguePlace& star, double julian_date) {
-  const Sky sky = sky_of(julian_date);
+Vec3<double> apparent(const CataloguePlace& star, double julian_date) {
+  const SkyOfInstant sky = sky_of(julian_date);
   return nutated(aberrated(precessed(moved(star, julian_date), julian_date), sky), sky);
 }
 
@@ -120,7 +119,7 @@ Equatorial apparent_place(const CataloguePlace& star, double julian_date) {
 
 std::array<double, 3> direction_of_star(const CataloguePlace& star, const Observer& observer,
                                         double julian_date) {
-  const Sky sky = sky_of(julian_date);
+  const SkyOfInstant sky = sky_of(julian_date);
   const Equatorial place = apparent_place(star, julian_date);
   const double equinoxes_deg = sky.nutation_in_longitude * std::cos(sky.obliquity) / kRadiansPerDegree;
   const double hour_angle = (mean_sidereal_time_deg(julian_date) + equinoxes_deg + observer.longitude_deg -

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
 #include "sim/view/camera/camera.h"
@@ -15,14 +16,13 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kSiderealDayS = 86164.0905;
 constexpr double kPhotonsOfMagnitude0 = 1.0e6;  // V band: 1000 photons per cm2, s and 0.1 nm over 90 nm
-constexpr double kNarrowestPx = 0.5;            // a narrower star would flicker from pixel to pixel
+constexpr double kStarNarrowestPx = 0.5;        // a narrower star would flicker from pixel to pixel
 // Where sRGB's primaries are brightest to the eye, roughly: a star's channels are dimmed as these
 // wavelengths.
 constexpr std::array<double, 3> kChannelNm = {610.0, 550.0, 465.0};
-constexpr double kReach = 6.0;  // in standard deviations: beyond it even the brightest star is dark
+constexpr double kStarReach = 6.0;  // in standard deviations: beyond it even the brightest star is dark
 
 constexpr std::array<double, 7> kCounts = {4.0, 15.0, 49.0, 172.0, 511.0, 1600.0, 4800.0};  // at 0, 1 … 6
 constexpr double kFaintSlope = 0.46;  // dex per magnitude
@@ -71,8 +71,8 @@ struct Spread {
     const auto below = [&](double edge) {
       return 0.5 * std::erfc((centre_px - edge) / (sigma_px * std::sqrt(2.0)));
     };
-    first = std::max(0, static_cast<int>(std::floor(centre_px - kReach * sigma_px)));
-    const int end = std::min(pixels, static_cast<int>(std::ceil(centre_px + kReach * sigma_px)));
+    first = std::max(0, static_cast<int>(std::floor(centre_px - kStarReach * sigma_px)));
+    const int end = std::min(pixels, static_cast<int>(std::ceil(centre_px + kStarReach * sigma_px)));
     shares.clear();
     double before = below(first);
     for (int k = first; k < end; ++k) {
@@ -143,7 +143,7 @@ Image star_light(const Scene& scene, const std::vector<double>& instants_s, cons
   Image light(camera.width, camera.height, {"R", "G", "B"});
   if (!scene.stars.shown) return light;
   const CameraView<double> view = camera_view(camera);
-  const double sigma_px = std::max(kNarrowestPx, scene.stars.width_deg * pixels_per_degree(camera));
+  const double sigma_px = std::max(kStarNarrowestPx, scene.stars.width_deg * pixels_per_degree(camera));
   const double from_centre_km = kEarthRadiusKm + std::max(0.0, scene.site.altitude_m) * 1e-3;
   const double cos_of_dip = kEarthRadiusKm / from_centre_km;
   const double lowest_up = -std::sqrt(1.0 - cos_of_dip * cos_of_dip);
@@ -170,7 +170,7 @@ Image star_light(const Scene& scene, const std::vector<double>& instants_s, cons
       if (enu[2] < lowest_up) continue;
       double x_px = 0.0, y_px = 0.0;
       if (!pixel_of_enu(view, enu.data(), x_px, y_px)) continue;
-      const double reach_px = kReach * sigma_px;
+      const double reach_px = kStarReach * sigma_px;
       if (x_px < -reach_px || x_px > camera.width + reach_px || y_px < -reach_px ||
           y_px > camera.height + reach_px)
         continue;

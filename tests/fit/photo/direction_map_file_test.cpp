@@ -10,6 +10,7 @@
 
 #include "sim/base/picture/image_io.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/source_folder.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::fit {
@@ -77,7 +78,7 @@ TEST(DirectionMapFile, ComesBackFromFitsAsItWas) {
 TEST(DirectionMapFile, PublishedMapsAreReadAsTheyAreMeant) {
   const char* const named = std::getenv("VEGARD_PHOTOS");
   const std::filesystem::path photos =
-      named != nullptr ? named : std::filesystem::path(VEGARD_SOURCE_DIR) / "../shared/photos";
+      named != nullptr ? named : std::filesystem::path(tests::source_folder()) / "../shared/photos";
   const std::string base = (photos / "dasc/PKR_DASC_0558_20150213_").string();
   if (!std::filesystem::exists(base + "Az.FIT")) GTEST_SKIP() << "no photographs at " << photos;
   const sim::DirectionMap map = read_direction_map(base + "Az.FIT", base + "El.FIT");

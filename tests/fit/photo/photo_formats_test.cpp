@@ -13,6 +13,7 @@
 #include "tests/support/dng_bytes.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/fits_bytes.h"
+#include "tests/support/source_folder.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::fit {
@@ -34,7 +35,7 @@ void says(const std::string& text, const std::string& words) {
 using Bytes = std::vector<std::uint8_t>;
 
 std::string data_file(const std::string& name) {
-  return tests::bytes_of(std::string(VEGARD_SOURCE_DIR) + "/tests/data/" + name);
+  return tests::bytes_of(tests::source_folder() + "/tests/data/" + name);
 }
 
 // ---- FITS ----
@@ -87,7 +88,7 @@ TEST(ReadFits, WhatIsNotKnownIsNotUsable) {
 /// Where pictures to try the program on are; they are no part of it.
 std::string photos_folder() {
   const char* named = std::getenv("VEGARD_PHOTOS");
-  return named != nullptr ? named : std::string(VEGARD_SOURCE_DIR) + "/../shared/photos";
+  return named != nullptr ? named : tests::source_folder() + "/../shared/photos";
 }
 
 TEST(ReadFits, ImagersFilesAsTheyAre) {

@@ -11,12 +11,13 @@
 #include "fit/report/model_picture.h"
 #include "sim/scene/file/scene_toml.h"
 #include "tests/support/noisy_photo.h"
+#include "tests/support/source_folder.h"
 
 namespace vegard::fit {
 namespace {
 
 sim::Scene loop_scene() {
-  sim::Scene scene = sim::read_scene(VEGARD_SOURCE_DIR "/tests/cli/scenes/loop.toml");
+  sim::Scene scene = sim::read_scene(tests::source_folder() + "/tests/cli/scenes/loop.toml");
   scene.fit.band_sky = true;
   scene.fit.model_error = 0.01;
   return scene;

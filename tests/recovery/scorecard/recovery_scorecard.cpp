@@ -1,5 +1,4 @@
 // The recovery scorecard: scenes drawn at random, photographed, fitted from one wide start, and scored.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
@@ -11,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "apps/options/command.h"
 #include "tests/recovery/scorecard/card.h"
 #include "tests/recovery/scorecard/one_case.h"
 #include "tests/recovery/scorecard/summary.h"
@@ -80,20 +80,20 @@ std::vector<Row> played(const Options& options) {
 
 int run(int argc, char** argv) {
   Options options;
-  CLI::App app("Recovery scorecard: fits of scenes of which the truth is known");
-  app.add_option("--seed", options.of_case.set, "The set of scenes")->capture_default_str();
-  app.add_option("--first", options.first, "Number of the first scene")->capture_default_str();
-  app.add_option("--count", options.count, "How many scenes")->capture_default_str();
-  app.add_option("--jobs", options.jobs, "Scenes side by side, one thread each")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  app.add_option("--max-evaluations", options.of_case.max_evaluations, "Of a fit")->capture_default_str();
-  app.add_option("--keep", options.of_case.keep, "Folder for photographs, truths and starts");
-  app.add_flag("--make-only", options.make_only, "Photographs only (with --keep)");
-  app.add_flag("--from-truth", options.of_case.from_truth, "Start at the truth, without a search");
-  app.add_option("-o,--out", options.card, "The card, a CSV file");
-  app.add_option("--summary", options.to_sum_up, "Print the tables of these cards, and do nothing else");
-  CLI11_PARSE(app, argc, argv);
+  apps::Program program("recovery_scorecard",
+                        "Recovery scorecard: fits of scenes of which the truth is known", {}, argc, argv);
+  const apps::Command app = program.root();
+  app.option("--seed", options.of_case.set, "The set of scenes").shows_default();
+  app.option("--first", options.first, "Number of the first scene").shows_default();
+  app.option("--count", options.count, "How many scenes").shows_default();
+  app.option("--jobs", options.jobs, "Scenes side by side, one thread each").range(1, 256).shows_default();
+  app.option("--max-evaluations", options.of_case.max_evaluations, "Of a fit").shows_default();
+  app.option("--keep", options.of_case.keep, "Folder for photographs, truths and starts");
+  app.flag("--make-only", options.make_only, "Photographs only (with --keep)");
+  app.flag("--from-truth", options.of_case.from_truth, "Start at the truth, without a search");
+  app.option("-o,--out", options.card, "The card, a CSV file");
+  app.option("--summary", options.to_sum_up, "Print the tables of these cards, and do nothing else");
+  if (const std::optional<int> end = program.read()) return *end;
 
   std::vector<Row> rows;
   if (options.to_sum_up.empty()) {

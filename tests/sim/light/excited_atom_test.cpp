@@ -11,6 +11,7 @@
 #include "sim/base/number/random.h"
 #include "sim/light/height_profile.h"
 #include "sim/scene/lines/emission_lines.h"
+#include "tests/support/source_folder.h"
 
 namespace vegard::sim {
 namespace {
@@ -138,7 +139,7 @@ TEST(SpreadProfile, HoldsTheFormulaeAndAThirdOfTheWind) {
 
 TEST(SpreadProfile, IsWhatTheDocumentationPrints) {
   // The rows "| altitude | tau 630.0 | sigma 630.0 | tau 557.7 | sigma 557.7 |" of docs/physics.md, to 3 %.
-  std::ifstream page(std::string(VEGARD_SOURCE_DIR) + "/docs/physics.md");
+  std::ifstream page(tests::source_folder() + "/docs/physics.md");
   ASSERT_TRUE(page);
   std::string text;
   while (std::getline(page, text) && text.rfind("| altitude, km |", 0) != 0) continue;

@@ -9,6 +9,7 @@
 
 #include "sim/base/file/csv_table.h"
 #include "sim/light/height_profile.h"
+#include "tests/support/source_folder.h"
 
 namespace vegard::sim {
 namespace {
@@ -36,7 +37,7 @@ TEST(FluxLaw, GivesGlowsColumnsBackWithTheBackgroundOfZeroFlux) {
 TEST(FluxLaw, TakesTheBackgroundThatTheModelHasWithoutElectrons) {
   // data/glow/background.csv, summed: another run of the same model, on the tables' altitudes. 0.5 % for the
   // trapezium over steps of up to 10 km.
-  std::ifstream file(std::string(VEGARD_SOURCE_DIR) + "/data/glow/background.csv");
+  std::ifstream file(tests::source_folder() + "/data/glow/background.csv");
   ASSERT_TRUE(file);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   const CsvTable zero = read_csv_table(text, "background.csv");

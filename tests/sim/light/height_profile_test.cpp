@@ -10,6 +10,7 @@
 #include "sim/base/error.h"
 #include "sim/light/emission_table.h"
 #include "sim/scene/lines/emission_lines.h"
+#include "tests/support/source_folder.h"
 
 namespace vegard::sim {
 namespace {
@@ -31,7 +32,7 @@ double peak_km(const HeightProfile& profile, int line) {
 TEST(HeightProfile, HoldsTheColumnsOfTheModelThatMadeTheTables) {
   // data/glow/column_brightness.csv sums the model's full column. The table begins at 80 km and ends at 640
   // km: what lies outside is missing, so the profile may hold less, never more than the sampling's error.
-  std::ifstream file(std::string(VEGARD_SOURCE_DIR) + "/data/glow/column_brightness.csv");
+  std::ifstream file(tests::source_folder() + "/data/glow/column_brightness.csv");
   ASSERT_TRUE(file);
   std::vector<double> lines;
   for (const EmissionLine& line : emission_lines())

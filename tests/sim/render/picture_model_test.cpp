@@ -14,8 +14,8 @@
 #include "sim/render/picture.h"
 #include "sim/render/render.h"
 #include "sim/scene/file/scene_toml.h"
+#include "sim/scene/rows/spline_rates.h"
 #include "sim/scene/table/parameter_table.h"
-#include "sim/scene/table/spline_rates.h"
 #include "sim/view/sky/night_sky.h"
 #include "tests/support/small_scene.h"
 

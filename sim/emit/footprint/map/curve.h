@@ -20,7 +20,7 @@ namespace vegard::sim {
 
 /// A point of the curve with what it carries.
 template <class T, int axes>
-struct CurvePoint {
+struct CurveNode {
   std::array<T, axes> at{};
   T flux{};
   T ln_energy{};
@@ -29,7 +29,7 @@ struct CurvePoint {
 /// A short piece of the curve: its middle, and how long it is.
 template <class T, int axes>
 struct CurvePiece {
-  CurvePoint<T, axes> middle;
+  CurveNode<T, axes> middle;
   T length;
 };
 
@@ -54,7 +54,7 @@ T length_of(const std::array<T, axes>& v) {
 /// (`on_sphere`) the curve is drawn out to it. T is double or FreeDual; how many pieces there are depends on
 /// the values alone.
 template <class T, int axes>
-CurvePieces<T, axes> curve_pieces(const std::vector<CurvePoint<T, axes>>& all, bool closed, double longest,
+CurvePieces<T, axes> curve_pieces(const std::vector<CurveNode<T, axes>>& all, bool closed, double longest,
                                   bool on_sphere) {
   using Vector = std::array<T, axes>;
   const auto plus = [](const Vector& a, const Vector& b, const T& b_times) {
@@ -70,7 +70,7 @@ CurvePieces<T, axes> curve_pieces(const std::vector<CurvePoint<T, axes>>& all, b
     return std::sqrt(square);
   };
   constexpr double kSamePlace = 1e-6;
-  std::vector<CurvePoint<T, axes>> points;
+  std::vector<CurveNode<T, axes>> points;
   for (const auto& point : all)
     if (points.empty() || apart(points.back().at, point.at) > kSamePlace) points.push_back(point);
   while (closed && points.size() > 1 && apart(points.back().at, points.front().at) <= kSamePlace)
@@ -104,7 +104,7 @@ CurvePieces<T, axes> curve_pieces(const std::vector<CurvePoint<T, axes>>& all, b
       return tangent;
     };
     const Vector m1 = slope(1, knot[0], knot[1]), m2 = slope(2, knot[1], knot[2]);
-    const CurvePoint<T, axes>&from = points[i], &to = points[(i + 1) % n];
+    const CurveNode<T, axes>&from = points[i], &to = points[(i + 1) % n];
     // A cubic is longer than its chord, seldom by more than a half.
     const int count = std::max(16, static_cast<int>(std::ceil(1.5 * apart(p[1], p[2]) / longest)));
     for (int c = 0; c < count; ++c) {

@@ -15,7 +15,7 @@ namespace {
 constexpr double kPushed = 0.4;   // how far places are pushed aside, in the largest waves
 constexpr int kLevelPlaces = 96;  // along either side of the box, from which the dark level is taken
 // Half way between planes of nodes, where all noise would be weak.
-constexpr double kPlane = 0.5;
+constexpr double kNoisePlane = 0.5;
 
 /// The height of the ridges at a place, in the largest waves.
 class Ridges {
@@ -39,7 +39,7 @@ class Ridges {
  private:
   double noise(int part, double x, double y) const {
     return gradient_noise(seed_, Stream::footprint, static_cast<std::uint64_t>(index_) << 8 | part, x, y,
-                          kPlane);
+                          kNoisePlane);
   }
 
   std::uint64_t seed_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "sim/base/number/constants.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/footprint/map/cube_faces.h"
 #include "sim/emit/footprint/map/plane_grid.h"
@@ -12,7 +13,6 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
 constexpr int kMostSubcells = 8;  // along an edge of a cell
 
 /// The first channel of a picture to a power, linear between the middles of its pixels.

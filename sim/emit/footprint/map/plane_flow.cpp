@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "sim/base/number/constants.h"
 #include "sim/base/number/noise.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/footprint/map/plane_fft.h"
@@ -12,15 +13,14 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
-constexpr double kMostCells = 262144.0;  // of the flow's grid
-constexpr double kAround = 1.25;         // the periodic plane over the box
-constexpr double kStep = 0.5;            // of time, over the inverse of the largest vorticity
-constexpr int kStretchSteps = 6;         // of time, to a stretch
-constexpr int kMidpointLooks = 3;        // each a quarter as far from the middle as the one before
+constexpr double kFlowMostCells = 262144.0;  // of the flow's grid
+constexpr double kAround = 1.25;             // the periodic plane over the box
+constexpr double kFlowStep = 0.5;            // of time, over the inverse of the largest vorticity
+constexpr int kStretchSteps = 6;             // of time, to a stretch
+constexpr int kMidpointLooks = 3;            // each a quarter as far from the middle as the one before
 constexpr int kRippleOctaves = 3;
 
-using Layer = std::vector<double>;
+using FlowLayer = std::vector<double>;
 
 /// Cubic convolution (R. Keys, 1981) of a periodic plane, of some layers at one place at once.
 class Cubic {
@@ -41,7 +41,7 @@ class Cubic {
     }
   }
 
-  double of(const Layer& layer) const {
+  double of(const FlowLayer& layer) const {
     double sum = 0.0;
     for (int j = 0; j < 4; ++j) {
       double in_row = 0.0;
@@ -52,7 +52,7 @@ class Cubic {
   }
 
   /// The velocity of a stream function.
-  void velocity(const Layer& stream, double& by_column, double& by_row) const {
+  void velocity(const FlowLayer& stream, double& by_column, double& by_row) const {
     by_column = by_row = 0.0;
     for (int j = 0; j < 4; ++j) {
       double in_row = 0.0, slope = 0.0;
@@ -101,10 +101,10 @@ class Flow {
       : columns_(columns), rows_(rows), threads_(threads), cells_(static_cast<std::size_t>(columns) * rows) {}
 
   /// The vorticity at the very start, largest 1, and at the start of this stretch.
-  Layer first, start;
+  FlowLayer first, start;
   /// Where each cell came from since this stretch began, less where it is.
   FlowStretch back;
-  Layer stream, velocity_column, velocity_row;
+  FlowLayer stream, velocity_column, velocity_row;
 
   /// Stream function and velocities of the vorticity that has come to each cell.
   void solve() {
@@ -140,7 +140,7 @@ class Flow {
 
   /// Follows every cell back by a step, by the implicit midpoint rule, which keeps areas. `middle` is the
   /// stream function in the step's middle.
-  void step(double time, const Layer& middle) {
+  void step(double time, const FlowLayer& middle) {
     FlowStretch next;
     next.columns.resize(cells_);
     next.rows.resize(cells_);
@@ -205,14 +205,14 @@ PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& f, std::
   const FootprintGrid<double>& grid = plane.grid;
   if (f.flow_turns <= 0.0 || grid.flux_mw_m2.empty()) return result;
   int block = 1;  // of the footprint's cells, to one of the flow's along either axis
-  while (kAround * kAround * grid.columns * grid.rows / (block * block) > kMostCells) ++block;
+  while (kAround * kAround * grid.columns * grid.rows / (block * block) > kFlowMostCells) ++block;
   const int box_columns = (grid.columns + block - 1) / block, box_rows = (grid.rows + block - 1) / block;
   const int columns = transform_size(static_cast<int>(std::ceil(kAround * box_columns))),
             rows = transform_size(static_cast<int>(std::ceil(kAround * box_rows)));
   const int margin_columns = (columns - box_columns) / 2, margin_rows = (rows - box_rows) / 2;
   const double cell_km = block * plane.cell_km;
   Flow flow(columns, rows, threads);
-  for (Layer* layer : {&flow.first, &flow.stream, &flow.velocity_column, &flow.velocity_row})
+  for (FlowLayer* layer : {&flow.first, &flow.stream, &flow.velocity_column, &flow.velocity_row})
     layer->assign(flow.cells(), 0.0);
   parallel_for(box_rows, threads, [&](std::size_t r, int) {
     const int row = static_cast<int>(r);
@@ -236,12 +236,12 @@ PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& f, std::
   for (double& w : flow.first) w *= (stands_north ? -1.0 : 1.0) / largest;
 
   const double duration = 4.0 * kPi * f.flow_turns;
-  const int steps = std::max(1, static_cast<int>(std::ceil(duration / kStep)));
+  const int steps = std::max(1, static_cast<int>(std::ceil(duration / kFlowStep)));
   const double time = duration / steps;
   flow.begin_stretch({});
   flow.solve();
   result.energy_first = flow.energy();
-  Layer before = flow.stream, middle(flow.cells());
+  FlowLayer before = flow.stream, middle(flow.cells());
   for (int s = 0; s < steps; ++s) {
     // In the middle of the step, from this one and the one before.
     for (std::size_t i = 0; i < flow.cells(); ++i) middle[i] = 1.5 * flow.stream[i] - 0.5 * before[i];

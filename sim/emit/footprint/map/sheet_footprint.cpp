@@ -13,11 +13,11 @@
 namespace vegard::sim {
 namespace {
 
-constexpr int kMostBeams = 1000000;
+constexpr int kSheetsMostBeams = 1000000;
 constexpr double kBeamsPerCell = 64.0;
 
 /// A stretch of one layer.
-struct Layer {
+struct LayerOfFeet {
   int instant, sheet, arc, layer;
 };
 
@@ -31,7 +31,7 @@ double flux_scale(const Scene& scene, int sheet) {
 
 /// Where the feet of one layer's beams come down, as a grid of flux.
 template <class T>
-void deposit(const Scene& scene, const Layer& which, double scale, const NumberAs<T>& number,
+void deposit(const Scene& scene, const LayerOfFeet& which, double scale, const NumberAs<T>& number,
              PlaneFootprint<T>& on) {
   Sheet sheet = scene.sheets[which.sheet];
   const double instant = instants_s(scene.time)[which.instant];
@@ -86,7 +86,7 @@ int footprint_beams(const Sheet& sheet, double cell_km) {
   const double cells_along = sheet.length_km / cell_km,
                cells_across = std::max(1.0, 4.0 * sheet.width_km / cell_km);
   return static_cast<int>(
-      std::clamp(kBeamsPerCell * cells_along * cells_across, 1024.0, static_cast<double>(kMostBeams)));
+      std::clamp(kBeamsPerCell * cells_along * cells_across, 1024.0, static_cast<double>(kSheetsMostBeams)));
 }
 
 template <class T>
@@ -97,7 +97,7 @@ PlaneFootprint<T> sheet_plane(const Scene& scene, const Footprint& f, const Numb
   grid.flux_mw_m2.assign(grid.cells(), T(0.0));
   grid.ln_energy.assign(grid.cells(), T(0.0));
   const int instants = static_cast<int>(instants_s(scene.time).size());
-  std::vector<Layer> layers;
+  std::vector<LayerOfFeet> layers;
   std::vector<double> scales;
   for (int s = 0; s < static_cast<int>(scene.sheets.size()); ++s) {
     scales.push_back(flux_scale(scene, s) / instants);
@@ -113,7 +113,7 @@ PlaneFootprint<T> sheet_plane(const Scene& scene, const Footprint& f, const Numb
     parallel_for(count, threads, [&](std::size_t i, int) {
       some[i] = plane_grid<T>(f);
       some[i].grid.flux_mw_m2.assign(grid.cells(), T(0.0));
-      const Layer& layer = layers[first + i];
+      const LayerOfFeet& layer = layers[first + i];
       deposit(scene, layer, scales[layer.sheet], number, some[i]);
     });
     for (std::size_t i = 0; i < count; ++i) {

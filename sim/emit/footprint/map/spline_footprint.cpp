@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/footprint/map/cube_faces.h"
@@ -14,11 +15,10 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kSqrtTwoPi = 2.5066282746310002;
 constexpr int kBandRows = 64;
 
 template <class T, int axes>
-void set_cargo(const Footprint& f, std::size_t i, const NumberAs<T>& number, CurvePoint<T, axes>& point) {
+void set_cargo(const Footprint& f, std::size_t i, const NumberAs<T>& number, CurveNode<T, axes>& point) {
   point.flux = number(f.energy_flux_mw_m2);
   if (!f.point_flux.empty()) point.flux = point.flux * number(f.point_flux[i]);
   point.ln_energy = f.point_energy.empty() ? T(0.0) : logarithm(number(f.point_energy[i]));
@@ -56,7 +56,7 @@ template <class T>
 PlaneFootprint<T> spline_plane(const Footprint& f, const NumberAs<T>& number, int threads) {
   PlaneFootprint<T> plane = plane_grid<T>(f);
   FootprintGrid<T>& grid = plane.grid;
-  std::vector<CurvePoint<T, 2>> points(f.east_km.size());
+  std::vector<CurveNode<T, 2>> points(f.east_km.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].at = {number(f.center_km.east) + number(f.east_km[i]),
                     number(f.center_km.north) + number(f.north_km[i])};
@@ -99,7 +99,7 @@ PlaneFootprint<T> spline_plane(const Footprint& f, const NumberAs<T>& number, in
 CubeFootprint<double> spline_cube(const Footprint& f, int threads) {
   const double radius = kEarthRadiusKm + kFootAltitudeKm;
   const NumberAs<double> number = [](const double& n) { return n; };
-  std::vector<CurvePoint<double, 3>> points(f.latitude_deg.size());
+  std::vector<CurveNode<double, 3>> points(f.latitude_deg.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double latitude = f.latitude_deg[i] * kRadiansPerDegree,
                  longitude = f.longitude_deg[i] * kRadiansPerDegree;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/number/name_number.h"
 #include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
@@ -14,14 +16,13 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846, kRadian = kPi / 180.0;
 constexpr std::uint32_t kMostPlaces = 2000000;  ///< tried before there are fewer lines than asked for
 
 double normal(std::uint32_t word) { return normal_quantile(uniform(word)); }
 
 /// Chords of the exponential, straight from step to step, lie over it by (length / (32 falloff_length))²
 /// / 12.
-constexpr int kSteps = 32;
+constexpr int kBundleSteps = 32;
 
 enum class Which : std::uint32_t { line = 0, slope = 1, filament = 2 };
 
@@ -33,7 +34,7 @@ class BundleMaker {
         number_(number),
         name_(name_number(bundle.name)),
         seed_(seed),
-        position_noise_(number(bundle.position_noise_deg) * kRadian) {
+        position_noise_(number(bundle.position_noise_deg) * kRadiansPerDegree) {
     SunFrame<double>(sun, [](const double& x) { return x; }).observer(observer_.data());
     const double distance = length3(observer_);
     observer_ = times3(observer_, 1.0 / distance);
@@ -86,8 +87,8 @@ class BundleMaker {
 
     const Words words =
         random_words(seed_, Stream::bundle, foot.number, name_, static_cast<std::uint32_t>(Which::slope));
-    const T noise = number_(bundle_.slope_noise_deg) * kRadian;
-    const T down = number_(bundle_.gradient_deg) * kRadian + noise * normal(words[0]),
+    const T noise = number_(bundle_.slope_noise_deg) * kRadiansPerDegree;
+    const T down = number_(bundle_.gradient_deg) * kRadiansPerDegree + noise * normal(words[0]),
             aside = noise * normal(words[1]);
     Vec3<T> direction = times3(up, cosine(down) * cosine(aside));
     direction = along3(direction, sine(down) * cosine(aside), equatorwards);
@@ -107,8 +108,8 @@ class BundleMaker {
     strand.radius_first = foot_radius;
     strand.radius_last = top_radius;
     const T at_end = exponential(T(0.0) - length / falloff);
-    for (int k = 0; k <= kSteps; ++k) {
-      const T at = whole * (static_cast<double>(k) / kSteps) - foot_radius;
+    for (int k = 0; k <= kBundleSteps; ++k) {
+      const T at = whole * (static_cast<double>(k) / kBundleSteps) - foot_radius;
       strand.along.push_back(density * (exponential(T(0.0) - at / falloff) - at_end) / (1.0 - at_end));
     }
     return strand;
@@ -120,9 +121,9 @@ class BundleMaker {
     const double share = std::fmod((i + 1.0) / kRoot, 1.0);
     // Filaments are places of another course of the same kind.
     const double turn = std::fmod((i + 1.0) / (kRoot * kRoot) + (which == Which::filament ? 0.5 : 0.0), 1.0);
-    const double low = std::sin(bundle_.lowest_latitude_deg * kRadian),
-                 high = std::sin(bundle_.highest_latitude_deg * kRadian);
-    const double latitude = std::asin(std::clamp(low + share * (high - low), -1.0, 1.0)) / kRadian;
+    const double low = std::sin(bundle_.lowest_latitude_deg * kRadiansPerDegree),
+                 high = std::sin(bundle_.highest_latitude_deg * kRadiansPerDegree);
+    const double latitude = std::asin(std::clamp(low + share * (high - low), -1.0, 1.0)) / kRadiansPerDegree;
     const SunPlace<double> at = sun_place(latitude, 360.0 * turn);
     const Words words = random_words(seed_, Stream::bundle, i, name_, static_cast<std::uint32_t>(which));
     const T north = position_noise_ * normal(words[0]), west = position_noise_ * normal(words[1]);
@@ -136,7 +137,7 @@ class BundleMaker {
   bool stands(const Vec3<double>& up) const {
     if (bundle_.horizon_deg >= 90.0) return true;
     const double angle = std::acos(std::clamp(dot3(up, observer_), -1.0, 1.0));
-    return std::abs(angle - limb_) <= bundle_.horizon_deg * kRadian;
+    return std::abs(angle - limb_) <= bundle_.horizon_deg * kRadiansPerDegree;
   }
 
   const Bundle& bundle_;

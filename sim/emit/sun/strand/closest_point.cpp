@@ -3,49 +3,47 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/number/vec3.h"
+
 namespace vegard::sim {
 namespace {
-
-using Place = std::array<double, 3>;
 
 constexpr int kDegree = 6;
 constexpr int kMostCuts = 50;  // an interval of 2^-50 holds no more than its ends, in doubles
 
-double dot(const Place& a, const Place& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 /// Curve minus place, with its first two derivatives.
 class Offset {
  public:
-  Offset(const CubicBezier& curve, const Place& place) {
+  Offset(const CubicBezier& curve, const Vec3<double>& place) {
     for (int p = 0; p < 4; ++p)
       for (int i = 0; i < 3; ++i) point_[p][i] = curve[p][i] - place[i];
   }
-  const Place& point(int p) const { return point_[p]; }
+  const Vec3<double>& point(int p) const { return point_[p]; }
 
   double square(double t) const {
-    const Place at = value(t);
-    return dot(at, at);
+    const Vec3<double> at = value(t);
+    return dot3(at, at);
   }
 
   /// Half the derivative of the square, and that of this.
   void slope(double t, double& first, double& second) const {
     const double u = 1.0 - t;
-    Place velocity, acceleration;
+    Vec3<double> velocity, acceleration;
     for (int i = 0; i < 3; ++i) {
       const double a = point_[1][i] - point_[0][i], b = point_[2][i] - point_[1][i],
                    c = point_[3][i] - point_[2][i];
       velocity[i] = 3.0 * (u * u * a + 2.0 * u * t * b + t * t * c);
       acceleration[i] = 6.0 * (u * (b - a) + t * (c - b));
     }
-    const Place at = value(t);
-    first = dot(at, velocity);
-    second = dot(velocity, velocity) + dot(at, acceleration);
+    const Vec3<double> at = value(t);
+    first = dot3(at, velocity);
+    second = dot3(velocity, velocity) + dot3(at, acceleration);
   }
 
  private:
-  Place value(double t) const {
+  Vec3<double> value(double t) const {
     const double u = 1.0 - t;
-    Place at;
+    Vec3<double> at;
     for (int i = 0; i < 3; ++i)
       at[i] = u * u * (u * point_[0][i] + 3.0 * t * point_[1][i]) +
               t * t * (3.0 * u * point_[2][i] + t * point_[3][i]);
@@ -100,7 +98,7 @@ Piece whole(const Offset& offset) {
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
       piece.square[i + j] +=
-          kBinomial[i] * kBinomial[j] / kOfSix[i + j] * dot(offset.point(i), offset.point(j));
+          kBinomial[i] * kBinomial[j] / kOfSix[i + j] * dot3(offset.point(i), offset.point(j));
   return piece;
 }
 
@@ -126,7 +124,7 @@ class Search {
  public:
   explicit Search(const Offset& offset) : offset_(offset) {
     double size = 0.0;
-    for (int p = 0; p < 4; ++p) size = std::max(size, dot(offset.point(p), offset.point(p)));
+    for (int p = 0; p < 4; ++p) size = std::max(size, dot3(offset.point(p), offset.point(p)));
     rounding_ = 4e-15 * size;
     try_at(0.0);
     try_at(1.0);
@@ -170,12 +168,12 @@ class Search {
 
 }  // namespace
 
-ClosestPoint closest_point(const CubicBezier& curve, const Place& place) {
+ClosestPoint closest_point(const CubicBezier& curve, const Vec3<double>& place) {
   const Offset offset(curve, place);
   return Search(offset).found();
 }
 
-ClosestPoint closest_point(const std::vector<Place>& chain, const Place& place) {
+ClosestPoint closest_point(const std::vector<Vec3<double>>& chain, const Vec3<double>& place) {
   const int pieces = static_cast<int>(chain.size() / 3);
   ClosestPoint best;
   for (int p = 0; p < pieces; ++p) {

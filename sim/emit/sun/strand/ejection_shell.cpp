@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/number/constants.h"
 #include "sim/base/number/gauss_legendre.h"
 #include "sim/emit/sun/line_light.h"
 #include "sim/emit/sun/ray_stop.h"
 #include "sim/emit/sun/strand/flux_rope.h"
+#include "sim/light/emitter.h"
 #include "sim/light/light_of_fields.h"
 
 namespace vegard::sim {
-namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-
-}  // namespace
+namespace {}  // namespace
 
 template <class T>
 EjectionShell<T>::EjectionShell(const Sun& sun, const Ejection& ejection, const T& front,
@@ -129,13 +127,11 @@ void EjectionShellEmitter<T>::march_ray(const T enu[3], const T& end_km, std::si
   out.depth_km[index] = (weighted / value_of(column) - first) * frame_.unit_km();
 }
 
-namespace {
-double plain(const double& number) { return number; }
-}  // namespace
+namespace {}  // namespace
 
 EjectionShellField::EjectionShellField(const Scene& scene, const Ejection& ejection)
-    : body_(scene.sun, scene.time, ejection, NumberAs<double>(plain)),
-      light_(line_light<double>(scene, ejection.rayleigh, ejection.temperature_mk, plain)),
+    : body_(scene.sun, scene.time, ejection, NumberAs<double>(plain_number)),
+      light_(line_light<double>(scene, ejection.rayleigh, ejection.temperature_mk, plain_number)),
       lines_(static_cast<int>(scene.emission.lines.size())),
       unit_cm_(scene.sun.unit_km * kCmPerKm),
       sun_radius_(scene.sun.radius) {}

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/number/gauss_legendre.h"
 #include "sim/base/number/vec3.h"
 #include "sim/emit/sun/sun_frame.h"
@@ -10,7 +12,6 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846, kRadian = kPi / 180.0;
 constexpr double kFootShare = 0.3;  ///< radius at the feet, of that at the top at age 0
 constexpr double kBulge = 0.6;      ///< of the angle, once the arch is much higher than wide
 /// Pieces of a winding, rounded down. The odd share keeps the steps off round numbers of turns, which scenes
@@ -29,11 +30,11 @@ class Rope {
  public:
   Rope(const Sun& sun, const Ejection& ejection, const T& front, const NumberAs<T>& number)
       : sun_radius_(number(sun.radius)),
-        half_angle_(number(ejection.width_deg) * (0.5 * kRadian)),
+        half_angle_(number(ejection.width_deg) * (0.5 * kRadiansPerDegree)),
         turns_(number(ejection.turns)),
         strand_share_(number(ejection.strand_radius)) {
     const SunPlace<T> place = sun_place(number(ejection.latitude_deg), number(ejection.longitude_deg));
-    const T bearing = number(ejection.bearing_deg) * kRadian;
+    const T bearing = number(ejection.bearing_deg) * kRadiansPerDegree;
     for (int i = 0; i < 3; ++i) {
       up_[i] = place.up[i];
       forth_[i] = place.north[i] * cosine(bearing) + place.west[i] * sine(bearing);

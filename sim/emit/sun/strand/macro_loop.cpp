@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/earth.h"
 #include "sim/base/number/name_number.h"
 #include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
@@ -11,8 +12,6 @@
 
 namespace vegard::sim {
 namespace {
-
-constexpr double kRadian = 3.14159265358979323846 / 180.0;
 
 /// What is random about a strand: standard normal numbers, and what the middles of bunches are drawn by.
 struct StrandChance {
@@ -46,14 +45,14 @@ struct LoopShape {
         width(number(l.width)),
         sharpness(number(l.sharpness)),
         skew(number(l.skew)),
-        tilt(number(l.tilt_deg) * kRadian),
-        tilt_per_distance(number(l.tilt_per_distance_deg) * kRadian),
+        tilt(number(l.tilt_deg) * kRadiansPerDegree),
+        tilt_per_distance(number(l.tilt_per_distance_deg) * kRadiansPerDegree),
         spread(number(l.spread)),
         root_noise(number(l.root_noise)),
         height_noise(number(l.height_noise)),
-        tilt_noise(number(l.tilt_noise_deg) * kRadian) {
+        tilt_noise(number(l.tilt_noise_deg) * kRadiansPerDegree) {
     const SunPlace<T> place = sun_place(number(l.latitude_deg), number(l.longitude_deg));
-    const T bearing = number(l.bearing_deg) * kRadian;
+    const T bearing = number(l.bearing_deg) * kRadiansPerDegree;
     const T s = sine(bearing), c = cosine(bearing);
     for (int i = 0; i < 3; ++i) {
       up[i] = place.up[i];

@@ -10,8 +10,12 @@ namespace {
 
 constexpr std::size_t kLeaf = 4;
 
-float below(double x) { return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::max()); }
-float above(double x) { return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::max()); }
+float float_below(double x) {
+  return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::max());
+}
+float float_above(double x) {
+  return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::max());
+}
 
 }  // namespace
 
@@ -45,11 +49,11 @@ std::int32_t SegmentTree::build(const std::vector<SegmentBox>& boxes, std::size_
   nodes_.push_back({});
   Node node;
   for (int i = 0; i < 3; ++i) {
-    node.low[i] = below(low[i]);
-    node.high[i] = above(high[i]);
+    node.low[i] = float_below(low[i]);
+    node.high[i] = float_above(high[i]);
   }
-  node.least_radius = below(least_radius);
-  node.most_distance = above(most_distance);
+  node.least_radius = float_below(least_radius);
+  node.most_distance = float_above(most_distance);
   node.begin = static_cast<std::int32_t>(begin);
   node.count = static_cast<std::int32_t>(end - begin);
   if (end - begin > kLeaf) {

@@ -11,9 +11,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr int kEdge = SparseGrid::kEdge;
-
-constexpr double kMostCells = 2e9;  // to a side; they are counted by 32 bits
+constexpr double kFieldMostCells = 2e9;  // to a side; they are counted by 32 bits
 
 [[noreturn]] void refuse_thinness() {
   throw Error(ErrorKind::usage, {"its strands are so thin that to know where they are takes too much memory",
@@ -49,9 +47,9 @@ StrandField::StrandField(const Strands<double>& strands, const Sun& sun, const s
       }
   }
   if (!(radii > 0.0)) return;
-  lattice_.voxel = 2.0 * radii / static_cast<double>(strands.all.size()) / kEdge;
+  lattice_.voxel = 2.0 * radii / static_cast<double>(strands.all.size()) / SparseGrid::kEdge;
   for (int a = 0; a < 3; ++a)
-    if (!(std::max(-bounds_.low[a], bounds_.high[a]) < kMostCells * kEdge * lattice_.voxel))
+    if (!(std::max(-bounds_.low[a], bounds_.high[a]) < kFieldMostCells * SparseGrid::kEdge * lattice_.voxel))
       refuse_thinness();
   double bytes = 0.0;
   for (std::size_t s = 0; s < strands.all.size(); ++s) {
@@ -71,7 +69,7 @@ bool StrandField::is_dark(const Box3& box) const {
   double cells = 1.0;
   for (int a = 0; a < 3; ++a) {
     if (box.low[a] > bounds_.high[a] || box.high[a] < bounds_.low[a]) return true;
-    const double edge = kEdge * lattice_.voxel;
+    const double edge = SparseGrid::kEdge * lattice_.voxel;
     const double from = std::floor(std::max(box.low[a], bounds_.low[a]) / edge);
     const double to = std::floor(std::min(box.high[a], bounds_.high[a]) / edge);
     (a == 0 ? low.x : a == 1 ? low.y : low.z) = static_cast<std::int32_t>(from);
@@ -97,7 +95,7 @@ double StrandField::density_at(const double place[3]) const {
   for (int a = 0; a < 3; ++a) {
     if (!(place[a] >= bounds_.low[a] && place[a] <= bounds_.high[a])) return 0.0;
     at[a] = place[a] / lattice_.voxel - 0.5;  // counted as centres of voxels are
-    cell[a] = static_cast<int>(std::floor((at[a] + 0.5) / kEdge));
+    cell[a] = static_cast<int>(std::floor((at[a] + 0.5) / SparseGrid::kEdge));
   }
   auto [first, last] = std::equal_range(reaches_.begin(), reaches_.end(),
                                         BrickCoordinate{cell[0], cell[1], cell[2]}, BeforeCell());

@@ -13,8 +13,8 @@
 namespace vegard::sim {
 namespace {
 
-constexpr int kEdge = SparseGrid::kEdge, kVoxels = SparseGrid::kVoxels;
-constexpr double kBricksAtOnce = 2e6;  // of find_bricks(), times some 24 bytes and as many to sort them
+constexpr double kStrandGridBricksAtOnce =
+    2e6;  // of find_bricks(), times some 24 bytes and as many to sort them
 constexpr std::size_t kStrandsAtOnce = 512;
 
 /// Voxels of a brick, [low, high) along each axis.
@@ -27,8 +27,8 @@ VoxelRange voxels_about(const StrandPiece& piece, double reach, const int corner
   for (int a = 0; a < 3; ++a) {
     const double low = piece.from[a] + std::min(0.0, piece.way[a]) - reach - corner[a];
     const double high = piece.from[a] + std::max(0.0, piece.way[a]) + reach - corner[a];
-    range.low[a] = static_cast<int>(std::clamp(std::ceil(low), 0.0, 1.0 * kEdge));
-    range.high[a] = static_cast<int>(std::clamp(std::floor(high) + 1.0, 0.0, 1.0 * kEdge));
+    range.low[a] = static_cast<int>(std::clamp(std::ceil(low), 0.0, 1.0 * SparseGrid::kEdge));
+    range.high[a] = static_cast<int>(std::clamp(std::floor(high) + 1.0, 0.0, 1.0 * SparseGrid::kEdge));
   }
   return range;
 }
@@ -47,19 +47,21 @@ void try_piece(const PiecesOfStrand& of, std::uint32_t index, const int corner[3
 /// Reaches of one brick, ordered by strand: their densities, added to `sum`.
 void fill_brick(const std::vector<PiecesOfStrand>& strands, RadialFalloff falloff, const ReachOfStrand* first,
                 const ReachOfStrand* last, double* sum) {
-  const int corner[3] = {first->brick.x * kEdge, first->brick.y * kEdge, first->brick.z * kEdge};
-  std::vector<NearestPiece> nearest(kVoxels);
+  const int corner[3] = {first->brick.x * SparseGrid::kEdge, first->brick.y * SparseGrid::kEdge,
+                         first->brick.z * SparseGrid::kEdge};
+  std::vector<NearestPiece> nearest(SparseGrid::kVoxels);
   while (first != last) {
     const PiecesOfStrand& of = strands[first->strand];
     const std::uint32_t strand = first->strand;
     std::fill(nearest.begin(), nearest.end(), NearestPiece{});
     for (; first != last && first->strand == strand; ++first)
       for (std::uint32_t p = first->first; p < first->last; ++p) try_piece(of, p, corner, nearest.data());
-    for (int v = 0; v < kVoxels; ++v)
+    for (int v = 0; v < SparseGrid::kVoxels; ++v)
       if (nearest[v].square < NearestPiece::kNone)
         sum[v] += density_from(of, falloff, nearest[v],
-                               {1.0 * corner[0] + v / (kEdge * kEdge), 1.0 * corner[1] + v / kEdge % kEdge,
-                                1.0 * corner[2] + v % kEdge});
+                               {1.0 * corner[0] + v / (SparseGrid::kEdge * SparseGrid::kEdge),
+                                1.0 * corner[1] + v / SparseGrid::kEdge % SparseGrid::kEdge,
+                                1.0 * corner[2] + v % SparseGrid::kEdge});
   }
 }
 
@@ -91,7 +93,7 @@ void add_block(const std::vector<PiecesOfStrand>& strands, RadialFalloff falloff
   begin.push_back(all.size());
 
   const std::size_t channels = grid.channels.size();
-  const double brick_bytes = static_cast<double>(channels * kVoxels * sizeof(float));
+  const double brick_bytes = static_cast<double>(channels * SparseGrid::kVoxels * sizeof(float));
   const auto limit = static_cast<double>(options.memory_limit);
   // Some at a time, so that the limit is met early.
   constexpr std::size_t kAtOnce = 2048;
@@ -99,12 +101,13 @@ void add_block(const std::vector<PiecesOfStrand>& strands, RadialFalloff falloff
     const std::size_t count = std::min(kAtOnce, begin.size() - 1 - from);
     std::vector<SparseGrid::Brick> made(count);
     parallel_for(count, options.threads, [&](std::size_t b, int) {
-      double sum[kVoxels] = {};
+      double sum[SparseGrid::kVoxels] = {};
       fill_brick(strands, falloff, all.data() + begin[from + b], all.data() + begin[from + b + 1], sum);
-      if (std::none_of(sum, sum + kVoxels, [](double x) { return x != 0.0; })) return;
-      made[b].resize(channels * kVoxels);
+      if (std::none_of(sum, sum + SparseGrid::kVoxels, [](double x) { return x != 0.0; })) return;
+      made[b].resize(channels * SparseGrid::kVoxels);
       for (std::size_t c = 0; c < channels; ++c)
-        for (int v = 0; v < kVoxels; ++v) made[b][c * kVoxels + v] = static_cast<float>(gain[c] * sum[v]);
+        for (int v = 0; v < SparseGrid::kVoxels; ++v)
+          made[b][c * SparseGrid::kVoxels + v] = static_cast<float>(gain[c] * sum[v]);
     });
     for (std::size_t b = 0; b < count; ++b) {
       if (made[b].empty()) continue;
@@ -133,7 +136,7 @@ void add_strands(const Strands<double>& strands, const std::vector<double>& gain
   for (const Strand<double>& strand : strands.all) {
     block.push_back(pieces_of(strand, grid));
     bricks += bricks_about(block.back());
-    if (bricks > kBricksAtOnce || block.size() == kStrandsAtOnce) flush();
+    if (bricks > kStrandGridBricksAtOnce || block.size() == kStrandsAtOnce) flush();
   }
   if (!block.empty()) flush();
 }

@@ -2,24 +2,24 @@
 
 #include <cmath>
 
+#include "sim/base/number/vec3.h"
 #include "sim/emit/sun/strand/closest_point.h"
 #include "sim/emit/sun/strand/strand_density.h"
 
 namespace vegard::sim {
 namespace {
 
-using Place = std::array<double, 3>;
-
 /// From a place near to it to the nearest point of the curve by Newton's method, within the cubic of the
 /// piece. False where another minimum may be next to it, which is about the centre of curvature and farther
 /// out: there `second` / `speed` = 1 - distance / (radius of curvature) falls to 0 and below. False as well
 /// where the way leads to the next cubic.
-bool polish(const PiecesOfStrand& of, const NearestPiece& from, const Place& place, ClosestPoint& closest) {
+bool polish(const PiecesOfStrand& of, const NearestPiece& from, const Vec3<double>& place,
+            ClosestPoint& closest) {
   constexpr int kMostSteps = 8;
   const int curves = of.strand.pieces();
   const StrandPiece& piece = of.pieces[from.piece];
   const int curve = std::min(static_cast<int>((piece.t + 0.5 * piece.t_way) * curves), curves - 1);
-  const Place* p = of.strand.points.data() + 3 * static_cast<std::size_t>(curve);
+  const Vec3<double>* p = of.strand.points.data() + 3 * static_cast<std::size_t>(curve);
   double t = std::clamp(from.t * curves - curve, 0.0, 1.0);
   for (int step = 0; step < kMostSteps; ++step) {
     const double u = 1.0 - t;
@@ -57,7 +57,7 @@ double inverse_square(const StrandPiece& piece) {
 }
 
 double density_from(const PiecesOfStrand& of, RadialFalloff falloff, const NearestPiece& nearest,
-                    const Place& place) {
+                    const Vec3<double>& place) {
   const bool contested = std::sqrt(nearest.rival) < std::sqrt(nearest.square) + 2.0 * of.off;
   ClosestPoint closest;
   if (contested || !polish(of, nearest, place, closest)) return density_at(of.strand, falloff, place);

@@ -3,39 +3,37 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/number/vec3.h"
+
 namespace vegard::sim {
 namespace {
-
-using Place = std::array<double, 3>;
 
 constexpr double kOff = 0.01;  // of the radius
 constexpr double kLeastLength = 2.0;
 constexpr double kMostPieces = 1e6;
-constexpr int kEdge = SparseGrid::kEdge;
-
-double length(const Place& a, const Place& b) {
+double length(const Vec3<double>& a, const Vec3<double>& b) {
   return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
                    (a[2] - b[2]) * (a[2] - b[2]));
 }
 
 /// Of a - 2 b + c.
-double bend(const Place& a, const Place& b, const Place& c) {
+double bend_of_piece(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
   double sum = 0.0;
   for (int i = 0; i < 3; ++i) sum += std::pow(a[i] - 2.0 * b[i] + c[i], 2);
   return std::sqrt(sum);
 }
 
-Place on_curve(const Place* p, double t) {
+Vec3<double> on_curve(const Vec3<double>* p, double t) {
   const double u = 1.0 - t;
-  Place at;
+  Vec3<double> at;
   for (int i = 0; i < 3; ++i)
     at[i] = u * u * (u * p[0][i] + 3.0 * t * p[1][i]) + t * t * (3.0 * u * p[2][i] + t * p[3][i]);
   return at;
 }
 
 /// A line is off by up to max |B''| dt² / 8.
-int cuts_of(const Place* p, double off, double most_length) {
-  const double curvature = 6.0 * std::max(bend(p[0], p[1], p[2]), bend(p[1], p[2], p[3]));
+int cuts_of(const Vec3<double>* p, double off, double most_length) {
+  const double curvature = 6.0 * std::max(bend_of_piece(p[0], p[1], p[2]), bend_of_piece(p[1], p[2], p[3]));
   const double by_curvature = std::sqrt(curvature / (8.0 * off));
   const double by_length = (length(p[0], p[1]) + length(p[1], p[2]) + length(p[2], p[3])) / most_length;
   return static_cast<int>(std::clamp(std::ceil(std::max(by_curvature, by_length)), 1.0, kMostPieces));
@@ -52,20 +50,20 @@ PieceBricks bricks_of(const StrandPiece& piece, BrickPart part, double reach) {
     const double low = piece.from[a] + std::min(0.0, piece.way[a]) - reach;
     const double high = piece.from[a] + std::max(0.0, piece.way[a]) + reach;
     const bool whole = part == BrickPart::whole;
-    all.low[a] = static_cast<int>(std::floor((whole ? low + 0.5 : std::ceil(low)) / kEdge));
-    all.high[a] = static_cast<int>(std::floor((whole ? high + 0.5 : std::floor(high)) / kEdge));
+    all.low[a] = static_cast<int>(std::floor((whole ? low + 0.5 : std::ceil(low)) / SparseGrid::kEdge));
+    all.high[a] = static_cast<int>(std::floor((whole ? high + 0.5 : std::floor(high)) / SparseGrid::kEdge));
   }
   return all;
 }
 
-double distance_to_line(const StrandPiece& piece, const Place& place) {
+double distance_to_line(const StrandPiece& piece, const Vec3<double>& place) {
   double along = 0.0, square = 0.0;
   for (int i = 0; i < 3; ++i) {
     along += (place[i] - piece.from[i]) * piece.way[i];
     square += piece.way[i] * piece.way[i];
   }
   const double s = square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
-  Place at;
+  Vec3<double> at;
   for (int i = 0; i < 3; ++i) at[i] = piece.from[i] + s * piece.way[i];
   return length(at, place);
 }
@@ -75,7 +73,7 @@ double distance_to_line(const StrandPiece& piece, const Place& place) {
 PiecesOfStrand pieces_of(const Strand<double>& strand, const SparseGrid& grid) {
   PiecesOfStrand out;
   out.strand = strand;
-  for (Place& point : out.strand.points)
+  for (Vec3<double>& point : out.strand.points)
     for (int i = 0; i < 3; ++i) point[i] = (point[i] - grid.origin[i]) / grid.voxel - 0.5;
   out.strand.radius_first /= grid.voxel;
   out.strand.radius_last /= grid.voxel;
@@ -84,11 +82,11 @@ PiecesOfStrand pieces_of(const Strand<double>& strand, const SparseGrid& grid) {
   if (!(out.radius > 0.0)) return out;
   const int curves = strand.pieces();
   for (int c = 0; c < curves; ++c) {
-    const Place* points = out.strand.points.data() + 3 * static_cast<std::size_t>(c);
+    const Vec3<double>* points = out.strand.points.data() + 3 * static_cast<std::size_t>(c);
     const int cuts = cuts_of(points, out.off, std::max(kLeastLength, out.radius));
-    Place from = points[0];
+    Vec3<double> from = points[0];
     for (int k = 1; k <= cuts; ++k) {
-      const Place to = k == cuts ? points[3] : on_curve(points, static_cast<double>(k) / cuts);
+      const Vec3<double> to = k == cuts ? points[3] : on_curve(points, static_cast<double>(k) / cuts);
       StrandPiece piece{from,
                         {},
                         (c + (k - 1.0) / cuts) / curves,
@@ -105,14 +103,16 @@ PiecesOfStrand pieces_of(const Strand<double>& strand, const SparseGrid& grid) {
 void find_bricks(const PiecesOfStrand& strand, std::uint32_t index, BrickPart part,
                  std::vector<ReachOfStrand>& to) {
   const double reach = strand.radius + strand.off;
-  const double half_diagonal = 0.5 * (part == BrickPart::whole ? kEdge : kEdge - 1) * std::sqrt(3.0);
+  const double half_diagonal =
+      0.5 * (part == BrickPart::whole ? SparseGrid::kEdge : SparseGrid::kEdge - 1) * std::sqrt(3.0);
   std::vector<ReachOfStrand> found;
   for (std::uint32_t p = 0; p < strand.pieces.size(); ++p) {
     const PieceBricks box = bricks_of(strand.pieces[p], part, reach);
     for (int x = box.low[0]; x <= box.high[0]; ++x)
       for (int y = box.low[1]; y <= box.high[1]; ++y)
         for (int z = box.low[2]; z <= box.high[2]; ++z) {
-          const Place middle{kEdge * (x + 0.5) - 0.5, kEdge * (y + 0.5) - 0.5, kEdge * (z + 0.5) - 0.5};
+          const Vec3<double> middle{SparseGrid::kEdge * (x + 0.5) - 0.5, SparseGrid::kEdge * (y + 0.5) - 0.5,
+                                    SparseGrid::kEdge * (z + 0.5) - 0.5};
           if (distance_to_line(strand.pieces[p], middle) <= reach + half_diagonal)
             found.push_back({{x, y, z}, index, p, p + 1});
         }
@@ -132,7 +132,7 @@ double bricks_about(const PiecesOfStrand& strand) {
   double count = 0.0;
   for (const StrandPiece& piece : strand.pieces) {
     double of_piece = 1.0;
-    for (int a = 0; a < 3; ++a) of_piece *= (std::abs(piece.way[a]) + 2.0 * reach) / kEdge + 1.0;
+    for (int a = 0; a < 3; ++a) of_piece *= (std::abs(piece.way[a]) + 2.0 * reach) / SparseGrid::kEdge + 1.0;
     count += of_piece;
   }
   return count;

@@ -14,6 +14,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/fits_bytes.h"
 #include "tests/support/image_bytes.h"
+#include "tests/support/source_folder.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::fit {
@@ -183,7 +184,7 @@ Format raw() {
 }
 
 Format heic() {
-  const std::string whole = tests::bytes_of(std::string(VEGARD_SOURCE_DIR) + "/tests/data/quarters.heic");
+  const std::string whole = tests::bytes_of(tests::source_folder() + "/tests/data/quarters.heic");
   const auto claiming = [=](int width, int height) {
     std::string lying = whole;
     for (std::size_t at = lying.find("ispe"); at != std::string::npos; at = lying.find("ispe", at + 1))

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/image_bytes.h"
+#include "tests/support/source_folder.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::fit {
@@ -10,7 +11,7 @@ namespace {
 
 /// The body of the box hvcC of a picture of 64 x 32 pixels, which its encoder stored as 64 x 64.
 std::string configuration() {
-  const std::string bytes = tests::bytes_of(std::string(VEGARD_SOURCE_DIR) + "/tests/data/quarters.heic");
+  const std::string bytes = tests::bytes_of(tests::source_folder() + "/tests/data/quarters.heic");
   const std::size_t type = bytes.find("hvcC");
   std::size_t size = 0;
   for (std::size_t i = 4; i > 0; --i) size = size << 8 | static_cast<unsigned char>(bytes[type - i]);

@@ -11,6 +11,7 @@
 #include "sim/base/earth.h"
 #include "sim/view/sky/bright_stars.h"
 #include "sim/view/sky/instant.h"
+#include "tests/support/source_folder.h"
 
 namespace vegard::tests {
 namespace {
@@ -19,7 +20,7 @@ class KhoStars : public testing::Test {
  protected:
   void SetUp() override {
     const char* given = std::getenv("VEGARD_PHOTOS");
-    const std::string folder = given != nullptr ? given : VEGARD_SOURCE_DIR "/../shared/photos";
+    const std::string folder = given != nullptr ? given : tests::source_folder() + "/../shared/photos";
     file = folder + "/stars/kho_nipr_20121112.csv";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
     stars = fit::read_star_table(file, {});

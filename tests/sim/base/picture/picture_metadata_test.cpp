@@ -10,6 +10,7 @@
 #include "sim/base/number/random.h"
 #include "tests/support/exif_bytes.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/source_folder.h"
 
 namespace vegard::sim {
 namespace {
@@ -201,8 +202,9 @@ TEST(PictureMetadata, OtherFilesSayNothingAndMissingOnesAreRefused) {
 // A phone's picture of its own making, where the folder of real pictures is at hand.
 TEST(PictureMetadata, OfARealPhone) {
   const char* folder = std::getenv("VEGARD_PHOTOS");
-  const std::string path = (folder != nullptr ? std::string(folder) : VEGARD_SOURCE_DIR "/../shared/photos") +
-                           "/yellowknife_huawei_2019.jpg";
+  const std::string path =
+      (folder != nullptr ? std::string(folder) : tests::source_folder() + "/../shared/photos") +
+      "/yellowknife_huawei_2019.jpg";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
   const PictureMetadata found = read_picture_metadata(path);
   EXPECT_EQ(found.make, "HUAWEI");

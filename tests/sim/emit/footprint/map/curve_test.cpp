@@ -5,7 +5,7 @@
 namespace vegard::sim {
 namespace {
 
-using Point = CurvePoint<double, 2>;
+using Point = CurveNode<double, 2>;
 using Piece = CurvePiece<double, 2>;
 
 Point at(double east, double north, double flux = 1.0) { return {{east, north}, flux, 0.0}; }
@@ -75,7 +75,7 @@ TEST(Curve, OfTwoPlacesIsNotClosed) {
 }
 
 TEST(Curve, OnASphereKeepsToItAndKnowsItsLength) {
-  std::vector<CurvePoint<double, 3>> points;
+  std::vector<CurveNode<double, 3>> points;
   const double ring = 0.4, height = std::sqrt(1.0 - ring * ring);
   for (int i = 0; i < 24; ++i)
     points.push_back(

@@ -67,7 +67,7 @@ TEST(SplineFootprint, HasTheTotalOfItsLengthHoweverItRuns) {
       f.closed = closed;
       f.width_km = width;
       double expected = 0.0;
-      std::vector<CurvePoint<double, 2>> points;
+      std::vector<CurveNode<double, 2>> points;
       for (int i = 0; i < 4; ++i) points.push_back({{f.east_km[i], f.north_km[i]}, f.point_flux[i], 0.0});
       for (const auto& piece : curve_pieces<double, 2>(points, closed, 0.1, false).pieces)
         expected += 7.0 * piece.middle.flux * piece.length * width * kSqrtTwoPi;

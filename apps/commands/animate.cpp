@@ -1,0 +1,251 @@
+#include "apps/commands/commands.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/options/composite_pictures.h"
+#include "apps/options/exit_code.h"
+#include "apps/options/file_names.h"
+#include "apps/options/refusals.h"
+#include "apps/options/scene_options.h"
+#include "apps/output/animation_frames.h"
+#include "apps/output/camera_json.h"
+#include "apps/output/light_outside.h"
+#include "apps/output/movie.h"
+#include "apps/output/picture_file.h"
+#include "apps/output/progress_bar.h"
+#include "apps/output/resumption.h"
+#include "apps/output/terminal.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/render/emitters/volume_files.h"
+#include "sim/render/render.h"
+#include "sim/render/volumes/volumes.h"
+#include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/table/parameter_table.h"
+#include "sim/view/colour/colour_table.h"
+#include "sim/view/sensor/tone_curve.h"
+
+namespace vegard::apps {
+namespace {
+
+struct AnimateRequest {
+  SceneOptions scene;
+  std::string output, frames;
+  std::optional<double> frames_per_second;
+  PictureOptions picture;
+  int threads = 0;
+  bool overwrite = false, list = false, camera_json = false;
+};
+
+bool is_movie(const std::string& output) {
+  std::string extension = std::filesystem::path(output).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".mp4";
+}
+
+std::vector<int> frames_of(const AnimateRequest& options, const sim::Scene& scene) {
+  if (!options.frames.empty()) return frames_from_words(options.frames);
+  std::vector<int> all(scene.time.frames);
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+void check_movie(const AnimateRequest& options, const sim::Scene& scene) {
+  const auto even = [](const char* key, int pixels) {
+    if (pixels % 2 != 0)
+      throw usage_error(key, fmt::format("a movie cannot be {} pixels high or wide", pixels),
+                        "an even number", fmt::format("--set {}={}", key, pixels + 1));
+  };
+  even("camera.width", scene.camera.width);
+  even("camera.height", scene.camera.height);
+  if (options.picture.bits || options.picture.quality)
+    throw usage_error(options.picture.bits ? "--bits" : "--quality", "a movie is made from 8-bit PNG",
+                      "-o frames/####.png beside it");
+  // A folder that is missing is made with that of the frames.
+  const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
+  std::error_code ignored;
+  if (folder.empty() || std::filesystem::exists(folder, ignored))
+    sim::WholeFile(options.output, options.overwrite);
+}
+
+/// With --overwrite a slip of the pen would cost what cannot be had again.
+void spare_input(const AnimateRequest& options, const FrameNames& names, const std::string& input,
+                 const std::string& what) {
+  const std::optional<int> frame = names.frame_of(std::filesystem::path(input).filename().string());
+  for (const std::string& output : {options.output, frame ? names.file(*frame) : std::string()})
+    if (same_file(output, input)) refuse_same_file("--output", output, what);
+}
+
+/// The one camera of all frames.
+void write_camera(const std::string& file, const sim::Scene& scene, bool overwrite) {
+  const std::string text = camera_json(scene);
+  std::ifstream old(file, std::ios::binary);
+  if (old && std::string(std::istreambuf_iterator<char>(old), {}) == text) return;
+  sim::write_whole(file, text, overwrite);
+}
+
+/// Renders what is missing; false if it was interrupted. `finished` grows.
+bool render_frames(const AnimateRequest& options, const sim::Scene& scene,
+                   const sim::CompositePictures& pictures, double frames_per_second, const FrameNames& names,
+                   const std::vector<int>& frames, std::set<int>& finished) {
+  const std::atomic<bool>& stop = watch_for_interrupt();
+  const std::size_t before = finished.size();
+  const double missing = static_cast<double>(frames.size() - before);
+  ProgressBar bar("animating");
+  bool warned = false;
+  for (const int frame : frames) {
+    if (stop.load()) return false;
+    if (finished.count(frame) != 0) continue;
+    const double done = static_cast<double>(finished.size() - before);
+    const std::string label =
+        fmt::format("frame {}, {} of {} finished", frame, finished.size(), frames.size());
+    sim::WholeFile file(names.file(frame));
+    const sim::Scene now = scene_of_frame(scene, frame, frames_per_second);
+    sim::RenderOptions render_options;
+    render_options.threads = options.threads;
+    render_options.progress = [&](double share) { bar.update((done + share) / missing, label); };
+    render_options.stop = &stop;
+    render_options.pictures = &pictures;
+    sim::Rendering rendering = sim::render(now, render_options);
+    if (stop.load()) return false;
+    const std::string warning = warned ? "" : warning_if_out_of_view(now, rendering.rayleigh);
+    if (!warning.empty()) {
+      bar.finish();
+      std::fprintf(stderr, "vegard: frame %d: %s\n", frame, warning.c_str());
+      warned = true;
+    }
+    const sim::Image lines = line_layer(rendering);
+    PictureOptions picture = options.picture;
+    picture.frame = static_cast<std::uint32_t>(frame);
+    picture.threads = options.threads;
+    file.write(encoded_picture(names.file(frame), picture, now, std::move(rendering), lines));
+    file.commit();
+    finished.insert(frame);
+  }
+  return true;
+}
+
+int tell_of_interruption(std::size_t finished, std::size_t frames) {
+  std::fprintf(
+      stderr,
+      "vegard: interrupted; %zu of %zu frames are finished, and the same command goes on from there\n",
+      finished, frames);
+  return interrupted;
+}
+
+int run_animate(const AnimateRequest& options) {
+  const sim::Scene scene = scene_of(options.scene);
+  const double frames_per_second = options.frames_per_second.value_or(scene.time.frames_per_second);
+  const std::vector<int> frames = frames_of(options, scene);
+  sim::validate(scene_of_frame(scene, frames.back(), frames_per_second));  // time has limits
+  if (options.list) {
+    for (const int frame : frames)
+      std::printf("%s\n", fmt::format("{} time.start_s={}", frame,
+                                      scene_of_frame(scene, frame, frames_per_second).time.start_s)
+                              .c_str());
+    return good;
+  }
+  if (options.output.empty())
+    throw usage_error("--output", "nothing to write", "-o frames/####.exr or -o movie.mp4");
+
+  const bool movie = is_movie(options.output);
+  const FrameNames names(movie ? options.output + ".frames/########.png" : options.output);
+  names.check_room_for(frames.back());
+  check_picture_options(names.file(0), options.picture);
+  spare_input(options, names, options.scene.file, "the scene");
+  spare_input(options, names, options.scene.camera_file, "the camera's file");
+  for (const std::string& file : picture_files(scene))
+    spare_input(options, names, file, "a file that the scene reads");
+  if (movie) check_movie(options, scene);
+  std::string camera;
+  if (options.camera_json) {
+    camera = movie ? camera_json_name(options.output) : names.companion("camera.json");
+    if (same_file(camera, options.scene.file)) refuse_same_file("--camera-json", camera, "the scene");
+    if (same_file(camera, options.scene.camera_file))
+      refuse_same_file("--camera-json", camera, "the camera's file");
+    camera_json(scene);
+  }
+  const sim::CompositePictures pictures = read_composite_pictures(scene);
+  // Every frame reads its own; here only so that what is wrong with them is told before a folder is made.
+  if (sim::has_emitters(scene)) sim::read_volume_files(scene);
+  // A measured tone curve is read by whatever is encoded with it; here, before the work.
+  sim::ToneCurve check_of_the_curve(scene);
+  sim::ColourTable check_of_the_colours(scene);
+  std::set<int> finished =
+      begin_or_resume(names, manifest_text(scene, frames_per_second, names, options.picture), frames,
+                      options.overwrite, movie);
+  if (!camera.empty()) write_camera(camera, scene, options.overwrite);
+
+  const std::size_t before = finished.size();
+  if (!render_frames(options, scene, pictures, frames_per_second, names, frames, finished))
+    return tell_of_interruption(finished.size(), frames.size());
+  const std::string size = fmt::format("{} x {} pixels", scene.camera.width, scene.camera.height);
+  if (!movie) {
+    std::printf("%s to %s: %zu frames of %s, %zu of them finished before\n",
+                names.file(frames.front()).c_str(), names.file(frames.back()).c_str(), frames.size(),
+                size.c_str(), before);
+    return good;
+  }
+
+  std::vector<std::string> files;
+  for (const int frame : frames) files.push_back(names.file(frame));
+  std::string codec;
+  {
+    ProgressBar bar("encoding");
+    codec = write_movie(
+        options.output, files, frames_per_second, options.overwrite,
+        [&bar](double share) { bar.update(share); }, &watch_for_interrupt());
+  }
+  if (codec.empty()) return tell_of_interruption(frames.size(), frames.size());
+  remove_animation(names, frames);
+  std::printf(
+      "%s: %s\n", options.output.c_str(),
+      fmt::format("{} frames of {} at {} per second, {}", frames.size(), size, frames_per_second, codec)
+          .c_str());
+  return good;
+}
+
+}  // namespace
+
+void add_animate_command(Program& program) {
+  const auto options = std::make_shared<AnimateRequest>();
+  const Command command = program.add(
+      "animate", "Render a scene over time: numbered frames, or a movie; goes on where it was interrupted");
+  add_scene_options(command, options->scene);
+  command
+      .option("-o,--output", options->output,
+              "The frames to write, # for the digits of their number, or a movie")
+      .type_name("FRAMES/####.exr|tif|png|jpg or OUT.mp4");
+  command
+      .option("--frames", options->frames, "Which frames, the last included (default: 0 to time.frames - 1)")
+      .type_name("FIRST:LAST[:STEP]");
+  command
+      .option("--fps", options->frames_per_second,
+              "Frames per second (default: time.frames_per_second of the scene)")
+      .range(0.001, 1000.0);
+  command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
+      .range(0, 1024);
+  add_picture_options(command, options->picture);
+  command.flag("--list", options->list, "Only print what time.start_s each frame has");
+  command.flag("--camera-json", options->camera_json, "Write the camera's matrices beside the frames");
+  command.flag("--overwrite", options->overwrite, "Replace frames of another animation, or a movie");
+  command.runs([options] { return run_animate(*options); });
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,63 @@
+#include "apps/commands/commands.h"
+
+#include <atomic>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "apps/options/exit_code.h"
+#include "apps/options/refusals.h"
+#include "apps/options/scene_options.h"
+#include "apps/output/brightness_texts.h"
+#include "apps/output/light_outside.h"
+#include "apps/output/progress_bar.h"
+#include "apps/output/terminal.h"
+
+namespace vegard::apps {
+namespace {
+
+struct BrightnessRequest {
+  SceneOptions scene;
+  int threads = 0;
+  bool json = false;
+};
+
+int run_brightness(const BrightnessRequest& options) {
+  const sim::Scene scene = scene_of(options.scene);
+  require_rayleighs(scene, "vegard brightness");
+  const std::atomic<bool>& stop = watch_for_interrupt();
+  sim::Rendering rendering;
+  {
+    ProgressBar bar("rendering");
+    sim::RenderOptions render_options;
+    render_options.threads = options.threads;
+    render_options.progress = [&bar](double share) { bar.update(share); };
+    render_options.stop = &stop;
+    rendering = sim::render(scene, render_options);
+  }
+  if (stop.load()) {
+    std::fputs("vegard: interrupted\n", stderr);
+    return interrupted;
+  }
+  const std::string warning = warning_if_out_of_view(scene, rendering.rayleigh);
+  if (!warning.empty()) std::fprintf(stderr, "vegard: %s\n", warning.c_str());
+  const sim::BrightnessReport report = sim::brightness_report(scene, rendering);
+  const std::string text = options.json ? brightness_json(report) : brightness_text(report);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  return good;
+}
+
+}  // namespace
+
+void add_brightness_command(Program& program) {
+  const auto options = std::make_shared<BrightnessRequest>();
+  const Command command = program.add(
+      "brightness", "Tell how bright a scene is: IBC, rayleighs, watts, luminance, what the eye sees");
+  add_scene_options(command, options->scene);
+  command.flag("--json", options->json, "For programs");
+  command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
+      .range(0, 1024);
+  command.runs([options] { return run_brightness(*options); });
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,289 @@
+#include "apps/commands/commands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/commands/calibrate_options.h"
+#include "apps/options/exit_code.h"
+#include "apps/options/file_names.h"
+#include "apps/options/photo_options.h"
+#include "apps/options/refusals.h"
+#include "apps/output/plot_file.h"
+#include "fit/photo/photo.h"
+#include "fit/photo/pointing/calibration_tables.h"
+#include "fit/photo/pointing/catalogue_sky.h"
+#include "fit/photo/pointing/identification.h"
+#include "fit/photo/pointing/map_calibration.h"
+#include "fit/photo/pointing/scene_camera.h"
+#include "fit/photo/pointing/star_finder.h"
+#include "fit/report/calibration_plots.h"
+#include "sim/base/error.h"
+#include "sim/base/file/number_text.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/base/picture/picture_metadata.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/parameter_table.h"
+#include "sim/view/sky/instant.h"
+
+namespace vegard::apps {
+namespace {
+
+constexpr int kLensesShown = 8;
+
+std::string plain_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+std::string names_of(const MapOptions& maps) {
+  std::string names = plain_name(maps.azimuth_map);
+  if (!maps.elevation_map.empty() && maps.elevation_map != maps.azimuth_map)
+    names += ", " + plain_name(maps.elevation_map);
+  return names;
+}
+
+void check_outputs(const CalibrateOptions& options) {
+  const std::pair<const char*, const std::string*> outputs[] = {{"--output", &options.output},
+                                                                {"--residuals", &options.residuals},
+                                                                {"--json", &options.json},
+                                                                {"--plot", &options.plot},
+                                                                {"--overlay", &options.overlay}};
+  for (const auto& [key, file] : outputs) {
+    for (const std::string& input : {options.stars, options.image, options.mask, options.camera,
+                                     options.maps.azimuth_map, options.maps.elevation_map})
+      if (same_file(*file, input)) refuse_same_file(key, *file, "an input");
+    for (const auto& [other_key, other] : outputs)
+      if (std::string(key) > other_key && same_file(*file, *other)) refuse_same_file(key, *file, other_key);
+  }
+}
+
+fit::Frame frame_of(const CalibrateOptions& options, const std::optional<fit::Photo>& photo,
+                    const std::vector<fit::StarSighting>& stars) {
+  if (photo) {
+    const fit::Frame frame{photo->linear.width, photo->linear.height, true};
+    if (!options.size_px.empty() &&
+        (options.size_px[0] != frame.width_px || options.size_px[1] != frame.height_px))
+      throw usage_error("--size", "the picture has another size", "no --size beside --image");
+    return frame;
+  }
+  if (!options.size_px.empty()) {
+    if (options.size_px[0] < 1 || options.size_px[1] < 1 ||
+        std::max(options.size_px[0], options.size_px[1]) > 65535)
+      throw usage_error("--size", "no such size", "two numbers from 1 to 65535");
+    return {options.size_px[0], options.size_px[1], true};
+  }
+  double right = 1.0, bottom = 1.0;
+  for (const fit::StarSighting& star : stars) {
+    right = std::max(right, std::min(star.x_px, 65000.0));
+    bottom = std::max(bottom, std::min(star.y_px, 65000.0));
+  }
+  return {static_cast<int>(std::ceil(right)), static_cast<int>(std::ceil(bottom)), false};
+}
+
+fit::Frame frame_of(const CalibrateOptions& options, const std::optional<fit::Photo>& photo,
+                    const KnownDirections& maps) {
+  const fit::Frame frame{maps.map.width, maps.map.height, true};
+  if (photo && (photo->linear.width != frame.width_px || photo->linear.height != frame.height_px))
+    throw usage_error("--image", "the picture has another size than the maps", "the maps' own picture");
+  if (!options.size_px.empty() &&
+      (options.size_px[0] != frame.width_px || options.size_px[1] != frame.height_px))
+    throw usage_error("--size", "the maps have another size", "no --size beside maps");
+  return frame;
+}
+
+/// The stars of the table, in the pixels of the picture.
+std::vector<fit::StarSighting> table_of(const CalibrateOptions& options, const fit::SkyOfPicture& sky) {
+  std::vector<fit::StarSighting> stars = fit::read_star_table(options.stars, sky, options.first_pixel);
+  if (options.offset_px.empty()) return stars;
+  for (fit::StarSighting& star : stars) {
+    star.x_px += options.offset_px[0];
+    star.y_px += options.offset_px[1];
+  }
+  return stars;
+}
+
+/// Stars found in the picture and named by the catalogue.
+std::vector<fit::StarSighting> recognised(const CalibrateOptions& options, const fit::Photo& photo,
+                                          const fit::Frame& frame, const fit::SkyOfPicture& sky,
+                                          const fit::LensSettings& lens, fit::SkyCamera& start) {
+  if (!sky.julian_date) throw usage_error("--time", "stars are found by when and where", "--time and --site");
+  if (!sky.observer) throw usage_error("--site", "stars are found by when and where", "--time and --site");
+  fit::StarFinderSettings finder;
+  finder.least_signal = options.least_signal;
+  std::vector<char> usable;
+  if (!options.mask.empty()) {
+    const std::size_t channels = photo.linear.channels(), pixels = photo.usable.size() / channels;
+    // A star may be clipped, and stays one: only what the mask hides is left out, all channels at once.
+    fit::Photo blank = photo;
+    std::fill(blank.usable.begin(), blank.usable.end(), std::uint8_t{1});
+    fit::apply_mask(blank, options.mask);
+    for (std::size_t i = 0; i < pixels; ++i) usable.push_back(static_cast<char>(blank.usable[i * channels]));
+  }
+  const std::vector<fit::FoundStar> points = fit::find_stars(photo.linear, finder, usable);
+  const std::vector<fit::StarSighting> catalogue =
+      fit::catalogue_sky(*sky.observer, *sky.julian_date, options.faintest, options.least_elevation_deg);
+  fit::IdentificationSettings settings;
+  settings.faintest = options.faintest;
+  settings.first_magnitude = std::min(settings.first_magnitude, options.faintest);
+  settings.twist_deg = options.twist_deg;
+  settings.shift_px = options.shift_px;
+  settings.scale_share = 0.01 * options.scale_percent;
+  settings.first_radius_px = options.radius_px;
+  settings.free =
+      lens.only.empty() ? fit::free_numbers({start.model, 0, false, false}, lens.centre_free) : lens.only;
+  const fit::Identification found = fit::identify(start, frame, catalogue, points, settings);
+  std::printf(
+      "%zu points of light; %zu of the %d stars to magnitude %.1f that should be seen have one within %.1f "
+      "px "
+      "(%.1f would by chance)\n",
+      points.size(), found.stars.size(), found.in_frame, options.faintest, found.last_radius_px,
+      found.by_chance);
+  if (!fit::is_trustworthy(found))
+    std::printf(
+        "note: so few may be an accident of the search: look at --overlay, try a brighter "
+        "--catalogue-magnitude, another --lens, --scale or mirrored in --camera\n");
+  start = found.camera;
+  return found.stars;
+}
+
+void print(const fit::Calibration& calibration) {
+  if (calibration.candidates.size() > 1)
+    std::fputs(fit::candidates_text(calibration, kLensesShown).c_str(), stdout);
+  std::printf("lens: %s%s\n", fit::words_of(calibration.form).c_str(),
+              calibration.camera.mirrored ? ", mirrored" : "");
+  if (calibration.maps)
+    std::printf("rms: %s px over %d of %zu points of the maps\n%s\n",
+                fit::short_number(calibration.rms_px, 3).c_str(), calibration.used(),
+                calibration.stars.size(), fit::words_of(*calibration.maps).c_str());
+  else
+    std::printf("rms: %.3f px over %d of %zu stars; each star by a fit without it: %.3f px\n",
+                calibration.rms_px, calibration.used(), calibration.stars.size(), calibration.without_rms_px);
+  for (const fit::CameraEstimate& estimate : calibration.estimates)
+    if (estimate.free)
+      std::printf("camera.%s: %s %s\n", estimate.key().c_str(),
+                  fit::number_with_error(estimate.value, estimate.sigma).c_str(), estimate.unit().c_str());
+  std::printf("the axis is known to %s deg, the turn about it to %s deg\n",
+              fit::short_number(calibration.line_of_sight_sigma_deg, 2).c_str(),
+              fit::short_number(calibration.twist_sigma_deg, 2).c_str());
+  if (calibration.maps && calibration.used() < static_cast<int>(calibration.stars.size()))
+    std::printf("left out: %d points, farther off than the others' scatter explains\n",
+                static_cast<int>(calibration.stars.size()) - calibration.used());
+  for (std::size_t i = 0; !calibration.maps && i < calibration.stars.size(); ++i) {
+    const fit::StarResidual& one = calibration.residuals[i];
+    if (one.used) continue;
+    const fit::StarSighting& star = calibration.stars[i];
+    std::printf("left out: %s%s at (%.1f, %.1f), %.2f px off\n",
+                star.name.empty() ? "the star" : star.name.c_str(),
+                star.line > 0 ? (" of line " + std::to_string(star.line)).c_str() : "", star.x_px, star.y_px,
+                std::hypot(one.dx_px, one.dy_px));
+  }
+  for (const std::string& warning : calibration.warnings) std::printf("note: %s\n", warning.c_str());
+}
+
+void run_calibrate(const CalibrateOptions& options) {
+  const PlotFormat format = plot_format(options.plot, "--plot");
+  check_outputs(options);
+  const bool by_maps = !options.maps.azimuth_map.empty() || !options.maps.elevation_map.empty();
+  if (by_maps && !options.stars.empty())
+    throw usage_error("STARS", "stars and maps", "one of a table of stars and --azimuth-map");
+  if (!by_maps && options.stars.empty() && (options.image.empty() || options.camera.empty()))
+    throw usage_error("STARS", "no stars",
+                      "a table of stars, or --image with --camera, --time and --site; or --azimuth-map");
+  if (!options.offset_px.empty() && options.stars.empty())
+    throw usage_error("--offset", "no table of a crop", "STARS beside it");
+  if (!options.overlay.empty() && options.image.empty())
+    throw usage_error("--overlay", "no picture to draw on", "--image beside it");
+
+  std::optional<sim::Scene> camera_file;
+  if (!options.camera.empty()) camera_file = sim::read_scene(options.camera);
+  sim::PictureMetadata metadata;
+  std::optional<fit::Photo> photo;
+  std::optional<KnownDirections> maps;
+  if (by_maps) maps = maps_of(options.maps);
+  if (!options.image.empty()) {
+    photo = fit::read_photo(options.image, decoding_of(options.decoding, "auto"));
+    metadata = sim::read_picture_metadata(options.image);
+    metadata.width_px = photo->linear.width;
+    metadata.height_px = photo->linear.height;
+  }
+  const PictureSays says = with_metadata(options, camera_file, metadata);
+  const std::optional<sim::Scene>& camera_scene = says.camera;
+  const fit::SkyOfPicture& sky = says.sky;
+  for (const fit::PhotoFact& fact : says.taken)
+    std::printf("from the photograph: %s\n", fit::fact_text(fact).c_str());
+  for (const std::string& note : says.notes) std::printf("note: %s\n", note.c_str());
+  std::vector<fit::StarSighting> stars;
+  if (!options.stars.empty()) stars = table_of(options, sky);
+  const fit::Frame frame = maps ? frame_of(options, photo, *maps) : frame_of(options, photo, stars);
+  std::optional<fit::SkyCamera> start;
+  if (camera_scene) start = fit::sky_camera_of(camera_scene->camera, frame);
+  if (start && !options.centre_px.empty()) {
+    start->numbers[fit::centre_x_number] = options.centre_px[0];
+    start->numbers[fit::centre_y_number] = options.centre_px[1];
+  }
+  fit::LensSettings settings = lens_settings(options, start);
+  if (!maps && options.stars.empty()) {
+    stars = recognised(options, *photo, frame, sky, settings, *start);
+    settings.start = start;
+  }
+  const std::string from = maps                    ? options.maps.azimuth_map
+                           : options.stars.empty() ? options.image
+                                                   : options.stars;
+  const fit::Calibration calibration =
+      maps ? fit::calibrate_maps(settings, maps->map, from) : fit::calibrate(settings, stars, frame, from);
+  sim::Scene scene;
+  scene.camera = fit::scene_camera_of(calibration);
+  sim::validate(scene);
+
+  fit::CalibrationOrigin origin;
+  origin.stars = maps ? names_of(options.maps) : plain_name(from);
+  if ((maps || !options.stars.empty()) && photo) origin.image = photo->file_name;
+  for (const fit::PhotoFact& fact : says.taken) origin.from_photograph.push_back(fit::fact_text(fact));
+  origin.site_known = sky.observer.has_value();
+  if (sky.observer) {
+    origin.site.latitude_deg = sky.observer->latitude_deg;
+    origin.site.longitude_deg = sky.observer->longitude_deg;
+    origin.site.altitude_m = sky.observer->height_m;
+  }
+  if (sky.julian_date) origin.site.time_utc = sim::text_of_julian_date(*sky.julian_date);
+
+  // All is made, and all places are claimed, before anything is written.
+  std::vector<std::pair<std::string, std::string>> outputs = {
+      {options.output, fit::camera_toml(calibration, origin)}};
+  if (!options.residuals.empty()) outputs.emplace_back(options.residuals, fit::residuals_csv(calibration));
+  if (!options.json.empty()) outputs.emplace_back(options.json, fit::calibration_json(calibration, origin));
+  if (format != PlotFormat::none)
+    outputs.emplace_back(options.plot, plot_bytes(fit::residual_plot(calibration), format));
+  if (!options.overlay.empty()) outputs.emplace_back(options.overlay, fit::star_overlay(calibration, *photo));
+  std::vector<std::unique_ptr<sim::WholeFile>> files;
+  for (const auto& [file, bytes] : outputs) {
+    files.push_back(std::make_unique<sim::WholeFile>(file, options.overwrite));
+    files.back()->write(bytes);
+  }
+  for (const auto& file : files) file->commit();
+
+  print(calibration);
+  if (!frame.known)
+    std::printf("note: the picture's size was guessed from its stars: set --size or --image\n");
+  for (const auto& [file, bytes] : outputs) std::printf("%s\n", file.c_str());
+}
+
+}  // namespace
+
+void add_calibrate_command(Program& program) {
+  const auto options = std::make_shared<CalibrateOptions>();
+  const Command command = program.add(
+      "calibrate",
+      "Find a camera's pointing, lens and distortion from the stars in its picture, or from maps of "
+      "its directions");
+  add_calibrate_options(command, *options);
+  command.runs([options] {
+    run_calibrate(*options);
+    return good;
+  });
+}
+
+}  // namespace vegard::apps

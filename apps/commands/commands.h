@@ -1,0 +1,32 @@
+// The subcommands, a file of this folder each: what it may be given, the work, its exit code.
+#pragma once
+
+#include "apps/options/command.h"
+
+namespace vegard::apps {
+
+/// Each adds its subcommand to the program, whose run() may throw sim::Error.
+void add_animate_command(Program& program);
+void add_brightness_command(Program& program);
+void add_calibrate_command(Program& program);
+void add_compare_command(Program& program);
+void add_describe_command(Program& program);
+void add_directions_command(Program& program);
+void add_fit_command(Program& program);
+void add_grid_command(Program& program);
+void add_horizon_command(Program& program);
+void add_keogram_command(Program& program);
+void add_linearise_command(Program& program);
+void add_lines_command(Program& program);
+void add_mask_command(Program& program);
+void add_params_command(Program& program);
+void add_points_command(Program& program);
+void add_preview_command(Program& program);
+void add_profile_command(Program& program);
+void add_render_command(Program& program);
+void add_sdf_command(Program& program);
+void add_sequence_command(Program& program);
+void add_slices_command(Program& program);
+void add_volume_command(Program& program);
+
+}  // namespace vegard::apps

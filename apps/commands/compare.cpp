@@ -1,0 +1,113 @@
+#include "apps/commands/commands.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/options/exit_code.h"
+#include "apps/options/refusals.h"
+#include "fit/report/table/run_comparison.h"
+#include "sim/base/file/number_text.h"
+
+namespace vegard::apps {
+namespace {
+
+/// Characters on the screen, not bytes.
+std::size_t columns_of(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+/// The first column to the left, the others to the right.
+void print_table(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const std::vector<std::string>& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], columns_of(row[c]));
+  for (const std::vector<std::string>& row : rows) {
+    std::string line;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const std::string gap(widths[c] - columns_of(row[c]), ' ');
+      line += c == 0 ? row[c] + gap : "  " + gap + row[c];
+    }
+    std::printf("%s\n", line.c_str());
+  }
+}
+
+void print_criteria(const fit::RunComparison& comparison) {
+  std::vector<std::vector<std::string>> rows = {
+      {"run", "unknowns", "chi2", "chi2/dof", "AIC", "BIC", "AIC - least", "BIC - least", "verdict"}};
+  for (const fit::ComparedRun& c : comparison.runs)
+    rows.push_back({c.run.name, std::to_string(c.run.unknowns), fmt::format("{:.1f}", c.run.chi2),
+                    fmt::format("{:.3f}", c.run.chi2 / std::max(1, c.run.dof)),
+                    fmt::format("{:.1f}", c.criteria.aic), fmt::format("{:.1f}", c.criteria.bic),
+                    fmt::format("{:.1f}", c.aic_difference), fmt::format("{:.1f}", c.bic_difference),
+                    c.run.verdict});
+  print_table(rows);
+}
+
+void print_parameters(const fit::RunComparison& comparison) {
+  std::vector<std::string> paths;
+  for (const fit::ComparedRun& c : comparison.runs)
+    for (const std::string& path : c.run.paths)
+      if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
+  std::vector<std::vector<std::string>> rows = {{"parameter"}};
+  for (const fit::ComparedRun& c : comparison.runs) rows.front().push_back(c.run.name);
+  for (const std::string& path : paths) {
+    rows.push_back({path});
+    for (const fit::ComparedRun& c : comparison.runs) {
+      const auto found = c.run.parameters.find(path);
+      rows.back().push_back(found == c.run.parameters.end()
+                                ? "-"
+                                : fit::number_with_error(found->second.value, found->second.sigma));
+    }
+  }
+  print_table(rows);
+}
+
+/// The best run's own verdict counts; a run that found nothing spoils the comparison.
+ExitCode exit_code_of(const fit::RunComparison& comparison) {
+  for (const fit::ComparedRun& c : comparison.runs)
+    if (c.run.verdict == "failed" || c.run.verdict == "interrupted") return not_converged;
+  return comparison.runs[comparison.best].run.verdict == "good" ? good : doubted;
+}
+
+int run_compare(const std::vector<std::string>& directories) {
+  if (directories.size() < 2)
+    throw usage_error("RUN", "one run alone cannot be compared", "two runs or more");
+  std::vector<fit::RunSummary> runs;
+  for (const std::string& directory : directories) runs.push_back(fit::read_run(directory));
+  const fit::RunComparison comparison = fit::compared(runs);
+  print_criteria(comparison);
+  std::printf(
+      "%d values, worth %s independent ones; chi2 is divided by %s in AIC and BIC\n", runs.front().values,
+      fit::short_number(comparison.independent_values, 3).c_str(),
+      fit::short_number(comparison.runs.front().run.chi2 / comparison.runs.front().criteria.chi2, 3).c_str());
+  std::printf("decoding: %s\n\n", runs.front().decoding.c_str());
+  print_parameters(comparison);
+  std::printf("\n");
+  for (const std::string& sentence : comparison.sentences) std::printf("%s\n", sentence.c_str());
+  const ExitCode code = exit_code_of(comparison);
+  if (code == not_converged) std::printf("Do not believe it: not all of the runs ended at an answer.\n");
+  if (code == doubted)
+    std::printf("Doubtful: the verdict on %s is \"%s\".\n", comparison.runs[comparison.best].run.name.c_str(),
+                comparison.runs[comparison.best].run.verdict.c_str());
+  return code;
+}
+
+}  // namespace
+
+void add_compare_command(Program& program) {
+  const auto directories = std::make_shared<std::vector<std::string>>();
+  const Command command =
+      program.add("compare", "Tell which of several fits a photograph speaks for: AIC, BIC, in words");
+  command.option("RUN", *directories, "Directories that vegard fit wrote, of one photograph")
+      .required()
+      .type_name("RUN");
+  command.runs([directories] { return run_compare(*directories); });
+}
+
+}  // namespace vegard::apps

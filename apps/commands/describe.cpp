@@ -1,0 +1,52 @@
+#include "apps/commands/commands.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "apps/options/exit_code.h"
+#include "apps/options/file_names.h"
+#include "apps/options/photographs.h"
+#include "apps/output/photo_description.h"
+#include "fit/photo/photo_facts.h"
+#include "sim/base/file/whole_file.h"
+
+namespace vegard::apps {
+namespace {
+
+struct DescribeRequest {
+  std::string photo, output;
+  bool overwrite = false;
+};
+
+int run_describe(const DescribeRequest& options) {
+  if (same_file(options.photo, options.output)) refuse_same_file("--output", options.output, "the picture");
+  const sim::PictureMetadata metadata = metadata_of(options.photo);
+  const std::string name = file_name_of(options.photo);
+  if (!options.output.empty()) {
+    sim::WholeFile file(options.output, options.overwrite);
+    file.write(start_scene(name, fit::photo_facts(metadata)));
+    file.commit();
+  }
+  std::printf("%s", description_text(name, metadata).c_str());
+  if (!options.output.empty()) std::printf("%s\n", options.output.c_str());
+  return good;
+}
+
+}  // namespace
+
+void add_describe_command(Program& program) {
+  const auto options = std::make_shared<DescribeRequest>();
+  const Command command = program.add(
+      "describe",
+      "Tell what a picture says of itself (place, time, lens, exposure), and write a scene of it");
+  command.option("PHOTO", options->photo, "The picture").required();
+  command.option("-o,--output", options->output, "A scene to begin with").type_name("SCENE.toml");
+  command.flag("--overwrite", options->overwrite, "Replace an output that exists");
+  command.runs([options] { return run_describe(*options); });
+}
+
+}  // namespace vegard::apps

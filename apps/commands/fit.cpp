@@ -1,0 +1,326 @@
+#include "apps/commands/commands.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/commands/check_derivatives.h"
+#include "apps/options/exit_code.h"
+#include "apps/options/file_names.h"
+#include "apps/options/photo_options.h"
+#include "apps/options/photographs.h"
+#include "apps/options/refusals.h"
+#include "apps/options/scene_options.h"
+#include "apps/output/progress_bar.h"
+#include "apps/output/terminal.h"
+#include "fit/curve_fit.h"
+#include "fit/fit.h"
+#include "fit/photo/photo.h"
+#include "fit/report/run_directory.h"
+#include "fit/search/file_journal.h"
+#include "fit/version.h"
+#include "sim/base/file/number_text.h"
+#include "sim/base/file/sha256.h"
+#include "sim/base/version.h"
+#include "sim/scene/file/named_files.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/rows/decoding_word.h"
+#include "sim/scene/table/photo_scene.h"
+#include "sim/scene/table/table_files.h"
+
+namespace vegard::apps {
+namespace {
+
+struct FitRequest {
+  SceneOptions scene;
+  std::string photo, mask, decoding, out;
+  std::vector<std::string> filters;
+  int threads = 0;
+  int max_evaluations = fit::FitOptions().max_evaluations;
+  bool overwrite = false;
+  bool resume = false;
+  bool check_derivatives = false;
+  bool intervals = false;
+  bool no_metadata = false;
+  int bootstrap = 0, mcmc = 0;
+};
+
+/// All files that the fit reads.
+std::vector<NamedInput> files_read(const FitRequest& options, const sim::Scene& scene) {
+  std::vector<NamedInput> inputs = inputs_of_scene(options.scene, scene);
+  for (const sim::PhotoEntry& entry : scene.fit.photos)  // what it alone has may name files too
+    for (const NamedInput& input : inputs_of_scene({}, sim::scene_of_photo(scene, entry)))
+      inputs.push_back(input);
+  inputs.push_back({options.photo, "the photograph"});
+  inputs.push_back({options.mask, "the mask"});
+  for (const fit::FilterFile& filter : filter_files(options.filters))
+    inputs.push_back({filter.file, "the photograph"});
+  if (!options.decoding.empty())
+    inputs.push_back({sim::decoding_word(options.decoding).file, "the transfer curve"});
+  return inputs;
+}
+
+/// That of the command line, or those that the scene names.
+std::vector<fit::Photo> photos_of(const FitRequest& options, const sim::Scene& scene) {
+  const auto refuse = [](const std::string& key, const std::string& problem, const std::string& hint) {
+    sim::ErrorDetails details;
+    details.key = key;
+    details.problem = problem;
+    details.hint = hint;
+    throw sim::Error(sim::ErrorKind::usage, details);
+  };
+  if (scene.fit.photos.empty()) {
+    if (!options.photo.empty() && !options.filters.empty())
+      refuse("--line", "a photograph is given as well", "leave out --photo");
+    if (options.photo.empty() && options.filters.empty())
+      refuse("--photo", "no photograph is given", "name one, or several in the scene's [[fit.photo]]");
+    std::vector<fit::Photo> photos;
+    const fit::Decoding decoding = decoding_of(options.decoding, scene.fit.decoding, &scene);
+    if (options.filters.empty()) {
+      photos.push_back(fit::read_photo(options.photo, decoding, &scene));
+    } else {
+      check_filters(scene);
+      photos.push_back(
+          fit::read_filters(filter_files(options.filters), scene.emission.lines, decoding, &scene));
+    }
+    if (!options.mask.empty()) fit::apply_mask(photos.back(), options.mask);
+    return photos;
+  }
+  if (!options.filters.empty())
+    refuse("--line", "the scene names its photographs itself", "leave it out, or [[fit.photo]] of the scene");
+  for (const auto& [key, word] :
+       {std::pair{"--photo", &options.photo}, {"--mask", &options.mask}, {"--decoding", &options.decoding}})
+    if (!word->empty())
+      refuse(key, "the scene names its photographs itself", "leave it out, or [[fit.photo]] of the scene");
+  return photographs_of(scene);
+}
+
+/// What the fit tells while it works: a bar on a terminal, elsewhere one line a stage.
+class Account {
+ public:
+  void tell(const std::string& stage, int evaluations, double chi2_per_dof, double share) {
+    const std::string text = fmt::format("{}: {} evaluations, chi2 / dof {}", stage, evaluations,
+                                         fit::short_number(chi2_per_dof, 3));
+    bar_.update(share, text);
+    if (isatty(STDERR_FILENO) == 1 || !stages_.insert(stage).second) return;
+    const std::optional<double> to_go = bar_.seconds_to_go();
+    std::fprintf(stderr, "%s (%s%s)\n", text.c_str(), duration_text(bar_.elapsed_seconds()).c_str(),
+                 to_go ? (", about " + duration_text(*to_go) + " to go").c_str() : "");
+  }
+
+ private:
+  ProgressBar bar_{"fitting"};
+  std::set<std::string> stages_;
+};
+
+/// All that the answer depends on. Comments and the order of keys in the scene's file do not count.
+fit::JournalSubject subject_of(const FitRequest& options, const sim::Scene& scene,
+                               const std::vector<fit::Photo>& photos) {
+  fit::JournalSubject subject = {
+      {"the version of vegard", sim::version()},
+      {"the version of a library",
+       fit::ceres_version() + ", " + sim::eigen_version() + ", " + fit::opencv_version()},
+      {"the scene", sim::sha256(sim::write_scene(scene))}};
+  for (const auto& [path, text] : scene.tables)
+    subject.push_back({"the table of " + path, sim::sha256(text)});
+  for (const sim::NamedFile& named : sim::named_files(scene))
+    for (const std::string& name : sim::files_of_name(named.name))
+      subject.push_back({"the file of " + named.path, sim::sha256_of_file(sim::table_place(scene, name))});
+  for (std::size_t i = 0; i < photos.size(); ++i) {
+    const std::string which = photos.size() > 1 ? " " + std::to_string(i + 1) : "";
+    subject.push_back({"the photograph" + which, photos[i].sha256});
+    subject.push_back({"the mask" + which, photos[i].mask_sha256});
+    subject.push_back({"the decoding" + which, photos[i].decoding});
+  }
+  subject.push_back({"--max-evaluations", std::to_string(options.max_evaluations)});
+  return subject;
+}
+
+/// A run that Ctrl-C has left is what --resume goes on with; any other is kept.
+bool is_interrupted_run(const std::string& directory) {
+  std::ifstream file(directory + "/result.json", std::ios::binary);
+  const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
+  return json.is_object() &&
+         (json.value("verdict", "") == std::string(fit::verdict_name(fit::Verdict::interrupted)) ||
+          json.value("judges_cut_short", false));
+}
+
+fit::JournalMode journal_mode(const FitRequest& options) {
+  if (options.resume) return fit::JournalMode::resume;
+  return options.overwrite ? fit::JournalMode::overwrite : fit::JournalMode::fresh;
+}
+
+/// A photograph whose transfer curve was unknown is decoded by what was found of it afterwards.
+fit::FitResult fitted(const FitRequest& options, const sim::Scene& scene, std::vector<fit::Photo>& photos,
+                      fit::Journal& journal) {
+  Account account;
+  fit::FitOptions fit_options;
+  fit_options.threads = options.threads;
+  fit_options.max_evaluations = options.max_evaluations;
+  fit_options.journal = &journal;
+  fit_options.intervals = options.intervals;
+  fit_options.bootstrap = options.bootstrap;
+  fit_options.mcmc = options.mcmc;
+  fit_options.progress = [&account](const std::string& stage, int evaluations, double chi2_per_dof,
+                                    double share) { account.tell(stage, evaluations, chi2_per_dof, share); };
+  fit_options.stop = &watch_for_interrupt();
+  return placing_errors(scene, [&] {
+    if (!scene.fit.photos.empty()) return fit::fit_photos(scene, photos, fit_options);
+    return photos.front().unknowns > 0 ? fit::fit_photo_and_curve(scene, photos.front(), fit_options)
+                                       : fit::fit_photo(scene, photos.front(), fit_options);
+  });
+}
+
+void print_answer(const fit::FitResult& result, const std::string& report) {
+  std::printf("%s\n", result.verdict_line.c_str());
+  std::size_t widest = 0;
+  std::size_t coefficients = 0;
+  for (const fit::FittedParameter& p : result.parameters) {
+    if (p.of_profile)
+      ++coefficients;
+    else
+      widest = std::max(widest, p.path.size());
+  }
+  for (const fit::TiedNumber& t : result.tied) widest = std::max(widest, t.path.size());
+  for (const fit::FittedParameter& p : result.parameters) {
+    if (p.of_profile) continue;
+    std::printf("  %-*s  %s%s%s%s\n", static_cast<int>(widest), p.path.c_str(),
+                fit::number_with_error(p.value, p.sigma).c_str(), p.unit.empty() ? "" : " ", p.unit.c_str(),
+                p.at_limit ? "  (at a limit)" : "");
+  }
+  for (const fit::TiedNumber& t : result.tied)
+    std::printf("  %-*s  %s%s%s = %s\n", static_cast<int>(widest), t.path.c_str(),
+                fit::number_with_error(t.value, t.sigma).c_str(), t.unit.empty() ? "" : " ", t.unit.c_str(),
+                t.equals.c_str());
+  if (coefficients > 0)
+    std::printf("  %zu coefficients of free-form profiles: see profile.csv\n", coefficients);
+  for (const fit::DerivedNumber& d : result.derived) {
+    if (d.is_detail) continue;  // in the report
+    if (!d.why_none.empty())
+      std::printf("  %s: %s\n", d.name.c_str(), d.why_none.c_str());
+    else
+      std::printf("  %s: %s%s%s\n", d.name.c_str(), fit::number_with_error(d.value, d.sigma).c_str(),
+                  d.unit.empty() ? "" : " ", d.unit.c_str());
+  }
+  for (const fit::FittedPhoto& photo : result.photos)
+    std::printf("decoding%s: %s\n", photo.name.empty() ? "" : (" of " + photo.name).c_str(),
+                photo.decoding.c_str());
+  if (result.curve)
+    std::printf("to take the curve as known: --decoding %s\n", result.curve->decoding_word.c_str());
+  std::printf("%s\n", report.c_str());
+}
+
+ExitCode exit_code_of(fit::Verdict verdict) {
+  switch (verdict) {
+    case fit::Verdict::good:
+      return good;
+    case fit::Verdict::doubtful:
+      return doubted;
+    case fit::Verdict::failed:
+      return not_converged;
+    case fit::Verdict::interrupted:
+      return interrupted;
+  }
+  return internal_error;
+}
+
+int run_fit(const FitRequest& options, const std::string& command) {
+  sim::Scene scene = scene_of(options.scene);
+  // Now, not after the fit: someone may edit the file meanwhile.
+  const std::string scene_sha256 = sim::sha256_of_file(options.scene.file);
+  const bool replaces = options.overwrite || (options.resume && is_interrupted_run(options.out));
+  if (!options.check_derivatives) {
+    if (options.out.empty()) throw usage_error("--out", "is missing", "the run's directory to write");
+    spare_inputs_inside("--out", options.out, files_read(options, scene));
+    fit::check_run_directory(options.out, replaces);
+  }
+  std::vector<fit::PhotoFact> from_photograph;
+  const std::string photo =
+      options.filters.empty() ? options.photo : filter_files(options.filters).front().file;
+  if (scene.fit.photos.empty() && !photo.empty() && !options.no_metadata)
+    from_photograph = take_from_photograph(scene, photo, options.scene.changes);
+  std::vector<fit::Photo> photos = photos_of(options, scene);
+  if (options.check_derivatives) {
+    if (!scene.fit.photos.empty())
+      throw usage_error("--check-derivatives", "is for one photograph", "a scene without [[fit.photo]]");
+    return print_derivative_check(scene, photos.front(), options.threads);
+  }
+  fit::FileJournal journal(fit::journal_file(options.out), subject_of(options, scene, photos),
+                           journal_mode(options));
+  if (journal.found() > 0)
+    std::fprintf(stderr, "vegard: going on after %d finished steps\n", journal.found());
+  fit::FitResult result = fitted(options, scene, photos, journal);
+  if (!journal.problem().empty())
+    std::fprintf(stderr, "vegard: this fit cannot be resumed: %s\n", journal.problem().c_str());
+  result.inputs = inputs_of(options.scene.file, scene_sha256, photos);
+  result.command = command;
+  result.from_photograph = from_photograph;
+  fit::RunContext context;
+  context.threads = options.threads;
+  fit::write_run(options.out, replaces, result, photos, context);
+  if (result.verdict == fit::Verdict::interrupted)
+    std::fputs("vegard: interrupted; the same command with --resume goes on\n", stderr);
+  else if (result.judges_cut_short)
+    std::fputs(
+        "vegard: the fit is finished, the judges of its error bars were interrupted; the same command with "
+        "--resume goes on\n",
+        stderr);
+  else
+    journal.remove();
+  print_answer(result, options.out + "/report.html");
+  return result.judges_cut_short ? interrupted : exit_code_of(result.verdict);
+}
+
+}  // namespace
+
+void add_fit_command(Program& program) {
+  const auto options = std::make_shared<FitRequest>();
+  const Command command = program.add("fit", "Fit a scene to a photograph or to several, and write a report");
+  add_scene_options(command, options->scene);
+  command
+      .option("--photo", options->photo,
+              "A photograph of any format that is read; left out: those of the scene's [[fit.photo]]")
+      .type_name("IMAGE");
+  add_filter_option(command, options->filters);
+  command.option("--out", options->out, "The run's directory to write").type_name("RUN");
+  command.option("--mask", options->mask, "An image of the same size: white = use").type_name("IMAGE");
+  add_decoding_option(command, options->decoding);
+  add_no_metadata_option(command, options->no_metadata);
+  command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
+      .range(0, 1024);
+  command.option("--max-evaluations", options->max_evaluations, "Stop after so many evaluations")
+      .range(1, 1000000)
+      .shows_default();
+  command.flag("--intervals", options->intervals,
+               "Judge the error bars by profile likelihood: all others give way, for each parameter");
+  command
+      .option("--bootstrap", options->bootstrap,
+              "Judge the error bars by drawing the bands anew so many times (1000 is plenty)")
+      .type_name("N")
+      .range(2, 1000000);
+  command
+      .option("--mcmc", options->mcmc,
+              "Judge the error bars by a Markov chain of so many steps, a quarter more before them")
+      .type_name("STEPS")
+      .range(2, 1000000);
+  command.flag("--overwrite", options->overwrite,
+               "Replace a run that exists; without --resume, discard the steps of one that was cut off");
+  command.flag("--resume", options->resume,
+               "Go on with a fit that was cut off, from the finished steps in RUN.part");
+  command.flag("--check-derivatives", options->check_derivatives,
+               "Only compare every free parameter's derivative with differences (no --out needed)");
+  command.runs([options, words = program.command_line()] { return run_fit(*options, words); });
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,206 @@
+#include "apps/commands/commands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/options/exit_code.h"
+#include "apps/options/file_names.h"
+#include "apps/options/refusals.h"
+#include "apps/output/grid_file.h"
+#include "apps/output/progress_bar.h"
+#include "apps/output/terminal.h"
+#include "sim/base/error.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/base/grid/volumegrid_text.h"
+#include "sim/base/number/mask5.h"
+#include "sim/base/version.h"
+#include "sim/emit/grid/grid_filter.h"
+
+namespace vegard::apps {
+namespace {
+
+/// One of the words --blur, --sharpen and --mask.
+struct Step {
+  std::string words;  ///< "blur 2"
+  sim::Mask5 mask;
+  int times = 1;
+};
+
+struct GridRequest {
+  std::string input, output;
+  std::vector<std::string> channels, masks;
+  std::vector<int> blur, sharpen;
+  std::vector<char> order;  ///< 'b', 's' or 'm' for each of them, in the order of the command line
+  int threads = 0;
+  bool overwrite = false;
+};
+
+sim::Mask5 mask_of_file(const std::string& path) {
+  std::error_code ignored;
+  constexpr std::uintmax_t kMostBytes = 1 << 20;
+  const bool is_file = std::filesystem::is_regular_file(path, ignored);
+  std::ifstream stream(path, std::ios::binary);
+  if (!is_file || !stream || std::filesystem::file_size(path, ignored) > kMostBytes)
+    throw sim::Error(sim::ErrorKind::unreadable_input,
+                     {is_file ? "it cannot be read, or has more than 1 MB" : "it is not there, or no file",
+                      path, 0, "--mask", "a text of 125 numbers", ""});
+  return sim::read_mask5(std::string(std::istreambuf_iterator<char>(stream), {}), path);
+}
+
+std::vector<Step> steps_of(const GridRequest& options) {
+  std::vector<Step> steps;
+  std::size_t blurs = 0, sharpens = 0, masks = 0;
+  for (const char what : options.order) {
+    if (what == 'm') {
+      const std::string& file = options.masks[masks++];
+      steps.push_back({"mask " + std::filesystem::path(file).filename().string(), mask_of_file(file), 1});
+      continue;
+    }
+    const int times = what == 'b' ? options.blur[blurs++] : options.sharpen[sharpens++];
+    steps.push_back({fmt::format("{} {}", what == 'b' ? "blur" : "sharpen", times),
+                     what == 'b' ? sim::blur_mask() : sim::sharpen_mask(), times});
+  }
+  return steps;
+}
+
+/// After each pass, before what overflowed downwards is taken for 0 in the next.
+void check_numbers(const sim::SparseGrid& grid, const Step& step) {
+  constexpr float kMost = 1e30f;  // of what read_vdb() and read_volumegrid() take
+  for (const auto& [at, brick] : grid.bricks)
+    for (const float number : brick)
+      if (!(std::abs(number) <= kMost))
+        throw usage_error(step.words.compare(0, 4, "mask") == 0 ? "--mask" : "--sharpen",
+                          "after '" + step.words + "' numbers are beyond 1e30, and nothing is written",
+                          "smaller weights, or fewer passes");
+}
+
+/// False if it was interrupted.
+bool filter(sim::SparseGrid& grid, const std::vector<Step>& steps, int threads,
+            const std::atomic<bool>& stop) {
+  int all = 0, done = 0;
+  for (const Step& step : steps) all += step.times;
+  ProgressBar bar("convolving");
+  for (const Step& step : steps)
+    for (int n = 0; n < step.times; ++n) {
+      if (stop.load()) return false;
+      sim::filter_grid(grid, step.mask, threads);
+      check_numbers(grid, step);
+      bar.update(static_cast<double>(++done) / all);
+    }
+  return true;
+}
+
+/// The channel that a volumegrid is to hold.
+int single_channel(const GridRequest& options, const sim::SparseGrid& grid) {
+  const int channel = options.channels.size() == 1 ? 0 : usual_channel(grid);
+  if (channel < 0 || options.channels.size() > 1)
+    throw usage_error("--channel", "a volumegrid holds one grid, and there are " + channel_names(grid),
+                      "--channel NAME, or -o OUT.vdb");
+  return channel;
+}
+
+void write(const GridRequest& options, GridFile&& file, const std::vector<Step>& steps) {
+  if (!is_vdb_name(options.output)) {
+    sim::VolumegridOptions out;
+    out.size = file.size;
+    out.colours = file.colours;
+    out.overwrite = options.overwrite;
+    sim::write_volumegrid(options.output, file.grid, single_channel(options, file.grid), out);
+    return;
+  }
+  sim::VdbOptions out;
+  out.overwrite = options.overwrite;
+  const auto centre = file.metadata.numbers.find(sim::kVoxelCentreIndex);
+  if (centre != file.metadata.numbers.end() && centre->second == 0.0) out.centre_index = 0.0;
+  file.metadata.texts["creator"] = "vegard " + sim::version();
+  for (const Step& step : steps) {
+    std::string& words = file.metadata.texts["filters"];
+    words += (words.empty() ? "" : ", ") + step.words;
+  }
+  sim::write_vdb(options.output, std::move(file.grid), file.metadata, out);
+}
+
+int run_grid(const GridRequest& options) {
+  check_grid_name("GRID", options.input);
+  check_grid_name("--output", options.output);
+  std::vector<NamedInput> inputs = {{options.input, "the grid"}};
+  for (const std::string& mask : options.masks) inputs.push_back({mask, "a mask"});
+  spare_inputs("--output", options.output, inputs);
+  {
+    sim::WholeFile refused_now(options.output, options.overwrite);  // and not after the work
+  }
+  const std::vector<Step> steps = steps_of(options);
+  const std::atomic<bool>& stop = watch_for_interrupt();
+  GridFile file = read_grid_file(options.input, options.channels);
+  if (!is_vdb_name(options.output)) single_channel(options, file.grid);  // refused now
+  const bool finished = filter(file.grid, steps, options.threads, stop) && !stop.load();
+  if (!finished) {
+    std::fputs("vegard: interrupted, nothing is written\n", stderr);
+    return interrupted;
+  }
+  if (file.grid.bricks.empty())
+    throw usage_error("GRID", "there is nothing in " + options.input + ", and nothing is written",
+                      "a grid with numbers that are not 0");
+  std::string report = fmt::format("{} bricks of 8 x 8 x 8 voxels of {:g} {}, {}", file.grid.bricks.size(),
+                                   file.grid.voxel, length_words(file.metadata), channel_names(file.grid));
+  for (const Step& step : steps) report += "; " + step.words;
+  write(options, std::move(file), steps);
+  std::printf("%s: %s\n", options.output.c_str(), report.c_str());
+  return good;
+}
+
+}  // namespace
+
+void add_grid_command(Program& program) {
+  const auto options = std::make_shared<GridRequest>();
+  const Command command =
+      program.add("grid", "Convert grids between OpenVDB and pbrt's volumegrid, and blur or sharpen them");
+  command.option("GRID", options->input, "A .vdb file, or a volumegrid (.pbrt, .volumegrid, .txt)")
+      .required();
+  command.option("-o,--output", options->output, "The file to write; its name says which kind")
+      .type_name("OUT.vdb|pbrt")
+      .required();
+  command
+      .option("--channel", options->channels,
+              "Only the grids of these names (default: all; into a volumegrid: density, or the only one)")
+      .delimiter(',')
+      .type_name("NAME,...");
+  const Option blur =
+      command.option("--blur", options->blur, "Convolve so often with the blur of 5 x 5 x 5; may be repeated")
+          .range(1, 100)
+          .type_name("TIMES")
+          .repeated();
+  const Option sharpen =
+      command.option("--sharpen", options->sharpen, "The same with twice what is there less the blur")
+          .range(1, 100)
+          .type_name("TIMES")
+          .repeated();
+  const Option mask = command
+                          .option("--mask", options->masks,
+                                  "The same with a mask of your own, 125 numbers, the last axis fastest")
+                          .type_name("FILE")
+                          .repeated();
+  command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
+      .range(0, 1024);
+  command.flag("--overwrite", options->overwrite, "Replace an output that exists");
+  command.runs([options, command, blur, sharpen, mask] {
+    options->order.clear();
+    for (const Option& given : command.order()) {
+      if (given == blur) options->order.push_back('b');
+      if (given == sharpen) options->order.push_back('s');
+      if (given == mask) options->order.push_back('m');
+    }
+    return run_grid(*options);
+  });
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,223 @@
+#include "apps/commands/commands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/options/exit_code.h"
+#include "apps/options/file_names.h"
+#include "apps/options/photographs.h"
+#include "apps/options/refusals.h"
+#include "apps/output/horizon_toml.h"
+#include "fit/photo/picture_field_of_view.h"
+#include "fit/photo/pointing/horizon_calibration.h"
+#include "sim/base/error.h"
+#include "sim/base/file/number_text.h"
+#include "sim/base/file/whole_file.h"
+
+namespace vegard::apps {
+namespace {
+
+struct HorizonRequest {
+  std::string photo, output, sky;
+  std::vector<std::string> points;
+  std::vector<int> size_px;
+  std::optional<double> hfov_deg, focal_35mm_mm, azimuth_deg, altitude_m;
+  double layer_km = 0.0, point_error_px = 1.0;
+  bool fit_hfov = false, overwrite = false;
+};
+
+fit::PixelPoint point_of(const std::string& key, const std::string& words) {
+  fit::PixelPoint point;
+  int used = 0;
+  if (std::sscanf(words.c_str(), "%lf,%lf%n", &point.x_px, &point.y_px, &used) != 2 ||
+      used != static_cast<int>(words.size()))
+    throw usage_error(key, "'" + words + "' is no point", "X,Y in pixels from the upper left corner");
+  return point;
+}
+
+/// Size and field of view, from the command line or the picture.
+void read_camera(const HorizonRequest& options, HorizonCamera& camera) {
+  sim::PictureMetadata metadata;
+  if (!options.photo.empty()) {
+    camera.name = std::filesystem::path(options.photo).filename().string();
+    metadata = metadata_of(options.photo);
+  } else if (options.size_px.empty()) {
+    throw usage_error("--size", "the picture's size is not known", "a PHOTO, or --size W,H");
+  }
+  if (!options.size_px.empty())
+    metadata.width_px = options.size_px[0], metadata.height_px = options.size_px[1];
+  camera.facts = fit::photo_facts(metadata);
+  fit::HorizonProblem& problem = camera.problem;
+  problem.width_px = *metadata.width_px;
+  problem.height_px = *metadata.height_px;
+  if (options.fit_hfov) {
+    camera.hfov_source = "from the horizon's bending";
+  } else if (options.hfov_deg) {
+    problem.hfov_deg = options.hfov_deg;
+    camera.hfov_source = "given";
+  } else if (options.focal_35mm_mm) {
+    problem.hfov_deg = fit::hfov_of_focal_deg(
+        fit::focal_of_35mm_px(*options.focal_35mm_mm, problem.width_px, problem.height_px), problem.width_px);
+    camera.hfov_source = "of the given " + fit::short_number(*options.focal_35mm_mm) + " mm, by the diagonal";
+  } else {
+    const fit::PictureFieldOfView view = fit::picture_field_of_view(metadata);
+    problem.hfov_deg = view.hfov_deg;
+    camera.hfov_source = view.hfov_deg ? view.source : "from the horizon's bending";
+    camera.hfov_rounding_deg = view.rounding_deg;
+  }
+}
+
+/// By how much the elevation would differ with the focal length at the ends of what its rounding leaves open.
+void measure_rounding(HorizonCamera& camera) {
+  if (!camera.hfov_rounding_deg) return;
+  for (const double sign : {-1.0, 1.0}) {
+    fit::HorizonProblem problem = camera.problem;
+    *problem.hfov_deg += sign * *camera.hfov_rounding_deg;
+    const double moved =
+        fit::calibrate_horizon(problem).elevation_deg.value - camera.found.elevation_deg.value;
+    camera.elevation_rounding_deg = std::max(camera.elevation_rounding_deg, std::abs(moved));
+  }
+}
+
+/// What the points say of the dip where it is not taken as known; a horizon that is all but straight says
+/// nothing, and is not asked.
+void print_dip_alone(const HorizonCamera& camera) {
+  constexpr double kBentDeg = 2.0;
+  fit::HorizonProblem problem = camera.problem;
+  if (problem.dip_deg < kBentDeg || problem.points.size() < 3 || !problem.hfov_deg) return;
+  problem.free_dip = true;
+  try {
+    const fit::HorizonCalibration alone = fit::calibrate_horizon(problem);
+    const double observer_km = 1e-3 * *camera.altitude_m;
+    const double layer_km = fit::layer_of_dip_km(alone.dip_deg.value, observer_km);
+    const double slope =
+        std::abs(fit::layer_of_dip_km(alone.dip_deg.value + 0.01, observer_km) - layer_km) / 0.01;
+    std::printf("  by the points alone: dip %s deg, elevation %s deg; a limb %s km high, rms %.2f px\n",
+                fit::number_with_error(alone.dip_deg.value, alone.dip_deg.sigma).c_str(),
+                fit::number_with_error(alone.elevation_deg.value, alone.elevation_deg.sigma).c_str(),
+                fit::number_with_error(layer_km, slope * alone.dip_deg.sigma).c_str(), alone.rms_px);
+  } catch (const sim::Error& error) {
+    std::printf("  by the points alone: %s\n", error.details().problem.c_str());
+  }
+  problem.free_dip = false;
+  problem.hfov_deg.reset();
+  try {
+    const fit::HorizonCalibration alone = fit::calibrate_horizon(problem);
+    std::printf("  by the bending alone: a field of view of %s deg, rms %.2f px\n",
+                fit::number_with_error(alone.hfov_deg.value, alone.hfov_deg.sigma).c_str(), alone.rms_px);
+  } catch (const sim::Error& error) {
+    std::printf("  by the bending alone: %s\n", error.details().problem.c_str());
+  }
+}
+
+void print_answer(const HorizonCamera& camera) {
+  const fit::HorizonCalibration& found = camera.found;
+  const auto number = [](const fit::ErrorBar& bar) {
+    return fit::number_with_error(bar.value,
+                                  bar.sigma > 0.0 ? std::optional<double>(bar.sigma) : std::nullopt);
+  };
+  std::printf("%zu points on the horizon, dip %s deg\n", camera.problem.points.size(),
+              number(found.dip_deg).c_str());
+  std::printf("  camera.hfov_deg       %s (%s)\n", number(found.hfov_deg).c_str(),
+              camera.hfov_source.c_str());
+  std::printf("  camera.elevation_deg  %s\n", number(found.elevation_deg).c_str());
+  std::printf("  camera.roll_deg       %s\n", number(found.roll_deg).c_str());
+  std::printf("  camera.azimuth_deg    %s\n",
+              camera.azimuth_deg ? (fit::short_number(*camera.azimuth_deg) + " (given)").c_str()
+                                 : "0 (assumed: a horizon does not tell it; --azimuth)");
+  if (camera.hfov_rounding_deg)
+    std::printf("  the focal length is rounded: the elevation is known to within %.2f deg by that\n",
+                camera.elevation_rounding_deg);
+  std::printf("  rms %.2f px; error bars from %s px a point\n", found.rms_px,
+              fit::short_number(found.used_error_px, 3).c_str());
+  std::string residuals;
+  for (const double residual : found.residual_px) residuals += fmt::format(" {:+.2f}", residual);
+  if (camera.problem.points.size() > 2) std::printf("  above the horizon by%s px\n", residuals.c_str());
+}
+
+int run_horizon(const HorizonRequest& options) {
+  if (same_file(options.photo, options.output)) refuse_same_file("--output", options.output, "the picture");
+  HorizonCamera camera;
+  read_camera(options, camera);
+  fit::HorizonProblem& problem = camera.problem;
+  for (const std::string& words : options.points) problem.points.push_back(point_of("--points", words));
+  if (!options.sky.empty()) problem.sky = point_of("--sky", options.sky);
+  camera.azimuth_deg = options.azimuth_deg;
+  camera.altitude_m = options.altitude_m;
+  problem.dip_deg = fit::horizon_dip_deg(1e-3 * options.altitude_m.value_or(0.0), options.layer_km);
+  problem.point_error_px = options.point_error_px;
+  camera.found = fit::calibrate_horizon(problem);
+  measure_rounding(camera);
+  if (!options.output.empty()) {
+    sim::WholeFile file(options.output, options.overwrite);
+    file.write(horizon_toml(camera));
+    file.commit();
+  }
+  print_answer(camera);
+  print_dip_alone(camera);
+  if (!options.output.empty()) std::printf("%s\n", options.output.c_str());
+  return good;
+}
+
+}  // namespace
+
+void add_horizon_command(Program& program) {
+  const auto options = std::make_shared<HorizonRequest>();
+  const Command command =
+      program.add("horizon", "Find a camera's elevation and roll from points on the horizon of its picture");
+  command.option("PHOTO", options->photo, "The picture, for its size and focal length");
+  command.option("--size", options->size_px, "Its size, without a PHOTO")
+      .delimiter(',')
+      .expected(2)
+      .range(1, 65535)
+      .type_name("W,H");
+  command.option("--points", options->points, "Points on the horizon, pixels from the upper left corner")
+      .required()
+      .expected(-1)
+      .type_name("X,Y");
+  command.option("--sky", options->sky, "A point in the sky (default: the picture's top is)")
+      .type_name("X,Y");
+  const Option hfov = command.option("--hfov", options->hfov_deg, "Horizontal field of view, degrees")
+                          .type_name("DEG")
+                          .range(0.1, 170.0);
+  const Option film =
+      command
+          .option("--focal-35mm", options->focal_35mm_mm, "Focal length that gives this angle on 35 mm film")
+          .type_name("MM")
+          .range(1.0, 1e5);
+  const Option fit_hfov =
+      command.flag("--fit-hfov", options->fit_hfov, "Find the field of view too, from a bent horizon");
+  hfov.excludes(film).excludes(fit_hfov);
+  film.excludes(fit_hfov);
+  command
+      .option("--altitude-m", options->altitude_m,
+              "Height of the observer above what makes the horizon (default: 0)")
+      .type_name("M")
+      .range(0.0, 1e8);
+  command.option("--layer-km", options->layer_km, "Height of the layer whose limb the points are on")
+      .type_name("KM")
+      .range(0.0, 1e5)
+      .shows_default();
+  command
+      .option("--azimuth", options->azimuth_deg,
+              "Azimuth of the line of sight, which a horizon does not tell")
+      .type_name("DEG")
+      .range(-720.0, 720.0);
+  command.option("--point-error", options->point_error_px, "Standard deviation of a point across the horizon")
+      .type_name("PX")
+      .range(1e-3, 1e3)
+      .shows_default();
+  command.option("-o,--output", options->output, "The camera, as a scene").type_name("CAMERA.toml");
+  command.flag("--overwrite", options->overwrite, "Replace an output that exists");
+  command.runs([options] { return run_horizon(*options); });
+}
+
+}  // namespace vegard::apps

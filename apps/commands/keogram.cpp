@@ -1,0 +1,220 @@
+#include "apps/commands/keogram.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "apps/commands/commands.h"
+#include "apps/options/exit_code.h"
+#include "apps/options/file_names.h"
+#include "apps/options/photo_options.h"
+#include "apps/options/picture_lists.h"
+#include "apps/options/refusals.h"
+#include "apps/output/plot_file.h"
+#include "fit/measure/keogram.h"
+#include "fit/photo/photo.h"
+#include "fit/photo/region.h"
+#include "fit/report/keogram_plot.h"
+#include "sim/base/error.h"
+#include "sim/base/file/number_text.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/base/picture/image_io.h"
+#include "sim/scene/file/scene_toml.h"
+
+namespace vegard::apps {
+namespace {
+
+/// Of the picture's width, where nothing says how wide the strip is to be.
+constexpr int kUsualStripShare = 50;
+
+enum class OutputKind { table, image, plot };
+
+OutputKind output_kind(const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if (extension == ".csv") return OutputKind::table;
+  if (extension == ".exr") return OutputKind::image;
+  if (extension == ".png" || extension == ".svg") return OutputKind::plot;
+  throw usage_error("--output", "'" + file + "' names no kind of keogram",
+                    "a name that ends in .png, .svg, .exr or .csv");
+}
+
+void check_outputs(const KeogramOptions& options, const std::vector<std::string>& images) {
+  std::vector<std::string> inputs = images;
+  for (const std::string& input :
+       {options.mask, options.scene, options.times, options.maps.azimuth_map, options.maps.elevation_map})
+    inputs.push_back(input);
+  for (std::size_t i = 0; i < options.outputs.size(); ++i) {
+    output_kind(options.outputs[i]);
+    for (std::size_t j = 0; j < i; ++j)
+      if (same_file(options.outputs[i], options.outputs[j]))
+        refuse_same_file("--output", options.outputs[i], "another output");
+    for (const std::string& input : inputs)
+      if (same_file(options.outputs[i], input)) refuse_same_file("--output", options.outputs[i], "an input");
+  }
+}
+
+fit::Region region_of(const KeogramOptions& options, const sim::Scene* scene, int width, int height) {
+  std::array<int, 4> roi_px = scene != nullptr ? scene->fit.roi_px : sim::Fit{}.roi_px;
+  for (std::size_t i = 0; i < options.roi_px.size(); ++i) roi_px[i] = options.roi_px[i];
+  try {
+    return fit::checked_region(roi_px, width, height);
+  } catch (const sim::Error& error) {
+    if (options.roi_px.empty()) throw scene != nullptr ? with_place(error, *scene) : error;
+    sim::ErrorDetails details = error.details();
+    details.key = "--roi";
+    throw sim::Error(sim::ErrorKind::usage, details);
+  }
+}
+
+/// The line, and whose directions it goes by, for pictures like this one.
+void choose_line(const KeogramOptions& options, const sim::Scene* scene, const fit::Photo& photo,
+                 fit::Keogram& keogram) {
+  const int width = photo.linear.width, height = photo.linear.height;
+  const fit::Region region = region_of(options, scene, width, height);
+  const auto known = known_directions(options.maps, scene, width, height, photo.file_name);
+  if (known) {
+    fit::MeridianOptions meridian;
+    meridian.azimuth_deg =
+        options.azimuth_deg.value_or(scene != nullptr ? scene->field.declination_deg : 0.0);
+    meridian.width_deg = options.width;
+    meridian.step_deg = options.step_deg;
+    keogram.line = fit::meridian_line(known->map, region, meridian);
+    keogram.camera = known->words;
+    return;
+  }
+  if (options.azimuth_deg || options.step_deg)
+    throw usage_error(options.azimuth_deg ? "--azimuth" : "--elevation-step",
+                      "where the pixels look is not known", "--azimuth-map MAPS, or --scene with the camera");
+  if (options.width && *options.width != std::floor(*options.width))
+    throw usage_error("--width", "without a camera the strip is as many columns wide", "a whole number");
+  const bool whole = !options.roi_px.empty() && !options.width;
+  const int usual = std::max(1, region.width / kUsualStripShare);
+  // What is far too wide for an int is too wide for the region.
+  const double asked = std::min(options.width.value_or(whole ? region.width : usual), 1e9);
+  if (!(asked >= 1.0)) throw usage_error("--width", "a strip needs a width", "1 px or more");
+  keogram.line = fit::column_line(region, static_cast<int>(asked));
+}
+
+fit::Keogram measure(const KeogramOptions& options, const TimedPictures& pictures, const sim::Scene* scene) {
+  const fit::Decoding decoding =
+      decoding_of(options.decoding, scene != nullptr ? scene->fit.decoding : sim::Fit{}.decoding, scene);
+  if (decoding == fit::Decoding::sensor && scene == nullptr)
+    throw usage_error("--decoding", "no scene says what the sensor is", "--scene SCENE beside it");
+  fit::Keogram keogram;
+  keogram.time_kind = pictures.times.kind;
+  keogram.time_source = pictures.times.source;
+  for (std::size_t i = 0; i < pictures.files.size(); ++i) {
+    fit::Photo photo = fit::read_photo(pictures.files[i], decoding, scene);
+    if (i == 0) choose_line(options, scene, photo, keogram);
+    const bool like_the_first = i == 0 || (photo.linear.width == keogram.picture_width_px &&
+                                           photo.linear.height == keogram.picture_height_px);
+    if (!options.mask.empty() && like_the_first) fit::apply_mask(photo, options.mask);
+    fit::add_picture(photo, pictures.times.seconds[i], keogram);
+  }
+  return keogram;
+}
+
+fit::KeogramLook look_of(const KeogramOptions& options) {
+  fit::KeogramLook look;
+  if (!options.channel.empty()) look.channel = options.channel == "r" ? 0 : options.channel == "g" ? 1 : 2;
+  look.black = options.black;
+  look.white = options.white;
+  if (look.black && look.white && !(*look.white > *look.black))
+    throw usage_error("--white", "white is not brighter than black", "more than --black");
+  return look;
+}
+
+std::string bytes_of(const fit::Keogram& keogram, const fit::KeogramLook& look, const std::string& file) {
+  switch (output_kind(file)) {
+    case OutputKind::table:
+      return fit::keogram_csv(keogram);
+    case OutputKind::image: {
+      const sim::Image image = fit::keogram_image(keogram);
+      return sim::encode_exr({&image}, fit::keogram_attributes(keogram), file);
+    }
+    case OutputKind::plot:
+      break;
+  }
+  return plot_bytes(fit::keogram_plot(keogram, look), plot_format(file, "--output"));
+}
+
+std::string line_words(const fit::KeogramLine& line) {
+  if (!line.of_directions)
+    return "rows of a strip of " + fit::short_number(line.width) + " columns from " +
+           std::to_string(line.grid->region.x);
+  return "azimuth " + fit::short_number(line.azimuth_deg) + "\u00b0 over the zenith, " +
+         fit::short_number(line.width) + "\u00b0 wide, in steps of " + fit::short_number(line.step) +
+         "\u00b0";
+}
+
+}  // namespace
+
+void run_keogram(const KeogramOptions& options) {
+  const fit::KeogramLook look = look_of(options);
+  const TimedPictures pictures = timed_pictures(options.images, options.times);
+  check_outputs(options, pictures.files);
+  // All places are claimed before the work, and filled after all of it.
+  std::vector<std::unique_ptr<sim::WholeFile>> files;
+  for (const std::string& output : options.outputs)
+    files.push_back(std::make_unique<sim::WholeFile>(output, options.overwrite));
+  std::optional<sim::Scene> scene;
+  if (!options.scene.empty()) scene = sim::read_scene(options.scene);
+  const fit::Keogram keogram = measure(options, pictures, scene ? &*scene : nullptr);
+  for (std::size_t i = 0; i < files.size(); ++i) files[i]->write(bytes_of(keogram, look, options.outputs[i]));
+  for (const auto& file : files) file->commit();
+
+  std::printf("%zu pictures of %d x %d pixels, decoding: %s\n", keogram.columns.size(),
+              keogram.picture_width_px, keogram.picture_height_px, keogram.decoding.c_str());
+  std::printf("times: %s; %s to %s\n", keogram.time_source.c_str(),
+              fit::time_text(keogram, keogram.columns.front().time).c_str(),
+              fit::time_text(keogram, keogram.columns.back().time).c_str());
+  std::printf("line: %s; %d places\n", line_words(keogram.line).c_str(), keogram.positions());
+  if (!keogram.camera.empty()) std::printf("directions: %s\n", keogram.camera.c_str());
+  for (const std::string& output : options.outputs) std::printf("%s\n", output.c_str());
+}
+
+void add_keogram_command(Program& program) {
+  const auto options = std::make_shared<KeogramOptions>();
+  const Command command =
+      program.add("keogram", "One line of every picture of a night, side by side in time");
+  command
+      .option("IMAGES", options->images, "Photographs of any format that is read, or one list of them (.txt)")
+      .required();
+  command
+      .option("-o,--output", options->outputs,
+              "What to write: a picture, linear light, a table; may be repeated")
+      .required()
+      .one_an_occurrence()
+      .type_name("OUT.png|.svg|.exr|.csv");
+  command.option("--scene", options->scene,
+                 "A scene whose camera took the pictures: the line is the magnetic meridian");
+  add_map_options(command, options->maps);
+  command.option("--azimuth", options->azimuth_deg,
+                 "Azimuth of the line in degrees (default: the field's declination in the scene, or north)");
+  command.option(
+      "--width", options->width,
+      "Width of the line: degrees with a camera (default: two steps), else columns (default: 1/50)");
+  command.option("--elevation-step", options->step_deg,
+                 "Degrees from place to place (default: by the pixels)");
+  command
+      .option("--roi", options->roi_px,
+              "Region of interest in pixels; without a camera all its columns are taken")
+      .delimiter(',')
+      .expected(4)
+      .type_name("X,Y,W,H");
+  command.option("--mask", options->mask, "An image of the same size: white = use");
+  command.option("--times", options->times, "When each was taken: lines of FILE,TIME").type_name("TIMES.csv");
+  add_decoding_option(command, options->decoding);
+  command.option("--channel", options->channel, "Show one channel, as a colour map").one_of({"r", "g", "b"});
+  command.option("--black", options->black, "Linear light shown as black");
+  command.option("--white", options->white, "Linear light shown as white");
+  command.flag("--overwrite", options->overwrite, "Replace outputs that exist");
+  command.runs([options] {
+    run_keogram(*options);
+    return good;
+  });
+}
+
+}  // namespace vegard::apps

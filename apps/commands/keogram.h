@@ -1,0 +1,27 @@
+// `vegard keogram IMAGES… -o OUT`, and what `vegard profile` takes over from it for a list of pictures.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/options/direction_maps.h"
+
+namespace vegard::apps {
+
+/// What is not given stays empty.
+struct KeogramOptions {
+  std::vector<std::string> images, outputs;  ///< outputs by their endings: .png, .svg, .exr, .csv
+  std::string mask, scene, decoding, times;
+  std::vector<int> roi_px;
+  MapOptions maps;
+  std::optional<double> azimuth_deg, width, step_deg;
+  std::string channel;
+  std::optional<double> black, white;
+  bool overwrite = false;
+};
+
+/// Throws Error of all kinds. Prints what was done.
+void run_keogram(const KeogramOptions& options);
+
+}  // namespace vegard::apps

@@ -1,0 +1,107 @@
+#include "apps/commands/commands.h"
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/options/exit_code.h"
+#include "apps/options/file_names.h"
+#include "apps/options/refusals.h"
+#include "apps/options/scene_options.h"
+#include "apps/output/picture_file.h"
+#include "fit/photo/photo.h"
+#include "sim/base/error.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/base/picture/image_io.h"
+#include "sim/base/version.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/view/sensor/sensor.h"
+
+namespace vegard::apps {
+namespace {
+
+struct LineariseRequest {
+  std::string photo, output;
+  SceneOptions scene;
+  bool overwrite = false;
+};
+
+/// An EXR of this program says whether it is a photograph or light already.
+void check_is_photograph(const fit::Photo& photo, const std::string& file) {
+  const auto units = photo.words.find("units");
+  if (units == photo.words.end() || units->second.find(photograph_words) != std::string::npos) return;
+  sim::ErrorDetails details;
+  details.file = file;
+  details.problem = "it is no photograph but linear light already";
+  details.expected = "a photograph, as render --photograph writes it";
+  throw sim::Error(sim::ErrorKind::unreadable_input, details);
+}
+
+void check_size(const sim::Scene& scene, const fit::Photo& photo) {
+  if (scene.camera.width == photo.linear.width && scene.camera.height == photo.linear.height) return;
+  throw usage_error(
+      "camera.width",
+      fmt::format("the scene's camera has {} x {} pixels, the photograph {} x {}", scene.camera.width,
+                  scene.camera.height, photo.linear.width, photo.linear.height),
+      "one size",
+      fmt::format("--set camera.width={} --set camera.height={}", photo.linear.width, photo.linear.height));
+}
+
+int run_linearise(const LineariseRequest& options) {
+  const sim::Scene scene = scene_of(options.scene);
+  if (sim::image_format(options.output) != sim::ImageFormat::exr)
+    throw usage_error("--output", "'" + options.output + "' cannot hold linear light and its variance",
+                      "a name that ends in .exr");
+  for (const std::string& input : {options.photo, options.scene.file, options.scene.camera_file})
+    if (same_file(options.output, input)) refuse_same_file("--output", options.output, "an input");
+  sim::WholeFile file(options.output, options.overwrite);
+  const fit::Photo photo = fit::read_photo(options.photo, fit::Decoding::sensor, &scene);
+  check_is_photograph(photo, options.photo);
+  check_size(scene, photo);
+
+  sim::Image variance = sim::light_variance(scene, photo.linear, fit::file_step(photo));
+  sim::Image saturated = photo.linear;
+  std::size_t lost = 0;
+  for (std::size_t i = 0; i < photo.usable.size(); ++i) {
+    saturated.data[i] = photo.usable[i] ? 0.0f : 1.0f;
+    lost += photo.usable[i] ? 0 : 1;
+  }
+  for (std::string& name : variance.channel_names) name.insert(0, "variance.");
+  for (std::string& name : saturated.channel_names) name.insert(0, "saturated.");
+  const sim::ImageAttributes attributes = {
+      {"scene", sim::write_scene(scene)},
+      {"version", sim::version()},
+      {"photograph", photo.file_name},
+      {"decoding", photo.decoding},
+      {"units",
+       "R, G, B: linear sensor values, white = 1; variance.*: of these, without what JPEG does to them; "
+       "saturated.*: 1 where a full pixel has had a part in the value"}};
+  file.write(sim::encode_exr({&photo.linear, &variance, &saturated}, attributes, options.output));
+  file.commit();
+  std::printf("%s: %s\n", options.output.c_str(),
+              fmt::format("{} x {} pixels, {}, {:.2f} % of the values saturated", photo.linear.width,
+                          photo.linear.height, photo.decoding,
+                          100.0 * static_cast<double>(lost) / static_cast<double>(photo.usable.size()))
+                  .c_str());
+  return good;
+}
+
+}  // namespace
+
+void add_linearise_command(Program& program) {
+  const auto options = std::make_shared<LineariseRequest>();
+  const Command command = program.add(
+      "linearise", "Take a photograph back to linear light, with its variance, by a scene's sensor");
+  command.option("photo", options->photo, "A photograph of any format that is read")
+      .required()
+      .type_name("PHOTO");
+  add_scene_options(command, options->scene);
+  command.option("-o,--output", options->output, "The linear light to write").required().type_name("OUT.exr");
+  command.flag("--overwrite", options->overwrite, "Replace an output that exists");
+  command.runs([options] { return run_linearise(*options); });
+}
+
+}  // namespace vegard::apps

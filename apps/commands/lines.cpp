@@ -1,0 +1,173 @@
+#include "apps/commands/commands.h"
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/options/exit_code.h"
+#include "apps/output/plot_file.h"
+#include "apps/output/terminal.h"
+#include "fit/report/quenching_plot.h"
+#include "sim/base/error.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/lines/solar_lines.h"
+
+namespace vegard::apps {
+namespace {
+
+std::string lifetime_text(double seconds) {
+  if (seconds == 0.0) return "–";
+  if (seconds >= 3600.0) return fmt::format("{:.0f} h", seconds / 3600.0);
+  if (seconds >= 1e-3) return fmt::format("{:g} s", seconds);
+  return seconds >= 1e-6 ? fmt::format("{:g} µs", seconds * 1e6) : fmt::format("{:.0f} ns", seconds * 1e9);
+}
+
+double megakelvin(const sim::TemperatureResponse& response) {
+  return std::pow(10.0, response.peak_log_k - 6.0);
+}
+
+std::string column_text(const sim::EmissionLine& line) {
+  if (const auto response = sim::temperature_response(line.wavelength_nm))
+    return fmt::format("of the Sun, of {:.2g} MK", megakelvin(*response));
+  if (sim::is_solar(line)) return "of the Sun";
+  if (!sim::is_auroral(line)) return "of nebulae";
+  if (line.ratio_source[0] == '\0') return line.table_column;
+  return fmt::format("{:.4g} × {}", line.ratio, line.table_column);
+}
+
+std::string or_dash(const char* text) { return text[0] == '\0' ? "–" : text; }
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+std::string line_listing() {
+  std::string text;
+  for (const sim::EmissionLine& line : sim::emission_lines()) {
+    text += fmt::format("{:5.1f} nm  {:3}  {}; lives {}; light: {}\n", line.wavelength_nm, line.species,
+                        line.transition, lifetime_text(line.lifetime_s), column_text(line));
+    if (line.ratio_source[0] != '\0') text += fmt::format("          ratio: {}\n", line.ratio_source);
+    if (const auto response = sim::temperature_response(line.wavelength_nm))
+      text += fmt::format("          by temperature: exp(-1/2 ((log10 T - {:.2f}) / {:.2f})^2), {}\n",
+                          response->peak_log_k, response->width_log_k, response->source);
+    if (line.blended_with[0] != '\0') text += fmt::format("          blended with {}\n", line.blended_with);
+  }
+  return text;
+}
+
+std::string line_page() {
+  std::string text =
+      "# Emission lines\n\n"
+      "This page is the output of `vegard lines --markdown`; a test compares the two. A scene takes up to "
+      "eight of these\n"
+      "lines (`emission.lines`). *Light* is the column of `data/glow/ver_maxwellian.csv`, or a ratio of "
+      "photons to one; lines of\n[nebulae](nebulae.md) and of the Sun have none, and electrons in the "
+      "air leave them dark.\n"
+      "What a line is *blended with* stands so near that a filter of some nm passes both; it is not added to "
+      "the line.\n\n"
+      "| line | species | transition | lifetime | light | blended with |\n|---|---|---|---|---|---|\n";
+  for (const sim::EmissionLine& line : sim::emission_lines())
+    text += fmt::format("| {:.1f} nm | {} | {} | {} | {} | {} |\n", line.wavelength_nm, line.species,
+                        line.transition, lifetime_text(line.lifetime_s), column_text(line),
+                        or_dash(line.blended_with));
+  text += "\n## Where the ratios come from\n\n";
+  for (const sim::EmissionLine& line : sim::emission_lines())
+    if (line.ratio_source[0] != '\0')
+      text += fmt::format("- **{:.1f} nm**, {:.4g} × {}: {}.\n", line.wavelength_nm, line.ratio,
+                          line.table_column, line.ratio_source);
+  text +=
+      "\nThe height course of a line with a ratio is its column's. For the first positive bands that is an "
+      "approximation: they\n"
+      "are excited from 7.4 eV on, the second positive (0,0) band from 11 eV, and are quenched below 90 "
+      "km.\n";
+  for (const sim::EmissionLine& line : sim::emission_lines()) {
+    if (line.components.size() < 2) continue;
+    text += fmt::format(
+        "\n## The {} under {:.1f} nm\n\n"
+        "Shares of the photons: {}. A camera's colour of it is that of all of them.\n\n"
+        "| nm | share |\n|---|---|\n",
+        line.components.size() == 2 ? "lines" : "bands", line.wavelength_nm, line.components_source);
+    for (const sim::LineComponent& band : line.components)
+      text += fmt::format("| {:.1f} | {:.2f} % |\n", band.wavelength_nm, 100.0 * band.share);
+  }
+  text +=
+      "\n## Bands of the Sun\n\n"
+      "What shines by such a line at temperature T, in kelvin, gives exp(-1/2 ((log10 T - p) / w)²) of what "
+      "it "
+      "gives at the\npeak: where a loop, a bundle or a corona has a `temperature_mk`. White light, scattered "
+      "by "
+      "free electrons, has no such\nresponse. For eyes these bands are black but for the visible lines: "
+      "`sensor.response = \"grey\"` counts all photons alike.\n\n"
+      "| line | ion | p | peak | w | source of the peak |\n|---|---|---|---|---|---|\n";
+  for (const sim::EmissionLine& line : sim::emission_lines())
+    if (const auto response = sim::temperature_response(line.wavelength_nm))
+      text += fmt::format("| {:.1f} nm | {} | {:.2f} | {:.2g} MK | {:.2f} | {} |\n", line.wavelength_nm,
+                          line.species, response->peak_log_k, megakelvin(*response), response->width_log_k,
+                          response->source);
+  text +=
+      "\n## Quenching\n\n"
+      "How much of the light of the slow lines collisions leave, and how long their atoms live, against "
+      "altitude "
+      "(`vegard lines\n"
+      "--quenching quenching.svg`; coefficients and sources in "
+      "[physics](physics.md#the-physical-blur)). The others are prompt.\n\n"
+      "![Quenching of the slow lines](pictures/quenching.svg)\n";
+  return text;
+}
+
+std::string line_csv() {
+  std::string text =
+      "wavelength_nm,species,transition,lifetime_s,table_column,ratio,ratio_source,blended_with,components,"
+      "peak_log_k,width_log_k\n";
+  for (const sim::EmissionLine& line : sim::emission_lines()) {
+    std::string components;
+    for (const sim::LineComponent& c : line.components)
+      components += fmt::format("{}{:.1f}:{:g}", components.empty() ? "" : " ", c.wavelength_nm, c.share);
+    const auto response = sim::temperature_response(line.wavelength_nm);
+    text +=
+        fmt::format("{:.1f},{},{},{:g},{},{:.6g},{},{},{},{}\n", line.wavelength_nm, line.species,
+                    quoted(line.transition), line.lifetime_s, line.table_column, line.ratio,
+                    quoted(line.ratio_source), quoted(line.blended_with), components,
+                    response ? fmt::format("{:g},{:g}", response->peak_log_k, response->width_log_k) : ",");
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_lines_command(Program& program) {
+  struct LinesRequest {
+    bool markdown = false, csv = false, overwrite = false;
+    std::string quenching;
+  };
+  const auto options = std::make_shared<LinesRequest>();
+  const Command command = program.add(
+      "lines", "List the emission lines: wavelength, species, lifetime, source; or plot their quenching");
+  const Option page = command.flag("--markdown", options->markdown, "Print the documentation page instead");
+  const Option csv = command.flag("--csv", options->csv, "Print a table instead").excludes(page);
+  const Option plot = command
+                          .option("--quenching", options->quenching,
+                                  "Plot how collisions quench the slow lines, as .svg or .png")
+                          .excludes(page)
+                          .excludes(csv);
+  command.flag("--overwrite", options->overwrite, "Replace an existing plot").needs(plot);
+  command.runs([options] {
+    if (!options->quenching.empty()) {
+      const PlotFormat format = plot_format(options->quenching, "--quenching");
+      sim::write_whole(options->quenching, plot_bytes(fit::quenching_plot(), format), options->overwrite);
+    } else {
+      print_whole(options->markdown ? line_page() : options->csv ? line_csv() : line_listing(), "the lines");
+    }
+    return good;
+  });
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,219 @@
+#include "apps/commands/commands.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/options/composite_pictures.h"
+#include "apps/options/exit_code.h"
+#include "apps/options/file_names.h"
+#include "apps/options/refusals.h"
+#include "apps/options/scene_options.h"
+#include "apps/output/camera_json.h"
+#include "apps/output/layers.h"
+#include "apps/output/light_outside.h"
+#include "apps/output/picture_file.h"
+#include "apps/output/progress_bar.h"
+#include "apps/output/terminal.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/base/picture/image_io.h"
+#include "sim/render/render.h"
+#include "sim/view/colour/colour_table.h"
+#include "sim/view/sensor/tone_curve.h"
+
+namespace vegard::apps {
+namespace {
+
+struct RenderRequest {
+  SceneOptions scene;
+  std::string output, lines, raw, layers;
+  PictureOptions picture;
+  int threads = 0;
+  bool overwrite = false, camera_json = false;
+};
+
+/// Beside the picture, or where there is none beside its lines.
+std::string camera_file(const RenderRequest& options) {
+  if (!options.camera_json) return {};
+  for (const std::string& name : {options.output, options.lines, options.raw})
+    if (!name.empty()) return camera_json_name(name);
+  return {};
+}
+
+/// With --overwrite a slip of the pen would cost what cannot be had again.
+void spare_what_is_rendered(const RenderRequest& options, const sim::Scene& scene) {
+  const auto spare = [&](const std::string& input, const std::string& what) {
+    if (same_file(options.output, input)) refuse_same_file("--output", options.output, what);
+    if (same_file(options.lines, input)) refuse_same_file("--lines", options.lines, what);
+    if (same_file(options.raw, input)) refuse_same_file("--raw", options.raw, what);
+    if (same_file(camera_file(options), input)) refuse_same_file("--camera-json", camera_file(options), what);
+  };
+  spare(options.scene.file, "the scene");
+  spare(options.scene.camera_file, "the camera's file");
+  for (const std::string& file : picture_files(scene)) spare(file, "a file that the scene reads");
+}
+
+/// Refuses what would be refused at the end, before the work.
+void check_outputs(const RenderRequest& options, const sim::Scene& scene) {
+  if (options.output.empty() && options.lines.empty() && options.raw.empty())
+    throw usage_error("--output", "nothing to write", "-o OUT, --lines OUT.exr, --raw OUT.tif or several");
+  if (same_file(options.output, options.lines))
+    refuse_same_file("--lines", options.lines, "the picture's file");
+  for (const std::string& other : {options.output, options.lines})
+    if (same_file(options.raw, other)) refuse_same_file("--raw", options.raw, "another output");
+  spare_what_is_rendered(options, scene);
+  if (!options.output.empty()) {
+    check_picture_options(options.output, options.picture);
+    sim::WholeFile(options.output, options.overwrite);
+  } else if (options.picture.bits || options.picture.quality || options.picture.photograph ||
+             options.picture.as_seen) {
+    throw usage_error(options.picture.bits         ? "--bits"
+                      : options.picture.quality    ? "--quality"
+                      : options.picture.photograph ? "--photograph"
+                                                   : "--as-seen",
+                      "without a picture it says nothing", "-o OUT beside it");
+  }
+  if (options.picture.as_seen) require_rayleighs(scene, "--as-seen");
+  if (options.picture.as_seen && options.picture.photograph)
+    throw usage_error("--as-seen", "an eye takes no photographs", "--as-seen or --photograph");
+  if (!options.raw.empty()) {
+    const sim::ImageFormat format = sim::image_format(options.raw);
+    if (format != sim::ImageFormat::png && format != sim::ImageFormat::tiff)
+      throw usage_error("--raw", "'" + options.raw + "' cannot hold 16-bit numbers",
+                        "a name that ends in .png or .tif");
+    sim::WholeFile(options.raw, options.overwrite);
+  }
+  // A measured tone curve is read by whatever is encoded with it; here, before the work.
+  sim::ToneCurve check_of_the_curve(scene);
+  sim::ColourTable check_of_the_colours(scene);
+  if (!options.layers.empty()) {
+    if (options.output.empty() || sim::image_format(options.output) != sim::ImageFormat::exr)
+      throw usage_error("--layers", "only an EXR has layers", "-o OUT.exr");
+    check_layer_names(scene);
+  }
+  if (!options.lines.empty()) {
+    if (sim::image_format(options.lines) != sim::ImageFormat::exr)
+      throw usage_error("--lines", "'" + options.lines + "' cannot hold rayleighs",
+                        "a name that ends in .exr");
+    sim::WholeFile(options.lines, options.overwrite);
+  }
+  if (options.camera_json) {
+    camera_json(scene);
+    sim::WholeFile(camera_file(options), options.overwrite);
+  }
+}
+
+/// All files are filled before any gets its name: a disk that fills up leaves none.
+void write_outputs(const RenderRequest& options, const sim::Scene& scene, sim::Rendering&& rendering) {
+  const sim::Image lines = line_layer(rendering);
+  std::optional<sim::WholeFile> picture_file, lines_file, raw_file, camera;
+  if (!options.output.empty()) picture_file.emplace(options.output, options.overwrite);
+  if (!options.lines.empty()) lines_file.emplace(options.lines, options.overwrite);
+  if (!options.raw.empty()) raw_file.emplace(options.raw, options.overwrite);
+  if (options.camera_json) camera.emplace(camera_file(options), options.overwrite);
+  if (raw_file) raw_file->write(encoded_raw(options.raw, options.picture, scene, rendering));
+  if (picture_file)
+    picture_file->write(encoded_picture(options.output, options.picture, scene, std::move(rendering), lines,
+                                        !options.layers.empty()));
+  if (lines_file) lines_file->write(encoded_lines(options.lines, scene, lines));
+  if (camera) camera->write(camera_json(scene));
+  if (picture_file) picture_file->commit();
+  if (lines_file) lines_file->commit();
+  if (raw_file) raw_file->commit();
+  if (camera) camera->commit();
+}
+
+std::string facts(const sim::Scene& scene, const sim::Rendering& rendering) {
+  const sim::Image& image = rendering.rayleigh;
+  std::string text = fmt::format("{} x {} pixels, ", image.width, image.height);
+  // Volumes have none.
+  if (!scene.sheets.empty()) text += fmt::format("{} deflection points, ", rendering.deflection_points);
+  text += "peak";
+  for (int l = 0; l < image.channels(); ++l) {
+    float peak = 0.0f;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) peak = std::max(peak, image.at(x, y, l));
+    text += fmt::format("{} {:.0f} R at {:.1f} nm", l > 0 ? "," : "", peak, scene.emission.lines[l]);
+  }
+  return text;
+}
+
+int run_render(const RenderRequest& options) {
+  const sim::Scene scene = scene_of(options.scene);
+  check_outputs(options, scene);
+  const sim::CompositePictures pictures = read_composite_pictures(scene);
+
+  const std::atomic<bool>& stop = watch_for_interrupt();
+  sim::Rendering rendering;
+  {
+    ProgressBar bar("rendering");
+    sim::RenderOptions render_options;
+    render_options.threads = options.threads;
+    render_options.progress = [&bar](double share) { bar.update(share); };
+    render_options.stop = &stop;
+    render_options.pictures = &pictures;
+    render_options.sheet_layers = !options.layers.empty();
+    rendering = sim::render(scene, render_options);
+  }
+  if (stop.load()) {
+    std::fputs("vegard: interrupted, nothing is written\n", stderr);
+    return interrupted;
+  }
+  const std::string warning = warning_if_out_of_view(scene, rendering.rayleigh);
+  if (!warning.empty()) std::fprintf(stderr, "vegard: %s\n", warning.c_str());
+
+  const std::string summary = facts(scene, rendering);
+  write_outputs(options, scene, std::move(rendering));
+  std::string written;
+  for (const std::string& name : {options.output, options.lines, options.raw, camera_file(options)})
+    if (!name.empty()) written += (written.empty() ? "" : ", ") + name;
+  std::printf("%s: %s\n", written.c_str(), summary.c_str());
+  return good;
+}
+
+}  // namespace
+
+void add_render_command(Program& program) {
+  const auto options = std::make_shared<RenderRequest>();
+  const Command command =
+      program.add("render", "Render a scene: EXR for light, TIFF, PNG or JPEG for the eye");
+  add_scene_options(command, options->scene);
+  command.option("-o,--output", options->output, "The picture to write, its kind by its extension")
+      .type_name("OUT.exr|tif|png|jpg");
+  command.option("--lines", options->lines, "Write the emission lines alone, in rayleighs")
+      .type_name("OUT.exr");
+  command.option("--raw", options->raw, "Write the sensor's raw numbers, those of --photograph, 16 bits")
+      .type_name("OUT.png|tif");
+  command
+      .option("--layers", options->layers,
+              "sheets: in an EXR, each sheet and whatever else the picture is made of, as layers")
+      .one_of({"sheets"});
+  command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
+      .range(0, 1024);
+  add_picture_options(command, options->picture);
+  const Option as_seen =
+      command.flag("--as-seen", options->picture.as_seen,
+                   "As a dark-adapted eye sees it: faint light grey, bright light coloured");
+  command
+      .option("--seen-half", options->picture.seen_half_mcd,
+              "Luminance that --as-seen shows as half of white, in mcd m^-2 (default 20)")
+      .range(1e-3, 1e6)
+      .type_name("MCD_M2")
+      .needs(as_seen);
+  command.flag("--camera-json", options->camera_json,
+               "Write the camera's matrices beside the picture, OUT.camera.json");
+  command.flag("--overwrite", options->overwrite, "Replace outputs that exist");
+  command.runs([options] {
+    options->picture.threads = options->threads;
+    return run_render(*options);
+  });
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,230 @@
+#include "apps/commands/commands.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <system_error>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/options/exit_code.h"
+#include "apps/options/file_names.h"
+#include "apps/options/photo_options.h"
+#include "apps/options/photographs.h"
+#include "apps/options/picture_lists.h"
+#include "apps/options/refusals.h"
+#include "apps/options/scene_options.h"
+#include "apps/output/terminal.h"
+#include "fit/answer/verdict.h"
+#include "fit/report/run_directory.h"
+#include "fit/report/table/sequence_files.h"
+#include "fit/sequence.h"
+#include "sim/base/file/number_text.h"
+#include "sim/base/file/output_error.h"
+#include "sim/base/file/sha256.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/base/version.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/rows/decoding_word.h"
+
+namespace vegard::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SequenceRequest {
+  SceneOptions scene;
+  std::vector<std::string> photos;
+  std::string mask, decoding, out;
+  int threads = 0;
+  int max_evaluations = fit::FitOptions().max_evaluations;
+  bool overwrite = false;
+};
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+/// What makes one sequence another, its photographs apart: those are told from their rows.
+std::string manifest(const SequenceRequest& options, const sim::Scene& scene) {
+  nlohmann::ordered_json json;
+  json["scene_sha256"] = sim::sha256(sim::write_scene(scene));
+  for (const auto& [path, text] : scene.tables) json["tables_sha256"][path] = sim::sha256(text);
+  if (!options.mask.empty()) json["mask_sha256"] = sim::sha256_of_file(options.mask);
+  if (!options.decoding.empty()) json["decoding"] = options.decoding;
+  json["max_evaluations"] = options.max_evaluations;
+  json["version"] = sim::version();
+  return json.dump(2) + "\n";
+}
+
+/// The sequence's folder: manifest, frames/NAME (a run) and frames/NAME.json (its row, written last).
+class Folder {
+ public:
+  explicit Folder(std::string path) : path_(std::move(path)) {}
+
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
+  std::string run(const std::string& frame) const { return path_ + "/frames/" + frame; }
+  std::string row(const std::string& frame) const { return run(frame) + ".json"; }
+
+  /// Makes it, or goes on in it. Rows of something else are removed if `overwrite`.
+  void begin(const std::string& text, bool overwrite) const {
+    std::error_code error;
+    const bool is_known = bytes_of(file(kManifest)) == text;
+    if (!is_known && !overwrite && fs::exists(path_, error) && !fs::is_empty(path_, error)) {
+      sim::ErrorDetails details;
+      details.file = path_;
+      details.problem = fs::exists(file(kManifest), error) ? "is of another sequence, scene or version"
+                                                           : "exists already, and is no sequence";
+      details.hint = "use --overwrite to fit it anew, or choose another name";
+      throw sim::Error(sim::ErrorKind::existing_output, details);
+    }
+    fs::create_directories(path_ + "/frames", error);
+    if (error) throw sim::unwritable(path_, error.value());
+    if (is_known) return;
+    for (const auto& entry : fs::directory_iterator(path_ + "/frames", error))
+      if (entry.path().extension() == ".json") fs::remove(entry.path(), error);
+    sim::write_whole(file(kManifest), text, true);
+  }
+
+  /// The row of a frame that is done: of this photograph at this time.
+  std::optional<fit::SequenceRow> done(const SequencePhoto& photo, const fit::Photo& read) const {
+    const std::string text = bytes_of(row(photo.name));
+    if (text.empty()) return {};
+    fit::SequenceRow found = fit::sequence_row_of(text, row(photo.name));
+    if (found.photo_sha256 != read.sha256 || found.time_s != photo.time_s || found.decoding != read.decoding)
+      return {};
+    return found;
+  }
+
+ private:
+  static constexpr const char* kManifest = "sequence.json";
+  std::string path_;
+};
+
+void write_tables(const Folder& folder, const std::vector<fit::SequenceRow>& rows) {
+  sim::write_whole(folder.file("sequence.csv"), fit::sequence_csv(rows), true);
+  sim::write_whole(folder.file("sequence.svg"), fit::plot_svg(fit::sequence_plot(rows)), true);
+}
+
+void tell(const fit::SequenceRow& row, bool was_done) {
+  std::printf("%s: %s%s", row.frame.c_str(), fit::verdict_name(row.verdict),
+              was_done       ? " (done before)"
+              : row.searched ? " (full search)"
+                             : "");
+  for (const fit::SequenceNumber& n : row.numbers)
+    if (n.name.find(".energy_") != std::string::npos || n.name.compare(0, 8, "distance") == 0)
+      std::printf("  %s %s %s", n.name.c_str(), fit::number_with_error(n.value, n.sigma).c_str(),
+                  n.unit.c_str());
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+/// 0 if all are good, else that of the worst.
+ExitCode exit_code_of(const std::vector<fit::SequenceRow>& rows) {
+  ExitCode code = good;
+  for (const fit::SequenceRow& row : rows) {
+    if (row.verdict == fit::Verdict::failed) return not_converged;
+    if (row.verdict == fit::Verdict::doubtful) code = doubted;
+  }
+  return code;
+}
+
+int run_sequence(const SequenceRequest& options, const std::string& command) {
+  const sim::Scene scene = scene_of(options.scene);
+  if (!scene.fit.photos.empty())
+    throw with_place(sim::Error(sim::ErrorKind::scene,
+                                {"a sequence fits one photograph after another", scene.file, 0, "fit.photo",
+                                 "a scene without [[fit.photo]]", "vegard fit fits them all at once"}),
+                     scene);
+  const std::string scene_sha256 = sim::sha256_of_file(options.scene.file);
+  const std::vector<SequencePhoto> photos = sequence_photos(options.photos, scene);
+  if (decoding_of(options.decoding, scene.fit.decoding, &scene).kind == fit::Decoding::Kind::unknown)
+    throw usage_error(
+        "--decoding", "a sequence is of one camera, and so of one transfer curve", "one that is known",
+        "fit one frame by itself with --decoding unknown, and give all the curve that it tells");
+  for (const SequencePhoto& photo : photos)  // now, not after hours
+    fit::read_photo(photo.file, decoding_of(options.decoding, scene.fit.decoding, &scene), &scene);
+  std::vector<NamedInput> inputs = inputs_of_scene(options.scene, scene);
+  for (const SequencePhoto& photo : photos) inputs.push_back({photo.file, "the photograph"});
+  for (const std::string& word : options.photos) inputs.push_back({word, "the list of photographs"});
+  inputs.push_back({options.mask, "the mask"});
+  if (!options.decoding.empty())
+    inputs.push_back({sim::decoding_word(options.decoding).file, "the transfer curve"});
+  spare_inputs_inside("--out", options.out, inputs);
+  const Folder folder(options.out);
+  folder.begin(manifest(options, scene), options.overwrite);
+
+  fit::FitOptions fit_options;
+  fit_options.threads = options.threads;
+  fit_options.max_evaluations = options.max_evaluations;
+  fit_options.stop = &watch_for_interrupt();
+  std::vector<fit::SequenceRow> rows;
+  bool chain_is_old = true;  // a frame depends on the one before it
+  for (const SequencePhoto& frame : photos) {
+    fit::Photo photo =
+        fit::read_photo(frame.file, decoding_of(options.decoding, scene.fit.decoding, &scene), &scene);
+    if (!options.mask.empty()) fit::apply_mask(photo, options.mask);
+    if (chain_is_old)
+      if (const auto row = folder.done(frame, photo)) {
+        rows.push_back(*row);
+        tell(rows.back(), true);
+        continue;
+      }
+    chain_is_old = false;
+    fit::FrameFit fitted = placing_errors(scene, [&] {
+      return fit::fit_frame(scene, photo, frame.time_s, rows.empty() ? nullptr : &rows.back(), fit_options);
+    });
+    if (fit_options.stop->load()) {
+      std::fprintf(stderr, "interrupted; the same command goes on from here\n");
+      return interrupted;
+    }
+    fitted.result.inputs = inputs_of(options.scene.file, scene_sha256, {photo});
+    fitted.result.command = command;
+    std::error_code ignored;
+    fs::remove(folder.row(frame.name), ignored);
+    fit::RunContext context;
+    context.threads = options.threads;
+    fit::write_run(folder.run(frame.name), true, fitted.result, photo, context);
+    rows.push_back(fit::sequence_row(frame.name, frame.time_s, scene, fitted, photo));
+    sim::write_whole(folder.row(frame.name), fit::sequence_row_json(rows.back()));
+    write_tables(folder, rows);
+    tell(rows.back(), false);
+  }
+  write_tables(folder, rows);
+  std::printf("%s\n", folder.file("sequence.csv").c_str());
+  return exit_code_of(rows);
+}
+
+}  // namespace
+
+void add_sequence_command(Program& program) {
+  const auto options = std::make_shared<SequenceRequest>();
+  const Command command = program.add(
+      "sequence", "Fit a scene to one photograph after another, each from where the last one ended");
+  add_scene_options(command, options->scene);
+  command
+      .option("--photos", options->photos,
+              "Images in their order, or one list (.txt) with a line \"FILE\" or \"FILE TIME_S\" for each")
+      .required()
+      .type_name("IMAGE");
+  command.option("-o,--out", options->out, "The folder to write; one that was begun is gone on with")
+      .required()
+      .type_name("DIR");
+  command.option("--mask", options->mask, "An image of the same size: white = use").type_name("IMAGE");
+  add_decoding_option(command, options->decoding);
+  command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
+      .range(0, 1024);
+  command.option("--max-evaluations", options->max_evaluations, "Stop a frame after so many evaluations")
+      .range(1, 1000000)
+      .shows_default();
+  command.flag("--overwrite", options->overwrite, "Fit anew what is of another scene or version");
+  command.runs([options, words = program.command_line()] { return run_sequence(*options, words); });
+}
+
+}  // namespace vegard::apps

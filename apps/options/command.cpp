@@ -1,0 +1,256 @@
+#include "apps/options/command.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+#include "apps/options/exit_code.h"
+
+namespace vegard::apps {
+namespace {
+
+std::string quoted_for_shell(std::string_view word) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./=+:,@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) return std::string(word);
+  std::string text = "'";
+  for (const char c : word) {
+    if (c == '\'')
+      text += "'\\''";
+    else
+      text += c;
+  }
+  return text + "'";
+}
+
+int tell_bad_usage(const std::string& program, const std::string& message) {
+  std::fprintf(stderr, "%s: %s (see %s --help)
+", program.c_str(), message.c_str(), program.c_str());
+  return bad_usage;
+}
+
+}  // namespace
+
+const Option& Option::required() const {
+  option_->required();
+  return *this;
+}
+
+const Option& Option::type_name(const std::string& name) const {
+  option_->type_name(name);
+  return *this;
+}
+
+const Option& Option::description(const std::string& words) const {
+  option_->description(words);
+  return *this;
+}
+
+const Option& Option::shows_default() const {
+  option_->capture_default_str();
+  return *this;
+}
+
+const Option& Option::range(int low, int high) const {
+  option_->check(CLI::Range(low, high));
+  return *this;
+}
+
+const Option& Option::range(std::uint64_t low, std::uint64_t high) const {
+  option_->check(CLI::Range(low, high));
+  return *this;
+}
+
+const Option& Option::range(double low, double high) const {
+  option_->check(CLI::Range(low, high));
+  return *this;
+}
+
+const Option& Option::finite_range(double low, double high) const {
+  const CLI::Range range(low, high);
+  option_->check(CLI::Validator(
+      [range](std::string& word) {
+        double number = 0.0;
+        if (CLI::detail::lexical_cast(word, number) && std::isnan(number))
+          return "'" + word + "' is no number";
+        return range(word);
+      },
+      range.get_description()));
+  return *this;
+}
+
+const Option& Option::one_of(std::initializer_list<const char*> words) const {
+  option_->check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end())));
+  return *this;
+}
+
+const Option& Option::one_of(std::initializer_list<int> numbers) const {
+  option_->check(CLI::IsMember(numbers));
+  return *this;
+}
+
+const Option& Option::check(const std::function<std::string(const std::string& word)>& complaint,
+                            const std::string& type) const {
+  option_->check(CLI::Validator([complaint](std::string& word) { return complaint(word); }, type));
+  return *this;
+}
+
+const Option& Option::delimiter(char separator) const {
+  option_->delimiter(separator);
+  return *this;
+}
+
+const Option& Option::expected(int count) const {
+  option_->expected(count);
+  return *this;
+}
+
+const Option& Option::expected(int least, int most) const {
+  option_->expected(least, most);
+  return *this;
+}
+
+const Option& Option::one_an_occurrence() const {
+  option_->allow_extra_args(false);
+  return *this;
+}
+
+const Option& Option::repeated() const {
+  option_->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  return *this;
+}
+
+const Option& Option::excludes(const Option& other) const {
+  option_->excludes(other.option_);
+  return *this;
+}
+
+const Option& Option::needs(const Option& other) const {
+  option_->needs(other.option_);
+  return *this;
+}
+
+const Option& Option::needs(const std::string& other) const {
+  option_->needs(other);
+  return *this;
+}
+
+bool Option::given() const { return option_->count() > 0; }
+
+std::string Option::name() const { return option_->get_name(); }
+
+Option Command::option(const std::string& names, std::string& value, const std::string& words) const {
+  return Option(app_->add_option(names, value, words));
+}
+
+Option Command::option(const std::string& names, int& value, const std::string& words) const {
+  return Option(app_->add_option(names, value, words));
+}
+
+Option Command::option(const std::string& names, std::uint64_t& value, const std::string& words) const {
+  return Option(app_->add_option(names, value, words));
+}
+
+Option Command::option(const std::string& names, double& value, const std::string& words) const {
+  return Option(app_->add_option(names, value, words));
+}
+
+Option Command::option(const std::string& names, std::optional<int>& value, const std::string& words) const {
+  return Option(app_->add_option(names, value, words));
+}
+
+Option Command::option(const std::string& names, std::optional<std::uint64_t>& value,
+                       const std::string& words) const {
+  return Option(app_->add_option(names, value, words));
+}
+
+Option Command::option(const std::string& names, std::optional<double>& value,
+                       const std::string& words) const {
+  return Option(app_->add_option(names, value, words));
+}
+
+Option Command::option(const std::string& names, std::vector<std::string>& values,
+                       const std::string& words) const {
+  return Option(app_->add_option(names, values, words));
+}
+
+Option Command::option(const std::string& names, std::vector<int>& values, const std::string& words) const {
+  return Option(app_->add_option(names, values, words));
+}
+
+Option Command::option(const std::string& names, std::vector<double>& values,
+                       const std::string& words) const {
+  return Option(app_->add_option(names, values, words));
+}
+
+Option Command::option(const std::string& names, std::vector<std::vector<std::string>>& values,
+                       const std::string& words) const {
+  return Option(app_->add_option(names, values, words));
+}
+
+Option Command::flag(const std::string& names, bool& value, const std::string& words) const {
+  return Option(app_->add_flag(names, value, words));
+}
+
+Option Command::option_of_name(const std::string& name) const { return Option(app_->get_option(name)); }
+
+std::vector<Option> Command::order() const {
+  std::vector<Option> options;
+  for (CLI::Option* given : app_->parse_order()) options.emplace_back(given);
+  return options;
+}
+
+void Command::runs(std::function<int()> call) const {
+  app_->callback([call = std::move(call), code = exit_code_] { *code = call(); });
+}
+
+Program::Program(const std::string& name, const std::string& description,
+                 const std::function<std::string()>& versions, int argc, const char* const* argv)
+    : app_(std::make_unique<CLI::App>(description, name)), argc_(argc), argv_(argv) {
+  if (versions)
+    app_->set_version_flag("--version", versions, "Print the versions of vegard and of its libraries");
+}
+
+Program::~Program() = default;
+
+Command Program::add(const std::string& name, const std::string& description) {
+  return Command(app_->add_subcommand(name, description), &exit_code_);
+}
+
+std::string Program::command_line() const {
+  std::string text;
+  for (int i = 0; i < argc_; ++i) {
+    std::string_view word = argv_[i];
+    if (i == 0) word = word.substr(word.rfind('/') + 1);
+    text += (i > 0 ? " " : "") + quoted_for_shell(word);
+  }
+  return text;
+}
+
+Command Program::root() { return Command(app_.get(), &exit_code_); }
+
+void Program::takes_more() { app_->allow_extras(); }
+
+std::optional<int> Program::read() {
+  try {
+    app_->parse(argc_, argv_);
+  } catch (const CLI::ParseError& error) {
+    // Help and version come this way too, as good ends.
+    if (error.get_exit_code() == 0) return app_->exit(error);
+    return tell_bad_usage(app_->get_name(), error.what());
+  }
+  return std::nullopt;
+}
+
+int Program::run() {
+  if (const std::optional<int> end = read()) return *end;
+  // CLI11's own require_subcommand would hide a misspelt subcommand behind "a subcommand is required".
+  if (app_->get_subcommands().empty()) return tell_bad_usage(app_->get_name(), "which subcommand?");
+  return exit_code_;
+}
+
+}  // namespace vegard::apps

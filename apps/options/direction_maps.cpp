@@ -1,0 +1,62 @@
+#include "apps/options/direction_maps.h"
+
+#include <filesystem>
+
+#include "apps/options/file_names.h"
+#include "apps/options/refusals.h"
+#include "fit/photo/direction_map_file.h"
+#include "sim/base/error.h"
+#include "sim/base/image.h"
+
+namespace vegard::apps {
+namespace {}  // namespace
+
+void add_map_options(const Command& command, MapOptions& options) {
+  command.option("--azimuth-map", options.azimuth_map,
+                 "Azimuth of every pixel in degrees: FITS, EXR (channel azimuth_deg, or its only one) or "
+                 "TIFF of floats");
+  command.option("--elevation-map", options.elevation_map,
+                 "Elevation of every pixel (channel elevation_deg; default: the file of --azimuth-map)");
+}
+
+void check_camera_size(const sim::Scene& scene, int width_px, int height_px, const std::string& picture) {
+  if (scene.camera.width == width_px && scene.camera.height == height_px) return;
+  sim::ErrorDetails details;
+  details.key = "camera.width";
+  details.problem = "the scene's camera has " + sim::size_text(scene.camera.width, scene.camera.height) +
+                    " pixels, the photograph " + picture + " has " + sim::size_text(width_px, height_px);
+  details.hint = "set camera.width and camera.height to the photograph's";
+  throw with_place(sim::Error(sim::ErrorKind::scene, details), scene);
+}
+
+KnownDirections maps_of(const MapOptions& options) {
+  const std::string& az = options.azimuth_map;
+  if (az.empty())
+    throw usage_error("--elevation-map", "a map of elevations alone is not enough",
+                      "--azimuth-map beside it");
+  const std::string& el = options.elevation_map.empty() ? az : options.elevation_map;
+  KnownDirections known{fit::read_direction_map(az, el), "maps " + file_name_of(az)};
+  if (el != az) known.words += ", " + file_name_of(el);
+  return known;
+}
+
+std::optional<KnownDirections> known_directions(const MapOptions& options, const sim::Scene* scene,
+                                                int width_px, int height_px, const std::string& picture) {
+  const std::string& az = options.azimuth_map;
+  if (az.empty() && options.elevation_map.empty()) {
+    if (scene == nullptr) return std::nullopt;
+    check_camera_size(*scene, width_px, height_px, picture);
+    return KnownDirections{sim::direction_map(scene->camera), "the scene's camera"};
+  }
+  KnownDirections known = maps_of(options);
+  if (known.map.width != width_px || known.map.height != height_px) {
+    sim::ErrorDetails details;
+    details.file = az;
+    details.problem = "the maps have " + sim::size_text(known.map.width, known.map.height) + " pixels";
+    details.expected = sim::size_text(width_px, height_px) + ", the size of " + picture;
+    throw sim::Error(sim::ErrorKind::unreadable_input, details);
+  }
+  return known;
+}
+
+}  // namespace vegard::apps

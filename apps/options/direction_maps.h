@@ -1,0 +1,38 @@
+// Where a photograph's pixels look: by maps, or by a scene's camera.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "apps/options/command.h"
+
+#include "sim/scene/structs/scene.h"
+#include "sim/view/camera/direction_map.h"
+
+namespace vegard::apps {
+
+/// Empty as long as they are not given; the file of elevations is then that of azimuths.
+struct MapOptions {
+  std::string azimuth_map, elevation_map;
+};
+
+/// Adds --azimuth-map and --elevation-map; `options` must outlive the parsing.
+void add_map_options(const Command& command, MapOptions& options);
+
+struct KnownDirections {
+  sim::DirectionMap map;
+  std::string words;  ///< whose they are: "maps az.exr, el.exr", "the scene's camera"
+};
+
+/// Of the maps alone, of any size. Throws Error(usage, unreadable_input).
+KnownDirections maps_of(const MapOptions& options);
+
+/// Of the maps, or where none are named of the scene's camera; none without either. The picture's size must
+/// be theirs: throws Error(usage, unreadable_input, scene).
+std::optional<KnownDirections> known_directions(const MapOptions& options, const sim::Scene* scene,
+                                                int width_px, int height_px, const std::string& picture);
+
+/// Throws Error(scene) unless the scene's camera has as many pixels as the picture.
+void check_camera_size(const sim::Scene& scene, int width_px, int height_px, const std::string& picture);
+
+}  // namespace vegard::apps

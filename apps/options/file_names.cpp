@@ -1,0 +1,77 @@
+#include "apps/options/file_names.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "apps/options/composite_pictures.h"
+#include "apps/options/refusals.h"
+#include "sim/base/error.h"
+#include "sim/scene/rows/decoding_word.h"
+#include "sim/scene/table/table_files.h"
+
+namespace vegard::apps {
+namespace {
+
+std::filesystem::path whole_name(const std::string& name) {
+  std::error_code ignored;
+  // weakly_canonical() leaves a name relative whose first part does not exist.
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(name, ignored), ignored);
+}
+
+}  // namespace
+
+std::string file_name_of(const std::string& file) { return std::filesystem::path(file).filename().string(); }
+
+bool same_file(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  std::error_code ignored;
+  if (std::filesystem::equivalent(a, b, ignored)) return true;
+  return whole_name(a) == whole_name(b);
+}
+
+bool is_inside(const std::string& file, const std::string& folder) {
+  if (file.empty() || folder.empty()) return false;
+  const std::filesystem::path inner = whole_name(file);
+  std::filesystem::path outer = whole_name(folder);
+  if (outer.filename().empty()) outer = outer.parent_path();  // of "run/"
+  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+}
+
+void refuse_same_file(const std::string& key, const std::string& file, const std::string& other) {
+  sim::ErrorDetails details;
+  details.key = key;
+  details.problem = "'" + file + "' is " + other + " as well";
+  details.hint = "choose another name";
+  throw sim::Error(sim::ErrorKind::usage, details);
+}
+
+std::vector<NamedInput> inputs_of_scene(const SceneOptions& options, const sim::Scene& scene) {
+  std::vector<NamedInput> inputs = {{options.file, "the scene"}, {options.camera_file, "the camera's file"}};
+  for (const std::string& file : picture_files(scene))
+    inputs.push_back({file, "a file that the scene reads"});
+  for (const sim::TableFile& table : sim::table_files(scene))
+    inputs.push_back({sim::table_place(scene, table.name), "a table of the scene"});
+  for (const sim::PhotoEntry& photo : scene.fit.photos) {
+    inputs.push_back({sim::table_place(scene, photo.file), "a photograph"});
+    if (!photo.mask.empty()) inputs.push_back({sim::table_place(scene, photo.mask), "a mask"});
+    const std::string curve = photo.decoding.empty() ? "" : sim::decoding_word(photo.decoding).file;
+    if (!curve.empty()) inputs.push_back({sim::table_place(scene, curve), "a transfer curve"});
+  }
+  return inputs;
+}
+
+void spare_inputs(const std::string& key, const std::string& output, const std::vector<NamedInput>& inputs) {
+  for (const NamedInput& input : inputs)
+    if (same_file(output, input.file)) refuse_same_file(key, output, input.what);
+}
+
+void spare_inputs_inside(const std::string& key, const std::string& folder,
+                         const std::vector<NamedInput>& inputs) {
+  for (const NamedInput& input : inputs)
+    if (is_inside(input.file, folder))
+      throw usage_error(key, input.what + " '" + input.file + "' lies in it",
+                        "another directory, or " + input.what + " elsewhere");
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,36 @@
+// What a command line says of the photograph that it names: its decoding, the filters that it was taken
+// through, and whether its own words count.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/options/command.h"
+#include "fit/photo/filter_stack.h"
+#include "fit/photo/photo.h"
+#include "sim/scene/structs/scene.h"
+
+namespace vegard::apps {
+
+/// Adds --decoding; `word` stays empty if it is not given, and must outlive the parsing.
+void add_decoding_option(const Command& command, std::string& word);
+
+/// The command line's word (sim/scene/rows/decoding_word.h), or where it is empty the scene's. The scene's
+/// table of a curve is that of `scene`, or a file in the folder `beside`; the command line's stands where it
+/// says.
+fit::Decoding decoding_of(const std::string& word, const std::string& scene_word,
+                          const sim::Scene* scene = nullptr, const std::string& beside = {});
+
+/// Adds --line; `words` stays empty if it is not given, and must outlive the parsing.
+void add_filter_option(const Command& command, std::vector<std::string>& words);
+
+/// The files that --line names. Throws Error(usage) for words of another shape.
+std::vector<fit::FilterFile> filter_files(const std::vector<std::string>& words);
+
+/// Throws Error(usage) unless the scene's sensor has a filter per line.
+void check_filters(const sim::Scene& scene);
+
+/// Adds --no-metadata; `off` must outlive the parsing.
+void add_no_metadata_option(const Command& command, bool& off);
+
+}  // namespace vegard::apps

@@ -1,0 +1,104 @@
+#include "apps/options/photographs.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "apps/options/photo_options.h"
+#include "fit/photo/photo.h"
+#include "fit/photo/photo_defaults.h"
+#include "sim/base/error.h"
+#include "sim/base/file/number_text.h"
+#include "sim/scene/table/parameter_table.h"
+#include "sim/scene/table/photo_scene.h"
+
+namespace vegard::apps {
+namespace {
+
+std::string beside(const std::string& scene_file, const std::string& name) {
+  return (std::filesystem::path(scene_file).parent_path() / name).string();
+}
+
+fit::Photo photograph_of(const sim::Scene& scene, const sim::PhotoEntry& entry) {
+  const sim::Scene own = sim::scene_of_photo(scene, entry);
+  const fit::Decoding decoding = entry.decoding.empty()
+                                     ? decoding_of("", scene.fit.decoding, &scene)
+                                     : decoding_of("", entry.decoding, nullptr, beside(scene.file, ""));
+  fit::Photo photo = fit::read_photo(beside(scene.file, entry.file), decoding, &own);
+  if (!entry.mask.empty()) fit::apply_mask(photo, beside(scene.file, entry.mask));
+  return photo;
+}
+
+std::set<std::string> paths_of(const std::vector<std::string>& changes) {
+  std::set<std::string> paths;
+  for (const std::string& words : changes) {
+    std::string path = words.substr(0, words.find('='));
+    path.erase(path.find_last_not_of(' ') + 1);
+    path.erase(0, path.find_first_not_of(' '));
+    paths.insert(path);
+  }
+  return paths;
+}
+
+}  // namespace
+
+std::vector<fit::Photo> photographs_of(const sim::Scene& scene) {
+  std::vector<fit::Photo> photos;
+  for (const sim::PhotoEntry& entry : scene.fit.photos) {
+    try {
+      photos.push_back(photograph_of(scene, entry));
+    } catch (const sim::Error& error) {
+      sim::ErrorDetails details = error.details();
+      details.problem = "photograph '" + entry.name + "': " + details.problem;
+      if (details.hint.empty() && error.kind() == sim::ErrorKind::unreadable_input)
+        details.hint = "its name is relative to the scene's file";
+      throw sim::Error(error.kind(), details);
+    }
+  }
+  return photos;
+}
+
+std::vector<fit::InputFile> inputs_of(const std::string& scene_file, const std::string& scene_sha256,
+                                      const std::vector<fit::Photo>& photos) {
+  std::vector<fit::InputFile> inputs = {
+      {"scene", std::filesystem::path(scene_file).filename().string(), scene_sha256}};
+  for (const fit::Photo& photo : photos) {
+    if (photo.filters.empty()) inputs.push_back({"photo", photo.file_name, photo.sha256});
+    for (const fit::PhotoPart& part : photo.filters)
+      if (part.wavelength_nm > 0.0)
+        inputs.push_back(
+            {"photo " + fit::short_number(part.wavelength_nm) + " nm", part.file_name, part.sha256});
+    if (!photo.mask_name.empty()) inputs.push_back({"mask", photo.mask_name, photo.mask_sha256});
+  }
+  return inputs;
+}
+
+sim::PictureMetadata metadata_of(const std::string& photo) {
+  sim::PictureMetadata metadata = sim::read_picture_metadata(photo);
+  if (!metadata.width_px || !metadata.height_px) {
+    const fit::Photo pixels = fit::read_photo(photo, fit::Decoding::automatic);
+    metadata.width_px = pixels.linear.width;
+    metadata.height_px = pixels.linear.height;
+  }
+  return metadata;
+}
+
+std::vector<fit::PhotoFact> take_from_photograph(sim::Scene& scene, const std::string& photo,
+                                                 const std::vector<std::string>& changes) {
+  const std::set<std::string> given = paths_of(changes);
+  // To decode a large picture only for a size that is given already would be a waste.
+  const bool size_given = scene.lines.count("camera.width") + given.count("camera.width") > 0 ||
+                          scene.lines.count("camera.height") + given.count("camera.height") > 0;
+  const sim::PictureMetadata metadata = size_given ? sim::read_picture_metadata(photo) : metadata_of(photo);
+  fit::PhotoDefaults defaults = fit::with_photo_defaults(scene, metadata, given);
+  sim::validate(defaults.scene);
+  for (const fit::PhotoFact& fact : defaults.taken)
+    std::printf("from the photograph: %s\n", fit::fact_text(fact).c_str());
+  for (const std::string& note : defaults.notes) std::printf("note: %s\n", note.c_str());
+  std::fflush(stdout);  // before a long fit
+  scene = std::move(defaults.scene);
+  return defaults.taken;
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,33 @@
+// A scene as a command line gives it: a file, and what is to be changed in it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/options/command.h"
+
+#include "sim/scene/structs/scene.h"
+
+namespace vegard::apps {
+
+struct SceneOptions {
+  std::string file;
+  std::string
+      camera_file;  ///< a scene file with [camera] and [site] that wins over the scene's; may be empty
+  std::vector<std::string> changes;  ///< "path=value", in the order given
+  std::string seed;                  ///< wins over a change of "seed"; empty: the file's
+};
+
+/// Adds SCENE, --camera, --set and --seed. `options` must outlive the parsing.
+void add_scene_options(const Command& command, SceneOptions& options);
+
+/// Puts the [camera] of a file such as `vegard calibrate` writes in place of the scene's, whole, and every
+/// key of its [site] in place of the scene's. Throws Error(unreadable_input), Error(scene) if it has anything
+/// else.
+void take_camera(sim::Scene& scene, const std::string& camera_file);
+
+/// Reads the file, takes the camera, makes the changes and checks the result. Throws Error(unreadable_input,
+/// scene, usage).
+sim::Scene scene_of(const SceneOptions& options);
+
+}  // namespace vegard::apps

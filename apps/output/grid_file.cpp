@@ -1,0 +1,86 @@
+#include "apps/output/grid_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "apps/options/refusals.h"
+#include "sim/base/grid/volumegrid_text.h"
+
+namespace vegard::apps {
+namespace {
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text.empty() ? "none" : text;
+}
+
+void refuse_channel(const std::string& path, const std::string& name, const std::vector<std::string>& known) {
+  throw usage_error("--channel", path + " has no grid '" + name + "'", "one of its grids: " + listed(known));
+}
+
+}  // namespace
+
+bool is_vdb_name(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".vdb";
+}
+
+void check_grid_name(const std::string& key, const std::string& path) {
+  if (!is_vdb_name(path) && !sim::is_volumegrid_name(path))
+    throw usage_error(key, "'" + path + "' names no kind of grid",
+                      "a name that ends in .vdb (OpenVDB), or in .pbrt, .volumegrid or .txt (volumegrid)");
+}
+
+GridFile read_grid_file(const std::string& path, const std::vector<std::string>& channels) {
+  GridFile file;
+  if (sim::is_volumegrid_name(path)) {
+    for (const std::string& name : channels)
+      if (name != "density") refuse_channel(path, name, {"density"});
+    sim::VolumegridFile read = sim::read_volumegrid(path);
+    file.grid = std::move(read.grid);
+    file.size = read.size;
+    file.colours = std::move(read.colours);
+    return file;
+  }
+  std::vector<std::string> wanted = channels;
+  if (wanted.empty()) wanted = sim::read_vdb(path, {}).names;
+  sim::VdbFile read = sim::read_vdb(path, wanted);
+  for (const std::string& name : wanted)
+    if (read.grid.channel(name) < 0) refuse_channel(path, name, read.names);
+  if (read.grid.channels.empty())
+    throw sim::Error(sim::ErrorKind::unreadable_input,
+                     {"it has no grid of floats", path, 0, "", "a grid such as density", ""});
+  file.grid = std::move(read.grid);
+  file.metadata = std::move(read.metadata);
+  return file;
+}
+
+int usual_channel(const sim::SparseGrid& grid) {
+  const int density = grid.channel("density");
+  return density >= 0 ? density : grid.channels.size() == 1 ? 0 : -1;
+}
+
+std::string channel_names(const sim::SparseGrid& grid) {
+  std::vector<std::string> names;
+  for (const sim::GridChannel& channel : grid.channels) names.push_back(channel.name);
+  return listed(names);
+}
+
+std::string length_words(const sim::VdbMetadata& metadata) {
+  const auto number = [&](const char* name) {
+    const auto found = metadata.numbers.find(name);
+    return found == metadata.numbers.end() ? 0.0 : found->second;
+  };
+  double km = number("unit_km");
+  if (km <= 0.0) km = 1e-5 * number("unit_cm");
+  if (km <= 0.0) return "units";
+  return km == 1.0 ? "km" : fmt::format("units of {:g} km", km);
+}
+
+}  // namespace vegard::apps

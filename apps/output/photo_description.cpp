@@ -1,0 +1,162 @@
+#include "apps/output/photo_description.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "sim/base/error.h"
+#include "sim/base/version.h"
+#include "sim/scene/table/parameter_table.h"
+
+namespace vegard::apps {
+namespace {
+
+struct Line {
+  const char* key;
+  const char* if_assumed;  ///< words behind a value that the picture does not say
+};
+
+struct Table {
+  const char* head;
+  std::string prefix;  ///< of a path
+  std::vector<Line> lines;
+};
+
+constexpr const char* kDefault = "assumed: the default";
+constexpr const char* kPointing = "assumed: no picture says where it points; see vegard horizon";
+constexpr const char* kUnused =
+    "assumed: the default; only counts with sensor.exposure = \"camera\" or noise";
+constexpr const char* kField = "assumed: the default, whatever the place";
+constexpr const char* kSheet = "assumed: a place to start from";
+
+const std::vector<Table>& tables() {
+  static const std::vector<Table> all = {
+      {"[site]",
+       "site.",
+       {{"latitude_deg", kDefault},
+        {"longitude_deg", kDefault},
+        {"altitude_m", kDefault},
+        {"time_utc", "unknown"}}},
+      {"[field]", "field.", {{"model", kField}, {"inclination_deg", kField}, {"declination_deg", kField}}},
+      {"[camera]",
+       "camera.",
+       {{"model", "assumed"},
+        {"width", kDefault},
+        {"height", kDefault},
+        {"hfov_deg", "assumed: the picture does not say how wide it sees"},
+        {"azimuth_deg", kPointing},
+        {"elevation_deg", kPointing},
+        {"roll_deg", kPointing}}},
+      {"[sensor]", "sensor.", {{"f_number", kUnused}, {"iso", kUnused}}},
+      {"[time]", "time.", {{"exposure_s", kUnused}}},
+      {"[[sheet]]",
+       "sheet.main.",
+       {{"name", "assumed"},
+        {"center_km", kSheet},
+        {"bearing_deg", kSheet},
+        {"length_km", kSheet},
+        {"energy_kev", kSheet}}},
+  };
+  return all;
+}
+
+std::string value_of(const sim::Scene& scene, const std::string& path) {
+  const std::vector<sim::ParameterPath> paths = sim::resolve(scene, path);
+  if (paths.size() == 1) return sim::value_text(scene, paths.front());
+  std::string text;
+  for (const sim::ParameterPath& component : paths)
+    text += (text.empty() ? "[" : ", ") + sim::value_text(scene, component);
+  return text + "]";
+}
+
+const fit::PhotoFact* find(const fit::PhotoFacts& facts, const std::string& path) {
+  const auto found = std::find_if(facts.facts.begin(), facts.facts.end(),
+                                  [&](const fit::PhotoFact& fact) { return fact.path == path; });
+  return found == facts.facts.end() ? nullptr : &*found;
+}
+
+class Listing {
+ public:
+  explicit Listing(const std::string& title) : text_(title + "\n") {}
+
+  void add(const char* name, const std::optional<std::string>& words) {
+    if (words) text_ += fmt::format("  {:<24} {}\n", name, *words);
+  }
+  void add(const char* name, const std::optional<double>& value, const char* unit) {
+    if (value) add(name, fmt::format("{:.8g}{}{}", *value, *unit == '\0' ? "" : " ", unit));
+  }
+  std::string text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+}  // namespace
+
+std::string comment_words(std::string words) {
+  for (char& c : words)
+    if (c < 0x20 || c > 0x7e) c = '?';
+  return words;
+}
+
+std::string start_scene(const std::string& photo_name, const fit::PhotoFacts& facts) {
+  sim::Scene scene;
+  scene.sheets.emplace_back();
+  std::string text =
+      "# A scene to begin with, for the picture " + comment_words(photo_name) +
+      ". Behind each value stands where it comes\n# from; \"assumed\" is what the picture does not "
+      "say. vegard " +
+      sim::version() + "\n";
+  for (const std::string& note : facts.notes) text += "# " + comment_words(note) + "\n";
+  for (const Table& table : tables()) {
+    text += "\n" + std::string(table.head) + "\n";
+    for (const Line& line : table.lines) {
+      const std::string path = table.prefix + line.key;
+      std::string from = line.if_assumed;
+      if (const fit::PhotoFact* fact = find(facts, path)) {
+        try {
+          sim::set_from_text(scene, path, fact->value);
+          from = fact->source;
+        } catch (const sim::Error& error) {
+          from += "; the picture says " + fact->value + " (" + fact->source + "): " + error.details().problem;
+        }
+      }
+      text += std::string(line.key) + " = " + value_of(scene, path) + "  # " + comment_words(from) + "\n";
+    }
+  }
+  return text;
+}
+
+std::string description_text(const std::string& photo_name, const sim::PictureMetadata& metadata) {
+  Listing said(photo_name + " says:");
+  if (metadata.width_px && metadata.height_px)
+    said.add("size", fmt::format("{} x {} pixels", *metadata.width_px, *metadata.height_px));
+  if (metadata.orientation != 1)
+    said.add("orientation", fmt::format("{}, undone here", metadata.orientation));
+  said.add("make", metadata.make);
+  said.add("model", metadata.model);
+  said.add("lens", metadata.lens);
+  said.add("focal length", metadata.focal_length_mm, "mm");
+  said.add("35 mm equivalent", metadata.focal_length_35mm_mm, "mm");
+  said.add("sensor", metadata.focal_plane_px_per_mm, "pixels per mm");
+  said.add("exposure", metadata.exposure_s, "s");
+  said.add("f-number", metadata.f_number, "");
+  said.add("ISO", metadata.iso, "");
+  if (metadata.taken_local)
+    said.add("camera's clock", *metadata.taken_local + metadata.utc_offset.value_or(" (zone unknown)"));
+  said.add("GPS time", metadata.gps_time_utc);
+  said.add("latitude", metadata.latitude_deg, "deg");
+  said.add("longitude", metadata.longitude_deg, "deg");
+  said.add("altitude", metadata.altitude_m, "m");
+
+  const fit::PhotoFacts facts = fit::photo_facts(metadata);
+  std::string text = said.text() + "in a scene's keys:\n";
+  for (const fit::PhotoFact& fact : facts.facts) text += "  " + fit::fact_text(fact) + "\n";
+  if (facts.facts.empty()) text += "  nothing\n";
+  for (const std::string& note : facts.notes) text += "note: " + note + "\n";
+  return text;
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,21 @@
+// What a picture says of itself: as text, and as a scene to begin with.
+#pragma once
+
+#include <string>
+
+#include "fit/photo/photo_facts.h"
+#include "sim/base/picture/picture_metadata.h"
+
+namespace vegard::apps {
+
+/// A scene file of the keys that one will want to look at. Behind every value stands where it comes from:
+/// the picture, or that it is assumed. What the picture says outside of a key's limits stands in a comment.
+std::string start_scene(const std::string& photo_name, const fit::PhotoFacts& facts);
+
+/// `words` as a comment may hold them: printable ASCII, '?' for the rest.
+std::string comment_words(std::string words);
+
+/// What is known, line by line, and what follows from it in a scene's keys.
+std::string description_text(const std::string& photo_name, const sim::PictureMetadata& metadata);
+
+}  // namespace vegard::apps

@@ -1,0 +1,139 @@
+#include "apps/output/picture_file.h"
+
+#include <utility>
+#include <vector>
+
+#include "apps/options/refusals.h"
+#include "apps/output/layers.h"
+#include "sim/base/version.h"
+#include "sim/render/as_seen.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/parameter_table.h"
+#include "sim/view/sensor/sensor.h"
+#include "sim/view/sensor/tone_curve.h"
+
+namespace vegard::apps {
+namespace {
+
+int bits_of(const PictureOptions& options, sim::ImageFormat format) {
+  if (!options.bits) return format == sim::ImageFormat::tiff ? 16 : 8;
+  if (format == sim::ImageFormat::exr)
+    throw usage_error("--bits", "an EXR always holds 32-bit floats", "no --bits");
+  if (format == sim::ImageFormat::jpeg && *options.bits != 8)
+    throw usage_error("--bits", "a JPEG holds 8 bits", "8, or a .png or .tif");
+  return *options.bits;
+}
+
+sim::ImageAttributes attributes_of(const sim::Scene& scene) {
+  sim::ImageAttributes attributes = {
+      {"scene", sim::write_scene(scene)}, {"seed", std::to_string(scene.seed)}, {"version", sim::version()}};
+  if (!scene.site.time_utc.empty()) attributes["DateTime"] = scene.site.time_utc;
+  return attributes;
+}
+
+sim::Image raw_of(const PictureOptions& options, const sim::Scene& scene, const sim::Rendering& rendering) {
+  return sim::raw_numbers(scene, sim::light_on_sensor(scene, rendering), options.frame, options.threads);
+}
+
+std::string noise_words(const PictureOptions& options) {
+  return "; noise of frame " + std::to_string(options.frame) + " of the seed";
+}
+
+std::string encoding_words(const sim::Scene& scene, const PictureOptions& options) {
+  const std::string colour = scene.sensor.colour_table == "none"
+                                 ? ""
+                                 : "; false colour by sensor.colour_table = " + scene.sensor.colour_table;
+  if (options.as_seen) return "sRGB-encoded" + colour;  // for the eye, whatever the sensor's tone
+  return sim::ToneCurve(scene).name() + (scene.sensor.tone == sim::ToneKind::linear ? "" : "-encoded") +
+         (options.photograph ? noise_words(options) : "") + colour;
+}
+
+sim::Image shown_picture(const PictureOptions& options, const sim::Scene& scene,
+                         const sim::Rendering& rendering) {
+  if (options.as_seen) return sim::picture_as_seen(scene, rendering, 1e-3 * options.seen_half_mcd);
+  if (options.photograph)
+    return sim::encoded(scene, sim::developed(scene, raw_of(options, scene, rendering)));
+  return sim::display_picture(scene, rendering);
+}
+
+}  // namespace
+
+void add_picture_options(const Command& command, PictureOptions& options) {
+  command.option("--bits", options.bits, "Bits per channel (default: 8 for PNG, 16 for TIFF)")
+      .one_of({8, 16});
+  command.option("--quality", options.quality, "Quality of a JPEG, 1 to 100 (default 92)").range(1, 100);
+  command.flag("--photograph", options.photograph,
+               "Add what a camera adds, by the scene's sensor: photon and read noise, saturation, mosaic");
+}
+
+void check_picture_options(const std::string& path, const PictureOptions& options) {
+  const sim::ImageFormat format = sim::image_format(path);
+  bits_of(options, format);
+  if (options.quality && format != sim::ImageFormat::jpeg)
+    throw usage_error("--quality", "only a JPEG has a quality", "-o OUT.jpg");
+  if (options.as_seen && format == sim::ImageFormat::exr)
+    throw usage_error("--as-seen", "an EXR holds the camera's linear values", "-o OUT.png, .tif or .jpg");
+}
+
+sim::Image line_layer(const sim::Rendering& rendering) {
+  sim::Image layer = rendering.rayleigh;
+  for (std::string& name : layer.channel_names) name.insert(0, "rayleigh.");
+  return layer;
+}
+
+std::string encoded_raw(const std::string& path, const PictureOptions& options, const sim::Scene& scene,
+                        const sim::Rendering& rendering) {
+  sim::Image raw = raw_of(options, scene, rendering);
+  constexpr float kLargest = 65535.0f;
+  for (float& value : raw.data) value /= kLargest;
+  sim::ImageAttributes attributes = attributes_of(scene);
+  attributes["units"] = "raw numbers of " + std::to_string(scene.sensor.bits) + " bits, mosaic " +
+                        sim::word_of(scene.sensor.mosaic) + noise_words(options);
+  constexpr int kBits = 16, kNoQuality = 100;
+  return sim::encode_display(sim::image_format(path), raw, kBits, kNoQuality, attributes, path);
+}
+
+std::string encoded_picture(const std::string& path, const PictureOptions& options, const sim::Scene& scene,
+                            sim::Rendering&& rendering, const sim::Image& lines, bool with_layers) {
+  sim::ImageAttributes attributes = attributes_of(scene);
+  const sim::ImageFormat format = sim::image_format(path);
+  if (format == sim::ImageFormat::exr) {
+    attributes["units"] =
+        "R, G, B: linear sensor values, white = 1, negative where a line is out of gamut; rayleigh.*: "
+        "rayleighs, "
+        "by wavelength in tenths of a nanometre";
+    if (options.photograph) {
+      rendering.rgb = sim::developed(scene, raw_of(options, scene, rendering));
+      attributes["units"] += std::string("; ") + photograph_words +
+                             ", dark in the corners as its lens has it" + noise_words(options);
+    }
+    std::vector<const sim::Image*> images = {&rendering.rgb, &lines};
+    const sim::Image volume = volume_layer(rendering);
+    if (!volume.empty()) {
+      images.push_back(&volume);
+      attributes["units"] += "; volume.*: R, G, B of volumes, the same, multiplied by A, their coverage";
+    }
+    std::vector<sim::Image> layers;
+    if (with_layers) {
+      layers = layers_of(scene, std::move(rendering));
+      attributes["units"] +=
+          "; other layers' R, G, B: the same; mask: 1 where the foreground hides the sky; hidden.*: "
+          "share of what is behind volumes that they hide";
+    }
+    for (const sim::Image& layer : layers) images.push_back(&layer);
+    return sim::encode_exr(images, attributes, path);
+  }
+  constexpr int kDefaultQuality = 92;
+  attributes["units"] = encoding_words(scene, options);
+  const sim::Image shown = shown_picture(options, scene, rendering);
+  return sim::encode_display(format, shown, bits_of(options, format),
+                             options.quality.value_or(kDefaultQuality), attributes, path);
+}
+
+std::string encoded_lines(const std::string& path, const sim::Scene& scene, const sim::Image& lines) {
+  sim::ImageAttributes attributes = attributes_of(scene);
+  attributes["units"] = "rayleighs, by wavelength in tenths of a nanometre";
+  return sim::encode_exr({&lines}, attributes, path);
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,112 @@
+#include "apps/output/progress_bar.h"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace vegard::apps {
+namespace {
+
+constexpr double kQuietSeconds = 1.0;
+constexpr double kSecondsBetween = 0.1;
+
+int terminal_columns() {
+  winsize size = {};
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+  return size.ws_col;
+}
+
+double seconds(std::chrono::steady_clock::duration time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+  const long whole = std::lround(std::clamp(seconds, 0.0, 1e8));
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
+std::optional<double> seconds_to_go(const ProgressPoint& from, const ProgressPoint& now) {
+  constexpr double kLeastShare = 0.02;  // before that the pace says nothing
+  const double done = now.share - from.share;
+  if (!(done >= kLeastShare)) return {};
+  return (now.elapsed_seconds - from.elapsed_seconds) * (1.0 - now.share) / done;
+}
+
+std::string progress_line(const std::string& label, const ProgressPoint& now,
+                          std::optional<double> seconds_to_go, int columns) {
+  const double share = std::clamp(now.share, 0.0, 1.0);
+  std::string right = fmt::format(" {:3.0f} %, {}", 100.0 * share, duration_text(now.elapsed_seconds));
+  if (seconds_to_go) right += ", " + duration_text(*seconds_to_go) + " to go";
+  const int room = columns - 1 - static_cast<int>(label.size() + right.size()) - 4;
+  std::string line = label;
+  if (room >= 5) {
+    const int length = std::min(room, 32);
+    const int filled = static_cast<int>(share * length);
+    line += " [" + std::string(filled, '#') + std::string(length - filled, '.') + "]";
+  }
+  line += right;
+  if (static_cast<int>(line.size()) >= columns) line.resize(std::max(0, columns - 1));
+  return line;
+}
+
+ProgressBar::ProgressBar(std::string label)
+    : label_(std::move(label)), on_terminal_(isatty(STDERR_FILENO) == 1) {}
+
+ProgressBar::~ProgressBar() { finish(); }
+
+void ProgressBar::update(double share) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  note(share);
+  show();
+}
+
+void ProgressBar::update(double share, const std::string& label) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  note(share);
+  label_ = label;
+  show();
+}
+
+void ProgressBar::note(double share) {
+  if (std::isfinite(share)) share_ = std::max(share_, std::min(share, 1.0));
+  const double elapsed = seconds(Clock::now() - start_);
+  if (elapsed < kQuietSeconds) first_ = {share_, elapsed};
+}
+
+double ProgressBar::elapsed_seconds() const { return seconds(Clock::now() - start_); }
+
+std::optional<double> ProgressBar::seconds_to_go() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return apps::seconds_to_go(first_, {share_, elapsed_seconds()});
+}
+
+void ProgressBar::show() {
+  const Clock::time_point now = Clock::now();
+  const ProgressPoint point{share_, seconds(now - start_)};
+  if (!on_terminal_ || point.elapsed_seconds < kQuietSeconds) return;
+  if (shown_ && seconds(now - last_) < kSecondsBetween) return;
+  last_ = now;
+  shown_ = true;
+  // \r and "erase to the end of the line".
+  std::fprintf(stderr, "\r%s\033[K",
+               progress_line(label_, point, apps::seconds_to_go(first_, point), terminal_columns()).c_str());
+  std::fflush(stderr);
+}
+
+void ProgressBar::finish() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (shown_) std::fputs("\r\033[K", stderr);
+  shown_ = false;
+}
+
+}  // namespace vegard::apps

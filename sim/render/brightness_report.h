@@ -1,0 +1,46 @@
+// What is known of a scene's brightness, gathered.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/emit/aurora/sheet_brightness.h"
+#include "sim/render/render.h"
+#include "sim/scene/structs/scene.h"
+#include "sim/view/film/brightest_spot.h"
+#include "sim/view/sensor/expected_counts.h"
+
+namespace vegard::sim {
+
+/// What the eye makes of the most luminous spot. docs/physics.md, "What the eye sees".
+struct EyeReport {
+  std::string vision;            ///< "scotopic", "mesopic" or "photopic" (CIE 191:2010)
+  double cone_share = 0.0;       ///< of colour, 0 to 1
+  bool above_eye_limit = false;  ///< as luminous as 1 kR of 557.7 nm or more
+};
+
+/// What a pixel on the axis records of light like that of the most luminous spot.
+struct SpotCounts {
+  Vector3 electrons{};  ///< raw red, green, blue; what a pixel holds at most
+  Vector3 dn{};         ///< above black
+  Vector3 signal_to_noise{};
+  bool saturated = false;
+};
+
+struct BrightnessReport {
+  std::vector<double> lines_nm;
+  double exposure_s = 0.0;
+  std::vector<SheetBrightness> sheets;
+  std::vector<int> layers;            ///< of every sheet
+  std::vector<BrightSpot> brightest;  ///< of the aurora in the picture, per line
+  BrightSpot most_luminous;           ///< of the same; its value is cd m^-2
+  EyeReport eye;
+  std::string sensor_exposure;  ///< what the scale rests on: sensor.exposure
+  ExpectedCounts counts;
+  SpotCounts spot_counts;
+};
+
+/// Of a scene and its picture.
+BrightnessReport brightness_report(const Scene& scene, const Rendering& rendering);
+
+}  // namespace vegard::sim

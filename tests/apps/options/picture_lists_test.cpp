@@ -1,0 +1,91 @@
+// Where a keogram's times come from.
+#include "apps/options/picture_lists.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/exif_bytes.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/fits_bytes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace vegard::apps {
+namespace {
+
+using M = tests::ExifMaker;
+using Kind = fit::PictureTimes::Kind;
+
+std::string jpeg_taken(const std::string& clock, const std::string& offset = {}) {
+  M maker;
+  maker.text(M::kExif, 36867, clock);
+  if (!offset.empty()) maker.text(M::kExif, 36881, offset);
+  return tests::jpeg_with_exif(1, 1, maker.bytes());
+}
+
+std::string fits_taken(const std::string& time) {
+  return tests::fits_image(16, {2, 1}, {1, 2}, tests::fits_card("DATE-OBS", "'" + time + "'"));
+}
+
+class PictureTimesOf : public testing::Test {
+ protected:
+  TimedPictures of(const std::vector<std::pair<std::string, std::string>>& pictures) const {
+    std::vector<std::string> files;
+    for (const auto& [name, bytes] : pictures) {
+      tests::put(folder_ / name, bytes);
+      files.push_back(folder_ / name);
+    }
+    return timed_pictures(files, "");
+  }
+  tests::TemporaryFolder folder_;
+};
+
+TEST_F(PictureTimesOf, FilesThatTellThemInUtcAreBelievedBeforeTheirNames) {
+  const TimedPictures found = of({{"sky_20140221_193000.jpg", jpeg_taken("2014:02:21 21:00:10", "+01:00")},
+                                  {"sky_20140221_193010.fits", fits_taken("2014-02-21T20:00:00.5")}});
+  EXPECT_EQ(found.times.kind, Kind::utc);
+  EXPECT_EQ(found.times.source, "the files' own (EXIF; FITS DATE-OBS)");
+  EXPECT_EQ(found.times.seconds, (std::vector<double>{1393012800.5, 1393012810.0}));
+  EXPECT_EQ(found.files[0], folder_ / "sky_20140221_193010.fits");
+}
+
+TEST_F(PictureTimesOf, NamesAreTakenWhereNotAllFilesTell) {
+  const TimedPictures found = of({{"sky_20140221_193000.jpg", jpeg_taken("2014:02:21 21:00:10", "+01:00")},
+                                  {"sky_20140221_193010.jpg", jpeg_taken("2014:02:21 21:00:20")}});
+  EXPECT_EQ(found.times.source, "the files' names, taken for UTC");
+  EXPECT_EQ(found.times.seconds, (std::vector<double>{1393011000.0, 1393011010.0}));
+}
+
+// A burst within a second of the clock: the names have more of it.
+TEST_F(PictureTimesOf, NamesAreTakenWhereTwoFilesTellTheSame) {
+  const TimedPictures found =
+      of({{"sky_20140221_193000.25.jpg", jpeg_taken("2014:02:21 19:30:00", "+00:00")},
+          {"sky_20140221_193000.75.jpg", jpeg_taken("2014:02:21 19:30:00", "+00:00")}});
+  EXPECT_EQ(found.times.seconds, (std::vector<double>{1393011000.25, 1393011000.75}));
+}
+
+TEST_F(PictureTimesOf, AClockOfNoZoneCountsFromTheFirst) {
+  const TimedPictures found =
+      of({{"b.jpg", jpeg_taken("2014:03:01 00:00:02")}, {"a.jpg", jpeg_taken("2014:02:28 23:59:57")}});
+  EXPECT_EQ(found.times.kind, Kind::clock);
+  EXPECT_EQ(found.times.seconds, (std::vector<double>{0.0, 5.0}));
+  EXPECT_EQ(found.files[0], folder_ / "a.jpg");
+  EXPECT_NE(found.times.source.find("from 2014-02-28T23:59:57 on"), std::string::npos) << found.times.source;
+}
+
+TEST_F(PictureTimesOf, NumbersWhereSomeTellNothing) {
+  const TimedPictures found = of(
+      {{"b.jpg", jpeg_taken("2014:03:01 00:00:02", "+00:00")}, {"a.jpg", tests::jpeg_of_blocks(1, 1, {90})}});
+  EXPECT_EQ(found.times.kind, Kind::number);
+  EXPECT_EQ(found.files[0], folder_ / "b.jpg");
+}
+
+TEST_F(PictureTimesOf, ATableGoesBeforeAll) {
+  of({{"b.jpg", jpeg_taken("2014:03:01 00:00:02", "+00:00")},
+      {"a.jpg", jpeg_taken("2014:03:01 00:00:01", "+00:00")}});
+  tests::put(folder_ / "times.csv", "b.jpg,1\na.jpg,2\n");
+  const TimedPictures found = timed_pictures({folder_ / "a.jpg", folder_ / "b.jpg"}, folder_ / "times.csv");
+  EXPECT_EQ(found.times.seconds, (std::vector<double>{1.0, 2.0}));
+  EXPECT_EQ(found.files[0], folder_ / "b.jpg");
+}
+
+}  // namespace
+}  // namespace vegard::apps
