@@ -7,7 +7,7 @@ tree=$(mktemp -d)
 trap 'rm -rf "$tree" "$tree.log"' EXIT
 failures=0
 
-mkdir -p "$tree/sim/scene/table/rows" "$tree/fit/search" "$tree/fit/parameters"
+mkdir -p "$tree/sim/scene/rows" "$tree/sim/scene/emitters" "$tree/fit/search" "$tree/fit/parameters"
 cat >"$tree/sim/scene/rows/sheet.cpp" <<'ROWS'
       Row("energy_kev", &Sheet::energy_kev).in("keV").may_be_free(logarithmic)
           .means("energy"),

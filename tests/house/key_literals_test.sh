@@ -17,7 +17,7 @@ files_in() {
 
 # Of rows that may be free, which are all that a search has: row("key", &Type::member)...may_be_free(...).
 # shellcheck disable=SC2016  # the dollars are awk's
-keys=$(files_in sim/scene/table/rows | xargs --no-run-if-empty awk '
+keys=$(files_in sim/scene/rows sim/scene/emitters | xargs --no-run-if-empty awk '
   match($0, /"[a-z0-9_]+", *&[A-Za-z]+::/) { key = substr($0, RSTART + 1); sub(/".*/, "", key) }
   /may_be_free\(/ { if (key != "") print key; key = "" }' | sort -u)
 if [[ -z $keys ]]; then
