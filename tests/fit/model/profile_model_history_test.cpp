@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/render/render.h"
+#include "sim/scene/table/parameter_table.h"
 #include "sim/scene/table/spline_rates.h"
 #include "tests/support/small_scene.h"
 
