@@ -78,7 +78,7 @@ Exposure derived(int threads) {
   Exposer(scene, film, threads)
       .expose_with_derivatives(
           scene,
-          tests::ids_of(scene, {"footprint.energy_kev", "nebula.dust_depth",
+          tests::ids_of(scene, {"footprint." + scene.footprints[0].name + ".energy_kev", "nebula.dust_depth",
                                 "node." + scene.nodes[1].name + ".amplitude", "camera.azimuth_deg"}),
           exposure);
   return exposure;

@@ -96,14 +96,22 @@ struct Fitting {
 /// In the scene's unit: moves the light by about a hundredth of a pixel. Shorter, and the rounding of floats
 /// shows; longer, and samples cross from cell to cell.
 double step_of(const FreeNumber& number) {
-  const std::string& key = number.id.row->key;
-  if (key == "center_km") return 0.004;
-  if (key == "inclination_deg" || key == "declination_deg") return 0.01;
-  if (key == "loss_cone_deg") return 0.008;
-  if (key == "pitch_step_rad") return 1.5e-4;
-  if (key == "length_km") return 0.01;
-  if (number.id.row->table == "camera") return 1.5e-3;
   if (!number.has_path()) return 0.004;  // a distance
+  switch (number.id.role()) {
+    case sim::ParameterRole::centre:
+      return 0.004;
+    case sim::ParameterRole::inclination:
+    case sim::ParameterRole::declination:
+    case sim::ParameterRole::length:
+      return 0.01;
+    case sim::ParameterRole::loss_cone:
+      return 0.008;
+    case sim::ParameterRole::pitch_step:
+      return 1.5e-4;
+    default:
+      break;
+  }
+  if (number.id.row->table == "camera") return 1.5e-3;
   return number.logarithmic() ? 5e-4 * number.start : 5e-4;
 }
 
@@ -128,8 +136,8 @@ void expect_jacobian(const Fitting& fit) {
       size += difference * difference;
     }
     EXPECT_GT(size, 0.0);
-    const std::string& key = fit.free[j].id.row->key;
-    const bool weak = key == "loss_cone_deg" || key == "pitch_step_rad";
+    const sim::ParameterRole role = fit.free[j].id.role();
+    const bool weak = role == sim::ParameterRole::loss_cone || role == sim::ParameterRole::pitch_step;
     EXPECT_LT(std::sqrt(error / size), weak ? 0.1 : 0.03);
   }
 }

@@ -7,6 +7,7 @@
 
 #include "sim/render/render.h"
 #include "sim/scene/rows/spline_rates.h"
+#include "sim/scene/table/parameter_table.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::fit {

@@ -53,7 +53,7 @@ TEST(FreeNumber, OneSidedAndUnboundedTransformsInvertToo) {
   FreeNumber number = all_numbers(scene)[0];
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const char* path : {"sheet.main.energy_kev", "sheet.main.center_km.east"}) {
-    number.path = sim::resolve(scene, path)[0];
+    number.id = sim::parameter_at(scene, path).value();
     number.min = number.id.row->scale == sim::ParameterScale::logarithmic ? 0.5 : -kInfinity;
     number.max = kInfinity;
     for (double value : {0.7, 3.0, 400.0}) {
