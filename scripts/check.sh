@@ -91,11 +91,26 @@ check_tidy() {
   done | xargs -r -n 1 -P "$(nproc)" clang-tidy -p build/tidy --quiet 2>&1 | sed '/ warnings\{0,1\} generated\.$/d'
 }
 
+# Each program as often as there are cores, every time with its share of the tests. A finding ends a program, so it is looked for by
+# the exit code; the end of the log says what and where.
 check_sanitize() {
-  cmake --preset asan && cmake --build --preset asan -j "$(nproc)" --target sim_tests fit_tests apps_tests || return 1
-  local program failed=0
+  cmake --preset asan >build/asan.log || { cat build/asan.log >&2; return 1; }
+  cmake --build --preset asan -j "$(nproc)" --target sim_tests fit_tests apps_tests || return 1
+  local program share failed=0
+  local -A shares=()
   for program in sim_tests fit_tests apps_tests; do
-    UBSAN_OPTIONS=print_stacktrace=1 "build/asan/tests/$program" --gtest_brief=1 || failed=1
+    for share in $(seq 0 $(($(nproc) - 1))); do
+      GTEST_TOTAL_SHARDS=$(nproc) GTEST_SHARD_INDEX=$share UBSAN_OPTIONS=print_stacktrace=1 \
+        "build/asan/tests/$program" --gtest_brief=1 >"build/asan/$program.$share.log" 2>&1 &
+      shares[$!]=$program.$share
+    done
+    for share in "${!shares[@]}"; do
+      wait "$share" && continue
+      echo "sanitizers: the end of build/asan/${shares[$share]}.log" >&2
+      tail -n 40 "build/asan/${shares[$share]}.log" >&2
+      failed=1
+    done
+    shares=()
   done
   return "$failed"
 }
