@@ -9,6 +9,7 @@
 #include "apps/usage_error.h"
 #include "fit/measure/direction_bins.h"
 #include "fit/measure/direction_profile.h"
+#include "fit/report/direction_plot.h"
 #include "sim/base/earth.h"
 #include "sim/view/camera/tangent_altitude.h"
 

@@ -24,6 +24,7 @@
 #include "fit/measure/line_brightness.h"
 #include "fit/measure/measured_profile.h"
 #include "fit/measure/profile.h"
+#include "fit/measure/profile_bins.h"
 #include "fit/photo/photo.h"
 #include "fit/report/plot/plot.h"
 #include "fit/report/profile_plot.h"

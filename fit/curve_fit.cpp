@@ -7,14 +7,16 @@
 #include <cmath>
 #include <limits>
 
-#include "fit/answer/step_outputs.h"
-#include "fit/compare/inflation.h"
+#include "fit/compare/profile_cost.h"
 #include "fit/fit_observations.h"
 #include "fit/measure/unknown_curve.h"
 #include "fit/parameters/prior_rows.h"
 #include "fit/parameters/turns.h"
 #include "fit/search/journal.h"
 #include "fit/search/profile_rounds.h"
+#include "fit/search/search.h"
+#include "fit/search/search_outcome.h"
+#include "fit/uncertainty/sampled_uncertainty.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/curve_search.h"

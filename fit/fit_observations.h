@@ -3,9 +3,10 @@
 
 #include <vector>
 
+#include "fit/answer/fit_result.h"
 #include "fit/compare/observation.h"
-#include "fit/fit.h"
-#include "fit/search/search.h"
+#include "fit/search/fit_options.h"
+#include "fit/search/search_outcome.h"
 #include "fit/uncertainty/uncertainty.h"
 
 namespace vegard::fit {

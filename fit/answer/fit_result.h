@@ -11,6 +11,7 @@
 
 #include "fit/measure/profile.h"
 #include "fit/photo/photo_facts.h"
+#include "fit/search/descent.h"
 #include "fit/uncertainty/judged_errors.h"
 #include "sim/emit/aurora/foot_line.h"
 #include "sim/scene/structs/scene.h"
@@ -106,14 +107,6 @@ struct FreeProfile {
   std::vector<double> altitude_km;
   std::vector<double> rate;          ///< photons cm^-3 s^-1 per mW m^-2, in the scale that the fit holds
   std::vector<double> lower, upper;  ///< of the 68 % interval at each altitude
-};
-
-/// One evaluation that was accepted, or the best of a stage.
-struct TraceRow {
-  std::string stage;   ///< "scan", "descent 2", "polish"
-  int evaluation = 0;  ///< residual evaluations so far
-  double chi2 = 0.0;
-  std::vector<double> values;  ///< of the free parameters, in the order of FitResult::parameters
 };
 
 struct InputFile {

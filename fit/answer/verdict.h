@@ -1,8 +1,10 @@
 // Whether to believe a fit.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "fit/answer/fit_result.h"
-#include "fit/search/search.h"
 
 namespace vegard::fit {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "fit/uncertainty/uncertainty.h"
+#include "fit/compare/inflation.h"
 
 namespace vegard::fit {
 namespace {

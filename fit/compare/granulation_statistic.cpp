@@ -6,6 +6,7 @@
 
 #include "fit/measure/cell_noise.h"
 #include "fit/measure/measured_profile.h"
+#include "fit/measure/profile_bins.h"
 #include "sim/base/error.h"
 #include "sim/base/number/random.h"
 #include "sim/emit/sun/sun_frame.h"

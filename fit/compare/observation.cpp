@@ -6,6 +6,7 @@
 
 #include "fit/measure/measured_profile.h"
 #include "fit/measure/noise_model.h"
+#include "fit/measure/profile_bins.h"
 #include "fit/measure/realisation.h"
 #include "fit/measure/smoothing.h"
 #include "sim/base/error.h"

@@ -104,4 +104,8 @@ class ProfileCost : public ceres::CostFunction {
   PriorRows priors_;
 };
 
+/// Mean square of the photographs' own error_inflation() (fit/compare/inflation.h), by their number of
+/// residuals. `unknowns` are all that were found from the data.
+double joint_inflation(const ProfileCost& cost, const ProfileCost::Point& point, int unknowns);
+
 }  // namespace vegard::fit

@@ -11,6 +11,7 @@
 #include "fit/compare/texture_statistic.h"
 #include "fit/measure/measured_profile.h"
 #include "fit/measure/noise_model.h"
+#include "fit/measure/profile_bins.h"
 #include "fit/measure/smoothing.h"
 #include "sim/base/error.h"
 

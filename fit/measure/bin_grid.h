@@ -48,24 +48,51 @@ struct BinGrid {
   }
 };
 
-/// Vertical profiles along the picture's columns: a bin is a row of a band. Throws sim::Error(scene) with key
-/// "fit.bands" unless 1 <= bands <= the region's width.
-BinGrid column_bins(const Region& region, int bands);
+/// Of a pixel that belongs to no bin.
+inline constexpr int kNoBin = -1;
 
-/// Along elevation: bands are those of columns; a pixel's position is the row at which the curve of its
-/// elevation crosses the region's middle column, wherever in the picture the horizon is. What crosses it
-/// outside of the region, or beyond its highest point there, belongs to no bin.
-BinGrid elevation_bins(const Region& region, int bands, const sim::Camera& camera);
+/// Puts every pixel of the grid's region into the bin that bin_of(x, y) names, or into none; fills in the
+/// runs and the mean rows.
+template <class BinOf>
+void gather(const BinOf& bin_of, BinGrid& grid) {
+  struct Found {
+    int bin;
+    BinGrid::Run run;
+  };
+  std::vector<Found> found;
+  std::vector<std::size_t> runs_of(grid.bins() + 1, 0);
+  const Region& region = grid.region;
+  for (int y = region.y; y < region.y + region.height; ++y) {
+    int bin = kNoBin;
+    for (int x = region.x; x < region.x + region.width; ++x) {
+      const int here = bin_of(x, y);
+      if (here != bin && here != kNoBin) {
+        found.push_back({here, {y, x, x}});
+        ++runs_of[here + 1];
+      }
+      bin = here;
+      if (bin != kNoBin) found.back().run.end = x + 1;
+    }
+  }
+  for (std::size_t b = 0; b < grid.bins(); ++b) runs_of[b + 1] += runs_of[b];
+  grid.first_run = runs_of;
+  grid.runs.resize(found.size());
+  for (const Found& f : found) grid.runs[runs_of[f.bin]++] = f.run;
 
-/// Along the field line's projection: a pixel's position is its row; its band is that in which the picture of
-/// the field line through it crosses the region's middle row. The pictures of a uniform field's lines are
-/// straight and meet in the magnetic zenith, so bands are sheared, and fan out from there. Pixels beyond the
-/// magnetic zenith, or whose line crosses outside of the region, belong to no bin.
-BinGrid field_bins(const Region& region, int bands, const sim::Camera& camera, const sim::Field& field);
+  grid.row.resize(grid.bins());
+  for (std::size_t b = 0; b < grid.bins(); ++b) {
+    double sum = 0.0, pixels = 0.0;
+    for (std::size_t r = grid.first_run[b]; r < grid.first_run[b + 1]; ++r) {
+      const double width = grid.runs[r].end - grid.runs[r].begin;
+      sum += width * (grid.runs[r].y - region.y);
+      pixels += width;
+    }
+    grid.row[b] = pixels > 0.0 ? sum / pixels : static_cast<double>(b % grid.positions);
+  }
+}
 
-/// By fit.profile_along; of the Sun's, fit/measure/loop_bins.h and fit/measure/limb_bins.h. Throws
-/// sim::Error(scene) with key "fit.profile_along" if that is "field" and the field is not uniform.
-BinGrid profile_bins(const sim::Scene& scene, const Region& region);
+/// Band of every column of a region, counted from its left: as equal as they can be.
+std::vector<int> bands_of_columns(const Region& region, int bands);
 
 /// Horizontal profiles in `strips` equal strips of rows (at most one per row). The columns of each band are
 /// shared out evenly to bins of about eight pixels. `profiles`: for the bands.

@@ -1,4 +1,4 @@
-// Profiles against elevation, one for each direction, as a table and as a picture.
+// Profiles against elevation, one for each direction, with their table.
 #pragma once
 
 #include <array>
@@ -10,7 +10,6 @@
 #include "fit/measure/limb_layer.h"
 #include "fit/measure/profile.h"
 #include "fit/photo/photo.h"
-#include "fit/report/plot/plot.h"
 
 namespace vegard::fit {
 
@@ -21,7 +20,7 @@ struct Ratio {
 };
 Ratio channel_ratio(const Profile& profile, int band, int row, int numerator, int denominator);
 
-/// What belongs to the table and the picture beside the numbers.
+/// What belongs to the table and the plot beside the numbers.
 struct DirectionProfile {
   Profile profile;  ///< of direction_bins(), any dark level taken off
   DirectionSectors sectors;
@@ -44,9 +43,5 @@ std::string limb_layer_words(double azimuth_deg, const std::optional<LimbLayer>&
 /// As profile_csv(); one line per sector and step that has a pixel in any channel. With tangent steps
 /// comments tell the layers.
 std::string direction_profile_csv(const Photo& photo, const DirectionProfile& directions);
-
-/// Light of each channel and the ratios of red and blue to green against elevation, a line for each sector
-/// (at most fourteen of them, evenly chosen, which the note says).
-Plot direction_profile_plot(const Photo& photo, const DirectionProfile& directions);
 
 }  // namespace vegard::fit

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "fit/measure/bin_gather.h"
+#include "fit/measure/bin_grid.h"
 #include "sim/base/earth.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"

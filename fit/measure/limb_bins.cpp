@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "fit/measure/bin_gather.h"
+#include "fit/measure/bin_grid.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
 #include "sim/emit/sun/sun_frame.h"

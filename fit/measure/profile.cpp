@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "fit/measure/profile_bins.h"
 #include "sim/base/error.h"
 
 namespace vegard::fit {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "fit/measure/profile_bins.h"
 #include "fit/measure/smoothing.h"
 #include "fit/model/bin_weights.h"
 #include "fit/model/spread_runs.h"

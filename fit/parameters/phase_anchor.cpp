@@ -50,27 +50,4 @@ std::vector<PhaseAnchor> phase_anchors(const sim::Scene& scene, const std::vecto
   return anchors;
 }
 
-void without_anchors(const std::vector<PhaseAnchor>& anchors, const std::vector<FreeNumber>& moved,
-                     const std::vector<double>& values, Uncertainty& u) {
-  const std::size_t n = moved.size();
-  const auto slope_of = [&](int j) { return moved[j].slope(moved[j].coordinate(values[j])); };
-  for (const PhaseAnchor& a : anchors) {
-    const double by_wavelength = -a.slope(values[a.wavelength]) * slope_of(a.wavelength) / slope_of(a.phase);
-    for (std::size_t k = 0; k < n; ++k)
-      u.covariance[a.phase][k] += by_wavelength * u.covariance[a.wavelength][k];
-    for (std::size_t k = 0; k < n; ++k)
-      u.covariance[k][a.phase] += by_wavelength * u.covariance[k][a.wavelength];
-    for (std::vector<double>& direction : u.undetermined)
-      direction[a.phase] += by_wavelength * direction[a.wavelength];
-    if (std::isnan(u.sigma[a.wavelength])) u.sigma[a.phase] = u.sigma[a.wavelength];
-  }
-  for (std::size_t j = 0; j < n; ++j)
-    if (!std::isnan(u.sigma[j])) u.sigma[j] = std::sqrt(std::max(0.0, u.covariance[j][j]));
-  for (std::size_t j = 0; j < n; ++j)
-    for (std::size_t k = 0; k < n; ++k) {
-      const double both = u.sigma[j] * u.sigma[k];
-      u.correlation[j][k] = both > 0.0 ? u.covariance[j][k] / both : 0.0;
-    }
-}
-
 }  // namespace vegard::fit

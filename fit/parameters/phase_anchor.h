@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "fit/parameters/free_parameters.h"
-#include "fit/uncertainty/uncertainty.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::fit {
@@ -29,10 +28,5 @@ struct PhaseAnchor {
 /// the rest. The point in view is where the camera's azimuth meets the sheet, else the sheet's middle.
 std::vector<PhaseAnchor> phase_anchors(const sim::Scene& scene, const std::vector<FreeNumber>& moved,
                                        const std::vector<double>& values);
-
-/// Error bars of the anchored coordinates at `values` become those of each number's own, without anchors that
-/// have moved: start_wavelength_km is the value's.
-void without_anchors(const std::vector<PhaseAnchor>& anchors, const std::vector<FreeNumber>& moved,
-                     const std::vector<double>& values, Uncertainty& uncertainty);
 
 }  // namespace vegard::fit

@@ -4,10 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "fit/answer/fit_result.h"
 #include "fit/compare/profile_cost.h"
 
 namespace vegard::fit {
+
+/// One evaluation that was accepted, or the best of a stage.
+struct TraceRow {
+  std::string stage;   ///< "scan", "descent 2", "polish"
+  int evaluation = 0;  ///< residual evaluations so far
+  double chi2 = 0.0;
+  std::vector<double> values;  ///< of the free parameters, in the order of the fit
+};
 
 struct Descent {
   std::vector<double> values;  ///< where it ended

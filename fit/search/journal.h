@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "fit/answer/fit_result.h"
 #include "fit/search/descent.h"
 
 namespace vegard::fit {

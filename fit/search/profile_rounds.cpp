@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "fit/compare/inflation.h"
+#include "fit/compare/profile_cost.h"
 
 namespace vegard::fit {
 namespace {

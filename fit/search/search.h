@@ -10,20 +10,12 @@
 // free-form profiles only take part in the polish.
 #pragma once
 
-#include <functional>
-#include <string>
 #include <vector>
 
-#include "fit/fit.h"
-#include "fit/search/descent.h"
+#include "fit/search/fit_options.h"
+#include "fit/search/search_outcome.h"
 
 namespace vegard::fit {
-
-struct SearchOutcome {
-  Descent best;                 ///< of the full model
-  std::vector<Descent> others;  ///< ends of the other polished descents, best first; for the verdict
-  double chi2_initial = 0.0;    ///< of the full model at the user's start
-};
 
 /// What the search works on: the same photographs twice.
 struct SearchModels {

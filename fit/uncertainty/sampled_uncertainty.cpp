@@ -10,6 +10,25 @@
 #include "sim/scene/table/free_entry_keys.h"
 
 namespace vegard::fit {
+namespace {
+
+using Rows = std::vector<std::vector<double>>;
+
+std::vector<double> flat(const Rows& rows) {
+  std::vector<double> all;
+  for (const std::vector<double>& row : rows) all.insert(all.end(), row.begin(), row.end());
+  return all;
+}
+
+Rows rows_of(const std::vector<double>& all, std::size_t length) {
+  Rows rows;
+  for (std::size_t at = 0; length > 0 && at + length <= all.size(); at += length)
+    rows.emplace_back(all.begin() + static_cast<std::ptrdiff_t>(at),
+                      all.begin() + static_cast<std::ptrdiff_t>(at + length));
+  return rows;
+}
+
+}  // namespace
 
 double limit_variance(const FreeNumber& n, double slope) {
   constexpr double kPi = 3.141592653589793;
@@ -57,6 +76,49 @@ Uncertainty sampled_uncertainty(const std::vector<Observation>& observations,
     for (const int j : line.numbers) known.has_prior[j] = true;
   return uncertainty(sampled_jacobians(observations, free, values, anchors, threads), here.data_residuals(),
                      static_cast<int>(n), known, inflation);
+}
+
+void without_anchors(const std::vector<PhaseAnchor>& anchors, const std::vector<FreeNumber>& moved,
+                     const std::vector<double>& values, Uncertainty& u) {
+  const std::size_t n = moved.size();
+  const auto slope_of = [&](int j) { return moved[j].slope(moved[j].coordinate(values[j])); };
+  for (const PhaseAnchor& a : anchors) {
+    const double by_wavelength = -a.slope(values[a.wavelength]) * slope_of(a.wavelength) / slope_of(a.phase);
+    for (std::size_t k = 0; k < n; ++k)
+      u.covariance[a.phase][k] += by_wavelength * u.covariance[a.wavelength][k];
+    for (std::size_t k = 0; k < n; ++k)
+      u.covariance[k][a.phase] += by_wavelength * u.covariance[k][a.wavelength];
+    for (std::vector<double>& direction : u.undetermined)
+      direction[a.phase] += by_wavelength * direction[a.wavelength];
+    if (std::isnan(u.sigma[a.wavelength])) u.sigma[a.phase] = u.sigma[a.wavelength];
+  }
+  for (std::size_t j = 0; j < n; ++j)
+    if (!std::isnan(u.sigma[j])) u.sigma[j] = std::sqrt(std::max(0.0, u.covariance[j][j]));
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t k = 0; k < n; ++k) {
+      const double both = u.sigma[j] * u.sigma[k];
+      u.correlation[j][k] = both > 0.0 ? u.covariance[j][k] / both : 0.0;
+    }
+}
+
+StepOutput output_of(const Uncertainty& u) {
+  StepOutput output;
+  output.numbers["sigma"] = u.sigma;
+  output.numbers["correlation"] = flat(u.correlation);
+  output.numbers["covariance"] = flat(u.covariance);
+  output.numbers["undetermined"] = flat(u.undetermined);
+  output.numbers["inflation"] = {u.inflation};
+  return output;
+}
+
+Uncertainty uncertainty_of(const StepOutput& output) {
+  Uncertainty u;
+  u.sigma = output.numbers.at("sigma");
+  u.correlation = rows_of(output.numbers.at("correlation"), u.sigma.size());
+  u.covariance = rows_of(output.numbers.at("covariance"), u.sigma.size());
+  u.undetermined = rows_of(output.numbers.at("undetermined"), u.sigma.size());
+  u.inflation = output.numbers.at("inflation").at(0);
+  return u;
 }
 
 }  // namespace vegard::fit

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "fit/compare/observation.h"
+#include "fit/parameters/phase_anchor.h"
+#include "fit/search/journal.h"
 #include "fit/uncertainty/uncertainty.h"
 
 namespace vegard::fit {
@@ -22,5 +24,14 @@ double limit_variance(const FreeNumber& number, double slope);
 
 /// Of an interrupted fit, which is to end at once: nothing is known.
 Uncertainty no_uncertainty(std::size_t coordinates, double inflation);
+
+/// Error bars of the anchored coordinates at `values` become those of each number's own, without anchors that
+/// have moved: start_wavelength_km is the value's.
+void without_anchors(const std::vector<PhaseAnchor>& anchors, const std::vector<FreeNumber>& moved,
+                     const std::vector<double>& values, Uncertainty& uncertainty);
+
+/// As the output of a step, and back.
+StepOutput output_of(const Uncertainty& uncertainty);
+Uncertainty uncertainty_of(const StepOutput& output);
 
 }  // namespace vegard::fit

@@ -14,19 +14,6 @@ constexpr double kLeans = 0.1;      // of the largest part of an undetermined di
 constexpr double kLeftOpen = 0.25;  // of the variance inside the limits
 constexpr double kAsGoodAsNoLimit = 1e5;  // standard deviations
 
-/// Mean product of pairs of residuals over the mean square.
-class Correlation {
- public:
-  void add(double a, double b) {
-    product_ += a * b;
-    square_ += 0.5 * (a * a + b * b);
-  }
-  double value() const { return square_ > 0.0 ? product_ / square_ : 0.0; }
-
- private:
-  double product_ = 0.0, square_ = 0.0;
-};
-
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Standard error of the mean, over the pairs of samplings, of the information along each direction, a column
@@ -58,37 +45,6 @@ std::vector<double> standard_errors(const std::vector<std::vector<double>>& jaco
 }
 
 }  // namespace
-
-double error_inflation(const Profile& data, const std::vector<std::size_t>& used,
-                       const std::vector<double>& residual, int dof) {
-  std::vector<double> at(data.mean.size(), std::numeric_limits<double>::quiet_NaN());
-  double chi2 = 0.0;
-  for (std::size_t k = 0; k < used.size(); ++k) {
-    at[used[k]] = residual[k];
-    chi2 += residual[k] * residual[k];
-  }
-  const auto correlation = [&](int d_band, int d_row, int d_channel) {
-    Correlation c;
-    for (int b = 0; b + d_band < data.bands; ++b)
-      for (int r = 0; r + d_row < data.rows; ++r)
-        for (int ch = 0; ch + d_channel < 3; ++ch) {
-          const double one = at[data.index(b, r, ch)];
-          const double two = at[data.index(b + d_band, r + d_row, ch + d_channel)];
-          if (!std::isnan(one) && !std::isnan(two)) c.add(one, two);
-        }
-    return c.value();
-  };
-  // The largest partial sum: residuals that swing about zero at once and yet drift slowly are not
-  // independent.
-  double sum = 1.0, together = 1.0;
-  for (int lag = 1; lag < data.rows / 4; ++lag) {
-    sum += 2.0 * correlation(0, lag, 0);
-    together = std::max(together, sum);
-  }
-  together *= 1.0 + 2.0 * std::max(0.0, correlation(0, 0, 1));
-  together *= 1.0 + 2.0 * std::max(0.0, correlation(1, 0, 0));
-  return std::sqrt(std::max(1.0, chi2 / std::max(1, dof)) * together);
-}
 
 PriorKnowledge no_prior_knowledge(std::size_t coordinates) {
   return {std::vector<double>(coordinates * coordinates, 0.0),

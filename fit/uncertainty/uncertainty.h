@@ -1,9 +1,7 @@
-// Error bars: from the Jacobian at the answer, and from how the residuals hang together.
+// Error bars: from the Jacobian at the answer.
 #pragma once
 
 #include <vector>
-
-#include "fit/compare/linear_part.h"
 
 namespace vegard::fit {
 
@@ -16,13 +14,6 @@ struct Uncertainty {
   std::vector<std::vector<double>> undetermined;
   double inflation = 1.0;  ///< already applied to sigma
 };
-
-/// How much wider error bars must be than independent, right-sized residuals would have them: the square root
-/// of max(1, chi2 / dof) times the number of residuals that go up and down together. That number is taken
-/// from the residuals' autocorrelation down the rows (the largest partial sum, to a quarter of the rows)
-/// times that across channels and to the neighbouring band.
-double error_inflation(const Profile& data, const std::vector<std::size_t>& used,
-                       const std::vector<double>& residual, int dof);
 
 /// What is known of the coordinates beside the data.
 struct PriorKnowledge {

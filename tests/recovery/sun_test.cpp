@@ -17,6 +17,7 @@
 
 #include "fit/fit.h"
 #include "fit/measure/measured_profile.h"
+#include "fit/measure/profile_bins.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/emit/sun/sun_frame.h"

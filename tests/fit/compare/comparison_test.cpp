@@ -3,6 +3,8 @@
 // The differences are those of a film in floats, with the kinks of the bilinear splat (profile_cost_test.cpp
 // has what that costs: a column of the Jacobian differs by up to 1.6 % of its norm for the profile).
 #include "fit/compare/comparison.h"
+#include "fit/compare/inflation.h"
+#include "fit/measure/profile_bins.h"
 
 #include <gtest/gtest.h>
 

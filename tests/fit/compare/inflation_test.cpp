@@ -1,4 +1,4 @@
-#include "fit/compare/inflation.h"
+#include "fit/compare/profile_cost.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // Statistics of made-up curtains: their noise, their slopes, and what they do not see.
 #include "fit/compare/statistics.h"
+#include "fit/measure/profile_bins.h"
 
 #include <gtest/gtest.h>
 

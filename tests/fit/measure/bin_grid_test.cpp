@@ -1,5 +1,6 @@
 // Which pixels the bins of each grid hold.
 #include "fit/measure/bin_grid.h"
+#include "fit/measure/profile_bins.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #include "fit/measure/measured_profile.h"
+#include "fit/measure/profile_bins.h"
 
 #include <gtest/gtest.h>
 

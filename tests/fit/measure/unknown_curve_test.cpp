@@ -1,5 +1,6 @@
 // What a photograph is through a curve that is tried, and how curves are compared.
 #include "fit/measure/unknown_curve.h"
+#include "fit/measure/profile_bins.h"
 
 #include <gtest/gtest.h>
 

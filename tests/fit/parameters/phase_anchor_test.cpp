@@ -1,4 +1,5 @@
 #include "fit/parameters/phase_anchor.h"
+#include "fit/uncertainty/sampled_uncertainty.h"
 
 #include <gtest/gtest.h>
 

@@ -10,9 +10,10 @@
 #include <limits>
 #include <memory>
 
-#include "fit/answer/step_outputs.h"
 #include "fit/search/file_journal.h"
+#include "fit/search/search_outcome.h"
 #include "fit/search/step_record.h"
+#include "fit/uncertainty/sampled_uncertainty.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/temporary_folder.h"

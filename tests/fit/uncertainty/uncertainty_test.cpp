@@ -1,4 +1,5 @@
 #include "fit/uncertainty/uncertainty.h"
+#include "fit/compare/inflation.h"
 
 #include <gtest/gtest.h>
 

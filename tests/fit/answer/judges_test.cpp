@@ -1,5 +1,5 @@
 // The judges of a fit's error bars, on whole fits of small pictures that the simulator renders.
-#include "fit/uncertainty/judges.h"
+#include "fit/answer/judges.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,8 @@
 
 #include <cstddef>
 
-#include "fit/fit.h"
+#include "fit/answer/fit_result.h"
+#include "fit/search/fit_options.h"
 #include "fit/search/journal.h"
 #include "fit/uncertainty/judged_fit.h"
 

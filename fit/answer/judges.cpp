@@ -1,4 +1,4 @@
-#include "fit/uncertainty/judges.h"
+#include "fit/answer/judges.h"
 
 #include <algorithm>
 #include <string>

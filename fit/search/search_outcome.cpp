@@ -1,23 +1,9 @@
-#include "fit/answer/step_outputs.h"
+#include "fit/search/search_outcome.h"
+
+#include <string>
 
 namespace vegard::fit {
 namespace {
-
-using Rows = std::vector<std::vector<double>>;
-
-std::vector<double> flat(const Rows& rows) {
-  std::vector<double> all;
-  for (const std::vector<double>& row : rows) all.insert(all.end(), row.begin(), row.end());
-  return all;
-}
-
-Rows rows_of(const std::vector<double>& all, std::size_t length) {
-  Rows rows;
-  for (std::size_t at = 0; length > 0 && at + length <= all.size(); at += length)
-    rows.emplace_back(all.begin() + static_cast<std::ptrdiff_t>(at),
-                      all.begin() + static_cast<std::ptrdiff_t>(at + length));
-  return rows;
-}
 
 std::string named(const std::string& part, std::size_t i) { return part + " " + std::to_string(i); }
 
@@ -51,26 +37,6 @@ SearchOutcome search_outcome_of(const StepOutput& output) {
     outcome.others.push_back(descent_of(other));
   }
   return outcome;
-}
-
-StepOutput output_of(const Uncertainty& u) {
-  StepOutput output;
-  output.numbers["sigma"] = u.sigma;
-  output.numbers["correlation"] = flat(u.correlation);
-  output.numbers["covariance"] = flat(u.covariance);
-  output.numbers["undetermined"] = flat(u.undetermined);
-  output.numbers["inflation"] = {u.inflation};
-  return output;
-}
-
-Uncertainty uncertainty_of(const StepOutput& output) {
-  Uncertainty u;
-  u.sigma = output.numbers.at("sigma");
-  u.correlation = rows_of(output.numbers.at("correlation"), u.sigma.size());
-  u.covariance = rows_of(output.numbers.at("covariance"), u.sigma.size());
-  u.undetermined = rows_of(output.numbers.at("undetermined"), u.sigma.size());
-  u.inflation = output.numbers.at("inflation").at(0);
-  return u;
 }
 
 }  // namespace vegard::fit
