@@ -55,12 +55,14 @@ write() {
   [[ $# -eq 2 ]] || usage
   [[ -x $1 ]] || refuse "$1 is no program"
   [[ ! -e $2 ]] || refuse "$2 exists"
+  local binary unexpected=()
   binary=$(realpath "$1")
   mkdir -p "$2"
   cd "$2"
   mkdir inputs logs out
-  unexpected=()
   cp -r "$source_folder/data/gallery" "$source_folder/data/examples" "$source_folder/tests/cli/scenes" inputs
+  ln -s "$binary" vegard  # results hold the name by which it was called
+  binary=$PWD/vegard
   unset DISPLAY WAYLAND_DISPLAY
   export LC_ALL=C
   run version --version
