@@ -49,6 +49,7 @@ run_refused() { call "2 3" "$@"; }
 write() {
   local quick=false
   if [[ ${1:-} == --quick ]]; then
+    # shellcheck disable=SC2034  # same_outputs_cases.sh asks for it
     quick=true
     shift
   fi
@@ -96,6 +97,29 @@ comparable() {
   )
 }
 
+# by_how_much FILE FILE: of tables, scenes and words that are alike but for their numbers: how many differ, and by how much at most, as
+# a share of the larger; of linear pictures, by how much at most. Nothing of others.
+by_how_much() {
+  local number='[-+]?[0-9]+(\.[0-9]+)?([eE][-+]?[0-9]+)?'
+  case $1 in
+    *.exr)
+      command -v oiiotool >/dev/null || return 0
+      timeout 20 oiiotool --diff "$1" "$2" 2>/dev/null | sed -n 's/^ *Max error *= \([^ ]*\).*/ (by at most \1)/p'
+      ;;
+    *.csv | *.json | *.toml | *.stdout | *.svg)
+      cmp -s <(sed -E "s/$number/0/g" "$1") <(sed -E "s/$number/0/g" "$2") || { echo " (not only in numbers)"; return; }
+      paste <(grep -oE -- "$number" "$1") <(grep -oE -- "$number" "$2") | awk '
+        $1 != $2 {
+          ++count
+          larger = $1 ^ 2 > $2 ^ 2 ? $1 : $2
+          share = sqrt((($1 - $2) / larger) ^ 2)
+          if (larger != 0 && share > most) { most = share; from = $1; to = $2 }
+        }
+        END { printf " (%d numbers, by at most %.1g of themselves: %s, %s)", count, most, from, to }'
+      ;;
+  esac
+}
+
 compare() {
   [[ $# -eq 2 ]] || usage
   local folder a=$1 b=$2 version_a version_b differ=0 total=0 file
@@ -114,7 +138,7 @@ compare() {
     elif cmp -s <(comparable "$a" "$file" "$version_a" "$version_b") <(comparable "$b" "$file" "$version_b" "$version_a"); then
       continue
     else
-      echo "differs: $file"
+      echo "differs: $file$(by_how_much "$a/$file" "$b/$file")"
     fi
     differ=$((differ + 1))
   done < <({ (cd "$a" && find . -type f -printf '%P\n'); (cd "$b" && find . -type f -printf '%P\n'); } | LC_ALL=C sort -u)
