@@ -18,7 +18,7 @@ struct StarSettings {
                         ///< least 1 σ, its usual value where the sky is even), in robust standard deviations
                         ///< σ of the smoothed picture's noise (fit/photo/mask/local_noise.h), of differences
                         ///< to the mean of the four pixels three away
-  int size_px = 0;  ///< the largest star's diameter; 0: 1/200 of the picture's longer side, at least 9
+  int size_px = 0;      ///< the largest star's diameter; 0: 1/200 of the picture's longer side, at least 9
   double elongation = 3.5;  ///< the largest ratio of axes (of second moments) of what is above half its peak
 };
 
