@@ -121,8 +121,8 @@ TEST(AddedEmitter, ShinesAlongRaysWithItsDerivatives) {
   const std::vector<std::string> paths = {"glow_ball.lamp.place_km.up", "glow_ball.lamp.width_km",
                                           "glow_ball.lamp.rayleigh.6300", "glow_ball.spark.rise_km_s",
                                           "camera.elevation_deg"};
-  std::vector<const double*> free;
-  for (const std::string& path : paths) free.push_back(&number(scene, path));
+  std::vector<sim::ParameterId> free;
+  for (const std::string& path : paths) free.push_back(sim::parameter_at(scene, path).value());
   const sim::FilmGeometry film = sim::film_for(scene, 0, 0, 64, 48, 1.0, 1.0);
   const sim::Volumes volumes(scene, 1);
   const std::size_t cells = static_cast<std::size_t>(film.columns) * film.rows;

@@ -37,9 +37,9 @@ peak() { sed -n 's/.*[ ,]\([0-9]*\) R at 557.7 nm.*/\1/p' "$stdout"; }
 expect_exit 0 params
 expect_stdout "glow_ball.<name>.width_km"
 expect_stdout "standard deviation of its light in space"
-expect_exit 3 render ball.toml -o none.png --set glow_ball.lamp.width_km=-1
+expect_exit 2 render ball.toml -o none.png --set glow_ball.lamp.width_km=-1
 expect_stderr "glow_ball.lamp.width_km"
-expect_exit 3 render ball.toml -o none.png --set glow_ball.lamp.girth=1
+expect_exit 2 render ball.toml -o none.png --set glow_ball.lamp.girth=1
 expect_stderr "no such parameter"
 
 # Render, by TOML and by --set.
@@ -85,5 +85,5 @@ expect_exit 0 render run/best.toml -o best.png
 VEGARD=$PRODUCT
 expect_exit 0 params
 ! grep -q glow_ball "$stdout" || fail "the product has the test's kind"
-expect_exit 3 render ball.toml -o none.png
+expect_exit 2 render ball.toml -o none.png
 expect_stderr "unknown table 'glow_ball'"
