@@ -28,8 +28,7 @@ std::string quoted_for_shell(std::string_view word) {
 }
 
 int tell_bad_usage(const std::string& program, const std::string& message) {
-  std::fprintf(stderr, "%s: %s (see %s --help)
-", program.c_str(), message.c_str(), program.c_str());
+  std::fprintf(stderr, "%s: %s (see %s --help)\n", program.c_str(), message.c_str(), program.c_str());
   return bad_usage;
 }
 
