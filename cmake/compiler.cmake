@@ -7,7 +7,7 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 
-# Two ways to build the same sources (docs/building.md says what each costs). With VEGARD_UNITY several files are one
+# Two ways to build the same sources, the presets release and dev. With VEGARD_UNITY several files are one
 # unit: the whole is compiled in a fifth of the time, and a change compiles more than it touches; for those who build
 # once. Without it every file stands on its own feet and includes what it needs; for those who change the sources.
 option(VEGARD_UNITY "Compile several files as one unit" OFF)
