@@ -10,6 +10,7 @@
 #include "fit/photo/grey_light.h"
 #include "fit/uncertainty/trade_off.h"
 #include "sim/scene/rows/value_words.h"
+#include "sim/scene/table/parameter_id.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/sky/night_sky.h"

@@ -12,6 +12,7 @@
 #include "sim/render/render_memory.h"
 #include "sim/render/volumes/scene_grid.h"
 #include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/parameter_id.h"
 #include "sim/scene/table/parameter_table.h"
 #include "tests/emitter/glow_ball/glow_ball.h"
 #include "tests/support/expect_error.h"

@@ -1,45 +1,67 @@
 #!/usr/bin/env bash
 # The rules of the house that can be read off the sources (docs/architecture.md, rules 1, 2 and 6).
 # usage: include_direction_test.sh ROOT
+# Looks at the files that git tracks below ROOT; where ROOT is no checkout (an unpacked archive), at all of them.
 # Prints one line per violation; exit code 1 if there is any.
 set -euo pipefail
+rooms=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/rooms.txt
 cd "$1"
 
-folders=()
-for folder in sim fit apps; do
-  [[ -d $folder ]] && folders+=("$folder")
-done
-if [[ ${#folders[@]} -eq 0 ]]; then
+tracked() {
+  if [[ "$(git rev-parse --show-cdup 2>/dev/null || echo none)" == "" ]]; then
+    git ls-files --cached
+  else
+    find . -type f -not -path './build/*' -not -path './runs/*' | sed 's|^\./||'
+  fi | sort | while read -r file; do
+    if [[ -f $file ]]; then echo "$file"; fi # not what is deleted and not yet committed
+  done
+}
+mapfile -t files < <(tracked)
+mapfile -t sources < <(printf '%s\n' "${files[@]}" | grep -E '^(sim|fit|apps)/.*\.(h|cpp|inc)$' || true)
+if [[ ${#sources[@]} -eq 0 ]]; then
   echo "no sources under $1" >&2
   exit 2
 fi
 
+# shellcheck disable=SC2016  # the dollars of the programs below are awk's
+
 check_sources() {
-  # shellcheck disable=SC2016  # the dollars are awk's
-  find "${folders[@]}" -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.inc' \) -print0 | sort -z |
-    xargs -0 --no-run-if-empty awk '
-    # From right to left in "apps -> fit -> sim/render -> sim/emit, sim/view -> sim/light -> sim/scene -> sim/base".
-    function layer(path) {
-      if (path ~ /^sim\/render\//) return "sim/render"
-      if (match(path, /^sim\/(base|scene|light|emit|view)\//)) return substr(path, 1, RLENGTH - 1)
+  awk '
+    # The folder of a file; the top of the house that it belongs to.
+    function room_of(path) { sub(/\/[^\/]*$/, "", path); return path }
+    function top_of(path) {
+      if (match(path, /^sim\/(base|scene|light|emit|view|render)\//)) return substr(path, 1, RLENGTH - 1)
       if (match(path, /^(fit|apps)\//)) return substr(path, 1, RLENGTH - 1)
       return ""
     }
+    function stem_of(path) { sub(/\.[^.\/]*$/, "", path); return path }
     function complain(text) { print FILENAME ":" FNR ": " text; bad = 1 }
     function exists(path, line, status) {
       status = (getline line < path)
       close(path)
       return status >= 0
     }
-    BEGIN {
-      rank["sim/base"] = 0; rank["sim/scene"] = 1; rank["sim/light"] = 2; rank["sim/emit"] = 3; rank["sim/view"] = 3
-      rank["sim/render"] = 4; rank["fit"] = 5; rank["apps"] = 6
+    # Whether one stem leads to another by the edges that are left.
+    function reaches(start, goal, queue, seen, first, last, i) {
+      split("", queue); split("", seen)
+      queue[last = 1] = start
+      for (first = 1; first <= last; ++first) {
+        if (queue[first] == goal) return 1
+        for (i = 1; i <= edges; ++i)
+          if ((i in edge_from) && edge_from[i] == queue[first] && !seen[edge_to[i]]++) queue[++last] = edge_to[i]
+      }
+      return 0
+    }
+    FILENAME == ARGV[1] {
+      if ($0 !~ /^#/ && NF > 0) { ++ranks; for (i = 1; i <= NF; ++i) rank[$i] = ranks }
+      next
     }
     FNR == 1 {
-      from = layer(FILENAME)
-      if (from == "") complain("belongs to no layer of the house")
-      folder = FILENAME
-      sub(/[^\/]*$/, "", folder)
+      from = top_of(FILENAME)
+      room = room_of(FILENAME)
+      if (!(room in rank)) complain("belongs to no room of the house (tests/house/rooms.txt)")
+      else ++inhabitants[room]
+      folder = room "/"
       library = from != "apps"
       # What volumes are made of is read in these and handed on.
       reads_volumes = FILENAME ~ /^sim\/render\/emitters\/(depth_file|volume_files)\.cpp$/
@@ -54,10 +76,17 @@ check_sources() {
       # Rule 1: includes run one way, by paths from the root.
       if (target ~ /(^|\/)\.\.?\//) complain("include by a path from the root, not " target)
       else if (target ~ /^(sim|fit|apps)\//) {
-        to = layer(target)
-        if (to == "") complain(target " belongs to no layer of the house")
-        else if (from != "" && (rank[to] > rank[from] || (rank[to] == rank[from] && to != from)))
-          complain(from " must not include " to " (" target ")")
+        to = room_of(target)
+        if (!(to in rank)) complain(target " belongs to no room of the house")
+        else if ((room in rank) && (rank[to] > rank[room] || (rank[to] == rank[room] && to != room)))
+          complain(room " must not include " to " (" target ")")
+        else if ((from == "sim/emit" && top_of(target) == "sim/view") || (from == "sim/view" && top_of(target) == "sim/emit"))
+          complain(from " and " top_of(target) " do not know each other (" target ")")
+        if (stem_of(FILENAME) != stem_of(target)) {
+          ++edges
+          edge_from[edges] = stem_of(FILENAME)
+          edge_to[edges] = stem_of(target)
+        }
       }
       else if (target ~ /^tests\//) complain("what is shipped must not include tests (" target ")")
       else if (code ~ /"/ && exists(folder target)) complain("include by a path from the root, not " target)
@@ -65,12 +94,11 @@ check_sources() {
       # Rule 2: each large library has its place.
       if (target ~ /^ceres\// && from != "fit") complain("Ceres belongs in fit/ only")
       if (target ~ /^opencv2?\// && !(from == "fit" && FILENAME ~ /\.cpp$/)) {
-        if (from != "apps") complain("OpenCV belongs in the .cpp files of fit/")
-        else if (FILENAME == "apps/preview_window.cpp") {}
-        else if (videos == "") videos = FILENAME
-        else if (videos != FILENAME) complain("OpenCV is in " videos " already: one file of apps/ may have it, and preview_window.cpp")
+        if (FILENAME !~ /^apps\/(output\/movie|preview\/preview_window)\.cpp$/)
+          complain("OpenCV belongs in the .cpp files of fit/, apps/output/movie.cpp and apps/preview/preview_window.cpp")
       }
-      if (target ~ /^OpenImageIO\// && folder != "sim/base/picture/image_io/")
+      if (target ~ /^CLI\// && room != "apps/options") complain("CLI11 belongs in apps/options/ only")
+      if (target ~ /^OpenImageIO\// && room != "sim/base/picture/image_io")
         complain("OpenImageIO belongs in sim/base/picture/image_io/ only")
       if (target ~ /^fitsio/ && FILENAME != "sim/base/picture/fits_io.cpp")
         complain("CFITSIO belongs in sim/base/picture/fits_io.cpp only")
@@ -88,13 +116,46 @@ check_sources() {
     library && code ~ /std::(cout|cerr|clog|wcout|wcerr)|(^|[^A-Za-z0-9_])(v?f?printf|f?puts|putchar|fmt::print)[ \t]*\(/ {
       complain("libraries do not print")
     }
-    END { exit bad }'
+    END {
+      # Knots: what is left of the graph of stems (a .h and its .cpp together) when those that include nothing
+      # of the rest, or are included by nothing of it, have been taken away again and again.
+      do {
+        changed = 0
+        split("", uses); split("", used)
+        for (i = 1; i <= edges; ++i) if (i in edge_from) { uses[edge_from[i]] = 1; used[edge_to[i]] = 1 }
+        for (i = 1; i <= edges; ++i)
+          if ((i in edge_from) && (!(edge_to[i] in uses) || !(edge_from[i] in used))) { delete edge_from[i]; changed = 1 }
+      } while (changed)
+      for (i = 1; i <= edges; ++i)
+        if ((i in edge_from) && !said[edge_from[i] SUBSEP edge_to[i]]++ && reaches(edge_to[i], edge_from[i])) {
+          print edge_from[i] ": includes " edge_to[i] ", which leads back to it: a knot"
+          bad = 1
+        }
+      for (room in inhabitants)
+        if (inhabitants[room] > 40) { print room ": " inhabitants[room] " files in one folder, at most 40"; bad = 1 }
+      exit bad
+    }' "$rooms" "${sources[@]}"
+}
+
+# The tests mirror the rooms; and no folder of theirs is crowded.
+check_tests() {
+  printf '%s\n' "${files[@]}" | awk '
+    FILENAME == ARGV[1] { if ($0 !~ /^#/) for (i = 1; i <= NF; ++i) room[$i] = 1; next }
+    !/^tests\/.*\.(h|cpp)$/ { next }
+    {
+      folder = $0
+      sub(/\/[^\/]*$/, "", folder)
+      if (++inhabitants[folder] == 41) { print folder ": more than 40 files in one folder"; bad = 1 }
+      mirrored = folder
+      sub(/^tests\//, "", mirrored)
+      if (mirrored ~ /^(sim|fit|apps)(\/|$)/ && !(mirrored in room)) { print $0 ": tests no room of the house"; bad = 1 }
+    }
+    END { exit bad }' "$rooms" -
 }
 
 check_names() {
   local found
-  found=$(find . \( -path ./.git -o -path ./build -o -path ./runs \) -prune -o -print |
-    grep -Ei '(^|[/_])(utils?|helpers?|misc)(\.[^/]*)?$' || true)
+  found=$(printf '%s\n' "${files[@]}" | grep -Ei '(^|[/_])(utils?|helpers?|misc)([./][^/]*)*$' || true)
   if [[ -n $found ]]; then
     printf '%s\n' "$found" "Names of files and folders say what is inside."
     return 1
@@ -104,8 +165,8 @@ check_names() {
 check_paths() {
   local found
   # Text files only; what comes before the slash must not make it part of a longer path or an address.
-  found=$(grep -rnIE '(^|[^[:alnum:]_.~/-])/(home|root|work|Users|tmp|mnt)/[[:alnum:]_.]' . \
-    --exclude=.git --exclude-dir=.git --exclude-dir=build --exclude-dir=runs || true)
+  found=$(printf '%s\0' "${files[@]}" |
+    xargs -0 grep -nIE '(^|[^[:alnum:]_.~/-])/(home|root|work|Users|tmp|mnt)/[[:alnum:]_.]' /dev/null || true)
   if [[ -n $found ]]; then
     printf '%s\n' "$found" "Paths of one machine do not belong here."
     return 1
@@ -114,6 +175,7 @@ check_paths() {
 
 status=0
 check_sources || status=1
+check_tests || status=1
 check_names || status=1
 check_paths || status=1
 exit "$status"

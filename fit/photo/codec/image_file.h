@@ -10,7 +10,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 namespace vegard::fit {
 
@@ -28,10 +27,12 @@ struct ImageFile {
 /// "JPEG", "PNG", "TIFF" ...
 const char* format_name(ImageFormat format);
 
-/// Throws sim::Error(unreadable_input) naming `file` for bytes that are empty, truncated, damaged where the
-/// format allows to tell (a PNG's checksums), of no format that is read, larger than
-/// sim/base/picture/pixel_limit.h allows, or of a kind that is not read. It asks for no memory by what the
-/// header promises.
-ImageFile inspect_image_file(std::string_view bytes, const std::string& file);
+/// An unreadable_input error about the file.
+[[noreturn]] void refuse_image(const std::string& file, const std::string& problem,
+                               const std::string& expected = {}, const std::string& hint = {});
+
+[[noreturn]] void throw_truncated(const std::string& file, const std::string& what_is_missing);
+[[noreturn]] void throw_damaged(const std::string& file, const std::string& problem);
+[[noreturn]] void throw_unsupported(const std::string& file, const std::string& kind);
 
 }  // namespace vegard::fit

@@ -1,4 +1,4 @@
-// The pieces of inspect_image_file, one per format, and what they share.
+// The walk through an image file that checks it before anything decodes it: one per format.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,12 @@
 #include "fit/photo/codec/image_file.h"
 
 namespace vegard::fit {
+
+/// Throws sim::Error(unreadable_input) naming `file` for bytes that are empty, truncated, damaged where the
+/// format allows to tell (a PNG's checksums), of no format that is read, larger than
+/// sim/base/picture/pixel_limit.h allows, or of a kind that is not read. It asks for no memory by what the
+/// header promises.
+ImageFile inspect_image_file(std::string_view bytes, const std::string& file);
 
 ImageFile walk_jpeg(std::string_view bytes, const std::string& file);
 ImageFile walk_png(std::string_view bytes, const std::string& file);
@@ -27,10 +33,6 @@ bool heif_promises(std::string_view bytes, int width, int height, const std::str
 
 /// By its first bytes, or of a TIFF by what its directories hold.
 bool is_camera_raw(std::string_view bytes);
-
-[[noreturn]] void throw_truncated(const std::string& file, const std::string& what_is_missing);
-[[noreturn]] void throw_damaged(const std::string& file, const std::string& problem);
-[[noreturn]] void throw_unsupported(const std::string& file, const std::string& kind);
 
 /// The orientation of EXIF data that begin with a TIFF header; 1 if they say none or make no sense.
 int exif_orientation(std::string_view tiff);

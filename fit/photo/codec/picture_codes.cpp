@@ -2,7 +2,7 @@
 
 #include <new>
 
-#include "sim/base/error.h"
+#include "fit/photo/codec/image_walk.h"
 #include "sim/base/picture/quiet_decoder.h"
 
 namespace vegard::fit {
@@ -30,16 +30,6 @@ PictureCodes decoded(std::string_view bytes, const ImageFile& image, const std::
 }
 
 }  // namespace
-
-void refuse_image(const std::string& file, const std::string& problem, const std::string& expected,
-                  const std::string& hint) {
-  sim::ErrorDetails details;
-  details.file = file;
-  details.problem = problem;
-  details.expected = expected;
-  details.hint = hint;
-  throw sim::Error(sim::ErrorKind::unreadable_input, details);
-}
 
 PictureCodes picture_codes(std::string_view bytes, const std::string& file) {
   const ImageFile image = inspect_image_file(bytes, file);

@@ -38,8 +38,4 @@ PictureCodes decode_fits(std::string_view bytes, const std::string& file);
 PictureCodes decode_camera_raw(std::string_view bytes, const std::string& file);
 PictureCodes decode_heif(std::string_view bytes, const std::string& file);
 
-/// An unreadable_input error about the file.
-[[noreturn]] void refuse_image(const std::string& file, const std::string& problem,
-                               const std::string& expected = {}, const std::string& hint = {});
-
 }  // namespace vegard::fit

@@ -37,6 +37,9 @@ int component_count(const Declaration& declaration, const Scene& scene, int elem
 /// `component` the index within the vector.
 ParameterId id_of(const ParameterRow& row, const Scene& scene, int element, int component);
 
+/// The name of component c of an element's vector, "east"; empty for a scalar.
+std::string component_name(const Declaration& declaration, const Scene& scene, int element, int c);
+
 /// "sheet.main.center_km", the path of the whole key.
 std::string key_path(const Declaration& declaration, const Scene& scene, int element);
 

@@ -97,4 +97,11 @@ const double* number_at(const Scene& scene, const ParameterId& id) {
   return number_at(const_cast<Scene&>(scene), id);  // only read through
 }
 
+std::string path_of(const Scene& scene, const ParameterId& id) {
+  const Declaration& d = declaration_of(*id.row);
+  const std::string name = component_name(d, scene, id.element, index_in(scene, id));
+  const std::string whole = key_path(d, scene, id.element);
+  return name.empty() ? whole : whole + "." + name;
+}
+
 }  // namespace vegard::sim

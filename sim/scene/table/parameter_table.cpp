@@ -96,11 +96,6 @@ const Table& table() {
   return built;
 }
 
-std::string component_name(const Declaration& d, const Scene& scene, int element, int c) {
-  if (d.list_component) return d.list_component(scene, element, c);
-  return d.components.empty() ? std::string() : d.components[c];
-}
-
 void append_paths(const Scene& scene, const Declaration& d, int element, std::vector<ParameterPath>& paths) {
   const std::string whole = key_path(d, scene, element);
   const ParameterRow* first = &first_row_of(d);
@@ -171,6 +166,11 @@ int component_count(const Declaration& d, const Scene& scene, int element) {
   return d.components.empty() ? 1 : static_cast<int>(d.components.size());
 }
 
+std::string component_name(const Declaration& d, const Scene& scene, int element, int c) {
+  if (d.list_component) return d.list_component(scene, element, c);
+  return d.components.empty() ? std::string() : d.components[c];
+}
+
 std::string key_path(const Declaration& d, const Scene& scene, int element) {
   if (d.table.empty()) return d.key;
   if (const RepeatedTable* repeated = repeated_table(d.table))
@@ -235,13 +235,6 @@ std::vector<ParameterPath> all_paths(const Scene& scene) {
     d = end;
   }
   return paths;
-}
-
-std::string path_of(const Scene& scene, const ParameterId& id) {
-  const Declaration& d = declaration_of(*id.row);
-  const std::string name = component_name(d, scene, id.element, index_in(scene, id));
-  const std::string whole = key_path(d, scene, id.element);
-  return name.empty() ? whole : whole + "." + name;
 }
 
 std::vector<ParameterPath> resolve(const Scene& scene, const std::string& path) {

@@ -13,7 +13,6 @@
 
 #include "sim/scene/rows/declaration.h"
 #include "sim/scene/structs/scene.h"
-#include "sim/scene/table/parameter_id.h"
 
 namespace vegard::sim {
 

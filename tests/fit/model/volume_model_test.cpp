@@ -10,6 +10,7 @@
 #include "sim/base/grid/vdb_io.h"
 #include "sim/render/volumes/scene_grid.h"
 #include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/parameter_id.h"
 #include "sim/scene/table/parameter_table.h"
 #include "tests/support/temporary_folder.h"
 

@@ -15,6 +15,7 @@
 #include "sim/render/render.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/rows/spline_rates.h"
+#include "sim/scene/table/parameter_id.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/sky/night_sky.h"
 #include "tests/support/small_scene.h"

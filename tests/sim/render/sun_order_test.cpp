@@ -9,6 +9,7 @@
 #include "sim/render/film.h"
 #include "sim/render/render.h"
 #include "sim/scene/structs/scene.h"
+#include "sim/scene/table/parameter_id.h"
 #include "sim/scene/table/parameter_table.h"
 #include "tests/support/free_paths.h"
 

@@ -1,4 +1,4 @@
-#include "fit/photo/pointing/solved_field.h"
+#include "fit/photo/pointing/star_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The layout of a plot: where everything goes, whatever it is drawn on.
-#include "fit/report/plot/plot.h"
+#include "fit/report/plot/plot_canvas.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "fit/report/plot/plot_axis.h"
-#include "fit/report/plot/plot_canvas.h"
 
 namespace vegard::fit {
 namespace {
