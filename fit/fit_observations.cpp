@@ -16,7 +16,6 @@
 #include "fit/compare/profile_cost.h"
 #include "fit/parameters/free_parameters.h"
 #include "fit/parameters/prior_rows.h"
-#include "fit/parameters/turns.h"
 #include "fit/search/journal.h"
 #include "fit/search/profile_rounds.h"
 #include "fit/search/search.h"

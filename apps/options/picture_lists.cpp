@@ -15,7 +15,7 @@
 #include "apps/options/refusals.h"
 #include "sim/base/error.h"
 #include "sim/base/picture/picture_metadata.h"
-#include "sim/base/utc_seconds.h"
+#include "sim/base/utc_time.h"
 
 namespace vegard::apps {
 namespace {

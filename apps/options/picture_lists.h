@@ -42,7 +42,7 @@ struct TimedPictures {
 ///   3. the files' own words (sim/base/picture/picture_metadata.h), if all of them tell a time in UTC and no
 ///   two the
 ///      same;
-///   4. the files' names (sim/base/utc_seconds.h), if all have one;
+///   4. the files' names (sim/base/utc_time.h), if all have one;
 ///   5. the clock of the camera, whose zone is not known, if all tell it and no two the same: seconds since
 ///      the first of them;
 ///   6. numbers in the order given.

@@ -6,7 +6,7 @@
 
 #include "fit/answer/told_gains.h"
 #include "fit/measure/noise_model.h"
-#include "fit/parameters/turns.h"
+#include "fit/parameters/free_parameters.h"
 #include "fit/photo/grey_light.h"
 #include "fit/uncertainty/trade_off.h"
 #include "sim/scene/rows/value_words.h"

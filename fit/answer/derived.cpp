@@ -10,7 +10,7 @@
 #include "sim/base/earth.h"
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/foot_line.h"
-#include "sim/light/electron_spectrum.h"
+#include "sim/light/electron.h"
 #include "sim/light/line_light.h"
 #include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"

@@ -10,7 +10,7 @@
 #include "sim/base/file/csv_text.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/image.h"
-#include "sim/base/utc_seconds.h"
+#include "sim/base/utc_time.h"
 
 namespace vegard::fit {
 namespace {

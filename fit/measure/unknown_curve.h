@@ -15,7 +15,7 @@
 #include "fit/measure/bin_grid.h"
 #include "fit/measure/profile.h"
 #include "fit/photo/photo.h"
-#include "sim/view/sensor/bent_srgb.h"
+#include "sim/view/sensor/transfer_curve.h"
 
 namespace vegard::fit {
 

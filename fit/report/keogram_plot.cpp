@@ -7,7 +7,7 @@
 #include "fit/report/plot/plot_axis.h"
 #include "fit/report/plot/time_ticks.h"
 #include "sim/base/file/number_text.h"
-#include "sim/base/utc_seconds.h"
+#include "sim/base/utc_time.h"
 #include "sim/view/sensor/transfer_curve.h"
 
 namespace vegard::fit {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <string>
 
+#include "fit/parameters/free_parameters.h"
 #include "fit/parameters/phase_anchor.h"
-#include "fit/parameters/turns.h"
 #include "fit/uncertainty/judged_values.h"
 #include "sim/scene/table/free_entry_keys.h"
 

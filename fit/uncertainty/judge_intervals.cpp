@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "fit/parameters/free_parameters.h"
 #include "fit/parameters/phase_anchor.h"
 #include "fit/parameters/prior_rows.h"
-#include "fit/parameters/turns.h"
 #include "fit/search/descent.h"
 
 namespace vegard::fit {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fit/parameters/free_parameters.h"
 #include "fit/parameters/prior_rows.h"
-#include "fit/parameters/turns.h"
 #include "fit/uncertainty/sampled_jacobians.h"
 #include "sim/base/number/constants.h"
 #include "sim/scene/table/free_entry_keys.h"

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sim/light/spectrum_profile.h"
+
 namespace vegard::sim {
 namespace {
 
@@ -22,6 +24,22 @@ double path_step_of(double energy_kev) { return 1.0 / mean_collisions(energy_kev
 
 double deflections_per_metre(double path_step, double path_km) {
   return 2.0 / (path_step * 1000.0 * path_km);
+}
+
+std::optional<double> mean_energy_kev(const Sheet& sheet) {
+  switch (sheet.profile) {
+    case ProfileKind::mono:
+      return sheet.energy_kev;
+    case ProfileKind::gaussian:
+      return gaussian_mean_energy_kev(sheet.energy_kev, sheet.energy_spread);
+    case ProfileKind::maxwellian:
+    case ProfileKind::form:
+      return 2.0 * sheet.energy_kev;
+    case ProfileKind::file:
+    case ProfileKind::spline:
+      break;
+  }
+  return std::nullopt;
 }
 
 }  // namespace vegard::sim

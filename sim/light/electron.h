@@ -3,6 +3,10 @@
 // Source: Baranoski et al. 2000, section 3.2; docs/physics.md row B12.
 #pragma once
 
+#include <optional>
+
+#include "sim/scene/structs/scene.h"
+
 namespace vegard::sim {
 
 /// Relativistic speed of an electron of this kinetic energy: 58 455 km/s at 10 keV, which the source rounds
@@ -19,5 +23,12 @@ double path_step_of(double energy_kev);
 /// Deflection points per metre of a path whose steps are uniform between 0 and path_step of it: the mean step
 /// is half the largest.
 double deflections_per_metre(double path_step, double path_km);
+
+// The energies of a sheet's electrons, by the kind of its profile.
+
+/// Mean energy by number: twice energy_kev, which is E0, of Maxwellian electrons (and of a form's, whose
+/// lines are theirs); energy_kev of mono-energetic ones; that of the Gaussian. None where the profile does
+/// not come from electrons.
+std::optional<double> mean_energy_kev(const Sheet& sheet);
 
 }  // namespace vegard::sim

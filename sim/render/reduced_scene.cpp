@@ -6,7 +6,6 @@
 
 #include "sim/emit/aurora/sheet.h"
 #include "sim/light/electron.h"
-#include "sim/light/electron_spectrum.h"
 
 namespace vegard::sim {
 

@@ -9,7 +9,10 @@
 // their files are walked too; of FITS its own reader (sim/base/picture/fits_io.h) checks all of it.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace vegard::fit {
 
@@ -34,5 +37,19 @@ const char* format_name(ImageFormat format);
 [[noreturn]] void throw_truncated(const std::string& file, const std::string& what_is_missing);
 [[noreturn]] void throw_damaged(const std::string& file, const std::string& problem);
 [[noreturn]] void throw_unsupported(const std::string& file, const std::string& kind);
+
+/// An unsigned integer of `size` bytes at `at`; the caller has checked that it lies inside.
+inline std::uint64_t unsigned_at(std::string_view bytes, std::size_t at, int size, bool big_endian) {
+  std::uint64_t value = 0;
+  for (int i = 0; i < size; ++i) {
+    const std::size_t place = at + (big_endian ? i : size - 1 - i);
+    value = value << 8 | static_cast<unsigned char>(bytes[place]);
+  }
+  return value;
+}
+
+inline bool starts_with(std::string_view bytes, std::string_view start) {
+  return bytes.substr(0, start.size()) == start;
+}
 
 }  // namespace vegard::fit

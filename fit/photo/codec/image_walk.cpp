@@ -1,11 +1,76 @@
 #include "fit/photo/codec/image_walk.h"
 
+#include "fit/photo/codec/pnm_header.h"
+#include "fit/photo/codec/tiff_directory.h"
 #include "sim/base/picture/pixel_limit.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
 
 namespace vegard::fit {
 namespace {
 
 constexpr const char* known_formats = "JPEG, PNG, TIFF, EXR, FITS, PGM, PPM, camera raw or HEIC";
+
+// ITU-T T.81, table B.1.
+constexpr int kStartOfImage = 0xd8, kEndOfImage = 0xd9, kStartOfScan = 0xda, kApp1 = 0xe1, kTemporary = 0x01;
+
+bool is_restart(int marker) { return marker >= 0xd0 && marker <= 0xd7; }
+
+/// SOF0 to SOF15 without DHT, JPG and DAC, which lie between them.
+bool is_start_of_frame(int marker) {
+  return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+}
+
+// The checksum of PNG chunks (ISO/IEC 15948, annex D), reflected polynomial 0xedb88320.
+std::uint32_t crc32(std::string_view bytes) {
+  static const std::array<std::uint32_t, 256> table = [] {
+    std::array<std::uint32_t, 256> t{};
+    for (std::uint32_t n = 0; n < 256; ++n) {
+      std::uint32_t c = n;
+      for (int k = 0; k < 8; ++k) c = (c & 1) ? 0xedb88320u ^ c >> 1 : c >> 1;
+      t[n] = c;
+    }
+    return t;
+  }();
+  std::uint32_t crc = 0xffffffffu;
+  for (const char byte : bytes) crc = table[(crc ^ static_cast<unsigned char>(byte)) & 0xff] ^ crc >> 8;
+  return crc ^ 0xffffffffu;
+}
+
+using namespace tiff_tag;
+
+int checked_orientation(std::uint64_t value) {
+  return value >= 1 && value <= 8 ? static_cast<int>(value) : 1;
+}
+
+void check_kind(const TiffDirectory& directory, ImageFile& image, const std::string& file) {
+  const auto samples = directory.value(kSamples, 1);
+  const auto photometric = directory.value(kPhotometric, 1);
+  const auto format = directory.value(kSampleFormat, 1);
+  const auto bits = directory.values(kBits);
+  image.bits = bits && !bits->empty() ? static_cast<int>(std::min<std::uint64_t>(bits->front(), 1000)) : 1;
+  image.floating = format == 3;
+  if (bits && std::adjacent_find(bits->begin(), bits->end(), std::not_equal_to<>()) != bits->end())
+    throw_unsupported(file, "a TIFF with channels of different depth");
+  if (!(image.floating ? image.bits == 32 : format == 1 && (image.bits == 8 || image.bits == 16)))
+    throw_unsupported(file, "a TIFF of " + std::to_string(image.bits) + "-bit " +
+                                (image.floating ? "floats"
+                                 : format == 1  ? "integers"
+                                                : "signed or odd numbers"));
+  if (samples != 1 && samples != 3 && samples != 4)
+    throw_unsupported(file, "a TIFF of " + std::to_string(samples) + " samples per pixel");
+  // libtiff's own conversion, which OpenCV uses for 8 bits, also does palettes and YCbCr.
+  const bool plain = photometric == 1 || photometric == 2;
+  const bool converted = image.bits == 8 && (photometric == 3 || photometric == 6);
+  if (!plain && !converted) throw_unsupported(file, "a TIFF that is neither grey from black up nor RGB");
+  if (image.bits != 8 && samples > 1 && directory.value(kPlanar, 1) != 1)
+    throw_unsupported(file, "a TIFF of more than 8 bits with its channels in separate planes");
+  constexpr std::uint64_t kUnassociatedAlpha = 2;
+  image.colour_times_alpha =
+      image.bits == 8 && samples == 4 && directory.value(kExtraSamples, 0) == kUnassociatedAlpha;
+}
 
 }  // namespace
 
@@ -40,6 +105,127 @@ ImageFile inspect_image_file(std::string_view bytes, const std::string& file) {
   const bool size_is_known = image.width != 0 || image.height != 0;
   const bool size_comes_later = image.format == ImageFormat::fits || image.format == ImageFormat::raw;
   if (size_is_known || !size_comes_later) sim::check_pixel_limit(image.width, image.height, file);
+  return image;
+}
+
+ImageFile walk_jpeg(std::string_view bytes, const std::string& file) {
+  ImageFile image;
+  image.format = ImageFormat::jpeg;
+  bool frame_seen = false, scan_seen = false, exif_seen = false;
+  std::size_t at = 2;
+  while (true) {
+    // To the next marker. Inside a scan 0xff is followed by a stuffed zero or a restart marker; bytes that
+    // belong to nothing are skipped, as libjpeg does.
+    while (at + 1 < bytes.size()) {
+      const int next = static_cast<unsigned char>(bytes[at + 1]);
+      if (bytes[at] == '\xff' && next != 0 && next != 0xff && !is_restart(next)) break;
+      ++at;
+    }
+    if (at + 1 >= bytes.size())
+      throw_truncated(file,
+                      scan_seen ? "the JPEG end-of-image marker is missing" : "it ends before the picture");
+    const int marker = static_cast<unsigned char>(bytes[at + 1]);
+    at += 2;
+    if (marker == kEndOfImage) break;
+    if (marker == kTemporary || marker == kStartOfImage) continue;
+
+    if (at + 2 > bytes.size()) throw_truncated(file, "it ends inside a JPEG segment");
+    const std::size_t length = unsigned_at(bytes, at, 2, true);
+    if (length < 2) throw_damaged(file, "a JPEG segment of impossible length");
+    if (at + length > bytes.size()) throw_truncated(file, "it ends inside a JPEG segment");
+    const std::string_view segment = bytes.substr(at + 2, length - 2);
+    at += length;
+
+    if (marker == kApp1 && !exif_seen && segment.substr(0, 6) == std::string_view("Exif\0\0", 6)) {
+      image.orientation = exif_orientation(segment.substr(6));
+      exif_seen = true;
+    } else if (is_start_of_frame(marker) && segment.size() >= 6) {
+      image.bits = static_cast<int>(unsigned_at(segment, 0, 1, true));
+      image.height = static_cast<long long>(unsigned_at(segment, 1, 2, true));
+      image.width = static_cast<long long>(unsigned_at(segment, 3, 2, true));
+      frame_seen = true;
+    } else if (marker == kStartOfScan) {
+      scan_seen = true;
+    }
+  }
+  if (!frame_seen || !scan_seen) throw_damaged(file, "a JPEG without a picture in it");
+  if (image.bits != 8) throw_unsupported(file, "a JPEG of " + std::to_string(image.bits) + " bits");
+  return image;
+}
+
+ImageFile walk_png(std::string_view bytes, const std::string& file) {
+  ImageFile image;
+  image.format = ImageFormat::png;
+  bool first = true, data_seen = false;
+  std::size_t at = 8;
+  while (true) {
+    if (at + 12 > bytes.size()) throw_truncated(file, "the PNG end chunk is missing");
+    const std::size_t length = unsigned_at(bytes, at, 4, true);
+    if (length > bytes.size() - at - 12) throw_truncated(file, "it ends inside a PNG chunk");
+    const std::string_view type = bytes.substr(at + 4, 4);
+    const std::string_view data = bytes.substr(at + 8, length);
+    const bool critical = type[0] >= 'A' && type[0] <= 'Z';
+    // A wrong checksum in an ancillary chunk (lower-case initial) harms no pixel.
+    if (critical && crc32(bytes.substr(at + 4, 4 + length)) != unsigned_at(bytes, at + 8 + length, 4, true))
+      throw_damaged(file, "the checksum of its PNG chunk " + std::string(type) + " is wrong");
+    at += 12 + length;
+
+    if (first) {
+      if (type != "IHDR" || length != 13) throw_damaged(file, "a PNG without its header");
+      image.width = static_cast<long long>(unsigned_at(data, 0, 4, true));
+      image.height = static_cast<long long>(unsigned_at(data, 4, 4, true));
+      image.bits = static_cast<int>(unsigned_at(data, 8, 1, true));
+      first = false;
+    } else if (type == "IDAT") {
+      data_seen = true;
+    } else if (type == "eXIf") {
+      image.orientation = exif_orientation(data);
+    } else if (type == "IEND") {
+      break;
+    }
+  }
+  if (!data_seen) throw_damaged(file, "a PNG without a picture in it");
+  return image;
+}
+
+int exif_orientation(std::string_view tiff) {
+  using namespace std::string_view_literals;
+  if (tiff.substr(0, 4) != "II\x2a\0"sv && tiff.substr(0, 4) != "MM\0\x2a"sv) return 1;
+  const TiffDirectory directory(tiff);
+  return directory.complete() ? checked_orientation(directory.value(kOrientation, 1)) : 1;
+}
+
+ImageFile walk_tiff(std::string_view bytes, const std::string& file) {
+  const TiffDirectory directory(bytes);
+  if (!directory.complete()) throw_truncated(file, "its TIFF directory lies beyond the end");
+  ImageFile image;
+  image.format = ImageFormat::tiff;
+  // A size beyond 32 bits is no image's: cut where the check of the size still refuses it.
+  constexpr std::uint64_t kMost = 0xffffffffu;
+  image.width = static_cast<long long>(std::min(directory.value(kWidth, 0), kMost));
+  image.height = static_cast<long long>(std::min(directory.value(kHeight, 0), kMost));
+  image.orientation = checked_orientation(directory.value(kOrientation, 1));
+  check_kind(directory, image, file);
+  check_strips_are_inside(directory, bytes.size(), file);
+  return image;
+}
+
+ImageFile walk_pnm(std::string_view bytes, const std::string& file) {
+  const PnmHeader header = pnm_header(bytes, file);
+  ImageFile image;
+  image.format = header.channels == 3 ? ImageFormat::ppm : ImageFormat::pgm;
+  image.width = header.width;
+  image.height = header.height;
+  image.bits = 1;
+  while (header.largest >> image.bits != 0) ++image.bits;
+  sim::check_pixel_limit(image.width, image.height, file);
+  const auto numbers = static_cast<std::size_t>(image.width * image.height * header.channels);
+  // A number in words is a digit and a space at least, the last one without it.
+  const std::size_t least = header.in_words ? 2 * numbers - 1 : numbers * (header.largest > 255 ? 2 : 1);
+  const std::size_t there = bytes.size() - header.data;
+  if (there < least)
+    throw_truncated(file, "its header promises " + std::to_string(least) + " bytes of pixels and " +
+                              std::to_string(there) + " are there");
   return image;
 }
 

@@ -37,18 +37,4 @@ bool is_camera_raw(std::string_view bytes);
 /// The orientation of EXIF data that begin with a TIFF header; 1 if they say none or make no sense.
 int exif_orientation(std::string_view tiff);
 
-/// An unsigned integer of `size` bytes at `at`; the caller has checked that it lies inside.
-inline std::uint64_t unsigned_at(std::string_view bytes, std::size_t at, int size, bool big_endian) {
-  std::uint64_t value = 0;
-  for (int i = 0; i < size; ++i) {
-    const std::size_t place = at + (big_endian ? i : size - 1 - i);
-    value = value << 8 | static_cast<unsigned char>(bytes[place]);
-  }
-  return value;
-}
-
-inline bool starts_with(std::string_view bytes, std::string_view start) {
-  return bytes.substr(0, start.size()) == start;
-}
-
 }  // namespace vegard::fit

@@ -1,6 +1,6 @@
 #include "fit/photo/codec/pnm_header.h"
 
-#include "fit/photo/codec/image_walk.h"
+#include "fit/photo/codec/image_file.h"
 
 namespace vegard::fit {
 namespace {

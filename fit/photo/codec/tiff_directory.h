@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/photo/codec/image_walk.h"
+#include "fit/photo/codec/image_file.h"
 
 namespace vegard::fit {
 

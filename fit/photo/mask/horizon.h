@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "fit/photo/mask/picture_point.h"
 #include "fit/photo/mask/pixel_set.h"
 #include "fit/photo/photo.h"
 

@@ -31,4 +31,11 @@ void add_disc(PixelSet& set, double x_px, double y_px, double radius_px);
 /// The union; of equal sizes.
 void add(PixelSet& set, const PixelSet& other);
 
+// A place in a picture.
+
+/// In pixels, x to the right, y down, the centre of the first pixel at (0.5, 0.5).
+struct PicturePoint {
+  double x_px, y_px;
+};
+
 }  // namespace vegard::fit

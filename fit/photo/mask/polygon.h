@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "fit/photo/mask/picture_point.h"
 #include "fit/photo/mask/pixel_set.h"
 #include "fit/photo/photo.h"
 

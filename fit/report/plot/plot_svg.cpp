@@ -6,7 +6,7 @@
 
 #include "fit/report/plot/plot.h"
 #include "fit/report/plot/plot_canvas.h"
-#include "sim/base/file/base64.h"
+#include "sim/base/file/html_text.h"
 #include "sim/base/image.h"
 #include "sim/base/picture/image_io.h"
 

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "sim/base/utc_seconds.h"
+#include "sim/base/utc_time.h"
 
 namespace vegard::fit {
 namespace {

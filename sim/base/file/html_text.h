@@ -10,4 +10,9 @@ namespace vegard::fit {
 /// bytes that are no UTF-8 as a replacement character.
 std::string html_text(std::string_view text);
 
+// Bytes as text, for pictures inside a page.
+
+/// RFC 4648, section 4, with padding.
+std::string base64(std::string_view bytes);
+
 }  // namespace vegard::fit

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "sim/base/utc_seconds.h"
+#include "sim/base/utc_time.h"
 
 namespace vegard::sim {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "sim/base/number/escaping_share.h"
 #include "sim/emit/sun/line_light.h"
-#include "sim/emit/sun/ray_stop.h"
+#include "sim/emit/sun/sun_frame.h"
 
 namespace vegard::sim {
 namespace {

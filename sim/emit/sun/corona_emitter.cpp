@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "sim/emit/sun/line_light.h"
-#include "sim/emit/sun/ray_stop.h"
+#include "sim/emit/sun/sun_frame.h"
 
 namespace vegard::sim {
 

@@ -5,6 +5,8 @@
 // right in a picture with north up, as Carrington's and Stonyhurst's do (W. T. Thompson 2006, A&A 449, 791).
 #pragma once
 
+#include <cmath>
+
 #include "sim/base/earth.h"
 #include "sim/light/emitter.h"
 #include "sim/light/sky_frame.h"
@@ -88,6 +90,21 @@ SunPlace<T> sun_place(const T& latitude_deg, const T& longitude_deg) {
   return {{cos_b * cos_l, cos_b * sin_l, sin_b},
           {T(0.0) - sin_b * cos_l, T(0.0) - sin_b * sin_l, cos_b},
           {T(0.0) - sin_l, cos_l, T(0.0)}};
+}
+
+// Where a ray to the Sun is stopped.
+
+/// As a place along the ray, from its nearest place: the photosphere, or what stands nearer to the observer
+/// at `end_km` (RayBundle::end()). It holds the photosphere's distance too, but as a plain number: here it
+/// moves with the Sun, so that derivatives know that it does.
+template <class T>
+T ray_stop(const SunFrame<T>& frame, const SkyRay<T>& ray, double radius, const T& end_km) {
+  const T stop = ray.observer + end_km * (1.0 / frame.unit_km());
+  T half;
+  if (!meets_sphere(ray, T(radius), half) || !(value_of(ray.observer) < -value_of(half))) return stop;
+  constexpr double kRounding = 1e-12;  // of the observer's distance
+  const double slack = kRounding * std::abs(value_of(ray.observer));
+  return value_of(stop) < -value_of(half) - slack ? stop : T(0.0) - half;
 }
 
 }  // namespace vegard::sim

@@ -10,7 +10,6 @@
 #include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/motion.h"
 #include "sim/light/electron.h"
-#include "sim/light/electron_spectrum.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/emitters/emitter_kinds.h"
 

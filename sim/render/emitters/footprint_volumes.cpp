@@ -2,16 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "sim/emit/footprint/curtain_emitter.h"
 #include "sim/emit/footprint/footprint_emitter.h"
 #include "sim/emit/footprint/map/make_footprint.h"
-#include "sim/light/profile_table_by_flux.h"
+#include "sim/light/profile_table.h"
 #include "sim/render/emitters/emitter_makers.h"
-#include "sim/render/emitters/footprint_pictures.h"
-#include "sim/render/emitters/footprint_profiles.h"
+#include "sim/scene/file/scene_pictures.h"
+#include "sim/view/colour/line_colours.h"
 
 namespace vegard::sim {
 namespace {
@@ -121,6 +123,35 @@ std::optional<Complaint> why_footprint_has_no_field(const Scene& scene) {
 EmitterMaker footprint_maker() {
   return {"footprint", add_footprints<double>, add_footprints<FreeDual>, add_footprint_fields,
           why_footprint_has_no_field};
+}
+
+FootprintPictures footprint_pictures(const VolumeFiles& files, const Footprint& f) {
+  FootprintPictures pictures;
+  const auto set = [&](const std::string& key, const Image*& one, std::array<const Image*, 6>& six) {
+    const std::vector<std::string> names = picture_files(f, key);
+    const auto find = [&](const std::string& name) -> const Image* {
+      const auto found = files.pictures.find(name);
+      return found == files.pictures.end() ? nullptr : &found->second;
+    };
+    if (names.size() == 1) one = find(names[0]);
+    if (names.size() == six.size())
+      for (std::size_t face = 0; face < six.size(); ++face) six[face] = find(names[face]);
+  };
+  set(f.image, pictures.flux, pictures.face);
+  set(f.energy_image, pictures.energy, pictures.energy_face);
+  return pictures;
+}
+
+ColourLadder colour_ladder(const Scene& scene, const Footprint& f) {
+  std::vector<std::array<double, 3>> of_line;
+  for (const Vector3& colour : line_colours_at_unit_gain(scene))
+    of_line.push_back({colour[0], colour[1], colour[2]});
+  return {line_amounts(of_line, f.low_colour), line_amounts(of_line, f.high_colour), f.low_km, f.high_km};
+}
+
+ProfileTable footprint_profiles(const Scene& scene, const Footprint& f, double ln_least, double ln_most) {
+  const ProfileTable usual = profile_table(scene.emission.lines, scene, f, ln_least, ln_most);
+  return f.light == FootprintLight::colours ? colours_table(usual, colour_ladder(scene, f)) : usual;
 }
 
 }  // namespace vegard::sim

@@ -3,7 +3,10 @@
 
 #include <memory>
 
+#include "sim/emit/footprint/map/make_footprint.h"
+#include "sim/light/colours_profile.h"
 #include "sim/light/emitter.h"
+#include "sim/light/profile_table.h"
 #include "sim/render/emitters/volume_files.h"
 #include "sim/scene/structs/scene.h"
 
@@ -18,5 +21,20 @@ std::unique_ptr<Emitter<T>> footprint_emitter(const Scene& scene, const Footprin
 /// As a field in the observer's east, north and up.
 std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint& footprint,
                                             const VolumeFiles& files, int threads);
+
+// Which of the pictures that have been read a footprint is made from.
+
+/// Those of one footprint, of what has been read (sim/scene/file/scene_pictures.h). They live as long as
+/// `files`.
+FootprintPictures footprint_pictures(const VolumeFiles& files, const Footprint& footprint);
+
+// The height profiles of a scene's footprints, as their key `light` asks for them.
+
+/// The two colours of a footprint as amounts of the scene's lines, by what its sensor makes of them.
+ColourLadder colour_ladder(const Scene& scene, const Footprint& footprint);
+
+/// profile_table() of the scene's lines, or of light = "colours" that table in its colours.
+ProfileTable footprint_profiles(const Scene& scene, const Footprint& footprint, double ln_least,
+                                double ln_most);
 
 }  // namespace vegard::sim

@@ -12,9 +12,9 @@ namespace vegard::sim {
 inline constexpr std::string_view kCurveWord = "curve:";
 
 /// "auto" (sRGB for integers, linear for floats), "srgb", "srgb:1.3" and "srgb:1.3:0.8"
-/// (sim/view/sensor/bent_srgb.h: exponents over sRGB's light, of all or of black and of white), "linear",
-/// "gamma:2.2", "curve:FILE.csv" (columns linear and encoded, as sensor.tone_file), "sensor", "unknown" and
-/// "unknown:2" (a curve of that family with one or two numbers, found together with the scene).
+/// (sim/view/sensor/transfer_curve.h: exponents over sRGB's light, of all or of black and of white),
+/// "linear", "gamma:2.2", "curve:FILE.csv" (columns linear and encoded, as sensor.tone_file), "sensor",
+/// "unknown" and "unknown:2" (a curve of that family with one or two numbers, found together with the scene).
 struct DecodingWord {
   enum class Kind { automatic, srgb, bent, linear, gamma, curve, sensor, unknown } kind = Kind::automatic;
   double gamma = 1.0;               ///< of gamma

@@ -1,5 +1,6 @@
 #include "sim/view/camera/camera.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -114,6 +115,19 @@ double pixels_per_degree(const Camera& camera) {
 
 double pixels_per_degree_growth(const Camera& camera) {
   return camera.model == LensModel::pinhole ? -1.0 / camera.hfov_deg : 1.0 / camera.focal_px;
+}
+
+double widest_angle_rad(const Lens<double>& lens, const FilmGeometry& film) {
+  double least = 1.0;
+  for (const double x_px :
+       {film.x0_px - film.cell_width_px, film.x0_px + (film.columns + 1) * film.cell_width_px})
+    for (const double y_px :
+         {film.y0_px - film.cell_height_px, film.y0_px + (film.rows + 1) * film.cell_height_px}) {
+      double direction[3] = {0.0, 0.0, lens.least_cosine};
+      unproject(lens, x_px, y_px, direction);
+      least = std::min(least, direction[2]);
+    }
+  return std::acos(std::clamp(least, lens.least_cosine, 1.0));
 }
 
 }  // namespace vegard::sim

@@ -135,4 +135,10 @@ double pixels_per_degree(const Camera& camera);
 /// number.
 double pixels_per_degree_growth(const Camera& camera);
 
+// How far off the lens's axis a film reaches.
+
+/// The angle off the axis of the film's farthest corner, a cell beyond its edge, in radians; that of the
+/// lens's end if the film reaches beyond it.
+double widest_angle_rad(const Lens<double>& lens, const FilmGeometry& film);
+
 }  // namespace vegard::sim

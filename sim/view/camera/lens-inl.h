@@ -10,9 +10,9 @@
 #include "sim/base/number/dual-inl.h"
 #include "sim/base/number/lanes-inl.h"
 #include "sim/light/sample.h"
+#include "sim/view/camera/camera.h"
 #include "sim/view/camera/lens_series.h"
 #include "sim/view/camera/project-inl.h"
-#include "sim/view/camera/widest_angle.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace vegard::sim {

@@ -3,14 +3,14 @@
 //
 // "srgb" is IEC 61966-2-1 (sim/view/sensor/transfer_curve.h), "gamma" a power, "file" a measured curve: a CSV
 // with the columns linear, from 0 to 1, and encoded, within 0 to 1, both increasing; straight between its
-// rows. A bent one is of the family of sim/view/sensor/bent_srgb.h.
+// rows. A bent one is of the family of sim/view/sensor/transfer_curve.h.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "sim/scene/structs/scene.h"
-#include "sim/view/sensor/bent_srgb.h"
+#include "sim/view/sensor/transfer_curve.h"
 
 namespace vegard::sim {
 

@@ -10,7 +10,7 @@ inline constexpr double kJ2000 = 2451545.0;  ///< Julian date of 2000 January 1,
 inline constexpr double kDaysPerCentury = 36525.0;
 
 /// The Julian date of an instant in ISO 8601 and UTC, "2014-02-21T19:30:40.5Z", to 40 microseconds. Nothing
-/// for text that is none (sim/base/utc_seconds.h).
+/// for text that is none (sim/base/utc_time.h).
 std::optional<double> julian_date(const std::string& utc);
 
 /// The same as text, to the nearest second: "2014-02-21T19:30:40Z".

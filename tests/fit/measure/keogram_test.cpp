@@ -11,7 +11,7 @@
 #include "sim/base/earth.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/base/picture/image_io.h"
-#include "sim/base/utc_seconds.h"
+#include "sim/base/utc_time.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/fisheye_map.h"
 #include "tests/support/temporary_folder.h"

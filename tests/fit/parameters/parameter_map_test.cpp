@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/parameters/turns.h"
+#include "fit/parameters/free_parameters.h"
 #include "sim/scene/file/scene_toml.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/small_scene.h"

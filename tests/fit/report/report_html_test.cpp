@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/file/base64.h"
 #include "sim/base/file/html_text.h"
 #include "tests/support/small_fit.h"
 

@@ -1,4 +1,4 @@
-#include "sim/base/utc_seconds.h"
+#include "sim/base/utc_time.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/light/electron_spectrum.h"
+#include "sim/light/electron.h"
 #include "sim/light/emission_table.h"
 #include "sim/light/sheet_profile.h"
 #include "tests/support/one_sheet.h"

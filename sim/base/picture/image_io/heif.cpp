@@ -1,4 +1,4 @@
-#include "sim/base/picture/heif.h"
+#include "sim/base/picture/coded_picture.h"
 
 #include "sim/base/picture/image_io/library.h"
 #include "sim/base/picture/image_io/memory_file.h"

@@ -6,8 +6,8 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/number/gauss_legendre.h"
 #include "sim/emit/sun/line_light.h"
-#include "sim/emit/sun/ray_stop.h"
 #include "sim/emit/sun/strand/flux_rope.h"
+#include "sim/emit/sun/sun_frame.h"
 #include "sim/light/emitter.h"
 #include "sim/light/light_of_fields.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "sim/emit/sun/ray_stop.h"
+#include "sim/emit/sun/sun_frame.h"
 
 namespace vegard::sim {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fit/photo/mask/picture_point.h"
+#include "fit/photo/mask/pixel_set.h"
 #include "tests/support/made_sky.h"
 
 namespace vegard::fit {

@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/report/table/free_profiles_csv.h"
-#include "fit/report/table/profiles_csv.h"
-#include "fit/report/table/trace_csv.h"
+#include "fit/report/table/run_tables.h"
 #include "sim/base/file/csv_text.h"
 #include "tests/support/small_fit.h"
 

@@ -6,7 +6,7 @@
 
 #include "march_case.h"
 #include "sim/emit/footprint/footprint_emitter.h"
-#include "sim/light/profile_table_by_flux.h"
+#include "sim/light/profile_table.h"
 
 namespace vegard::sim {
 namespace {

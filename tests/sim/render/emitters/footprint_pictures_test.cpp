@@ -1,4 +1,4 @@
-#include "sim/render/emitters/footprint_pictures.h"
+#include "sim/render/emitters/footprint_volumes.h"
 
 #include <gtest/gtest.h>
 

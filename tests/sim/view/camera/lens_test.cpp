@@ -9,7 +9,6 @@
 #include "sim/view/camera/camera.h"
 #include "sim/view/camera/film_edges.h"
 #include "sim/view/camera/lens_series.h"
-#include "sim/view/camera/widest_angle.h"
 #include "tests/support/kind_named.h"
 
 namespace vegard::sim {

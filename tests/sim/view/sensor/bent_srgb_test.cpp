@@ -1,4 +1,3 @@
-#include "sim/view/sensor/bent_srgb.h"
 
 #include <gtest/gtest.h>
 
