@@ -4,6 +4,7 @@
 
 #include "fit/answer/energy_flux.h"
 #include "fit/parameters/free_parameters.h"
+#include "sim/scene/table/parameter_id.h"
 
 namespace vegard::fit {
 namespace {

@@ -10,6 +10,7 @@
 #include "sim/base/error.h"
 #include "sim/base/number/random.h"
 #include "sim/emit/sun/sun_frame.h"
+#include "sim/scene/table/parameter_id.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::fit {

@@ -17,6 +17,21 @@
 
 namespace vegard::fit {
 
+// Mean light in bins, of whatever statistics are linear in the gains and the sky.
+
+struct LinearBins {
+  std::vector<double> mean, sigma;  ///< [bin][channel]; a sigma of 0: not used
+  std::vector<int> band;            ///< [bin]: whose gain it has
+  std::vector<double> place;  ///< [bin]: down the picture, 0 top to 1 bottom, for the sky; of bands' own
+                              ///< skies, along the positions, 0 first to 1 last
+  int skies = 1;              ///< how many there are: one, or one per band, whose number is `band`
+
+  /// A profile's bins after those that are there.
+  void append(const Profile& data, const std::vector<double>& sigma_of_data, int picture_height);
+  /// Of a profile all of whose bands have a sky of their own. Nothing else may be there.
+  void append_with_skies(const Profile& data, const std::vector<double>& sigma_of_data);
+};
+
 /// Which gains there are. One over all; one per band (rays are uneven); one per channel, or per band and
 /// channel, where the white balance is unknown.
 struct GainLayout {
@@ -96,21 +111,6 @@ class LinearPart {
     std::array<double, 3> sky;  // the basis at this row
   };
   std::vector<Where> where_;  // of every used value
-};
-
-// Mean light in bins, of whatever statistics are linear in the gains and the sky.
-
-struct LinearBins {
-  std::vector<double> mean, sigma;  ///< [bin][channel]; a sigma of 0: not used
-  std::vector<int> band;            ///< [bin]: whose gain it has
-  std::vector<double> place;  ///< [bin]: down the picture, 0 top to 1 bottom, for the sky; of bands' own
-                              ///< skies, along the positions, 0 first to 1 last
-  int skies = 1;              ///< how many there are: one, or one per band, whose number is `band`
-
-  /// A profile's bins after those that are there.
-  void append(const Profile& data, const std::vector<double>& sigma_of_data, int picture_height);
-  /// Of a profile all of whose bands have a sky of their own. Nothing else may be there.
-  void append_with_skies(const Profile& data, const std::vector<double>& sigma_of_data);
 };
 
 }  // namespace vegard::fit

@@ -9,6 +9,7 @@
 
 #include "fit/measure/noise_model.h"
 #include "fit/measure/profile.h"
+#include "sim/scene/table/parameter_id.h"
 
 namespace vegard::fit {
 

@@ -1,4 +1,5 @@
 #include "fit/parameters/parameter_map.h"
+#include "sim/scene/table/parameter_id.h"
 
 #include <algorithm>
 #include <cmath>

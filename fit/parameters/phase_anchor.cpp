@@ -5,6 +5,7 @@
 
 #include "sim/base/earth.h"
 #include "sim/base/number/constants.h"
+#include "sim/scene/table/parameter_id.h"
 
 namespace vegard::fit {
 namespace {

@@ -10,6 +10,7 @@
 #include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/rows/spline_rates.h"
+#include "sim/scene/table/parameter_id.h"
 
 namespace vegard::fit {
 namespace {

@@ -1,4 +1,5 @@
 #include "fit/parameters/volume_starts.h"
+#include "sim/scene/table/parameter_id.h"
 
 #include <algorithm>
 #include <cmath>

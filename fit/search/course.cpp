@@ -7,6 +7,7 @@
 
 #include "sim/base/earth.h"
 #include "sim/base/number/constants.h"
+#include "sim/scene/table/parameter_id.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::fit {

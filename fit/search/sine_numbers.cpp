@@ -4,6 +4,7 @@
 
 #include "fit/parameters/parameter_map.h"
 #include "sim/base/number/constants.h"
+#include "sim/scene/table/parameter_id.h"
 
 namespace vegard::fit {
 namespace {

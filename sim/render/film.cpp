@@ -12,6 +12,7 @@
 #include "sim/render/beams/kernel.h"
 #include "sim/render/beams/kernel_scene.h"
 #include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/table/parameter_id.h"
 #include "sim/view/film/tangent_film.h"
 
 namespace vegard::sim {

@@ -3,6 +3,7 @@
 #include "sim/render/beams/kernel.h"
 #include "sim/render/film.h"
 #include "sim/render/render.h"
+#include "sim/scene/table/parameter_id.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/only_target.h"
 #include "tests/support/same_bytes.h"

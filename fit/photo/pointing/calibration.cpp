@@ -9,6 +9,7 @@
 #include "sim/base/earth.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
+#include "sim/scene/table/parameter_id.h"
 
 namespace vegard::fit {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "sim/base/error.h"
 #include "sim/scene/freedom/free_path.h"
+#include "sim/scene/table/parameter_id.h"
 #include "sim/scene/table/value_check.h"
 
 namespace vegard::sim {

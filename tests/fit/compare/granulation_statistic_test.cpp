@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/parameter_id.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/noisy_photo.h"
 

@@ -12,6 +12,7 @@
 #include "fit/measure/noise_model.h"
 #include "sim/render/render.h"
 #include "sim/scene/rows/spline_rates.h"
+#include "sim/scene/table/parameter_id.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/small_scene.h"
 

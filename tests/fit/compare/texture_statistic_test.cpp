@@ -8,6 +8,7 @@
 
 #include "sim/base/number/gaussian_process.h"
 #include "sim/render/film.h"
+#include "sim/scene/table/parameter_id.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::fit {

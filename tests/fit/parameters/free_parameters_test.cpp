@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sim/base/error.h"
+#include "sim/scene/table/parameter_id.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/small_scene.h"
 

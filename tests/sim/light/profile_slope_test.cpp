@@ -6,6 +6,7 @@
 
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/rows/spline_rates.h"
+#include "sim/scene/table/parameter_id.h"
 #include "tests/support/one_sheet.h"
 
 namespace vegard::sim {

@@ -8,6 +8,7 @@
 #include "sim/light/electron.h"
 #include "sim/light/emission_table.h"
 #include "sim/light/sheet_profile.h"
+#include "sim/scene/table/parameter_id.h"
 #include "tests/support/one_sheet.h"
 
 namespace vegard::sim {

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "sim/render/film.h"
+#include "sim/scene/table/parameter_id.h"
 #include "sim/view/film/blur.h"
 #include "tests/support/exposed.h"
 #include "tests/support/free_paths.h"

@@ -8,6 +8,7 @@
 
 #include "sim/base/picture/image_io.h"
 #include "sim/render/render.h"
+#include "sim/scene/table/parameter_id.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::sim {

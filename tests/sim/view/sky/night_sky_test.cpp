@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/base/earth.h"
+#include "sim/scene/table/parameter_id.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/colour/radiometry.h"
 #include "sim/view/sky/airglow.h"
