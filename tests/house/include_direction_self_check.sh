@@ -28,8 +28,10 @@ clean_tree() {
   put sim/render/render.cpp $'#include "sim/emit/aurora/beam.h"\n#include "sim/view/film.h"\n#include "sim/render/kernel.h"'
   put fit/photo.cpp $'#include <opencv2/imgcodecs.hpp>\n#include <ceres/ceres.h>\n#include "sim/render/render.h"'
   put apps/vegard.cpp $'#include <iostream>\n#include "fit/photo.h"'
-  put apps/preview_window.cpp '#include <opencv2/highgui.hpp>'
-  put apps/video.cpp '#include <opencv2/videoio.hpp>'
+  put apps/options/command.cpp '#include <CLI/CLI.hpp>'
+  put apps/commands/render.cpp $'#include "apps/options/command.h"\n#include "apps/preview/preview.h"'
+  put apps/preview/preview_window.cpp '#include <opencv2/highgui.hpp>'
+  put apps/output/video.cpp '#include <opencv2/videoio.hpp>'
   put docs/readme.md 'See https://example.org/home/page and ~/work/mine.'
 }
 
@@ -69,7 +71,11 @@ refuses sim/emit/aurora/bad.h '#include "sim/view/film.h"'
 refuses sim/view/bad.cpp '#include "sim/emit/aurora/beam.h"'
 refuses sim/view/bad.cpp '#include "sim/render/render.h"'
 refuses sim/render/bad.cpp '#include "fit/photo.h"'
-refuses fit/bad.cpp '#include "apps/vegard.h"'
+refuses fit/bad.cpp '#include "apps/options/command.h"'
+refuses apps/options/bad.cpp '#include "apps/output/video.h"'
+refuses apps/output/bad.cpp '#include "apps/preview/preview.h"'
+refuses apps/preview/bad.cpp '#include "apps/commands/commands.h"'
+refuses apps/elsewhere/bad.cpp '#include <vector>'
 refuses sim/base/bad.h '#include "image.h"'
 refuses sim/view/bad.h '#include "../base/image.h"'
 refuses sim/elsewhere/bad.h '#include <vector>'
@@ -77,12 +83,13 @@ refuses fit/bad.cpp '#include "tests/support/temporary_folder.h"'
 
 # Rule 2.
 refuses sim/render/render.cpp '#include <ceres/jet.h>'
+refuses apps/commands/bad.cpp '#include <CLI/CLI.hpp>'
 refuses apps/bad.cpp '#include <ceres/ceres.h>'
 refuses sim/view/bad.cpp '#include <opencv2/imgproc.hpp>'
 refuses fit/bad.h '#include <opencv2/core.hpp>'
-refuses apps/xbad.cpp '#include <opencv2/core.hpp>'
-refuses apps/preview.cpp '#include <opencv2/highgui.hpp>' apps/video.cpp
-refuses apps/preview_window.h '#include <opencv2/highgui.hpp>' apps/video.cpp
+refuses apps/output/xbad.cpp '#include <opencv2/core.hpp>'
+refuses apps/preview/preview.cpp '#include <opencv2/highgui.hpp>' apps/output/video.cpp
+refuses apps/preview/preview_window.h '#include <opencv2/highgui.hpp>' apps/output/video.cpp
 refuses sim/base/bad.cpp '#include <OpenImageIO/imageio.h>'
 refuses sim/base/image_io.cpp '#include <OpenImageIO/imageio.h>'
 refuses fit/bad.cpp '#include <OpenImageIO/imagebuf.h>'

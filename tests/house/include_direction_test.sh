@@ -18,11 +18,13 @@ check_sources() {
   # shellcheck disable=SC2016  # the dollars are awk's
   find "${folders[@]}" -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.inc' \) -print0 | sort -z |
     xargs -0 --no-run-if-empty awk '
-    # From right to left in "apps -> fit -> sim/render -> sim/emit, sim/view -> sim/light -> sim/scene -> sim/base".
+    # From right to left in "apps -> apps/commands -> apps/preview -> apps/output -> apps/options -> fit -> sim/render -> sim/emit, sim/view -> sim/light -> sim/scene -> sim/base".
     function layer(path) {
       if (path ~ /^sim\/render\//) return "sim/render"
       if (match(path, /^sim\/(base|scene|light|emit|view)\//)) return substr(path, 1, RLENGTH - 1)
-      if (match(path, /^(fit|apps)\//)) return substr(path, 1, RLENGTH - 1)
+      if (match(path, /^apps\/(options|output|preview|commands)\//)) return substr(path, 1, RLENGTH - 1)
+      if (path ~ /^apps\/[^\/]*$/) return "apps"
+      if (path ~ /^fit\//) return "fit"
       return ""
     }
     function complain(text) { print FILENAME ":" FNR ": " text; bad = 1 }
@@ -33,14 +35,16 @@ check_sources() {
     }
     BEGIN {
       rank["sim/base"] = 0; rank["sim/scene"] = 1; rank["sim/light"] = 2; rank["sim/emit"] = 3; rank["sim/view"] = 3
-      rank["sim/render"] = 4; rank["fit"] = 5; rank["apps"] = 6
+      rank["sim/render"] = 4; rank["fit"] = 5
+      rank["apps/options"] = 6; rank["apps/output"] = 7; rank["apps/preview"] = 8; rank["apps/commands"] = 9; rank["apps"] = 10
     }
     FNR == 1 {
       from = layer(FILENAME)
       if (from == "") complain("belongs to no layer of the house")
       folder = FILENAME
       sub(/[^\/]*$/, "", folder)
-      library = from != "apps"
+      of_apps = from ~ /^apps/
+      library = !of_apps
       # What volumes are made of is read in these and handed on.
       reads_volumes = FILENAME ~ /^sim\/render\/volumes\/(depth_file|volume_files)\.cpp$/
       physics = from ~ /^sim\/(light|emit|view|render)$/ && !reads_volumes
@@ -65,11 +69,13 @@ check_sources() {
       # Rule 2: each large library has its place.
       if (target ~ /^ceres\// && from != "fit") complain("Ceres belongs in fit/ only")
       if (target ~ /^opencv2?\// && !(from == "fit" && FILENAME ~ /\.cpp$/)) {
-        if (from != "apps") complain("OpenCV belongs in the .cpp files of fit/")
-        else if (FILENAME == "apps/preview_window.cpp") {}
+        if (!of_apps) complain("OpenCV belongs in the .cpp files of fit/")
+        else if (FILENAME == "apps/preview/preview_window.cpp") {}
         else if (videos == "") videos = FILENAME
         else if (videos != FILENAME) complain("OpenCV is in " videos " already: one file of apps/ may have it, and preview_window.cpp")
       }
+      if (target ~ /^CLI\// && FILENAME != "apps/options/command.cpp")
+        complain("CLI11 belongs in apps/options/command.cpp only")
       if (target ~ /^OpenImageIO\// && folder != "sim/base/picture/image_io/")
         complain("OpenImageIO belongs in sim/base/picture/image_io/ only")
       if (target ~ /^fitsio/ && FILENAME != "sim/base/picture/fits_io.cpp")
