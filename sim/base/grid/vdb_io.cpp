@@ -76,6 +76,12 @@ void name_by_content(const std::string& path) {
   file.write(name.data(), kLength);
 }
 
+/// By the library's own list of kinds of grids: made here, it would be compiled here, with all that trees can do.
+template <class Grid>
+typename Grid::Ptr new_grid() {
+  return openvdb::gridPtrCast<Grid>(openvdb::GridBase::createGrid(Grid::gridType()));
+}
+
 openvdb::Coord corner_of(const BrickCoordinate& at) { return openvdb::Coord(at.x * 8, at.y * 8, at.z * 8); }
 
 void add_leaf(const float* numbers, const openvdb::Coord& corner, FloatGrid& to) {
@@ -122,12 +128,12 @@ void write_vdb(const std::string& path, SparseGrid&& grid, const VdbMetadata& me
     all.push_back(one);
   };
   for (const GridChannel& channel : grid.channels) {
-    of_channel.push_back(FloatGrid::create(0.0f));
+    of_channel.push_back(new_grid<FloatGrid>());
     add(of_channel.back(), channel.name, channel.unit);
   }
   Vec3SGrid::Ptr colour;
   if (!options.colour_of_channel.empty()) {
-    colour = Vec3SGrid::create(openvdb::Vec3s(0.0f));
+    colour = new_grid<Vec3SGrid>();
     colour->setVectorType(openvdb::VEC_INVARIANT);
     add(colour, "color", options.colour_unit);
   }

@@ -112,7 +112,7 @@ class VdbReader : public openvdb::io::Archive {
   };
 
   FloatGrid::Ptr read(const openvdb::io::GridDescriptor& at) {
-    openvdb::GridBase::Ptr grid = FloatGrid::create();
+    openvdb::GridBase::Ptr grid = openvdb::GridBase::createGrid(FloatGrid::gridType());  // as in vdb_io.cpp
     grid->setName(at.gridName());
     grid->setSaveFloatAsHalf(at.saveFloatAsHalf());
     at.seekToGrid(stream_);

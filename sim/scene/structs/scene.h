@@ -430,6 +430,14 @@ struct Fit {
 };
 
 struct Scene {
+  // In scene.cpp, as they would be made here: every file that has a scene would compile them anew.
+  Scene();
+  Scene(const Scene& other);
+  Scene(Scene&& other) noexcept;
+  Scene& operator=(const Scene& other);
+  Scene& operator=(Scene&& other) noexcept;
+  ~Scene();
+
   std::uint64_t seed = 1;
   Site site;
   Field field;

@@ -1,0 +1,12 @@
+#include "sim/scene/structs/scene.h"
+
+namespace vegard::sim {
+
+Scene::Scene() = default;
+Scene::Scene(const Scene& other) = default;
+Scene::Scene(Scene&& other) noexcept = default;
+Scene& Scene::operator=(const Scene& other) = default;
+Scene& Scene::operator=(Scene&& other) noexcept = default;
+Scene::~Scene() = default;
+
+}  // namespace vegard::sim
