@@ -86,11 +86,11 @@ class CurveFit {
     start_ = searched.best.values;
     if (std::isfinite(searched.best.chi2))
       weight_ = std::sqrt(together_at(first.front(), start_, photo.unknowns));
-    const CurveMinimum found =
-        curve_minimum(std::vector<double>(static_cast<std::size_t>(photo.unknowns), 0.0),
-                      std::log(kMostExponent), [&](const std::vector<double>& at, const CurveTrial* nearest) {
-                        return trial(at, nearest == nullptr ? start_ : values_of(nearest->solution));
-                      });
+    const sim::CurveMinimum found = sim::curve_minimum(
+        std::vector<double>(static_cast<std::size_t>(photo.unknowns), 0.0), std::log(kMostExponent),
+        [&](const std::vector<double>& at, const sim::CurveTrial* nearest) {
+          return trial(at, nearest == nullptr ? start_ : values_of(nearest->solution));
+        });
 
     FoundCurve curve;
     curve.covariance = found.covariance;
@@ -135,7 +135,7 @@ class CurveFit {
     }));
   }
 
-  CurveTrial trial(const std::vector<double>& at, const std::vector<double>& from) {
+  sim::CurveTrial trial(const std::vector<double>& at, const std::vector<double>& from) {
     const sim::BentSrgb bent = bent_at(at);
     const Photo photo = decoded_by(as_srgb_, bent);
     std::vector<Observation> observations;
@@ -146,7 +146,7 @@ class CurveFit {
                         std::min(kMostShare, kShareOfSearch + kSharePerTrial * trials_));
     const std::vector<CostTerm> terms = cost_terms(observations, free_, Detail::full);
     const Descent end = descent(terms, from, stage);
-    CurveTrial result;
+    sim::CurveTrial result;
     result.value = std::numeric_limits<double>::infinity();
     if (!std::isfinite(end.chi2) || (options_.stop != nullptr && options_.stop->load())) return result;
     const Comparison& full = *observations.front().full;
@@ -189,8 +189,8 @@ class CurveFit {
   }
 
   /// Descents with the curve that was found: of the answer, and of the search's other ends.
-  void polish(const CurveMinimum& found, const SearchOutcome& searched, const std::vector<Observation>& last,
-              SearchOutcome& outcome) {
+  void polish(const sim::CurveMinimum& found, const SearchOutcome& searched,
+              const std::vector<Observation>& last, SearchOutcome& outcome) {
     const std::vector<CostTerm> terms = cost_terms(last, free_, Detail::full);
     std::vector<double> from = start_;
     if (!found.trials.empty()) {
@@ -210,7 +210,7 @@ class CurveFit {
     outcome.chi2_initial = ProfileCost(free_, terms, ignored).at(start, false).chi2;
   }
 
-  void describe(const CurveMinimum& found, FoundCurve& curve) const {
+  void describe(const sim::CurveMinimum& found, FoundCurve& curve) const {
     FittedCurve& fitted = curve.fitted;
     const std::size_t n = found.at.size();
     fitted.most = kMostExponent;
@@ -224,13 +224,13 @@ class CurveFit {
                                   found.undetermined[k]});
       const FittedCurve::Exponent& e = fitted.exponents.back();
       fitted.words +=
-          (k == 0 ? "sRGB to the power of " : " at black and ") + number_with_error(value, e.sigma);
+          (k == 0 ? "sRGB to the power of " : " at black and ") + sim::number_with_error(value, e.sigma);
       fitted.decoding_word += fmt::format(":{:.4g}", value);
       if (e.at_limit)
         curve.against.push_back("the exponent of the transfer curve over sRGB " + e.name + " is at a limit");
       else if (e.undetermined)
         curve.against.push_back("the data do not tell the transfer curve: its exponent over sRGB " + e.name +
-                                " may be anything about " + number_with_error(value, e.sigma));
+                                " may be anything about " + sim::number_with_error(value, e.sigma));
     }
     if (n == 2) {
       fitted.words += " at white";
@@ -238,8 +238,8 @@ class CurveFit {
           found.covariance[0][1] / std::sqrt(found.covariance[0][0] * found.covariance[1][1]);
     }
     double least = std::numeric_limits<double>::infinity();
-    for (const CurveTrial& t : found.trials) least = std::min(least, t.value);
-    for (const CurveTrial& t : found.trials) {
+    for (const sim::CurveTrial& t : found.trials) least = std::min(least, t.value);
+    for (const sim::CurveTrial& t : found.trials) {
       fitted.trials.emplace_back();
       for (const double x : t.at) fitted.trials.back().push_back(std::exp(x));
       fitted.trials.back().push_back((t.value - least) / found.centre.together);

@@ -156,7 +156,7 @@ void print(const fit::Calibration& calibration) {
               calibration.camera.mirrored ? ", mirrored" : "");
   if (calibration.maps)
     std::printf("rms: %s px over %d of %zu points of the maps\n%s\n",
-                fit::short_number(calibration.rms_px, 3).c_str(), calibration.used(),
+                sim::short_number(calibration.rms_px, 3).c_str(), calibration.used(),
                 calibration.stars.size(), fit::words_of(*calibration.maps).c_str());
   else
     std::printf("rms: %.3f px over %d of %zu stars; each star by a fit without it: %.3f px\n",
@@ -164,10 +164,10 @@ void print(const fit::Calibration& calibration) {
   for (const fit::CameraEstimate& estimate : calibration.estimates)
     if (estimate.free)
       std::printf("camera.%s: %s %s\n", estimate.key().c_str(),
-                  fit::number_with_error(estimate.value, estimate.sigma).c_str(), estimate.unit().c_str());
+                  sim::number_with_error(estimate.value, estimate.sigma).c_str(), estimate.unit().c_str());
   std::printf("the axis is known to %s deg, the turn about it to %s deg\n",
-              fit::short_number(calibration.line_of_sight_sigma_deg, 2).c_str(),
-              fit::short_number(calibration.twist_sigma_deg, 2).c_str());
+              sim::short_number(calibration.line_of_sight_sigma_deg, 2).c_str(),
+              sim::short_number(calibration.twist_sigma_deg, 2).c_str());
   if (calibration.maps && calibration.used() < static_cast<int>(calibration.stars.size()))
     std::printf("left out: %d points, farther off than the others' scatter explains\n",
                 static_cast<int>(calibration.stars.size()) - calibration.used());

@@ -62,7 +62,7 @@ void print_parameters(const fit::RunComparison& comparison) {
       const auto found = c.run.parameters.find(path);
       rows.back().push_back(found == c.run.parameters.end()
                                 ? "-"
-                                : fit::number_with_error(found->second.value, found->second.sigma));
+                                : sim::number_with_error(found->second.value, found->second.sigma));
     }
   }
   print_table(rows);
@@ -84,8 +84,8 @@ int run_compare(const std::vector<std::string>& directories) {
   print_criteria(comparison);
   std::printf(
       "%d values, worth %s independent ones; chi2 is divided by %s in AIC and BIC\n", runs.front().values,
-      fit::short_number(comparison.independent_values, 3).c_str(),
-      fit::short_number(comparison.runs.front().run.chi2 / comparison.runs.front().criteria.chi2, 3).c_str());
+      sim::short_number(comparison.independent_values, 3).c_str(),
+      sim::short_number(comparison.runs.front().run.chi2 / comparison.runs.front().criteria.chi2, 3).c_str());
   std::printf("decoding: %s\n\n", runs.front().decoding.c_str());
   print_parameters(comparison);
   std::printf("\n");

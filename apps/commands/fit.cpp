@@ -111,7 +111,7 @@ class Account {
  public:
   void tell(const std::string& stage, int evaluations, double chi2_per_dof, double share) {
     const std::string text = fmt::format("{}: {} evaluations, chi2 / dof {}", stage, evaluations,
-                                         fit::short_number(chi2_per_dof, 3));
+                                         sim::short_number(chi2_per_dof, 3));
     bar_.update(share, text);
     if (isatty(STDERR_FILENO) == 1 || !stages_.insert(stage).second) return;
     const std::optional<double> to_go = bar_.seconds_to_go();
@@ -196,12 +196,12 @@ void print_answer(const fit::FitResult& result, const std::string& report) {
   for (const fit::FittedParameter& p : result.parameters) {
     if (p.of_profile) continue;
     std::printf("  %-*s  %s%s%s%s\n", static_cast<int>(widest), p.path.c_str(),
-                fit::number_with_error(p.value, p.sigma).c_str(), p.unit.empty() ? "" : " ", p.unit.c_str(),
+                sim::number_with_error(p.value, p.sigma).c_str(), p.unit.empty() ? "" : " ", p.unit.c_str(),
                 p.at_limit ? "  (at a limit)" : "");
   }
   for (const fit::TiedNumber& t : result.tied)
     std::printf("  %-*s  %s%s%s = %s\n", static_cast<int>(widest), t.path.c_str(),
-                fit::number_with_error(t.value, t.sigma).c_str(), t.unit.empty() ? "" : " ", t.unit.c_str(),
+                sim::number_with_error(t.value, t.sigma).c_str(), t.unit.empty() ? "" : " ", t.unit.c_str(),
                 t.equals.c_str());
   if (coefficients > 0)
     std::printf("  %zu coefficients of free-form profiles: see profile.csv\n", coefficients);
@@ -210,7 +210,7 @@ void print_answer(const fit::FitResult& result, const std::string& report) {
     if (!d.why_none.empty())
       std::printf("  %s: %s\n", d.name.c_str(), d.why_none.c_str());
     else
-      std::printf("  %s: %s%s%s\n", d.name.c_str(), fit::number_with_error(d.value, d.sigma).c_str(),
+      std::printf("  %s: %s%s%s\n", d.name.c_str(), sim::number_with_error(d.value, d.sigma).c_str(),
                   d.unit.empty() ? "" : " ", d.unit.c_str());
   }
   for (const fit::FittedPhoto& photo : result.photos)

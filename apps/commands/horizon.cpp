@@ -66,7 +66,7 @@ void read_camera(const HorizonRequest& options, HorizonCamera& camera) {
   } else if (options.focal_35mm_mm) {
     problem.hfov_deg = fit::hfov_of_focal_deg(
         fit::focal_of_35mm_px(*options.focal_35mm_mm, problem.width_px, problem.height_px), problem.width_px);
-    camera.hfov_source = "of the given " + fit::short_number(*options.focal_35mm_mm) + " mm, by the diagonal";
+    camera.hfov_source = "of the given " + sim::short_number(*options.focal_35mm_mm) + " mm, by the diagonal";
   } else {
     const fit::PictureFieldOfView view = fit::picture_field_of_view(metadata);
     problem.hfov_deg = view.hfov_deg;
@@ -101,9 +101,9 @@ void print_dip_alone(const HorizonCamera& camera) {
     const double slope =
         std::abs(fit::layer_of_dip_km(alone.dip_deg.value + 0.01, observer_km) - layer_km) / 0.01;
     std::printf("  by the points alone: dip %s deg, elevation %s deg; a limb %s km high, rms %.2f px\n",
-                fit::number_with_error(alone.dip_deg.value, alone.dip_deg.sigma).c_str(),
-                fit::number_with_error(alone.elevation_deg.value, alone.elevation_deg.sigma).c_str(),
-                fit::number_with_error(layer_km, slope * alone.dip_deg.sigma).c_str(), alone.rms_px);
+                sim::number_with_error(alone.dip_deg.value, alone.dip_deg.sigma).c_str(),
+                sim::number_with_error(alone.elevation_deg.value, alone.elevation_deg.sigma).c_str(),
+                sim::number_with_error(layer_km, slope * alone.dip_deg.sigma).c_str(), alone.rms_px);
   } catch (const sim::Error& error) {
     std::printf("  by the points alone: %s\n", error.details().problem.c_str());
   }
@@ -112,7 +112,7 @@ void print_dip_alone(const HorizonCamera& camera) {
   try {
     const fit::HorizonCalibration alone = fit::calibrate_horizon(problem);
     std::printf("  by the bending alone: a field of view of %s deg, rms %.2f px\n",
-                fit::number_with_error(alone.hfov_deg.value, alone.hfov_deg.sigma).c_str(), alone.rms_px);
+                sim::number_with_error(alone.hfov_deg.value, alone.hfov_deg.sigma).c_str(), alone.rms_px);
   } catch (const sim::Error& error) {
     std::printf("  by the bending alone: %s\n", error.details().problem.c_str());
   }
@@ -121,7 +121,7 @@ void print_dip_alone(const HorizonCamera& camera) {
 void print_answer(const HorizonCamera& camera) {
   const fit::HorizonCalibration& found = camera.found;
   const auto number = [](const fit::ErrorBar& bar) {
-    return fit::number_with_error(bar.value,
+    return sim::number_with_error(bar.value,
                                   bar.sigma > 0.0 ? std::optional<double>(bar.sigma) : std::nullopt);
   };
   std::printf("%zu points on the horizon, dip %s deg\n", camera.problem.points.size(),
@@ -131,13 +131,13 @@ void print_answer(const HorizonCamera& camera) {
   std::printf("  camera.elevation_deg  %s\n", number(found.elevation_deg).c_str());
   std::printf("  camera.roll_deg       %s\n", number(found.roll_deg).c_str());
   std::printf("  camera.azimuth_deg    %s\n",
-              camera.azimuth_deg ? (fit::short_number(*camera.azimuth_deg) + " (given)").c_str()
+              camera.azimuth_deg ? (sim::short_number(*camera.azimuth_deg) + " (given)").c_str()
                                  : "0 (assumed: a horizon does not tell it; --azimuth)");
   if (camera.hfov_rounding_deg)
     std::printf("  the focal length is rounded: the elevation is known to within %.2f deg by that\n",
                 camera.elevation_rounding_deg);
   std::printf("  rms %.2f px; error bars from %s px a point\n", found.rms_px,
-              fit::short_number(found.used_error_px, 3).c_str());
+              sim::short_number(found.used_error_px, 3).c_str());
   std::string residuals;
   for (const double residual : found.residual_px) residuals += fmt::format(" {:+.2f}", residual);
   if (camera.problem.points.size() > 2) std::printf("  above the horizon by%s px\n", residuals.c_str());

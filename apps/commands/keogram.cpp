@@ -142,10 +142,10 @@ std::string bytes_of(const fit::Keogram& keogram, const fit::KeogramLook& look, 
 
 std::string line_words(const fit::KeogramLine& line) {
   if (!line.of_directions)
-    return "rows of a strip of " + fit::short_number(line.width) + " columns from " +
+    return "rows of a strip of " + sim::short_number(line.width) + " columns from " +
            std::to_string(line.grid->region.x);
-  return "azimuth " + fit::short_number(line.azimuth_deg) + "\u00b0 over the zenith, " +
-         fit::short_number(line.width) + "\u00b0 wide, in steps of " + fit::short_number(line.step) +
+  return "azimuth " + sim::short_number(line.azimuth_deg) + "\u00b0 over the zenith, " +
+         sim::short_number(line.width) + "\u00b0 wide, in steps of " + sim::short_number(line.step) +
          "\u00b0";
 }
 

@@ -119,7 +119,7 @@ void tell(const fit::SequenceRow& row, bool was_done) {
                              : "");
   for (const fit::SequenceNumber& n : row.numbers)
     if (n.name.find(".energy_") != std::string::npos || n.name.compare(0, 8, "distance") == 0)
-      std::printf("  %s %s %s", n.name.c_str(), fit::number_with_error(n.value, n.sigma).c_str(),
+      std::printf("  %s %s %s", n.name.c_str(), sim::number_with_error(n.value, n.sigma).c_str(),
                   n.unit.c_str());
   std::printf("\n");
   std::fflush(stdout);

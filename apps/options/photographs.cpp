@@ -68,7 +68,7 @@ std::vector<fit::InputFile> inputs_of(const std::string& scene_file, const std::
     for (const fit::PhotoPart& part : photo.filters)
       if (part.wavelength_nm > 0.0)
         inputs.push_back(
-            {"photo " + fit::short_number(part.wavelength_nm) + " nm", part.file_name, part.sha256});
+            {"photo " + sim::short_number(part.wavelength_nm) + " nm", part.file_name, part.sha256});
     if (!photo.mask_name.empty()) inputs.push_back({"mask", photo.mask_name, photo.mask_sha256});
   }
   return inputs;

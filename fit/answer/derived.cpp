@@ -62,13 +62,13 @@ void add_energies(const sim::Scene& best, int s, const std::string& of, std::vec
 
 /// Altitudes of the line that tells the border, the peaks of all lines.
 void add_altitudes(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
-  const double border = border_line_nm(best, s);
+  const double border = sim::border_line_nm(best, s);
   std::vector<double> lines;
   if (border > 0.0) lines.push_back(border);
   for (const double line : best.emission.lines)
-    if (sim::line_index(lines, line) < 0 && has_line(line, best, s)) lines.push_back(line);
+    if (sim::line_index(lines, line) < 0 && sim::has_line(line, best, s)) lines.push_back(line);
   for (const double nm : lines) {
-    const std::string line = line_words(nm);
+    const std::string line = sim::line_words(nm);
     const bool is_detail = nm != border;
     Group group{
         {{"peak altitude of " + line + of, "km", "it is brightest at an end of its profile", is_detail}}, {}};
@@ -79,7 +79,7 @@ void add_altitudes(const sim::Scene& best, int s, const std::string& of, std::ve
       group.labels.push_back({"half-width of " + line + " above its peak" + of, "km", "", true});
     }
     group.numbers = [nm, s, is_detail](const sim::Scene& x) {
-      const LineLight light = line_light(nm, x, s);
+      const sim::LineLight light = sim::line_light(nm, x, s);
       std::vector<double> numbers = {light.peak_at_an_end ? sim::kNaN : light.peak_km};
       if (!is_detail)
         numbers.insert(numbers.end(), {light.lower_border_km, light.half_below_km, light.half_above_km});
@@ -94,27 +94,28 @@ void add_ratios(const sim::Scene& best, int s, const std::string& of, std::vecto
     const Label label{fmt::format("I({:.1f})/I({:.1f}) along the field{}", nm, sim::kGreenNm, of), "", ""};
     Label absent = label;
     for (const double needed : {nm, sim::kGreenNm})
-      if (!has_line(needed, best, s)) absent.why_none = "the height profile has no " + line_words(needed);
+      if (!sim::has_line(needed, best, s))
+        absent.why_none = "the height profile has no " + sim::line_words(needed);
     if (!absent.why_none.empty()) {
       groups.push_back(none(absent));
       continue;
     }
     absent.why_none = "557.7 nm is dark";
     groups.push_back(one(absent, [nm, s](const sim::Scene& x) {
-      const double green = line_light(sim::kGreenNm, x, s).column_rayleigh;
-      return green > 0.0 ? line_light(nm, x, s).column_rayleigh / green : sim::kNaN;
+      const double green = sim::line_light(sim::kGreenNm, x, s).column_rayleigh;
+      return green > 0.0 ? sim::line_light(nm, x, s).column_rayleigh / green : sim::kNaN;
     }));
   }
 }
 
 void add_feet(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
-  if (!is_latitude_given(best)) {
+  if (!sim::is_latitude_given(best)) {
     groups.push_back(none({"geographic coordinates of the feet" + of, "deg",
                            "the site is not given: site.latitude_deg and site.longitude_deg"}));
     return;
   }
   const std::string beyond = "the foot lies beyond the edge of the Earth";
-  const bool with_longitude = is_longitude_given(best);
+  const bool with_longitude = sim::is_longitude_given(best);
   Group group;
   for (const char* which : {"the nearest foot", "the middle foot", "the first foot", "the last foot"}) {
     const bool is_detail = which != std::string("the nearest foot");
@@ -125,10 +126,10 @@ void add_feet(const sim::Scene& best, int s, const std::string& of, std::vector<
     group.labels.push_back({"geomagnetic latitude" + foot, "deg", beyond, is_detail});
   }
   group.numbers = [s, with_longitude](const sim::Scene& x) {
-    const FootPoints feet = foot_points(x.sheets[s], x.time.start_s);
+    const sim::FootPoints feet = sim::foot_points(x.sheets[s], x.time.start_s);
     std::vector<double> numbers;
     for (const sim::EastNorth& foot : {feet.nearest, feet.middle, feet.start, feet.end}) {
-      const PlaceOnEarth place = place_of_foot(x, foot);
+      const sim::PlaceOnEarth place = sim::place_of_foot(x, foot);
       numbers.push_back(place.latitude_deg);
       if (!with_longitude) continue;
       // Differences go by the longitude from the site, which does not jump at 180 degrees.
@@ -198,21 +199,21 @@ std::vector<Group> groups_of(const sim::Scene& best) {
 }  // namespace
 
 double nearest_distance_km(const sim::Sheet& sheet, double instant_s) {
-  const sim::EastNorth foot = foot_points(sheet, instant_s).nearest;
+  const sim::EastNorth foot = sim::foot_points(sheet, instant_s).nearest;
   return std::hypot(foot.east, foot.north);
 }
 
 double lower_border_km(double wavelength_nm, const sim::Scene& scene, int sheet) {
-  return line_light(wavelength_nm, scene, sheet).lower_border_km;
+  return sim::line_light(wavelength_nm, scene, sheet).lower_border_km;
 }
 
 HalfWidths half_widths_km(double wavelength_nm, const sim::Scene& scene, int sheet) {
-  const LineLight light = line_light(wavelength_nm, scene, sheet);
+  const sim::LineLight light = sim::line_light(wavelength_nm, scene, sheet);
   return {light.half_below_km, light.half_above_km};
 }
 
 double peak_altitude_km(double wavelength_nm, const sim::Scene& scene, int sheet) {
-  return line_light(wavelength_nm, scene, sheet).peak_km;
+  return sim::line_light(wavelength_nm, scene, sheet).peak_km;
 }
 
 double boundary_separation_km(const sim::Sheet& sheet) {
@@ -244,7 +245,7 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
         d.value = sim::kNaN;
         d.why_none = label.why_none;
       } else {
-        if (label.is_longitude) d.value = wrapped_longitude_deg(d.value);
+        if (label.is_longitude) d.value = sim::wrapped_longitude_deg(d.value);
         d.sigma = found[i].sigma;
         if (!d.sigma)
           d.why_no_sigma = found[i].moves ? "the data do not determine it" : "it follows from what was fixed";
@@ -255,14 +256,14 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
   return result;
 }
 
-std::vector<FootBand> foot_bands(const sim::Scene& best, const std::vector<FreeNumber>& free,
-                                 const std::vector<double>& values, const ValueUncertainty& known) {
+std::vector<sim::FootBand> foot_bands(const sim::Scene& best, const std::vector<FreeNumber>& free,
+                                      const std::vector<double>& values, const ValueUncertainty& known) {
   const DeltaMethod estimates(best, free, values, known);
-  std::vector<FootBand> bands;
+  std::vector<sim::FootBand> bands;
   for (std::size_t s = 0; s < best.sheets.size(); ++s) {
-    FootBand band{best.sheets[s].name, band_places_km(best.sheets[s]), {}};
+    sim::FootBand band{best.sheets[s].name, sim::band_places_km(best.sheets[s]), {}};
     for (const DeltaMethod::Estimate& aside : estimates([&](const sim::Scene& x) {
-           return aside_km(best.sheets[s], x.sheets[s], x.time.start_s, band.along_km);
+           return sim::aside_km(best.sheets[s], x.sheets[s], x.time.start_s, band.along_km);
          })) {
       if (!aside.sigma) break;
       band.sigma_km.push_back(*aside.sigma);

@@ -39,7 +39,7 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
                                            const std::vector<double>& values, const ValueUncertainty& known);
 
 /// How far each sheet's line may be off.
-std::vector<FootBand> foot_bands(const sim::Scene& best, const std::vector<FreeNumber>& free,
-                                 const std::vector<double>& values, const ValueUncertainty& known);
+std::vector<sim::FootBand> foot_bands(const sim::Scene& best, const std::vector<FreeNumber>& free,
+                                      const std::vector<double>& values, const ValueUncertainty& known);
 
 }  // namespace vegard::fit

@@ -15,7 +15,7 @@ constexpr double kMention = 2.0, kPositive = 6.0, kEvidenceStrong = 10.0;
 
 bool is_plural(const std::string& name) { return !name.empty() && name.back() == 's'; }
 
-std::string amount(double difference) { return short_number(difference, difference < 100.0 ? 2 : 3); }
+std::string amount(double difference) { return sim::short_number(difference, difference < 100.0 ? 2 : 3); }
 
 }  // namespace
 

@@ -86,9 +86,9 @@ void judge_error_bars(const JudgedFit& fit, const FitOptions& options, Journal& 
     r.bootstrap = in_values(band_bootstrap_of(output), telling);
   }
   if (options.mcmc > 0) {
-    const EnsembleState state = chain_of_fit(fit, options.mcmc, options.stop, journal, [&](double share) {
-      tell("Markov chain", shares.bootstrap + (1.0 - shares.bootstrap) * share);
-    });
+    const sim::EnsembleState state = chain_of_fit(
+        fit, options.mcmc, options.stop, journal,
+        [&](double share) { tell("Markov chain", shares.bootstrap + (1.0 - shares.bootstrap) * share); });
     if (cut_short()) return;
     r.chain = in_values(state, burn_in_of_chain(options.mcmc), telling);
   }

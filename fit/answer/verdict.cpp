@@ -56,15 +56,15 @@ std::string number_of(std::size_t count, const char* thing) {
 /// That the way of the search leads somewhere: down, to a level place.
 void ask_of_the_way(const FitResult& r, Checks& checks) {
   if (std::isfinite(r.chi2_initial) && r.chi2_initial > 0.0)
-    checks.ask(
-        "chi2 fell",
-        fmt::format("from {} at the start to {}", short_number(r.chi2_initial, 4), short_number(r.chi2, 4)),
-        r.chi2 <= (1.0 + kNoRise) * r.chi2_initial,
-        fmt::format("chi2 is {} and was {} at the start: the search has lost its way",
-                    short_number(r.chi2, 4), short_number(r.chi2_initial, 4)));
+    checks.ask("chi2 fell",
+               fmt::format("from {} at the start to {}", sim::short_number(r.chi2_initial, 4),
+                           sim::short_number(r.chi2, 4)),
+               r.chi2 <= (1.0 + kNoRise) * r.chi2_initial,
+               fmt::format("chi2 is {} and was {} at the start: the search has lost its way",
+                           sim::short_number(r.chi2, 4), sim::short_number(r.chi2_initial, 4)));
   if (std::isfinite(r.steepest_cosine)) {
     const std::string share =
-        fmt::format("{} %", short_number(100.0 * r.steepest_cosine * r.steepest_cosine, 2));
+        fmt::format("{} %", sim::short_number(100.0 * r.steepest_cosine * r.steepest_cosine, 2));
     checks.ask("level at the end", "moving any one parameter could take no more than " + share + " off chi2",
                r.steepest_cosine <= kLevelCosine,
                "chi2 still falls at the end: moving one parameter could take " + share + " off it");
@@ -107,7 +107,7 @@ std::vector<std::string> without_error_bar(const FitResult& r) {
     if (p.of_profile)
       ++coefficients;
     else
-      names.push_back(short_path(p.path, r.best.sheets.size() == 1));
+      names.push_back(sim::short_path(p.path, r.best.sheets.size() == 1));
   }
   if (coefficients > 0) names.push_back(number_of(coefficients, "coefficient") + " of free-form profiles");
   if (names.empty()) return {};
@@ -175,11 +175,11 @@ void judge(const Evidence& evidence, FitResult& result) {
     checks.ask("transfer curve", evidence.curve_words, evidence.against_curve);
   const std::string light = light_noun(result.best);
   if (std::isfinite(evidence.chi2_without_aurora))
-    checks.ask(
-        light + " or none",
-        fmt::format("a sky without any {} has chi2 {}", light, short_number(evidence.chi2_without_aurora, 4)),
-        !(result.chi2 > kLeastGain * evidence.chi2_without_aurora),
-        "a sky without any " + light + " explains the data almost as well");
+    checks.ask(light + " or none",
+               fmt::format("a sky without any {} has chi2 {}", light,
+                           sim::short_number(evidence.chi2_without_aurora, 4)),
+               !(result.chi2 > kLeastGain * evidence.chi2_without_aurora),
+               "a sky without any " + light + " explains the data almost as well");
   checks.ask("one answer", "no other end of the search explains the data as well", !evidence.second_mode,
              evidence.second_mode_text);
 

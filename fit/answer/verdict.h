@@ -24,11 +24,12 @@ struct Evidence {
 
 /// Sets verdict, verdict_line, reasons and checks. Failed: not converged, or no light of the model in the
 /// region. Doubtful: chi2 no lower than at the start; an end that is not level (fit/search/steepest.h); chi2
-/// per degree of freedom outside 0.3-3; residuals that hang together so much that fewer than ten independent
+/// per degree of freedom above 3; residuals that hang together so much that fewer than ten independent
 /// values are left per parameter; a parameter at a limit, without an error bar, or with one and yet where it
 /// started (unless all are, and the end is level: then the start was the answer); no clear gain over a sky
 /// without aurora; an rms residual above a tenth of the peak; a second mode; an unknown transfer curve that
-/// the data leave open. After the verdict's own reasons come notes that leave it as it is: unusual_sheets().
+/// the data leave open. After the verdict's own reasons come notes that leave it as it is: chi2 per
+/// degree of freedom below 0.3, and unusual_sheets().
 void judge(const Evidence& evidence, FitResult& result);
 
 }  // namespace vegard::fit

@@ -240,12 +240,12 @@ TextureStatistic::TextureStatistic(const sim::Scene& scene, const Photo& photo, 
   const Views seen = views(scene);
   for (std::size_t s = 0; s < rows.size(); ++s) residuals_ += stretches_[s].residuals;
   const Solution first = solve(seen);
-  const Rays found{std::exp(first.ln_contrast), std::exp(first.ln_width)};
+  const sim::Rays found{std::exp(first.ln_contrast), std::exp(first.ln_width)};
   residuals_ = 0;
   for (std::size_t s = 0; s < rows.size(); ++s) {
     std::vector<double> by_distance(rows[s].width, 0.0);
     for (int d = 0; seen[s] && d < rows[s].width; ++d)
-      by_distance[d] = ray_log_covariance(found, seen[s]->smear_km2, d * seen[s]->km_per_px);
+      by_distance[d] = sim::ray_log_covariance(found, seen[s]->smear_km2, d * seen[s]->km_per_px);
     by_distance[0] += std::max(rows[s].noise, 1e-6 * by_distance[0]);
     stretches_[s] = stretch_of(rows[s], lags, by_distance, scene.fit.model_error, weight);
     residuals_ += stretches_[s].residuals;
@@ -261,7 +261,7 @@ TextureStatistic::Views TextureStatistic::views(const sim::Scene& scene) const {
 
 std::vector<double> TextureStatistic::residual_of(const Views& views, double ln_contrast,
                                                   double ln_width) const {
-  const Rays rays{std::exp(ln_contrast), std::exp(ln_width)};
+  const sim::Rays rays{std::exp(ln_contrast), std::exp(ln_width)};
   std::vector<double> residual;
   residual.reserve(residuals_);
   std::vector<double> covariance;
@@ -272,7 +272,7 @@ std::vector<double> TextureStatistic::residual_of(const Views& views, double ln_
     if (views[s])
       for (std::size_t d = 0; d < stretch.pixels; ++d)
         covariance[d] =
-            ray_log_covariance(rays, views[s]->smear_km2, static_cast<double>(d) * views[s]->km_per_px);
+            sim::ray_log_covariance(rays, views[s]->smear_km2, static_cast<double>(d) * views[s]->km_per_px);
     std::vector<double> left(stretch.lags);
     for (std::size_t k = 0; k < stretch.lags; ++k) {
       double model = stretch.of_noise[k];

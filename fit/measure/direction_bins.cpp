@@ -27,18 +27,19 @@ constexpr double kLeastStep_deg = 1e-4;
 void check_tangent_steps(const DirectionSectors& sectors) {
   const TangentSteps& steps = *sectors.tangent;
   if (!sectors.observer_km)
-    sim::refuse_key(sim::ErrorKind::usage, "--tangent-step", "the observer is not known to be above the air",
-                    "a scene whose site.altitude_m is at least " + short_number(1e3 * sim::kLimbObserverKm));
+    sim::refuse_key(
+        sim::ErrorKind::usage, "--tangent-step", "the observer is not known to be above the air",
+        "a scene whose site.altitude_m is at least " + sim::short_number(1e3 * sim::kLimbObserverKm));
   if (!(steps.step_km > 0.0))
-    sim::refuse_key(sim::ErrorKind::usage, "--tangent-step", short_number(steps.step_km) + " km is no step",
-                    "more than 0");
+    sim::refuse_key(sim::ErrorKind::usage, "--tangent-step",
+                    sim::short_number(steps.step_km) + " km is no step", "more than 0");
   if (!(steps.lowest_km >= -kDeepestKm && steps.highest_km > steps.lowest_km &&
         steps.highest_km <= *sectors.observer_km))
-    sim::refuse_key(
-        sim::ErrorKind::usage, "--tangent-range",
-        short_number(steps.lowest_km) + " to " + short_number(steps.highest_km) + " km holds no limb",
-        "growing, from -" + short_number(kDeepestKm) + " to at most " + short_number(*sectors.observer_km) +
-            ", where the observer is");
+    sim::refuse_key(sim::ErrorKind::usage, "--tangent-range",
+                    sim::short_number(steps.lowest_km) + " to " + sim::short_number(steps.highest_km) +
+                        " km holds no limb",
+                    "growing, from -" + sim::short_number(kDeepestKm) + " to at most " +
+                        sim::short_number(*sectors.observer_km) + ", where the observer is");
   if ((steps.highest_km - steps.lowest_km) / steps.step_km > kDirectionMostSteps)
     sim::refuse_key(sim::ErrorKind::usage, "--tangent-step",
                     "more than " + std::to_string(kDirectionMostSteps) + " steps", "larger steps");
@@ -53,17 +54,18 @@ void check_sectors(const DirectionSectors& sectors) {
   if (sectors.tangent) check_tangent_steps(sectors);
   if (!(sectors.step_deg >= kLeastStep_deg && sectors.step_deg <= kDirectionZenithDeg))
     sim::refuse_key(sim::ErrorKind::usage, "--elevation-step",
-                    short_number(sectors.step_deg) + "\u00b0 is no step", "0.0001 to 90");
+                    sim::short_number(sectors.step_deg) + "\u00b0 is no step", "0.0001 to 90");
   if (!(sectors.lowest_deg >= -kDirectionZenithDeg && sectors.lowest_deg < kDirectionZenithDeg))
     sim::refuse_key(sim::ErrorKind::usage, "--lowest",
-                    short_number(sectors.lowest_deg) + "\u00b0 is no elevation to begin at",
+                    sim::short_number(sectors.lowest_deg) + "\u00b0 is no elevation to begin at",
                     "-90 to below 90");
   const double spacing = least_spacing_deg(sectors.azimuths_deg);
   if (!(sectors.width_deg > 0.0 && sectors.width_deg <= spacing + kRounding))
-    sim::refuse_key(sim::ErrorKind::usage, "--azimuth-width",
-                    "sectors of " + short_number(sectors.width_deg) + "\u00b0 " +
-                        (sectors.width_deg > 0.0 ? "would overlap" : "hold nothing"),
-                    "more than 0, at most " + short_number(spacing) + ", the distance of the nearest two");
+    sim::refuse_key(
+        sim::ErrorKind::usage, "--azimuth-width",
+        "sectors of " + sim::short_number(sectors.width_deg) + "\u00b0 " +
+            (sectors.width_deg > 0.0 ? "would overlap" : "hold nothing"),
+        "more than 0, at most " + sim::short_number(spacing) + ", the distance of the nearest two");
 }
 
 int position_count(const DirectionSectors& sectors) {

@@ -18,40 +18,41 @@ std::string comments(const Photo& photo, const DirectionProfile& directions) {
   const Region& region = directions.profile.region;
   const DirectionSectors& sectors = directions.sectors;
   std::string text =
-      csv_comment("profiles by direction: mean linear light per azimuth sector and elevation step");
-  text += csv_comment("photograph: " + photo.file_name);
-  text += csv_comment("sha256: " + photo.sha256);
-  text += csv_comment(fmt::format("size_px: {} x {}", photo.linear.width, photo.linear.height));
-  text += csv_comment("decoding: " + photo.decoding);
+      sim::csv_comment("profiles by direction: mean linear light per azimuth sector and elevation step");
+  text += sim::csv_comment("photograph: " + photo.file_name);
+  text += sim::csv_comment("sha256: " + photo.sha256);
+  text += sim::csv_comment(fmt::format("size_px: {} x {}", photo.linear.width, photo.linear.height));
+  text += sim::csv_comment("decoding: " + photo.decoding);
   if (!photo.mask_name.empty()) {
-    text += csv_comment("mask: " + photo.mask_name);
-    text += csv_comment("mask_sha256: " + photo.mask_sha256);
+    text += sim::csv_comment("mask: " + photo.mask_name);
+    text += sim::csv_comment("mask_sha256: " + photo.mask_sha256);
   }
-  text +=
-      csv_comment(fmt::format("roi_px: [{}, {}, {}, {}]", region.x, region.y, region.width, region.height));
-  text += csv_comment("directions: " + directions.camera);
-  text += csv_comment(fmt::format("azimuth_width_deg: {}", sectors.width_deg));
-  text += csv_comment(sectors.tangent ? fmt::format("tangent_step_km: {}", sectors.tangent->step_km)
-                                      : fmt::format("elevation_step_deg: {}", sectors.step_deg));
-  text += csv_comment(fmt::format("dark: [{}, {}, {}], taken off r, g, b", directions.dark[0],
-                                  directions.dark[1], directions.dark[2]));
-  text += csv_comment("azimuth_deg: middle of the sector, from north to the east");
-  text += csv_comment("elevation_deg: middle of the step, above the horizon");
+  text += sim::csv_comment(
+      fmt::format("roi_px: [{}, {}, {}, {}]", region.x, region.y, region.width, region.height));
+  text += sim::csv_comment("directions: " + directions.camera);
+  text += sim::csv_comment(fmt::format("azimuth_width_deg: {}", sectors.width_deg));
+  text += sim::csv_comment(sectors.tangent ? fmt::format("tangent_step_km: {}", sectors.tangent->step_km)
+                                           : fmt::format("elevation_step_deg: {}", sectors.step_deg));
+  text += sim::csv_comment(fmt::format("dark: [{}, {}, {}], taken off r, g, b", directions.dark[0],
+                                       directions.dark[1], directions.dark[2]));
+  text += sim::csv_comment("azimuth_deg: middle of the sector, from north to the east");
+  text += sim::csv_comment("elevation_deg: middle of the step, above the horizon");
   if (sectors.observer_km)
-    text += csv_comment(fmt::format(
+    text += sim::csv_comment(fmt::format(
         "tangent_altitude_km: least height of that line of sight above the sphere, seen from {} km "
         "up, no refraction; negative where it strikes the Earth",
         *sectors.observer_km));
-  text += csv_comment(
+  text += sim::csv_comment(
       photo.floating ? "r, g, b: linear light in the file's own units"
                      : "r, g, b: linear light, the file's largest value = 1; clipped pixels are left out");
-  text += csv_comment("sigma_*: standard error of the mean, from the differences of neighbouring pixels");
-  text += csv_comment("n_*: pixels used");
-  text += csv_comment("r_over_g, b_over_g: ratios of the channels, errors to first order");
+  text +=
+      sim::csv_comment("sigma_*: standard error of the mean, from the differences of neighbouring pixels");
+  text += sim::csv_comment("n_*: pixels used");
+  text += sim::csv_comment("r_over_g, b_over_g: ratios of the channels, errors to first order");
   return text;
 }
 
-std::string sector_name(double azimuth_deg) { return short_number(azimuth_deg, 4) + "\u00b0"; }
+std::string sector_name(double azimuth_deg) { return sim::short_number(azimuth_deg, 4) + "\u00b0"; }
 
 }  // namespace
 
@@ -107,7 +108,8 @@ std::string direction_profile_csv(const Photo& photo, const DirectionProfile& di
   if (directions.sectors.tangent) {
     const std::vector<std::optional<LimbLayer>> layers = green_limb_layers(directions);
     for (std::size_t k = 0; k < layers.size(); ++k)
-      text += csv_comment("green_layer: " + limb_layer_words(directions.sectors.azimuths_deg[k], layers[k]));
+      text +=
+          sim::csv_comment("green_layer: " + limb_layer_words(directions.sectors.azimuths_deg[k], layers[k]));
   }
   const bool limb = directions.sectors.observer_km.has_value();
   text += "azimuth_deg,elevation_deg,";
@@ -119,15 +121,15 @@ std::string direction_profile_csv(const Photo& photo, const DirectionProfile& di
     for (int position = 0; position < profile.rows; ++position) {
       const std::size_t i = profile.index(sector, position, 0);
       if (profile.count[i] == 0 && profile.count[i + 1] == 0 && profile.count[i + 2] == 0) continue;
-      text += csv_number(directions.sectors.azimuths_deg[sector]) + "," +
-              csv_number(elevation_of_position_deg(directions.sectors, position));
-      if (limb) text += "," + csv_number(tangent_of_position_km(directions.sectors, position));
-      for (int c = 0; c < 3; ++c) text += "," + csv_number(profile.mean[i + c]);
-      for (int c = 0; c < 3; ++c) text += "," + csv_number(profile.standard_error[i + c]);
+      text += sim::csv_number(directions.sectors.azimuths_deg[sector]) + "," +
+              sim::csv_number(elevation_of_position_deg(directions.sectors, position));
+      if (limb) text += "," + sim::csv_number(tangent_of_position_km(directions.sectors, position));
+      for (int c = 0; c < 3; ++c) text += "," + sim::csv_number(profile.mean[i + c]);
+      for (int c = 0; c < 3; ++c) text += "," + sim::csv_number(profile.standard_error[i + c]);
       for (int c = 0; c < 3; ++c) text += "," + std::to_string(profile.count[i + c]);
       for (const int channel : {0, 2}) {
         const Ratio ratio = channel_ratio(profile, sector, position, channel, 1);
-        text += "," + csv_number(ratio.value) + "," + csv_number(ratio.sigma);
+        text += "," + sim::csv_number(ratio.value) + "," + sim::csv_number(ratio.sigma);
       }
       text += '\n';
     }

@@ -85,31 +85,32 @@ void add_picture(const Photo& photo, double time, Keogram& keogram) {
 
 std::string keogram_csv(const Keogram& keogram) {
   const KeogramLine& line = keogram.line;
-  std::string text = csv_comment("keogram: mean linear light along a line of each picture");
+  std::string text = sim::csv_comment("keogram: mean linear light along a line of each picture");
   describe(keogram, [&](const std::string& key, const std::string& words) {
-    text += csv_comment(key + ": " + words);
+    text += sim::csv_comment(key + ": " + words);
   });
   for (const KeogramColumn& column : keogram.columns)
-    text += csv_comment("picture: " + time_text(keogram, column.time) + " " + column.sha256 + " " +
-                        column.file_name);
-  text += csv_comment(time_words(keogram.time_kind));
-  text += csv_comment(
+    text += sim::csv_comment("picture: " + time_text(keogram, column.time) + " " + column.sha256 + " " +
+                             column.file_name);
+  text += sim::csv_comment(time_words(keogram.time_kind));
+  text += sim::csv_comment(
       line.of_directions
           ? "elevation_deg: from the horizon at azimuth_deg over the zenith to the other one, 0 to 180"
           : "row_px: row of the picture, counted from 0 at the top");
-  text += csv_comment(keogram.floating
-                          ? "r, g, b: linear light in the files' own units"
-                          : "r, g, b: linear light, the files' largest value = 1; clipped pixels are "
-                            "left out");
-  text += csv_comment("sigma_*: standard error of the mean, from the differences of neighbouring pixels");
-  text += csv_comment("n_*: pixels used");
+  text += sim::csv_comment(keogram.floating
+                               ? "r, g, b: linear light in the files' own units"
+                               : "r, g, b: linear light, the files' largest value = 1; clipped pixels are "
+                                 "left out");
+  text +=
+      sim::csv_comment("sigma_*: standard error of the mean, from the differences of neighbouring pixels");
+  text += sim::csv_comment("n_*: pixels used");
   text += line.of_directions ? "time,elevation_deg" : "time,row_px";
   text += ",r,g,b,sigma_r,sigma_g,sigma_b,n_r,n_g,n_b\n";
   for (const KeogramColumn& column : keogram.columns)
     for (int p = 0; p < keogram.positions(); ++p) {
-      text += time_text(keogram, column.time) + "," + csv_number(line.position[p]);
-      for (int c = 0; c < 3; ++c) text += "," + csv_number(column.mean[3 * p + c]);
-      for (int c = 0; c < 3; ++c) text += "," + csv_number(column.standard_error[3 * p + c]);
+      text += time_text(keogram, column.time) + "," + sim::csv_number(line.position[p]);
+      for (int c = 0; c < 3; ++c) text += "," + sim::csv_number(column.mean[3 * p + c]);
+      for (int c = 0; c < 3; ++c) text += "," + sim::csv_number(column.standard_error[3 * p + c]);
       for (int c = 0; c < 3; ++c) text += "," + std::to_string(column.count[3 * p + c]);
       text += '\n';
     }

@@ -101,11 +101,11 @@ KeogramLine meridian_line(const sim::DirectionMap& map, const Region& region,
   if (!std::isfinite(options.azimuth_deg))
     sim::refuse_key(sim::ErrorKind::usage, "--azimuth", "the azimuth is no number", "degrees");
   if (options.width_deg && !(*options.width_deg > 0.0 && *options.width_deg <= 180.0))
-    sim::refuse_key(sim::ErrorKind::usage, "--width", short_number(*options.width_deg) + "\u00b0 is no width",
-                    "more than 0, at most 180");
+    sim::refuse_key(sim::ErrorKind::usage, "--width",
+                    sim::short_number(*options.width_deg) + "\u00b0 is no width", "more than 0, at most 180");
   if (options.step_deg && !(*options.step_deg >= 1e-4 && *options.step_deg <= kKeogramZenithDeg))
     sim::refuse_key(sim::ErrorKind::usage, "--elevation-step",
-                    short_number(*options.step_deg) + "\u00b0 is no step", "0.0001 to 90");
+                    sim::short_number(*options.step_deg) + "\u00b0 is no step", "0.0001 to 90");
 
   KeogramLine line;
   line.of_directions = true;
@@ -123,7 +123,7 @@ KeogramLine meridian_line(const sim::DirectionMap& map, const Region& region,
   if (span.pixels == 0.0)
     sim::refuse_key(sim::ErrorKind::usage, "--azimuth",
                     "the picture shows nothing of the vertical plane at azimuth " +
-                        short_number(options.azimuth_deg) + "\u00b0",
+                        sim::short_number(options.azimuth_deg) + "\u00b0",
                     "a direction that it does show");
 
   const double first = std::floor(span.min / line.step), end = std::floor(span.max / line.step) + 1.0;

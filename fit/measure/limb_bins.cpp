@@ -29,9 +29,10 @@ BinGrid limb_bins(const sim::Scene& scene, const Region& region) {
   const double steps = std::ceil((fit.limb_highest - fit.limb_lowest) / fit.limb_step - 1e-9);
   constexpr double kMostPositions = 10000.0;
   if (steps < kLimbLeastPositions || steps > kMostPositions)
-    sim::refuse_scene_key(scene.file, "fit.limb_step",
-                          short_number(steps) + " steps lie between limb_lowest and limb_highest",
-                          std::to_string(kLimbLeastPositions) + " to " + short_number(kMostPositions, 5));
+    sim::refuse_scene_key(
+        scene.file, "fit.limb_step",
+        sim::short_number(steps) + " steps lie between limb_lowest and limb_highest",
+        std::to_string(kLimbLeastPositions) + " to " + sim::short_number(kMostPositions, 5));
   BinGrid grid;
   grid.region = region;
   grid.groups = fit.bands;
@@ -61,8 +62,8 @@ BinGrid limb_bins(const sim::Scene& scene, const Region& region) {
       grid);
   if (grid.runs.empty())
     sim::refuse_scene_key(scene.file, "sun.azimuth_deg",
-                          "no pixel of the region is " + short_number(fit.limb_lowest) + " to " +
-                              short_number(fit.limb_highest) + " radii from the Sun's middle",
+                          "no pixel of the region is " + sim::short_number(fit.limb_lowest) + " to " +
+                              sim::short_number(fit.limb_highest) + " radii from the Sun's middle",
                           "the Sun in view",
                           "check sun.azimuth_deg, sun.elevation_deg and where the camera points");
   const double radius_rad = std::asin(scene.sun.radius * scene.sun.unit_km / scene.sun.distance_km);

@@ -29,7 +29,8 @@ void check_points(const sim::Scene& scene) {
         std::to_string(y.size()) + " places down for " + std::to_string(x.size()) + " places across",
         "as many of guide_y_px as of guide_x_px");
   const auto text = [&](std::size_t i) {
-    return "point " + std::to_string(i) + " at (" + short_number(x[i]) + ", " + short_number(y[i]) + ")";
+    return "point " + std::to_string(i) + " at (" + sim::short_number(x[i]) + ", " + sim::short_number(y[i]) +
+           ")";
   };
   for (std::size_t i = 0; i < x.size(); ++i) {
     const bool is_across = x[i] >= 0.0 && x[i] <= scene.camera.width,
@@ -79,15 +80,15 @@ BinGrid loop_bins(const sim::Scene& scene, const Region& region) {
   grid.positions = static_cast<int>(std::lround(2.0 * fit.guide_half_width_px / fit.guide_cell_px));
   if (grid.positions < kLoopLeastPositions)
     sim::refuse_scene_key(scene.file, "fit.guide_half_width_px",
-                          std::to_string(grid.positions) + " cells of " + short_number(fit.guide_cell_px) +
-                              " px lie across the loop",
+                          std::to_string(grid.positions) + " cells of " +
+                              sim::short_number(fit.guide_cell_px) + " px lie across the loop",
                           "at least " + std::to_string(kLoopLeastPositions),
                           "a wider profile, or smaller fit.guide_cell_px");
   const GuideCurve curve(fit.guide_x_px, fit.guide_y_px);
   if (curve.length_px() < fit.bands)
     sim::refuse_scene_key(scene.file, "fit.bands",
                           std::to_string(fit.bands) + " bands do not fit onto a curve of " +
-                              short_number(curve.length_px()) + " px",
+                              sim::short_number(curve.length_px()) + " px",
                           "bands of a pixel or more");
   grid.along = {"distance across the loop", "px", -fit.guide_half_width_px, fit.guide_cell_px};
   grid.across = {"distance along the loop", "px", 0.0, curve.length_px() / fit.bands};

@@ -24,7 +24,7 @@ constexpr std::size_t kChannels = 3;
   throw sim::Error(sim::ErrorKind::usage, details);
 }
 
-std::string nm_text(double wavelength_nm) { return short_number(wavelength_nm, 5) + " nm"; }
+std::string nm_text(double wavelength_nm) { return sim::short_number(wavelength_nm, 5) + " nm"; }
 
 /// Which channel is that of the filter, by the scene's lines.
 std::size_t channel_of(double wavelength_nm, const std::vector<double>& lines_nm) {
@@ -99,7 +99,7 @@ Photo read_filters(const std::vector<FilterFile>& files, const std::vector<doubl
     part_of_channel[channel] = {photo.file_name, photo.sha256, filter.wavelength_nm};
   }
   for (const PhotoPart& part : part_of_channel) {
-    checksums += short_number(part.wavelength_nm, 5) + " " + part.sha256 + "\n";
+    checksums += sim::short_number(part.wavelength_nm, 5) + " " + part.sha256 + "\n";
     stack.filters.push_back(part);
   }
   stack.sha256 = sim::sha256(checksums);

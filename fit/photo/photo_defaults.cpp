@@ -54,8 +54,8 @@ void note_the_field(const Given& given, PhotoDefaults& defaults) {
   }
   if (given("field.inclination_deg") || given("field.declination_deg")) return;
   defaults.notes.push_back("the magnetic field is still the default's (inclination " +
-                           short_number(field.inclination_deg) + " deg, declination " +
-                           short_number(field.declination_deg) +
+                           sim::short_number(field.inclination_deg) + " deg, declination " +
+                           sim::short_number(field.declination_deg) +
                            " deg), not that of the photograph's place: set field.inclination_deg and "
                            "field.declination_deg, or field.model = \"dipole\"");
 }

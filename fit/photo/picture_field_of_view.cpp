@@ -56,7 +56,7 @@ PictureFieldOfView picture_field_of_view(const sim::PictureMetadata& metadata) {
   if (by_film) {
     const double equivalent_mm = *metadata.focal_length_35mm_mm;
     view.focal_px = focal_of_35mm_px(equivalent_mm, width, height);
-    view.source = "EXIF FocalLengthIn35mmFilm " + short_number(equivalent_mm) + " mm, by the diagonal";
+    view.source = "EXIF FocalLengthIn35mmFilm " + sim::short_number(equivalent_mm) + " mm, by the diagonal";
     view.rounding_deg =
         0.5 * (hfov_of_focal_deg(focal_of_35mm_px(equivalent_mm - 0.5, width, height), width) -
                hfov_of_focal_deg(focal_of_35mm_px(equivalent_mm + 0.5, width, height), width));
@@ -64,8 +64,9 @@ PictureFieldOfView picture_field_of_view(const sim::PictureMetadata& metadata) {
     const double stored_width = metadata.orientation >= 5 ? height : width;
     view.focal_px =
         *metadata.focal_length_mm * *metadata.focal_plane_px_per_mm * stored_width / *metadata.exif_width_px;
-    view.source = "EXIF FocalLength " + short_number(*metadata.focal_length_mm) +
-                  " mm and FocalPlaneXResolution " + short_number(*metadata.focal_plane_px_per_mm) + " px/mm";
+    view.source = "EXIF FocalLength " + sim::short_number(*metadata.focal_length_mm) +
+                  " mm and FocalPlaneXResolution " + sim::short_number(*metadata.focal_plane_px_per_mm) +
+                  " px/mm";
   }
   view.hfov_deg = hfov_of_focal_deg(*view.focal_px, width);
   return view;

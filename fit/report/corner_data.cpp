@@ -18,11 +18,11 @@ CornerData corner_data(const FitResult& result) {
     if (p.sigma || (has_chain && result.chain->sigma[j] > 0.0))
       shown.push_back(j);
     else
-      data.left_out.push_back(short_path(p.path, one_sheet));
+      data.left_out.push_back(sim::short_path(p.path, one_sheet));
   }
   for (const std::size_t j : shown) {
     const FittedParameter& p = result.parameters[j];
-    data.parameters.push_back({short_path(p.path, one_sheet), p.unit, p.value, p.sigma});
+    data.parameters.push_back({sim::short_path(p.path, one_sheet), p.unit, p.value, p.sigma});
     data.correlation.emplace_back();
     for (const std::size_t k : shown) data.correlation.back().push_back(result.correlation[j][k]);
   }

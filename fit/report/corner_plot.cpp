@@ -44,7 +44,7 @@ struct Range {
 };
 
 std::string value_text(const CornerParameter& p) {
-  const std::string number = number_with_error(p.value, p.sigma);
+  const std::string number = sim::number_with_error(p.value, p.sigma);
   if (p.unit == "deg") return number + "\u00b0";
   return p.unit.empty() ? number : number + " " + p.unit;
 }

@@ -24,7 +24,7 @@ Panel panel_of(const DirectionProfile& directions, const std::vector<int>& drawn
   panel.y.label = label;
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     Series series;
-    series.label = short_number(directions.sectors.azimuths_deg[drawn[k]], 4) + "\u00b0";
+    series.label = sim::short_number(directions.sectors.azimuths_deg[drawn[k]], 4) + "\u00b0";
     series.colour = distinct_colour(static_cast<int>(k));
     series.mark = k < kColours ? Mark::line : Mark::dashed_line;
     for (int position = 0; position < directions.profile.rows; ++position) {

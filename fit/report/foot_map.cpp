@@ -60,11 +60,11 @@ std::vector<MappedStation> stations_of(const FitResult& result) {
 }
 
 /// The line of an arc's feet, moved so many sigmas to the left.
-GroundPoints moved_line(const sim::Sheet& sheet, const FootBand& band, double instant_s, int arc,
+GroundPoints moved_line(const sim::Sheet& sheet, const sim::FootBand& band, double instant_s, int arc,
                         double sigmas) {
   const double bearing = sheet.bearing_deg * sim::kRadiansPerDegree;
   std::vector<sim::EastNorth> feet =
-      straight_feet(sheet, instant_s, arc, static_cast<int>(band.sigma_km.size()));
+      sim::straight_feet(sheet, instant_s, arc, static_cast<int>(band.sigma_km.size()));
   for (std::size_t i = 0; i < feet.size(); ++i) {
     feet[i].east -= sigmas * band.sigma_km[i] * std::cos(bearing);
     feet[i].north += sigmas * band.sigma_km[i] * std::sin(bearing);
@@ -85,7 +85,8 @@ MapFrame frame_of(const FitResult& result, const std::vector<MappedStation>& sta
   for (const MappedStation& station : stations) take(station.site);
   for (const sim::Sheet& sheet : result.best.sheets)
     for (int arc = 0; arc < sheet.arcs; ++arc)
-      for (const GroundPoint& p : on_ground(straight_feet(sheet, result.best.time.start_s, arc, kMapCoarse)))
+      for (const GroundPoint& p :
+           on_ground(sim::straight_feet(sheet, result.best.time.start_s, arc, kMapCoarse)))
         take(p);
   MapFrame frame;
   frame.area_px = {kLeft_px, kTop_px, kSide_px, kSide_px};
@@ -119,18 +120,18 @@ void draw_sheet(const MapFrame& frame, const FitResult& result, std::size_t s, P
       band.insert(band.end(), right.rbegin(), right.rend());
       canvas.area(frame.pixels(band), colour, 0.25);
     }
-    canvas.line(frame.pixels(on_ground(straight_feet(sheet, instant, arc, kMapCoarse))), colour,
+    canvas.line(frame.pixels(on_ground(sim::straight_feet(sheet, instant, arc, kMapCoarse))), colour,
                 sine_shows ? 0.8 : 1.8, sine_shows);
     if (sine_shows)
-      canvas.line(frame.pixels(on_ground(sine_feet(result.best, sheet, instant, arc, kFine))), colour, 1.8,
-                  false);
+      canvas.line(frame.pixels(on_ground(sim::sine_feet(result.best, sheet, instant, arc, kFine))), colour,
+                  1.8, false);
   }
 }
 
 /// "68 %: \u00b10.2 to 0.4 km".
-std::string band_words(const FootBand& band) {
+std::string band_words(const sim::FootBand& band) {
   const auto [least, most] = std::minmax_element(band.sigma_km.begin(), band.sigma_km.end());
-  const std::string low = short_number(*least, 2), high = short_number(*most, 2);
+  const std::string low = sim::short_number(*least, 2), high = sim::short_number(*most, 2);
   return "68 %: \u00b1" + (low == high ? "" : low + " to ") + high + " km";
 }
 

@@ -126,7 +126,7 @@ void label_positions(const KeogramLine& line, Panel& panel) {
   panel.y.reversed = top < bottom;
   panel.y.label = "row (px)";
   if (line.of_directions)
-    panel.y.label = "elevation from azimuth " + short_number(line.azimuth_deg, 4) + "\u00b0" +
+    panel.y.label = "elevation from azimuth " + sim::short_number(line.azimuth_deg, 4) + "\u00b0" +
                     (line.position.back() > line.position.front() ? " over the zenith" : "") + " (\u00b0)";
 }
 
@@ -193,8 +193,8 @@ Plot keogram_plot(const Keogram& keogram, const KeogramLook& look) {
   plot.title = "Keogram of " + std::to_string(keogram.columns.size()) + " pictures, from " +
                keogram.columns.front().file_name;
   plot.note = look.channel ? std::string(names[*look.channel]) + " channel" : "in colour";
-  plot.note += ", light from " + short_number(scale.black, 4) + " (black) to " +
-               short_number(scale.white, 4) + " (white), shown by the sRGB curve; " + keogram.decoding;
+  plot.note += ", light from " + sim::short_number(scale.black, 4) + " (black) to " +
+               sim::short_number(scale.white, 4) + " (white), shown by the sRGB curve; " + keogram.decoding;
   Panel panel;
   panel.raster = raster_of(keogram, look, scale, spans);
   label_positions(keogram.line, panel);

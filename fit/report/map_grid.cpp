@@ -75,12 +75,12 @@ void add_graticule(const MapFrame& frame, const sim::Scene& scene, MapGrid& grid
       line.points.push_back(frame.pixel(ground_of_place(latitude, at, e.west + part(i) * (e.east - e.west))));
     grid.lines.push_back(std::move(line));
   }
-  const bool given = is_longitude_given(scene);
+  const bool given = sim::is_longitude_given(scene);
   const double origin = given ? scene.site.longitude_deg : 0.0;
   const double wide = std::min(30.0, round_number_below((e.east - e.west) / 4.0));
   const double top = std::min(e.north, 90.0 - 0.01);
   for (double at = wide * std::ceil((origin + e.west) / wide); at <= origin + e.east; at += wide) {
-    GridLine line{{}, degrees_text(given ? wrapped_longitude_deg(at) : at, wide, "E", "W"), true};
+    GridLine line{{}, degrees_text(given ? sim::wrapped_longitude_deg(at) : at, wide, "E", "W"), true};
     for (int i = 0; i < kPointsOfLine; ++i)
       line.points.push_back(
           frame.pixel(ground_of_place(latitude, e.south + part(i) * (top - e.south), at - origin)));
@@ -137,7 +137,7 @@ bool MapFrame::contains(PlotPoint p) const {
 
 MapGrid map_grid(const MapFrame& frame, const sim::Scene& scene) {
   MapGrid grid;
-  if (is_latitude_given(scene))
+  if (sim::is_latitude_given(scene))
     add_graticule(frame, scene, grid);
   else
     add_rings(frame, grid);

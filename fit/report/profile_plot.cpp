@@ -108,7 +108,7 @@ Plot profile_plot(const Photo& photo, const Profile& profile, const ElevationOfP
   for (Panel& panel : plot.panels)
     for (std::size_t c = 0; c < photo.filters.size() && c < panel.series.size(); ++c)
       panel.series[c].label = photo.filters[c].wavelength_nm > 0.0
-                                  ? short_number(photo.filters[c].wavelength_nm) + " nm"
+                                  ? sim::short_number(photo.filters[c].wavelength_nm) + " nm"
                                   : "no file";
   const bool named = has_named_axes(profile);
   plot.title = (named ? "Profiles of " : "Vertical profiles of ") + photo.file_name;

@@ -39,8 +39,8 @@ std::string checks_list(const FitResult& result) {
   std::string html = "<ul class=\"checks\">\n";
   for (const Check& check : result.checks)
     html += std::string("<li class=\"") + (check.passed ? "passed" : "missed") + "\"><b>" +
-            (check.passed ? "\u2713 " : "\u2717 ") + html_text(check.name) + "</b> " +
-            html_text(check.passed ? check.words : "not passed") + "</li>\n";
+            (check.passed ? "\u2713 " : "\u2717 ") + sim::html_text(check.name) + "</b> " +
+            sim::html_text(check.passed ? check.words : "not passed") + "</li>\n";
   return html + "</ul>";
 }
 
@@ -48,11 +48,11 @@ std::string checks_list(const FitResult& result) {
 std::string verdict_band(const FitResult& result) {
   std::string html = std::string("<div class=\"verdict ") + verdict_name(result.verdict) +
                      "\"><div>\n<div class=\"word\">" + verdict_word(result.verdict) +
-                     "</div>\n<div><div class=\"line\">" + html_text(result.verdict_line) + "</div>";
+                     "</div>\n<div><div class=\"line\">" + sim::html_text(result.verdict_line) + "</div>";
   std::string reasons;
   for (const std::string& reason : result.reasons)
     if (result.verdict_line.find(reason) == std::string::npos)
-      reasons += "<li>" + html_text(reason) + "</li>";
+      reasons += "<li>" + sim::html_text(reason) + "</li>";
   if (!reasons.empty()) html += "<ul>" + reasons + "</ul>";
   html += checks_list(result);
   return html + "</div>\n</div></div>\n";
@@ -70,15 +70,15 @@ std::string figure(const std::string& uri, const std::string& name, const std::s
 
 /// A section's title; of several photographs it says whose it is.
 std::string title_for(const std::string& title, const ShownPhoto& shown) {
-  return shown.fitted->name.empty() ? title : html_text(shown.fitted->name) + ": " + title;
+  return shown.fitted->name.empty() ? title : sim::html_text(shown.fitted->name) + ": " + title;
 }
 
 std::string pictures_section(const ShownPhoto& shown, const ReportPictures& pictures) {
-  const std::string brightness =
-      pictures.brightness == 1.0
-          ? std::string()
-          : " Shown " + html_text(short_number(pictures.brightness, 2)) + " times as bright as it is.";
-  const std::string scale = html_text(short_number(pictures.residual_scale, 2));
+  const std::string brightness = pictures.brightness == 1.0
+                                     ? std::string()
+                                     : " Shown " + sim::html_text(sim::short_number(pictures.brightness, 2)) +
+                                           " times as bright as it is.";
+  const std::string scale = sim::html_text(sim::short_number(pictures.residual_scale, 2));
   return section(
       title_for(shown.fitted->name.empty() ? "Photograph, model, residual" : "photograph, model, residual",
                 shown),
@@ -130,7 +130,7 @@ std::string profiles_section(const ShownPhoto& shown, const ReportPictures& pict
         "<img src=\"" + pictures.misfit +
         "\" alt=\"residual / sigma\">\n"
         "<p class=\"soft\">(Photograph \u2212 model) / \u03c3, " +
-        html_text(places) +
+        sim::html_text(places) +
         " downwards and bands to the right: \u22124<span class=\"scale\"></span>+4. Speckle is noise; a "
         "pattern is something that "
         "the model "
@@ -144,17 +144,19 @@ std::string profiles_section(const ShownPhoto& shown, const ReportPictures& pict
                 : fitted.name.empty() ? "Vertical profiles"
                                       : "vertical profiles",
                 shown),
-      named ? compared + "the mean light of every bin, by the " + html_text(fitted.data.grid->along.name) +
-                  " and, band by band, by the " + html_text(fitted.data.grid->across.name) +
-                  ". \u03c3 holds the noise of the photograph and the model error that the scene allows for."
-            : compared + "the mean light of every row, in every band" + (grey ? "" : " and channel") +
-                  ". \u03c3 holds the noise of the photograph and the model error that the scene allows for.",
+      named
+          ? compared + "the mean light of every bin, by the " + sim::html_text(fitted.data.grid->along.name) +
+                " and, band by band, by the " + sim::html_text(fitted.data.grid->across.name) +
+                ". \u03c3 holds the noise of the photograph and the model error that the scene allows for."
+          : compared + "the mean light of every row, in every band" + (grey ? "" : " and channel") +
+                ". \u03c3 holds the noise of the photograph and the model error that the scene allows for.",
       html);
 }
 
 std::string trade_off_list(const FitResult& result) {
   std::string items;
-  for (const std::string& sentence : result.trade_offs) items += "<li>" + html_text(sentence) + "</li>\n";
+  for (const std::string& sentence : result.trade_offs)
+    items += "<li>" + sim::html_text(sentence) + "</li>\n";
   return items.empty() ? items : "<ul class=\"soft\">\n" + items + "</ul>\n";
 }
 
@@ -209,7 +211,8 @@ std::string solved_section(const ShownPhoto& shown) {
 std::string files_of(const std::vector<ShownPhoto>& photos) {
   std::string text;
   for (const ShownPhoto& shown : photos) {
-    const std::string name = shown.fitted->name.empty() ? std::string() : "-" + html_text(shown.fitted->name);
+    const std::string name =
+        shown.fitted->name.empty() ? std::string() : "-" + sim::html_text(shown.fitted->name);
     for (const char* stem : {"profiles", "model", "residual"})
       text += (text.empty() ? "" : ", ") + std::string("<code>") + stem + name +
               (std::string(stem) == "profiles" ? ".csv" : ".exr") + "</code>";
@@ -228,7 +231,7 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
   std::vector<ReportPictures> pictures;
   for (const ShownPhoto& shown : photos)
     pictures.push_back(report_pictures(*shown.fitted, *shown.photo, *shown.model));
-  const std::string title = html_text(title_of(result, photos));
+  const std::string title = sim::html_text(title_of(result, photos));
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en-GB\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +

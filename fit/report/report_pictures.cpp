@@ -48,7 +48,7 @@ std::string png_uri(const cv::Mat& bytes) {
   const bool encoded = cv::imencode(".png", bytes, file, {cv::IMWRITE_PNG_COMPRESSION, 9});
   assert(encoded);
   static_cast<void>(encoded);
-  return "data:image/png;base64," + base64({reinterpret_cast<const char*>(file.data()), file.size()});
+  return "data:image/png;base64," + sim::base64({reinterpret_cast<const char*>(file.data()), file.size()});
 }
 
 /// The value below which this share of them lies; 0 for none.

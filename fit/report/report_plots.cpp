@@ -205,7 +205,7 @@ std::string free_profiles_svg(const FitResult& result) {
       "than a factor of two: there the curve is what the prior makes of its neighbours.";
   for (const FreeProfile& profile : result.profiles) {
     Panel panel;
-    panel.title = short_number(profile.wavelength_nm, 4) + " nm";
+    panel.title = sim::short_number(profile.wavelength_nm, 4) + " nm";
     if (result.best.sheets.size() > 1) panel.title += ", " + profile.sheet;
     Series known = curve("", {}, {}, line_ink(profile.wavelength_nm)), unknown = known;
     known.band_along_x = true;

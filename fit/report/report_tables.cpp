@@ -16,25 +16,26 @@ namespace {
 
 /// "a space and the unit"; degrees without the space, as one writes them.
 std::string with_unit(const std::string& number, const std::string& unit) {
-  if (unit.empty()) return html_text(number);
-  if (unit == "deg") return html_text(number) + "\u00b0";
-  return html_text(number) + "&#160;<span class=\"unit\">" + html_text(unit) + "</span>";
+  if (unit.empty()) return sim::html_text(number);
+  if (unit == "deg") return sim::html_text(number) + "\u00b0";
+  return sim::html_text(number) + "&#160;<span class=\"unit\">" + sim::html_text(unit) + "</span>";
 }
 
 /// Digits enough to see the width of the interval.
 std::string interval_text(const FittedParameter& p) {
   if (!p.interval68) return "\u2013";
   const double half = 0.5 * std::abs(p.interval68->second - p.interval68->first);
-  const RoundedNumber low = rounded(p.interval68->first, half), high = rounded(p.interval68->second, half);
+  const sim::RoundedNumber low = sim::rounded(p.interval68->first, half),
+                           high = sim::rounded(p.interval68->second, half);
   return low.value + low.exponent + " to " + high.value + high.exponent;
 }
 
 std::string limits_text(const FittedParameter& p) {
   const bool has_min = std::isfinite(p.min), has_max = std::isfinite(p.max);
   if (!has_min && !has_max) return "none";
-  if (!has_min) return "at most " + short_number(p.max, 4);
-  if (!has_max) return "at least " + short_number(p.min, 4);
-  return short_number(p.min, 4) + " to " + short_number(p.max, 4);
+  if (!has_min) return "at most " + sim::short_number(p.max, 4);
+  if (!has_max) return "at least " + sim::short_number(p.min, 4);
+  return sim::short_number(p.min, 4) + " to " + sim::short_number(p.max, 4);
 }
 
 std::string row(const std::string& name, const std::string& value, const std::string& meaning) {
@@ -71,8 +72,8 @@ std::string derived_cards(const FitResult& result) {
   for (const DerivedNumber& d : result.derived) {
     if (d.is_detail || !d.why_none.empty()) continue;
     cards += "<div class=\"card\"><div class=\"big\">" +
-             with_unit(number_with_error(d.value, d.sigma), d.unit) + "</div><div>" + html_text(d.name) +
-             "</div></div>\n";
+             with_unit(sim::number_with_error(d.value, d.sigma), d.unit) + "</div><div>" +
+             sim::html_text(d.name) + "</div></div>\n";
   }
   return cards.empty() ? cards : "<div class=\"cards\">\n" + cards + "</div>\n";
 }
@@ -81,9 +82,9 @@ std::string derived_table(const FitResult& result) {
   std::string rows;
   for (const DerivedNumber& d : result.derived) {
     if (!d.is_detail && d.why_none.empty()) continue;
-    rows += "<tr><td>" + html_text(d.name) + "</td><td class=\"number\">" +
-            (d.why_none.empty() ? with_unit(number_with_error(d.value, d.sigma), d.unit) : "\u2013") +
-            "</td><td class=\"soft\">" + html_text(d.why_none.empty() ? d.why_no_sigma : d.why_none) +
+    rows += "<tr><td>" + sim::html_text(d.name) + "</td><td class=\"number\">" +
+            (d.why_none.empty() ? with_unit(sim::number_with_error(d.value, d.sigma), d.unit) : "\u2013") +
+            "</td><td class=\"soft\">" + sim::html_text(d.why_none.empty() ? d.why_no_sigma : d.why_none) +
             "</td></tr>\n";
   }
   if (rows.empty()) return rows;
@@ -101,14 +102,15 @@ std::string parameter_table_html(const FitResult& result) {
   for (const FittedParameter& p : result.parameters) {
     coefficients += p.of_profile;
     if (p.of_profile && p.sigma && !p.at_limit) continue;
-    html += "<tr><td><code>" + html_text(p.path) + "</code><div class=\"soft\">" + html_text(p.meaning) +
-            "</div></td><td class=\"number strong\">" +
-            with_unit(number_with_error(p.value, p.sigma), p.unit);
+    html += "<tr><td><code>" + sim::html_text(p.path) + "</code><div class=\"soft\">" +
+            sim::html_text(p.meaning) + "</div></td><td class=\"number strong\">" +
+            with_unit(sim::number_with_error(p.value, p.sigma), p.unit);
     if (!p.sigma)
       html += "<div class=\"soft\">no error bar" +
-              (p.why_no_sigma.empty() ? std::string() : ": " + html_text(p.why_no_sigma)) + "</div>";
-    html += "</td><td class=\"number\">" + html_text(interval_text(p)) + "</td><td class=\"number\">" +
-            html_text(short_number(p.initial, 4)) + "</td><td class=\"number\">" + html_text(limits_text(p));
+              (p.why_no_sigma.empty() ? std::string() : ": " + sim::html_text(p.why_no_sigma)) + "</div>";
+    html += "</td><td class=\"number\">" + sim::html_text(interval_text(p)) + "</td><td class=\"number\">" +
+            sim::html_text(sim::short_number(p.initial, 4)) + "</td><td class=\"number\">" +
+            sim::html_text(limits_text(p));
     if (p.at_limit) html += "<div class=\"flag\">at a limit</div>";
     html += "</td></tr>\n";
   }
@@ -127,18 +129,18 @@ std::string tied_table(const FitResult& result) {
       "\u03c3</th>"
       "<th>Equals</th></tr></thead>\n<tbody>\n";
   for (const TiedNumber& t : result.tied)
-    html += "<tr><td><code>" + html_text(t.path) + "</code><div class=\"soft\">" + html_text(t.meaning) +
-            "</div></td><td class=\"number strong\">" +
-            with_unit(number_with_error(t.value, t.sigma), t.unit) + "</td><td>= <code>" +
-            html_text(t.equals) + "</code></td></tr>\n";
+    html += "<tr><td><code>" + sim::html_text(t.path) + "</code><div class=\"soft\">" +
+            sim::html_text(t.meaning) + "</div></td><td class=\"number strong\">" +
+            with_unit(sim::number_with_error(t.value, t.sigma), t.unit) + "</td><td>= <code>" +
+            sim::html_text(t.equals) + "</code></td></tr>\n";
   return html + "</tbody>\n</table>\n";
 }
 
 std::string solved_table(const FittedPhoto& fitted) {
   std::string html = "<div class=\"many\">\n";
   for (const SolvedNumber& s : fitted.solved)
-    html += "<div><code>" + html_text(s.name) + "</code><span>" +
-            html_text(number_with_error(s.value, s.sigma)) + "</span></div>\n";
+    html += "<div><code>" + sim::html_text(s.name) + "</code><span>" +
+            sim::html_text(sim::number_with_error(s.value, s.sigma)) + "</span></div>\n";
   return html + "</div>\n";
 }
 
@@ -149,9 +151,10 @@ std::string photos_table(const FitResult& result) {
   for (const FittedPhoto& photo : result.photos) {
     const auto values =
         std::count_if(photo.sigma.begin(), photo.sigma.end(), [](double sigma) { return sigma > 0.0; });
-    html += "<tr><th scope=\"row\">" + html_text(photo.name) + "</th><td class=\"number\">" +
-            html_text(short_number(photo.chi2, 6)) + "</td><td class=\"number\">" + std::to_string(values) +
-            "</td><td class=\"number\">" + percent(photo.rms_over_peak) + "</td></tr>\n";
+    html += "<tr><th scope=\"row\">" + sim::html_text(photo.name) + "</th><td class=\"number\">" +
+            sim::html_text(sim::short_number(photo.chi2, 6)) + "</td><td class=\"number\">" +
+            std::to_string(values) + "</td><td class=\"number\">" + percent(photo.rms_over_peak) +
+            "</td></tr>\n";
   }
   return html + "</tbody>\n</table>\n";
 }
@@ -166,7 +169,7 @@ std::string correlation_table(const FitResult& whole) {
   html += "</tr></thead>\n<tbody>\n";
   for (std::size_t i = 0; i < n; ++i) {
     html += fmt::format("<tr><th scope=\"row\">{} <code>{}</code></th>", i + 1,
-                        html_text(short_path(result.parameters[i].path, one_sheet)));
+                        sim::html_text(sim::short_path(result.parameters[i].path, one_sheet)));
     for (std::size_t j = 0; j < std::min(n, result.correlation[i].size()); ++j) {
       const double r = result.correlation[i][j];
       if (!std::isfinite(r) || !result.parameters[i].sigma || !result.parameters[j].sigma) {
@@ -185,20 +188,21 @@ std::string correlation_table(const FitResult& whole) {
 }
 
 std::string statistics_table(const FitResult& result) {
-  const std::string reduced = result.dof > 0 ? short_number(result.chi2 / result.dof, 3) : "\u2013";
+  const std::string reduced = result.dof > 0 ? sim::short_number(result.chi2 / result.dof, 3) : "\u2013";
   std::string html = "<table class=\"statistics\">\n<tbody>\n";
   html += row(
       "\u03c7\u00b2 / degree of freedom", reduced,
       "About 1 where model and photograph agree within the errors; well above, the model misses something; "
       "well below, the errors were set too large.");
-  html += row("\u03c7\u00b2", html_text(short_number(result.chi2, 6)),
+  html += row("\u03c7\u00b2", sim::html_text(sim::short_number(result.chi2, 6)),
               "Sum of the squared residuals, each in units of its \u03c3; at the start it was " +
-                  html_text(short_number(result.chi2_initial, 6)) + ".");
+                  sim::html_text(sim::short_number(result.chi2_initial, 6)) + ".");
   if (result.statistics.size() > 1)
     for (const ComparedStatistic& s : result.statistics)
-      html += row("\u03c7\u00b2 of the " + html_text(s.name), html_text(short_number(s.chi2, 6)),
-                  fmt::format("From {} residuals, with the weight {}.", s.residuals,
-                              html_text(short_number(s.weight, 3))));
+      html +=
+          row("\u03c7\u00b2 of the " + sim::html_text(s.name), sim::html_text(sim::short_number(s.chi2, 6)),
+              fmt::format("From {} residuals, with the weight {}.", s.residuals,
+                          sim::html_text(sim::short_number(s.weight, 3))));
   html += row("Degrees of freedom", std::to_string(result.dof),
               "Residuals, less the numbers that were fitted or solved for.");
   html += row(
@@ -206,13 +210,13 @@ std::string statistics_table(const FitResult& result) {
       "Root mean square of the residuals over all rows, bands and channels, as a share of the profile\u2019s "
       "peak above the sky.");
   html +=
-      row("Error inflation", "\u00d7&#160;" + html_text(short_number(result.error_inflation, 3)),
+      row("Error inflation", "\u00d7&#160;" + sim::html_text(sim::short_number(result.error_inflation, 3)),
           "The error bars were widened by this factor, because residuals in neighbouring rows are alike and "
           "because \u03c7\u00b2 asks for it.");
   html += row(
       "Evaluations", fmt::format("{} ({})", result.evaluations, result.jacobian_evaluations),
       "How often the search computed the model; in brackets, how many of these times with its derivatives.");
-  html += row("Ended because", "", html_text(result.termination));
+  html += row("Ended because", "", sim::html_text(result.termination));
   return html + "</tbody>\n</table>\n";
 }
 
@@ -221,18 +225,20 @@ std::string provenance_table(const FitResult& result) {
     return "<tr><th scope=\"row\">" + name + "</th><td>" + value + "</td></tr>\n";
   };
   std::string html = "<table class=\"provenance\">\n<tbody>\n";
-  html += entry("Made with", html_text("vegard " + sim::version() + ", Ceres " + ceres_version() +
-                                       ", OpenCV " + opencv_version() + ", Eigen " + sim::eigen_version()));
-  html += entry("Command", "<code>" + html_text(result.command) + "</code>");
+  html +=
+      entry("Made with", sim::html_text("vegard " + sim::version() + ", Ceres " + ceres_version() +
+                                        ", OpenCV " + opencv_version() + ", Eigen " + sim::eigen_version()));
+  html += entry("Command", "<code>" + sim::html_text(result.command) + "</code>");
   html += entry("Seed", std::to_string(result.seed));
   for (const InputFile& input : result.inputs)
-    html += entry("Input: " + html_text(input.role), html_text(input.name) + "<div class=\"hash\">SHA-256 " +
-                                                         html_text(input.sha256) + "</div>");
+    html += entry("Input: " + sim::html_text(input.role), sim::html_text(input.name) +
+                                                              "<div class=\"hash\">SHA-256 " +
+                                                              sim::html_text(input.sha256) + "</div>");
   for (const PhotoFact& fact : result.from_photograph)
-    html += entry("From the photograph", html_text(fact_text(fact)));
+    html += entry("From the photograph", sim::html_text(fact_text(fact)));
   for (const FittedPhoto& photo : result.photos)
-    html += entry("Decoding" + (photo.name.empty() ? std::string() : ": " + html_text(photo.name)),
-                  html_text(photo.decoding));
+    html += entry("Decoding" + (photo.name.empty() ? std::string() : ": " + sim::html_text(photo.name)),
+                  sim::html_text(photo.decoding));
   return html + "</tbody>\n</table>\n";
 }
 

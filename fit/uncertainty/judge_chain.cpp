@@ -84,7 +84,7 @@ class Density {
 };
 
 /// What a batch has added to the chain, and where it has left the walkers.
-StepOutput output_of(const EnsembleState& state, std::size_t chain_before) {
+StepOutput output_of(const sim::EnsembleState& state, std::size_t chain_before) {
   StepOutput output;
   output.numbers["counts"] = {static_cast<double>(state.coordinates), static_cast<double>(state.step),
                               static_cast<double>(state.next_walker), static_cast<double>(state.proposed),
@@ -97,7 +97,7 @@ StepOutput output_of(const EnsembleState& state, std::size_t chain_before) {
   return output;
 }
 
-void take(const StepOutput& output, EnsembleState& state) {
+void take(const StepOutput& output, sim::EnsembleState& state) {
   const std::vector<double>& counts = output.numbers.at("counts");
   state.coordinates = static_cast<std::size_t>(counts.at(0));
   state.step = static_cast<int>(counts.at(1));
@@ -115,18 +115,18 @@ void take(const StepOutput& output, EnsembleState& state) {
 
 int burn_in_of_chain(int steps) { return (steps + 3) / 4; }
 
-EnsembleState chain_of_fit(const JudgedFit& fit, int steps, const std::atomic<bool>* stop, Journal& journal,
-                           const std::function<void(double share)>& progress) {
+sim::EnsembleState chain_of_fit(const JudgedFit& fit, int steps, const std::atomic<bool>* stop,
+                                Journal& journal, const std::function<void(double share)>& progress) {
   const Density density(fit);
-  const LogDensity log_density = [&](const std::vector<double>& at) { return density(at); };
+  const sim::LogDensity log_density = [&](const std::vector<double>& at) { return density(at); };
   const std::vector<double> centre = fit.coordinates();
   const auto stopped = [&] { return stop != nullptr && stop->load(); };
-  EnsembleOptions options;
+  sim::EnsembleOptions options;
   options.burn_in = burn_in_of_chain(steps);
   options.seed = fit.scene.seed;
   options.stop = stop;
   const int all = options.burn_in + steps;
-  EnsembleState state;
+  sim::EnsembleState state;
   for (int end = 0; end < all && !state.no_start && !stopped();) {
     end = std::min(end + kStepsOfBatch, all);
     options.steps = end - options.burn_in;
@@ -136,8 +136,8 @@ EnsembleState chain_of_fit(const JudgedFit& fit, int steps, const std::atomic<bo
     // Of another number of steps the burn-in is another.
     const std::string name = "chain of " + std::to_string(steps) + " steps, to step " + std::to_string(end);
     const StepOutput output = journal.step(name, [&] {
-      EnsembleState next = state;
-      run_ensemble(log_density, centre, fit.uncertainty.covariance, options, next);
+      sim::EnsembleState next = state;
+      sim::run_ensemble(log_density, centre, fit.uncertainty.covariance, options, next);
       StepOutput batch = output_of(next, state.chain.size());
       batch.whole = !stopped();
       return batch;

@@ -18,7 +18,7 @@ int burn_in_of_chain(int steps);
 /// without a prior is alike likely everywhere between its limits (judged_values.h), and no angle leaves the
 /// half turn to either side of the answer. Every twenty steps are a step of the journal. With `stop` raised
 /// it comes back unfinished.
-EnsembleState chain_of_fit(const JudgedFit& fit, int steps, const std::atomic<bool>* stop, Journal& journal,
-                           const std::function<void(double share)>& progress);
+sim::EnsembleState chain_of_fit(const JudgedFit& fit, int steps, const std::atomic<bool>* stop,
+                                Journal& journal, const std::function<void(double share)>& progress);
 
 }  // namespace vegard::fit

@@ -72,12 +72,12 @@ BootstrapErrors in_values(const BandBootstrap& bootstrap, const Telling& telling
   return b;
 }
 
-ChainErrors in_values(const EnsembleState& state, int burn_in, const Telling& telling) {
+ChainErrors in_values(const sim::EnsembleState& state, int burn_in, const Telling& telling) {
   ChainErrors c;
-  EnsembleState told = state;
+  sim::EnsembleState told = state;
   const std::size_t n = telling.free.size();
   for (std::size_t i = 0; i < told.chain.size(); ++i) told.chain[i] = telling.value(i % n, told.chain[i]);
-  const EnsembleSummary e = summary_of(told);
+  const sim::EnsembleSummary e = sim::summary_of(told);
   const SampleSummary s = summary_of_samples(told.chain, n);
   c.walkers = e.walkers;
   c.burn_in = burn_in;

@@ -22,7 +22,7 @@ struct Telling {
 
 ProfiledInterval in_values(const LikelihoodProfile& profile, const Telling& telling);
 BootstrapErrors in_values(const BandBootstrap& bootstrap, const Telling& telling);
-ChainErrors in_values(const EnsembleState& state, int burn_in, const Telling& telling);
+ChainErrors in_values(const sim::EnsembleState& state, int burn_in, const Telling& telling);
 
 /// Logarithm of the density, in coordinates, of a prior that is flat between a number's limits in its value,
 /// or in the value's logarithm for a logarithmic number; 0 (and no density that could be normed) for a number

@@ -118,7 +118,7 @@ Member lone_place_member(const SpokenNumber& n, double change, std::size_t index
 }
 
 std::string quantity(double amount, const std::string& unit, int digits) {
-  const std::string number = short_number(amount, digits);
+  const std::string number = sim::short_number(amount, digits);
   if (unit == "deg") return number + "\u00b0";
   return unit.empty() ? number : number + " " + unit;
 }

@@ -12,15 +12,15 @@
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/rows/spline_rates.h"
 
-namespace vegard::fit {
+namespace vegard::sim {
 namespace {
 
 constexpr double kBorder = 0.1;
-constexpr int kLast = sim::HeightProfile::kAltitudes - 1;
+constexpr int kLast = HeightProfile::kAltitudes - 1;
 
 /// One line's profile and the place of its peak.
 struct Peak {
-  sim::HeightProfile profile;
+  HeightProfile profile;
   int at = 0;
   double rate(int i) const { return profile.rate[static_cast<std::size_t>(i) * profile.stride]; }
   bool is_at_an_end() const { return at == 0 || at == kLast; }
@@ -28,10 +28,10 @@ struct Peak {
 
 /// The parabola through the three points about the peak has its own there.
 double altitude_of(const Peak& peak) {
-  if (peak.is_at_an_end()) return sim::HeightProfile::altitude_km(peak.at);
+  if (peak.is_at_an_end()) return HeightProfile::altitude_km(peak.at);
   const double a = peak.rate(peak.at - 1), b = peak.rate(peak.at), c = peak.rate(peak.at + 1);
   const double bend = a - 2.0 * b + c;
-  return sim::HeightProfile::altitude_km(peak.at + (bend < 0.0 ? 0.5 * (a - c) / bend : 0.0));
+  return HeightProfile::altitude_km(peak.at + (bend < 0.0 ? 0.5 * (a - c) / bend : 0.0));
 }
 
 /// Where the rate has fallen to a share of the peak's on the way down (-1) or up (1); NaN if it does not.
@@ -42,7 +42,7 @@ double altitude_of_fall_km(const Peak& peak, double share, int way) {
   while (i != last && peak.rate(i) > level) i += way;
   if (peak.rate(i) > level || i == peak.at) return std::numeric_limits<double>::quiet_NaN();
   const double before = peak.rate(i - way) - peak.rate(i);
-  return sim::HeightProfile::altitude_km(
+  return HeightProfile::altitude_km(
       i - way * (before > 0.0 ? std::max(0.0, (level - peak.rate(i)) / before) : 0.0));
 }
 
@@ -50,8 +50,8 @@ double or_else(double value, double other) { return std::isfinite(value) ? value
 
 }  // namespace
 
-LineLight line_light(double wavelength_nm, const sim::Scene& scene, int sheet) {
-  Peak peak{sim::sheet_profile({wavelength_nm}, scene, sheet), 0};
+LineLight line_light(double wavelength_nm, const Scene& scene, int sheet) {
+  Peak peak{sheet_profile({wavelength_nm}, scene, sheet), 0};
   for (int i = 1; i <= kLast; ++i)
     if (peak.rate(i) > peak.rate(peak.at)) peak.at = i;
   LineLight light;
@@ -59,27 +59,26 @@ LineLight line_light(double wavelength_nm, const sim::Scene& scene, int sheet) {
   light.peak_at_an_end = peak.is_at_an_end();
   light.lower_border_km = altitude_of_fall_km(peak, kBorder, -1);
   light.half_below_km =
-      light.peak_km - or_else(altitude_of_fall_km(peak, 0.5, -1), sim::HeightProfile::altitude_km(0));
+      light.peak_km - or_else(altitude_of_fall_km(peak, 0.5, -1), HeightProfile::altitude_km(0));
   light.half_above_km =
-      or_else(altitude_of_fall_km(peak, 0.5, 1), sim::HeightProfile::altitude_km(kLast)) - light.peak_km;
-  light.column_rayleigh = sim::column_below(peak.profile, 0, scene.sheets[sheet].top_km).rayleigh;
+      or_else(altitude_of_fall_km(peak, 0.5, 1), HeightProfile::altitude_km(kLast)) - light.peak_km;
+  light.column_rayleigh = column_below(peak.profile, 0, scene.sheets[sheet].top_km).rayleigh;
   return light;
 }
 
-bool has_line(double wavelength_nm, const sim::Scene& scene, int sheet) {
-  if (sim::has_spline_profile(scene.sheets[sheet]))
-    return sim::line_index(scene.emission.lines, wavelength_nm) >= 0;
-  if (scene.sheets[sheet].profile != sim::ProfileKind::file) return true;
+bool has_line(double wavelength_nm, const Scene& scene, int sheet) {
+  if (has_spline_profile(scene.sheets[sheet])) return line_index(scene.emission.lines, wavelength_nm) >= 0;
+  if (scene.sheets[sheet].profile != ProfileKind::file) return true;
   try {
-    sim::sheet_profile({wavelength_nm}, scene, sheet);
+    sheet_profile({wavelength_nm}, scene, sheet);
     return true;
-  } catch (const sim::Error&) {
+  } catch (const Error&) {
     return false;
   }
 }
 
-double border_line_nm(const sim::Scene& scene, int sheet) {
-  if (has_line(sim::kGreenNm, scene, sheet)) return sim::kGreenNm;
+double border_line_nm(const Scene& scene, int sheet) {
+  if (has_line(kGreenNm, scene, sheet)) return kGreenNm;
   double brightest = 0.0, most = 0.0;
   for (const double line : scene.emission.lines) {
     const double column = line_light(line, scene, sheet).column_rayleigh;
@@ -92,4 +91,4 @@ double border_line_nm(const sim::Scene& scene, int sheet) {
 
 std::string line_words(double wavelength_nm) { return fmt::format("{:.1f} nm", wavelength_nm); }
 
-}  // namespace vegard::fit
+}  // namespace vegard::sim

@@ -5,7 +5,7 @@
 
 #include "sim/scene/structs/scene.h"
 
-namespace vegard::fit {
+namespace vegard::sim {
 
 /// From the height profile of scene.sheets[sheet], in km of altitude.
 struct LineLight {
@@ -22,18 +22,18 @@ struct LineLight {
   double column_rayleigh = 0.0;
 };
 
-/// Throws what sim::sheet_profile() throws; see has_line().
-LineLight line_light(double wavelength_nm, const sim::Scene& scene, int sheet);
+/// Throws what sheet_profile() throws; see has_line().
+LineLight line_light(double wavelength_nm, const Scene& scene, int sheet);
 
 /// Whether the sheet's height profile knows a line: a free form has the scene's lines and no others, a
 /// table's columns are the user's.
-bool has_line(double wavelength_nm, const sim::Scene& scene, int sheet);
+bool has_line(double wavelength_nm, const Scene& scene, int sheet);
 
 /// 557.7 nm where the sheet has it, else the line of the scene that has the largest column; 0 if there is
 /// none.
-double border_line_nm(const sim::Scene& scene, int sheet);
+double border_line_nm(const Scene& scene, int sheet);
 
 /// "557.7 nm".
 std::string line_words(double wavelength_nm);
 
-}  // namespace vegard::fit
+}  // namespace vegard::sim

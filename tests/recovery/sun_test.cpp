@@ -82,7 +82,7 @@ void expect_recovered(const sim::Scene& truth, const FitResult& result, double m
     if (!p.sigma) continue;
     const double off = (p.value - true_value) / *p.sigma;
     std::printf("  %-34s %s from %g, true %g: %.2f sigma\n", p.path.c_str(),
-                number_with_error(p.value, p.sigma).c_str(), p.initial, true_value, off);
+                sim::number_with_error(p.value, p.sigma).c_str(), p.initial, true_value, off);
     EXPECT_LT(std::abs(off), most_sigma) << p.path;
     EXPECT_GT(std::abs(p.initial - true_value), 2.0 * *p.sigma) << p.path << " has not been displaced";
   }
@@ -301,7 +301,7 @@ TEST(SunPicturesFitted, OneLoopOfTheTracePictureIsFoundFromANearbyStart) {
     const FittedParameter &a = first.parameters[j], &b = second.parameters[j];
     ASSERT_TRUE(a.sigma) << a.path << ": " << a.why_no_sigma;
     std::printf("  %-28s %s, from the other start %g\n", a.path.c_str(),
-                number_with_error(a.value, a.sigma).c_str(), b.value);
+                sim::number_with_error(a.value, a.sigma).c_str(), b.value);
     EXPECT_NEAR(b.value, a.value, *a.sigma) << a.path;
   }
 }

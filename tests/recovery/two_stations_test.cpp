@@ -35,8 +35,8 @@ struct Found {
 
 std::string words(const FitResult& result, double shift_km) {
   const DerivedNumber& distance = result.derived.at(0);
-  return number_with_error(distance.value + shift_km, distance.sigma) + " (" + verdict_name(result.verdict) +
-         ")";
+  return sim::number_with_error(distance.value + shift_km, distance.sigma) + " (" +
+         verdict_name(result.verdict) + ")";
 }
 
 /// One camera by itself, in its own frame.

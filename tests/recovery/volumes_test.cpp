@@ -36,7 +36,7 @@ FitResult recovered(const std::string& folder) {
     if (!p.sigma) continue;
     const double off = (p.value - true_value) / *p.sigma;
     std::printf("  %-42s %s, true %g: %.2f sigma\n", p.path.c_str(),
-                number_with_error(p.value, p.sigma).c_str(), true_value, off);
+                sim::number_with_error(p.value, p.sigma).c_str(), true_value, off);
     EXPECT_LT(std::abs(off), kMostSigma) << p.path;
   }
   return result;
@@ -51,7 +51,7 @@ TEST(VolumeRecovery, FindsAnArcByItsFootprintAgain) {
     if (d.name != "energy flux Q of the arc footprint") continue;
     has_flux = true;
     ASSERT_TRUE(d.sigma);
-    std::printf("  %s %s, true 8\n", d.name.c_str(), number_with_error(d.value, d.sigma).c_str());
+    std::printf("  %s %s, true 8\n", d.name.c_str(), sim::number_with_error(d.value, d.sigma).c_str());
     EXPECT_NEAR(d.value, 8.0, *d.sigma) << "5 % of calibration, of which there is no error here";
     // In quadrature with the gain's own, which is small beside it.
     EXPECT_GT(*d.sigma, 0.0499 * d.value);

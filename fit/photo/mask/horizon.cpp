@@ -45,11 +45,11 @@ PixelSet below(const Horizon& horizon, int height, double margin_px) {
 
 std::string horizon_csv(const Horizon& horizon, const std::string& picture) {
   std::string text =
-      csv_comment("picture: " + picture) +
-      csv_comment("the sky's lower edge per column; the centre of the first pixel is at 0.5, 0.5") +
+      sim::csv_comment("picture: " + picture) +
+      sim::csv_comment("the sky's lower edge per column; the centre of the first pixel is at 0.5, 0.5") +
       "x_px,y_px\n";
   for (std::size_t x = 0; x < horizon.y_px.size(); ++x)
-    text += csv_number(x + 0.5) + "," + csv_number(horizon.y_px[x]) + "\n";
+    text += sim::csv_number(x + 0.5) + "," + sim::csv_number(horizon.y_px[x]) + "\n";
   return text;
 }
 

@@ -161,8 +161,8 @@ const char* words_of(CalibrationEvidence evidence) {
 
 std::string words_of(const MapAgreement& agreement) {
   std::string words = "all " + std::to_string(agreement.pixels) + " pixels: rms " +
-                      short_number(agreement.rms_px, 3) + " px, the largest " +
-                      short_number(agreement.largest_px, 3) + " px at (" +
+                      sim::short_number(agreement.rms_px, 3) + " px, the largest " +
+                      sim::short_number(agreement.largest_px, 3) + " px at (" +
                       std::to_string(agreement.largest_x) + ", " + std::to_string(agreement.largest_y) + ")";
   if (agreement.without_image > 0)
     words += "; of " + std::to_string(agreement.without_image) + " more the lens has no image";

@@ -42,11 +42,11 @@ std::string residuals_csv(const Calibration& calibration) {
     const StarSighting& star = calibration.stars[i];
     const StarResidual& one = calibration.residuals[i];
     const sim::Direction direction = sim::direction_of_enu(star.enu.data());
-    csv += csv_cell(star.name);
+    csv += sim::csv_cell(star.name);
     for (const double value :
          {direction.azimuth_deg, direction.elevation_deg, star.magnitude, star.x_px, star.y_px, one.dx_px,
           one.dy_px, one.without_dx_px, one.without_dy_px, one.off_axis_deg, one.from_centre_px})
-      csv += "," + csv_number(value);
+      csv += "," + sim::csv_number(value);
     csv += one.used ? ",1\n" : ",0\n";
   }
   return csv;

@@ -83,8 +83,8 @@ constexpr double kMostCameras = 2e6;  // some minutes
 [[noreturn]] void refuse_search(double cameras) {
   sim::ErrorDetails details;
   details.key = "--twist, --shift, --scale";
-  details.problem = "they ask for " + short_number(cameras, 2) + " cameras to be tried";
-  details.expected = "at most " + short_number(kMostCameras, 2);
+  details.problem = "they ask for " + sim::short_number(cameras, 2) + " cameras to be tried";
+  details.expected = "at most " + sim::short_number(kMostCameras, 2);
   details.hint = "say better where the camera points: --centre, or a narrower search";
   throw sim::Error(sim::ErrorKind::usage, details);
 }

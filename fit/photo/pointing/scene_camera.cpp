@@ -17,7 +17,7 @@ std::string line(const std::string& key, const std::string& value, const std::st
 
 /// TOML's numbers: a real has a point or an exponent.
 std::string real(double value) {
-  std::string text = csv_number(value);
+  std::string text = sim::csv_number(value);
   if (text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
 }
@@ -105,12 +105,13 @@ std::string camera_toml(const Calibration& calibration, const CalibrationOrigin&
           (calibration.candidates.size() > 1
                ? ", by BIC from " + std::to_string(calibration.candidates.size()) + " lenses\n"
                : "\n");
-  text += "# rms " + short_number(calibration.rms_px, 4) + " px (sqrt of the mean of dx^2 + dy^2)" +
-          (stars ? ", each star by a fit without it " + short_number(calibration.without_rms_px, 4) + " px\n"
-                 : "\n");
+  text +=
+      "# rms " + sim::short_number(calibration.rms_px, 4) + " px (sqrt of the mean of dx^2 + dy^2)" +
+      (stars ? ", each star by a fit without it " + sim::short_number(calibration.without_rms_px, 4) + " px\n"
+             : "\n");
   if (calibration.maps) text += "# " + words_of(*calibration.maps) + "\n";
-  text += "# the axis is known to " + short_number(calibration.line_of_sight_sigma_deg, 2) +
-          " deg, the turn about it to " + short_number(calibration.twist_sigma_deg, 2) + " deg\n";
+  text += "# the axis is known to " + sim::short_number(calibration.line_of_sight_sigma_deg, 2) +
+          " deg, the turn about it to " + sim::short_number(calibration.twist_sigma_deg, 2) + " deg\n";
   for (const std::string& warning : calibration.warnings) text += "# " + in_one_line(warning) + "\n";
   text += "# Behind each number that was fitted: its standard deviation.\n\n";
   if (origin.site_known) {
@@ -130,7 +131,7 @@ std::string camera_toml(const Calibration& calibration, const CalibrationOrigin&
   for (const CameraEstimate& estimate : calibration.estimates) {
     if (!estimate.free && is_default(estimate)) continue;
     text += line(estimate.key(), real(estimate.value),
-                 estimate.free ? "± " + short_number(estimate.sigma, 2) : "held");
+                 estimate.free ? "± " + sim::short_number(estimate.sigma, 2) : "held");
   }
   if (calibration.camera.mirrored) text += line("mirrored", "true");
   return text;

@@ -80,7 +80,7 @@ class SvgCanvas : public PlotCanvas {
         "<image x=\"" + svg_number(r.x) + "\" y=\"" + svg_number(r.y) + "\" width=\"" + svg_number(r.width) +
         "\" height=\"" + svg_number(r.height) +
         "\" preserveAspectRatio=\"none\" style=\"image-rendering:pixelated\" href=\"data:image/png;base64," +
-        base64(sim::encode_display(sim::ImageFormat::png, image, 8, 100, {})) + "\"/>\n";
+        sim::base64(sim::encode_display(sim::ImageFormat::png, image, 8, 100, {})) + "\"/>\n";
   }
 
   void text(PlotPoint place, const std::string& text, const TextStyle& style) override {

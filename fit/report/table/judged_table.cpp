@@ -20,7 +20,7 @@ using End = std::optional<double>;
 std::string interval_text(const End& low, const End& high, double scale) {
   const double half = low && high ? 0.5 * std::abs(*high - *low) : scale;
   const auto end = [&](double x) {
-    const RoundedNumber r = rounded(x, half > 0.0 ? End(half) : End());
+    const sim::RoundedNumber r = sim::rounded(x, half > 0.0 ? End(half) : End());
     return r.value + r.exponent;
   };
   if (low && high) return end(*low) + " to " + end(*high);
@@ -32,14 +32,14 @@ std::string factor_text(const End& low, const End& high, const FittedParameter& 
   if (!low || !high || !p.interval68) return {};
   const double factor = (*high - *low) / (p.interval68->second - p.interval68->first);
   if (!std::isfinite(factor) || (factor <= kWider && factor >= 1.0 / kWider)) return {};
-  return " <span class=\"flag\">\u00d7&#160;" + html_text(short_number(factor, 2)) + "</span>";
+  return " <span class=\"flag\">\u00d7&#160;" + sim::html_text(sim::short_number(factor, 2)) + "</span>";
 }
 
 std::string cell(const std::string& text) { return "<td class=\"number\">" + text + "</td>"; }
 
 std::string interval_cell(const End& low, const End& high, const FittedParameter& p, bool compare) {
   const double scale = p.sigma.value_or(0.0);
-  return cell(html_text(interval_text(low, high, scale)) + (compare ? factor_text(low, high, p) : ""));
+  return cell(sim::html_text(interval_text(low, high, scale)) + (compare ? factor_text(low, high, p) : ""));
 }
 
 std::string interval_cell(const std::vector<std::pair<double, double>>& intervals, std::size_t j,
@@ -59,7 +59,7 @@ std::string rows(const FitResult& result) {
   for (std::size_t j = 0; j < result.parameters.size(); ++j) {
     const FittedParameter& p = result.parameters[j];
     if (p.of_profile) continue;
-    html += "<tr><td><code>" + html_text(p.path) + "</code></td>";
+    html += "<tr><td><code>" + sim::html_text(p.path) + "</code></td>";
     html +=
         p.interval68 ? interval_cell(p.interval68->first, p.interval68->second, p, false) : cell("\u2013");
     if (!result.profile_intervals.empty()) {
@@ -83,7 +83,7 @@ std::string profile_notes(const FitResult& result) {
       "Profile likelihood: how far a parameter can go, all others giving way, until \u03c7\u00b2 over the "
       "inflation squared has risen by 1 (68\u00a0%) and by 4 (95\u00a0%).");
   for (const ProfiledInterval& p : result.profile_intervals) {
-    const std::string path = "<code>" + html_text(result.parameters[p.parameter].path) + "</code>: ";
+    const std::string path = "<code>" + sim::html_text(result.parameters[p.parameter].path) + "</code>: ";
     if (p.found_better)
       html +=
           note(path +

@@ -99,7 +99,8 @@ std::string axis_label(const BinAxis& axis) {
 
 std::string group_words(const BinAxis& axis, int group) {
   const std::string unit = axis.unit == "\u00b0" || axis.unit.empty() ? axis.unit : " " + axis.unit;
-  return short_number(axis.edge(group), 4) + "\u2013" + short_number(axis.edge(group + 1), 4) + unit;
+  return sim::short_number(axis.edge(group), 4) + "\u2013" + sim::short_number(axis.edge(group + 1), 4) +
+         unit;
 }
 
 std::string bins_mean_svg(const FittedPhoto& fitted) {

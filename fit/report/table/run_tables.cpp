@@ -22,59 +22,67 @@ double at(const std::vector<double>& values, std::size_t i) {
 }
 
 std::string head(const FitResult& result, const FittedPhoto& fitted) {
-  std::string text = csv_comment(has_named_axes(fitted.data) ? "profiles: what the fit compared"
-                                                             : "vertical profiles: what the fit compared");
-  text += csv_comment("vegard: " + sim::version());
+  std::string text =
+      sim::csv_comment(has_named_axes(fitted.data) ? "profiles: what the fit compared"
+                                                   : "vertical profiles: what the fit compared");
+  text += sim::csv_comment("vegard: " + sim::version());
   for (const InputFile& input : result.inputs)
-    text += csv_comment(input.role + ": " + input.name + " (sha256 " + input.sha256 + ")");
-  if (!fitted.name.empty()) text += csv_comment("of the photograph " + fitted.name);
-  text += csv_comment("decoding: " + fitted.decoding);
+    text += sim::csv_comment(input.role + ": " + input.name + " (sha256 " + input.sha256 + ")");
+  if (!fitted.name.empty()) text += sim::csv_comment("of the photograph " + fitted.name);
+  text += sim::csv_comment("decoding: " + fitted.decoding);
   const Region& region = fitted.data.region;
-  text += csv_comment("roi_px: [" + std::to_string(region.x) + ", " + std::to_string(region.y) + ", " +
-                      std::to_string(region.width) + ", " + std::to_string(region.height) + "]");
+  text += sim::csv_comment("roi_px: [" + std::to_string(region.x) + ", " + std::to_string(region.y) + ", " +
+                           std::to_string(region.width) + ", " + std::to_string(region.height) + "]");
   if (has_named_axes(fitted.data)) {
-    text += csv_comment("band_at: " + axis_label(fitted.data.grid->across) + ", the band's middle");
-    text += csv_comment("at: " + axis_label(fitted.data.grid->along) + ", the bin's middle");
+    text += sim::csv_comment("band_at: " + axis_label(fitted.data.grid->across) + ", the band's middle");
+    text += sim::csv_comment("at: " + axis_label(fitted.data.grid->along) + ", the bin's middle");
   } else {
-    text += csv_comment("row_px: row of the image, counted from 0 at the top; its centre is at row_px + 0.5");
-    text +=
-        csv_comment("elevation_deg: above the horizon, of the row's centre at the centre column of the band");
+    text += sim::csv_comment(
+        "row_px: row of the image, counted from 0 at the top; its centre is at row_px + 0.5");
+    text += sim::csv_comment(
+        "elevation_deg: above the horizon, of the row's centre at the centre column of the band");
   }
-  text += csv_comment("data, model: mean linear light of the photograph and of the best model, sky included");
-  text += csv_comment("sigma: standard deviation that the fit gave the data, noise and model error together");
-  text +=
-      csv_comment("residual_over_sigma: (data - model) / sigma; empty where the fit did not use the value");
-  text += csv_comment("count: pixels used");
+  text += sim::csv_comment(
+      "data, model: mean linear light of the photograph and of the best model, sky included");
+  text += sim::csv_comment(
+      "sigma: standard deviation that the fit gave the data, noise and model error together");
+  text += sim::csv_comment(
+      "residual_over_sigma: (data - model) / sigma; empty where the fit did not use the value");
+  text += sim::csv_comment("count: pixels used");
   return text;
 }
 
 std::string head(const FitResult& result) {
-  std::string text = csv_comment("height profiles as fitted, free of any electrons");
-  text += csv_comment("vegard: " + sim::version());
+  std::string text = sim::csv_comment("height profiles as fitted, free of any electrons");
+  text += sim::csv_comment("vegard: " + sim::version());
   for (const InputFile& input : result.inputs)
-    text += csv_comment(input.role + ": " + input.name + " (sha256 " + input.sha256 + ")");
-  text +=
-      csv_comment("rate_*: volume emission rate by wavelength in angstrom, photons cm-3 s-1 per mW m-2 of");
-  text += csv_comment(
+    text += sim::csv_comment(input.role + ": " + input.name + " (sha256 " + input.sha256 + ")");
+  text += sim::csv_comment(
+      "rate_*: volume emission rate by wavelength in angstrom, photons cm-3 s-1 per mW m-2 of");
+  text += sim::csv_comment(
       "energy_flux_mw_m2; where gains were solved for, only its course and the lines' ratios mean");
-  text += csv_comment("anything, and the column of 557.7 nm is that of the start");
-  text += csv_comment("lower_*, upper_*: of the 68 % interval at each altitude, given what was not free");
+  text += sim::csv_comment("anything, and the column of 557.7 nm is that of the start");
+  text +=
+      sim::csv_comment("lower_*, upper_*: of the 68 % interval at each altitude, given what was not free");
   return text;
 }
 
 }  // namespace
 
 std::string trace_csv(const FitResult& result) {
-  std::string text = csv_comment("the way of the search: accepted evaluations, and the best of every stage");
-  text += csv_comment("evaluation: evaluations of the residuals so far");
+  std::string text =
+      sim::csv_comment("the way of the search: accepted evaluations, and the best of every stage");
+  text += sim::csv_comment("evaluation: evaluations of the residuals so far");
   text += "stage,evaluation,chi2,chi2_per_dof";
-  for (const FittedParameter& p : result.parameters) text += "," + csv_cell(p.path);
+  for (const FittedParameter& p : result.parameters) text += "," + sim::csv_cell(p.path);
   text += "\n";
   for (const TraceRow& row : result.trace) {
-    text += csv_cell(row.stage) + "," + std::to_string(row.evaluation) + "," + csv_number(row.chi2) + "," +
-            csv_number(result.dof > 0 ? row.chi2 / result.dof : std::numeric_limits<double>::quiet_NaN());
+    text +=
+        sim::csv_cell(row.stage) + "," + std::to_string(row.evaluation) + "," + sim::csv_number(row.chi2) +
+        "," +
+        sim::csv_number(result.dof > 0 ? row.chi2 / result.dof : std::numeric_limits<double>::quiet_NaN());
     for (std::size_t i = 0; i < result.parameters.size(); ++i)
-      text += "," + (i < row.values.size() ? csv_number(row.values[i]) : std::string());
+      text += "," + (i < row.values.size() ? sim::csv_number(row.values[i]) : std::string());
     text += "\n";
   }
   return text;
@@ -92,17 +100,17 @@ std::string profiles_csv(const FitResult& result, const FittedPhoto& fitted,
     for (int row = 0; row < data.rows; ++row) {
       const std::string place =
           std::to_string(band) + "," +
-          (named ? csv_number(data.grid->across.edge(band + 0.5)) + "," +
-                       csv_number(data.grid->along.edge(row + 0.5))
+          (named ? sim::csv_number(data.grid->across.edge(band + 0.5)) + "," +
+                       sim::csv_number(data.grid->along.edge(row + 0.5))
                  : std::to_string(data.region.y + row) + "," +
-                       csv_number(row_elevation_deg(data, band, row, elevation_of_pixel))) +
+                       sim::csv_number(row_elevation_deg(data, band, row, elevation_of_pixel))) +
           ",";
       for (int c = 0; c < 3; ++c) {
         const std::size_t i = data.index(band, row, c);
         const double sigma = at(fitted.sigma, i);
         const double residual = sigma > 0.0 ? (data.mean[i] - at(fitted.model, i)) / sigma : sim::kNaN;
-        text += place + kChannels[c] + "," + csv_number(data.mean[i]) + "," + csv_number(sigma) + "," +
-                csv_number(at(fitted.model, i)) + "," + csv_number(residual) + "," +
+        text += place + kChannels[c] + "," + sim::csv_number(data.mean[i]) + "," + sim::csv_number(sigma) +
+                "," + sim::csv_number(at(fitted.model, i)) + "," + sim::csv_number(residual) + "," +
                 std::to_string(data.count[i]) + "\n";
       }
     }
@@ -131,12 +139,12 @@ std::string free_profiles_csv(const FitResult& result) {
       for (std::size_t i = 0; i < profile.altitude_km.size(); ++i) {
         std::vector<std::string>& cells =
             rows.try_emplace(profile.altitude_km[i], lines.size(), ",,,").first->second;
-        cells[column] = "," + csv_number(profile.rate[i]) + "," + csv_number(profile.lower[i]) + "," +
-                        csv_number(profile.upper[i]);
+        cells[column] = "," + sim::csv_number(profile.rate[i]) + "," + sim::csv_number(profile.lower[i]) +
+                        "," + sim::csv_number(profile.upper[i]);
       }
     }
     for (const auto& [altitude_km, cells] : rows) {
-      text += csv_cell(result.profiles[first].sheet) + "," + csv_number(altitude_km);
+      text += sim::csv_cell(result.profiles[first].sheet) + "," + sim::csv_number(altitude_km);
       for (const std::string& cell : cells) text += cell;
       text += "\n";
     }

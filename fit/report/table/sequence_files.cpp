@@ -52,28 +52,28 @@ double number_or_nan(const Json& json) { return json.is_null() ? sim::kNaN : jso
 
 std::string sequence_csv(const std::vector<SequenceRow>& rows) {
   const std::vector<SequenceNumber> columns = all_numbers(rows);
-  std::string text = csv_comment("a sequence of photographs, each fitted from where the last one ended");
-  text += csv_comment("vegard: " + sim::version());
-  text += csv_comment("time_s: on the scene's clock");
-  text += csv_comment("search: full, or warm: a descent from the frame before");
+  std::string text = sim::csv_comment("a sequence of photographs, each fitted from where the last one ended");
+  text += sim::csv_comment("vegard: " + sim::version());
+  text += sim::csv_comment("time_s: on the scene's clock");
+  text += sim::csv_comment("search: full, or warm: a descent from the frame before");
   std::vector<std::string> decodings;
   for (const SequenceRow& row : rows)
     if (std::find(decodings.begin(), decodings.end(), row.decoding) == decodings.end())
       decodings.push_back(row.decoding);
-  for (const std::string& decoding : decodings) text += csv_comment("decoding: " + decoding);
+  for (const std::string& decoding : decodings) text += sim::csv_comment("decoding: " + decoding);
   text += "frame,time_s,verdict,search,chi2_per_dof";
   for (const SequenceNumber& column : columns) {
     const std::string unit = column.unit.empty() ? "" : " (" + column.unit + ")";
-    text += "," + csv_cell(column.name + unit) + "," + csv_cell("sigma of " + column.name + unit);
+    text += "," + sim::csv_cell(column.name + unit) + "," + sim::csv_cell("sigma of " + column.name + unit);
   }
   text += "\n";
   for (const SequenceRow& row : rows) {
-    text += csv_cell(row.frame) + "," + csv_number(row.time_s) + "," + verdict_name(row.verdict) + "," +
-            (row.searched ? "full" : "warm") + "," + csv_number(row.chi2_per_dof);
+    text += sim::csv_cell(row.frame) + "," + sim::csv_number(row.time_s) + "," + verdict_name(row.verdict) +
+            "," + (row.searched ? "full" : "warm") + "," + sim::csv_number(row.chi2_per_dof);
     for (const SequenceNumber& column : columns) {
       const SequenceNumber* number = find(row, column.name);
-      text += "," + csv_number(number != nullptr ? number->value : sim::kNaN) + "," +
-              csv_number(number != nullptr ? number->sigma.value_or(sim::kNaN) : sim::kNaN);
+      text += "," + sim::csv_number(number != nullptr ? number->value : sim::kNaN) + "," +
+              sim::csv_number(number != nullptr ? number->sigma.value_or(sim::kNaN) : sim::kNaN);
     }
     text += "\n";
   }

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vegard::fit {
+namespace vegard::sim {
 
 std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -25,4 +25,4 @@ std::string csv_comment(const std::string& words) {
   return line + "\n";
 }
 
-}  // namespace vegard::fit
+}  // namespace vegard::sim

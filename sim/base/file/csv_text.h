@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace vegard::fit {
+namespace vegard::sim {
 
 /// A text cell, in quotes where a comma, a quote or a line's end asks for them.
 std::string csv_cell(const std::string& text);
@@ -14,4 +14,4 @@ std::string csv_number(double value);
 /// "# key: words" on one line of its own, whatever the words hold.
 std::string csv_comment(const std::string& words);
 
-}  // namespace vegard::fit
+}  // namespace vegard::sim

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace vegard::fit {
+namespace vegard::sim {
 namespace {
 
 /// Bytes of the UTF-8 character at the start of `text`, 0 if there is none.
@@ -62,4 +62,4 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-}  // namespace vegard::fit
+}  // namespace vegard::sim

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace vegard::fit {
+namespace vegard::sim {
 
 /// Safe between tags and inside attributes in double quotes: & < > " ' escaped, control characters as spaces,
 /// bytes that are no UTF-8 as a replacement character.
@@ -15,4 +15,4 @@ std::string html_text(std::string_view text);
 /// RFC 4648, section 4, with padding.
 std::string base64(std::string_view bytes);
 
-}  // namespace vegard::fit
+}  // namespace vegard::sim

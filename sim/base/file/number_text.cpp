@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vegard::fit {
+namespace vegard::sim {
 namespace {
 
 const char* const kNothing = "\u2013";
@@ -88,4 +88,4 @@ std::string short_number(double value, int significant_digits) {
   return text;
 }
 
-}  // namespace vegard::fit
+}  // namespace vegard::sim

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace vegard::fit {
+namespace vegard::sim {
 
 /// A value and its standard deviation, as a table shows them.
 struct RoundedNumber {
@@ -24,4 +24,4 @@ std::string number_with_error(double value, std::optional<double> sigma);
 /// Rounded to this many significant digits.
 std::string short_number(double value, int significant_digits = 5);
 
-}  // namespace vegard::fit
+}  // namespace vegard::sim

@@ -1,6 +1,6 @@
 #include "sim/base/file/short_path.h"
 
-namespace vegard::fit {
+namespace vegard::sim {
 
 std::string short_path(const std::string& path, bool one_sheet) {
   if (!one_sheet || path.compare(0, 6, "sheet.") != 0) return path;
@@ -8,4 +8,4 @@ std::string short_path(const std::string& path, bool one_sheet) {
   return dot == std::string::npos ? path : path.substr(dot + 1);
 }
 
-}  // namespace vegard::fit
+}  // namespace vegard::sim

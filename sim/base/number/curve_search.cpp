@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vegard::fit {
+namespace vegard::sim {
 namespace {
 
 constexpr double kFirstStep = 0.1, kSearchLeastStep = 0.01, kMostStep = 0.25;
@@ -190,4 +190,4 @@ CurveMinimum curve_minimum(const std::vector<double>& start, double limit, const
   return Minimum(start, limit, evaluate).run();
 }
 
-}  // namespace vegard::fit
+}  // namespace vegard::sim

@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-namespace vegard::fit {
+namespace vegard::sim {
 
 /// One evaluation.
 struct CurveTrial {
@@ -35,4 +35,4 @@ struct CurveMinimum {
 using EvaluateCurve = std::function<CurveTrial(const std::vector<double>& at, const CurveTrial* nearest)>;
 CurveMinimum curve_minimum(const std::vector<double>& start, double limit, const EvaluateCurve& evaluate);
 
-}  // namespace vegard::fit
+}  // namespace vegard::sim

@@ -12,7 +12,7 @@
 #include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
 
-namespace vegard::fit {
+namespace vegard::sim {
 namespace {
 
 constexpr double kSamplerNowhere = -std::numeric_limits<double>::infinity();
@@ -87,9 +87,8 @@ class Ensemble {
       Eigen::VectorXd z(static_cast<Eigen::Index>(d));
       for (std::size_t j = 0; j < d; ++j) {
         const auto purpose = static_cast<std::uint32_t>(kStart + j);
-        const sim::Words w =
-            sim::random_words(options_.seed, sim::Stream::ensemble, attempt, walker, purpose);
-        z(static_cast<Eigen::Index>(j)) = sim::normal_quantile(sim::fine_uniform(w[0], w[1]));
+        const Words w = random_words(options_.seed, Stream::ensemble, attempt, walker, purpose);
+        z(static_cast<Eigen::Index>(j)) = normal_quantile(fine_uniform(w[0], w[1]));
       }
       const Eigen::VectorXd step = spread * (root * z);
       std::vector<double> at(d);
@@ -106,15 +105,15 @@ class Ensemble {
   void move_next() {
     const int walker = state_.next_walker;
     const bool counts = state_.step >= options_.burn_in;
-    const sim::Words accept =
-        sim::random_words(options_.seed, sim::Stream::ensemble, static_cast<std::uint32_t>(state_.step),
-                          static_cast<std::uint32_t>(walker), kAccept);
+    const Words accept =
+        random_words(options_.seed, Stream::ensemble, static_cast<std::uint32_t>(state_.step),
+                     static_cast<std::uint32_t>(walker), kAccept);
     double log_factor = 0.0;
     const std::vector<double> at = proposal(walker, accept[2], log_factor);
     const double density = finite_or_nowhere(log_density_(at));
     const double log_ratio = log_factor + density - state_.density[walker];
     state_.proposed += counts;
-    if (density > kSamplerNowhere && std::log(sim::fine_uniform(accept[0], accept[1])) < log_ratio) {
+    if (density > kSamplerNowhere && std::log(fine_uniform(accept[0], accept[1])) < log_ratio) {
       std::copy(at.begin(), at.end(), state_.place.begin() + begin_of(walker));
       state_.density[walker] = density;
       state_.accepted += counts;
@@ -134,9 +133,8 @@ class Ensemble {
   const double* place_of(int walker) const { return state_.place.data() + begin_of(walker); }
 
   std::vector<double> proposal(int walker, std::uint32_t kind, double& log_factor) const {
-    const sim::Words w =
-        sim::random_words(options_.seed, sim::Stream::ensemble, static_cast<std::uint32_t>(state_.step),
-                          static_cast<std::uint32_t>(walker), kMove);
+    const Words w = random_words(options_.seed, Stream::ensemble, static_cast<std::uint32_t>(state_.step),
+                                 static_cast<std::uint32_t>(walker), kMove);
     const int other_half = walker < half_ ? half_ : 0;
     const auto half = static_cast<std::uint32_t>(half_);
     const std::uint32_t first = random_below(w[0], half);
@@ -144,10 +142,10 @@ class Ensemble {
     const double* const a = place_of(other_half + static_cast<int>(first));
     std::vector<double> at(state_.coordinates);
     const double d = static_cast<double>(state_.coordinates);
-    if (sim::uniform(kind) >= options_.differential_share) {
+    if (uniform(kind) >= options_.differential_share) {
       // z with density ∝ 1/√z on [1/a, a], by the inverse of its distribution; the factor z^(d − 1) is the
       // volume that the move spreads over.
-      const double u = sim::fine_uniform(w[2], w[3]);
+      const double u = fine_uniform(w[2], w[3]);
       const double z = std::pow(1.0 + (options_.stretch - 1.0) * u, 2) / options_.stretch;
       for (std::size_t j = 0; j < at.size(); ++j) at[j] = a[j] + z * (own[j] - a[j]);
       log_factor = (d - 1.0) * std::log(z);
@@ -158,8 +156,8 @@ class Ensemble {
     // way back.
     const std::uint32_t second = (first + 1 + random_below(w[1], half - 1)) % half;
     const double* const b = place_of(other_half + static_cast<int>(second));
-    const bool jump = sim::uniform(w[2]) < kJumpShare;
-    const double factor = jump ? 1.0 : 2.38 / std::sqrt(2.0 * d) * (0.5 + sim::uniform(w[3]));
+    const bool jump = uniform(w[2]) < kJumpShare;
+    const double factor = jump ? 1.0 : 2.38 / std::sqrt(2.0 * d) * (0.5 + uniform(w[3]));
     for (std::size_t j = 0; j < at.size(); ++j) at[j] = own[j] + factor * (a[j] - b[j]);
     return at;
   }
@@ -290,4 +288,4 @@ EnsembleSummary summary_of(const EnsembleState& state) {
   return s;
 }
 
-}  // namespace vegard::fit
+}  // namespace vegard::sim

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace vegard::fit {
+namespace vegard::sim {
 
 /// Logarithm of the density at some coordinates, up to a constant; -infinity where it is 0. NaN and +infinity
 /// count as -infinity.
@@ -83,4 +83,4 @@ EnsembleSummary summary_of(const EnsembleState& state);
 /// compared with itself, about the mean of all. At least 1.
 double autocorrelation_time(const std::vector<double>& series, int walkers);
 
-}  // namespace vegard::fit
+}  // namespace vegard::sim

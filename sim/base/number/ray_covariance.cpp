@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace vegard::fit {
+namespace vegard::sim {
 
 double ray_log_covariance(const Rays& rays, double smear_km2, double apart_km) {
   constexpr double kLeastTerm = 1e-12;
@@ -19,4 +19,4 @@ double ray_log_covariance(const Rays& rays, double smear_km2, double apart_km) {
   return std::log1p(sum);
 }
 
-}  // namespace vegard::fit
+}  // namespace vegard::sim

@@ -1,9 +1,9 @@
 // How the light of rays varies along a picture's row, on average over all places where rays may stand.
 #pragma once
 
-namespace vegard::fit {
+namespace vegard::sim {
 
-/// What rays are like (sim::Sheet::ray_contrast, ray_width_km).
+/// What rays are like (Sheet::ray_contrast, ray_width_km).
 struct Rays {
   double contrast = 0.5;  ///< standard deviation of the logarithm of the light along the sheet
   double width_km = 1.0;  ///< full width of its autocorrelation at half its height
@@ -19,4 +19,4 @@ struct Rays {
 /// log-normal numbers), has the covariance ln(1 + that).
 double ray_log_covariance(const Rays& rays, double smear_km2, double apart_km);
 
-}  // namespace vegard::fit
+}  // namespace vegard::sim

@@ -8,7 +8,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/dipole.h"
 
-namespace vegard::fit {
+namespace vegard::sim {
 namespace {
 
 constexpr int kBandPlaces = 25;
@@ -16,25 +16,24 @@ constexpr int kBandPlaces = 25;
 /// Unit vectors along and to the left, and the middle.
 struct Line {
   double east, north, u_east, u_north;
-  sim::EastNorth at(double along_km, double left_km) const {
+  EastNorth at(double along_km, double left_km) const {
     return {east + along_km * u_east - left_km * u_north, north + along_km * u_north + left_km * u_east};
   }
 };
 
-Line line_of_sheet(const sim::Sheet& sheet, double instant_s) {
-  const double bearing = sheet.bearing_deg * sim::kRadiansPerDegree;
+Line line_of_sheet(const Sheet& sheet, double instant_s) {
+  const double bearing = sheet.bearing_deg * kRadiansPerDegree;
   return {sheet.center_km.east + sheet.drift_km_s.east * instant_s,
           sheet.center_km.north + sheet.drift_km_s.north * instant_s, std::sin(bearing), std::cos(bearing)};
 }
 
-double arc_offset_km(const sim::Sheet& sheet, int arc) {
+double arc_offset_km(const Sheet& sheet, int arc) {
   return (arc - 0.5 * (sheet.arcs - 1)) * sheet.arc_spacing_km;
 }
 
 /// By the field, as sim/render/beams/kernel_scene.cpp has it.
-bool is_northern(const sim::Scene& scene) {
-  if (scene.field.model == sim::FieldModel::dipole)
-    return sim::dipole_axis(scene.field, scene.site).in_enu[2] >= 0.0;
+bool is_northern(const Scene& scene) {
+  if (scene.field.model == FieldModel::dipole) return dipole_axis(scene.field, scene.site).in_enu[2] >= 0.0;
   return scene.field.inclination_deg >= 0.0;
 }
 
@@ -42,14 +41,14 @@ double part(int i, int count) { return count > 1 ? static_cast<double>(i) / (cou
 
 }  // namespace
 
-FootPoints foot_points(const sim::Sheet& sheet, double instant_s) {
+FootPoints foot_points(const Sheet& sheet, double instant_s) {
   const Line line = line_of_sheet(sheet, instant_s);
   const double half = 0.5 * sheet.length_km;
   FootPoints points{line.at(-half, 0.0), line.at(0.0, 0.0), line.at(half, 0.0), {}};
   const double along = std::clamp(-(line.east * line.u_east + line.north * line.u_north), -half, half);
   double least = std::numeric_limits<double>::infinity();
   for (int arc = 0; arc < sheet.arcs; ++arc) {
-    const sim::EastNorth foot = line.at(along, arc_offset_km(sheet, arc));
+    const EastNorth foot = line.at(along, arc_offset_km(sheet, arc));
     const double distance = std::hypot(foot.east, foot.north);
     if (distance >= least) continue;
     least = distance;
@@ -58,26 +57,25 @@ FootPoints foot_points(const sim::Sheet& sheet, double instant_s) {
   return points;
 }
 
-std::vector<sim::EastNorth> straight_feet(const sim::Sheet& sheet, double instant_s, int arc, int count) {
+std::vector<EastNorth> straight_feet(const Sheet& sheet, double instant_s, int arc, int count) {
   const Line line = line_of_sheet(sheet, instant_s);
-  std::vector<sim::EastNorth> feet;
+  std::vector<EastNorth> feet;
   for (int i = 0; i < count; ++i)
     feet.push_back(line.at((part(i, count) - 0.5) * sheet.length_km, arc_offset_km(sheet, arc)));
   return feet;
 }
 
-std::vector<sim::EastNorth> sine_feet(const sim::Scene& scene, const sim::Sheet& sheet, double instant_s,
-                                      int arc, int count) {
+std::vector<EastNorth> sine_feet(const Scene& scene, const Sheet& sheet, double instant_s, int arc,
+                                 int count) {
   const Line line = line_of_sheet(sheet, instant_s);
   // The sine's positive values lie towards u x B: to the left in the north (sim/emit/aurora/sheet.h).
   const double side = is_northern(scene) ? 1.0 : -1.0;
   const double middle_phase = sheet.layers > 1 ? 0.5 * sheet.phase_shift_rad : 0.0;
-  std::vector<sim::EastNorth> feet;
+  std::vector<EastNorth> feet;
   for (int i = 0; i < count; ++i) {
     const double from_start = part(i, count) * sheet.length_km;
-    const double phase =
-        sim::kTwoPi / sheet.wavelength_km * (from_start - sheet.sine_speed_km_s * instant_s) +
-        sheet.phase_rad + middle_phase;
+    const double phase = kTwoPi / sheet.wavelength_km * (from_start - sheet.sine_speed_km_s * instant_s) +
+                         sheet.phase_rad + middle_phase;
     feet.push_back(line.at(from_start - 0.5 * sheet.length_km,
                            side * (arc_offset_km(sheet, arc) + sheet.thickness_km * std::sin(phase))));
   }
@@ -88,16 +86,16 @@ double wrapped_longitude_deg(double longitude_deg) {
   return longitude_deg - 360.0 * std::ceil((longitude_deg - 180.0) / 360.0);
 }
 
-PlaceOnEarth place_of_foot(const sim::Scene& scene, sim::EastNorth foot_km) {
-  constexpr double kRadius = sim::kEarthRadiusKm + sim::kFootAltitudeKm;
+PlaceOnEarth place_of_foot(const Scene& scene, EastNorth foot_km) {
+  constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
   const double east = foot_km.east / kRadius, north = foot_km.north / kRadius;
   const double up = std::sqrt(1.0 - east * east - north * north);  // NaN beyond the edge
-  const double latitude = scene.site.latitude_deg * sim::kRadiansPerDegree;
+  const double latitude = scene.site.latitude_deg * kRadiansPerDegree;
   const double from_equator = std::cos(latitude) * north + std::sin(latitude) * up;
   const double out = std::cos(latitude) * up - std::sin(latitude) * north;
-  const sim::DipoleAxis axis = sim::dipole_axis(scene.field, scene.site);
+  const DipoleAxis axis = dipole_axis(scene.field, scene.site);
   PlaceOnEarth place;
-  const auto degrees = [](double radians) { return radians / sim::kRadiansPerDegree; };
+  const auto degrees = [](double radians) { return radians / kRadiansPerDegree; };
   place.latitude_deg = degrees(std::atan2(from_equator, std::hypot(east, out)));
   place.longitude_from_site_deg = degrees(std::atan2(east, out));
   place.longitude_deg = wrapped_longitude_deg(scene.site.longitude_deg + place.longitude_from_site_deg);
@@ -106,21 +104,21 @@ PlaceOnEarth place_of_foot(const sim::Scene& scene, sim::EastNorth foot_km) {
   return place;
 }
 
-bool is_latitude_given(const sim::Scene& scene) {
-  return scene.lines.count("site.latitude_deg") > 0 || scene.site.latitude_deg != sim::Site{}.latitude_deg;
+bool is_latitude_given(const Scene& scene) {
+  return scene.lines.count("site.latitude_deg") > 0 || scene.site.latitude_deg != Site{}.latitude_deg;
 }
 
-bool is_longitude_given(const sim::Scene& scene) {
-  return scene.lines.count("site.longitude_deg") > 0 || scene.site.longitude_deg != sim::Site{}.longitude_deg;
+bool is_longitude_given(const Scene& scene) {
+  return scene.lines.count("site.longitude_deg") > 0 || scene.site.longitude_deg != Site{}.longitude_deg;
 }
 
-std::vector<double> band_places_km(const sim::Sheet& sheet) {
+std::vector<double> band_places_km(const Sheet& sheet) {
   std::vector<double> places;
   for (int i = 0; i < kBandPlaces; ++i) places.push_back((part(i, kBandPlaces) - 0.5) * sheet.length_km);
   return places;
 }
 
-std::vector<double> aside_km(const sim::Sheet& best, const sim::Sheet& moved, double instant_s,
+std::vector<double> aside_km(const Sheet& best, const Sheet& moved, double instant_s,
                              const std::vector<double>& along_km) {
   const Line from = line_of_sheet(best, instant_s), to = line_of_sheet(moved, instant_s);
   // In from's axes, to begins at (x, y) and runs along (cosine, sine).
@@ -133,4 +131,4 @@ std::vector<double> aside_km(const sim::Sheet& best, const sim::Sheet& moved, do
   return aside;
 }
 
-}  // namespace vegard::fit
+}  // namespace vegard::sim

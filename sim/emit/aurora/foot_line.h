@@ -12,20 +12,20 @@
 
 #include "sim/scene/structs/scene.h"
 
-namespace vegard::fit {
+namespace vegard::sim {
 
 /// Of the straight line from start to end, where it has drifted to at an instant. Of a system of arcs: the
 /// system's middle line; the nearest point is that of the nearest arc.
 struct FootPoints {
-  sim::EastNorth start, middle, end, nearest;
+  EastNorth start, middle, end, nearest;
 };
-FootPoints foot_points(const sim::Sheet& sheet, double instant_s);
+FootPoints foot_points(const Sheet& sheet, double instant_s);
 
 /// Points of an arc, `count` of them from start to end: the straight line, and the sine of the middle between
 /// the first and the last layer (without folds and curls).
-std::vector<sim::EastNorth> straight_feet(const sim::Sheet& sheet, double instant_s, int arc, int count);
-std::vector<sim::EastNorth> sine_feet(const sim::Scene& scene, const sim::Sheet& sheet, double instant_s,
-                                      int arc, int count);
+std::vector<EastNorth> straight_feet(const Sheet& sheet, double instant_s, int arc, int count);
+std::vector<EastNorth> sine_feet(const Scene& scene, const Sheet& sheet, double instant_s, int arc,
+                                 int count);
 
 struct PlaceOnEarth {
   double latitude_deg = 0.0;
@@ -38,11 +38,11 @@ struct PlaceOnEarth {
 double wrapped_longitude_deg(double longitude_deg);
 
 /// All NaN beyond the sphere's edge.
-PlaceOnEarth place_of_foot(const sim::Scene& scene, sim::EastNorth foot_km);
+PlaceOnEarth place_of_foot(const Scene& scene, EastNorth foot_km);
 
 /// Whether somebody has said where the site is: the scene's file does, or the value is not the default.
-bool is_latitude_given(const sim::Scene& scene);
-bool is_longitude_given(const sim::Scene& scene);
+bool is_latitude_given(const Scene& scene);
+bool is_longitude_given(const Scene& scene);
 
 /// How far a sheet's line may be off to the side, against the coordinate along it.
 struct FootBand {
@@ -52,10 +52,10 @@ struct FootBand {
 };
 
 /// The coordinates at which a band is told.
-std::vector<double> band_places_km(const sim::Sheet& sheet);
+std::vector<double> band_places_km(const Sheet& sheet);
 
 /// How far the line of `moved` lies to the left of that of `best` at those places of best's line.
-std::vector<double> aside_km(const sim::Sheet& best, const sim::Sheet& moved, double instant_s,
+std::vector<double> aside_km(const Sheet& best, const Sheet& moved, double instant_s,
                              const std::vector<double>& along_km);
 
-}  // namespace vegard::fit
+}  // namespace vegard::sim

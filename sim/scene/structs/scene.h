@@ -1,7 +1,7 @@
 // What is simulated and how it is seen: plain numbers, no behaviour.
 //
 // Every number a user can set is declared once more, with its unit, default, limits and meaning, in
-// sim/scene/table/parameter_table.h, and nowhere else. Angles are in degrees unless the name says rad;
+// a row of sim/scene/rows or sim/scene/emitters, and nowhere else. Angles are in degrees unless the name says rad;
 // lengths in km.
 #pragma once
 

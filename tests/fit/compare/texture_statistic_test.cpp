@@ -80,15 +80,15 @@ std::vector<double> residuals_of(const TextureStatistic& texture, const sim::Sce
 }
 
 TEST(RayCovariance, WithoutASmearIsThatOfTheLogarithm) {
-  const Rays rays{0.8, 2.0};
+  const sim::Rays rays{0.8, 2.0};
   for (const double apart : {0.0, 0.3, 1.0, 3.0})
-    EXPECT_NEAR(ray_log_covariance(rays, 0.0, apart),
+    EXPECT_NEAR(sim::ray_log_covariance(rays, 0.0, apart),
                 0.64 * std::exp(-4.0 * std::log(2.0) * apart * apart / 4.0), 1e-9);
 }
 
 /// The covariance of the light itself, smeared, by a sum over the kernel of exp(c^2 rho) - 1.
 TEST(RayCovariance, OfASmearIsTheConvolution) {
-  const Rays rays{0.9, 2.0};
+  const sim::Rays rays{0.9, 2.0};
   constexpr double kSmear = 0.7;  // km^2
   for (const double apart : {0.0, 1.5}) {
     double sum = 0.0, weight = 0.0;
@@ -98,7 +98,7 @@ TEST(RayCovariance, OfASmearIsTheConvolution) {
       sum += w * (std::exp(0.81 * rho) - 1.0);
       weight += w;
     }
-    EXPECT_NEAR(ray_log_covariance(rays, kSmear, apart), std::log1p(sum / weight), 1e-6);
+    EXPECT_NEAR(sim::ray_log_covariance(rays, kSmear, apart), std::log1p(sum / weight), 1e-6);
   }
 }
 

@@ -64,7 +64,7 @@ std::string with_site(bool latitude, bool longitude, double sigma_km) {
   if (latitude) result.best.site.latitude_deg = 64.8;
   if (longitude) result.best.site.longitude_deg = 25.3;
   result.photos[0].best.site = result.best.site;
-  FootBand band{"main", band_places_km(result.best.sheets[0]), {}};
+  sim::FootBand band{"main", sim::band_places_km(result.best.sheets[0]), {}};
   if (sigma_km > 0.0) band.sigma_km.assign(band.along_km.size(), sigma_km);
   result.foot_bands = {band};
   return foot_map_svg(result);

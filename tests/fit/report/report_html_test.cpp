@@ -128,7 +128,7 @@ TEST(ReportHtml, EscapesWhatComesFromTheUser) {
   EXPECT_FALSE(page.has("a <b>"));
   EXPECT_TRUE(page.has("a &lt;b&gt; &amp; &quot;c&quot;.jpg"));
   EXPECT_TRUE(page.has("something &lt;else&gt;"));
-  EXPECT_EQ(html_text("<&>\"'\x01\xff"), "&lt;&amp;&gt;&quot;&#39; \ufffd");
+  EXPECT_EQ(sim::html_text("<&>\"'\x01\xff"), "&lt;&amp;&gt;&quot;&#39; \ufffd");
 }
 
 TEST(ReportHtml, TellsAReasonOnce) {
@@ -210,11 +210,11 @@ TEST(ReportHtml, IsTheSameEveryTime) { EXPECT_EQ(Page(small_result()).html, Page
 
 // RFC 4648, section 10.
 TEST(Base64, HasTheTestVectorsOfItsStandard) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(sim::base64(""), "");
+  EXPECT_EQ(sim::base64("f"), "Zg==");
+  EXPECT_EQ(sim::base64("fo"), "Zm8=");
+  EXPECT_EQ(sim::base64("foo"), "Zm9v");
+  EXPECT_EQ(sim::base64("foobar"), "Zm9vYmFy");
 }
 
 }  // namespace

@@ -52,11 +52,11 @@ TEST(LogFlatPrior, IsADensity) {
 // the middle and the standard deviation is the range over √12.
 TEST(LogFlatPrior, KeepsAChainWithinTheLimits) {
   const std::vector<FreeNumber> free = numbers(kPaths);
-  EnsembleOptions options;
+  sim::EnsembleOptions options;
   options.steps = 4000;
-  EnsembleState state;
-  run_ensemble([&](const std::vector<double>& u) { return log_flat_prior(free, u); }, {0.0, 0.0},
-               {{1.0, 0.0}, {0.0, 1.0}}, options, state);
+  sim::EnsembleState state;
+  sim::run_ensemble([&](const std::vector<double>& u) { return log_flat_prior(free, u); }, {0.0, 0.0},
+                    {{1.0, 0.0}, {0.0, 1.0}}, options, state);
   for (std::size_t j = 0; j < 2; ++j) {
     std::vector<double> series;
     for (std::size_t i = j; i < state.chain.size(); i += 2) {
@@ -69,7 +69,7 @@ TEST(LogFlatPrior, KeepsAChainWithinTheLimits) {
       mean += x / static_cast<double>(series.size());
       square += std::pow(x - 0.5, 2) / static_cast<double>(series.size());
     }
-    const double time = autocorrelation_time(series, static_cast<int>(state.density.size()));
+    const double time = sim::autocorrelation_time(series, static_cast<int>(state.density.size()));
     const double error = std::sqrt(time / 12.0 / static_cast<double>(series.size()));
     EXPECT_NEAR(mean, 0.5, 4.0 * error);
     // Var (x − ½)² = 1/180, correlated no longer than twice as long as x itself.
@@ -107,7 +107,7 @@ TEST(JudgedValues, OfABootstrapGoThroughTheTransform) {
 TEST(JudgedValues, OfAChainAreThinnedForTheEyeOnly) {
   const std::vector<FreeNumber> free = numbers(kPaths);
   const Telling t = telling(free);
-  EnsembleState state;
+  sim::EnsembleState state;
   state.coordinates = 2;
   state.density.assign(10, 0.0);
   for (int i = 0; i < 9000; ++i)

@@ -80,12 +80,12 @@ TEST(JudgesOfUncertainty, AgreeWhereTheModelIsLinear) {
   // 60 bands tell their own scatter to 1 / sqrt(2 * 59) = 9.2 %; 3.5 of those.
   for (int j = 0; j < kUnknowns; ++j) EXPECT_NEAR(b.sigma[j] / u.sigma[j], 1.0, 3.5 * 0.092);
 
-  EnsembleOptions sampler;
+  sim::EnsembleOptions sampler;
   sampler.steps = 3000;
-  EnsembleState state;
-  run_ensemble([&](const std::vector<double>& x) { return -0.5 * p.chi2(x); }, answer, u.covariance, sampler,
-               state);
-  const EnsembleSummary s = summary_of(state);
+  sim::EnsembleState state;
+  sim::run_ensemble([&](const std::vector<double>& x) { return -0.5 * p.chi2(x); }, answer, u.covariance,
+                    sampler, state);
+  const sim::EnsembleSummary s = sim::summary_of(state);
   EXPECT_TRUE(s.long_enough);
   for (int j = 0; j < kUnknowns; ++j) {
     // The squares' autocorrelation time is no longer than twice the mean's.

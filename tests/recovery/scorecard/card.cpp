@@ -9,9 +9,9 @@
 namespace vegard::scorecard {
 namespace {
 
-std::string cell(const std::string& text) { return fit::csv_cell(text); }
+std::string cell(const std::string& text) { return sim::csv_cell(text); }
 std::string cell(int number) { return std::to_string(number); }
-std::string cell(double number) { return fit::csv_number(number); }
+std::string cell(double number) { return sim::csv_number(number); }
 
 void put(const std::string& text, std::string& value) { value = text; }
 void put(const std::string& text, int& value) { value = std::stoi(text); }

@@ -33,11 +33,11 @@ std::vector<std::string> cells(const std::string& line) {
 }
 
 TEST(CsvText, QuotesWhatWouldBreakALine) {
-  EXPECT_EQ(csv_cell("plain"), "plain");
-  EXPECT_EQ(csv_cell("a,\"b\"\nc"), "\"a,\"\"b\"\"\nc\"");
-  EXPECT_EQ(csv_comment("a\nb"), "# a b\n");
-  EXPECT_EQ(csv_number(std::nan("")), "");
-  EXPECT_EQ(std::stod(csv_number(1.0 / 3.0)), 1.0 / 3.0);
+  EXPECT_EQ(sim::csv_cell("plain"), "plain");
+  EXPECT_EQ(sim::csv_cell("a,\"b\"\nc"), "\"a,\"\"b\"\"\nc\"");
+  EXPECT_EQ(sim::csv_comment("a\nb"), "# a b\n");
+  EXPECT_EQ(sim::csv_number(std::nan("")), "");
+  EXPECT_EQ(std::stod(sim::csv_number(1.0 / 3.0)), 1.0 / 3.0);
 }
 
 TEST(FreeProfilesCsv, EveryColumnIsOfItsLineWhateverIsFreeInASheet) {

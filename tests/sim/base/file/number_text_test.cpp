@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vegard::fit {
+namespace vegard::sim {
 namespace {
 
 TEST(NumberText, RoundsTheErrorToTwoDigitsAndTheValueToItsPlace) {
@@ -34,4 +34,4 @@ TEST(NumberText, KeepsPlainNumbersPlain) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::sim

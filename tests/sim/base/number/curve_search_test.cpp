@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace vegard::fit {
+namespace vegard::sim {
 namespace {
 
 constexpr double kLimit = 1.4;
@@ -90,4 +90,4 @@ TEST(CurveSearch, EndsWhereNothingComesBack) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::sim

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vegard::fit {
+namespace vegard::sim {
 namespace {
 
 constexpr double kNowhere = -std::numeric_limits<double>::infinity();
@@ -279,4 +279,4 @@ TEST(EnsembleSampler, StartsFromACovarianceThatIsNotWhole) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::sim

@@ -27,18 +27,18 @@ sim::Scene scene_at(double latitude_deg, double longitude_deg) {
 
 TEST(PlaceOfFoot, StraightNorthIsFurtherNorthByTheAngleAtTheEarthsCentre) {
   const sim::Scene scene = scene_at(64.8, 25.0);
-  const PlaceOnEarth place = place_of_foot(scene, {0.0, 300.0});
+  const sim::PlaceOnEarth place = sim::place_of_foot(scene, {0.0, 300.0});
   EXPECT_NEAR(place.latitude_deg, 64.8 + degrees(std::asin(300.0 / kRadiusKm)), 1e-12);
   EXPECT_NEAR(place.longitude_deg, 25.0, 1e-12);
-  EXPECT_NEAR(place_of_foot(scene, {0.0, 0.0}).latitude_deg, 64.8, 1e-12);
+  EXPECT_NEAR(sim::place_of_foot(scene, {0.0, 0.0}).latitude_deg, 64.8, 1e-12);
 }
 
 TEST(PlaceOfFoot, EastFromTheEquatorIsFurtherEastOnly) {
-  const PlaceOnEarth place = place_of_foot(scene_at(0.0, 179.0), {500.0, 0.0});
+  const sim::PlaceOnEarth place = sim::place_of_foot(scene_at(0.0, 179.0), {500.0, 0.0});
   EXPECT_NEAR(place.latitude_deg, 0.0, 1e-12);
   EXPECT_NEAR(place.longitude_from_site_deg, degrees(std::asin(500.0 / kRadiusKm)), 1e-12);
   EXPECT_NEAR(place.longitude_deg, 179.0 + degrees(std::asin(500.0 / kRadiusKm)) - 360.0, 1e-9);
-  EXPECT_TRUE(std::isnan(place_of_foot(scene_at(0.0, 0.0), {6000.0, 3000.0}).latitude_deg));
+  EXPECT_TRUE(std::isnan(sim::place_of_foot(scene_at(0.0, 0.0), {6000.0, 3000.0}).latitude_deg));
 }
 
 TEST(PlaceOfFoot, IsWhereAnotherStationHasTheSameFoot) {
@@ -48,9 +48,9 @@ TEST(PlaceOfFoot, IsWhereAnotherStationHasTheSameFoot) {
   there.site.longitude_deg = 16.0;
   there.sheets = {home.sheets[0]};
   there.sheets[0].center_km = {120.0, 250.0};
-  const PlaceOnEarth before = place_of_foot(home, there.sheets[0].center_km);
+  const sim::PlaceOnEarth before = sim::place_of_foot(home, there.sheets[0].center_km);
   sim::Station(home.site, there.site).carry(there.sheets[0]);
-  const PlaceOnEarth after = place_of_foot(there, there.sheets[0].center_km);
+  const sim::PlaceOnEarth after = sim::place_of_foot(there, there.sheets[0].center_km);
   EXPECT_NEAR(after.latitude_deg, before.latitude_deg, 1e-9);
   EXPECT_NEAR(after.longitude_deg, before.longitude_deg, 1e-9);
   EXPECT_NEAR(after.magnetic_latitude_deg, before.magnetic_latitude_deg, 1e-9);
@@ -61,19 +61,19 @@ TEST(PlaceOfFoot, GeomagneticLatitudeIsNinetyDegreesLessTheWayToThePole) {
   scene.field.pole_latitude_deg = 80.0;
   scene.field.pole_longitude_deg = 25.0;
   // On the pole's meridian: the way to it is the difference of latitudes.
-  EXPECT_NEAR(place_of_foot(scene, {0.0, 0.0}).magnetic_latitude_deg, 80.0, 1e-9);
+  EXPECT_NEAR(sim::place_of_foot(scene, {0.0, 0.0}).magnetic_latitude_deg, 80.0, 1e-9);
   // And across the geographic pole from it.
   scene.field.pole_longitude_deg = 205.0;
-  EXPECT_NEAR(place_of_foot(scene, {0.0, 0.0}).magnetic_latitude_deg, 60.0, 1e-9);
+  EXPECT_NEAR(sim::place_of_foot(scene, {0.0, 0.0}).magnetic_latitude_deg, 60.0, 1e-9);
 }
 
-TEST(FootPoints, AreTheEndsTheMiddleAndTheNearest) {
+TEST(sim::FootPoints, AreTheEndsTheMiddleAndTheNearest) {
   sim::Sheet sheet;
   sheet.center_km = {50.0, 200.0};
   sheet.bearing_deg = 90.0;
   sheet.length_km = 300.0;
   sheet.drift_km_s = {0.0, 1.0};
-  const FootPoints feet = foot_points(sheet, 10.0);
+  const sim::FootPoints feet = sim::foot_points(sheet, 10.0);
   EXPECT_NEAR(feet.start.east, -100.0, 1e-9);
   EXPECT_NEAR(feet.end.east, 200.0, 1e-9);
   EXPECT_NEAR(feet.middle.north, 210.0, 1e-9);
@@ -90,10 +90,10 @@ TEST(SineFeet, LieOffTheLineByTheSineToTheLeftInTheNorth) {
   sheet.layers = 1;
   sheet.phase_rad = 0.0;
   sim::Scene scene = tests::with_sheet(sheet);
-  EXPECT_NEAR(sine_feet(scene, sheet, 0.0, 0, 11).back().north, 200.0 + sheet.thickness_km, 1e-9);
-  EXPECT_NEAR(sine_feet(scene, sheet, 0.0, 0, 11).front().north, 200.0, 1e-9);
+  EXPECT_NEAR(sim::sine_feet(scene, sheet, 0.0, 0, 11).back().north, 200.0 + sheet.thickness_km, 1e-9);
+  EXPECT_NEAR(sim::sine_feet(scene, sheet, 0.0, 0, 11).front().north, 200.0, 1e-9);
   scene.field.inclination_deg = -78.0;
-  EXPECT_NEAR(sine_feet(scene, sheet, 0.0, 0, 11).back().north, 200.0 - sheet.thickness_km, 1e-9);
+  EXPECT_NEAR(sim::sine_feet(scene, sheet, 0.0, 0, 11).back().north, 200.0 - sheet.thickness_km, 1e-9);
 }
 
 const DerivedNumber* find(const std::vector<DerivedNumber>& numbers, const std::string& name) {

@@ -30,11 +30,11 @@ double rate_at(const sim::HeightProfile& profile, double altitude_km) {
          share * profile.rate[(below + 1) * profile.stride];
 }
 
-TEST(LineLight, BorderAndHalfWidthsLieWhereTheProfileHasFallen) {
+TEST(sim::LineLight, BorderAndHalfWidthsLieWhereTheProfileHasFallen) {
   for (const char* profile : {"maxwellian", "mono", "gaussian"}) {
     SCOPED_TRACE(profile);
     const sim::Scene scene = scene_of(profile, 5.0);
-    const LineLight light = line_light(kBlueNm, scene, 0);
+    const sim::LineLight light = sim::line_light(kBlueNm, scene, 0);
     const sim::HeightProfile rates = sim::sheet_profile({kBlueNm}, scene, 0);
     double most = 0.0;
     for (int i = 0; i < sim::HeightProfile::kAltitudes; ++i)
@@ -48,19 +48,19 @@ TEST(LineLight, BorderAndHalfWidthsLieWhereTheProfileHasFallen) {
   }
 }
 
-TEST(LineLight, AMonoEnergeticBeamsBorderIsSharperAndSinksWithEnergy) {
+TEST(sim::LineLight, AMonoEnergeticBeamsBorderIsSharperAndSinksWithEnergy) {
   // Electrons of one energy stop within a few kilometres; a Maxwellian's tail of fast ones goes deeper.
-  const LineLight mono = line_light(kBlueNm, scene_of("mono", 6.0), 0),
-                  maxwellian = line_light(kBlueNm, scene_of("maxwellian", 3.0), 0);
+  const sim::LineLight mono = sim::line_light(kBlueNm, scene_of("mono", 6.0), 0),
+                       maxwellian = sim::line_light(kBlueNm, scene_of("maxwellian", 3.0), 0);
   EXPECT_LT(mono.peak_km - mono.lower_border_km, maxwellian.peak_km - maxwellian.lower_border_km);
-  EXPECT_LT(line_light(kBlueNm, scene_of("mono", 12.0), 0).lower_border_km, mono.lower_border_km);
+  EXPECT_LT(sim::line_light(kBlueNm, scene_of("mono", 12.0), 0).lower_border_km, mono.lower_border_km);
 }
 
-TEST(LineLight, WithoutATenthAboveTheBottomThereIsNoBorder) {
+TEST(sim::LineLight, WithoutATenthAboveTheBottomThereIsNoBorder) {
   sim::Scene scene = scene_of("form", 3.0);
   scene.sheets[0].peak_km = 84.0;
   scene.sheets[0].lower_km = 9.0;
-  EXPECT_TRUE(std::isnan(line_light(kGreenNm, scene, 0).lower_border_km));
+  EXPECT_TRUE(std::isnan(sim::line_light(kGreenNm, scene, 0).lower_border_km));
   bool found = false;
   scene.fit.free = {tests::free_entry("sheet.main.energy_kev")};
   for (const DerivedNumber& d : derived_numbers(scene, free_numbers(scene), {3.0}, {{{0.04}}, {}})) {
@@ -73,15 +73,15 @@ TEST(LineLight, WithoutATenthAboveTheBottomThereIsNoBorder) {
   EXPECT_TRUE(found);
 }
 
-TEST(LineLight, TheLineOfTheBorderIsGreenOrTheBrightestThereIs) {
+TEST(sim::LineLight, TheLineOfTheBorderIsGreenOrTheBrightestThereIs) {
   sim::Scene scene = scene_of("maxwellian", 3.0);
   scene.emission.lines = {kRedNm, kBlueNm};
-  EXPECT_EQ(border_line_nm(scene, 0), kGreenNm) << "tables have it though the scene does not show it";
+  EXPECT_EQ(sim::border_line_nm(scene, 0), kGreenNm) << "tables have it though the scene does not show it";
   scene.sheets[0].profile = sim::ProfileKind::spline;
   scene.sheets[0].spline_rate.assign(2 * scene.sheets[0].spline_knots, 1.0);
   for (int k = 0; k < scene.sheets[0].spline_knots; ++k) scene.sheets[0].spline_rate[k] = 3.0;
-  EXPECT_FALSE(has_line(kGreenNm, scene, 0));
-  EXPECT_EQ(border_line_nm(scene, 0), kRedNm);
+  EXPECT_FALSE(sim::has_line(kGreenNm, scene, 0));
+  EXPECT_EQ(sim::border_line_nm(scene, 0), kRedNm);
 }
 
 const DerivedNumber* find(const std::vector<DerivedNumber>& numbers, const std::string& name) {
