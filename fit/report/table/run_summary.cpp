@@ -22,7 +22,7 @@ sim::Error unreadable(const std::string& file, const std::string& problem, const
 }
 
 /// Throws Json::exception.
-RunSummary sim::summary_of(const Json& json) {
+RunSummary run_summary_of(const Json& json) {
   RunSummary run;
   run.verdict = json.at("verdict").get<std::string>();
   for (const Json& p : json.at("parameters")) {
@@ -64,7 +64,7 @@ RunSummary read_run(const std::string& directory) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) throw unreadable(file, "is no JSON", "");
   try {
-    RunSummary run = sim::summary_of(json);
+    RunSummary run = run_summary_of(json);
     run.name = directory;
     while (run.name.size() > 1 && run.name.back() == '/') run.name.pop_back();
     return run;
