@@ -155,20 +155,20 @@ struct PictureModel::Workspace {
 
   /// Colours the lines' light; fills `rgb`, `lit` and the values.
   void finish_values(const Scene& scene, PictureMeans& out) {
-    const std::size_t cells = exposure.cells(), count = static_cast<std::size_t>(exposure.lines);
-    colour = colours(scene);
-    lit.resize(cells * 3);
+    const std::vector<Vector3> per_kilorayleigh = line_colours_at_unit_gain(scene);
+    colour = per_kilorayleigh;
+    for (Vector3& of_line : colour)
+      for (double& channel : of_line) channel *= 1e-3;
+    lit.resize(exposure.cells() * 3);
     if (rgb.empty()) rgb = Image(film.columns, film.rows, {"R", "G", "B"});
+    const std::size_t columns = static_cast<std::size_t>(film.columns);
     parallel_for(static_cast<std::size_t>(film.rows), threads, [&](std::size_t row, int) {
-      for (std::size_t cell = row * film.columns; cell < (row + 1) * film.columns; ++cell) {
-        const float* lines = &rayleigh.data[cell * count];
-        for (int c = 0; c < 3; ++c) {
-          double light = 0.0;
-          for (std::size_t l = 0; l < count; ++l) light += colour[l][c] * lines[l];
-          const bool shows = keeps_negative_light || is_shown(light);
-          lit[cell * 3 + c] = shows;
-          rgb.data[cell * 3 + c] = shows ? static_cast<float>(light) : 0.0f;
-        }
+      float* light = rgb.data.data() + row * columns * 3;
+      colour_cells(rayleigh.data.data() + row * columns * exposure.lines, columns, per_kilorayleigh, light);
+      for (std::size_t i = 0; i < columns * 3; ++i) {
+        const bool shows = keeps_negative_light || is_shown(light[i]);
+        lit[row * columns * 3 + i] = shows;
+        if (!shows) light[i] = 0.0f;
       }
     });
     out.value.resize(weights.means() * 3);
@@ -242,14 +242,6 @@ struct PictureModel::Workspace {
       for (std::size_t j = 0; j < which.size(); ++j)
         if (which[j] >= 0) out.offset_derivative[i * free.size() + j] = mean.d.t[which[j]];
     });
-  }
-
-  /// RGB per rayleigh at unit gain.
-  static std::vector<Vector3> colours(const Scene& scene) {
-    std::vector<Vector3> weights_per_kilorayleigh = line_colours_at_unit_gain(scene);
-    for (Vector3& of_line : weights_per_kilorayleigh)
-      for (double& channel : of_line) channel *= 1e-3;
-    return weights_per_kilorayleigh;
   }
 
   /// Adds the means of a plane of derivatives that is blurred already, [row][column], of line `l`, to those

@@ -81,16 +81,22 @@ Vector3 rgb_of_line(double wavelength_nm, Primaries primaries) {
   return product(rgb_from_xyz(primaries), colour_matching(wavelength_nm));
 }
 
+void colour_cells(const float* rayleigh, std::size_t cells, const std::vector<Vector3>& weights, float* rgb) {
+  for (std::size_t p = 0; p < cells; ++p) {
+    float sum[3] = {};
+    for (std::size_t l = 0; l < weights.size(); ++l) {
+      const double kilorayleigh = rayleigh[p * weights.size() + l] * 1e-3;
+      for (int c = 0; c < 3; ++c) sum[c] += static_cast<float>(kilorayleigh * weights[l][c]);
+    }
+    for (int c = 0; c < 3; ++c) rgb[p * 3 + c] = sum[c];
+  }
+}
+
 Image rgb_from_rayleigh(const Image& rayleigh, const std::vector<Vector3>& weights) {
   assert(rayleigh.channels() == static_cast<int>(weights.size()));
   Image rgb(rayleigh.width, rayleigh.height, {"R", "G", "B"});
-  const std::size_t pixels = static_cast<std::size_t>(rayleigh.width) * rayleigh.height;
-  for (std::size_t p = 0; p < pixels; ++p) {
-    for (std::size_t l = 0; l < weights.size(); ++l) {
-      const double kilorayleigh = rayleigh.data[p * weights.size() + l] * 1e-3;
-      for (int c = 0; c < 3; ++c) rgb.data[p * 3 + c] += static_cast<float>(kilorayleigh * weights[l][c]);
-    }
-  }
+  colour_cells(rayleigh.data.data(), static_cast<std::size_t>(rayleigh.width) * rayleigh.height, weights,
+               rgb.data.data());
   return rgb;
 }
 

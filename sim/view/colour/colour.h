@@ -5,6 +5,7 @@
 // wavelength.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "sim/base/image.h"
@@ -27,7 +28,11 @@ Matrix3 rgb_from_xyz(Primaries primaries);
 /// signed.
 Vector3 rgb_of_line(double wavelength_nm, Primaries primaries);
 
-/// Linear, signed RGB of an image of rayleighs whose channels are the lines of `weights` in their order.
+/// Linear, signed RGB of cells [cell][channel] from their rayleighs [cell][line], by the lines' colours per
+/// kilorayleigh.
+void colour_cells(const float* rayleigh, std::size_t cells, const std::vector<Vector3>& weights, float* rgb);
+
+/// The same of an image of rayleighs whose channels are the lines of `weights` in their order.
 Image rgb_from_rayleigh(const Image& rayleigh, const std::vector<Vector3>& weights);
 
 }  // namespace vegard::sim
