@@ -27,8 +27,8 @@ class Waves : public ceres::CostFunction {
   bool Evaluate(double const* const* x, double* r, double** jacobians) const override {
     const double a = x[0][0], b = x[0][1];
     for (int k = 0; k < kCount; ++k) {
-      r[2 * k] = sim::rounded(std::sin(k * a));
-      r[2 * k + 1] = sim::rounded(std::exp(k * b / 8.0));
+      r[2 * k] = rounded(std::sin(k * a));
+      r[2 * k + 1] = rounded(std::exp(k * b / 8.0));
       if (jacobians == nullptr) continue;
       double* const even = jacobians[0] + 6 * k;
       double* const odd = even + 3;
@@ -42,7 +42,7 @@ class Waves : public ceres::CostFunction {
 
  private:
   static constexpr int kCount = 10;
-  double sim::rounded(double x) const { return noise > 0.0 ? noise * std::round(x / noise) : x; }
+  double rounded(double x) const { return noise > 0.0 ? noise * std::round(x / noise) : x; }
 };
 
 std::vector<DerivativeVerdict> verdicts(const Waves& cost) {

@@ -67,7 +67,7 @@ TEST(PlaceOfFoot, GeomagneticLatitudeIsNinetyDegreesLessTheWayToThePole) {
   EXPECT_NEAR(sim::place_of_foot(scene, {0.0, 0.0}).magnetic_latitude_deg, 60.0, 1e-9);
 }
 
-TEST(sim::FootPoints, AreTheEndsTheMiddleAndTheNearest) {
+TEST(FootPoints, AreTheEndsTheMiddleAndTheNearest) {
   sim::Sheet sheet;
   sheet.center_km = {50.0, 200.0};
   sheet.bearing_deg = 90.0;

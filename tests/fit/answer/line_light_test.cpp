@@ -30,7 +30,7 @@ double rate_at(const sim::HeightProfile& profile, double altitude_km) {
          share * profile.rate[(below + 1) * profile.stride];
 }
 
-TEST(sim::LineLight, BorderAndHalfWidthsLieWhereTheProfileHasFallen) {
+TEST(LineLight, BorderAndHalfWidthsLieWhereTheProfileHasFallen) {
   for (const char* profile : {"maxwellian", "mono", "gaussian"}) {
     SCOPED_TRACE(profile);
     const sim::Scene scene = scene_of(profile, 5.0);
@@ -48,7 +48,7 @@ TEST(sim::LineLight, BorderAndHalfWidthsLieWhereTheProfileHasFallen) {
   }
 }
 
-TEST(sim::LineLight, AMonoEnergeticBeamsBorderIsSharperAndSinksWithEnergy) {
+TEST(LineLight, AMonoEnergeticBeamsBorderIsSharperAndSinksWithEnergy) {
   // Electrons of one energy stop within a few kilometres; a Maxwellian's tail of fast ones goes deeper.
   const sim::LineLight mono = sim::line_light(kBlueNm, scene_of("mono", 6.0), 0),
                        maxwellian = sim::line_light(kBlueNm, scene_of("maxwellian", 3.0), 0);
@@ -56,7 +56,7 @@ TEST(sim::LineLight, AMonoEnergeticBeamsBorderIsSharperAndSinksWithEnergy) {
   EXPECT_LT(sim::line_light(kBlueNm, scene_of("mono", 12.0), 0).lower_border_km, mono.lower_border_km);
 }
 
-TEST(sim::LineLight, WithoutATenthAboveTheBottomThereIsNoBorder) {
+TEST(LineLight, WithoutATenthAboveTheBottomThereIsNoBorder) {
   sim::Scene scene = scene_of("form", 3.0);
   scene.sheets[0].peak_km = 84.0;
   scene.sheets[0].lower_km = 9.0;
@@ -73,7 +73,7 @@ TEST(sim::LineLight, WithoutATenthAboveTheBottomThereIsNoBorder) {
   EXPECT_TRUE(found);
 }
 
-TEST(sim::LineLight, TheLineOfTheBorderIsGreenOrTheBrightestThereIs) {
+TEST(LineLight, TheLineOfTheBorderIsGreenOrTheBrightestThereIs) {
   sim::Scene scene = scene_of("maxwellian", 3.0);
   scene.emission.lines = {kRedNm, kBlueNm};
   EXPECT_EQ(sim::border_line_nm(scene, 0), kGreenNm) << "tables have it though the scene does not show it";
