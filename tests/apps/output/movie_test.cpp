@@ -8,7 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "apps/commands/commands.h"
+#include "apps/output/animation_frames.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/render/render.h"
 #include "tests/support/expect_words.h"
