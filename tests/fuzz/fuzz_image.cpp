@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "fit/photo/codec/image_file.h"
+#include "fit/photo/codec/image_walk.h"
 #include "fit/photo/photo.h"
 #include "sim/base/error.h"
 #include "sim/base/picture/fits_io.h"
