@@ -26,9 +26,9 @@ struct DirectionSectors {
   double lowest_deg = 0.0;
   double step_deg = 1.0;
   /// Height of an observer above the air: lines of sight below the horizontal then have tangent altitudes.
-  std::optional<double> observer_km;
+  std::optional<double> observer_km{};
   /// Needs observer_km; lowest_deg and step_deg then count for nothing.
-  std::optional<TangentSteps> tangent;
+  std::optional<TangentSteps> tangent{};
 };
 
 /// `count` sectors all around that touch, the first to the north.

@@ -64,8 +64,9 @@ TEST(LimbBins, AreRingsAboutTheSunAndSectorsOfPositionAngle) {
       // From the pole, 30 degrees anticlockwise of upwards, on anticlockwise.
       const double angle = std::fmod(std::atan2(-right, up) / kDegree - 30.0 + 720.0, 360.0);
       const double sector = angle / 30.0;
-      if (std::abs(sector - std::round(sector)) > 1e-6)
+      if (std::abs(sector - std::round(sector)) > 1e-6) {
         EXPECT_EQ(found->second / grid.positions, static_cast<std::size_t>(sector));
+      }
     }
   EXPECT_GT(inside, 10000);
   // A step of a tenth of the radius of 0.2666 degrees.

@@ -154,8 +154,9 @@ TEST(PictureModel, FormsThePictureThatRenderMakes) {
           }
           const double inverse = weights.inverse[mean * 3 + c];
           EXPECT_NEAR(means.value[mean * 3 + c], aurora * inverse, 1e-6 * size * inverse);
-          if (!night_sky.empty())
+          if (!night_sky.empty()) {
             EXPECT_NEAR(means.offset[mean * 3 + c], behind * inverse, 1e-6 * std::abs(behind) * inverse);
+          }
         }
     }
   }

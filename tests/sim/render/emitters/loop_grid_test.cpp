@@ -206,8 +206,9 @@ TEST(LoopGrid, ItsOwnNumbersMayNotBeFree) {
     scene.loops[0].voxel = 0.0;
     const std::string& key = path.row->key;
     if (key == "height" || key == "width" || key == "tilt_deg" || key == "strand_radius" ||
-        key == "latitude_deg")
+        key == "latitude_deg") {
       EXPECT_FALSE(why_it_counts_for_nothing(scene, path)) << path.text;
+    }
   }
 }
 
