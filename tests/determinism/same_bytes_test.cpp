@@ -9,7 +9,7 @@
 #include "tests/support/same_bytes.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::same_bytes_test {
 namespace {
 
 /// Several chunks of beams, two sheets, and lines enough for both halves of a wide row.
@@ -182,4 +182,4 @@ TEST(SameBytes, OnEveryInstructionSet) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::same_bytes_test

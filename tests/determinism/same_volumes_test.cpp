@@ -8,7 +8,7 @@
 #include "tests/support/only_target.h"
 #include "tests/support/same_bytes.h"
 
-namespace vegard::sim {
+namespace vegard::sim::same_volumes_test {
 namespace {
 
 constexpr const char* kVolumes = R"(
@@ -123,4 +123,4 @@ TEST(SameVolumes, EveryOneOfThemShines) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::same_volumes_test

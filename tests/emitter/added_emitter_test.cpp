@@ -18,7 +18,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/noisy_photo.h"
 
-namespace vegard::tests {
+namespace vegard::tests::added_emitter_test {
 namespace {
 
 const char* const kScene = R"(
@@ -220,4 +220,4 @@ TEST(AddedEmitter, IsFoundAgainByAFit) {
 }
 
 }  // namespace
-}  // namespace vegard::tests
+}  // namespace vegard::tests::added_emitter_test

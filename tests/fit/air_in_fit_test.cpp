@@ -12,7 +12,7 @@
 #include "sim/render/render.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::air_in_fit_test {
 namespace {
 
 /// A sheet low in the north, where there is much air before it.
@@ -221,4 +221,4 @@ TEST(AirInAFit, AerosolIsFoundBesideTheEnergy) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::air_in_fit_test

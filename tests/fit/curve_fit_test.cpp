@@ -12,7 +12,7 @@
 #include "tests/support/rendered_photo.h"
 #include "tests/support/two_stations.h"
 
-namespace vegard::fit {
+namespace vegard::fit::curve_fit_test {
 namespace {
 
 constexpr double kEnergy = 4.0;
@@ -148,4 +148,4 @@ TEST(CurveFit, RefusesWhatItCannotWeigh) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::curve_fit_test

@@ -9,7 +9,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::derivative_check_test {
 namespace {
 
 /// Residuals sin(k a) and exp(k b / 8); the third coordinate does nothing. Mistakes can be built in.
@@ -136,4 +136,4 @@ TEST(CheckDerivatives, OfAPhotographsWholeCost) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::derivative_check_test

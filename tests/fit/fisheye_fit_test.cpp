@@ -6,7 +6,7 @@
 #include "tests/support/rendered_photo.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::fisheye_fit_test {
 namespace {
 
 /// A band 190 km to the north, seen by an all-sky camera.
@@ -66,4 +66,4 @@ TEST(FisheyeFit, FindsTheTiltAndTheScaleOfTheLensWhereTheBandIsKnown) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::fisheye_fit_test

@@ -15,7 +15,7 @@
 #include "tests/support/source_folder.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::photograph_test {
 namespace {
 
 const std::string kScenes = tests::source_folder() + "/tests/cli/scenes/";
@@ -119,4 +119,4 @@ TEST(PhotographOfASensor, GivesTheEnergyBack) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::photograph_test

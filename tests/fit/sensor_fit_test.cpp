@@ -12,7 +12,7 @@
 #include "tests/support/rendered_photo.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::sensor_fit_test {
 namespace {
 
 constexpr double kTruthKev = 4.0, kStartKev = 6.0;
@@ -97,4 +97,4 @@ TEST(LineBrightness, IsThatOfTheRendering) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::sensor_fit_test

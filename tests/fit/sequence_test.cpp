@@ -9,7 +9,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/two_stations.h"
 
-namespace vegard::fit {
+namespace vegard::fit::sequence_test {
 namespace {
 
 constexpr double kEnergies[] = {3.0, 3.6, 4.3};
@@ -116,4 +116,4 @@ TEST(Sequence, ABrokenRowIsNamed) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::sequence_test

@@ -9,7 +9,7 @@
 #include "fit/parameters/photo_frame.h"
 #include "tests/support/two_stations.h"
 
-namespace vegard::fit {
+namespace vegard::fit::several_photos_test {
 namespace {
 
 sim::FreeParameter free_path(const std::string& path, const std::string& photo = "") {
@@ -169,4 +169,4 @@ TEST(SeveralPhotographs, TwoStationsTellTheDistanceWithoutTheHeight) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::several_photos_test

@@ -14,7 +14,7 @@
 #include "tests/support/rendered_photo.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::tied_fit_test {
 namespace {
 
 constexpr double kTruthKev = 4.0, kStartKev = 6.0;
@@ -93,4 +93,4 @@ TEST(TiedFit, AnAngleInAFormulaKeepsItsTurns) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::tied_fit_test

@@ -22,7 +22,7 @@
 #include "tests/support/free_paths.h"
 #include "tests/support/source_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::freeform_test {
 namespace {
 
 constexpr double kGreenNm = 557.7;
@@ -236,4 +236,4 @@ TEST(FreeFormMorePhotographs, OfTwoLayersYieldBoth) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::freeform_test

@@ -18,7 +18,7 @@
 #include "tests/recovery/independent_picture.h"
 #include "tests/support/source_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::independent_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -137,4 +137,4 @@ INSTANTIATE_TEST_SUITE_P(Independent, MorePhotographs, ::testing::Values("h001",
                          [](const auto& made) { return std::string(made.param); });
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::independent_test

@@ -9,7 +9,7 @@
 #include "sim/scene/table/parameter_table.h"
 #include "tests/support/source_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::same_fit_test {
 namespace {
 
 const std::string kShipped = tests::source_folder() + "/data/examples/h000";
@@ -78,4 +78,4 @@ TEST(SameFit, ForAnyThreadsAndRun) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::same_fit_test

@@ -27,7 +27,7 @@
 #include "tests/support/noisy_photo.h"
 #include "tests/support/source_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::sun_test {
 namespace {
 
 const char* const kLoop = R"(
@@ -329,4 +329,4 @@ TEST(SunPictures, TheEclipseIsSteeperThanTheCorona) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::sun_test

@@ -11,7 +11,7 @@
 #include "tests/support/encoded_photo.h"
 #include "tests/support/source_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::transfer_curve_test {
 namespace {
 
 const std::string kShipped = tests::source_folder() + "/data/examples/h000";
@@ -74,4 +74,4 @@ INSTANTIATE_TEST_SUITE_P(Slow, TransferCurveOfThePhotograph,
                          name_of);
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::transfer_curve_test

@@ -11,7 +11,7 @@
 #include "sim/base/file/number_text.h"
 #include "tests/support/two_stations.h"
 
-namespace vegard::fit {
+namespace vegard::fit::two_stations_test {
 namespace {
 
 constexpr int kSeeds = 6;
@@ -78,4 +78,4 @@ TEST(TwoStations, AreFiveTimesBetterThanOne) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::two_stations_test

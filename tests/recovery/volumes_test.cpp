@@ -14,7 +14,7 @@
 #include "tests/support/noisy_photo.h"
 #include "tests/support/source_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::volumes_test {
 namespace {
 
 sim::Scene example(const std::string& name) {
@@ -66,4 +66,4 @@ TEST(VolumeRecovery, FindsALobedNebulaAgain) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::volumes_test

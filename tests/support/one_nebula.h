@@ -39,8 +39,6 @@ inline sim::Scene one_nebula(const sim::Node& hull) {
   return scene;
 }
 
-inline double plain_number(const double& number) { return number; }
-
 struct RayLight {
   std::vector<double> rayleigh, kept;
   double entry_km = std::numeric_limits<double>::infinity(), depth_km = entry_km;
@@ -62,7 +60,7 @@ inline RayLight light_along(const sim::Emitter<double>& emitter, const sim::Scen
 }
 
 inline RayLight light_along(const sim::Scene& scene, double right, double up, bool skip = true) {
-  return light_along(sim::NebulaEmitter<double>(scene, scene.nebulae[0], plain_number, skip), scene, right,
+  return light_along(sim::NebulaEmitter<double>(scene, scene.nebulae[0], sim::plain_number, skip), scene, right,
                      up);
 }
 

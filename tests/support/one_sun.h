@@ -29,8 +29,6 @@ inline sim::Scene one_sun() {
   return scene;
 }
 
-inline double plain_number(const double& number) { return number; }
-
 /// East, north, up of rays that pass the middle of one_sun() at places to the right and up, as bundles have
 /// them.
 struct RaysPast {
@@ -76,7 +74,7 @@ std::vector<std::string> check_sun_derivatives(const sim::Scene& scene, const Ra
   using sim::FreeDual;
   const auto plain = [&](const sim::Scene& of) {
     const LightPast<double> light =
-        light_past<double>(*make(of, sim::NumberAs<double>(plain_number)), rays, cell_rad);
+        light_past<double>(*make(of, sim::NumberAs<double>(sim::plain_number)), rays, cell_rad);
     std::vector<double> all = light.rayleigh;
     all.insert(all.end(), light.kept.begin(), light.kept.end());
     return all;

@@ -9,7 +9,7 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/view/sky/instant.h"
 
-namespace vegard::apps {
+namespace vegard::apps::calibrate_options_test {
 namespace {
 
 sim::PictureMetadata phone() {
@@ -83,4 +83,4 @@ TEST(CalibrateMetadata, ARoughPointingTakesTheFocalLength) {
 }
 
 }  // namespace
-}  // namespace vegard::apps
+}  // namespace vegard::apps::calibrate_options_test

@@ -8,7 +8,7 @@
 #include "tests/support/fits_bytes.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::apps {
+namespace vegard::apps::picture_lists_test {
 namespace {
 
 using M = tests::ExifMaker;
@@ -88,4 +88,4 @@ TEST_F(PictureTimesOf, ATableGoesBeforeAll) {
 }
 
 }  // namespace
-}  // namespace vegard::apps
+}  // namespace vegard::apps::picture_lists_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/expect_words.h"
 
-namespace vegard::apps {
+namespace vegard::apps::animation_frames_test {
 namespace {
 
 TEST(FrameNames, PutTheNumberWhereTheSignsAre) {
@@ -46,4 +46,4 @@ TEST(FramesFromWords, AreARangeWithBothEnds) {
 }
 
 }  // namespace
-}  // namespace vegard::apps
+}  // namespace vegard::apps::animation_frames_test

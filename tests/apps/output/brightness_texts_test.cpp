@@ -6,7 +6,7 @@
 
 #include "tests/support/small_scene.h"
 
-namespace vegard::apps {
+namespace vegard::apps::brightness_texts_test {
 namespace {
 
 using nlohmann::json;
@@ -80,4 +80,4 @@ TEST(BrightnessReport, LooksForColourWhereConesSee) {
 }
 
 }  // namespace
-}  // namespace vegard::apps
+}  // namespace vegard::apps::brightness_texts_test

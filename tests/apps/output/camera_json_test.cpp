@@ -13,7 +13,7 @@
 #include "tests/support/expect_words.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::apps {
+namespace vegard::apps::camera_json_test {
 namespace {
 
 using nlohmann::json;
@@ -124,4 +124,4 @@ TEST(CameraJson, SaysFieldOfViewAndSite) {
 }
 
 }  // namespace
-}  // namespace vegard::apps
+}  // namespace vegard::apps::camera_json_test

@@ -16,7 +16,7 @@
 #include "tests/support/small_scene.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::apps {
+namespace vegard::apps::movie_test {
 namespace {
 
 using tests::TemporaryFolder;
@@ -105,4 +105,4 @@ TEST(Movie, AppearsWholeOrNotAtAll) {
 }
 
 }  // namespace
-}  // namespace vegard::apps
+}  // namespace vegard::apps::movie_test

@@ -5,7 +5,7 @@
 #include "apps/commands/commands.h"
 #include "sim/scene/file/scene_toml.h"
 
-namespace vegard::apps {
+namespace vegard::apps::photo_description_test {
 namespace {
 
 sim::PictureMetadata phone() {
@@ -69,4 +69,4 @@ TEST(Description, TellsWhatIsKnownAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace vegard::apps
+}  // namespace vegard::apps::photo_description_test

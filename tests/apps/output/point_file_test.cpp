@@ -11,7 +11,7 @@
 #include "tests/support/small_scene.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::apps {
+namespace vegard::apps::point_file_test {
 namespace {
 
 using tests::TemporaryFolder;
@@ -111,4 +111,4 @@ TEST(PointFile, AppearsWholeOrNotAtAll) {
 }
 
 }  // namespace
-}  // namespace vegard::apps
+}  // namespace vegard::apps::point_file_test

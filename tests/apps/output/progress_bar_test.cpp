@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace vegard::apps {
+namespace vegard::apps::progress_bar_test {
 namespace {
 
 TEST(SecondsToGo, GoByThePaceSinceAPoint) {
@@ -28,4 +28,4 @@ TEST(ProgressLine, HasTheTimeGoneAndToGoWithinItsColumns) {
 }
 
 }  // namespace
-}  // namespace vegard::apps
+}  // namespace vegard::apps::progress_bar_test

@@ -10,7 +10,7 @@
 #include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::apps {
+namespace vegard::apps::preview_controls_test {
 namespace {
 
 sim::Scene scene_with_a_footprint() {
@@ -132,4 +132,4 @@ TEST(PreviewControls, ResetsTheSceneAndKeepsTheChoice) {
 }
 
 }  // namespace
-}  // namespace vegard::apps
+}  // namespace vegard::apps::preview_controls_test

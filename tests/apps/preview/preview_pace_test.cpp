@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace vegard::apps {
+namespace vegard::apps::preview_pace_test {
 namespace {
 
 /// A machine that takes so long for a whole picture at shrink 1.
@@ -41,4 +41,4 @@ TEST(PreviewPace, DoesNotJudgeByOneSlowPicture) {
 }
 
 }  // namespace
-}  // namespace vegard::apps
+}  // namespace vegard::apps::preview_pace_test

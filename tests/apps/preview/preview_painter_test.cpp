@@ -9,7 +9,7 @@
 #include "sim/render/render.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::apps {
+namespace vegard::apps::preview_painter_test {
 namespace {
 
 std::vector<std::uint8_t> display_bytes(const sim::Scene& scene) {
@@ -65,4 +65,4 @@ TEST(PreviewPainter, EndsEarlyWithoutAPicture) {
 }
 
 }  // namespace
-}  // namespace vegard::apps
+}  // namespace vegard::apps::preview_painter_test

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-namespace vegard::fit {
+namespace vegard::fit::derived_test {
 namespace {
 
 TEST(NearestDistance, IsThePerpendicularOrAnEnd) {
@@ -135,4 +135,4 @@ TEST(DerivedNumbers, HaveTheMeanEnergyOfTheSpectrumThatTheSheetHas) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::derived_test

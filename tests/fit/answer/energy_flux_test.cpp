@@ -7,7 +7,7 @@
 #include "sim/view/sensor/expected_counts.h"
 #include "tests/support/one_sheet.h"
 
-namespace vegard::fit {
+namespace vegard::fit::energy_flux_test {
 namespace {
 
 /// The answer has a gain that is `share` of the known one, good to 5 %.
@@ -84,4 +84,4 @@ TEST(EnergyFlux, ThatWasFreeIsWhatWasFound) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::energy_flux_test

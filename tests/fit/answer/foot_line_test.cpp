@@ -11,7 +11,7 @@
 #include "tests/support/free_paths.h"
 #include "tests/support/one_sheet.h"
 
-namespace vegard::fit {
+namespace vegard::fit::foot_line_test {
 namespace {
 
 constexpr double kRadiusKm = 6481.0;  // of the sphere at 110 km
@@ -157,4 +157,4 @@ TEST(FootBands, OpenTowardsTheEndsByTheBearingsError) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::foot_line_test

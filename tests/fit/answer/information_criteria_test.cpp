@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace vegard::fit {
+namespace vegard::fit::information_criteria_test {
 namespace {
 
 TEST(InformationCriteria, AreTheirDefinitions) {
@@ -85,4 +85,4 @@ TEST(InformationCriteria, SpeakInWords) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::information_criteria_test

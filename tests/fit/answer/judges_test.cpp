@@ -17,7 +17,7 @@
 #include "tests/support/small_scene.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::judges_test {
 namespace {
 
 constexpr int kBands = 16;
@@ -148,4 +148,4 @@ TEST(JudgesOfAFit, SayTheSameWithAnyNumberOfThreadsAndAfterAnInterruption) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::judges_test

@@ -10,7 +10,7 @@
 #include "tests/support/kind_named.h"
 #include "tests/support/one_sheet.h"
 
-namespace vegard::fit {
+namespace vegard::fit::line_light_test {
 namespace {
 
 constexpr double kGreenNm = 557.7, kRedNm = 630.0, kBlueNm = 427.8;
@@ -131,4 +131,4 @@ TEST(DerivedEnergies, MeanIsTwiceE0AndSoIsItsError) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::line_light_test

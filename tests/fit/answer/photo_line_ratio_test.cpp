@@ -7,7 +7,7 @@
 #include "sim/view/colour/line_colours.h"
 #include "tests/support/small_fit.h"
 
-namespace vegard::fit {
+namespace vegard::fit::photo_line_ratio_test {
 namespace {
 
 /// A photograph with so many kilorayleighs of each line in all bins, above the answer's sky.
@@ -91,4 +91,4 @@ TEST(PhotoLineRatios, AreMissingWithAReason) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::photo_line_ratio_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace vegard::fit {
+namespace vegard::fit::verdict_test {
 namespace {
 
 /// A fit with nothing against it.
@@ -204,4 +204,4 @@ TEST(Judge, SpeaksOfWhatTheSceneShinesWith) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::verdict_test

@@ -19,7 +19,7 @@
 #include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::comparison_test {
 namespace {
 
 const Region kRegion{10, 10, 140, 100};
@@ -201,4 +201,4 @@ TEST(Comparison, BorderMovesWithTheSheet) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::comparison_test

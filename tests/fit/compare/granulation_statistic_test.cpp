@@ -14,7 +14,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/noisy_photo.h"
 
-namespace vegard::fit {
+namespace vegard::fit::granulation_statistic_test {
 namespace {
 
 const char* const kScene = R"(
@@ -173,4 +173,4 @@ TEST(GranulationStatistic, SaysThatAllIsNoise) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::granulation_statistic_test

@@ -9,7 +9,7 @@
 #include "tests/support/rendered_photo.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::inflation_test {
 namespace {
 
 /// One scene beside two photographs: of another distance, and of another distance and energy in fewer rows.
@@ -72,4 +72,4 @@ TEST(JointInflation, IsTheMeanSquareByTheNumberOfResiduals) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::inflation_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace vegard::fit {
+namespace vegard::fit::linear_part_test {
 namespace {
 
 constexpr int kBands = 3, kRows = 14, kHeight = 40;
@@ -203,4 +203,4 @@ TEST(LinearPart, AChannelWithoutDataHasNoSkyToCount) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::linear_part_test

@@ -16,7 +16,7 @@
 #include "tests/support/free_paths.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::profile_cost_test {
 namespace {
 
 sim::Scene fit_scene() {
@@ -394,4 +394,4 @@ TEST(ProfileCost, JacobianOfAFreeFormProfileAgreesWithDifferences) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::profile_cost_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/kind_named.h"
 
-namespace vegard::fit {
+namespace vegard::fit::robust_loss_test {
 namespace {
 
 RobustLoss loss(const std::string& name) {
@@ -36,4 +36,4 @@ TEST(RobustLoss, SlopesAgreeWithDifferences) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::robust_loss_test

@@ -16,7 +16,7 @@
 #include "tests/support/made_photo.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::statistics_test {
 namespace {
 
 constexpr int kBands = 6;
@@ -276,4 +276,4 @@ TEST(Statistics, RefuseWhatMeansNothingBesideALoopALimbOrAGreySensor) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::statistics_test

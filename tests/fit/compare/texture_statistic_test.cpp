@@ -11,7 +11,7 @@
 #include "sim/scene/table/parameter_id.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::texture_statistic_test {
 namespace {
 
 constexpr double kContrast = 0.5, kWidthKm = 1.5, kSky = 0.05, kNoise = 0.02;
@@ -193,4 +193,4 @@ TEST(TextureStatistic, SlopesAgreeWithDifferences) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::texture_statistic_test

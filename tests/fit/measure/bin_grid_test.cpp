@@ -15,7 +15,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::bin_grid_test {
 namespace {
 
 const Region kRegion{20, 10, 121, 97};
@@ -180,4 +180,4 @@ TEST(BinGrid, RefusesWhatItCannotDraw) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::bin_grid_test

@@ -10,7 +10,7 @@
 
 #include "fit/measure/bin_grid.h"
 
-namespace vegard::fit {
+namespace vegard::fit::cell_noise_test {
 namespace {
 
 constexpr int kGreen = 1;
@@ -72,4 +72,4 @@ TEST(CellNoise, KnowsHolesAndQuietPictures) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::cell_noise_test

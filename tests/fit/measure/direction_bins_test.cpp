@@ -14,7 +14,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/fisheye_map.h"
 
-namespace vegard::fit {
+namespace vegard::fit::direction_bins_test {
 namespace {
 
 constexpr int kSize = 300;
@@ -252,4 +252,4 @@ TEST(DirectionBins, RefusesSectorsThatAreNone) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::direction_bins_test

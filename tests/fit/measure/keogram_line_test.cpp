@@ -13,7 +13,7 @@
 #include "tests/support/fisheye_map.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::keogram_line_test {
 namespace {
 
 constexpr int kSize = 240;
@@ -140,4 +140,4 @@ TEST(KeogramLine, RefusesWhatThePictureDoesNotShow) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::keogram_line_test

@@ -16,7 +16,7 @@
 #include "tests/support/fisheye_map.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::keogram_test {
 namespace {
 
 constexpr int kSize = 120;
@@ -233,4 +233,4 @@ TEST(TimeTicks, AreRoundMomentsBetweenTheEnds) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::keogram_test

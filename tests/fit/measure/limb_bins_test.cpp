@@ -10,7 +10,7 @@
 #include "sim/scene/structs/scene.h"
 #include "tests/support/expect_error.h"
 
-namespace vegard::fit {
+namespace vegard::fit::limb_bins_test {
 namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
@@ -88,4 +88,4 @@ TEST(LimbBins, SayWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::limb_bins_test

@@ -8,7 +8,7 @@
 
 #include "sim/base/earth.h"
 
-namespace vegard::fit {
+namespace vegard::fit::limb_layer_test {
 namespace {
 
 constexpr double kObserverKm = 390.0;
@@ -79,4 +79,4 @@ TEST(LimbLayer, IsNotSeenWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::limb_layer_test

@@ -11,7 +11,7 @@
 #include "sim/scene/structs/scene.h"
 #include "tests/support/expect_error.h"
 
-namespace vegard::fit {
+namespace vegard::fit::loop_bins_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -117,4 +117,4 @@ TEST(LoopBins, SayWhatIsWrongWithTheGuide) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::loop_bins_test

@@ -10,7 +10,7 @@
 #include "tests/support/small_fit.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::measured_profile_test {
 namespace {
 
 /// What the scene says of the noise, by the mean of a bin's variances, whatever the pixels scatter by.
@@ -61,4 +61,4 @@ TEST(MeasuredProfile, CountsOneChannelOfAGreySensor) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::measured_profile_test

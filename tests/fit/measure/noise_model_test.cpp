@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vegard::fit {
+namespace vegard::fit::noise_model_test {
 namespace {
 
 /// One band of 101 rows: sky 0.1 per channel and a triangle of light, 0 to 1 and back, in the channel's
@@ -58,4 +58,4 @@ TEST(NoiseModel, LeavesOutWhatHasNoPixels) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::noise_model_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace vegard::fit {
+namespace vegard::fit::power_spectrum_test {
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
@@ -104,4 +104,4 @@ TEST(PowerSpectrum, KnowsHowMuchWhiteNoiseScatters) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::power_spectrum_test

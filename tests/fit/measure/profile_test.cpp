@@ -10,7 +10,7 @@
 #include "sim/base/error.h"
 #include "sim/view/sensor/transfer_curve.h"
 
-namespace vegard::fit {
+namespace vegard::fit::profile_test {
 namespace {
 
 /// A photograph as from a float file: no quantisation, everything usable.
@@ -260,4 +260,4 @@ TEST(Chromaticity, ErrorsPropagate) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::profile_test

@@ -6,7 +6,7 @@
 
 #include "sim/base/number/random.h"
 
-namespace vegard::fit {
+namespace vegard::fit::realisation_test {
 namespace {
 
 constexpr int kWidth = 240, kHeight = 120, kBands = 6;
@@ -72,4 +72,4 @@ TEST(SamplingError, IsTheScatterWithoutTheBandsBrightness) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::realisation_test

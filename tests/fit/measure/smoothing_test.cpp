@@ -7,7 +7,7 @@
 
 #include "fit/model/profile_model.h"
 
-namespace vegard::fit {
+namespace vegard::fit::smoothing_test {
 namespace {
 
 constexpr int kBands = 2, kRows = 60;
@@ -59,4 +59,4 @@ TEST(Smooth, TreatsModelsAndTheirDerivativesAsProfiles) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::smoothing_test

@@ -10,7 +10,7 @@
 #include "fit/measure/smoothing.h"
 #include "sim/view/sensor/transfer_curve.h"
 
-namespace vegard::fit {
+namespace vegard::fit::unknown_curve_test {
 namespace {
 
 constexpr int kWidth = 64, kHeight = 40;
@@ -85,4 +85,4 @@ TEST(UnknownCurve, ScaledChi2GoesOnSmoothly) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::unknown_curve_test

@@ -7,7 +7,7 @@
 
 #include "fit/measure/profile.h"
 
-namespace vegard::fit {
+namespace vegard::fit::bin_weights_test {
 namespace {
 
 /// The light of pixel x, y in channel c, the same all over a cell of three by one pixels.
@@ -56,4 +56,4 @@ TEST(BinWeights, OfRowsGiveTheMeansOfThePhotographWithItsMask) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::bin_weights_test

@@ -14,7 +14,7 @@
 #include "sim/view/colour/line_colours.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::binned_picture_test {
 namespace {
 
 const char* const kArc = R"(
@@ -105,4 +105,4 @@ TEST(ProfileModel, BinsThePictureThatRenderMakes) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::binned_picture_test

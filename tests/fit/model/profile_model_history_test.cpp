@@ -10,7 +10,7 @@
 #include "sim/scene/table/parameter_table.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::profile_model_history_test {
 namespace {
 
 TEST(ProfileModel, OfAFreeFormProfileHasNoMemory) {
@@ -42,4 +42,4 @@ TEST(ProfileModel, OfAFreeFormProfileHasNoMemory) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::profile_model_history_test

@@ -14,7 +14,7 @@
 #include "sim/scene/table/parameter_table.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::volume_model_test {
 namespace {
 
 const char* const kCamera = R"(
@@ -207,4 +207,4 @@ TEST(VolumeModel, HasTheDerivativesOfAGrid) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::volume_model_test

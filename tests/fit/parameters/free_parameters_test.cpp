@@ -10,7 +10,7 @@
 #include "tests/support/free_paths.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::free_parameters_test {
 namespace {
 
 sim::FreeParameter entry(const std::string& path) {
@@ -107,4 +107,4 @@ TEST(FreeNumbers, OfASceneWithoutAnyIsTheUsersError) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::free_parameters_test

@@ -11,7 +11,7 @@
 #include "tests/support/free_paths.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::parameter_map_test {
 namespace {
 
 /// Two sheets at a common distance, of which one has four fifths of the other's energy and half of its width.
@@ -238,4 +238,4 @@ TEST(StartFrom, MakesTheAnswerTheNextStart) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::parameter_map_test

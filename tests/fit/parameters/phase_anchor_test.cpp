@@ -11,7 +11,7 @@
 #include "tests/support/rendered_photo.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::phase_anchor_test {
 namespace {
 
 constexpr double kPi = 3.141592653589793;
@@ -241,4 +241,4 @@ TEST(PhaseAnchor, APhaseHasNoErrorBarAtTheStartWithoutItsWavelengths) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::phase_anchor_test

@@ -7,7 +7,7 @@
 #include "tests/support/free_paths.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::prior_rows_test {
 namespace {
 
 TEST(PriorRows, AreOfTheLawThatIsGiven) {
@@ -32,4 +32,4 @@ TEST(PriorRows, AreOfTheLawThatIsGiven) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::prior_rows_test

@@ -10,7 +10,7 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/rows/spline_rates.h"
 
-namespace vegard::fit {
+namespace vegard::fit::spline_prior_test {
 namespace {
 
 sim::Scene free_form(const std::string& more = "") {
@@ -196,4 +196,4 @@ TEST(SplinePrior, ANumberThatIsTheScaleOverAgainTakesNoPart) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::spline_prior_test

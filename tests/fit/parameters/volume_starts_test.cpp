@@ -4,7 +4,7 @@
 
 #include "tests/support/free_paths.h"
 
-namespace vegard::fit {
+namespace vegard::fit::volume_starts_test {
 namespace {
 
 struct Arc {
@@ -76,4 +76,4 @@ TEST(VolumeStarts, KnowWhatStandsOnTheSun) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::volume_starts_test

@@ -12,7 +12,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::decoding_test {
 namespace {
 
 TEST(DecodingWord, AllWordsAreKnown) {
@@ -109,4 +109,4 @@ TEST_F(CurveFile, OfASceneStandsBesideIt) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::decoding_test

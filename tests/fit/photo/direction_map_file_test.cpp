@@ -13,7 +13,7 @@
 #include "tests/support/source_folder.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::direction_map_file_test {
 namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
@@ -119,4 +119,4 @@ TEST(DirectionMapFile, RefusesFilesThatHoldNoAngles) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::direction_map_file_test

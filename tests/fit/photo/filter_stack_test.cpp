@@ -14,7 +14,7 @@
 #include "tests/support/small_scene.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::filter_stack_test {
 namespace {
 
 const std::vector<double> kLines = {630.0, 557.7, 427.8};
@@ -114,4 +114,4 @@ TEST(ReadFilters, AFitOfThreeFilesFindsTheEnergy) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::filter_stack_test

@@ -9,7 +9,7 @@
 #include "sim/base/earth.h"
 #include "sim/scene/file/scene_toml.h"
 
-namespace vegard::fit {
+namespace vegard::fit::photo_defaults_test {
 namespace {
 
 using sim::kRadiansPerDegree;
@@ -202,4 +202,4 @@ TEST(PhotoDefaults, ValuesOutsideOfTheLimitsAreLeftWithANote) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::photo_defaults_test

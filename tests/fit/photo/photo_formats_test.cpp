@@ -16,7 +16,7 @@
 #include "tests/support/source_folder.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::photo_formats_test {
 namespace {
 
 Photo read(const std::string& bytes, Decoding decoding = Decoding::automatic) {
@@ -302,4 +302,4 @@ TEST(ReadPhotoBytes, AHeaderAloneAsksForNoMemory) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::photo_formats_test

@@ -11,7 +11,7 @@
 #include "sim/view/sensor/transfer_curve.h"
 #include "tests/support/image_bytes.h"
 
-namespace vegard::fit {
+namespace vegard::fit::photo_test {
 namespace {
 
 using tests::Tiff;
@@ -306,4 +306,4 @@ TEST(ApplyMask, BlackMaskIsRefused) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::photo_test

@@ -13,7 +13,7 @@
 #include "tests/support/noisy_photo.h"
 #include "tests/support/source_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::bins_picture_test {
 namespace {
 
 sim::Scene loop_scene() {
@@ -107,4 +107,4 @@ TEST(BinsPicture, WhatIsLeftIsMeasuredWithoutTheSky) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::bins_picture_test

@@ -9,7 +9,7 @@
 
 #include "tests/support/small_fit.h"
 
-namespace vegard::fit {
+namespace vegard::fit::corner_plot_test {
 namespace {
 
 struct Point {
@@ -138,4 +138,4 @@ TEST(CornerData, LeavesOutWhatHasNoWidth) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::corner_plot_test

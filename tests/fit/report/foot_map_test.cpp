@@ -10,7 +10,7 @@
 #include "sim/base/earth.h"
 #include "tests/support/small_fit.h"
 
-namespace vegard::fit {
+namespace vegard::fit::foot_map_test {
 namespace {
 
 constexpr double kKmPerDegree = sim::kEarthRadiusKm * sim::kRadiansPerDegree;
@@ -114,4 +114,4 @@ TEST(MapGrid, ALineOfLatitudePassesThroughItsPlace) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::foot_map_test

@@ -7,7 +7,7 @@
 #include "sim/render/render.h"
 #include "tests/support/small_fit.h"
 
-namespace vegard::fit {
+namespace vegard::fit::model_picture_test {
 namespace {
 
 // Two bands of 20 columns: centres at 10 and 30.
@@ -71,4 +71,4 @@ TEST(ModelPicture, HasDenseBeamsWithoutJitter) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::model_picture_test

@@ -10,7 +10,7 @@
 #include "sim/base/file/html_text.h"
 #include "tests/support/small_fit.h"
 
-namespace vegard::fit {
+namespace vegard::fit::report_html_test {
 namespace {
 
 /// Every tag is closed by its own kind, in order. Returns what is wrong, or nothing.
@@ -218,4 +218,4 @@ TEST(Base64, HasTheTestVectorsOfItsStandard) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::report_html_test

@@ -13,7 +13,7 @@
 #include "tests/support/small_fit.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::run_directory_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -118,4 +118,4 @@ TEST_F(RunDirectory, KeepsTheOldRunOnAFullDisk) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::run_directory_test

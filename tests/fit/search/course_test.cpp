@@ -8,7 +8,7 @@
 #include "tests/support/rendered_photo.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::course_test {
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
@@ -189,4 +189,4 @@ TEST(SinesThrough, FewPointsTellNoSine) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::course_test

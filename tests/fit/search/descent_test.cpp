@@ -10,7 +10,7 @@
 #include "tests/support/rendered_photo.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::descent_test {
 namespace {
 
 struct Fitting {
@@ -97,4 +97,4 @@ TEST(Descent, SaysThatTheEvaluationsRanOutOnTheWay) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::descent_test

@@ -18,7 +18,7 @@
 #include "tests/support/full_disk.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::tests {
+namespace vegard::tests::journal_test {
 namespace {
 
 using fit::FileJournal;
@@ -344,4 +344,4 @@ TEST(StepOutputs, ASearchAndErrorBarsComeBack) {
 }
 
 }  // namespace
-}  // namespace vegard::tests
+}  // namespace vegard::tests::journal_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace vegard::fit {
+namespace vegard::fit::steepest_test {
 namespace {
 
 /// Residuals a + M x with a constant M.
@@ -51,4 +51,4 @@ TEST(SteepestCosine, IsUnknownWhereNothingHasAnEffect) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::steepest_test

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-namespace vegard::fit {
+namespace vegard::fit::band_bootstrap_test {
 namespace {
 
 constexpr int kReplicates = 4000;
@@ -187,4 +187,4 @@ TEST(BandBootstrap, OfOneBandSaysNothing) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::band_bootstrap_test

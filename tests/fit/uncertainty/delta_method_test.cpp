@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace vegard::fit {
+namespace vegard::fit::delta_method_test {
 namespace {
 
 struct TwoNumbers {
@@ -54,4 +54,4 @@ TEST(DeltaMethod, AtALimitGoesByTheOtherSide) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::delta_method_test

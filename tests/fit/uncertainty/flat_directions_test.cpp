@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vegard::fit {
+namespace vegard::fit::flat_directions_test {
 namespace {
 
 Uncertainty two(double correlation) {
@@ -48,4 +48,4 @@ TEST(FlatDirections, AWallOnOneSideOnlyIsNoErrorBar) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::flat_directions_test

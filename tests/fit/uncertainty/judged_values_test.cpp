@@ -6,7 +6,7 @@
 
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::judged_values_test {
 namespace {
 
 std::vector<FreeNumber> numbers(const std::vector<std::string>& paths) {
@@ -122,4 +122,4 @@ TEST(JudgedValues, OfAChainAreThinnedForTheEyeOnly) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::judged_values_test

@@ -10,7 +10,7 @@
 #include "fit/uncertainty/uncertainty.h"
 #include "sim/base/number/ensemble_sampler.h"
 
-namespace vegard::fit {
+namespace vegard::fit::judges_agree_test {
 namespace {
 
 constexpr int kBands = 60, kPerBand = 20, kRows = kBands * kPerBand, kUnknowns = 3;
@@ -98,4 +98,4 @@ TEST(JudgesOfUncertainty, AgreeWhereTheModelIsLinear) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::judges_agree_test

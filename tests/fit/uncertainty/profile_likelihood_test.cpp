@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-namespace vegard::fit {
+namespace vegard::fit::profile_likelihood_test {
 namespace {
 
 /// chi2 = 7 + (x - m)ᵀ A (x - m) with A far from diagonal, and its exact minimum over all but one coordinate.
@@ -143,4 +143,4 @@ TEST(ProfileLikelihood, EndsWhenStoppedOrAtAWall) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::profile_likelihood_test

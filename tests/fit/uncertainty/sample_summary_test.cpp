@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vegard::fit {
+namespace vegard::fit::sample_summary_test {
 namespace {
 
 // 0, 1, ..., 1000, and a falling line of them.
@@ -38,4 +38,4 @@ TEST(SampleSummary, OfTooFewIsEmpty) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::sample_summary_test

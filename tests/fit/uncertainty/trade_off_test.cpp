@@ -7,7 +7,7 @@
 
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit {
+namespace vegard::fit::trade_off_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -211,4 +211,4 @@ TEST(StrongCorrelations, TellDistanceWhereTheSheetStandsNearlyThatWay) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::trade_off_test

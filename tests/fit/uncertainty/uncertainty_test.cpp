@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace vegard::fit {
+namespace vegard::fit::uncertainty_test {
 namespace {
 
 constexpr int kResiduals = 4000;
@@ -160,4 +160,4 @@ TEST(ErrorInflation, CountsResidualsThatGoTogether) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::uncertainty_test

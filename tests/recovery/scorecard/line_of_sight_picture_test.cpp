@@ -11,7 +11,7 @@
 #include "tests/recovery/scorecard/truth.h"
 #include "tests/support/line_of_sight.h"
 
-namespace vegard::scorecard {
+namespace vegard::scorecard::line_of_sight_picture_test {
 namespace {
 
 /// Without deflections, so that both have the same light.
@@ -103,4 +103,4 @@ TEST(LineOfSightPicture, IsThatOfBeams) {
 }
 
 }  // namespace
-}  // namespace vegard::scorecard
+}  // namespace vegard::scorecard::line_of_sight_picture_test

@@ -3,7 +3,7 @@
 
 #include "tests/recovery/scorecard/one_case.h"
 
-namespace vegard::scorecard {
+namespace vegard::scorecard::sample_test {
 namespace {
 
 class ScorecardSample : public ::testing::TestWithParam<int> {};
@@ -21,4 +21,4 @@ TEST_P(ScorecardSample, IsRecovered) {
 INSTANTIATE_TEST_SUITE_P(OfSetOne, ScorecardSample, ::testing::Values(3, 5, 9));
 
 }  // namespace
-}  // namespace vegard::scorecard
+}  // namespace vegard::scorecard::sample_test

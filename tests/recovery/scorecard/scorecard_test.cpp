@@ -15,7 +15,7 @@
 #include "tests/recovery/scorecard/wide_start.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::scorecard {
+namespace vegard::scorecard::scorecard_test {
 namespace {
 
 TEST(Truths, ArePureFunctionsOfSetAndNumber) {
@@ -194,4 +194,4 @@ TEST(Card, IsReadAsItWasWritten) {
 }
 
 }  // namespace
-}  // namespace vegard::scorecard
+}  // namespace vegard::scorecard::scorecard_test

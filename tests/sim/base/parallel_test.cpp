@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace vegard::sim {
+namespace vegard::sim::parallel_test {
 namespace {
 
 TEST(ThreadCount, IsWhatWasAskedForUpToTheCores) {
@@ -43,4 +43,4 @@ TEST(ParallelFor, SaysNothingWhenAskedForMoreThreadsThanCores) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::parallel_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace vegard::sim {
+namespace vegard::sim::utc_seconds_test {
 namespace {
 
 TEST(UtcSeconds, KnownMoments) {
@@ -50,4 +50,4 @@ TEST(UtcSeconds, InNamesOfPictures) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::utc_seconds_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 
-namespace vegard::sim {
+namespace vegard::sim::atmosphere_test {
 namespace {
 
 constexpr double kGas = 8314.32;  // J kg^-1 K^-1 times the molar mass in kg kmol^-1, the standard's
@@ -79,4 +79,4 @@ TEST(StandardAir, IsMixedBelow86KilometresAndEndsWithItsTable) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::atmosphere_test

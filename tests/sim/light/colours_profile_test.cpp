@@ -6,7 +6,7 @@
 
 #include "sim/base/number/random.h"
 
-namespace vegard::sim {
+namespace vegard::sim::colours_profile_test {
 namespace {
 
 using Colour = std::array<double, 3>;
@@ -109,4 +109,4 @@ TEST(ColoursProfile, SlopeIsThatOfDifferences) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::colours_profile_test

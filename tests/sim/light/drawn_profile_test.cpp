@@ -6,7 +6,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/one_sheet.h"
 
-namespace vegard::sim {
+namespace vegard::sim::drawn_profile_test {
 namespace {
 
 Scene scene_with_table(const std::string& text, std::vector<double> lines = {557.7}) {
@@ -76,4 +76,4 @@ TEST(DrawnProfile, WithoutGreenLightHasNoBrightness) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::drawn_profile_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::electron_test {
 namespace {
 
 TEST(Electron, OfTenKiloelectronvoltsHasTheSpeedAndTheCollisionsOfTheSource) {
@@ -35,4 +35,4 @@ TEST(Electron, IsDeflectedMoreOftenPerMetreTheMoreEnergyItHas) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::electron_test

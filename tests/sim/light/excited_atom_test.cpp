@@ -13,7 +13,7 @@
 #include "sim/scene/lines/emission_lines.h"
 #include "tests/support/source_folder.h"
 
-namespace vegard::sim {
+namespace vegard::sim::excited_atom_test {
 namespace {
 
 const EmissionLine& line(double wavelength_nm) { return *find_emission_line(wavelength_nm); }
@@ -159,4 +159,4 @@ TEST(SpreadProfile, IsWhatTheDocumentationPrints) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::excited_atom_test

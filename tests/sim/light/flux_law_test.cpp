@@ -11,7 +11,7 @@
 #include "sim/light/height_profile.h"
 #include "tests/support/source_folder.h"
 
-namespace vegard::sim {
+namespace vegard::sim::flux_law_test {
 namespace {
 
 TEST(FluxLaw, GivesGlowsColumnsBackWithTheBackgroundOfZeroFlux) {
@@ -93,4 +93,4 @@ TEST(FluxLaw, LevelsOutBeyondTheFluxesThatAreKnown) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::flux_law_test

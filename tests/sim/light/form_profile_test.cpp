@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::form_profile_test {
 namespace {
 
 const std::vector<double> kTriad = {630.0, 557.7, 427.8};
@@ -117,4 +117,4 @@ TEST(ColumnBelow, IsTheIntegralUpToAnyAltitude) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::form_profile_test

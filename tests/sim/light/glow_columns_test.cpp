@@ -9,7 +9,7 @@
 
 #include "sim/scene/lines/emission_lines.h"
 
-namespace vegard::sim {
+namespace vegard::sim::glow_columns_test {
 namespace {
 
 std::vector<const EmissionLine*> lines_with_columns() {
@@ -77,4 +77,4 @@ TEST(GlowColumns, OfLinesWithARatioAreWiredToTheOtherLines) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::glow_columns_test

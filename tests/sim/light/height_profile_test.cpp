@@ -12,7 +12,7 @@
 #include "sim/scene/lines/emission_lines.h"
 #include "tests/support/source_folder.h"
 
-namespace vegard::sim {
+namespace vegard::sim::height_profile_test {
 namespace {
 
 double column_rayleigh(const HeightProfile& profile, int line) {
@@ -150,4 +150,4 @@ TEST(EmissionTable, RefusesADamagedTable) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::height_profile_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::ionisation_test {
 namespace {
 
 /// Of the energy that comes in, what is spent at 35 eV an ion pair: the integral of f dz/H, and
@@ -91,4 +91,4 @@ TEST(Ionisation, IsFiniteWhereNothingArrives) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::ionisation_test

@@ -10,7 +10,7 @@
 #include "sim/light/spectrum_profile.h"
 #include "sim/scene/lines/emission_lines.h"
 
-namespace vegard::sim {
+namespace vegard::sim::mono_table_test {
 namespace {
 
 double column(const std::vector<double>& curve) {
@@ -66,4 +66,4 @@ TEST(MonoEnergeticTable, GrowsWithTheEnergyAsItsSlopeSays) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::mono_table_test

@@ -9,7 +9,7 @@
 #include "sim/scene/table/parameter_id.h"
 #include "tests/support/one_sheet.h"
 
-namespace vegard::sim {
+namespace vegard::sim::profile_slope_test {
 namespace {
 
 const std::vector<double> kLinesNm = {630.0, 557.7, 427.8};
@@ -98,4 +98,4 @@ TEST(ProfileSlope, OfAnythingElseIsNone) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::profile_slope_test

@@ -8,7 +8,7 @@
 #include "sim/light/sheet_profile.h"
 #include "tests/support/kind_named.h"
 
-namespace vegard::sim {
+namespace vegard::sim::profile_table_test {
 namespace {
 
 const std::vector<double> kLines = {630.0, 557.7, 427.8};
@@ -83,4 +83,4 @@ TEST(ProfileTable, EndsWhereTheEmissionTablesEnd) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::profile_table_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::sheet_profile_test {
 namespace {
 
 TEST(SheetProfile, OfAGivenBrightnessHasItInGreenWhateverTheLinesAndTheEnergy) {
@@ -112,4 +112,4 @@ TEST(SheetProfile, SlopesAreThoseOfTheRate) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::sheet_profile_test

@@ -11,7 +11,7 @@
 #include "sim/scene/table/parameter_id.h"
 #include "tests/support/one_sheet.h"
 
-namespace vegard::sim {
+namespace vegard::sim::spectrum_profile_test {
 namespace {
 
 const std::vector<double> kLines = {630.0, 557.7, 427.8};
@@ -138,4 +138,4 @@ TEST(SpectrumProfile, DerivativesByTheSpreadAreThoseOfTheRate) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::spectrum_profile_test

@@ -10,7 +10,7 @@
 #include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::air_on_film_test {
 namespace {
 
 Scene airy_scene() {
@@ -139,4 +139,4 @@ TEST(NightSkyInAPicture, IsALayerThatIsAdded) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::air_on_film_test

@@ -9,7 +9,7 @@
 #include "sim/view/sensor/transfer_curve.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::as_seen_test {
 namespace {
 
 using tests::small_scene;
@@ -53,4 +53,4 @@ TEST(AsSeen, WhatTheForegroundHidesIsNotSeen) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::as_seen_test

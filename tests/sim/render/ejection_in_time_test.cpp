@@ -8,7 +8,7 @@
 #include "sim/render/render_memory.h"
 #include "tests/support/kind_named.h"
 
-namespace vegard::sim {
+namespace vegard::sim::ejection_in_time_test {
 namespace {
 
 Scene eruption(const std::string& kind) {
@@ -62,4 +62,4 @@ TEST(EjectionInTime, ShowsHowOldItIsAtTheBeginningOfAnExposure) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::ejection_in_time_test

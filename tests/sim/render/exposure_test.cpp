@@ -7,7 +7,7 @@
 #include "sim/render/film.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::exposure_test {
 namespace {
 
 /// All that moves: the sheet, its sine, and the brightness.
@@ -70,4 +70,4 @@ TEST(Exposure, OfAStillSheetIsTheStill) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::exposure_test

@@ -21,7 +21,7 @@
 #include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::film_derivatives_test {
 namespace {
 
 constexpr int kColumns = 10, kBorder = 10;
@@ -298,4 +298,4 @@ TEST(FilmDerivatives, TwoSheetsOtherPitchLawsAndFiveLinesAgreeWithDifferences) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::film_derivatives_test

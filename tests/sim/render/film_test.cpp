@@ -14,7 +14,7 @@
 #include "tests/support/exposed.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::film_test {
 namespace {
 
 using tests::exposed;
@@ -290,4 +290,4 @@ TEST(FilmFor, CoversTheRegionWithFourSigmaAround) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::film_test

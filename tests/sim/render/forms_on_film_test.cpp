@@ -15,7 +15,7 @@
 #include "sim/scene/rows/forms.h"
 #include "tests/support/exposed.h"
 
-namespace vegard::sim {
+namespace vegard::sim::forms_on_film_test {
 namespace {
 
 using tests::exposed;
@@ -229,4 +229,4 @@ TEST(FormOnFilm, RaysOfBandsAreShorterThanThoseOfDraperies) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::forms_on_film_test

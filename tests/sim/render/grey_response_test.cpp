@@ -8,7 +8,7 @@
 #include "sim/view/colour/sensor_response.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::grey_response_test {
 namespace {
 
 Scene grey_scene() {
@@ -45,4 +45,4 @@ TEST(GreyResponse, APictureIsKilorayleighsTimesTheGain) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::grey_response_test

@@ -12,7 +12,7 @@
 #include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::lens_on_film_test {
 namespace {
 
 /// The whole sky, and a little more, with a sheet that stands across it.
@@ -142,4 +142,4 @@ TEST(EarthOnFilm, EndsTheLightOfADistantArcAtTheHorizon) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::lens_on_film_test

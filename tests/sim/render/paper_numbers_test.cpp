@@ -23,7 +23,7 @@
 #include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::paper_numbers_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -251,4 +251,4 @@ TEST(PaperNumbers, APointsLightDoesNotDependOnTheResolution) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::paper_numbers_test

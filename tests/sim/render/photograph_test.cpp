@@ -19,7 +19,7 @@
 #include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::photograph_test {
 namespace {
 
 /// A band in a bright sky behind a lens that darkens its corners. Its light is smooth over many pixels, so
@@ -288,4 +288,4 @@ TEST(Photograph, RawNumbersAreTheExpectedCounts) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::photograph_test

@@ -14,7 +14,7 @@
 #include "sim/view/camera/camera.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::physical_blur_test {
 namespace {
 
 /// A vertical ray, a tenth of a kilometre thick and 300 km to the north; all of it is in the picture.
@@ -206,4 +206,4 @@ TEST(PhysicalBlur, ReportsItsProgressAndStops) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::physical_blur_test

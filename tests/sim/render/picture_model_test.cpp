@@ -20,7 +20,7 @@
 #include "sim/view/sky/night_sky.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::picture_model_test {
 namespace {
 
 /// A film of the whole picture.
@@ -274,4 +274,4 @@ TEST(PictureModel, HasTheDerivativesOfAFreeFormProfile) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::picture_model_test

@@ -11,7 +11,7 @@
 #include "sim/scene/table/parameter_id.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::profile_exposure_test {
 namespace {
 
 std::vector<std::vector<float>> lanes_of(const std::vector<float>& slope, int lines) {
@@ -112,4 +112,4 @@ TEST(ProfileExposure, ANegativeProfileTakesLightAway) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::profile_exposure_test

@@ -9,7 +9,7 @@
 #include "sim/scene/table/parameter_table.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::reduced_scene_test {
 namespace {
 
 TEST(ReducedScene, IsAsItWasWhereItIsCheapAlready) {
@@ -67,4 +67,4 @@ TEST(ReducedScene, HasTheSameLightInFewerBeamsAndPixels) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::reduced_scene_test

@@ -10,7 +10,7 @@
 #include "sim/render/render.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::render_memory_test {
 namespace {
 
 Scene scene_of_everything() {
@@ -104,4 +104,4 @@ TEST(RenderMemory, DoesNotKeepStarsThatWereInterrupted) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::render_memory_test

@@ -8,7 +8,7 @@
 #include "sim/view/sensor/transfer_curve.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::render_test {
 namespace {
 
 TEST(DisplayPicture, ClipsTheAuroraBeforeTheSkyIsAdded) {
@@ -185,4 +185,4 @@ TEST(Render, StopsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::render_test

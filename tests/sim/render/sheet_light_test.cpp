@@ -14,7 +14,7 @@
 #include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::sheet_light_test {
 namespace {
 
 using tests::exposed;
@@ -123,4 +123,4 @@ TEST(StepRule, OfTheEnergyTakesTheStepsOfItsMeanAndKeepsThemWhileTheEnergyVaries
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::sheet_light_test

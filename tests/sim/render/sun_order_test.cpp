@@ -13,7 +13,7 @@
 #include "sim/scene/table/parameter_table.h"
 #include "tests/support/free_paths.h"
 
-namespace vegard::sim {
+namespace vegard::sim::sun_order_test {
 namespace {
 
 constexpr double kRaised = 1.25;  // radius of the shell's outer sphere, in radii of the photosphere
@@ -179,4 +179,4 @@ TEST(SunOrder, DerivativesThroughAnAbsorberAgreeWithDifferences) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::sun_order_test

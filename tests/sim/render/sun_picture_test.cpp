@@ -6,7 +6,7 @@
 
 #include "sim/render/render.h"
 
-namespace vegard::sim {
+namespace vegard::sim::sun_picture_test {
 namespace {
 
 constexpr int kWidth = 60, kHeight = 40;
@@ -88,4 +88,4 @@ TEST(SunPicture, HasCloudsThatShadeItsBallAndACoronaAboutIt) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::sun_picture_test

@@ -13,7 +13,7 @@
 #include "tests/support/exposed.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::sim {
+namespace vegard::sim::volume_agreement_test {
 namespace {
 
 /// An arc across the view, 250 km off, whose electrons do not stray from their field lines: a footprint knows
@@ -134,4 +134,4 @@ TEST(VolumeAgreement, AGridOfASheetsBeamsHasTheirProfile) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::volume_agreement_test

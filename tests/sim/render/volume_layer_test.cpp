@@ -11,7 +11,7 @@
 #include "sim/render/render.h"
 #include "sim/view/film/composite.h"
 
-namespace vegard::sim {
+namespace vegard::sim::volume_layer_test {
 namespace {
 
 constexpr int kWidth = 24, kHeight = 16;
@@ -225,4 +225,4 @@ TEST(FilmFor, LeavesRoomForTheSoftenedLightOfVolumes) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::volume_layer_test

@@ -11,7 +11,7 @@
 #include "sim/scene/table/parameter_id.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::sim {
+namespace vegard::sim::volume_picture_test {
 namespace {
 
 constexpr int kWidth = 60, kHeight = 40;
@@ -153,4 +153,4 @@ TEST(VolumePicture, HasItsDerivativesSoftenedAndGlowing) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::volume_picture_test

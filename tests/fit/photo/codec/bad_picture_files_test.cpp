@@ -17,7 +17,7 @@
 #include "tests/support/source_folder.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::bad_picture_files_test {
 namespace {
 
 using tests::big_endian;
@@ -283,4 +283,4 @@ TEST(BadPictureFiles, AFileIsKnownByItsContents) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::bad_picture_files_test

@@ -6,7 +6,7 @@
 #include "tests/support/source_folder.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::hevc_size_test {
 namespace {
 
 /// The body of the box hvcC of a picture of 64 x 32 pixels, which its encoder stored as 64 x 64.
@@ -74,4 +74,4 @@ TEST(HevcSize, WhatIsCutSaysNothing) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::hevc_size_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/made_sky.h"
 
-namespace vegard::fit {
+namespace vegard::fit::circle_test {
 namespace {
 
 /// A fisheye's sky with a bright arc and a dark mast, its edge two pixels soft, in a frame of 0.001.
@@ -74,4 +74,4 @@ TEST(FisheyeCircle, LeavesOutWhatIsOutside) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::circle_test

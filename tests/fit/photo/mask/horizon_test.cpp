@@ -7,7 +7,7 @@
 #include "sim/base/error.h"
 #include "tests/support/made_sky.h"
 
-namespace vegard::fit {
+namespace vegard::fit::horizon_test {
 namespace {
 
 /// The y at which the ground begins: hills, with trees that stand twenty pixels up, narrow at their tips.
@@ -95,4 +95,4 @@ TEST(DrawnHorizon, IsATableOfItsColumns) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::horizon_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/made_sky.h"
 
-namespace vegard::fit {
+namespace vegard::fit::hot_pixels_test {
 namespace {
 
 constexpr double kNoise = 0.004;
@@ -42,4 +42,4 @@ TEST(HotPixels, LeavesEdgesAlone) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::hot_pixels_test

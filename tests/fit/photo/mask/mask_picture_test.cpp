@@ -6,7 +6,7 @@
 #include "tests/support/made_sky.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::mask_picture_test {
 namespace {
 
 TEST(MaskPicture, IsReadAsTheMaskThatItWas) {
@@ -36,4 +36,4 @@ TEST(MaskPicture, ShowsTheFirstReasonOfEachPixel) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::mask_picture_test

@@ -6,7 +6,7 @@
 #include "fit/photo/mask/saturated.h"
 #include "tests/support/made_sky.h"
 
-namespace vegard::fit {
+namespace vegard::fit::pixel_set_test {
 namespace {
 
 TEST(PixelSet, GrowsByDiscsAndStaysInThePicture) {
@@ -51,4 +51,4 @@ TEST(Saturated, TakesWhatAnyChannelCannotTellAndABorder) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::pixel_set_test

@@ -5,7 +5,7 @@
 #include "fit/photo/mask/pixel_set.h"
 #include "tests/support/made_sky.h"
 
-namespace vegard::fit {
+namespace vegard::fit::stars_test {
 namespace {
 
 constexpr double kNoise = 0.004;
@@ -84,4 +84,4 @@ TEST(Stars, FindsLargeStarsOfLargePictures) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::stars_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/made_sky.h"
 
-namespace vegard::fit {
+namespace vegard::fit::text_test {
 namespace {
 
 constexpr int kRows = 7, kColumns = 5;
@@ -87,4 +87,4 @@ TEST(Text, IsNotSeenInStarsLightsAndRays) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::text_test

@@ -9,7 +9,7 @@
 #include "tests/support/expect_words.h"
 #include "tests/support/star_field.h"
 
-namespace vegard::tests {
+namespace vegard::tests::calibration_test {
 namespace {
 
 using sim::LensModel;
@@ -265,4 +265,4 @@ TEST(HeldLens, OnlyTheRotationMoves) {
 }
 
 }  // namespace
-}  // namespace vegard::tests
+}  // namespace vegard::tests::calibration_test

@@ -12,7 +12,7 @@
 #include "sim/view/camera/camera.h"
 #include "tests/support/expect_error.h"
 
-namespace vegard::fit {
+namespace vegard::fit::horizon_calibration_test {
 namespace {
 
 using sim::kRadiansPerDegree;
@@ -238,4 +238,4 @@ TEST(HorizonCalibration, RefusesToTellAFieldOfViewFromALittleBending) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::horizon_calibration_test

@@ -7,7 +7,7 @@
 #include "sim/view/sky/instant.h"
 #include "tests/support/star_field.h"
 
-namespace vegard::tests {
+namespace vegard::tests::identification_test {
 namespace {
 
 const fit::Frame kFrame{640, 480, true};
@@ -114,4 +114,4 @@ TEST(CatalogueSky, IsAboveAndApart) {
 }
 
 }  // namespace
-}  // namespace vegard::tests
+}  // namespace vegard::tests::identification_test

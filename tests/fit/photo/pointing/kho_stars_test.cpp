@@ -13,7 +13,7 @@
 #include "sim/view/sky/instant.h"
 #include "tests/support/source_folder.h"
 
-namespace vegard::tests {
+namespace vegard::tests::kho_stars_test {
 namespace {
 
 class KhoStars : public testing::Test {
@@ -109,4 +109,4 @@ TEST_F(KhoStars, StandWhereTheCatalogueHasThem) {
 }
 
 }  // namespace
-}  // namespace vegard::tests
+}  // namespace vegard::tests::kho_stars_test

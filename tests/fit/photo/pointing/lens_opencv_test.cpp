@@ -6,7 +6,7 @@
 
 #include "sim/view/camera/camera.h"
 
-namespace vegard {
+namespace vegard::lens_opencv_test {
 namespace {
 
 TEST(LensBesideOpenCv, ProjectsTheSame) {
@@ -40,4 +40,4 @@ TEST(LensBesideOpenCv, ProjectsTheSame) {
 }
 
 }  // namespace
-}  // namespace vegard
+}  // namespace vegard::lens_opencv_test

@@ -9,7 +9,7 @@
 #include "tests/support/expect_words.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::tests {
+namespace vegard::tests::map_calibration_test {
 namespace {
 
 using sim::LensModel;
@@ -123,4 +123,4 @@ TEST(MapCalibration, SaysWhenNoCameraStandsForTheMaps) {
 }
 
 }  // namespace
-}  // namespace vegard::tests
+}  // namespace vegard::tests::map_calibration_test

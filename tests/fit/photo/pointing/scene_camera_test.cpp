@@ -9,7 +9,7 @@
 #include "sim/view/camera/camera.h"
 #include "tests/support/star_field.h"
 
-namespace vegard::tests {
+namespace vegard::tests::scene_camera_test {
 namespace {
 
 fit::Calibration calibrated(const fit::SkyCamera& truth, int radial) {
@@ -70,4 +70,4 @@ TEST(CalibrationTables, SayWhatWasFound) {
 }
 
 }  // namespace
-}  // namespace vegard::tests
+}  // namespace vegard::tests::scene_camera_test

@@ -12,7 +12,7 @@
 #include "tests/support/star_field.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::tests {
+namespace vegard::tests::solved_field_test {
 namespace {
 
 const fit::SkyOfPicture kSky{sim::julian_date("2014-02-21T19:30:40Z"),
@@ -118,4 +118,4 @@ TEST(SolvedField, NeedsATimeAndASite) {
 }
 
 }  // namespace
-}  // namespace vegard::tests
+}  // namespace vegard::tests::solved_field_test

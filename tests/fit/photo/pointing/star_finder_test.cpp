@@ -6,7 +6,7 @@
 
 #include "tests/support/star_field.h"
 
-namespace vegard::tests {
+namespace vegard::tests::star_finder_test {
 namespace {
 
 /// Gaussian stars on a ground that grows by `slope` a pixel to the right, with noise.
@@ -76,4 +76,4 @@ TEST(StarFinder, LooksOnlyWhereItMay) {
 }
 
 }  // namespace
-}  // namespace vegard::tests
+}  // namespace vegard::tests::star_finder_test

@@ -8,7 +8,7 @@
 #include "sim/view/sky/instant.h"
 #include "tests/support/expect_error.h"
 
-namespace vegard::tests {
+namespace vegard::tests::star_table_test {
 namespace {
 
 const fit::SkyOfPicture kSky{sim::julian_date("2014-02-21T19:30:40Z"),
@@ -74,4 +74,4 @@ TEST(StarTable, RefusesBadTables) {
 }
 
 }  // namespace
-}  // namespace vegard::tests
+}  // namespace vegard::tests::star_table_test

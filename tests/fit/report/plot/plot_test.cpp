@@ -13,7 +13,7 @@
 #include "fit/report/profile_plot.h"
 #include "tests/support/image_bytes.h"
 
-namespace vegard::fit {
+namespace vegard::fit::plot_test {
 namespace {
 
 using Labels = std::vector<std::string>;
@@ -271,4 +271,4 @@ TEST(ProfilePlot, TallRegionsAreThinned) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::plot_test

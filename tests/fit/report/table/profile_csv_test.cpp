@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-namespace vegard::fit {
+namespace vegard::fit::profile_csv_test {
 namespace {
 
 Photo small_photo() {
@@ -89,4 +89,4 @@ TEST(ProfileCsv, SaysWhatItIsMadeFrom) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::profile_csv_test

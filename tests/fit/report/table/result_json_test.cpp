@@ -7,7 +7,7 @@
 #include "sim/base/version.h"
 #include "tests/support/small_fit.h"
 
-namespace vegard::fit {
+namespace vegard::fit::result_json_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -158,4 +158,4 @@ TEST(ResultJson, SurvivesAFileNameThatIsNoText) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::result_json_test

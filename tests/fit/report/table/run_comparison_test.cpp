@@ -11,7 +11,7 @@
 #include "tests/support/small_fit.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::fit {
+namespace vegard::fit::run_comparison_test {
 namespace {
 
 RunSummary run_named(const std::string& name, double chi2, int unknowns) {
@@ -104,4 +104,4 @@ TEST(ComparedRuns, AreOfTheSameData) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::run_comparison_test

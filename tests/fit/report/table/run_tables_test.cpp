@@ -9,7 +9,7 @@
 #include "sim/base/file/csv_text.h"
 #include "tests/support/small_fit.h"
 
-namespace vegard::fit {
+namespace vegard::fit::run_tables_test {
 namespace {
 
 std::vector<std::string> lines_without_comments(const std::string& text) {
@@ -97,4 +97,4 @@ TEST(TraceCsv, NamesTheParametersAndQuotesTheStages) {
 }
 
 }  // namespace
-}  // namespace vegard::fit
+}  // namespace vegard::fit::run_tables_test

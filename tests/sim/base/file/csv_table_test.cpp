@@ -6,7 +6,7 @@
 
 #include "sim/base/error.h"
 
-namespace vegard::sim {
+namespace vegard::sim::csv_table_test {
 namespace {
 
 /// The message that a text is refused with; empty if it is not.
@@ -68,4 +68,4 @@ TEST(CsvTable, SaysWhichRowIsOutOfOrderOrLimits) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::csv_table_test

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-namespace vegard::sim {
+namespace vegard::sim::durable_rename_test {
 namespace {
 
 TEST(PartialName, CanBeReadBack) {
@@ -23,4 +23,4 @@ TEST(PartialName, CanBeReadBack) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::durable_rename_test

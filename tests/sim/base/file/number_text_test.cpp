@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::number_text_test {
 namespace {
 
 TEST(NumberText, RoundsTheErrorToTwoDigitsAndTheValueToItsPlace) {
@@ -34,4 +34,4 @@ TEST(NumberText, KeepsPlainNumbersPlain) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::number_text_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace vegard::sim {
+namespace vegard::sim::sha256_test {
 namespace {
 
 // The examples that accompany FIPS 180-4, and the million letters of FIPS 180-2, appendix B.3.
@@ -51,4 +51,4 @@ TEST(Sha256, OfAFile) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::sha256_test

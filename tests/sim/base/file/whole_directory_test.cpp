@@ -10,7 +10,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::sim {
+namespace vegard::sim::whole_directory_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,4 +120,4 @@ TEST(DurableRename, NeverReplacesWithoutLeave) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::whole_directory_test

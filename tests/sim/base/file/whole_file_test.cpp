@@ -10,7 +10,7 @@
 #include "tests/support/full_disk.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::sim {
+namespace vegard::sim::whole_file_test {
 namespace {
 
 using tests::bytes_of;
@@ -111,4 +111,4 @@ TEST(WholeFile, AFullDiskLeavesTheOldFile) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::whole_file_test

@@ -7,7 +7,7 @@
 
 #include "sim/base/number/random.h"
 
-namespace vegard {
+namespace vegard::grid_planes_test {
 namespace {
 
 using namespace sim;
@@ -97,4 +97,4 @@ TEST(GridPlanes, FarBricksTakeNoMoreThanTheirPicture) {
 }
 
 }  // namespace
-}  // namespace vegard
+}  // namespace vegard::grid_planes_test

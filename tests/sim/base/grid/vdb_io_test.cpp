@@ -10,7 +10,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard {
+namespace vegard::vdb_io_test {
 namespace {
 
 using sim::SparseGrid;
@@ -207,4 +207,4 @@ TEST(VdbIo, EveryDamagedByteOfTheOutlineIsReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace vegard
+}  // namespace vegard::vdb_io_test

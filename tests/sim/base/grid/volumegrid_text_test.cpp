@@ -9,7 +9,7 @@
 #include "tests/support/expect_words.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard {
+namespace vegard::volumegrid_text_test {
 namespace {
 
 using sim::ErrorKind;
@@ -227,4 +227,4 @@ TEST(VolumegridText, WritesAllOrNothing) {
 }
 
 }  // namespace
-}  // namespace vegard
+}  // namespace vegard::volumegrid_text_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::altitude_spline_test {
 namespace {
 
 TEST(AltitudeSpline, BasisSumsToOneInsideAndVanishesAtTheEnds) {
@@ -56,4 +56,4 @@ TEST(AltitudeSpline, IsLargestAboutItsCentre) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::altitude_spline_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::curve_search_test {
 namespace {
 
 constexpr double kLimit = 1.4;
@@ -90,4 +90,4 @@ TEST(CurveSearch, EndsWhereNothingComesBack) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::curve_search_test

@@ -7,7 +7,7 @@
 
 #include "sim/base/number/random.h"
 
-namespace vegard::sim {
+namespace vegard::sim::distance_transform_test {
 namespace {
 
 std::vector<std::uint8_t> random_marks(int columns, int rows, double share, std::uint32_t seed) {
@@ -69,4 +69,4 @@ TEST(DistanceTransform, KeepsItsWholeNumbersOverALongRow) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::distance_transform_test

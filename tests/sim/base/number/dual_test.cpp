@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace vegard::sim {
+namespace vegard::sim::dual_test {
 namespace {
 
 using Two = Dual<double, Tangents<double, 2>>;
@@ -53,4 +53,4 @@ TEST(Dual, AConstantHasNoTangentsAndValueOfDropsThem) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::dual_test

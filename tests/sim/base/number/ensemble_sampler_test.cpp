@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vegard::sim {
+namespace vegard::sim::ensemble_sampler_test {
 namespace {
 
 constexpr double kNowhere = -std::numeric_limits<double>::infinity();
@@ -279,4 +279,4 @@ TEST(EnsembleSampler, StartsFromACovarianceThatIsNotWhole) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::ensemble_sampler_test

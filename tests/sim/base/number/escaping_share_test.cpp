@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vegard {
+namespace vegard::escaping_share_test {
 namespace {
 
 /// (1 - exp(-x)) / x is the mean of exp(-x s) for s from 0 to 1, its slope that of -s exp(-x s). Simpson's
@@ -44,4 +44,4 @@ TEST(EscapingShare, ADualHasTheSlope) {
 }
 
 }  // namespace
-}  // namespace vegard
+}  // namespace vegard::escaping_share_test

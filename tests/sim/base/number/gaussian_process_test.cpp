@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-namespace vegard::sim {
+namespace vegard::sim::gaussian_process_test {
 namespace {
 
 constexpr double kWidth = 2.0;
@@ -90,4 +90,4 @@ TEST(GaussianField, IsNormalAndAsWideAcrossAsAlong) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::gaussian_process_test

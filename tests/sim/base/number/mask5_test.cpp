@@ -7,7 +7,7 @@
 
 #include "sim/base/error.h"
 
-namespace vegard::sim {
+namespace vegard::sim::mask5_test {
 namespace {
 
 std::string numbers(int count, const std::string& between = "\n") {
@@ -70,4 +70,4 @@ TEST(Mask5, RefusesWhatIsNoMaskAndSaysWhere) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::mask5_test

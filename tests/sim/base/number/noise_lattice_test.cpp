@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::noise_lattice_test {
 namespace {
 
 const NoiseLattice& lattice() {
@@ -49,4 +49,4 @@ TEST(NoiseLattice, SlopesAreThoseOfDifferences) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::noise_lattice_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::noise_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 41;
@@ -94,4 +94,4 @@ TEST(OctaveNoise, AddsWavesOfHalfTheLengthAndHalfTheHeight) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::noise_test

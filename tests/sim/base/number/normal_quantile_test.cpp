@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::normal_quantile_test {
 namespace {
 
 TEST(NormalQuantile, HasTheTabulatedValues) {
@@ -29,4 +29,4 @@ TEST(NormalQuantile, IsOddAboutOneHalf) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::normal_quantile_test

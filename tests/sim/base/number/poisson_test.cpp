@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-namespace vegard::sim {
+namespace vegard::sim::poisson_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 7;
@@ -88,4 +88,4 @@ TEST(Poisson, NumbersOfOnePlaceAreIndependent) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::poisson_test

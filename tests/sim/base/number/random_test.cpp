@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <set>
 
-namespace vegard::sim {
+namespace vegard::sim::random_test {
 namespace {
 
 TEST(Philox, GivesTheKnownAnswersOfRandom123) {
@@ -100,4 +100,4 @@ TEST(PathStream, AzimuthsAndLengthsAreUniformByChiSquare) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::random_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::spline_test {
 namespace {
 
 const std::vector<double> kKnots = {0.0, 0.5, 1.7, 2.0, 3.1, 5.0};
@@ -70,4 +70,4 @@ TEST(Spline, OfTwoKnotsIsTheLineBetweenThem) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::spline_test

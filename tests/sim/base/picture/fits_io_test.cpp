@@ -11,7 +11,7 @@
 #include "tests/support/fits_bytes.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::sim {
+namespace vegard::sim::fits_io_test {
 namespace {
 
 using tests::fits_card;
@@ -344,4 +344,4 @@ TEST(FitsIo, WhatIsNoFitsImageIsRefused) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::fits_io_test

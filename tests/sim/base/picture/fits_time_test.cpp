@@ -6,7 +6,7 @@
 #include "tests/support/fits_bytes.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::sim {
+namespace vegard::sim::fits_time_test {
 namespace {
 
 using tests::fits_card;
@@ -56,4 +56,4 @@ TEST(FitsTime, IsPartOfWhatAPictureSays) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::fits_time_test

@@ -17,7 +17,7 @@
 #include "tests/support/full_disk.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::sim {
+namespace vegard::sim::image_io_test {
 namespace {
 
 using tests::bytes_of;
@@ -405,4 +405,4 @@ TEST(ImageIo, AMissingFolderAndAnExistingFileAreToldApart) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::image_io_test

@@ -12,7 +12,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/source_folder.h"
 
-namespace vegard::sim {
+namespace vegard::sim::picture_metadata_test {
 namespace {
 
 using tests::ExifMaker;
@@ -232,4 +232,4 @@ TEST(TakenUtc, CrossesTheDateAndTheYear) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::picture_metadata_test

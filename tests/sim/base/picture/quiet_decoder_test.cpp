@@ -8,7 +8,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::sim {
+namespace vegard::sim::quiet_decoder_test {
 namespace {
 
 void say(const char* word) { ASSERT_EQ(::write(STDERR_FILENO, word, 2), 2); }
@@ -40,4 +40,4 @@ TEST(QuietDecoder, WordsAreLostWhileThereIsOneAndNoLonger) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::quiet_decoder_test

@@ -6,7 +6,7 @@
 
 #include "sim/base/picture/image_io.h"
 
-namespace vegard::sim {
+namespace vegard::sim::whole_picture_test {
 namespace {
 
 std::string encoded(ImageFormat format) {
@@ -51,4 +51,4 @@ TEST(WholePicture, TheEndOfASmallPictureInsideIsNotTheEnd) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::whole_picture_test

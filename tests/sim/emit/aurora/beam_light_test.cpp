@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-namespace vegard::sim {
+namespace vegard::sim::beam_light_test {
 namespace {
 
 constexpr double kContrast = 0.6;
@@ -139,4 +139,4 @@ TEST(ArcLight, ChangesWithoutJumps) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::beam_light_test

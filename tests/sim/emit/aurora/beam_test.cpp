@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::beam_test {
 namespace {
 
 double altitude_km(const double enu[3], double observer_altitude_km) {
@@ -101,4 +101,4 @@ TEST(StartBeam, DerivativesAreThoseOfItsPlace) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::beam_test

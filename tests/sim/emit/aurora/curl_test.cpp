@@ -8,7 +8,7 @@
 
 #include "sim/emit/aurora/sheet.h"
 
-namespace vegard::sim {
+namespace vegard::sim::curl_test {
 namespace {
 
 Sheet curled_sheet() {
@@ -157,4 +157,4 @@ TEST(Curls, ComeAndGoWithoutAJumpEvenOnFolds) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::curl_test

@@ -6,7 +6,7 @@
 
 #include "sim/light/sample.h"
 
-namespace vegard::sim {
+namespace vegard::sim::dipole_test {
 namespace {
 
 Site site_at(double latitude_deg, double longitude_deg) {
@@ -105,4 +105,4 @@ TEST(Dipole, DerivativesAgreeWithDifferences) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::dipole_test

@@ -10,7 +10,7 @@
 #include "sim/base/earth.h"
 #include "sim/emit/aurora/beam.h"
 
-namespace vegard::sim {
+namespace vegard::sim::fall_test {
 namespace {
 
 using Beams = HWY_NAMESPACE::FallingBeams<double, double, double>;
@@ -188,4 +188,4 @@ TEST(LanePacks, DrawTheRandomNumbersOfTheScalarKernel) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::fall_test

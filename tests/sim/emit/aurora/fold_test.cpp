@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace vegard::sim {
+namespace vegard::sim::fold_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -204,4 +204,4 @@ TEST(Folds, AreBornAndDieWithoutAJump) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::fold_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::motion_test {
 namespace {
 
 Substorm substorm() {
@@ -75,4 +75,4 @@ TEST(SubstormLevel, IsExactlyOneWithoutASubstorm) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::motion_test

@@ -11,7 +11,7 @@
 #include "tests/support/one_sheet.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::sheet_brightness_test {
 namespace {
 
 TEST(BrightnessClass, IsToldInWordsAboutTheClassesOfTheAtlas) {
@@ -99,4 +99,4 @@ TEST(SheetBrightness, HasNoPowerWhereNoElectronsAreSaid) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::sheet_brightness_test

@@ -10,7 +10,7 @@
 #include "sim/base/earth.h"
 #include "tests/support/kind_named.h"
 
-namespace vegard::sim {
+namespace vegard::sim::sheet_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -336,4 +336,4 @@ TEST(Sheet, SlidingAlongItsLineWithThePhaseCompensatedMovesNoBeamInside) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::sheet_test

@@ -8,7 +8,7 @@
 
 #include "march_case.h"
 
-namespace vegard::sim {
+namespace vegard::sim::curtain_emitter_test {
 namespace {
 
 using namespace march_case;
@@ -134,4 +134,4 @@ TEST(CurtainEmitter, HasItsDerivativeByWidth) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::curtain_emitter_test

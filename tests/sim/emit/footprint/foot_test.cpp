@@ -7,7 +7,7 @@
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/dipole.h"
 
-namespace vegard::sim {
+namespace vegard::sim::foot_test {
 namespace {
 
 /// The point of a beam, from the Earth's centre.
@@ -79,4 +79,4 @@ TEST(Foot, StandsOnTheFaceThatReachesFarthest) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::foot_test

@@ -8,7 +8,7 @@
 #include "sim/emit/footprint/footprint_emitter.h"
 #include "sim/light/profile_table.h"
 
-namespace vegard::sim {
+namespace vegard::sim::footprint_derivatives_test {
 namespace {
 
 using namespace march_case;
@@ -135,4 +135,4 @@ TEST(FootprintDerivatives, ByTheEnergyOfAMapAreThoseOfDifferences) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::footprint_derivatives_test

@@ -14,7 +14,7 @@
 #include "sim/light/form_profile.h"
 #include "tests/support/kind_named.h"
 
-namespace vegard::sim {
+namespace vegard::sim::footprint_emitter_test {
 namespace {
 
 using namespace march_case;
@@ -376,4 +376,4 @@ TEST(FootprintEmitter, FollowsTheEnergyOfTheFoot) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::footprint_emitter_test

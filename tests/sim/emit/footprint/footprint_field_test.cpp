@@ -6,7 +6,7 @@
 #include "sim/emit/footprint/footprint_emitter.h"
 #include "tests/support/kind_named.h"
 
-namespace vegard::sim {
+namespace vegard::sim::footprint_field_test {
 namespace {
 
 using namespace march_case;
@@ -103,4 +103,4 @@ TEST(FootprintField, CallsNoBoxDarkThatShines) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::footprint_field_test

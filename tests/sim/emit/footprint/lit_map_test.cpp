@@ -7,7 +7,7 @@
 
 #include "march_case.h"
 
-namespace vegard::sim {
+namespace vegard::sim::lit_map_test {
 namespace {
 
 using namespace march_case;
@@ -59,4 +59,4 @@ TEST(LitMap, KnowsTheLightAcrossTheEdgesOfACube) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::lit_map_test

@@ -7,7 +7,7 @@
 #include "march_case.h"
 #include "sim/light/form_profile.h"
 
-namespace vegard::sim {
+namespace vegard::sim::step_profile_test {
 namespace {
 
 ProfileTable steep() {
@@ -62,4 +62,4 @@ TEST(StepProfile, BeginsAtTheFirstLight) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::step_profile_test

@@ -13,7 +13,7 @@
 #include "sim/scene/structs/site_axes.h"
 #include "tests/support/expect_error.h"
 
-namespace vegard {
+namespace vegard::grid_emitter_test {
 namespace {
 
 using namespace sim;
@@ -400,4 +400,4 @@ TEST(GridBricks, RefuseWhatTakesTooMuch) {
 }
 
 }  // namespace
-}  // namespace vegard
+}  // namespace vegard::grid_emitter_test

@@ -7,7 +7,7 @@
 
 #include "sim/base/number/random.h"
 
-namespace vegard::sim {
+namespace vegard::sim::grid_filter_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 5;
@@ -118,4 +118,4 @@ TEST(GridFilter, OfNothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::grid_filter_test

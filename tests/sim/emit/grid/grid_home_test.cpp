@@ -9,7 +9,7 @@
 #include "sim/emit/grid/grid_emitter.h"
 #include "sim/emit/grid/grid_field.h"
 
-namespace vegard {
+namespace vegard::grid_home_test {
 namespace {
 
 using namespace sim;
@@ -237,4 +237,4 @@ TEST(GridHome, AFieldOfTheSunIsInItsUnit) {
 }
 
 }  // namespace
-}  // namespace vegard
+}  // namespace vegard::grid_home_test

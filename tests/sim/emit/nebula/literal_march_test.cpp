@@ -6,7 +6,7 @@
 
 #include "tests/support/one_nebula.h"
 
-namespace vegard::sim {
+namespace vegard::sim::literal_march_test {
 namespace {
 
 using tests::node_of;
@@ -24,7 +24,7 @@ struct Ball {
           node.radius = radius;
           return node;
         }())),
-        map(scene, tests::plain_number) {
+        map(scene, plain_number) {
     scene.nebulae[0].edge = 0.1;
     scene.nebulae[0].colour_a = scene.nebulae[0].colour_b = {1.0, 1.0, 1.0};
   }
@@ -40,7 +40,7 @@ TEST(LiteralMarch, FiftyEmptyStepsAreAnOpacityOfFiftyNinetieths) {
   slab.thickness = 1e-3;
   slab.center = {0.0, 0.15, 0.0};
   const Scene scene = tests::one_nebula(slab);
-  const NodeMap<double> map(scene, tests::plain_number);
+  const NodeMap<double> map(scene, plain_number);
   LiteralCloud cloud = literal_cloud(map, scene.nebulae[0]);
   cloud.edge = 0.1;
   const std::array<double, 4> empty = literal_march(cloud, {0.0, 0.0, 2.0}, kAhead, 1e9);
@@ -97,4 +97,4 @@ TEST(LiteralMarch, LightIsOneColourInTheMiddleAndTheOtherAtDistanceOne) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::literal_march_test

@@ -11,7 +11,7 @@
 #include "tests/support/free_paths.h"
 #include "tests/support/one_nebula.h"
 
-namespace vegard::sim {
+namespace vegard::sim::nebula_derivatives_test {
 namespace {
 
 using tests::node_of;
@@ -113,7 +113,7 @@ TEST(NebulaDerivatives, AreThoseOfCentralDifferences) {
                              }),
               paths.end());
   ASSERT_GT(paths.size(), 100u);
-  const std::vector<double> plain = light_of<double>(scene, tests::plain_number);
+  const std::vector<double> plain = light_of<double>(scene, plain_number);
   double brightest = 0.0;
   for (const double light : plain) brightest = std::max(brightest, light);
   EXPECT_GT(brightest, 1.0);
@@ -134,8 +134,8 @@ TEST(NebulaDerivatives, AreThoseOfCentralDifferences) {
       const double step = 1e-5 * std::max(1.0, std::abs(*free[i]));
       *real_value(more, paths[first + i].path) += step;
       *real_value(less, paths[first + i].path) -= step;
-      const std::vector<double> high = light_of<double>(more, tests::plain_number),
-                                low = light_of<double>(less, tests::plain_number);
+      const std::vector<double> high = light_of<double>(more, plain_number),
+                                low = light_of<double>(less, plain_number);
       double off = 0.0, size = 0.0;
       for (std::size_t r = 0; r < plain.size(); ++r) {
         const double difference = (high[r] - low[r]) / (2.0 * step);
@@ -153,4 +153,4 @@ TEST(NebulaDerivatives, AreThoseOfCentralDifferences) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::nebula_derivatives_test

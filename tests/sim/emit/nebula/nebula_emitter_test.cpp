@@ -8,13 +8,12 @@
 
 #include "tests/support/one_nebula.h"
 
-namespace vegard::sim {
+namespace vegard::sim::nebula_emitter_test {
 namespace {
 
 using tests::light_along;
 using tests::node_of;
 using tests::one_nebula;
-using tests::plain_number;
 using tests::RayLight;
 
 // A piece of the march is all in or all out of a sharp surface, so that a chord is off by a step at either
@@ -214,4 +213,4 @@ TEST(NebulaEmitter, SkippingChangesNothing) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::nebula_emitter_test

@@ -8,7 +8,7 @@
 #include "sim/base/number/random.h"
 #include "tests/support/one_nebula.h"
 
-namespace vegard::sim {
+namespace vegard::sim::nebula_field_test {
 namespace {
 
 using tests::node_of;
@@ -83,4 +83,4 @@ TEST(NebulaField, IsDarkOnlyWhereItSaysSo) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::nebula_field_test

@@ -9,11 +9,10 @@
 #include "sim/emit/nebula/node_blend.h"
 #include "tests/support/one_nebula.h"
 
-namespace vegard::sim {
+namespace vegard::sim::node_map_test {
 namespace {
 
 using tests::node_of;
-using tests::plain_number;
 
 struct Point {
   double at[3];
@@ -219,4 +218,4 @@ TEST(NodeMap, PlacesAreUndoneByTheirOpposites) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::node_map_test

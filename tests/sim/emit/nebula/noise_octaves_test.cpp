@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace vegard::sim {
+namespace vegard::sim::noise_octaves_test {
 namespace {
 
 const NoiseLattice& lattice() {
@@ -38,4 +38,4 @@ TEST(NoiseOctaves, OneOctaveIsTheNoiseItself) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::noise_octaves_test

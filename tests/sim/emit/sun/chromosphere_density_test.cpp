@@ -10,11 +10,10 @@
 
 #include "tests/support/one_sun.h"
 
-namespace vegard::sim {
+namespace vegard::sim::chromosphere_density_test {
 namespace {
 
 using tests::one_sun;
-using tests::plain_number;
 
 Scene noisy() {
   Scene scene = one_sun();
@@ -162,4 +161,4 @@ TEST(ChromosphereDensity, HasGranulesThatGrowWithTheirScale) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::chromosphere_density_test

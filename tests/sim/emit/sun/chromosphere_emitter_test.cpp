@@ -7,12 +7,11 @@
 
 #include "tests/support/one_sun.h"
 
-namespace vegard::sim {
+namespace vegard::sim::chromosphere_emitter_test {
 namespace {
 
 using tests::light_past;
 using tests::one_sun;
-using tests::plain_number;
 using tests::RaysPast;
 
 /// Density 0.7 everywhere: turbulence is never negative, and far over its coverage.
@@ -160,4 +159,4 @@ TEST(ChromosphereEmitter, DerivativesAreThoseOfCentralDifferences) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::chromosphere_emitter_test

@@ -11,12 +11,11 @@
 #include "tests/support/kind_named.h"
 #include "tests/support/one_sun.h"
 
-namespace vegard::sim {
+namespace vegard::sim::corona_emitter_test {
 namespace {
 
 using tests::light_past;
 using tests::one_sun;
-using tests::plain_number;
 using tests::RaysPast;
 
 constexpr double kPi = 3.14159265358979323846;
@@ -199,4 +198,4 @@ TEST(CoronaEmitter, DerivativesAreThoseOfCentralDifferences) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::corona_emitter_test

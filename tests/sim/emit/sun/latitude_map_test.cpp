@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::latitude_map_test {
 namespace {
 
 constexpr double kRadian = 3.14159265358979323846 / 180.0;
@@ -52,4 +52,4 @@ TEST(LatitudeMap, HasItsFirstAndLastRowsValuesUpToThePoles) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::latitude_map_test

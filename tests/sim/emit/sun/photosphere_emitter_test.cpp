@@ -7,12 +7,11 @@
 
 #include "tests/support/one_sun.h"
 
-namespace vegard::sim {
+namespace vegard::sim::photosphere_emitter_test {
 namespace {
 
 using tests::light_past;
 using tests::one_sun;
-using tests::plain_number;
 using tests::RaysPast;
 
 constexpr double kPi = 3.14159265358979323846;
@@ -139,4 +138,4 @@ TEST(PhotosphereEmitter, DerivativesAreThoseOfCentralDifferences) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::photosphere_emitter_test

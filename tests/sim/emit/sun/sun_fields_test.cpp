@@ -10,11 +10,10 @@
 #include "tests/support/kind_named.h"
 #include "tests/support/one_sun.h"
 
-namespace vegard::sim {
+namespace vegard::sim::sun_fields_test {
 namespace {
 
 using tests::one_sun;
-using tests::plain_number;
 using tests::RaysPast;
 
 /// A ray that passes 4 and 11 units from the middle, in a Sun turned every way, and the same column through
@@ -108,4 +107,4 @@ TEST(SunFields, AreDarkInsideOfTheInnerSphereAndOutsideOfTheOuter) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::sun_fields_test

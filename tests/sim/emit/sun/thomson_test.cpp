@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::thomson_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -63,4 +63,4 @@ TEST(ScatteredLight, IsFiniteAtThePhotosphere) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::thomson_test

@@ -15,7 +15,7 @@
 #include "sim/render/beams/kernel_scene.h"
 #include "sim/scene/lines/emission_lines.h"
 
-namespace vegard::sim {
+namespace vegard::sim::levels_test {
 namespace {
 
 struct Moments {
@@ -272,4 +272,4 @@ TEST(FallOnLevels, MovesTheLightWithTheWind) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::levels_test

@@ -15,7 +15,7 @@
 #include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::points_test {
 namespace {
 
 using tests::all_points;
@@ -178,4 +178,4 @@ TEST(Points, AreTheSameForAnyThreadsAndOfTheFirstInstant) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::points_test

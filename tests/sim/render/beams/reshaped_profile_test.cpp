@@ -12,7 +12,7 @@
 #include "tests/support/exposed.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::reshaped_profile_test {
 namespace {
 
 constexpr double kPeakKm = 120.0;
@@ -146,4 +146,4 @@ TEST(StructuredScene, MovesThePictureAndKeepsItsLight) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::reshaped_profile_test

@@ -10,7 +10,7 @@
 #include "tests/support/expect_words.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::sim {
+namespace vegard::sim::depth_file_test {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -114,4 +114,4 @@ TEST(RayEnds, AreOfTheNearerOfGroundAndDepth) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::depth_file_test

@@ -13,7 +13,7 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
 
-namespace vegard::sim {
+namespace vegard::sim::footprint_of_even_energy_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -84,4 +84,4 @@ TEST(FootprintOfEvenEnergy, HasTheDerivativesByTheEnergyOfPoints) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::footprint_of_even_energy_test

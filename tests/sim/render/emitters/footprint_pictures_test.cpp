@@ -9,7 +9,7 @@
 #include "tests/support/kind_named.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::sim {
+namespace vegard::sim::footprint_pictures_test {
 namespace {
 
 using tests::expect_error;
@@ -104,4 +104,4 @@ TEST(ScenePictures, HaveABiasMapByItsName) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::footprint_pictures_test

@@ -8,7 +8,7 @@
 #include "sim/view/colour/line_colours.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::footprint_profiles_test {
 namespace {
 
 /// What the sensor makes of a row of a profile.
@@ -72,4 +72,4 @@ TEST(BeamLayout, HasNoBeamsWhereAFootprintStandsForTheSheets) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::footprint_profiles_test

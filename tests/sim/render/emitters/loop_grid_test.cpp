@@ -16,7 +16,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/free_paths.h"
 
-namespace vegard::sim {
+namespace vegard::sim::loop_grid_test {
 namespace {
 
 const NumberAs<double> kPlain = [](const double& x) { return x; };
@@ -361,4 +361,4 @@ TEST(SceneGrid, OfALoopByAGridHoldsWhatItsStrandsDo) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::loop_grid_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-namespace vegard::sim {
+namespace vegard::sim::coarse_march_test {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -162,4 +162,4 @@ TEST(MarchCoarsely, IsDarkAndClearWhereTheLensSeesNothing) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::coarse_march_test

@@ -10,7 +10,7 @@
 #include "sim/render/volumes/volumes.h"
 #include "tests/support/one_nebula.h"
 
-namespace vegard::sim {
+namespace vegard::sim::literal_nebula_test {
 namespace {
 
 /// A ball half-way down to the horizon of a camera that looks north.
@@ -66,4 +66,4 @@ TEST(NebulaOnFilm, ShinesInRayleighsAboveTheHorizon) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::literal_nebula_test

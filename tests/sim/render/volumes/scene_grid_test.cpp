@@ -15,7 +15,7 @@
 #include "tests/support/small_scene.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard {
+namespace vegard::scene_grid_test {
 namespace {
 
 using namespace sim;
@@ -388,4 +388,4 @@ TEST(SceneGrid, AFileOfItsOwnComesBack) {
 }
 
 }  // namespace
-}  // namespace vegard
+}  // namespace vegard::scene_grid_test

@@ -5,7 +5,7 @@
 #include "sim/scene/table/parameter_table.h"
 #include "tests/support/bad_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::free_volume_test {
 namespace {
 
 class BadFreeVolume : public testing::TestWithParam<Bad> {};
@@ -141,4 +141,4 @@ set.camera.azimuth_deg = 10
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::free_volume_test

@@ -6,7 +6,7 @@
 #include "sim/scene/freedom/idle_parameter.h"
 #include "sim/scene/table/parameter_table.h"
 
-namespace vegard::sim {
+namespace vegard::sim::idle_sun_parameter_test {
 namespace {
 
 Scene scene_of_all() {
@@ -115,4 +115,4 @@ TEST(IdleSunParameter, WhatIsFreeTooIsNotTakenAsItIs) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::idle_sun_parameter_test

@@ -5,7 +5,7 @@
 
 #include "tests/support/bad_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::loop_check_test {
 namespace {
 
 std::string loop(const std::string& more) {
@@ -34,4 +34,4 @@ TEST(LoopCheck, RefusesFiltersWithoutAGrid) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::loop_check_test

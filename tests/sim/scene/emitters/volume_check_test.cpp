@@ -6,7 +6,7 @@
 #include "sim/scene/table/parameter_table.h"
 #include "tests/support/bad_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::volume_check_test {
 namespace {
 
 class BadVolume : public testing::TestWithParam<Bad> {};
@@ -182,4 +182,4 @@ TEST(VolumeScene, PathsReachElementsByNameAndTheOnlyOneWithout) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::volume_check_test

@@ -14,7 +14,7 @@
 #include "sim/scene/table/parameter_table.h"
 #include "tests/support/bad_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::scene_toml_test {
 namespace {
 
 Scene parse(const std::string& text) { return parse_scene(text, "aurora.toml"); }
@@ -558,4 +558,4 @@ TEST(WriteScene, KeepsEveryBitOfANumber) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::scene_toml_test

@@ -9,7 +9,7 @@
 #include "tests/support/kind_named.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard {
+namespace vegard::volume_grid_file_test {
 namespace {
 
 using namespace sim;
@@ -117,4 +117,4 @@ TEST(VolumeGridFile, ReadsAVolumegrid) {
 }
 
 }  // namespace
-}  // namespace vegard
+}  // namespace vegard::volume_grid_file_test

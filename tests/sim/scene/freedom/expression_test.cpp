@@ -10,7 +10,7 @@
 #include "sim/base/error.h"
 #include "tests/support/expect_error.h"
 
-namespace vegard::sim {
+namespace vegard::sim::expression_test {
 namespace {
 
 const std::vector<std::string> known = {"x", "y", "sheet.a.energy_kev", "sheet.far-off.energy_kev",
@@ -115,4 +115,4 @@ TEST(Expression, SaysWhatItDoesNotUnderstandAndWhere) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::expression_test

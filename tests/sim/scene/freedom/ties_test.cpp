@@ -5,7 +5,7 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
 
-namespace vegard::sim {
+namespace vegard::sim::ties_test {
 namespace {
 
 TEST(Ties, ComeAfterThoseThatTheyUse) {
@@ -50,4 +50,4 @@ TEST(Ties, OfOnePhotographAreItsOwn) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::ties_test

@@ -9,7 +9,7 @@
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/lines/solar_lines.h"
 
-namespace vegard::sim {
+namespace vegard::sim::emission_line_test {
 namespace {
 
 TEST(EmissionLines, AreOneListByWavelength) {
@@ -109,4 +109,4 @@ TEST(EmissionLines, AreBlurredLikeTheLineFromTheSameAtoms) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::emission_line_test

@@ -11,7 +11,7 @@
 #include "sim/scene/table/parameter_table.h"
 #include "tests/support/one_sheet.h"
 
-namespace vegard::sim {
+namespace vegard::sim::forms_test {
 namespace {
 
 Sheet sheet_of(const std::string& form) {
@@ -189,4 +189,4 @@ TEST(Forms, ACoronaIsARayedBandSeenFromBelow) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::forms_test

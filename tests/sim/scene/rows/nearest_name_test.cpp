@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace vegard::sim {
+namespace vegard::sim::nearest_name_test {
 namespace {
 
 TEST(EditDistance, CountsEditsAndSwaps) {
@@ -32,4 +32,4 @@ TEST(NearestHint, IsOnlyAsSureAsTheNamesAreNear) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::nearest_name_test

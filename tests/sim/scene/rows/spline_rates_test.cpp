@@ -6,7 +6,7 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
 
-namespace vegard::sim {
+namespace vegard::sim::spline_rates_test {
 namespace {
 
 const char* const kFreeForm =
@@ -97,4 +97,4 @@ TEST(SplineRates, WhatCannotBeIsRefused) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::spline_rates_test

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::station_test {
 namespace {
 
 constexpr double kDegree = 0.017453292519943295;
@@ -128,4 +128,4 @@ TEST(Station, TheSamePlaceChangesNothing) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::station_test

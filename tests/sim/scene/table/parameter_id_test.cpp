@@ -13,10 +13,10 @@
 #include "sim/scene/table/parameter_table.h"
 #include "tests/support/full_scene.h"
 
+namespace vegard::sim::parameter_id_test {
 namespace {
 
-using namespace vegard::sim;
-using vegard::tests::full_scene;
+using tests::full_scene;
 
 TEST(ParameterId, EveryPathOfEveryRowComesBack) {
   const Scene scene = full_scene();
@@ -158,3 +158,4 @@ TEST(ParameterRole, IsThatOfTheNumberItStandsFor) {
 }
 
 }  // namespace
+}  // namespace vegard::sim::parameter_id_test

@@ -12,7 +12,7 @@
 #include "sim/base/error.h"
 #include "sim/scene/table/parameter_declarations.h"
 
-namespace vegard::sim {
+namespace vegard::sim::parameter_table_test {
 namespace {
 
 Scene scene_of_two() {
@@ -466,4 +466,4 @@ TEST(Validate, RefusesAPathThatIsFreeTwiceAlsoThroughItsVector) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::parameter_table_test

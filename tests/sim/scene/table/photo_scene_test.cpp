@@ -8,7 +8,7 @@
 #include "sim/scene/table/parameter_table.h"
 #include "tests/support/expect_error.h"
 
-namespace vegard::sim {
+namespace vegard::sim::photo_scene_test {
 namespace {
 
 const char* const kTwoStations = R"(
@@ -168,4 +168,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::photo_scene_test

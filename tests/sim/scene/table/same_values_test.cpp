@@ -8,7 +8,7 @@
 
 #include "sim/scene/table/parameter_declarations.h"
 
-namespace vegard::sim {
+namespace vegard::sim::same_values_test {
 namespace {
 
 /// One element of every repeated table.
@@ -69,4 +69,4 @@ TEST(SameValues, TellsTheZerosApart) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::same_values_test

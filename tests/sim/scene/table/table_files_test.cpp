@@ -8,7 +8,7 @@
 #include "sim/scene/file/scene_toml.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::sim {
+namespace vegard::sim::table_files_test {
 namespace {
 
 void write(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
@@ -59,4 +59,4 @@ TEST(TableFiles, ADecodingKeepsTheWordBeforeItsTable) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::table_files_test

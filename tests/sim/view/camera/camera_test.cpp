@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::camera_test {
 namespace {
 
 constexpr double kDegree = kRadiansPerDegree;
@@ -93,4 +93,4 @@ TEST(Camera, FieldOfViewSpansTheWidth) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::camera_test

@@ -9,7 +9,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::direction_map_test {
 namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
@@ -58,4 +58,4 @@ TEST(DirectionMap, RefusesMapsThatAreNone) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::direction_map_test

@@ -11,7 +11,7 @@
 #include "sim/view/camera/lens_series.h"
 #include "tests/support/kind_named.h"
 
-namespace vegard::sim {
+namespace vegard::sim::lens_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -251,4 +251,4 @@ TEST(Lens, WidestAngleIsThatOfTheFarthestCorner) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::lens_test

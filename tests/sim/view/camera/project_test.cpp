@@ -11,7 +11,7 @@
 #include "sim/emit/aurora/beam.h"
 #include "tests/support/kind_named.h"
 
-namespace vegard::sim {
+namespace vegard::sim::project_test {
 namespace {
 
 using HWY_NAMESPACE::Pack;
@@ -142,4 +142,4 @@ TEST_P(LensFilmOf, SeesPointsWhereTheLensDrawsThem) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::project_test

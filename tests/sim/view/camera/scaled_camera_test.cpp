@@ -5,7 +5,7 @@
 #include "sim/view/camera/camera.h"
 #include "tests/support/kind_named.h"
 
-namespace vegard::sim {
+namespace vegard::sim::scaled_camera_test {
 namespace {
 
 Camera tilted(const char* model) {
@@ -68,4 +68,4 @@ TEST(ScaledCamera, FitsIntoASizeInItsOwnShape) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::scaled_camera_test

@@ -7,7 +7,7 @@
 
 #include "sim/base/earth.h"
 
-namespace vegard::sim {
+namespace vegard::sim::tangent_altitude_test {
 namespace {
 
 TEST(TangentAltitude, IsTheLeastHeightAlongTheLine) {
@@ -44,4 +44,4 @@ TEST(TangentAltitude, TurnsBackIntoTheElevation) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::tangent_altitude_test

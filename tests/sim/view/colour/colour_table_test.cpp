@@ -11,7 +11,7 @@
 #include "tests/support/expect_words.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard {
+namespace vegard::colour_table_test {
 namespace {
 
 using namespace sim;
@@ -146,4 +146,4 @@ TEST(ColourTable, RefusesUnknownNames) {
 }
 
 }  // namespace
-}  // namespace vegard
+}  // namespace vegard::colour_table_test

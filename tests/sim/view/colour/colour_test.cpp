@@ -9,7 +9,7 @@
 
 #include "tests/support/kind_named.h"
 
-namespace vegard::sim {
+namespace vegard::sim::colour_test {
 namespace {
 
 TEST(Colour, LinesHaveTheirSmpteCValues) {
@@ -146,4 +146,4 @@ TEST(RgbFromRayleigh, AddsTheLinesAndKeepsSigns) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::colour_test

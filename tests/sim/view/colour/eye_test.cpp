@@ -8,7 +8,7 @@
 
 #include "sim/view/colour/radiometry.h"
 
-namespace vegard::sim {
+namespace vegard::sim::eye_test {
 namespace {
 
 EyeLight times(double rayleigh, const EyeLight& one) {
@@ -144,4 +144,4 @@ TEST(Eye, DisplayShowsTheHalfLuminanceAsHalfOfWhite) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::eye_test

@@ -11,7 +11,7 @@
 #include "sim/view/sky/continuum_colour.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::filter_response_test {
 namespace {
 
 Scene imager() {
@@ -55,4 +55,4 @@ TEST(FilterResponse, AnEvenSpectrumIsSummedOverFiveNanometres) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::filter_response_test

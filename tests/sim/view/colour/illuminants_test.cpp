@@ -6,7 +6,7 @@
 
 #include "sim/view/colour/colour.h"
 
-namespace vegard::sim {
+namespace vegard::sim::illuminants_test {
 namespace {
 
 template <class Power>
@@ -45,4 +45,4 @@ TEST(Daylight, EndsWithItsTable) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::illuminants_test

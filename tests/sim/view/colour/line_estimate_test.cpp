@@ -11,7 +11,7 @@
 #include "sim/scene/lines/camera_responses.h"
 #include "sim/view/colour/line_colours.h"
 
-namespace vegard::sim {
+namespace vegard::sim::line_estimate_test {
 namespace {
 
 std::vector<Vector3> per_rayleigh(const Scene& scene) {
@@ -105,4 +105,4 @@ TEST(LineEstimate, RefusesWhatColourCannotTell) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::line_estimate_test

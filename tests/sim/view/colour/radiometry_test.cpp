@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::radiometry_test {
 namespace {
 
 TEST(Radiometry, AKilorayleighOfGreenIsAsBrightAsTheConversionOfTheLiteratureSays) {
@@ -29,4 +29,4 @@ TEST(Radiometry, PhotonsOnAPixelAreThoseThroughTheLensTowardsIt) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::radiometry_test

@@ -13,7 +13,7 @@
 #include "sim/view/colour/illuminants.h"
 #include "sim/view/colour/line_colours.h"
 
-namespace vegard::sim {
+namespace vegard::sim::sensor_response_test {
 namespace {
 
 Scene with(const std::string& response, WhiteBalanceRule balance = WhiteBalanceRule::given,
@@ -192,4 +192,4 @@ TEST(SensorResponse, BadTablesAreRefused) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::sensor_response_test

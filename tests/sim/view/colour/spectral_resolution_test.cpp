@@ -8,7 +8,7 @@
 
 #include "sim/scene/lines/camera_responses.h"
 
-namespace vegard::sim {
+namespace vegard::sim::spectral_resolution_test {
 namespace {
 
 Scene with_table(const std::string& rows) {
@@ -80,4 +80,4 @@ TEST(ResolvingKernel, WantsTheNearInfraredBlocked) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::spectral_resolution_test

@@ -8,7 +8,7 @@
 
 #include "sim/render/film.h"
 
-namespace vegard::sim {
+namespace vegard::sim::blur_test {
 namespace {
 
 double sum_of(const BlurKernel& kernel) {
@@ -163,4 +163,4 @@ TEST(BlurWindow, IsAPartOfThePlanesBlurredBothWays) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::blur_test

@@ -5,7 +5,7 @@
 #include "sim/view/camera/camera.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::brightest_spot_test {
 namespace {
 
 TEST(BrightestSpot, IsWhereTheWeightedSumIsLargest) {
@@ -29,4 +29,4 @@ TEST(BrightestSpot, IsWhereTheWeightedSumIsLargest) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::brightest_spot_test

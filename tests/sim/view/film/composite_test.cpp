@@ -6,7 +6,7 @@
 
 #include "sim/view/sensor/transfer_curve.h"
 
-namespace vegard::sim {
+namespace vegard::sim::composite_test {
 namespace {
 
 Image filled_with(int width, int height, const std::vector<float>& pixel, std::vector<std::string> names) {
@@ -130,4 +130,4 @@ TEST(Composite, CoverIsTheSourcesFormula) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::composite_test

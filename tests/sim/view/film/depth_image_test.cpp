@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vegard::sim {
+namespace vegard::sim::depth_image_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -68,4 +68,4 @@ TEST(DepthImage, OfAClearedBufferIsNothing) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::depth_image_test

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-namespace vegard::sim {
+namespace vegard::sim::soft_light_test {
 namespace {
 
 constexpr int kRows = 60, kColumns = 80;
@@ -78,4 +78,4 @@ TEST(Soften, TakesEveryPlaneAndChannelByItself) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::soft_light_test

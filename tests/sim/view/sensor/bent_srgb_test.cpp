@@ -5,7 +5,7 @@
 
 #include "sim/view/sensor/transfer_curve.h"
 
-namespace vegard::sim {
+namespace vegard::sim::bent_srgb_test {
 namespace {
 
 const BentSrgb kCurves[] = {{1.0, 1.0}, {1.3, 1.3}, {0.25, 4.0}, {4.0, 0.25}, {0.7, 1.6}, {2.0, 1.0}};
@@ -46,4 +46,4 @@ TEST(BentSrgb, HasTheSlopeItClaims) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::bent_srgb_test

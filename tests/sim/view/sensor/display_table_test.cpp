@@ -9,7 +9,7 @@
 #include "sim/scene/structs/scene.h"
 #include "tests/support/kind_named.h"
 
-namespace vegard::sim {
+namespace vegard::sim::display_table_test {
 namespace {
 
 int by_the_curve(const ToneCurve& tone, float light) {
@@ -54,4 +54,4 @@ TEST(DisplayTable, OfAPictureDoesNotDependOnTheThreads) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::display_table_test

@@ -10,7 +10,7 @@
 #include "sim/view/colour/sensor_response.h"
 #include "tests/support/kind_named.h"
 
-namespace vegard::sim {
+namespace vegard::sim::expected_counts_test {
 namespace {
 
 Scene camera_scene() {
@@ -130,4 +130,4 @@ TEST(ExpectedCounts, UncertaintyIsKnownOrSaidNotToBe) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::expected_counts_test

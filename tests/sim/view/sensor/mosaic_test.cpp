@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vegard::sim {
+namespace vegard::sim::mosaic_test {
 namespace {
 
 constexpr MosaicPattern kPatterns[] = {MosaicPattern::rggb, MosaicPattern::bggr, MosaicPattern::grbg,
@@ -61,4 +61,4 @@ TEST(Mosaic, VariancesAreThoseOfMeans) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::mosaic_test

@@ -7,7 +7,7 @@
 #include "sim/view/sensor/transfer_curve.h"
 #include "tests/support/expect_error.h"
 
-namespace vegard::sim {
+namespace vegard::sim::tone_curve_test {
 namespace {
 
 Scene with_curve(const std::string& text) {
@@ -71,4 +71,4 @@ TEST(ToneCurve, RefusesWhatHasNoInverse) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::tone_curve_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vegard::sim {
+namespace vegard::sim::transfer_curve_test {
 namespace {
 
 TEST(TransferCurve, AgreesWithTheStandard) {
@@ -43,4 +43,4 @@ TEST(TransferCurve, PassesNotANumberOn) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::transfer_curve_test

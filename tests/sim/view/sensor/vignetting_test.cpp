@@ -8,7 +8,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::vignetting_test {
 namespace {
 
 TEST(Vignetting, IsNoneUnlessAskedFor) {
@@ -47,4 +47,4 @@ TEST(Vignetting, ALensMustGiveLight) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::vignetting_test

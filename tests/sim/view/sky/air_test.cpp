@@ -7,7 +7,7 @@
 
 #include "sim/base/earth.h"
 
-namespace vegard::sim {
+namespace vegard::sim::air_test {
 namespace {
 
 double sine(double elevation_deg) { return std::sin(elevation_deg * kRadiansPerDegree); }
@@ -147,4 +147,4 @@ TEST(Air, IsFiniteBelowTheHorizonAndHighUp) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::air_test

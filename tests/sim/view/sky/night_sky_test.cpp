@@ -14,7 +14,7 @@
 #include "sim/view/sky/twilight.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::sim {
+namespace vegard::sim::night_sky_test {
 namespace {
 
 SightLine<double> towards(double azimuth_deg, double elevation_deg) {
@@ -188,4 +188,4 @@ TEST(NightSky, PictureIsTheLightAtThePixelsCentres) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::night_sky_test

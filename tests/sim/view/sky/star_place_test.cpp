@@ -8,7 +8,7 @@
 #include "sim/view/sky/bright_stars.h"
 #include "sim/view/sky/instant.h"
 
-namespace vegard::tests {
+namespace vegard::tests::star_place_test {
 namespace {
 
 double degrees_of_hours(int hours, int minutes, double seconds) {
@@ -150,4 +150,4 @@ TEST(BrightStars, KnownPlaces) {
 }
 
 }  // namespace
-}  // namespace vegard::tests
+}  // namespace vegard::tests::star_place_test

@@ -11,7 +11,7 @@
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/colour.h"
 
-namespace vegard::sim {
+namespace vegard::sim::stars_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -245,4 +245,4 @@ TEST(Stars, StopEarly) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::stars_test

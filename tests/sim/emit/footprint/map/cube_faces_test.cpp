@@ -7,7 +7,7 @@
 
 #include "sim/base/number/random.h"
 
-namespace vegard::sim {
+namespace vegard::sim::cube_faces_test {
 namespace {
 
 constexpr int kCells = 12;
@@ -112,4 +112,4 @@ TEST(CubeFaces, FindAllCellsOfACap) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::cube_faces_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace vegard::sim {
+namespace vegard::sim::curve_test {
 namespace {
 
 using Point = CurveNode<double, 2>;
@@ -89,4 +89,4 @@ TEST(Curve, OnASphereKeepsToItAndKnowsItsLength) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::curve_test

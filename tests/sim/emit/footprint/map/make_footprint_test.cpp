@@ -9,7 +9,7 @@
 #include "sim/base/error.h"
 #include "tests/support/kind_named.h"
 
-namespace vegard::sim {
+namespace vegard::sim::make_footprint_test {
 namespace {
 
 const NumberAs<double> kPlain = [](const double& n) { return n; };
@@ -178,4 +178,4 @@ TEST(MakeFootprint, OfAShellComesFromACurveOrAPicture) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::make_footprint_test

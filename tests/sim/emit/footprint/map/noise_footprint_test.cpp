@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace vegard::sim {
+namespace vegard::sim::noise_footprint_test {
 namespace {
 
 Footprint noise(double coverage) {
@@ -66,4 +66,4 @@ TEST(NoiseFootprint, IsTheSameOnAFinerGridAndForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::noise_footprint_test

@@ -8,7 +8,7 @@
 #include "sim/emit/footprint/map/cube_faces.h"
 #include "tests/support/kind_named.h"
 
-namespace vegard::sim {
+namespace vegard::sim::picture_footprint_test {
 namespace {
 
 /// A unit vector on our axes.
@@ -144,4 +144,4 @@ TEST(PictureFootprint, OverABoxHasNorthUpAndFillsIt) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::picture_footprint_test

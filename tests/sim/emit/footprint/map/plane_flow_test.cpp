@@ -8,7 +8,7 @@
 #include "sim/emit/footprint/map/plane_fft.h"
 #include "sim/emit/footprint/map/spline_footprint.h"
 
-namespace vegard::sim {
+namespace vegard::sim::plane_flow_test {
 namespace {
 
 const NumberAs<double> kPlain = [](const double& n) { return n; };
@@ -157,4 +157,4 @@ TEST(PlaneFlow, CarriesDerivativesAlong) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::plane_flow_test

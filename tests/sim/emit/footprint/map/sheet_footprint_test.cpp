@@ -6,7 +6,7 @@
 
 #include "sim/emit/footprint/map/plane_grid.h"
 
-namespace vegard::sim {
+namespace vegard::sim::sheet_footprint_test {
 namespace {
 
 constexpr double kSqrtTwoPi = 2.5066282746310002;
@@ -132,4 +132,4 @@ TEST(SheetFootprint, DerivativesByTheSheetsNumbersAreThoseOfDifferences) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::sheet_footprint_test

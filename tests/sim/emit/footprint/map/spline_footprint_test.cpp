@@ -9,7 +9,7 @@
 #include "sim/emit/footprint/map/curve.h"
 #include "sim/emit/footprint/map/plane_grid.h"
 
-namespace vegard::sim {
+namespace vegard::sim::spline_footprint_test {
 namespace {
 
 const NumberAs<double> kPlain = [](const double& n) { return n; };
@@ -195,4 +195,4 @@ TEST(SplineFootprint, AroundThePoleHasNoPreferredSideAndTheTotalOfItsLength) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::spline_footprint_test

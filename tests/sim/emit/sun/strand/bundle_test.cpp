@@ -10,7 +10,7 @@
 #include "tests/support/seeded_numbers.h"
 #include "tests/support/sun_rays.h"
 
-namespace vegard::sim {
+namespace vegard::sim::bundle_test {
 namespace {
 
 using tests::plain_double;
@@ -171,4 +171,4 @@ TEST(Bundle, DerivativesAreThoseOfItsLight) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::bundle_test

@@ -8,7 +8,7 @@
 
 #include "sim/base/number/random.h"
 
-namespace vegard::sim {
+namespace vegard::sim::closest_point_test {
 namespace {
 
 using Place = std::array<double, 3>;
@@ -182,4 +182,4 @@ TEST(ClosestPoint, IsWhatTheSourcesSearchMissesNowAndThen) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::closest_point_test

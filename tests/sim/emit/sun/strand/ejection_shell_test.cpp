@@ -8,7 +8,7 @@
 #include "tests/support/seeded_numbers.h"
 #include "tests/support/sun_rays.h"
 
-namespace vegard::sim {
+namespace vegard::sim::ejection_shell_test {
 namespace {
 
 using tests::plain_double;
@@ -146,4 +146,4 @@ TEST(EjectionShell, DerivativesAreThoseOfItsLight) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::ejection_shell_test

@@ -9,7 +9,7 @@
 #include "tests/support/seeded_numbers.h"
 #include "tests/support/sun_rays.h"
 
-namespace vegard::sim {
+namespace vegard::sim::flux_rope_test {
 namespace {
 
 using tests::plain_double;
@@ -125,4 +125,4 @@ TEST(FluxRope, DerivativesAreThoseOfItsLight) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::flux_rope_test

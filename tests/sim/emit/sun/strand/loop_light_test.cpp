@@ -6,7 +6,7 @@
 #include "tests/support/light_derivatives.h"
 #include "tests/support/seeded_numbers.h"
 
-namespace vegard::sim {
+namespace vegard::sim::loop_light_test {
 namespace {
 
 using tests::plain_double;
@@ -49,4 +49,4 @@ TEST(LoopLight, DerivativesAreThoseOfItsLight) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::loop_light_test

@@ -11,7 +11,7 @@
 #include "tests/support/free_paths.h"
 #include "tests/support/kind_named.h"
 
-namespace vegard::sim {
+namespace vegard::sim::macro_loop_test {
 namespace {
 
 const NumberAs<double> kPlain = [](const double& x) { return x; };
@@ -273,4 +273,4 @@ TEST(MacroLoop, DerivativesAreThoseOfCentralDifferences) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::macro_loop_test

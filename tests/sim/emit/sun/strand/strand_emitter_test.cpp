@@ -8,7 +8,7 @@
 
 #include "tests/support/sun_rays.h"
 
-namespace vegard::sim {
+namespace vegard::sim::strand_emitter_test {
 namespace {
 
 using tests::level_sun;
@@ -332,4 +332,4 @@ TEST(StrandEmitter, DerivativesAreThoseOfItsLight) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::strand_emitter_test

@@ -8,7 +8,7 @@
 #include "sim/emit/sun/strand/strand_density.h"
 #include "tests/support/sun_rays.h"
 
-namespace vegard::sim {
+namespace vegard::sim::strand_field_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 3;
@@ -111,4 +111,4 @@ TEST(StrandField, OfNoStrandsIsDark) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::strand_field_test

@@ -10,7 +10,7 @@
 #include "sim/base/number/random.h"
 #include "sim/emit/sun/strand/strand_density.h"
 
-namespace vegard::sim {
+namespace vegard::sim::strand_grid_test {
 namespace {
 
 using Place = std::array<double, 3>;
@@ -147,4 +147,4 @@ TEST(StrandGrid, RefusesMoreMemoryThanItMayHave) {
 }
 
 }  // namespace
-}  // namespace vegard::sim
+}  // namespace vegard::sim::strand_grid_test
