@@ -10,8 +10,8 @@
 #include "fit/measure/direction_bins.h"
 #include "fit/measure/direction_profile.h"
 #include "fit/report/direction_plot.h"
-#include "sim/base/earth.h"
-#include "sim/view/camera/tangent_altitude.h"
+#include "sim/base/number/constants.h"
+#include "sim/view/camera/rays.h"
 
 namespace vegard::apps {
 namespace {

@@ -34,7 +34,7 @@
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/camera/camera.h"
-#include "sim/view/camera/tangent_altitude.h"
+#include "sim/view/camera/rays.h"
 #include "sim/view/colour/sensor_response.h"
 #include "sim/view/colour/spectral_resolution.h"
 

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/base/earth.h"
 #include "sim/base/error.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/version.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/camera/camera.h"

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/table/parameter_table.h"

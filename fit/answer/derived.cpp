@@ -7,7 +7,6 @@
 #include <functional>
 #include <limits>
 
-#include "sim/base/earth.h"
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/foot_line.h"
 #include "sim/light/electron.h"

@@ -8,7 +8,7 @@
 #include "fit/answer/derived.h"
 #include "fit/answer/what_shines.h"
 #include "sim/base/file/number_text.h"
-#include "sim/base/file/short_path.h"
+#include "sim/scene/table/parameter_id.h"
 
 namespace vegard::fit {
 namespace {

@@ -8,7 +8,7 @@
 #include "fit/measure/bin_grid.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
-#include "sim/view/camera/tangent_altitude.h"
+#include "sim/view/camera/rays.h"
 
 namespace vegard::fit {
 namespace {

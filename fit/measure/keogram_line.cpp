@@ -6,9 +6,9 @@
 #include <string>
 
 #include "fit/measure/bin_grid.h"
-#include "sim/base/earth.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::fit {
 namespace {

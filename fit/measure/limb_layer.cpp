@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::fit {
 namespace {

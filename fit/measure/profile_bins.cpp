@@ -8,8 +8,8 @@
 
 #include "fit/measure/limb_bins.h"
 #include "fit/measure/loop_bins.h"
-#include "sim/base/earth.h"
 #include "sim/base/error.h"
+#include "sim/base/number/constants.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::fit {

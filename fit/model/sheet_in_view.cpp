@@ -4,7 +4,7 @@
 #include <cmath>
 #include <complex>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/render/film.h"
 #include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/earth.h"
 #include "sim/base/number/constants.h"
 #include "sim/scene/table/parameter_id.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/earth.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::fit {
 namespace {

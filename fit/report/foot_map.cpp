@@ -6,8 +6,8 @@
 #include "fit/report/camera_footprint.h"
 #include "fit/report/map_grid.h"
 #include "fit/report/plot/earth_map.h"
-#include "sim/base/earth.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::fit {
 namespace {

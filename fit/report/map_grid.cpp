@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/base/earth.h"
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/foot_line.h"
 

@@ -8,8 +8,8 @@
 #include "fit/version.h"
 #include "sim/base/file/html_text.h"
 #include "sim/base/file/number_text.h"
-#include "sim/base/file/short_path.h"
 #include "sim/base/version.h"
+#include "sim/scene/table/parameter_id.h"
 
 namespace vegard::fit {
 namespace {

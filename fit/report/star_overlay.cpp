@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "fit/report/calibration_plots.h"
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::fit {
 namespace {

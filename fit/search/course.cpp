@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "sim/base/earth.h"
 #include "sim/base/number/constants.h"
 #include "sim/scene/table/parameter_id.h"
 #include "sim/view/camera/camera.h"

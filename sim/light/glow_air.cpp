@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sim/base/earth.h"
 #include "sim/base/file/csv_table.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::sim {
 namespace {

@@ -5,7 +5,7 @@
 // body's own; the observer stands on the near axis.
 #pragma once
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/light/emitter.h"
 
 namespace vegard::sim {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/view/camera/camera.h"
 #include "tests/support/exposed.h"
 #include "tests/support/line_of_sight.h"

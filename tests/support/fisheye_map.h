@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/view/camera/direction_map.h"
 
 namespace vegard::tests {

@@ -60,8 +60,8 @@ inline RayLight light_along(const sim::Emitter<double>& emitter, const sim::Scen
 }
 
 inline RayLight light_along(const sim::Scene& scene, double right, double up, bool skip = true) {
-  return light_along(sim::NebulaEmitter<double>(scene, scene.nebulae[0], sim::plain_number, skip), scene, right,
-                     up);
+  return light_along(sim::NebulaEmitter<double>(scene, scene.nebulae[0], sim::plain_number, skip), scene,
+                     right, up);
 }
 
 }  // namespace vegard::tests

@@ -6,9 +6,9 @@
 #include <cstdio>
 
 #include "fit/photo/pointing/star_check.h"
-#include "sim/base/earth.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/number/constants.h"
 #include "sim/scene/table/parameter_id.h"
 
 namespace vegard::fit {

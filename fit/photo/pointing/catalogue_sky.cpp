@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/view/sky/bright_stars.h"
 
 namespace vegard::fit {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "fit/photo/picture_field_of_view.h"
-#include "sim/base/earth.h"
 #include "sim/base/error.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::fit {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "sim/base/earth.h"
 #include "sim/base/file/csv_text.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/version.h"
 #include "sim/scene/table/parameter_table.h"
 

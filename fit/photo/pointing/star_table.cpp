@@ -7,8 +7,8 @@
 #include <iterator>
 #include <map>
 
-#include "sim/base/earth.h"
 #include "sim/base/error.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/scene/rows/nearest_name.h"
 #include "sim/view/sky/bright_stars.h"

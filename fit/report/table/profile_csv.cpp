@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "fit/report/table/report_bins.h"
-#include "sim/view/camera/tangent_altitude.h"
+#include "sim/view/camera/rays.h"
 
 namespace vegard::fit {
 namespace {

@@ -69,4 +69,12 @@ struct SparseGrid {
   }
 };
 
+/// Bytes that a brick of so many quantities takes on its way into an OpenVDB file, with a colour of three
+/// numbers or without.
+inline std::uint64_t vdb_bytes_of_brick(std::size_t channels, bool with_colour) {
+  constexpr std::uint64_t kRest = 200;  // what a leaf and its place in a tree take beside the numbers
+  return channels * (sizeof(float) * SparseGrid::kVoxels + kRest) +
+         (with_colour ? 3 * sizeof(float) * SparseGrid::kVoxels + kRest : 0);
+}
+
 }  // namespace vegard::sim

@@ -52,4 +52,10 @@ Vec3<double> values3(const Vec3<T>& a) {
   return {value_of(a[0]), value_of(a[1]), value_of(a[2])};
 }
 
+/// A point or vector in the tangent plane of the observer: kilometres to the east and to the north.
+struct EastNorth {
+  double east = 0.0;
+  double north = 0.0;
+};
+
 }  // namespace vegard::sim

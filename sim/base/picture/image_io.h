@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "sim/base/image.h"
-#include "sim/base/picture/picture_file.h"
 
 namespace vegard::sim {
 

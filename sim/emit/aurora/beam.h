@@ -3,7 +3,7 @@
 // Source: Baranoski et al. 2000, section 3.2, rows B11-B16 of docs/physics.md, on a spherical Earth.
 #pragma once
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/light/sample.h"
 
 namespace vegard::sim {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/base/earth.h"
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/dipole.h"
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/earth.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"

@@ -1,7 +1,6 @@
 // The numbers of one arc of a scene's sheets at an instant.
 #pragma once
 
-#include "sim/base/earth.h"
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/motion.h"

@@ -7,7 +7,7 @@
 
 #include <utility>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/light/sample.h"
 

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/number/lanes-inl.h"
 #include "sim/emit/footprint/footprint_kernel_types.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/emit/footprint/ray_span.h"
 #include "sim/emit/footprint/step_profile.h"

@@ -4,7 +4,7 @@
 // -r0 u, and meets the sphere of radius R at t_c -+ sqrt(t_c^2 + R^2 - r0^2): the path at the limb is exact.
 #pragma once
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 
 namespace vegard::sim {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "sim/emit/nebula/nebula_frame.h"
-#include "sim/light/light_of_fields.h"
+#include "sim/light/emitter.h"
 
 namespace vegard::sim {
 NebulaField::NebulaField(const Scene& scene, const Nebula& nebula)

@@ -6,8 +6,6 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "sim/emit/nebula/node_blend.h"
-#include "sim/emit/nebula/node_place.h"
 #include "sim/emit/nebula/node_shapes.h"
 #include "sim/scene/structs/node_names.h"
 

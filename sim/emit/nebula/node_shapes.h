@@ -1,4 +1,5 @@
-// Signed distances of shapes, negative inside. Their axis is `up`; points are (right, up, near).
+// The shapes of density nodes: signed distances, negative inside, how two are joined, and where a node
+// stands. The axis of a shape is `up`; points are (right, up, near).
 //
 // Sphere, shell, torus, tube and slab are Euclidean distances (as in J. C. Hart, "Sphere tracing", The Visual
 // Computer 12, 1996, 527). Lobes are of first order: G / |grad G| of an implicit surface (G. Taubin, 1994,
@@ -6,7 +7,9 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
+#include "sim/base/number/constants.h"
 #include "sim/light/sample.h"
 
 namespace vegard::sim {
@@ -87,6 +90,61 @@ T lobes_distance(const T p[3], const T& radius, const T& length, const T& waist,
   const T steep = root(aside + along * along + wide * 0.25) * 2.0;
   const T wall = magnitude(surface / steep);
   return larger(wall, cylinder_distance(p, radius, length)) - thickness * 0.5;
+}
+
+/// The lesser of two distances (their union), rounded: min(a, b) - b_l/4 h^2, h = max(1 - |a - b| / b_l, 0),
+/// with the blend's length b_l: a parabola where the two are nearer to each other than that, the sharp one
+/// elsewhere; continuous with its slope. It is never more than the sharp one, and never less than that minus
+/// b_l/4.
+template <class T>
+T blended_least(const T& a, const T& b, const T& blend) {
+  const T least = smaller(a, b);
+  if (!(value_of(blend) > 0.0)) return least;
+  const T near = larger(T(1.0) - magnitude(a - b) / blend, T(0.0));
+  return value_of(near) > 0.0 ? least - blend * near * near * 0.25 : least;
+}
+
+/// The greater (their intersection), rounded in the same way.
+template <class T>
+T blended_most(const T& a, const T& b, const T& blend) {
+  return T(0.0) - blended_least(T(0.0) - a, T(0.0) - b, blend);
+}
+
+/// The turns about right, up and near, one after the other: from the outside to the inside.
+template <class T>
+void turn_inside(const T angle_deg[3], T turn[9]) {
+  T sin[3], cos[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    sin[axis] = sine(angle_deg[axis] * kRadiansPerDegree);
+    cos[axis] = cosine(angle_deg[axis] * kRadiansPerDegree);
+  }
+  // The rows of the inverse are the columns of Z Y X.
+  turn[0] = cos[2] * cos[1];
+  turn[1] = sin[2] * cos[1];
+  turn[2] = T(0.0) - sin[1];
+  turn[3] = cos[2] * sin[1] * sin[0] - sin[2] * cos[0];
+  turn[4] = sin[2] * sin[1] * sin[0] + cos[2] * cos[0];
+  turn[5] = cos[1] * sin[0];
+  turn[6] = cos[2] * sin[1] * cos[0] + sin[2] * sin[0];
+  turn[7] = sin[2] * sin[1] * cos[0] - cos[2] * sin[0];
+  turn[8] = cos[1] * cos[0];
+}
+
+/// A point as what stands inside sees it. N is double or T.
+template <class N, class Place>
+void to_inside(const Place& node, const N outer[3], N inner[3]) {
+  const auto as = [](const auto& number) {
+    if constexpr (std::is_same_v<N, double>)
+      return value_of(number);
+    else
+      return number;
+  };
+  N shifted[3];
+  for (int axis = 0; axis < 3; ++axis) shifted[axis] = outer[axis] - as(node.center[axis]);
+  for (int row = 0; row < 3; ++row)
+    inner[row] = (as(node.turn[3 * row]) * shifted[0] + as(node.turn[3 * row + 1]) * shifted[1] +
+                  as(node.turn[3 * row + 2]) * shifted[2]) /
+                 as(node.stretch[row]);
 }
 
 }  // namespace vegard::sim

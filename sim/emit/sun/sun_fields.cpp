@@ -7,7 +7,6 @@
 #include "sim/emit/sun/line_light.h"
 #include "sim/emit/sun/sun_frame.h"
 #include "sim/light/emitter.h"
-#include "sim/light/light_of_fields.h"
 
 namespace vegard::sim {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/light/emitter.h"
 #include "sim/light/sky_frame.h"
 #include "sim/scene/structs/scene.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/sheet_shape.h"

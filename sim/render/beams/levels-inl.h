@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/render/beams/kernel_types.h"
 #include "sim/render/beams/samples-inl.h"
 #include "sim/view/film/level_ladder.h"

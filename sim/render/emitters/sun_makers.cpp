@@ -6,8 +6,8 @@
 #include "sim/emit/sun/corona_emitter.h"
 #include "sim/emit/sun/photosphere_emitter.h"
 #include "sim/emit/sun/sun_fields.h"
-#include "sim/render/emitters/bias_map.h"
 #include "sim/render/emitters/emitter_makers.h"
+#include "sim/render/emitters/volume_files.h"
 
 namespace vegard::sim {
 namespace {

@@ -22,4 +22,10 @@ struct VolumeFiles {
 /// Throws Error(unreadable_input) that names the key.
 VolumeFiles read_volume_files(const Scene& scene);
 
+/// Null if it has none. It lives as long as `files`.
+inline const Image* bias_map(const VolumeFiles& files, const Chromosphere& chromosphere) {
+  const auto found = files.pictures.find(chromosphere.biasmap);
+  return found == files.pictures.end() ? nullptr : &found->second;
+}
+
 }  // namespace vegard::sim

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "sim/base/error.h"
-#include "sim/base/grid/vdb_bytes.h"
+#include "sim/base/grid/sparse_grid.h"
 #include "sim/render/emitters/emitter_makers.h"
 #include "sim/render/emitters/volume_files.h"
 #include "sim/render/volumes/field_sampling.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/scene/emitters/element_rules.h"
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/rows/row.h"

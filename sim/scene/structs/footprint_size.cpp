@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::sim {
 namespace {

@@ -1,8 +1,8 @@
 // What is simulated and how it is seen: plain numbers, no behaviour.
 //
 // Every number a user can set is declared once more, with its unit, default, limits and meaning, in
-// a row of sim/scene/rows or sim/scene/emitters, and nowhere else. Angles are in degrees unless the name says rad;
-// lengths in km.
+// a row of sim/scene/rows or sim/scene/emitters, and nowhere else. Angles are in degrees unless the name says
+// rad; lengths in km.
 #pragma once
 
 #include <any>
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/structs/east_north.h"
+#include "sim/base/number/vec3.h"
 #include "sim/scene/structs/sheet_kinds.h"
 #include "sim/scene/structs/sun_of_scene.h"
 #include "sim/scene/structs/volumes_of_scene.h"

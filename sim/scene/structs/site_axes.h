@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {

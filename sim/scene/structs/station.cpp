@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/scene/structs/site_axes.h"
 

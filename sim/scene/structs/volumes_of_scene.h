@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/structs/east_north.h"
+#include "sim/base/number/vec3.h"
 #include "sim/scene/structs/sheet_kinds.h"
 
 namespace vegard::sim {

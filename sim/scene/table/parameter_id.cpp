@@ -11,6 +11,7 @@
 #include "sim/scene/table/parameter_table.h"
 
 namespace vegard::sim {
+
 namespace {
 
 std::ptrdiff_t row_index(const ParameterId& id) {
@@ -102,6 +103,12 @@ std::string path_of(const Scene& scene, const ParameterId& id) {
   const std::string name = component_name(d, scene, id.element, index_in(scene, id));
   const std::string whole = key_path(d, scene, id.element);
   return name.empty() ? whole : whole + "." + name;
+}
+
+std::string short_path(const std::string& path, bool one_sheet) {
+  if (!one_sheet || path.compare(0, 6, "sheet.") != 0) return path;
+  const std::size_t dot = path.find('.', 6);
+  return dot == std::string::npos ? path : path.substr(dot + 1);
 }
 
 }  // namespace vegard::sim

@@ -40,4 +40,8 @@ const double* number_at(const Scene& scene, const ParameterId& id);
 /// Its index in its vector in this scene, 0 for a scalar; -1 if the scene does not have it.
 int index_in(const Scene& scene, const ParameterId& id);
 
+/// A path where there is little room. With one sheet its name says nothing: "energy_kev" for
+/// "sheet.main.energy_kev".
+std::string short_path(const std::string& path, bool one_sheet);
+
 }  // namespace vegard::sim

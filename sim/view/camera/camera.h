@@ -2,7 +2,7 @@
 // film.
 #pragma once
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_id.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::sim {
 namespace {

@@ -6,7 +6,7 @@
 #define VEGARD_SIM_VIEW_PROJECT_INL_H_
 #endif
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/number/dual-inl.h"
 #include "sim/base/number/lanes-inl.h"
 #include "sim/light/sample.h"

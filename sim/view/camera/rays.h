@@ -1,10 +1,10 @@
-// Rays of a film: from the observer through the middles of its cells.
+// Rays from the observer: through the middles of a film's cells, to the ground, past the Earth's limb.
 #pragma once
 
 #include <cmath>
 #include <limits>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::sim {
@@ -25,5 +25,19 @@ inline double ground_km(double observer_altitude_km, double up) {
   if (along >= 0.0 || square < 0.0) return std::numeric_limits<double>::infinity();
   return std::max(0.0, -along - std::sqrt(square));
 }
+
+/// From there upwards an observer is above what scatters light, and below the aurora: an edge of the Earth
+/// below the horizontal is a limb.
+inline constexpr double kLimbObserverKm = 60.0;
+
+/// Negative where the line strikes the Earth (so deep would it pass below its surface). NaN for elevations
+/// from 0 up, along which there is no lower point than the observer.
+double tangent_altitude_km(double observer_km, double elevation_deg);
+
+/// The inverse: at most 0. NaN unless -R <= tangent altitude <= observer.
+double elevation_of_tangent_deg(double observer_km, double tangent_km);
+
+/// From the observer to the tangent point; NaN from the horizontal upwards.
+double tangent_distance_km(double observer_km, double elevation_deg);
 
 }  // namespace vegard::sim

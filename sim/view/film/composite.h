@@ -6,7 +6,6 @@
 #pragma once
 
 #include "sim/base/image.h"
-#include "sim/base/picture/picture_file.h"
 
 namespace vegard::sim {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/earth.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/base/number/constants.h"
 

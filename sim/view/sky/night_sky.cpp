@@ -4,9 +4,7 @@
 
 #include "sim/base/parallel.h"
 #include "sim/view/colour/line_colours.h"
-#include "sim/view/sky/airglow.h"
 #include "sim/view/sky/continuum_colour.h"
-#include "sim/view/sky/light_pollution.h"
 #include "sim/view/sky/twilight.h"
 
 namespace vegard::sim {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/view/sky/instant.h"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/scene/emitters/element_rules.h"
 #include "tests/emitter/glow_ball/glow_ball.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fit/answer/derived.h"
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/structs/station.h"
 #include "tests/support/free_paths.h"

@@ -9,8 +9,8 @@
 #include <set>
 
 #include "fit/measure/profile.h"
-#include "sim/base/earth.h"
 #include "sim/base/error.h"
+#include "sim/base/number/constants.h"
 #include "sim/view/camera/camera.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/small_scene.h"

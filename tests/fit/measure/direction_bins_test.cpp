@@ -8,9 +8,9 @@
 #include <set>
 
 #include "fit/measure/direction_profile.h"
-#include "sim/base/earth.h"
 #include "sim/base/file/csv_table.h"
-#include "sim/view/camera/tangent_altitude.h"
+#include "sim/base/number/constants.h"
+#include "sim/view/camera/rays.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/fisheye_map.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/base/earth.h"
 #include "sim/base/error.h"
+#include "sim/base/number/constants.h"
 #include "sim/view/camera/camera.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/fisheye_map.h"

@@ -8,8 +8,8 @@
 
 #include "fit/report/keogram_plot.h"
 #include "fit/report/plot/time_ticks.h"
-#include "sim/base/earth.h"
 #include "sim/base/file/csv_table.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/base/utc_time.h"
 #include "tests/support/expect_error.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::fit::limb_layer_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "fit/photo/picture_field_of_view.h"
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/scene/file/scene_toml.h"
 
 namespace vegard::fit::photo_defaults_test {

@@ -7,7 +7,7 @@
 #include "fit/report/camera_footprint.h"
 #include "fit/report/map_grid.h"
 #include "fit/report/plot/earth_map.h"
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "tests/support/small_fit.h"
 
 namespace vegard::fit::foot_map_test {

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/parallel.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/render/film.h"

@@ -6,7 +6,7 @@
 
 #include "fit/answer/derived.h"
 #include "fit/parameters/free_parameters.h"
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/emit/aurora/beam.h"
 #include "sim/view/camera/camera.h"
 

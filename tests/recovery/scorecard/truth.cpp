@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/camera/camera.h"
 #include "tests/recovery/scorecard/draws.h"

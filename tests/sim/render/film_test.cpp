@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/emit/aurora/dipole.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/render/beams/kernel.h"

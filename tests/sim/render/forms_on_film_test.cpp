@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/render/film.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/rows/forms.h"

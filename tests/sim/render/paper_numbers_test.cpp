@@ -11,7 +11,7 @@
 #include <numeric>
 #include <utility>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/emit/aurora/motion.h"
 #include "sim/emit/aurora/sheet.h"
 #include "sim/light/sheet_profile.h"

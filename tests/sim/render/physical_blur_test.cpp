@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/light/height_profile.h"
 #include "sim/render/render.h"
 #include "sim/scene/lines/emission_lines.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/emit/aurora/sheet_brightness.h"
 #include "sim/render/film.h"
 #include "sim/scene/file/scene_toml.h"

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -11,6 +13,19 @@
 #include "sim/base/picture/whole_picture.h"
 
 namespace vegard::sim {
+
+ImageFormat image_format(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".exr") return ImageFormat::exr;
+  if (extension == ".png") return ImageFormat::png;
+  if (extension == ".tif" || extension == ".tiff") return ImageFormat::tiff;
+  if (extension == ".jpg" || extension == ".jpeg") return ImageFormat::jpeg;
+  throw failure(ErrorKind::usage, path, "unknown image format '" + extension + "'",
+                ".exr, .png, .tif or .jpg");
+}
+
 namespace {
 
 /// Where in the file's channels the picture's R, G, B or Y, and A are.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/earth.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/base/parallel.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/base/earth.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/number/name_number.h"
 #include "sim/base/number/normal_quantile.h"

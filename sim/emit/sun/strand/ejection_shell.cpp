@@ -9,7 +9,6 @@
 #include "sim/emit/sun/strand/flux_rope.h"
 #include "sim/emit/sun/sun_frame.h"
 #include "sim/light/emitter.h"
-#include "sim/light/light_of_fields.h"
 
 namespace vegard::sim {
 namespace {}  // namespace

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/earth.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/number/gauss_legendre.h"
 #include "sim/base/number/vec3.h"

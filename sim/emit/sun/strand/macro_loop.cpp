@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/number/name_number.h"
 #include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"

@@ -6,7 +6,7 @@
 
 #include "sim/base/error.h"
 #include "sim/emit/sun/strand/strand_nearest.h"
-#include "sim/light/light_of_fields.h"
+#include "sim/light/emitter.h"
 
 namespace vegard::sim {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "fit/photo/picture_field_of_view.h"
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
 #include "sim/view/camera/camera.h"

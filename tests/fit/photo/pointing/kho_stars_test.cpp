@@ -8,7 +8,7 @@
 
 #include "fit/photo/pointing/calibration.h"
 #include "fit/photo/pointing/star_table.h"
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/view/sky/bright_stars.h"
 #include "sim/view/sky/instant.h"
 #include "tests/support/source_folder.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/emit/aurora/beam.h"
 
 namespace vegard::sim::fall_test {

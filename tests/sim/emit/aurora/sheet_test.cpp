@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "tests/support/kind_named.h"
 
 namespace vegard::sim::sheet_test {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "march_case.h"
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/emit/footprint/footprint_kernel.h"
 #include "sim/emit/footprint/texel_store.h"
 #include "sim/light/form_profile.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "sim/base/number/random.h"
-#include "sim/emit/nebula/node_blend.h"
+#include "sim/emit/nebula/node_shapes.h"
 #include "tests/support/one_nebula.h"
 
 namespace vegard::sim::node_map_test {

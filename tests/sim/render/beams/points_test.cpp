@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/render/film.h"
 #include "tests/support/all_points.h"

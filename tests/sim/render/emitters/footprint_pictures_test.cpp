@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/picture/image_io.h"
-#include "sim/render/emitters/bias_map.h"
+#include "sim/render/emitters/volume_files.h"
 #include "sim/scene/file/scene_pictures.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/kind_named.h"

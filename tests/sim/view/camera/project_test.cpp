@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/emit/aurora/beam.h"
 #include "tests/support/kind_named.h"
 

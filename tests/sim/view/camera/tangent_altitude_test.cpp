@@ -1,11 +1,11 @@
 // Tangent altitudes against the distance of a straight line from the Earth's centre.
-#include "sim/view/camera/tangent_altitude.h"
+#include "sim/view/camera/rays.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::sim::tangent_altitude_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 
 namespace vegard::sim::air_test {
 namespace {

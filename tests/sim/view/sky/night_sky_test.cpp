@@ -4,13 +4,11 @@
 
 #include <cmath>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/scene/table/parameter_id.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/colour/radiometry.h"
-#include "sim/view/sky/airglow.h"
 #include "sim/view/sky/continuum_colour.h"
-#include "sim/view/sky/light_pollution.h"
 #include "sim/view/sky/twilight.h"
 #include "tests/support/small_scene.h"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/view/sky/bright_stars.h"
 #include "sim/view/sky/instant.h"
 

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/colour.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/earth.h"
+#include "sim/base/number/constants.h"
 #include "sim/emit/footprint/map/curve.h"
 #include "sim/emit/footprint/map/plane_grid.h"
 

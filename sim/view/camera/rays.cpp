@@ -1,9 +1,8 @@
-#include "sim/view/camera/tangent_altitude.h"
+#include "sim/view/camera/rays.h"
 
 #include <cmath>
 #include <limits>
 
-#include "sim/base/earth.h"
 #include "sim/base/number/constants.h"
 
 namespace vegard::sim {
