@@ -42,10 +42,10 @@ void check_memory(const Scene& scene, const Footprint& f) {
 
 template <class T>
 PlaneFootprint<T> at_rest(const Scene& scene, const Footprint& f, const FootprintPictures& pictures,
-                          const NumberAs<T>& number, int threads) {
+                          const NumberAs<T>& number, bool centre_moves, int threads) {
   switch (f.source) {
     case FootprintSource::spline:
-      return spline_plane(f, number, threads);
+      return spline_plane(f, number, threads, centre_moves);
     case FootprintSource::sheets:
       return sheet_plane(scene, f, number, threads);
     case FootprintSource::noise:
@@ -82,10 +82,7 @@ PlaneFootprint<T> make_plane_footprint(const Scene& scene, const Footprint& f,
   // with it, and so does all that the flow has wound up, ripples included.
   const bool goes_with_box =
       f.source != FootprintSource::sheets && (flows || f.source != FootprintSource::spline);
-  const NumberAs<T> of_box = [&](const double& n) {
-    return &n == &f.center_km.east || &n == &f.center_km.north ? T(n) : number(n);
-  };
-  PlaneFootprint<T> plane = at_rest(scene, f, pictures, goes_with_box ? of_box : number, threads);
+  PlaneFootprint<T> plane = at_rest(scene, f, pictures, number, !goes_with_box, threads);
   if (flows)
     carry(wind_up(values(plane), f, scene.seed, index_of(scene, f), falls_along_field(scene), threads), plane,
           threads);

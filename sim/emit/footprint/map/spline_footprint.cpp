@@ -52,13 +52,15 @@ struct Reach {
 }  // namespace
 
 template <class T>
-PlaneFootprint<T> spline_plane(const Footprint& f, const NumberAs<T>& number, int threads) {
+PlaneFootprint<T> spline_plane(const Footprint& f, const NumberAs<T>& number, int threads,
+                               bool centre_moves) {
   PlaneFootprint<T> plane = plane_grid<T>(f);
   FootprintGrid<T>& grid = plane.grid;
+  const T east = centre_moves ? number(f.center_km.east) : T(f.center_km.east),
+          north = centre_moves ? number(f.center_km.north) : T(f.center_km.north);
   std::vector<CurveNode<T, 2>> points(f.east_km.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    points[i].at = {number(f.center_km.east) + number(f.east_km[i]),
-                    number(f.center_km.north) + number(f.north_km[i])};
+    points[i].at = {east + number(f.east_km[i]), north + number(f.north_km[i])};
     set_cargo(f, i, number, points[i]);
   }
   const T width = number(f.width_km);
@@ -151,7 +153,7 @@ CubeFootprint<double> spline_cube(const Footprint& f, int threads) {
   return cube;
 }
 
-template PlaneFootprint<double> spline_plane(const Footprint&, const NumberAs<double>&, int);
-template PlaneFootprint<FreeDual> spline_plane(const Footprint&, const NumberAs<FreeDual>&, int);
+template PlaneFootprint<double> spline_plane(const Footprint&, const NumberAs<double>&, int, bool);
+template PlaneFootprint<FreeDual> spline_plane(const Footprint&, const NumberAs<FreeDual>&, int, bool);
 
 }  // namespace vegard::sim

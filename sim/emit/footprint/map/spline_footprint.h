@@ -19,9 +19,11 @@ namespace vegard::sim {
 /// How far from the curve there is light, in standard deviations: 3e-7 of the peak.
 inline constexpr double kGaussianReach = 5.5;
 
-/// Of a box. Exact derivatives by everything that `number` gives a tangent.
+/// Of a box. Exact derivatives by everything that `number` gives a tangent; by center_km only where it moves
+/// on the grid, and not where the grid goes with it.
 template <class T>
-PlaneFootprint<T> spline_plane(const Footprint& footprint, const NumberAs<T>& number, int threads);
+PlaneFootprint<T> spline_plane(const Footprint& footprint, const NumberAs<T>& number, int threads,
+                               bool centre_moves = true);
 
 /// Of a shell: on the sphere of the feet, at 110 km altitude. Points are less than 90 degrees apart; across
 /// the curve exp(-chord² / (2 width²)), which is Fisher's distribution on the sphere.
