@@ -21,8 +21,6 @@ Origin origin_of(const Scene& scene, const FreeParameter& free) {
   return {scene.file, free.line, free.path.empty() ? free.name : free.path};
 }
 
-std::string in_which_line(int line) { return line > 0 ? " in line " + std::to_string(line) : ""; }
-
 /// min < max, and the start between them.
 void check_order(double start, bool start_is_given, double min, double max, const Origin& origin) {
   if (min >= max)
@@ -148,7 +146,7 @@ void check_photo(const Scene& scene, const FreeParameter& free) {
 /// Two entries of one name: the later one has nothing to say beside its path, or the same.
 void check_same_number(const Scene& scene, const FreeParameter& first, const FreeParameter& later) {
   const Origin origin = origin_of(scene, later);
-  const std::string words = "the name '" + first.name + "'" + in_which_line(first.line);
+  const std::string words = "the name '" + first.name + "'" + in_line(first.line);
   if (first.path.empty() || later.path.empty())
     complain({words + " is that of another number", "a name of its own for each",
               "entries of one name are one number if both have a path"},
@@ -218,7 +216,7 @@ void check_free_parameters(const Scene& scene) {
         if (const auto idle = why_it_counts_for_nothing(scene, path)) complain(*idle, origin);
       for (const FreeParameter* owner : owners[path.id]) {
         if (meet(owner->photo, free.photo))
-          complain({"free twice, first as '" + owner->path + "'" + in_which_line(owner->line),
+          complain({"free twice, first as '" + owner->path + "'" + in_line(owner->line),
                     "each parameter once", ""},
                    origin);
       }

@@ -14,8 +14,6 @@
 namespace vegard::sim {
 namespace {
 
-std::string in_line(int line) { return line > 0 ? " in line " + std::to_string(line) : ""; }
-
 /// Whether it may follow from others at all, whatever the expression.
 void check_path(const Scene& scene, const TiedParameter& tied) {
   for (const ParameterPath& path : paths_of(scene, tied)) {

@@ -4,6 +4,8 @@
 
 namespace vegard::sim {
 
+std::string in_line(int line) { return line > 0 ? " in line " + std::to_string(line) : ""; }
+
 void complain(const Complaint& complaint, const Origin& origin) {
   ErrorDetails details;
   details.problem = complaint.problem;

@@ -17,6 +17,9 @@ struct Origin {
   std::string key;
 };
 
+/// " in line 12", or nothing for 0: a line of a file that is not known.
+std::string in_line(int line);
+
 /// Throws Error(scene).
 [[noreturn]] void complain(const Complaint& complaint, const Origin& origin);
 
