@@ -50,7 +50,7 @@ FreeNumber number_of(const sim::Scene& scene, const sim::FreeParameter& entry,
     number.max = entry.max.value();
   }
   number.prior = entry.prior;
-  if (!entry.scale.empty()) number.scale = sim::scale_of(entry, path.row);
+  if (entry.scale != sim::FreeScale::of_table) number.scale = sim::scale_of(entry, path.row);
   // A logarithmic parameter whose table begins at 0 is unbounded below, in effect.
   if (sim::scale_of(entry, path.row) == sim::ParameterScale::logarithmic && number.min <= 0.0)
     number.min = kNextToNothing * number.max;

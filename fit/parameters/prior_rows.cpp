@@ -8,8 +8,8 @@ namespace vegard::fit {
 
 PriorRows::PriorRows(const std::vector<FreeNumber>& free, double weight) {
   for (std::size_t j = 0; j < free.size(); ++j) {
-    if (!free[j].prior || free[j].prior->law == sim::uniform_law) continue;
-    if (free[j].prior->law == sim::log_normal_law) {
+    if (!free[j].prior || free[j].prior->law == sim::PriorLaw::uniform) continue;
+    if (free[j].prior->law == sim::PriorLaw::log_normal) {
       add_of_sum(weight / free[j].prior->sigma, std::log(free[j].prior->mean), 0.0,
                  {{static_cast<int>(j), 1.0}});
       continue;

@@ -27,8 +27,8 @@ class Density {
       for (const int j : line.numbers) of_profile[j] = true;
     for (std::size_t j = 0; j < fit.free.size(); ++j) {
       const std::optional<sim::Prior>& prior = fit.free[j].prior;
-      const bool has_prior = of_profile[j] || (prior && prior->law != sim::uniform_law);
-      const bool by_logarithm = of_profile[j] || (prior && prior->law == sim::log_normal_law);
+      const bool has_prior = of_profile[j] || (prior && prior->law != sim::PriorLaw::uniform);
+      const bool by_logarithm = of_profile[j] || (prior && prior->law == sim::PriorLaw::log_normal);
       volume_.push_back(!has_prior ? Volume::flat : by_logarithm ? Volume::of_logarithm : Volume::of_value);
     }
     sim::Scene there = fit.scene;

@@ -70,7 +70,7 @@ Uncertainty sampled_uncertainty(const std::vector<Observation>& observations,
         known.information[j * n + k] += by_value[r * n + j] * by_value[r * n + k];
   for (std::size_t j = 0; j < n; ++j) {
     known.limit_variance[j] = limit_variance(free[j], free[j].slope(free[j].coordinate(values[j])));
-    known.has_prior[j] = free[j].prior && free[j].prior->law != sim::uniform_law;
+    known.has_prior[j] = free[j].prior && free[j].prior->law != sim::PriorLaw::uniform;
   }
   for (const SplineLine& line : prior.lines)
     for (const int j : line.numbers) known.has_prior[j] = true;

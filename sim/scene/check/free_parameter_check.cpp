@@ -103,25 +103,16 @@ void check_name(const Scene& scene, const FreeParameter& free, std::size_t numbe
              origin);
 }
 
-void check_scale(const Scene& scene, const FreeParameter& free) {
-  if (free.scale.empty() || free.scale == linear_scale || free.scale == logarithmic_scale) return;
-  complain({"\"" + free.scale + "\" is no scale", "\"linear\" or \"logarithmic\"", ""},
-           origin_of(scene, free));
-}
-
 void check_prior(const Scene& scene, const FreeParameter& free, double lower_limit) {
   if (!free.prior) return;
   const Prior& prior = *free.prior;
   const Origin origin = origin_of(scene, free);
-  if (prior.law == uniform_law) {
+  if (prior.law == PriorLaw::uniform) {
     if (!free.min || !free.max)
       complain({"prior: nothing says from where to where it is uniform", "min and max beside it", ""},
                origin);
     return;
   }
-  if (prior.law != normal_law && prior.law != log_normal_law)
-    complain({"prior: \"" + prior.law + "\" is no law", "\"normal\", \"log-normal\" or \"uniform\"", ""},
-             origin);
   if (!std::isfinite(prior.mean)) {
     complain({"prior: the mean " + real_text(prior.mean) + " is no usable number", "a finite number", ""},
              origin);
@@ -129,7 +120,7 @@ void check_prior(const Scene& scene, const FreeParameter& free, double lower_lim
   if (!(std::isfinite(prior.sigma) && prior.sigma > 0.0)) {
     complain({"prior: the sigma " + real_text(prior.sigma) + " is no width", "a number above 0", ""}, origin);
   }
-  if (prior.law != log_normal_law) return;
+  if (prior.law != PriorLaw::log_normal) return;
   if (prior.mean <= 0.0)
     complain({"prior: the mean " + real_text(prior.mean) + " has no logarithm", "a number above 0", ""},
              origin);
@@ -201,7 +192,6 @@ void check_free_parameters(const Scene& scene) {
   for (const FreeParameter& free : scene.fit.free) {
     const std::vector<ParameterPath> paths = paths_of(scene, free);
     check_name(scene, free, paths.size());
-    check_scale(scene, free);
     check_photo(scene, free);
     const auto first = free.name.empty() ? named.end() : named.find(free.name);
     double lower_limit = free.min.value_or(std::numeric_limits<double>::infinity());

@@ -32,11 +32,16 @@ Prior read_prior(const toml::node& node, const Origin& origin) {
   known.push_back(prior_law_key);
   refuse_unknown_keys(*table, known, origin);
   Prior prior;
-  if (const toml::node* law = table->get(prior_law_key))
-    prior.law = text_of(*law, inside(origin, *law, prior_law_key), "a text in quotes");
+  if (const toml::node* law = table->get(prior_law_key)) {
+    const Origin here = inside(origin, *law, prior_law_key);
+    const std::string word = text_of(*law, here, "a text in quotes");
+    const std::optional<PriorLaw> named = prior_law(word);
+    if (!named) complain({"\"" + word + "\" is no " + prior_law_key, prior_law_type, ""}, here);
+    prior.law = *named;
+  }
   for (const FreePriorKey& key : free_prior_keys()) {
     const toml::node* number = table->get(key.key);
-    if (prior.law == uniform_law) {
+    if (prior.law == PriorLaw::uniform) {
       if (number == nullptr) continue;
       complain({"a uniform prior has no " + key.key, "{ law = \"uniform\" }, with min and max beside it", ""},
                inside(origin, *number, key.key));
@@ -67,8 +72,11 @@ FreeParameter read_entry(const toml::node& node, const Origin& origin) {
   refuse_unknown_keys(*table, known, origin);
 
   for (const FreeTextKey& key : free_text_keys()) {
-    if (const toml::node* text = table->get(key.key))
-      free.*key.place = text_of(*text, inside(origin, *text, key.key), "a text in quotes");
+    if (const toml::node* node_of_key = table->get(key.key)) {
+      const Origin here = inside(origin, *node_of_key, key.key);
+      const std::string text = text_of(*node_of_key, here, "a text in quotes");
+      if (!key.set(free, text)) complain({"\"" + text + "\" is no " + key.key, key.type, ""}, here);
+    }
   }
   const toml::node* path = table->get(free_path_key);
   if (path == nullptr && free.name.empty())
@@ -89,12 +97,13 @@ FreeParameter read_entry(const toml::node& node, const Origin& origin) {
 
 std::string prior_text(const Prior& prior) {
   std::string text;
-  if (prior.law != uniform_law) {
+  if (prior.law != PriorLaw::uniform) {
     for (const FreePriorKey& key : free_prior_keys())
       text += (text.empty() ? "" : ", ") + key.key + " = " + real_text(prior.*key.place);
   }
-  if (prior.law != normal_law)
-    text += (text.empty() ? "" : ", ") + std::string(prior_law_key) + " = " + quoted_text(prior.law);
+  if (prior.law != PriorLaw::normal)
+    text +=
+        (text.empty() ? "" : ", ") + std::string(prior_law_key) + " = " + quoted_text(word_of_law(prior.law));
   return text;
 }
 
@@ -104,7 +113,7 @@ std::string entry_text(const FreeParameter& free) {
     inner += (inner.empty() ? "" : ", ") + key + " = " + value;
   };
   for (const FreeTextKey& key : free_text_keys()) {
-    if (const std::string& text = free.*key.place; !text.empty()) add(key.key, quoted_text(text));
+    if (const std::string text = key.text(free); !text.empty()) add(key.key, quoted_text(text));
   }
   for (const FreeNumberKey& key : free_number_keys()) {
     if (const auto& number = free.*key.place) add(key.key, real_text(*number));

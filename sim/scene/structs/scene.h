@@ -333,12 +333,25 @@ struct Composite {
   std::string mask;  ///< white where the foreground hides the sky; empty: the foreground's alpha
 };
 
-/// What is known of a number beforehand. "normal": of the value; "log-normal": of ln(value), about
-/// ln(mean), sigma a fraction; "uniform": anywhere between the limits, which must be given.
+/// How a number is distributed, as far as it is known beforehand.
+enum class PriorLaw {
+  normal,      ///< of the value
+  log_normal,  ///< of ln(value), about ln(mean), sigma a fraction
+  uniform      ///< anywhere between the limits, which must be given
+};
+
+/// What is known of a number beforehand.
 struct Prior {
   double mean = 0.0;
   double sigma = 0.0;
-  std::string law = "normal";
+  PriorLaw law = PriorLaw::normal;
+};
+
+/// On which scale a fit moves a number.
+enum class FreeScale {
+  of_table,  ///< the parameter's own
+  linear,
+  logarithmic
 };
 
 /// One entry of fit.free as the user wrote it. A path to a vector stands for all its components.
@@ -349,7 +362,7 @@ struct FreeParameter {
   int line = 0;  ///< in the scene file, for messages
   /// By which expressions of fit.tied call it; entries of one name are one number. Empty: by its path only.
   std::string name;
-  std::string scale;  ///< "linear" or "logarithmic" in place of the table's; empty: the table's
+  FreeScale scale = FreeScale::of_table;
   std::string photo;  ///< the photograph that it belongs to alone, one of fit.photos; empty: shared by all
 };
 

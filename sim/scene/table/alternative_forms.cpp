@@ -146,8 +146,7 @@ std::vector<FileKey> all_file_keys() {
     keys.push_back({entry + "." + free_prior_key, key.key, "", key.meaning, "a number"});
   }
   keys.push_back({entry + "." + free_prior_key, prior_law_key, "",
-                  "of the prior; uniform: nothing but min and max is known",
-                  "\"normal\", \"log-normal\" or \"uniform\""});
+                  "of the prior; uniform: nothing but min and max is known", prior_law_type});
   keys.push_back(
       {table, tied_key, "", "what follows from what is fitted", "an array of tables with the keys below"});
   for (const TiedKey& key : tied_keys())

@@ -1,6 +1,45 @@
 #include "sim/scene/table/free_entry_keys.h"
 
+#include <array>
+#include <cstddef>
+#include <utility>
+
 namespace vegard::sim {
+namespace {
+
+template <std::string FreeParameter::*Place>
+FreeTextKey plain_text(const char* key, const char* meaning, const char* type) {
+  return {key, meaning, type,
+          [](FreeParameter& free, const std::string& text) {
+            free.*Place = text;
+            return true;
+          },
+          [](const FreeParameter& free) { return free.*Place; }};
+}
+
+constexpr std::array<std::pair<FreeScale, const char*>, 3> kScales = {
+    {{FreeScale::of_table, ""}, {FreeScale::linear, "linear"}, {FreeScale::logarithmic, "logarithmic"}}};
+constexpr std::array<std::pair<PriorLaw, const char*>, 3> kLaws = {
+    {{PriorLaw::normal, "normal"}, {PriorLaw::log_normal, "log-normal"}, {PriorLaw::uniform, "uniform"}}};
+
+template <class Kind>
+std::optional<Kind> kind_of(const std::array<std::pair<Kind, const char*>, 3>& words,
+                            const std::string& word) {
+  for (const auto& [kind, its_word] : words)
+    if (word == its_word) return kind;
+  return std::nullopt;
+}
+
+template <class Kind>
+std::string word_in(const std::array<std::pair<Kind, const char*>, 3>& words, Kind kind) {
+  return words[static_cast<std::size_t>(kind)].second;
+}
+
+}  // namespace
+
+std::optional<PriorLaw> prior_law(const std::string& word) { return kind_of(kLaws, word); }
+
+std::string word_of_law(PriorLaw law) { return word_in(kLaws, law); }
 
 const std::vector<FreeNumberKey>& free_number_keys() {
   static const std::vector<FreeNumberKey> keys = {
@@ -13,14 +52,21 @@ const std::vector<FreeNumberKey>& free_number_keys() {
 
 const std::vector<FreeTextKey>& free_text_keys() {
   static const std::vector<FreeTextKey> keys = {
-      {"name",
-       "for expressions; entries of one name are one number; without a path (but with start, min and max): a "
-       "number that only expressions use",
-       "a text", &FreeParameter::name},
+      plain_text<&FreeParameter::name>("name",
+                                       "for expressions; entries of one name are one number; without a path "
+                                       "(but with start, min and max): a "
+                                       "number that only expressions use",
+                                       "a text"),
       {"scale", "on which the parameter is moved; left out: the parameter's own",
-       "\"linear\" or \"logarithmic\"", &FreeParameter::scale},
-      {"photo", "the photograph that it belongs to alone; left out: all", "a name of fit.photos",
-       &FreeParameter::photo},
+       "\"linear\" or \"logarithmic\"",
+       [](FreeParameter& free, const std::string& text) {
+         const std::optional<FreeScale> scale = kind_of(kScales, text);
+         if (scale) free.scale = *scale;
+         return scale.has_value();
+       },
+       [](const FreeParameter& free) { return word_in(kScales, free.scale); }},
+      plain_text<&FreeParameter::photo>("photo", "the photograph that it belongs to alone; left out: all",
+                                        "a name of fit.photos"),
   };
   return keys;
 }
@@ -46,8 +92,8 @@ const std::vector<TiedKey>& tied_keys() {
 }
 
 ParameterScale scale_of(const FreeParameter& free, const ParameterRow* row) {
-  if (free.scale == logarithmic_scale) return ParameterScale::logarithmic;
-  if (free.scale == linear_scale || row == nullptr) return ParameterScale::linear;
+  if (free.scale == FreeScale::logarithmic) return ParameterScale::logarithmic;
+  if (free.scale == FreeScale::linear || row == nullptr) return ParameterScale::linear;
   return row->scale;
 }
 

@@ -23,10 +23,12 @@ struct FreeNumberKey {
 };
 const std::vector<FreeNumberKey>& free_number_keys();
 
-/// Texts of an entry, beside its path.
+/// Texts of an entry, beside its path. `set` is false for a word that does not exist; `text` is empty for
+/// what need not be said.
 struct FreeTextKey {
   std::string key, meaning, type;
-  std::string FreeParameter::*place;
+  bool (*set)(FreeParameter& free, const std::string& text);
+  std::string (*text)(const FreeParameter& free);
 };
 const std::vector<FreeTextKey>& free_text_keys();
 
@@ -37,9 +39,10 @@ struct FreePriorKey {
 const std::vector<FreePriorKey>& free_prior_keys();
 
 inline const char* const prior_law_key = "law";
-inline const char* const normal_law = "normal";
-inline const char* const log_normal_law = "log-normal";
-inline const char* const uniform_law = "uniform";
+inline const char* const prior_law_type = "\"normal\", \"log-normal\" or \"uniform\"";
+/// Nothing for a word that is none.
+std::optional<PriorLaw> prior_law(const std::string& word);
+std::string word_of_law(PriorLaw law);
 
 struct TiedKey {
   std::string key, meaning, type;
@@ -47,9 +50,6 @@ struct TiedKey {
   std::string TiedParameter::*place;
 };
 const std::vector<TiedKey>& tied_keys();
-
-inline const char* const linear_scale = "linear";
-inline const char* const logarithmic_scale = "logarithmic";
 
 /// On which scale a fit moves a parameter: what the entry says, else the table's; linear for a number without
 /// a path (`row` null).

@@ -194,7 +194,7 @@ TEST(ProfileCost, JacobianAgreesWithDifferencesWhereNumbersAreTied) {
   scene.fit.free.back().start = 40.0;
   scene.fit.free.back().min = 10.0;
   scene.fit.free.back().max = 90.0;
-  scene.fit.free.back().prior = sim::Prior{50.0, 0.2, "log-normal"};
+  scene.fit.free.back().prior = sim::Prior{50.0, 0.2, sim::PriorLaw::log_normal};
   scene.fit.tied = {
       {"sheet.b-2.center_km.north", "sheet.a.center_km.north + gap * sin_deg(sheet.a.bearing_deg)", "", 0},
       {"sheet.b-2.bearing_deg", "sheet.a.bearing_deg", "", 0}};

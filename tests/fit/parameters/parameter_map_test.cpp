@@ -61,10 +61,10 @@ TEST(FreeNumbers, MayBeOnAnotherScaleThanTheTables) {
   sim::Scene scene = tests::small_scene();
   scene.fit.free = {tests::free_entry("sheet.main.energy_kev"),
                     tests::free_entry("sheet.main.center_km.north")};
-  scene.fit.free[0].scale = "linear";
+  scene.fit.free[0].scale = sim::FreeScale::linear;
   scene.fit.free[0].min = 2.0;
   scene.fit.free[0].max = 4.0;
-  scene.fit.free[1].scale = "logarithmic";
+  scene.fit.free[1].scale = sim::FreeScale::logarithmic;
   scene.fit.free[1].min = 100.0;
   scene.fit.free[1].max = 400.0;
   const std::vector<FreeNumber> free = free_numbers(scene);

@@ -15,9 +15,9 @@ TEST(PriorRows, AreOfTheLawThatIsGiven) {
   for (const char* path :
        {"sheet.main.energy_kev", "sheet.main.width_km", "camera.hfov_deg", "camera.roll_deg"})
     scene.fit.free.push_back(tests::free_entry(path));
-  scene.fit.free[0].prior = sim::Prior{4.0, 0.5, "normal"};
-  scene.fit.free[1].prior = sim::Prior{2.0, 0.25, "log-normal"};
-  scene.fit.free[2].prior = sim::Prior{0.0, 0.0, "uniform"};
+  scene.fit.free[0].prior = sim::Prior{4.0, 0.5, sim::PriorLaw::normal};
+  scene.fit.free[1].prior = sim::Prior{2.0, 0.25, sim::PriorLaw::log_normal};
+  scene.fit.free[2].prior = sim::Prior{0.0, 0.0, sim::PriorLaw::uniform};
   scene.fit.free[2].min = 40.0;
   scene.fit.free[2].max = 80.0;
   sim::validate(scene);

@@ -31,7 +31,7 @@ void add_free_of_sheet(sim::Scene& scene, const std::string& sheet) {
   sim::FreeParameter phase;
   phase.path = of + "phase_rad";
   scene.fit.free.push_back(phase);
-  add_free(scene, of + "width_km", 0.3, 4.0, sim::Prior{1.0, 0.5, sim::log_normal_law});
+  add_free(scene, of + "width_km", 0.3, 4.0, sim::Prior{1.0, 0.5, sim::PriorLaw::log_normal});
   add_free(scene, of + "phase_shift_rad", -1.0, 2.0, sim::Prior{0.3, 0.2});
 }
 
@@ -69,7 +69,7 @@ sim::Scene wide_start(const Truth& truth) {
   // The photograph's gain is not known, so the flux shows in the shape of the profile only, and in its ratio.
   for (const sim::Sheet& sheet : scene.sheets)
     add_free(scene, "sheet." + sheet.name + ".energy_flux_mw_m2", 0.05 * kFlux, 20.0 * kFlux,
-             sim::Prior{0.6 * kFlux, 0.8, sim::log_normal_law});
+             sim::Prior{0.6 * kFlux, 0.8, sim::PriorLaw::log_normal});
   sim::validate(scene);
   return scene;
 }

@@ -345,7 +345,7 @@ const Bad bad_scenes[] = {
      "a table { mean, sigma }, with a law"},
     {"free_prior_of_no_law",
      "[fit]\nfree = [{ path = \"camera.hfov_deg\", prior = { mean = 5, sigma = 1, law = \"flat\" } }]\n", 2,
-     "camera.hfov_deg", "\"flat\" is no law"},
+     "fit.free.prior.law", "\"flat\" is no law"},
     {"free_prior_uniform_with_mean",
      "[fit]\nfree = [{ path = \"camera.hfov_deg\", prior = { mean = 5, law = \"uniform\" } }]\n", 2,
      "fit.free.prior.mean", "a uniform prior has no mean"},
@@ -360,7 +360,7 @@ const Bad bad_scenes[] = {
      "[fit]\nfree = [{ path = \"camera.roll_deg\", prior = { mean = 1, sigma = 1, law = \"log-normal\" } "
      "}]\n",
      2, "camera.roll_deg", "a min of 0 or above"},
-    {"free_scale", "[fit]\nfree = [{ path = \"camera.hfov_deg\", scale = \"log\" }]\n", 2, "camera.hfov_deg",
+    {"free_scale", "[fit]\nfree = [{ path = \"camera.hfov_deg\", scale = \"log\" }]\n", 2, "fit.free.scale",
      "\"log\" is no scale"},
     {"free_scale_without_room",
      "[[sheet]]\n[fit]\nfree = [{ path = \"sheet.main.center_km.north\", scale = \"logarithmic\" }]\n", 3,
