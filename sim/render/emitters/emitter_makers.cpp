@@ -69,7 +69,7 @@ std::vector<NamedField> light_fields(const Scene& scene, const VolumeFiles& file
 std::optional<Complaint> why_no_light_field(const Scene& scene) {
   for (const EmitterMaker& maker : emitter_makers())
     if (maker.why_no_field != nullptr)
-      if (const auto complaint = maker.why_no_field(scene)) return complaint;
+      if (auto complaint = maker.why_no_field(scene)) return complaint;
   return std::nullopt;
 }
 

@@ -142,10 +142,11 @@ SceneGrid grid_with_strands(const Scene& scene, const std::vector<const LightFie
     done += 1.0;
   }
   // Of all before any is sampled, which takes its time.
+  const std::uint64_t most_bricks = options.memory_limit / kept;
   std::vector<BricksToSample> bricks_of;
   for (const LightField* field : fields) {
     bricks_of.push_back(bricks_to_sample(*field, out.grid, options.box, all_lines,
-                                         static_cast<double>(options.memory_limit / kept),
+                                         static_cast<double>(most_bricks),
                                          static_cast<double>(options.memory_limit), [&] {
                                            progress(0.0);
                                            return !stopped();

@@ -213,9 +213,9 @@ class SceneReader {
   std::vector<double> read_form_key(const AlternativeForm& form, const FileKey& key,
                                     const toml::node& node) const {
     const Origin where = origin(node, key.table + "." + key.key);
-    const std::vector<double> numbers = form.components.empty()
-                                            ? std::vector<double>{number_of(node, where, key.type)}
-                                            : numbers_of(node, form.components.size(), where, key.type);
+    std::vector<double> numbers = form.components.empty()
+                                      ? std::vector<double>{number_of(node, where, key.type)}
+                                      : numbers_of(node, form.components.size(), where, key.type);
     for (const double number : numbers) {
       if (number >= form.min && number <= form.max) continue;
       complain({short_real_text(number) + " is outside the limits",

@@ -91,7 +91,7 @@ std::string unknown_word(const std::string& text, std::size_t at) {
     return i;
   };
   const std::size_t end = end_of_word(at);
-  const std::string word = text.substr(at, end - at);
+  std::string word = text.substr(at, end - at);
   if (word.compare(0, 6, "sheet.") != 0 || std::count(word.begin(), word.end(), '.') != 1) return word;
   std::size_t i = end;
   while (i < text.size() && (is_in_word(text[i]) || text[i] == '-') && text[i] != '.') ++i;

@@ -43,7 +43,7 @@ std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const Par
   }
   for (const EmitterKind& kind : emitter_kinds())
     if (kind.why_idle != nullptr)
-      if (const auto complaint = kind.why_idle(scene, path)) return complaint;
+      if (auto complaint = kind.why_idle(scene, path)) return complaint;
   if (path.row->table != sheet_table) return std::nullopt;
   const Sheet& sheet = scene.sheets[path.sheet()];
   if (key == "energy_kev" && sheet.profile == ProfileKind::file) {

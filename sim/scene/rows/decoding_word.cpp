@@ -64,7 +64,7 @@ std::optional<Complaint> decoding_complaint(const std::string& text) {
   }
   if (word == "srgb" && numbers >= 1 && numbers <= 2) {
     for (std::size_t i = 1; i < parts.size(); ++i)
-      if (const auto complaint = exponent_complaint("the exponent", parts[i])) return complaint;
+      if (auto complaint = exponent_complaint("the exponent", parts[i])) return complaint;
     return {};
   }
   if (text == "unknown:1" || text == "unknown:2") return {};

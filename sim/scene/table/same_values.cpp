@@ -9,7 +9,8 @@
 namespace vegard::sim {
 namespace {
 
-bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+// By their bits, so that a NaN is itself and -0 is not 0.
+bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }  // NOLINT
 template <class T>
 bool same(const T& a, const T& b) {
   return a == b;

@@ -12,7 +12,7 @@ namespace vegard::sim {
 
 std::string expected_text(const Declaration& d) {
   const ParameterRow& row = first_row_of(d);
-  const std::string limits = limits_text(row);
+  std::string limits = limits_text(row);
   if (row.kind == ParameterKind::boolean) return limits;
   if (row.kind == ParameterKind::text) return limits.empty() ? "a text in quotes" : limits;
   std::string text = row.kind == ParameterKind::integer ? "a whole number" : "a number";

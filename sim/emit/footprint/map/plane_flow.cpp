@@ -276,9 +276,10 @@ void carry(const PlaneFlow& flow, PlaneFootprint<T>& plane, int threads) {
     for (int column = 0; column < grid.columns; ++column) {
       T sum(0.0), of_energy(0.0);
       for (int part = 0; part < kParts * kParts; ++part) {
-        const double east = plane.west_km + (column + (part % kParts + 0.5) / kParts) * plane.cell_km;
+        const int part_column = part % kParts, part_row = part / kParts;
+        const double east = plane.west_km + (column + (part_column + 0.5) / kParts) * plane.cell_km;
         const double north =
-            plane.south_km + (static_cast<double>(row) + (part / kParts + 0.5) / kParts) * plane.cell_km;
+            plane.south_km + (static_cast<double>(row) + (part_row + 0.5) / kParts) * plane.cell_km;
         double flow_column = (east - flow.west_km) / flow.cell_km - 0.5,
                flow_row = (north - flow.south_km) / flow.cell_km - 0.5;
         cubic.follow(flow.stretches, flow_column, flow_row);

@@ -56,12 +56,14 @@ void fill_brick(const std::vector<PiecesOfStrand>& strands, RadialFalloff fallof
     std::fill(nearest.begin(), nearest.end(), NearestPiece{});
     for (; first != last && first->strand == strand; ++first)
       for (std::uint32_t p = first->first; p < first->last; ++p) try_piece(of, p, corner, nearest.data());
-    for (int v = 0; v < SparseGrid::kVoxels; ++v)
+    for (int v = 0; v < SparseGrid::kVoxels; ++v) {
+      const int i = v / (SparseGrid::kEdge * SparseGrid::kEdge),
+                j = v / SparseGrid::kEdge % SparseGrid::kEdge;
       if (nearest[v].square < NearestPiece::kNone)
-        sum[v] += density_from(of, falloff, nearest[v],
-                               {1.0 * corner[0] + v / (SparseGrid::kEdge * SparseGrid::kEdge),
-                                1.0 * corner[1] + v / SparseGrid::kEdge % SparseGrid::kEdge,
-                                1.0 * corner[2] + v % SparseGrid::kEdge});
+        sum[v] +=
+            density_from(of, falloff, nearest[v],
+                         {1.0 * corner[0] + i, 1.0 * corner[1] + j, 1.0 * corner[2] + v % SparseGrid::kEdge});
+    }
   }
 }
 
