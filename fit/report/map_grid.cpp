@@ -27,7 +27,7 @@ double round_number_below(double value) {
 /// "68\u00b0 N", "17.5\u00b0 W".
 std::string degrees_text(double degrees, double step, const char* positive, const char* negative) {
   const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
-  const std::string number = fmt::format("{:.{}f}\u00b0", std::abs(degrees), decimals);
+  std::string number = fmt::format("{:.{}f}\u00b0", std::abs(degrees), decimals);
   if (std::abs(degrees) < 0.5 * std::pow(10.0, -decimals)) return number;
   return number + " " + (degrees > 0.0 ? positive : negative);
 }

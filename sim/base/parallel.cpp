@@ -5,6 +5,13 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#if defined(__SANITIZE_THREAD__)
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+#endif
 
 namespace vegard::sim {
 
@@ -21,6 +28,26 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
     for (std::size_t i = 0; i < count; ++i) body(i, 0);
     return;
   }
+#if defined(__SANITIZE_THREAD__)
+  // The thread sanitizer does not see how TBB's own threads, which it has not compiled, wait for each other,
+  // and would report all that they share. The bodies are what it is to look at.
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr thrown;
+  std::mutex of_thrown;
+  std::vector<std::thread> workers;
+  for (int slot = 0; slot < threads; ++slot)
+    workers.emplace_back([&, slot] {
+      try {
+        for (std::size_t i = next++; i < count; i = next++) body(i, slot);
+      } catch (...) {
+        next = count;
+        const std::lock_guard<std::mutex> lock(of_thrown);
+        if (!thrown) thrown = std::current_exception();
+      }
+    });
+  for (std::thread& worker : workers) worker.join();
+  if (thrown) std::rethrow_exception(thrown);
+#else
   tbb::task_arena arena(threads);
   arena.execute([&] {
     tbb::parallel_for(
@@ -31,6 +58,7 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
         },
         tbb::simple_partitioner());
   });
+#endif
 }
 
 }  // namespace vegard::sim

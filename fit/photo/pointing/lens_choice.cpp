@@ -179,7 +179,7 @@ class Chooser {
   }
 
   void fit_plainly() {
-    const int n = 2 * count(choice_.used);
+    const int stars = count(choice_.used), n = 2 * stars;
     double least = std::numeric_limits<double>::infinity();
     for (LensCandidate& candidate : choice_.candidates) {
       if (candidate.objection == "no star comes out near its place") continue;
@@ -196,7 +196,7 @@ class Chooser {
         candidate.objection = "the stars do not tell its numbers apart";
         continue;
       }
-      candidate.rms_px = std::sqrt(candidate.fit.sum_of_squares / (n / 2));
+      candidate.rms_px = std::sqrt(candidate.fit.sum_of_squares / stars);
       candidate.bic = criterion(candidate.fit.sum_of_squares, n, k);
       least = std::min(least, candidate.bic);
     }

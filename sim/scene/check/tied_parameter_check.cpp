@@ -9,6 +9,7 @@
 #include "sim/scene/freedom/ties.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/parameter_declarations.h"
+#include "sim/scene/table/parameter_id.h"
 #include "sim/scene/table/value_check.h"
 
 namespace vegard::sim {
