@@ -12,6 +12,7 @@ set(THREADS_PREFER_PTHREAD_FLAG ON)
 # once. Without it every file stands on its own feet and includes what it needs; for those who change the sources.
 option(VEGARD_UNITY "Compile several files as one unit" OFF)
 option(VEGARD_PRECOMPILED_HEADERS "Precompile the headers of other libraries" ON)
+option(VEGARD_ONE_INSTRUCTION_SET "Vector code for the least processor alone: for sanitizers, under which it compiles slowly" OFF)
 option(VEGARD_WARNINGS_AS_ERRORS "Stop at warnings" OFF)
 
 find_program(CCACHE ccache)
