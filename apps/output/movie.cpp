@@ -31,7 +31,7 @@ sim::Error trouble(sim::ErrorKind kind, const std::string& file, const std::stri
 }
 
 cv::Mat picture(const std::string& file) {
-  const cv::Mat read = cv::imread(file, cv::IMREAD_COLOR);
+  cv::Mat read = cv::imread(file, cv::IMREAD_COLOR);
   if (read.empty())
     throw trouble(sim::ErrorKind::unreadable_input, file, "cannot be read as a picture",
                   "remove it, and it will be made again");

@@ -1,5 +1,8 @@
 #include "apps/preview/preview_painter.h"
 
+#include <cmath>
+#include <cstdint>
+
 #include <fmt/format.h>
 
 #include "apps/options/composite_pictures.h"
@@ -41,7 +44,8 @@ ScreenPicture PreviewPainter::paint(const sim::Scene& whole, const sim::Reductio
   const sim::Image shown = sim::encoded(scene, light);
   ScreenPicture picture{shown.width, shown.height, {}};
   picture.rgb.reserve(shown.data.size());
-  for (const float value : shown.data) picture.rgb.push_back(static_cast<std::uint8_t>(value * 255.0 + 0.5));
+  for (const float value : shown.data)
+    picture.rgb.push_back(static_cast<std::uint8_t>(std::lround(value * 255.0)));
   return picture;
 }
 

@@ -117,6 +117,10 @@ struct ParameterId {
   /// Index into Scene::sheets, -1 for a number of anything else.
   int sheet() const { return row != nullptr && row->table == sheet_table ? element : -1; }
 };
+inline bool operator==(const ParameterId& a, const ParameterId& b) {
+  return a.row == b.row && a.element == b.element && a.line == b.line && a.component == b.component;
+}
+inline bool operator!=(const ParameterId& a, const ParameterId& b) { return !(a == b); }
 
 /// An identity as one scene writes it.
 struct ParameterPath {

@@ -33,9 +33,6 @@ std::array<const ParameterRow*, static_cast<std::size_t>(ParameterRole::roles)> 
 
 }  // namespace
 
-bool operator==(const ParameterId& a, const ParameterId& b) {
-  return a.row == b.row && a.element == b.element && a.line == b.line && a.component == b.component;
-}
 bool operator<(const ParameterId& a, const ParameterId& b) { return order_of(a) < order_of(b); }
 
 std::size_t ParameterIdHash::operator()(const ParameterId& id) const {

@@ -13,8 +13,6 @@
 
 namespace vegard::sim {
 
-bool operator==(const ParameterId& a, const ParameterId& b);
-inline bool operator!=(const ParameterId& a, const ParameterId& b) { return !(a == b); }
 /// In the order of the table.
 bool operator<(const ParameterId& a, const ParameterId& b);
 
