@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -24,6 +22,7 @@
 #include "fit/report/run_directory.h"
 #include "fit/report/table/sequence_files.h"
 #include "fit/sequence.h"
+#include "sim/base/file/input_file.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/file/output_error.h"
 #include "sim/base/file/sha256.h"
@@ -46,9 +45,11 @@ struct SequenceRequest {
   bool overwrite = false;
 };
 
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(file), {});
+/// True for what manifest() has written, in this version or an older one.
+bool is_manifest(const std::string& text) {
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  return json.is_object() && json.contains("scene_sha256") && json.contains("max_evaluations") &&
+         json.contains("version");
 }
 
 /// What makes one sequence another, its photographs apart: those are told from their rows.
@@ -72,29 +73,51 @@ class Folder {
   std::string run(const std::string& frame) const { return path_ + "/frames/" + frame; }
   std::string row(const std::string& frame) const { return run(frame) + ".json"; }
 
-  /// Makes it, or goes on in it. Rows of something else are removed if `overwrite`.
-  void begin(const std::string& text, bool overwrite) const {
+  /// Makes it, or goes on in it. A sequence of something else is begun anew if `overwrite`: its rows are
+  /// removed, and its tables and the runs of `photos` will be replaced. Throws Error(existing_output) before
+  /// anything is touched unless what is there is a sequence of vegard's, and what will be replaced are runs.
+  void begin(const std::string& text, bool overwrite, const std::vector<SequencePhoto>& photos) const {
+    const auto refuse = [](const std::string& file, const std::string& problem, const std::string& hint) {
+      throw sim::Error(sim::ErrorKind::existing_output, {problem, file, 0, {}, {}, hint});
+    };
     std::error_code error;
-    const bool is_known = bytes_of(file(kManifest)) == text;
-    if (!is_known && !overwrite && fs::exists(path_, error) && !fs::is_empty(path_, error)) {
-      sim::ErrorDetails details;
-      details.file = path_;
-      details.problem = fs::exists(file(kManifest), error) ? "is of another sequence, scene or version"
-                                                           : "exists already, and is no sequence";
-      details.hint = "use --overwrite to fit it anew, or choose another name";
-      throw sim::Error(sim::ErrorKind::existing_output, details);
+    const std::string found = sim::read_input(file(kManifest)).bytes;
+    const bool is_known = found == text;
+    if (!is_known && fs::exists(path_, error) && !fs::is_empty(path_, error)) {
+      if (!is_manifest(found))
+        refuse(path_, "exists already, and is no sequence: it has no sequence.json that vegard wrote",
+               "choose another name");
+      if (!overwrite)
+        refuse(path_, "is of another sequence, scene or version",
+               "use --overwrite to fit it anew, or choose another name");
+    }
+    for (const char* name : {kManifest, kTable, kPlot}) {
+      const fs::file_status status = fs::symlink_status(file(name), error);
+      if (fs::exists(status) && !fs::is_regular_file(status))  // what a link leads to would be replaced
+        refuse(file(name), "is in the way, and is no file that vegard wrote", "choose another name");
+    }
+    for (const SequencePhoto& photo : photos) {
+      check_row(row(photo.name));
+      const bool may_be_done = is_known && fs::exists(row(photo.name), error);
+      if (!may_be_done && fs::exists(fs::symlink_status(run(photo.name), error)))
+        fit::check_run_directory(run(photo.name), true);
     }
     fs::create_directories(path_ + "/frames", error);
     if (error) throw sim::unwritable(path_, error.value());
     if (is_known) return;
-    for (const auto& entry : fs::directory_iterator(path_ + "/frames", error))
-      if (entry.path().extension() == ".json") fs::remove(entry.path(), error);
+    std::vector<std::string> rows;
+    for (fs::directory_iterator entry(path_ + "/frames", error), end; !error && entry != end;
+         entry.increment(error))
+      if (entry->path().extension() == ".json") rows.push_back(entry->path().string());
+    if (error) throw sim::unwritable(path_, error.value());
+    for (const std::string& row : rows) check_row(row);
+    for (const std::string& row : rows) fs::remove(row, error);
     sim::write_whole(file(kManifest), text, true);
   }
 
   /// The row of a frame that is done: of this photograph at this time.
   std::optional<fit::SequenceRow> done(const SequencePhoto& photo, const fit::Photo& read) const {
-    const std::string text = bytes_of(row(photo.name));
+    const std::string text = sim::read_input(row(photo.name)).bytes;
     if (text.empty()) return {};
     fit::SequenceRow found = fit::sequence_row_of(text, row(photo.name));
     if (found.photo_sha256 != read.sha256 || found.time_s != photo.time_s || found.decoding != read.decoding)
@@ -103,7 +126,24 @@ class Folder {
   }
 
  private:
-  static constexpr const char* kManifest = "sequence.json";
+  /// Throws unless there is none, or a row that vegard wrote: what stands there goes.
+  static void check_row(const std::string& row) {
+    std::error_code error;
+    const fs::file_status status = fs::symlink_status(row, error);
+    if (!fs::exists(status)) return;
+    const sim::InputFile found = sim::read_input(row);
+    if (!fs::is_regular_file(status) || !found.problem.empty())
+      throw sim::Error(sim::ErrorKind::existing_output,
+                       {"is in the way of a frame's row, and is no file that can be read",
+                        row,
+                        0,
+                        {},
+                        {},
+                        "move it, or choose another name"});
+    fit::sequence_row_of(found.bytes, row);
+  }
+
+  static constexpr const char *kManifest = "sequence.json", *kTable = "sequence.csv", *kPlot = "sequence.svg";
   std::string path_;
 };
 
@@ -158,7 +198,7 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
     inputs.push_back({sim::decoding_word(options.decoding).file, "the transfer curve"});
   spare_inputs_inside("--out", options.out, inputs);
   const Folder folder(options.out);
-  folder.begin(manifest(options, scene), options.overwrite);
+  folder.begin(manifest(options, scene), options.overwrite, photos);
 
   fit::FitOptions fit_options;
   fit_options.threads = options.threads;

@@ -1,8 +1,6 @@
 #include "apps/output/resumption.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -10,6 +8,7 @@
 
 #include "apps/options/composite_pictures.h"
 #include "sim/base/file/durable_rename.h"
+#include "sim/base/file/input_file.h"
 #include "sim/base/file/output_error.h"
 #include "sim/base/file/sha256.h"
 #include "sim/base/file/whole_file.h"
@@ -46,9 +45,11 @@ sim::Scene as_frames_see(const sim::Scene& scene) {
   return seen;
 }
 
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(file), {});
+/// True for what manifest_text() has given, in this version or an older one.
+bool is_manifest_of_frames(const std::string& text) {
+  const Json json = Json::parse(text, nullptr, false);
+  return json.is_object() && json.contains("frames") && json.contains("scene_sha256") &&
+         json.contains("version");
 }
 
 /// Numbers of all frames that stand in the folder, whether wanted or not, finished or not.
@@ -150,18 +151,26 @@ std::set<int> begin_or_resume(const FrameNames& names, const std::string& manife
   const bool has_manifest = fs::exists(fs::symlink_status(file, error));
   const std::set<int> found = frames_on_disk(names);
   const std::set<int> wanted(frames.begin(), frames.end());
-  if (has_manifest && bytes_of(file) == manifest) {
+  const std::string found_manifest = sim::read_input(file).bytes;
+  if (has_manifest && found_manifest == manifest) {
     remove_orphans(names, wanted);
     return finished_frames(names, found, wanted);
   }
 
   if (!overwrite) {
     const std::string hint = "use --overwrite to replace the frames, or choose another name";
-    if (has_manifest) throw other_animation(file, difference(manifest, bytes_of(file)), hint);
+    if (has_manifest) throw other_animation(file, difference(manifest, found_manifest), hint);
     if (!found.empty())
       throw other_animation(names.file(*found.begin()), "exists already, and nothing says of which animation",
                             hint);
   }
+  if (has_manifest && !is_manifest_of_frames(found_manifest))
+    throw other_animation(file, "is not replaced: it is no manifest of frames that vegard wrote",
+                          "move it, or choose another name");
+  if (own_folder && !has_manifest && !found.empty())
+    throw other_animation(names.file(*found.begin()),
+                          "is not replaced: no animation.json beside it says that it is vegard's",
+                          "move it, or choose another name");
   for (const int frame : found)
     if (!own_folder && wanted.count(frame) == 0)
       throw other_animation(names.file(frame),

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
-#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -21,9 +20,11 @@
 #include "apps/output/terminal.h"
 #include "apps/preview/preview_painter.h"
 #include "sim/base/error.h"
+#include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_directory.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/picture/image_io.h"
+#include "sim/base/version.h"
 #include "sim/scene/table/parameter_table.h"
 
 namespace vegard::apps {
@@ -33,33 +34,44 @@ namespace fs = std::filesystem;
 
 const char* const kPattern = "frame_####.png";
 
-/// A folder that holds anything else than a preview's frames would be lost with them.
-void check_folder(const sim::Scene& scene, const PreviewOptions& options) {
-  const FrameNames names(kPattern);
+/// What tells a preview's frame from a picture of another program: a text beside its pixels.
+const char* const kMark = "preview";
+
+/// A folder that an input lies in would be lost with it.
+void spare_inputs_in_folder(const sim::Scene& scene, const PreviewOptions& options) {
   for (const std::string& input : picture_files(scene))
     if (is_inside(input, options.output))
       refuse_same_file("--output", options.output, "a folder of its input");
   for (const std::string& input : {options.scene.file, options.scene.camera_file})
     if (is_inside(input, options.output))
       refuse_same_file("--output", options.output, "a folder of its input");
-  std::error_code ignored;
-  if (!options.overwrite || !fs::is_directory(options.output, ignored)) return;
-  for (const fs::directory_entry& entry : fs::directory_iterator(options.output, ignored))
-    if (!names.frame_of(entry.path().filename().string())) {
-      sim::ErrorDetails details;
-      details.file = options.output;
-      details.problem =
-          "is not replaced: " + entry.path().filename().string() + " in it is no frame of a preview";
-      details.hint = "choose another name";
-      throw sim::Error(sim::ErrorKind::existing_output, details);
-    }
+}
+
+/// True for a PNG with the mark of a preview among the texts before its pixels.
+bool is_frame_of_preview(const std::string& file) {
+  constexpr std::size_t kHead = 4096;
+  const std::string bytes = sim::read_beginning(file, kHead).bytes;
+  return bytes.rfind("\x89PNG\r\n\x1a\n", 0) == 0 &&
+         bytes.substr(0, bytes.find("IDAT")).find(std::string("vegard:") + kMark) != std::string::npos;
+}
+
+sim::DirectoryKind preview_kind() {
+  return {"a folder of a preview's frames",
+          [](const std::string& directory) {
+            sim::KnownFolder known;
+            known.has = [directory](const std::string& name) {
+              return FrameNames(kPattern).frame_of(name) && is_frame_of_preview(directory + "/" + name);
+            };
+            return known;
+          },
+          {}};
 }
 
 std::string png_of(const ScreenPicture& picture, const std::string& name) {
   sim::Image shown(picture.width, picture.height, {"R", "G", "B"});
   for (std::size_t i = 0; i < picture.rgb.size(); ++i)
     shown.data[i] = static_cast<float>(picture.rgb[i]) / 255.0f;
-  return sim::encode_display(sim::ImageFormat::png, shown, 8, 95, {}, name);
+  return sim::encode_display(sim::ImageFormat::png, shown, 8, 95, {{kMark, sim::version()}}, name);
 }
 
 double median(std::vector<double> values) {
@@ -84,8 +96,8 @@ int run_preview_frames(const sim::Scene& scene, const PreviewOptions& options) {
   names.check_room_for(options.frames - 1);
   std::optional<sim::WholeDirectory> folder;
   if (!options.output.empty()) {
-    check_folder(scene, options);
-    folder.emplace(options.output, options.overwrite, "frame_0000.png", "a folder of frames");
+    spare_inputs_in_folder(scene, options);
+    folder.emplace(options.output, options.overwrite, preview_kind());
   }
   const std::atomic<bool>& stop = watch_for_interrupt();
   PreviewPainter painter(options.threads);

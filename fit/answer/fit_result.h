@@ -27,6 +27,7 @@ enum class Verdict {
 
 /// "good", "doubtful", "failed", "interrupted".
 const char* verdict_name(Verdict verdict);
+constexpr Verdict kVerdicts[] = {Verdict::good, Verdict::doubtful, Verdict::failed, Verdict::interrupted};
 
 struct FittedParameter {
   std::string path;   ///< "sheet.main.center_km.east"; "camera.roll_deg of south" if a photograph's own

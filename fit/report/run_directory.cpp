@@ -4,6 +4,10 @@
 
 #include <cassert>
 #include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <utility>
 
 #include "fit/report/foot_map.h"
 #include "fit/report/model_picture.h"
@@ -12,6 +16,7 @@
 #include "fit/report/table/result_json.h"
 #include "fit/report/table/run_tables.h"
 #include "sim/base/error.h"
+#include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_directory.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/picture/image_io.h"
@@ -36,9 +41,14 @@ std::string best_scene(const FitResult& result, const sim::Scene& best) {
   return sim::write_scene(best, comment);
 }
 
+/// The files of each photograph.
+constexpr std::pair<const char*, const char*> kProfiles = {"profiles", ".csv"}, kModel = {"model", ".exr"},
+                                              kResidual = {"residual", ".exr"};
+constexpr std::pair<const char*, const char*> kFilesOfPhoto[] = {kProfiles, kModel, kResidual};
+
 /// "model-NAME.exr"; without a name "model.exr".
-std::string file_of(const FittedPhoto& fitted, const std::string& stem, const std::string& ending) {
-  return stem + (fitted.name.empty() ? "" : "-" + fitted.name) + ending;
+std::string file_of(const std::string& photo, const std::pair<const char*, const char*>& stem_and_ending) {
+  return stem_and_ending.first + (photo.empty() ? "" : "-" + photo) + stem_and_ending.second;
 }
 
 /// Photographs, and the pictures and grids of volumes, stand beside the scene that was fitted: from the run's
@@ -90,11 +100,67 @@ void write_pictures(const sim::WholeDirectory& run, const FitResult& result, con
                                                      "centres, linear between them, level outside; the fit "
                                                      "itself has "
                                                      "one gain in all of a band";
-  sim::write_exr(run.file(file_of(fitted, "model", ".exr")), {&picture.rgb, &lines}, attributes);
+  sim::write_exr(run.file(file_of(fitted.name, kModel)), {&picture.rgb, &lines}, attributes);
   sim::write_exr(
-      run.file(file_of(fitted, "residual", ".exr")), picture.residual,
+      run.file(file_of(fitted.name, kResidual)), picture.residual,
       attributes_of(result, fitted, "R, G, B: photograph - model, linear light of the photograph, signed"));
 }
+
+bool is_verdict(const nlohmann::json& word) {
+  for (const Verdict verdict : kVerdicts)
+    if (word == verdict_name(verdict)) return true;
+  return false;
+}
+
+/// Photographs' names in a result.json of vegard's, of this version or an older one; none if it is not one.
+/// Of a single photograph the name is empty.
+std::optional<std::vector<std::string>> photos_of_result(const std::string& text) {
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  const auto has = [&](const char* key, nlohmann::json::value_t type) {
+    return json.contains(key) && json[key].type() == type;
+  };
+  using Type = nlohmann::json::value_t;
+  if (!json.is_object() || !has("verdict", Type::string) || !is_verdict(json["verdict"]) ||
+      !has("verdict_line", Type::string) || !has("parameters", Type::array) ||
+      !has("version", Type::string) || !has("libraries", Type::object) ||
+      !json["libraries"].contains("ceres"))
+    return {};
+  if (!has("photos", Type::array)) return std::vector<std::string>{""};
+  std::vector<std::string> names;
+  for (const nlohmann::json& photo : json["photos"]) {
+    if (!photo.is_object() || !photo.contains("name") || !photo["name"].is_string()) return {};
+    names.push_back(photo["name"].get<std::string>());
+  }
+  return names;
+}
+
+/// What a run may hold: what write_run() writes, for the photographs of its result.json and with the tables
+/// of its best.toml.
+sim::KnownFolder look_at_run(const std::string& directory) {
+  std::set<std::string> names = {"result.json", "best.toml", "profile.csv",
+                                 "trace.csv",   "map.svg",   "report.html"};
+  sim::KnownFolder known;
+  constexpr std::size_t kMostResultBytes = std::size_t{256} << 20;
+  const sim::InputFile result = sim::read_input(directory + "/result.json", kMostResultBytes);
+  const std::optional<std::vector<std::string>> photos = photos_of_result(result.bytes);
+  if (!result.problem.empty())
+    known.objection = "its result.json " + result.problem;
+  else if (!photos)
+    known.objection = "its result.json is none that vegard wrote";
+  for (const std::string& photo : photos.value_or(std::vector<std::string>()))
+    for (const auto& file : kFilesOfPhoto) names.insert(file_of(photo, file));
+  try {
+    const sim::InputFile best = sim::read_input(directory + "/best.toml");
+    for (const sim::TableFile& table : sim::table_files(sim::parse_scene(best.bytes, "best.toml")))
+      names.insert(table.name);
+  } catch (const sim::Error&) {
+    // A scene that cannot be read names no tables: if there are any, they are taken for the user's.
+  }
+  known.has = [names = std::move(names)](const std::string& name) { return names.count(name) != 0; };
+  return known;
+}
+
+sim::DirectoryKind run_kind() { return {"a run", look_at_run, {"best.toml", "result.json"}}; }
 
 /// An error inside of the temporary directory is one of the directory that the user named.
 sim::Error about(const std::string& directory, const std::string& temporary, const sim::Error& error) {
@@ -107,13 +173,13 @@ sim::Error about(const std::string& directory, const std::string& temporary, con
 }  // namespace
 
 void check_run_directory(const std::string& directory, bool overwrite) {
-  sim::WholeDirectory(directory, overwrite);
+  sim::WholeDirectory(directory, overwrite, run_kind());
 }
 
 void write_run(const std::string& directory, bool overwrite, const FitResult& result,
                const std::vector<Photo>& photos, const RunContext& context) {
   assert(photos.size() == result.photos.size());
-  sim::WholeDirectory run(directory, overwrite);
+  sim::WholeDirectory run(directory, overwrite, run_kind());
   std::vector<ModelPicture> pictures;
   std::vector<ShownPhoto> shown;
   for (std::size_t i = 0; i < photos.size(); ++i)
@@ -126,13 +192,13 @@ void write_run(const std::string& directory, bool overwrite, const FitResult& re
   try {
     sim::write_whole(run.file("result.json"), result_json(result));
     sim::Scene best = sim::with_tables_beside(result.best);
-    for (const sim::TableFile& table : sim::table_files(best))
-      sim::write_whole(run.file(table.name), sim::table_text(best, table.path));
     rename_files(directory, best);
     sim::write_whole(run.file("best.toml"), best_scene(result, best));
+    for (const sim::TableFile& table : sim::table_files(best))
+      sim::write_whole(run.file(table.name), sim::table_text(best, table.path));
     for (std::size_t i = 0; i < photos.size(); ++i) {
       const FittedPhoto& fitted = result.photos[i];
-      sim::write_whole(run.file(file_of(fitted, "profiles", ".csv")),
+      sim::write_whole(run.file(file_of(fitted.name, kProfiles)),
                        profiles_csv(result, fitted, shown[i].elevation_of_pixel));
       write_pictures(run, result, fitted, pictures[i]);
     }

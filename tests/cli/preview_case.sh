@@ -49,6 +49,13 @@ expect_exit 2 preview scene.toml -o frames --frames 1 --overwrite
 expect_stderr notes.txt
 expect_one_message
 expect_file frames/notes.txt
+# Frames of another program, by whatever name, are none of a preview's.
+mkdir blender
+cp still.png blender/frame_0000.png
+expect_exit 2 preview scene.toml -o blender --frames 1 --overwrite
+expect_stderr frame_0000.png
+expect_one_message
+expect_same blender/frame_0000.png still.png
 mkdir holds
 cp scene.toml holds/
 expect_exit 2 preview holds/scene.toml -o holds --frames 1 --overwrite

@@ -28,6 +28,36 @@ done
 # Another scene is another sequence.
 expect_exit 2 sequence "$SCENES/fit.toml" --photos list.txt -o all --set fit.bands=5
 expect_stderr "is of another sequence, scene or version"
+# --overwrite begins one anew, in the place of a sequence alone, and replaces nothing that is not vegard's.
+mkdir mine mine/frames
+echo '{"years": 5}' >mine/sequence.json
+echo years >mine/sequence.csv
+echo '{}' >mine/frames/thesis.json
+expect_exit 2 sequence "$SCENES/fit.toml" --photos list.txt -o mine --overwrite
+expect_stderr "is no sequence"
+[[ $(cat mine/sequence.csv) == years && -s mine/frames/thesis.json && ! -e mine/sequence.svg ]] || fail "something of the user's is gone"
+other=(sequence "$SCENES/fit.toml" --photos frame_1.png -o all --set fit.bands=5 --overwrite)
+cp -r all before
+echo '{"years": 5}' >all/frames/thesis.json
+expect_exit 3 "${other[@]}"
+expect_stderr "thesis.json"
+rm all/frames/thesis.json
+echo years >all/frames/frame_1/thesis.tex
+expect_exit 2 "${other[@]}"
+expect_stderr "thesis.tex"
+rm all/frames/frame_1/thesis.tex
+echo years >thesis.csv
+ln -sf ../thesis.csv all/sequence.csv
+expect_exit 2 "${other[@]}"
+expect_stderr "all/sequence.csv"
+[[ $(cat thesis.csv) == years ]] || fail "a link was followed"
+cp --remove-destination before/sequence.csv all/sequence.csv
+diff -r all before >&2 || fail "the sequence was touched"
+echo notes >all/notes.txt
+expect_exit 0 "${other[@]}"
+expect_different all/frames/frame_1/result.json before/frames/frame_1/result.json
+[[ $(cat all/notes.txt) == notes ]] || fail "a note beside a sequence is gone"
+
 expect_exit 2 sequence "$SCENES/fit.toml" --photos frame_1.png ./frame_1.png -o other
 expect_stderr "two photographs are called 'frame_1'"
 printf 'frame_1.png soon\n' >bad.txt

@@ -98,6 +98,54 @@ TEST_F(RunDirectory, RefusesWhatExists) {
   EXPECT_EQ(folder.entries(), 1);
 }
 
+// Whatever vegard has written may be replaced, tables and several photographs' files too; and of another
+// program's result.json, or beside the run's own files, nothing.
+TEST_F(RunDirectory, ReplacesWhatVegardWroteAndNothingElse) {
+  result.best.sheets[0].profile = sim::ProfileKind::file;
+  result.best.sheets[0].profile_file = "tables/mine.csv";
+  result.best.tables["sheet.main.profile_file"] = "altitude_km,rate_5577\n90,0\n120,1\n150,0\n";
+  FittedPhoto second = result.photos[0];
+  result.photos[0].name = "north";
+  second.name = "south";
+  result.photos.push_back(second);
+  const auto write_both = [&](bool overwrite) {
+    write_run(folder / "run", overwrite, result, std::vector<Photo>{photo, photo}, {1});
+  };
+  write_both(false);
+  EXPECT_EQ(files("run").count("mine.csv"), 1U);
+  EXPECT_EQ(files("run").count("model-south.exr"), 1U);
+  write_both(true);
+  EXPECT_EQ(folder.entries(), 1);
+  tests::put(folder / "run/other.csv", "mine");
+  tests::put(folder / "run/model-west.exr", "mine");
+  const std::string said = expect_error(sim::ErrorKind::existing_output, [&] { write_both(true); });
+  EXPECT_NE(said.find("model-west.exr, other.csv in it are"), std::string::npos) << said;
+  fs::remove(folder / "run/other.csv");
+  fs::remove(folder / "run/model-west.exr");
+  for (const char* text : {"", "{}", R"({"verdict": "good", "parameters": [], "version": "3"})", "[[["}) {
+    tests::put(folder / "run/result.json", text);
+    expect_error(sim::ErrorKind::existing_output, [&] { write_both(true); });
+    EXPECT_EQ(bytes_of(folder / "run/result.json"), text);
+    EXPECT_EQ(files("run").count("best.toml"), 1U);
+  }
+}
+
+// As the first version wrote it, before several photographs, judges and tied numbers.
+TEST_F(RunDirectory, ReplacesARunOfAnOlderVersion) {
+  fs::create_directory(folder / "run");
+  tests::put(folder / "run/result.json",
+             R"({"verdict": "good", "verdict_line": "Good.", "reasons": [], "parameters": [], "solved": [],
+                 "derived": [], "correlation": [], "chi2": 1.0, "dof": 3, "seed": 1, "version": "0.0.1",
+                 "libraries": {"ceres": "2.1.0", "opencv": "4.6.0"}, "command": "", "inputs": [],
+                 "decoding": "sRGB"})");
+  for (const char* name :
+       {"best.toml", "profiles.csv", "trace.csv", "model.exr", "residual.exr", "report.html"})
+    tests::put(folder / "run/" + name, "old");
+  write("run", true);
+  EXPECT_NE(bytes_of(folder / "run/best.toml"), "old");
+  EXPECT_EQ(folder.entries(), 1);
+}
+
 TEST_F(RunDirectory, LeavesNothingOnAFullDisk) {
   for (const rlim_t bytes : {100, 5000, 20000}) {
     const tests::FullDisk full(bytes);

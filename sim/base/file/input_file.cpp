@@ -1,0 +1,105 @@
+#include "sim/base/file/input_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "sim/base/error.h"
+
+namespace vegard::sim {
+namespace {
+
+std::string words_of_errno(int error_number) { return std::generic_category().message(error_number); }
+
+std::string why_no_regular_file(mode_t mode) {
+  if (S_ISREG(mode)) return {};
+  if (S_ISDIR(mode)) return "is a folder";
+  if (S_ISFIFO(mode)) return "is a pipe, not a file";
+  if (S_ISSOCK(mode)) return "is a socket, not a file";
+  return "is a device, not a file";
+}
+
+/// A descriptor of a regular file, or -1 and why. `size` in bytes.
+int open_regular(const std::string& path, std::string& problem, off_t& size) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) {
+    problem = errno == ENOENT || errno == ENOTDIR ? "there is no such file"
+                                                  : "cannot be opened: " + words_of_errno(errno);
+    return -1;
+  }
+  problem = why_no_regular_file(status.st_mode);
+  if (!problem.empty()) return -1;
+  // What has become a pipe since is opened without waiting for whoever writes into it.
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  if (descriptor < 0) {
+    problem = "cannot be opened: " + words_of_errno(errno);
+    return -1;
+  }
+  if (::fstat(descriptor, &status) != 0)
+    problem = "cannot be opened: " + words_of_errno(errno);
+  else
+    problem = why_no_regular_file(status.st_mode);
+  size = status.st_size;
+  if (problem.empty()) return descriptor;
+  ::close(descriptor);
+  return -1;
+}
+
+}  // namespace
+
+std::string bytes_text(std::size_t bytes) {
+  constexpr std::size_t kKilo = 1 << 10, kMega = 1 << 20;
+  if (bytes >= kMega) return std::to_string(bytes / kMega) + " MB";
+  if (bytes >= kKilo) return std::to_string(bytes / kKilo) + " kB";
+  return std::to_string(bytes) + " bytes";
+}
+
+std::string why_no_input(const std::string& path) {
+  std::string problem;
+  off_t size = 0;
+  if (const int descriptor = open_regular(path, problem, size); descriptor >= 0) ::close(descriptor);
+  return problem;
+}
+
+InputFile read_beginning(const std::string& path, std::size_t most_bytes) {
+  InputFile file;
+  off_t size = 0;
+  const int descriptor = open_regular(path, file.problem, size);
+  if (descriptor < 0) return file;
+  // Files of /proc say that they are empty, and others may grow meanwhile: what comes is counted.
+  file.bytes.reserve(std::min(static_cast<std::size_t>(size) + 1, most_bytes));
+  char block[1 << 16];
+  while (file.bytes.size() < most_bytes) {
+    const ssize_t count = ::read(descriptor, block, std::min(sizeof block, most_bytes - file.bytes.size()));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) file.problem = "cannot be read: " + words_of_errno(errno);
+    if (count <= 0) break;
+    file.bytes.append(block, static_cast<std::size_t>(count));
+  }
+  ::close(descriptor);
+  if (!file.problem.empty()) file.bytes.clear();
+  return file;
+}
+
+InputFile read_input(const std::string& path, std::size_t most_bytes) {
+  struct stat status {};
+  const bool too_large = ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) &&
+                         status.st_size > static_cast<off_t>(most_bytes);
+  InputFile file;
+  if (!too_large) file = read_beginning(path, most_bytes + 1);
+  if (too_large || file.bytes.size() > most_bytes) return {{}, "is larger than " + bytes_text(most_bytes)};
+  return file;
+}
+
+std::string input_bytes(const std::string& path, const std::string& expected, std::size_t most_bytes) {
+  InputFile file = read_input(path, most_bytes);
+  if (!file.problem.empty()) refuse_file(ErrorKind::unreadable_input, path, file.problem, expected);
+  return std::move(file.bytes);
+}
+
+}  // namespace vegard::sim
