@@ -151,9 +151,13 @@ fit::JournalSubject subject_of(const FitRequest& options, const sim::Scene& scen
 bool is_interrupted_run(const std::string& directory) {
   std::ifstream file(directory + "/result.json", std::ios::binary);
   const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
+  // A damaged one may have anything under these names.
+  const auto says = [&](const char* name, const nlohmann::json& value) {
+    const auto found = json.find(name);
+    return found != json.end() && *found == value;
+  };
   return json.is_object() &&
-         (json.value("verdict", "") == std::string(fit::verdict_name(fit::Verdict::interrupted)) ||
-          json.value("judges_cut_short", false));
+         (says("verdict", fit::verdict_name(fit::Verdict::interrupted)) || says("judges_cut_short", true));
 }
 
 fit::JournalMode journal_mode(const FitRequest& options) {

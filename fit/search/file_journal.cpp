@@ -44,6 +44,7 @@ sim::Error refused(const std::string& file, const std::string& problem, const st
 std::string difference(const Json& mine, const Json& theirs) {
   if (mine.value("journal", Json()) != theirs.value("journal", Json())) return "has another format";
   const Json a = mine.value("of", Json::object()), b = theirs.value("of", Json::object());
+  if (!b.is_object()) return "has another format";
   for (const auto& [name, value] : a.items())
     if (b.value(name, Json()) != value) return "is the journal of another fit: " + name + " differs";
   return "is the journal of another fit";

@@ -213,6 +213,18 @@ TEST(FileJournal, NeverReplacesWhatIsNone) {
                [&] { FileJournal(folder / "folder.part", kSubject, JournalMode::overwrite); });
 }
 
+TEST(FileJournal, OfSomethingThatIsNoFitIsOfAnotherFormat) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "run.part";
+  for (const char* header :
+       {R"({"journal":1,"of":5})", R"({"journal":1,"of":["the scene"]})", R"({"journal":{}})"}) {
+    put(file, fit::checked_line(header) + fit::checked_line("no step"));
+    const std::string words = expect_error(sim::ErrorKind::existing_output,
+                                           [&] { FileJournal(file, kSubject, JournalMode::resume); });
+    EXPECT_NE(words.find("another format"), std::string::npos) << words;
+  }
+}
+
 TEST(FileJournal, WithoutAStepNothingIsLeft) {
   const TemporaryFolder folder;
   { const FileJournal journal(folder / "run.part", kSubject, JournalMode::fresh); }
