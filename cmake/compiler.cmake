@@ -27,7 +27,7 @@ add_library(vegard_compile INTERFACE)
 target_compile_options(vegard_compile INTERFACE -Wall -Wextra -Wno-psabi -ffp-contract=off)
 if(VEGARD_UNITY)
   # Names that another file of the unit keeps to itself are no names here.
-  target_compile_options(vegard_compile INTERFACE -Wno-subobject-linkage)
+  target_compile_options(vegard_compile INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 else()
   target_compile_options(vegard_compile INTERFACE -Wshadow)
 endif()

@@ -1,21 +1,23 @@
-// Any bytes as a photograph: what the file says of itself, its metadata, its pixels; and as a table of FITS.
+// Any bytes as a photograph: what the file says of itself, its metadata, its pixels; as a table of FITS; and,
+// where they begin as such files do, as a map of angles and a picture that a scene names.
 #include <cmath>
-#include <cstdlib>
 #include <string_view>
 
 #include "fit/photo/codec/image_walk.h"
+#include "fit/photo/direction_map_file.h"
 #include "fit/photo/photo.h"
 #include "sim/base/error.h"
 #include "sim/base/picture/fits_io.h"
+#include "sim/base/picture/image_io.h"
 #include "sim/base/picture/picture_metadata.h"
+#include "tests/fuzz/input_file.h"
+#include "tests/fuzz/promise.h"
+#include "tests/fuzz/target.h"
 
 namespace {
 
 using namespace vegard;
-
-void require(bool promise) {
-  if (!promise) std::abort();
-}
+using tests::require;
 
 template <typename Use>
 void refused_or(const Use& use) {
@@ -36,6 +38,31 @@ void read_as(std::string_view bytes, const fit::Decoding& decoding) {
   require(std::isfinite(fit::code_step(photo, 0.5)));
 }
 
+/// An ending under which the bytes are read as angles; empty for formats that hold none.
+const char* ending_of_angles(std::string_view bytes) {
+  if (bytes.substr(0, 6) == "SIMPLE") return ".fits";
+  if (bytes.substr(0, 4) == "\x76\x2f\x31\x01") return ".exr";
+  const std::string_view order = bytes.substr(0, 2);
+  return order == "II" || order == "MM" ? ".tif" : "";
+}
+
+void read_as_file(std::string_view bytes) {
+  const std::string ending = ending_of_angles(bytes);
+  if (ending.empty()) return;
+  const tests::InputFile file(bytes, "it" + ending);
+  const std::string path = file.path("it" + ending);
+  tests::read_or_refused([&] {
+    const sim::DirectionMap map = fit::read_direction_map(path, path);
+    require(map.width > 0 && map.azimuth_deg.size() == map.elevation_deg.size());
+  });
+  if (ending != ".fits")
+    tests::read_or_refused([&] {
+      const sim::PictureFile picture = sim::read_picture(path);
+      require(picture.image.data.size() ==
+              picture.image.channel_names.size() * picture.image.width * picture.image.height);
+    });
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -44,5 +71,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   refused_or([&] { fit::inspect_image_file(bytes, "folder/it"); });
   refused_or([&] { sim::read_fits_table(bytes, "folder/it"); });
   refused_or([&] { read_as(bytes, fit::Decoding::automatic); });
+  read_as_file(bytes);
   return 0;
 }

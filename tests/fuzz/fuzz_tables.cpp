@@ -1,0 +1,124 @@
+// Any text as one of the tables that people write. The first letter of an input chooses whose, as in
+// `readers`; the rest is the table. What is read is worked out as far as its user does it.
+#include <cmath>
+#include <string_view>
+
+#include "apps/options/picture_lists.h"
+#include "apps/options/scene_options.h"
+#include "fit/photo/pointing/star_table.h"
+#include "sim/base/file/csv_table.h"
+#include "sim/base/number/mask5.h"
+#include "sim/base/utc_time.h"
+#include "sim/light/sheet_profile.h"
+#include "sim/view/colour/colour_table.h"
+#include "sim/view/colour/sensor_response.h"
+#include "sim/view/sensor/tone_curve.h"
+#include "tests/fuzz/input_file.h"
+#include "tests/fuzz/promise.h"
+#include "tests/fuzz/target.h"
+
+namespace {
+
+using namespace vegard;
+using tests::require;
+
+void csv(const std::string& text) {
+  const sim::CsvTable table = sim::read_csv_table(text, "it.csv");
+  require(table.rows() > 0 && table.columns.size() == table.numbers.size());
+  for (const std::string& name : table.columns)
+    for (const double number : table.column(name)) require(std::isfinite(number));
+}
+
+void height_profile(const std::string& text) {
+  sim::Scene scene;
+  scene.sheets.emplace_back();
+  scene.sheets[0].profile = sim::ProfileKind::file;
+  scene.sheets[0].profile_file = "it.csv";
+  scene.tables["sheet." + scene.sheets[0].name + ".profile_file"] = text;
+  sim::check_profiles(scene);
+}
+
+void response(const std::string& text) {
+  sim::Scene scene;
+  scene.sensor.response = "it.csv";
+  scene.tables["sensor.response"] = text;
+  for (const auto per : {sim::ResponsePer::energy, sim::ResponsePer::photon}) {
+    scene.sensor.response_per = per;
+    const sim::SensorResponse response(scene);
+    for (const double nm : {427.8, 557.7, 630.0}) response.rgb_per_kilorayleigh(nm);
+  }
+  scene.sensor.white_balance_rule = sim::WhiteBalanceRule::daylight;
+  scene.sensor.matrix_rule = sim::MatrixRule::colorimetric;
+  const sim::SensorResponse balanced(scene);
+}
+
+void tone(const std::string& text) {
+  const sim::ToneCurve curve = sim::ToneCurve::of_table(text, "it.csv");
+  for (const double x : {-1.0, 0.0, 0.1, 0.5, 1.0, 2.0}) {
+    require(std::isfinite(curve.encode(x)));
+    require(std::isfinite(curve.decode(x)));
+  }
+}
+
+void colours(const std::string& text) {
+  sim::Scene scene;
+  scene.sensor.colour_table = "it.csv";
+  scene.tables["sensor.colour_table"] = text;
+  const sim::ColourTable table(scene);
+  for (const double grey : {-1.0, 0.0, 0.3, 1.0, 2.0})
+    for (const double value : table.at(grey)) require(value >= 0.0 && value <= 1.0);
+}
+
+/// A text, or what solve-field writes.
+void stars(const std::string& text) {
+  const tests::InputFile file(text, "it.csv");
+  fit::SkyOfPicture sky;
+  sky.julian_date = 2458849.5;
+  sky.observer = sim::Observer{65.0, 20.0, 100.0};
+  for (const fit::StarSighting& star : fit::read_star_table(file.path("it.csv"), sky)) {
+    require(std::isfinite(star.x_px) && std::isfinite(star.y_px));
+    for (const double part : star.enu) require(std::isfinite(part));
+  }
+}
+
+void pictures(const std::string& text) {
+  const tests::InputFile file(text, "it.txt");
+  for (const apps::SequencePhoto& photo : apps::sequence_photos({file.path("it.txt")}, {}))
+    require(!photo.file.empty() && std::isfinite(photo.time_s));
+}
+
+void times(const std::string& text) {
+  const tests::InputFile file(text, "it.csv");
+  const apps::TimedPictures pictures = apps::timed_pictures({"a.png", "b.png"}, file.path("it.csv"));
+  require(pictures.files.size() == 2 && pictures.times.seconds.size() == 2);
+  for (const double seconds : pictures.times.seconds) require(std::isfinite(seconds));
+}
+
+void camera(const std::string& text) {
+  const tests::InputFile file(text, "it.toml");
+  sim::Scene scene;
+  apps::take_camera(scene, file.path("it.toml"));
+}
+
+void mask(const std::string& text) { require(std::isfinite(sim::read_mask5(text, "it.txt").sum())); }
+
+/// Not a file, but words of one and names of others.
+void moments(const std::string& text) {
+  if (const auto seconds = sim::utc_seconds(text)) sim::utc_text(*seconds);
+  if (const auto seconds = sim::utc_seconds_in_name(text)) sim::utc_text(*seconds);
+  sim::offset_minutes(text);
+}
+
+using Reader = void (*)(const std::string&);
+constexpr Reader kReaders[] = {csv,      height_profile, response, tone, colours, stars,
+                               pictures, times,          camera,   mask, moments};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
+  const Reader reader = kReaders[(data[0] + 256u - 'a') % 256u % std::size(kReaders)];
+  tests::read_or_refused([&] { reader(text); });
+  return 0;
+}

@@ -1,0 +1,108 @@
+// Small tables to begin with, a letter before each as fuzz_tables.cpp reads it.
+#include "tests/fuzz/target.h"
+#include "tests/support/fits_bytes.h"
+
+namespace vegard::tests {
+namespace {
+
+/// solve-field's table of stars, of whole numbers.
+std::string solved_field_of(int rows) {
+  std::string cards = fits_card("XTENSION", "'BINTABLE'");
+  const std::pair<const char*, std::string> keys[] = {{"BITPIX", "8"},    {"NAXIS", "2"},
+                                                      {"NAXIS1", "16"},   {"NAXIS2", std::to_string(rows)},
+                                                      {"PCOUNT", "0"},    {"GCOUNT", "1"},
+                                                      {"TFIELDS", "4"},   {"TTYPE1", "'field_x'"},
+                                                      {"TFORM1", "'1J'"}, {"TTYPE2", "'field_y'"},
+                                                      {"TFORM2", "'1J'"}, {"TTYPE3", "'index_ra'"},
+                                                      {"TFORM3", "'1J'"}, {"TTYPE4", "'index_dec'"},
+                                                      {"TFORM4", "'1J'"}};
+  for (const auto& [key, value] : keys) cards += fits_card(key, value);
+  std::vector<double> numbers;
+  for (int row = 0; row < rows; ++row)
+    for (const int number : {11 + row, 21, 279, 38}) numbers.push_back(number);
+  return fits_header(8, {}) + fits_block(cards + "END", ' ') + fits_block(fits_numbers(32, numbers), '\0');
+}
+
+}  // namespace
+
+std::vector<std::string> fuzz_seeds(const std::string&) {
+  return {
+      "a# a remark\nname,other one\n1,2\n+3.5e-3 , -4\r\n",
+      "baltitude_km,557.7,630.0,ver_4278\n90,0,0,0\n110,5.5,1,2\n250,0,3e0,1\n",
+      "cwavelength_nm,red,green,blue\n400,0,0.1,1\n500,0.1,1,0.5\n600,1,0.5,0\n700,0.5,0,0\n",
+      "dlinear,encoded\n0,0\n0.2,0.5\n1,1\n",
+      "egrey,red,green,blue\n0,0,0,0\n0.5,1,0.5,0\n1,1,1,1\n",
+      "fname,azimuth_deg,zenith_deg,x_px,y_px,magnitude\nstar 0,0,8,33,25.1,1.5\n\"a, b\",77,14,36.5,23.8,\n",
+      "fstar,x_px,y_px\nVega,1,2\nalf Aql,3,4\nHIP 91262,5,6\n",
+      "fx_px,y_px,ra_deg,dec_deg\n1,2,279.2,38.8\n",
+      "fx_px,y_px,ra_hours,dec_deg\n1,2,18.6,-38.8\n",
+      "f" + solved_field_of(2),
+      "g# when, and of what\nframe_1.png 0\nframe_2.png 2.5\n\nfolder/frame_3.png\n",
+      "hfile,time\na.png,2015-10-07T08:23:51.743Z\nb.png,2015-10-07 08:24:00\n",
+      "ha.png,1.5\nfolder/b.png,-2e3\n",
+      "i# made\n[site]\nlatitude_deg = 65.0\naltitude_m = 100.0\ntime_utc = "
+      "\"2020-01-01T20:00:00Z\"\n[camera]\n"
+      "model = \"equidistant\"\nwidth = 64\nheight = 48\nfocal_px = 15.0\nprincipal_x_px = 1.0\n"
+      "azimuth_deg = 0.0\nelevation_deg = 90.0\n",
+      "j" +
+          [] {
+            std::string all = "# 125 numbers\n";
+            for (int i = 0; i < 125; ++i) all += i % 5 == 4 ? "0.01\n" : "1e-2, ";
+            return all;
+          }(),
+      "k2015-10-07T08:23:51.743Z",
+      "kPKR_DASC_0558_20151007_082351.743.FITS",
+      "k+05:30",
+  };
+}
+
+std::vector<std::string> fuzz_dictionary() {
+  std::vector<std::string> words = {"\n",
+                                    ",",
+                                    "#",
+                                    "\"",
+                                    "\xef\xbb\xbf",
+                                    "\r\n",
+                                    "nan",
+                                    "inf",
+                                    "1e308",
+                                    "1e-320",
+                                    "-0",
+                                    "+",
+                                    "x_px",
+                                    "y_px",
+                                    "ra_deg",
+                                    "dec_deg",
+                                    "star",
+                                    "magnitude",
+                                    "Vega",
+                                    "HIP 1",
+                                    "HD 1",
+                                    "name",
+                                    "azimuth_deg",
+                                    "grey",
+                                    "linear",
+                                    "encoded",
+                                    "altitude_km",
+                                    "557.7",
+                                    "file,time",
+                                    "a.png",
+                                    "[camera]\n",
+                                    "[site]\n",
+                                    "hfov_deg = ",
+                                    "focal_px = ",
+                                    "model = ",
+                                    "lens_k1 = ",
+                                    "roll_deg = ",
+                                    "9999-12-31T23:59:60Z",
+                                    "0001-01-01",
+                                    ".99999999999999999999"};
+  for (const char* key : {"BITPIX", "NAXIS1", "NAXIS2", "PCOUNT", "TFIELDS", "TFORM1", "THEAP", "TSCAL1"})
+    for (const char* value : {"0", "-1", "999", "'1D'", "'1PE(9)'", "'0J'", "1E308", "2147483647"})
+      words.push_back(fits_card(key, value));
+  return words;
+}
+
+void mend_after_mutation(std::string&) {}
+
+}  // namespace vegard::tests
