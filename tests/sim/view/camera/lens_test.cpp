@@ -213,6 +213,13 @@ TEST(Lens, EndsWhereItsTermsWouldFoldThePictureBack) {
   EXPECT_NEAR(least_cosine(LensModel::pinhole, -0.1, 0.0, 0.0), 1.0 / std::sqrt(1.0 + fold * fold), 1e-9);
   EXPECT_NEAR(least_cosine(LensModel::polynomial, -0.1, 0.0, 0.0), std::cos(fold), 1e-9);
   EXPECT_EQ(least_cosine(LensModel::pinhole, 0.1, 0.0, 0.0), 0.0);
+  // r (1 - 0.02 r^4) up to r^4 = 1 / 0.1, r (1 - 0.01 r^6) up to r^6 = 1 / 0.07, and r (1 - 0.5 r^2 + 0.09
+  // r^4) to the lesser root of 1 - 1.5 r^2 + 0.45 r^4.
+  const double of_k2 = std::pow(10.0, 0.25), of_k3 = std::pow(1.0 / 0.07, 1.0 / 6.0),
+               of_both = std::sqrt((1.5 - std::sqrt(1.5 * 1.5 - 4.0 * 0.45)) / (2.0 * 0.45));
+  EXPECT_NEAR(least_cosine(LensModel::polynomial, 0.0, -0.02, 0.0), std::cos(of_k2), 1e-9);
+  EXPECT_NEAR(least_cosine(LensModel::polynomial, 0.0, 0.0, -0.01), std::cos(of_k3), 1e-9);
+  EXPECT_NEAR(least_cosine(LensModel::polynomial, -0.5, 0.09, 0.0), std::cos(of_both), 1e-9);
   Camera camera;
   camera.model = LensModel::polynomial;
   camera.k1 = -0.1;
