@@ -6,6 +6,7 @@
 
 #include "fit/answer/derived.h"
 #include "sim/base/number/constants.h"
+#include "sim/emit/aurora/sheet.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/structs/station.h"
 #include "tests/support/free_paths.h"
@@ -94,6 +95,24 @@ TEST(SineFeet, LieOffTheLineByTheSineToTheLeftInTheNorth) {
   EXPECT_NEAR(sim::sine_feet(scene, sheet, 0.0, 0, 11).front().north, 200.0, 1e-9);
   scene.field.inclination_deg = -78.0;
   EXPECT_NEAR(sim::sine_feet(scene, sheet, 0.0, 0, 11).back().north, 200.0 - sheet.thickness_km, 1e-9);
+}
+
+TEST(SineFeet, OfThreeLayersAreThoseOfTheMiddleOne) {
+  sim::Sheet sheet;
+  sheet.center_km = {20.0, 180.0};
+  sheet.bearing_deg = 90.0;
+  sheet.length_km = 240.0;
+  sheet.wavelength_km = 70.0;
+  sheet.phase_rad = 0.4;
+  sheet.layers = 3;
+  sheet.phase_shift_rad = 0.9;
+  constexpr int kFeet = 9;
+  const std::vector<sim::EastNorth> feet = sim::sine_feet(tests::with_sheet(sheet), sheet, 0.0, 0, kFeet);
+  for (int i = 0; i < kFeet; ++i) {
+    sim::BeamPlace place;
+    place.s = place.s_of_phase = static_cast<double>(i) / (kFeet - 1);
+    EXPECT_NEAR(feet[i].north - 180.0, sim::aside_laid_out_km(sheet, place, 1, 0.0), 1e-9) << i;
+  }
 }
 
 const DerivedNumber* find(const std::vector<DerivedNumber>& numbers, const std::string& name) {

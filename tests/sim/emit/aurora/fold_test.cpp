@@ -168,6 +168,25 @@ TEST(Folds, AreQuasiPeriodicAndNeverOverlap) {
     EXPECT_NEAR(std::remainder(fold.center - 10.0, 20.0), 0.0, 1e-9);
 }
 
+TEST(Folds, HaveStagesThatDoNotHangOnTheirPlaces) {
+  Sheet sheet = folded_sheet();
+  sheet.fold_stage_spread = 0.6;
+  const Folds folds(sheet, 0, 11, 0.0, 0.0);
+  const std::vector<Stretch> found = folds_between(folds, -10000.0, 10000.0);
+  double of_place = 0.0, of_stage = 0.0, of_both = 0.0;
+  for (const Stretch& stretch : found) {
+    // Uniform in both: about the middle of the slot of 20 km, and about 1 less half of the spread.
+    const double place = std::remainder(stretch.center - 10.0, 20.0);
+    const double stage = folds.at(stretch.center).stage - 0.7;
+    EXPECT_LE(std::abs(stage), 0.3 + 1e-12);
+    of_place += place * place;
+    of_stage += stage * stage;
+    of_both += place * stage;
+  }
+  EXPECT_NEAR(of_stage / static_cast<double>(found.size()), 0.6 * 0.6 / 12.0, 0.003);
+  EXPECT_NEAR(of_both / std::sqrt(of_place * of_stage), 0.0, 4.0 / std::sqrt(1000.0)) << "seed 11";
+}
+
 TEST(Folds, TravelAtTheirSpeedAndWithTheSheet) {
   Sheet sheet = folded_sheet();
   sheet.fold_speed_km_s = 2.5;

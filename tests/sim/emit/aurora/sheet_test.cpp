@@ -118,6 +118,21 @@ TEST(Sheet, LastLayerLagsBehindTheFirstByThePhaseShift) {
               4.0 * std::sin(0.6 + 2.0 * kPi * 310.0 / 47.0 * 0.4 + 0.5 * sheet.phase_shift_rad), 1e-9);
 }
 
+TEST(Sheet, BeamsAreLaidOutWhereTheirFeetAre) {
+  Sheet sheet = slanted();
+  sheet.layers = 3;
+  sheet.phase_shift_rad = 0.8;
+  sheet.width_km = 0.4;
+  for (int layer = 0; layer < 3; ++layer)
+    for (double s : {0.07, 0.3, 0.62}) {
+      BeamPlace place = place_at(s);
+      place.across = -0.6;
+      EXPECT_NEAR(aside_laid_out_km(sheet, place, layer, 0.0),
+                  left_of_line(sheet, foot_at(sheet, place, layer)), 1e-9)
+          << "layer " << layer << " at " << s;
+    }
+}
+
 TEST(Sheet, PositiveSideIsTheLeftInTheNorthAndTheRightInTheSouth) {
   Sheet sheet = slanted();
   sheet.phase_rad = 0.5 * kPi;
