@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <cmath>
 
 #include "sim/emit/sun/strand/strand_emitter.h"
@@ -85,6 +86,40 @@ TEST(FluxRope, WindingsAreWhole) {
     // No kink either: as fast and in the same direction.
     EXPECT_NEAR(length3(minus3(minus3(a.points[3], a.points[2]), minus3(b.points[1], b.points[0]))), 0.0,
                 1e-9);
+  }
+}
+
+// Three strands at (share, phase) of a disc tell where its middle is: the weights that leave nothing of the
+// shares. What is not wound stands at a right angle to the way from the disc before to the one after, but for
+// what a chord of an eighth of the arch departs from the tangent.
+TEST(FluxRope, DiscsStandAcrossTheAxis) {
+  Eruption e;
+  e.ejection.strands = 3;
+  e.ejection.turns = 0.0;
+  const double golden = 3.14159265358979323846 * (3.0 - std::sqrt(5.0));
+  Eigen::Matrix3d of_strand;
+  for (int k = 0; k < 3; ++k) {
+    const double share = std::sqrt((k + 0.5) / 3.0);
+    of_strand.col(k) << 1.0, share * std::cos(golden * k), share * std::sin(golden * k);
+  }
+  const Eigen::Vector3d weight = of_strand.inverse() * Eigen::Vector3d(1.0, 0.0, 0.0);
+  for (const double age : {0.0, 800.0}) {
+    e.ejection.age_s = age;
+    const std::vector<Strand<double>> all = e.strands().all;
+    const std::size_t pieces = all.size() / 3;
+    const auto node = [&](int k, std::size_t j) {
+      const auto& p = all[static_cast<std::size_t>(k) * pieces + j].points[0];
+      return Eigen::Vector3d(p[0], p[1], p[2]);
+    };
+    const auto middle = [&](std::size_t j) {
+      return Eigen::Vector3d(weight[0] * node(0, j) + weight[1] * node(1, j) + weight[2] * node(2, j));
+    };
+    for (std::size_t j = 1; j + 1 < pieces; ++j) {
+      const Eigen::Vector3d along = (middle(j + 1) - middle(j - 1)).normalized();
+      for (int k = 0; k < 3; ++k)
+        EXPECT_NEAR((node(k, j) - middle(j)).normalized().dot(along), 0.0, 0.02)
+            << "node " << j << " at " << age << " s";
+    }
   }
 }
 
