@@ -52,5 +52,21 @@ TEST(AsSeen, WhatTheForegroundHidesIsNotSeen) {
   EXPECT_GT(*std::min_element(open.data.begin(), open.data.end()), 0.05f);
 }
 
+/// A foreground that is half there, and black.
+TEST(AsSeen, HalfAForegroundIsHalfTheLight) {
+  Scene scene = small_scene();
+  scene.sky.level = {0.01, 0.02, 0.03};
+  CompositePictures pictures;
+  pictures.foreground = Image(scene.camera.width, scene.camera.height, {"R", "G", "B", "A"});
+  for (std::size_t i = 3; i < pictures.foreground.data.size(); i += 4) pictures.foreground.data[i] = 0.5f;
+  RenderOptions options;
+  options.pictures = &pictures;
+  const Image behind = picture_as_seen(scene, render(scene, options));
+  scene.sheets[0].energy_flux_mw_m2 *= 0.5;
+  for (double& level : scene.sky.level) level *= 0.5;
+  const Image half = picture_as_seen(scene, render(scene));
+  for (std::size_t i = 0; i < half.data.size(); ++i) ASSERT_NEAR(behind.data[i], half.data[i], 1e-3f) << i;
+}
+
 }  // namespace
 }  // namespace vegard::sim::as_seen_test

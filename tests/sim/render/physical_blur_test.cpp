@@ -128,6 +128,32 @@ TEST(PhysicalBlur, DriftsWithTheWindAndMostHighUp) {
   EXPECT_NEAR(middle(row_of(scene, 300.0), 2), 0.0, 0.2);
 }
 
+// A wind to the right of whoever looks to the north, and of whoever looks to the east. The field is vertical,
+// so that nothing else knows the quarters of the sky.
+TEST(PhysicalBlur, DriftsAlikeInEveryQuarterOfTheSky) {
+  Scene north = thin_ray();
+  north.blur.wind_m_s = {250.0, 0.0};
+  Scene east = north;
+  east.camera.azimuth_deg += 90.0;
+  east.sheets[0].center_km = {300.0, 0.0};
+  east.sheets[0].bearing_deg += 90.0;
+  east.blur.wind_m_s = {0.0, -250.0};
+  const Image one = render(physical(north)).rayleigh, other = render(physical(east)).rayleigh;
+  for (const double altitude_km : {200.0, 250.0, 300.0}) {
+    const int row = row_of(north, altitude_km);
+    double light[2] = {0.0, 0.0}, moment[2] = {0.0, 0.0};
+    for (int i = 0; i < 2; ++i)
+      for (int x = 0; x < one.width; ++x) {
+        const double value = (i == 0 ? one : other).at(x, row, 0);
+        light[i] += value;
+        moment[i] += value * (x + 0.5 - 0.5 * one.width);
+      }
+    EXPECT_NEAR(light[1] / light[0], 1.0, 1e-3) << altitude_km;
+    EXPECT_GT(moment[0] / light[0], 0.2) << altitude_km;
+    EXPECT_NEAR(moment[1] / light[1], moment[0] / light[0], 0.01 * moment[0] / light[0]) << altitude_km;
+  }
+}
+
 TEST(PhysicalBlur, KnowsTheWidestThatThePictureCanShow) {
   const SpreadProfile spread = spread_profile(*find_emission_line(630.0), 0.0);
   for (const double elevation_deg : {20.0, 60.0, 85.0}) {

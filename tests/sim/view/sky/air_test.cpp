@@ -130,6 +130,19 @@ TEST(Air, AtTheZenithIsTheSumOfVerticalDepths) {
   EXPECT_NEAR(air_transmission(scene, 427.8, 90.0), std::exp(-depth), 1e-5);
 }
 
+// Of molecules there is left what the pressure says, of aerosol what its own scale height says.
+TEST(Air, AboveAMountainIsLessOfEachByItsOwnLaw) {
+  Scene scene = under_air();
+  scene.site.altitude_m = 2640.0;
+  for (const double scale_km : {0.8, 1.5, 3.0}) {
+    scene.air.aerosol_height_km = scale_km;
+    const double depth = rayleigh_optical_depth(427.8) * pressure_share(2.64) +
+                         ozone_optical_depth(427.8, 300.0) +
+                         0.1 * std::pow(427.8 / 550.0, -1.3) * std::exp(-2.64 / scale_km);
+    EXPECT_NEAR(air_transmission(scene, 427.8, 90.0), std::exp(-depth), 1e-5) << scale_km;
+  }
+}
+
 TEST(Air, IsFiniteBelowTheHorizonAndHighUp) {
   for (double altitude_m : {-500.0, 0.0, 10000.0, 50000.0, 79000.0})
     for (double elevation : {-90.0, -30.0, -7.0, -1.0, 0.0, 90.0}) {

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 #include "sim/base/number/constants.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/colour.h"
+#include "sim/view/colour/illuminants.h"
 
 namespace vegard::sim::stars_test {
 namespace {
@@ -220,6 +222,21 @@ TEST(Stars, TintsHaveLuminanceOneAndTurnFromBlueToRed) {
   const auto white = star_tint(0.48, SensorResponse(Scene()));
   for (const double channel : white) EXPECT_NEAR(channel, 1.0, 0.06);
   EXPECT_GT(white[0], white[2]);
+}
+
+// By Ballesteros 2012 the Sun's B - V of 0.65 is 5778 K, and 0 is 10125 K.
+TEST(Stars, TintsAreThoseOfBlackBodiesOfThePublishedTemperatures) {
+  const Matrix3 rgb_of_xyz = rgb_from_xyz(Primaries::srgb);
+  for (const auto& [index, temperature_k] : {std::pair(0.65, 5778.0), std::pair(0.0, 10125.0)}) {
+    Vector3 xyz{};
+    for (double nm = 380.0; nm <= 780.0; nm += 5.0)
+      for (int i = 0; i < 3; ++i) xyz[i] += black_body_power(nm, temperature_k) * colour_matching(nm)[i];
+    Scene scene;
+    scene.sensor.primaries = Primaries::srgb;
+    const auto tint = star_tint(index, SensorResponse(scene));
+    const Vector3 expected = product(rgb_of_xyz, xyz);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(tint[c], expected[c] / xyz[1], 1e-3) << "B - V " << index;
+  }
 }
 
 TEST(Stars, GainAndShown) {
