@@ -19,17 +19,17 @@ double normal_number(std::uint64_t seed, std::uint32_t i) {
 
 /// An arc of Gaussian cross-section whose middle goes up and down from part to part of the bands by
 /// `shift_rows`, and whose columns are brighter or darker by a tenth; white noise of 0.002.
-Photo arc(double shift_rows) {
+Photo arc(double shift_rows, int width = kWidth) {
   Photo photo;
-  photo.linear = sim::Image(kWidth, kHeight, {"R", "G", "B"});
-  for (int x = 0; x < kWidth; ++x) {
+  photo.linear = sim::Image(width, kHeight, {"R", "G", "B"});
+  for (int x = 0; x < width; ++x) {
     const double middle = 60.0 + shift_rows * normal_number(7, static_cast<std::uint32_t>(x / 10));
     const double bright = 0.5 * (1.0 + 0.1 * std::sin(0.2 * x));
     for (int y = 0; y < kHeight; ++y)
       for (int c = 0; c < 3; ++c)
         photo.linear.at(x, y, c) =
             static_cast<float>(0.02 + bright * std::exp(-0.5 * std::pow((y - middle) / 12.0, 2)) +
-                               0.002 * normal_number(8 + c, static_cast<std::uint32_t>(y * kWidth + x)));
+                               0.002 * normal_number(8 + c, static_cast<std::uint32_t>(y * width + x)));
   }
   photo.usable.assign(photo.linear.data.size(), 1);
   photo.floating = true;
@@ -53,6 +53,29 @@ TEST(RealisationSigma, IsThatOfStructureAndNotOfBrightnessOrNoise) {
   EXPECT_LT(mean_at(even, 48), 0.1 * mean_at(uneven, 48));
   // Where there is no light there is no structure.
   EXPECT_LT(mean_at(uneven, 4), 0.1 * mean_at(uneven, 48));
+}
+
+// Four parts of a band less their mean and their trend have two degrees of freedom. Of 240 bands that is 480,
+// and a standard deviation of 1 / sqrt(2 * 480) = 3.2 %.
+TEST(RealisationSigma, IsWithoutBiasOverManyBands) {
+  constexpr int kMany = 240, kRow = 48, kRowsEachSide = 15;
+  constexpr double kShift = 2.0, kSmoothing = 2.0;
+  const std::vector<double> sigma = realisation_sigma(
+      arc(kShift, kMany * kWidth / kBands), {0, 0, kMany * kWidth / kBands, kHeight}, kMany, kSmoothing);
+  double square = 0.0;
+  for (int b = 0; b < kMany; ++b)
+    square += std::pow(sigma[(static_cast<std::size_t>(b) * kHeight + kRow) * 3 + 1], 2) / kMany;
+  // To first order a part differs by its shift times the slope of the smoothed arc; two parts are
+  // independent. The third order takes off 3 % on the flank.
+  const double width = std::hypot(12.0, kSmoothing);
+  double expected = 0.0;
+  for (int r = kRow - kRowsEachSide; r <= kRow + kRowsEachSide; ++r) {
+    const double off = r - 60.0;
+    const double slope =
+        0.5 * 12.0 / width * off / (width * width) * std::exp(-0.5 * off * off / (width * width));
+    expected += std::pow(kShift * slope, 2) / 2.0 / (2 * kRowsEachSide + 1);
+  }
+  EXPECT_NEAR(std::sqrt(square / expected), 0.98, 3.0 * 0.032);
 }
 
 TEST(RealisationSigma, IsNoneWhereBandsAreTooNarrow) {
