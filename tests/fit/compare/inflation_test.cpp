@@ -1,10 +1,11 @@
-#include "fit/compare/profile_cost.h"
+#include "fit/compare/inflation.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "fit/compare/observation.h"
+#include "fit/compare/profile_cost.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/rendered_photo.h"
 #include "tests/support/small_scene.h"
@@ -47,6 +48,36 @@ struct Fitting {
     return joint_inflation(some, some.at({free[0].start}, false), unknowns);
   }
 };
+
+/// The inflation of residuals of size 1 in 3 bands of 40 rows, of which there are as many as degrees of
+/// freedom.
+double inflation_of(double (*residual)(int band, int row, int channel)) {
+  Profile data;
+  data.bands = 3;
+  data.rows = 40;
+  data.mean.assign(static_cast<std::size_t>(data.bands) * data.rows * 3, 1.0);
+  std::vector<std::size_t> used;
+  std::vector<double> residuals;
+  for (int band = 0; band < data.bands; ++band)
+    for (int row = 0; row < data.rows; ++row)
+      for (int channel = 0; channel < 3; ++channel) {
+        used.push_back(data.index(band, row, channel));
+        residuals.push_back(residual(band, row, channel));
+      }
+  return error_inflation(data, used, residuals, static_cast<int>(used.size()));
+}
+
+// Of residuals that are all alike every correlation is 1: down the rows to either side, as far as a quarter
+// of them (lags 1 to 9), across the channels, and in the bands on either side.
+TEST(ErrorInflation, OfResidualsThatAllGoTogetherCountsThemAll) {
+  EXPECT_NEAR(inflation_of([](int, int, int) { return 1.0; }), std::sqrt((1.0 + 2.0 * 9.0) * 3.0 * 3.0),
+              1e-12);
+  // Neighbouring rows against each other are no fewer than independent ones; nor are channels and bands.
+  EXPECT_NEAR(inflation_of([](int, int row, int) { return row % 2 == 0 ? 1.0 : -1.0; }), 3.0, 1e-12);
+  EXPECT_NEAR(
+      inflation_of([](int band, int row, int channel) { return (band + row + channel) % 2 ? 1.0 : -1.0; }),
+      1.0, 1e-12);
+}
 
 TEST(JointInflation, OfOnePhotographIsItsOwn) {
   Fitting fit;
