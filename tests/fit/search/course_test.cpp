@@ -127,6 +127,31 @@ TEST(Course, CountsFromTheModelsOwnLineAndSine) {
   EXPECT_NEAR(mean, -2.0, 0.3);
 }
 
+// Three layers, of which the last is the whole shift ahead: their mean is the middle one's sine, of
+// (1 + 2 cos(shift / 2)) / 3 of the amplitude.
+TEST(Course, OfSeveralLayersIsTheirMean) {
+  sim::Scene truth = waved({200.0});
+  truth.sheets[0].layers = 3;
+  truth.sheets[0].phase_shift_rad = 1.2;
+  const auto found = courses_of(truth, truth);
+  ASSERT_EQ(found[0].size(), 24u);
+  // The best sine of that wavelength. The photograph is the model's own, but for how coarsely the search
+  // looks at it.
+  double ss = 0.0, sc = 0.0, cc = 0.0, s = 0.0, c = 0.0;
+  for (const CoursePoint& p : found[0]) {
+    const double turn = kTwoPi * p.along_km / truth.sheets[0].wavelength_km;
+    ss += std::sin(turn) * std::sin(turn);
+    sc += std::sin(turn) * std::cos(turn);
+    cc += std::cos(turn) * std::cos(turn);
+    s += p.aside_km * std::sin(turn);
+    c += p.aside_km * std::cos(turn);
+  }
+  const double of_sine = s * cc - c * sc, of_cosine = c * ss - s * sc, determinant = ss * cc - sc * sc;
+  EXPECT_NEAR(std::atan2(of_cosine, of_sine), truth.sheets[0].phase_rad + 0.6, 0.08);
+  EXPECT_NEAR(std::hypot(of_sine, of_cosine) / determinant,
+              truth.sheets[0].thickness_km * (1.0 + 2.0 * std::cos(0.6)) / 3.0, 0.2);
+}
+
 TEST(Course, HasNoPointWhereNoSheetIsInView) {
   sim::Scene truth = waved({200.0});
   sim::Scene model = straightened(truth);

@@ -138,6 +138,17 @@ TEST(BandBootstrap, KeepsWhatIsKnownBeforehand) {
   EXPECT_LT(band_bootstrap(rows, options).sigma[1], 1e-12);
 }
 
+// What makes up for few bands, the root of 4 / 3 here, is none of a prior's affair.
+TEST(BandBootstrap, OfFewBandsKeepsWhatIsKnownBeforehandToo) {
+  BandRows rows = line(4, 1, 0.0, 3);  // the second coordinate's Jacobian is 0
+  rows.residual.push_back(0.0);
+  rows.jacobian.insert(rows.jacobian.end(), {0.0, 1.0 / 0.3});
+  rows.band.push_back(-1);
+  BootstrapOptions options;
+  options.replicates = kReplicates;
+  EXPECT_NEAR(band_bootstrap(rows, options).sigma[1], 0.3, 0.3 * kSigmaTolerance);
+}
+
 TEST(BandBootstrap, LeavesOutDrawsThatDoNotDetermineAll) {
   BandRows rows = line(3, 5, 0.0, 1);
   // Only the first band says anything of the second coordinate: (2/3)³ of the draws miss it.
