@@ -5,6 +5,7 @@
 
 #include "apps/commands/commands.h"
 #include "apps/options/exit_code.h"
+#include "apps/options/standard_streams.h"
 #include "fit/version.h"
 #include "sim/base/error.h"
 #include "sim/base/grid/vdb_io.h"
@@ -60,8 +61,11 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   // A write past the file size limit is to fail as on a full disk, not to kill the process.
   std::signal(SIGXFSZ, SIG_IGN);
+  apps::stand_in_for_closed_streams();
   try {
-    return run(argc, argv);
+    const int exit_code = run(argc, argv);
+    apps::finish_output();
+    return exit_code;
   } catch (const sim::Error& error) {
     return report(error.what(), apps::exit_code_of(error.kind()));
   } catch (const std::exception& error) {

@@ -23,6 +23,7 @@
 #include "apps/options/file_names.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
+#include "apps/options/standard_streams.h"
 #include "apps/output/animation_frames.h"
 #include "apps/output/camera_json.h"
 #include "apps/output/light_outside.h"
@@ -156,9 +157,9 @@ int run_animate(const AnimateRequest& options) {
   sim::validate(scene_of_frame(scene, frames.back(), frames_per_second));  // time has limits
   if (options.list) {
     for (const int frame : frames)
-      std::printf("%s\n", fmt::format("{} time.start_s={}", frame,
-                                      scene_of_frame(scene, frame, frames_per_second).time.start_s)
-                              .c_str());
+      say("%s\n", fmt::format("{} time.start_s={}", frame,
+                              scene_of_frame(scene, frame, frames_per_second).time.start_s)
+                      .c_str());
     return good;
   }
   if (options.output.empty())
@@ -197,9 +198,8 @@ int run_animate(const AnimateRequest& options) {
     return tell_of_interruption(finished.size(), frames.size());
   const std::string size = fmt::format("{} x {} pixels", scene.camera.width, scene.camera.height);
   if (!movie) {
-    std::printf("%s to %s: %zu frames of %s, %zu of them finished before\n",
-                names.file(frames.front()).c_str(), names.file(frames.back()).c_str(), frames.size(),
-                size.c_str(), before);
+    say("%s to %s: %zu frames of %s, %zu of them finished before\n", names.file(frames.front()).c_str(),
+        names.file(frames.back()).c_str(), frames.size(), size.c_str(), before);
     return good;
   }
 
@@ -214,8 +214,7 @@ int run_animate(const AnimateRequest& options) {
   }
   if (codec.empty()) return tell_of_interruption(frames.size(), frames.size());
   remove_animation(names, frames);
-  std::printf(
-      "%s: %s\n", options.output.c_str(),
+  say("%s: %s\n", options.output.c_str(),
       fmt::format("{} frames of {} at {} per second, {}", frames.size(), size, frames_per_second, codec)
           .c_str());
   return good;

@@ -8,6 +8,7 @@
 #include "apps/options/exit_code.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
+#include "apps/options/standard_streams.h"
 #include "apps/output/brightness_texts.h"
 #include "apps/output/light_outside.h"
 #include "apps/output/progress_bar.h"
@@ -43,7 +44,7 @@ int run_brightness(const BrightnessRequest& options) {
   if (!warning.empty()) std::fprintf(stderr, "vegard: %s\n", warning.c_str());
   const sim::BrightnessReport report = sim::brightness_report(scene, rendering);
   const std::string text = options.json ? brightness_json(report) : brightness_text(report);
-  std::fwrite(text.data(), 1, text.size(), stdout);
+  say_text(text);
   return good;
 }
 

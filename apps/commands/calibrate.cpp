@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "apps/options/file_names.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/refusals.h"
+#include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
 #include "fit/photo/photo.h"
 #include "fit/photo/pointing/calibration_tables.h"
@@ -135,52 +135,48 @@ std::vector<fit::StarSighting> recognised(const CalibrateOptions& options, const
   settings.free =
       lens.only.empty() ? fit::free_numbers({start.model, 0, false, false}, lens.centre_free) : lens.only;
   const fit::Identification found = fit::identify(start, frame, catalogue, points, settings);
-  std::printf(
-      "%zu points of light; %zu of the %d stars to magnitude %.1f that should be seen have one within %.1f "
+  say("%zu points of light; %zu of the %d stars to magnitude %.1f that should be seen have one within %.1f "
       "px "
       "(%.1f would by chance)\n",
       points.size(), found.stars.size(), found.in_frame, options.faintest, found.last_radius_px,
       found.by_chance);
   if (!fit::is_trustworthy(found))
-    std::printf(
-        "note: so few may be an accident of the search: look at --overlay, try a brighter "
+    say("note: so few may be an accident of the search: look at --overlay, try a brighter "
         "--catalogue-magnitude, another --lens, --scale or mirrored in --camera\n");
   start = found.camera;
   return found.stars;
 }
 
 void print(const fit::Calibration& calibration) {
-  if (calibration.candidates.size() > 1)
-    std::fputs(fit::candidates_text(calibration, kLensesShown).c_str(), stdout);
-  std::printf("lens: %s%s\n", fit::words_of(calibration.form).c_str(),
-              calibration.camera.mirrored ? ", mirrored" : "");
+  if (calibration.candidates.size() > 1) say_text(fit::candidates_text(calibration, kLensesShown));
+  say("lens: %s%s\n", fit::words_of(calibration.form).c_str(),
+      calibration.camera.mirrored ? ", mirrored" : "");
   if (calibration.maps)
-    std::printf("rms: %s px over %d of %zu points of the maps\n%s\n",
-                sim::short_number(calibration.rms_px, 3).c_str(), calibration.used(),
-                calibration.stars.size(), fit::words_of(*calibration.maps).c_str());
+    say("rms: %s px over %d of %zu points of the maps\n%s\n",
+        sim::short_number(calibration.rms_px, 3).c_str(), calibration.used(), calibration.stars.size(),
+        fit::words_of(*calibration.maps).c_str());
   else
-    std::printf("rms: %.3f px over %d of %zu stars; each star by a fit without it: %.3f px\n",
-                calibration.rms_px, calibration.used(), calibration.stars.size(), calibration.without_rms_px);
+    say("rms: %.3f px over %d of %zu stars; each star by a fit without it: %.3f px\n", calibration.rms_px,
+        calibration.used(), calibration.stars.size(), calibration.without_rms_px);
   for (const fit::CameraEstimate& estimate : calibration.estimates)
     if (estimate.free)
-      std::printf("camera.%s: %s %s\n", estimate.key().c_str(),
-                  sim::number_with_error(estimate.value, estimate.sigma).c_str(), estimate.unit().c_str());
-  std::printf("the axis is known to %s deg, the turn about it to %s deg\n",
-              sim::short_number(calibration.line_of_sight_sigma_deg, 2).c_str(),
-              sim::short_number(calibration.twist_sigma_deg, 2).c_str());
+      say("camera.%s: %s %s\n", estimate.key().c_str(),
+          sim::number_with_error(estimate.value, estimate.sigma).c_str(), estimate.unit().c_str());
+  say("the axis is known to %s deg, the turn about it to %s deg\n",
+      sim::short_number(calibration.line_of_sight_sigma_deg, 2).c_str(),
+      sim::short_number(calibration.twist_sigma_deg, 2).c_str());
   if (calibration.maps && calibration.used() < static_cast<int>(calibration.stars.size()))
-    std::printf("left out: %d points, farther off than the others' scatter explains\n",
-                static_cast<int>(calibration.stars.size()) - calibration.used());
+    say("left out: %d points, farther off than the others' scatter explains\n",
+        static_cast<int>(calibration.stars.size()) - calibration.used());
   for (std::size_t i = 0; !calibration.maps && i < calibration.stars.size(); ++i) {
     const fit::StarResidual& one = calibration.residuals[i];
     if (one.used) continue;
     const fit::StarSighting& star = calibration.stars[i];
-    std::printf("left out: %s%s at (%.1f, %.1f), %.2f px off\n",
-                star.name.empty() ? "the star" : star.name.c_str(),
-                star.line > 0 ? (" of line " + std::to_string(star.line)).c_str() : "", star.x_px, star.y_px,
-                std::hypot(one.dx_px, one.dy_px));
+    say("left out: %s%s at (%.1f, %.1f), %.2f px off\n", star.name.empty() ? "the star" : star.name.c_str(),
+        star.line > 0 ? (" of line " + std::to_string(star.line)).c_str() : "", star.x_px, star.y_px,
+        std::hypot(one.dx_px, one.dy_px));
   }
-  for (const std::string& warning : calibration.warnings) std::printf("note: %s\n", warning.c_str());
+  for (const std::string& warning : calibration.warnings) say("note: %s\n", warning.c_str());
 }
 
 void run_calibrate(const CalibrateOptions& options) {
@@ -213,8 +209,8 @@ void run_calibrate(const CalibrateOptions& options) {
   const std::optional<sim::Scene>& camera_scene = says.camera;
   const fit::SkyOfPicture& sky = says.sky;
   for (const fit::PhotoFact& fact : says.taken)
-    std::printf("from the photograph: %s\n", fit::fact_text(fact).c_str());
-  for (const std::string& note : says.notes) std::printf("note: %s\n", note.c_str());
+    say("from the photograph: %s\n", fit::fact_text(fact).c_str());
+  for (const std::string& note : says.notes) say("note: %s\n", note.c_str());
   std::vector<fit::StarSighting> stars;
   if (!options.stars.empty()) stars = table_of(options, sky);
   const fit::Frame frame = maps ? frame_of(options, photo, *maps) : frame_of(options, photo, stars);
@@ -266,9 +262,8 @@ void run_calibrate(const CalibrateOptions& options) {
   for (const auto& file : files) file->commit();
 
   print(calibration);
-  if (!frame.known)
-    std::printf("note: the picture's size was guessed from its stars: set --size or --image\n");
-  for (const auto& [file, bytes] : outputs) std::printf("%s\n", file.c_str());
+  if (!frame.known) say("note: the picture's size was guessed from its stars: set --size or --image\n");
+  for (const auto& [file, bytes] : outputs) say("%s\n", file.c_str());
 }
 
 }  // namespace

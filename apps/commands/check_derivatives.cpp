@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "apps/options/refusals.h"
+#include "apps/options/standard_streams.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
 #include "fit/derivative_check.h"
@@ -22,19 +22,17 @@ std::string share_text(double share) { return std::isfinite(share) ? fmt::format
 void print(const std::vector<fit::DerivativeCheck>& checks) {
   std::size_t widest = 9;
   for (const fit::DerivativeCheck& check : checks) widest = std::max(widest, check.name.size());
-  std::printf(
-      "Of each column of the Jacobian: its length (sigmas per natural step: the parameter itself, or one of "
+  say("Of each column of the Jacobian: its length (sigmas per natural step: the parameter itself, or one of "
       "its "
       "unit),\nand how far central differences are from it, relative, by step (share of a natural "
       "step).\n\n");
   std::string header = fmt::format("{:<{}}  {:>8}", "parameter", widest, "length");
   for (const double step : fit::derivative_steps()) header += fmt::format("  {:>7.0e}", step);
-  std::printf("%s  best at  verdict\n", header.c_str());
+  say("%s  best at  verdict\n", header.c_str());
   for (const fit::DerivativeCheck& check : checks) {
     std::string line = fmt::format("{:<{}}  {:>8}", check.name, widest, share_text(check.effect));
     for (const double difference : check.differences) line += fmt::format("  {:>7}", share_text(difference));
-    std::printf("%s  %7.0e  %s\n", line.c_str(), check.best_step,
-                fit::derivative_verdict_name(check.verdict));
+    say("%s  %7.0e  %s\n", line.c_str(), check.best_step, fit::derivative_verdict_name(check.verdict));
   }
 }
 
@@ -58,14 +56,13 @@ ExitCode print_derivative_check(const sim::Scene& scene, const fit::Photo& photo
   };
   const long differ = count(fit::DerivativeVerdict::differ), idle = count(fit::DerivativeVerdict::no_effect);
   if (differ == 0 && idle == 0) {
-    std::printf("All derivatives agree with differences.\n");
+    say("All derivatives agree with differences.\n");
     return good;
   }
-  if (differ > 0) std::printf("%ld of %zu derivatives differ from differences.\n", differ, checks.size());
-  if (idle > 0) std::printf("%ld of %zu parameters have no effect on what is fitted.\n", idle, checks.size());
+  if (differ > 0) say("%ld of %zu derivatives differ from differences.\n", differ, checks.size());
+  if (idle > 0) say("%ld of %zu parameters have no effect on what is fitted.\n", idle, checks.size());
   if (idle == static_cast<long>(checks.size()))
-    std::printf(
-        "Is the model's light anywhere near the photograph's at this start? Where it is not, the gains are "
+    say("Is the model's light anywhere near the photograph's at this start? Where it is not, the gains are "
         "held at "
         "0:\ncheck the best.toml of a run instead.\n");
   return doubted;

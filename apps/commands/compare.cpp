@@ -1,7 +1,6 @@
 #include "apps/commands/commands.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/refusals.h"
+#include "apps/options/standard_streams.h"
 #include "fit/report/table/run_comparison.h"
 #include "sim/base/file/number_text.h"
 
@@ -33,7 +33,7 @@ void print_table(const std::vector<std::vector<std::string>>& rows) {
       const std::string gap(widths[c] - columns_of(row[c]), ' ');
       line += c == 0 ? row[c] + gap : "  " + gap + row[c];
     }
-    std::printf("%s\n", line.c_str());
+    say("%s\n", line.c_str());
   }
 }
 
@@ -82,19 +82,18 @@ int run_compare(const std::vector<std::string>& directories) {
   for (const std::string& directory : directories) runs.push_back(fit::read_run(directory));
   const fit::RunComparison comparison = fit::compared(runs);
   print_criteria(comparison);
-  std::printf(
-      "%d values, worth %s independent ones; chi2 is divided by %s in AIC and BIC\n", runs.front().values,
+  say("%d values, worth %s independent ones; chi2 is divided by %s in AIC and BIC\n", runs.front().values,
       sim::short_number(comparison.independent_values, 3).c_str(),
       sim::short_number(comparison.runs.front().run.chi2 / comparison.runs.front().criteria.chi2, 3).c_str());
-  std::printf("decoding: %s\n\n", runs.front().decoding.c_str());
+  say("decoding: %s\n\n", runs.front().decoding.c_str());
   print_parameters(comparison);
-  std::printf("\n");
-  for (const std::string& sentence : comparison.sentences) std::printf("%s\n", sentence.c_str());
+  say("\n");
+  for (const std::string& sentence : comparison.sentences) say("%s\n", sentence.c_str());
   const ExitCode code = exit_code_of(comparison);
-  if (code == not_converged) std::printf("Do not believe it: not all of the runs ended at an answer.\n");
+  if (code == not_converged) say("Do not believe it: not all of the runs ended at an answer.\n");
   if (code == doubted)
-    std::printf("Doubtful: the verdict on %s is \"%s\".\n", comparison.runs[comparison.best].run.name.c_str(),
-                comparison.runs[comparison.best].run.verdict.c_str());
+    say("Doubtful: the verdict on %s is \"%s\".\n", comparison.runs[comparison.best].run.name.c_str(),
+        comparison.runs[comparison.best].run.verdict.c_str());
   return code;
 }
 

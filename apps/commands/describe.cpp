@@ -1,6 +1,5 @@
 #include "apps/commands/commands.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
 #include "apps/options/photographs.h"
+#include "apps/options/standard_streams.h"
 #include "apps/output/photo_description.h"
 #include "fit/photo/photo_facts.h"
 #include "sim/base/file/whole_file.h"
@@ -31,8 +31,8 @@ int run_describe(const DescribeRequest& options) {
     file.write(start_scene(name, fit::photo_facts(metadata)));
     file.commit();
   }
-  std::printf("%s", description_text(name, metadata).c_str());
-  if (!options.output.empty()) std::printf("%s\n", options.output.c_str());
+  say_text(description_text(name, metadata));
+  if (!options.output.empty()) say("%s\n", options.output.c_str());
   return good;
 }
 

@@ -1,7 +1,6 @@
 #include "apps/commands/commands.h"
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -11,6 +10,7 @@
 #include "apps/options/file_names.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
+#include "apps/options/standard_streams.h"
 #include "fit/photo/direction_map_file.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/scene/structs/scene.h"
@@ -57,8 +57,7 @@ void run_directions(const DirectionsRequest& options) {
   std::size_t somewhere = 0;
   for (const float elevation : map.elevation_deg) somewhere += std::isfinite(elevation) ? 1 : 0;
   for (const std::string& name : names)
-    std::printf("%s: %d x %d pixels, %zu of which look somewhere\n", name.c_str(), map.width, map.height,
-                somewhere);
+    say("%s: %d x %d pixels, %zu of which look somewhere\n", name.c_str(), map.width, map.height, somewhere);
 }
 
 }  // namespace

@@ -22,6 +22,7 @@
 #include "apps/options/photographs.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
+#include "apps/options/standard_streams.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
 #include "fit/curve_fit.h"
@@ -187,7 +188,7 @@ fit::FitResult fitted(const FitRequest& options, const sim::Scene& scene, std::v
 }
 
 void print_answer(const fit::FitResult& result, const std::string& report) {
-  std::printf("%s\n", result.verdict_line.c_str());
+  say("%s\n", result.verdict_line.c_str());
   std::size_t widest = 0;
   std::size_t coefficients = 0;
   for (const fit::FittedParameter& p : result.parameters) {
@@ -199,30 +200,27 @@ void print_answer(const fit::FitResult& result, const std::string& report) {
   for (const fit::TiedNumber& t : result.tied) widest = std::max(widest, t.path.size());
   for (const fit::FittedParameter& p : result.parameters) {
     if (p.of_profile) continue;
-    std::printf("  %-*s  %s%s%s%s\n", static_cast<int>(widest), p.path.c_str(),
-                sim::number_with_error(p.value, p.sigma).c_str(), p.unit.empty() ? "" : " ", p.unit.c_str(),
-                p.at_limit ? "  (at a limit)" : "");
+    say("  %-*s  %s%s%s%s\n", static_cast<int>(widest), p.path.c_str(),
+        sim::number_with_error(p.value, p.sigma).c_str(), p.unit.empty() ? "" : " ", p.unit.c_str(),
+        p.at_limit ? "  (at a limit)" : "");
   }
   for (const fit::TiedNumber& t : result.tied)
-    std::printf("  %-*s  %s%s%s = %s\n", static_cast<int>(widest), t.path.c_str(),
-                sim::number_with_error(t.value, t.sigma).c_str(), t.unit.empty() ? "" : " ", t.unit.c_str(),
-                t.equals.c_str());
-  if (coefficients > 0)
-    std::printf("  %zu coefficients of free-form profiles: see profile.csv\n", coefficients);
+    say("  %-*s  %s%s%s = %s\n", static_cast<int>(widest), t.path.c_str(),
+        sim::number_with_error(t.value, t.sigma).c_str(), t.unit.empty() ? "" : " ", t.unit.c_str(),
+        t.equals.c_str());
+  if (coefficients > 0) say("  %zu coefficients of free-form profiles: see profile.csv\n", coefficients);
   for (const fit::DerivedNumber& d : result.derived) {
     if (d.is_detail) continue;  // in the report
     if (!d.why_none.empty())
-      std::printf("  %s: %s\n", d.name.c_str(), d.why_none.c_str());
+      say("  %s: %s\n", d.name.c_str(), d.why_none.c_str());
     else
-      std::printf("  %s: %s%s%s\n", d.name.c_str(), sim::number_with_error(d.value, d.sigma).c_str(),
-                  d.unit.empty() ? "" : " ", d.unit.c_str());
+      say("  %s: %s%s%s\n", d.name.c_str(), sim::number_with_error(d.value, d.sigma).c_str(),
+          d.unit.empty() ? "" : " ", d.unit.c_str());
   }
   for (const fit::FittedPhoto& photo : result.photos)
-    std::printf("decoding%s: %s\n", photo.name.empty() ? "" : (" of " + photo.name).c_str(),
-                photo.decoding.c_str());
-  if (result.curve)
-    std::printf("to take the curve as known: --decoding %s\n", result.curve->decoding_word.c_str());
-  std::printf("%s\n", report.c_str());
+    say("decoding%s: %s\n", photo.name.empty() ? "" : (" of " + photo.name).c_str(), photo.decoding.c_str());
+  if (result.curve) say("to take the curve as known: --decoding %s\n", result.curve->decoding_word.c_str());
+  say("%s\n", report.c_str());
 }
 
 ExitCode exit_code_of(fit::Verdict verdict) {

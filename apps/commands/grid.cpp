@@ -15,6 +15,7 @@
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
 #include "apps/options/refusals.h"
+#include "apps/options/standard_streams.h"
 #include "apps/output/grid_file.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
@@ -154,7 +155,7 @@ int run_grid(const GridRequest& options) {
                                    file.grid.voxel, length_words(file.metadata), channel_names(file.grid));
   for (const Step& step : steps) report += "; " + step.words;
   write(options, std::move(file), steps);
-  std::printf("%s: %s\n", options.output.c_str(), report.c_str());
+  say("%s: %s\n", options.output.c_str(), report.c_str());
   return good;
 }
 

@@ -15,6 +15,7 @@
 #include "apps/options/file_names.h"
 #include "apps/options/photographs.h"
 #include "apps/options/refusals.h"
+#include "apps/options/standard_streams.h"
 #include "apps/output/horizon_toml.h"
 #include "fit/photo/picture_field_of_view.h"
 #include "fit/photo/pointing/horizon_calibration.h"
@@ -100,21 +101,21 @@ void print_dip_alone(const HorizonCamera& camera) {
     const double layer_km = fit::layer_of_dip_km(alone.dip_deg.value, observer_km);
     const double slope =
         std::abs(fit::layer_of_dip_km(alone.dip_deg.value + 0.01, observer_km) - layer_km) / 0.01;
-    std::printf("  by the points alone: dip %s deg, elevation %s deg; a limb %s km high, rms %.2f px\n",
-                sim::number_with_error(alone.dip_deg.value, alone.dip_deg.sigma).c_str(),
-                sim::number_with_error(alone.elevation_deg.value, alone.elevation_deg.sigma).c_str(),
-                sim::number_with_error(layer_km, slope * alone.dip_deg.sigma).c_str(), alone.rms_px);
+    say("  by the points alone: dip %s deg, elevation %s deg; a limb %s km high, rms %.2f px\n",
+        sim::number_with_error(alone.dip_deg.value, alone.dip_deg.sigma).c_str(),
+        sim::number_with_error(alone.elevation_deg.value, alone.elevation_deg.sigma).c_str(),
+        sim::number_with_error(layer_km, slope * alone.dip_deg.sigma).c_str(), alone.rms_px);
   } catch (const sim::Error& error) {
-    std::printf("  by the points alone: %s\n", error.details().problem.c_str());
+    say("  by the points alone: %s\n", error.details().problem.c_str());
   }
   problem.free_dip = false;
   problem.hfov_deg.reset();
   try {
     const fit::HorizonCalibration alone = fit::calibrate_horizon(problem);
-    std::printf("  by the bending alone: a field of view of %s deg, rms %.2f px\n",
-                sim::number_with_error(alone.hfov_deg.value, alone.hfov_deg.sigma).c_str(), alone.rms_px);
+    say("  by the bending alone: a field of view of %s deg, rms %.2f px\n",
+        sim::number_with_error(alone.hfov_deg.value, alone.hfov_deg.sigma).c_str(), alone.rms_px);
   } catch (const sim::Error& error) {
-    std::printf("  by the bending alone: %s\n", error.details().problem.c_str());
+    say("  by the bending alone: %s\n", error.details().problem.c_str());
   }
 }
 
@@ -124,23 +125,21 @@ void print_answer(const HorizonCamera& camera) {
     return sim::number_with_error(bar.value,
                                   bar.sigma > 0.0 ? std::optional<double>(bar.sigma) : std::nullopt);
   };
-  std::printf("%zu points on the horizon, dip %s deg\n", camera.problem.points.size(),
-              number(found.dip_deg).c_str());
-  std::printf("  camera.hfov_deg       %s (%s)\n", number(found.hfov_deg).c_str(),
-              camera.hfov_source.c_str());
-  std::printf("  camera.elevation_deg  %s\n", number(found.elevation_deg).c_str());
-  std::printf("  camera.roll_deg       %s\n", number(found.roll_deg).c_str());
-  std::printf("  camera.azimuth_deg    %s\n",
-              camera.azimuth_deg ? (sim::short_number(*camera.azimuth_deg) + " (given)").c_str()
-                                 : "0 (assumed: a horizon does not tell it; --azimuth)");
+  say("%zu points on the horizon, dip %s deg\n", camera.problem.points.size(), number(found.dip_deg).c_str());
+  say("  camera.hfov_deg       %s (%s)\n", number(found.hfov_deg).c_str(), camera.hfov_source.c_str());
+  say("  camera.elevation_deg  %s\n", number(found.elevation_deg).c_str());
+  say("  camera.roll_deg       %s\n", number(found.roll_deg).c_str());
+  say("  camera.azimuth_deg    %s\n", camera.azimuth_deg
+                                          ? (sim::short_number(*camera.azimuth_deg) + " (given)").c_str()
+                                          : "0 (assumed: a horizon does not tell it; --azimuth)");
   if (camera.hfov_rounding_deg)
-    std::printf("  the focal length is rounded: the elevation is known to within %.2f deg by that\n",
-                camera.elevation_rounding_deg);
-  std::printf("  rms %.2f px; error bars from %s px a point\n", found.rms_px,
-              sim::short_number(found.used_error_px, 3).c_str());
+    say("  the focal length is rounded: the elevation is known to within %.2f deg by that\n",
+        camera.elevation_rounding_deg);
+  say("  rms %.2f px; error bars from %s px a point\n", found.rms_px,
+      sim::short_number(found.used_error_px, 3).c_str());
   std::string residuals;
   for (const double residual : found.residual_px) residuals += fmt::format(" {:+.2f}", residual);
-  if (camera.problem.points.size() > 2) std::printf("  above the horizon by%s px\n", residuals.c_str());
+  if (camera.problem.points.size() > 2) say("  above the horizon by%s px\n", residuals.c_str());
 }
 
 int run_horizon(const HorizonRequest& options) {
@@ -163,7 +162,7 @@ int run_horizon(const HorizonRequest& options) {
   }
   print_answer(camera);
   print_dip_alone(camera);
-  if (!options.output.empty()) std::printf("%s\n", options.output.c_str());
+  if (!options.output.empty()) say("%s\n", options.output.c_str());
   return good;
 }
 

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 
@@ -12,6 +11,7 @@
 #include "apps/options/photo_options.h"
 #include "apps/options/picture_lists.h"
 #include "apps/options/refusals.h"
+#include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
 #include "fit/measure/keogram.h"
 #include "fit/photo/photo.h"
@@ -165,14 +165,14 @@ void run_keogram(const KeogramOptions& options) {
   for (std::size_t i = 0; i < files.size(); ++i) files[i]->write(bytes_of(keogram, look, options.outputs[i]));
   for (const auto& file : files) file->commit();
 
-  std::printf("%zu pictures of %d x %d pixels, decoding: %s\n", keogram.columns.size(),
-              keogram.picture_width_px, keogram.picture_height_px, keogram.decoding.c_str());
-  std::printf("times: %s; %s to %s\n", keogram.time_source.c_str(),
-              fit::time_text(keogram, keogram.columns.front().time).c_str(),
-              fit::time_text(keogram, keogram.columns.back().time).c_str());
-  std::printf("line: %s; %d places\n", line_words(keogram.line).c_str(), keogram.positions());
-  if (!keogram.camera.empty()) std::printf("directions: %s\n", keogram.camera.c_str());
-  for (const std::string& output : options.outputs) std::printf("%s\n", output.c_str());
+  say("%zu pictures of %d x %d pixels, decoding: %s\n", keogram.columns.size(), keogram.picture_width_px,
+      keogram.picture_height_px, keogram.decoding.c_str());
+  say("times: %s; %s to %s\n", keogram.time_source.c_str(),
+      fit::time_text(keogram, keogram.columns.front().time).c_str(),
+      fit::time_text(keogram, keogram.columns.back().time).c_str());
+  say("line: %s; %d places\n", line_words(keogram.line).c_str(), keogram.positions());
+  if (!keogram.camera.empty()) say("directions: %s\n", keogram.camera.c_str());
+  for (const std::string& output : options.outputs) say("%s\n", output.c_str());
 }
 
 void add_keogram_command(Program& program) {

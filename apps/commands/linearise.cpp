@@ -1,6 +1,5 @@
 #include "apps/commands/commands.h"
 
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "apps/options/file_names.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
+#include "apps/options/standard_streams.h"
 #include "apps/output/picture_file.h"
 #include "fit/photo/photo.h"
 #include "sim/base/error.h"
@@ -81,11 +81,11 @@ int run_linearise(const LineariseRequest& options) {
        "saturated.*: 1 where a full pixel has had a part in the value"}};
   file.write(sim::encode_exr({&photo.linear, &variance, &saturated}, attributes, options.output));
   file.commit();
-  std::printf("%s: %s\n", options.output.c_str(),
-              fmt::format("{} x {} pixels, {}, {:.2f} % of the values saturated", photo.linear.width,
-                          photo.linear.height, photo.decoding,
-                          100.0 * static_cast<double>(lost) / static_cast<double>(photo.usable.size()))
-                  .c_str());
+  say("%s: %s\n", options.output.c_str(),
+      fmt::format("{} x {} pixels, {}, {:.2f} % of the values saturated", photo.linear.width,
+                  photo.linear.height, photo.decoding,
+                  100.0 * static_cast<double>(lost) / static_cast<double>(photo.usable.size()))
+          .c_str());
   return good;
 }
 

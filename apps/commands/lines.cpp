@@ -1,7 +1,6 @@
 #include "apps/commands/commands.h"
 
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "apps/options/exit_code.h"
+#include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
-#include "apps/output/terminal.h"
 #include "fit/report/quenching_plot.h"
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
@@ -164,7 +163,7 @@ void add_lines_command(Program& program) {
       const PlotFormat format = plot_format(options->quenching, "--quenching");
       sim::write_whole(options->quenching, plot_bytes(fit::quenching_plot(), format), options->overwrite);
     } else {
-      print_whole(options->markdown ? line_page() : options->csv ? line_csv() : line_listing(), "the lines");
+      say_text(options->markdown ? line_page() : options->csv ? line_csv() : line_listing());
     }
     return good;
   });

@@ -1,6 +1,5 @@
 #include "apps/commands/commands.h"
 
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +10,7 @@
 #include "apps/options/file_names.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/refusals.h"
+#include "apps/options/standard_streams.h"
 #include "fit/photo/photo.h"
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
@@ -58,8 +58,7 @@ void check_numbers(const MaskRequest& request) {
 }
 
 void print_share(const char* name, std::size_t pixels, std::size_t all, const std::string& more) {
-  std::printf("%-12s %10zu px %7.3f %%%s\n", name, pixels, 100.0 * static_cast<double>(pixels) / all,
-              more.c_str());
+  say("%-12s %10zu px %7.3f %%%s\n", name, pixels, 100.0 * static_cast<double>(pixels) / all, more.c_str());
 }
 
 void run_mask(const MaskOptions& options) {
@@ -103,9 +102,8 @@ void run_mask(const MaskOptions& options) {
   if (shown_file) shown_file->commit();
   if (horizon_file) horizon_file->commit();
 
-  std::printf("%s: %d x %d pixels, decoding: %s\n", photo.file_name.c_str(), width, height,
-              photo.decoding.c_str());
-  for (const std::string& note : found.notes) std::printf("%s\n", note.c_str());
+  say("%s: %d x %d pixels, decoding: %s\n", photo.file_name.c_str(), width, height, photo.decoding.c_str());
+  for (const std::string& note : found.notes) say("%s\n", note.c_str());
   fit::PixelSet before(width, height);
   for (const fit::MaskPart& part : found.parts) {
     const std::size_t earlier = before.count();

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "apps/options/exit_code.h"
-#include "apps/output/terminal.h"
+#include "apps/options/standard_streams.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/rows/forms.h"
 #include "sim/scene/table/alternative_forms.h"
@@ -224,10 +224,9 @@ std::string forms_page() {
 }
 
 int run_params(const std::string& scene_file, ParameterOutput output) {
-  print_whole(output == ParameterOutput::page    ? parameter_page()
-              : output == ParameterOutput::forms ? forms_page()
-                                                 : parameter_listing(scene_file),
-              "the listing");
+  say_text(output == ParameterOutput::page    ? parameter_page()
+           : output == ParameterOutput::forms ? forms_page()
+                                              : parameter_listing(scene_file));
   return good;
 }
 

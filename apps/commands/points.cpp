@@ -13,6 +13,7 @@
 #include "apps/options/file_names.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
+#include "apps/options/standard_streams.h"
 #include "apps/output/point_file.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
@@ -74,7 +75,7 @@ int run_points(const PointsRequest& options) {
   }
   const std::string beams =
       point_options.every == 1 ? "all beams" : fmt::format("one of {} beams", point_options.every);
-  std::printf("%s: %s\n", options.output.c_str(), fmt::format("{} points, {}", points, beams).c_str());
+  say("%s: %s\n", options.output.c_str(), fmt::format("{} points, {}", points, beams).c_str());
   return good;
 }
 

@@ -18,6 +18,7 @@
 #include "apps/options/photographs.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
+#include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
 #include "fit/measure/line_brightness.h"
 #include "fit/measure/measured_profile.h"
@@ -93,8 +94,8 @@ void check_outputs(const ProfileRequest& options) {
 void print_resolution(const sim::Scene& scene) {
   const sim::SensorResponse response(scene);
   for (const double nm : scene.emission.lines)
-    std::printf("%.1f nm: the sensor's window there is %.0f nm wide\n", nm,
-                sim::resolving_kernel(response, nm).fwhm_nm);
+    say("%.1f nm: the sensor's window there is %.0f nm wide\n", nm,
+        sim::resolving_kernel(response, nm).fwhm_nm);
 }
 
 fit::Photo photo_of(const ProfileRequest& options, const fit::Decoding& decoding,
@@ -244,11 +245,11 @@ void run_profile(const ProfileRequest& options) {
   table_file.commit();
   if (plot_file) plot_file->commit();
 
-  std::printf("%s: %s pixels, decoding: %s\n", photo.file_name.c_str(),
-              sim::size_text(photo.linear.width, photo.linear.height).c_str(), photo.decoding.c_str());
-  std::printf("%s: %s\n", options.output.c_str(), measured.words.c_str());
-  for (const std::string& line : measured.details) std::printf("  %s\n", line.c_str());
-  if (plot_file) std::printf("%s\n", options.plot.c_str());
+  say("%s: %s pixels, decoding: %s\n", photo.file_name.c_str(),
+      sim::size_text(photo.linear.width, photo.linear.height).c_str(), photo.decoding.c_str());
+  say("%s: %s\n", options.output.c_str(), measured.words.c_str());
+  for (const std::string& line : measured.details) say("  %s\n", line.c_str());
+  if (plot_file) say("%s\n", options.plot.c_str());
   if (options.lines) print_resolution(*scene);
 }
 

@@ -16,6 +16,7 @@
 #include "apps/options/file_names.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
+#include "apps/options/standard_streams.h"
 #include "apps/output/camera_json.h"
 #include "apps/output/layers.h"
 #include "apps/output/light_outside.h"
@@ -174,7 +175,7 @@ int run_render(const RenderRequest& options) {
   std::string written;
   for (const std::string& name : {options.output, options.lines, options.raw, camera_file(options)})
     if (!name.empty()) written += (written.empty() ? "" : ", ") + name;
-  std::printf("%s: %s\n", written.c_str(), summary.c_str());
+  say("%s: %s\n", written.c_str(), summary.c_str());
   return good;
 }
 

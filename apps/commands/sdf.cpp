@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +13,7 @@
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
 #include "apps/options/refusals.h"
+#include "apps/options/standard_streams.h"
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/number/distance_transform.h"
@@ -98,10 +98,9 @@ void run_sdf(const SdfRequest& options) {
     sim::write_display(options.output, field, format == sim::ImageFormat::jpeg ? 8 : 16, 95, {},
                        options.overwrite);
   const auto range = std::minmax_element(away.begin(), away.end());
-  std::printf("%s: %d x %d pixels, %.3f %% of them above the threshold; distances from %.2f to %.2f px\n",
-              options.output.c_str(), field.width, field.height,
-              100.0 * static_cast<double>(lit) / static_cast<double>(away.size()), *range.first,
-              *range.second);
+  say("%s: %d x %d pixels, %.3f %% of them above the threshold; distances from %.2f to %.2f px\n",
+      options.output.c_str(), field.width, field.height,
+      100.0 * static_cast<double>(lit) / static_cast<double>(away.size()), *range.first, *range.second);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "apps/options/picture_lists.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
+#include "apps/options/standard_streams.h"
 #include "apps/output/terminal.h"
 #include "fit/answer/verdict.h"
 #include "fit/report/run_directory.h"
@@ -153,16 +154,15 @@ void write_tables(const Folder& folder, const std::vector<fit::SequenceRow>& row
 }
 
 void tell(const fit::SequenceRow& row, bool was_done) {
-  std::printf("%s: %s%s", row.frame.c_str(), fit::verdict_name(row.verdict),
-              was_done       ? " (done before)"
-              : row.searched ? " (full search)"
-                             : "");
+  say("%s: %s%s", row.frame.c_str(), fit::verdict_name(row.verdict),
+      was_done       ? " (done before)"
+      : row.searched ? " (full search)"
+                     : "");
   for (const fit::SequenceNumber& n : row.numbers)
     if (n.name.find(".energy_") != std::string::npos || n.name.compare(0, 8, "distance") == 0)
-      std::printf("  %s %s %s", n.name.c_str(), sim::number_with_error(n.value, n.sigma).c_str(),
-                  n.unit.c_str());
-  std::printf("\n");
-  std::fflush(stdout);
+      say("  %s %s %s", n.name.c_str(), sim::number_with_error(n.value, n.sigma).c_str(), n.unit.c_str());
+  say("\n");
+  show_output();
 }
 
 /// 0 if all are good, else that of the worst.
@@ -237,7 +237,7 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
     tell(rows.back(), false);
   }
   write_tables(folder, rows);
-  std::printf("%s\n", folder.file("sequence.csv").c_str());
+  say("%s\n", folder.file("sequence.csv").c_str());
   return exit_code_of(rows);
 }
 

@@ -15,6 +15,7 @@
 #include "apps/options/refusals.h"
 #include "apps/options/scene_grid_options.h"
 #include "apps/options/scene_options.h"
+#include "apps/options/standard_streams.h"
 #include "apps/output/grid_file.h"
 #include "apps/output/plot_file.h"
 #include "apps/output/progress_bar.h"
@@ -138,7 +139,7 @@ int run_slices(const SlicesRequest& options) {
   const fit::Plot plot = slice_sheet(grid, *box, sheet);
   if (interrupted_here()) return interrupted;
   sim::write_whole(options.output, plot_bytes(plot, format), options.overwrite);
-  std::printf("%s: %s\n", options.output.c_str(), plot.note.c_str());
+  say("%s: %s\n", options.output.c_str(), plot.note.c_str());
   return good;
 }
 

@@ -14,6 +14,7 @@
 #include "apps/options/refusals.h"
 #include "apps/options/scene_grid_options.h"
 #include "apps/options/scene_options.h"
+#include "apps/options/standard_streams.h"
 #include "apps/output/grid_file.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
@@ -89,7 +90,7 @@ int run_volume(const VolumeRequest& options) {
   const std::string report = fmt::format("{} bricks of 8 x 8 x 8 voxels of {} {}", bricks, made.grid.voxel,
                                          made.unit_cm == 1e5 ? "km" : "units");
   sim::write_vdb(options.output, std::move(made.grid), metadata, out);
-  std::printf("%s: %s\n", options.output.c_str(), report.c_str());
+  say("%s: %s\n", options.output.c_str(), report.c_str());
   return good;
 }
 

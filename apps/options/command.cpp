@@ -3,12 +3,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
 #include <CLI/CLI.hpp>
 
 #include "apps/options/exit_code.h"
+#include "apps/options/standard_streams.h"
 
 namespace vegard::apps {
 namespace {
@@ -239,7 +241,12 @@ std::optional<int> Program::read() {
     app_->parse(argc_, argv_);
   } catch (const CLI::ParseError& error) {
     // Help and version come this way too, as good ends.
-    if (error.get_exit_code() == 0) return app_->exit(error);
+    if (error.get_exit_code() == 0) {
+      std::ostringstream words;
+      app_->exit(error, words, words);
+      say_text(words.str());
+      return good;
+    }
     return tell_bad_usage(app_->get_name(), error.what());
   }
   return std::nullopt;

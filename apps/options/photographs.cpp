@@ -1,11 +1,11 @@
 #include "apps/options/photographs.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <set>
 #include <utility>
 
 #include "apps/options/photo_options.h"
+#include "apps/options/standard_streams.h"
 #include "fit/photo/photo.h"
 #include "fit/photo/photo_defaults.h"
 #include "sim/base/error.h"
@@ -94,9 +94,9 @@ std::vector<fit::PhotoFact> take_from_photograph(sim::Scene& scene, const std::s
   fit::PhotoDefaults defaults = fit::with_photo_defaults(scene, metadata, given);
   sim::validate(defaults.scene);
   for (const fit::PhotoFact& fact : defaults.taken)
-    std::printf("from the photograph: %s\n", fit::fact_text(fact).c_str());
-  for (const std::string& note : defaults.notes) std::printf("note: %s\n", note.c_str());
-  std::fflush(stdout);  // before a long fit
+    say("from the photograph: %s\n", fit::fact_text(fact).c_str());
+  for (const std::string& note : defaults.notes) say("note: %s\n", note.c_str());
+  show_output();  // before a long fit
   scene = std::move(defaults.scene);
   return defaults.taken;
 }

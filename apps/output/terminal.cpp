@@ -1,9 +1,6 @@
 #include "apps/output/terminal.h"
 
 #include <csignal>
-#include <cstdio>
-
-#include "sim/base/error.h"
 
 namespace vegard::apps {
 namespace {
@@ -27,13 +24,6 @@ const std::atomic<bool>& watch_for_interrupt() {
   }();
   static_cast<void>(arranged);
   return raised;
-}
-
-void print_whole(const std::string& text, const std::string& what) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
-  sim::ErrorDetails details;
-  details.problem = what + " cannot be written to the standard output";
-  throw sim::Error(sim::ErrorKind::unwritable_output, details);
 }
 
 }  // namespace vegard::apps

@@ -15,6 +15,7 @@
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
 #include "apps/options/refusals.h"
+#include "apps/options/standard_streams.h"
 #include "apps/output/animation_frames.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
@@ -127,8 +128,7 @@ int run_preview_frames(const sim::Scene& scene, const PreviewOptions& options) {
   // What is made once is made with the first.
   if (times_ms.size() > 1) times_ms.erase(times_ms.begin());
   const double middle_ms = median(times_ms);
-  std::printf(
-      "%s\n",
+  say("%s\n",
       fmt::format("{}{} frames of {} x {} pixels: median {:.1f} ms a frame, {:.1f} frames per second; "
                   "the first, with what is made once, {:.1f} ms",
                   folder ? options.output + ": " : std::string(), options.frames, width, height, middle_ms,

@@ -1,0 +1,25 @@
+// The standard output: all that commands print goes through here, and is checked once at the end.
+#pragma once
+
+#include <string>
+
+namespace vegard::apps {
+
+/// Opens what stands in for standard streams that were closed when the program began, such that using them
+/// fails. Without it an output file would get the number of the standard output, and with it all that is
+/// printed. To be called before any file is opened.
+void stand_in_for_closed_streams();
+
+/// As std::printf. A failure is kept for finish_output(): what a command has yet to write to files is worth
+/// more than its words.
+[[gnu::format(printf, 1, 2)]] void say(const char* format, ...);
+void say_text(const std::string& text);
+
+/// What was printed so far is to be seen now, before long work. Failures as in say().
+void show_output();
+
+/// Throws Error(unwritable_output) if anything that was printed could not be written. Nothing may be printed
+/// after it.
+void finish_output();
+
+}  // namespace vegard::apps

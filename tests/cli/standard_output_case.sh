@@ -1,0 +1,93 @@
+# Words that cannot be written are no success: whatever a subcommand prints goes one way, and the exit code is 6 with one message if
+# the disk is full or nobody listens.
+# shellcheck disable=SC2154  # stdout, stderr: of case.sh
+source "$(dirname "$0")/case.sh"
+
+small=$SCENES/small.toml
+sed "s/^beams = .*/beams = 20/" "$small" >few.toml && small=few.toml
+expect_exit 0 render "$small" -o a.png
+expect_exit 0 render "$small" -o b.png --set sheet.main.energy_kev=3.2
+expect_exit 0 volume "$small" -o grid.vdb --voxel-km 12
+fit=(fit "$SCENES/fit.toml" --photo a.png --max-evaluations 3 --set sheet.main.beams=20)
+for run in one two; do "$VEGARD" "${fit[@]}" --out $run >/dev/null 2>&1 || true; expect_file $run/result.json; done
+awk 'BEGIN {
+  print "name,azimuth_deg,zenith_deg,x_px,y_px"
+  for (i = 0; i < 12; ++i) {
+    azimuth = 77 * i % 360; zenith = 8 + 6 * i; r = 15 * zenith * atan2(0, -1) / 180; a = azimuth * atan2(0, -1) / 180
+    printf "star %d,%g,%g,%.6f,%.6f\n", i, azimuth, zenith, 33 + r * sin(a), 23 + r * cos(a)
+  }
+}' >stars.csv
+
+tried=
+ways="full closed"
+# refused ARGUMENTS...: what prints ends so, on a full disk and with the standard output closed. out* is removed in between.
+refused() {
+  local way status
+  tried+=" $1"
+  for way in $ways; do
+    rm -rf out*
+    status=0
+    if [[ $way == full ]]; then
+      "$VEGARD" "$@" >/dev/full 2>"$stderr" || status=$?
+    else
+      "$VEGARD" "$@" >&- 2>"$stderr" || status=$?
+    fi
+    [[ $status -eq 6 ]] || fail "exit $status instead of 6, standard output $way: vegard $*"
+    [[ $(grep -c "the standard output: cannot be written" "$stderr") -eq 1 ]] || fail "not told once ($way): vegard $*"
+  done
+}
+
+refused --help
+refused --version
+refused render "$small" -o out.png
+refused animate "$small" -o out/##.png --frames 0:1
+refused animate "$small" --frames 0:5 --list
+refused preview "$small" -o out --frames 1 --size 40x40
+refused points "$small" -o out.csv
+refused volume "$small" -o out.vdb --voxel-km 12
+refused describe a.png
+refused describe a.png -o out.toml
+refused horizon --size 600,400 --points 100,200 300,190 500,200 --hfov 53.13
+refused profile a.png -o out.csv
+refused keogram a.png b.png -o out.csv
+refused directions "$small" -o out.exr
+refused mask a.png -o out.png --circle 40,40,30
+refused brightness "$small"
+refused brightness "$small" --json
+refused calibrate stars.csv -o out.toml --size 64,48 --site 65,20,100 --time 2020-01-01T20:00:00Z
+refused "${fit[@]}" --out out
+refused "${fit[@]}" --check-derivatives
+refused compare one two
+refused sequence "$SCENES/fit.toml" --photos a.png b.png -o out --max-evaluations 3 --set sheet.main.beams=20
+refused grid grid.vdb -o out.txt --channel density
+refused slices grid.vdb -o out.svg
+refused sdf a.png -o out.exr --threshold 0.3
+refused linearise a.png "$small" -o out.exr
+refused params
+refused params --markdown
+refused params "$small"
+refused lines
+refused lines --csv
+
+# No subcommand is left out, and the help of each goes the same way.
+expect_exit 0 --help
+names=$(sed -n '/^S[Uu][Bb][Cc][Oo][Mm][Mm][Aa][Nn][Dd][Ss]:/,$p' "$stdout" | sed -n 's/^  \([a-z]\{1,\}\) .*/\1/p')
+[[ $(wc -w <<<"$names") -ge 22 ]] || fail "the list of subcommands is not understood: $names"
+ways=full
+for name in $names; do
+  [[ " $tried " == *" $name "* ]] || fail "vegard $name is not tried here"
+  refused "$name" --help
+done
+
+# Files that are written while nobody listens hold what they hold otherwise: no file takes the place of the closed standard output.
+rm -rf out*
+"$VEGARD" render "$small" -o out.png >/dev/null 2>&1
+"$VEGARD" render "$small" -o out_closed.png >&- 2>&- <&- && fail "a closed output is no success"
+expect_same out.png out_closed.png
+
+# What prints nothing needs no standard output.
+"$VEGARD" lines --quenching out.svg >&- || fail "nothing is printed, and yet it fails"
+
+# A reader that has enough ends the program quietly.
+{ "$VEGARD" params --markdown 2>"$stderr" || true; } | head -1 >/dev/null
+[[ ! -s $stderr ]] || fail "words about a reader that has gone"
