@@ -25,7 +25,7 @@ std::string versions() {
 }
 
 int report(const std::string& message, int exit_code) {
-  std::fprintf(stderr, "vegard: %s\n", message.c_str());
+  apps::tell("vegard: %s\n", message.c_str());
   return exit_code;
 }
 

@@ -128,7 +128,7 @@ bool render_frames(const AnimateRequest& options, const sim::Scene& scene,
     const std::string warning = warned ? "" : warning_if_out_of_view(now, rendering.rayleigh);
     if (!warning.empty()) {
       bar.finish();
-      std::fprintf(stderr, "vegard: frame %d: %s\n", frame, warning.c_str());
+      tell("vegard: frame %d: %s\n", frame, warning.c_str());
       warned = true;
     }
     const sim::Image lines = line_layer(rendering);
@@ -143,10 +143,8 @@ bool render_frames(const AnimateRequest& options, const sim::Scene& scene,
 }
 
 int tell_of_interruption(std::size_t finished, std::size_t frames) {
-  std::fprintf(
-      stderr,
-      "vegard: interrupted; %zu of %zu frames are finished, and the same command goes on from there\n",
-      finished, frames);
+  tell("vegard: interrupted; %zu of %zu frames are finished, and the same command goes on from there\n",
+       finished, frames);
   return interrupted;
 }
 

@@ -41,7 +41,7 @@ int run_brightness(const BrightnessRequest& options) {
     return interrupted;
   }
   const std::string warning = warning_if_out_of_view(scene, rendering.rayleigh);
-  if (!warning.empty()) std::fprintf(stderr, "vegard: %s\n", warning.c_str());
+  if (!warning.empty()) tell("vegard: %s\n", warning.c_str());
   const sim::BrightnessReport report = sim::brightness_report(scene, rendering);
   const std::string text = options.json ? brightness_json(report) : brightness_text(report);
   say_text(text);

@@ -116,8 +116,8 @@ class Account {
     bar_.update(share, text);
     if (isatty(STDERR_FILENO) == 1 || !stages_.insert(stage).second) return;
     const std::optional<double> to_go = bar_.seconds_to_go();
-    std::fprintf(stderr, "%s (%s%s)\n", text.c_str(), duration_text(bar_.elapsed_seconds()).c_str(),
-                 to_go ? (", about " + duration_text(*to_go) + " to go").c_str() : "");
+    apps::tell("%s (%s%s)\n", text.c_str(), duration_text(bar_.elapsed_seconds()).c_str(),
+               to_go ? (", about " + duration_text(*to_go) + " to go").c_str() : "");
   }
 
  private:
@@ -263,8 +263,7 @@ int run_fit(const FitRequest& options, const std::string& command) {
   if (journal.found() > 0)
     std::fprintf(stderr, "vegard: going on after %d finished steps\n", journal.found());
   fit::FitResult result = fitted(options, scene, photos, journal);
-  if (!journal.problem().empty())
-    std::fprintf(stderr, "vegard: this fit cannot be resumed: %s\n", journal.problem().c_str());
+  if (!journal.problem().empty()) tell("vegard: this fit cannot be resumed: %s\n", journal.problem().c_str());
   result.inputs = inputs_of(options.scene.file, scene_sha256, photos);
   result.command = command;
   result.from_photograph = from_photograph;

@@ -62,7 +62,7 @@ std::string manifest(const SequenceRequest& options, const sim::Scene& scene) {
   if (!options.decoding.empty()) json["decoding"] = options.decoding;
   json["max_evaluations"] = options.max_evaluations;
   json["version"] = sim::version();
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 /// The sequence's folder: manifest, frames/NAME (a run) and frames/NAME.json (its row, written last).
@@ -153,7 +153,7 @@ void write_tables(const Folder& folder, const std::vector<fit::SequenceRow>& row
   sim::write_whole(folder.file("sequence.svg"), fit::plot_svg(fit::sequence_plot(rows)), true);
 }
 
-void tell(const fit::SequenceRow& row, bool was_done) {
+void tell_row(const fit::SequenceRow& row, bool was_done) {
   say("%s: %s%s", row.frame.c_str(), fit::verdict_name(row.verdict),
       was_done       ? " (done before)"
       : row.searched ? " (full search)"
@@ -213,7 +213,7 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
     if (chain_is_old)
       if (const auto row = folder.done(frame, photo)) {
         rows.push_back(*row);
-        tell(rows.back(), true);
+        tell_row(rows.back(), true);
         continue;
       }
     chain_is_old = false;
@@ -221,7 +221,7 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
       return fit::fit_frame(scene, photo, frame.time_s, rows.empty() ? nullptr : &rows.back(), fit_options);
     });
     if (fit_options.stop->load()) {
-      std::fprintf(stderr, "interrupted; the same command goes on from here\n");
+      tell("interrupted; the same command goes on from here\n");
       return interrupted;
     }
     fitted.result.inputs = inputs_of(options.scene.file, scene_sha256, {photo});
@@ -234,7 +234,7 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
     rows.push_back(fit::sequence_row(frame.name, frame.time_s, scene, fitted, photo));
     sim::write_whole(folder.row(frame.name), fit::sequence_row_json(rows.back()));
     write_tables(folder, rows);
-    tell(rows.back(), false);
+    tell_row(rows.back(), false);
   }
   write_tables(folder, rows);
   say("%s\n", folder.file("sequence.csv").c_str());

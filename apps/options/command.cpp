@@ -13,6 +13,7 @@
 #include "apps/options/standard_streams.h"
 
 namespace vegard::apps {
+#include "sim/base/shown_text.h"
 namespace {
 
 std::string quoted_for_shell(std::string_view word) {
@@ -30,7 +31,7 @@ std::string quoted_for_shell(std::string_view word) {
 }
 
 int tell_bad_usage(const std::string& program, const std::string& message) {
-  std::fprintf(stderr, "%s: %s (see %s --help)\n", program.c_str(), message.c_str(), program.c_str());
+  tell("%s: %s (see %s --help)\n", program.c_str(), sim::shortened_quotes(message).c_str(), program.c_str());
   return bad_usage;
 }
 

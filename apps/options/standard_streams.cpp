@@ -6,10 +6,12 @@
 #include <cerrno>
 #include <cstdarg>
 #include <cstdio>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "sim/base/error.h"
+#include "sim/base/shown_text.h"
 
 namespace vegard::apps {
 namespace {
@@ -18,6 +20,25 @@ int first_failure = 0;  ///< errno of the first write that failed
 
 void keep_failure() {
   if (first_failure == 0) first_failure = errno != 0 ? errno : EIO;
+}
+
+void put(const std::string& text, std::FILE* to) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), to) != text.size() && to == stdout) keep_failure();
+}
+
+/// A format of one line makes one line, whatever is in the arguments.
+std::string formatted(const char* format, std::va_list arguments) {
+  std::va_list again;
+  va_copy(again, arguments);
+  const int length = std::vsnprintf(nullptr, 0, format, again);
+  va_end(again);
+  std::string text(length > 0 ? static_cast<std::size_t>(length) : 0, '\0');
+  std::vsnprintf(text.data(), text.size() + 1, format, arguments);
+  const std::string_view pattern(format);
+  if (pattern.empty() || pattern.find('\n') != pattern.size() - 1) return sim::shown_lines(text);
+  text.pop_back();
+  return sim::shown_text(text) + '\n';
 }
 
 }  // namespace
@@ -32,21 +53,20 @@ void stand_in_for_closed_streams() {
   }
 }
 
-void say_text(const std::string& text) {
-  errno = 0;
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) keep_failure();
-}
+void say_text(const std::string& text) { put(sim::shown_lines(text), stdout); }
 
 void say(const char* format, ...) {
-  std::va_list arguments, again;
+  std::va_list arguments;
   va_start(arguments, format);
-  va_copy(again, arguments);
-  const int length = std::vsnprintf(nullptr, 0, format, arguments);
+  put(formatted(format, arguments), stdout);
   va_end(arguments);
-  std::string text(length > 0 ? static_cast<std::size_t>(length) : 0, '\0');
-  std::vsnprintf(text.data(), text.size() + 1, format, again);
-  va_end(again);
-  say_text(text);
+}
+
+void tell(const char* format, ...) {
+  std::va_list arguments;
+  va_start(arguments, format);
+  put(formatted(format, arguments), stderr);
+  va_end(arguments);
 }
 
 void show_output() {

@@ -1,4 +1,6 @@
-// The standard output: all that commands print goes through here, and is checked once at the end.
+// What commands say, on the standard output and on standard error. All of it goes through here: words of
+// inputs are made safe to show (sim/base/shown_text.h), and whether what was printed could be written is
+// checked once at the end.
 #pragma once
 
 #include <string>
@@ -10,10 +12,14 @@ namespace vegard::apps {
 /// printed. To be called before any file is opened.
 void stand_in_for_closed_streams();
 
-/// As std::printf. A failure is kept for finish_output(): what a command has yet to write to files is worth
-/// more than its words.
+/// As std::printf; what stands before a line's end at the end of `format` is one line. A failure is kept for
+/// finish_output(): what a command has yet to write to files is worth more than its words.
 [[gnu::format(printf, 1, 2)]] void say(const char* format, ...);
+/// Of several lines.
 void say_text(const std::string& text);
+
+/// The same on standard error, whose failures are nobody's.
+[[gnu::format(printf, 1, 2)]] void tell(const char* format, ...);
 
 /// What was printed so far is to be seen now, before long work. Failures as in say().
 void show_output();

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "sim/base/shown_text.h"
 #include "sim/base/version.h"
 #include "sim/view/sky/night_luminances.h"
 
@@ -227,7 +228,11 @@ std::string brightness_json(const sim::BrightnessReport& report) {
     json["sheets"].push_back(sheet_json(report.sheets[s], report.layers[s], report.lines_nm));
   json["picture"] = picture_json(report);
   json["sensor"] = sensor_json(report);
-  return json.dump(2) + "\n";
+  using Handler = ordered_json::error_handler_t;
+  std::string text = json.dump(2, ' ', false, Handler::replace);
+  // It goes to terminals too: what would act on one is written by its number.
+  if (sim::shown_lines(text) != text) text = json.dump(2, ' ', true, Handler::replace);
+  return text + "\n";
 }
 
 }  // namespace vegard::apps

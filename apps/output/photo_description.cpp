@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "sim/base/error.h"
+#include "sim/base/shown_text.h"
 #include "sim/base/version.h"
 #include "sim/scene/table/parameter_table.h"
 
@@ -82,7 +83,7 @@ class Listing {
   explicit Listing(const std::string& title) : text_(title + "\n") {}
 
   void add(const char* name, const std::optional<std::string>& words) {
-    if (words) text_ += fmt::format("  {:<24} {}\n", name, *words);
+    if (words) text_ += fmt::format("  {:<24} {}\n", name, sim::shortened_text(*words));
   }
   void add(const char* name, const std::optional<double>& value, const char* unit) {
     if (value) add(name, fmt::format("{:.8g}{}{}", *value, *unit == '\0' ? "" : " ", unit));
@@ -130,7 +131,7 @@ std::string start_scene(const std::string& photo_name, const fit::PhotoFacts& fa
 }
 
 std::string description_text(const std::string& photo_name, const sim::PictureMetadata& metadata) {
-  Listing said(photo_name + " says:");
+  Listing said(sim::shown_text(photo_name) + " says:");
   if (metadata.width_px && metadata.height_px)
     said.add("size", fmt::format("{} x {} pixels", *metadata.width_px, *metadata.height_px));
   if (metadata.orientation != 1)
@@ -153,9 +154,10 @@ std::string description_text(const std::string& photo_name, const sim::PictureMe
 
   const fit::PhotoFacts facts = fit::photo_facts(metadata);
   std::string text = said.text() + "in a scene's keys:\n";
-  for (const fit::PhotoFact& fact : facts.facts) text += "  " + fit::fact_text(fact) + "\n";
+  for (const fit::PhotoFact& fact : facts.facts)
+    text += "  " + sim::shortened_quotes(fit::fact_text(fact)) + "\n";
   if (facts.facts.empty()) text += "  nothing\n";
-  for (const std::string& note : facts.notes) text += "note: " + note + "\n";
+  for (const std::string& note : facts.notes) text += "note: " + sim::shortened_quotes(note) + "\n";
   return text;
 }
 

@@ -138,7 +138,7 @@ std::string manifest_text(const sim::Scene& scene, double frames_per_second, con
   if (picture.bits) json["bits"] = *picture.bits;
   if (picture.quality) json["quality"] = *picture.quality;
   json["version"] = sim::version();
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::set<int> begin_or_resume(const FrameNames& names, const std::string& manifest,

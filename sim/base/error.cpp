@@ -2,20 +2,24 @@
 
 #include <utility>
 
+#include "sim/base/shown_text.h"
+
 namespace vegard::sim {
 namespace {
+
+constexpr std::size_t kMostOfName = 1000;  // of a file, which one wants to find
 
 std::string message_of(const ErrorDetails& d) {
   std::string text;
   if (!d.file.empty()) {
-    text += d.file;
+    text += shortened_text(d.file, kMostOfName);
     if (d.line > 0) text += ":" + std::to_string(d.line);
     text += ": ";
   }
-  if (!d.key.empty()) text += d.key + ": ";
-  text += d.problem;
-  if (!d.expected.empty()) text += " (expected " + d.expected + ")";
-  if (!d.hint.empty()) text += "; " + d.hint;
+  if (!d.key.empty()) text += shortened_text(d.key) + ": ";
+  text += shortened_quotes(d.problem);
+  if (!d.expected.empty()) text += " (expected " + shortened_quotes(d.expected) + ")";
+  if (!d.hint.empty()) text += "; " + shortened_quotes(d.hint);
   return text;
 }
 

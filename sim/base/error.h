@@ -28,7 +28,7 @@ struct ErrorDetails {
   std::string hint;      ///< what to do, "did you mean 'width'?"
 };
 
-/// "file:line: key: problem (expected …). Hint."
+/// "file:line: key: problem (expected …). Hint.", with what it quotes made safe to show (shown_text.h).
 class Error : public std::exception {
  public:
   Error(ErrorKind kind, ErrorDetails details);

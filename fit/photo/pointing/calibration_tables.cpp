@@ -103,7 +103,7 @@ std::string calibration_json(const Calibration& calibration, const CalibrationOr
     json["lenses"].push_back(row);
   }
   // Points of maps have no names, and are in the table of residuals.
-  if (!stars) return json.dump(2) + "\n";
+  if (!stars) return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   json["stars"] = Json::array();
   for (std::size_t i = 0; i < calibration.stars.size(); ++i) {
     const StarResidual& one = calibration.residuals[i];
@@ -116,7 +116,7 @@ std::string calibration_json(const Calibration& calibration, const CalibrationOr
                              {"without_dy_px", json_number(one.without_dy_px)},
                              {"used", one.used}});
   }
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string candidates_text(const Calibration& calibration, int most) {

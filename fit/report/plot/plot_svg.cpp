@@ -9,6 +9,7 @@
 #include "sim/base/file/html_text.h"
 #include "sim/base/image.h"
 #include "sim/base/picture/image_io.h"
+#include "sim/base/shown_text.h"
 
 namespace vegard::fit {
 namespace {
@@ -23,7 +24,8 @@ std::string svg_number(double value) {
 
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : text) {
+  // XML has no place for control characters, not even escaped, nor for bytes that are no UTF-8.
+  for (const char c : sim::shown_text(text)) {
     switch (c) {
       case '&':
         out += "&amp;";
@@ -38,8 +40,7 @@ std::string escaped(std::string_view text) {
         out += "&quot;";
         break;
       default:
-        // XML has no place for the other control characters, not even escaped.
-        if (static_cast<unsigned char>(c) >= 0x20) out += c;
+        out += c;
     }
   }
   return out;
