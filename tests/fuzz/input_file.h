@@ -19,7 +19,8 @@ class InputFile {
   InputFile(std::string_view bytes, const std::string& name) {
     std::error_code none;
     const bool in_memory = std::filesystem::is_directory("/dev/shm", none);
-    std::string folder = in_memory ? "/dev/shm/vegard-fuzz-XXXXXX" : "/tmp/vegard-fuzz-XXXXXX";
+    std::string folder =
+        (in_memory ? "/dev/shm" : std::filesystem::temp_directory_path().string()) + "/vegard-fuzz-XXXXXX";
     if (mkdtemp(folder.data()) == nullptr) std::abort();
     folder_ = folder;
     std::ofstream stream(path(name), std::ios::binary);
