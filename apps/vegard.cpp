@@ -1,6 +1,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
 
 #include "apps/commands/commands.h"
@@ -68,6 +69,10 @@ int main(int argc, char** argv) {
     return exit_code;
   } catch (const sim::Error& error) {
     return report(error.what(), apps::exit_code_of(error.kind()));
+  } catch (const apps::OutOfMemory& error) {
+    return report(error.what(), apps::internal_error);
+  } catch (const std::bad_alloc&) {
+    return report("there is not enough memory to begin", apps::internal_error);
   } catch (const std::exception& error) {
     return report(std::string("internal error: ") + error.what(), apps::internal_error);
   }

@@ -21,6 +21,7 @@
 #include "apps/options/composite_pictures.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/memory_limit.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
 #include "apps/options/standard_streams.h"
@@ -51,6 +52,7 @@ struct AnimateRequest {
   PictureOptions picture;
   int threads = 0;
   bool overwrite = false, list = false, camera_json = false;
+  std::string memory_limit;
 };
 
 bool is_movie(const std::string& output) {
@@ -148,7 +150,8 @@ int tell_of_interruption(std::size_t finished, std::size_t frames) {
   return interrupted;
 }
 
-int run_animate(const AnimateRequest& options) {
+int run_animate(const AnimateRequest& request) {
+  AnimateRequest options = request;
   const sim::Scene scene = scene_of(options.scene);
   const double frames_per_second = options.frames_per_second.value_or(scene.time.frames_per_second);
   const std::vector<int> frames = frames_of(options, scene);
@@ -181,6 +184,9 @@ int run_animate(const AnimateRequest& options) {
     camera_json(scene);
   }
   const sim::CompositePictures pictures = read_composite_pictures(scene);
+  options.threads =
+      threads_to_render(scene, options.threads, bytes_to_encode_px(names.file(0), options.picture, scene),
+                        false, options.memory_limit);
   // Every frame reads its own; here only so that what is wrong with them is told before a folder is made.
   if (sim::has_emitters(scene)) sim::read_volume_files(scene);
   // A measured tone curve is read by whatever is encoded with it; here, before the work.
@@ -246,3 +252,4 @@ void add_animate_command(Program& program) {
 }
 
 }  // namespace vegard::apps
+  add_memory_option(command, options->memory_limit);

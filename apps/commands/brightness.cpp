@@ -6,6 +6,7 @@
 #include <string>
 
 #include "apps/options/exit_code.h"
+#include "apps/options/memory_limit.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
 #include "apps/options/standard_streams.h"
@@ -21,17 +22,19 @@ struct BrightnessRequest {
   SceneOptions scene;
   int threads = 0;
   bool json = false;
+  std::string memory_limit;
 };
 
 int run_brightness(const BrightnessRequest& options) {
   const sim::Scene scene = scene_of(options.scene);
   require_rayleighs(scene, "vegard brightness");
+  const int threads = threads_to_render(scene, options.threads, 0.0, false, options.memory_limit);
   const std::atomic<bool>& stop = watch_for_interrupt();
   sim::Rendering rendering;
   {
     ProgressBar bar("rendering");
     sim::RenderOptions render_options;
-    render_options.threads = options.threads;
+    render_options.threads = threads;
     render_options.progress = [&bar](double share) { bar.update(share); };
     render_options.stop = &stop;
     rendering = sim::render(scene, render_options);
@@ -58,6 +61,7 @@ void add_brightness_command(Program& program) {
   command.flag("--json", options->json, "For programs");
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       .range(0, 1024);
+  add_memory_option(command, options->memory_limit);
   command.runs([options] { return run_brightness(*options); });
 }
 

@@ -18,6 +18,7 @@
 #include "apps/commands/check_derivatives.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/memory_limit.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/photographs.h"
 #include "apps/options/refusals.h"
@@ -44,6 +45,7 @@ namespace vegard::apps {
 namespace {
 
 struct FitRequest {
+  std::string memory_limit;
   SceneOptions scene;
   std::string photo, mask, decoding, out;
   std::vector<std::string> filters;
@@ -252,6 +254,7 @@ int run_fit(const FitRequest& options, const std::string& command) {
       options.filters.empty() ? options.photo : filter_files(options.filters).front().file;
   if (scene.fit.photos.empty() && !photo.empty() && !options.no_metadata)
     from_photograph = take_from_photograph(scene, photo, options.scene.changes);
+  check_memory_of_fit(scene, options.threads, options.memory_limit);
   std::vector<fit::Photo> photos = photos_of(options, scene);
   if (options.check_derivatives) {
     if (!scene.fit.photos.empty())
@@ -305,6 +308,7 @@ void add_fit_command(Program& program) {
       .shows_default();
   command.flag("--intervals", options->intervals,
                "Judge the error bars by profile likelihood: all others give way, for each parameter");
+  add_memory_option(command, options->memory_limit);
   command
       .option("--bootstrap", options->bootstrap,
               "Judge the error bars by drawing the bands anew so many times (1000 is plenty)")

@@ -14,6 +14,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/memory_limit.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/grid_file.h"
@@ -37,6 +38,7 @@ struct Step {
 };
 
 struct GridRequest {
+  std::string memory_limit = "8G";
   std::string input, output;
   std::vector<std::string> channels, masks;
   std::vector<int> blur, sharpen;
@@ -141,7 +143,8 @@ int run_grid(const GridRequest& options) {
   }
   const std::vector<Step> steps = steps_of(options);
   const std::atomic<bool>& stop = watch_for_interrupt();
-  GridFile file = read_grid_file(options.input, options.channels);
+  GridFile file = read_grid_file(options.input, options.channels,
+                                 static_cast<std::uint64_t>(memory_limit_bytes(options.memory_limit)));
   if (!is_vdb_name(options.output)) single_channel(options, file.grid);  // refused now
   const bool finished = filter(file.grid, steps, options.threads, stop) && !stop.load();
   if (!finished) {
@@ -167,6 +170,8 @@ void add_grid_command(Program& program) {
       program.add("grid", "Convert grids between OpenVDB and pbrt's volumegrid, and blur or sharpen them");
   command.option("GRID", options->input, "A .vdb file, or a volumegrid (.pbrt, .volumegrid, .txt)")
       .required();
+  add_memory_option(command, options->memory_limit,
+                    "For the grids: 500M, 16G, or a number of GB (default: 8G)");
   command.option("-o,--output", options->output, "The file to write; its name says which kind")
       .type_name("OUT.vdb|pbrt")
       .required();

@@ -14,6 +14,7 @@
 #include "apps/options/composite_pictures.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/memory_limit.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
 #include "apps/options/standard_streams.h"
@@ -38,6 +39,7 @@ struct RenderRequest {
   PictureOptions picture;
   int threads = 0;
   bool overwrite = false, camera_json = false;
+  std::string memory_limit;
 };
 
 /// Beside the picture, or where there is none beside its lines.
@@ -146,9 +148,16 @@ std::string facts(const sim::Scene& scene, const sim::Rendering& rendering) {
   return text;
 }
 
-int run_render(const RenderRequest& options) {
+int run_render(const RenderRequest& request) {
+  RenderRequest options = request;
   const sim::Scene scene = scene_of(options.scene);
   check_outputs(options, scene);
+  double bytes_per_px = 0.0;
+  for (const std::string& name : {options.output, options.lines, options.raw})
+    if (!name.empty())
+      bytes_per_px = std::max(bytes_per_px, bytes_to_encode_px(name, options.picture, scene));
+  options.threads = options.picture.threads =
+      threads_to_render(scene, options.threads, bytes_per_px, !options.layers.empty(), options.memory_limit);
   const sim::CompositePictures pictures = read_composite_pictures(scene);
 
   const std::atomic<bool>& stop = watch_for_interrupt();
@@ -203,6 +212,7 @@ void add_render_command(Program& program) {
       command.flag("--as-seen", options->picture.as_seen,
                    "As a dark-adapted eye sees it: faint light grey, bright light coloured");
   command
+  add_memory_option(command, options->memory_limit);
       .option("--seen-half", options->picture.seen_half_mcd,
               "Luminance that --as-seen shows as half of white, in mcd m^-2 (default 20)")
       .range(1e-3, 1e6)
@@ -211,10 +221,7 @@ void add_render_command(Program& program) {
   command.flag("--camera-json", options->camera_json,
                "Write the camera's matrices beside the picture, OUT.camera.json");
   command.flag("--overwrite", options->overwrite, "Replace outputs that exist");
-  command.runs([options] {
-    options->picture.threads = options->threads;
-    return run_render(*options);
-  });
+  command.runs([options] { return run_render(*options); });
 }
 
 }  // namespace vegard::apps

@@ -12,6 +12,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/memory_limit.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/photographs.h"
 #include "apps/options/picture_lists.h"
@@ -38,6 +39,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct SequenceRequest {
+  std::string memory_limit;
   SceneOptions scene;
   std::vector<std::string> photos;
   std::string mask, decoding, out;
@@ -188,6 +190,7 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
     throw usage_error(
         "--decoding", "a sequence is of one camera, and so of one transfer curve", "one that is known",
         "fit one frame by itself with --decoding unknown, and give all the curve that it tells");
+  check_memory_of_fit(scene, options.threads, options.memory_limit);
   for (const SequencePhoto& photo : photos)  // now, not after hours
     fit::read_photo(photo.file, decoding_of(options.decoding, scene.fit.decoding, &scene), &scene);
   std::vector<NamedInput> inputs = inputs_of_scene(options.scene, scene);
@@ -258,6 +261,7 @@ void add_sequence_command(Program& program) {
       .type_name("DIR");
   command.option("--mask", options->mask, "An image of the same size: white = use").type_name("IMAGE");
   add_decoding_option(command, options->decoding);
+  add_memory_option(command, options->memory_limit);
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       .range(0, 1024);
   command.option("--max-evaluations", options->max_evaluations, "Stop a frame after so many evaluations")

@@ -34,8 +34,8 @@ struct SlicesRequest {
   std::vector<double> at;
   int count = 9, threads = 0;
   double gamma = 1.0, decades = 4.0;
-  VoxelOptions voxels{0.0, 4.0, {}, {}};  ///< of a scene
-  std::vector<Option> of_scenes;          ///< options that a grid cannot have
+  VoxelOptions voxels{0.0, "4G", {}, {}};  ///< of a scene
+  std::vector<Option> of_scenes;           ///< options that a grid cannot have
   bool log = false, overwrite = false;
 };
 

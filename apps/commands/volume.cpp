@@ -31,7 +31,7 @@ namespace {
 struct VolumeRequest {
   SceneOptions scene;
   std::string output, convention = "blender";
-  VoxelOptions voxels{0.5, 4.0, {}, {}};
+  VoxelOptions voxels{0.5, "4G", {}, {}};
   std::vector<double> lines;
   int threads = 0;
   bool overwrite = false;

@@ -1,8 +1,10 @@
 #include "apps/options/command.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <new>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -11,9 +13,9 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/standard_streams.h"
+#include "sim/base/shown_text.h"
 
 namespace vegard::apps {
-#include "sim/base/shown_text.h"
 namespace {
 
 std::string quoted_for_shell(std::string_view word) {
@@ -33,6 +35,22 @@ std::string quoted_for_shell(std::string_view word) {
 int tell_bad_usage(const std::string& program, const std::string& message) {
   tell("%s: %s (see %s --help)\n", program.c_str(), sim::shortened_quotes(message).c_str(), program.c_str());
   return bad_usage;
+}
+
+OutOfMemory out_of_memory(const std::string& command) {
+  const auto is_one_of = [&](std::initializer_list<const char*> names) {
+    return std::find(names.begin(), names.end(), command) != names.end();
+  };
+  const std::string advice =
+      is_one_of({"render", "animate", "brightness", "preview", "directions"})
+          ? "a smaller camera.width and camera.height, or fewer --threads, need less"
+      : is_one_of({"fit", "sequence"})
+          ? "a part of the picture (fit.roi_px), a smaller picture, or fewer --threads need less"
+      : is_one_of({"volume", "slices"}) ? "larger voxels, a --box, or --of NAME need less"
+      : is_one_of({"grid"})             ? "a single --channel, or a grid of larger voxels, needs less"
+      : is_one_of({"points"})           ? "--max-points needs less"
+                                        : "a smaller picture needs less";
+  return OutOfMemory("vegard " + command + " found no more memory for its work; " + advice);
 }
 
 }  // namespace
@@ -207,7 +225,15 @@ std::vector<Option> Command::order() const {
 }
 
 void Command::runs(std::function<int()> call) const {
-  app_->callback([call = std::move(call), code = exit_code_] { *code = call(); });
+  app_->callback([call = std::move(call), code = exit_code_, name = app_->get_name()] {
+    try {
+      *code = call();
+    } catch (const std::bad_alloc&) {
+      throw out_of_memory(name);
+    } catch (const std::length_error&) {  // more than any memory could hold
+      throw out_of_memory(name);
+    }
+  });
 }
 
 Program::Program(const std::string& name, const std::string& description,

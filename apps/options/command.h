@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,12 @@ class Option;
 }  // namespace CLI
 
 namespace vegard::apps {
+
+/// A command that finds no memory for its work: what was done, and how to need less.
+class OutOfMemory : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// An option of a subcommand, by reference: copies are the same option. It lives as long as its Program. All
 /// that sets something gives the option again.
@@ -101,7 +108,8 @@ class Command {
   /// given.
   std::vector<Option> order() const;
 
-  /// `call` does the work and gives the program's exit code.
+  /// `call` does the work and gives the program's exit code. Where it finds no memory, in whatever thread,
+  /// OutOfMemory is thrown.
   void runs(std::function<int()> call) const;
 
  private:

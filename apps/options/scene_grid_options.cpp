@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/options/memory_limit.h"
 #include "apps/options/refusals.h"
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/table/parameter_declarations.h"
@@ -33,17 +34,15 @@ std::vector<Option> add_voxel_options(const Command& command, const std::string&
                   "Only the sheets, footprints, nebulae, volumes and things on the Sun of these names")
           .delimiter(',')
           .type_name("NAME,..."));
-  added.push_back(
-      command.option("--memory-limit", options.memory_limit_gb, "In GB, for the voxels (default: 4)")
-          .finite_range(1e-6, 1e6)
-          .type_name("GB"));
+  added.push_back(add_memory_option(command, options.memory_limit,
+                                    "For the voxels: 500M, 8G, or a number of GB (default: 4G)"));
   return added;
 }
 
 sim::SceneGridOptions scene_grid_options(const VoxelOptions& options, int threads) {
   sim::SceneGridOptions grid;
   grid.voxel = options.voxel;
-  grid.memory_limit = static_cast<std::uint64_t>(options.memory_limit_gb * (std::uint64_t{1} << 30));
+  grid.memory_limit = static_cast<std::uint64_t>(memory_limit_bytes(options.memory_limit));
   grid.threads = threads;
   if (options.box.empty()) return grid;
   sim::Box3 box;

@@ -12,7 +12,8 @@
 namespace vegard::apps {
 
 struct VoxelOptions {
-  double voxel, memory_limit_gb = 4.0;
+  double voxel;
+  std::string memory_limit = "4G";
   std::vector<double> box;
   std::vector<std::string> of;
 };

@@ -75,6 +75,17 @@ void check_picture_options(const std::string& path, const PictureOptions& option
     throw usage_error("--as-seen", "an EXR holds the camera's linear values", "-o OUT.png, .tif or .jpg");
 }
 
+double bytes_to_encode_px(const std::string& path, const PictureOptions& options, const sim::Scene& scene) {
+  constexpr double kFloat = sizeof(float), kRgb = 3.0 * kFloat;
+  const double noisy = options.photograph ? 3.0 * kRgb : 0.0;
+  // All channels side by side, and the packed bytes, which may be as many.
+  if (sim::image_format(path) == sim::ImageFormat::exr)
+    return 2.0 * (kRgb + kFloat * static_cast<double>(scene.emission.lines.size())) + 16.0 + noisy;
+  // What is shown, its numbers of 8 or 16 bits, and the packed bytes.
+  const double of_numbers = bits_of(options, sim::image_format(path)) == 16 ? 6.0 : 3.0;
+  return kRgb + 2.0 * of_numbers + 8.0 + noisy;
+}
+
 sim::Image line_layer(const sim::Rendering& rendering) {
   sim::Image layer = rendering.rayleigh;
   for (std::string& name : layer.channel_names) name.insert(0, "rayleigh.");

@@ -34,6 +34,9 @@ void add_picture_options(const Command& command, PictureOptions& options);
 void check_picture_options(const std::string& path, const PictureOptions& options);
 
 /// The lines' channels as the layer "rayleigh".
+/// Bytes for each pixel that it takes to make such a file of a rendering.
+double bytes_to_encode_px(const std::string& path, const PictureOptions& options, const sim::Scene& scene);
+
 sim::Image line_layer(const sim::Rendering& rendering);
 
 /// The bytes of the picture's file, its kind by the extension of `path`. `lines` is the line_layer().

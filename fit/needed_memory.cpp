@@ -1,0 +1,39 @@
+#include "fit/needed_memory.h"
+
+#include <algorithm>
+
+#include "sim/render/needed_memory.h"
+#include "sim/scene/table/parameter_table.h"
+
+namespace vegard::fit {
+namespace {
+
+// Of a photograph's pixel: its linear light and what of it is usable; beside them, while it is decoded,
+// measured and looked at, the file's numbers and planes of one channel.
+constexpr double kKeptOfPhoto = 15.0, kBesideOfPhoto = 30.0;
+constexpr double kFitItself =
+    40.0 * 1024.0 * 1024.0;              // what the solver and the report's plots take beside pictures
+constexpr double kReportOfPixel = 60.0;  // pictures of the photograph, the model and what is left
+
+}  // namespace
+
+double fit_bytes(const sim::Scene& scene, int threads) {
+  const double pixels = static_cast<double>(scene.camera.width) * scene.camera.height;
+  const double photos = std::max<double>(1.0, static_cast<double>(scene.fit.photos.size()));
+  const auto& roi = scene.fit.roi_px;
+  const double width = roi[2] > 0 ? roi[2] : scene.camera.width,
+               height = roi[3] > 0 ? roi[3] : scene.camera.height;
+  int free = 0;
+  for (const sim::FreeParameter& one : scene.fit.free)
+    free += one.path.empty() ? 1 : static_cast<int>(sim::resolve(scene, one.path).size());
+  // As profile_model.cpp has it: a dozen cells to a band, of four pixels at most.
+  const double cell_px = std::clamp(std::floor(width / std::max(1, scene.fit.bands) / 12.0), 1.0, 4.0);
+  const double model = sim::model_bytes(scene, width * height / cell_px, free, threads);
+  // Two of each photograph: one for the search, one for the last word.
+  const double fitting = photos * (pixels * kKeptOfPhoto + 2.0 * model) + pixels * kBesideOfPhoto;
+  const double reporting = photos * (pixels * kKeptOfPhoto + 2.0 * model) +
+                           sim::render_bytes(scene, threads, {false, kReportOfPixel});
+  return kFitItself + std::max(fitting, reporting);
+}
+
+}  // namespace vegard::fit
