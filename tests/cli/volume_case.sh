@@ -24,11 +24,27 @@ expect_stderr "--box"
 expect_exit 2 volume "$small" -o bad.vdb --memory-limit 0.001
 expect_stderr "would do"
 expect_one_message
+# What a refusal says would do does: of sheets, of a footprint, of both.
+follow_the_hint() { # VOXEL ARGUMENTS...: a refused command; the voxel that its hint names is taken
+  local voxel=$1
+  shift
+  expect_exit 2 volume "$@" -o hint.vdb --voxel "$voxel"
+  expect_one_message
+  voxel=$(sed -n 's/.*Voxels of \([0-9.e-]*\) would do.*/\1/p' "$stderr")
+  [[ -n $voxel ]] || fail "no hint"
+  expect_exit 0 volume "$@" -o hint.vdb --voxel "$voxel"
+  rm hint.vdb
+}
+few=(--set sheet.main.beams=20)
+follow_the_hint 0.01 "$small" "${few[@]}" --memory-limit 100M
+follow_the_hint 0.3 "$small" "${few[@]}" --memory-limit 0.05
 expect_exit 2 volume "$small" -o bad.vdb --box 9000,9001,0,1,5,6
 expect_stderr "nothing shines inside the box"
 printf '[[footprint]]\nname = "foot"\nsource = "sheets"\n' | cat "$small" - >foot.toml
 expect_exit 0 volume foot.toml -o foot.vdb --voxel-km 4 --of foot
 expect_stdout "bricks of"
+follow_the_hint 1 foot.toml "${few[@]}" --memory-limit 80M --of foot
+follow_the_hint 1.5 foot.toml "${few[@]}" --memory-limit 20M
 rm -f foot.toml
 expect_exit 6 volume "$small" -o no/such/folder/out.vdb
 status=0

@@ -4,6 +4,53 @@
 
 namespace vegard::sim {
 
+void BrickCounter::count(const BrickCoordinate& at) {
+  if (any_ && at == last_at_) return;
+  any_ = true;
+  last_at_ = at;
+  constexpr std::size_t kMost = 16384;
+  // splitmix64 (Steele, Lea and Flood 2014, doi:10.1145/2714064.2660195), once for each number.
+  std::uint64_t mixed = 0;
+  for (const std::int32_t c : {at.x, at.y, at.z}) {
+    mixed += static_cast<std::uint32_t>(c) + 0x9E3779B97F4A7C15u;
+    mixed = (mixed ^ mixed >> 30) * 0xBF58476D1CE4E5B9u;
+    mixed = (mixed ^ mixed >> 27) * 0x94D049BB133111EBu;
+    mixed ^= mixed >> 31;
+  }
+  const auto is_below = [&](std::uint64_t number) {
+    return halvings_ == 0 || number >> (64 - halvings_) == 0;
+  };
+  if (!is_below(mixed) || !kept_.insert(mixed).second) return;
+  while (kept_.size() > kMost) {
+    ++halvings_;
+    for (auto one = kept_.begin(); one != kept_.end();)
+      one = is_below(*one) ? std::next(one) : kept_.erase(one);
+  }
+}
+
+void BrickCounter::add(const EmissionPoints& points) {
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const float* at = points.position_in_enu_km.data() + p * 3;
+    int low[3], high[3];  // bricks of the voxels on both sides, as PointDeposit has them
+    bool inside = true, one_brick = true;
+    for (int a = 0; a < 3; ++a) {
+      inside = inside && (!box_ || (at[a] >= box_->low[a] && at[a] <= box_->high[a]));
+      const double u = at[a] / edge_km_ - 0.5, below = std::floor(u);
+      const int voxel = static_cast<int>(below);
+      low[a] = voxel >> 3;
+      high[a] = u > below ? (voxel + 1) >> 3 : low[a];
+      one_brick = one_brick && low[a] == high[a];
+    }
+    if (!inside) continue;
+    if (one_brick) {
+      count({low[0], low[1], low[2]});
+      continue;
+    }
+    for (int part = 0; part < 8; ++part)
+      count({part & 1 ? high[0] : low[0], part & 2 ? high[1] : low[1], part & 4 ? high[2] : low[2]});
+  }
+}
+
 PointDeposit::PointDeposit(const std::vector<int>& lines, double edge_km, const std::optional<Box3>& box,
                            std::uint64_t most_bytes)
     : lines_(lines),

@@ -1,9 +1,12 @@
 // Points of light into the voxels about them.
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
+#include <unordered_set>
 #include <vector>
 
 #include "sim/base/grid/sparse_grid.h"
@@ -11,6 +14,26 @@
 #include "sim/render/beams/points.h"
 
 namespace vegard::sim {
+
+/// How many bricks points would light, about: to 2 % or so of more than some thousands, and exactly of fewer,
+/// in little memory. A brick counts if its number, well mixed, is below a threshold that falls as there are
+/// more of them.
+class BrickCounter {
+ public:
+  BrickCounter(double edge_km, const std::optional<Box3>& box) : edge_km_(edge_km), box_(box) {}
+  void add(const EmissionPoints& points);
+  double bricks() const { return static_cast<double>(kept_.size()) * std::ldexp(1.0, halvings_); }
+
+ private:
+  void count(const BrickCoordinate& at);
+
+  double edge_km_;
+  std::optional<Box3> box_;
+  int halvings_ = 0;
+  std::unordered_set<std::uint64_t> kept_;
+  BrickCoordinate last_at_;
+  bool any_ = false;
+};
 
 /// Shares every point among the eight voxels about it, so that their sum is the points' and their middle is
 /// theirs. Sums are doubles, in the order of the points.

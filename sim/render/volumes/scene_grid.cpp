@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -23,19 +24,20 @@ std::string formatted(double x, const char* format) {
   return text;
 }
 
-/// What is lit is a surface at least: the bytes fall with the square of the voxel, or faster. Where voxels as
-/// large as that would miss strands, only a part of what is there will do.
-[[noreturn]] void refuse_memory(double bytes, const SceneGridOptions& options, double most_voxel) {
+/// Refuses voxels that would take so many bytes. `would_do`: larger ones that will be accepted, or 0;
+/// `thinnest`: the radius of the thinnest strand.
+[[noreturn]] void refuse_memory(double bytes, const SceneGridOptions& options, double would_do,
+                                double thinnest) {
   const double limit = static_cast<double>(options.memory_limit), gb = 1024.0 * 1024.0 * 1024.0;
-  const double would_do = options.voxel * std::sqrt(bytes / limit) * 1.05;
   const std::string part = "a --box about a part of it";
   throw Error(
       ErrorKind::usage,
       {"voxels of " + formatted(options.voxel, "%g") + " would take about " + formatted(bytes / gb, "%.2g") +
            " GB",
        "", 0, "--memory-limit", "at most " + formatted(limit / gb, "%.3g") + " GB",
-       would_do <= most_voxel ? "Voxels of " + formatted(would_do, "%.2g") + " would do, or " + part
-                              : "Choose with --of NAME, or " + part + ": larger voxels would miss strands"});
+       would_do > 0.0            ? "Voxels of " + formatted(would_do, "%g") + " would do, or " + part
+       : std::isfinite(thinnest) ? "Choose with --of NAME, or " + part + ": larger voxels would miss strands"
+                                 : "Choose with --of NAME, or " + part});
 }
 
 void add_relative_light(SparseGrid& grid) {
@@ -85,6 +87,13 @@ double two_digits(double x) {
   return std::floor(x / unit * (1.0 + 1e-12)) * unit;
 }
 
+/// Rounded up to two digits.
+double two_digits_up(double x) {
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
+  // By its words, so that who types them means the same number.
+  return std::stod(formatted(std::ceil(x / unit * (1.0 - 1e-12)) * unit, "%.2g"));
+}
+
 /// Some 300 to the longest side, and two to the radius of the thinnest strand, or one where two would be more
 /// than 1200 to the side.
 double usual_voxel(double side, double strand_radius) {
@@ -96,6 +105,79 @@ double usual_voxel(double side, double strand_radius) {
         0.5 * strand_radius * kManyForStrands >= side ? 0.5 * strand_radius : std::min(voxel, strand_radius);
   return two_digits(voxel);
 }
+
+/// What a grid of a scene takes, before it is made: bytes by what may be lit, which are more than those of
+/// what is.
+class GridNeed {
+ public:
+  GridNeed(const Scene& scene, const std::vector<const LightField*>& fields, const SceneGridOptions& options,
+           std::size_t lines)
+      : scene_(scene),
+        fields_(fields),
+        options_(options),
+        kept_(static_cast<double>(vdb_bytes_of_brick(lines + 1, true))),
+        summed_(std::max(static_cast<double>(PointDeposit::bytes_of_brick(lines)), kept_)) {}
+
+  double kept() const { return kept_; }
+  double summed() const { return summed_; }
+  bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+
+  /// Bricks of the sheets' light for each of the voxels.
+  std::vector<double> bricks_of_sheets(const std::vector<double>& voxels,
+                                       const std::function<void(double)>& progress) const {
+    std::vector<BrickCounter> counters;
+    for (const double voxel : voxels) counters.emplace_back(voxel, options_.box);
+    if (!scene_.sheets.empty()) {
+      PointOptions points;
+      points.threads = options_.threads;
+      points.progress = progress;
+      points.stop = options_.stop;
+      stream_points(scene_, points, [&](const EmissionPoints& some) {
+        for (BrickCounter& counter : counters) counter.add(some);
+      });
+    }
+    std::vector<double> bricks;
+    for (const BrickCounter& counter : counters) bricks.push_back(counter.bricks());
+    return bricks;
+  }
+
+  /// The smallest of some larger voxels that will be accepted, at most `most_voxel`; 0 if none of them is.
+  double voxel_that_would_do(double bytes, double most_voxel) const {
+    constexpr double kStep = 1.2, kMargin = 1.05;  // of counts, which are good to a hundredth
+    constexpr int kTried = 24;
+    const double limit = static_cast<double>(options_.memory_limit);
+    // What is lit is a surface or less: bytes fall with the square of the voxel at most, until light fills
+    // it.
+    double next = options_.voxel * std::clamp(std::sqrt(bytes / limit), 1.05, 1e3);
+    std::vector<double> voxels;
+    for (int i = 0; i < kTried; ++i, next *= kStep) {
+      const double voxel = two_digits_up(next);
+      if (voxel <= most_voxel && (voxels.empty() || voxel > voxels.back())) voxels.push_back(voxel);
+    }
+    const std::vector<double> of_sheets = bricks_of_sheets(voxels, {});
+    for (std::size_t i = 0; i < voxels.size() && !stopped(); ++i) {
+      double bricks = of_sheets[i];
+      if (kMargin * bricks * summed_ > limit) continue;
+      SparseGrid grid;
+      grid.voxel = voxels[i];
+      for (const LightField* field : fields_) {
+        if (kMargin * bricks * kept_ > limit) break;
+        const BricksToSample listed =
+            bricks_to_sample(*field, grid, options_.box, static_cast<int>(scene_.emission.lines.size()),
+                             limit / kept_, limit, [&] { return !stopped(); });
+        bricks += listed.too_many > 0.0 ? listed.too_many : static_cast<double>(listed.bricks.size());
+      }
+      if (kMargin * bricks * kept_ <= limit) return voxels[i];
+    }
+    return 0.0;
+  }
+
+ private:
+  const Scene& scene_;
+  const std::vector<const LightField*>& fields_;
+  const SceneGridOptions& options_;
+  double kept_, summed_;
+};
 
 SceneGrid grid_with_strands(const Scene& scene, const std::vector<const LightField*>& fields,
                             const SceneGridOptions& asked, double strand_radius) {
@@ -115,19 +197,30 @@ SceneGrid grid_with_strands(const Scene& scene, const std::vector<const LightFie
     out.grid.channels.push_back({emission_grid_name(scene.emission.lines[l]), "photons cm^-3 s^-1"});
   out.grid.channels.push_back({"density", ""});
   if (!fields.empty()) out.unit_cm = fields.front()->unit_cm();
-  const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
-
   // What a brick takes at the worst of its stations: as sums, as numbers, and on its way into the file.
-  const std::uint64_t kept = vdb_bytes_of_brick(out.grid.channels.size(), true);
-  const std::uint64_t summed = std::max(PointDeposit::bytes_of_brick(lines.size()), kept);
-  const double parts = (scene.sheets.empty() ? 0.0 : 1.0) + static_cast<double>(fields.size());
+  const GridNeed need(scene, fields, options, lines.size());
+  const auto stopped = [&] { return need.stopped(); };
+  const double limit = static_cast<double>(options.memory_limit);
+  const auto refuse = [&](double bytes) {
+    const double would_do = need.voxel_that_would_do(bytes, strand_radius);
+    if (!stopped()) refuse_memory(bytes, options, would_do, strand_radius);
+  };
+  const double parts = (scene.sheets.empty() ? 0.0 : 2.0) + static_cast<double>(fields.size());
   double done = 0.0;
   const auto progress = [&](double share) {
     if (options.progress) options.progress((done + share) / parts);
   };
   if (!scene.sheets.empty()) {
-    PointDeposit deposit(lines, options.voxel, options.box,
-                         options.memory_limit / summed * PointDeposit::bytes_of_brick(lines.size()));
+    // Counted first, which takes next to no memory.
+    const double bytes = need.bricks_of_sheets({options.voxel}, progress).front() * need.summed();
+    if (!stopped() && bytes > limit) refuse(bytes);
+    if (stopped()) return out;
+    done += 1.0;
+    constexpr double kCountedTooFew = 1.1;
+    PointDeposit deposit(
+        lines, options.voxel, options.box,
+        static_cast<std::uint64_t>(kCountedTooFew * limit / need.summed() *
+                                   static_cast<double>(PointDeposit::bytes_of_brick(lines.size()))));
     PointOptions points;
     points.threads = options.threads;
     points.progress = progress;
@@ -135,41 +228,38 @@ SceneGrid grid_with_strands(const Scene& scene, const std::vector<const LightFie
     stream_points(scene, points, [&](const EmissionPoints& some) { deposit.add(some); });
     if (stopped()) return out;
     if (deposit.is_full())
-      refuse_memory(
-          static_cast<double>(deposit.bytes()) / PointDeposit::bytes_of_brick(lines.size()) * summed, options,
-          strand_radius);
+      refuse(static_cast<double>(deposit.bytes()) /
+             static_cast<double>(PointDeposit::bytes_of_brick(lines.size())) * need.summed());
+    if (stopped()) return out;
     deposit.move_to(out.grid);
     done += 1.0;
   }
   // Of all before any is sampled, which takes its time.
-  const std::uint64_t most_bricks = options.memory_limit / kept;
   std::vector<BricksToSample> bricks_of;
   for (const LightField* field : fields) {
-    bricks_of.push_back(bricks_to_sample(*field, out.grid, options.box, all_lines,
-                                         static_cast<double>(most_bricks),
-                                         static_cast<double>(options.memory_limit), [&] {
-                                           progress(0.0);
-                                           return !stopped();
-                                         }));
+    bricks_of.push_back(
+        bricks_to_sample(*field, out.grid, options.box, all_lines, limit / need.kept(), limit, [&] {
+          progress(0.0);
+          return !stopped();
+        }));
     if (stopped()) return out;
     const double too_many = bricks_of.back().too_many;
-    if (too_many > 0.0)
-      refuse_memory(std::max(too_many * static_cast<double>(kept), 1.0 * options.memory_limit), options,
-                    strand_radius);
+    if (too_many > 0.0) refuse(std::max(too_many * need.kept(), limit));
+    if (stopped()) return out;
   }
   for (std::size_t f = 0; f < fields.size(); ++f) {
     const std::size_t before = out.grid.bricks.size();
     const auto room = [&](double share) {
       progress(share);
-      return !stopped() && out.grid.bricks.size() * kept <= options.memory_limit;
+      return !stopped() && static_cast<double>(out.grid.bricks.size()) * need.kept() <= limit;
     };
     const double share = sample_field(*fields[f], all_lines, lines, bricks_of[f].bricks, options.box,
                                       options.threads, room, out.grid);
     if (stopped()) return out;
     const double more = static_cast<double>(out.grid.bricks.size() - before);
-    if (out.grid.bricks.size() * kept > options.memory_limit)
-      refuse_memory((static_cast<double>(before) + more / share) * static_cast<double>(kept), options,
-                    strand_radius);
+    if (static_cast<double>(out.grid.bricks.size()) * need.kept() > limit)
+      refuse((static_cast<double>(before) + more / share) * need.kept());
+    if (stopped()) return out;
     done += 1.0;
   }
   out.absorbs = any_density(out.grid);
