@@ -7,6 +7,7 @@
 #include "apps/commands/commands.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/standard_streams.h"
+#include "apps/output/terminal.h"
 #include "fit/version.h"
 #include "sim/base/error.h"
 #include "sim/base/grid/vdb_io.h"
@@ -54,7 +55,8 @@ int run(int argc, char** argv) {
   apps::add_linearise_command(program);
   apps::add_params_command(program);
   apps::add_lines_command(program);
-  return program.run();
+  const int exit_code = program.run();
+  return exit_code == apps::interrupted ? apps::exit_code_of_interruption() : exit_code;
 }
 
 }  // namespace

@@ -5,8 +5,6 @@
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -33,6 +31,7 @@
 #include "apps/output/progress_bar.h"
 #include "apps/output/resumption.h"
 #include "apps/output/terminal.h"
+#include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/render/emitters/volume_files.h"
 #include "sim/render/render.h"
@@ -98,8 +97,7 @@ void spare_input(const AnimateRequest& options, const FrameNames& names, const s
 /// The one camera of all frames.
 void write_camera(const std::string& file, const sim::Scene& scene, bool overwrite) {
   const std::string text = camera_json(scene);
-  std::ifstream old(file, std::ios::binary);
-  if (old && std::string(std::istreambuf_iterator<char>(old), {}) == text) return;
+  if (sim::read_input(file).bytes == text) return;
   sim::write_whole(file, text, overwrite);
 }
 
@@ -118,7 +116,7 @@ bool render_frames(const AnimateRequest& options, const sim::Scene& scene,
     const double done = static_cast<double>(finished.size() - before);
     const std::string label =
         fmt::format("frame {}, {} of {} finished", frame, finished.size(), frames.size());
-    sim::WholeFile file(names.file(frame));
+    sim::WholeFile file(names.file(frame), false, sim::Leftovers::not_looked_for);  // of all frames before
     const sim::Scene now = scene_of_frame(scene, frame, frames_per_second);
     sim::RenderOptions render_options;
     render_options.threads = options.threads;

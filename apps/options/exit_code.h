@@ -13,7 +13,9 @@ enum ExitCode : int {
   not_converged = 4,     ///< the fit did not converge
   doubted = 5,  ///< the fit converged to an answer that the verdict doubts; a derivative that differs
   unwritable_output = 6,  ///< an output that cannot be written
-  interrupted = 130,      ///< Ctrl-C
+  hung_up = 129,          ///< SIGHUP: the terminal was closed
+  interrupted = 130,      ///< Ctrl-C (SIGINT)
+  terminated = 143,       ///< SIGTERM: a batch system or the end of a session
 };
 
 inline ExitCode exit_code_of(sim::ErrorKind kind) {

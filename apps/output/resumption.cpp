@@ -11,6 +11,7 @@
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/output_error.h"
 #include "sim/base/file/sha256.h"
+#include "sim/base/file/stale_partial.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/version.h"
 #include "sim/scene/file/scene_toml.h"
@@ -97,12 +98,11 @@ void remove_orphans(const FrameNames& names, const std::set<int>& wanted) {
   for (fs::directory_iterator entry(names.folder(), ignored), end; !ignored && entry != end;
        entry.increment(ignored)) {
     const std::optional<sim::Partial> partial = sim::partial_of(entry->path().filename().string());
-    if (!partial || sim::is_alive(partial->process)) continue;
+    if (!partial || !sim::is_stale_partial(entry->path().string(), S_IFREG)) continue;
     const std::optional<int> frame = names.frame_of(partial->target);
     if (frame && wanted.count(*frame) != 0) orphans.push_back(entry->path());
   }
-  for (const fs::path& orphan : orphans)
-    if (fs::is_regular_file(fs::symlink_status(orphan, ignored))) fs::remove(orphan, ignored);
+  for (const fs::path& orphan : orphans) fs::remove(orphan, ignored);
 }
 
 /// In what two manifests differ, in words.

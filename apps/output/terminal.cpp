@@ -6,24 +6,54 @@ namespace vegard::apps {
 namespace {
 
 std::atomic<bool> raised{false};
-// Only then may a signal handler touch it.
-static_assert(std::atomic<bool>::is_always_lock_free);
+std::atomic<int> first_signal{0};
+// Only then may a signal handler touch them.
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
-void raise_flag(int) { raised.store(true); }
+void raise_flag(int signal) {
+  int none = 0;
+  first_signal.compare_exchange_strong(none, signal);
+  // With the terminal go those who read from us: what is said to nobody is not to kill us while we tidy up.
+  if (signal == SIGHUP) std::signal(SIGPIPE, SIG_IGN);
+  raised.store(true);
+}
+
+bool watch_for(int signal) {
+  struct sigaction action = {};
+  action.sa_handler = raise_flag;
+  // RESETHAND: the second finds the default again. RESTART: writes under way are not cut short.
+  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  return sigaction(signal, &action, nullptr) == 0;
+}
+
+bool is_ignored(int signal) {
+  struct sigaction action = {};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
 
 }  // namespace
 
 const std::atomic<bool>& watch_for_interrupt() {
   static const bool arranged = [] {
-    struct sigaction action = {};
-    action.sa_handler = raise_flag;
-    // RESETHAND: the second Ctrl-C finds the default again. RESTART: writes under way are not cut short.
-    action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
-    sigemptyset(&action.sa_mask);
-    return sigaction(SIGINT, &action, nullptr) == 0;
+    if (!is_ignored(SIGHUP)) watch_for(SIGHUP);
+    watch_for(SIGTERM);
+    return watch_for(SIGINT);  // the last: who waits for it to be caught finds the others caught as well
   }();
   static_cast<void>(arranged);
   return raised;
+}
+
+
+ExitCode exit_code_of_interruption() {
+  switch (first_signal.load()) {
+    case SIGHUP:
+      return hung_up;
+    case SIGTERM:
+      return terminated;
+    default:
+      return interrupted;
+  }
 }
 
 }  // namespace vegard::apps

@@ -16,6 +16,14 @@ expect_stderr "the same command goes on"
 frames=$(find part -name '[0-9]*.png' | wc -l)
 [[ $frames -ge 2 && $frames -lt 60 ]] || fail "$frames frames after the interruption"
 [[ $(find part -type f | wc -l) -eq $((frames + 1)) ]] || fail "more than frames and a manifest is left"
+"$VEGARD" animate scene.toml -o part/###.png --threads 1 >"$stdout" 2>"$stderr" &
+job=$!
+wait_until_interruptible "$job"
+kill -TERM "$job"
+status=0
+wait "$job" || status=$?
+[[ $status -eq 143 ]] || fail "exit $status instead of 143"
+frames=$(find part -name '[0-9]*.png' | wc -l)
 expect_exit 0 animate scene.toml -o part/###.png --frames "0:$frames"
 expect_stdout "$((frames + 1)) frames of 160 x 120 pixels, $frames of them finished before"
 expect_exit 0 animate scene.toml -o whole/###.png --frames "$frames:$frames"

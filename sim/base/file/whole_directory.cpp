@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "sim/base/file/durable_rename.h"
@@ -117,15 +118,21 @@ bool check_target(const std::string& target, bool overwrite, const DirectoryKind
 }
 
 /// Deletes the files of `directory` that are known, one by one, and then the folder if nothing is left in it.
+/// In a temporary, files on their way are known too, by the number of the same process.
 void remove_known(const std::string& directory, const DirectoryKind& kind) {
   const KnownFolder known = kind.look(directory);
+  const std::optional<Partial> owner = partial_of(fs::path(directory).filename().string());
+  const auto is_known = [&](const std::string& name) {
+    const std::optional<Partial> partial = partial_of(name);
+    return partial ? owner && partial->process == owner->process : known.has(name);
+  };
   std::vector<std::string> names;
   std::error_code error;
   fs::directory_iterator entry(directory, error);
   for (const fs::directory_iterator end; !error && entry != end; entry.increment(error)) {
     const std::string name = entry->path().filename().string();
     std::error_code gone;
-    if (fs::is_regular_file(entry->symlink_status(gone)) && known.has(name) &&
+    if (fs::is_regular_file(entry->symlink_status(gone)) && is_known(name) &&
         std::find(kind.marks.begin(), kind.marks.end(), name) == kind.marks.end())
       names.push_back(name);
   }
@@ -174,15 +181,18 @@ WholeDirectory::WholeDirectory(const std::string& target, bool overwrite, Direct
       throw give_up(errno);
     }
   }
+  for (const std::string& stale : stale_partials(resolved_, S_IFDIR)) remove_known(stale, kind_);
   for (int attempt = 0;; ++attempt) {
     temporary_ = partial_name(resolved_, attempt);
     if (::mkdir(temporary_.c_str(), 0777) == 0) break;
     if (errno != EEXIST) throw give_up(errno);
   }
+  lock_ = PartialLock(::open(temporary_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
 }
 
 WholeDirectory::~WholeDirectory() {
   if (!is_ours_) return;
+  lock_.release();
   std::error_code ignored;
   fs::remove_all(temporary_, ignored);
   // rmdir spares a folder in which someone else has put something by now.

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/file/stale_partial.h"
+
 namespace vegard::sim {
 
 /// What is known of a folder that stands where one is to be written.
@@ -30,12 +32,12 @@ struct DirectoryKind {
 /// threads.
 class WholeDirectory {
  public:
-  /// Creates the empty temporary, and parent folders that are missing (removed again if nothing is
-  /// committed). Throws Error(existing_output) if the target exists and overwrite is false, or if it exists
-  /// and may not be replaced: it is not a directory, is not recognised, or holds something else than the
-  /// files of its kind, such as a folder, a link or a file of the user's; if someone's terminal stands in it
-  /// or it is the home folder or where a disk is mounted. An empty folder is replaced. Throws
-  /// Error(unwritable_output) if the temporary cannot be made.
+  /// Creates the empty temporary in the place of those that killed processes have left, and parent folders
+  /// that are missing (removed again if nothing is committed). Throws Error(existing_output) if the target
+  /// exists and overwrite is false, or if it exists and may not be replaced: it is not a directory, is not
+  /// recognised, or holds something else than the files of its kind, such as a folder, a link or a file of
+  /// the user's; if someone's terminal stands in it or it is the home folder or where a disk is mounted. An
+  /// empty folder is replaced. Throws Error(unwritable_output) if the temporary cannot be made.
   WholeDirectory(const std::string& target, bool overwrite, DirectoryKind kind);
   ~WholeDirectory();
   WholeDirectory(const WholeDirectory&) = delete;
@@ -56,6 +58,7 @@ class WholeDirectory {
   std::string target_;
   std::string resolved_;  ///< the target with its symbolic links followed
   std::string temporary_;
+  PartialLock lock_;
   std::vector<std::string> made_parents_;  ///< outermost first
   bool overwrite_;
   DirectoryKind kind_;

@@ -48,13 +48,16 @@ mode_t check_target(const std::string& target, bool overwrite) {
 
 }  // namespace
 
-WholeFile::WholeFile(const std::string& target, bool overwrite)
+WholeFile::WholeFile(const std::string& target, bool overwrite, Leftovers leftovers)
     : target_(target), resolved_(target), overwrite_(overwrite) {
   if (target.empty()) throw unwritable(target, ENOENT);
   const mode_t old_permissions = check_target(target_, overwrite_);
   std::error_code ignored;
   if (old_permissions != 0) resolved_ = fs::canonical(target_, ignored).string();
   if (resolved_.empty()) resolved_ = target_;
+
+  if (leftovers == Leftovers::removed)
+    for (const std::string& stale : stale_partials(resolved_, S_IFREG)) ::unlink(stale.c_str());
 
   int descriptor = -1;
   for (int attempt = 0; descriptor < 0; ++attempt) {
@@ -64,10 +67,11 @@ WholeFile::WholeFile(const std::string& target, bool overwrite)
   }
   if (old_permissions != 0)
     ::fchmod(descriptor, old_permissions);  // a private file stays private; else as umask has it
-  ::close(descriptor);
+  lock_ = PartialLock(descriptor);
 }
 
 WholeFile::~WholeFile() {
+  lock_.release();  // before the file goes: network file systems keep what is open under yet another name
   if (!committed_) ::unlink(temporary_.c_str());
 }
 
@@ -91,6 +95,7 @@ void WholeFile::commit() {
     if (error != 0) throw unwritable(target_, error);
   }
   committed_ = true;
+  lock_.release();
   // The file is whole under its name now; whether the name would outlive a power cut is the last thing to
   // try, and no reason to call the output missing.
   const std::string folder = fs::path(resolved_).parent_path().string();

@@ -2,8 +2,9 @@
 //
 // Everything is written under a temporary name beside its target (".model.partial-812-0.exr") and renamed at
 // the very end, so that neither a full disk nor an interruption leaves half a file under a name that someone
-// trusts. A process that is killed outright may leave the temporary; its name says what it is (partial_of in
-// sim/base/file/durable_rename.h) and nothing ever reads it.
+// trusts. A process that is killed outright leaves the temporary; its name says what it is (partial_of in
+// sim/base/file/durable_rename.h), nothing ever reads it, and the next that writes the same output removes it
+// (sim/base/file/stale_partial.h).
 //
 // A file above the shell's limit (ulimit -f) is reported as any other failed write only if the process
 // ignores SIGXFSZ; signals belong to the program, not to a library.
@@ -12,7 +13,13 @@
 #include <string>
 #include <string_view>
 
+#include "sim/base/file/stale_partial.h"
+
 namespace vegard::sim {
+
+/// What killed processes have left of the same output: of thousands of outputs in one folder, whoever writes
+/// them looks for it once.
+enum class Leftovers { removed, not_looked_for };
 
 /// One file on its way to `target`. Not copied, not shared between threads.
 class WholeFile {
@@ -22,7 +29,8 @@ class WholeFile {
   /// Error(existing_output) if the target exists and overwrite is false; Error(unwritable_output) if its
   /// folder is missing or closed to us, or if the target is no regular file (a device would be replaced by a
   /// file).
-  explicit WholeFile(const std::string& target, bool overwrite = false);
+  explicit WholeFile(const std::string& target, bool overwrite = false,
+                     Leftovers leftovers = Leftovers::removed);
   ~WholeFile();
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
@@ -42,6 +50,7 @@ class WholeFile {
   std::string target_;
   std::string resolved_;  ///< the target with its symbolic links followed
   std::string temporary_;
+  PartialLock lock_;
   bool overwrite_;
   bool committed_ = false;
 };
