@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <set>
@@ -30,8 +29,10 @@
 #include "fit/fit.h"
 #include "fit/photo/photo.h"
 #include "fit/report/run_directory.h"
+#include "fit/report/table/result_json.h"
 #include "fit/search/file_journal.h"
 #include "fit/version.h"
+#include "sim/base/file/input_file.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/file/sha256.h"
 #include "sim/base/version.h"
@@ -152,8 +153,8 @@ fit::JournalSubject subject_of(const FitRequest& options, const sim::Scene& scen
 
 /// A run that Ctrl-C has left is what --resume goes on with; any other is kept.
 bool is_interrupted_run(const std::string& directory) {
-  std::ifstream file(directory + "/result.json", std::ios::binary);
-  const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
+  const sim::InputFile file = sim::read_input(directory + "/result.json", fit::kMostResultBytes);
+  const nlohmann::json json = nlohmann::json::parse(file.bytes, nullptr, false);
   // A damaged one may have anything under these names.
   const auto says = [&](const char* name, const nlohmann::json& value) {
     const auto found = json.find(name);

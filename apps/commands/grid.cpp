@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,6 +19,7 @@
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
 #include "sim/base/error.h"
+#include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/grid/volumegrid_text.h"
 #include "sim/base/number/mask5.h"
@@ -48,15 +47,12 @@ struct GridRequest {
 };
 
 sim::Mask5 mask_of_file(const std::string& path) {
-  std::error_code ignored;
-  constexpr std::uintmax_t kMostBytes = 1 << 20;
-  const bool is_file = std::filesystem::is_regular_file(path, ignored);
-  std::ifstream stream(path, std::ios::binary);
-  if (!is_file || !stream || std::filesystem::file_size(path, ignored) > kMostBytes)
+  constexpr std::size_t kMostBytes = 1 << 20;
+  const sim::InputFile file = sim::read_input(path, kMostBytes);
+  if (!file.problem.empty())
     throw sim::Error(sim::ErrorKind::unreadable_input,
-                     {is_file ? "it cannot be read, or has more than 1 MB" : "it is not there, or no file",
-                      path, 0, "--mask", "a text of 125 numbers", ""});
-  return sim::read_mask5(std::string(std::istreambuf_iterator<char>(stream), {}), path);
+                     {file.problem, path, 0, "--mask", "a text of 125 numbers", ""});
+  return sim::read_mask5(file.bytes, path);
 }
 
 std::vector<Step> steps_of(const GridRequest& options) {

@@ -191,8 +191,11 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
         "--decoding", "a sequence is of one camera, and so of one transfer curve", "one that is known",
         "fit one frame by itself with --decoding unknown, and give all the curve that it tells");
   check_memory_of_fit(scene, options.threads, options.memory_limit);
-  for (const SequencePhoto& photo : photos)  // now, not after hours
-    fit::read_photo(photo.file, decoding_of(options.decoding, scene.fit.decoding, &scene), &scene);
+  for (const SequencePhoto& photo : photos) {  // now, not after hours
+    fit::Photo read =
+        fit::read_photo(photo.file, decoding_of(options.decoding, scene.fit.decoding, &scene), &scene);
+    if (!options.mask.empty()) fit::apply_mask(read, options.mask);
+  }
   std::vector<NamedInput> inputs = inputs_of_scene(options.scene, scene);
   for (const SequencePhoto& photo : photos) inputs.push_back({photo.file, "the photograph"});
   for (const std::string& word : options.photos) inputs.push_back({word, "the list of photographs"});

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "apps/options/file_names.h"
 #include "apps/options/refusals.h"
 #include "sim/base/error.h"
+#include "sim/base/file/input_file.h"
 #include "sim/base/picture/picture_metadata.h"
 #include "sim/base/utc_time.h"
 
@@ -34,8 +34,7 @@ namespace fs = std::filesystem;
 }
 
 std::vector<ListedPhoto> read_list(const std::string& list) {
-  std::ifstream stream(list);
-  if (!stream) fail(sim::ErrorKind::unreadable_input, "there is no such list", list, 0, "a text file");
+  std::istringstream stream(sim::input_bytes(list, "a text file"));
   std::vector<ListedPhoto> photos;
   int number = 0;
   for (std::string line; std::getline(stream, line);) {
@@ -94,8 +93,7 @@ struct TimeTable {
 };
 
 TimeTable read_times(const std::string& file) {
-  std::ifstream stream(file);
-  if (!stream) unreadable(file, 0, "there is no such table", "lines of FILE,TIME");
+  std::istringstream stream(sim::input_bytes(file, "lines of FILE,TIME"));
   TimeTable table;
   int number = 0;
   for (std::string line; std::getline(stream, line);) {

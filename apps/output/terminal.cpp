@@ -44,7 +44,6 @@ const std::atomic<bool>& watch_for_interrupt() {
   return raised;
 }
 
-
 ExitCode exit_code_of_interruption() {
   switch (first_signal.load()) {
     case SIGHUP:

@@ -1,10 +1,9 @@
 #include "fit/photo/decoding.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "sim/base/error.h"
+#include "sim/base/file/input_file.h"
 #include "sim/base/file/sha256.h"
 #include "sim/scene/rows/decoding_word.h"
 #include "sim/scene/table/table_files.h"
@@ -14,23 +13,10 @@ namespace {
 
 using Kind = sim::DecodingWord::Kind;
 
-constexpr std::size_t kMostBytes = 16 << 20;
 constexpr std::size_t kDigitsOfHash = 12;  // tell curves of one name apart
 
 std::string text_of_file(const std::string& file) {
-  const auto refuse = [&](const std::string& problem) {
-    throw sim::Error(
-        sim::ErrorKind::unreadable_input,
-        {problem, file, 0, "", "a CSV file with the columns linear and encoded", "check the path"});
-  };
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) refuse("no such file");
-  if (!std::filesystem::is_regular_file(file, ignored)) refuse("this is no file");
-  if (std::filesystem::file_size(file, ignored) > kMostBytes) refuse("the curve's file has more than 16 MB");
-  std::ifstream stream(file, std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(stream)), {});
-  if (!stream) refuse("the file cannot be read");
-  return text;
+  return sim::input_bytes(file, "a CSV file with the columns linear and encoded");
 }
 
 Decoding of_curve(const sim::ToneCurve& curve, const std::string& words) {

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <string_view>
 
 #include "sim/base/error.h"
+#include "sim/base/file/input_file.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/picture/image_io.h"
 
@@ -32,10 +31,7 @@ bool is_fits(const std::string& file) {
 }
 
 sim::Image read_fits_angles(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || !std::filesystem::is_regular_file(file))
-    sim::refuse_file(sim::ErrorKind::unreadable_input, file, "no such file", "a map of angles");
-  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  const std::string bytes = sim::input_bytes(file, "a map of angles", sim::kMostPictureBytes);
   sim::FitsImage fits = sim::read_fits_image(bytes, file);
   for (std::size_t i = 0; i < fits.known.size(); ++i)
     if (!fits.known[i]) fits.image.data[i] = std::numeric_limits<float>::quiet_NaN();

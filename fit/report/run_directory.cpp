@@ -140,7 +140,6 @@ sim::KnownFolder look_at_run(const std::string& directory) {
   std::set<std::string> names = {"result.json", "best.toml", "profile.csv",
                                  "trace.csv",   "map.svg",   "report.html"};
   sim::KnownFolder known;
-  constexpr std::size_t kMostResultBytes = std::size_t{256} << 20;
   const sim::InputFile result = sim::read_input(directory + "/result.json", kMostResultBytes);
   const std::optional<std::vector<std::string>> photos = photos_of_result(result.bytes);
   if (!result.problem.empty())

@@ -3,11 +3,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
 
 #include "sim/base/error.h"
+#include "sim/base/file/input_file.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/scene/rows/nearest_name.h"
@@ -173,14 +172,7 @@ std::vector<StarSighting> parse_star_table(const std::string& text, const std::s
 
 std::vector<StarSighting> read_star_table(const std::string& file, const SkyOfPicture& sky,
                                           std::optional<double> first_pixel) {
-  std::ifstream in(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in) {
-    sim::ErrorDetails details;
-    details.file = file;
-    details.problem = "cannot be read";
-    throw sim::Error(sim::ErrorKind::unreadable_input, details);
-  }
+  const std::string text = sim::input_bytes(file, "a table of stars");
   if (is_fits_table(text)) return solved_field(text, file, sky, first_pixel.value_or(1.0));
   return parse_star_table(text, file, sky, first_pixel.value_or(0.5));
 }

@@ -1,11 +1,11 @@
 #include "fit/report/table/run_summary.h"
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "fit/report/table/result_json.h"
 #include "sim/base/error.h"
+#include "sim/base/file/input_file.h"
 
 namespace vegard::fit {
 namespace {
@@ -58,10 +58,9 @@ RunSummary run_summary_of(const Json& json) {
 
 RunSummary read_run(const std::string& directory) {
   const std::string file = directory + "/result.json";
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw unreadable(file, "cannot be read", "is that the directory of a run?");
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  const Json json = Json::parse(text, nullptr, false);
+  const sim::InputFile text = sim::read_input(file, kMostResultBytes);
+  if (!text.problem.empty()) throw unreadable(file, text.problem, "is that the directory of a run?");
+  const Json json = Json::parse(text.bytes, nullptr, false);
   if (!json.is_object()) throw unreadable(file, "is no JSON", "");
   try {
     RunSummary run = run_summary_of(json);

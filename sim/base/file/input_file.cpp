@@ -18,7 +18,7 @@ std::string words_of_errno(int error_number) { return std::generic_category().me
 
 std::string why_no_regular_file(mode_t mode) {
   if (S_ISREG(mode)) return {};
-  if (S_ISDIR(mode)) return "is a folder";
+  if (S_ISDIR(mode)) return "is a directory";
   if (S_ISFIFO(mode)) return "is a pipe, not a file";
   if (S_ISSOCK(mode)) return "is a socket, not a file";
   return "is a device, not a file";

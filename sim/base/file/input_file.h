@@ -12,8 +12,10 @@ namespace vegard::sim {
 
 /// Bytes of most small texts that are read: scenes, tables, lists, results.
 constexpr std::size_t kMostTextBytes = 16 << 20;
+/// Of pictures and their like: decoders count bytes in an int.
+constexpr std::size_t kMostPictureBytes = (std::size_t{1} << 31) - 1;
 
-/// What keeps `path` from being read as a file: "there is no such file", "is a folder", "is a pipe, not a
+/// What keeps `path` from being read as a file: "there is no such file", "is a directory", "is a pipe, not a
 /// file", "cannot be opened: …"; empty if nothing does. To be asked before a library opens the file by name.
 std::string why_no_input(const std::string& path);
 

@@ -4,6 +4,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "sim/base/file/input_file.h"
+
 namespace vegard::sim {
 namespace {
 
@@ -14,8 +16,10 @@ constexpr std::int64_t kIdentity = 36, kMostText = 1 << 20, kLeastGrid = 40;
 
 class Outline {
  public:
-  explicit Outline(const std::string& path) : file_(path, std::ios::binary) {
-    if (!file_) throw std::runtime_error("there is no such file, or it may not be read");
+  explicit Outline(const std::string& path) {
+    if (const std::string problem = why_no_input(path); !problem.empty()) throw std::runtime_error(problem);
+    file_.open(path, std::ios::binary);
+    if (!file_) throw std::runtime_error("it may not be read");
     file_.seekg(0, std::ios::end);
     size_ = file_.tellg();
     file_.seekg(0);

@@ -3,7 +3,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
+
+#include "sim/base/file/input_file.h"
 
 namespace vegard::sim {
 namespace {
@@ -16,11 +17,10 @@ bool ends_word(int c) { return c < 0 || is_blank(c) || c == '[' || c == ']' || c
 
 }  // namespace
 
-VolumegridWords::VolumegridWords(const std::string& path)
-    : path_(path), stream_(path, std::ios::binary), buffer_(kPiece) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) refuse("it is not there", "a volumegrid's text");
-  if (!std::filesystem::is_regular_file(path, ignored)) refuse("it is no file", "a volumegrid's text");
+VolumegridWords::VolumegridWords(const std::string& path) : path_(path), buffer_(kPiece) {
+  if (const std::string problem = why_no_input(path); !problem.empty())
+    refuse(problem, "a volumegrid's text");
+  stream_.open(path, std::ios::binary);
   if (!stream_) refuse("it cannot be read", "a volumegrid's text");
 }
 

@@ -1,11 +1,10 @@
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <map>
 
 #include <toml++/toml.h>
 
 #include "sim/base/error.h"
+#include "sim/base/file/input_file.h"
 #include "sim/scene/file/free_parameters_toml.h"
 #include "sim/scene/file/photo_entries_toml.h"
 #include "sim/scene/file/scene_toml.h"
@@ -23,8 +22,6 @@
 
 namespace vegard::sim {
 namespace {
-
-constexpr std::size_t max_bytes = 16 << 20;
 
 /// Keys that a table knows, in the order of the declarations. The file itself is the table "".
 std::vector<std::string> known_keys(const std::string& table) {
@@ -250,28 +247,6 @@ class SceneReader {
   std::map<std::string, int> element_lines_;  ///< by "footprint.arc"
 };
 
-std::string read_text(const std::string& file) {
-  const auto fail = [&](const std::string& problem, const std::string& expected) {
-    ErrorDetails details;
-    details.problem = problem;
-    details.file = file;
-    details.expected = expected;
-    throw Error(ErrorKind::unreadable_input, details);
-  };
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) fail("is a directory", "a scene file");
-  if (!std::filesystem::exists(file, ignored)) fail("there is no such file", "a scene file");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) fail("cannot be opened", "a scene file that may be read");
-  // Asking a pipe or a device for its size says nothing: read, but not for ever.
-  std::string text(max_bytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (stream.bad()) fail("cannot be read", "a scene file");
-  if (text.size() > max_bytes) fail("is larger than 16 MB", "a scene file of a few kilobytes");
-  return text;
-}
-
 }  // namespace
 
 Scene parse_scene(const std::string& text, const std::string& name) {
@@ -292,7 +267,7 @@ Scene parse_scene(const std::string& text, const std::string& name) {
 }
 
 Scene read_scene(const std::string& file) {
-  Scene scene = parse_scene(read_text(file), file);
+  Scene scene = parse_scene(input_bytes(file, "a scene file"), file);
   read_table_files(scene);
   return scene;
 }

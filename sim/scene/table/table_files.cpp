@@ -1,10 +1,11 @@
 #include "sim/scene/table/table_files.h"
 
 #include <filesystem>
-#include <fstream>
 #include <set>
+#include <utility>
 
 #include "sim/base/error.h"
+#include "sim/base/file/input_file.h"
 #include "sim/scene/rows/decoding_word.h"
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/structs/line_of.h"
@@ -12,8 +13,6 @@
 
 namespace vegard::sim {
 namespace {
-
-constexpr std::size_t kTableMostBytes = 16 << 20;
 
 template <class Use>
 void for_each_table_key(Scene& scene, const Use& use) {
@@ -35,7 +34,7 @@ std::string read_text(const Scene& scene, const TableFile& table) {
   const std::string place = table_place(scene, table.name);
   const auto fail = [&](const std::string& problem, const std::string& expected) {
     ErrorDetails details;
-    details.problem = "'" + place + "' " + problem;
+    details.problem = "'" + place + "': " + problem;
     details.file = scene.file;
     details.line = line_of(scene, table.path);
     details.key = table.path;
@@ -43,14 +42,9 @@ std::string read_text(const Scene& scene, const TableFile& table) {
     details.hint = "its name is relative to the scene's file";
     throw Error(ErrorKind::unreadable_input, details);
   };
-  std::error_code ignored;
-  if (!std::filesystem::exists(place, ignored)) fail("is not there", "a CSV file");
-  if (!std::filesystem::is_regular_file(place, ignored)) fail("is no file", "a CSV file");
-  if (std::filesystem::file_size(place, ignored) > kTableMostBytes) fail("has more than 16 MB", "a table");
-  std::ifstream stream(place, std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(stream)), {});
-  if (!stream) fail("cannot be read", "a CSV file that may be read");
-  return text;
+  InputFile file = read_input(place);
+  if (!file.problem.empty()) fail(file.problem, "a CSV file");
+  return std::move(file.bytes);
 }
 
 }  // namespace

@@ -4,11 +4,11 @@
 
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <mutex>
 #include <utility>
 #include <vector>
 
+#include "sim/base/file/input_file.h"
 #include "sim/base/picture/image_io.h"
 
 namespace vegard::sim {
@@ -48,11 +48,8 @@ Error failure(ErrorKind kind, const std::string& name, std::string problem, std:
 }
 
 void check_is_file(const std::string& path) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored))
-    throw failure(ErrorKind::unreadable_input, path, "there is no such file");
-  if (!std::filesystem::is_regular_file(path, ignored))
-    throw failure(ErrorKind::unreadable_input, path, "is not a file");
+  if (const std::string problem = why_no_input(path); !problem.empty())
+    throw failure(ErrorKind::unreadable_input, path, problem);
 }
 
 void check_size(const OIIO::ImageSpec& spec, const std::string& path) {

@@ -2,12 +2,11 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <utility>
 #include <vector>
 
+#include "sim/base/file/input_file.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/base/picture/image_io/library.h"
 #include "sim/base/picture/whole_picture.h"
@@ -77,8 +76,7 @@ PictureChannels picture_channels(const OIIO::ImageSpec& spec, bool by_name, cons
 /// Only of the formats whose decoders do not say it themselves.
 bool is_whole(const std::string& path, ImageFormat format) {
   if (format != ImageFormat::png && format != ImageFormat::jpeg) return true;
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  const std::string bytes = input_bytes(path, "a picture", kMostPictureBytes);
   return format == ImageFormat::png ? png_is_whole(bytes) : jpeg_is_whole(bytes);
 }
 

@@ -69,7 +69,7 @@ TEST(InputFile, OnlyRegularFilesAreRead) {
   };
   EXPECT_EQ(why("pipe"), "is a pipe, not a file");
   EXPECT_EQ(why("device"), "is a device, not a file");
-  EXPECT_EQ(why("folder"), "is a folder");
+  EXPECT_EQ(why("folder"), "is a directory");
   EXPECT_EQ(why("socket"), "is a socket, not a file");
   EXPECT_EQ(why("nowhere"), "there is no such file");
   ::close(descriptor);

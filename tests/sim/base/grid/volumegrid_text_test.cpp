@@ -180,7 +180,7 @@ TEST(VolumegridText, SaysWhatIsWrongAndWhere) {
     words.push_back("a.pbrt");
     tests::expect_words(ErrorKind::unreadable_input, words, [&] { sim::read_volumegrid(folder / "a.pbrt"); });
   }
-  tests::expect_words(ErrorKind::unreadable_input, {"not there"},
+  tests::expect_words(ErrorKind::unreadable_input, {"there is no such file"},
                       [&] { sim::read_volumegrid(folder / "b.pbrt"); });
 }
 
