@@ -32,3 +32,20 @@ expect_exit 2 render scene.toml -o out.exr
 expect_stderr "scene.toml:"
 expect_exit 3 render missing.toml -o out.exr
 expect_stderr missing.toml
+# What would exhaust the parser, or the search for a name that is meant, is refused at once.
+parts=a$(printf '.a%.0s' $(seq 50000))
+printf 'seed = 1\n%s = 1\n' "$parts" >parts.toml
+printf '[fit]\nfree = %s\n' "$(printf '[%.0s' $(seq 50000))" >deep.toml
+printf '[[fit.photo]]\nfile = "a.png"\nset = { %s = 1 }\n' "$parts" >set.toml
+{ printf 'k%.0s' $(seq 100000); echo ' = 1'; } >long.toml
+for refusal in "parts.toml:2: a key has more than 32 parts" "deep.toml:2: arrays and tables are nested more than 32 deep" \
+               "set.toml:3: a key has more than 32 parts" "long.toml:1: a key is longer than 256 bytes"; do
+  expect_exit 2 render "${refusal%%:*}" -o out.exr
+  expect_stderr "$refusal"
+  expect_one_message
+  expect_exit 2 render "$SCENES/small.toml" --camera "${refusal%%:*}" -o out.exr
+  expect_stderr "$refusal"
+done
+expect_exit 2 render "$SCENES/small.toml" -o out.exr --set "camera.width=$(printf '[%.0s' $(seq 50000))"
+expect_stderr "camera.width: arrays and tables are nested more than 32 deep"
+expect_exit 2 render "$SCENES/small.toml" -o out.exr --set "sensor.$(printf 'k%.0s' $(seq 100000))=1"

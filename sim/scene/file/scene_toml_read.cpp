@@ -14,6 +14,7 @@
 #include "sim/scene/structs/line_of.h"
 #include "sim/scene/structs/photo_entry_keys.h"
 #include "sim/scene/table/alternative_forms.h"
+#include "sim/scene/table/bounded_toml.h"
 #include "sim/scene/table/free_entry_keys.h"
 #include "sim/scene/table/parameter_declarations.h"
 #include "sim/scene/table/parameter_table.h"
@@ -253,7 +254,7 @@ Scene parse_scene(const std::string& text, const std::string& name) {
   Scene scene;
   scene.file = name;
   try {
-    const toml::table document = toml::parse(text, name);
+    const toml::table document = parse_toml(text, name);
     SceneReader(scene, document).read();
   } catch (const toml::parse_error& error) {
     ErrorDetails details;
@@ -267,7 +268,7 @@ Scene parse_scene(const std::string& text, const std::string& name) {
 }
 
 Scene read_scene(const std::string& file) {
-  Scene scene = parse_scene(input_bytes(file, "a scene file"), file);
+  Scene scene = parse_scene(input_bytes(file, "a scene file", kMostTomlBytes), file);
   read_table_files(scene);
   return scene;
 }

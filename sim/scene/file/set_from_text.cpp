@@ -6,6 +6,7 @@
 #include "sim/scene/file/free_parameters_toml.h"
 #include "sim/scene/rows/spline_rates.h"
 #include "sim/scene/rows/value_words.h"
+#include "sim/scene/table/bounded_toml.h"
 #include "sim/scene/table/free_entry_keys.h"
 #include "sim/scene/table/parameter_declarations.h"
 #include "sim/scene/table/parameter_table.h"
@@ -17,6 +18,7 @@ namespace {
 /// The text as the value of the one key of a table. A text without quotes is taken as it is.
 toml::table parse_value(const std::string& text, bool may_be_word, const std::string& expected,
                         const Origin& origin) {
+  if (const auto excess = toml_excess("value = " + text)) complain({excess->problem, expected, ""}, origin);
   toml::table table;
   if (may_be_word && text.find_first_of("\"'") != 0) {
     // A word goes into scenes that are written, which have to be read again.
