@@ -13,7 +13,11 @@ bool is_cut_short(std::string_view name, std::string_view known) {
          edit_distance(name, known.substr(0, name.size())) == 0;
 }
 
+/// The work grows with the product of the lengths, and nobody slips in hundreds of letters.
+bool is_too_long(std::string_view name) { return name.size() > kMostHintedLetters; }
+
 std::size_t dissimilarity(std::string_view name, std::string_view known) {
+  if (is_too_long(name) || is_too_long(known)) return name.size() + known.size();
   return is_cut_short(name, known) ? 1 : edit_distance(name, known);
 }
 
@@ -39,6 +43,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known) {
+  if (is_too_long(name)) return {};
   const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
     return dissimilarity(name, a) < dissimilarity(name, b);
   });
@@ -46,7 +51,8 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
 }
 
 bool is_near(std::string_view name, std::string_view known) {
-  return dissimilarity(name, known) * 3 <= std::max(name.size(), known.size());
+  return !is_too_long(name) && !is_too_long(known) &&
+         dissimilarity(name, known) * 3 <= std::max(name.size(), known.size());
 }
 
 std::string nearest_hint(std::string_view name, const std::vector<std::string>& known) {

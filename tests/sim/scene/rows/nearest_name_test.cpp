@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace vegard::sim::nearest_name_test {
 namespace {
 
@@ -29,6 +31,17 @@ TEST(NearestHint, IsOnlyAsSureAsTheNamesAreNear) {
   EXPECT_EQ(nearest_hint("widht", {"width"}), "did you mean 'width'?");
   EXPECT_EQ(nearest_hint("qqqqqqq", {"width"}), "the nearest known is 'width'");
   EXPECT_EQ(nearest_hint("qqqqqqq", {}), "");
+}
+
+// The work grows with the product of the lengths: a megabyte would take the better part of a minute.
+TEST(NearestHint, IsGivenToNamesAPersonWouldWrite) {
+  const std::string longest(kMostHintedLetters, 'k'), megabyte(1 << 20, 'k');
+  EXPECT_EQ(nearest_hint(longest, {longest.substr(1)}), "did you mean '" + longest.substr(1) + "'?");
+  EXPECT_EQ(nearest_hint(longest + "k", {longest}), "");
+  EXPECT_EQ(nearest_name(megabyte, {"width", "kk"}), "");
+  EXPECT_FALSE(is_near(megabyte, megabyte + "k"));
+  // Nor does a long one hide a near one.
+  EXPECT_EQ(nearest_hint("widht", {megabyte, "width"}), "did you mean 'width'?");
 }
 
 }  // namespace
