@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
 
 namespace vegard::sim::beam_light_test {
@@ -46,6 +47,18 @@ TEST(ArcLight, OfRaysHasTheMeanOneAndALogNormalsVarianceAndAutocorrelation) {
   EXPECT_NEAR(mean_along([&](double x) { return (at(x) - 1.0) * (at(x + 0.8) - 1.0); }),
               std::exp(kContrast * kContrast / 16.0) - 1.0, 0.03);
   EXPECT_FALSE(light.reads_elsewhere());
+}
+
+/// Of sixteen arcs the standard error of the mean is 0.005 / 4.
+TEST(ArcLight, RaysTakeNoLightAwayAndAddNone) {
+  const Sheet sheet = rayed_sheet();
+  double mean = 0.0;
+  for (std::uint32_t arc = 0; arc < 16; ++arc) {
+    ArcLight light(sheet, arc, 7, 0.0, 0.0);
+    light.remember(-8500.0, 8500.0);
+    mean += mean_along([&](double x) { return light.at(x, 0.0).factor; }) / 16.0;
+  }
+  EXPECT_NEAR(mean, 1.0, 0.005);
 }
 
 TEST(ArcLight, RaysStandThroughTheSheetAndTravel) {

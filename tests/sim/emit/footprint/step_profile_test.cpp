@@ -54,6 +54,17 @@ TEST(StepProfile, IsTheProfileItselfForALevelStep) {
         table.of_energy[0].rate[static_cast<std::size_t>((h - 80.0) * 4) * table.of_energy[0].stride + 1]);
 }
 
+// A tent of one row to either side: the mean over a row about its peak is 3/4 of it, over the next one 1/8.
+TEST(StepProfile, MeansOfATentAreItsAreas) {
+  const StepProfile tent(march_case::drawn([](double h) { return std::abs(h - 120.0) < 0.1 ? 1.0 : 0.0; }),
+                         300.0, 2.0);
+  ASSERT_EQ(tent.width_step_km(), HeightProfile::kStepKm);
+  EXPECT_FLOAT_EQ(read(tent, 1, 0, 120.0), 0.75f);
+  EXPECT_FLOAT_EQ(read(tent, 1, 0, 119.75), 0.125f);
+  EXPECT_FLOAT_EQ(read(tent, 1, 0, 120.25), 0.125f);
+  EXPECT_NEAR(read(tent, 1, 0, 120.5), 0.0, 1e-7);
+}
+
 TEST(StepProfile, BeginsAtTheFirstLight) {
   const StepProfile dark(march_case::drawn([](double h) { return h > 120.1 ? 1.0 : 0.0; }), 300.0, 2.0);
   EXPECT_EQ(dark.bottom_km(), 119.75);  // two rows below the first that is lit
