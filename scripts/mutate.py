@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Do the tests notice? Puts the small faults of scripts/mutations.txt into a copy of the sources, one at a time.
 
-usage: mutate.py [--list | --check | --table] [--survivors] [--no-cli] [--jobs N] [NAME OR PATTERN ...]
+usage: mutate.py [--list | --check | --table] [--survivors] [--no-cli | --short] [--jobs N] [NAME OR PATTERN ...]
 
 A fault is built into a copy of the tree (build/mutate/tree, preset release). First run the tests that belong to its
 file (tests/<its folder>/<its stem>_test.cpp), then those of its folder, then all tests of sim and of fit, the short
@@ -318,7 +318,7 @@ def matching(seconds, patterns):
     return [name for name in seconds if any(fnmatch.fnmatchcase(name, pattern) for pattern in patterns)]
 
 
-def try_fault(fault, baselines, jobs, with_cli):
+def try_fault(fault, baselines, jobs, with_cli, with_long):
     """Builds and tests one fault, which is in the copy already: outcome, by which test, in which stage."""
     programs = PROGRAMS[fault.file.split("/")[0]]
     for program in programs:
@@ -343,11 +343,11 @@ def try_fault(fault, baselines, jobs, with_cli):
         if by:
             return "noticed", by, f"short tests of {program}"
         rest = sorted((name for name in long_tests if name not in done), key=seconds.get)
-        by = notice(program, rest, [], usual_s) if rest else None
+        by = notice(program, rest, [], usual_s) if rest and with_long else None
         if by:
             return "noticed", by, f"long tests of {program}"
-    if not with_cli:
-        return "survived", "", "all tests of " + " and ".join(programs)
+    if not with_cli or not with_long:
+        return "survived", "", ("all" if with_long else "short") + " tests of " + " and ".join(programs)
     if not build(["vegard"], jobs):
         return "does not build", build_problem(), "build"
     cases = sorted(path.stem[: -len("_case")] for path in (ROOT / "tests" / "cli").glob("*_case.sh"))
@@ -360,7 +360,7 @@ def try_fault(fault, baselines, jobs, with_cli):
     return "survived", "", "all tests of " + " and ".join(programs) + " and the cases of tests/cli"
 
 
-def try_all(faults, jobs, with_cli):
+def try_all(faults, jobs, with_cli, with_long):
     for number, fault in enumerate(faults, 1):
         update_copy()
         configure()
@@ -370,7 +370,7 @@ def try_all(faults, jobs, with_cli):
         begin = time.monotonic()
         try:
             source.write_text(whole.replace(fault.old, fault.new))
-            outcome, by, stage = try_fault(fault, baselines, jobs, with_cli)
+            outcome, by, stage = try_fault(fault, baselines, jobs, with_cli, with_long)
         finally:
             source.write_text(whole)
         result = remember(fault, outcome, by, stage, time.monotonic() - begin)
@@ -394,6 +394,7 @@ def main():
     parser.add_argument("--table", action="store_true", help="print what has come out so far")
     parser.add_argument("--survivors", action="store_true", help="try again those that nothing noticed")
     parser.add_argument("--no-cli", action="store_true", help="leave out the cases of tests/cli")
+    parser.add_argument("--short", action="store_true", help="leave out the long tests and the cases of tests/cli")
     parser.add_argument("--jobs", type=int, default=1, help="units to compile at once (1)")
     options = parser.parse_args()
     try:
@@ -420,7 +421,7 @@ def main():
             to_try = [f for f in faults if results.get(f.name) and results[f.name][-1]["outcome"] == "survived"]
         else:
             to_try = [f for f in faults if not results.get(f.name)]
-        try_all(to_try, options.jobs, not options.no_cli)
+        try_all(to_try, options.jobs, not options.no_cli, not options.short)
     print_table(faults)
     return 0
 
