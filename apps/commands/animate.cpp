@@ -250,4 +250,4 @@ void add_animate_command(Program& program) {
 }
 
 }  // namespace vegard::apps
-  add_memory_option(command, options->memory_limit);
+add_memory_option(command, options->memory_limit);

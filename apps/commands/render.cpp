@@ -211,10 +211,9 @@ void add_render_command(Program& program) {
   const Option as_seen =
       command.flag("--as-seen", options->picture.as_seen,
                    "As a dark-adapted eye sees it: faint light grey, bright light coloured");
-  command
-  add_memory_option(command, options->memory_limit);
-      .option("--seen-half", options->picture.seen_half_mcd,
-              "Luminance that --as-seen shows as half of white, in mcd m^-2 (default 20)")
+  command add_memory_option(command, options->memory_limit);
+  .option("--seen-half", options->picture.seen_half_mcd,
+          "Luminance that --as-seen shows as half of white, in mcd m^-2 (default 20)")
       .range(1e-3, 1e6)
       .type_name("MCD_M2")
       .needs(as_seen);

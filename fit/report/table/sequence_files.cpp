@@ -16,7 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-
 /// The number of this name in a row, or null.
 const SequenceNumber* find(const SequenceRow& row, const std::string& name) {
   for (const SequenceNumber& number : row.numbers)

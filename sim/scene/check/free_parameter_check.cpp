@@ -10,8 +10,8 @@
 #include "sim/scene/rows/nearest_name.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/free_entry_keys.h"
-#include "sim/scene/table/parameter_id.h"
 #include "sim/scene/table/parameter_declarations.h"
+#include "sim/scene/table/parameter_id.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/scene/table/value_check.h"
 
