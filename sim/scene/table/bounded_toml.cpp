@@ -126,13 +126,28 @@ class TomlScan {
   std::string problem_;
 };
 
+/// Nothing if the line is 0.
+std::string_view lines_before(int line, std::string_view text) {
+  std::size_t end = 0;
+  for (int before = 1; before < line; ++before) end = text.find('\n', end) + 1;
+  return text.substr(0, end);
+}
+
 }  // namespace
 
 std::optional<TomlExcess> toml_excess(std::string_view text) { return TomlScan(text).excess(); }
 
 toml::table parse_toml(const std::string& text, const std::string& file) {
-  if (const auto excess = toml_excess(text))
+  if (const auto excess = toml_excess(text)) {
+    // What is no TOML at all, such as a picture, is told so where it begins.
+    try {
+      static_cast<void>(toml::parse(lines_before(excess->line, text), file));
+    } catch (const toml::parse_error& error) {
+      // In the last line it may be that an array or a text is not at its end there.
+      if (static_cast<int>(error.source().begin.line) < excess->line - 1) throw;
+    }
     throw Error(ErrorKind::scene, {excess->problem, file, excess->line, {}, "a TOML file", {}});
+  }
   return toml::parse(text, file);
 }
 

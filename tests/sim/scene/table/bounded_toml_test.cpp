@@ -72,6 +72,18 @@ TEST(BoundedToml, MeasuresTheWhole) {
   EXPECT_EQ(excess_of(std::string(kMostTomlBytes + 1, '\n')), "0: it is larger than 16 MB");
 }
 
+TEST(BoundedToml, WhatIsNoTomlIsSaidWhereItBegins) {
+  const std::string longest(300, 'k');
+  std::string said =
+      tests::expect_error(ErrorKind::scene, [&] { parse_scene("\x89PNG\n\n" + longest, "a.png"); });
+  EXPECT_EQ(said.rfind("a.png:1: ", 0), 0U) << said;
+  EXPECT_EQ(said.find(kLong), std::string::npos) << said;
+  // What is not finished before it is no mistake there.
+  said = tests::expect_error(ErrorKind::scene,
+                             [&] { parse_scene("seed = 1\nx = [\n1,\n" + repeated("[", 40), "a"); });
+  EXPECT_NE(said.find("a:4: " + kDeep), std::string::npos) << said;
+}
+
 // Without the limit the parser calls itself for every part, and the process is killed.
 TEST(BoundedToml, ScenesAndChangesAreRefusedAndNotFatal) {
   const std::string parts = "a" + repeated(".a", 50000), deep = repeated("[", 50000);
