@@ -120,7 +120,8 @@ bool render_frames(const AnimateRequest& options, const sim::Scene& scene,
     const sim::Scene now = scene_of_frame(scene, frame, frames_per_second);
     sim::RenderOptions render_options;
     render_options.threads = options.threads;
-    render_options.progress = [&](double share) { bar.update((done + share) / missing, label); };
+    // What is left of a frame then is to make a picture of the light, and to write it.
+    render_options.progress = [&](double share) { bar.update((done + 0.9 * share) / missing, label); };
     render_options.stop = &stop;
     render_options.pictures = &pictures;
     sim::Rendering rendering = sim::render(now, render_options);
@@ -181,23 +182,43 @@ int run_animate(const AnimateRequest& request) {
       refuse_same_file("--camera-json", camera, "the camera's file");
     camera_json(scene);
   }
-  const sim::CompositePictures pictures = read_composite_pictures(scene);
   options.threads =
       threads_to_render(scene, options.threads, bytes_to_encode_px(names.file(0), options.picture, scene),
                         false, options.memory_limit);
+  const sim::CompositePictures pictures = read_composite_pictures(scene);
   // Every frame reads its own; here only so that what is wrong with them is told before a folder is made.
   if (sim::has_emitters(scene)) sim::read_volume_files(scene);
   // A measured tone curve is read by whatever is encoded with it; here, before the work.
   sim::ToneCurve check_of_the_curve(scene);
   sim::ColourTable check_of_the_colours(scene);
+  std::error_code ignored;
+  const bool makes_folder = !std::filesystem::exists(names.folder(), ignored);
   std::set<int> finished =
       begin_or_resume(names, manifest_text(scene, frames_per_second, names, options.picture), frames,
                       options.overwrite, movie);
-  if (!camera.empty()) write_camera(camera, scene, options.overwrite);
-
   const std::size_t before = finished.size();
-  if (!render_frames(options, scene, pictures, frames_per_second, names, frames, finished))
-    return tell_of_interruption(finished.size(), frames.size());
+  const bool makes_camera = !camera.empty() && !std::filesystem::exists(camera, ignored);
+  const auto leave_no_beginning = [&] {
+    if (!finished.empty()) return;
+    if (makes_camera) std::filesystem::remove(camera, ignored);
+    remove_beginning(names, makes_folder);
+  };
+  try {
+    if (!camera.empty()) write_camera(camera, scene, options.overwrite);
+    if (!render_frames(options, scene, pictures, frames_per_second, names, frames, finished))
+      return tell_of_interruption(finished.size(), frames.size());
+  } catch (const sim::Error& error) {
+    leave_no_beginning();
+    if (finished.empty()) throw;
+    // Of the frame that failed nothing is left behind, as its hint may say; of the others more is.
+    sim::ErrorDetails details = error.details();
+    details.hint = fmt::format("{} of {} frames are finished, and the same command goes on from there",
+                               finished.size(), frames.size());
+    throw sim::Error(error.kind(), details);
+  } catch (...) {
+    leave_no_beginning();
+    throw;
+  }
   const std::string size = fmt::format("{} x {} pixels", scene.camera.width, scene.camera.height);
   if (!movie) {
     say("%s to %s: %zu frames of %s, %zu of them finished before\n", names.file(frames.front()).c_str(),
@@ -242,6 +263,7 @@ void add_animate_command(Program& program) {
       .range(0.001, 1000.0);
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       .range(0, 1024);
+  add_memory_option(command, options->memory_limit);
   add_picture_options(command, options->picture);
   command.flag("--list", options->list, "Only print what time.start_s each frame has");
   command.flag("--camera-json", options->camera_json, "Write the camera's matrices beside the frames");
@@ -250,4 +272,3 @@ void add_animate_command(Program& program) {
 }
 
 }  // namespace vegard::apps
-add_memory_option(command, options->memory_limit);

@@ -264,8 +264,10 @@ int run_fit(const FitRequest& options, const std::string& command) {
   }
   fit::FileJournal journal(fit::journal_file(options.out), subject_of(options, scene, photos),
                            journal_mode(options));
-  if (journal.found() > 0)
-    std::fprintf(stderr, "vegard: going on after %d finished steps\n", journal.found());
+  if (journal.dropped() > 0)
+    tell("vegard: %d of %d steps of the journal are left out: %s, and each step rests on those before it\n",
+         journal.dropped(), journal.dropped() + journal.found(), journal.why_dropped().c_str());
+  if (journal.found() > 0) tell("vegard: going on after %d finished steps\n", journal.found());
   fit::FitResult result = fitted(options, scene, photos, journal);
   if (!journal.problem().empty()) tell("vegard: this fit cannot be resumed: %s\n", journal.problem().c_str());
   result.inputs = inputs_of(options.scene.file, scene_sha256, photos);
@@ -307,9 +309,9 @@ void add_fit_command(Program& program) {
   command.option("--max-evaluations", options->max_evaluations, "Stop after so many evaluations")
       .range(1, 1000000)
       .shows_default();
+  add_memory_option(command, options->memory_limit);
   command.flag("--intervals", options->intervals,
                "Judge the error bars by profile likelihood: all others give way, for each parameter");
-  add_memory_option(command, options->memory_limit);
   command
       .option("--bootstrap", options->bootstrap,
               "Judge the error bars by drawing the bands anew so many times (1000 is plenty)")

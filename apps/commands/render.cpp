@@ -162,25 +162,30 @@ int run_render(const RenderRequest& request) {
 
   const std::atomic<bool>& stop = watch_for_interrupt();
   sim::Rendering rendering;
+  ProgressBar bar("rendering");
   {
-    ProgressBar bar("rendering");
     sim::RenderOptions render_options;
     render_options.threads = options.threads;
-    render_options.progress = [&bar](double share) { bar.update(share); };
+    // What is left then is to make pictures of the light, and to write them.
+    render_options.progress = [&bar](double share) { bar.update(0.8 * share); };
     render_options.stop = &stop;
     render_options.pictures = &pictures;
     render_options.sheet_layers = !options.layers.empty();
     rendering = sim::render(scene, render_options);
   }
   if (stop.load()) {
+    bar.finish();
     std::fputs("vegard: interrupted, nothing is written\n", stderr);
     return interrupted;
   }
   const std::string warning = warning_if_out_of_view(scene, rendering.rayleigh);
-  if (!warning.empty()) std::fprintf(stderr, "vegard: %s\n", warning.c_str());
+  bar.finish();
+  if (!warning.empty()) tell("vegard: %s\n", warning.c_str());
 
   const std::string summary = facts(scene, rendering);
+  bar.update(0.8, "writing");
   write_outputs(options, scene, std::move(rendering));
+  bar.finish();
   std::string written;
   for (const std::string& name : {options.output, options.lines, options.raw, camera_file(options)})
     if (!name.empty()) written += (written.empty() ? "" : ", ") + name;
@@ -207,13 +212,14 @@ void add_render_command(Program& program) {
       .one_of({"sheets"});
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       .range(0, 1024);
+  add_memory_option(command, options->memory_limit);
   add_picture_options(command, options->picture);
   const Option as_seen =
       command.flag("--as-seen", options->picture.as_seen,
                    "As a dark-adapted eye sees it: faint light grey, bright light coloured");
-  command add_memory_option(command, options->memory_limit);
-  .option("--seen-half", options->picture.seen_half_mcd,
-          "Luminance that --as-seen shows as half of white, in mcd m^-2 (default 20)")
+  command
+      .option("--seen-half", options->picture.seen_half_mcd,
+              "Luminance that --as-seen shows as half of white, in mcd m^-2 (default 20)")
       .range(1e-3, 1e6)
       .type_name("MCD_M2")
       .needs(as_seen);

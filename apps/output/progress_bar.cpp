@@ -45,7 +45,9 @@ std::optional<double> seconds_to_go(const ProgressPoint& from, const ProgressPoi
 std::string progress_line(const std::string& label, const ProgressPoint& now,
                           std::optional<double> seconds_to_go, int columns) {
   const double share = std::clamp(now.share, 0.0, 1.0);
-  std::string right = fmt::format(" {:3.0f} %, {}", 100.0 * share, duration_text(now.elapsed_seconds));
+  // It goes when the work is done: as long as it shows, something is to do.
+  std::string right = fmt::format(" {:3.0f} %, {}", std::min(99.0, std::round(100.0 * share)),
+                                  duration_text(now.elapsed_seconds));
   if (seconds_to_go) right += ", " + duration_text(*seconds_to_go) + " to go";
   const int room = columns - 1 - static_cast<int>(label.size() + right.size()) - 4;
   std::string line = label;

@@ -59,7 +59,7 @@ class ProgressBar {
 /// "4 s", "3 min 20 s", "2 h 5 min".
 std::string duration_text(double seconds);
 
-/// The line that the bar shows, `columns` wide at most.
+/// The line that the bar shows, `columns` wide at most; never 100 %.
 std::string progress_line(const std::string& label, const ProgressPoint& now,
                           std::optional<double> seconds_to_go, int columns);
 

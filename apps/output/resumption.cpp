@@ -186,6 +186,13 @@ std::set<int> begin_or_resume(const FrameNames& names, const std::string& manife
   return {};
 }
 
+void remove_beginning(const FrameNames& names, bool made_folder) {
+  if (!frames_on_disk(names).empty()) return;
+  std::error_code ignored;
+  fs::remove(names.companion(kManifest), ignored);
+  if (made_folder) fs::remove(names.folder(), ignored);
+}
+
 void remove_animation(const FrameNames& names, const std::vector<int>& frames) {
   std::error_code ignored;
   for (const int frame : frames) fs::remove(names.file(frame), ignored);

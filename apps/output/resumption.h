@@ -29,6 +29,10 @@ std::string manifest_text(const sim::Scene& scene, double frames_per_second, con
 std::set<int> begin_or_resume(const FrameNames& names, const std::string& manifest,
                               const std::vector<int>& frames, bool overwrite, bool own_folder);
 
+/// Removes what begin_or_resume() has made, if there is no frame: the manifest, and the folder if it was made
+/// and nothing else is in it.
+void remove_beginning(const FrameNames& names, bool made_folder);
+
 /// Removes `frames`; the manifest if it has no frames any more, and then the folder if nothing else is in it.
 void remove_animation(const FrameNames& names, const std::vector<int>& frames);
 

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -140,6 +141,7 @@ void FileJournal::open(const JournalSubject& subject, JournalMode mode) {
                   "call it as before, or use --overwrite without --resume to begin anew");
   if (mode != JournalMode::resume || !same) {
     steps_.clear();
+    dropped_ = 0;
     if (::ftruncate(descriptor_, 0) != 0) throw sim::unwritable(file_, errno);
     if (const int error = write_at(descriptor_, header, 0); error != 0) {
       unlink();
@@ -173,14 +175,21 @@ void FileJournal::remove() {
 }
 
 void FileJournal::read_steps(const std::string& bytes, std::size_t begin) {
+  int line_number = 1;  // the header's
   while (true) {
+    ++line_number;
     end_ = static_cast<long long>(begin);
     const std::size_t line = bytes.find('\n', begin);
     if (line == std::string::npos) return;
     const std::optional<std::string> text = checked_text(bytes.substr(begin, line - begin));
-    if (!text) return;
-    auto step = step_of_text(*text);
-    if (!step) return;
+    auto step = text ? step_of_text(*text) : std::nullopt;
+    if (!step) {
+      dropped_ =
+          static_cast<int>(std::count(bytes.begin() + static_cast<std::ptrdiff_t>(begin), bytes.end(), '\n'));
+      why_dropped_ = "line " + std::to_string(line_number) + " of " + file_ +
+                     (text ? " is no step of this version" : " does not have the checksum that it gives");
+      return;
+    }
     steps_.insert(std::move(*step));
     begin = line + 1;
   }

@@ -36,6 +36,12 @@ class FileJournal final : public Journal {
   /// Steps found in the file when it was opened.
   int found() const { return found_; }
 
+  /// Lines that were found and cannot be used, and why: "line 7 does not have the checksum that it gives";
+  /// those behind the first such are not looked at. A last line without an end, as a kill leaves it, is none
+  /// of them.
+  int dropped() const { return dropped_; }
+  const std::string& why_dropped() const { return why_dropped_; }
+
   /// Why steps could not be stored (full disk), in words; empty if they could. The fit goes on all the same.
   const std::string& problem() const { return problem_; }
 
@@ -54,7 +60,8 @@ class FileJournal final : public Journal {
   std::vector<std::string> made_folders_;  ///< innermost first
   int descriptor_ = -1;
   long long end_ = 0;  ///< of the last whole line, bytes
-  int found_ = 0;
+  int found_ = 0, dropped_ = 0;
+  std::string why_dropped_;
   std::map<std::string, StepOutput> steps_;
   std::string problem_;
 };

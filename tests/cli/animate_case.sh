@@ -122,6 +122,21 @@ expect_stderr time.start_s
 status=0
 (ulimit -f 4 && exec "$VEGARD" animate scene.toml -o full/##.exr >"$stdout" 2>"$stderr") || status=$?
 [[ $status -eq 6 ]] || fail "exit $status instead of 6 on a full disk"
-(cd full && expect_only animation.json)
+# Nor does it leave the folder that it has made, nor a word of frames that are none.
+[[ ! -e full ]] || fail "a folder is left: $(ls -A full)"
+mkdir full && echo mine >full/mine
+status=0
+(ulimit -f 4 && exec "$VEGARD" animate scene.toml -o full/##.exr --camera-json >"$stdout" 2>"$stderr") || status=$?
+[[ $status -eq 6 ]] || fail "exit $status instead of 6 on a full disk"
+expect_stderr "nothing was left behind"
+(cd full && expect_only mine)
+# Frames that are finished stay, and it says so.
+expect_exit 0 animate scene.toml -o part/##.exr --frames 0:0
+status=0
+(ulimit -f 4 && exec "$VEGARD" animate scene.toml -o part/##.exr >"$stdout" 2>"$stderr") || status=$?
+[[ $status -eq 6 ]] || fail "exit $status instead of 6 on a full disk"
+expect_stderr "1 of 4 frames are finished, and the same command goes on from there"
+expect_one_message
+(cd part && expect_only animation.json 00.exr)
 echo >file
 expect_exit 6 animate scene.toml -o file/##.exr

@@ -27,5 +27,13 @@ TEST(ProgressLine, HasTheTimeGoneAndToGoWithinItsColumns) {
   EXPECT_LT(progress_line("a label as long as a line", {0.5, 100.0}, 200.0, 30).size(), 30u);
 }
 
+TEST(ProgressLine, IsNeverFullWhileItShows) {
+  for (const double share : {0.995, 1.0, 2.0}) {
+    const std::string line = progress_line("writing", {share, 100.0}, {}, 60);
+    EXPECT_NE(line.find(" 99 %"), std::string::npos) << line;
+    EXPECT_EQ(line.find("100 %"), std::string::npos) << line;
+  }
+}
+
 }  // namespace
 }  // namespace vegard::apps::progress_bar_test

@@ -71,9 +71,11 @@ ExrFile read(const std::string& path, OIIO::Filesystem::IOProxy* memory) {
   // else.
   const auto input = OIIO::ImageInput::create("openexr");
   OIIO::ImageSpec spec;
+  const std::string stand_in = memory != nullptr ? "image.exr" : path;
+  const auto words = [&](const std::string& text) { return with_name(text, stand_in, path); };
   const bool in_memory = input && memory != nullptr && input->set_ioproxy(memory);
-  if (!input || (memory != nullptr && !in_memory) || !input->open(in_memory ? "image.exr" : path, spec)) {
-    throw unreadable("cannot be read as EXR: " + (input ? input->geterror() : OIIO::geterror()));
+  if (!input || (memory != nullptr && !in_memory) || !input->open(stand_in, spec)) {
+    throw unreadable("cannot be read as EXR: " + words(input ? input->geterror() : OIIO::geterror()));
   }
   if (spec.deep) throw unreadable("is a deep EXR, which has no single value per pixel");
   check_size(spec, path);
@@ -83,7 +85,8 @@ ExrFile read(const std::string& path, OIIO::Filesystem::IOProxy* memory) {
   // A file cut short may be read with "success" and an error string beside it.
   const bool complete =
       input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, result.image.data.data());
-  if (!complete || input->has_error()) throw unreadable("is truncated or damaged: " + input->geterror());
+  if (!complete || input->has_error())
+    throw unreadable("is truncated or damaged: " + words(input->geterror()));
 
   const std::string_view prefix(own_prefix);
   for (const auto& attribute : spec.extra_attribs) {

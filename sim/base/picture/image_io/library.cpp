@@ -39,6 +39,13 @@ void configure_library() {
   });
 }
 
+std::string with_name(std::string words, const std::string& stand_in, const std::string& name) {
+  for (std::size_t at = words.find(stand_in); at != std::string::npos;
+       at = words.find(stand_in, at + name.size()))
+    words.replace(at, stand_in.size(), name);
+  return words;
+}
+
 Error failure(ErrorKind kind, const std::string& name, std::string problem, std::string expected) {
   ErrorDetails details;
   details.file = name;
@@ -89,7 +96,8 @@ std::string encode(const std::string& file_name, const std::string& name, const 
   const bool doubted = output->has_error();
   const std::string message = output->geterror();
   if (!good || (doubted && !decodes_to(file_name, memory.buffer(), spec, pixels))) {
-    throw failure(ErrorKind::unwritable_output, name, "cannot be encoded: " + message);
+    throw failure(ErrorKind::unwritable_output, name,
+                  "cannot be encoded: " + with_name(message, file_name, name));
   }
   return {memory.buffer().begin(), memory.buffer().end()};
 }

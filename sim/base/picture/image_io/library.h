@@ -15,6 +15,9 @@ namespace vegard::sim {
 void configure_library();
 
 /// An Error about the file `name`.
+/// The library's words, in which the user's name stands for that under which the library knows the bytes.
+std::string with_name(std::string words, const std::string& stand_in, const std::string& name);
+
 Error failure(ErrorKind kind, const std::string& name, std::string problem, std::string expected = {});
 
 /// Throws Error(unreadable_input) unless the path leads to a file.

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -237,6 +238,19 @@ TEST(ImageIo, WhatIsNoExrIsUnreadable) {
   write_display(folder / "a.png", pattern(8, 8, {"R", "G", "B"}), 8, 0, {});
   std::filesystem::rename(folder / "a.png", folder / "png.exr");
   expect_error(kind, [&] { read_exr(folder / "png.exr"); });
+}
+
+TEST(ImageIo, WhatIsWrongWithAnExrInMemoryIsSaidOfTheUsersFile) {
+  TemporaryFolder folder;
+  write_exr(folder / "a.exr", pattern(8, 8, {"R", "G", "B"}), {});
+  const std::string bytes = bytes_of(folder / "a.exr");
+  for (const std::size_t length : {std::size_t{3}, std::size_t{40}, bytes.size() / 2, bytes.size() - 1}) {
+    const std::string message = expect_error(ErrorKind::unreadable_input, [&] {
+      read_exr_bytes(std::string_view(bytes).substr(0, length), "night/mine.exr");
+    });
+    EXPECT_NE(message.find("night/mine.exr"), std::string::npos) << message;
+    EXPECT_EQ(message.find("image.exr"), std::string::npos) << message;
+  }
 }
 
 TEST(ImageIo, ASizeBeyondAnyMemoryIsRefusedUnread) {
