@@ -3,7 +3,7 @@
 #include <new>
 
 #include "fit/photo/codec/image_walk.h"
-#include "sim/base/picture/quiet_decoder.h"
+#include "sim/base/quiet_decoder.h"
 
 namespace vegard::fit {
 namespace {

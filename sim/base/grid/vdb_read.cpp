@@ -12,6 +12,7 @@
 #include "sim/base/error.h"
 #include "sim/base/grid/vdb_io.h"
 #include "sim/base/grid/vdb_outline.h"
+#include "sim/base/quiet_decoder.h"
 
 namespace vegard::sim {
 namespace {
@@ -300,7 +301,11 @@ VdbFile read_vdb(const std::string& path, const std::vector<std::string>& wanted
     why = why.substr(0, why.find('\n'));
     return unreadable(path, "cannot be read as OpenVDB: " + why, expected);
   };
-  if (const std::string complaint = vdb_outline_complaint(path); !complaint.empty()) throw refused(complaint);
+  const VdbOutline outline = vdb_outline(path, wanted);
+  if (!outline.complaint.empty()) throw refused(outline.complaint);
+  if (outline.tree_bytes > static_cast<double>(most_bytes))
+    throw too_large(path, outline.tree_bytes, most_bytes);
+  const QuietDecoder quiet;
   start_vdb_library();
   try {
     VdbReader file(path);

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <limits>
 
@@ -204,6 +207,88 @@ TEST(VdbIo, EveryDamagedByteOfTheOutlineIsReadOrRefused) {
     }
   }
   EXPECT_GT(refused, 50);
+}
+
+/// Tiles, a leaf that is full, and grids of other kinds are not in every file.
+TEST(VdbIo, EveryFlippedBitIsReadOrRefused) {
+  const tests::TemporaryFolder folder;
+  SparseGrid grid = scattered();
+  auto& full = grid.brick({3, 3, 3});
+  std::fill(full.begin(), full.end(), 0.75f);
+  sim::write_vdb(folder / "whole.vdb", std::move(grid), {}, {});
+  const std::string whole = bytes_of(folder / "whole.vdb");
+  const std::size_t bits = 8 * whole.size();
+  int refused = 0;
+  for (std::uint32_t n = 0; n < 400; ++n) {
+    const auto words = sim::random_words(9, sim::Stream::path, n, 0, 0);
+    const std::size_t bit = words[0] % bits;
+    std::string damaged = whole;
+    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ 1 << bit % 8);
+    std::ofstream(folder / "damaged.vdb", std::ios::binary) << damaged;
+    try {
+      sim::read_vdb(folder / "damaged.vdb", {"density", "emission_5577"}, std::uint64_t{1} << 30);
+    } catch (const sim::Error& error) {
+      EXPECT_EQ(error.kind(), sim::ErrorKind::unreadable_input) << bit;
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 50);
+}
+
+/// Where what stands in a file of one grid: behind the transform a count of buffers and the background, then
+/// tiles and nodes of the root.
+struct RootPlaces {
+  std::size_t buffers, tiles, children, first_node, first_masks;
+  explicit RootPlaces(const std::string& file) {
+    const std::string map = "UniformScaleTranslateMap";
+    EXPECT_NE(file.rfind(map), std::string::npos);
+    buffers = file.rfind(map) + map.size() + 6 * 3 * sizeof(double);
+    tiles = buffers + 2 * sizeof(std::int32_t);
+    children = tiles + sizeof(std::int32_t);
+    first_node = children + sizeof(std::int32_t);
+    first_masks = first_node + 3 * sizeof(std::int32_t);
+  }
+};
+
+TEST(VdbIo, ATreeThatTheLibraryWouldBelieveIsRefusedBeforeIt) {
+  const tests::TemporaryFolder folder;
+  SparseGrid one;
+  one.voxel = 0.25;
+  one.origin = {1.0, 2.0, 3.0};  // so that the map is the one that RootPlaces looks for
+  one.channels = {{"density", ""}};
+  one.brick({0, 0, 0})[5] = 1.0f;
+  sim::write_vdb(folder / "whole.vdb", std::move(one), {}, {});
+  const std::string whole = bytes_of(folder / "whole.vdb");
+  const RootPlaces root(whole);
+  std::int32_t buffers = 0, children = 0;
+  std::memcpy(&buffers, &whole[root.buffers], sizeof buffers);
+  std::memcpy(&children, &whole[root.children], sizeof children);
+  ASSERT_EQ(buffers, 1);
+  ASSERT_EQ(children, 1);
+  const auto refused_with = [&](std::size_t at, const std::string& bytes) {
+    std::string damaged = whole;
+    damaged.replace(at, bytes.size(), bytes);
+    std::ofstream(folder / "damaged.vdb", std::ios::binary) << damaged;
+    return refusal(folder / "damaged.vdb", {"density"});
+  };
+  const auto number = [](std::int32_t n) { return std::string(reinterpret_cast<const char*>(&n), sizeof n); };
+  EXPECT_NE(refused_with(root.buffers, number(2)).find("several buffers"), std::string::npos);
+  EXPECT_NE(refused_with(root.tiles, number(0x7FFFFFFF)).find("more nodes"), std::string::npos);
+  EXPECT_NE(refused_with(root.children, number(0x7FFFFFFF)).find("more nodes"), std::string::npos);
+  EXPECT_NE(refused_with(root.first_node, number(4095)).find("at no place of a node"), std::string::npos);
+  // A child where there is a number, too.
+  EXPECT_NE(
+      refused_with(root.first_masks + 4096, whole.substr(root.first_masks, 4096)).find("number as well"),
+      std::string::npos);
+  // A tile in place of the node: its yes or no would be a byte that is neither.
+  const std::string tile = number(1) + number(0) + number(0) + number(0) + number(0) + number(0) + "\x07";
+  EXPECT_NE(refused_with(root.tiles, tile).find("a yes or no"), std::string::npos);
+  // A packed length of terabytes.
+  const std::size_t numbers = root.first_masks + 2 * 4096 + 1;
+  const std::int64_t terabytes = std::int64_t{3} << 40;
+  EXPECT_NE(refused_with(numbers, std::string(reinterpret_cast<const char*>(&terabytes), sizeof terabytes))
+                .find("damaged"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// libpng, libjpeg, libtiff, OpenCV and LibRaw write to the terminal what they think of a damaged file. What
+// libpng, libjpeg, libtiff, OpenCV, LibRaw and OpenVDB write to the terminal what they think of a file. What
 // is to be known of it is in the Error that is thrown; beside it their words are noise, and no library of
 // ours prints.
 #pragma once

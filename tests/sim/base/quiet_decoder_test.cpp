@@ -1,4 +1,4 @@
-#include "sim/base/picture/quiet_decoder.h"
+#include "sim/base/quiet_decoder.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
