@@ -20,7 +20,7 @@ namespace {
 constexpr double kGigabyte = 1024.0 * 1024.0 * 1024.0;
 
 /// Bytes, if the words are a size.
-std::optional<double> size_of_words(const std::string& words) {
+std::optional<double> bytes_of_words(const std::string& words) {
   std::size_t used = 0;
   double number = 0.0;
   try {
@@ -46,14 +46,14 @@ Option add_memory_option(const Command& command, std::string& words, const std::
   return command.option("--memory-limit", words, meaning)
       .check(
           [](const std::string& word) {
-            return size_of_words(word) ? std::string()
-                                       : "'" + word + "' is no size of memory: 4G, 500M, or a number of GB";
+            return bytes_of_words(word) ? std::string()
+                                        : "'" + word + "' is no size of memory: 4G, 500M, or a number of GB";
           },
           "SIZE");
 }
 
 double memory_limit_bytes(const std::string& words) {
-  if (!words.empty()) return size_of_words(words).value_or(0.0);
+  if (!words.empty()) return bytes_of_words(words).value_or(0.0);
   const std::uint64_t available = sim::available_memory();
   return available == 0 ? std::numeric_limits<double>::infinity() : 0.8 * static_cast<double>(available);
 }

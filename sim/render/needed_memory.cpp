@@ -12,15 +12,15 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kFloat = sizeof(float), kFilmUnit = 8.0;  // of a line on a thread's film
+constexpr double kFloatBytes = sizeof(float), kFilmUnit = 8.0;  // of a line on a thread's film
 
 /// Of a cell: the threads' films and the sum of them (film.cpp), and what volumes add.
 double film_bytes_of_cell(const Scene& scene, int threads) {
   const double lines = static_cast<double>(scene.emission.lines.size()), stride = lines <= 4.0 ? 4.0 : 8.0;
-  double bytes = kFloat * lines;
+  double bytes = kFloatBytes * lines;
   if (!scene.sheets.empty()) bytes += threads * stride * kFilmUnit;
   // Light, what it lets through and its distance; and of a softened or coarser march a second set.
-  if (has_volumes(scene)) bytes += 2.0 * kFloat * (2.0 * lines + 1.0);
+  if (has_volumes(scene)) bytes += 2.0 * kFloatBytes * (2.0 * lines + 1.0);
   return bytes;
 }
 
@@ -31,13 +31,13 @@ double render_bytes(const Scene& scene, int threads, const RenderingUse& use) {
   const double cells = static_cast<double>(film.rows) * film.columns;
   const double pixels = static_cast<double>(scene.camera.width) * scene.camera.height;
   const double lines = static_cast<double>(scene.emission.lines.size());
-  const double of_lines = kFloat * lines, of_colours = 3.0 * kFloat;
+  const double of_lines = kFloatBytes * lines, of_colours = 3.0 * kFloatBytes;
   const int slots = thread_count(threads);
   // The physical blur spreads over a ladder of films, each of half the size, of one line at a time.
   const double film_bytes =
       scene.blur.model == BlurModel::angle
           ? cells * film_bytes_of_cell(scene, slots)
-          : cells * (film_bytes_of_cell(scene, slots) + 2.0 * kFilmUnit * slots + 4.0 * kFloat);
+          : cells * (film_bytes_of_cell(scene, slots) + 2.0 * kFilmUnit * slots + 4.0 * kFloatBytes);
   // While the film lasts: the lines' picture, once more on its way through the blur, and the layers before
   // this one.
   const double of_sheets =
@@ -47,19 +47,19 @@ double render_bytes(const Scene& scene, int threads, const RenderingUse& use) {
   double of_pixel = 2.0 * of_lines + 2.0 * of_colours + of_sheets + use.bytes_per_px;
   if (has_night_sky(scene)) of_pixel += 2.0 * of_colours;
   if (scene.stars.shown) of_pixel += of_colours;
-  if (!scene.composite.background.empty()) of_pixel += 2.0 * of_colours + kFloat;
-  if (!scene.composite.foreground.empty()) of_pixel += 2.0 * (of_colours + kFloat);
-  if (has_volumes(scene)) of_pixel += 2.0 * of_lines + 3.0 * of_colours + kFloat;
-  if (!scene.nebulae.empty()) of_pixel += of_colours + kFloat;
+  if (!scene.composite.background.empty()) of_pixel += 2.0 * of_colours + kFloatBytes;
+  if (!scene.composite.foreground.empty()) of_pixel += 2.0 * (of_colours + kFloatBytes);
+  if (has_volumes(scene)) of_pixel += 2.0 * of_lines + 3.0 * of_colours + kFloatBytes;
+  if (!scene.nebulae.empty()) of_pixel += of_colours + kFloatBytes;
   return std::max(exposing, pixels * of_pixel);
 }
 
 double model_bytes(const Scene& scene, double cells, int free, int threads) {
-  const double lines = static_cast<double>(scene.emission.lines.size()), of_lines = kFloat * lines;
+  const double lines = static_cast<double>(scene.emission.lines.size()), of_lines = kFloatBytes * lines;
   const double width = std::max(1.0, std::ceil(free / static_cast<double>(kTangentWidth))) * kTangentWidth;
   // The film with its derivatives, as shares of the beams and together; then lines, colours and weights.
   return cells * (film_bytes_of_cell(scene, thread_count(threads)) + of_lines * (width + kTangentWidth) +
-                  of_lines + 6.0 * kFloat + 24.0);
+                  of_lines + 6.0 * kFloatBytes + 24.0);
 }
 
 }  // namespace vegard::sim
