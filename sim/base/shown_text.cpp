@@ -60,7 +60,7 @@ std::string shown(std::string_view text, bool lines) {
 
 /// Where a character begins, at `place` or before it.
 std::size_t boundary(std::string_view text, std::size_t place) {
-  for (std::size_t back = 0; back < 3 && place - back > 0; ++back)
+  for (std::size_t back = 0; back <= 3 && back < place; ++back)
     if ((static_cast<unsigned char>(text[place - back]) & 0xC0) != 0x80) return place - back;
   return place;
 }
