@@ -18,9 +18,10 @@ class InputFile {
  public:
   InputFile(std::string_view bytes, const std::string& name) {
     std::error_code none;
-    const bool in_memory = std::filesystem::is_directory("/dev/shm", none);
+    const std::filesystem::path memory = "/dev/shm";
+    const bool in_memory = std::filesystem::is_directory(memory, none);
     std::string folder =
-        (in_memory ? "/dev/shm" : std::filesystem::temp_directory_path().string()) + "/vegard-fuzz-XXXXXX";
+        ((in_memory ? memory : std::filesystem::temp_directory_path()) / "vegard-fuzz-XXXXXX").string();
     if (mkdtemp(folder.data()) == nullptr) std::abort();
     folder_ = folder;
     std::ofstream stream(path(name), std::ios::binary);
