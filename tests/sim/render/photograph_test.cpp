@@ -137,6 +137,26 @@ INSTANTIATE_TEST_SUITE_P(Files, RoundTrip,
                                             ::testing::Values("none", "rggb"), ::testing::Values(8)),
                          name_of);
 
+// Of a straight tone a step of the file is a step of the light on the sensor: uniform within it, a twelfth of
+// its square.
+TEST(Photograph, AFilesStepsAddTheirOwnVariance) {
+  Scene scene = photographed_scene();
+  scene.sensor.mosaic = MosaicPattern::none;
+  scene.sensor.tone = ToneKind::gamma;
+  scene.sensor.gamma = 1.0;
+  const Image light = light_on_sensor(scene, render(scene));
+  const double step = 1.0 / 100.0;
+  const Image without = light_variance(scene, light, 0.0), with = light_variance(scene, light, step);
+  const Vignetting vignetting(scene);
+  for (int y = 0; y < light.height; y += 7)
+    for (int x = 0; x < light.width; x += 5)
+      for (int c = 0; c < 3; ++c) {
+        const double added =
+            (with.at(x, y, c) - without.at(x, y, c)) * std::pow(vignetting.at(x + 0.5, y + 0.5), 2);
+        EXPECT_NEAR(added / (step * step / 12.0), 1.0, 0.01) << x << ", " << y;
+      }
+}
+
 // 10^8 electrons, 16 bits: photons scatter by 1e-4 of white at most, numbers by 1.5e-5.
 TEST(Photograph, OfManyElectronsIsTheLight) {
   Scene scene = photographed_scene();

@@ -92,5 +92,18 @@ TEST(Camera, FieldOfViewSpansTheWidth) {
   EXPECT_NEAR(direction_of_pixel(camera, 641.0, 240.0).azimuth_deg, 100.0 + 35.5, 1e-9);
 }
 
+TEST(Camera, ScaleGrowsAsItsDifferencesDo) {
+  for (const LensModel model : {LensModel::pinhole, LensModel::equidistant}) {
+    Camera more = tilted();
+    more.model = model;
+    more.focal_px = 300.0;
+    Camera less = more;
+    const double growth = pixels_per_degree_growth(more), step = 1e-3;
+    (model == LensModel::pinhole ? more.hfov_deg : more.focal_px) += step;
+    (model == LensModel::pinhole ? less.hfov_deg : less.focal_px) -= step;
+    EXPECT_NEAR(growth, std::log(pixels_per_degree(more) / pixels_per_degree(less)) / (2.0 * step), 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace vegard::sim::camera_test

@@ -94,6 +94,19 @@ TEST(Twilight, IsAsBrightAsItsMagnitudeSays) {
   EXPECT_NEAR(luminance(scene, rgb) / garstang, 1.0, 0.1);
 }
 
+// The magnitudes are of the whole sky: twilight and the night behind it.
+TEST(Twilight, WithTheNightIsTheWholeSky) {
+  for (const double elevation_deg : {-6.0, -12.0, -15.0}) {
+    const Spectrum twilight = twilight_spectrum(elevation_deg);
+    for (const TwilightBand& band : kTwilightBands) {
+      const double whole = radiance_of_mag_arcsec2(band, twilight_mag_arcsec2(band, elevation_deg));
+      const double night = radiance_of_mag_arcsec2(band, band.night_mag);
+      EXPECT_NEAR((twilight(band.wavelength_nm) + night) / whole, 1.0, 1e-9)
+          << band.wavelength_nm << " nm, " << elevation_deg << " degrees";
+    }
+  }
+}
+
 TEST(Twilight, DimsAsTheSunSinksAndIsBrightestTowardsIt) {
   double before = 1e9;
   for (double sun = -5.0; sun >= -15.0; sun -= 0.5) {
