@@ -58,6 +58,13 @@ TEST(Curl, GathersBeamsInItsCentreInTheirOrder) {
   EXPECT_NEAR(curl.gathered(curl.center_km + 6.0), curl.center_km + 6.0, 1e-9);
 }
 
+// x (1 - g exp(-x² / R²)): at a radius 1 / e of the gathering is left, at two 1 / e⁴.
+TEST(Curl, GathersByAGaussianOfItsRadius) {
+  const Curl curl{5.0, 2.0, 0.6, 0.0};
+  EXPECT_NEAR(curl.gathered(7.0), 5.0 + 2.0 * (1.0 - 0.6 * std::exp(-1.0)), 1e-12);
+  EXPECT_NEAR(curl.gathered(1.0), 5.0 - 4.0 * (1.0 - 0.6 * std::exp(-4.0)), 1e-12);
+}
+
 TEST(Curl, TurnsItsCentreClockwiseSeenFromAboveAndKeepsAreas) {
   Sheet sheet = curled_sheet();
   sheet.curl_gather = 0.0;

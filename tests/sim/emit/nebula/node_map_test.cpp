@@ -101,6 +101,27 @@ TEST(NodeMap, LobesHaveTheirWaistTheirRadiusAndTheirEnds) {
   EXPECT_NEAR(nearest, 0.0, 1e-5);
 }
 
+// |G| over the size of its gradient, to whose square radius² is added: by the differences of G itself.
+TEST(NodeMap, LobesFallByTheGradientOfTheirSurface) {
+  const double radius = 0.8, length = 1.5, waist = 0.3;
+  const double a =
+      2.0 * radius * radius - waist * waist + 2.0 * radius * std::sqrt(radius * radius - waist * waist);
+  const auto surface = [&](double aside, double up) {
+    const double v = up * up / (length * length);
+    return aside * aside - (1.0 - v) * (waist * waist + a * v);
+  };
+  for (const double up : {0.2, -0.5, 0.9, 1.2})
+    for (const double aside : {0.1, 0.35, 0.6}) {
+      constexpr double h = 1e-6;
+      const double by_aside = (surface(aside + h, up) - surface(aside - h, up)) / (2.0 * h);
+      const double by_up = (surface(aside, up + h) - surface(aside, up - h)) / (2.0 * h);
+      const double expected =
+          std::abs(surface(aside, up)) / std::sqrt(by_aside * by_aside + by_up * by_up + radius * radius);
+      const double point[3] = {0.6 * aside, up, -0.8 * aside};
+      EXPECT_NEAR(lobes_distance(point, radius, length, waist, 0.0), expected, 1e-8) << aside << ", " << up;
+    }
+}
+
 TEST(NodeMap, LobesOfNoSizeAreStillNumbers) {
   for (const double radius : {0.0, 0.5})
     for (const double length : {0.0, 1.0}) {
