@@ -146,6 +146,7 @@ Eigen::MatrixXd LinearPart::coefficient_slopes(const ModelProfile& aurora, const
   // With A(θ) c + o(θ) = model: dc = (AᵀWA)⁻¹ (dAᵀ W r − Aᵀ W (dA c + do)), and the residual falls by
   // dA c + do + A dc.
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, p);
+  if (p == 0) return right;  // for which Eigen's solver takes the address of its first number
   for (std::size_t k = 0; k < used_.size(); ++k) {
     const std::size_t i = used_[k];
     const Where& w = where_[k];
