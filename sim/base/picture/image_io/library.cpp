@@ -10,6 +10,7 @@
 
 #include "sim/base/file/input_file.h"
 #include "sim/base/picture/image_io.h"
+#include "sim/base/picture/pixel_limit.h"
 
 namespace vegard::sim {
 namespace {
@@ -70,6 +71,7 @@ void check_size(const OIIO::ImageSpec& spec, const std::string& path) {
     throw unreadable("says that it holds " + std::to_string(spec.width) + " x " +
                      std::to_string(spec.height) + " pixels, more than can be read");
   }
+  check_pixel_limit(spec.width, spec.height, path);
 }
 
 std::string decoder_version(const std::string& format) {
