@@ -23,7 +23,7 @@ refused() {
     words=("${@//@/$input}")
     status=0
     # As much memory as a refusal may take, and then some for the libraries; as much time as a busy machine needs.
-    (ulimit -v 4000000; exec timeout -k 1 60 "$VEGARD" "${words[@]}") >"$stdout" 2>"$stderr" </dev/null || status=$?
+    (ulimit -v 4000000; exec timeout -k 5 100 "$VEGARD" "${words[@]}") >"$stdout" 2>"$stderr" </dev/null || status=$?
     [[ $status -eq 3 ]] || fail "exit $status instead of 3: vegard ${words[*]}"
     expect_one_message
     expect_stderr "$input"
