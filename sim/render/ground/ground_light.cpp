@@ -1,0 +1,123 @@
+#include "sim/render/ground/ground_light.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+
+#include "sim/base/parallel.h"
+#include "sim/light/height_profile.h"
+#include "sim/view/camera/rays.h"
+#include "sim/view/sky/air.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr double kRayleighsPerKm = 0.1;  // of a rate in photons cm^-3 s^-1
+constexpr int kShares = 8;               // of the rays in an adjoint, each with sums of its own
+
+std::vector<float> mean_rates(const Scene& scene, const std::vector<double>& energies_kev, double flux) {
+  const AltitudeBins bins;
+  const auto lines = static_cast<int>(scene.emission.lines.size());
+  std::vector<float> rates(static_cast<std::size_t>(bins.bins()) * lines * kGroundEnergies, 0.0f);
+  const double at_flux = scene.emission.flux_law == FluxLaw::linear ? 1.0 : flux;
+  for (std::size_t e = 0; e < energies_kev.size(); ++e) {
+    const HeightProfile profile = maxwellian_profile(scene.emission.lines, energies_kev[e], at_flux);
+    const auto rate = [&](int line, double altitude_km) {
+      const double row = (altitude_km - HeightProfile::kBottomKm) / HeightProfile::kStepKm;
+      const int i = std::clamp(static_cast<int>(row), 0, HeightProfile::kAltitudes - 2);
+      const double t = row - i;
+      const auto at = [&](int r) {
+        return static_cast<double>(profile.rate[static_cast<std::size_t>(r) * profile.stride + line]);
+      };
+      return (1.0 - t) * at(i) + t * at(i + 1);
+    };
+    for (int bin = 0; bin < bins.bins(); ++bin) {
+      const double low = bins.edge_km(bin), high = bins.edge_km(bin + 1);
+      const int steps = std::max(1, static_cast<int>((high - low) / HeightProfile::kStepKm + 0.5));
+      for (int line = 0; line < lines; ++line) {
+        double sum = 0.0;
+        for (int i = 0; i < steps; ++i) sum += rate(line, low + (high - low) * (i + 0.5) / steps);
+        rates[(static_cast<std::size_t>(bin) * lines + line) * kGroundEnergies + e] =
+            static_cast<float>(kRayleighsPerKm * sum / steps);
+      }
+    }
+  }
+  return rates;
+}
+
+std::vector<float> transmissions(const Scene& scene, const FilmGeometry& film) {
+  const std::size_t lines = scene.emission.lines.size();
+  std::vector<float> through(static_cast<std::size_t>(film.rows) * film.columns * lines, 1.0f);
+  const AirAbove air(scene);
+  if (air.none()) return through;
+  const CameraView<double> view = camera_view(scene.camera);
+  std::vector<LineDepths<double>> depths;
+  for (const double wavelength : scene.emission.lines)
+    depths.emplace_back(wavelength, scene.air.aerosol_optical_depth, scene.air.angstrom_exponent,
+                        scene.air.ozone_dobson);
+  for (int row = 0; row < film.rows; ++row)
+    for (int column = 0; column < film.columns; ++column) {
+      double enu[3];
+      if (!enu_of_cell(view, film, row, column, enu)) continue;
+      const Airmasses<double> masses = air.towards(enu[2]);
+      const std::size_t ray = static_cast<std::size_t>(row) * film.columns + column;
+      for (std::size_t line = 0; line < lines; ++line)
+        through[ray * lines + line] = static_cast<float>(depths[line].transmission(masses));
+    }
+  return through;
+}
+
+}  // namespace
+
+GroundLight::GroundLight(const Scene& scene, const Site& home, const GroundGrid& grid,
+                         const FilmGeometry& film, const std::vector<std::uint8_t>& wanted,
+                         const std::vector<double>& energies_kev, double rates_at_flux_mw_m2, int threads)
+    : sight_(sight_lines(scene, home, grid, film, wanted, threads)),
+      lines_of_light_(static_cast<int>(scene.emission.lines.size())),
+      threads_(threads),
+      numbers_(static_cast<std::size_t>(grid.cells()) * kGroundEnergies),
+      rate_(mean_rates(scene, energies_kev, rates_at_flux_mw_m2)),
+      transmission_(transmissions(scene, film)) {
+  assert(energies_kev.size() <= kGroundEnergies);
+  const std::size_t all = sight_.stretch.size();
+  for (int share = 0; share < kShares; ++share)
+    first_of_share_.push_back(static_cast<std::size_t>(
+        std::lower_bound(sight_.first.begin(), sight_.first.end() - 1, all * share / kShares) -
+        sight_.first.begin()));
+  first_of_share_.push_back(sight_.rays());
+}
+
+void GroundLight::forward(const std::vector<float>& map, std::vector<float>& rayleighs) const {
+  assert(map.size() == numbers_);
+  rayleighs.resize(sight_.rays() * lines_of_light_);
+  constexpr std::size_t kRun = 512;
+  parallel_for((sight_.rays() + kRun - 1) / kRun, threads_, [&](std::size_t run, int) {
+    const std::size_t first = run * kRun, last = std::min(first + kRun, sight_.rays());
+    sum_light(sight_, rates(), map.data(), first, last, rayleighs.data());
+    for (std::size_t i = first * lines_of_light_; i < last * lines_of_light_; ++i)
+      rayleighs[i] *= transmission_[i];
+  });
+}
+
+void GroundLight::add_adjoint(const std::vector<float>& rayleighs, std::vector<float>& map) const {
+  assert(map.size() == numbers_);
+  std::vector<float> weighted(rayleighs.size());
+  for (std::size_t i = 0; i < weighted.size(); ++i) weighted[i] = rayleighs[i] * transmission_[i];
+  std::vector<std::vector<float>> sums(kShares);
+  parallel_for(kShares, threads_, [&](std::size_t share, int) {
+    sums[share].assign(numbers_, 0.0f);
+    spread_light(sight_, rates(), weighted.data(), first_of_share_[share], first_of_share_[share + 1],
+                 sums[share].data());
+  });
+  constexpr std::size_t kRun = 4096;
+  parallel_for((numbers_ + kRun - 1) / kRun, threads_, [&](std::size_t run, int) {
+    for (std::size_t i = run * kRun; i < std::min((run + 1) * kRun, numbers_); ++i) {
+      float sum = 0.0f;
+      for (const std::vector<float>& part : sums) sum += part[i];
+      map[i] += sum;
+    }
+  });
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,49 @@
+// The light of a map of precipitation in a film, and its adjoint.
+//
+// The map x has an energy flux in mW m^-2 for every cell of the ground and each of a few energies of
+// Maxwellian electrons. Its light in rayleighs of a line towards a ray is linear in it:
+//
+//     rayleighs = 0.1 T sum over stretches  length_km  sum over energies  rate(altitude, energy) x(cell,
+//     energy)
+//
+// with the rates of the emission tables (photons cm^-3 s^-1 per mW m^-2; means over the bins of altitude) and
+// T what the air lets through. Neither side is stored as a matrix. <Ax, y> = <x, A'y> to rounding.
+#pragma once
+
+#include <vector>
+
+#include "sim/render/ground/ground_kernel.h"
+#include "sim/render/ground/sight_lines.h"
+
+namespace vegard::sim {
+
+class GroundLight {
+ public:
+  /// Energies in keV, at most kGroundEnergies, those of the emission tables. `rates_at_flux_mw_m2`: the flux
+  /// whose light per mW m^-2 is taken (sim/light/flux_law.h), under the law "linear" without an effect.
+  GroundLight(const Scene& scene, const Site& home, const GroundGrid& grid, const FilmGeometry& film,
+              const std::vector<std::uint8_t>& wanted, const std::vector<double>& energies_kev,
+              double rates_at_flux_mw_m2, int threads);
+
+  int lines() const { return lines_of_light_; }
+  std::size_t rays() const { return sight_.rays(); }
+  std::size_t numbers() const { return numbers_; }  ///< of a map: cells x kGroundEnergies
+  const SightLines& sight() const { return sight_; }
+  const GroundRates rates() const { return {lines_of_light_, rate_.data()}; }
+
+  /// rayleighs[ray * lines + line] of a map [cell * kGroundEnergies + energy].
+  void forward(const std::vector<float>& map, std::vector<float>& rayleighs) const;
+
+  /// Adds A' y to `map`; the sums' order does not depend on the threads.
+  void add_adjoint(const std::vector<float>& rayleighs, std::vector<float>& map) const;
+
+ private:
+  SightLines sight_;
+  int lines_of_light_ = 0, threads_ = 0;
+  std::size_t numbers_ = 0;
+  std::vector<float> rate_;
+  std::vector<float> transmission_;          ///< [ray * lines + line]
+  std::vector<std::size_t> first_of_share_;  ///< rays with like numbers of stretches
+};
+
+}  // namespace vegard::sim
