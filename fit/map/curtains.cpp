@@ -1,0 +1,357 @@
+#include "fit/map/curtains.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "sim/base/number/constants.h"
+#include "sim/light/height_profile.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kSmooth_px = 2.0;
+constexpr int kReach_px = 4;                 // to the next point of a ridge, over a gap
+constexpr double kHigh = 0.15, kLow = 0.06;  // of the brightest ridge (its upper tenth): begin and go on
+constexpr double kLeastMean = 0.12;          // of a curtain's own, likewise
+constexpr double kLeastLength_km = 30.0;
+constexpr double kStep_km = 5.0;
+constexpr double kAcross_km = 14.0, kAcrossStep_km = 0.5;
+constexpr double kLookAside_km = 12.0;
+
+struct RidgeField {
+  MapRaster raster;
+  std::vector<double> smooth;
+  std::vector<std::uint8_t> is_ridge;
+  std::vector<double> along_x, along_y, at_x, at_y;  ///< direction along the ridge; its place in pixels
+
+  explicit RidgeField(const MapRaster& r, std::vector<double> s)
+      : raster(r),
+        smooth(std::move(s)),
+        is_ridge(r.size(), 0),
+        along_x(r.size(), 0.0),
+        along_y(r.size(), 0.0),
+        at_x(r.size(), 0.0),
+        at_y(r.size(), 0.0) {
+    for (int y = 1; y + 1 < raster.rows; ++y)
+      for (int x = 1; x + 1 < raster.columns; ++x) test(x, y);
+  }
+
+  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * raster.columns + x; }
+
+  void test(int x, int y) {
+    const auto v = [&](int dx, int dy) { return smooth[index(x + dx, y + dy)]; };
+    if (!(v(0, 0) > 0.0)) return;
+    const double gx = 0.5 * (v(1, 0) - v(-1, 0)), gy = 0.5 * (v(0, 1) - v(0, -1));
+    const double xx = v(1, 0) - 2.0 * v(0, 0) + v(-1, 0), yy = v(0, 1) - 2.0 * v(0, 0) + v(0, -1);
+    const double xy = 0.25 * (v(1, 1) - v(1, -1) - v(-1, 1) + v(-1, -1));
+    // The eigenvector of the most negative second derivative.
+    const double half = 0.5 * (xx - yy), root = std::hypot(half, xy), least = 0.5 * (xx + yy) - root;
+    if (!(least < 0.0)) return;
+    double nx = xy, ny = least - xx;
+    if (std::hypot(nx, ny) < 1e-12 * std::abs(least)) {
+      nx = least - yy;
+      ny = xy;
+    }
+    const double length = std::hypot(nx, ny);
+    if (!(length > 0.0)) {
+      nx = xx <= yy ? 1.0 : 0.0;
+      ny = 1.0 - nx;
+    } else {
+      nx /= length;
+      ny /= length;
+    }
+    const double t = -(gx * nx + gy * ny) / least;
+    if (std::abs(t * nx) > 0.6 || std::abs(t * ny) > 0.6) return;
+    const std::size_t i = index(x, y);
+    is_ridge[i] = 1;
+    along_x[i] = -ny;
+    along_y[i] = nx;
+    at_x[i] = x + t * nx;
+    at_y[i] = y + t * ny;
+  }
+};
+
+/// Where a raster's values are between its pixels.
+double value_at(const MapRaster& raster, const std::vector<double>& values, sim::EastNorth km) {
+  const double x = (km.east - raster.west_km) / raster.step_km,
+               y = (km.north - raster.south_km) / raster.step_km;
+  const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
+  if (i < 0 || j < 0 || i + 1 >= raster.columns || j + 1 >= raster.rows) return 0.0;
+  const double u = x - i, w = y - j;
+  const auto v = [&](int dx, int dy) {
+    return values[static_cast<std::size_t>(j + dy) * raster.columns + i + dx];
+  };
+  return (1.0 - w) * ((1.0 - u) * v(0, 0) + u * v(1, 0)) + w * ((1.0 - u) * v(0, 1) + u * v(1, 1));
+}
+
+/// Joins ridge points to both sides of a first one.
+std::vector<sim::EastNorth> follow(const RidgeField& field, std::vector<std::uint8_t>& used, int x0, int y0,
+                                   double low) {
+  std::vector<sim::EastNorth> halves[2];
+  const std::size_t first = field.index(x0, y0);
+  used[first] = 1;
+  for (int side = 0; side < 2; ++side) {
+    int x = x0, y = y0;
+    double dx = field.along_x[first], dy = field.along_y[first];
+    if (side == 1) {
+      dx = -dx;
+      dy = -dy;
+    }
+    for (;;) {
+      int best_x = -1, best_y = -1;
+      double best = 1e9, best_dx = 0.0, best_dy = 0.0;
+      for (int j = -kReach_px; j <= kReach_px; ++j)
+        for (int i = -kReach_px; i <= kReach_px; ++i) {
+          const int nx = x + i, ny = y + j;
+          if ((i == 0 && j == 0) || nx < 1 || ny < 1 || nx + 1 >= field.raster.columns ||
+              ny + 1 >= field.raster.rows)
+            continue;
+          const std::size_t n = field.index(nx, ny);
+          if (!field.is_ridge[n] || used[n] || field.smooth[n] < low) continue;
+          const double mx = field.at_x[n] - field.at_x[field.index(x, y)];
+          const double my = field.at_y[n] - field.at_y[field.index(x, y)];
+          const double step = std::hypot(mx, my);
+          if (!(step > 0.0) || mx * dx + my * dy < 0.3 * step) continue;
+          double ax = field.along_x[n], ay = field.along_y[n];
+          if (ax * dx + ay * dy < 0.0) {
+            ax = -ax;
+            ay = -ay;
+          }
+          const double cost = step + 2.0 * std::acos(std::clamp(ax * dx + ay * dy, -1.0, 1.0)) +
+                              1.0 * std::acos(std::clamp((mx * dx + my * dy) / step, -1.0, 1.0));
+          if (cost < best) {
+            best = cost;
+            best_x = nx;
+            best_y = ny;
+            best_dx = ax;
+            best_dy = ay;
+          }
+        }
+      if (best_x < 0) break;
+      // What lies beside the step belongs to this ridge too.
+      for (int j = -1; j <= 1; ++j)
+        for (int i = -1; i <= 1; ++i) used[field.index(x + i, y + j)] = 1;
+      x = best_x;
+      y = best_y;
+      dx = best_dx;
+      dy = best_dy;
+      const std::size_t n = field.index(x, y);
+      used[n] = 1;
+      halves[side].push_back(field.raster.place(field.at_x[n], field.at_y[n]));
+    }
+  }
+  std::vector<sim::EastNorth> line(halves[1].rbegin(), halves[1].rend());
+  line.push_back(field.raster.place(field.at_x[first], field.at_y[first]));
+  line.insert(line.end(), halves[0].begin(), halves[0].end());
+  return line;
+}
+
+/// Points of a line, smoothed a little, at equal distances along it.
+std::vector<sim::EastNorth> evenly(const std::vector<sim::EastNorth>& line, double& length_km) {
+  std::vector<sim::EastNorth> smooth = line;
+  for (std::size_t i = 1; i + 1 < line.size(); ++i)
+    smooth[i] = {0.25 * line[i - 1].east + 0.5 * line[i].east + 0.25 * line[i + 1].east,
+                 0.25 * line[i - 1].north + 0.5 * line[i].north + 0.25 * line[i + 1].north};
+  std::vector<double> at = {0.0};
+  for (std::size_t i = 1; i < smooth.size(); ++i)
+    at.push_back(at.back() +
+                 std::hypot(smooth[i].east - smooth[i - 1].east, smooth[i].north - smooth[i - 1].north));
+  length_km = at.back();
+  const int steps = std::max(1, static_cast<int>(std::lround(length_km / kStep_km)));
+  std::vector<sim::EastNorth> points;
+  std::size_t i = 0;
+  for (int k = 0; k <= steps; ++k) {
+    const double wanted = length_km * k / steps;
+    while (i + 2 < at.size() && at[i + 1] < wanted) ++i;
+    const double t = at[i + 1] > at[i] ? std::clamp((wanted - at[i]) / (at[i + 1] - at[i]), 0.0, 1.0) : 0.0;
+    points.push_back({smooth[i].east + t * (smooth[i + 1].east - smooth[i].east),
+                      smooth[i].north + t * (smooth[i + 1].north - smooth[i].north)});
+  }
+  return points;
+}
+
+/// What a map says across a curtain at one of its points.
+struct Section {
+  double aside_km = 0.0;  ///< of the ridge
+  double flux = 0.0, ln_energy = 0.0, width_km = 0.0;
+};
+
+/// Mean of three sections, over the way from one of the curtain's points to the next.
+Section section(const MapRaster& raster, const std::vector<double>& smooth, const RasterFlux& flux,
+                sim::EastNorth at, sim::EastNorth across) {
+  const auto moved = [&](double t, double along = 0.0) {
+    return sim::EastNorth{at.east + t * across.east + along * across.north,
+                          at.north + t * across.north - along * across.east};
+  };
+  const auto mean = [&](const std::vector<double>& values, double t) {
+    constexpr double kThird = kStep_km / 3.0;
+    return (value_at(raster, values, moved(t, -kThird)) + value_at(raster, values, moved(t)) +
+            value_at(raster, values, moved(t, kThird))) /
+           3.0;
+  };
+  Section s;
+  double most = -1.0;
+  for (double t = -kLookAside_km; t <= kLookAside_km; t += kAcrossStep_km) {
+    // The nearer of two like ridges.
+    const double v = value_at(raster, smooth, moved(t)) * std::exp(-0.5 * t * t / (8.0 * 8.0));
+    if (v > most) {
+      most = v;
+      s.aside_km = t;
+    }
+  }
+  // Out to where the flux has its valley to the next curtain, on either side.
+  double bounds[2];
+  for (int side = 0; side < 2; ++side) {
+    const double sign = side == 0 ? -1.0 : 1.0;
+    double reach = kAcrossStep_km, before = value_at(raster, smooth, moved(s.aside_km));
+    const double top = before;
+    for (; reach < kAcross_km; reach += kAcrossStep_km) {
+      const double v = value_at(raster, smooth, moved(s.aside_km + sign * reach));
+      if (v > before || v < 0.02 * top) break;
+      before = v;
+    }
+    bounds[side] = s.aside_km + sign * reach;
+  }
+  double sum = 0.0, first = 0.0, second = 0.0, ln = 0.0;
+  for (double t = bounds[0]; t <= bounds[1]; t += kAcrossStep_km) {
+    const double q = mean(flux.flux, t);
+    sum += q;
+    first += q * t;
+    second += q * t * t;
+    ln += mean(flux.flux_ln_energy, t);
+  }
+  if (sum > 0.0) {
+    s.ln_energy = ln / sum;
+    s.width_km = std::sqrt(std::max(0.0, second / sum - std::pow(first / sum, 2)));
+    // Of a Gaussian of this width that carries the section's flux.
+    constexpr double kRootTwoPi = 2.5066282746310002;
+    s.flux = sum * kAcrossStep_km / (kRootTwoPi * std::max(s.width_km, 0.5 * raster.step_km));
+  }
+  return s;
+}
+
+}  // namespace
+
+LowerBorder lower_border(const sim::Scene& scene, double energy_kev) {
+  std::size_t line = 0;
+  for (std::size_t l = 0; l < scene.emission.lines.size(); ++l)
+    if (std::abs(scene.emission.lines[l] - 557.7) < 0.5) line = l;
+  const auto border = [&](double energy) {
+    const sim::HeightProfile profile = sim::maxwellian_profile({scene.emission.lines[line]}, energy);
+    int peak = 0;
+    const auto rate = [&](int row) { return profile.rate[static_cast<std::size_t>(row) * profile.stride]; };
+    for (int row = 1; row < sim::HeightProfile::kAltitudes; ++row)
+      if (rate(row) > rate(peak)) peak = row;
+    int row = peak;
+    while (row > 0 && rate(row) > 0.5f * rate(peak)) --row;
+    const double t = row < peak ? (0.5 * rate(peak) - rate(row)) / (rate(row + 1) - rate(row)) : 0.0;
+    return sim::HeightProfile::altitude_km(row + t);
+  };
+  constexpr double kStep = 0.05;
+  const double low = std::max(energy_kev * std::exp(-kStep), 0.11),
+               high = std::min(energy_kev * std::exp(kStep), 19.0);
+  return {border(std::clamp(energy_kev, 0.11, 19.0)), (border(high) - border(low)) / std::log(high / low)};
+}
+
+std::vector<Curtain> find_curtains(const MapResult& result) {
+  std::vector<Curtain> curtains;
+  if (result.grid.cells() == 0) return curtains;
+  const MapRaster raster = raster_over(result);
+  const RasterFlux flux = raster_flux(result, raster, result.cells);
+  const double smooth_px = kSmooth_px;
+  const RidgeField field(raster, smoothed_raster(raster, flux.flux, smooth_px));
+  std::vector<double> of_cell(result.told.begin(), result.told.end());
+  const std::vector<double> told = rasterised(result, raster, of_cell);
+  std::vector<std::vector<double>> smooth_replicates;
+  std::vector<RasterFlux> replicates;
+  for (const std::vector<CellFlux>& replicate : result.replicates) {
+    replicates.push_back(raster_flux(result, raster, replicate));
+    smooth_replicates.push_back(smoothed_raster(raster, replicates.back().flux, smooth_px));
+  }
+
+  std::vector<std::size_t> order;
+  std::vector<double> heights;
+  for (std::size_t i = 0; i < raster.size(); ++i)
+    if (field.is_ridge[i] && told[i] > 0.5) {
+      order.push_back(i);
+      heights.push_back(field.smooth[i]);
+    }
+  if (order.empty()) return curtains;
+  std::sort(heights.begin(), heights.end());
+  const double most = heights[heights.size() - 1 - heights.size() / 100];
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return field.smooth[a] > field.smooth[b]; });
+  std::vector<std::uint8_t> used(raster.size(), 0);
+  for (const std::size_t seed : order) {
+    if (used[seed] || field.smooth[seed] < kHigh * most) continue;
+    const std::vector<sim::EastNorth> line = follow(field, used, static_cast<int>(seed % raster.columns),
+                                                    static_cast<int>(seed / raster.columns), kLow * most);
+    if (line.size() < 3) continue;
+    Curtain curtain;
+    const std::vector<sim::EastNorth> feet = evenly(line, curtain.length_km);
+    if (curtain.length_km < kLeastLength_km) continue;
+    double mean = 0.0;
+    for (const sim::EastNorth& foot : feet) mean += value_at(raster, field.smooth, foot) / feet.size();
+    if (mean < kLeastMean * most) continue;
+    for (std::size_t i = 0; i < feet.size(); ++i) {
+      const sim::EastNorth before = feet[i > 0 ? i - 1 : 0], after = feet[std::min(i + 1, feet.size() - 1)];
+      const double length = std::hypot(after.east - before.east, after.north - before.north);
+      const sim::EastNorth across{-(after.north - before.north) / length,
+                                  (after.east - before.east) / length};
+      const Section best = section(raster, field.smooth, flux, feet[i], across);
+      CurtainPoint p;
+      p.foot_km = feet[i];
+      p.distance_km = std::hypot(feet[i].east, feet[i].north);
+      p.azimuth_deg = std::atan2(feet[i].east, feet[i].north) / sim::kRadiansPerDegree;
+      if (p.azimuth_deg < 0.0) p.azimuth_deg += 360.0;
+      p.told = value_at(raster, told, feet[i]) > 0.5;
+      double aside = 0.0, of_flux = 0.0, of_energy = 0.0, of_width = 0.0;
+      for (std::size_t r = 0; r < replicates.size(); ++r) {
+        const Section other = section(raster, smooth_replicates[r], replicates[r], feet[i], across);
+        aside += std::pow(other.aside_km - best.aside_km, 2);
+        of_flux += std::pow(other.flux - best.flux, 2);
+        of_energy += std::pow(other.ln_energy - best.ln_energy, 2);
+        of_width += std::pow(other.width_km - best.width_km, 2);
+      }
+      const auto count = static_cast<double>(replicates.size());
+      const auto spread = [&](double squares) {
+        return count > 0.0 ? std::sqrt(squares / count) : sim::kNaN;
+      };
+      // A ridge's place is not known better than a part of the cells it is made of.
+      const int cell = result.grid.cell_at(feet[i].east, feet[i].north);
+      const double cell_km = cell < 0 ? raster.step_km : result.grid.depth_km(cell);
+      p.lateral_error_km = std::hypot(spread(aside), cell_km / std::sqrt(12.0));
+      const double towards = p.distance_km > 0.0
+                                 ? (across.east * feet[i].east + across.north * feet[i].north) / p.distance_km
+                                 : 1.0;
+      p.distance_error_km = p.lateral_error_km * std::max(0.3, std::abs(towards));
+      p.flux_mw_m2 = {best.flux, spread(of_flux)};
+      const double ln_error = kEnergyInflation * spread(of_energy);
+      p.energy_kev = {std::exp(best.ln_energy), std::exp(best.ln_energy) * ln_error};
+      p.width_km = {best.width_km, spread(of_width)};
+      const LowerBorder border = lower_border(result.scene, p.energy_kev.value);
+      p.lower_border_km = {border.altitude_km, std::abs(border.by_ln_energy) * ln_error};
+      curtain.points.push_back(p);
+    }
+    // Ends that are out of view are guesses.
+    std::vector<CurtainPoint>& points = curtain.points;
+    while (!points.empty() && !points.back().told) points.pop_back();
+    points.erase(points.begin(),
+                 std::find_if(points.begin(), points.end(), [](const CurtainPoint& p) { return p.told; }));
+    if (points.size() < 3) continue;
+    curtain.length_km *= (points.size() - 1.0) / (feet.size() - 1.0);
+    curtains.push_back(std::move(curtain));
+  }
+  const auto carries = [](const Curtain& curtain) {
+    double sum = 0.0;
+    for (const CurtainPoint& p : curtain.points) sum += p.flux_mw_m2.value * p.width_km.value;
+    return sum;
+  };
+  std::stable_sort(curtains.begin(), curtains.end(),
+                   [&](const Curtain& a, const Curtain& b) { return carries(a) > carries(b); });
+  return curtains;
+}
+
+}  // namespace vegard::fit

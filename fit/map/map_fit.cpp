@@ -1,0 +1,642 @@
+#include "fit/map/map_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "fit/map/map_solver.h"
+#include "sim/base/error.h"
+#include "sim/base/number/constants.h"
+#include "sim/base/number/random.h"
+#include "sim/scene/structs/site_axes.h"
+#include "sim/scene/table/photo_scene.h"
+#include "sim/view/camera/rays.h"
+
+namespace vegard::fit {
+namespace {
+
+using sim::kGroundEnergies;
+
+constexpr double kLeastEnergy_kev = 0.4, kMostEnergy_kev = 14.0;
+constexpr double kFluxOfRates = 1.0;  // mW m^-2, the tables' own
+constexpr double kFilmCells = 40000.0;
+constexpr double kCellsPerResolution = 0.8;  // a cell's side over what a film's cell sees of it
+constexpr double kLeastCell_km = 1.5;
+constexpr double kFarthest_km = 700.0, kNearestEnd_km = 250.0;
+constexpr double kSquare_km = 1.5, kMostSquares = 60000.0;
+constexpr double kBorder_km = 105.0;
+constexpr double kKeptShare = 3e-3, kKeptReach_km = 12.0;
+constexpr int kBlock_cells = 3, kBlockOneIn = 10;
+constexpr int kCoarseSteps = 160, kFineSteps = 320, kReplicateSteps = 80;
+constexpr double kTrials[] = {0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
+constexpr double kEnergyReach_km = 4.0, kWideReach_km = 10.0;
+constexpr double kUsualSparsity = 4.0;
+constexpr double kPriorSpread = 0.7;       // standard deviation of the logarithm of a replicate's sparsity
+constexpr double kErrorReach_cells = 4.0;  // over which a model's error is alike
+// How far a replicate starts from the best map, as standard deviations of logarithms: by cell the prior's
+// strength, the flux, and the spectrum's slope (d ln x / d ln E).
+constexpr double kCellPriorSpread = 1.0, kFluxSpread = 0.7, kTiltSpread = 1.4;
+
+std::vector<double> energy_nodes() {
+  std::vector<double> energies;
+  for (int k = 0; k < kGroundEnergies; ++k)
+    energies.push_back(kLeastEnergy_kev *
+                       std::pow(kMostEnergy_kev / kLeastEnergy_kev, k / (kGroundEnergies - 1.0)));
+  return energies;
+}
+
+[[noreturn]] void refuse(sim::ErrorKind kind, const sim::Scene& scene, const std::string& problem,
+                         const std::string& key, const std::string& expected, const std::string& hint) {
+  throw sim::Error(kind, {problem, scene.file, 0, key, expected, hint});
+}
+
+std::vector<sim::Scene> scenes_of(const sim::Scene& scene, const std::vector<Photo>& photos) {
+  std::vector<sim::Scene> scenes;
+  if (scene.fit.photos.empty())
+    scenes.push_back(scene);
+  else
+    for (const sim::PhotoEntry& entry : scene.fit.photos) scenes.push_back(sim::scene_of_photo(scene, entry));
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const sim::Camera& camera = scenes[i].camera;
+    const sim::Image& picture = photos[i].linear;
+    if (camera.width != picture.width || camera.height != picture.height)
+      refuse(sim::ErrorKind::scene, scene,
+             "the camera has " + sim::size_text(camera.width, camera.height) + " pixels, " +
+                 photos[i].file_name + " has " + sim::size_text(picture.width, picture.height),
+             "camera.width", "the photograph's size", "set camera.width and camera.height");
+  }
+  return scenes;
+}
+
+int fine_pixels(const sim::Camera& camera) {
+  const double pixels = static_cast<double>(camera.width) * camera.height;
+  return std::max(1, static_cast<int>(std::sqrt(pixels / kFilmCells)));
+}
+
+double resolution_rad(const sim::Camera& camera, int pixels_per_cell) {
+  return pixels_per_cell * sim::kRadiansPerDegree / sim::pixels_per_degree(camera);
+}
+
+/// The distance on the ground of a border seen at the lowest elevation of a picture.
+double reach_km(const std::vector<MapPicture>& pictures) {
+  double lowest = 1.0;
+  for (const MapPicture& picture : pictures) {
+    const sim::CameraView<double> view = sim::camera_view(picture.scene().camera);
+    const sim::FilmGeometry& film = picture.film();
+    for (int row = 0; row < film.rows; ++row)
+      for (int column = 0; column < film.columns; ++column) {
+        const std::size_t i = (static_cast<std::size_t>(row) * film.columns + column) * 3;
+        double enu[3];
+        if (picture.sigma()[i] + picture.sigma()[i + 1] + picture.sigma()[i + 2] > 0.0f &&
+            sim::enu_of_cell(view, film, row, column, enu))
+          lowest = std::min(lowest, enu[2]);
+      }
+  }
+  const double elevation = std::asin(std::max(lowest, 0.0));
+  const double ratio = sim::kEarthRadiusKm * std::cos(elevation) / (sim::kEarthRadiusKm + kBorder_km);
+  return std::clamp(sim::kEarthRadiusKm * (std::acos(ratio) - elevation), kNearestEnd_km, kFarthest_km);
+}
+
+/// The grid about the site, and for several stations about all of them.
+sim::GroundGrid grid_for(const std::vector<MapPicture>& pictures, const sim::Site& home, double farthest_km,
+                         double coarseness) {
+  double finest = 1e9;
+  for (const MapPicture& picture : pictures)
+    finest = std::min(finest,
+                      resolution_rad(picture.scene().camera, static_cast<int>(picture.film().cell_width_px)));
+  const bool elsewhere = std::any_of(pictures.begin(), pictures.end(), [&](const MapPicture& p) {
+    return p.scene().site.latitude_deg != home.latitude_deg ||
+           p.scene().site.longitude_deg != home.longitude_deg;
+  });
+  if (!elsewhere)
+    return sim::GroundGrid(
+        sim::rings_resolved(kCellsPerResolution * finest, kLeastCell_km * coarseness, farthest_km));
+  double west = 1e9, east = -1e9, south = 1e9, north = -1e9;
+  for (const MapPicture& picture : pictures) {
+    const sim::SiteTurn to_home = sim::turn_between(picture.scene().site, home);
+    west = std::min(west, to_home.shift_km[0]);
+    east = std::max(east, to_home.shift_km[0]);
+    south = std::min(south, to_home.shift_km[1]);
+    north = std::max(north, to_home.shift_km[1]);
+  }
+  // Of the farthest ground, where a second station is far away itself, no more than that much.
+  const double around = std::min(farthest_km, 400.0);
+  const double wide = east - west + 2.0 * around, high = north - south + 2.0 * around;
+  const double step = coarseness * std::max(kSquare_km, std::sqrt(wide * high / kMostSquares));
+  return sim::GroundGrid(sim::SquareCells{west - around, south - around, step,
+                                          static_cast<int>(wide / step) + 1,
+                                          static_cast<int>(high / step) + 1});
+}
+
+std::size_t all_values(const std::vector<MapPicture>& pictures) {
+  std::size_t sum = 0;
+  for (const MapPicture& p : pictures) sum += p.values();
+  return sum;
+}
+
+/// Flux and energy of cells. The energy is that of a cell's neighbourhood, by its flux: across a curtain,
+/// where the front may trade energy for distance with the back, one picture does not tell it finer.
+class CellReader {
+ public:
+  CellReader(const sim::GroundGrid& grid, const std::vector<double>& energies_kev,
+             double reach_km = kEnergyReach_km)
+      : near_(grid.cells()) {
+    for (const double energy : energies_kev) ln_.push_back(std::log(energy));
+    for (int c = 0; c < grid.cells(); ++c) {
+      const double reach = std::max(reach_km, 0.7 * std::max(grid.depth_km(c), grid.breadth_km(c)));
+      for (const auto& near : grid.near(c, 2.5 * reach)) {
+        const double d2 = (near.east_km * near.east_km + near.north_km * near.north_km) / (reach * reach);
+        near_[c].push_back({near.cell, static_cast<float>(std::exp(-0.5 * d2) * grid.area_km2(near.cell))});
+      }
+    }
+  }
+
+  std::vector<CellFlux> cells(const std::vector<float>& map) const {
+    std::vector<CellFlux> cells(near_.size());
+    std::vector<double> flux(near_.size(), 0.0), ln(near_.size(), 0.0);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      for (std::size_t k = 0; k < ln_.size(); ++k) {
+        flux[c] += map[c * kGroundEnergies + k];
+        ln[c] += map[c * kGroundEnergies + k] * ln_[k];
+      }
+      cells[c].flux_mw_m2 = static_cast<float>(flux[c]);
+    }
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      double sum = 0.0, of_energy = 0.0;
+      for (const auto& [cell, weight] : near_[c]) {
+        sum += weight * flux[cell];
+        of_energy += weight * ln[cell];
+      }
+      cells[c].ln_energy = sum > 0.0 ? static_cast<float>(of_energy / sum) : 0.0f;
+    }
+    return cells;
+  }
+
+ private:
+  std::vector<double> ln_;
+  std::vector<std::vector<std::pair<int, float>>> near_;
+};
+
+/// The coarse and the fine problem.
+class Mapping {
+ public:
+  Mapping(const sim::Scene& scene, const std::vector<Photo>& photos, const MapOptions& options)
+      : scene_(scene), photos_(photos), options_(options), scenes_(scenes_of(scene, photos)) {}
+
+  MapResult run();
+
+ private:
+  std::vector<MapPicture> pictures(int coarseness) const;
+  void look(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid) const;
+  std::vector<float> flat_start(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid) const;
+  void keep_seen(std::vector<MapPicture>& pictures, sim::GroundGrid& grid) const;
+  MapSolution solve(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid, std::vector<float> start,
+                    double sparsity, int steps, const std::string& stage, double from, double to,
+                    std::vector<float> cell_factor = {}) const;
+  double choose_sparsity(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid,
+                         const std::vector<float>& start, MapResult& result);
+  std::vector<float> recorded(const std::string& name, std::vector<MapPicture>& pictures, double& chi2,
+                              const std::function<MapSolution()>& work);
+  std::vector<CellFlux> replicate(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid,
+                                  const MapResult& best, const std::vector<MapLight>& truth, int number,
+                                  double from, double to);
+  void tell_what_is_seen(const std::vector<MapPicture>& pictures, MapResult& result) const;
+  bool stopped() const { return options_.stop != nullptr && *options_.stop; }
+
+  const sim::Scene& scene_;
+  const std::vector<Photo>& photos_;
+  const MapOptions& options_;
+  std::vector<sim::Scene> scenes_;
+  std::vector<double> energies_ = energy_nodes();
+};
+
+std::vector<MapPicture> Mapping::pictures(int coarseness) const {
+  std::vector<MapPicture> all;
+  for (std::size_t i = 0; i < scenes_.size(); ++i) {
+    MapPictureOptions o;
+    o.pixels_per_cell = coarseness * (options_.pixels_per_cell > 0 ? options_.pixels_per_cell
+                                                                   : fine_pixels(scenes_[i].camera));
+    o.model_error = scenes_[i].fit.model_error;
+    o.threads = options_.threads;
+    all.emplace_back(scenes_[i], photos_[i], o);
+    if (all.back().values() == 0)
+      refuse(sim::ErrorKind::scene, scene_,
+             "no usable pixel of " + photos_[i].file_name + " looks at the sky", "camera.elevation_deg",
+             "a camera that sees the sky above its horizon, and a mask that leaves it",
+             "check the camera's direction, the mask and fit.roi_px");
+  }
+  return all;
+}
+
+void Mapping::look(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid) const {
+  for (MapPicture& picture : pictures) picture.look_at(scene_.site, grid, energies_, kFluxOfRates);
+}
+
+void Mapping::keep_seen(std::vector<MapPicture>& pictures, sim::GroundGrid& grid) const {
+  std::vector<std::vector<bool>> seen;
+  for (const MapPicture& picture : pictures) {
+    seen.emplace_back(grid.cells(), false);
+    for (const sim::SightStretch& stretch : picture.light().sight().stretch) seen.back()[stretch.cell] = true;
+  }
+  std::vector<bool> kept(grid.cells(), false);
+  bool common = pictures.size() == 1;
+  for (int c = 0; c < grid.cells(); ++c) {
+    int by = 0;
+    for (const auto& one : seen) by += one[c] ? 1 : 0;
+    kept[c] = by > 0;
+    common = common || by > 1;
+  }
+  if (!common)
+    refuse(sim::ErrorKind::scene, scene_, "no part of the sky is seen from two of the stations", "fit.photo",
+           "stations whose pictures show a common volume between 80 and 640 km altitude",
+           "check the sites and the cameras' directions, or map each photograph by itself");
+  grid.keep(kept);
+  look(pictures, grid);
+}
+
+std::vector<float> Mapping::flat_start(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid) const {
+  std::vector<float> map(static_cast<std::size_t>(grid.cells()) * kGroundEnergies,
+                         1.0f / static_cast<float>(energies_.size()));
+  double by = 0.0, square = 0.0;
+  for (MapPicture& picture : pictures) {
+    MapLight light;
+    picture.forward(map, light);
+    for (std::size_t i = 0; i < light.size(); ++i) {
+      const double w = picture.weight()[i];
+      by += w * light[i] * picture.data()[i];
+      square += w * light[i] * light[i];
+    }
+  }
+  constexpr double kBelow = 0.3;  // of what the mean light asks for
+  const double scale = square > 0.0 && by > 0.0 ? kBelow * by / square : 0.0;
+  for (float& x : map) x *= static_cast<float>(scale);
+  return map;
+}
+
+MapSolution Mapping::solve(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid,
+                           std::vector<float> start, double sparsity, int steps, const std::string& stage,
+                           double from, double to, std::vector<float> cell_factor) const {
+  MapSolverOptions o;
+  o.cell_factor = std::move(cell_factor);
+  o.steps = steps;
+  o.sparsity = sparsity;
+  o.stop = options_.stop;
+  const auto values = static_cast<double>(all_values(pictures));
+  if (options_.progress)
+    o.progress = [&](int step, double chi2) {
+      if (step % 10 == 0) options_.progress(stage, chi2 / values, from + (to - from) * step / steps);
+    };
+  return solve_map(pictures, grid, static_cast<int>(energies_.size()), std::move(start), o);
+}
+
+std::vector<float> Mapping::recorded(const std::string& name, std::vector<MapPicture>& pictures, double& chi2,
+                                     const std::function<MapSolution()>& work) {
+  const auto step = [&] {
+    const MapSolution solution = work();
+    StepOutput out;
+    std::vector<double>& place = out.numbers["place"];
+    std::vector<double>& value = out.numbers["value"];
+    for (std::size_t i = 0; i < solution.map.size(); ++i)
+      if (solution.map[i] != 0.0f) {
+        place.push_back(static_cast<double>(i));
+        value.push_back(solution.map[i]);
+      }
+    out.numbers["chi2"] = {solution.chi2};
+    out.numbers["size"] = {static_cast<double>(solution.map.size())};
+    for (const MapPicture& picture : pictures)
+      for (const double g : picture.gain) out.numbers["gain"].push_back(g);
+    out.whole = !stopped();
+    return out;
+  };
+  const StepOutput out = options_.journal != nullptr ? options_.journal->step(name, step) : step();
+  std::vector<float> map(static_cast<std::size_t>(out.numbers.at("size").at(0)), 0.0f);
+  const std::vector<double>& place = out.numbers.at("place");
+  const std::vector<double>& value = out.numbers.at("value");
+  for (std::size_t i = 0; i < place.size(); ++i)
+    map.at(static_cast<std::size_t>(place[i])) = static_cast<float>(value.at(i));
+  chi2 = out.numbers.at("chi2").at(0);
+  for (std::size_t p = 0; p < pictures.size(); ++p)
+    for (std::size_t c = 0; c < 3; ++c) pictures[p].gain[c] = out.numbers.at("gain").at(3 * p + c);
+  return map;
+}
+
+double Mapping::choose_sparsity(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid,
+                                const std::vector<float>& start, MapResult& result) {
+  const auto try_all = [&] {
+    // Squares of the film's cells, one in ten by chance.
+    std::vector<std::vector<std::uint8_t>> out;
+    for (std::size_t p = 0; p < pictures.size(); ++p) {
+      const sim::FilmGeometry& film = pictures[p].film();
+      out.emplace_back(pictures[p].cells(), 0);
+      for (int row = 0; row < film.rows; ++row)
+        for (int column = 0; column < film.columns; ++column) {
+          const auto block_row = static_cast<std::uint32_t>(row / kBlock_cells);
+          const auto block = static_cast<std::uint32_t>(column / kBlock_cells);
+          const sim::Words words = sim::random_words(scene_.seed, sim::Stream::bootstrap, block, block_row,
+                                                     static_cast<std::uint32_t>(p));
+          if (words[0] % kBlockOneIn == 0) out[p][static_cast<std::size_t>(row) * film.columns + column] = 1;
+        }
+    }
+    StepOutput trials;
+    const int count = static_cast<int>(std::size(kTrials));
+    for (int t = 0; t < count && !stopped(); ++t) {
+      for (std::size_t p = 0; p < pictures.size(); ++p) pictures[p].leave_out(out[p]);
+      const MapSolution s = solve(pictures, grid, start, kTrials[t], kCoarseSteps, "choosing the prior",
+                                  0.02 + 0.28 * t / count, 0.02 + 0.28 * (t + 1) / count);
+      double sum = 0.0, squares = 0.0, n = 0.0;
+      for (std::size_t p = 0; p < pictures.size(); ++p) {
+        MapLight model, residual;
+        pictures[p].forward(s.map, model);
+        pictures[p].residual(model, residual);
+        for (std::size_t i = 0; i < model.size(); ++i) {
+          const double sigma = pictures[p].sigma()[i];
+          if (sigma == 0.0 || out[p][i / 3] == 0) continue;
+          const double r = (model[i] + pictures[p].sky()[i] - pictures[p].data()[i]) / sigma;
+          const double loss = std::log1p(0.5 * r * r);
+          sum += loss;
+          squares += loss * loss;
+          n += 1.0;
+        }
+      }
+      trials.numbers["sparsity"].push_back(kTrials[t]);
+      trials.numbers["left_out"].push_back(sum / n);
+      // A block's values are as good as one.
+      const double independent = n / (kBlock_cells * kBlock_cells);
+      trials.numbers["error"].push_back(
+          std::sqrt(std::max(0.0, squares / n - sum / n * (sum / n)) / independent));
+    }
+    for (MapPicture& picture : pictures) {
+      picture.leave_out({});
+      picture.gain = {1.0, 1.0, 1.0};
+    }
+    trials.whole = !stopped();
+    return trials;
+  };
+  const StepOutput trials =
+      options_.journal != nullptr ? options_.journal->step("prior", try_all) : try_all();
+  const auto found = trials.numbers.find("left_out");
+  if (found == trials.numbers.end()) return kUsualSparsity;  // stopped before the first
+  std::size_t best = 0;
+  for (std::size_t t = 0; t < found->second.size(); ++t) {
+    result.trials.push_back(
+        {trials.numbers.at("sparsity").at(t), found->second[t], trials.numbers.at("error").at(t)});
+    if (found->second[t] < found->second[best]) best = t;
+  }
+  // The strongest prior that is no worse than the best by more than half a standard error.
+  for (std::size_t t = result.trials.size(); t-- > best;)
+    if (result.trials[t].left_out <= result.trials[best].left_out + 0.5 * result.trials[best].error)
+      return result.trials[t].sparsity;
+  return result.trials[best].sparsity;
+}
+
+/// A film of independent normal numbers, drawn anew for each replicate.
+double normal(std::uint64_t seed, std::uint32_t replicate, std::uint32_t picture, std::uint32_t i) {
+  const sim::Words w = sim::random_words(seed, sim::Stream::bootstrap, i, replicate + 1000u, picture);
+  const double u = sim::fine_uniform(w[0], w[1]);
+  return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * 3.141592653589793 * sim::fine_uniform(w[2], w[3]));
+}
+
+/// Smooth normal numbers of variance 1 over a film: a model's error, which neighbours share.
+std::vector<float> smooth_error(const sim::FilmGeometry& film, std::uint64_t seed, int replicate, int picture,
+                                int threads) {
+  std::vector<float> drawn(static_cast<std::size_t>(film.rows) * film.columns), blurred(drawn.size());
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+    drawn[i] = static_cast<float>(normal(seed, static_cast<std::uint32_t>(replicate),
+                                         static_cast<std::uint32_t>(picture) * 4u + 3u,
+                                         static_cast<std::uint32_t>(i)));
+  const sim::BlurKernel kernel = sim::gaussian_kernel(kErrorReach_cells);
+  sim::blur_window(drawn.data(), film.rows, film.columns, {{kernel, kernel}}, {0, 0, film.rows, film.columns},
+                   blurred.data(), threads);
+  // The variance of a mean with these weights, both ways.
+  double squares = kernel.weights[0] * kernel.weights[0];
+  for (std::size_t k = 1; k < kernel.weights.size(); ++k)
+    squares += 2.0 * kernel.weights[k] * kernel.weights[k];
+  for (float& x : blurred) x = static_cast<float>(x / squares);
+  return blurred;
+}
+
+std::vector<CellFlux> Mapping::replicate(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid,
+                                         const MapResult& best, const std::vector<MapLight>& truth,
+                                         int number, double from, double to) {
+  const auto work = [&] {
+    for (std::size_t p = 0; p < pictures.size(); ++p) {
+      MapPicture& picture = pictures[p];
+      const std::vector<float> shared =
+          smooth_error(picture.film(), scene_.seed, number, static_cast<int>(p), options_.threads);
+      MapLight data = truth[p];
+      for (std::size_t i = 0; i < data.size(); ++i) {
+        const double sigma = picture.sigma()[i], noise = picture.noise()[i];
+        if (sigma == 0.0) continue;
+        const double of_model = std::sqrt(std::max(0.0, sigma * sigma - noise * noise));
+        data[i] += static_cast<float>(
+            noise * normal(scene_.seed, static_cast<std::uint32_t>(number),
+                           static_cast<std::uint32_t>(p) * 4u + static_cast<std::uint32_t>(i % 3),
+                           static_cast<std::uint32_t>(i / 3)) +
+            of_model * shared[i / 3]);
+      }
+      picture.set_data(std::move(data));
+    }
+    const double spread = kPriorSpread * normal(scene_.seed, static_cast<std::uint32_t>(number), 0xffffu, 0u);
+    // A little light everywhere, so that what the prior has put out may come back.
+    // Fluxes and spectra are drawn about the best, so that what the data leave open does not come back to it.
+    std::vector<float> start = best.map, factor(static_cast<std::size_t>(grid.cells()));
+    double most = 0.0;
+    for (const float x : start) most = std::max(most, static_cast<double>(x));
+    const auto of_cell = [&](std::size_t c, std::uint32_t what) {
+      return normal(scene_.seed, static_cast<std::uint32_t>(number), 0xfff0u + what,
+                    static_cast<std::uint32_t>(c));
+    };
+    for (std::size_t c = 0; c < factor.size(); ++c) {
+      factor[c] = static_cast<float>(std::exp(kCellPriorSpread * of_cell(c, 0u)));
+      const double flux = kFluxSpread * of_cell(c, 1u), tilt = kTiltSpread * of_cell(c, 2u);
+      for (std::size_t k = 0; k < energies_.size(); ++k) {
+        float& x = start[c * kGroundEnergies + k];
+        x += static_cast<float>(1e-4 * most);
+        x *= static_cast<float>(std::exp(flux + tilt * (std::log(energies_[k]) - best.cells[c].ln_energy)));
+      }
+    }
+    const MapSolution s = solve(pictures, grid, std::move(start), best.sparsity * std::exp(spread),
+                                kReplicateSteps, "error bars", from, to, std::move(factor));
+    const std::vector<CellFlux> cells = CellReader(grid, energies_).cells(s.map);
+    StepOutput out;
+    for (const CellFlux& cell : cells) {
+      out.numbers["flux"].push_back(cell.flux_mw_m2);
+      out.numbers["ln_energy"].push_back(cell.ln_energy);
+    }
+    out.whole = !stopped();
+    return out;
+  };
+  const StepOutput out = options_.journal != nullptr
+                             ? options_.journal->step("replicate " + std::to_string(number), work)
+                             : work();
+  std::vector<CellFlux> cells(static_cast<std::size_t>(grid.cells()));
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    cells[c] = {static_cast<float>(out.numbers.at("flux").at(c)),
+                static_cast<float>(out.numbers.at("ln_energy").at(c))};
+  return cells;
+}
+
+void Mapping::tell_what_is_seen(const std::vector<MapPicture>& pictures, MapResult& result) const {
+  const auto cells = static_cast<std::size_t>(result.grid.cells());
+  result.told.assign(cells, 0);
+  for (std::size_t c = 0; c < cells; ++c)
+    result.told[c] = is_border_in_view(result, result.grid.middle_km(static_cast<int>(c))) ? 1 : 0;
+  // Signal over noise of a cell by itself, at the median of the flux-weighted energies: sqrt(a' W a), where a
+  // and W are taken as if a cell's light fell on pixels of like weight.
+  result.sensitivity.assign(cells, 0.0f);
+  for (const MapPicture& picture : pictures) {
+    MapLight weighted = picture.weight();
+    std::vector<float> back(cells * kGroundEnergies, 0.0f);
+    std::vector<float> ones(cells * kGroundEnergies, 1.0f);
+    for (float& w : weighted) w = std::sqrt(w);
+    picture.add_adjoint(weighted, back);
+    const std::size_t middle = energies_.size() / 2;
+    for (std::size_t c = 0; c < cells; ++c)
+      result.sensitivity[c] = static_cast<float>(
+          std::hypot(result.sensitivity[c], std::max(0.0f, back[c * kGroundEnergies + middle])));
+  }
+}
+
+MapResult Mapping::run() {
+  std::vector<MapPicture> coarse = pictures(2);
+  const double farthest = options_.farthest_km > 0.0 ? options_.farthest_km : reach_km(coarse);
+  sim::GroundGrid coarse_grid = grid_for(coarse, scene_.site, farthest, 2.0);
+  look(coarse, coarse_grid);
+  keep_seen(coarse, coarse_grid);
+  const std::vector<float> start = flat_start(coarse, coarse_grid);
+  MapResult result{scene_, coarse_grid, energies_, {},  {}, {},  {}, {},   {},
+                   0.0,    {},          0.0,       0.0, 0,  0.0, {}, false};
+  result.sparsity =
+      options_.sparsity > 0.0 ? options_.sparsity : choose_sparsity(coarse, coarse_grid, start, result);
+  double chi2 = 0.0;
+  const std::vector<float> rough = recorded("coarse map", coarse, chi2, [&] {
+    return solve(coarse, coarse_grid, start, result.sparsity, kCoarseSteps, "coarse map", 0.3, 0.35);
+  });
+  double dark = 0.0;
+  for (MapPicture& picture : coarse) {
+    MapLight none(picture.cells() * 3, 0.0f), residual;
+    dark += picture.residual(none, residual);
+  }
+  constexpr double kLeastGain = 0.05;  // of chi2 per value, that light explains
+  if (!stopped() && (start[0] == 0.0f || dark - chi2 < kLeastGain * static_cast<double>(all_values(coarse))))
+    refuse(sim::ErrorKind::unreadable_input, scene_, "no light stands above the noise and the sky", "--photo",
+           "a photograph with aurora",
+           "check the mask and fit.roi_px; a smooth sky explains all of the picture");
+
+  // Fine cells where the coarse ones near them have light.
+  std::vector<MapPicture> fine = pictures(1);
+  for (std::size_t p = 0; p < fine.size(); ++p) fine[p].gain = coarse[p].gain;
+  result.grid = grid_for(fine, scene_.site, farthest, 1.0);
+  const std::vector<CellFlux> rough_cells = CellReader(coarse_grid, energies_).cells(rough);
+  std::vector<std::uint8_t> lit(rough_cells.size(), 0);
+  float most = 0.0f;
+  for (const CellFlux& cell : rough_cells) most = std::max(most, cell.flux_mw_m2);
+  for (std::size_t c = 0; c < lit.size(); ++c)
+    if (rough_cells[c].flux_mw_m2 > kKeptShare * most)
+      for (const auto& near : coarse_grid.near(
+               static_cast<int>(c), std::max(kKeptReach_km, 2.5 * coarse_grid.depth_km(static_cast<int>(c)))))
+        lit[near.cell] = 1;
+  std::vector<bool> kept(result.grid.cells(), false);
+  for (int c = 0; c < result.grid.cells(); ++c) {
+    const sim::EastNorth middle = result.grid.middle_km(c);
+    const int under = coarse_grid.cell_at(middle.east, middle.north);
+    kept[c] = under >= 0 && lit[under] != 0;
+  }
+  result.grid.keep(kept);
+  look(fine, result.grid);
+  std::vector<float> fine_start(static_cast<std::size_t>(result.grid.cells()) * kGroundEnergies, 0.0f);
+  float brightest = 0.0f;
+  for (const float x : rough) brightest = std::max(brightest, x);
+  for (int c = 0; c < result.grid.cells(); ++c) {
+    const sim::EastNorth middle = result.grid.middle_km(c);
+    const int under = coarse_grid.cell_at(middle.east, middle.north);
+    for (int k = 0; k < kGroundEnergies; ++k)
+      fine_start[static_cast<std::size_t>(c) * kGroundEnergies + k] =
+          rough[static_cast<std::size_t>(under) * kGroundEnergies + k] + 1e-3f * brightest;
+  }
+  const double share = options_.replicates > 0 ? 0.6 : 1.0;
+  result.map = recorded("map", fine, result.chi2, [&] {
+    return solve(fine, result.grid, std::move(fine_start), result.sparsity, kFineSteps, "map", 0.35, share);
+  });
+  result.cells = CellReader(result.grid, energies_).cells(result.map);
+  for (const CellFlux& cell : CellReader(result.grid, energies_, kWideReach_km).cells(result.map))
+    result.ln_energy_around.push_back(cell.ln_energy);
+  result.values = all_values(fine);
+  float peak = 0.0f;
+  for (const CellFlux& cell : result.cells) peak = std::max(peak, cell.flux_mw_m2);
+  for (const CellFlux& cell : result.cells)
+    if (cell.flux_mw_m2 > 0.01f * peak) result.unknowns += 2.0;
+
+  std::vector<MapLight> truth;
+  result.chi2 = 0.0;
+  for (std::size_t p = 0; p < fine.size(); ++p) {
+    MapPicture& picture = fine[p];
+    MappedPhoto photo;
+    photo.name = scene_.fit.photos.empty() ? "" : scene_.fit.photos[p].name;
+    photo.scene = scenes_[p];
+    photo.film = picture.film();
+    photo.data = picture.data();
+    photo.sigma = picture.sigma();
+    photo.gain = picture.gain;
+    photo.values = picture.values();
+    MapLight residual, none(picture.cells() * 3, 0.0f);
+    result.chi2_without_aurora += picture.residual(none, residual);
+    picture.forward(result.map, photo.model);
+    photo.chi2 = picture.residual(photo.model, residual);
+    photo.sky = picture.sky();
+    result.chi2 += photo.chi2;
+    truth.push_back(photo.model);
+    for (std::size_t i = 0; i < truth.back().size(); ++i) truth.back()[i] += photo.sky[i];
+    result.photos.push_back(std::move(photo));
+  }
+  tell_what_is_seen(fine, result);
+  for (int r = 0; r < options_.replicates && !stopped(); ++r) {
+    std::vector<CellFlux> cells =
+        replicate(fine, result.grid, result, truth, r, share + (1.0 - share) * r / options_.replicates,
+                  share + (1.0 - share) * (r + 1) / options_.replicates);
+    if (!stopped()) result.replicates.push_back(std::move(cells));
+  }
+  result.interrupted = stopped();
+  return result;
+}
+
+}  // namespace
+
+bool is_border_in_view(const MapResult& result, sim::EastNorth foot_km) {
+  for (const MappedPhoto& photo : result.photos) {
+    double x = 0.0, y = 0.0;
+    if (!sim::pixel_over_foot(photo.scene, result.scene.site, foot_km, kBorder_km, x, y)) continue;
+    const sim::FilmGeometry& film = photo.film;
+    const int column = static_cast<int>((x - film.x0_px) / film.cell_width_px);
+    const int row = static_cast<int>((y - film.y0_px) / film.cell_height_px);
+    const std::size_t i = (static_cast<std::size_t>(row) * film.columns + column) * 3;
+    if (photo.sigma[i] + photo.sigma[i + 1] + photo.sigma[i + 2] > 0.0f) return true;
+  }
+  return false;
+}
+
+std::vector<CellError> cell_errors(const MapResult& result) {
+  std::vector<CellError> errors(result.cells.size());
+  for (std::size_t c = 0; c < errors.size(); ++c) {
+    double flux = 0.0, energy = 0.0;
+    for (const std::vector<CellFlux>& replicate : result.replicates) {
+      flux += std::pow(replicate[c].flux_mw_m2 - result.cells[c].flux_mw_m2, 2);
+      energy += std::pow(replicate[c].ln_energy - result.cells[c].ln_energy, 2);
+    }
+    const auto count = static_cast<double>(result.replicates.size());
+    const double flux_of = result.cells[c].flux_mw_m2;
+    errors[c].relative_flux = count > 0.0 && flux_of > 0.0 ? std::sqrt(flux / count) / flux_of : sim::kNaN;
+    errors[c].ln_energy =
+        count > 0.0 ? std::hypot(kEnergyInflation * std::sqrt(energy / count),
+                                 static_cast<double>(result.cells[c].ln_energy) - result.ln_energy_around[c])
+                    : sim::kNaN;
+  }
+  return errors;
+}
+
+MapResult map_photos(const sim::Scene& scene, const std::vector<Photo>& photos, const MapOptions& options) {
+  return Mapping(scene, photos, options).run();
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,349 @@
+#include "fit/map/map_picture.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+#include "fit/photo/grey_light.h"
+#include "sim/base/number/constants.h"
+#include "sim/view/camera/rays.h"
+#include "sim/view/colour/line_colours.h"
+#include "sim/view/sky/night_sky.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kBoxVariance = 1.0 / 12.0;  // of a cell about its middle
+constexpr double kTownHeight_deg = 8.0;
+
+double nth(std::vector<double>& values, double share) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * (values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+}  // namespace
+
+MapPicture::MapPicture(const sim::Scene& scene, const Photo& photo, const MapPictureOptions& options)
+    : scene_(scene), threads_(options.threads) {
+  const int b = options.pixels_per_cell;
+  const int margin =
+      static_cast<int>(std::ceil(3.0 *
+                                 [&] {
+                                   double widest = 0.0;
+                                   for (const double w : scene.blur.width_deg)
+                                     widest = std::max(widest, w * sim::pixels_per_degree(scene.camera));
+                                   return widest / b;
+                                 }())) +
+      1;
+  film_.cell_width_px = film_.cell_height_px = b;
+  film_.columns = scene.camera.width / b + 2 * margin;
+  film_.rows = scene.camera.height / b + 2 * margin;
+  film_.x0_px = film_.y0_px = -margin * b;
+  for (const sim::Vector3& rgb : sim::line_colours(scene))
+    colour_.push_back({rgb[0] * 1e-3, rgb[1] * 1e-3, rgb[2] * 1e-3});
+  for (std::size_t line = 0; line < scene.emission.lines.size(); ++line) {
+    const double sigma = scene.blur.width_deg[line] * sim::pixels_per_degree(scene.camera) / b;
+    const sim::BlurKernel kernel = sim::gaussian_kernel(std::sqrt(sigma * sigma + kBoxVariance));
+    blur_.push_back({kernel, kernel});
+  }
+  clips_ = !keeps_negative_light(photo);
+  bin(photo, options);
+  for (const int c : {2, 0, 1})
+    for (std::size_t cell = 0; cell < cells(); ++cell)
+      if (sigma_[cell * 3 + c] > 0.0f) {
+        reference_ = c;
+        break;
+      }
+  make_sky_basis();
+  leave_out({});
+}
+
+void MapPicture::bin(const Photo& photo, const MapPictureOptions& options) {
+  const int b = options.pixels_per_cell;
+  data_.assign(cells() * 3, 0.0f);
+  sigma_.assign(cells() * 3, 0.0f);
+  noise_.assign(cells() * 3, 0.0f);
+  const sim::CameraView<double> view = sim::camera_view(scene_.camera);
+  const double lowest = std::sin(options.lowest_elevation_deg * sim::kRadiansPerDegree);
+  const auto& roi = scene_.fit.roi_px;
+  const bool whole = roi[2] == 0 || roi[3] == 0;
+  std::vector<std::uint8_t> used(cells() * 3, 0);
+  for (int row = 0; row < film_.rows; ++row)
+    for (int column = 0; column < film_.columns; ++column) {
+      const int x0 = static_cast<int>(film_.x0_px) + column * b, y0 = static_cast<int>(film_.y0_px) + row * b;
+      if (x0 < 0 || y0 < 0 || x0 + b > scene_.camera.width || y0 + b > scene_.camera.height) continue;
+      if (!whole && (x0 < roi[0] || y0 < roi[1] || x0 + b > roi[0] + roi[2] || y0 + b > roi[1] + roi[3]))
+        continue;
+      double enu[3];
+      if (!sim::enu_of_cell(view, film_, row, column, enu) || enu[2] < lowest) continue;
+      const std::size_t cell = static_cast<std::size_t>(row) * film_.columns + column;
+      for (int c = 0; c < 3; ++c) {
+        double sum = 0.0, of_all = 0.0;
+        int count = 0;
+        for (int y = y0; y < y0 + b; ++y)
+          for (int x = x0; x < x0 + b; ++x) {
+            const std::size_t i = photo.linear.index(x, y, c);
+            of_all += photo.linear.data[i];
+            if (photo.usable[i] == 0) continue;
+            sum += photo.linear.data[i];
+            ++count;
+          }
+        data_[cell * 3 + c] = static_cast<float>(of_all / (b * b));  // to be looked at, if no more
+        if (2 * count < b * b || !has_channel(scene_, c)) continue;
+        data_[cell * 3 + c] = static_cast<float>(sum / count);
+        used[cell * 3 + c] = 1;
+      }
+    }
+  estimate_noise(photo, options, used);
+  // Light from as far outside as the blur reaches.
+  const int reach = blur_.empty() ? 0 : [&] {
+    int widest = 0;
+    for (const sim::PlaneBlur& blur : blur_) widest = std::max(widest, blur.down.radius());
+    return widest;
+  }();
+  wanted_.assign(cells(), 0);
+  for (int row = 0; row < film_.rows; ++row)
+    for (int column = 0; column < film_.columns; ++column) {
+      const std::size_t i = (static_cast<std::size_t>(row) * film_.columns + column) * 3;
+      if (sigma_[i] + sigma_[i + 1] + sigma_[i + 2] == 0.0f) continue;
+      for (int y = std::max(0, row - reach); y <= std::min(film_.rows - 1, row + reach); ++y)
+        for (int x = std::max(0, column - reach); x <= std::min(film_.columns - 1, column + reach); ++x)
+          wanted_[static_cast<std::size_t>(y) * film_.columns + x] = 1;
+    }
+}
+
+/// Standard deviations of the cells' means. The noise is what is left of a plane through the 7 x 7 cells
+/// about each, so that noise which a camera or JPEG has smoothed counts in full; in classes of light, the
+/// mean of each below four times its median, since curtains are no planes; a variance that is linear in the
+/// light goes through them.
+void MapPicture::estimate_noise(const Photo& photo, const MapPictureOptions& options,
+                                const std::vector<std::uint8_t>& used) {
+  constexpr int kReach = 3;
+  constexpr int kWindow = (2 * kReach + 1) * (2 * kReach + 1);
+  constexpr int kClasses = 12;
+  const double cell_pixels = film_.cell_width_px * film_.cell_height_px;
+  for (int c = 0; c < 3; ++c) {
+    std::vector<std::pair<double, double>> found;  // light, variance about the plane
+    for (int row = kReach; row + kReach < film_.rows; row += 2)
+      for (int column = kReach; column + kReach < film_.columns; column += 2) {
+        double s = 0.0, sx = 0.0, sy = 0.0, ss = 0.0;
+        bool whole = true;
+        for (int dy = -kReach; dy <= kReach && whole; ++dy)
+          for (int dx = -kReach; dx <= kReach; ++dx) {
+            const std::size_t i = (static_cast<std::size_t>(row + dy) * film_.columns + column + dx) * 3 + c;
+            whole = whole && used[i] != 0;
+            const double v = data_[i];
+            s += v;
+            sx += v * dx;
+            sy += v * dy;
+            ss += v * v;
+          }
+        if (!whole) continue;
+        constexpr double kSquares = kWindow * kReach * (kReach + 1) / 3.0;  // sum of dx² over the window
+        const double left = ss - s * s / kWindow - (sx * sx + sy * sy) / kSquares;
+        found.emplace_back(s / kWindow, std::max(0.0, left) / (kWindow - 3));
+      }
+    if (found.empty()) continue;
+    std::sort(found.begin(), found.end());
+    const double dark = found[found.size() / 20].first;
+    double s0 = 0.0, s1 = 0.0, s2 = 0.0, t0 = 0.0, t1 = 0.0;
+    for (int k = 0; k < kClasses; ++k) {
+      const std::size_t first = found.size() * k / kClasses, last = found.size() * (k + 1) / kClasses;
+      if (last - first < 8) continue;
+      std::vector<double> variances;
+      double mean = 0.0;
+      for (std::size_t i = first; i < last; ++i) {
+        variances.push_back(found[i].second);
+        mean += found[i].first / (last - first);
+      }
+      const double bound = 4.0 * nth(variances, 0.5);
+      double sum = 0.0;
+      int below = 0;
+      for (const double v : variances)
+        if (v <= bound) {
+          sum += v;
+          ++below;
+        }
+      const double variance = sum / std::max(1, below);
+      const double w = 1.0 / std::pow(variance + 1e-12, 2);
+      s0 += w;
+      s1 += w * mean;
+      s2 += w * mean * mean;
+      t0 += w * variance;
+      t1 += w * variance * mean;
+    }
+    const double det = s0 * s2 - s1 * s1;
+    const double slope = det > 0.0 ? std::max(0.0, (s0 * t1 - s1 * t0) / det) : 0.0;
+    const double floor = s0 > 0.0 ? std::max((t0 - slope * s1) / s0, 0.0) : 0.0;
+    for (std::size_t cell = 0; cell < cells(); ++cell) {
+      const std::size_t i = cell * 3 + c;
+      if (used[i] == 0) continue;
+      const double above = std::max(0.0, data_[i] - dark);
+      const double step = code_step(photo, data_[i]);
+      const double variance = std::max(floor + slope * data_[i], step * step / (12.0 * cell_pixels));
+      noise_[i] = static_cast<float>(std::sqrt(variance));
+      sigma_[i] = static_cast<float>(std::sqrt(variance + std::pow(options.model_error * above, 2)));
+    }
+  }
+}
+
+void MapPicture::make_sky_basis() {
+  // Level; airglow by airmass; a town's or the twilight's glow by its height; both ways along the horizon; a
+  // low order of the rest.
+  sky_terms_ = 6;
+  sky_basis_.assign(cells() * sky_terms_, 0.0f);
+  const sim::CameraView<double> view = sim::camera_view(scene_.camera);
+  const double observer = scene_.site.altitude_m * 1e-3;
+  for (int row = 0; row < film_.rows; ++row)
+    for (int column = 0; column < film_.columns; ++column) {
+      double enu[3];
+      if (!sim::enu_of_cell(view, film_, row, column, enu)) continue;
+      const std::size_t cell = static_cast<std::size_t>(row) * film_.columns + column;
+      const double elevation = std::asin(std::clamp(enu[2], -1.0, 1.0)) / sim::kRadiansPerDegree;
+      float* f = &sky_basis_[cell * sky_terms_];
+      f[0] = 1.0f;
+      f[1] = static_cast<float>(sim::van_rhijn(std::max(0.0, enu[2]), 97.0, observer) - 1.0);
+      f[2] = static_cast<float>(std::exp(-std::max(0.0, elevation) / kTownHeight_deg));
+      f[3] = static_cast<float>(enu[0]);
+      f[4] = static_cast<float>(enu[1]);
+      f[5] = static_cast<float>(f[2] * enu[0]);
+    }
+}
+
+void MapPicture::leave_out(const std::vector<std::uint8_t>& left_out) {
+  weight_.assign(cells() * 3, 0.0f);
+  values_ = 0;
+  for (std::size_t i = 0; i < weight_.size(); ++i)
+    if (sigma_[i] > 0.0f && (left_out.empty() || left_out[i / 3] == 0)) {
+      weight_[i] = 1.0f / (sigma_[i] * sigma_[i]);
+      ++values_;
+    }
+  factor_sky();
+}
+
+void MapPicture::factor_sky() {
+  // A sky that is as bright as the picture's darkest part, give or take all of it: a prior of next to no
+  // weight that keeps terms which the region cannot tell apart from growing against each other.
+  for (int c = 0; c < 3; ++c) {
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(sky_terms_, sky_terms_);
+    std::vector<double> light;
+    for (std::size_t cell = 0; cell < cells(); ++cell) {
+      const double w = weight_[cell * 3 + c];
+      if (w == 0.0) continue;
+      light.push_back(data_[cell * 3 + c]);
+      const float* f = &sky_basis_[cell * sky_terms_];
+      for (int i = 0; i < sky_terms_; ++i)
+        for (int j = 0; j <= i; ++j) normal(i, j) += w * f[i] * f[j];
+    }
+    if (light.empty()) {
+      sky_inverse_[c].assign(static_cast<std::size_t>(sky_terms_) * sky_terms_, 0.0);
+      continue;
+    }
+    const double dark = std::max(nth(light, 0.1), 1e-9);
+    for (int i = 0; i < sky_terms_; ++i) normal(i, i) += i == 0 ? 0.0 : 1.0 / (dark * dark);
+    const Eigen::MatrixXd full = normal.selfadjointView<Eigen::Lower>();
+    const Eigen::MatrixXd inverse = full.inverse();
+    sky_inverse_[c].assign(inverse.data(), inverse.data() + inverse.size());
+  }
+}
+
+void MapPicture::look_at(const sim::Site& home, const sim::GroundGrid& grid,
+                         const std::vector<double>& energies_kev, double rates_at_flux_mw_m2) {
+  light_ = std::make_unique<sim::GroundLight>(scene_, home, grid, film_, wanted_, energies_kev,
+                                              rates_at_flux_mw_m2, threads_);
+}
+
+void MapPicture::forward(const std::vector<float>& map, MapLight& out) const {
+  std::vector<float> rayleighs;
+  light_->forward(map, rayleighs);
+  const std::size_t lines = colour_.size();
+  std::vector<float> planes(rayleighs.size()), blurred(rayleighs.size());
+  for (std::size_t i = 0; i < cells(); ++i)
+    for (std::size_t l = 0; l < lines; ++l) planes[l * cells() + i] = rayleighs[i * lines + l];
+  sim::blur_window(planes.data(), film_.rows, film_.columns, blur_, {0, 0, film_.rows, film_.columns},
+                   blurred.data(), threads_);
+  out.assign(cells() * 3, 0.0f);
+  for (std::size_t i = 0; i < cells(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      double sum = 0.0;
+      for (std::size_t l = 0; l < lines; ++l) sum += colour_[l][c] * blurred[i * lines + l];
+      out[i * 3 + c] = static_cast<float>(gain[c] * sum);
+    }
+}
+
+void MapPicture::add_adjoint(const MapLight& light, std::vector<float>& map) const {
+  const std::size_t lines = colour_.size();
+  std::vector<float> planes(cells() * lines), blurred(cells() * lines);
+  for (std::size_t i = 0; i < cells(); ++i)
+    for (std::size_t l = 0; l < lines; ++l) {
+      double sum = 0.0;
+      for (int c = 0; c < 3; ++c) sum += gain[c] * colour_[l][c] * light[i * 3 + c];
+      planes[l * cells() + i] = static_cast<float>(sum);
+    }
+  // Kernels are symmetric and there is nothing outside of the film: the blur is its own adjoint.
+  sim::blur_window(planes.data(), film_.rows, film_.columns, blur_, {0, 0, film_.rows, film_.columns},
+                   blurred.data(), threads_);
+  light_->add_adjoint(blurred, map);
+}
+
+double MapPicture::residual(const MapLight& light, MapLight& residual) {
+  residual.assign(cells() * 3, 0.0f);
+  sky_.assign(cells() * 3, 0.0f);
+  double chi2 = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    std::vector<double> right(sky_terms_, 0.0), sky(sky_terms_, 0.0);
+    for (std::size_t cell = 0; cell < cells(); ++cell) {
+      const std::size_t i = cell * 3 + c;
+      if (weight_[i] == 0.0f) continue;
+      const double r = weight_[i] * (static_cast<double>(data_[i]) - light[i]);
+      const float* f = &sky_basis_[cell * sky_terms_];
+      for (int j = 0; j < sky_terms_; ++j) right[j] += r * f[j];
+    }
+    for (int i = 0; i < sky_terms_; ++i)
+      for (int j = 0; j < sky_terms_; ++j) sky[i] += sky_inverse_[c][i * sky_terms_ + j] * right[j];
+    for (std::size_t cell = 0; cell < cells(); ++cell) {
+      const std::size_t i = cell * 3 + c;
+      const float* f = &sky_basis_[cell * sky_terms_];
+      double sum = 0.0;
+      for (int j = 0; j < sky_terms_; ++j) sum += sky[j] * f[j];
+      sky_[i] = static_cast<float>(sum);
+      if (weight_[i] == 0.0f) continue;
+      double r = light[i] + sum - data_[i];
+      // Stored as none, it is none or less.
+      if (clips_ && r < 0.0 && data_[i] <= noise_[i] && light[i] + sum < 0.0)
+        r = std::min(0.0, -data_[i] + 0.0);
+      chi2 += weight_[i] * r * r;
+      residual[i] = static_cast<float>(weight_[i] * r);
+    }
+  }
+  return chi2;
+}
+
+void MapPicture::take_sky_away(const MapLight& light, MapLight& weighted) const {
+  weighted.assign(cells() * 3, 0.0f);
+  for (int c = 0; c < 3; ++c) {
+    std::vector<double> right(sky_terms_, 0.0), sky(sky_terms_, 0.0);
+    for (std::size_t cell = 0; cell < cells(); ++cell) {
+      const std::size_t i = cell * 3 + c;
+      if (weight_[i] == 0.0f) continue;
+      const double r = static_cast<double>(weight_[i]) * light[i];
+      const float* f = &sky_basis_[cell * sky_terms_];
+      for (int j = 0; j < sky_terms_; ++j) right[j] += r * f[j];
+    }
+    for (int i = 0; i < sky_terms_; ++i)
+      for (int j = 0; j < sky_terms_; ++j) sky[i] += sky_inverse_[c][i * sky_terms_ + j] * right[j];
+    for (std::size_t cell = 0; cell < cells(); ++cell) {
+      const std::size_t i = cell * 3 + c;
+      if (weight_[i] == 0.0f) continue;
+      const float* f = &sky_basis_[cell * sky_terms_];
+      double sum = light[i];
+      for (int j = 0; j < sky_terms_; ++j) sum -= sky[j] * f[j];
+      weighted[i] = static_cast<float>(weight_[i] * sum);
+    }
+  }
+}
+
+}  // namespace vegard::fit

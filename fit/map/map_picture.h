@@ -1,0 +1,108 @@
+// One photograph that a map of precipitation is to explain: its light in the cells of a film, their errors,
+// and what a map and a sky would put there.
+//
+// The model of channel c in a cell is
+//
+//     gain_c  sum over lines  colour[c][line]  blur(rayleighs of the line)  +  sum over j  sky_j
+//     f_j(direction)
+//
+// linear in the map and in the sky, of which the sky is solved for whatever the map is: by weighted least
+// squares with a weak prior, so that no derivative by it is needed (variable projection, Golub and Pereyra
+// 1973, doi:10.1137/0710036). Where a channel was clipped at no light, it says only that the model is not
+// above it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "fit/photo/photo.h"
+#include "sim/render/ground/ground_grid.h"
+#include "sim/render/ground/ground_light.h"
+#include "sim/scene/structs/scene.h"
+#include "sim/view/camera/camera.h"
+#include "sim/view/film/blur.h"
+
+namespace vegard::fit {
+
+/// Sums over a film's cells and channels: [cell * 3 + channel].
+using MapLight = std::vector<float>;
+
+struct MapPictureOptions {
+  int pixels_per_cell = 1;    ///< along either side of a film's cell
+  double model_error = 0.02;  ///< as a share of the light above the sky
+  double lowest_elevation_deg = 3.0;
+  int threads = 0;
+};
+
+/// The data: a film with its cells' mean light.
+class MapPicture {
+ public:
+  MapPicture(const sim::Scene& scene, const Photo& photo, const MapPictureOptions& options);
+
+  const sim::Scene& scene() const { return scene_; }
+  const sim::FilmGeometry& film() const { return film_; }
+  std::size_t cells() const { return static_cast<std::size_t>(film_.rows) * film_.columns; }
+  /// Whose light is wanted: those that are used, and as far around them as the blur reaches.
+  const std::vector<std::uint8_t>& wanted() const { return wanted_; }
+  std::size_t values() const { return values_; }  ///< how many there are of data
+
+  const MapLight& data() const { return data_; }
+  const MapLight& sigma() const { return sigma_; }  ///< 0: not used
+  const MapLight& noise() const { return noise_; }  ///< of sigma, the share that is independent of the model
+  void set_data(MapLight data) { data_ = std::move(data); }
+  /// 1 / sigma², or 0 where a value is not used or left out.
+  const MapLight& weight() const { return weight_; }
+  /// Leaves values out of the weights: one entry a cell, 1: left out. Empty: none.
+  void leave_out(const std::vector<std::uint8_t>& cells);
+
+  /// Makes the forward operator for a grid.
+  void look_at(const sim::Site& home, const sim::GroundGrid& grid, const std::vector<double>& energies_kev,
+               double rates_at_flux_mw_m2);
+  const sim::GroundLight& light() const { return *light_; }
+
+  /// The light of a map, without the sky.
+  void forward(const std::vector<float>& map, MapLight& out) const;
+  void add_adjoint(const MapLight& light, std::vector<float>& map) const;
+
+  /// Solves for the sky of a model's light and returns chi2; `residual` becomes (light + sky - data) /
+  /// sigma², whose adjoint is the gradient of chi2 / 2.
+  double residual(const MapLight& light, MapLight& residual);
+  /// The sky's share of the weighted product W (light), as far as it takes it away: for curvatures.
+  void take_sky_away(const MapLight& light, MapLight& weighted) const;
+  /// The sky that the last residual() has found.
+  const MapLight& sky() const { return sky_; }
+  double prior_chi2() const { return prior_chi2_; }
+
+  /// The channel whose gain is that of the scene where the white balance is unknown: the first of G, R, B
+  /// with data.
+  int reference_channel() const { return reference_; }
+
+  /// Per channel; those of the first photograph's reference channel stay 1.
+  std::array<double, 3> gain{1.0, 1.0, 1.0};
+
+ private:
+  void bin(const Photo& photo, const MapPictureOptions& options);
+  void estimate_noise(const Photo& photo, const MapPictureOptions& options,
+                      const std::vector<std::uint8_t>& used);
+  void make_sky_basis();
+  void factor_sky();
+
+  sim::Scene scene_;
+  sim::FilmGeometry film_;
+  int threads_, reference_ = 1;
+  bool clips_ = false;  ///< whether less than no light was stored as none
+  std::size_t values_ = 0;
+  MapLight data_, sigma_, noise_, weight_, sky_;
+  std::vector<std::uint8_t> wanted_;
+  std::vector<std::array<double, 3>> colour_;  ///< per rayleigh of each line
+  std::vector<sim::PlaneBlur> blur_;
+  std::unique_ptr<sim::GroundLight> light_;
+  int sky_terms_ = 0;
+  std::vector<float> sky_basis_;                    ///< [cell * terms + term]
+  std::array<std::vector<double>, 3> sky_inverse_;  ///< (B' W B + prior)^-1 of a channel
+  double prior_chi2_ = 0.0;
+};
+
+}  // namespace vegard::fit

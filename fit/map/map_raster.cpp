@@ -1,0 +1,98 @@
+#include "fit/map/map_raster.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kPixel_km = 2.0;
+constexpr int kMostSide = 800, kMargin_px = 10;
+constexpr int kParts = 4;  // of a pixel's side, at the middles of which the cells are asked
+
+}  // namespace
+
+MapRaster raster_over(const MapResult& result) {
+  double west = 1e9, east = -1e9, south = 1e9, north = -1e9;
+  for (int c = 0; c < result.grid.cells(); ++c) {
+    const sim::EastNorth m = result.grid.middle_km(c);
+    west = std::min(west, m.east);
+    east = std::max(east, m.east);
+    south = std::min(south, m.north);
+    north = std::max(north, m.north);
+  }
+  MapRaster raster;
+  raster.step_km = std::max(kPixel_km, std::max(east - west, north - south) / kMostSide);
+  const auto below = [&](double km) {
+    return (std::floor(km / raster.step_km) - kMargin_px) * raster.step_km;
+  };
+  raster.west_km = below(west);
+  raster.south_km = below(south);
+  raster.columns = static_cast<int>((east - raster.west_km) / raster.step_km) + 1 + kMargin_px;
+  raster.rows = static_cast<int>((north - raster.south_km) / raster.step_km) + 1 + kMargin_px;
+  return raster;
+}
+
+std::vector<double> rasterised(const MapResult& result, const MapRaster& raster,
+                               const std::vector<double>& of_cell) {
+  std::vector<double> values(raster.size(), 0.0);
+  for (int row = 0; row < raster.rows; ++row)
+    for (int column = 0; column < raster.columns; ++column) {
+      double sum = 0.0;
+      for (int y = 0; y < kParts; ++y)
+        for (int x = 0; x < kParts; ++x) {
+          const sim::EastNorth at =
+              raster.place(column + (x + 0.5) / kParts - 0.5, row + (y + 0.5) / kParts - 0.5);
+          const int cell = result.grid.cell_at(at.east, at.north);
+          if (cell >= 0) sum += of_cell[static_cast<std::size_t>(cell)];
+        }
+      values[static_cast<std::size_t>(row) * raster.columns + column] = sum / (kParts * kParts);
+    }
+  return values;
+}
+
+RasterFlux raster_flux(const MapResult& result, const MapRaster& raster, const std::vector<CellFlux>& cells) {
+  std::vector<double> flux, ln;
+  for (const CellFlux& cell : cells) {
+    flux.push_back(cell.flux_mw_m2);
+    ln.push_back(static_cast<double>(cell.flux_mw_m2) * cell.ln_energy);
+  }
+  return {rasterised(result, raster, flux), rasterised(result, raster, ln)};
+}
+
+std::vector<std::uint8_t> told_places(const MapResult& result, const MapRaster& raster) {
+  std::vector<std::uint8_t> told(raster.size(), 0);
+  for (int row = 0; row < raster.rows; ++row)
+    for (int column = 0; column < raster.columns; ++column)
+      told[static_cast<std::size_t>(row) * raster.columns + column] =
+          is_border_in_view(result, raster.place(column, row)) ? 1 : 0;
+  return told;
+}
+
+std::vector<double> smoothed_raster(const MapRaster& raster, const std::vector<double>& values,
+                                    double sigma_px) {
+  const int reach = static_cast<int>(std::ceil(4.0 * sigma_px));
+  std::vector<double> weight;
+  double sum = 0.0;
+  for (int k = -reach; k <= reach; ++k) {
+    weight.push_back(std::exp(-0.5 * k * k / (sigma_px * sigma_px)));
+    sum += weight.back();
+  }
+  for (double& w : weight) w /= sum;
+  std::vector<double> across(values.size(), 0.0), out(values.size(), 0.0);
+  for (int row = 0; row < raster.rows; ++row)
+    for (int column = 0; column < raster.columns; ++column)
+      for (int k = std::max(-reach, -column); k <= std::min(reach, raster.columns - 1 - column); ++k)
+        across[static_cast<std::size_t>(row) * raster.columns + column] +=
+            weight[static_cast<std::size_t>(k + reach)] *
+            values[static_cast<std::size_t>(row) * raster.columns + column + k];
+  for (int row = 0; row < raster.rows; ++row)
+    for (int k = std::max(-reach, -row); k <= std::min(reach, raster.rows - 1 - row); ++k)
+      for (int column = 0; column < raster.columns; ++column)
+        out[static_cast<std::size_t>(row) * raster.columns + column] +=
+            weight[static_cast<std::size_t>(k + reach)] *
+            across[static_cast<std::size_t>(row + k) * raster.columns + column];
+  return out;
+}
+
+}  // namespace vegard::fit

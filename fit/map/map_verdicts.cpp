@@ -1,0 +1,145 @@
+#include "fit/map/map_verdicts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/base/file/number_text.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kGoodChi2 = 2.0, kBadChi2 = 4.0;
+constexpr double kGoodDistance = 0.05, kNoDistance = 0.2;  // relative standard error
+constexpr double kGoodEnergy = 0.15, kNoEnergy = 0.5;      // of ln E0
+constexpr double kGoodFlux = 0.35;
+constexpr double kBorderInView = 0.5;  // share of the light
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::string range_text(const std::vector<double>& values, const std::string& unit) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return sim::short_number(*low, 3) + " to " + sim::short_number(*high, 3) + " " + unit;
+}
+
+Trust by_error(double error, double good, double none) {
+  if (!(error < none)) return Trust::not_told;
+  return error <= good ? Trust::good : Trust::doubtful;
+}
+
+}  // namespace
+
+const char* trust_name(Trust trust) {
+  switch (trust) {
+    case Trust::good:
+      return "good";
+    case Trust::doubtful:
+      return "doubtful";
+    case Trust::not_told:
+      return "not told";
+  }
+  return "";
+}
+
+bool is_absolute(const MapResult& result) {
+  return result.scene.sensor.calibration_error > 0.0 ||
+         result.scene.sensor.exposure == sim::ExposureRule::camera;
+}
+
+std::vector<QuantityVerdict> map_verdicts(const MapResult& result, const std::vector<Curtain>& curtains) {
+  std::vector<QuantityVerdict> verdicts;
+  const double chi2 = result.chi2_per_dof();
+  const double model_error = 100.0 * result.scene.fit.model_error;
+  verdicts.push_back({"the picture is explained",
+                      chi2 <= kGoodChi2  ? Trust::good
+                      : chi2 <= kBadChi2 ? Trust::doubtful
+                                         : Trust::not_told,
+                      fmt::format("chi2 per degree of freedom {} at a model error of {} %",
+                                  sim::short_number(chi2, 3), sim::short_number(model_error, 2)),
+                      chi2 <= kGoodChi2 ? "the map and a smooth sky account for it within its errors"
+                                        : "the residual picture shows what the map leaves"});
+
+  double all = 0.0, told = 0.0;
+  for (std::size_t c = 0; c < result.cells.size(); ++c) {
+    const double light = result.cells[c].flux_mw_m2 * result.grid.area_km2(static_cast<int>(c));
+    all += light;
+    if (result.told[c] != 0) told += light;
+  }
+  const double share = all > 0.0 ? told / all : 0.0;
+  verdicts.push_back({"lower borders are in view", share >= kBorderInView ? Trust::good : Trust::doubtful,
+                      fmt::format("of {:.0f} % of the energy flux", 100.0 * share),
+                      share >= kBorderInView
+                          ? "where a lower border stands tells the distance"
+                          : "light without its lower border tells a direction, and hardly a distance"});
+
+  std::vector<double> distance, distance_error, energy, energy_error, border, flux, flux_error;
+  for (const Curtain& curtain : curtains)
+    for (const CurtainPoint& p : curtain.points) {
+      if (!p.told) continue;
+      distance.push_back(p.distance_km);
+      distance_error.push_back(p.distance_error_km / std::max(p.distance_km, 10.0));
+      energy.push_back(p.energy_kev.value);
+      energy_error.push_back(p.energy_kev.error / p.energy_kev.value);
+      border.push_back(p.lower_border_km.value);
+      flux.push_back(p.flux_mw_m2.value);
+      flux_error.push_back(p.flux_mw_m2.error / p.flux_mw_m2.value);
+    }
+  if (distance.empty()) {
+    const std::string reason = "the map has no curtain with its lower border in view";
+    for (const char* quantity :
+         {"distance of the curtains", "energy along the curtains", "energy flux along the curtains"})
+      verdicts.push_back({quantity, Trust::not_told, "", reason});
+    return verdicts;
+  }
+  const bool errors = !result.replicates.empty();
+  const std::string no_errors = "no error bars were asked for";
+  const double of_distance = median(distance_error), of_energy = median(energy_error),
+               of_flux = median(flux_error);
+  verdicts.push_back(
+      {"distance of the curtains",
+       errors ? by_error(of_distance, kGoodDistance, kNoDistance) : Trust::doubtful,
+       range_text(distance, "km"),
+       errors ? fmt::format("standard error {} % in the median{}", sim::short_number(100.0 * of_distance, 2),
+                            of_distance < kNoDistance ? ""
+                                                      : ": the light is too close to the magnetic zenith, or "
+                                                        "its border is not sharp")
+              : no_errors});
+  std::string from_colour;
+  for (const MappedPhoto& photo : result.photos)
+    if (!photo.scene.fit.white_balance_known) from_colour = "; its colours were not used";
+  verdicts.push_back({"energy along the curtains",
+                      errors ? by_error(of_energy, kGoodEnergy, kNoEnergy) : Trust::doubtful,
+                      range_text(energy, "keV") + ", lower borders at " + range_text(border, "km"),
+                      errors ? fmt::format("standard error {} % in the median{}",
+                                           sim::short_number(100.0 * of_energy, 2), from_colour)
+                             : no_errors});
+  Trust trust = errors ? by_error(of_flux, kGoodFlux, 1.0) : Trust::doubtful;
+  std::string reason =
+      errors ? fmt::format("standard error {} % in the median", sim::short_number(100.0 * of_flux, 2))
+             : no_errors;
+  if (!is_absolute(result)) {
+    trust = std::max(trust, Trust::doubtful);
+    reason += "; relative: nobody has calibrated the sensor (sensor.calibration_error)";
+  }
+  verdicts.push_back({"energy flux along the curtains", trust, range_text(flux, "mW m⁻²"), reason});
+  return verdicts;
+}
+
+std::string verdict_line(const std::vector<QuantityVerdict>& verdicts) {
+  std::string good, other;
+  for (const QuantityVerdict& v : verdicts) {
+    std::string& list = v.trust == Trust::good ? good : other;
+    list += (list.empty() ? "" : ", ") + v.quantity +
+            (v.trust == Trust::good ? "" : std::string(" (") + trust_name(v.trust) + ")");
+  }
+  if (other.empty()) return "to be believed: " + good;
+  return (good.empty() ? "" : "to be believed: " + good + "; ") + "with care: " + other;
+}
+
+}  // namespace vegard::fit

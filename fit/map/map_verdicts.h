@@ -1,0 +1,34 @@
+// What to believe of a map, quantity by quantity.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/map/curtains.h"
+#include "fit/map/map_fit.h"
+
+namespace vegard::fit {
+
+enum class Trust { good, doubtful, not_told };
+
+/// "good", "doubtful", "not told".
+const char* trust_name(Trust trust);
+
+struct QuantityVerdict {
+  std::string quantity;  ///< "distance of the lower border"
+  Trust trust = Trust::not_told;
+  std::string value;   ///< what was found, in words with errors
+  std::string reason;  ///< why so
+};
+
+/// The picture, the distance, the energy and the energy flux of the curtains, and how much of the light has
+/// its lower border in view. A map that explains the picture but tells no distance says so.
+std::vector<QuantityVerdict> map_verdicts(const MapResult& result, const std::vector<Curtain>& curtains);
+
+/// The worst of those that are not good, in one line.
+std::string verdict_line(const std::vector<QuantityVerdict>& verdicts);
+
+/// Whether the sensor's scale is known, so that Q is absolute.
+bool is_absolute(const MapResult& result);
+
+}  // namespace vegard::fit
