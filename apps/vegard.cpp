@@ -43,6 +43,7 @@ int run(int argc, char** argv) {
   apps::add_profile_command(program);
   apps::add_keogram_command(program);
   apps::add_directions_command(program);
+  apps::add_map_command(program);
   apps::add_mask_command(program);
   apps::add_brightness_command(program);
   apps::add_calibrate_command(program);

@@ -18,6 +18,7 @@ void add_horizon_command(Program& program);
 void add_keogram_command(Program& program);
 void add_linearise_command(Program& program);
 void add_lines_command(Program& program);
+void add_map_command(Program& program);
 void add_mask_command(Program& program);
 void add_params_command(Program& program);
 void add_points_command(Program& program);

@@ -1,0 +1,255 @@
+#include "fit/report/map_run.h"
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "fit/map/map_raster.h"
+#include "fit/report/map_page.h"
+#include "sim/base/error.h"
+#include "sim/base/file/csv_text.h"
+#include "sim/base/file/input_file.h"
+#include "sim/base/file/whole_directory.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/base/number/constants.h"
+#include "sim/base/picture/fits_io.h"
+#include "sim/base/picture/image_io.h"
+#include "sim/base/version.h"
+#include "sim/scene/file/scene_toml.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr const char* kMapJson = "map.json";
+constexpr std::size_t kMostMapBytes = 64u << 20;
+constexpr double kLeastLitShare = 1e-4;  // of the brightest pixel: a flux below it has no energy
+
+std::string file_of(const char* stem, const std::string& photo) {
+  return std::string(stem) + (photo.empty() ? "" : "-" + photo) + ".exr";
+}
+
+/// Names of the photographs of a map.json of vegard's; none if it is not one.
+std::optional<nlohmann::json> map_json_of(const std::string& bytes) {
+  const nlohmann::json json = nlohmann::json::parse(bytes, nullptr, false);
+  if (!json.is_object() || !json.contains("kind") || json["kind"] != "vegard map" ||
+      !json.contains("photos") || !json["photos"].is_array() || !json.contains("version") ||
+      !json["version"].is_string())
+    return {};
+  for (const nlohmann::json& photo : json["photos"])
+    if (!photo.is_object() || !photo.contains("name") || !photo["name"].is_string()) return {};
+  return json;
+}
+
+sim::KnownFolder look_at_map(const std::string& directory) {
+  std::set<std::string> names = {kMapJson, "precipitation.fits", "curtains.csv", "report.html"};
+  sim::KnownFolder known;
+  const sim::InputFile file = sim::read_input(directory + "/" + kMapJson, kMostMapBytes);
+  const std::optional<nlohmann::json> json = map_json_of(file.bytes);
+  if (!file.problem.empty())
+    known.objection = "its map.json " + file.problem;
+  else if (!json)
+    known.objection = "its map.json is none that vegard wrote";
+  if (json)
+    for (const nlohmann::json& photo : (*json)["photos"])
+      for (const char* stem : {"model", "residual"})
+        names.insert(file_of(stem, photo["name"].get<std::string>()));
+  known.has = [names = std::move(names)](const std::string& name) { return names.count(name) != 0; };
+  return known;
+}
+
+sim::DirectoryKind map_kind() { return {"a map", look_at_map, {kMapJson}}; }
+
+nlohmann::ordered_json number(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+std::string map_json(const MapResult& result, const std::vector<Curtain>& curtains,
+                     const std::vector<QuantityVerdict>& verdicts, const MapRunFacts& facts) {
+  nlohmann::ordered_json json;
+  json["kind"] = "vegard map";
+  json["version"] = sim::version();
+  json["command"] = facts.command;
+  json["interrupted"] = result.interrupted;
+  json["verdict_line"] = verdict_line(verdicts);
+  for (const QuantityVerdict& v : verdicts)
+    json["verdicts"].push_back({{"quantity", v.quantity},
+                                {"verdict", trust_name(v.trust)},
+                                {"value", v.value},
+                                {"reason", v.reason}});
+  json["chi2"] = number(result.chi2);
+  json["values"] = result.values;
+  json["unknowns"] = number(result.unknowns);
+  json["chi2_per_dof"] = number(result.chi2_per_dof());
+  json["chi2_without_aurora"] = number(result.chi2_without_aurora);
+  json["model_error"] = result.scene.fit.model_error;
+  json["prior"] = {{"sparsity", result.sparsity}, {"tried", nlohmann::ordered_json::array()}};
+  for (const MapTrial& t : result.trials)
+    json["prior"]["tried"].push_back({{"sparsity", t.sparsity},
+                                      {"left_out_loss", number(t.left_out)},
+                                      {"standard_error", number(t.error)}});
+  json["replicates"] = result.replicates.size();
+  json["cells"] = result.grid.cells();
+  json["energies_kev"] = result.energies_kev;
+  json["flux_is_absolute"] = is_absolute(result);
+  json["seed"] = result.scene.seed;
+  json["photos"] = nlohmann::ordered_json::array();
+  for (const MappedPhoto& photo : result.photos)
+    json["photos"].push_back({{"name", photo.name},
+                              {"chi2", number(photo.chi2)},
+                              {"values", photo.values},
+                              {"gain", photo.gain},
+                              {"pixels_per_cell", photo.film.cell_width_px}});
+  json["curtains"] = nlohmann::ordered_json::array();
+  for (const Curtain& curtain : curtains) {
+    double flux = 0.0, ln = 0.0;
+    for (const CurtainPoint& p : curtain.points) {
+      flux += p.flux_mw_m2.value;
+      ln += p.flux_mw_m2.value * std::log(p.energy_kev.value);
+    }
+    json["curtains"].push_back({{"length_km", number(curtain.length_km)},
+                                {"points", curtain.points.size()},
+                                {"mean_energy_flux_mw_m2", number(flux / curtain.points.size())},
+                                {"mean_energy_kev", number(flux > 0.0 ? std::exp(ln / flux) : sim::kNaN)}});
+  }
+  json["inputs"] = nlohmann::ordered_json::array();
+  for (const InputFile& input : facts.inputs)
+    json["inputs"].push_back({{"name", input.name}, {"sha256", input.sha256}});
+  for (const auto& [name, how] : facts.decodings)
+    json["decodings"].push_back({{"photo", name}, {"decoding", how}});
+  return json.dump(2) + "\n";
+}
+
+std::string precipitation_fits(const MapResult& result) {
+  const MapRaster raster = raster_over(result);
+  const RasterFlux flux = raster_flux(result, raster, result.cells);
+  const std::vector<CellError> errors = cell_errors(result);
+  // Errors are means by flux, so that dark cells do not speak for lit ones.
+  std::vector<double> relative, of_energy, sensitivity(result.sensitivity.begin(), result.sensitivity.end());
+  for (std::size_t c = 0; c < errors.size(); ++c) {
+    const double q = result.cells[c].flux_mw_m2;
+    relative.push_back(q > 0.0 ? q * errors[c].relative_flux : 0.0);
+    of_energy.push_back(q > 0.0 ? q * errors[c].ln_energy : 0.0);
+  }
+  const std::vector<double> of_flux = rasterised(result, raster, relative);
+  const std::vector<double> of_ln = rasterised(result, raster, of_energy);
+  const std::vector<double> seen = rasterised(result, raster, sensitivity);
+  double most = 0.0;
+  for (const double q : flux.flux) most = std::max(most, q);
+  sim::Image image(raster.columns, raster.rows, {"Q", "E0", "Q_error", "lnE0_error", "sensitivity"});
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<std::uint8_t> told = told_places(result, raster);
+  for (int row = 0; row < raster.rows; ++row)
+    for (int column = 0; column < raster.columns; ++column) {
+      const std::size_t i = static_cast<std::size_t>(row) * raster.columns + column;
+      const int y = raster.rows - 1 - row;  // the picture's first row is the northernmost
+      const double q = flux.flux[i];
+      const bool lit = q > kLeastLitShare * most;
+      const bool is_told = told[i] != 0;
+      image.at(column, y, 0) = is_told ? static_cast<float>(q) : kNone;
+      image.at(column, y, 1) =
+          is_told && lit ? static_cast<float>(std::exp(flux.flux_ln_energy[i] / q)) : kNone;
+      image.at(column, y, 2) = is_told && lit ? static_cast<float>(of_flux[i] / q) : kNone;
+      image.at(column, y, 3) = is_told && lit ? static_cast<float>(of_ln[i] / q) : kNone;
+      image.at(column, y, 4) = static_cast<float>(seen[i]);
+    }
+  std::vector<sim::FitsKeyword> keywords = {
+      {"CTYPE1", "EAST", "feet in the site's tangent plane"},
+      {"CUNIT1", "km", ""},
+      {"CRPIX1", 1.0, ""},
+      {"CRVAL1", raster.west_km, ""},
+      {"CDELT1", raster.step_km, ""},
+      {"CTYPE2", "NORTH", ""},
+      {"CUNIT2", "km", ""},
+      {"CRPIX2", 1.0, ""},
+      {"CRVAL2", raster.south_km, ""},
+      {"CDELT2", raster.step_km, ""},
+      {"HEIGHTKM", sim::kFootAltitudeKm, "altitude of the feet"},
+      {"SITELAT", result.scene.site.latitude_deg, "degrees north"},
+      {"SITELONG", result.scene.site.longitude_deg, "degrees east"},
+      {"PLANE1", std::string("energy flux, mW m-2") + (is_absolute(result) ? "" : ", relative"), ""},
+      {"PLANE2", "characteristic energy E0, keV", "of Maxwellian electrons"},
+      {"PLANE3", "relative standard error of plane 1", ""},
+      {"PLANE4", "standard error of ln(plane 2)", ""},
+      {"PLANE5", "sensitivity: signal to noise of 1 mW m-2", "in a cell by itself"},
+      {"FLUXCAL", is_absolute(result) ? "absolute" : "relative",
+       is_absolute(result) ? "the sensor is calibrated" : "the sensor's scale is not known"},
+      {"ORIGIN", "vegard " + sim::version(), ""}};
+  if (!result.scene.site.time_utc.empty()) keywords.push_back({"DATE-OBS", result.scene.site.time_utc, ""});
+  return sim::encode_fits(image, keywords, "precipitation.fits");
+}
+
+void write_pictures(const sim::WholeDirectory& run, const MappedPhoto& photo) {
+  const sim::FilmGeometry& film = photo.film;
+  sim::Image model(film.columns, film.rows, {"R", "G", "B"}), residual = model;
+  for (std::size_t i = 0; i < model.data.size(); ++i) {
+    model.data[i] = photo.model[i] + photo.sky[i];
+    residual.data[i] = photo.sigma[i] > 0.0f ? photo.data[i] - model.data[i] : 0.0f;
+  }
+  const sim::ImageAttributes where = {
+      {"version", sim::version()},
+      {"film", fmt::format("cells of {} x {} pixels; the first begins at pixel ({}, {})", film.cell_width_px,
+                           film.cell_height_px, film.x0_px, film.y0_px)}};
+  sim::write_exr(run.file(file_of("model", photo.name)), model, where);
+  sim::write_exr(run.file(file_of("residual", photo.name)), residual, where);
+}
+
+/// An error inside of the temporary directory is one of the directory that the user named.
+sim::Error about(const std::string& directory, const std::string& temporary, const sim::Error& error) {
+  sim::ErrorDetails details = error.details();
+  if (details.file.compare(0, temporary.size(), temporary) == 0)
+    details.file.replace(0, temporary.size(), directory);
+  return sim::Error(error.kind(), details);
+}
+
+}  // namespace
+
+void check_map_directory(const std::string& directory, bool overwrite) {
+  sim::WholeDirectory(directory, overwrite, map_kind());
+}
+
+bool is_interrupted_map(const std::string& directory) {
+  const sim::InputFile file = sim::read_input(directory + "/" + kMapJson, kMostMapBytes);
+  const std::optional<nlohmann::json> json = map_json_of(file.bytes);
+  return json && json->contains("interrupted") && (*json)["interrupted"] == true;
+}
+
+std::string curtains_csv(const std::vector<Curtain>& curtains) {
+  std::string csv =
+      "curtain,point,east_km,north_km,distance_km,azimuth_deg,lower_border_km,energy_flux_mw_m2,energy_kev,"
+      "width_km,lateral_error_km,distance_error_km,lower_border_error_km,energy_flux_error_mw_m2,"
+      "energy_error_kev,width_error_km,border_in_view\n";
+  for (std::size_t c = 0; c < curtains.size(); ++c)
+    for (std::size_t i = 0; i < curtains[c].points.size(); ++i) {
+      const CurtainPoint& p = curtains[c].points[i];
+      csv += std::to_string(c + 1) + "," + std::to_string(i + 1);
+      for (const double value :
+           {p.foot_km.east, p.foot_km.north, p.distance_km, p.azimuth_deg, p.lower_border_km.value,
+            p.flux_mw_m2.value, p.energy_kev.value, p.width_km.value, p.lateral_error_km, p.distance_error_km,
+            p.lower_border_km.error, p.flux_mw_m2.error, p.energy_kev.error, p.width_km.error})
+        csv += "," + sim::csv_number(value);
+      csv += p.told ? ",1\n" : ",0\n";
+    }
+  return csv;
+}
+
+void write_map_run(const std::string& directory, bool overwrite, const MapResult& result,
+                   const std::vector<Curtain>& curtains, const MapRunFacts& facts) {
+  sim::WholeDirectory run(directory, overwrite, map_kind());
+  const std::vector<QuantityVerdict> verdicts = map_verdicts(result, curtains);
+  try {
+    sim::write_whole(run.file(kMapJson), map_json(result, curtains, verdicts, facts));
+    sim::write_whole(run.file("precipitation.fits"), precipitation_fits(result));
+    sim::write_whole(run.file("curtains.csv"), curtains_csv(curtains));
+    for (const MappedPhoto& photo : result.photos) write_pictures(run, photo);
+    sim::write_whole(run.file("report.html"), map_page(result, curtains, verdicts, facts));
+    run.commit();
+  } catch (const sim::Error& error) {
+    throw about(directory, run.temporary(), error);
+  }
+}
+
+}  // namespace vegard::fit

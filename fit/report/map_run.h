@@ -1,0 +1,43 @@
+// A map of precipitation as a directory: map.json, precipitation.fits, curtains.csv, model.exr, residual.exr,
+// report.html. Of several photographs: model-NAME.exr and residual-NAME.exr for each.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fit/answer/fit_result.h"
+#include "fit/map/curtains.h"
+#include "fit/map/map_fit.h"
+#include "fit/map/map_verdicts.h"
+
+namespace vegard::fit {
+
+/// What is told of a run beside its result.
+struct MapRunFacts {
+  std::string command;
+  std::vector<InputFile> inputs;
+  std::vector<PhotoFact> from_photograph;
+  std::vector<std::pair<std::string, std::string>> decodings;  ///< of each photograph: its name, and how
+};
+
+/// Throws as write_map_run() would, without writing: to be asked before the long work.
+void check_map_directory(const std::string& directory, bool overwrite);
+
+/// Whether the directory holds a map that was interrupted, which --resume may replace.
+bool is_interrupted_map(const std::string& directory);
+
+/// Writes all of it; the directory appears whole or not at all, and the same map gives the same bytes. Throws
+/// sim::Error(existing_output), sim::Error(unwritable_output).
+///
+/// precipitation.fits: 32-bit floats on linear axes EAST and NORTH, km in the site's tangent plane, of feet
+/// at 110 km altitude, in five planes: energy flux in mW m^-2, E0 in keV, relative standard error of the
+/// flux, standard error of ln(E0), sensitivity. NaN where no picture tells: where light at the lower border
+/// would be out of view, and the energy where there is no flux.
+void write_map_run(const std::string& directory, bool overwrite, const MapResult& result,
+                   const std::vector<Curtain>& curtains, const MapRunFacts& facts);
+
+/// curtains.csv.
+std::string curtains_csv(const std::vector<Curtain>& curtains);
+
+}  // namespace vegard::fit
