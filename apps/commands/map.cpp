@@ -27,6 +27,7 @@
 #include "fit/photo/photo.h"
 #include "fit/report/map_run.h"
 #include "fit/search/file_journal.h"
+#include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/file/sha256.h"
 #include "sim/base/version.h"
@@ -155,7 +156,12 @@ int run_map(const MapRequest& options, const std::string& command) {
     map_options.progress = [&account](const std::string& stage, double chi2, double share) {
       account.tell(stage, chi2, share);
     };
-    return placing_errors(scene, [&] { return fit::map_photos(scene, photos, map_options); });
+    try {
+      return placing_errors(scene, [&] { return fit::map_photos(scene, photos, map_options); });
+    } catch (const sim::Error&) {
+      journal.remove();  // there is nothing to go on with
+      throw;
+    }
   }();
   if (!journal.problem().empty()) tell("vegard: this map cannot be resumed: %s\n", journal.problem().c_str());
   const std::vector<fit::Curtain> curtains = fit::find_curtains(result);

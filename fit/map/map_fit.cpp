@@ -520,9 +520,10 @@ MapResult Mapping::run() {
   }
   constexpr double kLeastGain = 0.05;  // of chi2 per value, that light explains
   if (!stopped() && (start[0] == 0.0f || dark - chi2 < kLeastGain * static_cast<double>(all_values(coarse))))
-    refuse(sim::ErrorKind::unreadable_input, scene_, "no light stands above the noise and the sky", "--photo",
-           "a photograph with aurora",
-           "check the mask and fit.roi_px; a smooth sky explains all of the picture");
+    throw sim::Error(sim::ErrorKind::unreadable_input,
+                     {"no light stands above the noise and the sky", photos_.front().file_name, 0, "",
+                      "a photograph with aurora",
+                      "check the mask and fit.roi_px; a smooth sky explains all of the picture"});
 
   // Fine cells where the coarse ones near them have light.
   std::vector<MapPicture> fine = pictures(1);

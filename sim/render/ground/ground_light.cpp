@@ -14,7 +14,7 @@ namespace vegard::sim {
 namespace {
 
 constexpr double kRayleighsPerKm = 0.1;  // of a rate in photons cm^-3 s^-1
-constexpr int kShares = 8;               // of the rays in an adjoint, each with sums of its own
+constexpr int kShares = 4;               // of the rays in an adjoint, each with sums of its own
 
 std::vector<float> mean_rates(const Scene& scene, const std::vector<double>& energies_kev, double flux) {
   const AltitudeBins bins;
@@ -102,19 +102,19 @@ void GroundLight::forward(const std::vector<float>& map, std::vector<float>& ray
 
 void GroundLight::add_adjoint(const std::vector<float>& rayleighs, std::vector<float>& map) const {
   assert(map.size() == numbers_);
-  std::vector<float> weighted(rayleighs.size());
-  for (std::size_t i = 0; i < weighted.size(); ++i) weighted[i] = rayleighs[i] * transmission_[i];
-  std::vector<std::vector<float>> sums(kShares);
+  weighted_.resize(rayleighs.size());
+  for (std::size_t i = 0; i < weighted_.size(); ++i) weighted_[i] = rayleighs[i] * transmission_[i];
+  sums_.resize(kShares);
   parallel_for(kShares, threads_, [&](std::size_t share, int) {
-    sums[share].assign(numbers_, 0.0f);
-    spread_light(sight_, rates(), weighted.data(), first_of_share_[share], first_of_share_[share + 1],
-                 sums[share].data());
+    sums_[share].assign(numbers_, 0.0f);
+    spread_light(sight_, rates(), weighted_.data(), first_of_share_[share], first_of_share_[share + 1],
+                 sums_[share].data());
   });
   constexpr std::size_t kRun = 4096;
   parallel_for((numbers_ + kRun - 1) / kRun, threads_, [&](std::size_t run, int) {
     for (std::size_t i = run * kRun; i < std::min((run + 1) * kRun, numbers_); ++i) {
       float sum = 0.0f;
-      for (const std::vector<float>& part : sums) sum += part[i];
+      for (const std::vector<float>& part : sums_) sum += part[i];
       map[i] += sum;
     }
   });

@@ -34,7 +34,7 @@ class GroundLight {
   /// rayleighs[ray * lines + line] of a map [cell * kGroundEnergies + energy].
   void forward(const std::vector<float>& map, std::vector<float>& rayleighs) const;
 
-  /// Adds A' y to `map`; the sums' order does not depend on the threads.
+  /// Adds A' y to `map`; the sums' order does not depend on the threads. Not for two threads at once.
   void add_adjoint(const std::vector<float>& rayleighs, std::vector<float>& map) const;
 
  private:
@@ -44,6 +44,9 @@ class GroundLight {
   std::vector<float> rate_;
   std::vector<float> transmission_;          ///< [ray * lines + line]
   std::vector<std::size_t> first_of_share_;  ///< rays with like numbers of stretches
+  // Memory of add_adjoint(), kept from call to call.
+  mutable std::vector<float> weighted_;
+  mutable std::vector<std::vector<float>> sums_;
 };
 
 }  // namespace vegard::sim

@@ -1,0 +1,59 @@
+# A map of precipitation: its files, the same bytes for any number of threads and after an interruption, and its refusals.
+source "$(dirname "$0")/case.sh"
+expect_exit 0 render "$SCENES/map_light.toml" -o photo.png
+# Nobody has calibrated the sensor: the flux is relative, and the exit code says that something is to be taken with care.
+expect_exit 5 map "$SCENES/map.toml" --photo photo.png --out run --replicates 2 --sparsity 4 --threads 2
+for file in map.json precipitation.fits curtains.csv model.exr residual.exr report.html; do expect_file "run/$file"; done
+expect_stdout "distance of the curtains: good"
+expect_stdout "relative: nobody has calibrated the sensor"
+expect_starts run/precipitation.fits 53494d504c4520203d
+grep -q "^curtain,point,east_km,north_km,distance_km," run/curtains.csv || fail "another head of the table"
+grep -qF "FLUXCAL = 'relative'" run/precipitation.fits || fail "a scale that nobody knows"
+expect_exit 0 map "$SCENES/map.toml" --photo photo.png --out calibrated --replicates 2 --sparsity 4 --threads 1 \
+  --set sensor.calibration_error=0.1
+for file in curtains.csv model.exr residual.exr; do expect_same "run/$file" "calibrated/$file"; done
+
+# An existing map stays; with --overwrite it is replaced, but nothing that is not ours.
+expect_exit 2 map "$SCENES/map.toml" --photo photo.png --out run
+expect_one_message
+cp run/precipitation.fits before.fits
+echo thesis >run/thesis.tex
+expect_exit 2 map "$SCENES/map.toml" --photo photo.png --out run --overwrite --replicates 2 --sparsity 4
+expect_stderr thesis.tex
+expect_file run/thesis.tex
+expect_same run/precipitation.fits before.fits
+rm run/thesis.tex
+
+# Cut off by Ctrl-C and gone on with: the same bytes.
+set -m
+"$VEGARD" map "$SCENES/map.toml" --photo photo.png --out cut --replicates 2 --sparsity 4 --threads 1 >"$stdout" 2>"$stderr" &
+job=$!
+wait_until_interruptible "$job"
+for _ in $(seq 600); do
+  [[ ! -s $stderr ]] || break
+  sleep 0.05
+done
+kill -INT "$job" 2>/dev/null || true
+status=0
+wait "$job" || status=$?
+[[ $status -eq 130 || $status -eq 5 ]] || fail "exit $status instead of 130"
+if [[ $status -eq 130 ]]; then
+  grep -q '"interrupted": true' cut/map.json || fail "another end"
+  expect_exit 5 map "$SCENES/map.toml" --photo photo.png --out cut --replicates 2 --sparsity 4 --resume
+fi
+for file in precipitation.fits curtains.csv model.exr; do expect_same "run/$file" "cut/$file"; done
+
+# Refusals, each in one line.
+expect_exit 2 map "$SCENES/map.toml" --out none
+expect_one_message
+expect_stderr "no photograph is given"
+expect_exit 2 map "$SCENES/map.toml" --photo photo.png
+expect_stderr "--out"
+expect_exit 0 render "$SCENES/map.toml" -o dark.png
+expect_exit 3 map "$SCENES/map.toml" --photo dark.png --out none
+expect_stderr "no light stands above the noise"
+expect_exit 2 map "$SCENES/map.toml" --photo photo.png --out none --set camera.elevation_deg=-70
+expect_stderr "looks at the sky"
+expect_exit 2 map "$SCENES/map.toml" --photo photo.png --out none --set camera.width=97 --no-metadata
+expect_stderr "97 x 64"
+[[ ! -e none && ! -e none.part ]] || fail "something was left of a map that was refused"
