@@ -48,8 +48,8 @@ namespace {
 struct FitRequest {
   std::string memory_limit;
   SceneOptions scene;
-  std::string photo, mask, decoding, out;
-  std::vector<std::string> filters;
+  PhotoWords photo;
+  std::string out;
   int threads = 0;
   int max_evaluations = fit::FitOptions().max_evaluations;
   bool overwrite = false;
@@ -66,48 +66,13 @@ std::vector<NamedInput> files_read(const FitRequest& options, const sim::Scene& 
   for (const sim::PhotoEntry& entry : scene.fit.photos)  // what it alone has may name files too
     for (const NamedInput& input : inputs_of_scene({}, sim::scene_of_photo(scene, entry)))
       inputs.push_back(input);
-  inputs.push_back({options.photo, "the photograph"});
-  inputs.push_back({options.mask, "the mask"});
-  for (const fit::FilterFile& filter : filter_files(options.filters))
+  inputs.push_back({options.photo.file, "the photograph"});
+  inputs.push_back({options.photo.mask, "the mask"});
+  for (const fit::FilterFile& filter : filter_files(options.photo.filters))
     inputs.push_back({filter.file, "the photograph"});
-  if (!options.decoding.empty())
-    inputs.push_back({sim::decoding_word(options.decoding).file, "the transfer curve"});
+  if (!options.photo.decoding.empty())
+    inputs.push_back({sim::decoding_word(options.photo.decoding).file, "the transfer curve"});
   return inputs;
-}
-
-/// That of the command line, or those that the scene names.
-std::vector<fit::Photo> photos_of(const FitRequest& options, const sim::Scene& scene) {
-  const auto refuse = [](const std::string& key, const std::string& problem, const std::string& hint) {
-    sim::ErrorDetails details;
-    details.key = key;
-    details.problem = problem;
-    details.hint = hint;
-    throw sim::Error(sim::ErrorKind::usage, details);
-  };
-  if (scene.fit.photos.empty()) {
-    if (!options.photo.empty() && !options.filters.empty())
-      refuse("--line", "a photograph is given as well", "leave out --photo");
-    if (options.photo.empty() && options.filters.empty())
-      refuse("--photo", "no photograph is given", "name one, or several in the scene's [[fit.photo]]");
-    std::vector<fit::Photo> photos;
-    const fit::Decoding decoding = decoding_of(options.decoding, scene.fit.decoding, &scene);
-    if (options.filters.empty()) {
-      photos.push_back(fit::read_photo(options.photo, decoding, &scene));
-    } else {
-      check_filters(scene);
-      photos.push_back(
-          fit::read_filters(filter_files(options.filters), scene.emission.lines, decoding, &scene));
-    }
-    if (!options.mask.empty()) fit::apply_mask(photos.back(), options.mask);
-    return photos;
-  }
-  if (!options.filters.empty())
-    refuse("--line", "the scene names its photographs itself", "leave it out, or [[fit.photo]] of the scene");
-  for (const auto& [key, word] :
-       {std::pair{"--photo", &options.photo}, {"--mask", &options.mask}, {"--decoding", &options.decoding}})
-    if (!word->empty())
-      refuse(key, "the scene names its photographs itself", "leave it out, or [[fit.photo]] of the scene");
-  return photographs_of(scene);
 }
 
 /// What the fit tells while it works: a bar on a terminal, elsewhere one line a stage.
@@ -252,11 +217,11 @@ int run_fit(const FitRequest& options, const std::string& command) {
   }
   std::vector<fit::PhotoFact> from_photograph;
   const std::string photo =
-      options.filters.empty() ? options.photo : filter_files(options.filters).front().file;
+      options.photo.filters.empty() ? options.photo.file : filter_files(options.photo.filters).front().file;
   if (scene.fit.photos.empty() && !photo.empty() && !options.no_metadata)
     from_photograph = take_from_photograph(scene, photo, options.scene.changes);
   check_memory_of_fit(scene, options.threads, options.memory_limit);
-  std::vector<fit::Photo> photos = photos_of(options, scene);
+  std::vector<fit::Photo> photos = photographs_asked(options.photo, scene);
   if (options.check_derivatives) {
     if (!scene.fit.photos.empty())
       throw usage_error("--check-derivatives", "is for one photograph", "a scene without [[fit.photo]]");
@@ -296,13 +261,13 @@ void add_fit_command(Program& program) {
   const Command command = program.add("fit", "Fit a scene to a photograph or to several, and write a report");
   add_scene_options(command, options->scene);
   command
-      .option("--photo", options->photo,
+      .option("--photo", options->photo.file,
               "A photograph of any format that is read; left out: those of the scene's [[fit.photo]]")
       .type_name("IMAGE");
-  add_filter_option(command, options->filters);
+  add_filter_option(command, options->photo.filters);
   command.option("--out", options->out, "The run's directory to write").type_name("RUN");
-  command.option("--mask", options->mask, "An image of the same size: white = use").type_name("IMAGE");
-  add_decoding_option(command, options->decoding);
+  command.option("--mask", options->photo.mask, "An image of the same size: white = use").type_name("IMAGE");
+  add_decoding_option(command, options->photo.decoding);
   add_no_metadata_option(command, options->no_metadata);
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       .range(0, 1024);

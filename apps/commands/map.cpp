@@ -39,8 +39,8 @@ namespace {
 struct MapRequest {
   std::string memory_limit;
   SceneOptions scene;
-  std::string photo, mask, decoding, out;
-  std::vector<std::string> filters;
+  PhotoWords photo;
+  std::string out;
   int threads = 0;
   int replicates = fit::MapOptions().replicates;
   double sparsity = 0.0;
@@ -65,36 +65,11 @@ class MapAccount {
   std::set<std::string> stages_;
 };
 
-std::vector<fit::Photo> photos_of_map(const MapRequest& options, const sim::Scene& scene) {
-  if (!scene.fit.photos.empty()) {
-    if (!options.photo.empty() || !options.filters.empty() || !options.mask.empty() ||
-        !options.decoding.empty())
-      throw usage_error("--photo", "the scene names its photographs itself",
-                        "leave it out with --mask, --decoding and --line, or [[fit.photo]] of the scene");
-    return photographs_of(scene);
-  }
-  if (options.photo.empty() == options.filters.empty())
-    throw usage_error(
-        "--photo", options.photo.empty() ? "no photograph is given" : "--line is given as well",
-        "a photograph, or --line NM=FILE for each of its filters, or [[fit.photo]] in the scene");
-  const fit::Decoding decoding = decoding_of(options.decoding, scene.fit.decoding, &scene);
-  std::vector<fit::Photo> photos;
-  if (options.filters.empty()) {
-    photos.push_back(fit::read_photo(options.photo, decoding, &scene));
-  } else {
-    check_filters(scene);
-    photos.push_back(
-        fit::read_filters(filter_files(options.filters), scene.emission.lines, decoding, &scene));
-  }
-  if (!options.mask.empty()) fit::apply_mask(photos.back(), options.mask);
-  return photos;
-}
-
 std::vector<NamedInput> files_of_map(const MapRequest& options, const sim::Scene& scene) {
   std::vector<NamedInput> inputs = inputs_of_scene(options.scene, scene);
-  inputs.push_back({options.photo, "the photograph"});
-  inputs.push_back({options.mask, "the mask"});
-  for (const fit::FilterFile& filter : filter_files(options.filters))
+  inputs.push_back({options.photo.file, "the photograph"});
+  inputs.push_back({options.photo.mask, "the mask"});
+  for (const fit::FilterFile& filter : filter_files(options.photo.filters))
     inputs.push_back({filter.file, "the photograph"});
   return inputs;
 }
@@ -136,10 +111,10 @@ int run_map(const MapRequest& options, const std::string& command) {
   fit::check_map_directory(options.out, replaces);
   std::vector<fit::PhotoFact> from_photograph;
   const std::string photo =
-      options.filters.empty() ? options.photo : filter_files(options.filters).front().file;
+      options.photo.filters.empty() ? options.photo.file : filter_files(options.photo.filters).front().file;
   if (scene.fit.photos.empty() && !photo.empty() && !options.no_metadata)
     from_photograph = take_from_photograph(scene, photo, options.scene.changes);
-  const std::vector<fit::Photo> photos = photos_of_map(options, scene);
+  const std::vector<fit::Photo> photos = photographs_asked(options.photo, scene);
   fit::FileJournal journal(fit::journal_file(options.out), subject_of(options, scene, photos),
                            journal_mode(options));
   if (journal.found() > 0) tell("vegard: going on after %d finished steps\n", journal.found());
@@ -193,13 +168,13 @@ void add_map_command(Program& program) {
       "map", "Map the precipitation that a photograph shows, of any shape, and find its curtains");
   add_scene_options(command, options->scene);
   command
-      .option("--photo", options->photo,
+      .option("--photo", options->photo.file,
               "A photograph of any format that is read; left out: those of the scene's [[fit.photo]]")
       .type_name("IMAGE");
-  add_filter_option(command, options->filters);
+  add_filter_option(command, options->photo.filters);
   command.option("--out", options->out, "The map's directory to write").type_name("RUN");
-  command.option("--mask", options->mask, "An image of the same size: white = use").type_name("IMAGE");
-  add_decoding_option(command, options->decoding);
+  command.option("--mask", options->photo.mask, "An image of the same size: white = use").type_name("IMAGE");
+  add_decoding_option(command, options->photo.decoding);
   add_no_metadata_option(command, options->no_metadata);
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       .range(0, 1024);

@@ -43,6 +43,40 @@ std::set<std::string> paths_of(const std::vector<std::string>& changes) {
 
 }  // namespace
 
+std::vector<fit::Photo> photographs_asked(const PhotoWords& words, const sim::Scene& scene) {
+  const auto refuse = [](const std::string& key, const std::string& problem, const std::string& hint) {
+    sim::ErrorDetails details;
+    details.key = key;
+    details.problem = problem;
+    details.hint = hint;
+    throw sim::Error(sim::ErrorKind::usage, details);
+  };
+  if (scene.fit.photos.empty()) {
+    if (!words.file.empty() && !words.filters.empty())
+      refuse("--line", "a photograph is given as well", "leave out --photo");
+    if (words.file.empty() && words.filters.empty())
+      refuse("--photo", "no photograph is given", "name one, or several in the scene's [[fit.photo]]");
+    std::vector<fit::Photo> photos;
+    const fit::Decoding decoding = decoding_of(words.decoding, scene.fit.decoding, &scene);
+    if (words.filters.empty()) {
+      photos.push_back(fit::read_photo(words.file, decoding, &scene));
+    } else {
+      check_filters(scene);
+      photos.push_back(
+          fit::read_filters(filter_files(words.filters), scene.emission.lines, decoding, &scene));
+    }
+    if (!words.mask.empty()) fit::apply_mask(photos.back(), words.mask);
+    return photos;
+  }
+  if (!words.filters.empty())
+    refuse("--line", "the scene names its photographs itself", "leave it out, or [[fit.photo]] of the scene");
+  for (const auto& [key, word] :
+       {std::pair{"--photo", &words.file}, {"--mask", &words.mask}, {"--decoding", &words.decoding}})
+    if (!word->empty())
+      refuse(key, "the scene names its photographs itself", "leave it out, or [[fit.photo]] of the scene");
+  return photographs_of(scene);
+}
+
 std::vector<fit::Photo> photographs_of(const sim::Scene& scene) {
   std::vector<fit::Photo> photos;
   for (const sim::PhotoEntry& entry : scene.fit.photos) {

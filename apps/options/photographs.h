@@ -13,6 +13,16 @@
 
 namespace vegard::apps {
 
+/// What a command line says of the photograph that it names, of --photo, --mask, --decoding and --line.
+struct PhotoWords {
+  std::string file, mask, decoding;
+  std::vector<std::string> filters;
+};
+
+/// The photograph of the command line, or those that the scene names. Throws Error(usage) where there is
+/// none, or both, and as reading does.
+std::vector<fit::Photo> photographs_asked(const PhotoWords& words, const sim::Scene& scene);
+
 /// scene.fit.photos, read and masked, in their order; files are relative to the scene's. A decoding by the
 /// sensor goes by that of the photograph's own scene. Throws Error(unreadable_input) with the photograph's
 /// name.

@@ -83,7 +83,7 @@ struct MapResult {
 bool is_border_in_view(const MapResult& result, sim::EastNorth foot_km);
 
 /// On made pictures of curtains the replicates' spread of ln E0 is by so much too small (docs/validation.md).
-inline constexpr double kEnergyInflation = 1.8;
+inline constexpr double kEnergyInflation = 1.5;
 
 /// Standard errors of what is said of a cell; NaN without replicates.
 struct CellError {

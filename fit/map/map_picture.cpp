@@ -289,32 +289,44 @@ void MapPicture::add_adjoint(const MapLight& light, std::vector<float>& map) con
   light_->add_adjoint(blurred, map);
 }
 
+template <class Value>
+std::vector<double> MapPicture::solve_sky(int channel, const Value& weighted) const {
+  std::vector<double> right(static_cast<std::size_t>(sky_terms_), 0.0), sky = right;
+  for (std::size_t cell = 0; cell < cells(); ++cell) {
+    const std::size_t i = cell * 3 + channel;
+    if (weight_[i] == 0.0f) continue;
+    const double value = weighted(i);
+    const float* f = &sky_basis_[cell * sky_terms_];
+    for (int j = 0; j < sky_terms_; ++j) right[j] += value * f[j];
+  }
+  for (int i = 0; i < sky_terms_; ++i)
+    for (int j = 0; j < sky_terms_; ++j) sky[i] += sky_inverse_[channel][i * sky_terms_ + j] * right[j];
+  return sky;
+}
+
+double MapPicture::sky_at(std::size_t cell, const std::vector<double>& sky) const {
+  const float* f = &sky_basis_[cell * sky_terms_];
+  double sum = 0.0;
+  for (int j = 0; j < sky_terms_; ++j) sum += sky[j] * f[j];
+  return sum;
+}
+
 double MapPicture::residual(const MapLight& light, MapLight& residual) {
   residual.assign(cells() * 3, 0.0f);
   sky_.assign(cells() * 3, 0.0f);
   double chi2 = 0.0;
   for (int c = 0; c < 3; ++c) {
-    std::vector<double> right(sky_terms_, 0.0), sky(sky_terms_, 0.0);
+    const std::vector<double> sky =
+        solve_sky(c, [&](std::size_t i) { return weight_[i] * (static_cast<double>(data_[i]) - light[i]); });
     for (std::size_t cell = 0; cell < cells(); ++cell) {
       const std::size_t i = cell * 3 + c;
+      const double behind = sky_at(cell, sky);
+      sky_[i] = static_cast<float>(behind);
       if (weight_[i] == 0.0f) continue;
-      const double r = weight_[i] * (static_cast<double>(data_[i]) - light[i]);
-      const float* f = &sky_basis_[cell * sky_terms_];
-      for (int j = 0; j < sky_terms_; ++j) right[j] += r * f[j];
-    }
-    for (int i = 0; i < sky_terms_; ++i)
-      for (int j = 0; j < sky_terms_; ++j) sky[i] += sky_inverse_[c][i * sky_terms_ + j] * right[j];
-    for (std::size_t cell = 0; cell < cells(); ++cell) {
-      const std::size_t i = cell * 3 + c;
-      const float* f = &sky_basis_[cell * sky_terms_];
-      double sum = 0.0;
-      for (int j = 0; j < sky_terms_; ++j) sum += sky[j] * f[j];
-      sky_[i] = static_cast<float>(sum);
-      if (weight_[i] == 0.0f) continue;
-      double r = light[i] + sum - data_[i];
+      const double model = light[i] + behind;
+      double r = model - data_[i];
       // Stored as none, it is none or less.
-      if (clips_ && r < 0.0 && data_[i] <= noise_[i] && light[i] + sum < 0.0)
-        r = std::min(0.0, -data_[i] + 0.0);
+      if (clips_ && model < 0.0 && data_[i] <= noise_[i]) r = -data_[i];
       chi2 += weight_[i] * r * r;
       residual[i] = static_cast<float>(weight_[i] * r);
     }
@@ -325,23 +337,11 @@ double MapPicture::residual(const MapLight& light, MapLight& residual) {
 void MapPicture::take_sky_away(const MapLight& light, MapLight& weighted) const {
   weighted.assign(cells() * 3, 0.0f);
   for (int c = 0; c < 3; ++c) {
-    std::vector<double> right(sky_terms_, 0.0), sky(sky_terms_, 0.0);
+    const std::vector<double> sky =
+        solve_sky(c, [&](std::size_t i) { return static_cast<double>(weight_[i]) * light[i]; });
     for (std::size_t cell = 0; cell < cells(); ++cell) {
       const std::size_t i = cell * 3 + c;
-      if (weight_[i] == 0.0f) continue;
-      const double r = static_cast<double>(weight_[i]) * light[i];
-      const float* f = &sky_basis_[cell * sky_terms_];
-      for (int j = 0; j < sky_terms_; ++j) right[j] += r * f[j];
-    }
-    for (int i = 0; i < sky_terms_; ++i)
-      for (int j = 0; j < sky_terms_; ++j) sky[i] += sky_inverse_[c][i * sky_terms_ + j] * right[j];
-    for (std::size_t cell = 0; cell < cells(); ++cell) {
-      const std::size_t i = cell * 3 + c;
-      if (weight_[i] == 0.0f) continue;
-      const float* f = &sky_basis_[cell * sky_terms_];
-      double sum = light[i];
-      for (int j = 0; j < sky_terms_; ++j) sum -= sky[j] * f[j];
-      weighted[i] = static_cast<float>(weight_[i] * sum);
+      if (weight_[i] != 0.0f) weighted[i] = static_cast<float>(weight_[i] * (light[i] - sky_at(cell, sky)));
     }
   }
 }

@@ -73,7 +73,6 @@ class MapPicture {
   void take_sky_away(const MapLight& light, MapLight& weighted) const;
   /// The sky that the last residual() has found.
   const MapLight& sky() const { return sky_; }
-  double prior_chi2() const { return prior_chi2_; }
 
   /// The channel whose gain is that of the scene where the white balance is unknown: the first of G, R, B
   /// with data.
@@ -88,6 +87,11 @@ class MapPicture {
                       const std::vector<std::uint8_t>& used);
   void make_sky_basis();
   void factor_sky();
+  /// The sky's numbers in a channel, by least squares: `weighted(i)` is the weight of a value times what the
+  /// sky is to explain of it.
+  template <class Value>
+  std::vector<double> solve_sky(int channel, const Value& weighted) const;
+  double sky_at(std::size_t cell, const std::vector<double>& sky) const;
 
   sim::Scene scene_;
   sim::FilmGeometry film_;
@@ -102,7 +106,6 @@ class MapPicture {
   int sky_terms_ = 0;
   std::vector<float> sky_basis_;                    ///< [cell * terms + term]
   std::array<std::vector<double>, 3> sky_inverse_;  ///< (B' W B + prior)^-1 of a channel
-  double prior_chi2_ = 0.0;
 };
 
 }  // namespace vegard::fit
