@@ -15,17 +15,11 @@
 
 #include "sim/base/number/vec3.h"
 #include "sim/scene/structs/sheet_kinds.h"
+#include "sim/scene/structs/site.h"
 #include "sim/scene/structs/sun_of_scene.h"
 #include "sim/scene/structs/volumes_of_scene.h"
 
 namespace vegard::sim {
-
-struct Site {
-  double latitude_deg = 65.0;
-  double longitude_deg = 0.0;
-  double altitude_m = 0.0;
-  std::string time_utc;  ///< ISO 8601, empty if unknown; goes into file headers, never the clock's time
-};
 
 enum class FieldModel {
   uniform,  ///< the same everywhere
