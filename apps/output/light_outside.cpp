@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/base/number/constants.h"
+#include "sim/emit/aurora/sheet_curve.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/table/parameter_table.h"
@@ -69,7 +70,7 @@ std::string warning_if_out_of_view(const sim::Scene& scene, const sim::Image& ra
                             scene.camera.focal_px);
   const double observer_km = scene.site.altitude_m * 1e-3;
   for (const sim::Sheet& sheet : scene.sheets)
-    text += "; " + place_of("sheet '" + sheet.name + "'", sheet.center_km, observer_km);
+    text += "; " + place_of("sheet '" + sheet.name + "'", sim::evened_sheet(sheet).center_km, observer_km);
   std::vector<sim::Whereabouts> all;
   for (const sim::EmitterKind& kind : sim::emitter_kinds()) {
     if (kind.whereabouts == nullptr) continue;

@@ -9,6 +9,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/foot_line.h"
+#include "sim/emit/aurora/sheet_curve.h"
 #include "sim/light/electron.h"
 #include "sim/light/line_light.h"
 #include "sim/scene/lines/emission_line.h"
@@ -43,6 +44,14 @@ Group none(const Label& label) {
   return one(label, [](const sim::Scene&) { return sim::kNaN; });
 }
 
+/// Of a sheet whose energy varies along its curve what its mean has.
+sim::LineLight light_of(double wavelength_nm, const sim::Scene& scene, int sheet) {
+  if (scene.sheets[sheet].point_energy_kev.empty()) return sim::line_light(wavelength_nm, scene, sheet);
+  sim::Scene even = scene;
+  even.sheets[sheet] = sim::evened_sheet(scene.sheets[sheet]);
+  return sim::line_light(wavelength_nm, even, sheet);
+}
+
 void add_energies(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
   const sim::Sheet& sheet = best.sheets[s];
   // A form has an energy for its steps and its power, but its light does not tell it.
@@ -54,9 +63,10 @@ void add_energies(const sim::Scene& best, int s, const std::string& of, std::vec
   // For mono-energetic and Gaussian electrons it is the mean energy itself.
   if (sheet.profile == sim::ProfileKind::maxwellian)
     groups.push_back(one({"characteristic energy E0" + of, "keV", ""},
-                         [s](const sim::Scene& x) { return x.sheets[s].energy_kev; }));
-  groups.push_back(one({"mean electron energy" + of, "keV", ""},
-                       [s](const sim::Scene& x) { return *sim::mean_energy_kev(x.sheets[s]); }));
+                         [s](const sim::Scene& x) { return sim::evened_sheet(x.sheets[s]).energy_kev; }));
+  groups.push_back(one({"mean electron energy" + of, "keV", ""}, [s](const sim::Scene& x) {
+    return *sim::mean_energy_kev(sim::evened_sheet(x.sheets[s]));
+  }));
 }
 
 /// Altitudes of the line that tells the border, the peaks of all lines.
@@ -78,7 +88,7 @@ void add_altitudes(const sim::Scene& best, int s, const std::string& of, std::ve
       group.labels.push_back({"half-width of " + line + " above its peak" + of, "km", "", true});
     }
     group.numbers = [nm, s, is_detail](const sim::Scene& x) {
-      const sim::LineLight light = sim::line_light(nm, x, s);
+      const sim::LineLight light = light_of(nm, x, s);
       std::vector<double> numbers = {light.peak_at_an_end ? sim::kNaN : light.peak_km};
       if (!is_detail)
         numbers.insert(numbers.end(), {light.lower_border_km, light.half_below_km, light.half_above_km});
@@ -101,8 +111,8 @@ void add_ratios(const sim::Scene& best, int s, const std::string& of, std::vecto
     }
     absent.why_none = "557.7 nm is dark";
     groups.push_back(one(absent, [nm, s](const sim::Scene& x) {
-      const double green = sim::line_light(sim::kGreenNm, x, s).column_rayleigh;
-      return green > 0.0 ? sim::line_light(nm, x, s).column_rayleigh / green : sim::kNaN;
+      const double green = light_of(sim::kGreenNm, x, s).column_rayleigh;
+      return green > 0.0 ? light_of(nm, x, s).column_rayleigh / green : sim::kNaN;
     }));
   }
 }
@@ -184,11 +194,12 @@ std::vector<Group> groups_of(const sim::Scene& best) {
     add_energies(best, s, of, groups);
     add_altitudes(best, s, of, groups);
     add_ratios(best, s, of, groups);
-    if (best.sheets[s].layers > 1)
+    if (best.sheets[s].layers > 1 && !sim::is_curve(best.sheets[s]))
       groups.push_back(one({"largest distance between the boundaries" + of, "km", "", true},
                            [s](const sim::Scene& x) { return boundary_separation_km(x.sheets[s]); }));
-    groups.push_back(one({"wavelength over twice the amplitude" + of, "", "", true},
-                         [s](const sim::Scene& x) { return wavelength_ratio(x.sheets[s]); }));
+    if (!sim::is_curve(best.sheets[s]))
+      groups.push_back(one({"wavelength over twice the amplitude" + of, "", "", true},
+                           [s](const sim::Scene& x) { return wavelength_ratio(x.sheets[s]); }));
     add_feet(best, s, of, groups);
   }
   add_footprints(best, groups);
@@ -203,16 +214,16 @@ double nearest_distance_km(const sim::Sheet& sheet, double instant_s) {
 }
 
 double lower_border_km(double wavelength_nm, const sim::Scene& scene, int sheet) {
-  return sim::line_light(wavelength_nm, scene, sheet).lower_border_km;
+  return light_of(wavelength_nm, scene, sheet).lower_border_km;
 }
 
 HalfWidths half_widths_km(double wavelength_nm, const sim::Scene& scene, int sheet) {
-  const sim::LineLight light = sim::line_light(wavelength_nm, scene, sheet);
+  const sim::LineLight light = light_of(wavelength_nm, scene, sheet);
   return {light.half_below_km, light.half_above_km};
 }
 
 double peak_altitude_km(double wavelength_nm, const sim::Scene& scene, int sheet) {
-  return sim::line_light(wavelength_nm, scene, sheet).peak_km;
+  return light_of(wavelength_nm, scene, sheet).peak_km;
 }
 
 double boundary_separation_km(const sim::Sheet& sheet) {
@@ -222,6 +233,7 @@ double boundary_separation_km(const sim::Sheet& sheet) {
 std::vector<std::string> unusual_sheets(const sim::Scene& scene) {
   std::vector<std::string> notes;
   for (const sim::Sheet& sheet : scene.sheets) {
+    if (sim::is_curve(sheet)) continue;
     const double ratio = wavelength_ratio(sheet);
     if (ratio >= kLeastRatio && ratio <= kMostRatio) continue;
     notes.push_back(fmt::format(
@@ -261,6 +273,10 @@ std::vector<sim::FootBand> foot_bands(const sim::Scene& best, const std::vector<
   std::vector<sim::FootBand> bands;
   for (std::size_t s = 0; s < best.sheets.size(); ++s) {
     sim::FootBand band{best.sheets[s].name, sim::band_places_km(best.sheets[s]), {}};
+    if (sim::is_curve(best.sheets[s])) {
+      bands.push_back(std::move(band));
+      continue;
+    }
     for (const DeltaMethod::Estimate& aside : estimates([&](const sim::Scene& x) {
            return sim::aside_km(best.sheets[s], x.sheets[s], x.time.start_s, band.along_km);
          })) {

@@ -26,6 +26,7 @@ double depth_km2(const sim::Sheet& sheet) {
 
 std::optional<SheetInView> sheet_in_view(const sim::Scene& scene, const sim::Sheet& sheet, double x_px,
                                          double y_px) {
+  if (sheet.course == sim::SheetCourse::curve) return std::nullopt;
   const sim::CameraView<double> view = sim::camera_view(scene.camera);
   double ray[3], turn[3], here[2] = {0.0, 0.0}, turned[2] = {0.0, 0.0};
   if (!unproject(view.lens, x_px, y_px, ray)) return std::nullopt;

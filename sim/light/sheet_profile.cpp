@@ -1,9 +1,12 @@
 #include "sim/light/sheet_profile.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "sim/base/error.h"
 #include "sim/light/drawn_profile.h"
+#include "sim/light/emission_table.h"
 #include "sim/light/form_profile.h"
 #include "sim/light/spectrum_profile.h"
 #include "sim/light/spline_profile.h"
@@ -118,6 +121,57 @@ std::vector<float> profile_slope(const std::vector<double>& wavelengths_nm, cons
   for (std::size_t i = 0; i < slope.size(); ++i)
     slope[i] = static_cast<float>((slope[i] - static_cast<double>(profile.rate[i]) * growth) * scale);
   return slope;
+}
+
+double EnergyLadder::energy_kev(int rung) const {
+  const std::vector<double>& energies = EmissionTable::glow().energies_kev();
+  return std::clamp(std::exp((first + rung) * kLnStep), energies.front(), energies.back());
+}
+
+EnergyLadder energy_ladder(const Sheet& sheet) {
+  EnergyLadder ladder;
+  if (sheet.course != SheetCourse::curve || sheet.point_energy_kev.empty()) return ladder;
+  const auto [least, most] =
+      std::minmax_element(sheet.point_energy_kev.begin(), sheet.point_energy_kev.end());
+  // Between its points a curve goes beyond their values by less than a third of their range
+  // (sim/emit/aurora/sheet_curve.h).
+  const double low = std::log(*least), high = std::log(*most), beyond = (high - low) / 3.0;
+  const std::vector<double>& energies = EmissionTable::glow().energies_kev();
+  const double bottom = std::max(low - beyond, std::log(energies.front())),
+               top = std::min(high + beyond, std::log(energies.back()));
+  ladder.first = static_cast<int>(std::floor(bottom / EnergyLadder::kLnStep));
+  ladder.count = std::max(2, static_cast<int>(std::ceil(top / EnergyLadder::kLnStep)) - ladder.first + 1);
+  return ladder;
+}
+
+std::vector<HeightProfile> ladder_profiles(const std::vector<double>& wavelengths_nm, const Scene& scene,
+                                           int sheet) {
+  const EnergyLadder ladder = energy_ladder(scene.sheets[sheet]);
+  std::vector<HeightProfile> profiles;
+  if (ladder.count == 0) return profiles;
+  Scene of_energy = scene;
+  for (int rung = 0; rung < ladder.count; ++rung) {
+    of_energy.sheets[sheet].energy_kev = ladder.energy_kev(rung);
+    profiles.push_back(sheet_profile(wavelengths_nm, of_energy, sheet));
+  }
+  return profiles;
+}
+
+std::vector<std::vector<float>> profile_slopes(const std::vector<double>& wavelengths_nm, const Scene& scene,
+                                               int sheet, const ParameterId& number) {
+  const EnergyLadder ladder = energy_ladder(scene.sheets[sheet]);
+  std::vector<std::vector<float>> slopes;
+  if (ladder.count == 0) {
+    slopes.push_back(profile_slope(wavelengths_nm, scene, sheet, number));
+  } else if (number.sheet() == sheet) {
+    Scene of_energy = scene;
+    for (int rung = 0; rung < ladder.count; ++rung) {
+      of_energy.sheets[sheet].energy_kev = ladder.energy_kev(rung);
+      slopes.push_back(profile_slope(wavelengths_nm, of_energy, sheet, number));
+    }
+  }
+  if (!slopes.empty() && slopes.front().empty()) slopes.clear();
+  return slopes;
 }
 
 void check_profiles(const Scene& scene) {

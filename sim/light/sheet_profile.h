@@ -21,11 +21,34 @@ bool has_given_brightness(const Sheet& sheet);
 /// sim/render/beams/beams.cpp.)
 HeightProfile sheet_profile(const std::vector<double>& wavelengths_nm, const Scene& scene, int sheet);
 
+/// The energies at which a sheet whose energy varies along its curve has height profiles: rungs a fixed step
+/// apart in ln(E), the same for all sheets. Between two rungs light is linear in ln(E); half of a step away
+/// from them that is off by 0.2 % of a profile's peak at most (sim/light/profile_table.cpp).
+struct EnergyLadder {
+  static constexpr double kLnStep = 0.04;
+  int first = 0;  ///< rung 0 is at exp(first kLnStep) keV
+  int count = 0;  ///< at least 2; 0: the sheet has one energy
+
+  /// The energy of a rung, within the limits of the emission tables.
+  double energy_kev(int rung) const;
+};
+
+/// Of all energies that a sheet's curve can pass through.
+EnergyLadder energy_ladder(const Sheet& sheet);
+
+/// What sheet_profile() gives for each rung; empty for a sheet of one energy.
+std::vector<HeightProfile> ladder_profiles(const std::vector<double>& wavelengths_nm, const Scene& scene,
+                                           int sheet);
+
 /// d rate / d number, as HeightProfile::rate, for a number of the scene that shapes the sheet's profile other
 /// than by energy_kev, whose derivative the profile itself carries. Empty for a number that does not. By
 /// energy_flux_mw_m2 it is the part that comes on top of proportion, d(rate per mW m^-2)/dQ.
 std::vector<float> profile_slope(const std::vector<double>& wavelengths_nm, const Scene& scene, int sheet,
                                  const ParameterId& number);
+
+/// The same for each rung of the sheet's ladder, or of its one profile. Empty for a number that shapes none.
+std::vector<std::vector<float>> profile_slopes(const std::vector<double>& wavelengths_nm, const Scene& scene,
+                                               int sheet, const ParameterId& number);
 
 /// Throws Error(unreadable_input) if a profile that comes from a user's table cannot be used for the scene's
 /// lines and brightness. To be called when a scene has been read, before any work.

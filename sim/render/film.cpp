@@ -194,7 +194,7 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<Para
       std::min<std::size_t>(kShards, std::max<std::size_t>(1, w.layout.chunks().size()));
   for (const DerivativePass& pass : passes) {
     const Seeds seeds(scene, free, pass.first, pass.count);
-    std::vector<int> of_energy(scene.sheets.size(), -1);
+    std::vector<int> of_energy(profiles.size(), -1);
     std::vector<SharedChain> of_sheets(scene.sheets.size());
     for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
       std::fill_n(of_sheets[s].parameter_of_local, local_inputs, -1);
@@ -271,40 +271,51 @@ void Exposer::expose_profiles(const Scene& scene, int sheet, const std::vector<s
                               Exposure& out) {
   constexpr int kLanes = 8;
   Workspace& w = *work_;
-  const HeightProfile own = sheet_profile(scene.emission.lines, scene, sheet);
+  std::vector<HeightProfile> profiles = height_profiles(scene);
+  const ProfilesOfSheet of_sheet = profiles_of_sheet(scene, sheet);
   const auto largest = [](const std::vector<float>& numbers) {
     float most = 0.0f;
     for (const float x : numbers) most = std::max(most, std::abs(x));
     return most;
   };
   // As bright as the sheet's own light, so that the film's units are as fine for them as for it.
-  const float usual = largest(own.rate) > 0.0f ? largest(own.rate) : 1.0f;
+  float usual = 0.0f;
+  for (int rung = 0; rung < of_sheet.count(); ++rung)
+    usual = std::max(usual, largest(profiles[of_sheet.first + rung].rate));
+  if (!(usual > 0.0f)) usual = 1.0f;
   out.geometry = w.film;
   out.lines = static_cast<int>(rates.size());
   out.free = out.free_stride = 0;
   out.deflection_points = 0;
   const std::size_t cells = out.cells();
   out.rayleigh.resize(cells * rates.size());
-  std::vector<HeightProfile> profiles(scene.sheets.size());
-  HeightProfile& profile = profiles[sheet];
+  for (HeightProfile& each : profiles) each = HeightProfile{};
   Exposure some;
   for (std::size_t first = 0; first < rates.size(); first += kLanes) {
     const int lanes = static_cast<int>(std::min<std::size_t>(kLanes, rates.size() - first));
-    profile.lines = lanes;
-    for (HeightProfile& each : profiles) each.stride = lanes <= 4 ? 4 : kLanes;
-    profile.rate.assign(static_cast<std::size_t>(HeightProfile::kAltitudes) * profile.stride, 0.0f);
+    const int stride = lanes <= 4 ? 4 : kLanes;
+    for (HeightProfile& each : profiles) each.stride = stride;
     std::vector<float> back(lanes, 0.0f);
     for (int l = 0; l < lanes; ++l) {
-      const std::vector<float>& rate = rates[first + l];
-      assert(rate.size() == static_cast<std::size_t>(HeightProfile::kAltitudes));
-      const float most = largest(rate);
-      if (!(most > 0.0f)) continue;
-      back[l] = most / usual;
-      for (int a = 0; a < HeightProfile::kAltitudes; ++a)
-        profile.rate[static_cast<std::size_t>(a) * profile.stride + l] = rate[a] * (usual / most);
+      const float most = largest(rates[first + l]);
+      if (most > 0.0f) back[l] = most / usual;
     }
-    out.deflection_points += w.fall(scene, profiles, profile.stride, sheet);
-    w.collect(lanes, profile.stride, some);
+    for (int rung = 0; rung < of_sheet.count(); ++rung) {
+      HeightProfile& profile = profiles[of_sheet.first + rung];
+      profile.lines = lanes;
+      profile.rate.assign(static_cast<std::size_t>(HeightProfile::kAltitudes) * stride, 0.0f);
+      for (int l = 0; l < lanes; ++l) {
+        const std::vector<float>& rate = rates[first + l];
+        assert(rate.size() == static_cast<std::size_t>(HeightProfile::kAltitudes) * of_sheet.count());
+        const float most = largest(rate);
+        if (!(most > 0.0f)) continue;
+        const float* of_rung = rate.data() + static_cast<std::ptrdiff_t>(rung) * HeightProfile::kAltitudes;
+        for (int a = 0; a < HeightProfile::kAltitudes; ++a)
+          profile.rate[static_cast<std::size_t>(a) * stride + l] = of_rung[a] * (usual / most);
+      }
+    }
+    out.deflection_points += w.fall(scene, profiles, stride, sheet);
+    w.collect(lanes, stride, some);
     parallel_for(static_cast<std::size_t>(lanes), w.threads, [&](std::size_t l, int) {
       for (std::size_t i = 0; i < cells; ++i)
         out.rayleigh[(first + l) * cells + i] = some.rayleigh[l * cells + i] * back[l];

@@ -71,8 +71,9 @@ class Exposer {
   /// The light of one sheet alone, once for every height profile of `rates` ([altitude] as a line of
   /// HeightProfile has them, signed) that is put in the place of its own: planes of rayleighs in their order,
   /// with the same beams and random numbers as expose(). Light is linear in the profile, so d rate / d number
-  /// gives d film / d number exactly (profile_slope() of sim/light/sheet_profile.h). Eight profiles cost one
-  /// expose().
+  /// gives d film / d number exactly (profile_slope() of sim/light/sheet_profile.h). Of a sheet whose energy
+  /// varies along its curve a profile is one of each rung of the ladder, one behind the other
+  /// (profile_slopes()). Eight profiles cost one expose().
   void expose_profiles(const Scene& scene, int sheet, const std::vector<std::vector<float>>& rates,
                        Exposure& out);
 

@@ -46,14 +46,15 @@ ProfileShapers profile_shapers(const Scene& scene, const std::vector<ParameterId
   for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
     SheetShapers& of_sheet = result.of_sheet[s];
     for (std::size_t j = 0; j < free.size(); ++j) {
-      const std::vector<float> slope =
-          profile_slope(scene.emission.lines, scene, static_cast<int>(s), free[j]);
-      if (slope.empty()) continue;
+      const std::vector<std::vector<float>> slopes =
+          profile_slopes(scene.emission.lines, scene, static_cast<int>(s), free[j]);
+      if (slopes.empty()) continue;
       result.alone[j] = free[j].role() != ParameterRole::energy_flux;
-      const std::size_t stride = slope.size() / HeightProfile::kAltitudes;
+      const std::size_t stride = slopes.front().size() / HeightProfile::kAltitudes;
       for (std::size_t l = 0; l < scene.emission.lines.size(); ++l) {
-        std::vector<float> rate(HeightProfile::kAltitudes);
-        for (std::size_t a = 0; a < rate.size(); ++a) rate[a] = slope[a * stride + l];
+        std::vector<float> rate;  // of one rung of the sheet's ladder of energies after the other
+        for (const std::vector<float>& slope : slopes)
+          for (int a = 0; a < HeightProfile::kAltitudes; ++a) rate.push_back(slope[a * stride + l]);
         if (std::all_of(rate.begin(), rate.end(), [](float x) { return x == 0.0f; })) continue;
         const auto found = std::find(of_sheet.rates.begin(), of_sheet.rates.end(), rate);
         of_sheet.shapers.push_back({static_cast<int>(j), static_cast<int>(l),

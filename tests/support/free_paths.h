@@ -29,6 +29,10 @@ inline std::vector<FreePath> free_paths(const sim::Scene& scene) {
     if (!path.row->can_be_free) continue;
     // Numbers of a camera that its lens does not have.
     if (path.row->table == "camera" && sim::why_it_counts_for_nothing(scene, path)) continue;
+    // What a sheet's course does not have.
+    if (path.sheet() >= 0 && scene.sheets[path.sheet()].course == sim::SheetCourse::curve &&
+        sim::why_it_counts_for_nothing(scene, path))
+      continue;
     // A profile's own numbers are not the kernel's, and have a test of theirs.
     if (path.row->key == "peak_km" || path.row->key == "lower_km" || path.row->key == "upper_km" ||
         path.row->key == "spline_rate")

@@ -6,11 +6,12 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/dipole.h"
+#include "sim/emit/aurora/sheet_curve.h"
 
 namespace vegard::sim {
 namespace {
 
-constexpr int kBandPlaces = 25;
+constexpr int kBandPlaces = 25, kCurvePlaces = 4001;
 
 /// Unit vectors along and to the left, and the middle.
 struct Line {
@@ -41,6 +42,14 @@ double part(int i, int count) { return count > 1 ? static_cast<double>(i) / (cou
 }  // namespace
 
 FootPoints foot_points(const Sheet& sheet, double instant_s) {
+  if (is_curve(sheet)) {
+    const std::vector<EastNorth> feet = curve_feet(sheet, instant_s, kCurvePlaces);
+    const auto distance = [](const EastNorth& foot) { return std::hypot(foot.east, foot.north); };
+    return {feet.front(), feet[kCurvePlaces / 2], feet.back(),
+            *std::min_element(feet.begin(), feet.end(), [&](const EastNorth& a, const EastNorth& b) {
+              return distance(a) < distance(b);
+            })};
+  }
   const Line line = line_of_sheet(sheet, instant_s);
   const double half = 0.5 * sheet.length_km;
   FootPoints points{line.at(-half, 0.0), line.at(0.0, 0.0), line.at(half, 0.0), {}};
@@ -57,6 +66,7 @@ FootPoints foot_points(const Sheet& sheet, double instant_s) {
 }
 
 std::vector<EastNorth> straight_feet(const Sheet& sheet, double instant_s, int arc, int count) {
+  if (is_curve(sheet)) return curve_feet(sheet, instant_s, count);
   const Line line = line_of_sheet(sheet, instant_s);
   std::vector<EastNorth> feet;
   for (int i = 0; i < count; ++i)
@@ -66,6 +76,7 @@ std::vector<EastNorth> straight_feet(const Sheet& sheet, double instant_s, int a
 
 std::vector<EastNorth> sine_feet(const Scene& scene, const Sheet& sheet, double instant_s, int arc,
                                  int count) {
+  if (is_curve(sheet)) return curve_feet(sheet, instant_s, count);
   const Line line = line_of_sheet(sheet, instant_s);
   // The sine's positive values lie towards u x B: to the left in the north (sim/emit/aurora/sheet.h).
   const double side = is_northern(scene) ? 1.0 : -1.0;

@@ -15,14 +15,14 @@
 namespace vegard::sim {
 
 /// Of the straight line from start to end, where it has drifted to at an instant. Of a system of arcs: the
-/// system's middle line; the nearest point is that of the nearest arc.
+/// system's middle line; the nearest point is that of the nearest arc. Of a curve they are its own points.
 struct FootPoints {
   EastNorth start, middle, end, nearest;
 };
 FootPoints foot_points(const Sheet& sheet, double instant_s);
 
 /// Points of an arc, `count` of them from start to end: the straight line, and the sine of the middle between
-/// the first and the last layer (without folds and curls).
+/// the first and the last layer (without folds and curls). Of a curve both are its own.
 std::vector<EastNorth> straight_feet(const Sheet& sheet, double instant_s, int arc, int count);
 std::vector<EastNorth> sine_feet(const Scene& scene, const Sheet& sheet, double instant_s, int arc,
                                  int count);

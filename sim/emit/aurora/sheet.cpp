@@ -6,6 +6,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
+#include "sim/emit/aurora/sheet_curve.h"
 
 namespace vegard::sim {
 namespace {
@@ -24,7 +25,16 @@ double van_der_corput(std::uint32_t i) {
 
 }  // namespace
 
+double line_length_km(const Sheet& sheet) {
+  return is_curve(sheet) ? curve_layout(sheet).length_km : sheet.length_km;
+}
+
 StretchOfSheet stretch_of(const Sheet& sheet, double instant_s) {
+  // Along a curve places count from its start, and drift with it.
+  if (is_curve(sheet)) {
+    const double length = line_length_km(sheet);
+    return {0.5 * length, length, 0.0};
+  }
   const double bearing = sheet.bearing_deg * kRadiansPerDegree;
   const double east = sheet.center_km.east + sheet.drift_km_s.east * instant_s;
   const double north = sheet.center_km.north + sheet.drift_km_s.north * instant_s;
@@ -43,7 +53,8 @@ double aside_laid_out_km(const Sheet& sheet, const BeamPlace& place, int layer, 
 
 int beams_per_layer(const Sheet& sheet) {
   if (sheet.beams_per_km <= 0.0) return sheet.beams;
-  return std::clamp(static_cast<int>(std::lround(sheet.beams_per_km * sheet.length_km)), 1, kSheetMostBeams);
+  return std::clamp(static_cast<int>(std::lround(sheet.beams_per_km * line_length_km(sheet))), 1,
+                    kSheetMostBeams);
 }
 
 std::uint32_t layer_address(int sheet_index, int arc, int layer) {

@@ -61,10 +61,14 @@ struct LayerStructure {
   Curls curls;
 };
 
+/// Of the line that a sheet's layers follow: from start to end, or along its curve.
+double line_length_km(const Sheet& sheet);
+
 /// The stretch that a sheet takes up at an instant: it drifts with the sheet.
 StretchOfSheet stretch_of(const Sheet& sheet, double instant_s);
 
-/// How far a beam was laid out to the side of the sine's positive values, counted from the straight line.
+/// How far a beam was laid out to the side of the sine's positive values, counted from the straight line; of
+/// a sheet whose course is a sine.
 double aside_laid_out_km(const Sheet& sheet, const BeamPlace& place, int layer, double instant_s);
 
 /// How many beams a layer has: as many as the scene says, or as its length asks for.

@@ -6,6 +6,7 @@
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/motion.h"
+#include "sim/emit/aurora/sheet_curve.h"
 #include "sim/light/electron.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/lines/emission_line.h"
@@ -83,6 +84,11 @@ std::string brightness_class(double kilorayleigh) {
 }
 
 SheetBrightness sheet_brightness(const Scene& scene, int index) {
+  if (is_curve(scene.sheets[index])) {
+    Scene even = scene;
+    even.sheets[index] = evened_sheet(scene.sheets[index]);
+    return sheet_brightness(even, index);
+  }
   const Sheet& sheet = scene.sheets[index];
   SheetBrightness result;
   result.name = sheet.name;

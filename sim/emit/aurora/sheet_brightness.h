@@ -30,7 +30,8 @@ struct SheetPower {
   double joules = 0.0;             ///< over the exposure; 0 for an instant
 };
 
-/// Of a sheet at the scene's time: the mean over the instants of the exposure (a substorm changes them).
+/// Of a sheet at the scene's time: the mean over the instants of the exposure (a substorm changes them); of a
+/// curve that of its evened sheet (sheet_curve.h).
 struct SheetBrightness {
   std::string name;
   double level = 1.0;  ///< of the substorm, a fraction of what the sheet says

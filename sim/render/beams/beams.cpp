@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <type_traits>
 
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/beam_light.h"
+#include "sim/emit/aurora/curve_foot.h"
 #include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/motion.h"
 #include "sim/light/electron.h"
@@ -74,6 +76,50 @@ void narrow(const Tangents<double, kTangentWidth>& from, double scale, float* to
   for (int i = 0; i < kTangentWidth; ++i) to[i] = static_cast<float>(from.t[i] * scale);
 }
 
+/// The group of a layer that beams of a profile go into.
+struct OpenGroup {
+  int rung = 0;
+  std::size_t group = 0;
+  int used = kGroup;
+};
+
+/// The one of that profile; `make` appends a fresh one where there is none with room.
+template <class Make>
+OpenGroup& group_with_room(std::vector<OpenGroup>& open, int rung, const Make& make) {
+  auto found = std::find_if(open.begin(), open.end(), [&](const OpenGroup& g) { return g.rung == rung; });
+  if (found == open.end()) found = open.insert(open.end(), {rung, 0, kGroup});
+  if (found->used == kGroup) {
+    found->group = make();
+    found->used = 0;
+  }
+  return *found;
+}
+
+/// How a beam of an energy between two rungs of its sheet's ladder is shared out among them: it falls twice
+/// along the same path, with the two profiles, so that its light is linear in ln(E), exactly and with its
+/// derivative. (So it is everywhere between the ends of the ladder, which no energy is beyond but one outside
+/// of the emission tables.)
+template <class Share>
+struct RungShare {
+  int rung = 0, rungs = 1;
+  Share upper{};  ///< of the second
+
+  Share of(int which) const { return which == rung ? 1.0 - upper : upper; }
+};
+
+RungShare<FreeDual> rung_share(const EnergyLadder& ladder, double ln_energy, const FreeDual& free_ln_energy) {
+  // A beam without light would have no derivative of its logarithm: none has less than that.
+  constexpr double kLeastShare = 1e-4;
+  if (ladder.count == 0) return {};
+  const double at = ln_energy / EnergyLadder::kLnStep - ladder.first;
+  RungShare<FreeDual> share;
+  share.rung = std::clamp(static_cast<int>(std::floor(at)), 0, ladder.count - 2);
+  share.rungs = 2;
+  if (at > 0.0 && at < ladder.count - 1) share.upper = free_ln_energy * (1.0 / EnergyLadder::kLnStep);
+  share.upper.v = std::clamp(at - share.rung, kLeastShare, 1.0 - kLeastShare);
+  return share;
+}
+
 /// The vertical extent of a stretch of path, over which a beam's energy is spread. Where the brightness along
 /// the field is given, the beam is weaker by what that line of sight is longer than the vertical.
 template <class T>
@@ -89,10 +135,14 @@ BeamLayout::BeamLayout(const Scene& scene, double beyond)
     : instants_s_(instants_s(scene.time)), sheets_(scene.sheets), seed_(scene.seed) {
   const bool stretched = std::any_of(sheets_.begin(), sheets_.end(),
                                      [](const Sheet& sheet) { return sheet.ray_length_contrast > 0.0; });
-  peak_km_.assign(sheets_.size(), 0.0);
+  peak_km_.resize(sheets_.size());
   if (stretched) {
     const std::vector<HeightProfile> profiles = height_profiles(scene);
-    std::transform(profiles.begin(), profiles.end(), peak_km_.begin(), peak_altitude_km);
+    for (int s = 0; s < static_cast<int>(sheets_.size()); ++s) {
+      const ProfilesOfSheet own = profiles_of_sheet(scene, s);
+      for (int rung = 0; rung < own.count(); ++rung)
+        peak_km_[s].push_back(peak_altitude_km(profiles[own.first + rung]));
+    }
   }
   stretches_.resize(instants_s_.size());
   for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
@@ -101,11 +151,13 @@ BeamLayout::BeamLayout(const Scene& scene, double beyond)
     path_steps_.push_back(sheet.step_rule == PathStepRule::energy && energy_kev ? path_step_of(*energy_kev)
                                                                                 : sheet.path_step);
     places_.emplace_back();
+    curves_.push_back(is_curve(sheet) ? curve_layout(sheet) : CurveLayout{});
+    const double dark = is_curve(sheet) ? 0.0 : beyond;  // a curve's ends carry their beams along
     for (int arc = 0; arc < sheet.arcs; ++arc) {
       places_.back().emplace_back();
       for (int layer = 0; layer < sheet.layers; ++layer)
         places_.back().back().emplace_back(sheet, layer_address(static_cast<int>(s), arc, layer), scene.seed,
-                                           beyond);
+                                           dark);
     }
     const int beams = places_.back().front().front().size();
     for (int i = 0; i < instants(); ++i) {
@@ -126,6 +178,14 @@ void BeamLayout::pack(const Scene& scene, const Chunk& chunk, const KernelScene&
 void BeamLayout::pack(const Scene& scene, const Chunk& chunk, const KernelScene& kernel, const Seeds& seeds,
                       PackedChunk& out) const {
   pack_as<PlaceDual>(scene, chunk, kernel, &seeds, out);
+}
+
+double BeamLayout::peak_km(int sheet, const EnergyLadder& ladder, int rung) const {
+  const std::vector<double>& peaks = peak_km_[sheet];
+  if (peaks.empty()) return 0.0;
+  // A fit may have led to other rungs than those of the layout.
+  const int laid_out = ladder.first + rung - energy_ladder(sheets_[sheet]).first;
+  return peaks[ladder.count == 0 ? 0 : std::clamp(laid_out, 0, static_cast<int>(peaks.size()) - 1)];
 }
 
 template <class T>
@@ -149,6 +209,8 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
     fall.across2[i] = k.fall.across2[i].v;
   }
   const Sheet& laid_out = sheets_[chunk.sheet];
+  const CurveLayout& curve_laid_out = curves_[chunk.sheet];
+  const ProfilesOfSheet profiles = profiles_of_sheet(scene, chunk.sheet);
   const std::uint32_t arc_address = layer_address(chunk.sheet, chunk.arc, 0);
   ArcLight light(laid_out, arc_address, seed_, instant, stretch.drifted_km);
   const Folds folds(laid_out, arc_address, seed_, instant, stretch.drifted_km);
@@ -160,10 +222,20 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
                                                  seed_, instant, stretch.drifted_km)};
     const LayerStructure* structure =
         structures.folds.any() || structures.curls.any() ? &structures : nullptr;
-    int place_in_group = kGroup;
+    std::optional<SheetCurve<double>> curve;
+    std::optional<SheetCurve<FreeDual>> free_curve;
+    if (is_curve(sheet)) {
+      const auto [first, last] = pieces_of(curve_laid_out, out.places);
+      curve.emplace(curve_nodes<double>(sheet, instant, NoSeeds()), first, last);
+      if (seeds != nullptr) free_curve.emplace(curve_nodes<FreeDual>(sheet, instant, *seeds), first, last);
+    }
+    std::vector<OpenGroup> open;
     for (int b = chunk.first; b < chunk.first + chunk.count; ++b) {
       const BeamPlace& place = out.places[b - chunk.first];
-      const BeamFoot<double> foot = beam_foot(shape, stretch, place, layer, sheet.layers, literal, structure);
+      CurveFoot<double> on_curve;
+      if (curve) on_curve = curve_foot(*curve, shape, curve_laid_out, place);
+      const BeamFoot<double> foot =
+          curve ? on_curve.foot : beam_foot(shape, stretch, place, layer, sheet.layers, literal, structure);
       if (foot.flux_km2_mw_m2 <= 0.0) continue;
       if (foot.east_km * foot.east_km + foot.north_km * foot.north_km > kFarthestKm * kFarthestKm) continue;
       const FallFrame<double> own =
@@ -174,55 +246,69 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
       // down to the bottom, and has no length.
       if (plain.vertical <= 0.0 || !(plain.length_km > 0.0)) continue;
       if (k.film.columns > 0 && out_of_sight(plain, own.along, k)) continue;
-      if (place_in_group == kGroup) {
-        place_in_group = 0;
-        out.groups.emplace_back();
-        BeamGroup& fresh = out.groups.back();
-        leave_empty(fresh, seeds != nullptr);
-        fresh.layer_address = layer_address(chunk.sheet, chunk.arc, layer);
-        fresh.sheet = chunk.sheet;
-        fresh.reads_elsewhere = light.reads_elsewhere();
-        fresh.peak_km = peak_km_[chunk.sheet];
-        if (seeds != nullptr) out.chains.emplace_back(GroupChain{});
-        if (k.beams_own_field) out.axes.emplace_back(GroupAxes{});
-      }
-      BeamGroup& group = out.groups.back();
+      CurveFoot<FreeDual> free_foot;
       if constexpr (std::is_same_v<T, PlaceDual>) {
-        PlaceDual east(foot.east_km), north(foot.north_km);
-        east.d.t[foot_east] = 1.0;
-        north.d.t[foot_north] = 1.0;
-        const FallFrame<PlaceDual> own_fall =
-            k.beams_own_field ? dipole_fall_frame(k.dipole, east, north) : k.fall;
-        if (k.beams_own_field) put(own_fall, place_in_group, out.axes.back());
-        const Beam<PlaceDual> beam =
-            start_beam(east, north, own_fall, k.observer_altitude_km, sheet.top_km, HeightProfile::kBottomKm);
-        for (int i = 0; i < 3; ++i) put(beam.start_in_enu_km[i], place_in_group, group.start_in_enu_km[i]);
-        put(beam.length_km, place_in_group, group.length_km);
-        put(light_per_path(sheet, beam.vertical), place_in_group, group.vertical);
-        const BeamFoot<FreeDual> free_foot =
-            beam_foot(free_shape, stretch, place, layer, sheet.layers, literal, structure);
-        GroupChain& chain = out.chains.back();
-        narrow(free_foot.east_km.d, 1.0, chain.foot_east[place_in_group]);
-        narrow(free_foot.north_km.d, 1.0, chain.foot_north[place_in_group]);
-        const double flux = free_foot.flux_km2_mw_m2.v;
-        narrow(free_foot.flux_km2_mw_m2.d, flux > 0.0 ? 1.0 / flux : 0.0, chain.log_flux[place_in_group]);
-      } else {
-        if (k.beams_own_field) put(own, place_in_group, out.axes.back());
-        for (int i = 0; i < 3; ++i) put(plain.start_in_enu_km[i], place_in_group, group.start_in_enu_km[i]);
-        put(plain.length_km, place_in_group, group.length_km);
-        put(light_per_path(sheet, plain.vertical), place_in_group, group.vertical);
+        if (free_curve)
+          free_foot = curve_foot(*free_curve, free_shape, curve_laid_out, place);
+        else
+          free_foot.foot = beam_foot(free_shape, stretch, place, layer, sheet.layers, literal, structure);
       }
-      group.flux_km2_mw_m2[place_in_group] = foot.flux_km2_mw_m2;
-      if (light.any()) {
-        const BeamLight shone =
-            light.at(stretch.along_km(place.s), aside_laid_out_km(laid_out, place, layer, instant));
-        group.flux_km2_mw_m2[place_in_group] *= shone.factor;
-        group.altitude_shift_km[place_in_group] = shone.altitude_shift_km;
-        group.stretch_above[place_in_group] = shone.stretch_above;
+      BeamLight shone;
+      if (light.any())
+        shone = light.at(stretch.along_km(place.s),
+                         curve ? width_laid_out_km(laid_out, curve_laid_out, place.s) * place.across
+                               : aside_laid_out_km(laid_out, place, layer, instant));
+      const RungShare<FreeDual> share = rung_share(profiles.ladder, on_curve.ln_energy, free_foot.ln_energy);
+      for (int rung = share.rung; rung < share.rung + share.rungs; ++rung) {
+        OpenGroup& with = group_with_room(open, rung, [&] {
+          out.groups.emplace_back();
+          BeamGroup& fresh = out.groups.back();
+          leave_empty(fresh, seeds != nullptr);
+          fresh.layer_address = layer_address(chunk.sheet, chunk.arc, layer);
+          fresh.profile = profiles.first + rung;
+          fresh.reads_elsewhere = light.reads_elsewhere();
+          fresh.peak_km = peak_km(chunk.sheet, profiles.ladder, rung);
+          if (seeds != nullptr) out.chains.emplace_back(GroupChain{});
+          if (k.beams_own_field) out.axes.emplace_back(GroupAxes{});
+          return out.groups.size() - 1;
+        });
+        const int place_in_group = with.used++;
+        BeamGroup& group = out.groups[with.group];
+        const FreeDual part = share.of(rung);
+        if constexpr (std::is_same_v<T, PlaceDual>) {
+          PlaceDual east(foot.east_km), north(foot.north_km);
+          east.d.t[foot_east] = 1.0;
+          north.d.t[foot_north] = 1.0;
+          const FallFrame<PlaceDual> own_fall =
+              k.beams_own_field ? dipole_fall_frame(k.dipole, east, north) : k.fall;
+          if (k.beams_own_field) put(own_fall, place_in_group, out.axes[with.group]);
+          const Beam<PlaceDual> beam = start_beam(east, north, own_fall, k.observer_altitude_km, sheet.top_km,
+                                                  HeightProfile::kBottomKm);
+          for (int i = 0; i < 3; ++i) put(beam.start_in_enu_km[i], place_in_group, group.start_in_enu_km[i]);
+          put(beam.length_km, place_in_group, group.length_km);
+          put(light_per_path(sheet, beam.vertical), place_in_group, group.vertical);
+          GroupChain& chain = out.chains[with.group];
+          narrow(free_foot.foot.east_km.d, 1.0, chain.foot_east[place_in_group]);
+          narrow(free_foot.foot.north_km.d, 1.0, chain.foot_north[place_in_group]);
+          const FreeDual flux =
+              share.rungs == 1 ? free_foot.foot.flux_km2_mw_m2 : free_foot.foot.flux_km2_mw_m2 * part;
+          narrow(flux.d, flux.v > 0.0 ? 1.0 / flux.v : 0.0, chain.log_flux[place_in_group]);
+        } else {
+          if (k.beams_own_field) put(own, place_in_group, out.axes[with.group]);
+          for (int i = 0; i < 3; ++i) put(plain.start_in_enu_km[i], place_in_group, group.start_in_enu_km[i]);
+          put(plain.length_km, place_in_group, group.length_km);
+          put(light_per_path(sheet, plain.vertical), place_in_group, group.vertical);
+        }
+        group.flux_km2_mw_m2[place_in_group] = foot.flux_km2_mw_m2;
+        if (share.rungs > 1) group.flux_km2_mw_m2[place_in_group] *= part.v;
+        if (light.any()) {
+          group.flux_km2_mw_m2[place_in_group] *= shone.factor;
+          group.altitude_shift_km[place_in_group] = shone.altitude_shift_km;
+          group.stretch_above[place_in_group] = shone.stretch_above;
+        }
+        group.end_of_path[place_in_group] = 1.0 - place.depth * sheet.path_spread;
+        group.index[place_in_group] = static_cast<std::uint32_t>(b);
       }
-      group.end_of_path[place_in_group] = 1.0 - place.depth * sheet.path_spread;
-      group.index[place_in_group] = static_cast<std::uint32_t>(b);
-      ++place_in_group;
     }
   }
   for (std::size_t g = 0; g < out.axes.size(); ++g) out.groups[g].axes = &out.axes[g];

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/emit/aurora/sheet.h"
+#include "sim/emit/aurora/sheet_curve.h"
 #include "sim/render/beams/kernel_scene.h"
 #include "sim/render/beams/kernel_types.h"
 #include "sim/scene/structs/scene.h"
@@ -48,13 +49,18 @@ class BeamLayout {
             PackedChunk& out) const;
 
  private:
+  /// Of the profile of a rung of the sheet's ladder as it now is, or of its only one.
+  double peak_km(int sheet, const EnergyLadder& ladder, int rung) const;
+
   template <class T>
   void pack_as(const Scene& scene, const Chunk& chunk, const KernelScene& kernel, const Seeds* seeds,
                PackedChunk& out) const;
 
   std::vector<double> instants_s_;
-  std::vector<Sheet> sheets_;    ///< as they were laid out: what their structures go by
-  std::vector<double> peak_km_;  ///< of their height profiles, where a structure asks for it
+  std::vector<Sheet> sheets_;        ///< as they were laid out: what their structures go by
+  std::vector<CurveLayout> curves_;  ///< [sheet], of those whose course is a curve
+  /// Of their height profiles, [sheet][rung of its ladder of energies], where a structure asks for it.
+  std::vector<std::vector<double>> peak_km_;
   std::uint64_t seed_;
   std::vector<double> path_steps_;                             ///< [sheet]
   std::vector<std::vector<StretchOfSheet>> stretches_;         ///< [instant][sheet]

@@ -102,7 +102,7 @@ HWY_INLINE std::uint64_t fall_values(const KernelScene& scene, const BeamGroup* 
   SampleBlock<float, 0>& block = block_of_thread<0>();
   std::uint64_t points = 0;
   for (std::size_t g = 0; g < count; ++g) {
-    const float* profile = scene.profiles[groups[g].sheet].rate.data();
+    const float* profile = scene.profiles[groups[g].profile].rate.data();
     maker.begin(groups[g]);
     while (maker.template next_block<kSee>(block, points)) take(block, profile);
   }
@@ -240,8 +240,8 @@ std::uint64_t fall_tangents(const KernelScene& scene, const SharedChain& shared,
   };
   constexpr std::ptrdiff_t kRowPitch = TangentFilm::kTileColumns * kLines * kTangentWidth;
   for (std::size_t g = 0; g < count; ++g) {
-    const HeightProfile& profile = scene.profiles[groups[g].sheet];
-    const Wide by_energy = Expansion<kLocals>::one_hot(shared.parameter_of_energy[groups[g].sheet]);
+    const HeightProfile& profile = scene.profiles[groups[g].profile];
+    const Wide by_energy = Expansion<kLocals>::one_hot(shared.parameter_of_energy[groups[g].profile]);
     maker.begin(groups[g]);
     while (maker.next_block(block, points)) {
       for (int beam = 0; beam < kGroup; ++beam) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/beam.h"
@@ -136,7 +137,24 @@ std::vector<HeightProfile> height_profiles(const Scene& scene) {
   std::vector<HeightProfile> all;
   for (std::size_t s = 0; s < scene.sheets.size(); ++s)
     all.push_back(sheet_profile(scene.emission.lines, scene, static_cast<int>(s)));
+  for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+    for (HeightProfile& profile : ladder_profiles(scene.emission.lines, scene, static_cast<int>(s)))
+      all.push_back(std::move(profile));
   return all;
+}
+
+ProfilesOfSheet profiles_of_sheet(const Scene& scene, int sheet) {
+  ProfilesOfSheet profiles{sheet, energy_ladder(scene.sheets[sheet])};
+  if (profiles.ladder.count == 0) return profiles;
+  profiles.first = static_cast<int>(scene.sheets.size());
+  for (int before = 0; before < sheet; ++before) profiles.first += energy_ladder(scene.sheets[before]).count;
+  return profiles;
+}
+
+int profile_count(const Scene& scene) {
+  int count = static_cast<int>(scene.sheets.size());
+  for (const Sheet& sheet : scene.sheets) count += energy_ladder(sheet).count;
+  return count;
 }
 
 }  // namespace vegard::sim

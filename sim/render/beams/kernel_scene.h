@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/emit/aurora/sheet.h"
+#include "sim/light/sheet_profile.h"
 #include "sim/render/beams/kernel_types.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_id.h"
@@ -43,7 +44,19 @@ KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_ste
 /// The LocalInput that a parameter is for the beams of a sheet; -1 for one that is none, or each beam's own.
 int local_input_of(const Scene& scene, int sheet, const ParameterId& id);
 
-/// One height profile per sheet.
+/// One height profile per sheet, in their order; behind them those of the ladders of energies, sheet by
+/// sheet.
 std::vector<HeightProfile> height_profiles(const Scene& scene);
+
+/// Where among them the profiles of a sheet are: the one at the sheet's index, or the ladder's.
+struct ProfilesOfSheet {
+  int first = 0;
+  EnergyLadder ladder;
+  int count() const { return ladder.count == 0 ? 1 : ladder.count; }
+};
+ProfilesOfSheet profiles_of_sheet(const Scene& scene, int sheet);
+
+/// How many there are in all.
+int profile_count(const Scene& scene);
 
 }  // namespace vegard::sim

@@ -44,7 +44,7 @@ struct BeamGroup {
   bool reads_elsewhere = false;     ///< else shift and stretch are not looked at
   double peak_km = 0.0;             ///< of the height profile, from which on it is stretched
   std::uint32_t layer_address = 0;  ///< sheet and layer, as in the random streams
-  int sheet = 0;                    ///< which height profile
+  int profile = 0;                  ///< which of KernelScene::profiles
   const GroupAxes* axes = nullptr;  ///< only where KernelScene::beams_own_field
 
   BeamGroup() {}  // NOLINT: the numbers are left to whoever packs the group, they are many
@@ -86,13 +86,13 @@ struct KernelScene {
   bool nearest_cell = false;  ///< the paper's forward map, instead of bilinear
   bool unit_weight = false;   ///< every point counts alike, instead of rayleighs
   std::uint64_t seed = 0;
-  const HeightProfile* profiles = nullptr;  ///< one per sheet
+  const HeightProfile* profiles = nullptr;  ///< as height_profiles() has them
 };
 
 /// How the chain goes on from the local inputs that all beams share, and from the energies.
 struct SharedChain {
   int parameter_of_local[local_inputs];      ///< index of the free parameter, -1 if it is not free
-  const int* parameter_of_energy = nullptr;  ///< per sheet, -1 if not free
+  const int* parameter_of_energy = nullptr;  ///< per height profile, -1 if not free
 };
 
 /// What becomes of a line's light whose atoms wander before they shine, and where it goes. The film of the

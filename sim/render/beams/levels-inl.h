@@ -165,7 +165,7 @@ inline std::uint64_t fall_and_spread(const KernelScene& scene, const KernelLevel
   SpreadSamples samples;
   std::uint64_t points = 0;
   for (std::size_t g = 0; g < count; ++g) {
-    const HeightProfile& profile = scene.profiles[groups[g].sheet];
+    const HeightProfile& profile = scene.profiles[groups[g].profile];
     maker.begin(groups[g]);
     while (maker.next_block(block, points)) {
       for (int step = block.first_step; step < block.end_step; ++step) {

@@ -74,7 +74,7 @@ inline void list_every_point(const KernelScene& scene, const BeamGroup* groups, 
   philox_keys(scene.seed, keys);
   for (std::size_t g = 0; g < count; ++g) {
     const BeamGroup& group = groups[g];
-    const HeightProfile& profile = scene.profiles[group.sheet];
+    const HeightProfile& profile = scene.profiles[group.profile];
     for (int beam = 0; beam < kGroup; ++beam) {
       const double end = group.end_of_path[beam];
       if (!(end > 0.0)) continue;

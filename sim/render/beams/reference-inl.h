@@ -25,7 +25,7 @@ inline std::uint64_t fall_reference(const KernelScene& scene, const BeamGroup* g
   static thread_local SampleBlock<double, 0> block;
   std::uint64_t points = 0;
   for (std::size_t g = 0; g < count; ++g) {
-    const HeightProfile& profile = scene.profiles[groups[g].sheet];
+    const HeightProfile& profile = scene.profiles[groups[g].profile];
     maker.begin(groups[g]);
     while (maker.next_block(block, points)) {
       for (int beam = 0; beam < kGroup; ++beam) {

@@ -2,14 +2,16 @@
 #include <cstdint>
 #include <limits>
 #include <set>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "sim/base/error.h"
 #include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/lines/camera_responses.h"
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/rows/spline_rates.h"
 #include "sim/scene/rows/value_words.h"
-#include "sim/scene/lines/camera_responses.h"
 #include "sim/scene/structs/line_of.h"
 #include "sim/scene/table/parameter_declarations.h"
 #include "sim/scene/table/parameter_table.h"
@@ -19,6 +21,9 @@
 
 namespace vegard::sim {
 namespace {
+
+constexpr std::size_t kMostCurvePoints = 1000;
+constexpr double kLeastBetweenPoints_km = 1e-3;
 
 std::optional<Complaint> complaint_about(const Declaration& d, const ValueRef& value) {
   struct Check {
@@ -77,6 +82,73 @@ void check_structures(const Scene& scene) {
                 "peak_km below top_km", "lower the one or raise the other"},
                {scene.file, 0, path + (line_of(scene, path + "peak_km") > 0 ? "peak_km" : "top_km")});
     }
+  }
+}
+
+/// A curve has points enough and a number for each of them, and nothing that is made for a sine; a sine has
+/// no points.
+void check_courses(const Scene& scene) {
+  for (const Sheet& sheet : scene.sheets) {
+    const std::string path = "sheet." + sheet.name + ".";
+    const auto refuse = [&](const Complaint& complaint, const std::string& key) {
+      complain(complaint, {scene.file, 0, path + key});
+    };
+    const std::pair<const std::vector<double>*, const char*> lists[] = {
+        {&sheet.east_km, "east_km"},
+        {&sheet.north_km, "north_km"},
+        {&sheet.point_brightness, "point_brightness"},
+        {&sheet.point_energy_kev, "point_energy_kev"},
+        {&sheet.point_width_km, "point_width_km"}};
+    if (sheet.course == SheetCourse::sine) {
+      for (const auto& [list, key] : lists)
+        if (!list->empty())
+          refuse({std::string(key) + " is of a curve, but the sheet's course is a sine",
+                  "course = \"curve\", or no points", ""},
+                 key);
+      continue;
+    }
+    const std::size_t points = sheet.east_km.size();
+    if (points < 2 || points > kMostCurvePoints)
+      refuse({"a curve through " + std::to_string(points) + " point" + (points == 1 ? "" : "s"),
+              "east_km and north_km of 2 to " + std::to_string(kMostCurvePoints) + " points",
+              ""},
+             points > 0 ? "east_km" : "course");
+    for (const auto& [list, key] : lists) {
+      const bool is_needed = list == &sheet.north_km;
+      if (list->size() != points && (is_needed || !list->empty()))
+        refuse({std::to_string(list->size()) + " numbers for the " + std::to_string(points) +
+                    " points of the curve",
+                is_needed ? "one for every point" : "one for every point, or none", ""},
+               key);
+    }
+    for (std::size_t i = 0; i + 1 < points; ++i)
+      if (std::hypot(sheet.east_km[i + 1] - sheet.east_km[i], sheet.north_km[i + 1] - sheet.north_km[i]) <
+          kLeastBetweenPoints_km)
+        refuse({"points " + std::to_string(i) + " and " + std::to_string(i + 1) +
+                    " of the curve stand at one place",
+                "neighbours at least " + short_real_text(kLeastBetweenPoints_km) + " km apart",
+                "leave one of them out"},
+               "east_km");
+    const auto refuse_beside = [&](bool is_there, const char* what, const char* key, const char* expected) {
+      if (is_there) refuse({std::string("a sheet whose course is a curve ") + what, expected, ""}, key);
+    };
+    refuse_beside(sheet.arcs > 1, "is a single arc", "arcs", "arcs = 1, and a sheet for each curve");
+    refuse_beside(sheet.fold_spacing_km > 0.0, "has no folds but its own", "fold_spacing_km",
+                  "fold_spacing_km = 0, and the folds among the curve's points");
+    refuse_beside(sheet.curl_spacing_km > 0.0, "has no curls but its own", "curl_spacing_km",
+                  "curl_spacing_km = 0");
+    refuse_beside(sheet.spacing_rule == SpacingRule::literal, "is not laid out by the paper's walk",
+                  "spacing_rule", "\"stratified\" or \"tied\"");
+    if (sheet.point_energy_kev.empty()) continue;
+    if (sheet.profile == ProfileKind::file || sheet.profile == ProfileKind::spline)
+      refuse({"the sheet's profile is of no electrons, so their energy along the curve counts for nothing",
+              "a profile of a spectrum of electrons or a form, or no point_energy_kev", ""},
+             "point_energy_kev");
+    // Where every point counts alike, the two profiles that a beam is shared out among would count double.
+    if (scene.film.weight == PointWeight::unit)
+      refuse({"energies along a curve make no sense where every point counts alike",
+              "film.weight = \"rayleigh\", or no point_energy_kev", ""},
+             "point_energy_kev");
   }
 }
 
@@ -221,6 +293,7 @@ void validate(const Scene& scene) {
   }
   check_names(scene);
   check_structures(scene);
+  check_courses(scene);
   check_response(scene);
   check_blur(scene);
   check_profile_files(scene);

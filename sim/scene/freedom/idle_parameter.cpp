@@ -1,6 +1,8 @@
 #include "sim/scene/freedom/idle_parameter.h"
 
+#include <set>
 #include <string>
+#include <utility>
 
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/freedom/free_path.h"
@@ -15,6 +17,16 @@ bool has_free_spline(const Scene& scene, int sheet) {
     for (const ParameterPath& path : paths_of(scene, free))
       if (path.row->role == ParameterRole::profile_coefficient && path.element == sheet) return true;
   return false;
+}
+
+/// Whether the brightness is free at every point of a sheet's curve.
+bool has_free_brightness(const Scene& scene, int sheet) {
+  const std::size_t points = scene.sheets[static_cast<std::size_t>(sheet)].point_brightness.size();
+  std::set<int> free_points;
+  for (const FreeParameter& free : scene.fit.free)
+    for (const ParameterPath& path : paths_of(scene, free))
+      if (path.sheet() == sheet && path.row->key == "point_brightness") free_points.insert(path.component);
+  return points > 0 && free_points.size() == points;
 }
 
 }  // namespace
@@ -46,6 +58,24 @@ std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const Par
       if (auto complaint = kind.why_idle(scene, path)) return complaint;
   if (path.row->table != sheet_table) return std::nullopt;
   const Sheet& sheet = scene.sheets[path.sheet()];
+  if (sheet.course == SheetCourse::curve) {
+    static const std::set<std::string> kOfSine = {"center_km",       "bearing_deg",    "length_km",
+                                                  "thickness_km",    "wavelength_km",  "phase_rad",
+                                                  "phase_shift_rad", "arc_spacing_km", "fold_stage"};
+    if (kOfSine.count(key) > 0)
+      return Complaint{"the sheet's course is a curve, so " + key + " counts for nothing", expected,
+                       "leave it out of fit.free; the curve has east_km and north_km of its points"};
+    for (const auto& [list, of_points] :
+         {std::pair{&sheet.point_energy_kev, "energy_kev"}, {&sheet.point_width_km, "width_km"}})
+      if (key == of_points && !list->empty())
+        return Complaint{"the sheet has point_" + key + ", so " + key + " counts for nothing", expected,
+                         "leave it out of fit.free, or free numbers of point_" + key};
+    if (key == "energy_flux_mw_m2" && has_free_brightness(scene, path.sheet()))
+      return Complaint{
+          "all of the sheet's point_brightness is free, so its energy flux counts for nothing: their "
+          "product is the light",
+          expected, "leave energy_flux_mw_m2 out of fit.free, or hold one of point_brightness"};
+  }
   if (key == "energy_kev" && sheet.profile == ProfileKind::file) {
     return Complaint{
         "the sheet's profile comes from a file, so the energy of its electrons counts for nothing", expected,

@@ -44,6 +44,8 @@ enum class ParameterRole {
   form_lower,
   form_upper,
   profile_coefficient,  ///< of a free-form profile
+  curve_east,           ///< of a point of its curve
+  curve_north,
   // of the magnetic field
   inclination,
   declination,

@@ -12,6 +12,8 @@ constexpr double pi = 3.14159265358979323846;
 
 int spline_knots(const Scene& scene, int sheet) { return scene.sheets.at(sheet).spline_knots; }
 
+std::string name_of_point(const Scene&, int, int index) { return std::to_string(index); }
+
 /// Who asks for a number of beams does not want a form's, which goes by the length.
 void count_beams(Scene& scene, int sheet) { scene.sheets.at(sheet).beams_per_km = 0.0; }
 
@@ -37,7 +39,19 @@ std::vector<Declaration> sheet_rows() {
           .means("phase of the first layer's sine, counted from the start"),
       Row("phase_shift_rad", &Sheet::phase_shift_rad).in("rad").within(-2 * pi, 2 * pi).may_be_free(ParameterScale::linear)
           .means("phase from the first layer to the last"),
-      Row("layers", &Sheet::layers).within(1, 100).means("number of sine curves in the sheet"),
+      Row("course", &Sheet::course).one_of<SheetCourse>({{"sine", SheetCourse::sine}, {"curve", SheetCourse::curve}})
+          .means("line that the layers follow: the sine about the line from start to end, or a smooth curve through the points east_km, north_km, which needs neither center_km, bearing_deg and length_km nor the sine's keys"),
+      Row("east_km", &Sheet::east_km).called("east of point").as(ParameterRole::curve_east).of({"<n>"}).named_by(name_of_point).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
+          .means("of the course \"curve\": its points in order, of the feet at 110 km altitude"),
+      Row("north_km", &Sheet::north_km).called("north of point").as(ParameterRole::curve_north).of({"<n>"}).named_by(name_of_point).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
+          .means("the same to the north"),
+      Row("point_brightness", &Sheet::point_brightness).called("brightness of point").of({"<n>"}).named_by(name_of_point).within(1e-6, 1e4).may_be_free(ParameterScale::logarithmic)
+          .means("energy flux at the curve's points, over energy_flux_mw_m2 (or brightness over brightness_kilorayleigh); empty: 1 everywhere"),
+      Row("point_energy_kev", &Sheet::point_energy_kev).called("energy of point").of({"<n>"}).named_by(name_of_point).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
+          .means("energy at the curve's points, in place of energy_kev; empty: that everywhere"),
+      Row("point_width_km", &Sheet::point_width_km).called("layer width of point").of({"<n>"}).named_by(name_of_point).in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
+          .means("standard deviation of a layer's cross-section at the curve's points, in place of width_km; empty: that everywhere"),
+      Row("layers", &Sheet::layers).within(1, 100).means("number of sine curves in the sheet; of the course \"curve\" they lie one in the other"),
       Row("width_km", &Sheet::width_km).called("layer width").in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
           .means("standard deviation of a layer's Gaussian cross-section"),
       Row("beams", &Sheet::beams).within(1, 10000000).then(count_beams)

@@ -93,6 +93,11 @@ struct Sheet {
   double wavelength_km = 60.0;      ///< of the sine
   double phase_rad = 0.0;           ///< of the first layer, counted from the start
   double phase_shift_rad = 0.5;     ///< between the first and the last layer
+  SheetCourse course = SheetCourse::sine;
+  std::vector<double> east_km, north_km;  ///< points of a curve in order, feet at 110 km
+  std::vector<double> point_brightness;   ///< at the points, times energy_flux_mw_m2; empty: 1
+  std::vector<double> point_energy_kev;   ///< at the points, in place of energy_kev; empty: that
+  std::vector<double> point_width_km;     ///< at the points, in place of width_km; empty: that
   int layers = 3;
   double width_km = 1.5;                   ///< standard deviation of a layer's Gaussian cross-section
   int beams = 2000;                        ///< per layer

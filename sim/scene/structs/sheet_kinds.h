@@ -14,6 +14,12 @@ enum class ProfileKind {
   spline       ///< free, a coefficient per knot and line
 };
 
+/// The line that the layers of a sheet follow.
+enum class SheetCourse {
+  sine,  ///< about a straight line
+  curve  ///< through given points
+};
+
 /// How a beam is deflected: readings of equation (4) of the source paper (docs/physics.md row B14).
 enum class PitchLaw { reduced, product, increment, constant };
 

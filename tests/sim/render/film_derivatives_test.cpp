@@ -200,6 +200,32 @@ TEST(FilmDerivatives, UnderADipoleAgreeWithDifferences) {
   EXPECT_LT(std::sqrt(difference / size), 1e-5) << "floats";
 }
 
+TEST(FilmDerivatives, OfACurveAgreeWithDifferences) {
+  for (const bool varied : {false, true}) {
+    Scene scene = tests::small_scene();
+    scene.time.start_s = 1.3;
+    Sheet& sheet = scene.sheets[0];
+    sheet.course = SheetCourse::curve;
+    // Its ends are in the picture.
+    sheet.east_km = {-60.0, -40.0, 10.0, 30.0, 80.0};
+    sheet.north_km = {170.0, 200.0, 190.0, 160.0, 180.0};
+    sheet.drift_km_s = {0.4, 0.1};
+    sheet.ray_contrast = 0.5;
+    sheet.ray_width_km = 3.0;
+    sheet.ray_length_contrast = 0.4;
+    sheet.patch_size_km = 30.0;
+    sheet.patch_contrast = 0.4;
+    sheet.border_amplitude_km = 4.0;
+    if (varied) {
+      // None of the energies is at a rung of the ladder, where the light has a kink.
+      sheet.point_brightness = {0.3, 1.0, 0.8, 2.0, 0.5};
+      sheet.point_energy_kev = {2.03, 3.07, 5.11, 4.03, 6.5};
+      sheet.point_width_km = {1.0, 2.0, 1.5, 0.7, 3.0};
+    }
+    expect_derivatives(scene, 0.02);
+  }
+}
+
 TEST(FilmDerivatives, SouthernSheetsOfTheLiteralRuleAgreeWithDifferences) {
   Scene scene = tests::small_scene();
   scene.camera.azimuth_deg = 184.0;

@@ -101,6 +101,10 @@ TEST(ParameterTable, EveryRowOccursInAScene) {
   for (auto* list : {&footprint.east_km, &footprint.north_km, &footprint.latitude_deg,
                      &footprint.longitude_deg, &footprint.point_energy, &footprint.point_flux})
     list->assign(2, 1.0);
+  Sheet& sheet = scene.sheets[0];
+  for (auto* list : {&sheet.east_km, &sheet.north_km, &sheet.point_brightness, &sheet.point_energy_kev,
+                     &sheet.point_width_km})
+    list->assign(2, 1.0);
   Nebula& nebula = scene.nebulae[0];
   for (auto* list : {&nebula.inner_rayleigh, &nebula.outer_rayleigh, &nebula.glow_rayleigh})
     list->assign(scene.emission.lines.size(), 1.0);
