@@ -111,7 +111,7 @@ void check_courses(const Scene& scene) {
     if (points < 2 || points > kMostCurvePoints)
       refuse({"a curve through " + std::to_string(points) + " point" + (points == 1 ? "" : "s"),
               "east_km and north_km of 2 to " + std::to_string(kMostCurvePoints) + " points",
-              ""},
+              "or curve_file, which has them"},
              points > 0 ? "east_km" : "course");
     for (const auto& [list, key] : lists) {
       const bool is_needed = list == &sheet.north_km;

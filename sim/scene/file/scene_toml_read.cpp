@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include <toml++/toml.h>
 
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
+#include "sim/scene/file/curve_table.h"
 #include "sim/scene/file/free_parameters_toml.h"
 #include "sim/scene/file/photo_entries_toml.h"
 #include "sim/scene/file/scene_toml.h"
@@ -80,7 +82,9 @@ std::string hint_for_key(const std::string& table, const std::string& key) {
 /// Reads one document. Lines of keys are kept for what only shows later.
 class SceneReader {
  public:
-  SceneReader(Scene& scene, const toml::table& document) : scene_(scene), document_(document) {}
+  /// `reads_files`: the curves that sheets take from tables beside the scene's file.
+  SceneReader(Scene& scene, const toml::table& document, bool reads_files)
+      : scene_(scene), document_(document), reads_files_(reads_files) {}
 
   void read() {
     refuse_unknown_keys("", document_, known_tables());
@@ -169,6 +173,7 @@ class SceneReader {
     for (const AlternativeForm& form : alternative_forms()) {
       if (form.keys.front().table == table) read_form(form, element, *values);
     }
+    if (table == sheet_table) read_curve(*values, element);
     if (table == free_table) {
       const toml::node* free = values->get(free_key);
       if (free != nullptr) {
@@ -183,6 +188,62 @@ class SceneReader {
             read_photo_entries(*photos, origin(*photos, std::string(free_table) + "." + photo_key));
       }
     }
+  }
+
+  /// The curve of a sheet that stands in a table.
+  void read_curve(const toml::table& values, int sheet) {
+    const std::string path = key_path(*find_declaration(sheet_table, "course"), scene_, sheet);
+    const std::string whole = path.substr(0, path.rfind('.') + 1);
+    const toml::node *file = values.get(curve_file_key), *number = values.get(curve_number_key);
+    if (number != nullptr && file == nullptr)
+      complain({"curve needs curve_file beside it", "both or neither", ""},
+               origin(*number, whole + curve_number_key));
+    if (file == nullptr) return;
+    const Origin where = origin(*file, whole + curve_file_key);
+    const std::string name = text_of(*file, where, "a text");
+    for (const char* key :
+         {"east_km", "north_km", "point_brightness", "point_energy_kev", "point_width_km"}) {
+      if (values.get(key) != nullptr)
+        complain({std::string(curve_file_key) + " and " + key + " say the same in two ways",
+                  "one of the two forms", "curve_file has all numbers of the curve's points"},
+                 where);
+      scene_.lines[whole + key] = where.line;
+    }
+    if (values.get("course") != nullptr && scene_.sheets.at(sheet).course != SheetCourse::curve)
+      complain(
+          {"the sheet's course is a sine, which takes nothing from curve_file", "course = \"curve\"", ""},
+          where);
+    double curtain = 1.0;
+    if (number != nullptr) {
+      const std::string expected = "a whole number from 1";
+      const Origin at = origin(*number, whole + curve_number_key);
+      curtain = number_of(*number, at, expected);
+      if (!(curtain >= 1.0 && curtain <= 1e9) || curtain != std::floor(curtain))
+        complain({found_text(*number) + " is none", expected, ""}, at);
+    }
+    if (!reads_files_)
+      complain({"the scene has no file, beside which '" + name + "' could stand",
+                "east_km and north_km of the curve's points", ""},
+               where);
+    const std::string place = table_place(scene_, name);
+    const InputFile input = read_input(place);
+    ErrorDetails details;
+    try {
+      if (input.problem.empty()) {
+        const bool keeps_flux = values.get("energy_flux_mw_m2") != nullptr;
+        return take_curtain(input.bytes, place, static_cast<int>(curtain), keeps_flux,
+                            scene_.sheets.at(sheet));
+      }
+      details.problem = "'" + place + "': " + input.problem;
+      details.file = where.file;
+      details.line = where.line;
+      details.expected = "a CSV file";
+      details.hint = "its name is relative to the scene's file";
+    } catch (const Error& error) {
+      details = error.details();
+    }
+    details.key = where.key;
+    throw Error(ErrorKind::unreadable_input, details);
   }
 
   void read_form(const AlternativeForm& form, int sheet, const toml::table& values) {
@@ -245,17 +306,20 @@ class SceneReader {
 
   Scene& scene_;
   const toml::table& document_;
+  bool reads_files_;
   std::map<std::string, int> element_lines_;  ///< by "footprint.arc"
 };
 
 }  // namespace
 
-Scene parse_scene(const std::string& text, const std::string& name) {
+namespace {
+
+Scene scene_of_text(const std::string& text, const std::string& name, bool reads_files) {
   Scene scene;
   scene.file = name;
   try {
     const toml::table document = parse_toml(text, name);
-    SceneReader(scene, document).read();
+    SceneReader(scene, document, reads_files).read();
   } catch (const toml::parse_error& error) {
     ErrorDetails details;
     details.problem = std::string(error.description());
@@ -267,8 +331,14 @@ Scene parse_scene(const std::string& text, const std::string& name) {
   return scene;
 }
 
+}  // namespace
+
+Scene parse_scene(const std::string& text, const std::string& name) {
+  return scene_of_text(text, name, false);
+}
+
 Scene read_scene(const std::string& file) {
-  Scene scene = parse_scene(input_bytes(file, "a scene file", kMostTomlBytes), file);
+  Scene scene = scene_of_text(input_bytes(file, "a scene file", kMostTomlBytes), file, true);
   read_table_files(scene);
   return scene;
 }

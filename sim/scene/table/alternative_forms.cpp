@@ -133,6 +133,12 @@ std::vector<FileKey> all_file_keys() {
       keys.push_back(std::move(key));
     }
   }
+  keys.push_back({"sheet", curve_file_key, "",
+                  "CSV of curtains beside the scene's file, as vegard map writes it, for a course \"curve\": "
+                  "columns curtain, east_km, north_km, energy_flux_mw_m2, energy_kev, width_km (instead of "
+                  "east_km, north_km, point_brightness, point_energy_kev, point_width_km)",
+                  "a text"});
+  keys.push_back({"sheet", curve_number_key, "", "which of its curtains, from 1", "a whole number"});
   const std::string table = free_table, entry = free_table + ("." + std::string(free_key));
   keys.push_back(
       {table, free_key, "", "what is fitted", "an array of paths and of tables with the keys below"});

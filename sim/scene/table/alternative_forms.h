@@ -41,6 +41,11 @@ const std::vector<AlternativeForm>& alternative_forms();
 /// The form that has this key, or null.
 const AlternativeForm* find_alternative_form(const std::string& key);
 
+/// Keys of a sheet that say where the points of its curve stand in a file; they go into the rows when the
+/// scene's file is read.
+inline const char* const curve_file_key = "curve_file";
+inline const char* const curve_number_key = "curve";
+
 /// Every key of a scene file that is no row: the forms', fit.free and fit.tied, and what their
 /// entries hold. For listings.
 std::vector<FileKey> all_file_keys();

@@ -122,6 +122,11 @@ std::string vector_text(const ParameterPath& path) {
     details.hint = "name " + form->replaces_text() + " instead";
     throw Error(ErrorKind::scene, details);
   }
+  if (last == curve_file_key || last == curve_number_key) {
+    details.problem = "'" + last + "' is a form for scene files only";
+    details.hint = "name east_km, north_km and the other numbers of the curve's points instead";
+    throw Error(ErrorKind::scene, details);
+  }
   std::vector<std::string> known;
   for (const ParameterPath& p : all_paths(scene)) {
     known.push_back(p.text);

@@ -316,6 +316,8 @@ const Bad bad_scenes[] = {
      "[[sheet]]\ncourse = \"curve\"\neast_km = [1, 9]\nnorth_km = [2, 2]\npoint_brightness = [1, 1]\n"
      "[fit]\nfree = [\"sheet.main.energy_flux_mw_m2\", \"sheet.main.point_brightness\"]\n",
      7, "sheet.main.energy_flux_mw_m2", "their product is the light"},
+    {"curve_file_without_a_file", "[[sheet]]\ncurve_file = \"curtains.csv\"\n", 2, "sheet.main.curve_file",
+     "the scene has no file"},
     {"folds_overlap", "[[sheet]]\nfold_spacing_km = 6\nfold_length_km = 6.5\n", 3,
      "sheet.main.fold_length_km", "folds would overlap: fold_length_km is 6.5, fold_spacing_km 6"},
     {"curls_overlap", "[[sheet]]\ncurl_radius_km = 3\ncurl_spacing_km = 2\n", 2, "sheet.main.curl_radius_km",
