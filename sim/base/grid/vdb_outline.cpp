@@ -202,9 +202,15 @@ class Outline {
       if (each == 8 && bytes == 0xFFFFFFFF) return;  // there is no such list
       const std::int64_t begin = file_.place(), room = bytes == 0 ? count * each : std::int64_t{bytes};
       if (room > end - begin) damaged("a list of leaves longer than its place");
-      if (bytes > 0) packed(room, count * each);
+      if (bytes > 0) packed(room, padded(count * each));
       file_.go_to(begin + room);
     }
+  }
+
+  /// As the library fills up what is short before it packs a list (openvdb/points/StreamCompression.h).
+  static std::int64_t padded(std::int64_t bytes) {
+    constexpr std::int64_t kLeast = 48, kFilled = 128;
+    return bytes > kLeast && bytes < kFilled ? kFilled : bytes;
   }
 
   /// What Blosc has packed into `bytes` from here on: it must say so itself (its header of 16 bytes), and

@@ -71,6 +71,25 @@ TEST(VdbIo, GivesBackWhatWasWritten) {
   }
 }
 
+// The library fills short lists of leaves up before it packs them.
+TEST(VdbIo, GivesBackAnyNumberOfBricks) {
+  const tests::TemporaryFolder folder;
+  for (const int bricks : {1, 6, 7, 15, 16, 48, 49, 64, 127, 128, 200}) {
+    SparseGrid grid;
+    grid.channels = {{"density", "1"}};
+    for (int b = 0; b < bricks; ++b) {
+      auto& brick = grid.brick({b % 6, b / 6 % 6, b / 36});
+      for (int v = 0; v < SparseGrid::kVoxels; ++v)
+        brick[v] = static_cast<float>(1.0 + sim::uniform(sim::random_words(3, sim::Stream::search, b, v)[0]));
+    }
+    const double sum = grid.sum(0);
+    sim::VdbOptions options;
+    options.overwrite = true;
+    sim::write_vdb(folder / "a.vdb", std::move(grid), {}, options);
+    EXPECT_EQ(sim::read_vdb(folder / "a.vdb", {"density"}).grid.sum(0), sum) << bricks;
+  }
+}
+
 TEST(VdbIo, KeepsATurn) {
   const tests::TemporaryFolder folder;
   SparseGrid grid = scattered();
