@@ -1,5 +1,5 @@
-# A curtain of free course, from a table of curtains: rendered, animated, as points and as a volume, and its
-# derivatives.
+# A curtain of free course, from a table of curtains: rendered, animated, as points and as a volume, and its derivatives; a map of
+# precipitation that is none.
 source "$(dirname "$0")/case.sh"
 cat >curtains.csv <<'END'
 curtain,point,east_km,north_km,distance_km,azimuth_deg,lower_border_km,energy_flux_mw_m2,energy_kev,width_km,energy_kev_error
@@ -65,5 +65,18 @@ expect_stderr "there is no curtain 5"
 expect_one_message
 expect_exit 2 render scene.toml -o none.png --set sheet.main.curve=1
 expect_stderr "a form for scene files only"
+expect_one_message
+# A map of precipitation.
+printf '[[footprint]]\nsource = "precipitation"\nfile = "map.fits"\n' >map.toml
+expect_exit 3 render map.toml -o none.png
+expect_stderr "footprint.arc.file"
+expect_one_message
+cp one.png map.fits
+expect_exit 3 render map.toml -o none.png
+expect_stderr map.fits
+expect_one_message
+printf '[[footprint]]\nsource = "precipitation"\n' >map.toml
+expect_exit 2 render map.toml -o none.png
+expect_stderr "file names none"
 expect_one_message
 [[ ! -e none.png ]] || fail "none.png was written"

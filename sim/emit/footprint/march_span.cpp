@@ -1,6 +1,7 @@
 #include "sim/emit/footprint/march_span.h"
 
 #include "sim/emit/footprint/foot.h"
+#include "sim/scene/structs/site_axes.h"
 
 namespace vegard::sim {
 
@@ -11,14 +12,15 @@ MarchRays::MarchRays(const Scene& scene, const Footprint& footprint, double bott
       step_km_(scene.march.step_km),
       literal_ghosts_(scene.march.ghosts == GhostRule::literal),
       axes_{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}} {
-  if (footprint.shape != FootprintShape::shell) return;
-  const double lat = scene.site.latitude_deg * kRadiansPerDegree,
-               lon = scene.site.longitude_deg * kRadiansPerDegree;
-  const double axes[3][3] = {{-std::sin(lon), std::cos(lon), 0.0},
-                             {-std::sin(lat) * std::cos(lon), -std::sin(lat) * std::sin(lon), std::cos(lat)},
-                             {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)}};
-  for (int i = 0; i < 3; ++i)
-    for (int a = 0; a < 3; ++a) axes_[i][a] = axes[i][a];
+  if (footprint.shape == FootprintShape::shell) {
+    const SiteAxes axes = axes_at(scene.site);
+    for (int i = 0; i < 3; ++i)
+      for (int a = 0; a < 3; ++a) axes_[i][a] = axes.axis[i][a];
+  } else if (is_given_elsewhere(scene, footprint)) {
+    const SiteTurn home = turn_between(scene.site, *footprint.home);
+    for (int i = 0; i < 3; ++i)
+      for (int a = 0; a < 3; ++a) axes_[i][a] = home.turn[a][i];
+  }
 }
 
 double MarchRays::foot_share(const double place_km[3], const double direction[3]) const {

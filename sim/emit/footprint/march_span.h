@@ -15,8 +15,15 @@ namespace vegard::sim {
 
 inline constexpr int kBlockSteps = 16;  ///< steps that are marched, or passed over, together
 
-/// How feet are found: of a box in the observer's axes, of a shell on the cube's faces in the Earth's.
+/// How feet are found: of a box in the axes of its site (the observer's, or its home's), of a shell on the
+/// cube's faces in the Earth's.
 enum class FootWay { vertical, field, dipole, shell };
+
+/// Whether a box is given about another site than the scene's.
+inline bool is_given_elsewhere(const Scene& scene, const Footprint& footprint) {
+  return footprint.home && (footprint.home->latitude_deg != scene.site.latitude_deg ||
+                            footprint.home->longitude_deg != scene.site.longitude_deg);
+}
 
 /// About a place in its middle, so that floats keep their digits. T is double or FreeDual.
 template <class T>
@@ -35,7 +42,7 @@ using MarchSpan = MarchSpanOf<double>;
 /// Cuts rays from the scene's observer into spans with steps.
 class MarchRays {
  public:
-  /// In the observer's axes for a box, in the Earth's for a shell.
+  /// In the axes of the site that it is given about for a box, in the Earth's for a shell.
   MarchRays(const Scene& scene, const Footprint& footprint, double bottom_km);
 
   /// No step shall move the foot by more than `foot_km`. `axis` as in FootprintKernel.

@@ -10,6 +10,7 @@
 #include "sim/emit/footprint/curtain_emitter.h"
 #include "sim/emit/footprint/footprint_emitter.h"
 #include "sim/emit/footprint/map/make_footprint.h"
+#include "sim/emit/footprint/map/precipitation_footprint.h"
 #include "sim/light/profile_table.h"
 #include "sim/render/emitters/emitter_makers.h"
 #include "sim/scene/file/scene_pictures.h"
@@ -44,6 +45,13 @@ Profiles profiles_of(const Scene& scene, const Footprint& f, const EnergyRange& 
   return profiles;
 }
 
+/// The map that a footprint is made of, or null.
+const PrecipitationMap* map_of(const Footprint& f, const VolumeFiles& files) {
+  if (f.source != FootprintSource::precipitation) return nullptr;
+  const auto found = files.maps.find(f.file);
+  return found == files.maps.end() ? nullptr : &found->second;
+}
+
 }  // namespace
 
 template <class T>
@@ -68,6 +76,14 @@ std::unique_ptr<Emitter<T>> footprint_emitter(const Scene& scene, const Footprin
     return cube_footprint_emitter<T>(scene, f, std::move(map), profiles.usual, profiles.by_flux, number,
                                      threads);
   }
+  if (const PrecipitationMap* precipitation = map_of(f, files)) {
+    const Footprint own = with_map(f, *precipitation);
+    PlaneFootprint<T> map = precipitation_plane<T>(f, *precipitation);
+    range.take(map.grid);
+    const Profiles profiles = profiles_of(scene, own, range, kSlopes);
+    return plane_footprint_emitter<T>(scene, own, std::move(map), profiles.usual, profiles.by_flux, number,
+                                      threads);
+  }
   PlaneFootprint<T> map = make_plane_footprint<T>(scene, f, pictures, number, threads);
   range.take(map.grid);
   const Profiles profiles = profiles_of(scene, f, range, kSlopes);
@@ -89,6 +105,13 @@ std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint&
     CubeFootprint<double> map = make_cube_footprint(scene, f, pictures, threads);
     for (const FootprintGrid<double>& face : map.face) range.take(face);
     return cube_footprint_field(scene, f, std::move(map), profiles_of(scene, f, range, false).usual, threads);
+  }
+  if (const PrecipitationMap* precipitation = map_of(f, files)) {
+    const Footprint own = with_map(f, *precipitation);
+    PlaneFootprint<double> map = precipitation_plane<double>(f, *precipitation);
+    range.take(map.grid);
+    return plane_footprint_field(scene, own, std::move(map), profiles_of(scene, own, range, false).usual,
+                                 threads);
   }
   PlaneFootprint<double> map = make_plane_footprint<double>(
       scene, f, pictures, [](const double& number) { return number; }, threads);

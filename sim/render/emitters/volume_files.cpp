@@ -37,6 +37,7 @@ VolumeFiles read_volume_files(const Scene& scene) {
   VolumeFiles files;
   files.depth = read_depth(scene);
   files.pictures = read_scene_pictures(scene);
+  files.maps = read_precipitation_maps(scene);
   files.grids = read_grids(scene);
   return files;
 }

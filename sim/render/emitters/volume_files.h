@@ -8,14 +8,16 @@
 
 #include "sim/base/image.h"
 #include "sim/emit/grid/grid_bricks.h"
+#include "sim/scene/file/precipitation_file.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/view/film/depth_image.h"
 
 namespace vegard::sim {
 
 struct VolumeFiles {
-  DepthImage depth;                       ///< march.depth
-  std::map<std::string, Image> pictures;  ///< one channel, 0 to 1, by the name that the scene has
+  DepthImage depth;                              ///< march.depth
+  std::map<std::string, Image> pictures;         ///< one channel, 0 to 1, by the name that the scene has
+  std::map<std::string, PrecipitationMap> maps;  ///< of precipitation, likewise
   std::vector<std::shared_ptr<const GridBricks>> grids;  ///< [volume of the scene]
 };
 

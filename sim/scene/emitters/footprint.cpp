@@ -30,8 +30,8 @@ std::vector<Declaration> footprint_rows() {
           .means("a box about a point of the observer's tangent plane, or a shell around the whole Earth"),
       row("model", &F::model).one_of<FootprintModel>({{"volume", FootprintModel::volume}, {"curtain", FootprintModel::curtain}})
           .means("light with a thickness, or upright walls without one along the splines, a cheap preview"),
-      row("source", &F::source).one_of<FootprintSource>({{"spline", FootprintSource::spline}, {"image", FootprintSource::image}, {"cube", FootprintSource::cube}, {"sheets", FootprintSource::sheets}, {"noise", FootprintSource::noise}})
-          .means("where the footprint comes from: a curve through points, a picture, six pictures of a cube's faces, the scene's sheets (which are then not drawn as beams), or fractal noise in a box"),
+      row("source", &F::source).one_of<FootprintSource>({{"spline", FootprintSource::spline}, {"image", FootprintSource::image}, {"cube", FootprintSource::cube}, {"sheets", FootprintSource::sheets}, {"noise", FootprintSource::noise}, {"precipitation", FootprintSource::precipitation}})
+          .means("where the footprint comes from: a curve through points, a picture, six pictures of a cube's faces, the scene's sheets (which are then not drawn as beams), fractal noise in a box, or a map of energy flux and energy, as vegard map writes it"),
       row("fall", &F::fall).one_of<FootprintFall>({{"field", FootprintFall::field}, {"vertical", FootprintFall::vertical}})
           .means("along the scene's field, or straight down; a shell's light always falls straight down"),
       row("center_km", &F::center_km).as(ParameterRole::footprint_centre).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
@@ -62,6 +62,8 @@ std::vector<Declaration> footprint_rows() {
           .means("energy at the spline's points, over energy_kev; empty: 1 everywhere"),
       row("point_flux", &F::point_flux).called("energy flux of point").of({"<n>"}).named_by(name_by_point).within(0, 1000).may_be_free(ParameterScale::linear)
           .means("energy flux at the spline's points, over energy_flux_mw_m2; empty: 1 everywhere"),
+      row("file", &F::file).names_file()
+          .means("of the source \"precipitation\": FITS map beside the scene's file, a cube of energy flux in mW m⁻² and energy in keV with the linear axes EAST and NORTH in km at 110 km altitude; it has its own place, size and cells"),
       row("noise_scale_km", &F::noise_scale_km).in("km").within(1, 5000).means("largest waves of a noise footprint"),
       row("noise_octaves", &F::noise_octaves).within(1, 10).means("its octaves"),
       row("noise_coverage", &F::noise_coverage).within(0, 1).means("roughly the share of the box that shines"),
@@ -182,7 +184,14 @@ void check_the_footprint(const Scene& scene, const Footprint& f) {
         {is_shell ? "'" + f.image + "' does not say where the face's name stands" : "a box has no cube faces",
          is_shell ? "a name such as \"foot_{face}.png\"" : "shape = \"shell\"", ""},
         is_shell ? "image" : "source");
-  if (is_shell && (f.source == FootprintSource::sheets || f.source == FootprintSource::noise))
+  const bool of_map = f.source == FootprintSource::precipitation;
+  if (of_map && f.file.empty())
+    refuse({"the footprint is to come from a map of precipitation, but file names none",
+            "file = \"precipitation.fits\"", ""},
+           "source");
+  if (of_map && f.flow_turns > 0.0)
+    refuse({"a map of precipitation is not wound up", "flow_turns = 0", ""}, "flow_turns");
+  if (is_shell && (f.source == FootprintSource::sheets || of_map || f.source == FootprintSource::noise))
     refuse({"a footprint of " + quoted_text(word_in(footprint_rows(), f.source)) + " is a box's",
             "shape = \"box\"", ""},
            "source");
@@ -215,6 +224,10 @@ std::optional<Complaint> of_footprint(const Footprint& f, const std::string& key
         "the flow that winds the footprint up depends on " + key + ", and its derivative is not known",
         "a footprint that does not flow, or a number that its flow does not depend on",
         "set flow_turns = 0, or leave it out of fit.free"};
+  if (f.source == FootprintSource::precipitation &&
+      is_one_of(key, {"center_km", "energy_kev", "energy_flux_mw_m2"}))
+    return idle("place, energy and flux are those of the map of precipitation", key,
+                "free a sheet that follows the map's curtains");
   if (f.source == FootprintSource::sheets && is_one_of(key, {"center_km", "energy_kev", "energy_flux_mw_m2"}))
     return idle("feet, energy and flux are those of the sheets", key, "free the sheets' own numbers");
   return std::nullopt;
@@ -253,8 +266,9 @@ std::optional<Complaint> why_footprint_idle(const Scene& scene, const ParameterP
 }
 
 bool footprints_could_shine(const Scene& scene) {
-  return std::any_of(scene.footprints.begin(), scene.footprints.end(),
-                     [](const Footprint& f) { return f.energy_flux_mw_m2 > 0.0; });
+  return std::any_of(scene.footprints.begin(), scene.footprints.end(), [](const Footprint& f) {
+    return f.source == FootprintSource::precipitation || f.energy_flux_mw_m2 > 0.0;
+  });
 }
 
 bool footprints_of_sheets(const Scene& scene) {
@@ -266,6 +280,11 @@ std::vector<Whereabouts> where_footprints_are(const Scene& scene) {
   std::vector<Whereabouts> all;
   for (const Footprint& f : scene.footprints) {
     all.push_back({Whereabouts::Known::place, "footprint '" + f.name + "'", f.center_km});
+    if (f.source == FootprintSource::precipitation) {
+      all.back().known = Whereabouts::Known::file;
+      all.back().words = "stands where " + f.file + " has it";
+      continue;
+    }
     if (f.shape == FootprintShape::box) continue;
     all.back().known = Whereabouts::Known::words;
     all.back().words = "stands around the Earth";

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/base/number/vec3.h"
 #include "sim/scene/structs/sheet_kinds.h"
+#include "sim/scene/structs/site.h"
 
 namespace vegard::sim {
 
@@ -21,8 +23,9 @@ enum class FootprintModel {
   curtain  ///< upright walls without thickness along the splines
 };
 
-/// Where a footprint comes from: a curve, a picture, six of them, the scene's sheets, or noise.
-enum class FootprintSource { spline, image, cube, sheets, noise };
+/// Where a footprint comes from: a curve, a picture, six of them, the scene's sheets, noise, or a map of
+/// precipitation.
+enum class FootprintSource { spline, image, cube, sheets, noise, precipitation };
 
 enum class FootprintFall {
   field,    ///< along the scene's
@@ -62,6 +65,8 @@ struct Footprint {
   std::vector<double> point_energy;  ///< at the spline's points, over energy_kev; empty: 1
   std::vector<double> point_flux;    ///< at the spline's points, over energy_flux_mw_m2; empty: 1
 
+  std::string file;  ///< a FITS map of energy flux and energy, beside the scene's (docs/volumes.md)
+
   double noise_scale_km = 120.0;  ///< of the largest waves of a noise footprint
   int noise_octaves = 5;
   double noise_coverage = 0.3;  ///< share of the box, roughly, that shines
@@ -81,6 +86,10 @@ struct Footprint {
   double energy_spread = 0.2;
   double peak_km = 110.0, lower_km = 4.0, upper_km = 20.0;
   double top_km = 300.0;  ///< above which there is no light
+
+  /// The site that a box is given about, if that is not the scene's: of a scene that has been carried over to
+  /// another station, or of a map that says where it was made. No key of a scene file.
+  std::optional<Site> home;
 };
 
 enum class NebulaMethod {
@@ -168,6 +177,8 @@ struct Volume {
   double extinction_per_km = 0.0;        ///< of density 1 of its grid "density"
   std::vector<double> density_rayleigh;  ///< light of that density, per line, to a km of path; empty: none
   double step_voxels = 0.5;              ///< of the march
+  /// The site whose frame the volume is given in, if that is not the scene's; as of a footprint.
+  std::optional<Site> home;
 };
 
 /// Where rays begin.

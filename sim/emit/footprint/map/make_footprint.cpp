@@ -50,6 +50,7 @@ PlaneFootprint<T> at_rest(const Scene& scene, const Footprint& f, const Footprin
       return sheet_plane(scene, f, number, threads);
     case FootprintSource::noise:
       return as_free(noise_plane(f, scene.seed, index_of(scene, f), threads), f, number);
+    case FootprintSource::precipitation:  // which precipitation_plane() makes
     case FootprintSource::image:
     case FootprintSource::cube:
       break;
