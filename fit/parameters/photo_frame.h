@@ -28,6 +28,11 @@ struct PhotoFrame {
   /// number / d free, row-major [number][moved]; empty stands for the identity.
   void carry(const sim::Scene& at_home, const sim::Scene& there, std::vector<sim::ParameterId>& numbers,
              std::vector<double>& slopes) const;
+
+ private:
+  template <class Take, class Give>
+  void carry_curve(int sheet, const sim::Sheet& at_home, double instant_s, std::size_t moved,
+                   const Take& take, const Give& give) const;
 };
 
 /// Of a photograph of `scene`: its scene and its frame.

@@ -69,6 +69,12 @@ int floor_of(int brick) { return brick >= 0 ? brick / kCoarse : -((-brick + kCoa
 
 }  // namespace
 
+void GridBricks::set_home(const Site& home, const Site& observer) {
+  const SiteTurn turn = turn_between(home, observer);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) place_.from_home[i][j] = turn.turn[i][j];
+}
+
 GridBricks::GridBricks(const SparseGrid& grid, const std::vector<int>& emission, int density,
                        const std::string& file, const Site& site, const Site& observer,
                        std::uint64_t most_bytes)

@@ -21,6 +21,9 @@ namespace vegard::sim {
 struct GridPlace {
   double turn[3][3];
   double shift[3];
+  /// From east, north, up of the site that the volume is given about, by which it is shifted, to the
+  /// observer's.
+  double from_home[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
 };
 
 class GridBricks {
@@ -43,6 +46,9 @@ class GridBricks {
   bool has_density() const { return !density_.empty(); }
   bool empty() const { return count_ == 0; }
   const GridPlace& place() const { return place_; }
+
+  /// Of a volume that is given about `home`, seen by an observer at another site.
+  void set_home(const Site& home, const Site& observer);
   std::size_t bricks() const { return count_; }
 
   int low(int axis) const { return low_[axis]; }    ///< of the coarse cells: the first

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/emit/grid/grid_home.h"
 #include "sim/emit/grid/grid_trilinear.h"
 
 namespace vegard::sim {
@@ -14,9 +15,11 @@ constexpr double kBrick = GridBricks::kEdge, kCoarseCell = kBrick * GridBricks::
 
 GridField::GridField(const GridBricks& grid, const Volume& volume, const Sun* sun)
     : grid_(grid), unit_km_(volume.frame == VolumeFrame::sun && sun != nullptr ? sun->unit_km : 1.0) {
+  double shift[3];
+  shift_of_volume(grid, volume, unit_km_, plain_number, shift);
   for (int a = 0; a < 3; ++a) {
     from_[a] = grid.place().shift[a];
-    for (int c = 0; c < 3; ++c) from_[a] -= volume.shift_km[c] / unit_km_ * grid.place().turn[a][c];
+    for (int c = 0; c < 3; ++c) from_[a] -= shift[c] * grid.place().turn[a][c];
   }
   for (int l = 0; l < grid.lines(); ++l)
     gain_.push_back(volume.density_rayleigh.empty()

@@ -26,9 +26,22 @@ struct GridHome {
   std::vector<T> light;  ///< [line] rayleighs of 1 to a kilometre, the volume's gain in them
 };
 
+/// By how much a volume is moved, in its unit along the axes that GridPlace takes: given by east, north, up
+/// of the observer, or of the volume's home, or by the axes of the Sun's frame.
+template <class T, class Number>
+void shift_of_volume(const GridBricks& grid, const Volume& volume, double unit_km, const Number& number,
+                     T shift[3]) {
+  for (int c = 0; c < 3; ++c) {
+    shift[c] = T(0.0);
+    for (int k = 0; k < 3; ++k)
+      shift[c] = shift[c] + number(volume.shift_km[k]) * (1.0 / unit_km) * grid.place().from_home[c][k];
+  }
+}
+
 /// Of a frame "sun" `sun` is the scene's Sun, else it may be null. Light of density (density_rayleigh) is
 /// counted to a kilometre, or to a unit of the Sun's frame; else a number is photons cm^-3 s^-1. The shift is
-/// by east, north, up of the observer, or on the Sun by its frame's x, y, z.
+/// by east, north, up of the observer (of the volume's home, if it has one), or on the Sun by its frame's x,
+/// y, z.
 template <class T>
 GridHome<T> grid_home(const GridBricks& grid, const Volume& volume, const Sun* sun,
                       const NumberAs<T>& number) {
@@ -38,7 +51,7 @@ GridHome<T> grid_home(const GridBricks& grid, const Volume& volume, const Sun* s
   const double unit_km = on_sun ? sun->unit_km : 1.0;
   home.voxel_km = grid.voxel_km() * unit_km;
   T shift[3];
-  for (int c = 0; c < 3; ++c) shift[c] = number(volume.shift_km[c]) * (1.0 / unit_km);
+  shift_of_volume(grid, volume, unit_km, number, shift);
   for (int a = 0; a < 3; ++a) {
     home.from[a] = T(place.shift[a]);
     for (int c = 0; c < 3; ++c) {

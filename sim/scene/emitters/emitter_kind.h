@@ -78,6 +78,10 @@ struct EmitterKind {
   /// What it reads from pictures. Null: nothing.
   std::vector<PictureOfScene> (*pictures)(const Scene&) = nullptr;
 
+  /// Lets a scene's elements stay where they are, seen from `home`, while the scene is another station's: a
+  /// complaint if one of them cannot. Null: none can, since it stands in the observer's sky.
+  std::optional<Complaint> (*stay_at)(Scene&, const Site& home) = nullptr;
+
   /// As people call it in a sentence, "the bright loop"; empty: as its table.
   std::string spoken{};
 

@@ -292,6 +292,17 @@ std::vector<Whereabouts> where_footprints_are(const Scene& scene) {
   return all;
 }
 
+std::optional<Complaint> footprints_stay_at(Scene& scene, const Site& home) {
+  for (Footprint& f : scene.footprints) {
+    if (f.source == FootprintSource::sheets)
+      return Complaint{"a footprint of sheets is not carried over to another site",
+                       "beams, or another source of the footprint", ""};
+    // A shell is the same from everywhere.
+    if (f.shape == FootprintShape::box && !f.home) f.home = home;
+  }
+  return std::nullopt;
+}
+
 std::vector<PictureOfScene> pictures_of_footprints(const Scene& scene) {
   std::vector<PictureOfScene> all;
   for (const Footprint& f : scene.footprints) {
@@ -318,6 +329,7 @@ EmitterKind footprint_kind() {
   kind.made_of_sheets = footprints_of_sheets;
   kind.whereabouts = where_footprints_are;
   kind.pictures = pictures_of_footprints;
+  kind.stay_at = footprints_stay_at;
   kind.place_in_preview = 0;
   return kind;
 }

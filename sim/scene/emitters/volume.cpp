@@ -67,12 +67,23 @@ std::vector<Whereabouts> where_volumes_are(const Scene& scene) {
   return all;
 }
 
+std::optional<Complaint> volumes_stay_at(Scene& scene, const Site& home) {
+  for (Volume& volume : scene.volumes) {
+    if (volume.frame == VolumeFrame::sun)
+      return Complaint{"a volume on the Sun is not carried over to another site", "photographs from one site",
+                       ""};
+    if (!volume.home) volume.home = home;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 EmitterKind volume_kind() {
   EmitterKind kind;
   kind.table = "volume";
   kind.repeated = {repeated_table_of(kind.table, &Scene::volumes)};
+  kind.stay_at = volumes_stay_at;
   kind.rows = volume_rows;
   kind.check = check_volumes;
   kind.on_sun = volumes_on_sun;

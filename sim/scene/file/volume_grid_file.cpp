@@ -132,7 +132,7 @@ VolumeGridFile read_volume_grid(const Scene& scene, const Volume& volume) {
   if (const double cm = number("unit_cm", 1e5); !(std::abs(cm / 1e5 - 1.0) <= 1e-9))
     refuse("it holds a nebula in a frame of its own", "a grid in km about an observer",
            "Such a file is for other programs; [[nebula]] is how vegard shows it");
-  out.site = scene.site;
+  out.site = volume.home.value_or(scene.site);
   const auto in_range = [&](const char* name, double otherwise, double least, double most) {
     const double here = number(name, otherwise);
     if (!(here >= least && here <= most))
@@ -141,9 +141,9 @@ VolumeGridFile read_volume_grid(const Scene& scene, const Volume& volume) {
     return here;
   };
   // As in a scene (rows/place.cpp).
-  out.site.latitude_deg = in_range("site_latitude_deg", scene.site.latitude_deg, -90.0, 90.0);
-  out.site.longitude_deg = in_range("site_longitude_deg", scene.site.longitude_deg, -180.0, 360.0);
-  out.site.altitude_m = in_range("site_altitude_m", scene.site.altitude_m, -500.0, 1e9);
+  out.site.latitude_deg = in_range("site_latitude_deg", out.site.latitude_deg, -90.0, 90.0);
+  out.site.longitude_deg = in_range("site_longitude_deg", out.site.longitude_deg, -180.0, 360.0);
+  out.site.altitude_m = in_range("site_altitude_m", out.site.altitude_m, -500.0, 1e9);
   return out;
 }
 

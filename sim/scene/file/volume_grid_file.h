@@ -17,7 +17,8 @@ struct VolumeGridFile {
   SparseGrid grid;            ///< in km, or in the scene's units of the Sun's frame
   std::vector<int> emission;  ///< [line of the scene] which channel, -1 where the file is dark
   int density = -1;           ///< the channel that absorbs, -1 for none
-  Site site;                  ///< whose frame the grid is in: the scene's if the file names none
+  Site
+      site;  ///< whose frame the grid is in: that of the volume's home if the file names none, or the scene's
 };
 
 /// A file without a grid for any line, but with `density` and no other emission, shines by that in every

@@ -11,6 +11,16 @@ namespace {
 
 using StationDual = Dual<double, Tangents<double, Station::kNumbers>>;
 
+EastNorth mean_of_points(const Sheet& sheet) {
+  const double points = static_cast<double>(sheet.east_km.size());
+  EastNorth mean{0.0, 0.0};
+  for (std::size_t i = 0; i < sheet.east_km.size(); ++i) {
+    mean.east += sheet.east_km[i] / points;
+    mean.north += sheet.north_km[i] / points;
+  }
+  return mean;
+}
+
 /// atan2(east, north), from north to the east.
 double direction_rad(double east, double north) { return std::atan2(east, north); }
 StationDual direction_rad(const StationDual& east, const StationDual& north) {
@@ -60,8 +70,59 @@ Station::Station(const Site& home, const Site& there)
     }
 }
 
+EastNorth Station::carry(EastNorth foot_km) const {
+  constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
+  const double up =
+      std::sqrt(kRadius * kRadius - foot_km.east * foot_km.east - foot_km.north * foot_km.north);
+  const auto part = [&](int i) {
+    return foot_km.east * turn_[i][0] + foot_km.north * turn_[i][1] + up * turn_[i][2];
+  };
+  return {part(0), part(1)};
+}
+
+std::array<double, 4> Station::slopes(EastNorth foot_km) const {
+  constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
+  const double up =
+      std::sqrt(kRadius * kRadius - foot_km.east * foot_km.east - foot_km.north * foot_km.north);
+  std::array<double, 4> slopes;
+  for (int i = 0; i < 2; ++i) {
+    slopes[2 * i] = turn_[i][0] - turn_[i][2] * foot_km.east / up;
+    slopes[2 * i + 1] = turn_[i][1] - turn_[i][2] * foot_km.north / up;
+  }
+  return slopes;
+}
+
+EastNorth Station::drift_of_curve(const Sheet& at_home) const {
+  const std::array<double, 4> turned = slopes(mean_of_points(at_home));
+  const EastNorth& drift = at_home.drift_km_s;
+  return {turned[0] * drift.east + turned[1] * drift.north, turned[2] * drift.east + turned[3] * drift.north};
+}
+
+std::array<double, 4> Station::drift_slopes(const Sheet& at_home) const {
+  constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
+  const EastNorth at = mean_of_points(at_home);
+  const EastNorth& drift = at_home.drift_km_s;
+  const double up = std::sqrt(kRadius * kRadius - at.east * at.east - at.north * at.north);
+  const double out = (at.east * drift.east + at.north * drift.north) / (up * up);
+  std::array<double, 4> slopes;
+  for (int i = 0; i < 2; ++i) {
+    slopes[2 * i] = -turn_[i][2] * (drift.east + out * at.east) / up;
+    slopes[2 * i + 1] = -turn_[i][2] * (drift.north + out * at.north) / up;
+  }
+  return slopes;
+}
+
 void Station::carry(Sheet& sheet) const {
   if (!elsewhere_) return;
+  if (sheet.course == SheetCourse::curve) {
+    sheet.drift_km_s = drift_of_curve(sheet);
+    for (std::size_t i = 0; i < sheet.east_km.size(); ++i) {
+      const EastNorth there = carry(EastNorth{sheet.east_km[i], sheet.north_km[i]});
+      sheet.east_km[i] = there.east;
+      sheet.north_km[i] = there.north;
+    }
+    return;
+  }
   const std::array<double*, kNumbers> places = numbers(sheet);
   double number[kNumbers];
   for (int i = 0; i < kNumbers; ++i) number[i] = *places[i];

@@ -58,8 +58,11 @@ void with_entrys_line(const Scene& scene, const PhotoEntry& entry, const Code& c
   }
 }
 
-void carry_sheets(const Station& station, Scene& scene) {
-  for (Sheet& sheet : scene.sheets) station.carry(sheet);
+/// To the photograph's site, what is given about the scene's.
+void carry_all(const Scene& scene, Scene& of_photo) {
+  const Station station = station_of_photo(scene, of_photo);
+  for (Sheet& sheet : of_photo.sheets) station.carry(sheet);
+  if (station.is_elsewhere()) let_emitters_stay(scene.site, of_photo);
 }
 
 std::set<ParameterId> set_by(const Scene& scene, const PhotoEntry& entry) {
@@ -93,17 +96,23 @@ void leave_only_own(const PhotoEntry& entry, Scene& own) {
   own.fit.tied.clear();
 }
 
-/// Sheets are carried over to another site; nothing else that shines is.
-void refuse_volumes_elsewhere(const Scene& scene, const PhotoEntry& entry, const Scene& of_photo) {
+/// What stands in the observer's sky is not carried over to another site.
+void refuse_sky_elsewhere(const Scene& scene, const PhotoEntry& entry, const Scene& of_photo) {
   if (!station_of_photo(scene, of_photo).is_elsewhere()) return;
-  const auto kind = std::find_if(emitter_kinds().begin(), emitter_kinds().end(),
-                                 [&](const EmitterKind& each) { return is_in_scene(each, of_photo); });
-  if (kind == emitter_kinds().end()) return;
-  const std::string what = kind->repeated.empty() ? "[" + kind->table + "]" : "[[" + kind->table + "]]";
-  complain({"taken from another site, where the scene's " + what +
-                " would stand elsewhere: only sheets are carried over",
-            "photographs of volumes from one site", "leave the site out of the photograph's set"},
-           origin_of(scene, entry, photo_set_key));
+  const Origin origin = origin_of(scene, entry, photo_set_key);
+  Scene there = of_photo;
+  for (const EmitterKind& kind : emitter_kinds()) {
+    if (!is_in_scene(kind, of_photo)) continue;
+    if (kind.stay_at != nullptr) {
+      if (const auto complaint = kind.stay_at(there, scene.site)) complain(*complaint, origin);
+      continue;
+    }
+    const std::string what = kind.repeated.empty() ? "[" + kind.table + "]" : "[[" + kind.table + "]]";
+    complain({"taken from another site, where the scene's " + what +
+                  " would stand elsewhere: only aurora and volumes on the ground are carried over",
+              "photographs of it from one site", "leave the site out of the photograph's set"},
+             origin);
+  }
 }
 
 void check_one(const Scene& scene, const PhotoEntry& entry) {
@@ -114,8 +123,8 @@ void check_one(const Scene& scene, const PhotoEntry& entry) {
     check_shared_free(scene, entry, at_home);
     Scene there = at_home;
     there.fit.free.clear();
-    refuse_volumes_elsewhere(scene, entry, at_home);
-    carry_sheets(station_of_photo(scene, at_home), there);
+    refuse_sky_elsewhere(scene, entry, at_home);
+    carry_all(scene, there);
     validate(there);
   });
 }
@@ -141,6 +150,11 @@ Scene scene_of_photo_at_home(const Scene& scene, const PhotoEntry& entry) {
   return own;
 }
 
+void let_emitters_stay(const Site& home, Scene& of_photo) {
+  for (const EmitterKind& kind : emitter_kinds())
+    if (kind.stay_at != nullptr && is_in_scene(kind, of_photo)) kind.stay_at(of_photo, home);
+}
+
 Station station_of_photo(const Scene& scene, const Scene& of_photo) {
   return Station(scene.site, of_photo.site);
 }
@@ -148,7 +162,7 @@ Station station_of_photo(const Scene& scene, const Scene& of_photo) {
 Scene scene_of_photo(const Scene& scene, const PhotoEntry& entry) {
   Scene own = scene_of_photo_at_home(scene, entry);
   leave_only_own(entry, own);
-  carry_sheets(station_of_photo(scene, own), own);
+  carry_all(scene, own);
   return own;
 }
 

@@ -13,11 +13,14 @@ namespace vegard::sim {
 /// the entry's line for a path or a value that is none.
 Scene scene_of_photo_at_home(const Scene& scene, const PhotoEntry& entry);
 
+/// Lets what else shines stay where it is, seen from `home`, in a scene that has another site.
+void let_emitters_stay(const Site& home, Scene& of_photo);
+
 /// From the frame of the scene's sheets to that of the photograph's site.
 Station station_of_photo(const Scene& scene, const Scene& of_photo);
 
-/// What the photograph sees, a scene by itself: with the sheets in the frame of its own site, of fit.free
-/// only what belongs to it alone, and without ties.
+/// What the photograph sees, a scene by itself: with the sheets in the frame of its own site, volumes where
+/// they are, of fit.free only what belongs to it alone, and without ties.
 Scene scene_of_photo(const Scene& scene, const PhotoEntry& entry);
 
 /// The entry of this name, or null.

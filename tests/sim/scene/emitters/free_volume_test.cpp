@@ -119,14 +119,14 @@ free = ["footprint.wall.width_km", "footprint.curl.center_km", "footprint.curl.e
   EXPECT_EQ(scene.fit.free.size(), 6u);
 }
 
-TEST(FreeVolumes, AreNotCarriedToAnotherSite) {
+TEST(FreeVolumes, OfTheSkyAreNotCarriedToAnotherSite) {
   const std::string text = R"(
 [site]
 latitude_deg = 69
-[[footprint]]
-source = "noise"
+[sun]
+shown = true
 [fit]
-free = ["footprint.energy_kev"]
+free = ["sun.azimuth_deg"]
 [[fit.photo]]
 file = "a.png"
 [[fit.photo]]
@@ -135,8 +135,7 @@ set.camera.azimuth_deg = 10
 )";
   EXPECT_EQ(parse_scene(text, "volumes.toml").fit.photos.size(), 2u);
   const ErrorDetails details = error_of(text + "set.site.latitude_deg = 68\n");
-  EXPECT_NE(details.problem.find("[[footprint]] would stand elsewhere"), std::string::npos)
-      << details.problem;
+  EXPECT_NE(details.problem.find("[sun] would stand elsewhere"), std::string::npos) << details.problem;
   EXPECT_EQ(details.line, 10);
 }
 

@@ -118,6 +118,52 @@ TEST(Station, SlopesAgreeWithDifferences) {
   }
 }
 
+Sheet some_curve() {
+  Sheet sheet;
+  sheet.course = SheetCourse::curve;
+  sheet.east_km = {-150.0, -20.0, 60.0, 300.0};
+  sheet.north_km = {180.0, 220.0, 160.0, 250.0};
+  sheet.drift_km_s = {0.3, -0.8};
+  return sheet;
+}
+
+TEST(Station, ThePointsOfACurveAreAtTheSamePlacesInSpace) {
+  const Site home = site(69.0, 19.0), there = site(68.3, 21.5);
+  const Sheet curve = some_curve();
+  Sheet carried = curve;
+  Station(home, there).carry(carried);
+  for (std::size_t i = 0; i < curve.east_km.size(); ++i) {
+    Sheet here = some_sheet(), seen = here;
+    here.center_km = {curve.east_km[i], curve.north_km[i]};
+    seen.center_km = {carried.east_km[i], carried.north_km[i]};
+    EXPECT_LT(distance(point_of_line(home, here, 0.0), point_of_line(there, seen, 0.0)), 1e-9) << i;
+  }
+}
+
+TEST(Station, SlopesOfACurveAgreeWithDifferences) {
+  const Station station(site(69.0, 19.0), site(68.3, 20.5));
+  const Sheet curve = some_curve();
+  constexpr double kStep = 1e-3;
+  for (std::size_t i = 0; i < curve.east_km.size(); ++i) {
+    const auto slopes = station.slopes(EastNorth{curve.east_km[i], curve.north_km[i]});
+    const auto of_drift = station.drift_slopes(curve);
+    for (int axis = 0; axis < 2; ++axis) {
+      Sheet more = curve, less = curve;
+      (axis == 0 ? more.east_km : more.north_km)[i] += kStep;
+      (axis == 0 ? less.east_km : less.north_km)[i] -= kStep;
+      station.carry(more);
+      station.carry(less);
+      EXPECT_NEAR(slopes[axis], (more.east_km[i] - less.east_km[i]) / (2 * kStep), 1e-8);
+      EXPECT_NEAR(slopes[2 + axis], (more.north_km[i] - less.north_km[i]) / (2 * kStep), 1e-8);
+      const double points = static_cast<double>(curve.east_km.size());
+      EXPECT_NEAR(of_drift[axis] / points, (more.drift_km_s.east - less.drift_km_s.east) / (2 * kStep),
+                  1e-11);
+      EXPECT_NEAR(of_drift[2 + axis] / points, (more.drift_km_s.north - less.drift_km_s.north) / (2 * kStep),
+                  1e-11);
+    }
+  }
+}
+
 TEST(Station, TheSamePlaceChangesNothing) {
   const Station station(site(69.0, 19.0), site(69.0, 19.0));
   EXPECT_FALSE(station.is_elsewhere());
