@@ -19,6 +19,7 @@ import random
 import resource
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -119,6 +120,8 @@ def make_kinds(vegard, home):
         "curve.csv": "linear,encoded\n0,0\n0.2,0.5\n1,1\n",
         "colours.csv": "grey,red,green,blue\n0,0,0,0\n0.5,1,0.5,0\n1,1,1,1\n",
         "times.csv": "file,time\nphoto.png,2015-10-07T08:23:51.743Z\nsecond.png,2015-10-07 08:24:00\n",
+        "curtains.csv": "curtain,point,east_km,north_km,energy_flux_mw_m2,energy_kev,width_km,energy_kev_error\n"
+                        "1,1,-60,230,4,3,2,nan\n1,2,0,210,6,4,2,0.1\n1,3,60,240,5,2,1,0.1\n",
         "mask.txt": "# 125 numbers\n" + "0.01 0.01, 0.01 1e-2 0\n" * 25,
     }
     for name, words in tables.items():
@@ -129,6 +132,9 @@ def make_kinds(vegard, home):
     text("with_curve.toml", small + '[sensor]\ntone = "file"\ntone_file = "curve.csv"\n')
     text("with_response.toml", small + '[sensor]\nresponse = "response.csv"\n')
     text("with_colours.toml", small + '[sensor]\ncolour_table = "colours.csv"\n')
+    text("with_curtain.toml", small.replace(sheet, sheet + 'course = "curve"\ncurve_file = "curtains.csv"\n'))
+    text("with_map.toml", small + '[[footprint]]\nsource = "precipitation"\nfile = "map.fits"\n')
+    (home / "map.fits").write_bytes(small_map())
     for ending in ("vdb", "pbrt"):
         text(f"with_{ending}.toml", small + f'[[volume]]\nname = "cloud"\nfile = "a.{ending}"\n'
              + ("" if ending == "vdb" else "density_rayleigh = [1.0, 1.0, 1.0]\n"))
@@ -162,6 +168,8 @@ def make_kinds(vegard, home):
         Kind("curve", "curve.csv", [bytes_of("curve.csv")],
              [["render", "with_curve.toml", "-o", "{out}/r.png"] + ONE,
               ["profile", "photo.png", "--decoding", "curve:curve.csv", "-o", "{out}/p.csv"]]),
+        Kind("curtains", "curtains.csv", [bytes_of("curtains.csv")], [["render", "with_curtain.toml", "-o", "{out}/r.png"] + ONE]),
+        Kind("precipitation", "map.fits", [bytes_of("map.fits")], [["render", "with_map.toml", "-o", "{out}/r.png"] + ONE]),
         Kind("colours", "colours.csv", [bytes_of("colours.csv")], [["render", "with_colours.toml", "-o", "{out}/r.png"] + ONE]),
         *[Kind(e, "a." + e, [bytes_of("a." + e)], ON_GRID + [["render", f"with_{e}.toml", "-o", "{out}/r.png"] + ONE])
           for e in ("vdb", "pbrt")],
@@ -185,6 +193,17 @@ def make_kinds(vegard, home):
               ["mask", "photo.png", "-o", "{out}/m.png", "--polygon", "{it}"]]),
     ]
     return kinds
+
+
+def small_map():
+    """A FITS map of precipitation, two cells by two."""
+    cards = {"SIMPLE": "T", "BITPIX": "-32", "NAXIS": "3", "NAXIS1": "2", "NAXIS2": "2", "NAXIS3": "2"}
+    for axis, name in (("1", "'EAST'"), ("2", "'NORTH'")):
+        cards |= {"CTYPE" + axis: name, "CUNIT" + axis: "'km'", "CRPIX" + axis: "1.0", "CRVAL" + axis: "200.0", "CDELT" + axis: "20.0"}
+    cards |= {"SITELAT": "65.0", "SITELONG": "0.0"}
+    header = "".join(f"{key:<8}= {value if value[0] == chr(39) else value.rjust(20)}".ljust(80) for key, value in cards.items()) + "END"
+    numbers = b"".join(struct.pack(">f", number) for number in (1.0, 2.0, 0.0, 3.5, 2.0, 3.0, 0.0, 4.5))
+    return header.ljust(2880).encode() + numbers.ljust(2880, b"\0")
 
 
 def solved_field(rows):

@@ -2,6 +2,7 @@
 // `readers`; the rest is the table. What is read is worked out as far as its user does it.
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include "apps/options/picture_lists.h"
 #include "apps/options/scene_options.h"
@@ -10,6 +11,8 @@
 #include "sim/base/number/mask5.h"
 #include "sim/base/utc_time.h"
 #include "sim/light/sheet_profile.h"
+#include "sim/scene/file/curve_table.h"
+#include "sim/scene/file/precipitation_file.h"
 #include "sim/view/colour/colour_table.h"
 #include "sim/view/colour/sensor_response.h"
 #include "sim/view/sensor/tone_curve.h"
@@ -109,9 +112,33 @@ void moments(const std::string& text) {
   sim::offset_minutes(text);
 }
 
+void curtains(const std::string& text) {
+  for (const int curtain : {1, 2}) {
+    sim::Sheet sheet;
+    sim::take_curtain(text, "it.csv", curtain, false, sheet);
+    require(!sheet.east_km.empty() && sheet.energy_flux_mw_m2 > 0.0);
+    for (const std::vector<double>* list : {&sheet.east_km, &sheet.north_km, &sheet.point_brightness,
+                                            &sheet.point_energy_kev, &sheet.point_width_km}) {
+      require(list->size() == sheet.east_km.size());
+      for (const double number : *list) require(std::isfinite(number));
+    }
+  }
+}
+
+/// A FITS file.
+void precipitation(const std::string& bytes) {
+  const tests::InputFile file(bytes, "it.fits");
+  const sim::PrecipitationMap map = sim::read_precipitation_map(file.path("it.fits"));
+  const std::size_t cells = static_cast<std::size_t>(map.columns) * map.rows;
+  require(map.energy_flux_mw_m2.size() == cells && map.energy_kev.size() == cells);
+  for (std::size_t i = 0; i < cells; ++i)
+    require(map.energy_flux_mw_m2[i] >= 0.0f &&
+            (map.energy_flux_mw_m2[i] > 0.0f || map.energy_kev[i] == 0.0f));
+}
+
 using Reader = void (*)(const std::string&);
-constexpr Reader kReaders[] = {csv,      height_profile, response, tone, colours, stars,
-                               pictures, times,          camera,   mask, moments};
+constexpr Reader kReaders[] = {csv,   height_profile, response, tone,    colours,  stars,        pictures,
+                               times, camera,         mask,     moments, curtains, precipitation};
 
 }  // namespace
 

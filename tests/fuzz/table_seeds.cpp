@@ -23,6 +23,18 @@ std::string solved_field_of(int rows) {
   return fits_header(8, {}) + fits_block(cards + "END", ' ') + fits_block(fits_numbers(32, numbers), '\0');
 }
 
+/// Of precipitation, two cells by two.
+std::string small_map() {
+  std::string axes;
+  for (const auto& [number, name] : {std::pair{"1", "'EAST'"}, {"2", "'NORTH'"}}) {
+    axes += fits_card(std::string("CTYPE") + number, name) + fits_card(std::string("CUNIT") + number, "'km'");
+    for (const auto& [key, value] : {std::pair{"CRPIX", "1.0"}, {"CRVAL", "150.0"}, {"CDELT", "2.0"}})
+      axes += fits_card(std::string(key) + number, value);
+  }
+  return fits_header(-32, {2, 2, 2}, axes + fits_card("SITELAT", "67.0") + fits_card("SITELONG", "20.0")) +
+         fits_block(fits_numbers(-32, {1.0, 2.0, 0.0, 3.5, 2.0, 3.0, 0.0, 4.5}), '\0');
+}
+
 }  // namespace
 
 std::vector<std::string> fuzz_seeds(const std::string&) {
@@ -53,6 +65,9 @@ std::vector<std::string> fuzz_seeds(const std::string&) {
       "k2015-10-07T08:23:51.743Z",
       "kPKR_DASC_0558_20151007_082351.743.FITS",
       "k+05:30",
+      "lcurtain,point,east_km,north_km,energy_flux_mw_m2,energy_kev,width_km,energy_kev_error\n"
+      "1,1,-60,300,1,2,2,nan\n1,2,60,300,1.5,2,2,\n2,1,0,200,3,4,1,0.1\n2,2,9,201,4,3,1,0.1\n",
+      "m" + small_map(),
   };
 }
 
