@@ -330,7 +330,8 @@ std::vector<Curtain> find_curtains(const MapResult& result) {
       p.flux_mw_m2 = {best.flux, spread(of_flux)};
       const double ln_error = kEnergyInflation * spread(of_energy);
       p.energy_kev = {std::exp(best.ln_energy), std::exp(best.ln_energy) * ln_error};
-      p.width_km = {best.width_km, spread(of_width)};
+      // What is narrower than a part of a pixel has no width of its own.
+      p.width_km = {std::max(best.width_km, 0.25 * raster.step_km), spread(of_width)};
       const LowerBorder border = lower_border(result.scene, p.energy_kev.value);
       p.lower_border_km = {border.altitude_km, std::abs(border.by_ln_energy) * ln_error};
       curtain.points.push_back(p);

@@ -2,14 +2,23 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "fit/answer/fit_result.h"
 #include "fit/map/curtains.h"
 #include "fit/map/map_fit.h"
 #include "fit/map/map_verdicts.h"
-#include "fit/report/map_run.h"
 
 namespace vegard::fit {
+
+/// What is told of a run beside its result.
+struct MapRunFacts {
+  std::string command;
+  std::vector<InputFile> inputs;
+  std::vector<PhotoFact> from_photograph;
+  std::vector<std::pair<std::string, std::string>> decodings;  ///< of each photograph: its name, and how
+};
 
 /// The same result gives the same bytes.
 std::string map_page(const MapResult& result, const std::vector<Curtain>& curtains,
