@@ -33,6 +33,10 @@ std::vector<int> sky_numbers_of(const Scene& scene, const std::vector<ParameterI
 /// Its value; a SkyDual has a tangent of 1 by itself. T is double or SkyDual.
 template <class T>
 T sky_number(const Scene& scene, SkyNumber which);
+template <>
+double sky_number<double>(const Scene& scene, SkyNumber which);
+template <>
+SkyDual sky_number<SkyDual>(const Scene& scene, SkyNumber which);
 
 /// A line of sight, of length 1.
 template <class T>
