@@ -1,5 +1,7 @@
 #include "apps/output/movie.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -29,6 +31,24 @@ sim::Error trouble(sim::ErrorKind kind, const std::string& file, const std::stri
   details.hint = hint;
   return sim::Error(kind, details);
 }
+
+/// While there is one, memory comes from malloc with zeros in it. libx264 (core 164) reads memory that it has
+/// not written where the processor has AVX-512, and what was there before would decide about the movie's
+/// bytes.
+class ZeroedMemory {
+ public:
+  ZeroedMemory() { fill(0xff); }  // filled with the complement of that
+  ~ZeroedMemory() { fill(0); }    // nothing is filled any more
+  ZeroedMemory(const ZeroedMemory&) = delete;
+  ZeroedMemory& operator=(const ZeroedMemory&) = delete;
+
+ private:
+  static void fill([[maybe_unused]] int with) {
+#ifdef M_PERTURB  // glibc's
+    ::mallopt(M_PERTURB, with);
+#endif
+  }
+};
 
 cv::Mat picture(const std::string& file) {
   cv::Mat read = cv::imread(file, cv::IMREAD_COLOR);
@@ -63,6 +83,7 @@ std::string write_movie(const std::string& path, const std::vector<std::string>&
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);  // FFmpeg's AV_LOG_QUIET
   sim::WholeFile file(path, overwrite);
+  const ZeroedMemory zeroed;
   const cv::Size size = picture(pictures.front()).size();
   cv::VideoWriter writer;
   std::string codec;
