@@ -15,6 +15,7 @@
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
+#include "apps/output/terminal.h"
 #include "fit/photo/photo.h"
 #include "fit/photo/pointing/calibration_tables.h"
 #include "fit/photo/pointing/catalogue_sky.h"
@@ -180,6 +181,7 @@ void print(const fit::Calibration& calibration) {
 }
 
 void run_calibrate(const CalibrateOptions& options) {
+  end_at_once_when_interrupted();
   const PlotFormat format = plot_format(options.plot, "--plot");
   check_outputs(options);
   const bool by_maps = !options.maps.azimuth_map.empty() || !options.maps.elevation_map.empty();

@@ -11,6 +11,7 @@
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
 #include "apps/options/standard_streams.h"
+#include "apps/output/terminal.h"
 #include "fit/photo/direction_map_file.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/scene/structs/scene.h"
@@ -37,6 +38,7 @@ std::vector<std::string> output_names(const std::string& output) {
 }
 
 void run_directions(const DirectionsRequest& options) {
+  end_at_once_when_interrupted();
   const sim::Scene scene = scene_of(options.scene);
   const std::vector<std::string> names = output_names(options.output);
   for (const std::string& name : names)

@@ -13,6 +13,7 @@
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
+#include "apps/output/terminal.h"
 #include "fit/measure/keogram.h"
 #include "fit/photo/photo.h"
 #include "fit/photo/region.h"
@@ -152,6 +153,7 @@ std::string line_words(const fit::KeogramLine& line) {
 }  // namespace
 
 void run_keogram(const KeogramOptions& options) {
+  end_at_once_when_interrupted();
   const fit::KeogramLook look = look_of(options);
   const TimedPictures pictures = timed_pictures(options.images, options.times);
   check_outputs(options, pictures.files);

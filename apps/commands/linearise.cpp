@@ -12,6 +12,7 @@
 #include "apps/options/scene_options.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/picture_file.h"
+#include "apps/output/terminal.h"
 #include "fit/photo/photo.h"
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
@@ -51,6 +52,7 @@ void check_size(const sim::Scene& scene, const fit::Photo& photo) {
 }
 
 int run_linearise(const LineariseRequest& options) {
+  end_at_once_when_interrupted();
   const sim::Scene scene = scene_of(options.scene);
   if (sim::image_format(options.output) != sim::ImageFormat::exr)
     throw usage_error("--output", "'" + options.output + "' cannot hold linear light and its variance",

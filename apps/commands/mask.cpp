@@ -11,6 +11,7 @@
 #include "apps/options/photo_options.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
+#include "apps/output/terminal.h"
 #include "fit/photo/photo.h"
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
@@ -62,6 +63,7 @@ void print_share(const char* name, std::size_t pixels, std::size_t all, const st
 }
 
 void run_mask(const MaskOptions& options) {
+  end_at_once_when_interrupted();
   if (options.request.empty())
     throw usage_error("mask", "nothing is asked for",
                       "at least one of --draw, --saturated, --hot, --stars, --text, --circle, --horizon, "

@@ -20,6 +20,7 @@
 #include "apps/options/scene_options.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
+#include "apps/output/terminal.h"
 #include "fit/measure/line_brightness.h"
 #include "fit/measure/measured_profile.h"
 #include "fit/measure/profile.h"
@@ -202,6 +203,7 @@ Measured measure_sectors(const ProfileRequest& options, const std::optional<sim:
 }
 
 void run_profile(const ProfileRequest& options) {
+  end_at_once_when_interrupted();
   const PlotFormat format = plot_format(options.plot, "--plot");
   check_outputs(options);
   check_sector_options(options.sectors);

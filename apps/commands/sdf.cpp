@@ -14,6 +14,7 @@
 #include "apps/options/file_names.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
+#include "apps/output/terminal.h"
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/number/distance_transform.h"
@@ -53,6 +54,7 @@ std::vector<double> distances(const std::vector<std::uint8_t>& marked, const sim
 }
 
 void run_sdf(const SdfRequest& options) {
+  end_at_once_when_interrupted();
   if (same_file(options.output, options.image)) refuse_same_file("--output", options.output, "an input");
   if (!(options.threshold >= 0.0 && options.threshold < 1.0))
     throw usage_error("--threshold", "a share of white must lie between 0 and 1", "0 <= threshold < 1");

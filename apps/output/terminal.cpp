@@ -1,6 +1,10 @@
 #include "apps/output/terminal.h"
 
+#include <unistd.h>
+
 #include <csignal>
+
+#include "sim/base/file/durable_rename.h"
 
 namespace vegard::apps {
 namespace {
@@ -18,9 +22,22 @@ void raise_flag(int signal) {
   raised.store(true);
 }
 
-bool watch_for(int signal) {
+ExitCode exit_code_of(int signal) {
+  return signal == SIGHUP ? hung_up : signal == SIGTERM ? terminated : interrupted;
+}
+
+/// Calls nothing that a signal handler may not call.
+void end_at_once(int signal) {
+  sim::delete_unfinished_files();
+  std::signal(SIGPIPE, SIG_IGN);
+  constexpr char words[] = "vegard: interrupted\n";
+  static_cast<void>(::write(STDERR_FILENO, words, sizeof words - 1) == 0);
+  ::_exit(exit_code_of(signal));
+}
+
+bool watch_for(int signal, void (*handler)(int) = raise_flag) {
   struct sigaction action = {};
-  action.sa_handler = raise_flag;
+  action.sa_handler = handler;
   // RESETHAND: the second finds the default again. RESTART: writes under way are not cut short.
   action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
   sigemptyset(&action.sa_mask);
@@ -44,15 +61,12 @@ const std::atomic<bool>& watch_for_interrupt() {
   return raised;
 }
 
-ExitCode exit_code_of_interruption() {
-  switch (first_signal.load()) {
-    case SIGHUP:
-      return hung_up;
-    case SIGTERM:
-      return terminated;
-    default:
-      return interrupted;
-  }
+void end_at_once_when_interrupted() {
+  if (!is_ignored(SIGHUP)) watch_for(SIGHUP, end_at_once);
+  watch_for(SIGTERM, end_at_once);
+  watch_for(SIGINT, end_at_once);
 }
+
+ExitCode exit_code_of_interruption() { return exit_code_of(first_signal.load()); }
 
 }  // namespace vegard::apps

@@ -1,4 +1,5 @@
-// The terminal at which vegard runs: Ctrl-C and its like as a flag that long work looks at.
+// The terminal at which vegard runs: Ctrl-C and its like as a flag that long work looks at, or as an end at
+// once.
 #pragma once
 
 #include <atomic>
@@ -11,6 +12,11 @@ namespace vegard::apps {
 /// same kind kills the program as if nothing had been arranged. A hangup that was ignored when the program
 /// began (nohup) stays ignored. Further calls change nothing. The flag lives as long as the program.
 const std::atomic<bool>& watch_for_interrupt();
+
+/// For commands of seconds, which do not look at a flag: from now on the first of these signals deletes the
+/// files that are not finished and ends the program, with the exit code that goes with it. A hangup that was
+/// ignored stays ignored.
+void end_at_once_when_interrupted();
 
 /// What an interrupted command is to end with: `interrupted`, `terminated` or `hung_up`, by the first signal.
 ExitCode exit_code_of_interruption();

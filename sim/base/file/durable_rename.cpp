@@ -4,13 +4,36 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
+#include <mutex>
 #include <regex>
 
 namespace vegard::sim {
 namespace fs = std::filesystem;
+namespace {
+
+// Files that are not finished. No memory is asked for and none is given back: a handler may come in between.
+enum PlaceState : int { free_place, kept, being_deleted };
+
+struct UnfinishedPlace {
+  std::atomic<int> state{free_place};
+  char path[4096];
+};
+
+std::array<UnfinishedPlace, 64> unfinished;
+std::mutex keeping;  // of whoever keeps and forgets; a handler does without
+static_assert(std::atomic<int>::is_always_lock_free);
+
+bool change(UnfinishedPlace& place, int from, PlaceState to) {
+  return place.state.compare_exchange_strong(from, to);
+}
+
+}  // namespace
 
 int make_durable(const std::string& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -57,6 +80,27 @@ std::optional<Partial> partial_of(const std::string& name) {
   std::smatch parts;
   if (!std::regex_match(name, parts, form)) return {};
   return Partial{parts.str(1) + parts.str(3), std::stoi(parts.str(2))};
+}
+
+void keep_unfinished(const std::string& path) {
+  const std::lock_guard<std::mutex> alone(keeping);
+  for (UnfinishedPlace& place : unfinished) {
+    if (place.state.load() != free_place || path.size() >= sizeof place.path) continue;
+    std::memcpy(place.path, path.c_str(), path.size() + 1);
+    place.state.store(kept);
+    return;
+  }
+}
+
+void forget_unfinished(const std::string& path) {
+  const std::lock_guard<std::mutex> alone(keeping);
+  for (UnfinishedPlace& place : unfinished)
+    if (place.state.load() == kept && path == place.path && change(place, kept, free_place)) return;
+}
+
+void delete_unfinished_files() noexcept {
+  for (UnfinishedPlace& place : unfinished)
+    if (change(place, kept, being_deleted)) ::unlink(place.path);
 }
 
 bool is_alive(int process) { return ::kill(process, 0) == 0 || errno != ESRCH; }

@@ -26,6 +26,16 @@ struct Partial {
 /// None if it is no such name.
 std::optional<Partial> partial_of(const std::string& name);
 
+/// Keeps the name of a file that this process has not finished, until it is forgotten, where a signal handler
+/// finds it. Beyond 64 names at a time, and of one of 4096 bytes or more, nothing is kept: such a file stays
+/// for stale_partials() to find.
+void keep_unfinished(const std::string& path);
+void forget_unfinished(const std::string& path);
+
+/// Deletes all files whose names are kept. May be called by a signal handler, of any thread at any time; the
+/// process is to end then, for the files' owners do not know.
+void delete_unfinished_files() noexcept;
+
 /// False if no process of this machine has that number.
 bool is_alive(int process);
 

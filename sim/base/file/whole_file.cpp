@@ -65,6 +65,7 @@ WholeFile::WholeFile(const std::string& target, bool overwrite, Leftovers leftov
     descriptor = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0 && errno != EEXIST) throw unwritable(target_, errno);
   }
+  keep_unfinished(temporary_);
   if (old_permissions != 0)
     ::fchmod(descriptor, old_permissions);  // a private file stays private; else as umask has it
   lock_ = PartialLock(descriptor);
@@ -73,6 +74,7 @@ WholeFile::WholeFile(const std::string& target, bool overwrite, Leftovers leftov
 WholeFile::~WholeFile() {
   lock_.release();  // before the file goes: network file systems keep what is open under yet another name
   if (!committed_) ::unlink(temporary_.c_str());
+  forget_unfinished(temporary_);
 }
 
 void WholeFile::write(std::string_view bytes) {

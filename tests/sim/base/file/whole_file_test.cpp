@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "sim/base/file/durable_rename.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/temporary_folder.h"
@@ -25,6 +26,17 @@ TEST(WholeFile, WritesExactlyTheBytesAndNothingBeside) {
   write_whole(folder / "a.bin", bytes);
   EXPECT_EQ(bytes_of(folder / "a.bin"), bytes);
   EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(WholeFile, OfAProgramThatEndsAtOnceTheUnfinishedAreDeletedAndNoOthers) {
+  TemporaryFolder folder;
+  WholeFile finished(folder / "finished"), unfinished(folder / "unfinished");
+  { WholeFile given_up(folder / "given up"); }
+  finished.commit();
+  EXPECT_EQ(folder.entries(), 2);
+  delete_unfinished_files();
+  EXPECT_EQ(folder.entries(), 1);
+  EXPECT_TRUE(std::filesystem::exists(folder / "finished"));
 }
 
 TEST(WholeFile, TheTargetIsAbsentUntilCommit) {
