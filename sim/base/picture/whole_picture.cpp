@@ -1,8 +1,13 @@
 #include "sim/base/picture/whole_picture.h"
 
+#include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "sim/base/error.h"
+#include "sim/base/picture/pixel_limit.h"
 
 namespace vegard::sim {
 namespace {
@@ -31,7 +36,102 @@ std::uint32_t checksum(std::string_view bytes) {
   return ~crc;
 }
 
+class ExrHeaders {
+ public:
+  ExrHeaders(std::string_view beginning, std::size_t file_bytes, const std::string& file)
+      : bytes_(beginning), file_bytes_(file_bytes), file_(file) {}
+
+  ExrSize size_of_first() {
+    constexpr std::size_t kVersion = 4, kFirst = 8;
+    constexpr std::uint32_t kSeveralParts = 0x1000;
+    ExrSize first;
+    if (bytes_.size() < kFirst) refuse_end();
+    at_ = kFirst;
+    const bool several = (little_word_at(kVersion) & kSeveralParts) != 0;
+    do {
+      header();
+      // What is read is the first part, but all of them are opened.
+      if (first.width == 0 && first.height == 0) first = size_;
+    } while (several && at_ < bytes_.size() && bytes_[at_] != '\0');
+    return first;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& problem) const {
+    ErrorDetails details;
+    details.file = file_;
+    details.problem = problem;
+    details.hint = "copy it again from where it came";
+    throw Error(ErrorKind::unreadable_input, details);
+  }
+
+  [[noreturn]] void refuse_end() const {
+    if (bytes_.size() < file_bytes_) refuse("the file is damaged: an EXR with a header of many megabytes");
+    refuse("the file is truncated: it ends inside the EXR header");
+  }
+
+  std::uint32_t little_word_at(std::size_t at) const {
+    return byte_at(bytes_, at + 3) << 24 | byte_at(bytes_, at + 2) << 16 | byte_at(bytes_, at + 1) << 8 |
+           byte_at(bytes_, at);
+  }
+  long long signed_at(std::size_t at) const { return static_cast<std::int32_t>(little_word_at(at)); }
+
+  std::string_view word() {
+    const std::size_t end = bytes_.find('\0', std::min(at_, bytes_.size()));
+    if (end == std::string_view::npos) refuse_end();
+    const std::string_view text = bytes_.substr(at_, end - at_);
+    at_ = end + 1;
+    return text;
+  }
+
+  void header() {
+    bool sized = false;
+    std::optional<std::pair<long long, long long>> tile;
+    long long chunks = 0;
+    while (true) {
+      const std::string_view name = word();
+      if (name.empty()) break;
+      const std::string_view type = word();
+      if (at_ + 4 > bytes_.size()) refuse_end();
+      const std::size_t size = little_word_at(at_);
+      at_ += 4;
+      if (size > file_bytes_ - at_) refuse("the file is truncated: it ends inside the EXR header");
+      if (size > bytes_.size() - at_) refuse_end();
+      if (name == "dataWindow" && type == "box2i" && size == 16) {
+        if (sized) refuse("the file is damaged: an EXR that says its size twice");
+        size_ = {signed_at(at_ + 8) - signed_at(at_) + 1, signed_at(at_ + 12) - signed_at(at_ + 4) + 1};
+        sized = true;
+      } else if (name == "tiles" && size >= 8) {
+        tile = {little_word_at(at_), little_word_at(at_ + 4)};
+      } else if (name == "chunkCount" && size == 4) {
+        chunks = signed_at(at_);
+      }
+      at_ += size;
+    }
+    if (!sized) refuse("the file is damaged: an EXR that does not say its size");
+    check_pixel_limit(size_.width, size_.height, file_);
+    if (tile) {
+      check_pixel_limit(tile->first, tile->second, file_);
+      chunks =
+          std::max(chunks, ((size_.width - 1) / tile->first + 1) * ((size_.height - 1) / tile->second + 1));
+    }
+    // Of each chunk its place is listed in eight bytes.
+    if (chunks < 0 || chunks > static_cast<long long>((file_bytes_ - at_) / 8))
+      refuse("the file is truncated: its list of EXR chunks reaches beyond the end");
+  }
+
+  std::string_view bytes_;
+  std::size_t file_bytes_;
+  const std::string& file_;
+  std::size_t at_ = 0;
+  ExrSize size_;
+};
+
 }  // namespace
+
+ExrSize check_exr_header(std::string_view beginning, std::size_t file_bytes, const std::string& file) {
+  return ExrHeaders(beginning, file_bytes, file).size_of_first();
+}
 
 bool png_is_whole(std::string_view bytes) {
   constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);

@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <cassert>
+#include <filesystem>
 #include <set>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
+#include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/base/picture/image_io/library.h"
 #include "sim/base/picture/image_io/words.h"
+#include "sim/base/picture/whole_picture.h"
 
 namespace vegard::sim {
 
@@ -62,6 +66,9 @@ void write_exr(const std::string& path, const Image& image, const ImageAttribute
 
 namespace {
 
+/// By its first bytes; of what is none the library says that.
+bool is_exr(std::string_view bytes) { return bytes.substr(0, 4) == "\x76\x2f\x31\x01"; }
+
 /// `memory`: the bytes, if they are not to be read from `path`.
 ExrFile read(const std::string& path, OIIO::Filesystem::IOProxy* memory) {
   const auto unreadable = [&](const std::string& problem) {
@@ -103,14 +110,25 @@ ExrFile read(const std::string& path, OIIO::Filesystem::IOProxy* memory) {
 
 }  // namespace
 
+void check_exr_file(const std::string& path) {
+  check_is_file(path);
+  const InputFile beginning = read_beginning(path, kMostTextBytes);
+  if (!beginning.problem.empty()) throw failure(ErrorKind::unreadable_input, path, beginning.problem);
+  std::error_code gone;
+  const std::uintmax_t size = std::filesystem::file_size(path, gone);
+  if (gone) throw failure(ErrorKind::unreadable_input, path, gone.message());
+  if (is_exr(beginning.bytes)) check_exr_header(beginning.bytes, static_cast<std::size_t>(size), path);
+}
+
 ExrFile read_exr(const std::string& path) {
   configure_library();
-  check_is_file(path);
+  check_exr_file(path);
   return read(path, nullptr);
 }
 
 ExrFile read_exr_bytes(std::string_view bytes, const std::string& name) {
   configure_library();
+  if (is_exr(bytes)) check_exr_header(bytes, bytes.size(), name);
   OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
   return read(name, &memory);
 }

@@ -23,6 +23,9 @@ Error failure(ErrorKind kind, const std::string& name, std::string problem, std:
 /// Throws Error(unreadable_input) unless the path leads to a file.
 void check_is_file(const std::string& path);
 
+/// The same of an EXR whose header promises what it does not hold: check_exr_header().
+void check_exr_file(const std::string& path);
+
 /// Throws Error(unreadable_input) for an image without pixels, or of more than 2^30 numbers (4 GiB of
 /// floats).
 void check_size(const OIIO::ImageSpec& spec, const std::string& path);

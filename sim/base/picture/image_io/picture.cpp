@@ -102,6 +102,7 @@ PictureFile read_picture(const std::string& path) {
   } catch (const Error& error) {
     throw unreadable(error.details().problem, error.details().expected);
   }
+  if (format == ImageFormat::exr) check_exr_file(path);
   if (!is_whole(path, format)) throw unreadable("is truncated, damaged or not what its name says");
   const std::map<ImageFormat, std::string> decoders = {{ImageFormat::exr, "openexr"},
                                                        {ImageFormat::png, "png"},

@@ -2,12 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "sim/base/picture/image_io.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace vegard::sim::whole_picture_test {
 namespace {
+
+using tests::TemporaryFolder;
 
 std::string encoded(ImageFormat format) {
   Image image(40, 30, {"R", "G", "B"});
@@ -35,6 +42,35 @@ TEST(WholePicture, APngWithAChangedByteIsNot) {
     EXPECT_FALSE(png_is_whole(png)) << at;
     png[at] ^= 0x10;
   }
+}
+
+TEST(WholePicture, AnExrsHeaderPromisesNoMoreThanTheFileHolds) {
+  const Image image(40, 30, {"R", "G", "B"});
+  const std::string exr = encode_exr({&image}, {{"scene", "seed = 1"}}, "it.exr");
+  const ExrSize size = check_exr_header(exr, exr.size(), "it.exr");
+  EXPECT_EQ(size.width, 40);
+  EXPECT_EQ(size.height, 30);
+  const auto refused = [](const std::string& beginning, std::size_t file_bytes) {
+    return tests::expect_error(ErrorKind::unreadable_input,
+                               [&] { check_exr_header(beginning, file_bytes, "it.exr"); });
+  };
+  // Of the strings in it one of almost two gigabytes: OpenEXR 3.1 would make room for it.
+  std::string lies = exr;
+  const std::size_t string = lies.find(std::string_view("string\0", 7));
+  ASSERT_NE(string, std::string::npos);
+  lies.replace(string + 7, 4, std::string_view("\0\x13\0\x6c", 4));
+  EXPECT_NE(refused(lies, lies.size()).find("ends inside the EXR header"), std::string::npos);
+  const TemporaryFolder folder;
+  tests::put(folder / "it.exr", lies);
+  for (const auto& read : std::vector<std::function<void()>>{[&] { read_picture(folder / "it.exr"); },
+                                                             [&] { read_exr(folder / "it.exr"); },
+                                                             [&] { read_exr_bytes(lies, "it.exr"); }}) {
+    const std::string words = tests::expect_error(ErrorKind::unreadable_input, read);
+    EXPECT_NE(words.find("ends inside the EXR header"), std::string::npos) << words;
+  }
+  // It may end beyond what is looked at only where there is more of the file.
+  EXPECT_NE(refused(exr.substr(0, 100), exr.size()).find("header of many megabytes"), std::string::npos);
+  EXPECT_NE(refused(exr.substr(0, 100), 100).find("ends inside the EXR header"), std::string::npos);
 }
 
 TEST(WholePicture, TheEndOfASmallPictureInsideIsNotTheEnd) {
