@@ -336,6 +336,37 @@ TEST(FitsIo, PromisesAreRefusedBeforeMemoryIsAskedFor) {
   EXPECT_NE(unreadable(tests::fits_header(16, {10000, 10000})).find("truncated"), std::string::npos);
 }
 
+TEST(FitsIo, ASizeThatIsNoNumberIsRefusedInEveryHeader) {
+  const std::string image = fits_image(16, {4, 2}, {1, 2, 3, 4, 5, 6, 7, 8});
+  const auto with = [](std::string bytes, const std::string& key, const std::string& value) {
+    const std::size_t card = bytes.rfind(key + std::string(8 - key.size(), ' ') + "=");
+    EXPECT_NE(card, std::string::npos) << key;
+    return bytes.replace(card + 10, 70, value + std::string(70 - value.size(), ' '));
+  };
+  for (const std::string key : {"BITPIX", "NAXIS", "NAXIS1", "NAXIS2"}) {
+    EXPECT_NE(unreadable(with(image, key, "'          2")).find(key + " is no whole number"),
+              std::string::npos);
+    EXPECT_NE(unreadable(with(image, key, "")).find(key + " is no whole number"), std::string::npos);
+  }
+  EXPECT_EQ(read(with(image, "NAXIS2", "+2 / rows")).image.height, 2);
+
+  // In the second header, behind data.
+  const std::string table = written([](fitsfile* file, int* status) {
+    LONGLONG lengths[2] = {4, 2};
+    fits_create_imgll(file, SHORT_IMG, 2, lengths, status);
+    char* names[1] = {const_cast<char*>("x")};
+    char* forms[1] = {const_cast<char*>("1J")};
+    fits_create_tbl(file, BINARY_TBL, 3, 1, names, forms, nullptr, nullptr, status);
+  });
+  EXPECT_EQ(read_fits_table(table, "stars.corr").columns.at("x").size(), 3u);
+  for (const std::string key : {"NAXIS2", "PCOUNT", "GCOUNT", "TFIELDS"}) {
+    const std::string words = tests::expect_error(ErrorKind::unreadable_input, [&] {
+      read_fits_table(with(table, key, "'          2"), "stars.corr");
+    });
+    EXPECT_NE(words.find(key + " is no whole number"), std::string::npos) << words;
+  }
+}
+
 TEST(FitsIo, WhatIsNoFitsImageIsRefused) {
   EXPECT_NE(unreadable("").find("no FITS"), std::string::npos);
   EXPECT_NE(unreadable(tests::fits_header(16, {})).find("no image"), std::string::npos);
