@@ -76,13 +76,15 @@ class CurveFit {
     std::vector<Observation> first;
     first.push_back(observed(scene_, as_srgb_, options_.threads));
     first_ = &first.front();
-    const SearchOutcome searched =
-        search_outcome_of(recorded_step(options_.journal, "the whole search as sRGB", log_, trace_, [&] {
-          return output_of(
-              search(scene_, free_,
-                     {cost_terms(first, free_, Detail::coarse), cost_terms(first, free_, Detail::full)},
-                     options_, log_, trace_));
-        }));
+    const SearchOutcome searched = search_outcome_of(
+        recorded_step(options_.journal, "the whole search as sRGB", free_.size(), log_, trace_,
+                      [&] {
+                        return output_of(search(scene_, free_,
+                                                {cost_terms(first, free_, Detail::coarse),
+                                                 cost_terms(first, free_, Detail::full)},
+                                                options_, log_, trace_));
+                      }),
+        free_.size());
     start_ = searched.best.values;
     if (std::isfinite(searched.best.chi2))
       weight_ = std::sqrt(together_at(first.front(), start_, photo.unknowns));
@@ -130,9 +132,10 @@ class CurveFit {
     sim::Scene there = scene_;
     ParameterMap(scene_, free_).put(from, there);
     const ProfileCost cost(free_, terms, log_, {{}, {}, {}, weight_, phase_anchors(there, free_, from)});
-    return descent_of(recorded_step(options_.journal, stage, log_, trace_, [&] {
-      return output_of(descend(cost, from, kCurveIterations, stage, log_, trace_));
-    }));
+    return descent_of(
+        recorded_step(options_.journal, stage, free_.size(), log_, trace_,
+                      [&] { return output_of(descend(cost, from, kCurveIterations, stage, log_, trace_)); }),
+        free_.size());
   }
 
   sim::CurveTrial trial(const std::vector<double>& at, const std::vector<double>& from) {

@@ -220,10 +220,14 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
   const SearchOutcome outcome =
       curve != nullptr
           ? curve->outcome
-          : search_outcome_of(recorded_step(options.journal, "the whole search", log, r.trace, [&] {
-              return output_of(search(scene, free, {cost_terms(observations, free, Detail::coarse), full},
-                                      options, log, r.trace));
-            }));
+          : search_outcome_of(
+                recorded_step(options.journal, "the whole search", free.size(), log, r.trace,
+                              [&] {
+                                return output_of(search(
+                                    scene, free, {cost_terms(observations, free, Detail::coarse), full},
+                                    options, log, r.trace));
+                              }),
+                free.size());
   r.chi2_initial = outcome.chi2_initial;
   r.termination = outcome.best.termination;
   Descent best = outcome.best;
@@ -281,7 +285,7 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
   NullJournal nowhere;
   Journal& journal = options.journal != nullptr ? *options.journal : nowhere;
   const Uncertainty u = evidence.stopped ? no_uncertainty(n, r.error_inflation)
-                                         : uncertainty_of(journal.step("error bars", error_bars));
+                                         : uncertainty_of(journal.step("error bars", error_bars), n);
 
   const ValueUncertainty known = put_parameters(scene, free, values, u, evidence.stopped, r);
   std::vector<double> tidied;

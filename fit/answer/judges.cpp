@@ -69,7 +69,7 @@ void judge_error_bars(const JudgedFit& fit, const FitOptions& options, Journal& 
         return interval;
       });
       if (cut_short()) return;
-      intervals.push_back(in_values(likelihood_profile_of(output), telling));
+      intervals.push_back(in_values(likelihood_profile_of(output, n), telling));
     }
     r.profile_intervals = std::move(intervals);
   }
@@ -83,7 +83,7 @@ void judge_error_bars(const JudgedFit& fit, const FitOptions& options, Journal& 
           return bootstrap;
         });
     if (cut_short()) return;
-    r.bootstrap = in_values(band_bootstrap_of(output), telling);
+    r.bootstrap = in_values(band_bootstrap_of(output, n), telling);
   }
   if (options.mcmc > 0) {
     const sim::EnsembleState state = chain_of_fit(

@@ -190,6 +190,7 @@ void FileJournal::read_steps(const std::string& bytes, std::size_t begin) {
                      (text ? " is no step of this version" : " does not have the checksum that it gives");
       return;
     }
+    step->second.kept_in = file_ + " (" + step->first + ")";
     steps_.insert(std::move(*step));
     begin = line + 1;
   }

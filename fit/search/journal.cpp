@@ -1,8 +1,49 @@
 #include "fit/search/journal.h"
 
 #include <cassert>
+#include <cmath>
+
+#include "sim/base/error.h"
 
 namespace vegard::fit {
+
+void StepOutput::refuse(const std::string& key) const {
+  sim::ErrorDetails details;
+  details.file = kept_in;
+  details.key = key;
+  details.problem = "a finished step of the fit does not have what belongs there";
+  details.hint = "use --overwrite without --resume to begin anew";
+  throw sim::Error(sim::ErrorKind::existing_output, details);
+}
+
+const std::vector<double>& StepOutput::numbers_at(const std::string& key) const {
+  const auto found = numbers.find(key);
+  if (found == numbers.end()) refuse(key);
+  return found->second;
+}
+
+const std::vector<double>& StepOutput::numbers_at(const std::string& key, std::size_t count) const {
+  const std::vector<double>& found = numbers_at(key);
+  if (found.size() != count) refuse(key);
+  return found;
+}
+
+const std::string& StepOutput::words_at(const std::string& key) const {
+  const auto found = words.find(key);
+  if (found == words.end()) refuse(key);
+  return found->second;
+}
+
+bool StepOutput::flag_at(const std::string& key) const {
+  const auto found = flags.find(key);
+  if (found == flags.end()) refuse(key);
+  return found->second;
+}
+
+std::size_t StepOutput::count_of(double number, const std::string& key, std::size_t most) const {
+  if (!(number >= 0.0 && number <= static_cast<double>(most)) || number != std::floor(number)) refuse(key);
+  return static_cast<std::size_t>(number);
+}
 
 StepOutput Journal::step(const std::string& name, const std::function<StepOutput()>& work) {
   const bool first = asked_.insert(name).second;
@@ -14,7 +55,7 @@ StepOutput Journal::step(const std::string& name, const std::function<StepOutput
   return output;
 }
 
-StepOutput recorded_step(Journal* journal, const std::string& name, EvaluationLog& log,
+StepOutput recorded_step(Journal* journal, const std::string& name, std::size_t free, EvaluationLog& log,
                          std::vector<TraceRow>& trace, const std::function<StepOutput()>& work) {
   const std::size_t rows_before = trace.size();
   bool worked = false;
@@ -28,6 +69,10 @@ StepOutput recorded_step(Journal* journal, const std::string& name, EvaluationLo
   };
   StepOutput output = journal == nullptr ? with_books() : journal->step(name, with_books);
   if (!worked) {
+    for (const TraceRow& row : output.trace)
+      if (row.values.size() != free) output.refuse("trace");
+    const std::size_t best = output.books.best_values.size();
+    if (best != free && best != 0) output.refuse("books");
     trace.insert(trace.end(), output.trace.begin(), output.trace.end());
     log.residuals = output.books.residuals;
     log.jacobians = output.books.jacobians;
@@ -47,13 +92,14 @@ StepOutput output_of(const Descent& descent) {
   return output;
 }
 
-Descent descent_of(const StepOutput& output) {
+Descent descent_of(const StepOutput& output, std::size_t free) {
   Descent descent;
-  descent.values = output.numbers.at("values");
-  descent.chi2 = output.numbers.at("chi2").at(0);
-  descent.chi2_initial = output.numbers.at("chi2").at(1);
-  descent.converged = output.flags.at("converged");
-  descent.termination = output.words.at("termination");
+  descent.values = output.numbers_at("values", free);
+  const std::vector<double>& chi2 = output.numbers_at("chi2", 2);
+  descent.chi2 = chi2[0];
+  descent.chi2_initial = chi2[1];
+  descent.converged = output.flag_at("converged");
+  descent.termination = output.words_at("termination");
   return descent;
 }
 

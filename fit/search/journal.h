@@ -28,7 +28,21 @@ struct StepOutput {
     bool best_is_full = false;
     std::vector<double> best_values;
   } books;
-  bool whole = true;  ///< false: the user cut it short. Such an output is handed on and never stored
+  bool whole = true;    ///< false: the user cut it short. Such an output is handed on and never stored
+  std::string kept_in;  ///< the journal that it was read from; empty of one that was just worked out
+
+  /// What is kept under a key. A line of a journal can have the right checksum and yet be no work of ours:
+  /// these throw sim::Error(existing_output), with the journal's name, if there is no such key or not `count`
+  /// numbers.
+  const std::vector<double>& numbers_at(const std::string& key) const;
+  const std::vector<double>& numbers_at(const std::string& key, std::size_t count) const;
+  double number_at(const std::string& key) const { return numbers_at(key, 1)[0]; }
+  const std::string& words_at(const std::string& key) const;
+  bool flag_at(const std::string& key) const;
+  /// A number that counts something. Throws the same of one that is no whole number from 0 to `most`.
+  std::size_t count_of(double number, const std::string& key, std::size_t most) const;
+  /// Throws that error about what is kept under the key.
+  [[noreturn]] void refuse(const std::string& key) const;
 };
 
 class Journal {
@@ -55,12 +69,13 @@ class NullJournal final : public Journal {
 
 /// A step that evaluates: `work` counts in `log` and writes into `trace`. Both are afterwards as if the work
 /// had been done now, wherever the output comes from; `work` need not fill in the output's trace and books.
-/// While log.stop is raised nothing is stored. Without a journal (null) the work is done.
-StepOutput recorded_step(Journal* journal, const std::string& name, EvaluationLog& log,
+/// While log.stop is raised nothing is stored. Without a journal (null) the work is done. Points in the books
+/// and the trace have `free` numbers, or the journal is refused as StepOutput::refuse() does.
+StepOutput recorded_step(Journal* journal, const std::string& name, std::size_t free, EvaluationLog& log,
                          std::vector<TraceRow>& trace, const std::function<StepOutput()>& work);
 
-/// A descent as a step's output, and back.
+/// A descent as a step's output, and back: its values are `free` numbers.
 StepOutput output_of(const Descent& descent);
-Descent descent_of(const StepOutput& output);
+Descent descent_of(const StepOutput& output, std::size_t free);
 
 }  // namespace vegard::fit

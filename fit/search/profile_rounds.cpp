@@ -100,11 +100,12 @@ StepOutput output_of_round(const Settled& settled, bool went_on) {
   return output;
 }
 
-void take(const StepOutput& output, Settled& settled) {
-  settled.descent = descent_of(output);
-  settled.prior.smoothness = output.numbers.at("smoothness");
-  settled.inflation = output.numbers.at("inflation, determined").at(0);
-  settled.determined = output.numbers.at("inflation, determined").at(1);
+void take(const StepOutput& output, std::size_t free, Settled& settled) {
+  settled.descent = descent_of(output, free);
+  settled.prior.smoothness = output.numbers_at("smoothness", settled.prior.smoothness.size());
+  const std::vector<double>& found = output.numbers_at("inflation, determined", 2);
+  settled.inflation = found[0];
+  settled.determined = found[1];
 }
 
 }  // namespace
@@ -123,13 +124,13 @@ Settled settle(const sim::Scene& scene, const std::vector<FreeNumber>& free,
   int unknowns = static_cast<int>(free.size());
   for (const CostTerm& term : terms) unknowns += term.comparison->coefficients();
   for (int round = 0; round < kRounds && !log.exhausted(); ++round) {
-    const StepOutput output = recorded_step(journal, stage_of(round), log, trace, [&] {
+    const StepOutput output = recorded_step(journal, stage_of(round), free.size(), log, trace, [&] {
       Settled next = settled;
       const bool went_on = another_round(scene, free, terms, round, unknowns, next, log, trace);
       return output_of_round(next, went_on);
     });
-    take(output, settled);
-    if (!output.flags.at("went on")) break;
+    take(output, free.size(), settled);
+    if (!output.flag_at("went on")) break;
   }
   return settled;
 }

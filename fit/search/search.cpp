@@ -53,10 +53,12 @@ StepOutput output_of(const std::vector<Trial>& trials) {
   return output;
 }
 
-std::vector<Trial> trials_of(const StepOutput& output) {
+std::vector<Trial> trials_of(const StepOutput& output, std::size_t free) {
   std::vector<Trial> trials;
-  for (const auto& [name, numbers] : output.numbers)
+  for (const auto& [name, numbers] : output.numbers) {
+    if (numbers.size() != free + 1) output.refuse(name);
     trials.push_back({Values(numbers.begin(), numbers.end() - 1), numbers.back()});
+  }
   return trials;
 }
 
@@ -127,11 +129,11 @@ class Search {
     std::vector<Trial> ends = {tried(start)};
     if (scene_.fit.scan_points > 0 && !searched_.empty()) {
       const Trial straight =
-          trials_step("overall", [&] { return std::vector<Trial>{overall(ends.front())}; }).front();
-      std::vector<Trial> trials = trials_step("course", [&] { return by_course(straight); });
-      if (trials.empty()) trials = trials_step("scan", [&] { return scan(straight); });
+          trials_step("overall", 1, [&] { return std::vector<Trial>{overall(ends.front())}; }).front();
+      std::vector<Trial> trials = trials_step("course", 0, [&] { return by_course(straight); });
+      if (trials.empty()) trials = trials_step("scan", 0, [&] { return scan(straight); });
       if (has_movable_footprint(free_))
-        for (Trial& trial : trials_step("volumes", [&] { return other_footprints(straight); }))
+        for (Trial& trial : trials_step("volumes", 0, [&] { return other_footprints(straight); }))
           trials.push_back(std::move(trial));
       trials.push_back(ends.front());  // whoever starts close is not to be led away
       sort(trials);
@@ -148,11 +150,15 @@ class Search {
                               spline_prior(scene_, free_, first_smoothness(scene_)),
                               kFirstPriorWeight,
                               anchors(free_, {}, ends[i].values)});
-      polished.push_back(descent_of(recorded_step(options_.journal, stage, log_, trace_, [&] {
-        const Descent end = descend(cost, ends[i].values, kLongDescent, stage, log_, trace_);
-        note(end.values, end.chi2, true);
-        return output_of(end);
-      })));
+      polished.push_back(descent_of(recorded_step(options_.journal, stage, free_.size(), log_, trace_,
+                                                  [&] {
+                                                    const Descent end =
+                                                        descend(cost, ends[i].values, kLongDescent, stage,
+                                                                log_, trace_);
+                                                    note(end.values, end.chi2, true);
+                                                    return output_of(end);
+                                                  }),
+                                    free_.size()));
     }
     const auto better = [](const Descent& a, const Descent& b) { return a.chi2 < b.chi2; };
     std::stable_sort(polished.begin(), polished.end(), better);
@@ -168,9 +174,14 @@ class Search {
     return options;
   }
 
-  /// Trials found by a step of the journal.
-  std::vector<Trial> trials_step(const std::string& name, const std::function<std::vector<Trial>()>& work) {
-    return trials_of(recorded_step(options_.journal, name, log_, trace_, [&] { return output_of(work()); }));
+  /// Trials found by a step of the journal, so many or more.
+  std::vector<Trial> trials_step(const std::string& name, std::size_t least,
+                                 const std::function<std::vector<Trial>()>& work) {
+    const StepOutput output =
+        recorded_step(options_.journal, name, free_.size(), log_, trace_, [&] { return output_of(work()); });
+    std::vector<Trial> trials = trials_of(output, free_.size());
+    if (trials.size() < least) output.refuse("trial");
+    return trials;
   }
 
   void tell(const std::string& stage, double share) const {
@@ -506,7 +517,7 @@ class Search {
     for (std::size_t i = 0; i < starts.size() && !log_.exhausted(); ++i) {
       tell(stage + " " + std::to_string(i + 1), 0.4 + 0.4 * static_cast<double>(i) / starts.size());
       const std::string name = stage + " " + std::to_string(i + 1);
-      ends.push_back(trials_step(name, [&] {
+      ends.push_back(trials_step(name, 1, [&] {
                        const Trial end = partial_descent(starts[i], searched_, stage);
                        record(end, name);
                        return std::vector<Trial>{end};

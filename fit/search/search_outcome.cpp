@@ -22,19 +22,20 @@ StepOutput output_of(const SearchOutcome& outcome) {
   return output;
 }
 
-SearchOutcome search_outcome_of(const StepOutput& output) {
+SearchOutcome search_outcome_of(const StepOutput& output, std::size_t free) {
   SearchOutcome outcome;
-  outcome.best = descent_of(output);
-  outcome.chi2_initial = output.numbers.at("chi2 at the start").at(0);
-  const auto others = static_cast<std::size_t>(output.numbers.at("others").at(0));
+  outcome.best = descent_of(output, free);
+  outcome.chi2_initial = output.number_at("chi2 at the start");
+  const auto others = output.count_of(output.number_at("others"), "others", output.numbers.size());
   // A descent's keys, from the best's.
   const StepOutput keys = output_of(outcome.best);
   for (std::size_t i = 0; i < others; ++i) {
     StepOutput other;
-    for (const auto& [key, values] : keys.numbers) other.numbers[key] = output.numbers.at(named(key, i));
-    for (const auto& [key, words] : keys.words) other.words[key] = output.words.at(named(key, i));
-    for (const auto& [key, flag] : keys.flags) other.flags[key] = output.flags.at(named(key, i));
-    outcome.others.push_back(descent_of(other));
+    other.kept_in = output.kept_in;
+    for (const auto& [key, values] : keys.numbers) other.numbers[key] = output.numbers_at(named(key, i));
+    for (const auto& [key, words] : keys.words) other.words[key] = output.words_at(named(key, i));
+    for (const auto& [key, flag] : keys.flags) other.flags[key] = output.flag_at(named(key, i));
+    outcome.others.push_back(descent_of(other, free));
   }
   return outcome;
 }

@@ -15,6 +15,6 @@ struct SearchOutcome {
 
 /// As the output of a step, and back.
 StepOutput output_of(const SearchOutcome& outcome);
-SearchOutcome search_outcome_of(const StepOutput& output);
+SearchOutcome search_outcome_of(const StepOutput& output, std::size_t free);
 
 }  // namespace vegard::fit

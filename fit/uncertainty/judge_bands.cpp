@@ -10,6 +10,8 @@
 namespace vegard::fit {
 namespace {
 
+constexpr std::size_t kMostCounted = 1'000'000'000;  // of what an int counts
+
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Band of every residual of the photographs.
@@ -100,13 +102,14 @@ StepOutput output_of(const BandBootstrap& bootstrap) {
   return output;
 }
 
-BandBootstrap band_bootstrap_of(const StepOutput& output) {
+BandBootstrap band_bootstrap_of(const StepOutput& output, std::size_t free) {
   BandBootstrap bootstrap;
-  const std::vector<double>& counts = output.numbers.at("bands, replicates, failed");
-  bootstrap.bands = static_cast<int>(counts.at(0));
-  bootstrap.replicates = static_cast<int>(counts.at(1));
-  bootstrap.failed = static_cast<int>(counts.at(2));
-  bootstrap.samples = output.numbers.at("samples");
+  const std::string key = "bands, replicates, failed";
+  const std::vector<double>& counts = output.numbers_at(key, 3);
+  bootstrap.bands = static_cast<int>(output.count_of(counts[0], key, kMostCounted));
+  bootstrap.replicates = static_cast<int>(output.count_of(counts[1], key, kMostCounted));
+  bootstrap.failed = static_cast<int>(output.count_of(counts[2], key, kMostCounted));
+  bootstrap.samples = output.numbers_at("samples", free * static_cast<std::size_t>(bootstrap.replicates));
   return bootstrap;
 }
 

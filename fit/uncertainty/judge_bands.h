@@ -20,6 +20,6 @@ BandBootstrap bootstrap_of_fit(const JudgedFit& fit, int replicates, int threads
 
 /// As a step's output, and back: samples and counts.
 StepOutput output_of(const BandBootstrap& bootstrap);
-BandBootstrap band_bootstrap_of(const StepOutput& output);
+BandBootstrap band_bootstrap_of(const StepOutput& output, std::size_t free);
 
 }  // namespace vegard::fit

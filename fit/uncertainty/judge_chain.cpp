@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -97,18 +98,34 @@ StepOutput output_of(const sim::EnsembleState& state, std::size_t chain_before) 
   return output;
 }
 
-void take(const StepOutput& output, sim::EnsembleState& state) {
-  const std::vector<double>& counts = output.numbers.at("counts");
-  state.coordinates = static_cast<std::size_t>(counts.at(0));
-  state.step = static_cast<int>(counts.at(1));
-  state.next_walker = static_cast<int>(counts.at(2));
-  state.proposed = static_cast<std::int64_t>(counts.at(3));
-  state.accepted = static_cast<std::int64_t>(counts.at(4));
-  state.place = output.numbers.at("place");
-  state.density = output.numbers.at("density");
-  const std::vector<double>& added = output.numbers.at("chain");
+/// What a batch up to the step options.burn_in + options.steps has come to.
+void take(const StepOutput& output, std::size_t coordinates, const sim::EnsembleOptions& options,
+          sim::EnsembleState& state) {
+  const auto walkers = static_cast<std::size_t>(options.walkers);
+  const std::vector<double>& counts = output.numbers_at("counts", 5);
+  const auto count = [&](std::size_t which, std::size_t most) {
+    return output.count_of(counts[which], "counts", most);
+  };
+  if (counts[0] != static_cast<double>(coordinates)) output.refuse("counts");
+  const int steps_before = std::max(0, state.step - options.burn_in);
+  state.coordinates = coordinates;
+  state.step = static_cast<int>(count(1, static_cast<std::size_t>(options.burn_in + options.steps)));
+  state.next_walker = static_cast<int>(count(2, walkers));
+  state.proposed = static_cast<std::int64_t>(count(3, std::numeric_limits<std::uint32_t>::max()));
+  state.accepted = static_cast<std::int64_t>(count(4, std::numeric_limits<std::uint32_t>::max()));
+  state.no_start = output.flag_at("no start");
+  state.density = output.numbers_at("density");
+  // A batch that is whole has placed all walkers, or has found no place for one of them.
+  if (output.whole && !state.no_start && coordinates > 0 &&
+      (state.density.size() != walkers || state.next_walker != 0 ||
+       state.step != options.burn_in + options.steps))
+    output.refuse("counts");
+  state.place = output.numbers_at("place", coordinates * state.density.size());
+  const int steps_added = std::max(0, state.step - options.burn_in) - steps_before;
+  if (steps_added < 0) output.refuse("counts");
+  const std::vector<double>& added =
+      output.numbers_at("chain", coordinates * walkers * static_cast<std::size_t>(steps_added));
   state.chain.insert(state.chain.end(), added.begin(), added.end());
-  state.no_start = output.flags.at("no start");
 }
 
 }  // namespace
@@ -122,6 +139,7 @@ sim::EnsembleState chain_of_fit(const JudgedFit& fit, int steps, const std::atom
   const std::vector<double> centre = fit.coordinates();
   const auto stopped = [&] { return stop != nullptr && stop->load(); };
   sim::EnsembleOptions options;
+  options.walkers = 4 * static_cast<int>(centre.size());  // as many as it takes by itself
   options.burn_in = burn_in_of_chain(steps);
   options.seed = fit.scene.seed;
   options.stop = stop;
@@ -142,7 +160,7 @@ sim::EnsembleState chain_of_fit(const JudgedFit& fit, int steps, const std::atom
       batch.whole = !stopped();
       return batch;
     });
-    take(output, state);
+    take(output, centre.size(), options, state);
   }
   return state;
 }

@@ -180,23 +180,25 @@ StepOutput output_of(const LikelihoodProfile& profile) {
   return output;
 }
 
-LikelihoodProfile likelihood_profile_of(const StepOutput& output) {
+LikelihoodProfile likelihood_profile_of(const StepOutput& output, std::size_t free) {
   LikelihoodProfile profile;
-  profile.coordinate = static_cast<std::size_t>(output.numbers.at("coordinate").at(0));
-  const std::vector<double>& ends = output.numbers.at("ends");
-  profile.interval68 = {end_of(ends.at(0)), end_of(ends.at(1))};
-  profile.interval95 = {end_of(ends.at(2)), end_of(ends.at(3))};
-  const std::vector<double>&fixed = output.numbers.at("fixed"), &rise = output.numbers.at("rise"),
-        &points = output.numbers.at("points");
-  const std::size_t n = points.size() / fixed.size();
+  profile.coordinate = output.count_of(output.number_at("coordinate"), "coordinate", free - 1);
+  const std::vector<double>& ends = output.numbers_at("ends", 4);
+  profile.interval68 = {end_of(ends[0]), end_of(ends[1])};
+  profile.interval95 = {end_of(ends[2]), end_of(ends[3])};
+  const std::vector<double>& fixed = output.numbers_at("fixed");
+  const std::vector<double>& rise = output.numbers_at("rise", fixed.size());
+  const std::vector<double>& points = output.numbers_at("points", free * fixed.size());
   for (std::size_t i = 0; i < fixed.size(); ++i)
     profile.path.push_back({fixed[i],
-                            rise.at(i),
-                            {points.begin() + static_cast<std::ptrdiff_t>(i * n),
-                             points.begin() + static_cast<std::ptrdiff_t>((i + 1) * n)}});
-  if (output.flags.at("better"))
-    profile.better = ProfilePoint{output.numbers.at("better").at(0), output.numbers.at("better").at(1), {}};
-  profile.whole = output.flags.at("whole");
+                            rise[i],
+                            {points.begin() + static_cast<std::ptrdiff_t>(i * free),
+                             points.begin() + static_cast<std::ptrdiff_t>((i + 1) * free)}});
+  if (output.flag_at("better")) {
+    const std::vector<double>& better = output.numbers_at("better", 2);
+    profile.better = ProfilePoint{better[0], better[1], {}};
+  }
+  profile.whole = output.flag_at("whole");
   return profile;
 }
 

@@ -18,6 +18,6 @@ LikelihoodProfile interval_of_fit(const JudgedFit& fit, std::size_t j, const std
 
 /// As a step's output, and back; of `better` only its place and its rise.
 StepOutput output_of(const LikelihoodProfile& profile);
-LikelihoodProfile likelihood_profile_of(const StepOutput& output);
+LikelihoodProfile likelihood_profile_of(const StepOutput& output, std::size_t free);
 
 }  // namespace vegard::fit

@@ -111,13 +111,14 @@ StepOutput output_of(const Uncertainty& u) {
   return output;
 }
 
-Uncertainty uncertainty_of(const StepOutput& output) {
+Uncertainty uncertainty_of(const StepOutput& output, std::size_t free) {
   Uncertainty u;
-  u.sigma = output.numbers.at("sigma");
-  u.correlation = rows_of(output.numbers.at("correlation"), u.sigma.size());
-  u.covariance = rows_of(output.numbers.at("covariance"), u.sigma.size());
-  u.undetermined = rows_of(output.numbers.at("undetermined"), u.sigma.size());
-  u.inflation = output.numbers.at("inflation").at(0);
+  u.sigma = output.numbers_at("sigma", free);
+  u.correlation = rows_of(output.numbers_at("correlation", free * free), free);
+  u.covariance = rows_of(output.numbers_at("covariance", free * free), free);
+  u.undetermined = rows_of(output.numbers_at("undetermined"), free);
+  if (free * u.undetermined.size() != output.numbers_at("undetermined").size()) output.refuse("undetermined");
+  u.inflation = output.number_at("inflation");
   return u;
 }
 

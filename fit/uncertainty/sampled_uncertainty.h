@@ -32,6 +32,6 @@ void without_anchors(const std::vector<PhaseAnchor>& anchors, const std::vector<
 
 /// As the output of a step, and back.
 StepOutput output_of(const Uncertainty& uncertainty);
-Uncertainty uncertainty_of(const StepOutput& output);
+Uncertainty uncertainty_of(const StepOutput& output, std::size_t free);
 
 }  // namespace vegard::fit

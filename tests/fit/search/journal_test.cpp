@@ -13,6 +13,8 @@
 #include "fit/search/file_journal.h"
 #include "fit/search/search_outcome.h"
 #include "fit/search/step_record.h"
+#include "fit/uncertainty/judge_bands.h"
+#include "fit/uncertainty/judge_intervals.h"
 #include "fit/uncertainty/sampled_uncertainty.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/full_disk.h"
@@ -261,7 +263,7 @@ TEST(FileJournal, StandsBesideTheRun) {
 /// A step that counts in the log, keeps a best point and adds two rows.
 StepOutput counted(fit::EvaluationLog& log, std::vector<fit::TraceRow>& trace, fit::Journal* journal,
                    bool* was_worked) {
-  return fit::recorded_step(journal, "descent", log, trace, [&] {
+  return fit::recorded_step(journal, "descent", 1, log, trace, [&] {
     *was_worked = true;
     for (int i = 0; i < 2; ++i) trace.push_back({"descent", ++log.residuals, 5.0 - i, {1.0 * i}});
     ++log.jacobians;
@@ -319,7 +321,7 @@ TEST(RecordedStep, ADescentComesBack) {
   descent.chi2_initial = std::numeric_limits<double>::infinity();
   descent.converged = true;
   descent.termination = "converged";
-  const fit::Descent back = fit::descent_of(fit::output_of(descent));
+  const fit::Descent back = fit::descent_of(fit::output_of(descent), 2);
   EXPECT_EQ(back.values, descent.values);
   EXPECT_EQ(back.chi2, descent.chi2);
   EXPECT_EQ(back.chi2_initial, descent.chi2_initial);
@@ -330,9 +332,9 @@ TEST(RecordedStep, ADescentComesBack) {
 TEST(StepOutputs, ASearchAndErrorBarsComeBack) {
   fit::SearchOutcome outcome;
   outcome.best = {{1.0, 2.0}, 3.0, 4.0, true, "converged"};
-  outcome.others = {{{1.5, 2.5}, 3.5, 4.5, false, "not"}, {{}, 5.0, 6.0, true, "yes"}};
+  outcome.others = {{{1.5, 2.5}, 3.5, 4.5, false, "not"}, {{-1.0, 0.5}, 5.0, 6.0, true, "yes"}};
   outcome.chi2_initial = 99.0;
-  const fit::SearchOutcome back = fit::search_outcome_of(fit::output_of(outcome));
+  const fit::SearchOutcome back = fit::search_outcome_of(fit::output_of(outcome), 2);
   EXPECT_EQ(back.chi2_initial, 99.0);
   EXPECT_EQ(back.best.values, outcome.best.values);
   ASSERT_EQ(back.others.size(), 2u);
@@ -347,14 +349,116 @@ TEST(StepOutputs, ASearchAndErrorBarsComeBack) {
   u.covariance = {{0.25, 0.1}, {0.1, 0.5}};
   u.undetermined = {{0.0, 1.0}};
   u.inflation = 1.75;
-  const fit::Uncertainty same = fit::uncertainty_of(fit::output_of(u));
+  const fit::Uncertainty same = fit::uncertainty_of(fit::output_of(u), 2);
   EXPECT_TRUE(same_bits(same.sigma, u.sigma));
   EXPECT_EQ(same.correlation, u.correlation);
   EXPECT_EQ(same.covariance, u.covariance);
   EXPECT_EQ(same.undetermined, u.undetermined);
   EXPECT_EQ(same.inflation, 1.75);
   u.undetermined.clear();
-  EXPECT_TRUE(fit::uncertainty_of(fit::output_of(u)).undetermined.empty());
+  EXPECT_TRUE(fit::uncertainty_of(fit::output_of(u), 2).undetermined.empty());
+}
+
+/// What is said of a step "descent" with the right checksum, when `read` asks for what it holds.
+std::string words_of_refusal(const StepOutput& kept, const std::function<void(const StepOutput&)>& read) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "run.part";
+  {
+    FileJournal journal(file, kSubject, JournalMode::fresh);
+    journal.step("descent", [&] { return kept; });
+  }
+  FileJournal journal(file, kSubject, JournalMode::resume);
+  EXPECT_EQ(journal.found(), 1);
+  const std::string words = expect_error(sim::ErrorKind::existing_output, [&] {
+    read(journal.step("descent", [] {
+      ADD_FAILURE() << "worked out anew";
+      return StepOutput();
+    }));
+  });
+  EXPECT_NE(words.find("run.part (descent)"), std::string::npos) << words;
+  return words;
+}
+
+/// Each key of an output left out, and each list of numbers one too long and one too short.
+std::vector<StepOutput> spoilt(const StepOutput& whole) {
+  std::vector<StepOutput> all;
+  for (const auto& [key, numbers] : whole.numbers) {
+    all.push_back(whole);
+    all.back().numbers.erase(key);
+    all.push_back(whole);
+    all.back().numbers[key].push_back(1.0);
+    if (numbers.empty()) continue;
+    all.push_back(whole);
+    all.back().numbers[key].pop_back();
+  }
+  for (const auto& [key, words] : whole.words) {
+    all.push_back(whole);
+    all.back().words.erase(key);
+  }
+  for (const auto& [key, flag] : whole.flags) {
+    all.push_back(whole);
+    all.back().flags.erase(key);
+  }
+  return all;
+}
+
+TEST(StepOutputs, WhatAnotherHandHasWrittenIsRefusedInWords) {
+  fit::SearchOutcome outcome;
+  outcome.best = {{1.0, 2.0}, 3.0, 4.0, true, "converged"};
+  outcome.others = {{{1.5, 2.5}, 3.5, 4.5, false, "not"}};
+  for (const StepOutput& kept : spoilt(fit::output_of(outcome)))
+    words_of_refusal(kept, [](const StepOutput& output) { fit::search_outcome_of(output, 2); });
+
+  fit::Uncertainty u;
+  u.sigma = {0.5, 0.25};
+  u.correlation = u.covariance = {{1.0, 0.25}, {0.25, 1.0}};
+  u.undetermined = {{0.0, 1.0}};
+  for (const StepOutput& kept : spoilt(fit::output_of(u)))
+    words_of_refusal(kept, [](const StepOutput& output) { fit::uncertainty_of(output, 2); });
+
+  fit::LikelihoodProfile profile;
+  profile.path = {{0.5, 1.0, {0.5, 0.0}}, {0.75, 4.0, {0.75, 0.1}}};
+  profile.better = fit::ProfilePoint{0.5, 0.1, {}};
+  for (const StepOutput& kept : spoilt(fit::output_of(profile)))
+    words_of_refusal(kept, [](const StepOutput& output) { fit::likelihood_profile_of(output, 2); });
+
+  fit::BandBootstrap bootstrap;
+  bootstrap.bands = 8;
+  bootstrap.replicates = 2;
+  bootstrap.samples = {0.1, 0.2, 0.3, 0.4};
+  for (const StepOutput& kept : spoilt(fit::output_of(bootstrap)))
+    words_of_refusal(kept, [](const StepOutput& output) { fit::band_bootstrap_of(output, 2); });
+}
+
+TEST(StepOutputs, ACountThatIsNoneIsRefused) {
+  fit::SearchOutcome outcome;
+  outcome.best = {{1.0}, 3.0, 4.0, true, "converged"};
+  for (const double others : {-1.0, 0.5, 1e300, std::nan("")}) {
+    StepOutput kept = fit::output_of(outcome);
+    kept.numbers["others"] = {others};
+    const std::string words =
+        words_of_refusal(kept, [](const StepOutput& output) { fit::search_outcome_of(output, 1); });
+    EXPECT_NE(words.find("others"), std::string::npos) << words;
+  }
+}
+
+TEST(RecordedStep, PointsOfAnotherNumberOfParametersAreRefused) {
+  StepOutput of_trace, of_books;
+  of_trace.trace = {{"descent", 1, 2.0, {1.0, 2.0}}};
+  of_books.books.best_values = {1.0, 2.0};
+  for (const StepOutput& kept : {of_trace, of_books}) {
+    const TemporaryFolder folder;
+    {
+      FileJournal journal(folder / "run.part", kSubject, JournalMode::fresh);
+      journal.step("descent", [&] { return kept; });
+    }
+    FileJournal journal(folder / "run.part", kSubject, JournalMode::resume);
+    fit::EvaluationLog log;
+    std::vector<fit::TraceRow> trace;
+    bool was_worked = false;
+    expect_error(sim::ErrorKind::existing_output, [&] { counted(log, trace, &journal, &was_worked); });
+    EXPECT_FALSE(was_worked);
+  }
 }
 
 }  // namespace
