@@ -196,8 +196,8 @@ class Mapping {
                     std::vector<float> cell_factor = {}) const;
   double choose_sparsity(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid,
                          const std::vector<float>& start, MapResult& result);
-  std::vector<float> recorded(const std::string& name, std::vector<MapPicture>& pictures, double& chi2,
-                              const std::function<MapSolution()>& work);
+  std::vector<float> recorded(const std::string& name, int cells, std::vector<MapPicture>& pictures,
+                              double& chi2, const std::function<MapSolution()>& work);
   std::vector<CellFlux> replicate(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid,
                                   const MapResult& best, const std::vector<MapLight>& truth, int number,
                                   double from, double to);
@@ -290,8 +290,8 @@ MapSolution Mapping::solve(std::vector<MapPicture>& pictures, const sim::GroundG
   return solve_map(pictures, grid, static_cast<int>(energies_.size()), std::move(start), o);
 }
 
-std::vector<float> Mapping::recorded(const std::string& name, std::vector<MapPicture>& pictures, double& chi2,
-                                     const std::function<MapSolution()>& work) {
+std::vector<float> Mapping::recorded(const std::string& name, int cells, std::vector<MapPicture>& pictures,
+                                     double& chi2, const std::function<MapSolution()>& work) {
   const auto step = [&] {
     const MapSolution solution = work();
     StepOutput out;
@@ -310,14 +310,18 @@ std::vector<float> Mapping::recorded(const std::string& name, std::vector<MapPic
     return out;
   };
   const StepOutput out = options_.journal != nullptr ? options_.journal->step(name, step) : step();
-  std::vector<float> map(static_cast<std::size_t>(out.numbers.at("size").at(0)), 0.0f);
-  const std::vector<double>& place = out.numbers.at("place");
-  const std::vector<double>& value = out.numbers.at("value");
+  const std::size_t size =
+      out.count_of(out.number_at("size"), "size", static_cast<std::size_t>(cells) * kGroundEnergies);
+  if (size != static_cast<std::size_t>(cells) * kGroundEnergies) out.refuse("size");
+  std::vector<float> map(size, 0.0f);
+  const std::vector<double>& place = out.numbers_at("place");
+  const std::vector<double>& value = out.numbers_at("value", place.size());
   for (std::size_t i = 0; i < place.size(); ++i)
-    map.at(static_cast<std::size_t>(place[i])) = static_cast<float>(value.at(i));
-  chi2 = out.numbers.at("chi2").at(0);
+    map[out.count_of(place[i], "place", size - 1)] = static_cast<float>(value[i]);
+  chi2 = out.number_at("chi2");
+  const std::vector<double>& gain = out.numbers_at("gain", 3 * pictures.size());
   for (std::size_t p = 0; p < pictures.size(); ++p)
-    for (std::size_t c = 0; c < 3; ++c) pictures[p].gain[c] = out.numbers.at("gain").at(3 * p + c);
+    for (std::size_t c = 0; c < 3; ++c) pictures[p].gain[c] = gain[3 * p + c];
   return map;
 }
 
@@ -375,13 +379,15 @@ double Mapping::choose_sparsity(std::vector<MapPicture>& pictures, const sim::Gr
   };
   const StepOutput trials =
       options_.journal != nullptr ? options_.journal->step("prior", try_all) : try_all();
-  const auto found = trials.numbers.find("left_out");
-  if (found == trials.numbers.end()) return kUsualSparsity;  // stopped before the first
+  if (trials.numbers.empty()) return kUsualSparsity;  // stopped before the first
+  const std::vector<double>& sparsity = trials.numbers_at("sparsity");
+  const std::vector<double>& left = trials.numbers_at("left_out", sparsity.size());
+  const std::vector<double>& error = trials.numbers_at("error", sparsity.size());
+  if (sparsity.empty()) trials.refuse("sparsity");
   std::size_t best = 0;
-  for (std::size_t t = 0; t < found->second.size(); ++t) {
-    result.trials.push_back(
-        {trials.numbers.at("sparsity").at(t), found->second[t], trials.numbers.at("error").at(t)});
-    if (found->second[t] < found->second[best]) best = t;
+  for (std::size_t t = 0; t < left.size(); ++t) {
+    result.trials.push_back({sparsity[t], left[t], error[t]});
+    if (left[t] < left[best]) best = t;
   }
   // The strongest prior that is no worse than the best by more than half a standard error.
   for (std::size_t t = result.trials.size(); t-- > best;)
@@ -471,9 +477,10 @@ std::vector<CellFlux> Mapping::replicate(std::vector<MapPicture>& pictures, cons
                              ? options_.journal->step("replicate " + std::to_string(number), work)
                              : work();
   std::vector<CellFlux> cells(static_cast<std::size_t>(grid.cells()));
+  const std::vector<double>& flux = out.numbers_at("flux", cells.size());
+  const std::vector<double>& ln_energy = out.numbers_at("ln_energy", cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c)
-    cells[c] = {static_cast<float>(out.numbers.at("flux").at(c)),
-                static_cast<float>(out.numbers.at("ln_energy").at(c))};
+    cells[c] = {static_cast<float>(flux[c]), static_cast<float>(ln_energy[c])};
   return cells;
 }
 
@@ -510,7 +517,7 @@ MapResult Mapping::run() {
   result.sparsity =
       options_.sparsity > 0.0 ? options_.sparsity : choose_sparsity(coarse, coarse_grid, start, result);
   double chi2 = 0.0;
-  const std::vector<float> rough = recorded("coarse map", coarse, chi2, [&] {
+  const std::vector<float> rough = recorded("coarse map", coarse_grid.cells(), coarse, chi2, [&] {
     return solve(coarse, coarse_grid, start, result.sparsity, kCoarseSteps, "coarse map", 0.3, 0.35);
   });
   double dark = 0.0;
@@ -557,7 +564,7 @@ MapResult Mapping::run() {
           rough[static_cast<std::size_t>(under) * kGroundEnergies + k] + 1e-3f * brightest;
   }
   const double share = options_.replicates > 0 ? 0.6 : 1.0;
-  result.map = recorded("map", fine, result.chi2, [&] {
+  result.map = recorded("map", result.grid.cells(), fine, result.chi2, [&] {
     return solve(fine, result.grid, std::move(fine_start), result.sparsity, kFineSteps, "map", 0.35, share);
   });
   result.cells = CellReader(result.grid, energies_).cells(result.map);
