@@ -22,7 +22,7 @@ void raise_flag(int signal) {
   raised.store(true);
 }
 
-ExitCode exit_code_of(int signal) {
+ExitCode code_of_signal(int signal) {
   return signal == SIGHUP ? hung_up : signal == SIGTERM ? terminated : interrupted;
 }
 
@@ -32,7 +32,7 @@ void end_at_once(int signal) {
   std::signal(SIGPIPE, SIG_IGN);
   constexpr char words[] = "vegard: interrupted\n";
   static_cast<void>(::write(STDERR_FILENO, words, sizeof words - 1) == 0);
-  ::_exit(exit_code_of(signal));
+  ::_exit(code_of_signal(signal));
 }
 
 bool watch_for(int signal, void (*handler)(int) = raise_flag) {
@@ -67,6 +67,6 @@ void end_at_once_when_interrupted() {
   watch_for(SIGINT, end_at_once);
 }
 
-ExitCode exit_code_of_interruption() { return exit_code_of(first_signal.load()); }
+ExitCode exit_code_of_interruption() { return code_of_signal(first_signal.load()); }
 
 }  // namespace vegard::apps

@@ -18,18 +18,18 @@ namespace fs = std::filesystem;
 namespace {
 
 // Files that are not finished. No memory is asked for and none is given back: a handler may come in between.
-enum PlaceState : int { free_place, kept, being_deleted };
+enum class PlaceState { free, kept, being_deleted };
 
 struct UnfinishedPlace {
-  std::atomic<int> state{free_place};
+  std::atomic<PlaceState> state{PlaceState::free};
   char path[4096];
 };
 
 std::array<UnfinishedPlace, 64> unfinished;
 std::mutex keeping;  // of whoever keeps and forgets; a handler does without
-static_assert(std::atomic<int>::is_always_lock_free);
+static_assert(std::atomic<PlaceState>::is_always_lock_free);
 
-bool change(UnfinishedPlace& place, int from, PlaceState to) {
+bool passes(UnfinishedPlace& place, PlaceState from, PlaceState to) {
   return place.state.compare_exchange_strong(from, to);
 }
 
@@ -85,9 +85,9 @@ std::optional<Partial> partial_of(const std::string& name) {
 void keep_unfinished(const std::string& path) {
   const std::lock_guard<std::mutex> alone(keeping);
   for (UnfinishedPlace& place : unfinished) {
-    if (place.state.load() != free_place || path.size() >= sizeof place.path) continue;
+    if (place.state.load() != PlaceState::free || path.size() >= sizeof place.path) continue;
     std::memcpy(place.path, path.c_str(), path.size() + 1);
-    place.state.store(kept);
+    place.state.store(PlaceState::kept);
     return;
   }
 }
@@ -95,12 +95,14 @@ void keep_unfinished(const std::string& path) {
 void forget_unfinished(const std::string& path) {
   const std::lock_guard<std::mutex> alone(keeping);
   for (UnfinishedPlace& place : unfinished)
-    if (place.state.load() == kept && path == place.path && change(place, kept, free_place)) return;
+    if (place.state.load() == PlaceState::kept && path == place.path &&
+        passes(place, PlaceState::kept, PlaceState::free))
+      return;
 }
 
 void delete_unfinished_files() noexcept {
   for (UnfinishedPlace& place : unfinished)
-    if (change(place, kept, being_deleted)) ::unlink(place.path);
+    if (passes(place, PlaceState::kept, PlaceState::being_deleted)) ::unlink(place.path);
 }
 
 bool is_alive(int process) { return ::kill(process, 0) == 0 || errno != ESRCH; }

@@ -67,7 +67,7 @@ void write_exr(const std::string& path, const Image& image, const ImageAttribute
 namespace {
 
 /// By its first bytes; of what is none the library says that.
-bool is_exr(std::string_view bytes) { return bytes.substr(0, 4) == "\x76\x2f\x31\x01"; }
+bool begins_as_exr(std::string_view bytes) { return bytes.substr(0, 4) == "\x76\x2f\x31\x01"; }
 
 /// `memory`: the bytes, if they are not to be read from `path`.
 ExrFile read(const std::string& path, OIIO::Filesystem::IOProxy* memory) {
@@ -117,7 +117,7 @@ void check_exr_file(const std::string& path) {
   std::error_code gone;
   const std::uintmax_t size = std::filesystem::file_size(path, gone);
   if (gone) throw failure(ErrorKind::unreadable_input, path, gone.message());
-  if (is_exr(beginning.bytes)) check_exr_header(beginning.bytes, static_cast<std::size_t>(size), path);
+  if (begins_as_exr(beginning.bytes)) check_exr_header(beginning.bytes, static_cast<std::size_t>(size), path);
 }
 
 ExrFile read_exr(const std::string& path) {
@@ -128,7 +128,7 @@ ExrFile read_exr(const std::string& path) {
 
 ExrFile read_exr_bytes(std::string_view bytes, const std::string& name) {
   configure_library();
-  if (is_exr(bytes)) check_exr_header(bytes, bytes.size(), name);
+  if (begins_as_exr(bytes)) check_exr_header(bytes, bytes.size(), name);
   OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
   return read(name, &memory);
 }
