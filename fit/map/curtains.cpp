@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSmooth_px = 2.0;
 constexpr int kReach_px = 4;                 // to the next point of a ridge, over a gap
-constexpr double kHigh = 0.15, kLow = 0.06;  // of the brightest ridge (its upper tenth): begin and go on
+constexpr double kHigh = 0.15, kLow = 0.06;  // of the brightest ridge (its upper hundredth): begin and go on
 constexpr double kLeastMean = 0.12;          // of a curtain's own, likewise
 constexpr double kLeastLength_km = 30.0;
 constexpr double kStep_km = 5.0;
@@ -334,6 +334,9 @@ std::vector<Curtain> find_curtains(const MapResult& result) {
       p.width_km = {std::max(best.width_km, 0.25 * raster.step_km), spread(of_width)};
       const LowerBorder border = lower_border(result.scene, p.energy_kev.value);
       p.lower_border_km = {border.altitude_km, std::abs(border.by_ln_energy) * ln_error};
+      // A border that is higher is farther away at the same elevation.
+      p.distance_error_km =
+          std::hypot(p.distance_error_km, p.lower_border_km.error * p.distance_km / p.lower_border_km.value);
       curtain.points.push_back(p);
     }
     // Ends that are out of view are guesses.

@@ -512,8 +512,7 @@ MapResult Mapping::run() {
   look(coarse, coarse_grid);
   keep_seen(coarse, coarse_grid);
   const std::vector<float> start = flat_start(coarse, coarse_grid);
-  MapResult result{scene_, coarse_grid, energies_, {},  {}, {},  {}, {},   {},
-                   0.0,    {},          0.0,       0.0, 0,  0.0, {}, false};
+  MapResult result{scene_, coarse_grid, energies_, {}, {}, {}, {}, {}, {}, 0.0, {}, 0.0, 0.0, 0, {}, false};
   result.sparsity =
       options_.sparsity > 0.0 ? options_.sparsity : choose_sparsity(coarse, coarse_grid, start, result);
   double chi2 = 0.0;
@@ -571,10 +570,6 @@ MapResult Mapping::run() {
   for (const CellFlux& cell : CellReader(result.grid, energies_, kWideReach_km).cells(result.map))
     result.ln_energy_around.push_back(cell.ln_energy);
   result.values = all_values(fine);
-  float peak = 0.0f;
-  for (const CellFlux& cell : result.cells) peak = std::max(peak, cell.flux_mw_m2);
-  for (const CellFlux& cell : result.cells)
-    if (cell.flux_mw_m2 > 0.01f * peak) result.unknowns += 2.0;
 
   std::vector<MapLight> truth;
   result.chi2 = 0.0;

@@ -7,7 +7,6 @@
 // The same scene and photographs give the same bytes for every number of threads.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <functional>
@@ -72,11 +71,11 @@ struct MapResult {
   std::vector<MapTrial> trials;
   double chi2 = 0.0, chi2_without_aurora = 0.0;
   std::size_t values = 0;
-  double unknowns = 0.0;  ///< cells with light, twice: flux and energy
   std::vector<MappedPhoto> photos;
   bool interrupted = false;
 
-  double chi2_per_dof() const { return chi2 / std::max(1.0, static_cast<double>(values) - unknowns); }
+  /// How many unknowns the prior leaves free is not known, so none are taken off the values.
+  double chi2_per_value() const { return values > 0 ? chi2 / static_cast<double>(values) : 0.0; }
 };
 
 /// Whether light 105 km high over a foot falls on a used part of one of the pictures.

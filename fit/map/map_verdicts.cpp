@@ -54,14 +54,14 @@ bool is_absolute(const MapResult& result) {
 
 std::vector<QuantityVerdict> map_verdicts(const MapResult& result, const std::vector<Curtain>& curtains) {
   std::vector<QuantityVerdict> verdicts;
-  const double chi2 = result.chi2_per_dof();
+  const double chi2 = result.chi2_per_value();
   const double model_error = 100.0 * result.scene.fit.model_error;
   verdicts.push_back({"the picture is explained",
                       chi2 <= kGoodChi2  ? Trust::good
                       : chi2 <= kBadChi2 ? Trust::doubtful
                                          : Trust::not_told,
-                      fmt::format("chi2 per degree of freedom {} at a model error of {} %",
-                                  sim::short_number(chi2, 3), sim::short_number(model_error, 2)),
+                      fmt::format("chi2 per value {} at a model error of {} %", sim::short_number(chi2, 3),
+                                  sim::short_number(model_error, 2)),
                       chi2 <= kGoodChi2 ? "the map and a smooth sky account for it within its errors"
                                         : "the residual picture shows what the map leaves"});
 
@@ -128,6 +128,13 @@ std::vector<QuantityVerdict> map_verdicts(const MapResult& result, const std::ve
     reason += "; relative: nobody has calibrated the sensor (sensor.calibration_error)";
   }
   verdicts.push_back({"energy flux along the curtains", trust, range_text(flux, "mW m⁻²"), reason});
+  // What rests on a picture that is not explained is not to be believed as it stands.
+  if (verdicts.front().trust == Trust::not_told)
+    for (QuantityVerdict& v : verdicts)
+      if (v.trust == Trust::good) {
+        v.trust = Trust::doubtful;
+        v.reason += "; but the map does not explain the picture";
+      }
   return verdicts;
 }
 

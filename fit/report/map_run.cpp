@@ -82,8 +82,7 @@ std::string map_json(const MapResult& result, const std::vector<Curtain>& curtai
                                 {"reason", v.reason}});
   json["chi2"] = number(result.chi2);
   json["values"] = result.values;
-  json["unknowns"] = number(result.unknowns);
-  json["chi2_per_dof"] = number(result.chi2_per_dof());
+  json["chi2_per_value"] = number(result.chi2_per_value());
   json["chi2_without_aurora"] = number(result.chi2_without_aurora);
   json["model_error"] = result.scene.fit.model_error;
   json["prior"] = {{"sparsity", result.sparsity}, {"tried", nlohmann::ordered_json::array()}};

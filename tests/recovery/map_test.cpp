@@ -116,7 +116,7 @@ struct Score {
   double ln_energy_median = 0.0, ln_energy_scatter = 0.0;
   double correlation = 0.0;
   double held = 0.0;  ///< share of azimuths at which the 68 % interval of ln E0 holds the truth
-  double chi2_per_dof = 0.0;
+  double chi2_per_value = 0.0;
 };
 
 /// Degree by degree of azimuth, where the true curtain's lower border is in view and at least a quarter as
@@ -210,13 +210,13 @@ Score score(const MapResult& result, const Truth& truth, const nlohmann::json& c
     sab += a[i] * b[i];
   }
   s.correlation = (sab - sa * sb / n) / std::sqrt((saa - sa * sa / n) * (sbb - sb * sb / n));
-  s.chi2_per_dof = result.chi2_per_dof();
+  s.chi2_per_value = result.chi2_per_value();
   std::printf(
       "distance %.2f %% in the median, %.1f %% for nine in ten; ln E0 %.1f %%, scatter %.1f %%, held %.0f "
       "%%; "
-      "correlation %.3f; chi2 / dof %.2f\n",
+      "correlation %.3f; chi2 per value %.2f\n",
       100.0 * s.distance_median, 100.0 * s.distance_nine_in_ten, 100.0 * s.ln_energy_median,
-      100.0 * s.ln_energy_scatter, 100.0 * s.held, s.correlation, s.chi2_per_dof);
+      100.0 * s.ln_energy_scatter, 100.0 * s.held, s.correlation, s.chi2_per_value);
   return s;
 }
 
@@ -237,7 +237,7 @@ TEST_P(MapOfIndependentPicture, HasTheCurtainsPlaceAndEnergy) {
   EXPECT_LE(s.ln_energy_median, 0.06);
   EXPECT_LE(s.ln_energy_scatter, 0.10);
   EXPECT_GE(s.correlation, 0.75);
-  EXPECT_LE(s.chi2_per_dof, 1.5);
+  EXPECT_LE(s.chi2_per_value, 1.5);
 }
 
 INSTANTIATE_TEST_SUITE_P(MapRecovery, MapOfIndependentPicture,

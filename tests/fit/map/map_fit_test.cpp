@@ -56,8 +56,8 @@ const MapResult& result() {
 TEST(MapFit, ExplainsThePicture) {
   // Noise of seed 5 and 2 % of the light: the sum of squares is that of the values, give or take what the
   // noise's estimate from the picture itself is off by.
-  EXPECT_GT(result().chi2_per_dof(), 0.5);
-  EXPECT_LT(result().chi2_per_dof(), 1.5);
+  EXPECT_GT(result().chi2_per_value(), 0.5);
+  EXPECT_LT(result().chi2_per_value(), 1.5);
   EXPECT_GT(result().chi2_without_aurora, 8.0 * result().chi2);
 }
 
