@@ -51,6 +51,8 @@ refused horizon --size 600,400 --points 100,200 300,190 500,200 --hfov 53.13
 refused profile a.png -o out.csv
 refused keogram a.png b.png -o out.csv
 refused directions "$small" -o out.exr
+expect_exit 0 render "$SCENES/map_light.toml" -o band.png
+refused map "$SCENES/map.toml" --photo band.png --out out_map --replicates 0 --sparsity 4
 refused mask a.png -o out.png --circle 40,40,30
 refused brightness "$small"
 refused brightness "$small" --json
