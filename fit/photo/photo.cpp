@@ -114,6 +114,7 @@ Photo read_photo_bytes(std::string_view bytes, const std::string& file, const De
   photo.bits = codes.bits;
   photo.floating = codes.floating;
   photo.step = codes.step / codes.white;
+  photo.block_error = codes.block_error;
   photo.file_name = file_name_of(file);
   photo.sha256 = sim::sha256(bytes);
   photo.words = std::move(codes.words);

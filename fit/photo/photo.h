@@ -1,6 +1,7 @@
 // A photograph as linear light, with what is known of how it was decoded.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -32,6 +33,9 @@ struct Photo {
   int bits = 8;           ///< per channel in the file
   bool floating = false;  ///< the file holds floats: no largest value, no quantisation
   double step = 0.0;      ///< between two codes, white = 1; 0: 1 / (2^bits - 1)
+  /// Standard deviations, in codes of R, G and B, of what compression has put upon neighbouring pixels alike
+  /// (fit/photo/codec/image_file.h); averaging over pixels does not lessen it.
+  std::array<double, 3> block_error{};
   std::string file_name;  ///< without its folder
   std::string sha256;     ///< of the file's bytes
   std::map<std::string, std::string> words;  ///< that came with it: FITS keywords, EXR attributes

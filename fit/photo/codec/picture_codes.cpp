@@ -35,7 +35,9 @@ PictureCodes picture_codes(std::string_view bytes, const std::string& file) {
   const ImageFile image = inspect_image_file(bytes, file);
   const sim::QuietDecoder quiet;
   try {
-    return decoded(bytes, image, file);
+    PictureCodes codes = decoded(bytes, image, file);
+    codes.block_error = image.block_error;
+    return codes;
   } catch (const std::bad_alloc&) {
     refuse_image(file, "there is not enough memory for this image", "", "scale or crop it first");
   }

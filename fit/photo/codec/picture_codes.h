@@ -2,6 +2,7 @@
 // all formats, and the decoders that fill it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -22,6 +23,7 @@ struct PictureCodes {
   int bits = 8;
   bool floating = false;
   bool linear = false;  ///< what such a file holds unless one knows better: linear light, else sRGB
+  std::array<double, 3> block_error{};  ///< as ImageFile has it
   std::string kind;     ///< "8-bit JPEG", with what else has a part in its numbers
   std::map<std::string, std::string> words;  ///< that came with it: FITS keywords, EXR attributes
 };
