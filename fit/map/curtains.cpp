@@ -19,6 +19,7 @@ constexpr double kLeastLength_km = 30.0;
 constexpr double kStep_km = 5.0;
 constexpr double kAcross_km = 14.0, kAcrossStep_km = 0.5;
 constexpr double kLookAside_km = 12.0;
+constexpr double kSides_km = 6.0;  // of a ridge that must be in view, or as much as its cell is deep
 
 struct RidgeField {
   MapRaster raster;
@@ -261,7 +262,7 @@ std::vector<Curtain> find_curtains(const MapResult& result) {
   const MapRaster raster = raster_over(result);
   const RasterFlux flux = raster_flux(result, raster, result.cells);
   const double smooth_px = kSmooth_px;
-  const RidgeField field(raster, smoothed_raster(raster, flux.flux, smooth_px));
+  RidgeField field(raster, smoothed_raster(raster, flux.flux, smooth_px));
   std::vector<double> of_cell(result.told.begin(), result.told.end());
   const std::vector<double> told = rasterised(result, raster, of_cell);
   std::vector<std::vector<double>> smooth_replicates;
@@ -271,8 +272,22 @@ std::vector<Curtain> find_curtains(const MapResult& result) {
     smooth_replicates.push_back(smoothed_raster(raster, replicates.back().flux, smooth_px));
   }
 
+  // A ridge has two sides. Light that ends where the view ends, or at the end of the ground, has been put
+  // there for want of a better place.
+  const auto has_both_sides = [&](std::size_t i) {
+    const sim::EastNorth at = raster.place(field.at_x[i], field.at_y[i]);
+    const int cell = result.grid.cell_at(at.east, at.north);
+    const double reach = std::max(kSides_km, cell < 0 ? 0.0 : result.grid.depth_km(cell));
+    for (const double side : {-reach, reach}) {
+      const sim::EastNorth beside{at.east + side * field.along_y[i], at.north - side * field.along_x[i]};
+      if (!is_border_in_view(result, beside) || !result.grid.reaches(beside.east, beside.north)) return false;
+    }
+    return true;
+  };
   std::vector<std::size_t> order;
   std::vector<double> heights;
+  for (std::size_t i = 0; i < raster.size(); ++i)
+    if (field.is_ridge[i] && told[i] > 0.5 && !has_both_sides(i)) field.is_ridge[i] = 0;
   for (std::size_t i = 0; i < raster.size(); ++i)
     if (field.is_ridge[i] && told[i] > 0.5) {
       order.push_back(i);

@@ -43,6 +43,9 @@ class GroundGrid {
     return place < 0 ? -1 : cell_of_[static_cast<std::size_t>(place)];
   }
 
+  /// Whether the grid reaches a foot, be a cell there in use or not.
+  bool reaches(double east_km, double north_km) const { return place_at(east_km, north_km) >= 0; }
+
   EastNorth middle_km(int cell) const;
   double area_km2(int cell) const;
   /// Extents along and across the line of sight from the site (of squares, their step).
