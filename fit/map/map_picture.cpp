@@ -17,6 +17,9 @@ namespace {
 
 constexpr double kBoxVariance = 1.0 / 12.0;  // of a cell about its middle
 constexpr double kTownHeight_deg = 8.0;
+constexpr double kClipped =
+    0.9;  // of the file's white: what is not usable above was clipped, or masked there
+constexpr double kSpread_px = 2.0;  // of what was clipped
 
 double nth(std::vector<double>& values, double share) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * (values.size() - 1));
@@ -70,7 +73,7 @@ void MapPicture::bin(const Photo& photo, const MapPictureOptions& options) {
   const double lowest = std::sin(options.lowest_elevation_deg * sim::kRadiansPerDegree);
   const auto& roi = scene_.fit.roi_px;
   const bool whole = roi[2] == 0 || roi[3] == 0;
-  std::vector<std::uint8_t> used(cells() * 3, 0);
+  std::vector<std::uint8_t> used(cells() * 3, 0), clipped(cells(), 0);
   for (int row = 0; row < film_.rows; ++row)
     for (int column = 0; column < film_.columns; ++column) {
       const int x0 = static_cast<int>(film_.x0_px) + column * b, y0 = static_cast<int>(film_.y0_px) + row * b;
@@ -87,7 +90,10 @@ void MapPicture::bin(const Photo& photo, const MapPictureOptions& options) {
           for (int x = x0; x < x0 + b; ++x) {
             const std::size_t i = photo.linear.index(x, y, c);
             of_all += photo.linear.data[i];
-            if (photo.usable[i] == 0) continue;
+            if (photo.usable[i] == 0) {
+              if (photo.linear.data[i] > kClipped) clipped[cell] = 1;
+              continue;
+            }
             sum += photo.linear.data[i];
             ++count;
           }
@@ -97,6 +103,7 @@ void MapPicture::bin(const Photo& photo, const MapPictureOptions& options) {
         used[cell * 3 + c] = 1;
       }
     }
+  leave_out_beside(clipped, used);
   estimate_noise(photo, options, used);
   // Light from as far outside as the blur reaches.
   const int reach = blur_.empty() ? 0 : [&] {
@@ -115,36 +122,65 @@ void MapPicture::bin(const Photo& photo, const MapPictureOptions& options) {
     }
 }
 
-/// Standard deviations of the cells' means. The noise is what is left of a plane through the 7 x 7 cells
-/// about each, so that noise which a camera or JPEG has smoothed counts in full; in classes of light, the
-/// mean of each below four times its median, since curtains are no planes; a variance that is linear in the
-/// light goes through them.
+/// Takes cells out of use, in all channels, that stand beside a clipped one: demosaicing and compression have
+/// spread what was clipped.
+void MapPicture::leave_out_beside(const std::vector<std::uint8_t>& clipped, std::vector<std::uint8_t>& used) {
+  const int reach = std::max(1, static_cast<int>(std::ceil(kSpread_px / film_.cell_width_px)));
+  for (int row = 0; row < film_.rows; ++row)
+    for (int column = 0; column < film_.columns; ++column) {
+      if (clipped[static_cast<std::size_t>(row) * film_.columns + column] == 0) continue;
+      for (int y = std::max(0, row - reach); y <= std::min(film_.rows - 1, row + reach); ++y)
+        for (int x = std::max(0, column - reach); x <= std::min(film_.columns - 1, column + reach); ++x)
+          for (int c = 0; c < 3; ++c) used[(static_cast<std::size_t>(y) * film_.columns + x) * 3 + c] = 0;
+    }
+}
+
+/// Standard deviations of the cells' means. The noise is what is left of a quadratic surface through the
+/// 7 x 7 cells about each, so that noise which a camera or JPEG has smoothed counts in full; in classes of
+/// light, the mean of each below twice its median, since rays are no quadratic surfaces; a variance that
+/// is linear in the light goes through them. What compression put upon a whole block is not seen so, and
+/// comes to it.
 void MapPicture::estimate_noise(const Photo& photo, const MapPictureOptions& options,
                                 const std::vector<std::uint8_t>& used) {
   constexpr int kReach = 3;
-  constexpr int kWindow = (2 * kReach + 1) * (2 * kReach + 1);
+  constexpr int kSide = 2 * kReach + 1, kWindow = kSide * kSide;
   constexpr int kClasses = 12;
   const double cell_pixels = film_.cell_width_px * film_.cell_height_px;
+  // Orthogonal polynomials over the window: 1, x, y, x y, x^2 - m, y^2 - m, with the sums of their squares.
+  constexpr int kTerms = 6;
+  constexpr double kSquare = kReach * (kReach + 1) / 3.0;  // m, the mean of x^2
+  const auto terms = [&](int dx, int dy) {
+    return std::array<double, kTerms>{1.0,
+                                      static_cast<double>(dx),
+                                      static_cast<double>(dy),
+                                      static_cast<double>(dx * dy),
+                                      dx * dx - kSquare,
+                                      dy * dy - kSquare};
+  };
+  std::array<double, kTerms> squares{};
+  for (int dy = -kReach; dy <= kReach; ++dy)
+    for (int dx = -kReach; dx <= kReach; ++dx)
+      for (int t = 0; t < kTerms; ++t) squares[t] += std::pow(terms(dx, dy)[t], 2);
   for (int c = 0; c < 3; ++c) {
-    std::vector<std::pair<double, double>> found;  // light, variance about the plane
+    std::vector<std::pair<double, double>> found;  // light, variance about the surface
     for (int row = kReach; row + kReach < film_.rows; row += 2)
       for (int column = kReach; column + kReach < film_.columns; column += 2) {
-        double s = 0.0, sx = 0.0, sy = 0.0, ss = 0.0;
+        double sum_of_squares = 0.0;
+        std::array<double, kTerms> sums{};
         bool whole = true;
         for (int dy = -kReach; dy <= kReach && whole; ++dy)
           for (int dx = -kReach; dx <= kReach; ++dx) {
             const std::size_t i = (static_cast<std::size_t>(row + dy) * film_.columns + column + dx) * 3 + c;
             whole = whole && used[i] != 0;
             const double v = data_[i];
-            s += v;
-            sx += v * dx;
-            sy += v * dy;
-            ss += v * v;
+            const std::array<double, kTerms> f = terms(dx, dy);
+            for (int t = 0; t < kTerms; ++t) sums[t] += v * f[t];
+            sum_of_squares += v * v;
           }
         if (!whole) continue;
-        constexpr double kSquares = kWindow * kReach * (kReach + 1) / 3.0;  // sum of dx² over the window
-        const double left = ss - s * s / kWindow - (sx * sx + sy * sy) / kSquares;
-        found.emplace_back(s / kWindow, std::max(0.0, left) / (kWindow - 3));
+        double left = sum_of_squares;
+        for (int t = 0; t < kTerms; ++t) left -= sums[t] * sums[t] / squares[t];
+        found.emplace_back(sums[0] / kWindow, std::max(0.0, left) / (kWindow - kTerms));
       }
     if (found.empty()) continue;
     std::sort(found.begin(), found.end());
@@ -159,7 +195,7 @@ void MapPicture::estimate_noise(const Photo& photo, const MapPictureOptions& opt
         variances.push_back(found[i].second);
         mean += found[i].first / (last - first);
       }
-      const double bound = 4.0 * nth(variances, 0.5);
+      const double bound = 2.0 * nth(variances, 0.5);
       double sum = 0.0;
       int below = 0;
       for (const double v : variances)
@@ -183,7 +219,8 @@ void MapPicture::estimate_noise(const Photo& photo, const MapPictureOptions& opt
       if (used[i] == 0) continue;
       const double above = std::max(0.0, data_[i] - dark);
       const double step = code_step(photo, data_[i]);
-      const double variance = std::max(floor + slope * data_[i], step * step / (12.0 * cell_pixels));
+      const double variance = std::max(floor + slope * data_[i], step * step / (12.0 * cell_pixels)) +
+                              std::pow(photo.block_error[c] * step, 2);
       noise_[i] = static_cast<float>(std::sqrt(variance));
       sigma_[i] = static_cast<float>(std::sqrt(variance + std::pow(options.model_error * above, 2)));
     }
@@ -191,9 +228,9 @@ void MapPicture::estimate_noise(const Photo& photo, const MapPictureOptions& opt
 }
 
 void MapPicture::make_sky_basis() {
-  // Level; airglow by airmass; a town's or the twilight's glow by its height; both ways along the horizon; a
-  // low order of the rest.
-  sky_terms_ = 6;
+  // Level; airglow by airmass, and what its layer and the air make of that; a town's or the twilight's glow
+  // by its height, and round the horizon as a mean and two waves; both ways along the horizon.
+  sky_terms_ = 10;
   sky_basis_.assign(cells() * sky_terms_, 0.0f);
   const sim::CameraView<double> view = sim::camera_view(scene_.camera);
   const double observer = scene_.site.altitude_m * 1e-3;
@@ -210,6 +247,10 @@ void MapPicture::make_sky_basis() {
       f[3] = static_cast<float>(enu[0]);
       f[4] = static_cast<float>(enu[1]);
       f[5] = static_cast<float>(f[2] * enu[0]);
+      f[6] = static_cast<float>(f[2] * enu[1]);
+      f[7] = static_cast<float>(f[2] * (enu[0] * enu[0] - enu[1] * enu[1]));
+      f[8] = static_cast<float>(f[2] * enu[0] * enu[1]);
+      f[9] = f[1] * f[1];
     }
 }
 

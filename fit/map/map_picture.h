@@ -83,6 +83,7 @@ class MapPicture {
 
  private:
   void bin(const Photo& photo, const MapPictureOptions& options);
+  void leave_out_beside(const std::vector<std::uint8_t>& clipped, std::vector<std::uint8_t>& used);
   void estimate_noise(const Photo& photo, const MapPictureOptions& options,
                       const std::vector<std::uint8_t>& used);
   void make_sky_basis();
