@@ -29,7 +29,9 @@ constexpr double kBorder_km = 105.0;
 constexpr double kKeptShare = 3e-3, kKeptReach_km = 12.0;
 constexpr int kBlock_cells = 3, kBlockOneIn = 10;
 constexpr int kCoarseSteps = 160, kFineSteps = 320, kReplicateSteps = 80;
-constexpr double kTrials[] = {0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
+// From the strongest on, until what is left out has been told worse for so many in a row.
+constexpr double kTrials[] = {16.0, 8.0, 4.0, 2.0, 1.0, 0.5, 0.25, 0.125, 0.0625};
+constexpr int kWorseTrials = 2;
 constexpr double kEnergyReach_km = 4.0, kWideReach_km = 10.0;
 constexpr double kUsualSparsity = 4.0;
 constexpr double kPriorSpread = 0.7;       // standard deviation of the logarithm of a replicate's sparsity
@@ -58,6 +60,13 @@ std::vector<sim::Scene> scenes_of(const sim::Scene& scene, const std::vector<Pho
   else
     for (const sim::PhotoEntry& entry : scene.fit.photos) scenes.push_back(sim::scene_of_photo(scene, entry));
   for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const sim::Field& field = scenes[i].field;
+    if (field.inclination_deg != scene.field.inclination_deg ||
+        field.declination_deg != scene.field.declination_deg || field.model != scene.field.model)
+      refuse(sim::ErrorKind::scene, scene,
+             "the photograph " + scene.fit.photos[i].name + " sets a magnetic field of its own",
+             "fit.photo.set", "one field for the map, that of the scene",
+             "field.model = \"dipole\" has at each place what belongs there");
     const sim::Camera& camera = scenes[i].camera;
     const sim::Image& picture = photos[i].linear;
     if (camera.width != picture.width || camera.height != picture.height)
@@ -344,7 +353,9 @@ double Mapping::choose_sparsity(std::vector<MapPicture>& pictures, const sim::Gr
     }
     StepOutput trials;
     const int count = static_cast<int>(std::size(kTrials));
-    for (int t = 0; t < count && !stopped(); ++t) {
+    double least = std::numeric_limits<double>::infinity();
+    int worse = 0;
+    for (int t = 0; t < count && worse < kWorseTrials && !stopped(); ++t) {
       for (std::size_t p = 0; p < pictures.size(); ++p) pictures[p].leave_out(out[p]);
       const MapSolution s = solve(pictures, grid, start, kTrials[t], kCoarseSteps, "choosing the prior",
                                   0.02 + 0.28 * t / count, 0.02 + 0.28 * (t + 1) / count);
@@ -369,6 +380,8 @@ double Mapping::choose_sparsity(std::vector<MapPicture>& pictures, const sim::Gr
       const double independent = n / (kBlock_cells * kBlock_cells);
       trials.numbers["error"].push_back(
           std::sqrt(std::max(0.0, squares / n - sum / n * (sum / n)) / independent));
+      worse = sum / n > least ? worse + 1 : 0;
+      least = std::min(least, sum / n);
     }
     for (MapPicture& picture : pictures) {
       picture.leave_out({});
@@ -390,7 +403,7 @@ double Mapping::choose_sparsity(std::vector<MapPicture>& pictures, const sim::Gr
     if (left[t] < left[best]) best = t;
   }
   // The strongest prior that is no worse than the best by more than half a standard error.
-  for (std::size_t t = result.trials.size(); t-- > best;)
+  for (std::size_t t = 0; t < best; ++t)
     if (result.trials[t].left_out <= result.trials[best].left_out + 0.5 * result.trials[best].error)
       return result.trials[t].sparsity;
   return result.trials[best].sparsity;
@@ -605,6 +618,10 @@ MapResult Mapping::run() {
 }
 
 }  // namespace
+
+bool is_prior_at_its_end(const MapResult& result) {
+  return result.sparsity == kTrials[std::size(kTrials) - 1];
+}
 
 bool is_border_in_view(const MapResult& result, sim::EastNorth foot_km) {
   for (const MappedPhoto& photo : result.photos) {

@@ -78,6 +78,9 @@ struct MapResult {
   double chi2_per_value() const { return values > 0 ? chi2 / static_cast<double>(values) : 0.0; }
 };
 
+/// Whether the prior that left-out blocks asked for is the weakest that was tried.
+bool is_prior_at_its_end(const MapResult& result);
+
 /// Whether light 105 km high over a foot falls on a used part of one of the pictures.
 bool is_border_in_view(const MapResult& result, sim::EastNorth foot_km);
 

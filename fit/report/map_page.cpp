@@ -313,7 +313,10 @@ std::string prior_words(const MapResult& result) {
       "{} "
       "values of the picture, {} perturbed solutions for the error bars.</p>\n",
       sim::short_number(result.sparsity, 3),
-      result.trials.empty() ? ", as given" : ", by what left-out blocks of the picture want",
+      result.trials.empty() ? ", as given"
+      : is_prior_at_its_end(result)
+          ? ", the weakest that is tried; left-out blocks of the picture may want less"
+          : ", by what left-out blocks of the picture want",
       result.grid.cells(), result.energies_kev.size(), sim::short_number(result.energies_kev.front(), 3),
       sim::short_number(result.energies_kev.back(), 3), result.values, result.replicates.size());
   if (result.trials.empty()) return html;

@@ -8,6 +8,7 @@
 
 #include "fit/map/curtains.h"
 #include "fit/map/map_verdicts.h"
+#include "sim/render/ground/sight_lines.h"
 #include "sim/scene/file/scene_toml.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/two_stations.h"
@@ -149,6 +150,41 @@ TEST(MapFit, RefusesStationsWithoutACommonVolume) {
     map_photos(two, {photo(), photo()}, quick());
   });
   EXPECT_NE(text.find("two of the stations"), std::string::npos) << text;
+}
+
+TEST(MapFit, RefusesAFieldForEachPhotograph) {
+  sim::Scene two = without_band();
+  two.fit.photos = {{"here", "a.png", "", "", {}, 0},
+                    {"there", "b.png", "", "", {{"field.inclination_deg", "70.0"}}, 0}};
+  const std::string text = tests::expect_error(sim::ErrorKind::scene, [&] {
+    map_photos(two, {photo(), photo()}, quick());
+  });
+  EXPECT_NE(text.find("photograph there sets a magnetic field"), std::string::npos) << text;
+}
+
+TEST(FindCurtains, TakesNoRidgeWhereTheViewEnds) {
+  // The view ends in the middle of the band: beyond 185 km in the north no pixel is used.
+  constexpr double kEnd_km = 185.0, kBorder_km = 105.0;
+  MapResult cut = result();
+  MappedPhoto& seen = cut.photos[0];
+  for (double east = -400.0; east <= 400.0; east += 1.0)
+    for (double north = kEnd_km; north <= 400.0; north += 1.0) {
+      double x = 0.0, y = 0.0;
+      if (!sim::pixel_over_foot(seen.scene, cut.scene.site, {east, north}, kBorder_km, x, y)) continue;
+      const int column = static_cast<int>((x - seen.film.x0_px) / seen.film.cell_width_px);
+      const int row = static_cast<int>((y - seen.film.y0_px) / seen.film.cell_height_px);
+      for (int c = 0; c < 3; ++c)
+        seen.sigma[(static_cast<std::size_t>(row) * seen.film.columns + column) * 3 + c] = 0.0f;
+    }
+  // A film's cell sees some 2 km of the ground there.
+  double farthest = 0.0, before = 0.0;
+  for (const Curtain& curtain : find_curtains(result()))
+    for (const CurtainPoint& p : curtain.points) before = std::max(before, p.foot_km.north);
+  for (const Curtain& curtain : find_curtains(cut))
+    for (const CurtainPoint& p : curtain.points) farthest = std::max(farthest, p.foot_km.north);
+  EXPECT_GT(before, 195.0);
+  EXPECT_GT(farthest, 0.0);
+  EXPECT_LT(farthest, kEnd_km - 2.0);
 }
 
 TEST(MapFit, StopsWhereItIsTold) {
