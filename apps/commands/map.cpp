@@ -45,6 +45,7 @@ struct MapRequest {
   int replicates = fit::MapOptions().replicates;
   double sparsity = 0.0;
   double farthest_km = 0.0;
+  double altitude_scale = fit::MapOptions().altitude_scale;
   bool overwrite = false, resume = false, no_metadata = false;
 };
 
@@ -80,7 +81,8 @@ fit::JournalSubject subject_of(const MapRequest& options, const sim::Scene& scen
                                  {"the kind of work", "a map"},
                                  {"the scene", sim::sha256(sim::write_scene(scene))},
                                  {"--sparsity", sim::short_number(options.sparsity, 17)},
-                                 {"--farthest-km", sim::short_number(options.farthest_km, 17)}};
+                                 {"--farthest-km", sim::short_number(options.farthest_km, 17)},
+                                 {"--altitude-scale", sim::short_number(options.altitude_scale, 17)}};
   for (std::size_t i = 0; i < photos.size(); ++i) {
     const std::string which = photos.size() > 1 ? " " + std::to_string(i + 1) : "";
     subject.push_back({"the photograph" + which, photos[i].sha256});
@@ -124,6 +126,7 @@ int run_map(const MapRequest& options, const std::string& command) {
   map_options.replicates = options.replicates;
   map_options.sparsity = options.sparsity;
   map_options.farthest_km = options.farthest_km;
+  map_options.altitude_scale = options.altitude_scale;
   map_options.journal = &journal;
   map_options.stop = &watch_for_interrupt();
   fit::MapResult result = [&] {
@@ -191,6 +194,12 @@ void add_map_command(Program& program) {
       .option("--farthest-km", options->farthest_km,
               "How far the ground reaches that is mapped (0: as far as the picture shows a lower border)")
       .range(0.0, 2000.0);
+  command
+      .option(
+          "--altitude-scale", options->altitude_scale,
+          "Let all light stand at so many times the altitudes of the tables' atmosphere, to see what changes")
+      .range(0.7, 1.3)
+      .shows_default();
   command.flag("--overwrite", options->overwrite,
                "Replace a map that exists; without --resume, discard the steps of one that was cut off");
   command.flag("--resume", options->resume,

@@ -347,7 +347,9 @@ std::vector<Curtain> find_curtains(const MapResult& result) {
       p.energy_kev = {std::exp(best.ln_energy), std::exp(best.ln_energy) * ln_error};
       // What is narrower than a part of a pixel has no width of its own.
       p.width_km = {std::max(best.width_km, 0.25 * raster.step_km), spread(of_width)};
-      const LowerBorder border = lower_border(result.scene, p.energy_kev.value);
+      LowerBorder border = lower_border(result.scene, p.energy_kev.value);
+      border.altitude_km *= result.altitude_scale;
+      border.by_ln_energy *= result.altitude_scale;
       p.lower_border_km = {border.altitude_km, std::abs(border.by_ln_energy) * ln_error};
       // A border that is higher is farther away at the same elevation.
       p.distance_error_km =

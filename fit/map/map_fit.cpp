@@ -191,12 +191,18 @@ class CellReader {
 class Mapping {
  public:
   Mapping(const sim::Scene& scene, const std::vector<Photo>& photos, const MapOptions& options)
-      : scene_(scene), photos_(photos), options_(options), scenes_(scenes_of(scene, photos)) {}
+      : scene_(scene),
+        photos_(photos),
+        options_(options),
+        scenes_(scenes_of(scene, photos)),
+        numbers_(map_numbers(scene)) {}
 
   MapResult run();
 
  private:
-  std::vector<MapPicture> pictures(int coarseness) const;
+  std::vector<MapPicture> pictures(int coarseness) const { return pictures(coarseness, scenes_); }
+  std::vector<MapPicture> pictures(int coarseness, const std::vector<sim::Scene>& scenes,
+                                   const std::vector<MapPicture>* like = nullptr) const;
   void look(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid) const;
   std::vector<float> flat_start(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid) const;
   void keep_seen(std::vector<MapPicture>& pictures, sim::GroundGrid& grid) const;
@@ -207,7 +213,7 @@ class Mapping {
                          const std::vector<float>& start, MapResult& result);
   std::vector<float> recorded(const std::string& name, int cells, std::vector<MapPicture>& pictures,
                               double& chi2, const std::function<MapSolution()>& work);
-  std::vector<CellFlux> replicate(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid,
+  std::vector<CellFlux> replicate(std::vector<MapPicture>& fine, const sim::GroundGrid& grid,
                                   const MapResult& best, const std::vector<MapLight>& truth, int number,
                                   double from, double to);
   void tell_what_is_seen(const std::vector<MapPicture>& pictures, MapResult& result) const;
@@ -217,18 +223,25 @@ class Mapping {
   const std::vector<Photo>& photos_;
   const MapOptions& options_;
   std::vector<sim::Scene> scenes_;
+  std::vector<MapNumber> numbers_;
   std::vector<double> energies_ = energy_nodes();
 };
 
-std::vector<MapPicture> Mapping::pictures(int coarseness) const {
+/// With films of the sizes that those of `like` have.
+std::vector<MapPicture> Mapping::pictures(int coarseness, const std::vector<sim::Scene>& scenes,
+                                          const std::vector<MapPicture>* like) const {
   std::vector<MapPicture> all;
-  for (std::size_t i = 0; i < scenes_.size(); ++i) {
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
     MapPictureOptions o;
     o.pixels_per_cell = coarseness * (options_.pixels_per_cell > 0 ? options_.pixels_per_cell
-                                                                   : fine_pixels(scenes_[i].camera));
-    o.model_error = scenes_[i].fit.model_error;
+                                                                   : fine_pixels(scenes[i].camera));
+    o.model_error = scenes[i].fit.model_error;
     o.threads = options_.threads;
-    all.emplace_back(scenes_[i], photos_[i], o);
+    if (like != nullptr) {
+      const sim::FilmGeometry& film = (*like)[i].film();
+      o.margin_cells = static_cast<int>(std::lround(-film.x0_px / film.cell_width_px));
+    }
+    all.emplace_back(scenes[i], photos_[i], o);
     if (all.back().values() == 0)
       refuse(sim::ErrorKind::scene, scene_,
              "no usable pixel of " + photos_[i].file_name + " looks at the sky", "camera.elevation_deg",
@@ -239,7 +252,8 @@ std::vector<MapPicture> Mapping::pictures(int coarseness) const {
 }
 
 void Mapping::look(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid) const {
-  for (MapPicture& picture : pictures) picture.look_at(scene_.site, grid, energies_, kFluxOfRates);
+  for (MapPicture& picture : pictures)
+    picture.look_at(scene_.site, grid, energies_, kFluxOfRates, options_.altitude_scale);
 }
 
 void Mapping::keep_seen(std::vector<MapPicture>& pictures, sim::GroundGrid& grid) const {
@@ -435,10 +449,24 @@ std::vector<float> smooth_error(const sim::FilmGeometry& film, std::uint64_t see
   return blurred;
 }
 
-std::vector<CellFlux> Mapping::replicate(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid,
+std::vector<CellFlux> Mapping::replicate(std::vector<MapPicture>& fine, const sim::GroundGrid& grid,
                                          const MapResult& best, const std::vector<MapLight>& truth,
                                          int number, double from, double to) {
   const auto work = [&] {
+    // The numbers beside the map are drawn from what is known of them.
+    std::vector<MapPicture> drawn;
+    if (!numbers_.empty()) {
+      std::vector<double> values;
+      for (std::size_t i = 0; i < numbers_.size(); ++i) {
+        const double drawn_number =
+            normal(scene_.seed, static_cast<std::uint32_t>(number), 0xffe0u, static_cast<std::uint32_t>(i));
+        values.push_back(numbers_[i].value + numbers_[i].error * drawn_number);
+      }
+      drawn = this->pictures(1, scenes_of(scene_with(scene_, numbers_, values), photos_), &fine);
+      for (std::size_t p = 0; p < drawn.size(); ++p) drawn[p].gain = fine[p].gain;
+      look(drawn, grid);
+    }
+    std::vector<MapPicture>& pictures = drawn.empty() ? fine : drawn;
     for (std::size_t p = 0; p < pictures.size(); ++p) {
       MapPicture& picture = pictures[p];
       const std::vector<float> shared =
@@ -525,7 +553,12 @@ MapResult Mapping::run() {
   look(coarse, coarse_grid);
   keep_seen(coarse, coarse_grid);
   const std::vector<float> start = flat_start(coarse, coarse_grid);
-  MapResult result{scene_, coarse_grid, energies_, {}, {}, {}, {}, {}, {}, 0.0, {}, 0.0, 0.0, 0, {}, false};
+  MapResult result{scene_,      numbers_,  options_.altitude_scale,
+                   coarse_grid, energies_, {},
+                   {},          {},        {},
+                   {},          {},        0.0,
+                   {},          0.0,       0.0,
+                   0,           {},        false};
   result.sparsity =
       options_.sparsity > 0.0 ? options_.sparsity : choose_sparsity(coarse, coarse_grid, start, result);
   double chi2 = 0.0;

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/map/map_numbers.h"
 #include "fit/map/map_picture.h"
 #include "fit/photo/photo.h"
 #include "fit/search/journal.h"
@@ -22,11 +23,12 @@
 namespace vegard::fit {
 
 struct MapOptions {
-  int threads = 0;           ///< 0: all cores
-  int replicates = 16;       ///< perturbed solutions; 0: no error bars
-  double sparsity = 0.0;     ///< of the prior (fit/map/map_solver.h); 0: cross-validation chooses
-  int pixels_per_cell = 0;   ///< of the fine film, along either side; 0: by the size of the picture
-  double farthest_km = 0.0;  ///< of the ground; 0: by the lowest elevation in the picture
+  int threads = 0;              ///< 0: all cores
+  int replicates = 16;          ///< perturbed solutions; 0: no error bars
+  double sparsity = 0.0;        ///< of the prior (fit/map/map_solver.h); 0: cross-validation chooses
+  int pixels_per_cell = 0;      ///< of the fine film, along either side; 0: by the size of the picture
+  double farthest_km = 0.0;     ///< of the ground; 0: by the lowest elevation in the picture
+  double altitude_scale = 1.0;  ///< at so many times the tables' altitudes stands all light
   Journal* journal = nullptr;
   const std::atomic<bool>* stop = nullptr;
   /// What is being done, and which share of all work is behind.
@@ -58,6 +60,8 @@ struct MapTrial {
 
 struct MapResult {
   sim::Scene scene;
+  std::vector<MapNumber> numbers;  ///< that the replicates have values of their own for
+  double altitude_scale = 1.0;     ///< at so many times the tables' altitudes stands all light
   sim::GroundGrid grid;
   std::vector<double> energies_kev;
   std::vector<float> map;  ///< as GroundLight has it

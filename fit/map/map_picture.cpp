@@ -32,15 +32,11 @@ double nth(std::vector<double>& values, double share) {
 MapPicture::MapPicture(const sim::Scene& scene, const Photo& photo, const MapPictureOptions& options)
     : scene_(scene), threads_(options.threads) {
   const int b = options.pixels_per_cell;
+  double widest_px = 0.0;
+  for (const double width : scene.blur.width_deg)
+    widest_px = std::max(widest_px, width * sim::pixels_per_degree(scene.camera));
   const int margin =
-      static_cast<int>(std::ceil(3.0 *
-                                 [&] {
-                                   double widest = 0.0;
-                                   for (const double w : scene.blur.width_deg)
-                                     widest = std::max(widest, w * sim::pixels_per_degree(scene.camera));
-                                   return widest / b;
-                                 }())) +
-      1;
+      options.margin_cells > 0 ? options.margin_cells : static_cast<int>(std::ceil(3.0 * widest_px / b)) + 1;
   film_.cell_width_px = film_.cell_height_px = b;
   film_.columns = scene.camera.width / b + 2 * margin;
   film_.rows = scene.camera.height / b + 2 * margin;
@@ -292,9 +288,10 @@ void MapPicture::factor_sky() {
 }
 
 void MapPicture::look_at(const sim::Site& home, const sim::GroundGrid& grid,
-                         const std::vector<double>& energies_kev, double rates_at_flux_mw_m2) {
+                         const std::vector<double>& energies_kev, double rates_at_flux_mw_m2,
+                         double altitude_scale) {
   light_ = std::make_unique<sim::GroundLight>(scene_, home, grid, film_, wanted_, energies_kev,
-                                              rates_at_flux_mw_m2, threads_);
+                                              rates_at_flux_mw_m2, threads_, altitude_scale);
 }
 
 void MapPicture::forward(const std::vector<float>& map, MapLight& out) const {

@@ -33,6 +33,7 @@ struct MapPictureOptions {
   int pixels_per_cell = 1;    ///< along either side of a film's cell
   double model_error = 0.02;  ///< as a share of the light above the sky
   double lowest_elevation_deg = 3.0;
+  int margin_cells = 0;  ///< of the film about the picture; 0: as far as the blur reaches
   int threads = 0;
 };
 
@@ -59,7 +60,7 @@ class MapPicture {
 
   /// Makes the forward operator for a grid.
   void look_at(const sim::Site& home, const sim::GroundGrid& grid, const std::vector<double>& energies_kev,
-               double rates_at_flux_mw_m2);
+               double rates_at_flux_mw_m2, double altitude_scale = 1.0);
   const sim::GroundLight& light() const { return *light_; }
 
   /// The light of a map, without the sky.

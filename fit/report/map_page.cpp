@@ -319,6 +319,18 @@ std::string prior_words(const MapResult& result) {
           : ", by what left-out blocks of the picture want",
       result.grid.cells(), result.energies_kev.size(), sim::short_number(result.energies_kev.front(), 3),
       sim::short_number(result.energies_kev.back(), 3), result.values, result.replicates.size());
+  if (result.altitude_scale != 1.0)
+    html += "<p>All light stands at " + sim::short_number(result.altitude_scale, 4) +
+            " times the altitudes of the tables, as asked (--altitude-scale).</p>\n";
+  if (!result.numbers.empty() && !result.replicates.empty()) {
+    html += "<p>In the error bars is also what is not known of ";
+    for (const MapNumber& n : result.numbers)
+      html +=
+          (&n == &result.numbers.front() ? "" : ", ") + sim::html_text(n.label) + " (" +
+          sim::html_text(sim::number_with_error(n.value, n.error) + (n.unit.empty() ? "" : " " + n.unit)) +
+          ")";
+    html += ".</p>\n";
+  }
   if (result.trials.empty()) return html;
   html += "<table>\n<tr><th>strength</th><th>loss of what was left out</th></tr>\n";
   for (const MapTrial& t : result.trials)

@@ -90,6 +90,11 @@ std::string map_json(const MapResult& result, const std::vector<Curtain>& curtai
     json["prior"]["tried"].push_back({{"sparsity", t.sparsity},
                                       {"left_out_loss", number(t.left_out)},
                                       {"standard_error", number(t.error)}});
+  json["altitude_scale"] = result.altitude_scale;
+  json["known_with_errors"] = nlohmann::ordered_json::array();
+  for (const MapNumber& n : result.numbers)
+    json["known_with_errors"].push_back(
+        {{"number", n.label}, {"value", n.value}, {"standard_error", n.error}, {"unit", n.unit}});
   json["replicates"] = result.replicates.size();
   json["cells"] = result.grid.cells();
   json["energies_kev"] = result.energies_kev;

@@ -16,7 +16,8 @@ namespace {
 constexpr double kRayleighsPerKm = 0.1;  // of a rate in photons cm^-3 s^-1
 constexpr int kShares = 4;               // of the rays in an adjoint, each with sums of its own
 
-std::vector<float> mean_rates(const Scene& scene, const std::vector<double>& energies_kev, double flux) {
+std::vector<float> mean_rates(const Scene& scene, const std::vector<double>& energies_kev, double flux,
+                              double altitude_scale) {
   const AltitudeBins bins;
   const auto lines = static_cast<int>(scene.emission.lines.size());
   std::vector<float> rates(static_cast<std::size_t>(bins.bins()) * lines * kGroundEnergies, 0.0f);
@@ -24,13 +25,14 @@ std::vector<float> mean_rates(const Scene& scene, const std::vector<double>& ene
   for (std::size_t e = 0; e < energies_kev.size(); ++e) {
     const HeightProfile profile = maxwellian_profile(scene.emission.lines, energies_kev[e], at_flux);
     const auto rate = [&](int line, double altitude_km) {
-      const double row = (altitude_km - HeightProfile::kBottomKm) / HeightProfile::kStepKm;
+      const double row = (altitude_km / altitude_scale - HeightProfile::kBottomKm) / HeightProfile::kStepKm;
+      if (row < 0.0 || row > HeightProfile::kAltitudes - 1) return 0.0;
       const int i = std::clamp(static_cast<int>(row), 0, HeightProfile::kAltitudes - 2);
       const double t = row - i;
       const auto at = [&](int r) {
         return static_cast<double>(profile.rate[static_cast<std::size_t>(r) * profile.stride + line]);
       };
-      return (1.0 - t) * at(i) + t * at(i + 1);
+      return ((1.0 - t) * at(i) + t * at(i + 1)) / altitude_scale;
     };
     for (int bin = 0; bin < bins.bins(); ++bin) {
       const double low = bins.edge_km(bin), high = bins.edge_km(bin + 1);
@@ -72,12 +74,13 @@ std::vector<float> transmissions(const Scene& scene, const FilmGeometry& film) {
 
 GroundLight::GroundLight(const Scene& scene, const Site& home, const GroundGrid& grid,
                          const FilmGeometry& film, const std::vector<std::uint8_t>& wanted,
-                         const std::vector<double>& energies_kev, double rates_at_flux_mw_m2, int threads)
+                         const std::vector<double>& energies_kev, double rates_at_flux_mw_m2, int threads,
+                         double altitude_scale)
     : sight_(sight_lines(scene, home, grid, film, wanted, threads)),
       lines_of_light_(static_cast<int>(scene.emission.lines.size())),
       threads_(threads),
       numbers_(static_cast<std::size_t>(grid.cells()) * kGroundEnergies),
-      rate_(mean_rates(scene, energies_kev, rates_at_flux_mw_m2)),
+      rate_(mean_rates(scene, energies_kev, rates_at_flux_mw_m2, altitude_scale)),
       transmission_(transmissions(scene, film)) {
   assert(energies_kev.size() <= kGroundEnergies);
   const std::size_t all = sight_.stretch.size();

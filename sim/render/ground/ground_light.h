@@ -20,10 +20,11 @@ namespace vegard::sim {
 class GroundLight {
  public:
   /// Energies in keV, at most kGroundEnergies, those of the emission tables. `rates_at_flux_mw_m2`: the flux
-  /// whose light per mW m^-2 is taken (sim/light/flux_law.h), under the law "linear" without an effect.
+  /// whose light per mW m^-2 is taken (sim/light/flux_law.h), under the law "linear" without an effect. Light
+  /// that the tables have at an altitude stands at `altitude_scale` times that, as much of it in all.
   GroundLight(const Scene& scene, const Site& home, const GroundGrid& grid, const FilmGeometry& film,
               const std::vector<std::uint8_t>& wanted, const std::vector<double>& energies_kev,
-              double rates_at_flux_mw_m2, int threads);
+              double rates_at_flux_mw_m2, int threads, double altitude_scale = 1.0);
 
   int lines() const { return lines_of_light_; }
   std::size_t rays() const { return sight_.rays(); }

@@ -1,0 +1,71 @@
+#include "fit/map/map_numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fit/parameters/free_parameters.h"
+#include "sim/base/error.h"
+#include "sim/base/file/number_text.h"
+#include "sim/scene/table/parameter_table.h"
+#include "sim/scene/table/photo_scene.h"
+
+namespace vegard::fit {
+namespace {
+
+bool concerns_map(const std::string& path) {
+  constexpr std::array<const char*, 4> kTables = {"camera.", "air.", "field.", "blur."};
+  return std::any_of(kTables.begin(), kTables.end(),
+                     [&](const std::string& table) { return path.compare(0, table.size(), table) == 0; });
+}
+
+/// What the scene, or the photograph, has for it.
+double value_in(const sim::Scene& scene, const FreeNumber& number) {
+  const sim::PhotoEntry* entry = number.photo.empty() ? nullptr : sim::find_photo(scene, number.photo);
+  const sim::Scene seen = entry != nullptr ? sim::scene_of_photo(scene, *entry) : scene;
+  return *sim::real_value(seen, sim::resolve(seen, number.path).front());
+}
+
+}  // namespace
+
+std::vector<MapNumber> map_numbers(const sim::Scene& scene) {
+  std::vector<MapNumber> numbers;
+  if (scene.fit.free.empty()) return numbers;
+  for (const FreeNumber& free : free_numbers(scene)) {
+    if (!free.has_path() || !concerns_map(free.path)) continue;
+    if (!free.prior || free.prior->law != sim::PriorLaw::normal || !free.also.empty())
+      throw sim::Error(
+          sim::ErrorKind::scene,
+          {"a map takes " + free.label() + " as known, with an error that it has no prior for", scene.file, 0,
+           "fit.free", "prior = { mean = ..., sigma = ... }, of this number alone",
+           "vegard calibrate tells the errors of a camera's numbers; or leave it out of fit.free"});
+    MapNumber n;
+    n.label = free.label();
+    n.unit = free.unit();
+    n.path = free.path;
+    n.photo = free.photo;
+    n.value = value_in(scene, free);
+    n.error = free.prior->sigma;
+    n.min = free.min;
+    n.max = free.max;
+    numbers.push_back(n);
+  }
+  return numbers;
+}
+
+sim::Scene scene_with(sim::Scene scene, const std::vector<MapNumber>& numbers,
+                      const std::vector<double>& values) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const MapNumber& n = numbers[i];
+    const std::string text = sim::short_number(std::clamp(values[i], n.min, n.max), 17);
+    if (n.photo.empty()) {
+      sim::set_from_text(scene, n.path, text);
+      continue;
+    }
+    for (sim::PhotoEntry& entry : scene.fit.photos)
+      if (entry.name == n.photo) entry.set.emplace_back(n.path, text);
+  }
+  return scene;
+}
+
+}  // namespace vegard::fit
