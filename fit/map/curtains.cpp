@@ -233,6 +233,16 @@ Section section(const MapRaster& raster, const std::vector<double>& smooth, cons
   return s;
 }
 
+/// Whether there is a curtain in the perturbed solutions too; true without any.
+bool is_above_its_error(const std::vector<CurtainPoint>& points) {
+  double flux = 0.0, error = 0.0;
+  for (const CurtainPoint& p : points) {
+    flux += p.flux_mw_m2.value;
+    error += p.flux_mw_m2.error;
+  }
+  return !(error > flux);
+}
+
 }  // namespace
 
 LowerBorder lower_border(const sim::Scene& scene, double energy_kev) {
@@ -361,7 +371,7 @@ std::vector<Curtain> find_curtains(const MapResult& result) {
     while (!points.empty() && !points.back().told) points.pop_back();
     points.erase(points.begin(),
                  std::find_if(points.begin(), points.end(), [](const CurtainPoint& p) { return p.told; }));
-    if (points.size() < 3) continue;
+    if (points.size() < 3 || !is_above_its_error(points)) continue;
     curtain.length_km *= (points.size() - 1.0) / (feet.size() - 1.0);
     curtains.push_back(std::move(curtain));
   }

@@ -28,9 +28,13 @@ constexpr double kSquare_km = 1.5, kMostSquares = 60000.0;
 constexpr double kBorder_km = 105.0;
 constexpr double kKeptShare = 3e-3, kKeptReach_km = 12.0;
 constexpr int kBlock_cells = 3, kBlockOneIn = 10;
+constexpr double kFineCost = 3.5;  // of a step on the fine film, in those on the coarse one
+constexpr double kUsualTrials = 5.0;
 constexpr int kCoarseSteps = 160, kFineSteps = 320, kReplicateSteps = 80;
-// From the strongest on, until what is left out has been told worse for so many in a row.
-constexpr double kTrials[] = {16.0, 8.0, 4.0, 2.0, 1.0, 0.5, 0.25, 0.125, 0.0625};
+// From the strongest on, until what is left out has been told worse for so many in a row. No weaker ones: of
+// real photographs left-out blocks of the coarse film ask for ever weaker ones, which make up for the film's
+// coarseness, explain the fine film no better, and leave error bars up to twice as wide.
+constexpr double kTrials[] = {16.0, 8.0, 4.0, 2.0, 1.0, 0.5};
 constexpr int kWorseTrials = 2;
 constexpr double kEnergyReach_km = 4.0, kWideReach_km = 10.0;
 constexpr double kUsualSparsity = 4.0;
@@ -187,6 +191,20 @@ class CellReader {
   std::vector<std::vector<std::pair<int, float>>> near_;
 };
 
+/// Which share of all work is behind at the end of each stage, as far as can be said before.
+struct WorkShares {
+  double prior = 0.0, coarse = 0.0, map = 0.0;
+
+  explicit WorkShares(const MapOptions& options) {
+    const double trials = options.sparsity > 0.0 ? 0.0 : kUsualTrials * kCoarseSteps;
+    const double fine = kFineCost * kFineSteps, bars = kFineCost * kReplicateSteps * options.replicates;
+    const double all = trials + kCoarseSteps + fine + bars;
+    prior = trials / all;
+    coarse = prior + kCoarseSteps / all;
+    map = coarse + fine / all;
+  }
+};
+
 /// The coarse and the fine problem.
 class Mapping {
  public:
@@ -195,7 +213,8 @@ class Mapping {
         photos_(photos),
         options_(options),
         scenes_(scenes_of(scene, photos)),
-        numbers_(map_numbers(scene)) {}
+        numbers_(map_numbers(scene)),
+        share_(options) {}
 
   MapResult run();
 
@@ -224,6 +243,7 @@ class Mapping {
   const MapOptions& options_;
   std::vector<sim::Scene> scenes_;
   std::vector<MapNumber> numbers_;
+  WorkShares share_;
   std::vector<double> energies_ = energy_nodes();
 };
 
@@ -372,7 +392,8 @@ double Mapping::choose_sparsity(std::vector<MapPicture>& pictures, const sim::Gr
     for (int t = 0; t < count && worse < kWorseTrials && !stopped(); ++t) {
       for (std::size_t p = 0; p < pictures.size(); ++p) pictures[p].leave_out(out[p]);
       const MapSolution s = solve(pictures, grid, start, kTrials[t], kCoarseSteps, "choosing the prior",
-                                  0.02 + 0.28 * t / count, 0.02 + 0.28 * (t + 1) / count);
+                                  share_.prior * std::min(1.0, t / kUsualTrials),
+                                  share_.prior * std::min(1.0, (t + 1) / kUsualTrials));
       double sum = 0.0, squares = 0.0, n = 0.0;
       for (std::size_t p = 0; p < pictures.size(); ++p) {
         MapLight model, residual;
@@ -416,9 +437,10 @@ double Mapping::choose_sparsity(std::vector<MapPicture>& pictures, const sim::Gr
     result.trials.push_back({sparsity[t], left[t], error[t]});
     if (left[t] < left[best]) best = t;
   }
-  // The strongest prior that is no worse than the best by more than half a standard error.
+  // The strongest prior that is no worse than the best by more than a standard error (Breiman and others
+  // 1984, "Classification and Regression Trees", section 3.4.3).
   for (std::size_t t = 0; t < best; ++t)
-    if (result.trials[t].left_out <= result.trials[best].left_out + 0.5 * result.trials[best].error)
+    if (result.trials[t].left_out <= result.trials[best].left_out + result.trials[best].error)
       return result.trials[t].sparsity;
   return result.trials[best].sparsity;
 }
@@ -563,7 +585,8 @@ MapResult Mapping::run() {
       options_.sparsity > 0.0 ? options_.sparsity : choose_sparsity(coarse, coarse_grid, start, result);
   double chi2 = 0.0;
   const std::vector<float> rough = recorded("coarse map", coarse_grid.cells(), coarse, chi2, [&] {
-    return solve(coarse, coarse_grid, start, result.sparsity, kCoarseSteps, "coarse map", 0.3, 0.35);
+    return solve(coarse, coarse_grid, start, result.sparsity, kCoarseSteps, "coarse map", share_.prior,
+                 share_.coarse);
   });
   double dark = 0.0;
   for (MapPicture& picture : coarse) {
@@ -608,9 +631,9 @@ MapResult Mapping::run() {
       fine_start[static_cast<std::size_t>(c) * kGroundEnergies + k] =
           rough[static_cast<std::size_t>(under) * kGroundEnergies + k] + 1e-3f * brightest;
   }
-  const double share = options_.replicates > 0 ? 0.6 : 1.0;
   result.map = recorded("map", result.grid.cells(), fine, result.chi2, [&] {
-    return solve(fine, result.grid, std::move(fine_start), result.sparsity, kFineSteps, "map", 0.35, share);
+    return solve(fine, result.grid, std::move(fine_start), result.sparsity, kFineSteps, "map", share_.coarse,
+                 share_.map);
   });
   result.cells = CellReader(result.grid, energies_).cells(result.map);
   for (const CellFlux& cell : CellReader(result.grid, energies_, kWideReach_km).cells(result.map))
@@ -641,9 +664,9 @@ MapResult Mapping::run() {
   }
   tell_what_is_seen(fine, result);
   for (int r = 0; r < options_.replicates && !stopped(); ++r) {
-    std::vector<CellFlux> cells =
-        replicate(fine, result.grid, result, truth, r, share + (1.0 - share) * r / options_.replicates,
-                  share + (1.0 - share) * (r + 1) / options_.replicates);
+    std::vector<CellFlux> cells = replicate(fine, result.grid, result, truth, r,
+                                            share_.map + (1.0 - share_.map) * r / options_.replicates,
+                                            share_.map + (1.0 - share_.map) * (r + 1) / options_.replicates);
     if (!stopped()) result.replicates.push_back(std::move(cells));
   }
   result.interrupted = stopped();
