@@ -233,14 +233,12 @@ Section section(const MapRaster& raster, const std::vector<double>& smooth, cons
   return s;
 }
 
-/// Whether there is a curtain in the perturbed solutions too; true without any.
-bool is_above_its_error(const std::vector<CurtainPoint>& points) {
-  double flux = 0.0, error = 0.0;
-  for (const CurtainPoint& p : points) {
-    flux += p.flux_mw_m2.value;
-    error += p.flux_mw_m2.error;
-  }
-  return !(error > flux);
+/// Whether the perturbed solutions have the curtain as well: its flux, summed over its length and width, is
+/// above its standard error. True without any.
+bool is_in_all(double best, const std::vector<double>& others) {
+  double squares = 0.0;
+  for (const double other : others) squares += std::pow(other - best, 2);
+  return others.empty() || std::sqrt(squares / static_cast<double>(others.size())) <= best;
 }
 
 }  // namespace
@@ -320,12 +318,15 @@ std::vector<Curtain> find_curtains(const MapResult& result) {
     double mean = 0.0;
     for (const sim::EastNorth& foot : feet) mean += value_at(raster, field.smooth, foot) / feet.size();
     if (mean < kLeastMean * most) continue;
+    double whole = 0.0;  // flux, over length and width
+    std::vector<double> whole_of(replicates.size(), 0.0);
     for (std::size_t i = 0; i < feet.size(); ++i) {
       const sim::EastNorth before = feet[i > 0 ? i - 1 : 0], after = feet[std::min(i + 1, feet.size() - 1)];
       const double length = std::hypot(after.east - before.east, after.north - before.north);
       const sim::EastNorth across{-(after.north - before.north) / length,
                                   (after.east - before.east) / length};
       const Section best = section(raster, field.smooth, flux, feet[i], across);
+      whole += best.flux * best.width_km;
       CurtainPoint p;
       p.foot_km = feet[i];
       p.distance_km = std::hypot(feet[i].east, feet[i].north);
@@ -335,6 +336,7 @@ std::vector<Curtain> find_curtains(const MapResult& result) {
       double aside = 0.0, of_flux = 0.0, of_energy = 0.0, of_width = 0.0;
       for (std::size_t r = 0; r < replicates.size(); ++r) {
         const Section other = section(raster, smooth_replicates[r], replicates[r], feet[i], across);
+        whole_of[r] += other.flux * other.width_km;
         aside += std::pow(other.aside_km - best.aside_km, 2);
         of_flux += std::pow(other.flux - best.flux, 2);
         of_energy += std::pow(other.ln_energy - best.ln_energy, 2);
@@ -366,12 +368,13 @@ std::vector<Curtain> find_curtains(const MapResult& result) {
           std::hypot(p.distance_error_km, p.lower_border_km.error * p.distance_km / p.lower_border_km.value);
       curtain.points.push_back(p);
     }
+    if (!is_in_all(whole, whole_of)) continue;
     // Ends that are out of view are guesses.
     std::vector<CurtainPoint>& points = curtain.points;
     while (!points.empty() && !points.back().told) points.pop_back();
     points.erase(points.begin(),
                  std::find_if(points.begin(), points.end(), [](const CurtainPoint& p) { return p.told; }));
-    if (points.size() < 3 || !is_above_its_error(points)) continue;
+    if (points.size() < 3) continue;
     curtain.length_km *= (points.size() - 1.0) / (feet.size() - 1.0);
     curtains.push_back(std::move(curtain));
   }
