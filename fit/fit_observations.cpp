@@ -190,7 +190,7 @@ sim::Scene with_ties(const sim::Scene& given, const std::vector<FreeNumber>& fre
 
 FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                            const std::vector<Observation>& observations, const FitOptions& asked,
-                           const FoundCurve* curve) {
+                           const FoundCurve* curve, const FinishedSearch* done) {
   const FitOptions options = leaving_room_for_judges(asked, free.size());
   const std::vector<CostTerm> full = cost_terms(observations, free, Detail::full);
 
@@ -215,11 +215,16 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
     log = curve->log;
     r.trace = curve->trace;
   }
+  if (done != nullptr) {
+    log = done->log;
+    r.trace = done->trace;
+  }
 
   Evidence evidence;
   const SearchOutcome outcome =
-      curve != nullptr
-          ? curve->outcome
+      curve != nullptr ? curve->outcome
+      : done != nullptr
+          ? done->outcome
           : search_outcome_of(
                 recorded_step(options.journal, "the whole search", free.size(), log, r.trace,
                               [&] {

@@ -22,6 +22,13 @@ struct FoundCurve {
   std::vector<TraceRow> trace;
 };
 
+/// A search that is done already, by another way than search()'s.
+struct FinishedSearch {
+  SearchOutcome outcome;
+  EvaluationLog log;
+  std::vector<TraceRow> trace;
+};
+
 /// Error bars with the curve's own uncertainty: covariance += slopes^T (covariance of the curve) slopes, as
 /// if every other number followed the curve along the valley. No error bar is made where there was none.
 void widen(const FoundCurve& curve, Uncertainty& u);
@@ -31,9 +38,10 @@ void widen(const FoundCurve& curve, Uncertainty& u);
 sim::Scene with_ties(const sim::Scene& given, const std::vector<FreeNumber>& free,
                      const PhotoFrame& frame = {});
 
-/// Searches (with a curve: takes its outcome) and works out the answer. Throws as fit_photo() does.
+/// Searches (with a curve or a finished search: takes its outcome) and works out the answer. Throws as
+/// fit_photo() does.
 FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                            const std::vector<Observation>& observations, const FitOptions& asked,
-                           const FoundCurve* curve = nullptr);
+                           const FoundCurve* curve = nullptr, const FinishedSearch* done = nullptr);
 
 }  // namespace vegard::fit

@@ -25,10 +25,13 @@
 #include "apps/options/standard_streams.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
+#include "fit/curtain_fit.h"
 #include "fit/curve_fit.h"
 #include "fit/fit.h"
+#include "fit/map/map_record.h"
 #include "fit/photo/photo.h"
 #include "fit/report/run_directory.h"
+#include "fit/report/table/curve_steps_table.h"
 #include "fit/report/table/result_json.h"
 #include "fit/search/file_journal.h"
 #include "fit/version.h"
@@ -49,6 +52,7 @@ struct FitRequest {
   std::string memory_limit;
   SceneOptions scene;
   PhotoWords photo;
+  std::string from_map;
   std::string out;
   int threads = 0;
   int max_evaluations = fit::FitOptions().max_evaluations;
@@ -68,6 +72,7 @@ std::vector<NamedInput> files_read(const FitRequest& options, const sim::Scene& 
       inputs.push_back(input);
   inputs.push_back({options.photo.file, "the photograph"});
   inputs.push_back({options.photo.mask, "the mask"});
+  if (!options.from_map.empty()) inputs.push_back({options.from_map + "/map.json", "the map"});
   for (const fit::FilterFile& filter : filter_files(options.photo.filters))
     inputs.push_back({filter.file, "the photograph"});
   if (!options.photo.decoding.empty())
@@ -95,7 +100,8 @@ class Account {
 
 /// All that the answer depends on. Comments and the order of keys in the scene's file do not count.
 fit::JournalSubject subject_of(const FitRequest& options, const sim::Scene& scene,
-                               const std::vector<fit::Photo>& photos) {
+                               const std::vector<fit::Photo>& photos,
+                               const std::optional<fit::MapRecord>& map) {
   fit::JournalSubject subject = {
       {"the version of vegard", sim::version()},
       {"the version of a library",
@@ -113,6 +119,7 @@ fit::JournalSubject subject_of(const FitRequest& options, const sim::Scene& scen
     subject.push_back({"the decoding" + which, photos[i].decoding});
   }
   subject.push_back({"--max-evaluations", std::to_string(options.max_evaluations)});
+  if (map) subject.push_back({"the map", map->sha256});
   return subject;
 }
 
@@ -136,7 +143,7 @@ fit::JournalMode journal_mode(const FitRequest& options) {
 
 /// A photograph whose transfer curve was unknown is decoded by what was found of it afterwards.
 fit::FitResult fitted(const FitRequest& options, const sim::Scene& scene, std::vector<fit::Photo>& photos,
-                      fit::Journal& journal) {
+                      const std::optional<fit::MapRecord>& map, fit::Journal& journal) {
   Account account;
   fit::FitOptions fit_options;
   fit_options.threads = options.threads;
@@ -149,33 +156,52 @@ fit::FitResult fitted(const FitRequest& options, const sim::Scene& scene, std::v
                                     double share) { account.tell(stage, evaluations, chi2_per_dof, share); };
   fit_options.stop = &watch_for_interrupt();
   return placing_errors(scene, [&] {
+    if (map) return fit::fit_curtains(scene, photos, map->curtains, map->faint, fit_options);
     if (!scene.fit.photos.empty()) return fit::fit_photos(scene, photos, fit_options);
     return photos.front().unknowns > 0 ? fit::fit_photo_and_curve(scene, photos.front(), fit_options)
                                        : fit::fit_photo(scene, photos.front(), fit_options);
   });
 }
 
+/// A number of a map's curtain, of which there are too many to be read one by one.
+bool is_of_curve(const fit::FitResult& result, const std::string& path) {
+  if (result.curve_steps.empty()) return false;
+  for (const sim::Sheet& sheet : result.best.sheets)
+    for (const std::string& beginning : {"sheet." + sheet.name + ".", sheet.name + "_across_km_"})
+      if (path.compare(0, beginning.size(), beginning) == 0) return true;
+  return false;
+}
+
 void print_answer(const fit::FitResult& result, const std::string& report) {
   say("%s\n", result.verdict_line.c_str());
+  for (const fit::CurveStep& step : result.curve_steps) say("%s\n", fit::curve_step_in_words(step).c_str());
   std::size_t widest = 0;
-  std::size_t coefficients = 0;
+  std::size_t coefficients = 0, of_curves = 0;
   for (const fit::FittedParameter& p : result.parameters) {
     if (p.of_profile)
       ++coefficients;
+    else if (is_of_curve(result, p.path))
+      ++of_curves;
     else
       widest = std::max(widest, p.path.size());
   }
-  for (const fit::TiedNumber& t : result.tied) widest = std::max(widest, t.path.size());
+  for (const fit::TiedNumber& t : result.tied)
+    if (!is_of_curve(result, t.path)) widest = std::max(widest, t.path.size());
   for (const fit::FittedParameter& p : result.parameters) {
-    if (p.of_profile) continue;
+    if (p.of_profile || is_of_curve(result, p.path)) continue;
     say("  %-*s  %s%s%s%s\n", static_cast<int>(widest), p.path.c_str(),
         sim::number_with_error(p.value, p.sigma).c_str(), p.unit.empty() ? "" : " ", p.unit.c_str(),
         p.at_limit ? "  (at a limit)" : "");
   }
-  for (const fit::TiedNumber& t : result.tied)
+  for (const fit::TiedNumber& t : result.tied) {
+    if (is_of_curve(result, t.path)) continue;
     say("  %-*s  %s%s%s = %s\n", static_cast<int>(widest), t.path.c_str(),
         sim::number_with_error(t.value, t.sigma).c_str(), t.unit.empty() ? "" : " ", t.unit.c_str(),
         t.equals.c_str());
+  }
+  if (of_curves > 0)
+    say("  %zu numbers of %zu curve%s: see the report\n", of_curves, result.best.sheets.size(),
+        result.best.sheets.size() == 1 ? "" : "s");
   if (coefficients > 0) say("  %zu coefficients of free-form profiles: see profile.csv\n", coefficients);
   for (const fit::DerivedNumber& d : result.derived) {
     if (d.is_detail) continue;  // in the report
@@ -215,25 +241,29 @@ int run_fit(const FitRequest& options, const std::string& command) {
     spare_inputs_inside("--out", options.out, files_read(options, scene));
     fit::check_run_directory(options.out, replaces);
   }
+  std::optional<fit::MapRecord> map;
+  if (!options.from_map.empty()) map = fit::read_map_record(options.from_map);
   std::vector<fit::PhotoFact> from_photograph;
   const std::string photo =
       options.photo.filters.empty() ? options.photo.file : filter_files(options.photo.filters).front().file;
   if (scene.fit.photos.empty() && !photo.empty() && !options.no_metadata)
     from_photograph = take_from_photograph(scene, photo, options.scene.changes);
-  check_memory_of_fit(scene, options.threads, options.memory_limit);
+  const sim::Scene first = map ? fit::scene_of_ridges(scene, map->curtains) : scene;
+  check_memory_of_fit(first, options.threads, options.memory_limit);
   std::vector<fit::Photo> photos = photographs_asked(options.photo, scene);
+  if (map) fit::check_same_subject(*map, scene, inputs_of(options.scene.file, scene_sha256, photos));
   if (options.check_derivatives) {
     if (!scene.fit.photos.empty())
       throw usage_error("--check-derivatives", "is for one photograph", "a scene without [[fit.photo]]");
-    return print_derivative_check(scene, photos.front(), options.threads);
+    return print_derivative_check(first, photos.front(), options.threads);
   }
-  fit::FileJournal journal(fit::journal_file(options.out), subject_of(options, scene, photos),
+  fit::FileJournal journal(fit::journal_file(options.out), subject_of(options, scene, photos, map),
                            journal_mode(options));
   if (journal.dropped() > 0)
     tell("vegard: %d of %d steps of the journal are left out: %s, and each step rests on those before it\n",
          journal.dropped(), journal.dropped() + journal.found(), journal.why_dropped().c_str());
   if (journal.found() > 0) tell("vegard: going on after %d finished steps\n", journal.found());
-  fit::FitResult result = fitted(options, scene, photos, journal);
+  fit::FitResult result = fitted(options, scene, photos, map, journal);
   if (!journal.problem().empty()) tell("vegard: this fit cannot be resumed: %s\n", journal.problem().c_str());
   result.inputs = inputs_of(options.scene.file, scene_sha256, photos);
   result.command = command;
@@ -266,6 +296,12 @@ void add_fit_command(Program& program) {
       .type_name("IMAGE");
   add_filter_option(command, options->photo.filters);
   command.option("--out", options->out, "The run's directory to write").type_name("RUN");
+  command
+      .option(
+          "--from-map", options->from_map,
+          "Refine the curtains of a map that vegard map wrote of the photograph: by beams, with curves that "
+          "are needed")
+      .type_name("RUN");
   command.option("--mask", options->photo.mask, "An image of the same size: white = use").type_name("IMAGE");
   add_decoding_option(command, options->photo.decoding);
   add_no_metadata_option(command, options->no_metadata);

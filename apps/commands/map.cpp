@@ -144,6 +144,7 @@ int run_map(const MapRequest& options, const std::string& command) {
   if (!journal.problem().empty()) tell("vegard: this map cannot be resumed: %s\n", journal.problem().c_str());
   const std::vector<fit::Curtain> curtains = fit::find_curtains(result);
   fit::MapRunFacts facts;
+  facts.faint = fit::find_faint_curtains(result);
   facts.command = command;
   facts.inputs = inputs_of(options.scene.file, scene_sha256, photos);
   facts.from_photograph = from_photograph;

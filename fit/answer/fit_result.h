@@ -18,6 +18,17 @@
 
 namespace vegard::fit {
 
+/// One of the models that were compared when a map's curtains were refined (fit/curtain_fit.h).
+struct CurveStep {
+  enum class Change { start, drop, add } change = Change::start;
+  std::string curve;  ///< the sheet that was left out or added; empty of the start
+  int curves = 0;     ///< of this model
+  double chi2 = 0.0;  ///< where it has settled
+  int values = 0, unknowns = 0;
+  double bic_lower_by = 0.0;  ///< than the model before it: above 0 it speaks for the change
+  bool kept = true;           ///< whether the change has stayed
+};
+
 enum class Verdict {
   good,         ///< converged, and nothing speaks against the answer
   doubtful,     ///< converged, but the reasons say why not to lean on it
@@ -167,6 +178,8 @@ struct FitResult {
   std::vector<ProfiledInterval> profile_intervals;
   std::optional<BootstrapErrors> bootstrap;
   std::optional<ChainErrors> chain;
+  std::vector<CurveStep> curve_steps;  ///< of a fit that began with a map's curtains; else none
+
   bool judges_cut_short = false;  ///< the user stopped: the rest is the whole answer all the same
 
   double chi2 = 0.0;

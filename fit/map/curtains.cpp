@@ -15,6 +15,7 @@ constexpr double kSmooth_px = 2.0;
 constexpr int kReach_px = 4;                 // to the next point of a ridge, over a gap
 constexpr double kHigh = 0.15, kLow = 0.06;  // of the brightest ridge (its upper hundredth): begin and go on
 constexpr double kLeastMean = 0.12;          // of a curtain's own, likewise
+constexpr double kFaintHigh = 0.05, kFaintLow = 0.03, kLeastFaintMean = 0.04;  // of those below
 constexpr double kLeastLength_km = 30.0;
 constexpr double kStep_km = 5.0;
 constexpr double kAcross_km = 14.0, kAcrossStep_km = 0.5;
@@ -264,7 +265,12 @@ LowerBorder lower_border(const sim::Scene& scene, double energy_kev) {
   return {border(std::clamp(energy_kev, 0.11, 19.0)), (border(high) - border(low)) / std::log(high / low)};
 }
 
-std::vector<Curtain> find_curtains(const MapResult& result) {
+namespace {
+
+enum class Brightness { curtain, faint };
+
+/// Faint ridges are looked for where the bright ones have left something.
+std::vector<Curtain> ridges_of_map(const MapResult& result, Brightness wanted) {
   std::vector<Curtain> curtains;
   if (result.grid.cells() == 0) return curtains;
   const MapRaster raster = raster_over(result);
@@ -308,16 +314,21 @@ std::vector<Curtain> find_curtains(const MapResult& result) {
                    [&](std::size_t a, std::size_t b) { return field.smooth[a] > field.smooth[b]; });
   std::vector<std::uint8_t> used(raster.size(), 0);
   for (const std::size_t seed : order) {
-    if (used[seed] || field.smooth[seed] < kHigh * most) continue;
-    const std::vector<sim::EastNorth> line = follow(field, used, static_cast<int>(seed % raster.columns),
-                                                    static_cast<int>(seed / raster.columns), kLow * most);
+    const bool is_bright_seed = field.smooth[seed] >= kHigh * most;
+    if (used[seed] ||
+        (!is_bright_seed && (wanted != Brightness::faint || field.smooth[seed] < kFaintHigh * most)))
+      continue;
+    const std::vector<sim::EastNorth> line =
+        follow(field, used, static_cast<int>(seed % raster.columns), static_cast<int>(seed / raster.columns),
+               (is_bright_seed ? kLow : kFaintLow) * most);
     if (line.size() < 3) continue;
     Curtain curtain;
     const std::vector<sim::EastNorth> feet = evenly(line, curtain.length_km);
     if (curtain.length_km < kLeastLength_km) continue;
     double mean = 0.0;
     for (const sim::EastNorth& foot : feet) mean += value_at(raster, field.smooth, foot) / feet.size();
-    if (mean < kLeastMean * most) continue;
+    const bool is_curtain = is_bright_seed && mean >= kLeastMean * most;
+    if (is_curtain != (wanted == Brightness::curtain) || mean < kLeastFaintMean * most) continue;
     double whole = 0.0;  // flux, over length and width
     std::vector<double> whole_of(replicates.size(), 0.0);
     for (std::size_t i = 0; i < feet.size(); ++i) {
@@ -386,6 +397,16 @@ std::vector<Curtain> find_curtains(const MapResult& result) {
   std::stable_sort(curtains.begin(), curtains.end(),
                    [&](const Curtain& a, const Curtain& b) { return carries(a) > carries(b); });
   return curtains;
+}
+
+}  // namespace
+
+std::vector<Curtain> find_curtains(const MapResult& result) {
+  return ridges_of_map(result, Brightness::curtain);
+}
+
+std::vector<Curtain> find_faint_curtains(const MapResult& result) {
+  return ridges_of_map(result, Brightness::faint);
 }
 
 }  // namespace vegard::fit

@@ -38,6 +38,9 @@ struct Curtain {
 /// That which carries most energy first.
 std::vector<Curtain> find_curtains(const MapResult& result);
 
+/// Ridges that are no curtains since they are too faint: some are ghosts of the bright ones. Likewise sorted.
+std::vector<Curtain> find_faint_curtains(const MapResult& result);
+
 /// Lower border of the light of electrons of an energy (Maxwellian), and its derivative by ln(energy), in km.
 struct LowerBorder {
   double altitude_km = 0.0, by_ln_energy = 0.0;

@@ -18,6 +18,7 @@ struct MapRunFacts {
   std::vector<InputFile> inputs;
   std::vector<PhotoFact> from_photograph;
   std::vector<std::pair<std::string, std::string>> decodings;  ///< of each photograph: its name, and how
+  std::vector<Curtain> faint;  ///< find_faint_curtains(): for a fit that may add them
 };
 
 /// The same result gives the same bytes.

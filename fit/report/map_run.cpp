@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "fit/map/map_raster.h"
+#include "fit/map/map_record.h"
 #include "fit/report/map_page.h"
 #include "sim/base/error.h"
 #include "sim/base/file/csv_text.h"
@@ -45,7 +46,8 @@ std::optional<nlohmann::json> map_json_of(const std::string& bytes) {
 }
 
 sim::KnownFolder look_at_map(const std::string& directory) {
-  std::set<std::string> names = {kMapJson, "precipitation.fits", "curtains.csv", "report.html"};
+  std::set<std::string> names = {kMapJson, "precipitation.fits", kCurtainTable, kFaintCurtainTable,
+                                 "report.html"};
   sim::KnownFolder known;
   const sim::InputFile file = sim::read_input(directory + "/" + kMapJson, kMostMapBytes);
   const std::optional<nlohmann::json> json = map_json_of(file.bytes);
@@ -72,6 +74,7 @@ std::string map_json(const MapResult& result, const std::vector<Curtain>& curtai
   nlohmann::ordered_json json;
   json["kind"] = "vegard map";
   json["version"] = sim::version();
+  json["format"] = kMapFormat;
   json["command"] = facts.command;
   json["interrupted"] = result.interrupted;
   json["verdict_line"] = verdict_line(verdicts);
@@ -103,6 +106,10 @@ std::string map_json(const MapResult& result, const std::vector<Curtain>& curtai
   json["photos"] = nlohmann::ordered_json::array();
   for (const MappedPhoto& photo : result.photos)
     json["photos"].push_back({{"name", photo.name},
+                              {"width_px", photo.scene.camera.width},
+                              {"height_px", photo.scene.camera.height},
+                              {"latitude_deg", photo.scene.site.latitude_deg},
+                              {"longitude_deg", photo.scene.site.longitude_deg},
                               {"chi2", number(photo.chi2)},
                               {"values", photo.values},
                               {"gain", photo.gain},
@@ -119,9 +126,10 @@ std::string map_json(const MapResult& result, const std::vector<Curtain>& curtai
                                 {"mean_energy_flux_mw_m2", number(flux / curtain.points.size())},
                                 {"mean_energy_kev", number(flux > 0.0 ? std::exp(ln / flux) : sim::kNaN)}});
   }
+  json["faint_curtains"] = facts.faint.size();
   json["inputs"] = nlohmann::ordered_json::array();
   for (const InputFile& input : facts.inputs)
-    json["inputs"].push_back({{"name", input.name}, {"sha256", input.sha256}});
+    json["inputs"].push_back({{"role", input.role}, {"name", input.name}, {"sha256", input.sha256}});
   for (const auto& [name, how] : facts.decodings)
     json["decodings"].push_back({{"photo", name}, {"decoding", how}});
   return json.dump(2) + "\n";
@@ -247,7 +255,8 @@ void write_map_run(const std::string& directory, bool overwrite, const MapResult
   try {
     sim::write_whole(run.file(kMapJson), map_json(result, curtains, verdicts, facts));
     sim::write_whole(run.file("precipitation.fits"), precipitation_fits(result));
-    sim::write_whole(run.file("curtains.csv"), curtains_csv(curtains));
+    sim::write_whole(run.file(kCurtainTable), curtains_csv(curtains));
+    sim::write_whole(run.file(kFaintCurtainTable), curtains_csv(facts.faint));
     for (const MappedPhoto& photo : result.photos) write_pictures(run, photo);
     sim::write_whole(run.file("report.html"), map_page(result, curtains, verdicts, facts));
     run.commit();

@@ -1,5 +1,6 @@
-// A map of precipitation as a directory: map.json, precipitation.fits, curtains.csv, model.exr, residual.exr,
-// report.html. Of several photographs: model-NAME.exr and residual-NAME.exr for each.
+// A map of precipitation as a directory: map.json, precipitation.fits, curtains.csv, faint_curtains.csv,
+// model.exr, residual.exr, report.html. Of several photographs: model-NAME.exr and residual-NAME.exr for
+// each.
 #pragma once
 
 #include <string>
@@ -27,7 +28,7 @@ bool is_interrupted_map(const std::string& directory);
 void write_map_run(const std::string& directory, bool overwrite, const MapResult& result,
                    const std::vector<Curtain>& curtains, const MapRunFacts& facts);
 
-/// curtains.csv.
+/// curtains.csv, and faint_curtains.csv.
 std::string curtains_csv(const std::vector<Curtain>& curtains);
 
 }  // namespace vegard::fit

@@ -10,6 +10,7 @@
 #include "fit/report/report_plots.h"
 #include "fit/report/report_style.h"
 #include "fit/report/report_tables.h"
+#include "fit/report/table/curve_steps_table.h"
 #include "fit/report/table/judged_table.h"
 #include "fit/report/table/report_bins.h"
 #include "sim/base/file/html_text.h"
@@ -248,6 +249,14 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
                     believed ? "" : "The verdict above speaks against leaning on these numbers.", cards);
   const std::string map = foot_map_svg(result);
   if (!map.empty()) html += section("Where it stands", "", "<div class=\"plots\">\n" + map + "</div>\n");
+  if (const std::string steps = curve_steps_table(result); !steps.empty())
+    html +=
+        section("Which curtains stay",
+                "The map\u2019s curtains were made curves and settled by their beams. Then the weakest were "
+                "left out and the strongest faint ones of the map added, one after the other, and "
+                "each time all others settled anew: BIC, \u03c7\u00b2 with a price for every number, says "
+                "which change stays.",
+                steps);
   html += section(
       "Parameters",
       "\u03c3 is half of the 68\u00a0% interval, carried back from the scale on which the search moves the "

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "fit/report/table/curve_steps_table.h"
 #include "fit/version.h"
 #include "sim/base/version.h"
 
@@ -161,6 +162,21 @@ Json curve_json(const FittedCurve& c) {
   return json;
 }
 
+Json curve_steps(const FitResult& result) {
+  Json json = Json::array();
+  for (const CurveStep& step : result.curve_steps)
+    json.push_back({{"change", change_name(step.change)},
+                    {"curve", words(step.curve)},
+                    {"curves", step.curves},
+                    {"chi2", number(step.chi2)},
+                    {"values", step.values},
+                    {"unknowns", step.unknowns},
+                    {"bic_lower_by", number(step.bic_lower_by)},
+                    {"kept", step.kept},
+                    {"words", curve_step_in_words(step)}});
+  return json;
+}
+
 }  // namespace
 
 std::string result_json(const FitResult& result) {
@@ -202,6 +218,7 @@ std::string result_json(const FitResult& result) {
   if (result.bootstrap) json["bootstrap"] = bootstrap(result);
   if (result.chain) json["chain"] = chain(result);
   if (result.judges_cut_short) json["judges_cut_short"] = true;
+  if (!result.curve_steps.empty()) json["curve_steps"] = curve_steps(result);
   json["chi2"] = number(result.chi2);
   json["chi2_initial"] = number(result.chi2_initial);
   json["dof"] = result.dof;

@@ -1,0 +1,169 @@
+#include "fit/map/map_record.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include <fmt/format.h>
+
+#include "sim/base/error.h"
+#include "sim/base/file/input_file.h"
+#include "sim/base/file/number_text.h"
+#include "sim/base/file/sha256.h"
+#include "sim/base/version.h"
+#include "sim/scene/file/curve_table.h"
+#include "sim/scene/table/photo_scene.h"
+
+namespace vegard::fit {
+namespace {
+
+using RecordJson = nlohmann::json;
+
+constexpr std::size_t kMostMapJson = 64u << 20;
+constexpr std::size_t kMostCurtains = 10000;  // a map has some tens
+constexpr double kSamePlace_deg = 1e-6;       // a tenth of a metre: what a scene's text may round
+
+[[noreturn]] void refuse_map(const std::string& file, const std::string& problem, const std::string& hint) {
+  sim::ErrorDetails details;
+  details.file = file;
+  details.problem = problem;
+  details.expected = "a directory that vegard map wrote";
+  details.hint = hint;
+  throw sim::Error(sim::ErrorKind::unreadable_input, details);
+}
+
+std::string bytes_of_map(const std::string& file) {
+  const sim::InputFile text = sim::read_input(file, kMostMapJson);
+  if (!text.problem.empty()) refuse_map(file, text.problem, "is that the directory of a map?");
+  return text.bytes;
+}
+
+void check_written_by_us(const RecordJson& json, const std::string& file) {
+  if (!json.is_object() || !json.contains("kind") || json["kind"] != "vegard map")
+    refuse_map(file, "is no map's", "is that the directory of a map?");
+  const auto version = json.find("version");
+  const std::string wrote = version != json.end() && version->is_string() ? version->get<std::string>() : "?";
+  const std::string again = "map the photograph again";
+  if (wrote != sim::version())
+    refuse_map(file, "was written by vegard " + wrote + ", and this is " + sim::version(), again);
+  if (!json.contains("format") || json["format"] != kMapFormat)
+    refuse_map(file, "has another format than this vegard reads", again);
+  if (json.contains("interrupted") && json["interrupted"] == true)
+    refuse_map(file, "is of a map that was interrupted", "finish it first, with --resume");
+}
+
+/// Throws RecordJson::exception.
+void take_facts(const RecordJson& json, MapRecord& record) {
+  for (const RecordJson& photo : json.at("photos")) {
+    MapRecord::Picture picture;
+    picture.name = photo.at("name").get<std::string>();
+    picture.width_px = photo.at("width_px").get<int>();
+    picture.height_px = photo.at("height_px").get<int>();
+    picture.latitude_deg = photo.at("latitude_deg").get<double>();
+    picture.longitude_deg = photo.at("longitude_deg").get<double>();
+    record.pictures.push_back(std::move(picture));
+  }
+  for (const RecordJson& input : json.at("inputs"))
+    record.inputs.push_back({input.at("role").get<std::string>(), input.at("name").get<std::string>(),
+                             input.at("sha256").get<std::string>()});
+}
+
+std::vector<Ridge> ridges_of_table(const std::string& text, const std::string& file, const std::string& stem,
+                                   std::size_t count) {
+  std::vector<Ridge> ridges;
+  if (count > kMostCurtains) refuse_map(file, "cannot have " + std::to_string(count) + " curtains", "");
+  for (std::size_t c = 1; c <= count; ++c) {
+    sim::Sheet sheet;
+    sim::take_curtain(text, file, static_cast<int>(c), false, sheet);
+    Ridge ridge;
+    ridge.name = stem + std::to_string(c);
+    for (std::size_t i = 0; i < sheet.east_km.size(); ++i)
+      ridge.points.push_back({{sheet.east_km[i], sheet.north_km[i]},
+                              sheet.point_brightness[i] * sheet.energy_flux_mw_m2,
+                              sheet.point_energy_kev[i],
+                              sheet.point_width_km[i]});
+    for (const RidgePoint& p : ridge.points)
+      if (!std::isfinite(p.foot_km.east) || !std::isfinite(p.foot_km.north) || !std::isfinite(p.flux_mw_m2) ||
+          !(p.energy_kev > 0.0) || !std::isfinite(p.energy_kev) || !(p.width_km > 0.0) ||
+          !std::isfinite(p.width_km))
+        refuse_map(file, fmt::format("curtain {} has a point that is none", c), "map the photograph again");
+    if (length_of_ridge_km(ridge) < kLeastRidge_km)
+      refuse_map(file, fmt::format("curtain {} is too short for a curve", c), "map the photograph again");
+    ridges.push_back(std::move(ridge));
+  }
+  return ridges;
+}
+
+bool is_photograph(const InputFile& input) { return input.role.compare(0, 5, "photo") == 0; }
+
+[[noreturn]] void refuse_subject(const MapRecord& record, const sim::Scene& scene, const std::string& problem,
+                                 const std::string& key, const std::string& expected) {
+  throw sim::Error(sim::ErrorKind::scene, {"the map '" + record.directory + "' " + problem, scene.file, 0,
+                                           key, expected, "map this photograph first: vegard map"});
+}
+
+}  // namespace
+
+MapRecord read_map_record(const std::string& directory) {
+  MapRecord record;
+  record.directory = directory;
+  const std::string file = directory + "/map.json";
+  const std::string text = bytes_of_map(file);
+  const RecordJson json = RecordJson::parse(text, nullptr, false);
+  check_written_by_us(json, file);
+  std::size_t curtains = 0, faint = 0;
+  try {
+    take_facts(json, record);
+    curtains = json.at("curtains").size();
+    faint = json.at("faint_curtains").get<std::size_t>();
+  } catch (const RecordJson::exception&) {
+    refuse_map(file, "lacks what a fit of its curtains needs", "map the photograph again");
+  }
+  if (curtains == 0)
+    refuse_map(file, "holds no curtain to refine",
+               "what shines is no curtain, or too faint: see the map's report.html");
+  const std::string table = directory + "/" + kCurtainTable,
+                    faint_table = directory + "/" + kFaintCurtainTable;
+  const std::string rows = bytes_of_map(table), faint_rows = bytes_of_map(faint_table);
+  record.curtains = ridges_of_table(rows, table, "curtain_", curtains);
+  record.faint = ridges_of_table(faint_rows, faint_table, "faint_", faint);
+  record.sha256 = sim::sha256(sim::sha256(text) + sim::sha256(rows) + sim::sha256(faint_rows));
+  return record;
+}
+
+void check_same_subject(const MapRecord& record, const sim::Scene& scene,
+                        const std::vector<InputFile>& inputs) {
+  const auto photographs = [](const std::vector<InputFile>& all) {
+    std::vector<InputFile> some;
+    for (const InputFile& input : all)
+      if (is_photograph(input)) some.push_back(input);
+    return some;
+  };
+  const std::vector<InputFile> mapped = photographs(record.inputs), asked = photographs(inputs);
+  if (mapped.size() != asked.size())
+    refuse_subject(record, scene,
+                   fmt::format("is of {} photograph{}, and this fit of {}", mapped.size(),
+                               mapped.size() == 1 ? "" : "s", asked.size()),
+                   "fit.photo", "the photographs that were mapped");
+  for (std::size_t i = 0; i < mapped.size(); ++i)
+    if (mapped[i].role != asked[i].role || mapped[i].sha256 != asked[i].sha256)
+      refuse_subject(record, scene, "is of another photograph than " + asked[i].name, "",
+                     "the photograph that was mapped, " + mapped[i].name + ", byte by byte");
+  const std::vector<sim::PhotoEntry>& entries = scene.fit.photos;
+  if (record.pictures.size() != std::max<std::size_t>(1, entries.size()))
+    refuse_subject(record, scene, "is of another number of stations", "fit.photo",
+                   "the photographs that were mapped");
+  for (std::size_t i = 0; i < record.pictures.size(); ++i) {
+    const MapRecord::Picture& picture = record.pictures[i];
+    const sim::Scene own = entries.empty() ? scene : sim::scene_of_photo(scene, entries[i]);
+    if (std::abs(own.site.latitude_deg - picture.latitude_deg) > kSamePlace_deg ||
+        std::abs(own.site.longitude_deg - picture.longitude_deg) > kSamePlace_deg)
+      refuse_subject(record, scene, "is of another site", "site.latitude_deg",
+                     sim::short_number(picture.latitude_deg, 8) +
+                         ", and site.longitude_deg = " + sim::short_number(picture.longitude_deg, 8));
+    if (own.camera.width != picture.width_px || own.camera.height != picture.height_px)
+      refuse_subject(record, scene, "is of pictures of another size", "camera.width",
+                     fmt::format("{} x {} pixels", picture.width_px, picture.height_px));
+  }
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,66 @@
+#include "fit/report/table/curve_steps_table.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "fit/answer/information_criteria.h"
+#include "sim/base/file/html_text.h"
+#include "sim/base/file/number_text.h"
+
+namespace vegard::fit {
+namespace {
+
+std::string plain_amount(double bic) {
+  return bic >= 1e4 ? fmt::format("{:.0f}", bic) : sim::short_number(bic, 3);
+}
+
+}  // namespace
+
+const char* change_name(CurveStep::Change change) {
+  switch (change) {
+    case CurveStep::Change::start:
+      return "start";
+    case CurveStep::Change::drop:
+      return "drop";
+    case CurveStep::Change::add:
+      return "add";
+  }
+  return "";
+}
+
+std::string curve_step_in_words(const CurveStep& step) {
+  if (step.change == CurveStep::Change::start)
+    return fmt::format("{} of the map, settled together", step.curves == 1
+                                                              ? std::string("the curtain")
+                                                              : fmt::format("the {} curtains", step.curves));
+  const bool drops = step.change == CurveStep::Change::drop;
+  const char* what = drops ? (step.kept ? "is not needed" : "stays")
+                           : (step.kept ? "belongs to the picture" : "is left out");
+  const double by = std::abs(step.bic_lower_by);
+  return fmt::format("{} {}: BIC {} {} {} {} it ({})", step.curve, what, step.kept ? "is" : "would be",
+                     plain_amount(by), step.kept ? "lower" : "higher", drops ? "without" : "with",
+                     evidence_words(by));
+}
+
+std::string curve_steps_table(const FitResult& result) {
+  if (result.curve_steps.empty()) return {};
+  std::string html =
+      "<table>\n<thead><tr><th>step</th><th class=\"number\">curves</th><th "
+      "class=\"number\">\u03c7\u00b2</th><th class=\"number\">unknowns</th><th class=\"number\">BIC "
+      "changes by</th></tr></thead>\n<tbody>\n";
+  for (const CurveStep& step : result.curve_steps) {
+    const std::string change =
+        step.change == CurveStep::Change::start
+            ? std::string("\u2013")
+            : (step.bic_lower_by > 0.0 ? "\u2212" : "+") + plain_amount(std::abs(step.bic_lower_by));
+    html += fmt::format(
+        "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td "
+        "class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n",
+        sim::html_text(curve_step_in_words(step)), step.curves,
+        sim::html_text(sim::short_number(step.chi2, 6)), step.unknowns, change);
+  }
+  return html + "</tbody>\n</table>\n";
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,19 @@
+// How the curves of a map were settled, one step after the other, in words and as a table.
+#pragma once
+
+#include <string>
+
+#include "fit/answer/fit_result.h"
+
+namespace vegard::fit {
+
+/// "start", "drop", "add".
+const char* change_name(CurveStep::Change change);
+
+/// "curtain_2 stays: BIC would be 812 higher without it (very strong evidence)".
+std::string curve_step_in_words(const CurveStep& step);
+
+/// An HTML table with a row a step; empty if there are none.
+std::string curve_steps_table(const FitResult& result);
+
+}  // namespace vegard::fit
