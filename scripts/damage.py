@@ -482,6 +482,7 @@ def main():
         words.error(f"--binary: there is no program {vegard}")
 
     counts, worst, found = {}, {}, []
+    begin = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="vegard-damage-") as folder:
         home, work = pathlib.Path(folder) / "sound", pathlib.Path(folder) / "work"
         home.mkdir()
@@ -516,6 +517,10 @@ def main():
                 print(f"{index}: {one.kind.name}, {one.damage}: {finding}: vegard "
                       + " ".join(w if len(w) < 60 else w[:60] + "..." for w in told).encode(errors="backslashreplace")
                       .decode().replace("\x1b", "\\x1b"), flush=True)
+            done = index - options.first + 1
+            if done % 100 == 0 and done < options.inputs:
+                print(f"{done} of {options.inputs} inputs, {len(found)} findings, {time.monotonic() - begin:.0f} s",
+                      file=sys.stderr, flush=True)
 
     codes = sorted({c for tally in counts.values() for c in tally if c.startswith("exit ") and c != "exit code"})
     heads = ["input", "runs", *codes, *[f for f in FINDINGS if any(f in t for t in counts.values())], "refused, most MB"]

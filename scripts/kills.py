@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Kills vegard at random moments, lets it go on or run again, and compares with a run that nobody disturbed.
 
-Five commands of a second or so each: a fit (goes on with --resume), a sequence and an animation (go on by themselves),
-a picture and a grid (made again with --overwrite, in the place of an older file). Of the kills most are SIGKILL, some
-SIGTERM and SIGINT. A killed command may leave what it goes on with, or a temporary beside its output. What it must not
-do: leave half a file under the output's name. After the second run every byte is that of the undisturbed one, and
-nothing stands beside the outputs that does not stand there then.
+Six commands of some seconds each: a fit and a map (go on with --resume), a sequence and an animation (go on by
+themselves), a picture and a grid (made again with --overwrite, in the place of an older file). Of the kills most are
+SIGKILL, some SIGTERM and SIGINT. A killed command may leave what it goes on with, or a temporary beside its output.
+What it must not do: leave half a file under the output's name. After the second run every byte is that of the
+undisturbed one, and nothing stands beside the outputs that does not stand there then.
 
 The same --seed draws the same moments, as shares of the time that the undisturbed run took. The exit code is 1 if there
 is a finding.
@@ -51,8 +51,11 @@ def jobs():
     return [
         Job("fit", ["fit", fit, "--photo", "photo.png", "--out", "out/run", "--set", "sheet.main.beams=1000",
                     "--set", "fit.scan_points=6", *ONE], ["--resume"]),
+        Job("map", ["map", str(SCENES / "map.toml"), "--photo", "band.png", "--out", "out/map", "--replicates", "2",
+                    "--sparsity", "4", "--set", "sensor.calibration_error=0.1", *ONE], ["--resume"]),
         Job("sequence", ["sequence", fit, "--photos", "list.txt", "-o", "out/all", *ONE]),
-        Job("animate", ["animate", "moving.toml", "-o", "out/frames/##.png", "--frames", "0:5", "--camera-json", *ONE]),
+        Job("animate", ["animate", "moving.toml", "-o", "out/frames/##.png", "--frames", "0:11", "--camera-json",
+                        "--set", "sheet.main.beams=6000", *ONE]),
         Job("render", ["render", small, "-o", "out/it.exr", "--set", "sheet.main.beams=12000", "--overwrite", *ONE],
             old="it.exr"),
         Job("volume", ["volume", small, "-o", "out/it.vdb", "--voxel-km", "1", "--overwrite", *ONE], old="it.vdb"),
@@ -132,6 +135,8 @@ def main():
         for picture, energy in (("photo", 3.0), ("second", 3.2), ("third", 3.4)):
             subprocess.run([vegard, "render", str(SCENES / "small.toml"), "-o", f"{picture}.png", "--set",
                             f"sheet.main.energy_kev={energy}"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([vegard, "render", str(SCENES / "map_light.toml"), "-o", "band.png"], cwd=folder, check=True,
+                       stdout=subprocess.DEVNULL)
         for job in jobs():
             if options.only and job.name not in options.only:
                 continue
