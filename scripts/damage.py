@@ -12,6 +12,7 @@ there is a finding.
 """
 
 import argparse
+import itertools
 import json
 import os
 import pathlib
@@ -32,6 +33,7 @@ REFUSED_MOST_MB = 300
 MESSAGE_MOST_BYTES = 2000
 CAMERA = ["--set", "camera.width=32", "--set", "camera.height=24"]
 ONE = ["--threads", "1"]
+MAP = ["--replicates", "1", "--sparsity", "4"]
 SKY = ["--size", "64,48", "--site", "65,20", "--time", "2020-01-01T20:00:00Z"]
 # The second photograph, scene and grid of a command are sound; {it} is damaged.
 ON_PHOTO = [
@@ -45,6 +47,8 @@ ON_PHOTO = [
     ["sdf", "{it}", "-o", "{out}/s.exr"],
     ["horizon", "{it}", "--points", "2,12", "30,13", "-o", "{out}/c.toml"],
     ["profile", "photo.png", "--mask", "{it}", "-o", "{out}/p.csv"],
+    ["map", "map.toml", "--photo", "{it}", "--out", "{out}/map"] + MAP + ONE,
+    ["map", "map.toml", "--line", "557.7={it}", "--out", "{out}/map", "--set", "sensor.response=filters"] + MAP + ONE,
 ]
 ON_ANGLES = [
     ["profile", "photo.png", "--azimuth-map", "{it}", "--azimuths", "0", "10", "-o", "{out}/p.csv"],
@@ -89,9 +93,10 @@ def make_kinds(vegard, home):
     def bytes_of(name):
         return (home / name).read_bytes()
 
-    for scene in ("small", "fit"):
+    for scene in ("small", "fit", "map", "map_light"):
         words = (SOURCE / f"tests/cli/scenes/{scene}.toml").read_text()
         for old, new in (("width = 160", "width = 32"), ("height = 120", "height = 24"), ("beams = 150", "beams = 30"),
+                         ("width = 96", "width = 32"), ("height = 64", "height = 24"),
                          ("layers = 3", "layers = 1"), ("bands = 4", "bands = 2")):
             words = words.replace(old, new)
         text(f"{scene}.toml", words)
@@ -99,6 +104,7 @@ def make_kinds(vegard, home):
     for picture in pictures:
         run("render", "small.toml", "-o", picture, *ONE)
     run("render", "small.toml", "-o", "second.png", "--bits", "16", *ONE)
+    run("render", "map_light.toml", "-o", "band.png", *ONE)
     run("directions", "small.toml", "-o", "maps.exr")
     run("directions", "small.toml", "-o", "maps.fits")
     run("volume", "small.toml", "-o", "a.vdb", "--voxel-km", "16", "--lines", "557.7", *ONE)
@@ -138,7 +144,8 @@ def make_kinds(vegard, home):
     for ending in ("vdb", "pbrt"):
         text(f"with_{ending}.toml", small + f'[[volume]]\nname = "cloud"\nfile = "a.{ending}"\n'
              + ("" if ending == "vdb" else "density_rayleigh = [1.0, 1.0, 1.0]\n"))
-    journal = make_journal(vegard, home)
+    journal = make_journal(vegard, home, ["fit", "fit.toml", "--photo", "photo.png", "--max-evaluations", "2"])
+    map_journal = make_journal(vegard, home, ["map", "map.toml", "--photo", "band.png", *MAP])
     render = ["render", "{it}", "-o", "{out}/r.png"] + CAMERA + ONE
     scenes = [bytes_of(n) for n in ("small.toml", "fit.toml", "with_colours.toml", "with_vdb.toml")] + [
         (SOURCE / "data/gallery" / n).read_bytes() for n in ("rays.toml", "cats_eye.toml", "horseshoe.toml")]
@@ -177,6 +184,8 @@ def make_kinds(vegard, home):
         Kind("journal", "cut.part", [journal],
              [["fit", "fit.toml", "--photo", "photo.png", "--out", "cut", "--resume", "--max-evaluations", "2"] + ONE,
               ["fit", "fit.toml", "--photo", "photo.png", "--out", "cut", "--max-evaluations", "2"] + ONE]),
+        Kind("map's journal", "cut.part", [map_journal],
+             [["map", "map.toml", "--photo", "band.png", "--out", "cut", "--resume"] + MAP + ONE]),
         Kind("result", "run/result.json", [bytes_of("run/result.json")],
              [["compare", "run", "other"],
               ["fit", "fit.toml", "--photo", "photo.png", "--out", "run", "--resume", "--max-evaluations", "2"] + ONE,
@@ -223,9 +232,9 @@ def solved_field(rows):
     return block(head) + block(table) + numbers.ljust(2880, b"\0")
 
 
-def make_journal(vegard, home):
-    """A fit's finished steps, as a kill leaves them; of the same fit as of the commands that read them."""
-    words = [vegard, "fit", "fit.toml", "--photo", "photo.png", "--out", "cut", "--max-evaluations", "2", *ONE]
+def make_journal(vegard, home, words):
+    """Finished steps, as a kill leaves them; of the same work as of the commands that read them."""
+    words = [vegard, *words, "--out", "cut", *ONE]
     # The journal goes when the work is done: it is watched while it grows.
     longest = b""
     job = subprocess.Popen(words, cwd=home, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -237,7 +246,7 @@ def make_journal(vegard, home):
         time.sleep(0.0005)
     shutil.rmtree(home / "cut", ignore_errors=True)
     if not longest:
-        sys.exit("damage.py: the fit left no journal to damage")
+        sys.exit(f"damage.py: {words[1]} left no journal to damage")
     return longest
 
 
@@ -488,10 +497,12 @@ def main():
         home.mkdir()
         kinds = make_kinds(vegard, home)
         if options.only:
-            kinds = [k for k in kinds if k.name in options.only]
-            if not kinds:
-                words.error("--only: no such kind")
-        for index in range(options.first, options.first + options.inputs):
+            unknown = set(options.only) - {k.name for k in kinds}
+            if unknown:
+                words.error(f"--only: no such kind: {', '.join(sorted(unknown))}")
+        wanted = (i for i in itertools.count(options.first)
+                  if not options.only or kinds[i % len(kinds)].name in options.only)
+        for done, index in enumerate(itertools.islice(wanted, options.inputs), 1):
             one = Input(kinds, options.seed, index)
             shutil.rmtree(work, ignore_errors=True)
             shutil.copytree(home, work)
@@ -517,7 +528,6 @@ def main():
                 print(f"{index}: {one.kind.name}, {one.damage}: {finding}: vegard "
                       + " ".join(w if len(w) < 60 else w[:60] + "..." for w in told).encode(errors="backslashreplace")
                       .decode().replace("\x1b", "\\x1b"), flush=True)
-            done = index - options.first + 1
             if done % 100 == 0 and done < options.inputs:
                 print(f"{done} of {options.inputs} inputs, {len(found)} findings, {time.monotonic() - begin:.0f} s",
                       file=sys.stderr, flush=True)
