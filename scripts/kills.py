@@ -179,6 +179,7 @@ def main():
                     print(f"{job.name}, kill {kill} ({number.name} at {share:.0%} of {seconds:.2f} s): {kind}: {what.strip()}",
                           flush=True)
             rows.append([job.name, options.kills, *count.values()])
+            print(f"{job.name}: {options.kills} kills, {findings} findings so far", file=sys.stderr, flush=True)
     rows.append(["all", *[sum(row[i] for row in rows) for i in range(1, len(columns) + 2)]])
     heads = ["command", "kills", *columns]
     print()
