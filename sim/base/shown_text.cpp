@@ -1,5 +1,6 @@
 #include "sim/base/shown_text.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 
@@ -65,6 +66,20 @@ std::size_t boundary(std::string_view text, std::size_t place) {
   return place;
 }
 
+/// Bytes of the characters that `text` begins with and that take no more than `most` when they are shown.
+std::size_t shown_within(std::string_view text, std::size_t most) {
+  std::size_t taken = 0;
+  while (taken < text.size()) {
+    const std::string_view rest = text.substr(taken);
+    const std::size_t length = std::max<std::size_t>(1, utf8_length(rest));
+    const std::size_t bytes = shown(rest.substr(0, length), false).size();
+    if (bytes > most) break;
+    most -= bytes;
+    taken += length;
+  }
+  return taken;
+}
+
 }  // namespace
 
 std::size_t utf8_length(std::string_view text) {
@@ -90,8 +105,14 @@ std::string shown_text(std::string_view text) { return shown(text, false); }
 std::string shown_lines(std::string_view text) { return shown(text, true); }
 
 std::string shortened_text(std::string_view text, std::size_t most) {
-  if (text.size() <= most) return shown_text(text);
-  const std::size_t head = boundary(text, most - most / 4), tail = boundary(text, text.size() - most / 4);
+  if (text.size() <= most) {
+    const std::string whole = shown_text(text);
+    if (whole.size() <= most) return whole;
+  }
+  const std::size_t head = shown_within(text, most - most / 4);
+  std::size_t tail = std::max(head, boundary(text, text.size() - std::min(text.size(), most / 4)));
+  while (shown_within(text.substr(tail), most / 4) < text.size() - tail)
+    tail += std::max<std::size_t>(1, utf8_length(text.substr(tail)));
   return shown_text(text.substr(0, head)) + "[... " + std::to_string(tail - head) + " bytes left out ...]" +
          shown_text(text.substr(tail));
 }

@@ -18,8 +18,8 @@ std::string shown_text(std::string_view text);
 /// The same for several lines: their ends, and tabs, stay.
 std::string shown_lines(std::string_view text);
 
-/// Text of more bytes than `most` by its beginning and its end, with the number of bytes left out between
-/// them; no character is cut. As shown_text().
+/// As shown_text(); text that takes more bytes than `most` when it is shown, by its beginning and its end,
+/// with the number of its bytes left out between them. No character is cut.
 std::string shortened_text(std::string_view text, std::size_t most = 200);
 
 /// The same with what stands between single quotes, each by itself, and with all of it if it is still longer

@@ -48,7 +48,21 @@ TEST(ShownText, WhatIsLongIsShortenedAndSaysByHowMuch) {
     for (int i = 0; i < 200; ++i) text += "🌌";
     EXPECT_EQ(shortened_text(text).find('\\'), std::string::npos) << shift;  // no character is cut
   }
-  EXPECT_LT(shortened_text(std::string(6000000, '\x80')).size(), 1000u);
+  EXPECT_LT(shortened_text(std::string(6000000, '\x80')).size(), 250u);
+}
+
+TEST(ShownText, WhatIsLongOnlyWhenItIsShownIsShortenedToo) {
+  EXPECT_EQ(shortened_text(std::string(50, '\0')), shown_text(std::string(50, '\0')));
+  std::string begin, end;
+  for (int i = 0; i < 37; ++i) begin += "\\x00";
+  for (int i = 0; i < 12; ++i) end += "\\x00";
+  EXPECT_EQ(shortened_text(std::string(100, '\0')), begin + "[... 51 bytes left out ...]" + end);
+  for (const char byte : {'\0', '\x80', '\xf4', '\x1b'})
+    for (std::size_t size : {51u, 52u, 199u, 200u, 201u, 5000u}) {
+      const std::string text = shortened_text(std::string(size, byte));
+      EXPECT_GT(text.size(), 200u) << size;
+      EXPECT_LT(text.size(), 240u) << size;
+    }
 }
 
 TEST(ShownText, QuotedValuesAreShortenedEachByItself) {
@@ -77,6 +91,10 @@ TEST(ShownText, AnErrorIsSafeToShowAndKeepsItsPartsAsTheyAre) {
   EXPECT_LT(text.size(), 2000u);
   EXPECT_NE(text.find("is no number"), std::string::npos);
   EXPECT_EQ(error.details().problem, details.problem);
+
+  // A file of a list whose name is a megabyte of zeros.
+  details.file = std::string(1000000, '\0');
+  EXPECT_LT(std::string(Error(ErrorKind::unreadable_input, details).what()).size(), 2000u);
 }
 
 TEST(ShownText, PagesHaveNoCharacterThatIsNone) {
