@@ -1,6 +1,7 @@
 #include "sim/base/picture/fits_card_order.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -105,17 +106,25 @@ std::string with_cards_in_order(std::string_view bytes) {
   return ordered;
 }
 
-std::string card_without_number(std::string_view bytes) {
+std::string fault_of_sizes(std::string_view bytes) {
+  constexpr std::array<std::string_view, 3> kFirstOfExtension = {"XTENSION", "BITPIX", "NAXIS"};
   std::size_t at = 0;
   while (at < bytes.size()) {
+    const bool is_extension = at > 0;
     DataSize data;
-    for (bool ended = false; !ended; at += kOrderedCard) {
-      if (at + kOrderedCard > bytes.size()) return {};
+    std::size_t number_of_card = 0;
+    for (bool ended = false; !ended; at += kOrderedCard, ++number_of_card) {
+      // CFITSIO itself refuses a first header without an end.
+      if (at + kOrderedCard > bytes.size())
+        return is_extension ? "the header of an extension has no END" : "";
       const std::string_view card = bytes.substr(at, kOrderedCard), key = key_of(card);
+      if (is_extension && number_of_card < kFirstOfExtension.size() &&
+          key != kFirstOfExtension[number_of_card])
+        return std::string(kFirstOfExtension[number_of_card]) + " is not where an extension has it";
       ended = key == "END";
       if (!is_of_size(key)) continue;
       const std::optional<long long> number = whole_number(card);
-      if (!number) return std::string(key);
+      if (!number) return std::string(key) + " is no whole number";
       data.take(key, *number);
     }
     const double blocks = data.blocks();

@@ -1,5 +1,5 @@
 // Headers of FITS files that CFITSIO must not be handed as they are: whose first keywords stand in another
-// order than the standard has them, or whose sizes are no numbers.
+// order than the standard has them, or whose sizes are no numbers or missing.
 #pragma once
 
 #include <string>
@@ -12,9 +12,10 @@ namespace vegard::sim {
 /// (FITS standard 4.0, 4.4.1.1 forbids it), and CFITSIO then reads nothing.
 std::string with_cards_in_order(std::string_view bytes);
 
-/// The first card of a size (BITPIX, NAXIS, NAXISn, PCOUNT, GCOUNT, TFIELDS), of any header, that does not
-/// hold a whole number; empty if there is none. CFITSIO 4.2 then takes for the number of a table's columns
-/// what stood in memory.
-std::string card_without_number(std::string_view bytes);
+/// What is wrong with the sizes that headers tell, as "NAXIS1 is no whole number"; empty if nothing is. In any
+/// header, cards of a size (BITPIX, NAXIS, NAXISn, PCOUNT, GCOUNT, TFIELDS) hold whole numbers; an extension's
+/// has XTENSION, BITPIX and NAXIS first (FITS standard 4.0, 4.4.1.2), and ends. CFITSIO 4.2 otherwise takes
+/// for the size of a table what stood in memory.
+std::string fault_of_sizes(std::string_view bytes);
 
 }  // namespace vegard::sim

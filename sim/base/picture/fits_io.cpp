@@ -44,9 +44,8 @@ class FitsReader {
     if (bytes.substr(0, 9) != "SIMPLE  =")
       refuse_file(ErrorKind::unreadable_input, name, "this is no FITS file",
                   "a file that begins with SIMPLE  =", "unpack it first if it is compressed");
-    if (const std::string key = card_without_number(bytes); !key.empty())
-      refuse_file(ErrorKind::unreadable_input, name,
-                  "this FITS file cannot be read: " + key + " is no whole number");
+    if (const std::string fault = fault_of_sizes(bytes); !fault.empty())
+      refuse_file(ErrorKind::unreadable_input, name, "this FITS file cannot be read: " + fault);
     padded_ = with_cards_in_order(bytes);
     if (!padded_.empty()) bytes = padded_;
     // Some writers leave the last block short, which CFITSIO does not read.

@@ -365,6 +365,18 @@ TEST(FitsIo, ASizeThatIsNoNumberIsRefusedInEveryHeader) {
     });
     EXPECT_NE(words.find(key + " is no whole number"), std::string::npos) << words;
   }
+  // An extension begins with its sizes, and ends.
+  const auto refused = [](const std::string& bytes) {
+    return tests::expect_error(ErrorKind::unreadable_input, [&] { read_fits_table(bytes, "stars.corr"); });
+  };
+  std::string renamed = table;
+  renamed.replace(renamed.rfind("BITPIX  ="), 6, "BITPIZ");
+  EXPECT_NE(refused(renamed).find("BITPIX is not where an extension has it"), std::string::npos);
+  std::string endless = table;
+  const std::size_t end = endless.rfind("END" + std::string(77, ' '));
+  ASSERT_NE(end, std::string::npos);
+  endless.replace(end, 3, "   ");
+  EXPECT_NE(refused(endless).find("has no END"), std::string::npos);
 }
 
 TEST(FitsIo, WhatIsNoFitsImageIsRefused) {
