@@ -52,6 +52,12 @@ class CurtainFit {
     const sim::Scene start = scene_of_ridges(given_, curtains);
     first_ = observations_of(start);
     best_ = settled(start, "curves of the map", kShareOfStart);
+    if (!is_overdetermined(best_.fitted))
+      throw sim::Error(sim::ErrorKind::unreadable_input,
+                       {fmt::format("only {} usable values for the {} numbers of {}", best_.fitted.values,
+                                    best_.fitted.parameters, best_.fitted.name),
+                        photos_.front().file_name, 0, "fit.bands", "more values than unknowns",
+                        "more bands, a larger region, or a map with fewer curtains"});
     record(CurveStep::Change::start, "", best_, true, 0.0);
     drop_what_is_not_needed();
     // A curve may have stood in for one that was missing.
@@ -142,16 +148,11 @@ class CurtainFit {
       fitted.parameters +=
           observations[o].full->coefficients() - observations[o].full->held_gains(point.of_photo[o]);
     }
-    if (fitted.values <= fitted.parameters)
-      throw sim::Error(sim::ErrorKind::unreadable_input,
-                       {fmt::format("only {} usable values for the {} numbers of {}", fitted.values,
-                                    fitted.parameters, fitted.name),
-                        photos_.front().file_name, 0, "fit.bands", "more values than unknowns",
-                        "more bands, a larger region, or a map with fewer curtains"});
-    fitted.error_inflation = joint_inflation(cost, point, fitted.parameters);
+    if (is_overdetermined(fitted)) fitted.error_inflation = joint_inflation(cost, point, fitted.parameters);
     return model;
   }
 
+  static bool is_overdetermined(const FittedModel& fitted) { return fitted.values > fitted.parameters; }
   static double infinite() { return std::numeric_limits<double>::infinity(); }
   static double per_dof(const CurveModel& model) {
     return model.fitted.chi2 / std::max(1, model.fitted.values - model.fitted.parameters);
@@ -186,7 +187,11 @@ class CurtainFit {
     const std::string stage =
         fmt::format("{} {} {}", steps_.size(), adds ? "with" : "without", curve);  // its name in the journal
     CurveModel model = settled(scene, stage, share);
-    if (stopped()) return false;  // it has not settled
+    if (stopped()) {  // it has not settled
+      cut_short_ = true;
+      return false;
+    }
+    if (!is_overdetermined(model.fitted)) return false;
     const double gain = bic_gain(best_, model);
     const bool kept = gain > 0.0;
     record(change, curve, model, kept, gain);
@@ -205,7 +210,9 @@ class CurtainFit {
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     int refused = 0;
     for (const auto& [light, name] : by_light) {
-      if (refused == kMostRefused || best_.scene.sheets.size() < 2 || stopped()) return;
+      if (refused == kMostRefused || best_.scene.sheets.size() < 2) return;
+      cut_short_ = cut_short_ || stopped();
+      if (stopped()) return;
       sim::Scene fewer = best_.scene;
       drop_curve(fewer, name);
       refused = tried(fewer, CurveStep::Change::drop, name) ? 0 : refused + 1;
@@ -217,7 +224,9 @@ class CurtainFit {
     bool any = false;
     int refused = 0, asked = 0;
     for (const Ridge& ridge : faint) {
-      if (refused == kMostRefused || asked++ == kMostAdded || stopped()) break;
+      if (refused == kMostRefused || asked++ == kMostAdded) break;
+      cut_short_ = cut_short_ || stopped();
+      if (stopped()) break;
       sim::Scene more = best_.scene;
       add_curve(more, ridge);
       const bool kept = tried(more, CurveStep::Change::add, ridge.name);
@@ -232,7 +241,7 @@ class CurtainFit {
     SearchOutcome outcome;
     outcome.best = best_.end;
     outcome.chi2_initial = best_.chi2_initial;
-    const FinishedSearch search{outcome, log_, best_.trace};
+    const FinishedSearch search{outcome, log_, best_.trace, cut_short_};
     const std::vector<Observation> observations = seen_with(best_.scene, best_.free);
     FitResult result = fit_observations(best_.scene, best_.free, observations, options_, nullptr, &search);
     result.curve_steps = std::move(steps_);
@@ -246,6 +255,7 @@ class CurtainFit {
   EvaluationLog log_;
   CurveModel best_;
   std::vector<CurveStep> steps_;
+  bool cut_short_ = false;  ///< whether a curve was not tried, or not to its end
 };
 
 }  // namespace

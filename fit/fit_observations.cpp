@@ -245,7 +245,8 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
   evidence.converged = best.converged;
   evidence.stopped = options.stop != nullptr && options.stop->load();
   if (evidence.stopped) r.termination = words_for_stop(log);
-  evidence.out_of_evaluations = !evidence.converged && log.residuals >= log.limit;
+  evidence.out_of_evaluations =
+      log.residuals >= log.limit && (!evidence.converged || (done != nullptr && done->cut_short));
   std::vector<double> values = best.values;
   if (!std::isfinite(best.chi2) && !log.best_values.empty()) values = log.best_values;
 

@@ -27,6 +27,7 @@ struct FinishedSearch {
   SearchOutcome outcome;
   EvaluationLog log;
   std::vector<TraceRow> trace;
+  bool cut_short = false;  ///< whether the evaluations did not suffice for all of it
 };
 
 /// Error bars with the curve's own uncertainty: covariance += slopes^T (covariance of the curve) slopes, as

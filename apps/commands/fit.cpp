@@ -251,7 +251,11 @@ int run_fit(const FitRequest& options, const std::string& command) {
   const sim::Scene first = map ? fit::scene_of_ridges(scene, map->curtains) : scene;
   check_memory_of_fit(first, options.threads, options.memory_limit);
   std::vector<fit::Photo> photos = photographs_asked(options.photo, scene);
-  if (map) fit::check_same_subject(*map, scene, inputs_of(options.scene.file, scene_sha256, photos));
+  if (map) {
+    std::vector<std::string> decodings;
+    for (const fit::Photo& one : photos) decodings.push_back(one.decoding);
+    fit::check_same_subject(*map, scene, inputs_of(options.scene.file, scene_sha256, photos), decodings);
+  }
   if (options.check_derivatives) {
     if (!scene.fit.photos.empty())
       throw usage_error("--check-derivatives", "is for one photograph", "a scene without [[fit.photo]]");

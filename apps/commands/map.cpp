@@ -199,7 +199,7 @@ void add_map_command(Program& program) {
       .option(
           "--altitude-scale", options->altitude_scale,
           "Let all light stand at so many times the altitudes of the tables' atmosphere, to see what changes")
-      .range(0.7, 1.3)
+      .range(0.9, 1.2)
       .shows_default();
   command.flag("--overwrite", options->overwrite,
                "Replace a map that exists; without --resume, discard the steps of one that was cut off");

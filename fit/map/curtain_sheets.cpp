@@ -242,10 +242,6 @@ void hold_one_brightness(sim::Scene& scene) {
 
 }  // namespace
 
-double length_of_ridge_km(const Ridge& ridge) {
-  return ridge.points.empty() ? 0.0 : lengths_along(ridge).back();
-}
-
 CurveEnds ends_out_of_view(const sim::Scene& scene, const Ridge& ridge) {
   return {!is_in_view(scene, beyond(ridge, true, kLookBeyond_km)),
           !is_in_view(scene, beyond(ridge, false, kLookBeyond_km))};
@@ -355,6 +351,11 @@ sim::Scene without_what_shines(const sim::Scene& given) {
   const auto is_left_out = [&](const std::string& path) {
     return std::find(tables.begin(), tables.end(), path.substr(0, path.find('.'))) != tables.end();
   };
+  const auto names_left_out = [&](const std::string& expression) {
+    return std::any_of(tables.begin(), tables.end(), [&](const std::string& table) {
+      return expression.find(table + ".") != std::string::npos;
+    });
+  };
   scene.sheets.clear();
   sim::remove_emitters(scene);
   std::vector<sim::FreeParameter>& free = scene.fit.free;
@@ -363,8 +364,23 @@ sim::Scene without_what_shines(const sim::Scene& given) {
              free.end());
   std::vector<sim::TiedParameter>& tied = scene.fit.tied;
   tied.erase(std::remove_if(tied.begin(), tied.end(),
-                            [&](const sim::TiedParameter& t) { return is_left_out(t.path); }),
+                            [&](const sim::TiedParameter& t) {
+                              return is_left_out(t.path) || names_left_out(t.equals);
+                            }),
              tied.end());
+  // Numbers without a path that no tie uses any more.
+  free.erase(std::remove_if(free.begin(), free.end(),
+                            [&](const sim::FreeParameter& f) {
+                              return f.path.empty() &&
+                                     std::none_of(tied.begin(), tied.end(), [&](const sim::TiedParameter& t) {
+                                       return t.equals.find(f.name) != std::string::npos;
+                                     });
+                            }),
+             free.end());
+  for (sim::PhotoEntry& entry : scene.fit.photos)
+    entry.set.erase(std::remove_if(entry.set.begin(), entry.set.end(),
+                                   [&](const auto& changed) { return is_left_out(changed.first); }),
+                    entry.set.end());
   scene.fit.band_brightness = false;
   scene.fit.scan_points = 0;
   scene.fit.polish_descents = 1;

@@ -33,10 +33,8 @@ struct Ridge {
   std::vector<RidgePoint> points;  ///< two or more, in order
 };
 
-/// A ridge shorter than this makes no curve.
-inline constexpr double kLeastRidge_km = 1.0;
-
-double length_of_ridge_km(const Ridge& ridge);
+/// A ridge whose ends are nearer to each other than this makes no curve.
+inline constexpr double kLeastRidge_km = 5.0;
 
 /// Which ends of a curve go on beyond the picture, by one point each.
 struct CurveEnds {

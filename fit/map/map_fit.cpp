@@ -485,10 +485,11 @@ std::vector<CellFlux> Mapping::replicate(std::vector<MapPicture>& fine, const si
         values.push_back(numbers_[i].value + numbers_[i].error * drawn_number);
       }
       drawn = this->pictures(1, scenes_of(scene_with(scene_, numbers_, values), photos_), &fine);
-      for (std::size_t p = 0; p < drawn.size(); ++p) drawn[p].gain = fine[p].gain;
       look(drawn, grid);
     }
     std::vector<MapPicture>& pictures = drawn.empty() ? fine : drawn;
+    // Each starts from the map's gains, not from those of the replicate before, which may have been resumed.
+    for (std::size_t p = 0; p < pictures.size(); ++p) pictures[p].gain = best.photos[p].gain;
     for (std::size_t p = 0; p < pictures.size(); ++p) {
       MapPicture& picture = pictures[p];
       const std::vector<float> shared =

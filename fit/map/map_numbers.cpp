@@ -13,6 +13,8 @@
 namespace vegard::fit {
 namespace {
 
+constexpr double kSameValue = 1e-6;  // relative: what a scene's text may round
+
 bool concerns_map(const std::string& path) {
   constexpr std::array<const char*, 4> kTables = {"camera.", "air.", "field.", "blur."};
   return std::any_of(kTables.begin(), kTables.end(),
@@ -39,6 +41,10 @@ std::vector<MapNumber> map_numbers(const sim::Scene& scene) {
           {"a map takes " + free.label() + " as known, with an error that it has no prior for", scene.file, 0,
            "fit.free", "prior = { mean = ..., sigma = ... }, of this number alone",
            "vegard calibrate tells the errors of a camera's numbers; or leave it out of fit.free"});
+    if (free.path.compare(0, 6, "field.") == 0 && !free.photo.empty())
+      throw sim::Error(sim::ErrorKind::scene,
+                       {free.label() + " is of one photograph, and a map has one field", scene.file, 0,
+                        "fit.free", "field." + free.path.substr(6) + " of all photographs", ""});
     MapNumber n;
     n.label = free.label();
     n.unit = free.unit();
@@ -46,6 +52,12 @@ std::vector<MapNumber> map_numbers(const sim::Scene& scene) {
     n.photo = free.photo;
     n.value = value_in(scene, free);
     n.error = free.prior->sigma;
+    if (std::abs(free.prior->mean - n.value) > kSameValue * std::max(1.0, std::abs(n.value)))
+      throw sim::Error(
+          sim::ErrorKind::scene,
+          {"the prior of " + free.label() + " is about " + sim::short_number(free.prior->mean, 8) +
+               ", and the map is made with " + sim::short_number(n.value, 8),
+           scene.file, 0, "fit.free", "one value in both places", ""});
     n.min = free.min;
     n.max = free.max;
     numbers.push_back(n);

@@ -1,6 +1,7 @@
 #include "fit/map/map_record.h"
 
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include <fmt/format.h>
@@ -20,6 +21,8 @@ using RecordJson = nlohmann::json;
 
 constexpr std::size_t kMostMapJson = 64u << 20;
 constexpr std::size_t kMostCurtains = 10000;  // a map has some tens
+constexpr std::size_t kMostPoints = 1000;     // of a curtain, 5 km apart
+constexpr double kFarthest_km = 3000.0;       // of a point, as in a scene
 constexpr double kSamePlace_deg = 1e-6;       // a tenth of a metre: what a scene's text may round
 
 [[noreturn]] void refuse_map(const std::string& file, const std::string& problem, const std::string& hint) {
@@ -51,20 +54,44 @@ void check_written_by_us(const RecordJson& json, const std::string& file) {
     refuse_map(file, "is of a map that was interrupted", "finish it first, with --resume");
 }
 
+/// A whole number from 0 on. Throws RecordJson::exception for anything else.
+int whole_number(const RecordJson& json, const char* key) {
+  constexpr std::uint64_t kMost = 1u << 24;
+  const RecordJson& value = json.at(key);
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > kMost)
+    throw RecordJson::type_error::create(302, std::string(key) + " is no whole number", &value);
+  return static_cast<int>(value.get<std::uint64_t>());
+}
+
+const RecordJson& list(const RecordJson& json, const char* key) {
+  const RecordJson& value = json.at(key);
+  if (!value.is_array()) throw RecordJson::type_error::create(302, std::string(key) + " is no list", &value);
+  return value;
+}
+
 /// Throws RecordJson::exception.
 void take_facts(const RecordJson& json, MapRecord& record) {
-  for (const RecordJson& photo : json.at("photos")) {
+  for (const RecordJson& photo : list(json, "photos")) {
     MapRecord::Picture picture;
     picture.name = photo.at("name").get<std::string>();
-    picture.width_px = photo.at("width_px").get<int>();
-    picture.height_px = photo.at("height_px").get<int>();
+    picture.width_px = whole_number(photo, "width_px");
+    picture.height_px = whole_number(photo, "height_px");
     picture.latitude_deg = photo.at("latitude_deg").get<double>();
     picture.longitude_deg = photo.at("longitude_deg").get<double>();
     record.pictures.push_back(std::move(picture));
   }
-  for (const RecordJson& input : json.at("inputs"))
+  record.altitude_scale = json.at("altitude_scale").get<double>();
+  for (const RecordJson& decoding : list(json, "decodings"))
+    record.decodings.push_back(decoding.at("decoding").get<std::string>());
+  for (const RecordJson& input : list(json, "inputs"))
     record.inputs.push_back({input.at("role").get<std::string>(), input.at("name").get<std::string>(),
                              input.at("sha256").get<std::string>()});
+}
+
+double ends_apart_km(const Ridge& ridge) {
+  if (ridge.points.empty()) return 0.0;
+  const sim::EastNorth first = ridge.points.front().foot_km, last = ridge.points.back().foot_km;
+  return std::hypot(last.east - first.east, last.north - first.north);
 }
 
 std::vector<Ridge> ridges_of_table(const std::string& text, const std::string& file, const std::string& stem,
@@ -84,10 +111,15 @@ std::vector<Ridge> ridges_of_table(const std::string& text, const std::string& f
     for (const RidgePoint& p : ridge.points)
       if (!std::isfinite(p.foot_km.east) || !std::isfinite(p.foot_km.north) || !std::isfinite(p.flux_mw_m2) ||
           !(p.energy_kev > 0.0) || !std::isfinite(p.energy_kev) || !(p.width_km > 0.0) ||
-          !std::isfinite(p.width_km))
+          !std::isfinite(p.width_km) || std::abs(p.foot_km.east) > kFarthest_km ||
+          std::abs(p.foot_km.north) > kFarthest_km)
         refuse_map(file, fmt::format("curtain {} has a point that is none", c), "map the photograph again");
-    if (length_of_ridge_km(ridge) < kLeastRidge_km)
-      refuse_map(file, fmt::format("curtain {} is too short for a curve", c), "map the photograph again");
+    if (ridge.points.size() > kMostPoints)
+      refuse_map(file,
+                 fmt::format("curtain {} has {} points, of at most {}", c, ridge.points.size(), kMostPoints),
+                 "map the photograph again");
+    // Too short for a curve, or closed to a ring.
+    if (ends_apart_km(ridge) < kLeastRidge_km) continue;
     ridges.push_back(std::move(ridge));
   }
   return ridges;
@@ -113,25 +145,28 @@ MapRecord read_map_record(const std::string& directory) {
   std::size_t curtains = 0, faint = 0;
   try {
     take_facts(json, record);
-    curtains = json.at("curtains").size();
-    faint = json.at("faint_curtains").get<std::size_t>();
+    curtains = list(json, "curtains").size();
+    faint = static_cast<std::size_t>(whole_number(json, "faint_curtains"));
   } catch (const RecordJson::exception&) {
     refuse_map(file, "lacks what a fit of its curtains needs", "map the photograph again");
   }
-  if (curtains == 0)
+  const auto refuse_empty = [&] {
     refuse_map(file, "holds no curtain to refine",
                "what shines is no curtain, or too faint: see the map's report.html");
+  };
+  if (curtains == 0) refuse_empty();
   const std::string table = directory + "/" + kCurtainTable,
                     faint_table = directory + "/" + kFaintCurtainTable;
   const std::string rows = bytes_of_map(table), faint_rows = bytes_of_map(faint_table);
   record.curtains = ridges_of_table(rows, table, "curtain_", curtains);
+  if (record.curtains.empty()) refuse_empty();
   record.faint = ridges_of_table(faint_rows, faint_table, "faint_", faint);
   record.sha256 = sim::sha256(sim::sha256(text) + sim::sha256(rows) + sim::sha256(faint_rows));
   return record;
 }
 
 void check_same_subject(const MapRecord& record, const sim::Scene& scene,
-                        const std::vector<InputFile>& inputs) {
+                        const std::vector<InputFile>& inputs, const std::vector<std::string>& decodings) {
   const auto photographs = [](const std::vector<InputFile>& all) {
     std::vector<InputFile> some;
     for (const InputFile& input : all)
@@ -148,6 +183,13 @@ void check_same_subject(const MapRecord& record, const sim::Scene& scene,
     if (mapped[i].role != asked[i].role || mapped[i].sha256 != asked[i].sha256)
       refuse_subject(record, scene, "is of another photograph than " + asked[i].name, "",
                      "the photograph that was mapped, " + mapped[i].name + ", byte by byte");
+  for (std::size_t i = 0; i < decodings.size() && i < record.decodings.size(); ++i)
+    if (decodings[i] != record.decodings[i])
+      refuse_subject(record, scene, "was made with the decoding \"" + record.decodings[i] + "\"",
+                     "fit.decoding", "that decoding, and not \"" + decodings[i] + "\"");
+  if (record.altitude_scale != 1.0)
+    refuse_subject(record, scene, "was made with an --altitude-scale, which a fit does not have", "",
+                   "a map with the altitudes of the tables");
   const std::vector<sim::PhotoEntry>& entries = scene.fit.photos;
   if (record.pictures.size() != std::max<std::size_t>(1, entries.size()))
     refuse_subject(record, scene, "is of another number of stations", "fit.photo",

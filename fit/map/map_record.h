@@ -28,18 +28,21 @@ struct MapRecord {
   std::string directory;
   std::vector<Picture> pictures;
   std::vector<InputFile> inputs;
-  std::vector<Ridge> curtains;  ///< "curtain_1", "curtain_2": that which carries most energy first
+  std::vector<Ridge> curtains;  ///< those long enough for a curve: "curtain_1", "curtain_2": that which
+                                ///< carries most energy first
   std::vector<Ridge> faint;     ///< "faint_1": ridges below the brightness limit, likewise
-  std::string sha256;           ///< of all that was read
+  std::vector<std::string> decodings;  ///< of the photographs, as a report words them
+  double altitude_scale = 1.0;
+  std::string sha256;  ///< of all that was read
 };
 
 /// Throws sim::Error(unreadable_input) for what is no map's directory, one of another version or format of
 /// vegard, a map that was interrupted, files that are damaged, and a map without a curtain.
 MapRecord read_map_record(const std::string& directory);
 
-/// That a map is of these inputs (by the bytes of the photographs) and of the scene's site and size. Throws
-/// sim::Error(scene).
+/// That a map is of these inputs (by the bytes of the photographs), decoded likewise, and of the scene's site
+/// and size. Throws sim::Error(scene).
 void check_same_subject(const MapRecord& record, const sim::Scene& scene,
-                        const std::vector<InputFile>& inputs);
+                        const std::vector<InputFile>& inputs, const std::vector<std::string>& decodings);
 
 }  // namespace vegard::fit

@@ -45,6 +45,7 @@ void check_grey(const Photo& photo, const std::string& file) {
 }
 
 void take_channel(const Photo& from, std::size_t channel, Photo& to) {
+  to.block_error[channel] = from.block_error[channel];
   for (std::size_t i = channel; i < to.linear.data.size(); i += kChannels) {
     to.linear.data[i] = from.linear.data[i];
     to.usable[i] = from.usable[i];
@@ -80,6 +81,7 @@ Photo read_filters(const std::vector<FilterFile>& files, const std::vector<doubl
       stack = photo;
       stack.linear.data.assign(photo.linear.data.size(), 0.0f);
       stack.usable.assign(photo.usable.size(), 0);
+      stack.block_error = {};
       stack.decoding = "one file per filter";
       stack.file_name.clear();
     } else if (photo.linear.width != stack.linear.width || photo.linear.height != stack.linear.height) {

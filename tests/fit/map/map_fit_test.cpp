@@ -168,7 +168,8 @@ TEST(MapFit, RefusesAFieldForEachPhotograph) {
 TEST(MapNumbers, AreThoseOfCameraAndAirWithTheirPriors) {
   const sim::Scene scene = sim::parse_scene(
       std::string(kCamera) +
-          "[air]\nmodel = \"standard\"\n[[sheet]]\nname = \"s\"\n[[fit.photo]]\nname = \"a\"\nfile = \"a.png\"\n[[fit.photo]]\nname = "
+          "[air]\nmodel = \"standard\"\n[[sheet]]\nname = \"s\"\n[[fit.photo]]\nname = \"a\"\nfile = "
+          "\"a.png\"\n[[fit.photo]]\nname = "
           "\"b\"\nfile = \"b.png\"\nset.camera.elevation_deg = 41.0\n"
           "[fit]\nfree = [\"sheet.s.energy_kev\", { path = \"camera.elevation_deg\", photo = \"b\", prior = "
           "{ "
@@ -193,6 +194,22 @@ TEST(MapNumbers, NeedPriors) {
   const std::string text = tests::expect_error(sim::ErrorKind::scene, [&] { map_numbers(scene); });
   EXPECT_NE(text.find("camera.roll_deg"), std::string::npos) << text;
   EXPECT_NE(text.find("prior"), std::string::npos) << text;
+}
+
+TEST(MapNumbers, HavePriorsAboutTheScenesOwnValues) {
+  const auto refused = [](const std::string& free) {
+    const sim::Scene scene =
+        sim::parse_scene(std::string(kCamera) +
+                             "[[fit.photo]]\nname = \"a\"\nfile = \"a.png\"\n[fit]\nfree = [" + free + "]\n",
+                         "scene");
+    return tests::expect_error(sim::ErrorKind::scene, [&] { map_numbers(scene); });
+  };
+  const std::string about =
+      refused("{ path = \"camera.elevation_deg\", prior = { mean = 30.0, sigma = 0.5 } }");
+  EXPECT_NE(about.find("is about 30, and the map is made with 33"), std::string::npos) << about;
+  const std::string field =
+      refused("{ path = \"field.inclination_deg\", photo = \"a\", prior = { mean = 78.0, sigma = 0.5 } }");
+  EXPECT_NE(field.find("one field"), std::string::npos) << field;
 }
 
 TEST(MapFit, ErrorBarsHoldWhatIsNotKnownOfTheCamera) {

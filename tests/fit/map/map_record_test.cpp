@@ -46,9 +46,14 @@ std::vector<InputFile> inputs_of_map() {
 void write(const std::string& directory, const std::vector<Curtain>& curtains = {curtain(200.0, 5.0)},
            const std::vector<Curtain>& faint = {curtain(260.0, 0.5)}) {
   std::filesystem::create_directories(directory);
-  nlohmann::json json = {
-      {"kind", "vegard map"}, {"version", sim::version()},           {"format", kMapFormat},
-      {"interrupted", false}, {"curtains", nlohmann::json::array()}, {"faint_curtains", faint.size()}};
+  nlohmann::json json = {{"kind", "vegard map"},
+                         {"version", sim::version()},
+                         {"format", kMapFormat},
+                         {"interrupted", false},
+                         {"curtains", nlohmann::json::array()},
+                         {"faint_curtains", faint.size()},
+                         {"altitude_scale", 1.0},
+                         {"decodings", nlohmann::json::array({{{"photo", ""}, {"decoding", "sRGB"}}})}};
   for (const Curtain& c : curtains) json["curtains"].push_back({{"points", c.points.size()}});
   json["photos"] = nlohmann::json::array(
       {{{"name", ""}, {"width_px", 96}, {"height_px", 64}, {"latitude_deg", 67.0}, {"longitude_deg", 20.0}}});
@@ -88,7 +93,7 @@ TEST(MapRecord, HasWhatTheMapWrote) {
   ASSERT_EQ(record.pictures.size(), 1u);
   EXPECT_EQ(record.pictures[0].width_px, 96);
   EXPECT_DOUBLE_EQ(record.pictures[0].longitude_deg, 20.0);
-  check_same_subject(record, scene_of_map(), inputs_of_map());
+  check_same_subject(record, scene_of_map(), inputs_of_map(), {});
 }
 
 TEST(MapRecord, KnowsAnotherPhotographSiteAndSize) {
@@ -97,18 +102,60 @@ TEST(MapRecord, KnowsAnotherPhotographSiteAndSize) {
   const MapRecord record = read_map_record(folder / "map");
   std::vector<InputFile> inputs = inputs_of_map();
   inputs[2].sha256 = "dd";  // another mask
-  check_same_subject(record, scene_of_map(), inputs);
+  check_same_subject(record, scene_of_map(), inputs, {});
   inputs[1].sha256 = "dd";
   tests::expect_words(sim::ErrorKind::scene, {"another photograph than photo.png"},
-                      [&] { check_same_subject(record, scene_of_map(), inputs); });
+                      [&] { check_same_subject(record, scene_of_map(), inputs, {}); });
   sim::Scene scene = scene_of_map();
   scene.site.latitude_deg = 68.0;
   tests::expect_words(sim::ErrorKind::scene, {"another site"},
-                      [&] { check_same_subject(record, scene, inputs_of_map()); });
+                      [&] { check_same_subject(record, scene, inputs_of_map(), {}); });
   scene = scene_of_map();
   scene.camera.height = 65;
   tests::expect_words(sim::ErrorKind::scene, {"another size"},
-                      [&] { check_same_subject(record, scene, inputs_of_map()); });
+                      [&] { check_same_subject(record, scene, inputs_of_map(), {}); });
+  check_same_subject(record, scene_of_map(), inputs_of_map(), {"sRGB"});
+  tests::expect_words(sim::ErrorKind::scene, {"was made with the decoding", "linear"},
+                      [&] { check_same_subject(record, scene_of_map(), inputs_of_map(), {"linear"}); });
+  change(folder / "map", "altitude_scale", 1.05);
+  const MapRecord higher = read_map_record(folder / "map");
+  tests::expect_words(sim::ErrorKind::scene, {"--altitude-scale"},
+                      [&] { check_same_subject(higher, scene_of_map(), inputs_of_map(), {}); });
+}
+
+TEST(MapRecord, RefusesNumbersAndListsThatAreNone) {
+  const TemporaryFolder folder;
+  for (const auto& [key, value] :
+       std::vector<std::pair<std::string, nlohmann::json>>{{"faint_curtains", 1e300},
+                                                           {"faint_curtains", 1.5},
+                                                           {"faint_curtains", -1},
+                                                           {"faint_curtains", true},
+                                                           {"curtains", 5},
+                                                           {"photos", "x"},
+                                                           {"inputs", 3},
+                                                           {"altitude_scale", "high"},
+                                                           {"decodings", 1}}) {
+    write(folder / "map");
+    change(folder / "map", key, value);
+    tests::expect_words(sim::ErrorKind::unreadable_input, {"lacks what a fit"},
+                        [&] { read_map_record(folder / "map"); });
+  }
+}
+
+TEST(MapRecord, RefusesPointsThatAreNowhereAndPassesOverRings) {
+  const TemporaryFolder folder;
+  Curtain far = curtain(200.0, 5.0);
+  far.points[3].foot_km.east = 1e300;
+  write(folder / "map", {far});
+  tests::expect_words(sim::ErrorKind::unreadable_input, {"has a point that is none"},
+                      [&] { read_map_record(folder / "map"); });
+  Curtain ring = curtain(200.0, 5.0);
+  ring.points.resize(3);
+  ring.points[2] = ring.points[0];
+  write(folder / "map", {ring, curtain(220.0, 5.0)});
+  const MapRecord record = read_map_record(folder / "map");
+  ASSERT_EQ(record.curtains.size(), 1u);
+  EXPECT_EQ(record.curtains[0].name, "curtain_2");
 }
 
 TEST(MapRecord, RefusesWhatIsNoMapOfThisVersion) {
