@@ -95,7 +95,7 @@ double ends_apart_km(const Ridge& ridge) {
 }
 
 std::vector<Ridge> ridges_of_table(const std::string& text, const std::string& file, const std::string& stem,
-                                   std::size_t count) {
+                                   std::size_t count, const std::vector<int>& points) {
   std::vector<Ridge> ridges;
   if (count > kMostCurtains) refuse_map(file, "cannot have " + std::to_string(count) + " curtains", "");
   for (std::size_t c = 1; c <= count; ++c) {
@@ -114,6 +114,9 @@ std::vector<Ridge> ridges_of_table(const std::string& text, const std::string& f
           !std::isfinite(p.width_km) || std::abs(p.foot_km.east) > kFarthest_km ||
           std::abs(p.foot_km.north) > kFarthest_km)
         refuse_map(file, fmt::format("curtain {} has a point that is none", c), "map the photograph again");
+    if (c <= points.size() && ridge.points.size() != static_cast<std::size_t>(points[c - 1]))
+      refuse_map(file, fmt::format("curtain {} has {} points of {}", c, ridge.points.size(), points[c - 1]),
+                 "map the photograph again");
     if (ridge.points.size() > kMostPoints)
       refuse_map(file,
                  fmt::format("curtain {} has {} points, of at most {}", c, ridge.points.size(), kMostPoints),
@@ -142,10 +145,12 @@ MapRecord read_map_record(const std::string& directory) {
   const std::string text = bytes_of_map(file);
   const RecordJson json = RecordJson::parse(text, nullptr, false);
   check_written_by_us(json, file);
-  std::size_t curtains = 0, faint = 0;
+  std::size_t faint = 0;
+  std::vector<int> points;  // of each curtain
   try {
     take_facts(json, record);
-    curtains = list(json, "curtains").size();
+    for (const RecordJson& curtain : list(json, "curtains"))
+      points.push_back(whole_number(curtain, "points"));
     faint = static_cast<std::size_t>(whole_number(json, "faint_curtains"));
   } catch (const RecordJson::exception&) {
     refuse_map(file, "lacks what a fit of its curtains needs", "map the photograph again");
@@ -154,13 +159,13 @@ MapRecord read_map_record(const std::string& directory) {
     refuse_map(file, "holds no curtain to refine",
                "what shines is no curtain, or too faint: see the map's report.html");
   };
-  if (curtains == 0) refuse_empty();
+  if (points.empty()) refuse_empty();
   const std::string table = directory + "/" + kCurtainTable,
                     faint_table = directory + "/" + kFaintCurtainTable;
   const std::string rows = bytes_of_map(table), faint_rows = bytes_of_map(faint_table);
-  record.curtains = ridges_of_table(rows, table, "curtain_", curtains);
+  record.curtains = ridges_of_table(rows, table, "curtain_", points.size(), points);
   if (record.curtains.empty()) refuse_empty();
-  record.faint = ridges_of_table(faint_rows, faint_table, "faint_", faint);
+  record.faint = ridges_of_table(faint_rows, faint_table, "faint_", faint, {});
   record.sha256 = sim::sha256(sim::sha256(text) + sim::sha256(rows) + sim::sha256(faint_rows));
   return record;
 }

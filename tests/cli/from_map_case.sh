@@ -78,5 +78,5 @@ expect_stderr "another photograph than dimmer.png"
 refused 2 map "another site" --set site.latitude_deg=68
 expect_exit 2 fit "$SCENES/map.toml" --photo photo.png --from-map map --out none --set camera.width=97 --no-metadata
 expect_one_message
-refused 2 map "transfer curve of photo.png is unknown" --decoding unknown
+refused 2 map "was made with the decoding" --decoding unknown
 [[ ! -e none && ! -e none.part ]] || fail "something was left of a fit that was refused"

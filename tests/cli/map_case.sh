@@ -2,14 +2,14 @@
 source "$(dirname "$0")/case.sh"
 expect_exit 0 render "$SCENES/map_light.toml" -o photo.png
 # Nobody has calibrated the sensor: the flux is relative, and the exit code says that something is to be taken with care.
-expect_exit 5 map "$SCENES/map.toml" --photo photo.png --out run --replicates 2 --sparsity 4 --threads 2
+expect_exit 5 map "$SCENES/map.toml" --photo photo.png --out run --replicates 2 --sparsity 16 --threads 2
 for file in map.json precipitation.fits curtains.csv model.exr residual.exr report.html; do expect_file "run/$file"; done
 expect_stdout "distance of the curtains: good"
 expect_stdout "relative: nobody has calibrated the sensor"
 expect_starts run/precipitation.fits 53494d504c4520203d
 grep -q "^curtain,point,east_km,north_km,distance_km," run/curtains.csv || fail "another head of the table"
 grep -qF "FLUXCAL = 'relative'" run/precipitation.fits || fail "a scale that nobody knows"
-expect_exit 0 map "$SCENES/map.toml" --photo photo.png --out calibrated --replicates 2 --sparsity 4 --threads 1 \
+expect_exit 0 map "$SCENES/map.toml" --photo photo.png --out calibrated --replicates 2 --sparsity 16 --threads 1 \
   --set sensor.calibration_error=0.1
 for file in curtains.csv model.exr residual.exr; do expect_same "run/$file" "calibrated/$file"; done
 
@@ -18,7 +18,7 @@ expect_exit 2 map "$SCENES/map.toml" --photo photo.png --out run
 expect_one_message
 cp run/precipitation.fits before.fits
 echo thesis >run/thesis.tex
-expect_exit 2 map "$SCENES/map.toml" --photo photo.png --out run --overwrite --replicates 2 --sparsity 4
+expect_exit 2 map "$SCENES/map.toml" --photo photo.png --out run --overwrite --replicates 2 --sparsity 16
 expect_stderr thesis.tex
 expect_file run/thesis.tex
 expect_same run/precipitation.fits before.fits
@@ -26,7 +26,7 @@ rm run/thesis.tex
 
 # Cut off by Ctrl-C and gone on with: the same bytes.
 set -m
-"$VEGARD" map "$SCENES/map.toml" --photo photo.png --out cut --replicates 2 --sparsity 4 --threads 1 >"$stdout" 2>"$stderr" &
+"$VEGARD" map "$SCENES/map.toml" --photo photo.png --out cut --replicates 2 --sparsity 16 --threads 1 >"$stdout" 2>"$stderr" &
 job=$!
 wait_until_interruptible "$job"
 for _ in $(seq 600); do
@@ -39,7 +39,7 @@ wait "$job" || status=$?
 [[ $status -eq 130 || $status -eq 5 ]] || fail "exit $status instead of 130"
 if [[ $status -eq 130 ]]; then
   grep -q '"interrupted": true' cut/map.json || fail "another end"
-  expect_exit 5 map "$SCENES/map.toml" --photo photo.png --out cut --replicates 2 --sparsity 4 --resume
+  expect_exit 5 map "$SCENES/map.toml" --photo photo.png --out cut --replicates 2 --sparsity 16 --resume
 fi
 for file in precipitation.fits curtains.csv model.exr; do expect_same "run/$file" "cut/$file"; done
 
