@@ -62,6 +62,18 @@ scene_with() {
   ! cmp -s scene.toml "$SCENES/small.toml" || fail "'$1' changes nothing"
 }
 
+# interrupt JOB: Ctrl-C once it listens and has said something; $status is its exit code.
+interrupt() {
+  wait_until_interruptible "$1"
+  for _ in $(seq 600); do
+    [[ ! -s $stderr ]] || break
+    sleep 0.05
+  done
+  kill -INT "$1" 2>/dev/null || true
+  status=0
+  wait "$1" || status=$?
+}
+
 # wait_until_interruptible JOB: until the program listens for Ctrl-C, however busy the machine is.
 wait_until_interruptible() {
   local caught

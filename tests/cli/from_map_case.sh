@@ -26,15 +26,7 @@ for file in model.exr trace.csv profiles.csv; do expect_same "run/$file" "one/$f
 # Cut off by Ctrl-C and gone on with: the same bytes.
 set -m
 "$VEGARD" fit "$SCENES/map.toml" --photo photo.png --from-map map --out cut >"$stdout" 2>"$stderr" &
-job=$!
-wait_until_interruptible "$job"
-for _ in $(seq 600); do
-  [[ ! -s $stderr ]] || break
-  sleep 0.05
-done
-kill -INT "$job" 2>/dev/null || true
-status=0
-wait "$job" || status=$?
+interrupt $!
 [[ $status -eq 130 || $status -eq 5 ]] || fail "exit $status instead of 130"
 [[ $status -eq 5 ]] || fit_from 5 map cut --resume
 for file in model.exr trace.csv profiles.csv; do expect_same "run/$file" "cut/$file"; done

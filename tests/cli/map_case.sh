@@ -27,15 +27,7 @@ rm run/thesis.tex
 # Cut off by Ctrl-C and gone on with: the same bytes.
 set -m
 "$VEGARD" map "$SCENES/map.toml" --photo photo.png --out cut --replicates 2 --sparsity 16 --threads 1 >"$stdout" 2>"$stderr" &
-job=$!
-wait_until_interruptible "$job"
-for _ in $(seq 600); do
-  [[ ! -s $stderr ]] || break
-  sleep 0.05
-done
-kill -INT "$job" 2>/dev/null || true
-status=0
-wait "$job" || status=$?
+interrupt $!
 [[ $status -eq 130 || $status -eq 5 ]] || fail "exit $status instead of 130"
 if [[ $status -eq 130 ]]; then
   grep -q '"interrupted": true' cut/map.json || fail "another end"
