@@ -130,7 +130,7 @@ sim::EastNorth foot_at(const sim::Site& site, double latitude_deg, double longit
   return foot[2] > 0.0 ? sim::EastNorth{foot[0], foot[1]} : sim::EastNorth{sim::kNaN, sim::kNaN};
 }
 
-double round_step(double range) {
+double round_grid_step(double range) {
   for (const double step : {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0})
     if (range / step <= 6.0) return step;
   return 20.0;
@@ -166,7 +166,7 @@ void add_geographic_grid(const MapResult& result, const MapRaster& raster, Panel
     }
     panel.series.push_back(std::move(line));
   };
-  const double lat_step = round_step(north - south), lon_step = round_step(east - west);
+  const double lat_step = round_grid_step(north - south), lon_step = round_grid_step(east - west);
   std::string label = fmt::format("every {} ° of latitude, {} ° of longitude", sim::short_number(lat_step),
                                   sim::short_number(lon_step));
   for (double lat = std::ceil(south / lat_step) * lat_step; lat <= north; lat += lat_step) {
