@@ -324,6 +324,7 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
       });
   look_for_second_mode(free, values, outcome, r, evidence);
   judge(evidence, r);
+  judge_quantities(r);
   if (r.verdict == Verdict::good || r.verdict == Verdict::doubtful)
     judge_error_bars({scene, free, observations, values, settled.prior, r.error_inflation, u}, asked, journal,
                      r);

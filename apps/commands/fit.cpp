@@ -208,8 +208,9 @@ void print_answer(const fit::FitResult& result, const std::string& report) {
     if (!d.why_none.empty())
       say("  %s: %s\n", d.name.c_str(), d.why_none.c_str());
     else
-      say("  %s: %s%s%s\n", d.name.c_str(), sim::number_with_error(d.value, d.sigma).c_str(),
-          d.unit.empty() ? "" : " ", d.unit.c_str());
+      say("  %s: %s%s%s (%s%s%s)\n", d.name.c_str(), sim::number_with_error(d.value, d.sigma).c_str(),
+          d.unit.empty() ? "" : " ", d.unit.c_str(), fit::trust_name(d.trust),
+          d.trust == fit::Trust::good ? "" : ": ", d.trust == fit::Trust::good ? "" : d.trust_reason.c_str());
   }
   for (const fit::FittedPhoto& photo : result.photos)
     say("decoding%s: %s\n", photo.name.empty() ? "" : (" of " + photo.name).c_str(), photo.decoding.c_str());

@@ -20,12 +20,14 @@ namespace {
 
 constexpr double kRedNm = 630.0, kBlueNm = 427.8;
 constexpr double kLeastRatio = 5.2, kMostRatio = 31.4;
+constexpr double kLeastShare = 0.1;  // of the variance, of a free number that a derived one depends on
 
 double wavelength_ratio(const sim::Sheet& sheet) { return sheet.wavelength_km / (2.0 * sheet.thickness_km); }
 
 /// What a number will be called, and the words for when it has no value.
 struct Label {
   std::string name, unit, why_none;
+  Quantity quantity = Quantity::other;
   bool is_detail = false, is_longitude = false;
 };
 
@@ -56,15 +58,15 @@ void add_energies(const sim::Scene& best, int s, const std::string& of, std::vec
   const sim::Sheet& sheet = best.sheets[s];
   // A form has an energy for its steps and its power, but its light does not tell it.
   if (!sim::mean_energy_kev(sheet) || sheet.profile == sim::ProfileKind::form) {
-    groups.push_back(
-        none({"mean electron energy" + of, "keV", "the height profile is not that of known electrons"}));
+    groups.push_back(none({"mean electron energy" + of, "keV",
+                           "the height profile is not that of known electrons", Quantity::energy}));
     return;
   }
   // For mono-energetic and Gaussian electrons it is the mean energy itself.
   if (sheet.profile == sim::ProfileKind::maxwellian)
-    groups.push_back(one({"characteristic energy E0" + of, "keV", ""},
+    groups.push_back(one({"characteristic energy E0" + of, "keV", "", Quantity::energy},
                          [s](const sim::Scene& x) { return sim::evened_sheet(x.sheets[s]).energy_kev; }));
-  groups.push_back(one({"mean electron energy" + of, "keV", ""}, [s](const sim::Scene& x) {
+  groups.push_back(one({"mean electron energy" + of, "keV", "", Quantity::energy}, [s](const sim::Scene& x) {
     return *sim::mean_energy_kev(sim::evened_sheet(x.sheets[s]));
   }));
 }
@@ -79,13 +81,17 @@ void add_altitudes(const sim::Scene& best, int s, const std::string& of, std::ve
   for (const double nm : lines) {
     const std::string line = sim::line_words(nm);
     const bool is_detail = nm != border;
-    Group group{
-        {{"peak altitude of " + line + of, "km", "it is brightest at an end of its profile", is_detail}}, {}};
+    Group group{{{"peak altitude of " + line + of, "km", "it is brightest at an end of its profile",
+                  Quantity::altitude, is_detail}},
+                {}};
     if (!is_detail) {
       group.labels.push_back({"lower border of " + line + " (a tenth of the peak)" + of, "km",
-                              "the light has not fallen to a tenth at 80 km, where its profile ends"});
-      group.labels.push_back({"half-width of " + line + " below its peak" + of, "km", "", true});
-      group.labels.push_back({"half-width of " + line + " above its peak" + of, "km", "", true});
+                              "the light has not fallen to a tenth at 80 km, where its profile ends",
+                              Quantity::altitude});
+      group.labels.push_back(
+          {"half-width of " + line + " below its peak" + of, "km", "", Quantity::width, true});
+      group.labels.push_back(
+          {"half-width of " + line + " above its peak" + of, "km", "", Quantity::width, true});
     }
     group.numbers = [nm, s, is_detail](const sim::Scene& x) {
       const sim::LineLight light = light_of(nm, x, s);
@@ -100,7 +106,8 @@ void add_altitudes(const sim::Scene& best, int s, const std::string& of, std::ve
 
 void add_ratios(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
   for (const double nm : {kRedNm, kBlueNm}) {
-    const Label label{fmt::format("I({:.1f})/I({:.1f}) along the field{}", nm, sim::kGreenNm, of), "", ""};
+    const Label label{fmt::format("I({:.1f})/I({:.1f}) along the field{}", nm, sim::kGreenNm, of), "", "",
+                      Quantity::ratio};
     Label absent = label;
     for (const double needed : {nm, sim::kGreenNm})
       if (!sim::has_line(needed, best, s))
@@ -119,8 +126,9 @@ void add_ratios(const sim::Scene& best, int s, const std::string& of, std::vecto
 
 void add_feet(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
   if (!sim::is_latitude_given(best)) {
-    groups.push_back(none({"geographic coordinates of the feet" + of, "deg",
-                           "the site is not given: site.latitude_deg and site.longitude_deg"}));
+    groups.push_back(
+        none({"geographic coordinates of the feet" + of, "deg",
+              "the site is not given: site.latitude_deg and site.longitude_deg", Quantity::place}));
     return;
   }
   const std::string beyond = "the foot lies beyond the edge of the Earth";
@@ -129,10 +137,10 @@ void add_feet(const sim::Scene& best, int s, const std::string& of, std::vector<
   for (const char* which : {"the nearest foot", "the middle foot", "the first foot", "the last foot"}) {
     const bool is_detail = which != std::string("the nearest foot");
     const std::string foot = std::string(" of ") + which + of;
-    group.labels.push_back({"latitude" + foot, "deg", beyond, is_detail});
+    group.labels.push_back({"latitude" + foot, "deg", beyond, Quantity::place, is_detail});
     if (!with_longitude) continue;
-    group.labels.push_back({"longitude" + foot, "deg", beyond, is_detail, true});
-    group.labels.push_back({"geomagnetic latitude" + foot, "deg", beyond, is_detail});
+    group.labels.push_back({"longitude" + foot, "deg", beyond, Quantity::place, is_detail, true});
+    group.labels.push_back({"geomagnetic latitude" + foot, "deg", beyond, Quantity::place, is_detail});
   }
   group.numbers = [s, with_longitude](const sim::Scene& x) {
     const sim::FootPoints feet = sim::foot_points(x.sheets[s], x.time.start_s);
@@ -149,8 +157,8 @@ void add_feet(const sim::Scene& best, int s, const std::string& of, std::vector<
   };
   groups.push_back(std::move(group));
   if (!with_longitude)
-    groups.push_back(none(
-        {"longitude and geomagnetic latitude of the feet" + of, "deg", "site.longitude_deg is not given"}));
+    groups.push_back(none({"longitude and geomagnetic latitude of the feet" + of, "deg",
+                           "site.longitude_deg is not given", Quantity::place}));
 }
 
 /// Of a curve that is drawn; the box's middle is added to its points.
@@ -176,10 +184,10 @@ void add_footprints(const sim::Scene& best, std::vector<Group>& groups) {
     const sim::Footprint& footprint = best.footprints[i];
     const std::string of = " of the " + footprint.name + " footprint";
     if (footprint.shape == sim::FootprintShape::box && footprint.source == sim::FootprintSource::spline)
-      groups.push_back(one({"distance" + of, "km", ""},
+      groups.push_back(one({"distance" + of, "km", "", Quantity::distance},
                            [i](const sim::Scene& x) { return nearest_on_spline_km(x.footprints[i]); }));
     if (footprint.profile == sim::ProfileKind::maxwellian)
-      groups.push_back(one({"characteristic energy E0" + of, "keV", ""},
+      groups.push_back(one({"characteristic energy E0" + of, "keV", "", Quantity::energy},
                            [i](const sim::Scene& x) { return x.footprints[i].energy_kev; }));
   }
 }
@@ -188,17 +196,25 @@ std::vector<Group> groups_of(const sim::Scene& best) {
   std::vector<Group> groups;
   for (int s = 0; s < static_cast<int>(best.sheets.size()); ++s) {
     const std::string of = " of the " + best.sheets[s].name + " sheet";
-    groups.push_back(one({"distance" + of, "km", ""}, [s](const sim::Scene& x) {
+    groups.push_back(one({"distance" + of, "km", "", Quantity::distance}, [s](const sim::Scene& x) {
       return nearest_distance_km(x.sheets[s], x.time.start_s);
     }));
+    // Differences go by the turn from the best scene's, which does not jump in the north.
+    const double middle_deg = nearest_azimuth_deg(best.sheets[s], best.time.start_s);
+    groups.push_back(one({"azimuth of the nearest point" + of, "deg", "", Quantity::azimuth},
+                         [s, middle_deg](const sim::Scene& x) {
+                           return middle_deg +
+                                  std::remainder(
+                                      nearest_azimuth_deg(x.sheets[s], x.time.start_s) - middle_deg, 360.0);
+                         }));
     add_energies(best, s, of, groups);
     add_altitudes(best, s, of, groups);
     add_ratios(best, s, of, groups);
     if (best.sheets[s].layers > 1 && !sim::is_curve(best.sheets[s]))
-      groups.push_back(one({"largest distance between the boundaries" + of, "km", "", true},
+      groups.push_back(one({"largest distance between the boundaries" + of, "km", "", Quantity::width, true},
                            [s](const sim::Scene& x) { return boundary_separation_km(x.sheets[s]); }));
     if (!sim::is_curve(best.sheets[s]))
-      groups.push_back(one({"wavelength over twice the amplitude" + of, "", "", true},
+      groups.push_back(one({"wavelength over twice the amplitude" + of, "", "", Quantity::ratio, true},
                            [s](const sim::Scene& x) { return wavelength_ratio(x.sheets[s]); }));
     add_feet(best, s, of, groups);
   }
@@ -226,6 +242,12 @@ double peak_altitude_km(double wavelength_nm, const sim::Scene& scene, int sheet
   return light_of(wavelength_nm, scene, sheet).peak_km;
 }
 
+double nearest_azimuth_deg(const sim::Sheet& sheet, double instant_s) {
+  const sim::EastNorth foot = sim::foot_points(sheet, instant_s).nearest;
+  const double azimuth = std::atan2(foot.east, foot.north) / sim::kRadiansPerDegree;
+  return azimuth < 0.0 ? azimuth + 360.0 : azimuth;
+}
+
 double boundary_separation_km(const sim::Sheet& sheet) {
   return 2.0 * sheet.thickness_km * std::abs(std::sin(0.5 * sheet.phase_shift_rad));
 }
@@ -251,7 +273,14 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
     const std::vector<DeltaMethod::Estimate> found = estimates(group.numbers);
     for (std::size_t i = 0; i < found.size(); ++i) {
       const Label& label = group.labels[i];
-      DerivedNumber d{label.name, found[i].value, {}, label.unit, {}, {}, label.is_detail};
+      DerivedNumber d;
+      d.name = label.name;
+      d.value = found[i].value;
+      d.unit = label.unit;
+      d.is_detail = label.is_detail;
+      d.quantity = label.quantity;
+      for (std::size_t j = 0; j < found[i].share.size(); ++j)
+        if (found[i].share[j] >= kLeastShare) d.depends_on.push_back(free[j].label());
       if (!std::isfinite(d.value)) {
         d.value = sim::kNaN;
         d.why_none = label.why_none;

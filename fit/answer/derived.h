@@ -14,6 +14,9 @@ namespace vegard::fit {
 /// end, km, where it has drifted to at an instant; of a system of arcs, to the nearest of them.
 double nearest_distance_km(const sim::Sheet& sheet, double instant_s = 0.0);
 
+/// Its azimuth from the observer, 0 to 360, clockwise from the north.
+double nearest_azimuth_deg(const sim::Sheet& sheet, double instant_s = 0.0);
+
 /// Of a line's light along the field: what sim/light/line_light.h says.
 double lower_border_km(double wavelength_nm, const sim::Scene& scene, int sheet);
 double peak_altitude_km(double wavelength_nm, const sim::Scene& scene, int sheet);
@@ -31,10 +34,10 @@ double boundary_separation_km(const sim::Sheet& sheet);
 /// 3.1.1; row B5), a sentence each. Worth knowing, and nothing against a fit.
 std::vector<std::string> unusual_sheets(const sim::Scene& scene);
 
-/// Of every sheet, with error bars by the delta method: distance, E0 and mean energy, lower border, peak
-/// altitudes and half-widths, ratios of lines along the field, shape, and the geographic and geomagnetic
-/// coordinates of its feet. docs/fitting.md, "Derived numbers", has the list. A number that cannot be told is
-/// there all the same and says why.
+/// Of every sheet, with error bars by the delta method: distance and azimuth, E0 and mean energy, lower
+/// border, peak altitudes and half-widths, ratios of lines along the field, shape, and the geographic and
+/// geomagnetic coordinates of its feet. docs/fitting.md, "Derived numbers", has the list. A number that
+/// cannot be told is there all the same and says why.
 std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::vector<FreeNumber>& free,
                                            const std::vector<double>& values, const ValueUncertainty& known);
 

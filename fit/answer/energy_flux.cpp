@@ -76,6 +76,7 @@ DerivedNumber energy_flux(const std::string& table, const std::string& name, int
   DerivedNumber d;
   d.name = "energy flux Q of the " + name + " " + table;
   d.unit = "mW m\u207b\u00b2";
+  d.quantity = Quantity::energy_flux;
   if (is_own_number(result, table + "." + name + ".energy_flux_mw_m2", d)) return d;
   d.value = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < result.photos.size() && i < known.size(); ++i) {

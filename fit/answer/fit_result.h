@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "fit/answer/trust.h"
 #include "fit/measure/profile.h"
 #include "fit/photo/photo_facts.h"
 #include "fit/search/descent.h"
@@ -110,6 +111,11 @@ struct DerivedNumber {
   std::string why_none{};      ///< in words, if there is no value
   std::string why_no_sigma{};  ///< in words, if there is a value without an error bar; may be empty
   bool is_detail = false;      ///< for tables, not for the few numbers that one wants to see first
+  Quantity quantity = Quantity::other;
+  /// Paths of the free numbers whose error bar gives a tenth of this one's variance or more.
+  std::vector<std::string> depends_on{};
+  Trust trust = Trust::not_told;  ///< judge_quantities()
+  std::string trust_reason{};
 };
 
 /// A free-form height profile with its band.

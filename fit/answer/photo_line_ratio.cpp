@@ -97,6 +97,7 @@ void add_ratio(const FitResult& result, const FittedPhoto& photo, double nm,
   seen.name = name + "photograph" + whose;
   modelled.name = name + "model's picture" + (photo.name.empty() ? "" : " of" + whose);
   seen.is_detail = modelled.is_detail = true;
+  seen.quantity = modelled.quantity = Quantity::ratio;
   seen.value = modelled.value = sim::kNaN;
   seen.why_none = why_none_of(photo);
   try {

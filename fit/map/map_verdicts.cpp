@@ -11,9 +11,6 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kGoodChi2 = 2.0, kBadChi2 = 4.0;
-constexpr double kGoodDistance = 0.05, kNoDistance = 0.2;  // relative standard error
-constexpr double kGoodEnergy = 0.15, kNoEnergy = 0.5;      // of ln E0
-constexpr double kGoodFlux = 0.35;
 constexpr double kBorderInView = 0.5;  // share of the light
 
 double median(std::vector<double> values) {
@@ -28,24 +25,7 @@ std::string range_text(const std::vector<double>& values, const std::string& uni
   return sim::short_number(*low, 3) + " to " + sim::short_number(*high, 3) + " " + unit;
 }
 
-Trust by_error(double error, double good, double none) {
-  if (!(error < none)) return Trust::not_told;
-  return error <= good ? Trust::good : Trust::doubtful;
-}
-
 }  // namespace
-
-const char* trust_name(Trust trust) {
-  switch (trust) {
-    case Trust::good:
-      return "good";
-    case Trust::doubtful:
-      return "doubtful";
-    case Trust::not_told:
-      return "not told";
-  }
-  return "";
-}
 
 bool is_absolute(const MapResult& result) {
   return result.scene.sensor.calibration_error > 0.0 ||
@@ -102,24 +82,24 @@ std::vector<QuantityVerdict> map_verdicts(const MapResult& result, const std::ve
   const double of_distance = median(distance_error), of_energy = median(energy_error),
                of_flux = median(flux_error);
   verdicts.push_back(
-      {"distance of the curtains",
-       errors ? by_error(of_distance, kGoodDistance, kNoDistance) : Trust::doubtful,
+      {"distance of the curtains", errors ? trust_of(Quantity::distance, 1.0, of_distance) : Trust::doubtful,
        range_text(distance, "km"),
        errors ? fmt::format("standard error {} % in the median{}", sim::short_number(100.0 * of_distance, 2),
-                            of_distance < kNoDistance ? ""
-                                                      : ": the light is too close to the magnetic zenith, or "
-                                                        "its border is not sharp")
+                            of_distance < error_scale(Quantity::distance).none
+                                ? ""
+                                : ": the light is too close to the magnetic zenith, or "
+                                  "its border is not sharp")
               : no_errors});
   std::string from_colour;
   for (const MappedPhoto& photo : result.photos)
     if (!photo.scene.fit.white_balance_known) from_colour = "; its colours were not used";
   verdicts.push_back({"energy along the curtains",
-                      errors ? by_error(of_energy, kGoodEnergy, kNoEnergy) : Trust::doubtful,
+                      errors ? trust_of(Quantity::energy, 1.0, of_energy) : Trust::doubtful,
                       range_text(energy, "keV") + ", lower borders at " + range_text(border, "km"),
                       errors ? fmt::format("standard error {} % in the median{}",
                                            sim::short_number(100.0 * of_energy, 2), from_colour)
                              : no_errors});
-  Trust trust = errors ? by_error(of_flux, kGoodFlux, 1.0) : Trust::doubtful;
+  Trust trust = errors ? trust_of(Quantity::energy_flux, 1.0, of_flux) : Trust::doubtful;
   std::string reason =
       errors ? fmt::format("standard error {} % in the median", sim::short_number(100.0 * of_flux, 2))
              : no_errors;

@@ -4,15 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "fit/answer/trust.h"
 #include "fit/map/curtains.h"
 #include "fit/map/map_fit.h"
 
 namespace vegard::fit {
-
-enum class Trust { good, doubtful, not_told };
-
-/// "good", "doubtful", "not told".
-const char* trust_name(Trust trust);
 
 struct QuantityVerdict {
   std::string quantity;  ///< "distance of the lower border"

@@ -65,15 +65,29 @@ FitResult without_coefficients(const FitResult& whole) {
   return result;
 }
 
+/// The colour of a number's edge says how far it may be leaned on.
+std::string card_class(Trust trust) {
+  switch (trust) {
+    case Trust::good:
+      return "good";
+    case Trust::doubtful:
+      return "doubtful";
+    case Trust::not_told:
+      return "not-told";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string derived_cards(const FitResult& result) {
   std::string cards;
   for (const DerivedNumber& d : result.derived) {
     if (d.is_detail || !d.why_none.empty()) continue;
-    cards += "<div class=\"card\"><div class=\"big\">" +
+    cards += "<div class=\"card " + card_class(d.trust) + "\"><div class=\"big\">" +
              with_unit(sim::number_with_error(d.value, d.sigma), d.unit) + "</div><div>" +
-             sim::html_text(d.name) + "</div></div>\n";
+             sim::html_text(d.name) + "</div><div class=\"trust\"><b>" + trust_name(d.trust) + "</b> " +
+             sim::html_text(d.trust_reason) + "</div></div>\n";
   }
   return cards.empty() ? cards : "<div class=\"cards\">\n" + cards + "</div>\n";
 }
@@ -84,12 +98,12 @@ std::string derived_table(const FitResult& result) {
     if (!d.is_detail && d.why_none.empty()) continue;
     rows += "<tr><td>" + sim::html_text(d.name) + "</td><td class=\"number\">" +
             (d.why_none.empty() ? with_unit(sim::number_with_error(d.value, d.sigma), d.unit) : "\u2013") +
-            "</td><td class=\"soft\">" + sim::html_text(d.why_none.empty() ? d.why_no_sigma : d.why_none) +
+            "</td><td>" + trust_name(d.trust) + "</td><td class=\"soft\">" + sim::html_text(d.trust_reason) +
             "</td></tr>\n";
   }
   if (rows.empty()) return rows;
   return "<table class=\"wide\">\n<thead><tr><th>Also</th><th class=\"number\">Value \u00b1 \u03c3</th>"
-         "<th></th></tr></thead>\n<tbody>\n" +
+         "<th>Trust</th><th></th></tr></thead>\n<tbody>\n" +
          rows + "</tbody>\n</table>\n";
 }
 

@@ -38,7 +38,7 @@ DeltaMethod::DeltaMethod(const sim::Scene& best, const std::vector<FreeNumber>& 
 
 std::vector<DeltaMethod::Estimate> DeltaMethod::operator()(const Numbers& numbers) const {
   std::vector<Estimate> result;
-  for (const double value : numbers(best_)) result.push_back({value, {}, false});
+  for (const double value : numbers(best_)) result.push_back({value, {}, false, {}});
   std::vector<std::vector<double>> slopes(result.size(), std::vector<double>(free_.size(), 0.0));
   for (std::size_t j = 0; j < free_.size(); ++j) {
     const double variance = known_.covariance[j][j];
@@ -61,7 +61,13 @@ std::vector<DeltaMethod::Estimate> DeltaMethod::operator()(const Numbers& number
       result[i].moves = result[i].moves || slopes[i][j] != 0.0;
     }
   }
-  for (std::size_t i = 0; i < result.size(); ++i) result[i].sigma = combined_sigma(slopes[i], known_);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i].sigma = combined_sigma(slopes[i], known_);
+    if (!result[i].sigma) continue;
+    for (std::size_t j = 0; j < free_.size(); ++j)
+      result[i].share.push_back(slopes[i][j] * slopes[i][j] * known_.covariance[j][j] /
+                                (*result[i].sigma * *result[i].sigma));
+  }
   return result;
 }
 

@@ -35,6 +35,9 @@ class DeltaMethod {
     double value = 0.0;
     std::optional<double> sigma;
     bool moves = false;  ///< with any of the free numbers
+    /// Of each free number, slope² × its variance over the variance of this number: as if all others were
+    /// known. Of numbers that are correlated these do not add up to 1. Empty without an error bar.
+    std::vector<double> share{};
   };
   using Numbers = std::function<std::vector<double>(const sim::Scene&)>;
 

@@ -209,7 +209,9 @@ std::string result_json(const FitResult& result) {
                                {"sigma", number(d.sigma)},
                                {"unit", d.unit},
                                {"why_none", words(d.why_none)},
-                               {"why_no_sigma", words(d.why_no_sigma)}});
+                               {"why_no_sigma", words(d.why_no_sigma)},
+                               {"trust", trust_name(d.trust)},
+                               {"trust_reason", words(d.trust_reason)}});
   if (result.curve) json["curve"] = curve_json(*result.curve);
   json["correlation"] = matrix_rows(result.correlation);
   if (!result.trade_offs.empty()) json["trade_offs"] = result.trade_offs;

@@ -118,6 +118,26 @@ TEST(DerivedNumbers, CarryErrorsAlongAndNoneAcrossWhatIsUndetermined) {
   EXPECT_FALSE(derived[0].sigma.has_value());
 }
 
+TEST(DerivedNumbers, HaveTheAzimuthOfTheNearestPointAndWhatItDependsOn) {
+  // A sheet that runs at right angles to the line from the observer, 200 km away, a hair west of north: its
+  // middle is the nearest point, and where it stands along itself turns that by nothing.
+  sim::Scene scene;
+  scene.sheets.resize(1);
+  scene.sheets[0].center_km = {-0.001, 200.0};
+  scene.sheets[0].bearing_deg = 90.0;
+  scene.sheets[0].length_km = 400.0;
+  scene.fit.free = {tests::free_entry("sheet.main.bearing_deg"), tests::free_entry("sheet.main.energy_kev")};
+  const std::vector<DerivedNumber> derived = derived_numbers(
+      scene, free_numbers(scene), {90.0, scene.sheets[0].energy_kev}, {{{4.0, 0.0}, {0.0, 0.01}}, {}});
+  const DerivedNumber& azimuth = derived.at(1);
+  EXPECT_EQ(azimuth.name.rfind("azimuth of the nearest point", 0), 0u);
+  // The foot of the perpendicular lies where the bearing less a right angle points.
+  EXPECT_NEAR(std::remainder(azimuth.value, 360.0), 0.0, 1e-6);
+  ASSERT_TRUE(azimuth.sigma.has_value());
+  EXPECT_NEAR(*azimuth.sigma, 2.0, 1e-3);
+  EXPECT_EQ(azimuth.depends_on, std::vector<std::string>{"sheet.main.bearing_deg"});
+}
+
 TEST(DerivedNumbers, HaveTheMeanEnergyOfTheSpectrumThatTheSheetHas) {
   sim::Scene scene;
   scene.sheets.resize(1);

@@ -1,0 +1,42 @@
+// How far a quantity may be leaned on: good, doubtful or not told, each with its reason.
+//
+// What counts is the standard error on the scale of the quantity's kind. A distance that is off by a
+// twentieth still tells which arc it is, by a fifth it does not; an energy is told to a sixth or, at the end,
+// to a factor of 1.6; a lower border that may be 10 km off says no more than what is known of aurora without
+// a picture (95 to 120 km).
+#pragma once
+
+namespace vegard::fit {
+
+enum class Trust { good, doubtful, not_told };
+
+/// "good", "doubtful", "not told".
+const char* trust_name(Trust trust);
+
+/// Kinds of quantities; each has its scale (error_scale()).
+enum class Quantity { distance, energy, energy_flux, altitude, width, ratio, place, azimuth, other };
+
+/// Up to which standard error a quantity is good, and from which on it is not told.
+struct ErrorScale {
+  bool relative = true;  ///< errors are shares of the value; else in its unit (km, degrees)
+  double good = 0.0, none = 0.0;
+};
+
+/// Distance 5 and 20 %, energy 15 and 50 %, energy flux 35 and 100 %, width 25 and 70 %, ratio and whatever
+/// else 25 and 70 %; altitude 3 and 10 km; latitudes and longitudes 0.3 and 1.5 degrees, azimuth 3 and 15.
+ErrorScale error_scale(Quantity kind);
+
+/// By its standard error alone. An error that is no number is one that nothing bounds.
+Trust trust_of(Quantity kind, double value, double error);
+
+struct FitResult;
+
+/// Sets trust and its reason of every derived number, after the verdict of the whole has been found. A number
+/// without an error bar is not told; one with a large one is doubtful or not told by its kind's scale; one
+/// that leans on a parameter at its limit is doubtful at best; and all are doubtful at best where the picture
+/// as a whole is not explained, or the search has not ended well. A parameter that the picture does not
+/// tell (a sheet's length, when no end is in view) spoils only the numbers that depend on it. The verdict
+/// line of a doubtful fit gets a sentence on what is good all the same, so that this is asked for once.
+void judge_quantities(FitResult& result);
+
+}  // namespace vegard::fit

@@ -1,0 +1,102 @@
+#include "fit/answer/trust.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "fit/answer/fit_result.h"
+#include "sim/base/number/constants.h"
+
+namespace vegard::fit::trust_test {
+namespace {
+
+DerivedNumber number(const std::string& name, Quantity kind, double value, std::optional<double> sigma) {
+  DerivedNumber d;
+  d.name = name;
+  d.value = value;
+  d.sigma = sigma;
+  d.unit = kind == Quantity::energy ? "keV" : "km";
+  d.quantity = kind;
+  if (!sigma) d.why_no_sigma = "the data do not determine it";
+  return d;
+}
+
+/// A fit that has gone well, with a distance, a border, and a length that no picture tells.
+FitResult fine() {
+  FitResult r;
+  r.verdict = Verdict::doubtful;
+  r.verdict_line = "Doubtful: no error bar for length_km.";
+  r.checks = {{"converged", true, ""},
+              {"chi2 per degree of freedom", true, "1.0"},
+              {"error bars", false, "no error bar for length_km"}};
+  r.derived = {number("distance", Quantity::distance, 200.0, 4.0),
+               number("lower border", Quantity::altitude, 104.0, 2.0),
+               number("length", Quantity::width, 300.0, {})};
+  return r;
+}
+
+TEST(Trust, WhatIsNotToldSpoilsNothingElse) {
+  FitResult r = fine();
+  judge_quantities(r);
+  EXPECT_EQ(r.derived[0].trust, Trust::good);
+  EXPECT_EQ(r.derived[1].trust, Trust::good);
+  EXPECT_EQ(r.derived[2].trust, Trust::not_told);
+  EXPECT_EQ(r.derived[2].trust_reason, "the data do not determine it");
+  EXPECT_EQ(r.verdict_line,
+            "Doubtful: no error bar for length_km. Good all the same: distance, lower border.");
+}
+
+TEST(Trust, NothingIsGoodOfAPictureThatIsNotExplained) {
+  FitResult r = fine();
+  r.checks[1] = {"chi2 per degree of freedom", false, "chi2 per degree of freedom is 12"};
+  judge_quantities(r);
+  EXPECT_EQ(r.derived[0].trust, Trust::doubtful);
+  EXPECT_EQ(r.derived[0].trust_reason, "chi2 per degree of freedom is 12");
+  EXPECT_EQ(r.derived[2].trust, Trust::not_told);
+  EXPECT_EQ(r.verdict_line.find("Good all the same"), std::string::npos);
+}
+
+TEST(Trust, ALimitCountsAgainstWhatDependsOnIt) {
+  FitResult r = fine();
+  FittedParameter p;
+  p.path = "sheet.main.energy_kev";
+  p.at_limit = true;
+  r.parameters.push_back(p);
+  r.derived[1].depends_on = {"sheet.main.energy_kev"};
+  judge_quantities(r);
+  EXPECT_EQ(r.derived[0].trust, Trust::good);
+  EXPECT_EQ(r.derived[1].trust, Trust::doubtful);
+  EXPECT_NE(r.derived[1].trust_reason.find("sheet.main.energy_kev"), std::string::npos);
+}
+
+TEST(Trust, FailedAndInterruptedFitsTellNothing) {
+  for (const Verdict verdict : {Verdict::failed, Verdict::interrupted}) {
+    FitResult r = fine();
+    r.verdict = verdict;
+    judge_quantities(r);
+    for (const DerivedNumber& d : r.derived) {
+      EXPECT_EQ(d.trust, Trust::not_told) << d.name;
+      EXPECT_FALSE(d.trust_reason.empty()) << d.name;
+    }
+  }
+}
+
+TEST(Trust, GoesByTheErrorOnTheScaleOfTheKind) {
+  // Shares of the value, or kilometres and degrees, on either side of each step.
+  for (int k = 0; k <= static_cast<int>(Quantity::other); ++k) {
+    const auto kind = static_cast<Quantity>(k);
+    const ErrorScale scale = error_scale(kind);
+    ASSERT_GT(scale.good, 0.0);
+    ASSERT_GT(scale.none, scale.good);
+    const double unit = scale.relative ? 50.0 : 1.0;
+    EXPECT_EQ(trust_of(kind, -50.0, 0.99 * scale.good * unit), Trust::good);
+    EXPECT_EQ(trust_of(kind, 50.0, 1.01 * scale.good * unit), Trust::doubtful);
+    EXPECT_EQ(trust_of(kind, 50.0, 0.99 * scale.none * unit), Trust::doubtful);
+    EXPECT_EQ(trust_of(kind, 50.0, 1.01 * scale.none * unit), Trust::not_told);
+    EXPECT_EQ(trust_of(kind, 50.0, sim::kNaN), Trust::not_told);
+    EXPECT_EQ(trust_of(kind, 50.0, std::numeric_limits<double>::infinity()), Trust::not_told);
+  }
+}
+
+}  // namespace
+}  // namespace vegard::fit::trust_test
