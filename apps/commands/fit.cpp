@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -84,8 +85,9 @@ std::vector<NamedInput> files_read(const FitRequest& options, const sim::Scene& 
 class Account {
  public:
   void tell(const std::string& stage, int evaluations, double chi2_per_dof, double share) {
-    const std::string text = fmt::format("{}: {} evaluations, chi2 / dof {}", stage, evaluations,
-                                         sim::short_number(chi2_per_dof, 3));
+    std::string text = fmt::format("{}: {} evaluations", stage, evaluations);
+    // A search on a cheaper model has no chi2 that could be compared with the end's.
+    if (std::isfinite(chi2_per_dof)) text += ", chi2 / dof " + sim::short_number(chi2_per_dof, 3);
     bar_.update(share, text);
     if (isatty(STDERR_FILENO) == 1 || !stages_.insert(stage).second) return;
     const std::optional<double> to_go = bar_.seconds_to_go();

@@ -53,6 +53,14 @@ std::string number_of(std::size_t count, const char* thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
+/// How the search ended, for a check that is called "converged" already and readers who do not know Ceres.
+std::string words_of_end(const std::string& termination) {
+  static const std::string kName = "converged";
+  std::string words = termination.substr(0, termination.find(" (Ceres"));
+  if (words.compare(0, kName.size(), kName) == 0) words.erase(0, words.find_first_not_of(": ", kName.size()));
+  return words.empty() ? "the search has come to its end" : words;
+}
+
 /// That the way of the search leads somewhere: down, to a level place.
 void ask_of_the_way(const FitResult& r, Checks& checks) {
   if (std::isfinite(r.chi2_initial) && r.chi2_initial > 0.0)
@@ -167,7 +175,8 @@ void judge(const Evidence& evidence, FitResult& result) {
     result.verdict_line = "Do not believe it: " + reasons.front() + ".";
     return;
   }
-  result.checks.push_back({"converged", evidence.converged && !evidence.stopped, result.termination});
+  result.checks.push_back(
+      {"converged", evidence.converged && !evidence.stopped, words_of_end(result.termination)});
   ask_of_the_way(result, checks);
   ask_of_the_misfit(evidence, result, checks);
   ask_of_the_parameters(result, checks);

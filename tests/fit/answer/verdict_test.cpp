@@ -107,6 +107,18 @@ TEST(Judge, KeepsWhatItAskedAndWhatItFound) {
   EXPECT_EQ(r.checks.size(), names.size()) << "judged again, not twice";
 }
 
+TEST(Judge, SaysHowTheSearchEndedOnceAndWithoutTheSolversWords) {
+  FitResult r = fine();
+  r.termination = "converged: another step would hardly change chi2 (Ceres: Function tolerance reached.)";
+  judge(clear(), r);
+  EXPECT_EQ(r.checks.front().words, "another step would hardly change chi2");
+  for (const char* bare : {"converged", ""}) {
+    r.termination = bare;
+    judge(clear(), r);
+    EXPECT_EQ(r.checks.front().words, "the search has come to its end");
+  }
+}
+
 TEST(Judge, AStartThatIsTheAnswerIsNoReasonToDoubt) {
   FitResult r = fine();
   r.parameters.push_back(r.parameters[0]);
