@@ -14,6 +14,7 @@
 #include "apps/options/exit_code.h"
 #include "apps/options/standard_streams.h"
 #include "sim/base/shown_text.h"
+#include "sim/scene/rows/nearest_name.h"
 
 namespace vegard::apps {
 namespace {
@@ -32,9 +33,37 @@ std::string quoted_for_shell(std::string_view word) {
   return text + "'";
 }
 
-int tell_bad_usage(const std::string& program, const std::string& message) {
-  tell("%s: %s (see %s --help)\n", program.c_str(), sim::shortened_quotes(message).c_str(), program.c_str());
+int tell_bad_usage(const std::string& program, const std::string& message, const std::string& meant = {}) {
+  tell("%s: %s%s (see %s --help)\n", program.c_str(), sim::shortened_quotes(message).c_str(),
+       meant.empty() ? "" : ("; did you mean '" + meant + "'?").c_str(), program.c_str());
   return bad_usage;
+}
+
+std::string near_name(std::string_view name, const std::vector<std::string>& known) {
+  const std::string nearest = sim::nearest_name(name, known);
+  return sim::is_near(name, nearest) ? nearest : std::string();
+}
+
+/// The subcommand or option that the first unknown word may have been meant as; empty if it is like none.
+std::string meant_by(const CLI::App& app, int argc, const char* const* argv) {
+  if (argc < 2) return {};
+  std::vector<std::string> known;
+  const CLI::App* subcommand = nullptr;
+  for (const CLI::App* one : app.get_subcommands({})) {
+    known.push_back(one->get_name());
+    if (known.back() == argv[1]) subcommand = one;
+  }
+  if (subcommand == nullptr) return argv[1][0] == '-' ? "" : near_name(argv[1], known);
+  known.clear();
+  for (const CLI::Option* option : subcommand->get_options())
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  for (int i = 2; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    const std::string name(word.substr(0, word.find('=')));
+    if (name.rfind("--", 0) != 0 || std::find(known.begin(), known.end(), name) != known.end()) continue;
+    return near_name(name, known);
+  }
+  return {};
 }
 
 OutOfMemory out_of_memory(const std::string& command) {
@@ -274,7 +303,7 @@ std::optional<int> Program::read() {
       say_text(words.str());
       return good;
     }
-    return tell_bad_usage(app_->get_name(), error.what());
+    return tell_bad_usage(app_->get_name(), error.what(), meant_by(*app_, argc_, argv_));
   }
   return std::nullopt;
 }
