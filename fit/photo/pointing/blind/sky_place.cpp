@@ -1,0 +1,195 @@
+#include "fit/photo/pointing/blind/sky_place.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "fit/photo/pointing/blind/equatorial_sky.h"
+#include "fit/photo/pointing/pointing.h"
+#include "sim/base/number/constants.h"
+#include "sim/view/sky/bright_stars.h"
+#include "sim/view/sky/instant.h"
+#include "sim/view/sky/planets.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kDegreesPerRadian = 1.0 / sim::kRadiansPerDegree;
+constexpr double kDarkSun_deg = -6.0, kLevelRoll_deg = 2.0;
+constexpr double kMinute_days = 1.0 / 1440.0;
+
+bool looks_at(const sim::Lens<double>& lens, double x, double y, Eigen::Vector3d& direction) {
+  double v[3];
+  if (!sim::unproject(lens, x, y, v)) return false;
+  direction = {v[0], v[1], v[2]};
+  return true;
+}
+
+/// The angle from the middle to where the picture or the lens's image ends.
+double angle_to(const sim::Lens<double>& lens, double x0, double y0, double x1, double y1) {
+  Eigen::Vector3d middle, there;
+  if (!looks_at(lens, x0, y0, middle)) return 0.0;
+  double angle = 0.0;
+  for (int i = 1; i <= 64; ++i) {
+    const double part = i / 64.0;
+    if (!looks_at(lens, x0 + part * (x1 - x0), y0 + part * (y1 - y0), there)) break;
+    angle = std::atan2(middle.cross(there).norm(), middle.dot(there)) * kDegreesPerRadian;
+  }
+  return angle;
+}
+
+std::array<double, 3> seen_from(const Eigen::Vector3d& j2000, const sim::Observer& observer,
+                                double julian_date) {
+  sim::CataloguePlace place;
+  place.j2000 = equatorial_place(j2000);
+  return sim::direction_of_star(place, observer, julian_date);
+}
+
+/// The rotation from the axes of equatorial_sky() to the observer's without air: three directions suffice.
+Eigen::Matrix3d enu_from_equatorial(sim::Observer observer, double julian_date) {
+  observer.refracting_air = false;
+  Eigen::Matrix3d rotation;
+  for (int i = 0; i < 3; ++i) {
+    const std::array<double, 3> enu = seen_from(Eigen::Vector3d::Unit(i), observer, julian_date);
+    rotation.col(i) = Eigen::Vector3d(enu[0], enu[1], enu[2]);
+  }
+  return Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
+}
+
+}  // namespace
+
+SkyPlace sky_place(const GrownCamera& camera, const Frame& frame) {
+  const sim::Lens<double> lens = true_lens(camera.camera);
+  const double x = 0.5 * frame.width_px, y = 0.5 * frame.height_px;
+  SkyPlace place;
+  Eigen::Vector3d middle = Eigen::Vector3d::UnitZ(), above = middle;
+  looks_at(lens, x, y, middle);
+  looks_at(lens, x, y - 1.0, above);
+  const Eigen::Matrix3d back = camera.camera.camera_from_enu.transpose();
+  middle = back * middle;
+  const Eigen::Vector3d up = back * above - middle;
+  place.centre = equatorial_place(middle);
+  const Eigen::Vector3d east = Eigen::Vector3d::UnitZ().cross(middle).normalized();
+  place.up_deg = std::atan2(up.dot(east), up.dot(middle.cross(east))) * kDegreesPerRadian;
+  place.width_deg = angle_to(lens, x, y, 0.5, y) + angle_to(lens, x, y, frame.width_px - 0.5, y);
+  place.height_deg = angle_to(lens, x, y, x, 0.5) + angle_to(lens, x, y, x, frame.height_px - 0.5);
+  place.px_per_deg = camera.camera.numbers[focal_px_number] / kDegreesPerRadian;
+  return place;
+}
+
+std::string words_of(const SkyPlace& place, const GrownCamera& camera) {
+  char text[512];
+  std::snprintf(text, sizeof text,
+                "the picture's middle: right ascension %.3f deg, declination %+.3f deg (J2000)\n"
+                "up in the picture is %.2f deg from north to the east%s\n"
+                "field of view: %.2f x %.2f deg; %.2f px to a degree on the axis; lens: %s\n",
+                place.centre.right_ascension_deg, place.centre.declination_deg, place.up_deg,
+                camera.camera.mirrored ? "; the picture is mirrored" : "", place.width_deg, place.height_deg,
+                place.px_per_deg, words_of(camera.form).c_str());
+  return text;
+}
+
+std::vector<Interval> times_of_night(const GrownCamera& camera, const Frame& frame,
+                                     const sim::Observer& observer, double noon_jd, bool level) {
+  const sim::Equatorial centre = sky_place(camera, frame).centre;
+  sim::CataloguePlace middle, sun;
+  middle.j2000 = centre;
+  const double least_up = 0.0, dark = std::sin(kDarkSun_deg * sim::kRadiansPerDegree);
+  std::vector<Interval> intervals;
+  bool open = false;
+  for (int minute = 0; minute <= 1440; ++minute) {
+    const double jd = noon_jd + minute * kMinute_days;
+    sun.j2000 = sim::place_of_sun(jd);
+    bool good = minute < 1440 && sim::direction_of_star(middle, observer, jd)[2] > least_up &&
+                sim::direction_of_star(sun, observer, jd)[2] < dark;
+    if (good && level) {
+      SkyCamera there = camera.camera;
+      there.camera_from_enu = camera.camera.camera_from_enu * enu_from_equatorial(observer, jd).transpose();
+      good = std::abs(pointing_of(there).roll_deg) < kLevelRoll_deg;
+    }
+    if (good && !open) intervals.push_back({jd, jd});
+    if (good) intervals.back().to_jd = jd;
+    open = good;
+  }
+  return intervals;
+}
+
+std::string words_of(const std::vector<Interval>& intervals) {
+  if (intervals.empty()) return "at no time of that night: another day or another site";
+  std::string words;
+  for (const Interval& one : intervals)
+    words += (words.empty() ? "" : ", ") + sim::text_of_julian_date(one.from_jd) + " to " +
+             sim::text_of_julian_date(one.to_jd);
+  return words;
+}
+
+LocalSky local_sky(const StarRecognition& recognition, const sim::Observer& observer, double julian_date) {
+  LocalSky sky;
+  sky.camera = recognition.best.camera;
+  sky.camera.camera_from_enu =
+      recognition.best.camera.camera_from_enu * enu_from_equatorial(observer, julian_date).transpose();
+  for (const StarMatch& one : recognition.best.matches) {
+    StarSighting star = equatorial_sky()[one.star];
+    star.enu = sim::direction_of_star(sim::bright_stars()[one.star].place, observer, julian_date);
+    star.x_px = recognition.points[one.point].x_px;
+    star.y_px = recognition.points[one.point].y_px;
+    sky.below_horizon += star.enu[2] < std::sin(-1.0 * sim::kRadiansPerDegree);
+    sky.stars.push_back(star);
+  }
+  std::stable_sort(sky.stars.begin(), sky.stars.end(),
+                   [](const StarSighting& a, const StarSighting& b) { return a.magnitude < b.magnitude; });
+  return sky;
+}
+
+std::vector<SeenPlanet> planets_in(const PictureStars& stars, const Frame& frame, double julian_date,
+                                   double reach_deg) {
+  const SkyCamera& camera = stars.recognition.best.camera;
+  const sim::Lens<double> lens = true_lens(camera);
+  const double reach_px = reach_deg * camera.numbers[focal_px_number] * sim::kRadiansPerDegree;
+  // A planet that is in no trail of noise is among the brighter half of what was recognised.
+  std::vector<double> fluxes;
+  for (const StarMatch& one : stars.recognition.best.matches)
+    fluxes.push_back(stars.recognition.points[one.point].flux);
+  std::sort(fluxes.begin(), fluxes.end());
+  const double least_flux = fluxes.empty() ? 0.0 : fluxes[fluxes.size() / 2];
+  std::vector<SeenPlanet> planets;
+  for (const sim::Planet planet : sim::kPlanets) {
+    const Eigen::Vector3d v =
+        camera.camera_from_enu * equatorial_vector(sim::place_of_planet(planet, julian_date));
+    const double in_camera[3] = {v[0], v[1], v[2]};
+    SeenPlanet one;
+    one.name = sim::name_of(planet);
+    if (!sim::project(lens, in_camera, one.x_px, one.y_px) || one.x_px < 0.0 || one.y_px < 0.0 ||
+        one.x_px > frame.width_px || one.y_px > frame.height_px)
+      continue;
+    double nearest = std::max(reach_px, 3.0);
+    const double x = one.x_px, y = one.y_px;
+    for (const FoundStar& point : stars.found) {
+      const double distance = std::hypot(point.x_px - x, point.y_px - y);
+      if (point.flux < least_flux || distance >= nearest) continue;
+      nearest = distance;
+      one.has_point = true;
+      one.x_px = point.x_px;
+      one.y_px = point.y_px;
+    }
+    if (one.has_point) one.off_deg = nearest / (reach_px / reach_deg);
+    planets.push_back(one);
+  }
+  return planets;
+}
+
+std::string stars_csv(const StarRecognition& recognition) {
+  std::string text = "name,ra_deg,dec_deg,magnitude,x_px,y_px\n";
+  for (const StarSighting& star : recognition.stars()) {
+    const sim::Equatorial place = equatorial_place({star.enu[0], star.enu[1], star.enu[2]});
+    char line[200];
+    std::snprintf(line, sizeof line, "%s,%.4f,%.4f,%.2f,%.3f,%.3f\n", star.name.c_str(),
+                  place.right_ascension_deg, place.declination_deg, star.magnitude, star.x_px, star.y_px);
+    text += line;
+  }
+  return text;
+}
+
+}  // namespace vegard::fit
