@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/commands/calibrate_blind.h"
 #include "apps/commands/calibrate_options.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
@@ -47,11 +48,10 @@ std::string names_of(const MapOptions& maps) {
 }
 
 void check_outputs(const CalibrateOptions& options) {
-  const std::pair<const char*, const std::string*> outputs[] = {{"--output", &options.output},
-                                                                {"--residuals", &options.residuals},
-                                                                {"--json", &options.json},
-                                                                {"--plot", &options.plot},
-                                                                {"--overlay", &options.overlay}};
+  const std::pair<const char*, const std::string*> outputs[] = {
+      {"--output", &options.output},   {"--residuals", &options.residuals},
+      {"--json", &options.json},       {"--plot", &options.plot},
+      {"--overlay", &options.overlay}, {"--stars-out", &options.stars_out}};
   for (const auto& [key, file] : outputs) {
     for (const std::string& input : {options.stars, options.image, options.mask, options.camera,
                                      options.maps.azimuth_map, options.maps.elevation_map})
@@ -106,6 +106,19 @@ std::vector<fit::StarSighting> table_of(const CalibrateOptions& options, const f
   return stars;
 }
 
+/// Per pixel, whether the mask leaves it; empty without one.
+std::vector<char> where_to_look(const CalibrateOptions& options, const fit::Photo& photo) {
+  std::vector<char> usable;
+  if (options.mask.empty()) return usable;
+  const std::size_t channels = photo.linear.channels(), pixels = photo.usable.size() / channels;
+  // A star may be clipped, and stays one: only what the mask hides is left out, all channels at once.
+  fit::Photo blank = photo;
+  std::fill(blank.usable.begin(), blank.usable.end(), std::uint8_t{1});
+  fit::apply_mask(blank, options.mask);
+  for (std::size_t i = 0; i < pixels; ++i) usable.push_back(static_cast<char>(blank.usable[i * channels]));
+  return usable;
+}
+
 /// Stars found in the picture and named by the catalogue.
 std::vector<fit::StarSighting> recognised(const CalibrateOptions& options, const fit::Photo& photo,
                                           const fit::Frame& frame, const fit::SkyOfPicture& sky,
@@ -114,15 +127,7 @@ std::vector<fit::StarSighting> recognised(const CalibrateOptions& options, const
   if (!sky.observer) throw usage_error("--site", "stars are found by when and where", "--time and --site");
   fit::StarFinderSettings finder;
   finder.least_signal = options.least_signal;
-  std::vector<char> usable;
-  if (!options.mask.empty()) {
-    const std::size_t channels = photo.linear.channels(), pixels = photo.usable.size() / channels;
-    // A star may be clipped, and stays one: only what the mask hides is left out, all channels at once.
-    fit::Photo blank = photo;
-    std::fill(blank.usable.begin(), blank.usable.end(), std::uint8_t{1});
-    fit::apply_mask(blank, options.mask);
-    for (std::size_t i = 0; i < pixels; ++i) usable.push_back(static_cast<char>(blank.usable[i * channels]));
-  }
+  const std::vector<char> usable = where_to_look(options, photo);
   const std::vector<fit::FoundStar> points = fit::find_stars(photo.linear, finder, usable);
   const std::vector<fit::StarSighting> catalogue =
       fit::catalogue_sky(*sky.observer, *sky.julian_date, options.faintest, options.least_elevation_deg);
@@ -180,16 +185,25 @@ void print(const fit::Calibration& calibration) {
   for (const std::string& warning : calibration.warnings) say("note: %s\n", warning.c_str());
 }
 
-void run_calibrate(const CalibrateOptions& options) {
+int run_calibrate(const CalibrateOptions& options) {
   end_at_once_when_interrupted();
   const PlotFormat format = plot_format(options.plot, "--plot");
   check_outputs(options);
   const bool by_maps = !options.maps.azimuth_map.empty() || !options.maps.elevation_map.empty();
   if (by_maps && !options.stars.empty())
     throw usage_error("STARS", "stars and maps", "one of a table of stars and --azimuth-map");
-  if (!by_maps && options.stars.empty() && (options.image.empty() || options.camera.empty()))
-    throw usage_error("STARS", "no stars",
-                      "a table of stars, or --image with --camera, --time and --site; or --azimuth-map");
+  if (!by_maps && options.stars.empty() && options.image.empty())
+    throw usage_error("STARS", "no stars", "a table of stars, or --image; or --azimuth-map");
+  const bool blind = !by_maps && options.stars.empty() && options.camera.empty();
+  if (options.output.empty() && !blind)
+    throw usage_error("--output", "nothing to write the camera to", "-o CAMERA.toml");
+  if (!blind && (!options.stars_out.empty() || !options.date.empty() || options.level))
+    throw usage_error("--stars-out, --date, --level", "for stars that are recognised blindly",
+                      "--image alone: no table, maps or --camera");
+  if (blind && options.output.empty() &&
+      !(options.residuals.empty() && options.json.empty() && options.plot.empty() && options.overlay.empty()))
+    throw usage_error("--output", "residuals, plots and overlays are of a camera",
+                      "-o CAMERA.toml beside them");
   if (!options.offset_px.empty() && options.stars.empty())
     throw usage_error("--offset", "no table of a crop", "STARS beside it");
   if (!options.overlay.empty() && options.image.empty())
@@ -223,7 +237,12 @@ void run_calibrate(const CalibrateOptions& options) {
     start->numbers[fit::centre_y_number] = options.centre_px[1];
   }
   fit::LensSettings settings = lens_settings(options, start);
-  if (!maps && options.stars.empty()) {
+  if (blind) {
+    const BlindStars seen = recognise_blindly(options, *photo, where_to_look(options, *photo), sky);
+    if (!seen.local) return seen.exit_code;
+    stars = seen.stars;
+    if (!settings.model || *settings.model == seen.camera.model) settings.start = seen.camera;
+  } else if (!maps && options.stars.empty()) {
     stars = recognised(options, *photo, frame, sky, settings, *start);
     settings.start = start;
   }
@@ -266,6 +285,7 @@ void run_calibrate(const CalibrateOptions& options) {
   print(calibration);
   if (!frame.known) say("note: the picture's size was guessed from its stars: set --size or --image\n");
   for (const auto& [file, bytes] : outputs) say("%s\n", file.c_str());
+  return good;
 }
 
 }  // namespace
@@ -277,10 +297,7 @@ void add_calibrate_command(Program& program) {
       "Find a camera's pointing, lens and distortion from the stars in its picture, or from maps of "
       "its directions");
   add_calibrate_options(command, *options);
-  command.runs([options] {
-    run_calibrate(*options);
-    return good;
-  });
+  command.runs([options] { return run_calibrate(*options); });
 }
 
 }  // namespace vegard::apps

@@ -71,9 +71,8 @@ void add_calibrate_options(const Command& command, CalibrateOptions& options) {
       "STARS", options.stars,
       "A table of recognised stars: x_px, y_px and azimuth_deg with elevation_deg or zenith_deg; or ra_deg "
       "and dec_deg; or star. Or the .corr file of solve-field. Without it they are found in --image, or "
-      "--azimuth-map takes their place");
+      "--azimuth-map takes their place. Without --camera they are recognised blindly");
   command.option("-o,--output", options.output, "The camera to write: a scene file with [camera] and [site]")
-      .required()
       .type_name("CAMERA.toml");
   command.option(
       "--image", options.image,
@@ -154,6 +153,17 @@ void add_calibrate_options(const Command& command, CalibrateOptions& options) {
   add_map_options(command, options.maps);
   command.flag("--no-metadata", options.no_metadata,
                "Do not take time, site and focal length from the picture's own words");
+  command
+      .option(
+          "--stars-out", options.stars_out,
+          "--image alone: write the recognised stars, with right ascension and declination, as a table that "
+          "this command takes")
+      .type_name("STARS.csv");
+  command
+      .option("--date", options.date,
+              "--image with --site, the time unknown: the evening whose night's possible times are told")
+      .type_name("YYYY-MM-DD");
+  command.flag("--level", options.level, "With --date: the camera was held level");
   command.option("--residuals", options.residuals, "Write the stars' residuals").type_name("OUT.csv");
   command.option("--json", options.json, "Write all of it: lenses, numbers, correlations, stars")
       .type_name("OUT.json");

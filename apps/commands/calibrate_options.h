@@ -19,7 +19,7 @@ namespace vegard::apps {
 struct CalibrateOptions {
   std::string stars, image, output, camera, time;
   std::string residuals, json, plot, overlay, mask, decoding;
-  std::string lens, terms;
+  std::string lens, terms, stars_out, date;
   MapOptions maps;
   std::vector<std::string> free;
   std::vector<double> site, centre_px, offset_px;
@@ -27,7 +27,7 @@ struct CalibrateOptions {
   std::optional<double> first_pixel;
   double faintest = 4.0, least_elevation_deg = 5.0, twist_deg = 5.0, shift_px = 12.0, scale_percent = 0.0,
          radius_px = 12.0, least_signal = 4.0;
-  bool vacuum = false, centre_held = false, overwrite = false, no_metadata = false;
+  bool vacuum = false, centre_held = false, overwrite = false, no_metadata = false, level = false;
 };
 
 /// `options` must outlive the parsing.

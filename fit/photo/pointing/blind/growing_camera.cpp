@@ -59,6 +59,17 @@ std::vector<StarMatch> match(const std::vector<Seen>& seen, const std::vector<Fo
   return matches;
 }
 
+/// How many of the stars would have a point if points were strewn with this density.
+template <class Tolerance>
+double strewn_matches(const std::vector<Seen>& seen, const Tolerance& tolerance, double density) {
+  double sum = 0.0;
+  for (const Seen& one : seen) {
+    const double radius = tolerance(one);
+    sum += 1.0 - std::exp(-density * M_PI * radius * radius);
+  }
+  return sum;
+}
+
 std::vector<StarSighting> sightings(const std::vector<StarSighting>& stars,
                                     const std::vector<FoundStar>& points,
                                     const std::vector<StarMatch>& matches) {
@@ -247,6 +258,7 @@ GrownCamera grow_camera(const SkyCamera& start, const Frame& frame, const std::v
   const double whole = std::hypot(frame.width_px, frame.height_px);
   const double unit = std::max(1.0, whole / 1800.0);
   fit_best_form(grown, sightings(stars, points, seed), 4.0 * unit);
+  const double overall = points.size() / (static_cast<double>(frame.width_px) * frame.height_px);
   double reach = reach_px;
   int at_whole = 0;
   for (int round = 0; round < kMostRounds && at_whole < 3; ++round) {
@@ -257,10 +269,15 @@ GrownCamera grow_camera(const SkyCamera& start, const Frame& frame, const std::v
       const double from = std::hypot(one.x - middle_x, one.y - middle_y);
       return from > reach ? 0.0 : kGrowthScatter_px * unit + share * std::max(from, 0.2 * reach);
     };
-    const std::vector<StarMatch> matches =
-        match(predicted(grown.camera, frame, stars), points, cells, tolerance);
-    // Chance hits find no more stars as they grow: most of a long search's time would go into them.
-    if (matches.size() < 4 || (round >= 1 && matches.size() < 6)) break;
+    const std::vector<Seen> seen = predicted(grown.camera, frame, stars);
+    const std::vector<StarMatch> matches = match(seen, points, cells, tolerance);
+    // Chance hits find no more stars as they grow than points strewn at random have: most of a long search's
+    // time would go into them.
+    const double by_chance = strewn_matches(seen, tolerance, overall);
+    const double excess = static_cast<double>(matches.size()) - by_chance;
+    if (matches.size() < 4 || (round >= 1 && matches.size() < 6) ||
+        (round >= 2 && excess < 3.0 + 3.0 * std::sqrt(by_chance)))
+      break;
     grown.matches = matches;
     fit_best_form(grown, sightings(stars, points, matches), (at_whole >= 2 ? 1.0 : 2.0) * unit);
   }

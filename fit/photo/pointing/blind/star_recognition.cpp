@@ -15,7 +15,7 @@ namespace {
 constexpr double kCodeTolerance = 0.03;
 constexpr double kSizeFactor = 1.35;
 constexpr int kPictureNeighbours = 7;
-constexpr int kGrownPerLevel = 30, kGrownOffCentre = 12;
+constexpr int kGrownPerLevel = 16, kGrownOffCentre = 6;
 constexpr std::size_t kOffCentrePoints = 40;
 constexpr double kLeastScore = 3.0;  // natural log of the odds, four stars of the figure not counted
 

@@ -1,0 +1,123 @@
+#include "apps/commands/calibrate_blind.h"
+
+#include "apps/options/exit_code.h"
+#include "apps/options/refusals.h"
+#include "apps/options/standard_streams.h"
+#include "fit/photo/pointing/blind/sky_place.h"
+#include "fit/photo/pointing/catalogue_sky.h"
+#include "fit/photo/pointing/identification.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/view/sky/instant.h"
+#include "sim/view/sky/planets.h"
+
+namespace vegard::apps {
+namespace {
+
+void tell_times(const CalibrateOptions& options, const fit::PictureStars& picture, const fit::Frame& frame,
+                const fit::SkyOfPicture& sky) {
+  if (!sky.observer) {
+    say("when that was overhead depends on the place: --site LAT,LON\n");
+    return;
+  }
+  if (options.date.empty()) {
+    say("at what times of a night the site had that above its horizon: --date YYYY-MM-DD\n");
+    return;
+  }
+  const auto noon = sim::julian_date(options.date + "T12:00:00Z");
+  if (!noon) throw usage_error("--date", "'" + options.date + "' is no day", "YYYY-MM-DD, of the evening");
+  // The noon of the place, not of Greenwich, begins its night.
+  const double local_noon = *noon - sky.observer->longitude_deg / 360.0;
+  say("that stood above the horizon of the site in a dark sky%s: %s\n",
+      options.level ? ", with the camera level," : "",
+      fit::words_of(
+          fit::times_of_night(picture.recognition.best, frame, *sky.observer, local_noon, options.level))
+          .c_str());
+}
+
+/// Those that the site had above its horizon, if the site is known.
+void tell_planets(const fit::PictureStars& picture, const fit::Frame& frame, double julian_date,
+                  const std::optional<sim::Observer>& observer) {
+  constexpr double kLeastUp = 0.0;
+  for (const fit::SeenPlanet& planet : fit::planets_in(picture, frame, julian_date)) {
+    bool up = true;
+    for (const sim::Planet one : sim::kPlanets) {
+      if (planet.name != sim::name_of(one) || !observer) continue;
+      sim::CataloguePlace place;
+      place.j2000 = sim::place_of_planet(one, julian_date);
+      up = sim::direction_of_star(place, *observer, julian_date)[2] > kLeastUp;
+    }
+    if (!up) continue;
+    if (planet.has_point)
+      say("%s: the bright point at (%.1f, %.1f), %.2f deg from its computed place\n", planet.name.c_str(),
+          planet.x_px, planet.y_px, planet.off_deg);
+    else
+      say("%s should be at (%.1f, %.1f), where no bright point is\n", planet.name.c_str(), planet.x_px,
+          planet.y_px);
+  }
+}
+
+}  // namespace
+
+BlindStars recognise_blindly(const CalibrateOptions& options, const fit::Photo& photo,
+                             const std::vector<char>& usable, const fit::SkyOfPicture& sky) {
+  const fit::Frame frame{photo.linear.width, photo.linear.height, true};
+  fit::StarFinderSettings finder;
+  finder.least_signal = options.least_signal;
+  const fit::PictureStars picture = fit::recognise_picture(photo.linear, finder, usable);
+  say("%s\n", fit::words_of(picture.recognition).c_str());
+  BlindStars answer;
+  if (!picture.recognition.found) {
+    answer.exit_code = doubted;
+    return answer;
+  }
+  say_text(fit::words_of(fit::sky_place(picture.recognition.best, frame), picture.recognition.best));
+  if (!options.stars_out.empty()) {
+    sim::WholeFile file(options.stars_out, options.overwrite);
+    file.write(fit::stars_csv(picture.recognition));
+    file.commit();
+    say("%s\n", options.stars_out.c_str());
+  }
+  if (!sky.julian_date || !sky.observer) {
+    tell_times(options, picture, frame, sky);
+    if (sky.julian_date) tell_planets(picture, frame, *sky.julian_date, sky.observer);
+    if (options.output.empty()) return answer;
+    say("no %s: azimuth and elevation need --time and --site. --stars-out STARS.csv keeps the stars, which "
+        "'vegard calibrate STARS.csv' takes with them later\n",
+        options.output.c_str());
+    answer.exit_code = doubted;
+    return answer;
+  }
+  tell_planets(picture, frame, *sky.julian_date, sky.observer);
+  fit::LocalSky local = fit::local_sky(picture.recognition, *sky.observer, *sky.julian_date);
+  if (10 * local.below_horizon > static_cast<int>(local.stars.size())) {
+    say("the time or the site is not this picture's: %d of its %zu recognised stars were below the horizon "
+        "there "
+        "then. Nothing was written but what the stars say alone\n",
+        local.below_horizon, local.stars.size());
+    answer.exit_code = doubted;
+    return answer;
+  }
+  if (options.output.empty()) return answer;
+  // Once more among all points, now that air and the site's own horizon are known.
+  fit::IdentificationSettings settings;
+  const double unit = picture.smaller;
+  settings.faintest = options.faintest;
+  settings.first_magnitude = options.faintest;
+  settings.twist_deg = settings.shift_px = 0.0;
+  settings.first_radius_px = 4.0 * unit;
+  settings.last_radius_px = 2.5 * unit;
+  settings.free = fit::free_numbers(picture.recognition.best.form, true);
+  const std::vector<fit::StarSighting> catalogue = fit::catalogue_sky(
+      *sky.observer, *sky.julian_date, options.faintest, std::max(0.0, options.least_elevation_deg));
+  const fit::Identification found = fit::identify(local.camera, frame, catalogue, picture.found, settings);
+  answer.local = true;
+  answer.camera = fit::is_trustworthy(found) ? found.camera : local.camera;
+  answer.stars = fit::is_trustworthy(found) ? found.stars : local.stars;
+  say("with time and site: %zu of the %d stars to magnitude %.1f that should be seen have a point within "
+      "%.1f px (%.1f "
+      "would by chance)\n",
+      answer.stars.size(), found.in_frame, options.faintest, found.last_radius_px, found.by_chance);
+  return answer;
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,62 @@
+# Stars of a picture recognised without time, place or camera, and with them.
+source "$(dirname "$0")/case.sh"
+# The table's stars to magnitude 4 as an equidistant lens of 250 px to a radian sees them, in 480 x 360 pixels about right
+# ascension 90 degrees and the equator with north up; over a ground with a little noise of a fixed sequence.
+sky_to() {
+  awk -F, -v mirrored="$1" 'BEGIN { srand(7); pi = atan2(0, -1) }
+    NR > 1 && $9 <= 4 {
+      a = $5 * pi / 180; d = $6 * pi / 180
+      right = cos(d) * cos(a); down = -sin(d); forward = cos(d) * sin(a)
+      across = sqrt(right * right + down * down); angle = atan2(across, forward)
+      x = 240 + (mirrored ? -1 : 1) * 250 * angle * right / across; y = 180 + 250 * angle * down / across
+      if (angle > 1.4 || x < 4 || y < 4 || x > 476 || y > 356) next
+      height = 9000 * exp(-0.921 * ($9 - 2))
+      for (j = int(y) - 4; j <= int(y) + 4; ++j)
+        for (i = int(x) - 4; i <= int(x) + 4; ++i)
+          light[j * 480 + i] += height * exp(-((i + .5 - x) ^ 2 + (j + .5 - y) ^ 2) / 2.9)
+    }
+    END {
+      print "P2 480 360 65535"
+      for (p = 0; p < 480 * 360; ++p) { v = 1000 + 60 * (rand() + rand() - 1) + light[p]; print int(v > 65535 ? 65535 : v) }
+    }' "$SOURCE/data/stars/bright_stars.csv"
+}
+sky_to 0 >sky.pgm
+# Without time: the place in the sky, and a table of the stars.
+expect_exit 0 calibrate --image sky.pgm --decoding linear --stars-out stars.csv
+expect_stdout "Recognised"
+expect_stdout "right ascension 9"
+grep -q 'Betelgeuse,88\.' stars.csv || fail "no Betelgeuse among the stars"
+awk -F, '$1 == "Rigel" && ($2 < 78.5 || $2 > 78.8) { exit 1 }' stars.csv || fail "Rigel elsewhere"
+# No camera without a time: that is said, and nothing is written.
+expect_exit 5 calibrate --image sky.pgm --decoding linear -o camera.toml
+expect_stdout "azimuth and elevation need --time and --site"
+[[ ! -e camera.toml ]] || fail "a camera without a time"
+# The times that a site and a day allow.
+expect_exit 0 calibrate --image sky.pgm --decoding linear --site 0,0 --date 2020-12-21
+expect_stdout "2020-12-21T18:"
+# With time and site a camera; six hours later the other side of the Earth is there.
+expect_exit 0 calibrate --image sky.pgm --decoding linear --site 0,0 --time 2020-12-22T00:00:00Z -o camera.toml
+expect_stdout "lens: equidistant"
+awk '/^elevation_deg/ && ($3 < 89) { exit 1 }' camera.toml || fail "not to the zenith"
+awk '/^focal_px/ && ($3 < 249 || $3 > 251) { exit 1 }' camera.toml || fail "another scale"
+expect_exit 5 calibrate --image sky.pgm --decoding linear --site 0,0 --time 2020-12-22T12:00:00Z -o none.toml
+expect_stdout "below the horizon"
+[[ ! -e none.toml ]] || fail "a camera below the horizon"
+# The table with time and site gives the camera as well.
+expect_exit 0 calibrate stars.csv --size 480,360 --site 0,0 --time 2020-12-22T00:00:00Z -o again.toml
+# Mirrored, it is told so.
+sky_to 1 >mirrored.pgm
+expect_exit 0 calibrate --image mirrored.pgm --decoding linear
+expect_stdout "mirrored"
+# Noise alone: what was seen and what would help, and no camera.
+awk 'BEGIN { srand(3); print "P2 300 200 65535"; for (p = 0; p < 60000; ++p) print int(1000 + 90 * rand()) }' >noise.pgm
+expect_exit 5 calibrate --image noise.pgm --decoding linear --site 0,0 --time 2020-12-22T00:00:00Z -o none.toml
+expect_stdout "What would help"
+[[ ! -e none.toml ]] || fail "a camera out of noise"
+# What belongs together.
+expect_exit 2 calibrate stars.csv --size 480,360 --site 0,0 --time 2020-12-22T00:00:00Z
+expect_stderr "-o CAMERA.toml"
+expect_exit 2 calibrate stars.csv --size 480,360 --stars-out other.csv -o none.toml
+expect_stderr "recognised blindly"
+expect_exit 2 calibrate --image sky.pgm --decoding linear --stars-out stars.csv
+expect_stderr "stars.csv"
