@@ -1,0 +1,79 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "apps/commands/commands.h"
+#include "apps/options/exit_code.h"
+#include "apps/options/file_names.h"
+#include "apps/options/photo_options.h"
+#include "apps/options/photographs.h"
+#include "apps/options/refusals.h"
+#include "apps/options/scene_options.h"
+#include "apps/options/standard_streams.h"
+#include "fit/border/border.h"
+#include "fit/photo/photo.h"
+#include "fit/report/border/border_run.h"
+#include "sim/base/file/sha256.h"
+
+namespace vegard::apps {
+namespace {
+
+struct BorderRequest {
+  SceneOptions scene;
+  PhotoWords photo;
+  std::string out, channel = "green";
+  bool overwrite = false, no_metadata = false;
+};
+
+int run_border(const BorderRequest& options, const std::string& command) {
+  sim::Scene scene = scene_of(options.scene);
+  const std::string scene_sha256 = sim::sha256_of_file(options.scene.file);
+  if (options.photo.file.empty()) throw usage_error("--photo", "is missing", "the photograph to trace");
+  if (options.out.empty()) throw usage_error("--out", "is missing", "the directory to write");
+  scene.fit.photos.clear();  // the photograph is the command line's, the camera and the site the scene's
+  std::vector<NamedInput> inputs = inputs_of_scene(options.scene, scene);
+  inputs.push_back({options.photo.file, "the photograph"});
+  inputs.push_back({options.photo.mask, "the mask"});
+  spare_inputs_inside("--out", options.out, inputs);
+  fit::check_border_directory(options.out, options.overwrite);
+  if (!options.no_metadata) take_from_photograph(scene, options.photo.file, options.scene.changes);
+  const std::vector<fit::Photo> photos = photographs_asked(options.photo, scene);
+  fit::BorderSettings settings;
+  settings.channel = options.channel == "red" ? 0 : options.channel == "green" ? 1 : 2;
+  const fit::Border border =
+      placing_errors(scene, [&] { return fit::trace_border(photos.front(), scene, settings); });
+  fit::BorderRunFacts facts;
+  facts.command = command;
+  facts.inputs = inputs_of(options.scene.file, scene_sha256, photos);
+  facts.decoding = photos.front().decoding;
+  fit::write_border_run(options.out, options.overwrite, border, photos.front(), scene, facts);
+  for (std::size_t t = 0; t < border.traces.size(); ++t)
+    if (border.traces[t].told > 0) say("%s\n", fit::border_sentence(border, t, scene).c_str());
+  for (const std::string& note : border.notes) say("%s\n", note.c_str());
+  if (border.told == 0) say("no lower border is told, because of what is said above\n");
+  say("%s\n", (options.out + "/report.html").c_str());
+  return border.told > 0 ? good : doubted;
+}
+
+}  // namespace
+
+void add_border_command(Program& program) {
+  const auto options = std::make_shared<BorderRequest>();
+  const Command command = program.add(
+      "border",
+      "Trace the lower border of the light, and tell how far away it stands if it is so and so high");
+  add_scene_options(command, options->scene);
+  command.option("--photo", options->photo.file, "A photograph of any format that is read")
+      .type_name("IMAGE");
+  command.option("--out", options->out, "The directory to write").type_name("RUN");
+  command.option("--mask", options->photo.mask, "An image of the same size: white = use").type_name("IMAGE");
+  add_decoding_option(command, options->photo.decoding);
+  add_no_metadata_option(command, options->no_metadata);
+  command.option("--channel", options->channel, "Which light of a colour picture is traced")
+      .one_of({"red", "green", "blue"})
+      .shows_default();
+  command.flag("--overwrite", options->overwrite, "Replace what an earlier call has written");
+  command.runs([options, words = program.command_line()] { return run_border(*options, words); });
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,92 @@
+// The lower border of the light, traced along azimuth through a photograph of any lens, without a model of
+// electrons.
+//
+// The picture is averaged over cells of azimuth and elevation. A smooth lower envelope is taken for the sky.
+// In each column of equal azimuth every hump of light that stands above noise and sky gives a peak, and below
+// it the elevation at which the light has fallen to half of the peak, above the sky just beneath it: the
+// convention of `lower_border_km` (docs/map.md). Such places are linked from column to column. Directions are
+// those that the camera has: apparent ones, with refraction, where it was found by stars. Blurring and
+// averaging are alike above and below an edge, and leave its place.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "fit/photo/photo.h"
+#include "sim/scene/structs/scene.h"
+
+namespace vegard::fit {
+
+struct BorderSettings {
+  int channel = 1;  ///< of Photo::linear: 0, 1, 2. Green, where oxygen's line is; in grey ones all are equal
+  double azimuth_step_deg = 1.0;
+  double lowest_elevation_deg = 2.0;
+  double highest_elevation_deg = 75.0;  ///< above it an arc is seen from below, and has no lower edge
+  double least_signal = 8.0;            ///< of a peak above its foot, in standard deviations
+  double least_contrast = 0.05;         ///< of a peak above its foot, of the brightness there
+  double widest_fall_deg = 8.0;         ///< from 75 to 25 % of the peak: beyond, a glow and no border
+  double most_jump_deg = 1.5;           ///< between neighbouring columns, off a straight course
+  double longest_gap_deg = 4.0;
+  double least_length_deg = 8.0;
+};
+
+/// Why no border is told where there is a peak.
+enum class BorderLimit {
+  none,  ///< it is told
+  horizon,
+  frame,  ///< it lies beyond the picture or the lens
+  mask,   ///< it lies under the mask, or the picture is clipped there
+};
+
+/// "the horizon"
+const char* border_limit_name(BorderLimit limit);
+
+struct BorderPoint {
+  double azimuth_deg = 0.0;          ///< 0 to 360
+  double elevation_deg = 0.0;        ///< of the border, apparent; NaN if it is not told
+  double elevation_error_deg = 0.0;  ///< noise, a tenth of the peak in the level, scatter of the neighbours
+  double peak_elevation_deg = 0.0;
+  double brightness = 0.0;  ///< of the peak above the sky beneath, linear light, the file's white = 1
+  double signal = 0.0;      ///< the same in standard deviations
+  double fall_deg = 0.0;    ///< from 75 to 25 % of the peak; NaN if the border is not told
+  BorderLimit limit = BorderLimit::none;
+
+  bool told() const { return limit == BorderLimit::none; }
+};
+
+/// Points of one border in the order of azimuth, which may pass through north: 358, 359, 0, 1.
+struct BorderTrace {
+  std::vector<BorderPoint> points;
+  int told = 0;  ///< how many of them
+
+  double mean_brightness() const;
+};
+
+/// Means of the picture over azimuth and elevation.
+struct SkyCells {
+  int columns = 0, rows = 0;  ///< columns by azimuth from north, rows upwards
+  double azimuth_step_deg = 1.0, lowest_deg = 0.0, elevation_step_deg = 1.0;
+  std::vector<double> light;       ///< [column * rows + row]; NaN where nothing usable is
+  std::vector<BorderLimit> limit;  ///< why; none where there is light
+
+  std::size_t index(int column, int row) const { return static_cast<std::size_t>(column) * rows + row; }
+  double azimuth_deg(int column) const { return column * azimuth_step_deg; }
+  double elevation_deg(double row) const { return lowest_deg + (row + 0.5) * elevation_step_deg; }
+};
+
+struct Border {
+  std::vector<BorderTrace> traces;  ///< those that are told first, each kind by its light
+  int told = 0;                     ///< how many of them have a border over least_length_deg
+  std::vector<std::string> notes;   ///< sentences: what is to be known of the answer
+  SkyCells cells;
+};
+
+SkyCells sky_cells(const Photo& photo, const sim::Camera& camera, const BorderSettings& settings);
+
+/// The scene's camera and site are those of the photograph. Throws sim::Error(scene) if the picture has
+/// another size than the camera, or the observer is no lower than the light. No light or no border is an
+/// answer, not an error: `told` is 0 and the notes say why. The same input gives the same answer.
+Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSettings& settings = {});
+
+}  // namespace vegard::fit
