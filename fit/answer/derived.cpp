@@ -20,7 +20,8 @@ namespace {
 
 constexpr double kRedNm = 630.0, kBlueNm = 427.8;
 constexpr double kLeastRatio = 5.2, kMostRatio = 31.4;
-constexpr double kLeastShare = 0.1;  // of the variance, of a free number that a derived one depends on
+constexpr double kLeastShareOfVariance =
+    0.1;  // of the variance, of a free number that a derived one depends on
 
 double wavelength_ratio(const sim::Sheet& sheet) { return sheet.wavelength_km / (2.0 * sheet.thickness_km); }
 
@@ -280,7 +281,7 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
       d.is_detail = label.is_detail;
       d.quantity = label.quantity;
       for (std::size_t j = 0; j < found[i].share.size(); ++j)
-        if (found[i].share[j] >= kLeastShare) d.depends_on.push_back(free[j].label());
+        if (found[i].share[j] >= kLeastShareOfVariance) d.depends_on.push_back(free[j].label());
       if (!std::isfinite(d.value)) {
         d.value = sim::kNaN;
         d.why_none = label.why_none;

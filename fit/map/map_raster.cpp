@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kPixel_km = 2.0;
 constexpr int kMostSide = 800, kMargin_px = 10;
-constexpr int kParts = 4;  // of a pixel's side, at the middles of which the cells are asked
+constexpr int kPartsOfPixel = 4;  // of a pixel's side, at the middles of which the cells are asked
 
 }  // namespace
 
@@ -39,14 +39,14 @@ std::vector<double> rasterised(const MapResult& result, const MapRaster& raster,
   for (int row = 0; row < raster.rows; ++row)
     for (int column = 0; column < raster.columns; ++column) {
       double sum = 0.0;
-      for (int y = 0; y < kParts; ++y)
-        for (int x = 0; x < kParts; ++x) {
+      for (int y = 0; y < kPartsOfPixel; ++y)
+        for (int x = 0; x < kPartsOfPixel; ++x) {
           const sim::EastNorth at =
-              raster.place(column + (x + 0.5) / kParts - 0.5, row + (y + 0.5) / kParts - 0.5);
+              raster.place(column + (x + 0.5) / kPartsOfPixel - 0.5, row + (y + 0.5) / kPartsOfPixel - 0.5);
           const int cell = result.grid.cell_at(at.east, at.north);
           if (cell >= 0) sum += of_cell[static_cast<std::size_t>(cell)];
         }
-      values[static_cast<std::size_t>(row) * raster.columns + column] = sum / (kParts * kParts);
+      values[static_cast<std::size_t>(row) * raster.columns + column] = sum / (kPartsOfPixel * kPartsOfPixel);
     }
   return values;
 }

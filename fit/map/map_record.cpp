@@ -22,7 +22,7 @@ using RecordJson = nlohmann::json;
 constexpr std::size_t kMostMapJson = 64u << 20;
 constexpr std::size_t kMostCurtains = 10000;  // a map has some tens
 constexpr std::size_t kMostPoints = 1000;     // of a curtain, 5 km apart
-constexpr double kFarthest_km = 3000.0;       // of a point, as in a scene
+constexpr double kFarthestPoint_km = 3000.0;  // of a point, as in a scene
 constexpr double kSamePlace_deg = 1e-6;       // a tenth of a metre: what a scene's text may round
 
 [[noreturn]] void refuse_map(const std::string& file, const std::string& problem, const std::string& hint) {
@@ -111,8 +111,8 @@ std::vector<Ridge> ridges_of_table(const std::string& text, const std::string& f
     for (const RidgePoint& p : ridge.points)
       if (!std::isfinite(p.foot_km.east) || !std::isfinite(p.foot_km.north) || !std::isfinite(p.flux_mw_m2) ||
           !(p.energy_kev > 0.0) || !std::isfinite(p.energy_kev) || !(p.width_km > 0.0) ||
-          !std::isfinite(p.width_km) || std::abs(p.foot_km.east) > kFarthest_km ||
-          std::abs(p.foot_km.north) > kFarthest_km)
+          !std::isfinite(p.width_km) || std::abs(p.foot_km.east) > kFarthestPoint_km ||
+          std::abs(p.foot_km.north) > kFarthestPoint_km)
         refuse_map(file, fmt::format("curtain {} has a point that is none", c), "map the photograph again");
     if (c <= points.size() && ridge.points.size() != static_cast<std::size_t>(points[c - 1]))
       refuse_map(file, fmt::format("curtain {} has {} points of {}", c, ridge.points.size(), points[c - 1]),

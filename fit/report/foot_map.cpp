@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSide_px = 460.0, kLeft_px = 62.0, kTop_px = 58.0, kRight_px = 216.0, kBottom_px = 30.0;
 constexpr double kMargin = 0.12;  // of the map's width, on each side
-constexpr double kLeastHalf_km = 60.0, kFarthest_km = 1500.0;
+constexpr double kLeastHalf_km = 60.0, kFarthestShown_km = 1500.0;
 constexpr double kSineShows_px = 1.0;  // amplitude
 constexpr int kMapCoarse = 65, kFine = 1201;
 constexpr Colour kMapInk{29, 36, 48}, kSoft{102, 112, 128}, kField{140, 150, 160};
@@ -76,7 +76,7 @@ GroundPoints moved_line(const sim::Sheet& sheet, const sim::FootBand& band, doub
 MapFrame frame_of(const FitResult& result, const std::vector<MappedStation>& stations) {
   double west = 0.0, east = 0.0, south = 0.0, north = 0.0;
   const auto take = [&](const GroundPoint& p) {
-    if (!(std::hypot(p.x, p.y) < kFarthest_km)) return;
+    if (!(std::hypot(p.x, p.y) < kFarthestShown_km)) return;
     west = std::min(west, p.x);
     east = std::max(east, p.x);
     south = std::min(south, p.y);
