@@ -46,6 +46,7 @@ int run(int argc, char** argv) {
   apps::add_map_command(program);
   apps::add_border_command(program);
   apps::add_mask_command(program);
+  apps::add_measure_command(program);
   apps::add_brightness_command(program);
   apps::add_calibrate_command(program);
   apps::add_fit_command(program);

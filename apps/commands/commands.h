@@ -21,6 +21,7 @@ void add_linearise_command(Program& program);
 void add_lines_command(Program& program);
 void add_map_command(Program& program);
 void add_mask_command(Program& program);
+void add_measure_command(Program& program);
 void add_params_command(Program& program);
 void add_points_command(Program& program);
 void add_preview_command(Program& program);

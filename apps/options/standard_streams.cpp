@@ -14,7 +14,12 @@
 #include "sim/base/shown_text.h"
 
 namespace vegard::apps {
+
+void keep_overheard(const std::string& text);
+
 namespace {
+
+Overheard* overheard = nullptr;
 
 int first_failure = 0;  ///< errno of the first write that failed
 
@@ -23,6 +28,7 @@ void keep_failure() {
 }
 
 void put(const std::string& text, std::FILE* to) {
+  if (to == stdout) keep_overheard(text);
   errno = 0;
   if (std::fwrite(text.data(), 1, text.size(), to) != text.size() && to == stdout) keep_failure();
 }
@@ -42,6 +48,14 @@ std::string formatted(const char* format, std::va_list arguments) {
 }
 
 }  // namespace
+
+Overheard::Overheard() { overheard = this; }
+
+Overheard::~Overheard() { overheard = nullptr; }
+
+void keep_overheard(const std::string& text) {
+  if (overheard != nullptr) overheard->text_ += text;
+}
 
 void stand_in_for_closed_streams() {
   // The wrong way round, so that reading from the input and writing to the outputs fail as on closed streams.

@@ -18,6 +18,21 @@ void stand_in_for_closed_streams();
 /// Of several lines.
 void say_text(const std::string& text);
 
+/// While it lives, what is said is kept as well: for a report that quotes it. One at a time.
+class Overheard {
+ public:
+  Overheard();
+  ~Overheard();
+  Overheard(const Overheard&) = delete;
+  Overheard& operator=(const Overheard&) = delete;
+
+  const std::string& text() const { return text_; }
+
+ private:
+  friend void keep_overheard(const std::string& text);
+  std::string text_;
+};
+
 /// The same on standard error, whose failures are nobody's.
 [[gnu::format(printf, 1, 2)]] void tell(const char* format, ...);
 

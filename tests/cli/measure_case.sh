@@ -1,0 +1,38 @@
+# From a photograph to an answer in one command: what each stage writes, and what is said where one finds nothing.
+source "$(dirname "$0")/case.sh"
+expect_exit 0 render "$SCENES/map_light.toml" -o photo.png
+awk '/^\[/ { is_camera = /^\[camera\]/ } is_camera' "$SCENES/map.toml" >camera.toml
+grep -q '^width' camera.toml || fail "no camera to start from"
+
+# With the camera known: the border, and on from there the map.
+expect_exit 0 measure photo.png --camera camera.toml --site 67,20 --no-map --out run
+for file in report.html measure.json sky.png border/border.csv border/report.html; do expect_file "run/$file"; done
+expect_stdout "$ vegard mask"
+expect_stdout "$ vegard border"
+grep -qF '"trust": "good"' run/measure.json || fail "another trust"
+expect_exit 0 measure photo.png --camera camera.toml --site 67,20 --replicates 0 --out mapped
+for file in scene.toml mask.png map/map.json map/precipitation.fits; do expect_file "mapped/$file"; done
+expect_same run/border/border.csv mapped/border/border.csv
+# What it wrote is the input of the ordinary commands.
+expect_exit 5 map mapped/scene.toml --camera camera.toml --photo photo.png --mask mapped/mask.png --replicates 0 --out again \
+  --set site.latitude_deg=67 --set site.longitude_deg=20
+expect_same again/precipitation.fits mapped/map/precipitation.fits
+
+# Nothing known and no stars: a report of what is lacking, not an error.
+expect_exit 5 measure photo.png --out bare
+expect_file bare/report.html
+expect_stdout "What would help"
+grep -qF '"trust": "not told"' bare/measure.json || fail "something is told"
+
+# An existing measurement stays unless asked, and what is none stays always.
+expect_exit 2 measure photo.png --out run
+expect_one_message
+expect_exit 5 measure photo.png --out bare --overwrite
+mkdir other
+echo thesis >other/thesis.tex
+expect_exit 2 measure photo.png --out other --overwrite
+expect_stderr "no measurement"
+expect_file other/thesis.tex
+expect_exit 3 measure none.png --out none
+expect_one_message
+[[ ! -e none ]] || fail "a folder of nothing"
