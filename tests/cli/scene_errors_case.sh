@@ -49,3 +49,13 @@ done
 expect_exit 2 render "$SCENES/small.toml" -o out.exr --set "camera.width=$(printf '[%.0s' $(seq 50000))"
 expect_stderr "camera.width: arrays and tables are nested more than 32 deep"
 expect_exit 2 render "$SCENES/small.toml" -o out.exr --set "sensor.$(printf 'k%.0s' $(seq 100000))=1"
+
+# A picture in the place of a scene is told to be one.
+expect_exit 0 render "$SCENES/small.toml" -o photo.png
+expect_exit 0 render "$SCENES/small.toml" -o photo.jpg
+for picture in photo.png photo.jpg; do
+  expect_exit 2 fit "$picture" --photo "$picture" --out none
+  expect_one_message
+  expect_stderr "it is a picture, not a scene"
+  expect_stderr "vegard measure"
+done

@@ -6,8 +6,8 @@ expect_exit 2 rendre
 expect_stderr "did you mean 'render'?"
 expect_exit 2 xyzzyxyzzy
 ! grep -q "did you mean" "$stderr" || fail "a word that is like none"
-expect_exit 2 render "$SCENES/small.toml" -o out.exr --sed 4
-expect_stderr "did you mean '--seed'?"
+expect_exit 2 render "$SCENES/small.toml" -o out.exr --treads 2
+expect_stderr "did you mean '--threads'?"
 expect_exit 2 render
 expect_exit 2 render "$SCENES/small.toml"
 expect_exit 2 render "$SCENES/small.toml" -o out.exr --no-such-option
