@@ -32,4 +32,12 @@ struct Evidence {
 /// degree of freedom below 0.3, and unusual_sheets().
 void judge(const Evidence& evidence, FitResult& result);
 
+/// Sets trust and its reason of every derived number, after the verdict of the whole has been found. A number
+/// without an error bar is not told; one with a large one is doubtful or not told by its kind's scale; one
+/// that leans on a parameter at its limit is doubtful at best; and all are doubtful at best where the picture
+/// as a whole is not explained, or the search has not ended well. A parameter that the picture does not
+/// tell (a sheet's length, when no end is in view) spoils only the numbers that depend on it. The verdict
+/// line of a doubtful fit gets a sentence on what is good all the same, so that this is asked for once.
+void judge_quantities(FitResult& result);
+
 }  // namespace vegard::fit

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "fit/answer/fit_result.h"
+#include "fit/answer/verdict.h"
 #include "sim/base/number/constants.h"
 
 namespace vegard::fit::trust_test {
