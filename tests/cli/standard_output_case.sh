@@ -53,6 +53,8 @@ refused keogram a.png b.png -o out.csv
 refused directions "$small" -o out.exr
 expect_exit 0 render "$SCENES/map_light.toml" -o band.png
 refused map "$SCENES/map.toml" --photo band.png --out out_map --replicates 0 --sparsity 4
+refused border "$SCENES/map_light.toml" --photo band.png --out out_border
+refused measure band.png --out out_measure
 refused mask a.png -o out.png --circle 40,40,30
 refused brightness "$small"
 refused brightness "$small" --json
