@@ -172,7 +172,12 @@ BorderNoise border_noise(const SkyCells& cells, const std::vector<double>& smoot
   if (rough.size() < kLeast) return noise;
   std::sort(rough.begin(), rough.end());
   const std::size_t bins = std::clamp<std::size_t>(rough.size() / kLeast, 1, kBins);
-  double least = 0.0;
+  const auto brightness = [&](double share) {
+    return rough[static_cast<std::size_t>(share * static_cast<double>(rough.size() - 1))].first;
+  };
+  // A made picture may have no noise at all, but eight bits have rounded it.
+  const double rounding = 1e-4 * (brightness(0.995) - brightness(0.2));
+  double least = rounding;
   for (std::size_t b = 0; b < bins; ++b) {
     std::vector<double> d;
     for (std::size_t i = b * rough.size() / bins; i < (b + 1) * rough.size() / bins; ++i)
@@ -189,9 +194,13 @@ BorderNoise border_noise(const SkyCells& cells, const std::vector<double>& smoot
       const std::size_t i = cells.index(c, r);
       const double d = smooth[i] - 0.5 * (smooth[i - lag] + smooth[i + lag]);
       if (!std::isfinite(d) || cells.light[i] > dark) continue;
-      ratio.push_back(std::abs(d) / std::max(noise.at(cells.light[i]), 1e-12));
+      if (const double sigma = noise.at(cells.light[i]); sigma > rounding)
+        ratio.push_back(std::abs(d) / sigma);
     }
-  const double scale = ratio.empty() ? 1.0 : kMadToSigma * border_quantile(ratio, 0.5) / std::sqrt(1.5);
+  // Smoothing takes no more off than of white noise.
+  const double rows = std::max(1.0, kBorderSmoothingDeg / cells.elevation_step_deg);
+  double scale = std::sqrt(6.0 / 16.0 / (2.0 * std::sqrt(sim::kPi) * rows));
+  if (!ratio.empty()) scale = std::max(scale, kMadToSigma * border_quantile(ratio, 0.5) / std::sqrt(1.5));
   for (double& s : noise.sigma) s = std::max(s * scale, 1e-9);
   return noise;
 }
@@ -206,7 +215,8 @@ struct BorderCandidate {
 /// What the search in a column needs.
 struct BorderLight {
   const SkyCells& cells;
-  std::vector<double> smooth;  ///< without the sky
+  std::vector<double> whole;   ///< smoothed
+  std::vector<double> smooth;  ///< the same without the sky
   BorderNoise noise;
   std::vector<double> floor;  ///< of each column: what is dark there
   double least = 0.0;         ///< of a peak above its foot, anywhere
@@ -271,6 +281,11 @@ bool find_border_below(const BorderLight& light, const BorderSettings& settings,
       std::sqrt(1.5) * sigma / slope;  // of the light there, the peak's and the foot's half
   const double by_level = 0.5 * (upper - lower);
   p.elevation_deg = found.course_deg = cells.elevation_deg(half);
+  if (p.elevation_deg < settings.lowest_told_deg) {
+    p.limit = BorderLimit::horizon;
+    p.elevation_deg = p.elevation_error_deg = p.fall_deg = sim::kNaN;
+    return true;
+  }
   p.elevation_error_deg = std::hypot(by_noise, by_level) * cells.elevation_step_deg;
   p.brightness = top - base;
   p.signal = p.brightness / sigma;
@@ -298,6 +313,11 @@ void search_border_rows(const BorderLight& light, const BorderSettings& settings
     for (int r = peak + 1; r <= high && light.at(column, r) <= top; ++r)
       valley = std::min(valley, light.at(column, r));
     if (top - valley < std::max(4.0 * sigma, 0.15 * amplitude)) continue;
+    // What is a hump only because a curve was taken off is none.
+    const auto whole = [&](int row) { return light.whole[cells.index(column, row)]; };
+    double dark = whole(peak);
+    for (int r = peak + 1; r <= high; ++r) dark = std::min(dark, whole(r));
+    if (whole(peak) - dark < 0.3 * (top - valley)) continue;
     BorderCandidate candidate;
     const double before = light.at(column, peak - 1), after = light.at(column, peak + 1);
     const double bend = before - 2.0 * top + after;
@@ -307,6 +327,7 @@ void search_border_rows(const BorderLight& light, const BorderSettings& settings
     candidate.point.brightness = amplitude;
     candidate.point.signal = amplitude / sigma;
     if (!find_border_below(light, settings, column, peak, low, foot, sigma, candidate)) continue;
+    if (candidate.point.told() && whole(peak) - whole(foot) < 0.5 * amplitude) continue;
     // Two peaks over one border: the lower one's is it.
     if (!found.empty() && std::abs(found.back().course_deg - candidate.course_deg) < 0.5 &&
         found.back().point.limit == candidate.point.limit)
@@ -353,7 +374,7 @@ std::vector<BorderPlaceInColumn> follow_border(const std::vector<std::vector<Bor
     for (std::size_t i = 0; i < here.size(); ++i) {
       const double ratio = here[i].point.brightness / brightness;
       const double off = std::abs(here[i].course_deg - last->course_deg - slope * gap);
-      if (here[i].used || ratio > 3.0 || ratio < 1.0 / 3.0 || off > nearest) continue;
+      if (here[i].used || ratio > 4.0 || ratio < 0.25 || off > nearest) continue;
       nearest = off;
       chosen = static_cast<int>(i);
     }
@@ -511,7 +532,8 @@ Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSet
   bridge_border_holes(border.cells);
   const SkyCells& cells = border.cells;
   const std::vector<double> light = without_border_sky(cells);
-  BorderLight work{cells, smoothed_border_light(cells, light), {}, {}, 0.0};
+  BorderLight work{
+      cells, smoothed_border_light(cells, cells.light), smoothed_border_light(cells, light), {}, {}, 0.0};
   work.noise = border_noise(cells, work.smooth);
   std::vector<double> all;
   for (const double v : work.smooth)
@@ -522,7 +544,7 @@ Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSet
                     settings.lowest_elevation_deg, settings.highest_elevation_deg));
     return border;
   }
-  work.least = 0.03 * (border_quantile(all, 0.995) - border_quantile(all, 0.2));
+  work.least = 0.05 * (border_quantile(all, 0.995) - border_quantile(all, 0.2));
   const int aside = static_cast<int>(15.0 / cells.azimuth_step_deg);
   for (int c = 0; c < cells.columns; ++c) {
     std::vector<double> near;

@@ -22,11 +22,13 @@ struct BorderSettings {
   int channel = 1;  ///< of Photo::linear: 0, 1, 2. Green, where oxygen's line is; in grey ones all are equal
   double azimuth_step_deg = 1.0;
   double lowest_elevation_deg = 2.0;
+  /// Below it the air dims a sky that is bright by itself so fast that it looks like a border.
+  double lowest_told_deg = 6.0;
   double highest_elevation_deg = 75.0;  ///< above it an arc is seen from below, and has no lower edge
   double least_signal = 8.0;            ///< of a peak above its foot, in standard deviations
   double least_contrast = 0.05;         ///< of a peak above its foot, of the brightness there
   double widest_fall_deg = 8.0;         ///< from 75 to 25 % of the peak: beyond, a glow and no border
-  double most_jump_deg = 1.5;           ///< between neighbouring columns, off a straight course
+  double most_jump_deg = 2.0;           ///< between neighbouring columns, off a straight course
   double longest_gap_deg = 4.0;
   double least_length_deg = 8.0;
 };

@@ -354,7 +354,13 @@ std::string border_sentence(const Border& border, std::size_t trace, const sim::
 
 std::string border_svg(const Border& border, const Photo& photo, const sim::Scene& scene) {
   Plot plot;
-  plot.panels.push_back(border_photo_panel(border, photo, scene));
+  Panel picture = border_photo_panel(border, photo, scene);
+  // The panels are square, and the picture keeps its shape.
+  const double spare = 0.5 * (*picture.x.max - *picture.y.max);
+  Axis& narrow = spare > 0.0 ? picture.y : picture.x;
+  *narrow.min -= std::abs(spare);
+  *narrow.max += std::abs(spare);
+  plot.panels.push_back(std::move(picture));
   plot.panels.push_back(border_sky_panel(border));
   plot.panels.push_back(border_map_panel(border, scene));
   plot.columns = 3;
