@@ -295,9 +295,9 @@ bool Measuring::camera_by_stars() {
   }
   if (fs::exists(in_run("stars.csv"))) {
     stage.trust = Trust::doubtful;
-    stage.found =
-        "The stars were recognised, and where the camera looked among them is known, but not in azimuth and "
-        "elevation.";
+    stage.found = "The stars were recognised, but not in azimuth and elevation: " +
+                  line_with(ended.words, "the picture's middle") + "; " +
+                  line_with(ended.words, "field of view") + ".";
     stage.lacking = known_.time.empty() ? "the time: --time" : "the place: --site";
     return false;
   }
@@ -391,10 +391,8 @@ void Measuring::border() {
   stage.trust = has_azimuth_ ? Trust::good : Trust::doubtful;
   constexpr std::size_t kToldFirst = 2;
   std::istringstream lines(ended.words);
-  std::size_t told = 0;
-  for (const nlohmann::json& trace : border_.value("traces", nlohmann::json::array()))
-    told += trace.value("told", 0) > 0 ? 1 : 0;
-  for (std::string line; told > 0 && std::getline(lines, line); --told) {
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("Trace ", 0) != 0) continue;
     stage.found += (stage.found.empty() ? "" : " ") + line;
     if (border_words_.size() < kToldFirst) border_words_.push_back(line);
   }
