@@ -5,6 +5,7 @@
 
 #include "apps/options/refusals.h"
 #include "apps/output/layers.h"
+#include "sim/base/utc_time.h"
 #include "sim/base/version.h"
 #include "sim/render/as_seen.h"
 #include "sim/scene/file/scene_toml.h"
@@ -27,7 +28,7 @@ int bits_of(const PictureOptions& options, sim::ImageFormat format) {
 sim::ImageAttributes attributes_of(const sim::Scene& scene) {
   sim::ImageAttributes attributes = {
       {"scene", sim::write_scene(scene)}, {"seed", std::to_string(scene.seed)}, {"version", sim::version()}};
-  if (!scene.site.time_utc.empty()) attributes["DateTime"] = scene.site.time_utc;
+  if (!scene.site.time_utc.empty()) attributes["DateTime"] = sim::in_utc(scene.site.time_utc);
   return attributes;
 }
 

@@ -19,6 +19,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/picture/image_io.h"
+#include "sim/base/utc_time.h"
 #include "sim/base/version.h"
 #include "sim/scene/file/scene_toml.h"
 
@@ -190,7 +191,8 @@ std::string precipitation_fits(const MapResult& result) {
       {"FLUXCAL", is_absolute(result) ? "absolute" : "relative",
        is_absolute(result) ? "the sensor is calibrated" : "the sensor's scale is not known"},
       {"ORIGIN", "vegard " + sim::version(), ""}};
-  if (!result.scene.site.time_utc.empty()) keywords.push_back({"DATE-OBS", result.scene.site.time_utc, ""});
+  if (!result.scene.site.time_utc.empty())
+    keywords.push_back({"DATE-OBS", sim::in_utc(result.scene.site.time_utc), ""});
   return sim::encode_fits(image, keywords, "precipitation.fits");
 }
 

@@ -20,6 +20,7 @@
 #include "sim/base/file/whole_directory.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/picture/image_io.h"
+#include "sim/base/utc_time.h"
 #include "sim/base/version.h"
 #include "sim/scene/file/named_files.h"
 #include "sim/scene/file/scene_toml.h"
@@ -81,7 +82,7 @@ sim::ImageAttributes attributes_of(const FitResult& result, const FittedPhoto& f
        fitted.best.sheets.empty()
            ? "the best scene"
            : "the expectation that was fitted: the scene without its spacing_jitter and with more beams"}};
-  if (!fitted.best.site.time_utc.empty()) attributes["DateTime"] = fitted.best.site.time_utc;
+  if (!fitted.best.site.time_utc.empty()) attributes["DateTime"] = sim::in_utc(fitted.best.site.time_utc);
   return attributes;
 }
 

@@ -118,8 +118,12 @@ std::optional<CivilTime> civil_time(const std::string& text) {
 
 std::optional<int> offset_minutes(const std::string& text) {
   if (text == "Z") return 0;
-  if (!has_form(text, "+00:00") && !has_form(text, "-00:00")) return std::nullopt;
-  const int hours = std::stoi(text.substr(1, 2)), minutes = std::stoi(text.substr(4, 2));
+  if (text.empty() || (text[0] != '+' && text[0] != '-')) return std::nullopt;
+  const std::string size = text.substr(1);
+  const bool hours_alone = has_form(size, "00");
+  if (!hours_alone && !has_form(size, "00:00") && !has_form(size, "0000")) return std::nullopt;
+  const int hours = std::stoi(size.substr(0, 2));
+  const int minutes = hours_alone ? 0 : std::stoi(size.substr(size.size() - 2));
   if (minutes >= 60 || 60 * hours + minutes > 14 * 60) return std::nullopt;
   return (text[0] == '-' ? -1 : 1) * (60 * hours + minutes);
 }
@@ -148,8 +152,16 @@ bool has_form(const std::string& text, const std::string& form) {
 std::optional<double> utc_seconds(std::string_view iso) {
   TimeReader in{iso};
   const std::optional<double> seconds = read_moment(in, true, "T ", ":");
-  if (in.next_is("Z")) ++in.at;
-  return in.at == iso.size() ? seconds : std::nullopt;
+  if (!seconds || in.at == iso.size()) return seconds;
+  const std::optional<int> east = offset_minutes(std::string(iso.substr(in.at)));
+  return east ? std::optional<double>(*seconds - 60.0 * *east) : std::nullopt;
+}
+
+std::string in_utc(const std::string& iso) {
+  const std::size_t time = iso.find_first_of("T ");
+  if (time == std::string::npos || iso.find_first_of("+-", time) == std::string::npos) return iso;
+  const std::optional<double> seconds = utc_seconds(iso);
+  return seconds ? utc_text(*seconds) : iso;
 }
 
 std::optional<double> utc_seconds_in_name(std::string_view file_name) {

@@ -35,7 +35,13 @@ std::string without_fraction(std::string text) {
   return end == std::string::npos || end == dot + 1 ? text : text.erase(dot, end - dot);
 }
 
-bool is_iso_time(const std::string& time) {
+bool is_iso_time(const std::string& given) {
+  // A zone's offset stands where the Z does.
+  std::string time = given;
+  const std::size_t clock = given.find('T');
+  const std::size_t offset = clock == std::string::npos ? clock : given.find_first_of("+-", clock);
+  if (offset != std::string::npos && offset_minutes(given.substr(offset)))
+    time = given.substr(0, offset) + "Z";
   const std::string text = without_fraction(time);
   const bool has_seconds = has_form(text, "0000-00-00T00:00:00Z");
   const bool has_time = has_seconds || (text == time && has_form(text, "0000-00-00T00:00Z"));
@@ -71,8 +77,9 @@ bool is_table_file(const std::string& value) {
 
 std::optional<Complaint> time_complaint(const std::string& time_utc) {
   if (time_utc.empty() || is_iso_time(time_utc)) return std::nullopt;
-  return Complaint{"'" + time_utc + "' is not a time", "ISO 8601 in UTC such as \"2019-09-01T05:00:00Z\"",
-                   ""};
+  return Complaint{
+      "'" + time_utc + "' is not a time",
+      "ISO 8601 such as \"2019-09-01T05:00:00Z\" in UTC, or with a zone, \"2019-09-01T07:00:00+02:00\"", ""};
 }
 
 std::optional<Complaint> line_complaint(double line_nm) {

@@ -30,10 +30,21 @@ TEST(UtcSeconds, TextAndNumberAreInverses) {
   EXPECT_EQ(utc_seconds("2100-03-01T00:00:00").value() - utc_seconds("2100-02-28T00:00:00").value(), 86400.0);
 }
 
+TEST(UtcSeconds, AZoneIsTakenOff) {
+  const double utc = utc_seconds("2019-03-01T21:10:00Z").value();
+  for (const char* text : {"2019-03-01T22:10:00+01:00", "2019-03-01T22:10+01", "2019-03-01 22:10:00+0100",
+                           "2019-03-02T02:40:00.0+05:30", "2019-03-01T14:10:00-07:00"})
+    EXPECT_EQ(utc_seconds(text), utc) << text;
+  EXPECT_EQ(in_utc("2019-03-01T22:10:00+01:00"), "2019-03-01T21:10:00Z");
+  for (const char* text : {"2019-03-01T22:10:00.5Z", "2019-03-01", "", "yesterday-T-noon"})
+    EXPECT_EQ(in_utc(text), text);
+}
+
 TEST(UtcSeconds, RefusesWhatNoCalendarHas) {
   for (const char* text :
        {"", "2015-10-07", "2015-02-29T00:00:00", "2015-13-01T00:00:00", "2015-10-07T24:00:00",
-        "2015-10-07T08:23:51+01:00", "2015-10-07T08:23:51 ", "20151007T082351", "soon"})
+        "2015-10-07T08:23:51+1:00", "2015-10-07T08:23:51 ", "2015-10-07T08:23:51+15:00",
+        "2015-10-07T08:23:51Z+01:00", "20151007T082351", "soon"})
     EXPECT_FALSE(utc_seconds(text)) << text;
 }
 

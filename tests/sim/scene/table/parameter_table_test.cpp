@@ -243,6 +243,8 @@ TEST(SetFromText, SetsVectorsAndBareWords) {
   EXPECT_EQ(scene.sensor.primaries, Primaries::smpte_c);
   set_from_text(scene, "site.time_utc", "2019-09-01T05:00:00Z");
   EXPECT_EQ(scene.site.time_utc, "2019-09-01T05:00:00Z");
+  set_from_text(scene, "site.time_utc", "2019-03-01T22:10:00+01:00");
+  EXPECT_EQ(scene.site.time_utc, "2019-03-01T22:10:00+01:00");
   set_from_text(scene, "fit.roi_px", "[1, 2, 30, 40]");
   EXPECT_EQ(scene.fit.roi_px, (std::array<int, 4>{1, 2, 30, 40}));
   set_from_text(scene, "sky.level", "[0.1, 0.2, 0.3]");
@@ -330,6 +332,7 @@ TEST(SetFromText, RefusesWhatIsWrongAndLeavesTheScene) {
   refused("sheet.main.name", "width_km");
   refused("site.time_utc", "yesterday");
   refused("site.time_utc", "2019-02-29");
+  refused("site.time_utc", "2019-03-01T22:10:00+15:00");
   EXPECT_EQ(set_error(scene, "sensor.primaries", "smpte_c").hint, "did you mean \"smpte-c\"?");
   EXPECT_EQ(set_error(scene, "emission.lines", "[558]").hint, "the nearest known is 557.7");
 
