@@ -122,8 +122,8 @@ void print_dip_alone(const HorizonCamera& camera) {
 void print_answer(const HorizonCamera& camera) {
   const fit::HorizonCalibration& found = camera.found;
   const auto number = [](const fit::ErrorBar& bar) {
-    return sim::number_with_error(bar.value,
-                                  bar.sigma > 0.0 ? std::optional<double>(bar.sigma) : std::nullopt);
+    // What was given has no error bar, and is repeated as it was.
+    return bar.sigma > 0.0 ? sim::number_with_error(bar.value, bar.sigma) : sim::short_number(bar.value);
   };
   say("%zu points on the horizon, dip %s deg\n", camera.problem.points.size(), number(found.dip_deg).c_str());
   say("  camera.hfov_deg       %s (%s)\n", number(found.hfov_deg).c_str(), camera.hfov_source.c_str());

@@ -49,7 +49,8 @@ RoundedNumber rounded(double value, std::optional<double> sigma) {
     return number;
   }
   if (!sigma || !std::isfinite(*sigma) || *sigma <= 0.0) {
-    number.value = short_number(value);
+    constexpr int kDigitsUnknown = 3;
+    number.value = short_number(value, kDigitsUnknown);
     return number;
   }
   const int decimals = 1 - leading_power(*sigma, 2);

@@ -14,8 +14,8 @@ struct RoundedNumber {
 };
 
 /// Rounds sigma to two significant digits and the value to the same place; without a sigma (or one that is
-/// not positive and finite) the value to five significant digits. With a true minus sign. What is not finite
-/// is "–".
+/// not positive and finite) the value to three significant digits, which claim no more than is known. With a
+/// true minus sign. What is not finite is "–".
 RoundedNumber rounded(double value, std::optional<double> sigma);
 
 /// "4.33 ± 0.12", "(1.20 ± 0.34) × 10⁻⁷", "4.33".

@@ -24,8 +24,8 @@ TEST(NumberText, TakesPowersOfTenWhereNumbersAreHardToRead) {
 }
 
 TEST(NumberText, KeepsPlainNumbersPlain) {
-  EXPECT_EQ(number_with_error(4.32975209, {}), "4.3298");
-  EXPECT_EQ(number_with_error(4.32975209, std::nan("")), "4.3298");
+  EXPECT_EQ(number_with_error(4.32975209, {}), "4.33");
+  EXPECT_EQ(number_with_error(4.32975209, std::nan("")), "4.33");
   EXPECT_EQ(short_number(2147131.27, 6), "2147130");
   EXPECT_EQ(short_number(0.5), "0.5");
   EXPECT_EQ(short_number(-3000.0), "\u22123000");
