@@ -1,10 +1,5 @@
 #include "apps/options/scene_options.h"
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <string_view>
-
 #include "sim/base/error.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/file/scene_toml.h"
@@ -25,36 +20,6 @@ void change(sim::Scene& scene, const std::string& words) {
     throw sim::Error(sim::ErrorKind::usage, details);
   }
   sim::set_from_text(scene, words.substr(0, equals), words.substr(equals + 1));
-}
-
-/// What is given in the place of a scene is often the photograph itself, of which TOML says nothing helpful.
-void refuse_picture(const std::string& file) {
-  static constexpr std::string_view kBeginnings[] = {"\xff\xd8\xff",
-                                                     "\x89PNG",
-                                                     std::string_view("II*\0", 4),
-                                                     std::string_view("MM\0*", 4),
-                                                     "SIMPLE  =",
-                                                     "v/1\x01",
-                                                     "P5\n",
-                                                     "P6\n",
-                                                     "GIF8"};
-  std::error_code failed;
-  if (!std::filesystem::is_regular_file(file, failed)) return;
-  char bytes[16] = {};
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(bytes, sizeof bytes);
-  const std::string_view start(bytes, static_cast<std::size_t>(stream.gcount()));
-  const auto begins = [&](std::string_view beginning) {
-    return start.substr(0, beginning.size()) == beginning;
-  };
-  if (std::none_of(std::begin(kBeginnings), std::end(kBeginnings), begins)) return;
-  sim::ErrorDetails details;
-  details.file = file;
-  details.problem = "it is a picture, not a scene";
-  details.expected = "a scene file (TOML)";
-  details.hint =
-      "vegard measure takes a photograph alone; vegard describe PHOTO -o scene.toml begins a scene of it";
-  throw sim::Error(sim::ErrorKind::scene, details);
 }
 
 bool begins_with(const std::string& text, const char* beginning) { return text.rfind(beginning, 0) == 0; }
@@ -106,7 +71,6 @@ void add_scene_options(const Command& command, SceneOptions& options) {
 }
 
 sim::Scene scene_of(const SceneOptions& options) {
-  refuse_picture(options.file);
   sim::Scene scene = sim::read_scene(options.file);
   if (!options.camera_file.empty()) take_camera(scene, options.camera_file);
   for (const std::string& words : options.changes) change(scene, words);

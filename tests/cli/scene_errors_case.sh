@@ -49,13 +49,14 @@ done
 expect_exit 2 render "$SCENES/small.toml" -o out.exr --set "camera.width=$(printf '[%.0s' $(seq 50000))"
 expect_stderr "camera.width: arrays and tables are nested more than 32 deep"
 expect_exit 2 render "$SCENES/small.toml" -o out.exr --set "sensor.$(printf 'k%.0s' $(seq 100000))=1"
-
-# A picture in the place of a scene is told to be one.
-expect_exit 0 render "$SCENES/small.toml" -o photo.png
-expect_exit 0 render "$SCENES/small.toml" -o photo.jpg
-for picture in photo.png photo.jpg; do
-  expect_exit 2 fit "$picture" --photo "$picture" --out none
+# A picture for a scene is told to be one, with what makes a scene of it.
+cp "$SOURCE/data/examples/h000/photo.jpg" photo.jpg
+for words in "fit photo.jpg" "fit photo.jpg --photo photo.jpg --out run" "render photo.jpg -o out.png" \
+  "render $SCENES/small.toml --camera photo.jpg -o out.png" "params photo.jpg"; do
+  # shellcheck disable=SC2086
+  expect_exit 2 $words
+  expect_stderr "photo.jpg: this is a picture (JPEG), not a scene"
+  expect_stderr "'vegard measure photo.jpg'"
+  expect_stderr "'vegard describe photo.jpg -o scene.toml'"
   expect_one_message
-  expect_stderr "it is a picture, not a scene"
-  expect_stderr "vegard measure"
 done

@@ -6,6 +6,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
+#include "sim/base/picture/picture_signature.h"
 #include "sim/scene/file/curve_table.h"
 #include "sim/scene/file/free_parameters_toml.h"
 #include "sim/scene/file/photo_entries_toml.h"
@@ -331,6 +332,19 @@ Scene scene_of_text(const std::string& text, const std::string& name, bool reads
   return scene;
 }
 
+/// What is given in the place of a scene is often the photograph itself, of which TOML says nothing helpful.
+void refuse_picture(const std::string& file) {
+  const std::string format = picture_format_of(read_beginning(file, kSignatureBytes).bytes);
+  if (format.empty()) return;
+  ErrorDetails details;
+  details.file = file;
+  details.problem = "this is a picture (" + format + "), not a scene";
+  details.expected = "a scene file (TOML)";
+  details.hint = "'vegard measure " + file + "' takes a photograph alone; 'vegard describe " + file +
+                 " -o scene.toml' begins a scene of it";
+  throw Error(ErrorKind::scene, details);
+}
+
 }  // namespace
 
 Scene parse_scene(const std::string& text, const std::string& name) {
@@ -338,6 +352,7 @@ Scene parse_scene(const std::string& text, const std::string& name) {
 }
 
 Scene read_scene(const std::string& file) {
+  refuse_picture(file);
   Scene scene = scene_of_text(input_bytes(file, "a scene file", kMostTomlBytes), file, true);
   read_table_files(scene);
   return scene;
