@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "fit/photo/mask/circle.h"
 #include "fit/photo/mask/horizon.h"
 #include "fit/photo/mask/plane.h"
 
@@ -14,9 +15,10 @@ constexpr int kColumns = 1000;
 constexpr int kRows = 4;         ///< above and below that are compared
 constexpr float kBlack = 0.02f;  ///< added to both: black beside black is no contrast
 constexpr float kEnough = 0.5f, kSkylineEdge = 0.2f, kSeen = 0.1f;
-constexpr double kSeenIn = 0.5;
+constexpr double kSeenIn = 0.5, kBrightSeenIn = 0.8;
 constexpr int kMostJumps = 2;
-constexpr float kEdgesAbove = 0.5f;  ///< what an edge in the sky costs
+constexpr float kEdgesAbove = 0.5f;    ///< what an edge in the sky costs
+constexpr float kBrightGround = 0.5f;  ///< what an edge to a brighter ground is worth
 constexpr float kRow = 0.02f, kJump = 0.6f;
 
 /// How much the picture falls by at the boundary above row y, beyond what it falls by as much above and as
@@ -39,8 +41,9 @@ Plane contrast_of(const Plane& shown) {
   return result;
 }
 
-/// What a boundary costs by what is at and above it in its own column.
-Plane cost_of(const Plane& contrast) {
+/// What a boundary costs by what is at and above it in its own column. `bright_ground`: what an edge to a
+/// ground brighter than the sky is worth of one to a darker ground.
+Plane cost_of(const Plane& contrast, float bright_ground) {
   Plane cost(contrast.width, contrast.height);
   for (int x = 0; x < contrast.width; ++x) {
     float above = 0.0f;
@@ -48,7 +51,9 @@ Plane cost_of(const Plane& contrast) {
       // The slope of an edge is as wide as the rows compared: it does not count against itself.
       if (y >= kRows)
         above += kEdgesAbove / kRows * std::max(0.0f, std::abs(contrast.at(x, y - kRows)) - kSkylineEdge);
-      cost.at(x, y) = above - std::min(kEnough, contrast.at(x, y));
+      const float fall = contrast.at(x, y);
+      cost.at(x, y) =
+          above - (fall >= 0.0f ? std::min(kEnough, fall) : bright_ground * std::min(kEnough, -fall));
     }
   }
   return cost;
@@ -84,10 +89,22 @@ std::vector<int> cheapest_path(const Plane& cost) {
   return path;
 }
 
-/// Between columns that are farther apart than it pays to climb.
-int jumps_of(const std::vector<int>& path) {
+/// Between columns that are farther apart than it pays to climb, where no upright edge is seen between them:
+/// walls and trunks have one, a path that finds no ground leaps without.
+int jumps_of(const Plane& shown, const std::vector<int>& path) {
   int jumps = 0;
-  for (std::size_t x = 1; x < path.size(); ++x) jumps += kRow * std::abs(path[x] - path[x - 1]) > kJump;
+  for (int x = 1; x < shown.width; ++x) {
+    const int top = std::min(path[x - 1], path[x]), foot = std::max(path[x - 1], path[x]);
+    if (kRow * static_cast<float>(foot - top) <= kJump) continue;
+    int upright = 0, rows = 0;
+    for (int y = top; y < std::min(foot, shown.height); ++y, ++rows) {
+      // Two columns beside each other on either side: the edge itself is some columns wide.
+      const float left = shown.at(std::max(x - 2, 0), y),
+                  right = shown.at(std::min(x + 1, shown.width - 1), y);
+      upright += std::abs(left - right) >= kSeen * (left + right + 2.0f * kBlack);
+    }
+    jumps += 2 * upright < rows;
+  }
   return jumps;
 }
 
@@ -119,16 +136,50 @@ void climb(const Plane& shown, std::vector<int>& path) {
   }
 }
 
-/// The row within `reach` of y under which the picture falls most, of means of `reach` rows.
-double sharpest(const Plane& shown, int x, int y, int reach) {
+/// The row within `reach` of y under which the picture falls most (`sign` 1) or rises most (-1), of means of
+/// `reach` rows.
+double sharpest(const Plane& shown, int x, int y, int reach, float sign) {
   double most = -1.0;
   int best = std::clamp(y, 0, shown.height);
   for (int row = std::max(reach, y - reach); row <= std::min(shown.height - reach, y + reach); ++row) {
     double fall = 0.0;
-    for (int i = 0; i < reach; ++i) fall += shown.at(x, row - 1 - i) - shown.at(x, row + i);
+    for (int i = 0; i < reach; ++i) fall += sign * (shown.at(x, row - 1 - i) - shown.at(x, row + i));
     if (fall > most) most = fall, best = row;
   }
   return best;
+}
+
+/// Whether the picture is a fisheye's circle, whose rim is no skyline. A skyline may be an arc of some
+/// circle: of a fisheye's most of the rim is seen, and at least three of its four sides are in the picture.
+bool is_fisheye(const Photo& photo) {
+  constexpr double kMostOfARim = 0.6;
+  const std::optional<CircleFound> found = find_circle(photo);
+  if (!found || found->agreeing < kMostOfARim) return false;
+  const Circle& c = found->circle;
+  return (c.x_px - c.radius_px >= 0.0) + (c.x_px + c.radius_px <= photo.linear.width) +
+             (c.y_px - c.radius_px >= 0.0) + (c.y_px + c.radius_px <= photo.linear.height) >=
+         3;
+}
+
+struct Skyline {
+  std::vector<int> row;       ///< per column
+  std::vector<float> across;  ///< the contrast at it
+  double seen = 0.0;
+};
+
+/// The cheapest path, if it is that of a ground: seen in so many columns, and without leaps.
+std::optional<Skyline> skyline_of(const Plane& starless, const Plane& contrast, float bright_ground,
+                                  double seen_in) {
+  Skyline line;
+  line.row = cheapest_path(cost_of(contrast, bright_ground));
+  int seen = 0;
+  for (int x = 0; x < starless.width; ++x) {
+    line.across.push_back(contrast.at(x, line.row[x]));
+    seen += std::abs(line.across.back()) >= kSeen;
+  }
+  line.seen = static_cast<double>(seen) / starless.width;
+  if (line.seen < seen_in || jumps_of(starless, line.row) > kMostJumps) return std::nullopt;
+  return line;
 }
 
 }  // namespace
@@ -143,23 +194,22 @@ std::optional<HorizonFound> find_horizon(const Photo& photo) {
   cv::Mat to(small.height, small.width, CV_32F, starless.value.data());
   cv::medianBlur(from, to, 5);
   const Plane contrast = contrast_of(starless);
-  std::vector<int> path = cheapest_path(cost_of(contrast));
+  // A dark ground first: where there is one, a foreground of snow has an edge as well, below it.
+  std::optional<Skyline> line = skyline_of(starless, contrast, 0.0f, kSeenIn);
+  if (!line) line = skyline_of(starless, contrast, kBrightGround, kBrightSeenIn);
+  if (!line || is_fisheye(photo)) return std::nullopt;
 
   HorizonFound found;
   std::vector<float> contrasts;
-  int seen = 0;
-  for (int x = 0; x < small.width; ++x) {
-    contrasts.push_back(contrast.at(x, path[x]));
-    seen += contrasts.back() >= kSeen;
-  }
-  found.seen = static_cast<double>(seen) / small.width;
+  for (const float across : line->across) contrasts.push_back(std::abs(across));
+  found.seen = line->seen;
   found.contrast = median(contrasts);
-  if (found.seen < kSeenIn || jumps_of(path) > kMostJumps) return std::nullopt;
-  climb(small, path);
+  climb(small, line->row);
   const Plane full = shown_brightness(light);
   for (int x = 0; x < full.width; ++x) {
-    const int row = path[x / factor] * factor;
-    found.horizon.y_px.push_back(factor > 1 ? sharpest(full, x, row, factor) : row);
+    const int row = line->row[x / factor] * factor;
+    const float sign = line->across[x / factor] < 0.0f ? -1.0f : 1.0f;
+    found.horizon.y_px.push_back(factor > 1 ? sharpest(full, x, row, factor, sign) : row);
   }
   return found;
 }
