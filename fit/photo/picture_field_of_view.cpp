@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/photo/camera_bodies.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/constants.h"
 
@@ -20,6 +21,48 @@ bool is_cut(const sim::PictureMetadata& metadata) {
   return std::abs(shape(*metadata.width_px, *metadata.height_px) /
                       shape(*metadata.exif_width_px, *metadata.exif_height_px) -
                   1.0) > kTolerance;
+}
+
+/// Whether a sensor is likely to have the shape: 3:2 or 4:3, of which all bodies of that table are. A camera
+/// that was set to 16:9 or to a square cuts its pictures, by how much is not told.
+bool has_shape_of_a_sensor(double width, double height) {
+  constexpr double kTolerance = 0.02;  // rows and columns at the edges that the camera leaves out
+  const double s = shape(width, height);
+  return std::abs(s / 1.5 - 1.0) < kTolerance || std::abs(s * 0.75 - 1.0) < kTolerance;
+}
+
+/// By the sensor of the camera's body, where the picture names one that the table has.
+PictureFieldOfView view_by_body(const sim::PictureMetadata& metadata) {
+  PictureFieldOfView view;
+  view.why_not = "the picture does not say how wide its lens sees";
+  if (!metadata.focal_length_mm || !metadata.model) return view;
+  const std::string focal_words = "EXIF FocalLength " + sim::short_number(*metadata.focal_length_mm) + " mm";
+  const std::string folder = lensfun_folder();
+  if (folder.empty()) {
+    view.why_not =
+        "the picture has a focal length (" + focal_words +
+        ") but no sensor's size, and the table of cameras that may have it, Lensfun's (Debian's package "
+        "liblensfun-data-v1), is not installed";
+    return view;
+  }
+  const std::optional<CameraBody> body =
+      find_camera_body(folder, metadata.make.value_or(""), *metadata.model);
+  if (!body) {
+    view.why_not = "the picture has a focal length (" + focal_words +
+                   ") but no sensor's size, and Lensfun's table of cameras has no " + *metadata.model;
+    return view;
+  }
+  if (!has_shape_of_a_sensor(*metadata.width_px, *metadata.height_px)) {
+    view.why_not = "the picture has been cut, by the camera perhaps: its shape is neither 3:2 nor 4:3";
+    return view;
+  }
+  view.focal_px = focal_of_35mm_px(*metadata.focal_length_mm * body->crop_factor, *metadata.width_px,
+                                   *metadata.height_px);
+  view.hfov_deg = hfov_of_focal_deg(*view.focal_px, *metadata.width_px);
+  view.source = focal_words + " and the sensor of the " + body->model + ", crop factor " +
+                sim::short_number(body->crop_factor) + " by Lensfun's table";
+  view.why_not.clear();
+  return view;
 }
 
 }  // namespace
@@ -45,14 +88,13 @@ PictureFieldOfView picture_field_of_view(const sim::PictureMetadata& metadata) {
   const double width = *metadata.width_px, height = *metadata.height_px;
   const bool by_film = metadata.focal_length_35mm_mm.has_value();
   const bool by_sensor = metadata.focal_length_mm && metadata.focal_plane_px_per_mm && metadata.exif_width_px;
-  if (!by_film && !by_sensor) {
-    view.why_not = "the picture does not say how wide its lens sees";
-    return view;
-  }
+  const PictureFieldOfView by_body = by_film || by_sensor ? PictureFieldOfView() : view_by_body(metadata);
+  if (!by_film && !by_sensor && !by_body.focal_px) return by_body;
   if (is_cut(metadata)) {
     view.why_not = "the picture has been cut: it has another shape than the camera's had";
     return view;
   }
+  if (by_body.focal_px) return by_body;
   if (by_film) {
     const double equivalent_mm = *metadata.focal_length_35mm_mm;
     view.focal_px = focal_of_35mm_px(equivalent_mm, width, height);

@@ -1,10 +1,12 @@
 // How wide a picture sees, by what its file says of the lens.
 //
-// A pinhole's focal length in pixels, f, follows from one of two things. Of a focal length F35 that "gives
+// A pinhole's focal length in pixels, f, follows from one of three things. Of a focal length F35 that "gives
 // the same angle on 35 mm film": f = F35 D / 43.267 mm, D the picture's diagonal in pixels and 43.267 mm that
 // of the 36 mm x 24 mm frame; the diagonal is what the makers' guideline (CIPA DCG-001) compares, the
 // picture's width what some makers use instead, which is the same for pictures of 3:2 and differs by 4 % for
 // 4:3. Else of the lens's own focal length and the sensor's pixels per mm, scaled to the picture's width.
+// Else of the lens's own focal length F and the crop factor c of the camera's body (camera_bodies.h): F35 = F
+// c; that only of a picture of 3:2 or 4:3.
 //
 // Turning a picture changes neither f nor D: the field of view is across the upright picture's width, 2
 // atan(width / 2 f). A picture of another shape than EXIF says the camera's was has been cut: how much of the
