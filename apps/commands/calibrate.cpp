@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apps/commands/calibrate_blind.h"
+#include "apps/commands/calibrate_doubts.h"
 #include "apps/commands/calibrate_options.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
@@ -23,6 +24,7 @@
 #include "fit/photo/pointing/identification.h"
 #include "fit/photo/pointing/map_calibration.h"
 #include "fit/photo/pointing/scene_camera.h"
+#include "fit/photo/pointing/star_check.h"
 #include "fit/photo/pointing/star_finder.h"
 #include "fit/report/calibration_plots.h"
 #include "sim/base/error.h"
@@ -230,6 +232,7 @@ int run_calibrate(const CalibrateOptions& options) {
   std::vector<fit::StarSighting> stars;
   if (!options.stars.empty()) stars = table_of(options, sky);
   const fit::Frame frame = maps ? frame_of(options, photo, *maps) : frame_of(options, photo, stars);
+  if (!options.stars.empty() && frame.known) fit::check_star_places(stars, frame, options.stars);
   std::optional<fit::SkyCamera> start;
   if (camera_scene) start = fit::sky_camera_of(camera_scene->camera, frame);
   if (start && !options.centre_px.empty()) {
@@ -249,8 +252,10 @@ int run_calibrate(const CalibrateOptions& options) {
   const std::string from = maps                    ? options.maps.azimuth_map
                            : options.stars.empty() ? options.image
                                                    : options.stars;
-  const fit::Calibration calibration =
+  fit::Calibration calibration =
       maps ? fit::calibrate_maps(settings, maps->map, from) : fit::calibrate(settings, stars, frame, from);
+  add_doubts(calibration, options, camera_file, sky, photo,
+             photo && !maps ? where_to_look(options, *photo) : std::vector<char>());
   sim::Scene scene;
   scene.camera = fit::scene_camera_of(calibration);
   sim::validate(scene);

@@ -5,6 +5,7 @@
 
 #include "apps/options/photo_options.h"
 #include "apps/options/refusals.h"
+#include "apps/options/site_words.h"
 #include "fit/photo/photo_defaults.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/sky/instant.h"
@@ -78,11 +79,11 @@ void add_calibrate_options(const Command& command, CalibrateOptions& options) {
       "--image", options.image,
       "The picture the stars are in: its size, what to draw them on; and where it says so, and nothing "
       "else does, its time, site and focal length");
-  command.option("--time", options.time, "When the picture was taken, ISO 8601 in UTC").type_name("TIME");
-  command.option("--site", options.site, "Where: degrees north and east, metres above the sea")
-      .delimiter(',')
-      .expected(2, 3)
-      .type_name("LAT,LON[,HEIGHT]");
+  command
+      .option("--time", options.time,
+              "When the picture was taken, ISO 8601 in UTC or with a zone (2014-02-21T20:30:40+01:00)")
+      .type_name("TIME");
+  add_site_option(command, options.site);
   command.option("--camera", options.camera, "A rough camera, or an earlier one, to start from")
       .type_name("CAMERA.toml");
   command
@@ -178,15 +179,11 @@ fit::SkyOfPicture sky_of(const CalibrateOptions& options, const std::optional<si
     sky.julian_date = sim::julian_date(options.time);
     if (!sky.julian_date)
       throw usage_error("--time", "'" + options.time + "' is no time",
-                        "ISO 8601 in UTC such as 2014-02-21T19:30:40Z");
+                        "ISO 8601 such as 2014-02-21T19:30:40Z, or with a zone, 2014-02-21T20:30:40+01:00");
   }
   if (!options.site.empty()) {
-    sim::Observer observer{options.site[0], options.site[1], options.site.size() > 2 ? options.site[2] : 0.0,
-                           !options.vacuum};
-    if (!(observer.latitude_deg >= -90.0 && observer.latitude_deg <= 90.0) ||
-        !(observer.longitude_deg >= -180.0 && observer.longitude_deg <= 360.0))
-      throw usage_error("--site", "no such place", "latitude -90 to 90, longitude -180 to 360");
-    sky.observer = observer;
+    const SitePlace place = site_place(options.site);
+    sky.observer = sim::Observer{place.latitude_deg, place.longitude_deg, place.height_m, !options.vacuum};
   } else if (camera_scene && camera_scene->lines.count("site.latitude_deg") != 0 &&
              camera_scene->lines.count("site.longitude_deg") != 0) {
     sky.observer = sim::Observer{camera_scene->site.latitude_deg, camera_scene->site.longitude_deg,

@@ -21,8 +21,8 @@ struct CalibrateOptions {
   std::string residuals, json, plot, overlay, mask, decoding;
   std::string lens, terms, stars_out, date;
   MapOptions maps;
-  std::vector<std::string> free;
-  std::vector<double> site, centre_px, offset_px;
+  std::vector<std::string> free, site;
+  std::vector<double> centre_px, offset_px;
   std::vector<int> size_px;
   std::optional<double> first_pixel;
   double faintest = 4.0, least_elevation_deg = 5.0, twist_deg = 5.0, shift_px = 12.0, scale_percent = 0.0,

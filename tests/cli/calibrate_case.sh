@@ -20,6 +20,15 @@ grep -q '^time_utc = "2020-01-01T20:00:00Z"' camera.toml || fail "no time in cam
 awk '/^focal_px/ && ($3 < 14.999 || $3 > 15.001) { exit 1 }' camera.toml || fail "another scale"
 [[ $(wc -l <residuals.csv) -eq 13 ]] || fail "not a line for every star"
 grep -q '^<svg' residuals.svg || fail "no SVG"
+expect_stdout "note: stars alone cannot tell a wrong time or site"
+grep -q '^# stars alone cannot tell' camera.toml || fail "the doubt is not in camera.toml"
+# A time with a zone and a site with letters are the same time and site.
+expect_exit 0 calibrate stars.csv -o zone.toml --size 64,48 --site 65N,20E,100m --time 2020-01-01T21:00:00+01:00
+expect_same camera.toml zone.toml
+expect_exit 2 calibrate stars.csv -o no.toml --size 64,48 --site 65E,20E --time 2020-01-01T20:00:00Z
+expect_stderr "--site: '65E,20E' is no latitude and longitude"
+expect_exit 2 calibrate stars.csv -o no.toml --size 64,48 --site 65,20 --time 2020-01-01T20:00:00+1
+expect_stderr "or with a zone"
 # The same again gives the same bytes.
 expect_exit 0 calibrate stars.csv -o again.toml --size 64,48 --site 65,20,100 --time 2020-01-01T20:00:00Z
 expect_same camera.toml again.toml
@@ -54,6 +63,32 @@ expect_same camera.toml run/camera.toml
 stars_to 4 >mistaken.csv
 expect_exit 0 calibrate mistaken.csv -o mistaken.toml --size 64,48
 expect_stdout "left out: star 4 of line 6"
+# Of few stars none is left out for less than a pixel.
+awk -F, -v OFS=, 'NR == 5 { $4 += 0.6 } { print }' stars.csv >near.csv
+expect_exit 0 calibrate near.csv -o near.toml --size 64,48
+expect_stdout "over 12 of 12 stars"
+# A table of the picture before it was made smaller.
+awk -F, -v OFS=, 'NR > 1 { $4 *= 3.5; $5 *= 3.5 } { print }' stars.csv >large.csv
+expect_exit 3 calibrate large.csv -o no.toml --size 64,48
+expect_stderr "large.csv:"
+expect_stderr "outside of the picture of 64 x 48 px"
+expect_one_message
+expect_exit 0 calibrate large.csv -o large.toml --size 600,600
+expect_stdout "upper left quarter"
+# An all-sky camera, by the stars of a time two hours off.
+printf '[camera]\nmodel = "equidistant"\nwidth = 64\nheight = 48\nfocal_px = 15.0\nelevation_deg = 90.0\n' >zenith.toml
+awk -F, -v OFS=, 'BEGIN { pi = atan2(0, -1); d = pi / 180; l = 65 * d; h = 30 * d }
+  NR > 1 {
+    e = sin($3 * d) * sin($2 * d); n = sin($3 * d) * cos($2 * d); u = cos($3 * d)
+    p = n * cos(l) + u * sin(l); q = -n * sin(l) + u * cos(l)   # along the pole; away from it on the meridian
+    t = e * cos(h) + q * sin(h); q = q * cos(h) - e * sin(h); e = t
+    n = p * cos(l) - q * sin(l); u = p * sin(l) + q * cos(l)
+    $2 = atan2(e, n) / d; if ($2 < 0) $2 += 360; $3 = atan2(sqrt(e * e + n * n), u) / d
+    if ($3 > 90) next
+  } { print }' stars.csv >late.csv
+expect_exit 0 calibrate late.csv -o late.toml --size 64,48 --camera zenith.toml --site 65,20
+expect_stdout "--camera looks to the zenith, but by the stars its axis is"
+expect_stdout "a time 2 h 0 min later"
 # Only the turn, of a camera that is known.
 expect_exit 0 calibrate stars.csv -o turned.toml --size 64,48 --camera camera.toml --free rotation
 expect_stdout "over 12 of 12 stars"

@@ -104,7 +104,7 @@ void tell_errors(Calibration& calibration, const std::vector<LensNumber>& free) 
 }
 
 std::string number_text(const char* format, double a, double b = 0.0) {
-  char text[160];
+  char text[320];
   std::snprintf(text, sizeof text, format, a, b);
   return text;
 }
@@ -126,6 +126,13 @@ void tell_warnings(Calibration& calibration) {
                         90.0 - std::abs(calibration.pointing.elevation_deg), calibration.twist_sigma_deg);
       calibration.warnings.push_back(words);
     }
+  constexpr double kHeldByEach = 2.0;
+  if (calibration.evidence == CalibrationEvidence::stars &&
+      calibration.without_rms_px > kHeldByEach * calibration.rms_px && calibration.without_rms_px > 0.1)
+    calibration.warnings.push_back(number_text(
+        "the stars hardly hold this lens: they are %.2f px off, but each by a fit without it %.2f px; "
+        "add stars, or take a lens of fewer numbers (--lens, --terms, --hold-centre)",
+        calibration.rms_px, calibration.without_rms_px));
   const int left_out = static_cast<int>(calibration.stars.size()) - calibration.used();
   if (3 * left_out > static_cast<int>(calibration.stars.size()))
     calibration.warnings.push_back(

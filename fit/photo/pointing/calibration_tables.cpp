@@ -96,6 +96,7 @@ std::string calibration_json(const Calibration& calibration, const CalibrationOr
     Json row = {{"lens", lens_words(*candidate)}, {"numbers", candidate->free.size()}};
     if (candidate->objection.empty()) {
       row["rms_px"] = json_number(candidate->rms_px);
+      if (stars) row["rms_without_each_star_px"] = json_number(candidate->without_rms_px);
       row["bic"] = json_number(candidate->bic);
     } else {
       row["why_not"] = candidate->objection;
@@ -127,9 +128,10 @@ std::string candidates_text(const Calibration& calibration, int most) {
   for (const LensCandidate* candidate : order) {
     if (shown == most || !candidate->objection.empty()) break;
     const bool chosen = candidate == &calibration.candidates[calibration.chosen];
-    std::snprintf(line, sizeof line, "%c %-38s %2zu numbers  rms %7.3f px  BIC %+8.2f\n", chosen ? '*' : ' ',
-                  lens_words(*candidate).c_str(), candidate->free.size(), candidate->rms_px,
-                  candidate->bic - order.front()->bic);
+    std::snprintf(line, sizeof line,
+                  "%c %-38s %2zu numbers  rms %7.3f px, without each %7.3f px  BIC %+8.2f\n",
+                  chosen ? '*' : ' ', lens_words(*candidate).c_str(), candidate->free.size(),
+                  candidate->rms_px, candidate->without_rms_px, candidate->bic - order.front()->bic);
     text += line;
     ++shown;
   }

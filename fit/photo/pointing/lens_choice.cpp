@@ -1,5 +1,7 @@
 #include "fit/photo/pointing/lens_choice.h"
 
+#include <Eigen/LU>
+#include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -16,6 +18,7 @@ constexpr int kLensMostRounds = 6;
 constexpr double kMedianOfRayleigh = 1.1774100225154747;  // sqrt(2 ln 2)
 constexpr double kExact_px2 = 1e-18;  // of RSS / n: noise-free stars must not make an infinite criterion
 constexpr double kWorstCondition = 1e-7;
+constexpr const char* kBeaten = "a lens with fewer numbers foretells each star from the others better";
 
 double criterion(double sum_of_squares, int residuals, int numbers) {
   return residuals * std::log(std::max(sum_of_squares / residuals, kExact_px2)) +
@@ -40,13 +43,6 @@ std::string count_objection(int residuals, int numbers) {
   return "too few stars for " + std::to_string(numbers) + " numbers";
 }
 
-StarSet kept(const std::vector<Eigen::Vector2d>& left, double sigma_px) {
-  const double limit = std::max(kRejectionSigmas * sigma_px, kLeastRejection_px);
-  StarSet used;
-  for (const Eigen::Vector2d& one : left) used.push_back(one.norm() <= limit);
-  return used;
-}
-
 class Chooser {
  public:
   Chooser(const LensSettings& settings, const std::vector<StarSighting>& stars, const Frame& frame)
@@ -58,14 +54,14 @@ class Chooser {
     if (reference < 0) return choice_;
     const LensCandidate& best = choice_.candidates[reference];
     const std::vector<Eigen::Vector2d> left = residuals(best.fit.camera, stars_);
-    choice_.used = kept(left, robust_sigma_px(left, {}, static_cast<int>(best.free.size())));
+    choice_.used = stars_kept(left, robust_sigma_px(left, {}, static_cast<int>(best.free.size())));
     for (int round = 0; round < kLensMostRounds; ++round) {
       fit_plainly();
       if (choice_.chosen < 0) return choice_;
       const LensCandidate& chosen = choice_.candidates[choice_.chosen];
       const std::vector<Eigen::Vector2d> now = residuals(chosen.fit.camera, stars_);
       const StarSet next =
-          kept(now, robust_sigma_px(now, choice_.used, static_cast<int>(chosen.free.size())));
+          stars_kept(now, robust_sigma_px(now, choice_.used, static_cast<int>(chosen.free.size())));
       if (next == choice_.used) return choice_;
       choice_.used = next;
     }
@@ -197,9 +193,13 @@ class Chooser {
         continue;
       }
       candidate.rms_px = std::sqrt(candidate.fit.sum_of_squares / stars);
+      candidate.without_rms_px =
+          left_one_out_rms_px(candidate.fit.camera, candidate.free, stars_, choice_.used);
       candidate.bic = criterion(candidate.fit.sum_of_squares, n, k);
-      least = std::min(least, candidate.bic);
     }
+    object_to_foretelling();
+    for (const LensCandidate& candidate : choice_.candidates)
+      if (candidate.objection.empty()) least = std::min(least, candidate.bic);
     choice_.chosen = -1;
     for (std::size_t c = 0; c < choice_.candidates.size(); ++c) {
       const LensCandidate& candidate = choice_.candidates[c];
@@ -211,6 +211,22 @@ class Chooser {
       }
       choice_.chosen = static_cast<int>(c);
     }
+  }
+
+  /// To every lens than which one of fewer numbers foretells stars better.
+  void object_to_foretelling() {
+    constexpr double kExactly_px = 1e-9;  // below it all lenses are right, and rounding would decide
+    std::vector<std::string> objections;
+    for (const LensCandidate& one : choice_.candidates) {
+      const bool beaten =
+          one.objection.empty() &&
+          std::any_of(choice_.candidates.begin(), choice_.candidates.end(), [&](const LensCandidate& other) {
+            return other.objection.empty() && other.free.size() < one.free.size() &&
+                   one.without_rms_px > std::max(other.without_rms_px, kExactly_px);
+          });
+      objections.push_back(beaten ? kBeaten : one.objection);
+    }
+    for (std::size_t c = 0; c < objections.size(); ++c) choice_.candidates[c].objection = objections[c];
   }
 
   const LensSettings& settings_;
@@ -230,6 +246,47 @@ double robust_sigma_px(const std::vector<Eigen::Vector2d>& left, const StarSet& 
   std::nth_element(distances.begin(), distances.begin() + distances.size() / 2, distances.end());
   return distances[distances.size() / 2] / kMedianOfRayleigh *
          std::sqrt(static_cast<double>(n) / (n - free_numbers));
+}
+
+double left_one_out_rms_px(const SkyCamera& camera, const std::vector<LensNumber>& free,
+                           const std::vector<StarSighting>& stars, const StarSet& used) {
+  constexpr double kHeldAlone = 1e-6;  // of 1 - leverage: nothing else tells what this star tells
+  Eigen::MatrixXd jacobian = place_jacobian(camera, free, stars, used);
+  // An orthonormal basis of its columns has the same hat matrix, to all digits.
+  for (Eigen::Index j = 0; j < jacobian.cols(); ++j) jacobian.col(j).normalize();
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(jacobian);
+  const Eigen::MatrixXd basis =
+      qr.householderQ() * Eigen::MatrixXd::Identity(jacobian.rows(), jacobian.cols());
+  const std::vector<Eigen::Vector2d> left = residuals(camera, stars);
+  double sum = 0.0;
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i < stars.size(); ++i) {
+    if (!used.empty() && used[i] == 0) continue;
+    const Eigen::MatrixXd own = basis.middleRows(row, 2);
+    row += 2;
+    const Eigen::Matrix2d rest = Eigen::Matrix2d::Identity() - own * own.transpose();
+    if (!(rest.determinant() > kHeldAlone)) return std::numeric_limits<double>::infinity();
+    sum += (rest.inverse() * left[i]).squaredNorm();
+  }
+  return std::sqrt(sum / (0.5 * static_cast<double>(row)));
+}
+
+StarSet stars_kept(const std::vector<Eigen::Vector2d>& left, double sigma_px) {
+  const bool few = static_cast<int>(left.size()) < kManyStars;
+  const double limit = std::max(kRejectionSigmas * sigma_px, few ? kFewLeast_px : kLeastRejection_px);
+  std::vector<std::size_t> farthest;
+  for (std::size_t i = 0; i < left.size(); ++i)
+    if (!(left[i].norm() <= limit)) farthest.push_back(i);
+  std::stable_sort(farthest.begin(), farthest.end(),
+                   [&](std::size_t a, std::size_t b) { return left[a].norm() > left[b].norm(); });
+  // Of what the lens has no image no residual can be asked: it goes in any case.
+  const auto none = static_cast<std::size_t>(
+      std::count_if(left.begin(), left.end(), [](const Eigen::Vector2d& one) { return !one.allFinite(); }));
+  const auto most = std::max(none, static_cast<std::size_t>(kFewLeftOut * static_cast<double>(left.size())));
+  if (few && farthest.size() > most) farthest.resize(most);
+  StarSet used(left.size(), 1);
+  for (const std::size_t i : farthest) used[i] = 0;
+  return used;
 }
 
 LensChoice choose_lens(const LensSettings& settings, const std::vector<StarSighting>& stars,

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/base/error.h"
+#include "sim/base/file/number_text.h"
 
 namespace vegard::fit {
 namespace {
@@ -54,6 +55,33 @@ void check_stars(const std::vector<StarSighting>& stars, int free_numbers, const
   if (width[1] < kStarsNarrowest * width[2])
     sim::refuse_file(sim::ErrorKind::unreadable_input, name,
                      "all " + called + " stand on one line of the sky", called + " on both sides of it", "");
+}
+
+void check_star_places(const std::vector<StarSighting>& stars, const Frame& frame, const std::string& name) {
+  constexpr double kSlack_px = 1.0;  // of where the first pixel's centre is counted from
+  for (const StarSighting& star : stars) {
+    if (star.x_px >= -kSlack_px && star.x_px <= frame.width_px + kSlack_px && star.y_px >= -kSlack_px &&
+        star.y_px <= frame.height_px + kSlack_px)
+      continue;
+    sim::ErrorDetails details;
+    details.file = name;
+    details.line = star.line;
+    details.problem = "a star at (" + sim::short_number(star.x_px, 6) + ", " +
+                      sim::short_number(star.y_px, 6) + ") px, outside of the picture of " +
+                      std::to_string(frame.width_px) + " x " + std::to_string(frame.height_px) + " px";
+    details.expected = "the places of stars in this picture, at this size";
+    details.hint =
+        "is the table another picture's, or this one's before it was made smaller? --offset is for a "
+        "table of a crop";
+    throw sim::Error(sim::ErrorKind::unreadable_input, details);
+  }
+}
+
+bool only_in_first_quarter(const std::vector<StarSighting>& stars, const Frame& frame) {
+  constexpr std::size_t kEnoughStars = 6;
+  for (const StarSighting& star : stars)
+    if (2.0 * star.x_px > frame.width_px || 2.0 * star.y_px > frame.height_px) return false;
+  return stars.size() >= kEnoughStars;
 }
 
 }  // namespace vegard::fit

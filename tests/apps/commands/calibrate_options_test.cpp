@@ -41,7 +41,7 @@ TEST(CalibrateMetadata, TimeAndPlaceAreTakenWhereNothingIsGiven) {
 
 TEST(CalibrateMetadata, WhatIsGivenWins) {
   CalibrateOptions options;
-  options.site = {65.0, 20.0};
+  options.site = {"65.0", "20.0"};
   options.time = "2020-01-01T20:00:00Z";
   const PictureSays says = with_metadata(options, {}, phone());
   EXPECT_EQ(paths_taken(says), "");
