@@ -99,8 +99,9 @@ TEST(LeftOneOut, DecidesBesideBic) {
     const fit::Calibration found = fit::calibrate({}, star_field(truth, 9, 0.7, seed), kFrame, "stars");
     const fit::LensCandidate& chosen = found.candidates[found.chosen];
     for (const fit::LensCandidate& other : found.candidates)
-      if (other.objection.empty() && other.free.size() < chosen.free.size())
+      if (other.objection.empty() && other.free.size() < chosen.free.size()) {
         EXPECT_LE(chosen.without_rms_px, other.without_rms_px) << seed;
+      }
     const int bic = by_bic_alone(found);
     if (bic < 0 || bic == found.chosen) continue;
     ++differ;
