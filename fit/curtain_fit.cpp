@@ -148,7 +148,7 @@ class CurtainFit {
       fitted.parameters +=
           observations[o].full->coefficients() - observations[o].full->held_gains(point.of_photo[o]);
     }
-    if (is_overdetermined(fitted)) fitted.error_inflation = joint_inflation(cost, point, fitted.parameters);
+    if (is_overdetermined(fitted)) fitted.together = joint_inflation(cost, point, fitted.parameters).together;
     return model;
   }
 

@@ -177,10 +177,9 @@ class CurveFit {
     const double chi2 = point.of_photo.front().chi2;
     const int unknowns = static_cast<int>(free_.size()) + of_curve + full.coefficients();
     const int dof = std::max(1, full.residuals() - unknowns);
-    const double inflation = joint_inflation(cost, point, unknowns);
     if (chi2_there != nullptr) *chi2_there = chi2;
     if (dof_there != nullptr) *dof_there = dof;
-    return inflation * inflation / std::max(1.0, chi2 / dof);
+    return joint_inflation(cost, point, unknowns).together;
   }
 
   double of_priors(const std::vector<double>& values) const {

@@ -14,6 +14,7 @@
 #include "fit/answer/verdict.h"
 #include "fit/compare/observation.h"
 #include "fit/compare/profile_cost.h"
+#include "fit/measure/noise_model.h"
 #include "fit/parameters/free_parameters.h"
 #include "fit/parameters/prior_rows.h"
 #include "fit/search/journal.h"
@@ -146,6 +147,13 @@ void put_photos(const std::vector<Observation>& observations, const std::vector<
     }
     put_solution(full, point.of_photo[o], known, r.error_inflation, fitted);
     fitted.rms_over_peak = rms_over_peak(fitted);
+    fitted.model_error = found_model_error(
+        fitted.data, fitted.model, fitted.sigma,
+        std::hypot(observations[o].scene.fit.model_error, observations[o].sampling_error),
+        r.compared.values > 0 ? static_cast<double>(std::count_if(fitted.sigma.begin(), fitted.sigma.end(),
+                                                                  [](double s) { return s > 0.0; })) *
+                                    r.dof / r.compared.values
+                              : 0.0);
     r.rms_over_peak = std::max(r.rms_over_peak, fitted.rms_over_peak);
     if (!fitted.name.empty())
       r.best.fit.photos[o] = entry_of_best(r.best.fit.photos[o], fitted, free, r.parameters);
@@ -263,7 +271,9 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
   r.chi2 = chi2_of_priors(free, values);
   for (const Comparison::Point& p : point.of_photo) r.chi2 += p.chi2;
   r.dof = residuals + static_cast<int>(PriorRows(free).count()) - unknowns + held_gains(observations, point);
-  r.error_inflation = joint_inflation(cost, point, unknowns);
+  const Inflation inflation = joint_inflation(cost, point, unknowns);
+  r.error_inflation = inflation.factor();
+  r.residuals_together = inflation.together;
   r.statistics = compared_statistics(observations, point);
 
   r.compared = compared_values(observations, unknowns - held_gains(observations, point));

@@ -146,6 +146,9 @@ struct FittedPhoto {
   double chi2 = 0.0;           ///< its share
   double rms_over_peak = 0.0;  ///< rms residual over all rows, bands, channels / peak of its profile above
                                ///< the sky (rms_over_peak() in fit/answer/answer.h)
+  /// Unmodelled structure as the residuals have it (found_model_error()), the simulation's own sampling among
+  /// it: a share of the light above the sky. None if that cannot be told.
+  std::optional<double> model_error;
   std::string decoding;
 };
 
@@ -196,10 +199,11 @@ struct FitResult {
   /// Largest |cosine| between the residuals and a column of the Jacobian at the end (fit/search/steepest.h);
   /// NaN if it is not known.
   double steepest_cosine = std::numeric_limits<double>::quiet_NaN();
-  double rms_over_peak = 0.0;    ///< of the photograph that has the largest
-  double error_inflation = 1.0;  ///< factor on the error bars for correlated residuals and chi2 / dof above 1
-  std::string termination;       ///< in words, Ceres' own after ours
-  int evaluations = 0;           ///< of the residuals, search included
+  double rms_over_peak = 0.0;       ///< of the photograph that has the largest
+  double error_inflation = 1.0;     ///< factor on the error bars for the residuals' size and correlation
+  double residuals_together = 1.0;  ///< that go up and down as one (fit/compare/inflation.h)
+  std::string termination;          ///< in words, Ceres' own after ours
+  int evaluations = 0;              ///< of the residuals, search included
   int jacobian_evaluations = 0;
   std::uint64_t seed = 0;
 

@@ -21,9 +21,9 @@ std::string amount(double difference) { return sim::short_number(difference, dif
 
 Believed believed_by(const FittedModel& richest) {
   Believed b;
-  b.chi2_divisor = std::max(1.0, richest.error_inflation * richest.error_inflation);
   const double reduced = richest.chi2 / std::max(1, richest.values - richest.parameters);
-  b.together = std::max(1.0, b.chi2_divisor / std::max(1.0, reduced));
+  b.together = std::max(1.0, richest.together);
+  b.chi2_divisor = b.together * std::max(1.0, reduced);
   return b;
 }
 

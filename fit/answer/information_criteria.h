@@ -14,22 +14,21 @@ namespace vegard::fit {
 struct FittedModel {
   std::string name;  ///< as it stands in a sentence: "two sheets"
   double chi2 = 0.0;
-  int values = 0;                ///< that were compared
-  int parameters = 0;            ///< free and solved for
-  double error_inflation = 1.0;  ///< as in FitResult
+  int values = 0;         ///< that were compared
+  int parameters = 0;     ///< free and solved for
+  double together = 1.0;  ///< residuals that are worth one: FitResult::residuals_together
 };
 
 /// How far the values' errors are to be believed; one for all models that are compared.
 ///
-/// Residuals that hang together, or are larger than their sigma, make chi2 too large by the inflation
-/// squared. So chi2 is divided by it, as the quasi-likelihood criteria do by their variance inflation factor
-/// (K. P. Burnham and D. R. Anderson, "Model selection and multimodel inference", 2nd ed., Springer 2002,
-/// section 2.5; they too take it from the richest model). What remains of it beyond chi2 per degree of
-/// freedom is the number of values that go up and down together; the number of independent values is the
-/// number of values divided by that.
+/// Residuals that go together, or are larger than their sigma, make chi2 too large by the number that is
+/// worth one times chi2 per degree of freedom. So chi2 is divided by both, as the quasi-likelihood criteria
+/// do by their variance inflation factor (K. P. Burnham and D. R. Anderson, "Model selection and multimodel
+/// inference", 2nd ed., Springer 2002, section 2.5; they too take it from the richest model, and nothing
+/// below 1). The number of independent values is the number of values divided by those that are worth one.
 struct Believed {
-  double chi2_divisor = 1.0;  ///< the inflation squared
-  double together = 1.0;      ///< values that are worth one
+  double chi2_divisor = 1.0;
+  double together = 1.0;  ///< values that are worth one
 };
 Believed believed_by(const FittedModel& richest);
 

@@ -93,8 +93,7 @@ void ask_of_the_misfit(const Evidence& evidence, const FitResult& r, Checks& che
     checks.ask("rms residual", fmt::format("{:.1f} % of the profile's peak", percent),
                !(r.rms_over_peak > kMostRms),
                fmt::format("the rms residual is {:.1f} % of the profile's peak", percent));
-  const double together = r.error_inflation * r.error_inflation / std::max(1.0, reduced);
-  const double independent = r.dof / std::max(1.0, together);
+  const double independent = r.dof / std::max(1.0, r.residuals_together);
   const double unknowns =
       evidence.unknowns > 0.0 ? evidence.unknowns : static_cast<double>(r.parameters.size());
   checks.ask(
@@ -266,12 +265,11 @@ void judge(const Evidence& evidence, FitResult& result) {
         "parameter determined and inside its limits.",
         reduced, 100.0 * result.rms_over_peak);
   }
-  // Worth knowing, and nothing against the answer: error bars are not made smaller for it.
+  // Worth knowing, and nothing against the answer: error bars go by the residuals themselves.
   std::vector<std::string> notes = unusual_sheets(result.best);
   if (reduced < kLeastChi2)
     notes.push_back(fmt::format(
-        "chi2 per degree of freedom is {:.2g}: fit.model_error is larger than what the model misses, so chi2 "
-        "proves little",
+        "chi2 per degree of freedom is {:.2g}: fit.model_error is larger than what the model misses",
         reduced));
   reasons.insert(reasons.end(), notes.begin(), notes.end());
 }

@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "fit/compare/inflation.h"
-
 namespace vegard::fit {
 namespace {
 
@@ -114,12 +112,13 @@ Comparison::ProfilePart Comparison::profile_part(const Point& point) const {
   return part;
 }
 
-double Comparison::error_inflation(const Point& point, int dof) const {
-  if (!statistics_->looks_at_the_profile()) return std::sqrt(std::max(1.0, point.chi2 / std::max(1, dof)));
+Inflation Comparison::error_inflation(const Point& point, int dof) const {
+  const auto count = static_cast<double>(point.whitened.size());
+  if (!statistics_->looks_at_the_profile()) return {residual_scale(point.chi2, dof, count, 1.0), 1.0};
   const ProfilePart part = profile_part(point);
   if (part.used.size() == point.whitened.size())
     return fit::error_inflation(data(), part.used, part.residual, dof);
-  // The profile's, compared or not; so many degrees of freedom that their size does not matter.
+  // How many go together is the profile's to say, compared or not.
   std::vector<std::size_t> used;
   std::vector<double> residual;
   const std::vector<double> model = profile_model(point);
@@ -128,8 +127,8 @@ double Comparison::error_inflation(const Point& point, int dof) const {
     used.push_back(i);
     residual.push_back((data().mean[i] - model[i]) / sigma()[i]);
   }
-  const double together = fit::error_inflation(data(), used, residual, std::numeric_limits<int>::max());
-  return std::sqrt(std::max(1.0, point.chi2 / std::max(1, dof))) * together;
+  const double together = residuals_together(data(), used, residual);
+  return {residual_scale(point.chi2, dof, count, together), together};
 }
 
 std::vector<double> Comparison::profile_model(const Point& point) const {

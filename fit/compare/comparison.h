@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/compare/inflation.h"
 #include "fit/compare/linear_part.h"
 #include "fit/compare/statistics.h"
 #include "fit/measure/profile.h"
@@ -78,7 +79,7 @@ class Comparison {
   ProfilePart profile_part(const Point& point) const;
   /// fit::error_inflation() of a point: how residuals hang together is the profile's to say, compared or
   /// not, unless nothing has to do with its bins; how large they are, all statistics'.
-  double error_inflation(const Point& point, int dof) const;
+  Inflation error_inflation(const Point& point, int dof) const;
   /// Model of the profile in the data's units, at all values.
   std::vector<double> profile_model(const Point& point) const;
   /// Held gains among the coefficients().

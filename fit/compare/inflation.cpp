@@ -22,14 +22,10 @@ class Correlation {
 
 }  // namespace
 
-double error_inflation(const Profile& data, const std::vector<std::size_t>& used,
-                       const std::vector<double>& residual, int dof) {
+double residuals_together(const Profile& data, const std::vector<std::size_t>& used,
+                          const std::vector<double>& residual) {
   std::vector<double> at(data.mean.size(), std::numeric_limits<double>::quiet_NaN());
-  double chi2 = 0.0;
-  for (std::size_t k = 0; k < used.size(); ++k) {
-    at[used[k]] = residual[k];
-    chi2 += residual[k] * residual[k];
-  }
+  for (std::size_t k = 0; k < used.size(); ++k) at[used[k]] = residual[k];
   const auto correlation = [&](int d_band, int d_row, int d_channel) {
     Correlation c;
     for (int b = 0; b + d_band < data.bands; ++b)
@@ -43,14 +39,34 @@ double error_inflation(const Profile& data, const std::vector<std::size_t>& used
   };
   // The largest partial sum: residuals that swing about zero at once and yet drift slowly are not
   // independent.
-  double sum = 1.0, together = 1.0;
-  for (int lag = 1; lag < data.rows / 4; ++lag) {
-    sum += 2.0 * correlation(0, lag, 0);
-    together = std::max(together, sum);
-  }
-  together *= 1.0 + 2.0 * std::max(0.0, correlation(0, 0, 1));
-  together *= 1.0 + 2.0 * std::max(0.0, correlation(1, 0, 0));
-  return std::sqrt(std::max(1.0, chi2 / std::max(1, dof)) * together);
+  const auto largest_sum = [](int lags, const auto& at_lag) {
+    double sum = 1.0, largest = 1.0;
+    for (int lag = 1; lag < lags; ++lag) {
+      sum += 2.0 * at_lag(lag);
+      largest = std::max(largest, sum);
+    }
+    return largest;
+  };
+  return largest_sum(data.rows / 4, [&](int lag) { return correlation(0, lag, 0); }) *
+         largest_sum(std::max(2, data.bands / 4), [&](int lag) { return correlation(lag, 0, 0); }) *
+         (1.0 + 2.0 * std::max(0.0, correlation(0, 0, 1)));
+}
+
+double residual_scale(double chi2, int dof, double residuals, double together) {
+  constexpr double kLeastScale = 0.01;
+  const double of_data =
+      chi2 / std::max(1, dof) * (1.0 + std::sqrt(2.0 * together / std::max(1.0, residuals)));
+  return std::max(kLeastScale, of_data);
+}
+
+double Inflation::factor() const { return std::sqrt(scale * together); }
+
+Inflation error_inflation(const Profile& data, const std::vector<std::size_t>& used,
+                          const std::vector<double>& residual, int dof) {
+  double chi2 = 0.0;
+  for (const double r : residual) chi2 += r * r;
+  const double together = residuals_together(data, used, residual);
+  return {residual_scale(chi2, dof, static_cast<double>(used.size()), together), together};
 }
 
 }  // namespace vegard::fit

@@ -1,4 +1,4 @@
-// How much wider the error bars of correlated residuals must be.
+// How large residuals are and how many of them go together: what error bars must be multiplied by.
 #pragma once
 
 #include <cstddef>
@@ -8,11 +8,27 @@
 
 namespace vegard::fit {
 
-/// How much wider error bars must be than independent, right-sized residuals would have them: the square root
-/// of max(1, chi2 / dof) times the number of residuals that go up and down together. That number is taken
-/// from the residuals' autocorrelation down the rows (the largest partial sum, to a quarter of the rows)
-/// times that across channels and to the neighbouring band.
-double error_inflation(const Profile& data, const std::vector<std::size_t>& used,
-                       const std::vector<double>& residual, int dof);
+/// How many residuals go up and down together: the largest partial sum of their autocorrelation down the rows
+/// (to a quarter of the rows), times that across the bands (to a quarter of the bands, at least the
+/// neighbouring one), times that across channels. At least 1.
+double residuals_together(const Profile& data, const std::vector<std::size_t>& used,
+                          const std::vector<double>& residual);
+
+/// chi2 / dof of `residuals` values of which so many go together, with one standard error of it added, for
+/// it is a mean over residuals / together independent squares: sqrt(2 together / residuals) of itself. Below
+/// 1 where sigma, of which the model error is a judgement, is more than what was missed; not below 0.01, for
+/// a made picture may be met to its rounding.
+double residual_scale(double chi2, int dof, double residuals, double together);
+
+/// How much wider error bars must be than independent residuals of size 1 would have them.
+struct Inflation {
+  double scale = 1.0;     ///< residual_scale(): of the residuals' squares
+  double together = 1.0;  ///< residuals_together()
+  /// Of error bars: the square root of both. Below 1 where sigma was taken too large.
+  double factor() const;
+};
+
+Inflation error_inflation(const Profile& data, const std::vector<std::size_t>& used,
+                          const std::vector<double>& residual, int dof);
 
 }  // namespace vegard::fit

@@ -151,15 +151,17 @@ bool ProfileCost::Evaluate(double const* const* parameters, double* residuals, d
   return true;
 }
 
-double joint_inflation(const ProfileCost& cost, const ProfileCost::Point& point, int unknowns) {
-  double sum = 0.0;
+Inflation joint_inflation(const ProfileCost& cost, const ProfileCost::Point& point, int unknowns) {
+  double squares = 0.0, together = 0.0;
   for (std::size_t t = 0; t < cost.terms().size(); ++t) {
     const Comparison& of = *cost.terms()[t].comparison;
     const double share = static_cast<double>(of.residuals()) / cost.data_residuals();
     const int dof = of.residuals() - static_cast<int>(std::lround(share * unknowns));
-    sum += share * std::pow(of.error_inflation(point.of_photo[t], dof), 2);
+    const Inflation own = of.error_inflation(point.of_photo[t], dof);
+    squares += share * own.scale * own.together;
+    together += share * own.together;
   }
-  return std::sqrt(sum);
+  return {squares / together, together};
 }
 
 }  // namespace vegard::fit

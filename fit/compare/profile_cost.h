@@ -104,8 +104,8 @@ class ProfileCost : public ceres::CostFunction {
   PriorRows priors_;
 };
 
-/// Mean square of the photographs' own error_inflation() (fit/compare/inflation.h), by their number of
-/// residuals. `unknowns` are all that were found from the data.
-double joint_inflation(const ProfileCost& cost, const ProfileCost::Point& point, int unknowns);
+/// That of all photographs: the means of their own factors' squares and of their residuals that go together,
+/// by their number of residuals. `unknowns` are all that were found from the data.
+Inflation joint_inflation(const ProfileCost& cost, const ProfileCost::Point& point, int unknowns);
 
 }  // namespace vegard::fit

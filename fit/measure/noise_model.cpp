@@ -7,6 +7,9 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kSkyPercentile = 0.05;
+constexpr double kPeakShare = 0.1;
+constexpr int kHalvings = 40;
+constexpr double kLeastShare = 1e-12;  // of a variance: rounding
 
 template <class Body>
 void for_values(const Profile& p, const Body& body) {
@@ -42,6 +45,10 @@ double profile_peak(const Profile& profile) {
   return std::max({peaks[0], peaks[1], peaks[2]});
 }
 
+std::vector<double> profile_sigma(const Profile& profile, double model_error) {
+  return profile_sigma(profile, model_error, kPeakShare);
+}
+
 std::vector<double> profile_sigma(const Profile& profile, double model_error, double peak_share) {
   const std::array<double, 3> sky = sky_level(profile);
   const std::array<double, 3> peak = channel_peaks(profile, sky);
@@ -53,6 +60,33 @@ std::vector<double> profile_sigma(const Profile& profile, double model_error, do
     sigma[i] = std::sqrt(own * own + local * local + floor * floor);
   });
   return sigma;
+}
+
+std::optional<double> found_model_error(const Profile& data, const std::vector<double>& model,
+                                        const std::vector<double>& sigma, double model_error,
+                                        double expected) {
+  Profile noiseless = data;
+  std::fill(noiseless.standard_error.begin(), noiseless.standard_error.end(), 0.0);
+  const std::vector<double> of_whole_light = profile_sigma(noiseless, 1.0);
+  const auto sum_of_squares = [&](double share) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < sigma.size(); ++i) {
+      if (sigma[i] <= 0.0) continue;
+      const double light = of_whole_light[i] * of_whole_light[i];
+      const double noise = std::max(0.0, sigma[i] * sigma[i] - model_error * model_error * light);
+      const double residual = data.mean[i] - model[i];
+      sum += residual * residual / std::max(noise + share * share * light, kLeastShare * sigma[i] * sigma[i]);
+    }
+    return sum;
+  };
+  if (sum_of_squares(0.0) <= expected) return 0.0;
+  if (sum_of_squares(1.0) > expected) return {};
+  double below = 0.0, above = 1.0;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (below + above);
+    (sum_of_squares(middle) > expected ? below : above) = middle;
+  }
+  return above;
 }
 
 }  // namespace vegard::fit

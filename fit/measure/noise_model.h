@@ -1,6 +1,7 @@
 // How far a profile value may lie from a model that is right.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "fit/measure/profile.h"
@@ -19,6 +20,16 @@ double profile_peak(const Profile& profile);
 /// `model_error` times the local brightness above the sky, for structure that the model does not have (rays,
 /// uneven arcs); `peak_share` times that fraction of the channel's peak, for the same at places where the
 /// profile is steep and dark.
-std::vector<double> profile_sigma(const Profile& profile, double model_error, double peak_share = 0.1);
+std::vector<double> profile_sigma(const Profile& profile, double model_error, double peak_share);
+/// With a peak share of 0.1.
+std::vector<double> profile_sigma(const Profile& profile, double model_error);
+
+/// What unmodelled structure is by the data themselves: the share of the light that, in the place of the
+/// `model_error` that `sigma` was made with (and profile_sigma()'s own peak share), makes the squares of
+/// (data - model) / sigma sum up to `expected`, the degrees of freedom of these values. 0 where noise alone
+/// makes as much; none where no share up to 1 is enough. All are indexed as in Profile.
+std::optional<double> found_model_error(const Profile& data, const std::vector<double>& model,
+                                        const std::vector<double>& sigma, double model_error,
+                                        double expected);
 
 }  // namespace vegard::fit

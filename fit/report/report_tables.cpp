@@ -225,8 +225,15 @@ std::string statistics_table(const FitResult& result) {
       "peak above the sky.");
   html +=
       row("Error inflation", "\u00d7&#160;" + sim::html_text(sim::short_number(result.error_inflation, 3)),
-          "The error bars were widened by this factor, because residuals in neighbouring rows are alike and "
-          "because \u03c7\u00b2 asks for it.");
+          "Error bars are those of independent residuals with the errors assumed, times this: residuals in "
+          "neighbouring rows and bands are alike, and as large as \u03c7\u00b2 says.");
+  for (const FittedPhoto& photo : result.photos)
+    if (photo.model_error)
+      html += row("Model error" + (photo.name.empty() ? "" : " of " + sim::html_text(photo.name)),
+                  percent(*photo.model_error),
+                  "The share of the light above the sky that the model misses, by the residuals themselves; "
+                  "fit.model_error was taken as " +
+                      percent(photo.best.fit.model_error) + ".");
   html += row(
       "Evaluations", fmt::format("{} ({})", result.evaluations, result.jacobian_evaluations),
       "How often the search computed the model; in brackets, how many of these times with its derivatives.");

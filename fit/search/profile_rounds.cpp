@@ -58,7 +58,7 @@ bool another_round(const sim::Scene& scene, const std::vector<FreeNumber>& free,
   const bool any_profiles = settled.prior.any();
   const ProfileCost before(free, terms, log, {{}, {}, settled.prior, settled.inflation, {}});
   const ProfileCost::Point point = before.at(settled.descent.values, any_profiles);
-  const double inflation = joint_inflation(before, point, unknowns);
+  const double inflation = joint_inflation(before, point, unknowns).factor();
   SplinePrior prior = settled.prior;
   if (any_profiles) {
     std::vector<double> jacobian, prior_jacobian, ignored;

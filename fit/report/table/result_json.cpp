@@ -58,6 +58,7 @@ Json photos_of(const FitResult& result) {
     json.push_back({{"name", photo.name},
                     {"chi2", number(photo.chi2)},
                     {"rms_over_peak", number(photo.rms_over_peak)},
+                    {"model_error", number(photo.model_error)},
                     {"solved", solved_numbers(photo)},
                     {"decoding", photo.decoding}});
   return json;
@@ -237,7 +238,9 @@ std::string result_json(const FitResult& result) {
                                   {"residuals", s.residuals},
                                   {"chi2", number(s.chi2)}});
   json["rms_over_peak"] = number(result.rms_over_peak);
+  if (!several && !result.photos.empty()) json["model_error"] = number(result.photos.front().model_error);
   json["error_inflation"] = number(result.error_inflation);
+  json["residuals_together"] = number(result.residuals_together);
   json["termination"] = result.termination;
   json["evaluations"] = result.evaluations;
   json["jacobian_evaluations"] = result.jacobian_evaluations;

@@ -17,7 +17,7 @@ FittedModel model_of(const RunSummary& run) {
   model.chi2 = run.chi2;
   model.values = run.values;
   model.parameters = run.unknowns;
-  model.error_inflation = run.error_inflation;
+  model.together = run.residuals_together;
   return model;
 }
 

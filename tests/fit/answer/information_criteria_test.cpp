@@ -16,10 +16,10 @@ TEST(InformationCriteria, AreTheirDefinitions) {
   EXPECT_TRUE(std::isinf(information_criteria({"x", 90.0, 5, 4, 1.0}, Believed{}).aicc));
 }
 
-// Every value written down m times over: chi2 and the values are m-fold, and the inflation, √m, says so. The
+// Every value written down m times over: chi2 and the values are m-fold, and m of them go together. The
 // criteria do not change.
 TEST(InformationCriteria, AreNotMovedByValuesToldTwice) {
-  const FittedModel once{"x", 96.0, 100, 4, 1.0}, often{"x", 96.0 * 9, 900, 4, 3.0};
+  const FittedModel once{"x", 96.0, 100, 4, 1.0}, often{"x", 96.0 * 9, 900, 4, 9.0};
   const InformationCriteria a = information_criteria(once, believed_by(once));
   const InformationCriteria b = information_criteria(often, believed_by(often));
   EXPECT_NEAR(b.values, a.values, 1e-9);
@@ -27,9 +27,9 @@ TEST(InformationCriteria, AreNotMovedByValuesToldTwice) {
   EXPECT_NEAR(b.aicc, a.aicc, 1e-9);
 }
 
-// Errors too small by a factor of two: chi2 four times too large, an inflation of 2, and no values together.
+// Errors too small by a factor of two: chi2 four times too large, and no values together.
 TEST(InformationCriteria, DoNotTakeSmallErrorsForFewValues) {
-  const FittedModel model{"x", 4.0 * 96.0, 100, 4, 2.0};
+  const FittedModel model{"x", 4.0 * 96.0, 100, 4, 1.0};
   const Believed b = believed_by(model);
   EXPECT_DOUBLE_EQ(b.chi2_divisor, 4.0);
   EXPECT_DOUBLE_EQ(b.together, 1.0);

@@ -11,7 +11,7 @@ FitResult fine() {
   r.chi2 = 1000.0;
   r.dof = 1000;
   r.rms_over_peak = 0.01;
-  r.error_inflation = 2.0;
+  r.residuals_together = 4.0;
   FittedParameter p;
   p.path = "sheet.main.energy_kev";
   p.sigma = 0.1;
@@ -36,13 +36,13 @@ TEST(Judge, BelievesWhatNothingSpeaksAgainst) {
   EXPECT_TRUE(r.reasons.empty());
 }
 
-TEST(Judge, NotesAChi2ThatProvesLittle) {
+TEST(Judge, NotesAModelErrorThatIsTooLarge) {
   FitResult r = fine();
   r.chi2 = 290.0;
   judge(clear(), r);
   EXPECT_EQ(r.verdict, Verdict::good);
   ASSERT_EQ(r.reasons.size(), 1u);
-  EXPECT_NE(r.reasons[0].find("proves little"), std::string::npos);
+  EXPECT_NE(r.reasons[0].find("larger than what the model misses"), std::string::npos);
 }
 
 TEST(Judge, DoubtsForEachReasonByItself) {
@@ -60,7 +60,7 @@ TEST(Judge, DoubtsForEachReasonByItself) {
   r.rms_over_peak = 0.11;
   doubts(clear(), r, "rms residual");
   r = fine();
-  r.error_inflation = 10.1;  // 102 residuals to one independent value: fewer than ten are left
+  r.residuals_together = 102.0;  // to one independent value: fewer than ten are left
   doubts(clear(), r, "patterns");
   r = fine();
   r.parameters[0].at_limit = true;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "fit/compare/observation.h"
 #include "fit/compare/profile_cost.h"
@@ -45,44 +46,75 @@ struct Fitting {
   }
   double inflation(const std::vector<std::size_t>& which, int unknowns) {
     const ProfileCost some = cost(which);
-    return joint_inflation(some, some.at({free[0].start}, false), unknowns);
+    return joint_inflation(some, some.at({free[0].start}, false), unknowns).factor();
   }
 };
 
-/// The inflation of residuals of size 1 in 3 bands of 40 rows, of which there are as many as degrees of
-/// freedom.
-double inflation_of(double (*residual)(int band, int row, int channel)) {
+/// Residuals in so many bands of 40 rows.
+struct SomeResiduals {
   Profile data;
-  data.bands = 3;
-  data.rows = 40;
-  data.mean.assign(static_cast<std::size_t>(data.bands) * data.rows * 3, 1.0);
   std::vector<std::size_t> used;
   std::vector<double> residuals;
-  for (int band = 0; band < data.bands; ++band)
-    for (int row = 0; row < data.rows; ++row)
-      for (int channel = 0; channel < 3; ++channel) {
-        used.push_back(data.index(band, row, channel));
-        residuals.push_back(residual(band, row, channel));
-      }
-  return error_inflation(data, used, residuals, static_cast<int>(used.size()));
-}
+
+  SomeResiduals(double (*residual)(int band, int row, int channel), int bands = 3) {
+    data.bands = bands;
+    data.rows = 40;
+    data.mean.assign(static_cast<std::size_t>(data.bands) * data.rows * 3, 1.0);
+    for (int band = 0; band < data.bands; ++band)
+      for (int row = 0; row < data.rows; ++row)
+        for (int channel = 0; channel < 3; ++channel) {
+          used.push_back(data.index(band, row, channel));
+          residuals.push_back(residual(band, row, channel));
+        }
+  }
+  double together() const { return residuals_together(data, used, residuals); }
+};
 
 // Of residuals that are all alike every correlation is 1: down the rows to either side, as far as a quarter
 // of them (lags 1 to 9), across the channels, and in the bands on either side.
-TEST(ErrorInflation, OfResidualsThatAllGoTogetherCountsThemAll) {
-  EXPECT_NEAR(inflation_of([](int, int, int) { return 1.0; }), std::sqrt((1.0 + 2.0 * 9.0) * 3.0 * 3.0),
+TEST(ResidualsTogether, OfResidualsThatAllGoTogetherCountsThemAll) {
+  EXPECT_NEAR(SomeResiduals([](int, int, int) { return 1.0; }).together(), (1.0 + 2.0 * 9.0) * 3.0 * 3.0,
               1e-12);
+  // Of twelve bands a quarter: lags 1 and 2.
+  EXPECT_NEAR(SomeResiduals([](int, int, int) { return 1.0; }, 12).together(),
+              (1.0 + 2.0 * 9.0) * (1.0 + 2.0 * 2.0) * 3.0, 1e-12);
   // Neighbouring rows against each other are no fewer than independent ones; nor are channels and bands.
-  EXPECT_NEAR(inflation_of([](int, int row, int) { return row % 2 == 0 ? 1.0 : -1.0; }), 3.0, 1e-12);
-  EXPECT_NEAR(
-      inflation_of([](int band, int row, int channel) { return (band + row + channel) % 2 ? 1.0 : -1.0; }),
-      1.0, 1e-12);
+  EXPECT_NEAR(SomeResiduals([](int, int row, int) { return row % 2 == 0 ? 1.0 : -1.0; }).together(), 9.0,
+              1e-12);
+  EXPECT_NEAR(SomeResiduals([](int band, int row, int channel) {
+                return (band + row + channel) % 2 ? 1.0 : -1.0;
+              }).together(),
+              1.0, 1e-12);
+}
+
+// The mean of so many independent squares has a relative variance of 2 over their number.
+TEST(ResidualScale, IsChi2PerDegreeOfFreedomAndItsStandardError) {
+  EXPECT_NEAR(residual_scale(3600.0, 900, 1000.0, 1.0), 4.0 * (1.0 + std::sqrt(2.0 / 1000.0)), 1e-12);
+  EXPECT_NEAR(residual_scale(90.0, 900, 1000.0, 20.0), 0.1 * (1.0 + std::sqrt(2.0 / 50.0)), 1e-12)
+      << "sigma was taken too large";
+  EXPECT_DOUBLE_EQ(residual_scale(0.0, 900, 1000.0, 1.0), 0.01);
+}
+
+// Error bars do not depend on what sigma was taken for.
+TEST(ErrorInflation, TimesSigmaIsTheSameForAnySigma) {
+  SomeResiduals some(
+      [](int band, int row, int channel) { return std::sin(1.7 * band + 0.6 * row) + channel; });
+  const int dof = static_cast<int>(some.used.size()) - 12;
+  const double whole = error_inflation(some.data, some.used, some.residuals, dof).factor();
+  EXPECT_NEAR(whole,
+              std::sqrt(some.together() *
+                        residual_scale(std::inner_product(some.residuals.begin(), some.residuals.end(),
+                                                          some.residuals.begin(), 0.0),
+                                       dof, 360.0, some.together())),
+              1e-12);
+  for (double& r : some.residuals) r *= 0.25;
+  EXPECT_NEAR(error_inflation(some.data, some.used, some.residuals, dof).factor(), 0.25 * whole, 1e-12);
 }
 
 TEST(JointInflation, OfOnePhotographIsItsOwn) {
   Fitting fit;
   Comparison& full = *fit.observations[0].full;
-  const double own = full.error_inflation(full.at(fit.scene), full.residuals() - 9);
+  const double own = full.error_inflation(full.at(fit.scene), full.residuals() - 9).factor();
   EXPECT_GT(own, 1.5) << "the photograph is of another scene";
   EXPECT_DOUBLE_EQ(fit.inflation({0}, 9), own);
 }

@@ -44,6 +44,21 @@ TEST(NoiseModel, AddsItsThreePartsInQuadrature) {
   EXPECT_NEAR(profile_sigma(profile, 0.0)[0], 0.003, 1e-12);
 }
 
+// Residuals of exactly the size that noise and a model error of 0.7 % have together, where 2 % were assumed.
+TEST(NoiseModel, FindsTheModelErrorThatResidualsHave) {
+  const Profile profile = triangle();
+  const std::vector<double> assumed = profile_sigma(profile, 0.02), real = profile_sigma(profile, 0.007);
+  std::vector<double> model = profile.mean;
+  for (std::size_t i = 0; i < model.size(); ++i) model[i] += i % 2 == 0 ? real[i] : -real[i];
+  const double values = static_cast<double>(model.size());
+  EXPECT_NEAR(found_model_error(profile, model, assumed, 0.02, values).value(), 0.007, 1e-9);
+  EXPECT_GT(found_model_error(profile, model, assumed, 0.02, 0.9 * values).value(), 0.007)
+      << "numbers that were fitted make residuals smaller";
+  EXPECT_EQ(found_model_error(profile, profile.mean, assumed, 0.02, values), 0.0) << "less than the noise";
+  for (double& value : model) value = 1e3;
+  EXPECT_FALSE(found_model_error(profile, model, assumed, 0.02, values));
+}
+
 TEST(NoiseModel, LeavesOutWhatHasNoPixels) {
   Profile profile = triangle();
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -148,13 +148,14 @@ TEST(ErrorInflation, CountsResidualsThatGoTogether) {
       }
   const int n = static_cast<int>(used.size());
   // White residuals: the largest partial sum of 250 noisy correlations stays near 1 (each has a standard
-  // error of 1 / sqrt(12000); the sum of 250 doubled ones, 0.29).
-  EXPECT_LT(error_inflation(p, used, white, n), std::sqrt(1.0 + 3 * 0.29) * 1.05);
+  // error of 1 / sqrt(12000); the sum of 250 doubled ones, 0.29). The standard error of their size adds 0.6
+  // %.
+  EXPECT_LT(error_inflation(p, used, white, n).factor(), std::sqrt(1.0 + 3 * 0.29) * 1.05);
   // Blocks of ten rows, all channels alike: 10 rows (by the autocorrelation's triangle) times 3 channels go
   // together. The largest of noisy partial sums leans high, by up to 25 blocks' worth of correlations with a
   // standard error of 1 / sqrt(400) each: 2 * 10 * sqrt(25 / 400) = 5 on 10, so two of those are allowed for
   // above and none below.
-  const double inflation = error_inflation(p, used, blocks, n);
+  const double inflation = error_inflation(p, used, blocks, n).factor();
   EXPECT_GT(inflation, 0.95 * std::sqrt(30.0));
   EXPECT_LT(inflation, std::sqrt(2.0 * 30.0));
 }

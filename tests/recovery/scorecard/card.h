@@ -20,6 +20,8 @@ struct SheetRow {
   double wavelength_true_km = kNone, wavelength_km = kNone;
   double waves_in_view = kNone;
   double width_true_km = kNone, width_km = kNone;
+  double border_true_km = kNone, border_km = kNone;        ///< altitude of the lower border
+  std::string energy_trust, distance_trust, border_trust;  ///< trust_name() of what was derived
 };
 
 struct Row {
@@ -77,6 +79,11 @@ void each_column(AnyRow& row, const See& see) {
     see(of + "waves_in_view", sheet.waves_in_view);
     see(of + "width_true_km", sheet.width_true_km);
     see(of + "width_km", sheet.width_km);
+    see(of + "border_true_km", sheet.border_true_km);
+    see(of + "border_km", sheet.border_km);
+    see(of + "energy_trust", sheet.energy_trust);
+    see(of + "distance_trust", sheet.distance_trust);
+    see(of + "border_trust", sheet.border_trust);
   }
   see("reasons", row.reasons);
 }

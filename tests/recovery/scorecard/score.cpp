@@ -8,6 +8,7 @@
 #include "fit/parameters/free_parameters.h"
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/beam.h"
+#include "sim/light/line_light.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::scorecard {
@@ -39,10 +40,48 @@ double z_of_parameter(const sim::Scene& start, const fit::FitResult& result, con
   return kNone;
 }
 
-double z_of_distance(const fit::FitResult& result, const std::string& sheet, double truth_km) {
+/// The first derived number whose name begins so, of a sheet; null if there is none.
+const fit::DerivedNumber* derived_of(const fit::FitResult& result, const std::string& beginning,
+                                     const std::string& sheet) {
+  const std::string end = " of the " + sheet + " sheet";
   for (const fit::DerivedNumber& d : result.derived)
-    if (d.name == "distance of the " + sheet + " sheet" && d.sigma) return (d.value - truth_km) / *d.sigma;
-  return kNone;
+    if (d.name.rfind(beginning, 0) == 0 && d.name.size() >= end.size() &&
+        d.name.compare(d.name.size() - end.size(), end.size(), end) == 0)
+      return &d;
+  return nullptr;
+}
+
+double z_of_distance(const fit::FitResult& result, const std::string& sheet, double truth_km) {
+  const fit::DerivedNumber* d = derived_of(result, "distance", sheet);
+  return d != nullptr && d->sigma ? (d->value - truth_km) / *d->sigma : kNone;
+}
+
+std::string trust_in(const fit::FitResult& result, const std::string& beginning, const std::string& sheet) {
+  const fit::DerivedNumber* d = derived_of(result, beginning, sheet);
+  return d != nullptr ? fit::trust_name(d->trust) : "";
+}
+
+/// ln(found / truth) / sigma of the flux of one sheet over the other's. Both may be free, and are correlated.
+double z_of_ratio(const sim::Scene& start, const fit::FitResult& result, bool swapped, double truth) {
+  const std::size_t n = result.parameters.size();
+  std::vector<double> sigma(n, 0.0);  // of the logarithm of what is upstairs, negative of what is downstairs
+  double found = 0.0, variance = 0.0;
+  bool any = false;
+  for (std::size_t s = 0; s < 2; ++s) {
+    const double sign = (s == 1) != swapped ? 1.0 : -1.0;
+    found += sign * std::log(result.best.sheets[s].energy_flux_mw_m2);
+    for (std::size_t j = 0; j < n; ++j) {
+      const fit::FittedParameter& p = result.parameters[j];
+      if (p.path != "sheet." + start.sheets[s].name + ".energy_flux_mw_m2") continue;
+      if (!p.interval68) return kNone;
+      sigma[j] = 0.5 * sign * std::log(p.interval68->second / p.interval68->first);
+      any = true;
+    }
+  }
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t k = 0; k < n; ++k)
+      variance += sigma[j] * sigma[k] * (j == k ? 1.0 : result.correlation[j][k]);
+  return any && variance > 0.0 ? (found - std::log(truth)) / std::sqrt(variance) : kNone;
 }
 
 }  // namespace
@@ -130,6 +169,13 @@ Row score(const Truth& truth, const sim::Scene& start, const fit::FitResult& res
     sheet.waves_in_view = waves_in_view(truth.scene, static_cast<int>(s));
     sheet.width_true_km = is.width_km;
     sheet.width_km = as_found.width_km;
+    const double border_nm = sim::border_line_nm(truth.scene, static_cast<int>(s));
+    sheet.border_true_km = fit::lower_border_km(border_nm, truth.scene, static_cast<int>(s));
+    sheet.border_km =
+        fit::lower_border_km(border_nm, result.best, static_cast<int>(&as_found - found.data()));
+    sheet.energy_trust = trust_in(result, "characteristic energy", as_found.name);
+    sheet.distance_trust = trust_in(result, "distance", as_found.name);
+    sheet.border_trust = trust_in(result, "lower border", as_found.name);
     for (const std::string& missed : missed_criteria(sheet))
       row.missed +=
           (row.missed.empty() ? "" : " ") + missed + (known.size() > 1 ? std::to_string(s + 1) : "");
@@ -139,11 +185,7 @@ Row score(const Truth& truth, const sim::Scene& start, const fit::FitResult& res
     const double first = known[0].energy_flux_mw_m2, second = known[1].energy_flux_mw_m2;
     row.ratio_true = second / first;
     row.ratio = found[swapped ? 0 : 1].energy_flux_mw_m2 / found[swapped ? 1 : 0].energy_flux_mw_m2;
-    // The flux that is free is that of the fit's second sheet.
-    const double held = start.sheets[0].energy_flux_mw_m2;
-    const double z = z_of_parameter(start, result, "sheet." + start.sheets[1].name + ".energy_flux_mw_m2",
-                                    held * (swapped ? first / second : second / first));
-    row.ratio_z = swapped ? -z : z;
+    row.ratio_z = z_of_ratio(start, result, swapped, row.ratio_true);
   }
   return row;
 }

@@ -18,6 +18,7 @@ struct Criteria {
   static constexpr double kWavelength = 0.10;  ///< relative; asked only where so many waves are in view:
   static constexpr double kWavesInView = 1.5;
   static constexpr double kThickness = 0.30;  ///< relative, of the sine's amplitude
+  static constexpr double kBorder_km = 3.0;   ///< of the verdict by quantity, not of the recovery
 };
 
 /// Which of "E0", "distance", "bearing", "wavelength", "amplitude" a sheet misses.

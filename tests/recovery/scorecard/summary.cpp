@@ -88,6 +88,44 @@ std::string confusion(const std::vector<Row>& rows) {
          share_cells(told[1], all[1]) + " |\n";
 }
 
+/// Of each quantity of each sheet: how often it was called good where it is right, and where it is wrong.
+std::string trust_by_quantity(const std::vector<Row>& rows) {
+  struct Asked {
+    const char* name;
+    bool (*is_right)(const SheetRow&);
+    std::string SheetRow::*trust;
+  };
+  const Asked all[] = {
+      {"E0",
+       [](const SheetRow& s) {
+         return std::abs(s.energy_kev / s.energy_true_kev - 1.0) <= Criteria::kEnergy;
+       },
+       &SheetRow::energy_trust},
+      {"distance",
+       [](const SheetRow& s) {
+         return std::abs(s.distance_km / s.distance_true_km - 1.0) <= Criteria::kDistance;
+       },
+       &SheetRow::distance_trust},
+      {"lower border",
+       [](const SheetRow& s) { return std::abs(s.border_km - s.border_true_km) <= Criteria::kBorder_km; },
+       &SheetRow::border_trust}};
+  std::string text =
+      "| quantity, per sheet | not called good where right | share | not called good where wrong | share "
+      "|\n|---|---|---|---|---|\n";
+  for (const Asked& asked : all) {
+    int doubted[2] = {0, 0}, of[2] = {0, 0};
+    for (const Row& row : rows)
+      for (int s = 0; s < row.sheets; ++s) {
+        const int wrong = asked.is_right(row.sheet[s]) ? 0 : 1;
+        ++of[wrong];
+        if (row.sheet[s].*asked.trust != "good") ++doubted[wrong];
+      }
+    text += fmt::format("| {} | {} | {} |\n", asked.name, share_cells(doubted[0], of[0]),
+                        share_cells(doubted[1], of[1]));
+  }
+  return text;
+}
+
 std::string coverage(const std::vector<Row>& rows, const std::string& title, const Which& which) {
   struct Number {
     const char* name;
@@ -192,7 +230,7 @@ std::string failures(const std::vector<Row>& rows) {
 
 std::string summary(const std::vector<Row>& rows) {
   return by_class(rows) + "\n" + by_criterion(rows) + "\n" + confusion(rows) + "\n" +
-         coverage(rows, "recovered", recovered) + "\n" +
+         trust_by_quantity(rows) + "\n" + coverage(rows, "recovered", recovered) + "\n" +
          coverage(rows, "called good", [](const Row& r) { return r.verdict == "good"; }) + "\n" +
          coverage(rows, "all", [](const Row&) { return true; }) + "\n" + cost(rows) + "\nNot recovered:\n\n" +
          failures(rows);
