@@ -35,6 +35,7 @@
 #include "fit/report/table/curve_steps_table.h"
 #include "fit/report/table/result_json.h"
 #include "fit/search/file_journal.h"
+#include "fit/stability.h"
 #include "fit/version.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/number_text.h"
@@ -61,6 +62,7 @@ struct FitRequest {
   bool resume = false;
   bool check_derivatives = false;
   bool intervals = false;
+  bool stability = false;
   bool no_metadata = false;
   int bootstrap = 0, mcmc = 0;
 };
@@ -157,11 +159,16 @@ fit::FitResult fitted(const FitRequest& options, const sim::Scene& scene, std::v
   fit_options.progress = [&account](const std::string& stage, int evaluations, double chi2_per_dof,
                                     double share) { account.tell(stage, evaluations, chi2_per_dof, share); };
   fit_options.stop = &watch_for_interrupt();
-  return placing_errors(scene, [&] {
+  const auto fit = [&] {
     if (map) return fit::fit_curtains(scene, photos, map->curtains, map->faint, fit_options);
     if (!scene.fit.photos.empty()) return fit::fit_photos(scene, photos, fit_options);
     return photos.front().unknowns > 0 ? fit::fit_photo_and_curve(scene, photos.front(), fit_options)
                                        : fit::fit_photo(scene, photos.front(), fit_options);
+  };
+  return placing_errors(scene, [&] {
+    fit::FitResult result = fit();
+    if (options.stability) fit::judge_stability(photos, fit_options, result);
+    return result;
   });
 }
 
@@ -172,6 +179,14 @@ bool is_of_curve(const fit::FitResult& result, const std::string& path) {
     for (const std::string& beginning : {"sheet." + sheet.name + ".", sheet.name + "_across_km_"})
       if (path.compare(0, beginning.size(), beginning) == 0) return true;
   return false;
+}
+
+/// Behind "good" or "doubtful": why, or which errors there are.
+std::string words_of_trust(const fit::DerivedNumber& d) {
+  if (d.trust != fit::Trust::good) return ": " + d.trust_reason;
+  if (!d.systematic) return {};
+  return "; statistical ± " + sim::short_number(*d.sigma, 2) + ", by the fit's choices ± " +
+         sim::short_number(*d.systematic, 2);
 }
 
 void print_answer(const fit::FitResult& result, const std::string& report) {
@@ -210,9 +225,8 @@ void print_answer(const fit::FitResult& result, const std::string& report) {
     if (!d.why_none.empty())
       say("  %s: %s\n", d.name.c_str(), d.why_none.c_str());
     else
-      say("  %s: %s%s%s (%s%s%s)\n", d.name.c_str(), sim::number_with_error(d.value, d.sigma).c_str(),
-          d.unit.empty() ? "" : " ", d.unit.c_str(), fit::trust_name(d.trust),
-          d.trust == fit::Trust::good ? "" : ": ", d.trust == fit::Trust::good ? "" : d.trust_reason.c_str());
+      say("  %s: %s%s%s (%s%s)\n", d.name.c_str(), sim::number_with_error(d.value, d.error()).c_str(),
+          d.unit.empty() ? "" : " ", d.unit.c_str(), fit::trust_name(d.trust), words_of_trust(d).c_str());
   }
   for (const fit::FittedPhoto& photo : result.photos)
     say("decoding%s: %s\n", photo.name.empty() ? "" : (" of " + photo.name).c_str(), photo.decoding.c_str());
@@ -330,6 +344,10 @@ void add_fit_command(Program& program) {
               "Judge the error bars by a Markov chain of so many steps, a quarter more before them")
       .type_name("STEPS")
       .range(2, 1000000);
+  command.flag(
+      "--stability", options->stability,
+      "Repeat the fit from its answer with other regions, bands, sky, air, curve and model error: what "
+      "numbers move by is their systematic error");
   command.flag("--overwrite", options->overwrite,
                "Replace a run that exists; without --resume, discard the steps of one that was cut off");
   command.flag("--resume", options->resume,

@@ -125,6 +125,28 @@ void add_ratios(const sim::Scene& best, int s, const std::string& of, std::vecto
   }
 }
 
+/// Of a sine: its bearing and course, as far as they were asked for.
+void add_course(const sim::Scene& best, const std::vector<FreeNumber>& free, int s, const std::string& of,
+                std::vector<Group>& groups) {
+  if (sim::is_curve(best.sheets[s])) return;
+  const auto is_free = [&](const char* key) {
+    const std::string path = "sheet." + best.sheets[s].name + "." + key;
+    return std::any_of(free.begin(), free.end(), [&](const FreeNumber& n) { return n.path == path; });
+  };
+  const auto add = [&](const char* key, const char* name, const char* unit, Quantity quantity,
+                       double sim::Sheet::*number) {
+    if (is_free(key))
+      groups.push_back(one({name + of, unit, "", quantity, true},
+                           [s, number](const sim::Scene& x) { return x.sheets[s].*number; }));
+  };
+  add("bearing_deg", "bearing", "deg", Quantity::azimuth, &sim::Sheet::bearing_deg);
+  add("length_km", "length", "km", Quantity::width, &sim::Sheet::length_km);
+  add("width_km", "width", "km", Quantity::width, &sim::Sheet::width_km);
+  add("wavelength_km", "wavelength", "km", Quantity::width, &sim::Sheet::wavelength_km);
+  add("thickness_km", "amplitude", "km", Quantity::width, &sim::Sheet::thickness_km);
+  add("phase_rad", "phase", "rad", Quantity::phase, &sim::Sheet::phase_rad);
+}
+
 void add_feet(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
   if (!sim::is_latitude_given(best)) {
     groups.push_back(
@@ -193,7 +215,7 @@ void add_footprints(const sim::Scene& best, std::vector<Group>& groups) {
   }
 }
 
-std::vector<Group> groups_of(const sim::Scene& best) {
+std::vector<Group> groups_of(const sim::Scene& best, const std::vector<FreeNumber>& free) {
   std::vector<Group> groups;
   for (int s = 0; s < static_cast<int>(best.sheets.size()); ++s) {
     const std::string of = " of the " + best.sheets[s].name + " sheet";
@@ -217,6 +239,7 @@ std::vector<Group> groups_of(const sim::Scene& best) {
     if (!sim::is_curve(best.sheets[s]))
       groups.push_back(one({"wavelength over twice the amplitude" + of, "", "", Quantity::ratio, true},
                            [s](const sim::Scene& x) { return wavelength_ratio(x.sheets[s]); }));
+    add_course(best, free, s, of, groups);
     add_feet(best, s, of, groups);
   }
   add_footprints(best, groups);
@@ -224,6 +247,11 @@ std::vector<Group> groups_of(const sim::Scene& best) {
 }
 
 }  // namespace
+
+std::optional<double> DerivedNumber::error() const {
+  if (!sigma || !systematic) return sigma;
+  return std::hypot(*sigma, *systematic);
+}
 
 double nearest_distance_km(const sim::Sheet& sheet, double instant_s) {
   const sim::EastNorth foot = sim::foot_points(sheet, instant_s).nearest;
@@ -270,7 +298,7 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
                                            const std::vector<double>& values, const ValueUncertainty& known) {
   const DeltaMethod estimates(best, free, values, known);
   std::vector<DerivedNumber> result;
-  for (const Group& group : groups_of(best)) {
+  for (const Group& group : groups_of(best, free)) {
     const std::vector<DeltaMethod::Estimate> found = estimates(group.numbers);
     for (std::size_t i = 0; i < found.size(); ++i) {
       const Label& label = group.labels[i];

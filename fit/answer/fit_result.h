@@ -104,9 +104,12 @@ struct ComparedStatistic {
 
 /// What follows from the parameters and is what people publish.
 struct DerivedNumber {
-  std::string name;    ///< "distance of the main sheet"
-  double value = 0.0;  ///< NaN if it cannot be told
-  std::optional<double> sigma;
+  /// Statistical and systematic, in quadrature.
+  std::optional<double> error() const;
+
+  std::string name;             ///< "distance of the main sheet"
+  double value = 0.0;           ///< NaN if it cannot be told
+  std::optional<double> sigma;  ///< statistical
   std::string unit;
   std::string why_none{};      ///< in words, if there is no value
   std::string why_no_sigma{};  ///< in words, if there is a value without an error bar; may be empty
@@ -116,6 +119,22 @@ struct DerivedNumber {
   std::vector<std::string> depends_on{};
   Trust trust = Trust::not_told;  ///< judge_quantities()
   std::string trust_reason{};
+  std::optional<double>
+      systematic{};  ///< by the choices that the fit rests on (fit/stability.h); none: not asked
+};
+
+/// A fit with one of its choices made otherwise (fit/stability.h).
+struct StabilityRow {
+  struct Shift {
+    double by = std::numeric_limits<double>::quiet_NaN();  ///< from the answer, in the number's unit
+    double variance_by_chance = 0.0;
+  };
+  std::string choice;   ///< "region"
+  std::string name;     ///< "without its left third"
+  std::string problem;  ///< in words, if nothing came of it
+  double chi2_per_dof = std::numeric_limits<double>::quiet_NaN();
+  bool is_refuted = false;     ///< the picture itself speaks against it: it counts for nothing
+  std::vector<Shift> derived;  ///< as FitResult::derived; empty with a problem
 };
 
 /// A free-form height profile with its band.
@@ -188,6 +207,8 @@ struct FitResult {
   std::optional<BootstrapErrors> bootstrap;
   std::optional<ChainErrors> chain;
   std::vector<CurveStep> curve_steps;  ///< of a fit that began with a map's curtains; else none
+
+  std::optional<std::vector<StabilityRow>> stability;  ///< where it was asked for
 
   bool judges_cut_short = false;  ///< the user stopped: the rest is the whole answer all the same
 

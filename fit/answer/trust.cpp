@@ -30,6 +30,8 @@ ErrorScale error_scale(Quantity kind) {
       return {false, 0.3, 1.5};
     case Quantity::azimuth:
       return {false, 3.0, 15.0};
+    case Quantity::phase:
+      return {false, 0.5, 1.5};
     case Quantity::width:
     case Quantity::ratio:
     case Quantity::other:

@@ -14,7 +14,7 @@ enum class Trust { good, doubtful, not_told };
 const char* trust_name(Trust trust);
 
 /// Kinds of quantities; each has its scale (error_scale()).
-enum class Quantity { distance, energy, energy_flux, altitude, width, ratio, place, azimuth, other };
+enum class Quantity { distance, energy, energy_flux, altitude, width, ratio, place, azimuth, phase, other };
 
 /// Up to which standard error a quantity is good, and from which on it is not told.
 struct ErrorScale {
@@ -23,7 +23,8 @@ struct ErrorScale {
 };
 
 /// Distance 5 and 20 %, energy 15 and 50 %, energy flux 35 and 100 %, width 25 and 70 %, ratio and whatever
-/// else 25 and 70 %; altitude 3 and 10 km; latitudes and longitudes 0.3 and 1.5 degrees, azimuth 3 and 15.
+/// else 25 and 70 %; altitude 3 and 10 km; latitudes and longitudes 0.3 and 1.5 degrees, azimuth 3 and 15,
+/// phase 0.5 and 1.5 rad.
 ErrorScale error_scale(Quantity kind);
 
 /// By its standard error alone. An error that is no number is one that nothing bounds.

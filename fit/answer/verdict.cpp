@@ -104,13 +104,52 @@ void ask_of_the_misfit(const Evidence& evidence, const FitResult& r, Checks& che
                   independent));
 }
 
+/// A sheet's length, its phase and its place along itself trade off where no end of it is in view. What was
+/// asked of the picture, where it stands, is told all the same if its distance has an error bar.
+bool is_told_by_ends_only(const FitResult& r, const FittedParameter& p) {
+  for (const sim::Sheet& sheet : r.best.sheets) {
+    const std::string of_sheet = "sheet." + sheet.name + ".";
+    bool is_such = false;
+    for (const char* key : {"length_km", "phase_rad", "center_km.east", "center_km.north"})
+      is_such = is_such || p.path == of_sheet + key;
+    if (!is_such) continue;
+    return std::any_of(r.derived.begin(), r.derived.end(), [&](const DerivedNumber& d) {
+      return d.name == "distance of the " + sheet.name + " sheet" && d.sigma;
+    });
+  }
+  return false;
+}
+
+/// Ends that are out of view may be as far as the limits let them.
+bool is_length_at_limit(const FittedParameter& p) {
+  static const std::string kEnd = ".length_km";
+  return p.at_limit && p.path.size() > kEnd.size() &&
+         p.path.compare(p.path.size() - kEnd.size(), kEnd.size(), kEnd) == 0;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    list += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return list;
+}
+
+/// Parameters that the picture does not tell, and that nothing else suffers from.
+std::string not_told(const FitResult& r) {
+  std::vector<std::string> names;
+  for (const FittedParameter& p : r.parameters)
+    if ((!p.sigma || is_length_at_limit(p)) && is_told_by_ends_only(r, p))
+      names.push_back(sim::short_path(p.path, r.best.sheets.size() == 1));
+  return listed(names);
+}
+
 /// Each change that the data cannot tell is told once, then all that lean on one. Why each of them does
 /// stands beside it in the report.
 std::vector<std::string> without_error_bar(const FitResult& r) {
   std::vector<std::string> names;
   std::size_t coefficients = 0;
   for (const FittedParameter& p : r.parameters) {
-    if (p.sigma) continue;
+    if (p.sigma || is_told_by_ends_only(r, p)) continue;
     if (p.of_profile)
       ++coefficients;
     else
@@ -119,10 +158,7 @@ std::vector<std::string> without_error_bar(const FitResult& r) {
   if (coefficients > 0) names.push_back(number_of(coefficients, "coefficient") + " of free-form profiles");
   if (names.empty()) return {};
   std::vector<std::string> reasons = r.undetermined;
-  std::string list;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    list += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  reasons.push_back("no error bar for " + list);
+  reasons.push_back("no error bar for " + listed(names));
   return reasons;
 }
 
@@ -132,7 +168,8 @@ void ask_of_the_parameters(const FitResult& r, Checks& checks) {
   std::size_t moved = 0;
   for (const FittedParameter& p : r.parameters) {
     moved += p.moved;
-    if (p.at_limit) at_limit.push_back(p.path + " is at a limit");
+    if (p.at_limit && !(is_length_at_limit(p) && is_told_by_ends_only(r, p)))
+      at_limit.push_back(p.path + " is at a limit");
     if (!p.moved && p.sigma)
       standing.push_back(p.path + " did not move from its start, though the data have a say in it");
   }
@@ -143,7 +180,9 @@ void ask_of_the_parameters(const FitResult& r, Checks& checks) {
              started_at_answer ? "nothing: the start was the answer" : fmt::format("{} of {}", moved, all),
              standing);
   checks.ask("inside the limits", all, at_limit);
-  checks.ask("error bars", all, without_error_bar(r));
+  const std::string untold = not_told(r);
+  checks.ask("error bars", untold.empty() ? all : all + "; not told by the picture: " + untold,
+             without_error_bar(r));
 }
 
 /// Checks of a fit that say how well the model explains the picture or how the search has ended. The others,
@@ -172,10 +211,15 @@ std::string limit_it_leans_on(const FitResult& result, const DerivedNumber& numb
 
 std::string error_words(const DerivedNumber& number) {
   const ErrorScale scale = error_scale(number.quantity);
-  if (scale.relative)
-    return fmt::format("the standard error is {} % of the value",
-                       sim::short_number(100.0 * *number.sigma / std::abs(number.value), 2));
-  return fmt::format("the standard error is {} {}", sim::short_number(*number.sigma, 2), number.unit);
+  const auto words = [&](double error) {
+    return scale.relative ? sim::short_number(100.0 * error / std::abs(number.value), 2) + " %"
+                          : sim::short_number(error, 2) + " " + number.unit;
+  };
+  std::string text =
+      "the standard error is " + words(*number.error()) + (scale.relative ? " of the value" : "");
+  if (number.systematic)
+    text += ": statistical " + words(*number.sigma) + ", by the fit's choices " + words(*number.systematic);
+  return text;
 }
 
 void judge_one(const FitResult& result, const std::string& against, DerivedNumber& d) {
@@ -192,7 +236,7 @@ void judge_one(const FitResult& result, const std::string& against, DerivedNumbe
     d.trust_reason = result.verdict == Verdict::failed ? "the fit has failed" : "the fit was interrupted";
     return;
   }
-  d.trust = trust_of(d.quantity, d.value, *d.sigma);
+  d.trust = trust_of(d.quantity, d.value, *d.error());
   d.trust_reason = error_words(d);
   if (d.trust != Trust::good) return;
   const std::string limit = limit_it_leans_on(result, d);
@@ -262,8 +306,10 @@ void judge(const Evidence& evidence, FitResult& result) {
     result.verdict = Verdict::good;
     result.verdict_line = fmt::format(
         "Believable: converged, chi2 per degree of freedom {:.2f}, rms residual {:.1f} % of the peak, every "
-        "parameter determined and inside its limits.",
-        reduced, 100.0 * result.rms_over_peak);
+        "parameter determined and inside its limits{}.",
+        reduced, 100.0 * result.rms_over_peak,
+        not_told(result).empty() ? ""
+                                 : ", but for " + not_told(result) + ", which the picture does not tell");
   }
   // Worth knowing, and nothing against the answer: error bars go by the residuals themselves.
   std::vector<std::string> notes = unusual_sheets(result.best);
@@ -275,14 +321,17 @@ void judge(const Evidence& evidence, FitResult& result) {
 }
 
 void judge_quantities(FitResult& result) {
+  static const std::string kGoodAllTheSame = " Good all the same: ";
   const std::string against = against_the_whole(result);
   std::string good;
+  // Judged anew, it may be another one.
+  result.verdict_line.erase(std::min(result.verdict_line.size(), result.verdict_line.find(kGoodAllTheSame)));
   for (DerivedNumber& d : result.derived) {
     judge_one(result, against, d);
     if (!d.is_detail && d.trust == Trust::good) good += (good.empty() ? "" : ", ") + d.name;
   }
   if (result.verdict == Verdict::doubtful && !good.empty())
-    result.verdict_line += " Good all the same: " + good + ".";
+    result.verdict_line += kGoodAllTheSame + good + ".";
 }
 
 }  // namespace vegard::fit

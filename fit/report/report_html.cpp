@@ -13,6 +13,7 @@
 #include "fit/report/table/curve_steps_table.h"
 #include "fit/report/table/judged_table.h"
 #include "fit/report/table/report_bins.h"
+#include "fit/report/table/stability_table.h"
 #include "sim/base/file/html_text.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/version.h"
@@ -245,8 +246,12 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
   const std::string cards = derived_cards(result) + derived_table(result);
   const bool believed = result.verdict == Verdict::good;
   if (!cards.empty())
-    html += section("What it says about the " + light_noun(result.best),
-                    believed ? "" : "The verdict above speaks against leaning on these numbers.", cards);
+    html +=
+        section("What it says about the " + light_noun(result.best),
+                believed ? ""
+                         : "The verdict above is on the picture as a whole. Each number has its own: good, "
+                           "doubtful or not told.",
+                cards);
   const std::string map = foot_map_svg(result);
   if (!map.empty()) html += section("Where it stands", "", "<div class=\"plots\">\n" + map + "</div>\n");
   if (const std::string steps = curve_steps_table(result); !steps.empty())
@@ -262,6 +267,13 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
       "\u03c3 is half of the 68\u00a0% interval, carried back from the scale on which the search moves the "
       "parameter; the interval itself may be lopsided.",
       parameter_table_html(result) + tied_table(result));
+  if (const std::string stability = stability_table(result); !stability.empty())
+    html +=
+        section("Does it stand?",
+                "The fit repeated from its answer with one of its choices made otherwise: what each number "
+                "moves by. What goes beyond chance (the difference of the statistical variances) is the "
+                "systematic error, added over the choices in quadrature.",
+                stability);
   const std::string judged = judged_table(result);
   if (!judged.empty())
     html += section(

@@ -20,8 +20,8 @@ h1 { margin: 2px 0 0; font-size: 30px; font-weight: 600; letter-spacing: -0.01em
 .verdict ul { margin: 6px 0 0; padding-left: 20px; font-size: 15px; }
 .verdict .checks { list-style: none; padding: 0; margin-top: 12px; font-size: 13px; columns: 2 340px; column-gap: 28px; opacity: 0.92; }
 .verdict .checks li { break-inside: avoid; } .verdict .missed { font-weight: 700; }
-.good { background: #17784a; } .doubtful { background: #a35f00; } .failed { background: #a82a22; }
-.interrupted { background: #596372; }
+.verdict.good { background: #17784a; } .verdict.doubtful { background: #a35f00; } .verdict.failed { background: #a82a22; }
+.verdict.interrupted { background: #596372; }
 section { background: var(--paper); border: 1px solid var(--line); border-radius: 10px; padding: 22px 24px 24px;
   margin: 22px 0; }
 h2 { margin: 0 0 12px; font-size: 20px; font-weight: 600; }
@@ -42,7 +42,7 @@ svg { max-width: 100%; height: auto; }
 .cards { display: grid; grid-template-columns: repeat(auto-fit, minmax(210px, 1fr)); gap: 14px; }
 .card { border: 1px solid var(--line); border-left: 4px solid var(--mark); border-radius: 6px; padding: 12px 16px;
   font-size: 14px; color: var(--soft); }
-.card.doubtful { border-left-color: #a35f00; } .card.not-told { border-left-color: var(--line); }
+.card.good { border-left-color: #17784a; } .card.doubtful { border-left-color: #a35f00; } .card.not-told { border-left-color: var(--line); }
 .card .trust { margin-top: 4px; font-size: 13px; }
 .card .big { font-size: 20px; white-space: nowrap; font-weight: 600; color: var(--ink); }
 .unit { font-weight: 400; font-size: 0.86em; color: var(--soft); }
@@ -55,6 +55,8 @@ tbody td, tbody th { border-bottom: 1px solid var(--line); padding: 7px 22px 7px
 tbody tr:last-child > * { border-bottom: 0; }
 .number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
 td.number .soft { white-space: normal; font-weight: 400; }
+.compact { font-size: 13px; display: block; overflow-x: auto; } .compact thead th { white-space: normal; vertical-align: bottom; }
+.compact th, .compact td { padding-right: 14px !important; } .compact td:nth-child(2) { min-width: 190px; }
 .strong { font-weight: 600; font-size: 15px; }
 .soft { color: var(--soft); font-size: 13px; }
 .flag { display: inline-block; background: #a35f00; color: #fff; font-size: 12px; border-radius: 3px; padding: 0 6px; }

@@ -85,7 +85,7 @@ std::string derived_cards(const FitResult& result) {
   for (const DerivedNumber& d : result.derived) {
     if (d.is_detail || !d.why_none.empty()) continue;
     cards += "<div class=\"card " + card_class(d.trust) + "\"><div class=\"big\">" +
-             with_unit(sim::number_with_error(d.value, d.sigma), d.unit) + "</div><div>" +
+             with_unit(sim::number_with_error(d.value, d.error()), d.unit) + "</div><div>" +
              sim::html_text(d.name) + "</div><div class=\"trust\"><b>" + trust_name(d.trust) + "</b> " +
              sim::html_text(d.trust_reason) + "</div></div>\n";
   }
@@ -97,7 +97,7 @@ std::string derived_table(const FitResult& result) {
   for (const DerivedNumber& d : result.derived) {
     if (!d.is_detail && d.why_none.empty()) continue;
     rows += "<tr><td>" + sim::html_text(d.name) + "</td><td class=\"number\">" +
-            (d.why_none.empty() ? with_unit(sim::number_with_error(d.value, d.sigma), d.unit) : "\u2013") +
+            (d.why_none.empty() ? with_unit(sim::number_with_error(d.value, d.error()), d.unit) : "\u2013") +
             "</td><td>" + trust_name(d.trust) + "</td><td class=\"soft\">" + sim::html_text(d.trust_reason) +
             "</td></tr>\n";
   }

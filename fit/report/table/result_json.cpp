@@ -163,6 +163,22 @@ Json curve_json(const FittedCurve& c) {
   return json;
 }
 
+Json stability(const FitResult& result) {
+  Json json = Json::array();
+  for (const StabilityRow& row : *result.stability) {
+    Json entry = {{"choice", row.choice},
+                  {"name", row.name},
+                  {"problem", words(row.problem)},
+                  {"chi2_per_dof", number(row.chi2_per_dof)},
+                  {"is_refuted", row.is_refuted},
+                  {"shifts", Json::object()}};
+    for (std::size_t i = 0; i < row.derived.size(); ++i)
+      entry["shifts"][result.derived[i].name] = number(row.derived[i].by);
+    json.push_back(std::move(entry));
+  }
+  return json;
+}
+
 Json curve_steps(const FitResult& result) {
   Json json = Json::array();
   for (const CurveStep& step : result.curve_steps)
@@ -208,6 +224,7 @@ std::string result_json(const FitResult& result) {
     json["derived"].push_back({{"name", d.name},
                                {"value", number(d.value)},
                                {"sigma", number(d.sigma)},
+                               {"systematic", number(d.systematic)},
                                {"unit", d.unit},
                                {"why_none", words(d.why_none)},
                                {"why_no_sigma", words(d.why_no_sigma)},
@@ -220,6 +237,7 @@ std::string result_json(const FitResult& result) {
   if (!result.profile_intervals.empty()) json["profile_intervals"] = profile_intervals(result);
   if (result.bootstrap) json["bootstrap"] = bootstrap(result);
   if (result.chain) json["chain"] = chain(result);
+  if (result.stability) json["stability"] = stability(result);
   if (result.judges_cut_short) json["judges_cut_short"] = true;
   if (!result.curve_steps.empty()) json["curve_steps"] = curve_steps(result);
   json["chi2"] = number(result.chi2);

@@ -46,6 +46,18 @@ TEST(Trust, WhatIsNotToldSpoilsNothingElse) {
             "Doubtful: no error bar for length_km. Good all the same: distance, lower border.");
 }
 
+// Judged once more with a systematic error, of which the first verdict knew nothing.
+TEST(Trust, BothErrorsCount) {
+  FitResult r = fine();
+  judge_quantities(r);
+  r.derived[0].systematic = 15.0;  // 8 % of 200 km, with the statistical 4 km
+  judge_quantities(r);
+  EXPECT_EQ(r.derived[0].trust, Trust::doubtful);
+  EXPECT_EQ(r.derived[0].trust_reason,
+            "the standard error is 7.8 % of the value: statistical 2 %, by the fit's choices 7.5 %");
+  EXPECT_EQ(r.verdict_line, "Doubtful: no error bar for length_km. Good all the same: lower border.");
+}
+
 TEST(Trust, NothingIsGoodOfAPictureThatIsNotExplained) {
   FitResult r = fine();
   r.checks[1] = {"chi2 per degree of freedom", false, "chi2 per degree of freedom is 12"};

@@ -87,6 +87,40 @@ TEST(Judge, DoubtsForEachReasonByItself) {
   doubts(e, fine(), "another answer");
 }
 
+// Where no end of a sheet is in view, its length, phase and place along itself are nobody's fault.
+TEST(Judge, HoldsWithoutBlameWhatOnlyEndsWouldTell) {
+  FitResult r = fine();
+  sim::Sheet sheet;
+  sheet.name = "main";
+  r.best.sheets = {sheet};
+  FittedParameter p;
+  for (const char* path : {"sheet.main.length_km", "sheet.main.center_km.east"}) {
+    p.path = path;
+    r.parameters.push_back(p);
+  }
+  FitResult without_distance = r;
+  DerivedNumber distance;
+  distance.name = "distance of the main sheet";
+  distance.value = 200.0;
+  distance.sigma = 2.0;
+  r.derived = {distance};
+  judge(clear(), r);
+  EXPECT_EQ(r.verdict, Verdict::good);
+  EXPECT_NE(r.verdict_line.find("but for length_km and center_km.east, which the picture does not tell"),
+            std::string::npos)
+      << r.verdict_line;
+  judge(clear(), without_distance);
+  EXPECT_EQ(without_distance.verdict, Verdict::doubtful);
+
+  r.parameters[1].sigma = 30.0;
+  r.parameters[1].at_limit = true;
+  judge(clear(), r);
+  EXPECT_EQ(r.verdict, Verdict::good) << "a length at its limit";
+  r.parameters[0].sigma.reset();
+  judge(clear(), r);
+  EXPECT_EQ(r.verdict, Verdict::doubtful) << "the energy has no error bar";
+}
+
 TEST(Judge, KeepsWhatItAskedAndWhatItFound) {
   FitResult r = fine();
   r.chi2 = 3100.0;
