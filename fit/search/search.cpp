@@ -29,7 +29,9 @@ constexpr int kOfFootprints = 4;             // one trial for so many of sheets
 constexpr double kPull = 0.3;                // of the distance: what a start may well be off by
 constexpr double kCoarsePriorWeight = 20.0;  // residuals of smoothed profiles hang together
 constexpr int kSines = 8, kSinesOfEach = 3;  // of one sheet alone, and of each of several
-constexpr double kHopeless = 4.0;            // times the chi2 of the best trial: not worth a descent
+constexpr int kRoundsAnew = 3, kDescentsAnew = 2;
+constexpr double kBetterAnew = 1e-3;  // of chi2
+constexpr double kHopeless = 4.0;     // times the chi2 of the best trial: not worth a descent
 constexpr int kCourseRounds = 2;
 constexpr double kNearWaveNumber = 2e-3;  // per km, by which a round may move it: half a wave in 250 km
 constexpr double kNearlyStraight = 0.1;
@@ -138,6 +140,7 @@ class Search {
       trials.push_back(ends.front());  // whoever starts close is not to be led away
       sort(trials);
       ends = descend_from(trials, scene_.fit.scan_descents, "descent");
+      look_anew(ends);
     }
     std::vector<Descent> polished;
     for (std::size_t i = 0; i < ends.size() && static_cast<int>(i) < scene_.fit.polish_descents; ++i) {
@@ -357,13 +360,19 @@ class Search {
     return courses(*first.comparison, scene);
   }
 
-  /// Trials of the sheets' sines from their courses; none where the bands do not show enough of a sheet.
-  std::vector<Trial> by_course(const Trial& straight) {
+  /// Sheets whose sines are to be found.
+  std::vector<int> waved_sheets() const {
     std::vector<int> waved;
     for (std::size_t s = 0; s < scene_.sheets.size(); ++s) {
       const SineNumbers sine = sine_of(static_cast<int>(s));
       if (sine.phase >= 0 && sine.thickness >= 0) waved.push_back(static_cast<int>(s));
     }
+    return waved;
+  }
+
+  /// Trials of the sheets' sines from their courses; none where the bands do not show enough of a sheet.
+  std::vector<Trial> by_course(const Trial& straight) {
+    const std::vector<int> waved = waved_sheets();
     if (waved.empty()) return {};
     tell("course", 0.1);
     const auto found = courses_at(straight.values);
@@ -543,6 +552,80 @@ class Search {
         return false;
     }
     return !footprints_differ(scene_, free_, a, b);
+  }
+
+  /// Sheets that stand one behind the other take each other's waves in the first trials. So pairs exchange
+  /// their sines, each sheet's sine is looked for anew with the others as they were found, and what explains
+  /// the picture better goes to the front of `ends`, until no sheet gives way.
+  void look_anew(std::vector<Trial>& ends) {
+    const std::vector<int> waved = waved_sheets();
+    if (waved.size() < 2) return;
+    for (int round = 0; round < kRoundsAnew; ++round) {
+      bool any_better = false;
+      const auto try_step = [&](const std::string& what, const std::function<std::vector<Trial>()>& work) {
+        if (log_.exhausted()) return;
+        tell(what, 0.8);
+        const std::vector<Trial> found = trials_step(what, 0, work);
+        if (found.empty() || found.front().chi2 > (1.0 - kBetterAnew) * ends.front().chi2) return;
+        ends.insert(ends.begin(), found.front());
+        any_better = true;
+      };
+      const std::string anew = " anew " + std::to_string(round + 1);
+      for (std::size_t i = 0; i + 1 < waved.size(); ++i) {
+        const std::string name =
+            "sheets " + std::to_string(waved[i] + 1) + " and " + std::to_string(waved[i + 1] + 1) + anew;
+        try_step(name, [&] { return with_sines_exchanged(ends.front(), waved[i], waved[i + 1], name); });
+      }
+      for (const int s : waved) {
+        const std::string name = "sheet " + std::to_string(s + 1) + anew;
+        try_step(name, [&] { return with_another_sine(ends.front(), s, name); });
+      }
+      if (!any_better) return;
+    }
+  }
+
+  /// A descent from where two sheets have each other's sine; none where these are not free in both.
+  std::vector<Trial> with_sines_exchanged(const Trial& from, int first, int second,
+                                          const std::string& stage) {
+    const SineNumbers a = sine_of(first), b = sine_of(second);
+    Values values = from.values;
+    for (const auto& [i, j] :
+         {std::pair(a.wavelength, b.wavelength), {a.phase, b.phase}, {a.thickness, b.thickness}}) {
+      if (i < 0 || j < 0) return {};
+      values[i] = inside(free_[i], from.values[j]);
+      values[j] = inside(free_[j], from.values[i]);
+    }
+    if (same_valley(from.values, values)) return {};
+    const Trial end = partial_descent(tried(values), searched_, stage);
+    record(end, stage);
+    return {end};
+  }
+
+  /// Descents from where one sheet has another sine, best first: through its course as it shows when it is
+  /// all but straight, and as it shows about the sine that it has.
+  std::vector<Trial> with_another_sine(const Trial& from, int sheet, const std::string& stage) {
+    const SineNumbers sine = sine_of(sheet);
+    const auto [least, most] = wavelengths_of(sine, sheet, from.values);
+    Values straight = from.values;
+    straight[sine.thickness] = inside(free_[sine.thickness], kNearlyStraight * straight[sine.thickness]);
+    std::vector<Trial> trials;
+    for (const Values& values : {straight, from.values})
+      for (const SineThroughCourse& candidate :
+           sines_through(courses_at(values)[sheet], 0.5 * scene_at(values).sheets[sheet].length_km, least,
+                         most, free_[sine.thickness].start, kSines)) {
+        Values other = from.values;
+        take_sine(scene_, free_, candidate, sheet, other);
+        const auto is_near = [&](const Trial& trial) { return same_valley(trial.values, other); };
+        if (!same_valley(from.values, other) && std::none_of(trials.begin(), trials.end(), is_near))
+          trials.push_back(tried(other));
+      }
+    sort(trials);
+    std::vector<Trial> ends;
+    for (int i = 0; i < kDescentsAnew && i < static_cast<int>(trials.size()) && !log_.exhausted(); ++i)
+      ends.push_back(partial_descent(trials[i], searched_, stage));
+    sort(ends);
+    if (!ends.empty()) record(ends.front(), stage);
+    return ends;
   }
 
   void record(const Trial& trial, const std::string& stage) {

@@ -6,7 +6,8 @@
 // descents of what shapes the profile as a whole, (2) the sheets' *course* through the bands
 // (fit/search/course.h), or, where it does not show, a *scan* of wavelengths, each with its best amplitude
 // and phase, (3) descents of everything from the best distinct trials, those of footprints nearer and farther
-// among them (fit/parameters/volume_starts.h); then (4) *polish* with the full model. Coefficients of
+// among them (fit/parameters/volume_starts.h), (4) of several sheets each one's sine *anew*, with the others as
+// they were found; then (5) *polish* with the full model. Coefficients of
 // free-form profiles only take part in the polish.
 #pragma once
 
