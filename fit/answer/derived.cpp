@@ -29,7 +29,7 @@ double wavelength_ratio(const sim::Sheet& sheet) { return sheet.wavelength_km / 
 struct Label {
   std::string name, unit, why_none;
   Quantity quantity = Quantity::other;
-  bool is_detail = false, is_longitude = false;
+  bool is_detail = false, is_longitude = false, is_course = false;
 };
 
 /// Numbers that are worked out together.
@@ -136,7 +136,7 @@ void add_course(const sim::Scene& best, const std::vector<FreeNumber>& free, int
   const auto add = [&](const char* key, const char* name, const char* unit, Quantity quantity,
                        double sim::Sheet::*number) {
     if (is_free(key))
-      groups.push_back(one({name + of, unit, "", quantity, true},
+      groups.push_back(one({name + of, unit, "", quantity, true, false, true},
                            [s, number](const sim::Scene& x) { return x.sheets[s].*number; }));
   };
   add("bearing_deg", "bearing", "deg", Quantity::azimuth, &sim::Sheet::bearing_deg);
@@ -308,6 +308,7 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
       d.unit = label.unit;
       d.is_detail = label.is_detail;
       d.quantity = label.quantity;
+      d.is_course = label.is_course;
       for (std::size_t j = 0; j < found[i].share.size(); ++j)
         if (found[i].share[j] >= kLeastShareOfVariance) d.depends_on.push_back(free[j].label());
       if (!std::isfinite(d.value)) {

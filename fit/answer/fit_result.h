@@ -115,6 +115,7 @@ struct DerivedNumber {
   std::string why_no_sigma{};  ///< in words, if there is a value without an error bar; may be empty
   bool is_detail = false;      ///< for tables, not for the few numbers that one wants to see first
   Quantity quantity = Quantity::other;
+  bool is_course = false;  ///< of a sheet's way from band to band
   /// Paths of the free numbers whose error bar gives a tenth of this one's variance or more.
   std::vector<std::string> depends_on{};
   Trust trust = Trust::not_told;  ///< judge_quantities()
@@ -220,8 +221,9 @@ struct FitResult {
   /// Largest |cosine| between the residuals and a column of the Jacobian at the end (fit/search/steepest.h);
   /// NaN if it is not known.
   double steepest_cosine = std::numeric_limits<double>::quiet_NaN();
-  double rms_over_peak = 0.0;       ///< of the photograph that has the largest
-  double error_inflation = 1.0;     ///< factor on the error bars for the residuals' size and correlation
+  double rms_over_peak = 0.0;    ///< of the photograph that has the largest
+  double error_inflation = 1.0;  ///< factor on the error bars for the residuals' size and correlation
+  double independent_per_unknown = std::numeric_limits<double>::infinity();  ///< residuals, by judge()
   double residuals_together = 1.0;  ///< that go up and down as one (fit/compare/inflation.h)
   std::string termination;          ///< in words, Ceres' own after ours
   int evaluations = 0;              ///< of the residuals, search included

@@ -16,9 +16,12 @@ namespace {
 constexpr double kLeastChi2 = 0.3, kMostChi2 = 3.0;
 constexpr double kMostRms = 0.10;
 constexpr double kIndependentPerParameter = 10.0;
-constexpr double kLeastGain = 0.5;  // of the chi2 that a dark sky leaves
+constexpr double kLeastGain = 0.5;            // of the chi2 that a dark sky leaves
+constexpr double kIndependentForShape = 5.0;  // of numbers that do not follow the course from band to band
+constexpr double kLevelGain = 0.25;           // of chi2 over the inflation squared: half a standard deviation
 constexpr double kLevelCosine =
     0.02;  // moving one parameter could take 0.04 % off chi2; a descent ends at 0.003 %
+constexpr const char* kPatternsCheck = "independent values";
 constexpr double kNoRise = 1e-6;  // of chi2 at the start: rounding
 
 std::string joined(const std::vector<std::string>& reasons) {
@@ -61,6 +64,13 @@ std::string words_of_end(const std::string& termination) {
   return words.empty() ? "the search has come to its end" : words;
 }
 
+/// Whether moving one parameter would gain next to nothing: of chi2, or of what noise makes of it.
+bool is_level(const FitResult& r) {
+  const double share = r.steepest_cosine * r.steepest_cosine;
+  return r.steepest_cosine <= kLevelCosine ||
+         share * r.chi2 <= kLevelGain * r.error_inflation * r.error_inflation;
+}
+
 /// That the way of the search leads somewhere: down, to a level place.
 void ask_of_the_way(const FitResult& r, Checks& checks) {
   if (std::isfinite(r.chi2_initial) && r.chi2_initial > 0.0)
@@ -74,13 +84,13 @@ void ask_of_the_way(const FitResult& r, Checks& checks) {
     const std::string share =
         fmt::format("{} %", sim::short_number(100.0 * r.steepest_cosine * r.steepest_cosine, 2));
     checks.ask("level at the end", "moving any one parameter could take no more than " + share + " off chi2",
-               r.steepest_cosine <= kLevelCosine,
+               is_level(r),
                "chi2 still falls at the end: moving one parameter could take " + share + " off it");
   }
 }
 
 /// That the model is as good as the data ask for.
-void ask_of_the_misfit(const Evidence& evidence, const FitResult& r, Checks& checks) {
+void ask_of_the_misfit(const Evidence& evidence, FitResult& r, Checks& checks) {
   const double reduced = r.dof > 0 ? r.chi2 / r.dof : 0.0;
   std::vector<std::string> against;
   if (reduced > kMostChi2)
@@ -96,9 +106,9 @@ void ask_of_the_misfit(const Evidence& evidence, const FitResult& r, Checks& che
   const double independent = r.dof / std::max(1.0, r.residuals_together);
   const double unknowns =
       evidence.unknowns > 0.0 ? evidence.unknowns : static_cast<double>(r.parameters.size());
+  r.independent_per_unknown = independent / std::max(1.0, unknowns);
   checks.ask(
-      "independent values", fmt::format("{:.0f}", independent),
-      independent >= kIndependentPerParameter * unknowns,
+      kPatternsCheck, fmt::format("{:.0f}", independent), independent >= kIndependentPerParameter * unknowns,
       fmt::format("the residuals form patterns, worth no more than {:.0f} independent values: see where "
                   "model and photograph differ",
                   independent));
@@ -173,7 +183,7 @@ void ask_of_the_parameters(const FitResult& r, Checks& checks) {
     if (!p.moved && p.sigma)
       standing.push_back(p.path + " did not move from its start, though the data have a say in it");
   }
-  const bool started_at_answer = moved == 0 && r.steepest_cosine <= kLevelCosine;
+  const bool started_at_answer = moved == 0 && is_level(r);
   if (started_at_answer) standing.clear();
   const std::string all = number_of(r.parameters.size(), "parameter");
   checks.ask("moved",
@@ -189,10 +199,15 @@ void ask_of_the_parameters(const FitResult& r, Checks& checks) {
 /// of limits and error bars, speak of single parameters.
 constexpr const char* kChecksOfParameters[] = {"moved", "inside the limits", "error bars"};
 
-/// The first check of the whole that was not passed, in words; empty if there is none.
-std::string against_the_whole(const FitResult& result) {
+/// The first check of the whole that was not passed and that speaks against a number, in words; empty if
+/// there is none. Patterns from band to band are those of a course that is not the sheet's; error bars of
+/// what the profile's shape tells allow for them, unless hardly anything independent is left.
+std::string against_the_whole(const FitResult& result, const DerivedNumber& number) {
   for (const Check& check : result.checks) {
     const auto is_name = [&](const char* name) { return check.name == name; };
+    if (check.name == kPatternsCheck && !number.is_course &&
+        result.independent_per_unknown >= kIndependentForShape)
+      continue;
     if (check.passed || std::any_of(std::begin(kChecksOfParameters), std::end(kChecksOfParameters), is_name))
       continue;
     return check.words;
@@ -222,7 +237,7 @@ std::string error_words(const DerivedNumber& number) {
   return text;
 }
 
-void judge_one(const FitResult& result, const std::string& against, DerivedNumber& d) {
+void judge_one(const FitResult& result, DerivedNumber& d) {
   d.trust = Trust::not_told;
   if (!std::isfinite(d.value)) {
     d.trust_reason = d.why_none;
@@ -239,6 +254,7 @@ void judge_one(const FitResult& result, const std::string& against, DerivedNumbe
   d.trust = trust_of(d.quantity, d.value, *d.error());
   d.trust_reason = error_words(d);
   if (d.trust != Trust::good) return;
+  const std::string against = against_the_whole(result, d);
   const std::string limit = limit_it_leans_on(result, d);
   if (against.empty() && limit.empty()) return;
   d.trust = Trust::doubtful;
@@ -322,12 +338,11 @@ void judge(const Evidence& evidence, FitResult& result) {
 
 void judge_quantities(FitResult& result) {
   static const std::string kGoodAllTheSame = " Good all the same: ";
-  const std::string against = against_the_whole(result);
   std::string good;
   // Judged anew, it may be another one.
   result.verdict_line.erase(std::min(result.verdict_line.size(), result.verdict_line.find(kGoodAllTheSame)));
   for (DerivedNumber& d : result.derived) {
-    judge_one(result, against, d);
+    judge_one(result, d);
     if (!d.is_detail && d.trust == Trust::good) good += (good.empty() ? "" : ", ") + d.name;
   }
   if (result.verdict == Verdict::doubtful && !good.empty())

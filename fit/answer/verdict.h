@@ -36,10 +36,11 @@ void judge(const Evidence& evidence, FitResult& result);
 /// Sets trust and its reason of every derived number, after the verdict of the whole has been found. A number
 /// without an error bar is not told; one with a large one is doubtful or not told by its kind's scale; one
 /// that leans on a parameter at its limit is doubtful at best; and all are doubtful at best where the picture
-/// as a whole is not explained, or the search has not ended well. A parameter that the picture does not
-/// tell (a sheet's length, when no end is in view) spoils only the numbers that depend on it. The error that
-/// counts is DerivedNumber::error(). The verdict line of a doubtful fit gets a sentence on what is good all
-/// the same.
+/// as a whole is not explained, or the search has not ended well. Residuals that form patterns speak against
+/// a sheet's course; against other numbers only where fewer than five independent values are left per
+/// parameter. A parameter that the picture does not tell (a sheet's length, when no end is in view) spoils
+/// only the numbers that depend on it. The error that counts is DerivedNumber::error(). The verdict line of a
+/// doubtful fit gets a sentence on what is good all the same.
 void judge_quantities(FitResult& result);
 
 }  // namespace vegard::fit

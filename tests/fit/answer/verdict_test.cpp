@@ -87,6 +87,48 @@ TEST(Judge, DoubtsForEachReasonByItself) {
   doubts(e, fine(), "another answer");
 }
 
+// 0.16 % of chi2 is more than the 0.04 % of a level end, but of 1000 it is 1.6: with an inflation of 3 a
+// fifth of its square.
+TEST(Judge, TakesAnEndForLevelWhereNoiseWouldHideTheRest) {
+  FitResult r = fine();
+  r.steepest_cosine = 0.04;
+  r.error_inflation = 3.0;
+  judge(clear(), r);
+  EXPECT_EQ(r.verdict, Verdict::good);
+  r.error_inflation = 2.0;
+  judge(clear(), r);
+  EXPECT_EQ(r.verdict, Verdict::doubtful);
+}
+
+// 120 independent values are too few for the whole of fifteen parameters, and enough for a distance; a course
+// is what goes wrong with patterns from band to band. With 60 nothing is good.
+TEST(Judge, LetsPatternsSpeakAgainstACourse) {
+  const auto judged = [](double independent) {
+    FitResult r = fine();
+    r.parameters.resize(15, r.parameters.front());
+    r.residuals_together = r.dof / independent;
+    DerivedNumber distance;
+    distance.name = "distance of the main sheet";
+    distance.value = 200.0;
+    distance.sigma = 2.0;
+    distance.quantity = Quantity::distance;
+    DerivedNumber wavelength = distance;
+    wavelength.name = "wavelength of the main sheet";
+    wavelength.quantity = Quantity::width;
+    wavelength.is_course = true;
+    r.derived = {distance, wavelength};
+    judge(clear(), r);
+    judge_quantities(r);
+    EXPECT_EQ(r.verdict, Verdict::doubtful);
+    return r;
+  };
+  const FitResult some = judged(120.0), few = judged(60.0);
+  EXPECT_EQ(some.derived[0].trust, Trust::good);
+  EXPECT_EQ(some.derived[1].trust, Trust::doubtful);
+  EXPECT_NE(some.derived[1].trust_reason.find("patterns"), std::string::npos);
+  EXPECT_EQ(few.derived[0].trust, Trust::doubtful);
+}
+
 // Where no end of a sheet is in view, its length, phase and place along itself are nobody's fault.
 TEST(Judge, HoldsWithoutBlameWhatOnlyEndsWouldTell) {
   FitResult r = fine();

@@ -20,8 +20,9 @@ struct SheetRow {
   double wavelength_true_km = kNone, wavelength_km = kNone;
   double waves_in_view = kNone;
   double width_true_km = kNone, width_km = kNone;
-  double border_true_km = kNone, border_km = kNone;        ///< altitude of the lower border
-  std::string energy_trust, distance_trust, border_trust;  ///< trust_name() of what was derived
+  double border_true_km = kNone, border_km = kNone;  ///< altitude of the lower border
+  std::string energy_trust, distance_trust, border_trust, bearing_trust, wavelength_trust,
+      amplitude_trust;  ///< trust_name() of what was derived
 };
 
 struct Row {
@@ -84,6 +85,9 @@ void each_column(AnyRow& row, const See& see) {
     see(of + "energy_trust", sheet.energy_trust);
     see(of + "distance_trust", sheet.distance_trust);
     see(of + "border_trust", sheet.border_trust);
+    see(of + "bearing_trust", sheet.bearing_trust);
+    see(of + "wavelength_trust", sheet.wavelength_trust);
+    see(of + "amplitude_trust", sheet.amplitude_trust);
   }
   see("reasons", row.reasons);
 }

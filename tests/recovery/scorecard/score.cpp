@@ -176,6 +176,9 @@ Row score(const Truth& truth, const sim::Scene& start, const fit::FitResult& res
     sheet.energy_trust = trust_in(result, "characteristic energy", as_found.name);
     sheet.distance_trust = trust_in(result, "distance", as_found.name);
     sheet.border_trust = trust_in(result, "lower border", as_found.name);
+    sheet.bearing_trust = trust_in(result, "bearing", as_found.name);
+    sheet.wavelength_trust = trust_in(result, "wavelength of", as_found.name);
+    sheet.amplitude_trust = trust_in(result, "amplitude", as_found.name);
     for (const std::string& missed : missed_criteria(sheet))
       row.missed +=
           (row.missed.empty() ? "" : " ") + missed + (known.size() > 1 ? std::to_string(s + 1) : "");
