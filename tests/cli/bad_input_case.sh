@@ -68,7 +68,7 @@ refused 2 "empty.toml: there is no camera in it (expected [camera] and [site])" 
   --camera empty.toml -o no.png
 refused 2 "letter.toml:1: " render "$SCENES/small.toml" --camera letter.toml -o no.png
 refused 2 "sheet.toml:2: " render "$SCENES/small.toml" --camera sheet.toml -o no.png
-refused 2 "photo.png:1: " render "$SCENES/small.toml" --camera photo.png -o no.png
+refused 2 "photo.png: this is a picture" render "$SCENES/small.toml" --camera photo.png -o no.png
 refused 3 "nowhere.toml: there is no such file" render "$SCENES/small.toml" --camera nowhere.toml -o no.png
 # A lens whose terms fold the picture back has an edge there, as a fisheye has, and nothing beyond it.
 expect_exit 0 directions "$SCENES/small.toml" -o plain.exr
