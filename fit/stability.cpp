@@ -1,17 +1,16 @@
 #include "fit/stability.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <map>
 #include <mutex>
-#include <thread>
 
 #include "fit/answer/verdict.h"
 #include "fit/fit.h"
 #include "fit/parameters/free_parameters.h"
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/parallel.h"
 
 namespace vegard::fit {
 namespace {
@@ -174,25 +173,16 @@ std::vector<StabilityRow> rows_of(const FitResult& first, const std::vector<Vari
   alone.max_evaluations = options.max_evaluations;
   alone.stop = options.stop;
   std::vector<StabilityRow> rows(variations.size());
-  std::atomic<std::size_t> next{0};
   std::mutex telling;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < variations.size(); i = next++) {
-      if (options.stop != nullptr && options.stop->load()) return;
-      if (options.progress) {
-        const std::scoped_lock lock(telling);
-        options.progress("stability", first.evaluations, first.chi2 / std::max(1, first.dof),
-                         kShareOfStability);
-      }
-      rows[i] = row_of(first, variations[i], photos, alone);
+  sim::parallel_for(variations.size(), options.threads, [&](std::size_t i, int) {
+    if (options.stop != nullptr && options.stop->load()) return;
+    if (options.progress) {
+      const std::scoped_lock lock(telling);
+      options.progress("stability", first.evaluations, first.chi2 / std::max(1, first.dof),
+                       kShareOfStability);
     }
-  };
-  const unsigned asked = options.threads > 0 ? static_cast<unsigned>(options.threads)
-                                             : std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::thread> workers;
-  for (unsigned t = 1; t < std::min<std::size_t>(asked, variations.size()); ++t) workers.emplace_back(work);
-  work();
-  for (std::thread& worker : workers) worker.join();
+    rows[i] = row_of(first, variations[i], photos, alone);
+  });
   return rows;
 }
 

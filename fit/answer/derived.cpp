@@ -317,6 +317,10 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
       } else {
         if (label.is_longitude) d.value = sim::wrapped_longitude_deg(d.value);
         d.sigma = found[i].sigma;
+        // What the picture leaves open may matter so little that the number is good between all limits.
+        if (!d.sigma && found[i].within_limits &&
+            trust_of(d.quantity, d.value, *found[i].within_limits) == Trust::good)
+          d.sigma = found[i].within_limits;
         if (!d.sigma)
           d.why_no_sigma = found[i].moves ? "the data do not determine it" : "it follows from what was fixed";
       }

@@ -10,13 +10,31 @@ namespace {
 constexpr double kDeltaStep = 0.1;     // of a standard deviation
 constexpr double kStepWithout = 1e-4;  // of the value, or of one unit, where there is none
 
-}  // namespace
-
-std::optional<double> combined_sigma(const std::vector<double>& slope, const ValueUncertainty& known) {
+double variance_of(const std::vector<double>& slope, const ValueUncertainty& known) {
   double variance = 0.0;
   for (std::size_t j = 0; j < slope.size(); ++j)
     for (std::size_t k = 0; k < slope.size(); ++k)
       if (slope[j] != 0.0 && slope[k] != 0.0) variance += slope[j] * slope[k] * known.covariance[j][k];
+  return variance;
+}
+
+/// The standard deviation of a place along a direction, in its lengths, all between the limits alike likely.
+double spread_along(const std::vector<double>& direction, const std::vector<FreeNumber>& free,
+                    const std::vector<double>& values) {
+  double low = -std::numeric_limits<double>::infinity(), high = -low;
+  for (std::size_t j = 0; j < direction.size(); ++j) {
+    if (direction[j] == 0.0) continue;
+    const double a = (free[j].min - values[j]) / direction[j], b = (free[j].max - values[j]) / direction[j];
+    low = std::max(low, std::min(a, b));
+    high = std::min(high, std::max(a, b));
+  }
+  return (high - low) / std::sqrt(12.0);
+}
+
+}  // namespace
+
+std::optional<double> combined_sigma(const std::vector<double>& slope, const ValueUncertainty& known) {
+  const double variance = variance_of(slope, known);
   // A direction that only the limits bound spoils what owes it half of its variance.
   const auto spoils = [&](const std::vector<double>& direction) {
     double reach = std::numeric_limits<double>::infinity(), along = 0.0;
@@ -63,12 +81,26 @@ std::vector<DeltaMethod::Estimate> DeltaMethod::operator()(const Numbers& number
   }
   for (std::size_t i = 0; i < result.size(); ++i) {
     result[i].sigma = combined_sigma(slopes[i], known_);
-    if (!result[i].sigma) continue;
+    if (!result[i].sigma) {
+      result[i].within_limits = within_limits(slopes[i]);
+      continue;
+    }
     for (std::size_t j = 0; j < free_.size(); ++j)
       result[i].share.push_back(slopes[i][j] * slopes[i][j] * known_.covariance[j][j] /
                                 (*result[i].sigma * *result[i].sigma));
   }
   return result;
+}
+
+std::optional<double> DeltaMethod::within_limits(const std::vector<double>& slope) const {
+  double variance = variance_of(slope, known_);
+  for (const std::vector<double>& direction : known_.undetermined) {
+    double along = 0.0;
+    for (std::size_t j = 0; j < slope.size(); ++j) along += slope[j] * direction[j];
+    if (along != 0.0) variance += std::pow(along * spread_along(direction, free_, values_), 2);
+  }
+  if (!std::isfinite(variance) || variance <= 0.0) return std::nullopt;
+  return std::sqrt(variance);
 }
 
 }  // namespace vegard::fit

@@ -35,6 +35,9 @@ class DeltaMethod {
     double value = 0.0;
     std::optional<double> sigma;
     bool moves = false;  ///< with any of the free numbers
+    /// Where there is no sigma because of undetermined directions: what it is if all places along each of
+    /// them are alike likely between the limits of the free numbers. None where no limit bounds one.
+    std::optional<double> within_limits{};
     /// Of each free number, slope² × its variance over the variance of this number: as if all others were
     /// known. Of numbers that are correlated these do not add up to 1. Empty without an error bar.
     std::vector<double> share{};
@@ -45,6 +48,8 @@ class DeltaMethod {
   std::vector<Estimate> operator()(const Numbers& numbers) const;
 
  private:
+  std::optional<double> within_limits(const std::vector<double>& slope) const;
+
   const sim::Scene& best_;
   const std::vector<FreeNumber>& free_;
   const std::vector<double>& values_;

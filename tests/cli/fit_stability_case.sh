@@ -18,6 +18,7 @@ diff <(grep -v '^#' plain/best.toml) <(grep -v '^#' one/best.toml) >&2 || fail "
 # Ctrl-C meanwhile: the fit's own answer is a run, and --resume goes on to the same bytes.
 set -m # a job of its own; else the shell has it ignore the signal
 fit=(fit "$SCENES/fit.toml" --photo photo.png --out cut --threads 1 --stability)
+: >"$stderr" # what the last fit said
 "$VEGARD" "${fit[@]}" >"$stdout" 2>"$stderr" &
 job=$!
 until grep -q "stability" "$stderr"; do

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace vegard::fit::delta_method_test {
 namespace {
@@ -44,6 +45,29 @@ TEST(DeltaMethod, OfABentNumberIsFirstOrder) {
       two.of([](const sim::Scene& x) { return std::vector<double>{std::log(x.sheets[0].energy_kev)}; });
   // The central difference over 0.02 keV to either side of 3 keV: off by (0.02 / 3)^2 / 3 of itself.
   EXPECT_NEAR(found[0].sigma.value(), 0.2 / 3.0, 2e-5 * 0.2 / 3.0);
+}
+
+// Nothing tells the energy between 1 and 7 keV: a number that gains 0.01 by each keV has 0.01 of the standard
+// deviation of a uniform distribution, beside what the distance has to do with it. Without a limit there is
+// nothing to be said.
+TEST(DeltaMethod, KnowsWhatLimitsLeaveOfAnUndeterminedDirection) {
+  TwoNumbers two;
+  two.known = {{{0.0, 0.0}, {0.0, 9.0}}, {{1.0, 0.0}}};
+  two.known.covariance[0][0] = 3.0;  // by its limits: 6 / sqrt(12)
+  two.free[0].min = 1.0;
+  two.free[0].max = 7.0;
+  const auto number = [](const sim::Scene& x) {
+    return std::vector<double>{0.01 * x.sheets[0].energy_kev, x.sheets[0].center_km.north};
+  };
+  auto found = two.of(number);
+  EXPECT_FALSE(found[0].sigma);
+  EXPECT_NEAR(found[0].within_limits.value(), 0.01 * std::sqrt(3.0 + 3.0), 1e-9)
+      << "the covariance's share is counted too";
+  EXPECT_NEAR(found[1].sigma.value(), 3.0, 1e-9);
+  EXPECT_FALSE(found[1].within_limits);
+  two.free[0].max = std::numeric_limits<double>::infinity();
+  found = two.of(number);
+  EXPECT_FALSE(found[0].within_limits);
 }
 
 TEST(DeltaMethod, AtALimitGoesByTheOtherSide) {

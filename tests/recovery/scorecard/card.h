@@ -21,8 +21,8 @@ struct SheetRow {
   double waves_in_view = kNone;
   double width_true_km = kNone, width_km = kNone;
   double border_true_km = kNone, border_km = kNone;  ///< altitude of the lower border
-  std::string energy_trust, distance_trust, border_trust, bearing_trust, wavelength_trust,
-      amplitude_trust;  ///< trust_name() of what was derived
+  std::string energy_trust, distance_trust, border_trust, bearing_trust, wavelength_trust, amplitude_trust,
+      length_trust, phase_trust;  ///< trust_name() of what was derived
 };
 
 struct Row {
@@ -88,6 +88,8 @@ void each_column(AnyRow& row, const See& see) {
     see(of + "bearing_trust", sheet.bearing_trust);
     see(of + "wavelength_trust", sheet.wavelength_trust);
     see(of + "amplitude_trust", sheet.amplitude_trust);
+    see(of + "length_trust", sheet.length_trust);
+    see(of + "phase_trust", sheet.phase_trust);
   }
   see("reasons", row.reasons);
 }

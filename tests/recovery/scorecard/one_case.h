@@ -13,6 +13,7 @@ struct CaseOptions {
   int threads = 1;
   int max_evaluations = 2000;
   bool from_truth = false;  ///< start_at_truth() in place of wide_start()
+  bool free_ends = false;   ///< with_free_ends() of it
   std::string keep;         ///< folder for the photograph, the truth and the start; empty: none
 };
 

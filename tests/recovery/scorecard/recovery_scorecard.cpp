@@ -91,6 +91,8 @@ int run(int argc, char** argv) {
   app.option("--keep", options.of_case.keep, "Folder for photographs, truths and starts");
   app.flag("--make-only", options.make_only, "Photographs only (with --keep)");
   app.flag("--from-truth", options.of_case.from_truth, "Start at the truth, without a search");
+  app.flag("--free-ends", options.of_case.free_ends,
+           "Sheets' lengths and places along themselves are free too");
   app.option("-o,--out", options.card, "The card, a CSV file");
   app.option("--summary", options.to_sum_up, "Print the tables of these cards, and do nothing else");
   if (const std::optional<int> end = program.read()) return *end;

@@ -179,6 +179,8 @@ Row score(const Truth& truth, const sim::Scene& start, const fit::FitResult& res
     sheet.bearing_trust = trust_in(result, "bearing", as_found.name);
     sheet.wavelength_trust = trust_in(result, "wavelength of", as_found.name);
     sheet.amplitude_trust = trust_in(result, "amplitude", as_found.name);
+    sheet.length_trust = trust_in(result, "length", as_found.name);
+    sheet.phase_trust = trust_in(result, "phase", as_found.name);
     for (const std::string& missed : missed_criteria(sheet))
       row.missed +=
           (row.missed.empty() ? "" : " ") + missed + (known.size() > 1 ? std::to_string(s + 1) : "");

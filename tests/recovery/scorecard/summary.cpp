@@ -122,6 +122,21 @@ std::string trust_by_quantity(const std::vector<Row>& rows) {
     text += fmt::format("| {} | {} | {} |\n", asked.name, share_cells(doubted[0], of[0]),
                         share_cells(doubted[1], of[1]));
   }
+  // Only the ends of a sheet tell these, which stand outside of most pictures.
+  for (const auto& [name, trust] :
+       {std::pair("length", &SheetRow::length_trust), {"phase", &SheetRow::phase_trust}}) {
+    int told[3] = {0, 0, 0}, asked = 0;
+    for (const Row& row : rows)
+      for (int s = 0; s < row.sheets; ++s) {
+        const std::string& word = row.sheet[s].*trust;
+        if (word.empty()) continue;
+        ++asked;
+        ++told[word == "good" ? 0 : word == "doubtful" ? 1 : 2];
+      }
+    if (asked > 0)
+      text += fmt::format("\n{} of {} sheets: good {}, doubtful {}, not told {}\n", name, asked, told[0],
+                          told[1], told[2]);
+  }
   return text;
 }
 

@@ -94,4 +94,15 @@ sim::Scene start_at_truth(const Truth& truth) {
   return scene;
 }
 
+sim::Scene with_free_ends(const sim::Scene& start) {
+  sim::Scene scene = start;
+  for (sim::Sheet& sheet : scene.sheets) {
+    sheet.length_km = 700.0;
+    add_free(scene, "sheet." + sheet.name + ".length_km", 100.0, 3000.0);
+    add_free(scene, "sheet." + sheet.name + ".center_km.east", -300.0, 300.0);
+  }
+  sim::validate(scene);
+  return scene;
+}
+
 }  // namespace vegard::scorecard

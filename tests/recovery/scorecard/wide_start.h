@@ -15,4 +15,8 @@ sim::Scene wide_start(const Truth& truth);
 /// energy flux of the first sheet stays that of wide_start(), and the ratio is the truth's.
 sim::Scene start_at_truth(const Truth& truth);
 
+/// The same with what only the ends of a sheet tell: its length, 700 km to begin with, and its centre to the
+/// east are free too.
+sim::Scene with_free_ends(const sim::Scene& start);
+
 }  // namespace vegard::scorecard
