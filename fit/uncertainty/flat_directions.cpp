@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kProbe = 3.0;            // standard deviations
 constexpr double kLeastRise = 0.25;       // of the parabola's
+constexpr double kFarthest = 8.0;         // times as far out
 constexpr double kOwes = 0.5;             // of a variance
 constexpr double kProbed = 0.1;           // of a normalised axis' square
 constexpr double kPartOfDirection = 0.5;  // of a standard deviation
@@ -37,14 +38,22 @@ void drop_flat_directions(const std::function<double(const std::vector<double>& 
     for (Eigen::Index i = 0; i < n; ++i)
       if (!bounded[i]) probed += axes.eigenvectors()(i, a) * axes.eigenvectors()(i, a);
     if (probed < kProbed) continue;
-    bool flat = false;
-    for (double side : {-kProbe, kProbe}) {
+    const auto is_flat = [&](double side) {
       std::vector<double> step(n);
       for (Eigen::Index i = 0; i < n; ++i) step[i] = side * axis(i);
       const double rose = rise(step);
-      flat = flat || (std::isfinite(rose) && rose < kLeastRise * kProbe * kProbe);
+      return std::isfinite(rose) && rose < kLeastRise * kProbe * kProbe;
+    };
+    double longer = 1.0;
+    for (const double side : {-kProbe, kProbe})
+      while (longer <= kFarthest && is_flat(longer * side)) longer *= 2.0;
+    if (longer == 1.0) continue;
+    if (longer <= kFarthest) {
+      for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index k = 0; k < n; ++k)
+          u.covariance[i][k] += (longer * longer - 1.0) * axis(i) * axis(k);
+      continue;
     }
-    if (!flat) continue;
     std::vector<double> direction(n, 0.0);
     double largest = 0.0;
     for (Eigen::Index i = 0; i < n; ++i)
@@ -59,13 +68,15 @@ void drop_flat_directions(const std::function<double(const std::vector<double>& 
       if (axis(i) * axis(i) > kOwes * variance[i]) u.sigma[i] = std::numeric_limits<double>::quiet_NaN();
     }
   }
-  for (Eigen::Index i = 0; i < n; ++i) {
-    if (std::isnan(u.sigma[i])) {
-      for (Eigen::Index k = 0; k < n; ++k) u.correlation[i][k] = u.correlation[k][i] = 0.0;
-    } else {
-      u.sigma[i] = std::sqrt(std::max(0.0, u.covariance[i][i]));
+  for (Eigen::Index i = 0; i < n; ++i)
+    if (!std::isnan(u.sigma[i])) u.sigma[i] = std::sqrt(std::max(0.0, u.covariance[i][i]));
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const bool has_both = u.sigma[i] > 0.0 && u.sigma[k] > 0.0;
+      u.correlation[i][k] = i == k && has_both ? 1.0
+                            : has_both         ? u.covariance[i][k] / (u.sigma[i] * u.sigma[k])
+                                               : 0.0;
     }
-  }
 }
 
 }  // namespace vegard::fit

@@ -32,6 +32,23 @@ TEST(FlatDirections, AParabolaHasNone) {
   }
 }
 
+// Flat to five standard deviations on one side, then a wall: within 3 x 2 of them it has risen, so the error
+// bar is twice as long. The other axis is as it was.
+TEST(FlatDirections, AValleyThatEndsFartherOutIsLonger) {
+  Uncertainty u = two(0.0);
+  const Uncertainty before = u;
+  drop_flat_directions(
+      [&](const std::vector<double>& x) {
+        const double sigmas = x[0] / 2.0;
+        return parabola(before, {0.0, x[1]}) + (sigmas > 0.0 ? sigmas * sigmas : sigmas < -5.0 ? 9.0 : 0.0);
+      },
+      {false, false}, u);
+  EXPECT_TRUE(u.undetermined.empty());
+  EXPECT_DOUBLE_EQ(u.sigma[0], 4.0);
+  EXPECT_DOUBLE_EQ(u.sigma[1], 0.5);
+  EXPECT_DOUBLE_EQ(u.correlation[0][0], 1.0);
+}
+
 TEST(FlatDirections, AWallOnOneSideOnlyIsNoErrorBar) {
   Uncertainty u = two(0.0);
   const Uncertainty before = u;
