@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,6 +63,33 @@ void check_outputs(const CalibrateOptions& options) {
       if (std::string(key) > other_key && same_file(*file, *other)) refuse_same_file(key, *file, other_key);
   }
 }
+
+/// Claimed before the work: one that may not be written is refused before any other is, and none is written
+/// by halves.
+class CalibrateOutputs {
+ public:
+  explicit CalibrateOutputs(const CalibrateOptions& options) {
+    for (const std::string& name :
+         {options.output, options.residuals, options.json, options.plot, options.overlay, options.stars_out})
+      if (!name.empty()) claimed_[name] = std::make_unique<sim::WholeFile>(name, options.overwrite);
+  }
+  void put(const std::string& name, const std::string& bytes) {
+    if (name.empty()) return;
+    claimed_.at(name)->write(bytes);
+    written_.push_back(name);
+  }
+  /// Those that were put; what was claimed for nothing leaves no trace.
+  void commit() {
+    for (const std::string& name : written_) claimed_.at(name)->commit();
+  }
+  void tell() const {
+    for (const std::string& name : written_) say("%s\n", name.c_str());
+  }
+
+ private:
+  std::map<std::string, std::unique_ptr<sim::WholeFile>> claimed_;
+  std::vector<std::string> written_;  ///< in order
+};
 
 fit::Frame frame_of(const CalibrateOptions& options, const std::optional<fit::Photo>& photo,
                     const std::vector<fit::StarSighting>& stars) {
@@ -211,6 +239,7 @@ int run_calibrate(const CalibrateOptions& options) {
   if (!options.overlay.empty() && options.image.empty())
     throw usage_error("--overlay", "no picture to draw on", "--image beside it");
 
+  CalibrateOutputs outputs(options);
   std::optional<sim::Scene> camera_file;
   if (!options.camera.empty()) camera_file = sim::read_scene(options.camera);
   sim::PictureMetadata metadata;
@@ -242,7 +271,12 @@ int run_calibrate(const CalibrateOptions& options) {
   fit::LensSettings settings = lens_settings(options, start);
   if (blind) {
     const BlindStars seen = recognise_blindly(options, *photo, where_to_look(options, *photo), sky);
-    if (!seen.local) return seen.exit_code;
+    if (!seen.table.empty()) outputs.put(options.stars_out, seen.table);
+    if (!seen.local) {
+      outputs.commit();
+      outputs.tell();
+      return seen.exit_code;
+    }
     stars = seen.stars;
     if (!settings.model || *settings.model == seen.camera.model) settings.start = seen.camera;
   } else if (!maps && options.stars.empty()) {
@@ -272,24 +306,18 @@ int run_calibrate(const CalibrateOptions& options) {
   }
   if (sky.julian_date) origin.site.time_utc = sim::text_of_julian_date(*sky.julian_date);
 
-  // All is made, and all places are claimed, before anything is written.
-  std::vector<std::pair<std::string, std::string>> outputs = {
-      {options.output, fit::camera_toml(calibration, origin)}};
-  if (!options.residuals.empty()) outputs.emplace_back(options.residuals, fit::residuals_csv(calibration));
-  if (!options.json.empty()) outputs.emplace_back(options.json, fit::calibration_json(calibration, origin));
+  // All is made before anything gets its name.
+  outputs.put(options.output, fit::camera_toml(calibration, origin));
+  if (!options.residuals.empty()) outputs.put(options.residuals, fit::residuals_csv(calibration));
+  if (!options.json.empty()) outputs.put(options.json, fit::calibration_json(calibration, origin));
   if (format != PlotFormat::none)
-    outputs.emplace_back(options.plot, plot_bytes(fit::residual_plot(calibration), format));
-  if (!options.overlay.empty()) outputs.emplace_back(options.overlay, fit::star_overlay(calibration, *photo));
-  std::vector<std::unique_ptr<sim::WholeFile>> files;
-  for (const auto& [file, bytes] : outputs) {
-    files.push_back(std::make_unique<sim::WholeFile>(file, options.overwrite));
-    files.back()->write(bytes);
-  }
-  for (const auto& file : files) file->commit();
+    outputs.put(options.plot, plot_bytes(fit::residual_plot(calibration), format));
+  if (!options.overlay.empty()) outputs.put(options.overlay, fit::star_overlay(calibration, *photo));
+  outputs.commit();
 
   print(calibration);
   if (!frame.known) say("note: the picture's size was guessed from its stars: set --size or --image\n");
-  for (const auto& [file, bytes] : outputs) say("%s\n", file.c_str());
+  outputs.tell();
   return good;
 }
 

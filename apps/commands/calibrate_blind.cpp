@@ -1,12 +1,17 @@
 #include "apps/commands/calibrate_blind.h"
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
 #include "apps/options/exit_code.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
+#include "fit/photo/mask/circle.h"
 #include "fit/photo/pointing/blind/sky_place.h"
 #include "fit/photo/pointing/catalogue_sky.h"
 #include "fit/photo/pointing/identification.h"
-#include "sim/base/file/whole_file.h"
 #include "sim/view/sky/instant.h"
 #include "sim/view/sky/planets.h"
 
@@ -34,11 +39,13 @@ void tell_times(const CalibrateOptions& options, const fit::PictureStars& pictur
           .c_str());
 }
 
-/// Those that the site had above its horizon, if the site is known.
+/// Those where the picture shows sky, and that the site had above its horizon, if the site is known.
 void tell_planets(const fit::PictureStars& picture, const fit::Frame& frame, double julian_date,
-                  const std::optional<sim::Observer>& observer) {
+                  const std::optional<sim::Observer>& observer,
+                  const std::function<bool(const fit::SeenPlanet&)>& is_shown) {
   constexpr double kLeastUp = 0.0;
   for (const fit::SeenPlanet& planet : fit::planets_in(picture, frame, julian_date)) {
+    if (!is_shown(planet)) continue;
     bool up = true;
     for (const sim::Planet one : sim::kPlanets) {
       if (planet.name != sim::name_of(one) || !observer) continue;
@@ -70,16 +77,21 @@ BlindStars recognise_blindly(const CalibrateOptions& options, const fit::Photo& 
     answer.exit_code = doubted;
     return answer;
   }
-  say_text(fit::words_of(fit::sky_place(picture.recognition.best, frame), picture.recognition.best));
-  if (!options.stars_out.empty()) {
-    sim::WholeFile file(options.stars_out, options.overwrite);
-    file.write(fit::stars_csv(picture.recognition));
-    file.commit();
-    say("%s\n", options.stars_out.c_str());
-  }
+  const std::optional<fit::CircleFound> found_circle = fit::find_circle(photo);
+  std::optional<fit::Circle> circle;
+  if (found_circle) circle = found_circle->circle;
+  say_text(fit::words_of(fit::sky_place(picture.recognition.best, frame, circle), picture.recognition.best));
+  const auto is_shown = [&](const fit::SeenPlanet& planet) {
+    if (circle && std::hypot(planet.x_px - circle->x_px, planet.y_px - circle->y_px) > circle->radius_px)
+      return false;
+    const auto column = std::clamp(static_cast<int>(planet.x_px), 0, frame.width_px - 1);
+    const auto row = std::clamp(static_cast<int>(planet.y_px), 0, frame.height_px - 1);
+    return usable.empty() || usable[static_cast<std::size_t>(row) * frame.width_px + column] != 0;
+  };
+  answer.table = fit::stars_csv(picture.recognition);
   if (!sky.julian_date || !sky.observer) {
     tell_times(options, picture, frame, sky);
-    if (sky.julian_date) tell_planets(picture, frame, *sky.julian_date, sky.observer);
+    if (sky.julian_date) tell_planets(picture, frame, *sky.julian_date, sky.observer, is_shown);
     if (options.output.empty()) return answer;
     say("no %s: azimuth and elevation need --time and --site. --stars-out STARS.csv keeps the stars, which "
         "'vegard calibrate STARS.csv' takes with them later\n",
@@ -87,7 +99,7 @@ BlindStars recognise_blindly(const CalibrateOptions& options, const fit::Photo& 
     answer.exit_code = doubted;
     return answer;
   }
-  tell_planets(picture, frame, *sky.julian_date, sky.observer);
+  tell_planets(picture, frame, *sky.julian_date, sky.observer, is_shown);
   fit::LocalSky local = fit::local_sky(picture.recognition, *sky.observer, *sky.julian_date);
   if (10 * local.below_horizon > static_cast<int>(local.stars.size())) {
     say("the time or the site is not this picture's: %d of its %zu recognised stars were below the horizon "

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "apps/commands/calibrate_options.h"
@@ -13,11 +14,12 @@ namespace vegard::apps {
 struct BlindStars {
   int exit_code = 0;
   bool local = false;  ///< `stars` and `camera` are under the observer's sky; else all is done
+  std::string table;   ///< of the recognised stars, for --stars-out; empty: none were
   std::vector<fit::StarSighting> stars;  ///< for the calibration
   fit::SkyCamera camera;
 };
 
-/// Recognises the stars, says what was found, and writes --stars-out. Without time or site, or if the stars
+/// Recognises the stars and says what was found. Without time or site, or if the stars
 /// stand below the horizon then, there is nothing to calibrate. `usable`: per pixel, or empty.
 BlindStars recognise_blindly(const CalibrateOptions& options, const fit::Photo& photo,
                              const std::vector<char>& usable, const fit::SkyOfPicture& sky);

@@ -60,3 +60,14 @@ expect_exit 2 calibrate stars.csv --size 480,360 --stars-out other.csv -o none.t
 expect_stderr "recognised blindly"
 expect_exit 2 calibrate --image sky.pgm --decoding linear --stars-out stars.csv
 expect_stderr "stars.csv"
+# Outputs whole or not at all: where one may not be replaced, none is written, and what was there stays.
+echo mine >mine.toml
+expect_exit 2 calibrate --image sky.pgm --decoding linear --site 0,0 --time 2020-12-22T00:00:00Z -o mine.toml --stars-out new.csv
+expect_stderr "mine.toml"
+[[ ! -e new.csv ]] || fail "stars beside a camera that was refused"
+[[ $(cat mine.toml) == mine ]] || fail "a camera replaced unasked"
+expect_exit 2 calibrate --image sky.pgm --decoding linear --site 0,0 --time 2020-12-22T00:00:00Z -o new.toml --stars-out stars.csv
+[[ ! -e new.toml ]] || fail "a camera beside stars that were refused"
+expect_exit 0 calibrate --image sky.pgm --decoding linear --site 0,0 --time 2020-12-22T00:00:00Z -o mine.toml --stars-out stars.csv \
+  --overwrite
+grep -q '^focal_px' mine.toml || fail "no camera in the place of the old file"

@@ -27,14 +27,20 @@ bool looks_at(const sim::Lens<double>& lens, double x, double y, Eigen::Vector3d
   return true;
 }
 
-/// The angle from the middle to where the picture or the lens's image ends.
-double angle_to(const sim::Lens<double>& lens, double x0, double y0, double x1, double y1) {
+bool is_outside(const std::optional<Circle>& circle, double x, double y) {
+  return circle && std::hypot(x - circle->x_px, y - circle->y_px) > circle->radius_px;
+}
+
+/// The angle from the middle to where the picture, the fisheye's circle or the lens's image ends.
+double angle_to(const sim::Lens<double>& lens, const std::optional<Circle>& circle, double x0, double y0,
+                double x1, double y1) {
   Eigen::Vector3d middle, there;
   if (!looks_at(lens, x0, y0, middle)) return 0.0;
   double angle = 0.0;
   for (int i = 1; i <= 64; ++i) {
     const double part = i / 64.0;
-    if (!looks_at(lens, x0 + part * (x1 - x0), y0 + part * (y1 - y0), there)) break;
+    const double x = x0 + part * (x1 - x0), y = y0 + part * (y1 - y0);
+    if (is_outside(circle, x, y) || !looks_at(lens, x, y, there)) break;
     angle = std::atan2(middle.cross(there).norm(), middle.dot(there)) * kDegreesPerRadian;
   }
   return angle;
@@ -60,7 +66,7 @@ Eigen::Matrix3d enu_from_equatorial(sim::Observer observer, double julian_date) 
 
 }  // namespace
 
-SkyPlace sky_place(const GrownCamera& camera, const Frame& frame) {
+SkyPlace sky_place(const GrownCamera& camera, const Frame& frame, const std::optional<Circle>& circle) {
   const sim::Lens<double> lens = true_lens(camera.camera);
   const double x = 0.5 * frame.width_px, y = 0.5 * frame.height_px;
   SkyPlace place;
@@ -73,8 +79,10 @@ SkyPlace sky_place(const GrownCamera& camera, const Frame& frame) {
   place.centre = equatorial_place(middle);
   const Eigen::Vector3d east = Eigen::Vector3d::UnitZ().cross(middle).normalized();
   place.up_deg = std::atan2(up.dot(east), up.dot(middle.cross(east))) * kDegreesPerRadian;
-  place.width_deg = angle_to(lens, x, y, 0.5, y) + angle_to(lens, x, y, frame.width_px - 0.5, y);
-  place.height_deg = angle_to(lens, x, y, x, 0.5) + angle_to(lens, x, y, x, frame.height_px - 0.5);
+  place.width_deg =
+      angle_to(lens, circle, x, y, 0.5, y) + angle_to(lens, circle, x, y, frame.width_px - 0.5, y);
+  place.height_deg =
+      angle_to(lens, circle, x, y, x, 0.5) + angle_to(lens, circle, x, y, x, frame.height_px - 0.5);
   place.px_per_deg = camera.camera.numbers[focal_px_number] / kDegreesPerRadian;
   return place;
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/photo/mask/circle.h"
 #include "fit/photo/pointing/blind/picture_stars.h"
 #include "sim/view/sky/star_place.h"
 
@@ -17,11 +18,13 @@ namespace vegard::fit {
 struct SkyPlace {
   sim::Equatorial centre;                    ///< of the middle of the picture, J2000
   double up_deg = 0.0;                       ///< the picture's upward direction there, from north to the east
-  double width_deg = 0.0, height_deg = 0.0;  ///< the angles across its middle; of what the lens has an image
+  double width_deg = 0.0, height_deg = 0.0;  ///< the angles across its middle; of what has an image: no wider
+                                             ///< than the lens, the fisheye's circle and the picture
   double px_per_deg = 0.0;                   ///< on the lens's axis
 };
 
-SkyPlace sky_place(const GrownCamera& camera, const Frame& frame);
+/// `circle`: the fisheye's, if the picture shows one: beyond it the lens sees nothing.
+SkyPlace sky_place(const GrownCamera& camera, const Frame& frame, const std::optional<Circle>& circle = {});
 
 /// "right ascension 75.95°, declination 78.75° (J2000); ...", a sentence a line.
 std::string words_of(const SkyPlace& place, const GrownCamera& camera);

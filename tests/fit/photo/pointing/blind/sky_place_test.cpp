@@ -37,6 +37,11 @@ TEST(SkyPlace, TellsWhereUpAndHowWide) {
   EXPECT_NEAR(place.width_deg, 63.9, 1e-6);
   EXPECT_NEAR(place.height_deg, 47.9, 1e-6);
   EXPECT_NEAR(place.px_per_deg, 10.0, 1e-9);
+  // Of a fisheye's circle 150 px wide to either side there is no more than that.
+  const fit::SkyPlace in_circle = fit::sky_place(camera, {640, 480, true}, fit::Circle{320.0, 240.0, 150.0});
+  EXPECT_NEAR(in_circle.width_deg, 30.0, 1.1);
+  EXPECT_NEAR(in_circle.height_deg, 30.0, 1.1);
+  EXPECT_LE(in_circle.width_deg, 30.0);
 }
 
 // On the equator of the Earth all of the celestial equator is up for twelve hours a day. On 2020 December 21
