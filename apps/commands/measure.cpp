@@ -19,25 +19,30 @@
 
 #include <fmt/format.h>
 
+#include "apps/commands/measure_skyline.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/photographs.h"
 #include "apps/options/refusals.h"
+#include "apps/options/site_words.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/measure_page.h"
 #include "apps/output/photo_description.h"
 #include "fit/answer/trust.h"
 #include "fit/photo/mask/mask_picture.h"
+#include "fit/photo/photo.h"
 #include "fit/photo/photo_facts.h"
 #include "fit/photo/picture_field_of_view.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/utc_time.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/view/camera/direction_map.h"
+#include "sim/view/sky/instant.h"
 
 namespace vegard::apps {
 namespace {
@@ -52,7 +57,8 @@ constexpr double kBlur_px = 1.2;       // what lenses and demosaicing leave of a
 constexpr double kModelError = 0.03;
 
 struct MeasureRequest {
-  std::string photo, out, time, site, camera, mask, decoding, memory_limit;
+  std::string photo, out, time, camera, mask, decoding;
+  std::vector<std::string> site;
   double line_nm = 557.7;
   int threads = 0, replicates = 8;
   bool no_map = false, overwrite = false;
@@ -115,23 +121,47 @@ nlohmann::json json_of(const std::string& file) {
 
 /// What is known of a picture before anything is looked for in it.
 struct Known {
-  std::string time, site;  ///< words for --time and --site; empty: not known
-  bool has_focal = false;  ///< the file tells the field of view
+  std::string time;                ///< UTC, for --time; empty: not known
+  std::optional<SitePlace> site;   ///< none: not known
+  bool has_focal = false;          ///< the file tells the field of view
+  std::optional<double> hfov_deg;  ///< that the stars told, of a lens that is a pinhole
 };
+
+/// "78.148,16.043,520", as --site takes it.
+std::string site_text(const SitePlace& site) {
+  return fmt::format("{:.10g},{:.10g},{:.10g}", site.latitude_deg, site.longitude_deg, site.height_m);
+}
+
+/// What the command line says of time and place, refused here before any stage if nobody can read it.
+Known known_of(const MeasureRequest& options) {
+  Known known;
+  if (!options.time.empty()) {
+    const std::optional<double> seconds = sim::utc_seconds(options.time);
+    if (!seconds)
+      throw usage_error("--time", "'" + options.time + "' is no time",
+                        "ISO 8601 such as 2014-02-21T19:30:40Z, or with a zone, 2014-02-21T20:30:40+01:00");
+    known.time = sim::utc_text(*seconds);
+  }
+  if (!options.site.empty()) known.site = site_place(options.site);
+  return known;
+}
 
 class Measuring {
  public:
-  Measuring(const MeasureRequest& options, const std::string& command) : options_(options) {
+  Measuring(const MeasureRequest& options, const std::string& command)
+      : options_(options), known_(known_of(options)) {
     result_.command = command;
     result_.photo = file_name_of(options.photo);
   }
 
   int run() {
     metadata_of(options_.photo);  // throws before anything is made if there is no picture
+    take_given_camera();
     claim_folder();
     picture();
     sky();
     camera();
+    doubt_skyline();
     border();
     map();
     return conclude();
@@ -191,21 +221,26 @@ class Measuring {
   void picture();
   void sky();
   void camera();
+  std::vector<fit::PicturePoint> skyline() const;
+  void doubt_skyline();
   bool camera_by_stars();
   bool camera_by_horizon(MeasureStage& stage);
   void border();
   void map();
   std::string region_mask() const;
-  std::vector<std::string> words_of_site() const;
+  std::vector<std::string> changes_of_site() const;
+  void take_given_camera();
   int conclude();
 
   const MeasureRequest& options_;
   Measurement result_;
   Known known_;
-  std::string sky_mask_;      ///< file; empty if all of the picture may be sky
-  std::string camera_file_;   ///< empty: not known
-  bool has_azimuth_ = false;  ///< the camera's directions are in the sky, not only above the horizon
-  bool has_horizon_ = false;  ///< a skyline was found
+  std::string sky_mask_;          ///< file; empty if all of the picture may be sky
+  std::string camera_file_;       ///< empty: not known
+  bool has_azimuth_ = false;      ///< the camera's directions are in the sky, not only above the horizon
+  bool has_horizon_ = false;      ///< a skyline was found
+  bool is_skyline_open_ = false;  ///< whether it is ground or the light's own border is not decided
+  bool is_fisheye_ = false;       ///< by the stars
   bool has_border_ = false, has_map_ = false;
   nlohmann::json border_ = nlohmann::json::object(), map_ = nlohmann::json::object();
   std::vector<std::string> border_words_;  ///< of the answer
@@ -215,28 +250,25 @@ void Measuring::picture() {
   MeasureStage& stage = begin("What the picture says of itself");
   const sim::PictureMetadata metadata = metadata_of(options_.photo);
   const fit::PhotoFacts facts = fit::photo_facts(metadata);
-  known_.time = options_.time;
-  known_.site = options_.site;
   known_.has_focal = fit::picture_field_of_view(metadata).hfov_deg.has_value();
-  std::string latitude, longitude, altitude;
+  std::vector<std::string> place;
   for (const fit::PhotoFact& fact : facts.facts) {
     say("%s\n", fit::fact_text(fact).c_str());
-    if (fact.path == "site.latitude_deg") latitude = fact.value;
-    if (fact.path == "site.longitude_deg") longitude = fact.value;
-    if (fact.path == "site.altitude_m") altitude = fact.value;
+    // Latitude, longitude, altitude: in the order of a scene file.
+    if (fact.path.rfind("site.l", 0) == 0 || (fact.path == "site.altitude_m" && place.size() == 2))
+      place.push_back(fact.value);
     if (fact.path == "site.time_utc" && known_.time.empty())
       known_.time = fact.value.substr(1, fact.value.size() - 2);
   }
   for (const std::string& note : facts.notes) say("%s\n", note.c_str());
-  if (known_.site.empty() && !latitude.empty())
-    known_.site = latitude + "," + longitude + (altitude.empty() ? "" : "," + altitude);
-  stage.trust = known_.time.empty() || known_.site.empty() ? Trust::doubtful : Trust::good;
-  if (known_.time.empty() && known_.site.empty()) stage.trust = Trust::not_told;
+  if (!known_.site && place.size() >= 2) known_.site = site_place(place);
+  stage.trust = known_.time.empty() || !known_.site ? Trust::doubtful : Trust::good;
+  if (known_.time.empty() && !known_.site) stage.trust = Trust::not_told;
   stage.found =
       (known_.time.empty() ? "The time is not known" : "Taken at " + known_.time) +
-      std::string(known_.site.empty() ? "; the place is not known." : "; from " + known_.site + ".");
+      std::string(!known_.site ? "; the place is not known." : "; from " + site_text(*known_.site) + ".");
   if (known_.time.empty()) stage.lacking = "the time in UTC: --time 2014-02-21T19:30:40Z. ";
-  if (known_.site.empty()) stage.lacking += "the place: --site LATITUDE,LONGITUDE.";
+  if (!known_.site) stage.lacking += "the place: --site LATITUDE,LONGITUDE.";
   say("%s\n", stage.found.c_str());
 }
 
@@ -280,7 +312,7 @@ bool Measuring::camera_by_stars() {
                                     in_run("stars.png")};
   if (!sky_mask_.empty()) words.insert(words.end(), {"--mask", sky_mask_});
   if (!known_.time.empty()) words.insert(words.end(), {"--time", known_.time});
-  if (!known_.site.empty()) words.insert(words.end(), {"--site", known_.site});
+  if (known_.site) words.push_back("--site=" + site_text(*known_.site));
   const Ended ended = run_words(with_common(words));
   take(stage, ended);
   for (const char* file : {"camera.toml", "stars.csv", "stars.png"}) wrote(stage, file);
@@ -299,6 +331,12 @@ bool Measuring::camera_by_stars() {
                   line_with(ended.words, "the picture's middle") + "; " +
                   line_with(ended.words, "field of view") + ".";
     stage.lacking = known_.time.empty() ? "the time: --time" : "the place: --site";
+    const std::string field = line_with(ended.words, "field of view");
+    double across_deg = 0.0;
+    if (std::sscanf(field.c_str(), "field of view: %lf", &across_deg) == 1) {
+      is_fisheye_ = field.find("lens: pinhole") == std::string::npos;
+      if (!is_fisheye_) known_.hfov_deg = across_deg;
+    }
     return false;
   }
   stage.trust = Trust::not_told;
@@ -308,15 +346,59 @@ bool Measuring::camera_by_stars() {
   return false;
 }
 
+/// A point a column; none if no skyline was found.
+std::vector<fit::PicturePoint> Measuring::skyline() const {
+  std::vector<fit::PicturePoint> points;
+  if (!has_horizon_) return points;
+  std::ifstream file(in_run("horizon.csv"));
+  for (std::string line; std::getline(file, line);) {
+    double x = 0.0, y = 0.0;
+    if (std::sscanf(line.c_str(), "%lf,%lf", &x, &y) == 2) points.push_back({x, y});
+  }
+  return points;
+}
+
+/// A light's sharp lower border over a dark sky may have passed for a skyline: what is below it is sky then.
+void Measuring::doubt_skyline() {
+  if (!has_azimuth_ || !has_horizon_) return;
+  const sim::Scene scene = sim::read_scene(camera_file_);
+  const fit::Photo photo =
+      fit::read_photo(options_.photo, decoding_of(options_.decoding, scene.fit.decoding, &scene));
+  fit::SkyOfPicture sky;
+  if (!known_.time.empty()) sky.julian_date = sim::julian_date(known_.time);
+  if (known_.site)
+    sky.observer =
+        sim::Observer{known_.site->latitude_deg, known_.site->longitude_deg, known_.site->height_m, true};
+  const std::optional<SkylineDoubt> doubt = skyline_doubt(skyline(), scene.camera, photo, sky);
+  if (!doubt) return;
+  MeasureStage& stage = begin("Whether the skyline is the ground's");
+  const Ended ended = run_words(with_common({"mask", options_.photo, "-o", sky_mask_, "--text"}));
+  take(stage, ended);
+  wrote(stage, "sky.png");
+  stage.found =
+      fmt::format("The skyline stands {:.0f} to {:.0f}° above the horizon over {:.0f}° of azimuth, ",
+                  doubt->from_deg, doubt->to_deg, doubt->azimuths_deg);
+  if (doubt->has_stars()) {
+    stage.trust = Trust::good;
+    stage.found += fmt::format(
+        "and {} stars shine below it ({:.1f} would by chance): it is no ground, but perhaps the light's own "
+        "border, and nothing is masked by it.",
+        doubt->stars_below, doubt->by_chance);
+    return;
+  }
+  is_skyline_open_ = true;
+  stage.trust = Trust::doubtful;
+  stage.found +=
+      "and is as smooth as a border of light, which it may be: nothing is masked by it. If it is a ridge or "
+      "a "
+      "roof, a border told there is that of the ground.";
+  stage.lacking = "a mask of what is ground: --mask MASK.png (vegard mask)";
+}
+
 /// The lowest points of a skyline in ten parts of the picture's width: hills stand above the horizon, nothing
 /// below it.
 bool Measuring::camera_by_horizon(MeasureStage& stage) {
-  std::ifstream file(in_run("horizon.csv"));
-  std::vector<std::pair<double, double>> skyline;
-  for (std::string line; std::getline(file, line);) {
-    double x = 0.0, y = 0.0;
-    if (std::sscanf(line.c_str(), "%lf,%lf", &x, &y) == 2) skyline.emplace_back(x, y);
-  }
+  const std::vector<fit::PicturePoint> skyline = this->skyline();
   constexpr std::size_t kParts = 10;
   if (skyline.size() < 10 * kParts) return false;
   std::vector<std::string> words = {"horizon", options_.photo, "-o", in_run("camera.toml"), "--points"};
@@ -324,9 +406,11 @@ bool Measuring::camera_by_horizon(MeasureStage& stage) {
     const auto begin = skyline.begin() + static_cast<std::ptrdiff_t>(part * skyline.size() / kParts);
     const auto end = skyline.begin() + static_cast<std::ptrdiff_t>((part + 1) * skyline.size() / kParts);
     const auto lowest =
-        std::max_element(begin, end, [](const auto& a, const auto& b) { return a.second < b.second; });
-    words.push_back(fmt::format("{:.1f},{:.1f}", lowest->first, lowest->second));
+        std::max_element(begin, end, [](const auto& a, const auto& b) { return a.y_px < b.y_px; });
+    words.push_back(fmt::format("{:.1f},{:.1f}", lowest->x_px, lowest->y_px));
   }
+  // Stars measure the angle, a file only says it.
+  if (known_.hfov_deg) words.push_back("--hfov=" + sim::real_text(*known_.hfov_deg));
   words.push_back("--overwrite");
   const Ended ended = run_words(words);
   take(stage, ended);
@@ -345,9 +429,11 @@ void Measuring::camera() {
   }
   if (camera_by_stars()) return;
   MeasureStage& stage = begin("Where the camera points: the horizon");
-  if (!has_horizon_ || !known_.has_focal) {
+  if (!has_horizon_ || is_fisheye_ || (!known_.has_focal && !known_.hfov_deg)) {
     stage.trust = Trust::not_told;
     stage.found = !has_horizon_ ? "There is no skyline that could stand for the horizon."
+                  : is_fisheye_ ? "A skyline is there, but the stars say that the lens is a fisheye's, and "
+                                  "skylines are used with common lenses alone."
                                 : "A skyline is there, but the picture does not tell its field of view.";
     stage.lacking =
         "points on the horizon and the field of view: vegard horizon PHOTO --points X,Y X,Y --hfov DEGREES "
@@ -362,7 +448,9 @@ void Measuring::camera() {
   }
   camera_file_ = in_run("camera.toml");
   stage.trust = Trust::doubtful;
-  stage.found = "From the skyline and the field of view: " + line_with(stage.words, "elevation") +
+  stage.found = "From the skyline and the field of view" +
+                std::string(known_.hfov_deg ? " that the stars tell: " : ": ") +
+                line_with(stage.words, "elevation") +
                 ". The skyline may stand a degree or more above the horizon, and the azimuth is not known (0 "
                 "is assumed).";
   stage.lacking = "stars in the picture, with time and place";
@@ -376,7 +464,7 @@ void Measuring::border() {
   }
   std::vector<std::string> words = {"border",       camera_file_, "--photo",
                                     options_.photo, "--out",      in_run("border")};
-  const std::vector<std::string> site = words_of_site();
+  const std::vector<std::string> site = changes_of_site();
   words.insert(words.end(), site.begin(), site.end());
   if (!sky_mask_.empty()) words.insert(words.end(), {"--mask", sky_mask_});
   const Ended ended = run_words(with_common(words));
@@ -388,7 +476,7 @@ void Measuring::border() {
     stage.found = last_line(ended.words);
     return;
   }
-  stage.trust = has_azimuth_ ? Trust::good : Trust::doubtful;
+  stage.trust = has_azimuth_ && !is_skyline_open_ ? Trust::good : Trust::doubtful;
   constexpr std::size_t kToldFirst = 2;
   std::istringstream lines(ended.words);
   for (std::string line; std::getline(lines, line);) {
@@ -399,19 +487,27 @@ void Measuring::border() {
   if (!has_azimuth_ && !border_words_.empty())
     border_words_.push_back(
         "Azimuths count from where the camera looked, and elevations are by the skyline.");
+  if (is_skyline_open_ && !border_words_.empty())
+    border_words_.push_back(
+        "Whether these are borders of light or of high ground is not decided: see below.");
   if (fs::exists(in_run("border/border.svg")))
     result_.pictures.insert(result_.pictures.begin(), "border/border.svg");
 }
 
 /// The place, for commands that take it as changes of a scene.
-std::vector<std::string> Measuring::words_of_site() const {
-  static const char* const kKeys[] = {"site.latitude_deg", "site.longitude_deg", "site.altitude_m"};
-  std::vector<std::string> words;
-  std::istringstream numbers(known_.site);
-  std::string number;
-  for (const char* key : kKeys)
-    if (std::getline(numbers, number, ',')) words.insert(words.end(), {"--set", key + ("=" + number)});
-  return words;
+std::vector<std::string> Measuring::changes_of_site() const {
+  if (!known_.site) return {};
+  return {"--set", "site.latitude_deg=" + sim::real_text(known_.site->latitude_deg),
+          "--set", "site.longitude_deg=" + sim::real_text(known_.site->longitude_deg),
+          "--set", "site.altitude_m=" + sim::real_text(known_.site->height_m)};
+}
+
+/// --camera, which may know the place as well; refused before any stage if it is none.
+void Measuring::take_given_camera() {
+  if (options_.camera.empty()) return;
+  const sim::Scene scene = sim::read_scene(options_.camera);
+  if (!known_.site && scene.lines.count("site.latitude_deg") + scene.lines.count("site.longitude_deg") == 2)
+    known_.site = SitePlace{scene.site.latitude_deg, scene.site.longitude_deg, scene.site.altitude_m};
 }
 
 /// Pixels whose light the map is to explain: near the azimuths of the traces, from below their border up.
@@ -450,7 +546,7 @@ std::string Measuring::region_mask() const {
 void Measuring::map() {
   if (options_.no_map) return;
   MeasureStage& stage = begin("Where electrons of which energy fall");
-  if (!has_azimuth_ || !has_border_ || known_.site.empty()) {
+  if (!has_azimuth_ || !has_border_ || !known_.site) {
     stage.found =
         std::string("There is no map: it needs ") + (!has_azimuth_  ? "the camera's directions in the sky."
                                                      : !has_border_ ? "a lower border."
@@ -494,7 +590,7 @@ void Measuring::map() {
            "--out",        in_run("map"),
            "--replicates", std::to_string(options_.replicates),
            "--threads",    std::to_string(options_.threads)};
-  const std::vector<std::string> site = words_of_site();
+  const std::vector<std::string> site = changes_of_site();
   words.insert(words.end(), site.begin(), site.end());
   const Ended ended = run_words(with_common(words));
   take(stage, ended);
@@ -525,7 +621,9 @@ int Measuring::conclude() {
     result_.answer.push_back("The map has for " + quantity + ": " + v.value("value", "nothing") + " (" +
                              v.value("verdict", "") + ": " + v.value("reason", "") + ").");
   }
-  result_.trust = has_border_ ? (has_azimuth_ ? Trust::good : Trust::doubtful) : Trust::not_told;
+  result_.trust = !has_border_                        ? Trust::not_told
+                  : has_azimuth_ && !is_skyline_open_ ? Trust::good
+                                                      : Trust::doubtful;
   if (result_.answer.empty())
     for (const MeasureStage& stage : result_.stages)
       if (!stage.lacking.empty())
@@ -550,10 +648,11 @@ void add_measure_command(Program& program) {
   const Command command = program.add(
       "measure", "From a photograph to an answer: where its aurora stands, how high, and of which energy");
   command.option("PHOTO", options->photo, "A photograph of any format that is read").required();
-  command.option("--time", options->time, "When it was taken, UTC (default: what the picture says)")
+  command
+      .option("--time", options->time,
+              "When it was taken, ISO 8601 in UTC or with a zone (default: what the picture says)")
       .type_name("TIME");
-  command.option("--site", options->site, "Where from: degrees north, degrees east, metres above the sea")
-      .type_name("LAT,LON[,ALT]");
+  add_site_option(command, options->site);
   command.option("--out", options->out, "The folder to write (default: PHOTO's name with _measured)")
       .type_name("RUN");
   command.option("--camera", options->camera, "Where the camera points, if that is known")

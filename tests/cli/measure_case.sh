@@ -27,6 +27,27 @@ expect_file bare/report.html
 expect_stdout "What would help"
 grep -qF '"trust": "not told"' bare/measure.json || fail "something is told"
 
+# Place and time as calibrate takes them: with letters, in degrees and minutes, with a zone; said in one way.
+expect_exit 0 measure photo.png --camera camera.toml --site "67N,20°0'E" --time 2020-01-01T21:00:00+01:00 --no-map --out words
+expect_stdout "Taken at 2020-01-01T20:00:00Z; from 67,20,0."
+expect_same run/border/border.csv words/border/border.csv
+# The camera's file may know the place.
+printf '[site]\nlatitude_deg = 67.0\nlongitude_deg = 20.0\n' | cat camera.toml - >placed.toml
+expect_exit 0 measure photo.png --camera placed.toml --no-map --out placed
+expect_stdout "from 67,20,0."
+expect_same run/border/border.csv placed/border/border.csv
+# What nobody can read is refused before any stage.
+refused_at_once() {
+  expect_exit 2 measure photo.png "$@" --out refused
+  expect_one_message
+  [[ ! -e refused ]] || fail "a folder before a refusal"
+}
+refused_at_once --site 67N,20N
+expect_stderr "--site"
+refused_at_once --site 97,20
+refused_at_once --time yesterday
+expect_stderr "--time"
+
 # An existing measurement stays unless asked, and what is none stays always.
 expect_exit 2 measure photo.png --out run
 expect_one_message
