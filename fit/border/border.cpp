@@ -22,6 +22,8 @@ constexpr double kBorderSmoothingDeg = 0.25;  // along elevation, at least a cel
 constexpr double kWidestHoleDeg = 1.0;        // a star's mask, a hot pixel: bridged
 constexpr double kFarthestFootDeg = 40.0;     // below the peak
 constexpr std::size_t kMostTraces = 20;
+constexpr double kEdge_rows = 3.0;    // what smoothing makes of a sharp edge, from 75 to 25 %
+constexpr double kGroundLight = 0.5;  // of the dark part of the sky
 
 double border_quantile(std::vector<double> values, double share) {
   if (values.empty()) return sim::kNaN;
@@ -220,6 +222,7 @@ struct BorderLight {
   BorderNoise noise;
   std::vector<double> floor;  ///< of each column: what is dark there
   double least = 0.0;         ///< of a peak above its foot, anywhere
+  double dark_sky = 0.0;      ///< less light than this is no sky's
 
   double at(int column, int row) const { return smooth[cells.index(column, row)]; }
 };
@@ -283,6 +286,13 @@ bool find_border_below(const BorderLight& light, const BorderSettings& settings,
   p.elevation_deg = found.course_deg = cells.elevation_deg(half);
   if (p.elevation_deg < settings.lowest_told_deg) {
     p.limit = BorderLimit::horizon;
+    p.elevation_deg = p.elevation_error_deg = p.fall_deg = sim::kNaN;
+    return true;
+  }
+  // A roof or a tree that no mask leaves out: black, and the light ends at it within a pixel or two.
+  const int beneath = std::max(low, static_cast<int>(half - 2.0 * std::max(fall, 1.0)));
+  if (fall < kEdge_rows && light.whole[cells.index(column, beneath)] < light.dark_sky) {
+    p.limit = BorderLimit::ground;
     p.elevation_deg = p.elevation_error_deg = p.fall_deg = sim::kNaN;
     return true;
   }
@@ -413,6 +423,18 @@ void add_border_scatter(BorderTrace& trace, double step_deg) {
   }
 }
 
+/// The edge of a roof is one all along, also where a lamp or a star brightens it.
+void hide_edge_of_ground(BorderTrace& trace) {
+  std::size_t edges = 0;
+  for (const BorderPoint& p : trace.points) edges += p.limit == BorderLimit::ground ? 1 : 0;
+  if (3 * edges < trace.points.size()) return;
+  for (BorderPoint& p : trace.points)
+    if (p.told()) {
+      p.limit = BorderLimit::ground;
+      p.elevation_deg = p.elevation_error_deg = p.fall_deg = sim::kNaN;
+    }
+}
+
 std::vector<BorderTrace> link_border(std::vector<std::vector<BorderCandidate>>& all,
                                      const BorderSettings& settings) {
   const int columns = static_cast<int>(all.size());
@@ -444,8 +466,9 @@ std::vector<BorderTrace> link_border(std::vector<std::vector<BorderCandidate>>& 
     for (const BorderPlaceInColumn& at : course) {
       candidate(at).used = true;
       trace.points.push_back(candidate(at).point);
-      trace.told += candidate(at).point.told() ? 1 : 0;
     }
+    hide_edge_of_ground(trace);
+    for (const BorderPoint& p : trace.points) trace.told += p.told() ? 1 : 0;
     add_border_scatter(trace, settings.azimuth_step_deg);
     traces.push_back(std::move(trace));
   }
@@ -453,9 +476,9 @@ std::vector<BorderTrace> link_border(std::vector<std::vector<BorderCandidate>>& 
 }
 
 std::string untold_border_note(const BorderTrace& trace) {
-  int count[4] = {};
+  int count[5] = {};
   for (const BorderPoint& p : trace.points) ++count[static_cast<int>(p.limit)];
-  const int most = static_cast<int>(std::max_element(count + 1, count + 4) - count);
+  const int most = static_cast<int>(std::max_element(count + 1, count + 5) - count);
   return fmt::format("Light at azimuths {:.0f} to {:.0f}° has its lower border beyond {}: not told there.",
                      trace.points.front().azimuth_deg, trace.points.back().azimuth_deg,
                      border_limit_name(static_cast<BorderLimit>(most)));
@@ -473,6 +496,8 @@ const char* border_limit_name(BorderLimit limit) {
       return "the frame";
     case BorderLimit::mask:
       return "the mask or clipped light";
+    case BorderLimit::ground:
+      return "something dark before the sky";
   }
   return "";
 }
@@ -545,6 +570,10 @@ Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSet
     return border;
   }
   work.least = 0.05 * (border_quantile(all, 0.995) - border_quantile(all, 0.2));
+  std::vector<double> whole;
+  for (const double v : work.whole)
+    if (std::isfinite(v)) whole.push_back(v);
+  work.dark_sky = kGroundLight * border_quantile(std::move(whole), 0.25);
   const int aside = static_cast<int>(15.0 / cells.azimuth_step_deg);
   for (int c = 0; c < cells.columns; ++c) {
     std::vector<double> near;

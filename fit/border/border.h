@@ -37,8 +37,9 @@ struct BorderSettings {
 enum class BorderLimit {
   none,  ///< it is told
   horizon,
-  frame,  ///< it lies beyond the picture or the lens
-  mask,   ///< it lies under the mask, or the picture is clipped there
+  frame,   ///< it lies beyond the picture or the lens
+  mask,    ///< it lies under the mask, or the picture is clipped there
+  ground,  ///< the light ends at an edge as sharp as the picture, with less below than any sky has
 };
 
 /// "the horizon"

@@ -172,6 +172,22 @@ TEST(Border, IsNotToldBeyondAMaskOrTheHorizon) {
     }
   EXPECT_GT(hidden, 20);
 
+  // The same as a black roof that no mask leaves out.
+  Photo roofed = drawn(scene, light, 0.005);
+  for (int y = 0; y < 400; ++y)
+    for (int x = 0; x < 400; ++x)
+      for (int c = 0; c < 3; ++c)
+        if (photo.usable[photo.linear.index(x, y, c)] == 0) roofed.linear.at(x, y, c) = 0.0f;
+  int before_it = 0;
+  const Border beyond = trace_border(roofed, scene);
+  for (const BorderTrace& trace : beyond.traces)
+    for (const BorderPoint& p : trace.points)
+      if (p.azimuth_deg > 4.0 && p.azimuth_deg < 36.0) {
+        EXPECT_EQ(p.limit, BorderLimit::ground) << p.azimuth_deg;
+        ++before_it;
+      }
+  EXPECT_GT(before_it, 20);
+
   // An arc whose border has set.
   const Border low = trace_border(
       drawn(
