@@ -22,12 +22,14 @@
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/file/whole_file.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::apps {
 namespace {
 
 struct HorizonRequest {
-  std::string photo, output, sky;
+  std::string photo, output, sky, lens;
   std::vector<std::string> points;
   std::vector<int> size_px;
   std::optional<double> hfov_deg, focal_35mm_mm, azimuth_deg, altitude_m;
@@ -42,6 +44,35 @@ fit::PixelPoint point_of(const std::string& key, const std::string& words) {
       used != static_cast<int>(words.size()))
     throw usage_error(key, "'" + words + "' is no point", "X,Y in pixels from the upper left corner");
   return point;
+}
+
+constexpr double kFarthestOffAxis = 0.05;  // cosine: farther off its axis a plain lens sees nothing
+
+/// Where a plain lens with the same axis and scale would see it, in a picture of any size.
+fit::PixelPoint by_plain_lens(const sim::Lens<double>& lens, const fit::HorizonProblem& problem,
+                              const fit::PixelPoint& point) {
+  double ray[3];
+  if (!sim::unproject(lens, point.x_px, point.y_px, ray) || ray[2] < kFarthestOffAxis)
+    throw usage_error("--points", "the lens of --lens does not look forward there",
+                      "points less than 87 degrees off its axis");
+  return {0.5 * problem.width_px + lens.focal_px * ray[0] / ray[2],
+          0.5 * problem.height_px + lens.focal_px * ray[1] / ray[2]};
+}
+
+/// The lens of a camera's file, whatever that points to. A horizon is as straight to it as to a plain one.
+void read_lens(const HorizonRequest& options, HorizonCamera& camera) {
+  fit::HorizonProblem& problem = camera.problem;
+  const sim::Scene scene = sim::read_scene(options.lens);
+  if (scene.camera.width != problem.width_px || scene.camera.height != problem.height_px)
+    throw usage_error("--lens", "it is of a picture of another size", "the camera of this picture");
+  camera.lens = scene.camera;
+  camera.hfov_source = "the lens of " + file_name_of(options.lens);
+  const sim::Lens<double> lens = sim::camera_view(scene.camera).lens;
+  constexpr int kWide_px = 65535;  // so that all points are in it
+  problem.width_px = problem.height_px = kWide_px;
+  problem.hfov_deg = fit::hfov_of_focal_deg(lens.focal_px, kWide_px);
+  for (fit::PixelPoint& point : problem.points) point = by_plain_lens(lens, problem, point);
+  if (problem.sky) problem.sky = by_plain_lens(lens, problem, *problem.sky);
 }
 
 /// Size and field of view, from the command line or the picture.
@@ -59,7 +90,9 @@ void read_camera(const HorizonRequest& options, HorizonCamera& camera) {
   fit::HorizonProblem& problem = camera.problem;
   problem.width_px = *metadata.width_px;
   problem.height_px = *metadata.height_px;
-  if (options.fit_hfov) {
+  if (!options.lens.empty()) {
+    read_lens(options, camera);
+  } else if (options.fit_hfov) {
     camera.hfov_source = "from the horizon's bending";
   } else if (options.hfov_deg) {
     problem.hfov_deg = options.hfov_deg;
@@ -93,7 +126,7 @@ void measure_rounding(HorizonCamera& camera) {
 void print_dip_alone(const HorizonCamera& camera) {
   constexpr double kBentDeg = 2.0;
   fit::HorizonProblem problem = camera.problem;
-  if (problem.dip_deg < kBentDeg || problem.points.size() < 3 || !problem.hfov_deg) return;
+  if (problem.dip_deg < kBentDeg || problem.points.size() < 3 || !problem.hfov_deg || camera.lens) return;
   problem.free_dip = true;
   try {
     const fit::HorizonCalibration alone = fit::calibrate_horizon(problem);
@@ -126,7 +159,10 @@ void print_answer(const HorizonCamera& camera) {
     return bar.sigma > 0.0 ? sim::number_with_error(bar.value, bar.sigma) : sim::short_number(bar.value);
   };
   say("%zu points on the horizon, dip %s deg\n", camera.problem.points.size(), number(found.dip_deg).c_str());
-  say("  camera.hfov_deg       %s (%s)\n", number(found.hfov_deg).c_str(), camera.hfov_source.c_str());
+  if (camera.lens)
+    say("  %s\n", camera.hfov_source.c_str());
+  else
+    say("  camera.hfov_deg       %s (%s)\n", number(found.hfov_deg).c_str(), camera.hfov_source.c_str());
   say("  camera.elevation_deg  %s\n", number(found.elevation_deg).c_str());
   say("  camera.roll_deg       %s\n", number(found.roll_deg).c_str());
   say("  camera.azimuth_deg    %s\n", camera.azimuth_deg
@@ -145,10 +181,10 @@ void print_answer(const HorizonCamera& camera) {
 int run_horizon(const HorizonRequest& options) {
   if (same_file(options.photo, options.output)) refuse_same_file("--output", options.output, "the picture");
   HorizonCamera camera;
-  read_camera(options, camera);
   fit::HorizonProblem& problem = camera.problem;
   for (const std::string& words : options.points) problem.points.push_back(point_of("--points", words));
   if (!options.sky.empty()) problem.sky = point_of("--sky", options.sky);
+  read_camera(options, camera);
   camera.azimuth_deg = options.azimuth_deg;
   camera.altitude_m = options.altitude_m;
   problem.dip_deg = fit::horizon_dip_deg(1e-3 * options.altitude_m.value_or(0.0), options.layer_km);
@@ -194,8 +230,14 @@ void add_horizon_command(Program& program) {
           .range(1.0, 1e5);
   const Option fit_hfov =
       command.flag("--fit-hfov", options->fit_hfov, "Find the field of view too, from a bent horizon");
-  hfov.excludes(film).excludes(fit_hfov);
-  film.excludes(fit_hfov);
+  const Option lens =
+      command
+          .option("--lens", options->lens,
+                  "A camera's file whose lens this is, wherever that points to: any lens, as stars tell it")
+          .type_name("CAMERA.toml");
+  hfov.excludes(film).excludes(fit_hfov).excludes(lens);
+  film.excludes(fit_hfov).excludes(lens);
+  fit_hfov.excludes(lens);
   command
       .option("--altitude-m", options->altitude_m,
               "Height of the observer above what makes the horizon (default: 0)")

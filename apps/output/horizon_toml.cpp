@@ -1,12 +1,14 @@
 #include "apps/output/horizon_toml.h"
 
 #include <cmath>
+#include <tuple>
 
 #include <fmt/format.h>
 
 #include "apps/output/photo_description.h"
 #include "sim/base/error.h"
 #include "sim/base/version.h"
+#include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/parameter_table.h"
 
 namespace vegard::apps {
@@ -50,6 +52,34 @@ std::string site_lines(const HorizonCamera& camera) {
   return text.empty() ? text : "[site]\n" + text + "\n";
 }
 
+std::string lens_lines(const HorizonCamera& camera) {
+  if (!camera.lens)
+    return "model = \"pinhole\"  # assumed, its axis in the middle\n" +
+           line("width", std::to_string(camera.problem.width_px), "the picture's size") +
+           line("height", std::to_string(camera.problem.height_px), "the picture's size") +
+           line("hfov_deg", real(camera.found.hfov_deg.value),
+                with_error(camera.found.hfov_deg, camera.hfov_source));
+  const sim::Camera& lens = *camera.lens;
+  std::string text =
+      fmt::format("model = \"{}\"  # {}\n", sim::word_of(lens.model), comment_words(camera.hfov_source));
+  text += fmt::format("width = {}\nheight = {}\n", lens.width, lens.height);
+  if (lens.model == sim::LensModel::pinhole)
+    text += "hfov_deg = " + sim::real_text(lens.hfov_deg) + "\n";
+  else
+    text += "focal_px = " + sim::real_text(lens.focal_px) + "\n";
+  for (const auto& [key, value, usual] : {std::tuple{"principal_x_px", lens.principal_x_px, 0.0},
+                                          {"principal_y_px", lens.principal_y_px, 0.0},
+                                          {"aspect", lens.aspect, 1.0},
+                                          {"k1", lens.k1, 0.0},
+                                          {"k2", lens.k2, 0.0},
+                                          {"k3", lens.k3, 0.0},
+                                          {"p1", lens.p1, 0.0},
+                                          {"p2", lens.p2, 0.0}})
+    if (value != usual) text += std::string(key) + " = " + sim::real_text(value) + "\n";
+  if (lens.mirrored) text += "mirrored = true\n";
+  return text;
+}
+
 }  // namespace
 
 std::string horizon_toml(const HorizonCamera& camera) {
@@ -60,10 +90,7 @@ std::string horizon_toml(const HorizonCamera& camera) {
   text += fmt::format("# dip {:.4f} deg; rms {:.2f} px; error bars from {:.2f} px a point; no refraction\n\n",
                       found.dip_deg.value, found.rms_px, found.used_error_px);
   text += site_lines(camera);
-  text += "[camera]\nmodel = \"pinhole\"  # assumed, its axis in the middle\n";
-  text += line("width", std::to_string(camera.problem.width_px), "the picture's size");
-  text += line("height", std::to_string(camera.problem.height_px), "the picture's size");
-  text += line("hfov_deg", real(found.hfov_deg.value), with_error(found.hfov_deg, camera.hfov_source));
+  text += "[camera]\n" + lens_lines(camera);
   text += line("azimuth_deg", real(camera.azimuth_deg.value_or(0.0)),
                camera.azimuth_deg ? "given" : "assumed: a horizon does not tell it");
   std::string elevation_from = with_error(found.elevation_deg, "from the horizon");

@@ -6,6 +6,7 @@
 
 #include "fit/photo/photo_facts.h"
 #include "fit/photo/pointing/horizon_calibration.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 
@@ -14,6 +15,7 @@ struct HorizonCamera {
   fit::HorizonProblem problem;
   fit::HorizonCalibration found;
   std::string hfov_source;
+  std::optional<sim::Camera> lens;  ///< given, with the picture's size; `problem` is then of a plain lens
   /// Half a millimetre of a rounded 35 mm equivalent, in degrees, and what it does to the elevation; no part
   /// of the error bars, which are those at the given field of view.
   std::optional<double> hfov_rounding_deg;

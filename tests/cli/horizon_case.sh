@@ -30,3 +30,23 @@ expect_stderr "--hfov"
 expect_exit 2 horizon --size 600,400 --points 100,200 500,200 --hfov 53 -o camera.toml
 expect_stderr "--overwrite"
 expect_exit 3 horizon nowhere.jpg --points 1,1 500,1 --hfov 50
+# Any lens that a file has, wherever that points to. The horizon at an azimuth a from an axis 30 degrees high is, in the
+# camera's axes, (sin a, cos a sin 30, cos a cos 30); r = 300 px theta.
+printf '[camera]\nmodel = "equidistant"\nwidth = 600\nheight = 400\nfocal_px = 300.0\nelevation_deg = 77.0\nmirrored = true\n' >lens.toml
+points=$(awk 'BEGIN { r = atan2(0, -1) / 180
+  for (a = -40; a <= 40; a += 20) {
+    x = sin(a * r); z = cos(a * r) * cos(30 * r); y = cos(a * r) * sin(30 * r)
+    across = sqrt(x * x + y * y); theta = atan2(across, z)
+    printf "%.4f,%.4f ", 300 - 300 * theta * x / across, 200 + 300 * theta * y / across } }')
+# shellcheck disable=SC2086  # the points are several
+expect_exit 0 horizon --size 600,400 --points $points --lens lens.toml -o by_lens.toml
+grep -qE '^elevation_deg = (30.000|29.999)' by_lens.toml || fail "another elevation by a fisheye's horizon"
+grep -qE '^roll_deg = -?0.000' by_lens.toml || fail "another roll by a fisheye's horizon"
+grep -q '^model = "equidistant"' by_lens.toml || fail "another lens"
+grep -q '^mirrored = true' by_lens.toml || fail "not mirrored"
+grep -q '^focal_px = 300' by_lens.toml || fail "another scale"
+# shellcheck disable=SC2086
+expect_exit 2 horizon --size 600,401 --points $points --lens lens.toml
+expect_stderr "--lens"
+expect_exit 2 horizon --size 600,400 --points 1,1 500,1 --lens lens.toml --hfov 50
+expect_one_message
