@@ -19,7 +19,6 @@
 
 #include <fmt/format.h>
 
-#include "apps/commands/measure_skyline.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
 #include "apps/options/photo_options.h"
@@ -34,6 +33,7 @@
 #include "fit/photo/photo.h"
 #include "fit/photo/photo_facts.h"
 #include "fit/photo/picture_field_of_view.h"
+#include "fit/photo/pointing/skyline_doubt.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/file/whole_file.h"
@@ -41,6 +41,7 @@
 #include "sim/base/utc_time.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/rows/value_words.h"
+#include "sim/view/camera/camera.h"
 #include "sim/view/camera/direction_map.h"
 #include "sim/view/sky/instant.h"
 
@@ -121,10 +122,9 @@ nlohmann::json json_of(const std::string& file) {
 
 /// What is known of a picture before anything is looked for in it.
 struct Known {
-  std::string time;                ///< UTC, for --time; empty: not known
-  std::optional<SitePlace> site;   ///< none: not known
-  bool has_focal = false;          ///< the file tells the field of view
-  std::optional<double> hfov_deg;  ///< that the stars told, of a lens that is a pinhole
+  std::string time;               ///< UTC, for --time; empty: not known
+  std::optional<SitePlace> site;  ///< none: not known
+  bool has_focal = false;         ///< the file tells the field of view
 };
 
 /// "78.148,16.043,520", as --site takes it.
@@ -224,6 +224,7 @@ class Measuring {
   std::vector<fit::PicturePoint> skyline() const;
   void doubt_skyline();
   bool camera_by_stars();
+  void lens_by_stars();
   bool camera_by_horizon(MeasureStage& stage);
   void border();
   void map();
@@ -236,11 +237,11 @@ class Measuring {
   Measurement result_;
   Known known_;
   std::string sky_mask_;          ///< file; empty if all of the picture may be sky
+  std::string lens_file_;         ///< a camera whose lens alone is known; empty: it is not
   std::string camera_file_;       ///< empty: not known
   bool has_azimuth_ = false;      ///< the camera's directions are in the sky, not only above the horizon
   bool has_horizon_ = false;      ///< a skyline was found
   bool is_skyline_open_ = false;  ///< whether it is ground or the light's own border is not decided
-  bool is_fisheye_ = false;       ///< by the stars
   bool has_border_ = false, has_map_ = false;
   nlohmann::json border_ = nlohmann::json::object(), map_ = nlohmann::json::object();
   std::vector<std::string> border_words_;  ///< of the answer
@@ -267,8 +268,9 @@ void Measuring::picture() {
   stage.found =
       (known_.time.empty() ? "The time is not known" : "Taken at " + known_.time) +
       std::string(!known_.site ? "; the place is not known." : "; from " + site_text(*known_.site) + ".");
-  if (known_.time.empty()) stage.lacking = "the time in UTC: --time 2014-02-21T19:30:40Z. ";
-  if (!known_.site) stage.lacking += "the place: --site LATITUDE,LONGITUDE.";
+  if (known_.time.empty()) stage.lacking = "the time: --time 2014-02-21T19:30:40Z";
+  if (!known_.site)
+    stage.lacking += std::string(stage.lacking.empty() ? "" : "; ") + "the place: --site LATITUDE,LONGITUDE";
   say("%s\n", stage.found.c_str());
 }
 
@@ -331,12 +333,7 @@ bool Measuring::camera_by_stars() {
                   line_with(ended.words, "the picture's middle") + "; " +
                   line_with(ended.words, "field of view") + ".";
     stage.lacking = known_.time.empty() ? "the time: --time" : "the place: --site";
-    const std::string field = line_with(ended.words, "field of view");
-    double across_deg = 0.0;
-    if (std::sscanf(field.c_str(), "field of view: %lf", &across_deg) == 1) {
-      is_fisheye_ = field.find("lens: pinhole") == std::string::npos;
-      if (!is_fisheye_) known_.hfov_deg = across_deg;
-    }
+    if (has_horizon_) lens_by_stars();
     return false;
   }
   stage.trust = Trust::not_told;
@@ -369,7 +366,7 @@ void Measuring::doubt_skyline() {
   if (known_.site)
     sky.observer =
         sim::Observer{known_.site->latitude_deg, known_.site->longitude_deg, known_.site->height_m, true};
-  const std::optional<SkylineDoubt> doubt = skyline_doubt(skyline(), scene.camera, photo, sky);
+  const std::optional<fit::SkylineDoubt> doubt = fit::skyline_doubt(skyline(), scene.camera, photo, sky);
   if (!doubt) return;
   MeasureStage& stage = begin("Whether the skyline is the ground's");
   const Ended ended = run_words(with_common({"mask", options_.photo, "-o", sky_mask_, "--text"}));
@@ -395,6 +392,42 @@ void Measuring::doubt_skyline() {
   stage.lacking = "a mask of what is ground: --mask MASK.png (vegard mask)";
 }
 
+/// The lens of recognised stars whose time or place is not known: taken as if they stood about the zenith.
+void Measuring::lens_by_stars() {
+  double up[3] = {0.0, 0.0, 0.0};
+  std::ifstream table(in_run("stars.csv"));
+  for (std::string line; std::getline(table, line);) {
+    sim::Direction at;  // right ascension and declination
+    const std::string numbers = line.substr(std::min(line.find(','), line.size()));
+    if (std::sscanf(numbers.c_str(), ",%lf,%lf", &at.azimuth_deg, &at.elevation_deg) != 2) continue;
+    double one[3];
+    sim::enu_of_direction(at, one);
+    for (int i = 0; i < 3; ++i) up[i] += one[i];
+  }
+  const double length = std::sqrt(up[0] * up[0] + up[1] * up[1] + up[2] * up[2]);
+  if (!(length > 0.0)) return;
+  for (double& v : up) v /= length;
+  const sim::Direction middle = sim::direction_of_enu(up);
+  const std::string time = "2000-01-01T12:00:00Z";
+  const double longitude_deg =
+      std::remainder(middle.azimuth_deg - sim::mean_sidereal_time_deg(*sim::julian_date(time)), 360.0);
+  MeasureStage& stage = begin("Its lens: the same stars, as if they stood about the zenith");
+  const Ended ended = run_words({"calibrate", in_run("stars.csv"), "--image", options_.photo, "--no-metadata",
+                                 "--no-refraction", "--time", time,
+                                 fmt::format("--site={:.4f},{:.4f}", middle.elevation_deg, longitude_deg),
+                                 "-o", in_run("lens.toml"), "--overwrite"});
+  take(stage, ended);
+  wrote(stage, "lens.toml");
+  if (ended.exit_code != good) {
+    stage.found = last_line(ended.words);
+    return;
+  }
+  lens_file_ = in_run("lens.toml");
+  stage.trust = Trust::good;
+  stage.found = line_with(ended.words, "lens: ") + "; " + line_with(ended.words, "rms: ") +
+                ". Where that file points to means nothing.";
+}
+
 /// The lowest points of a skyline in ten parts of the picture's width: hills stand above the horizon, nothing
 /// below it.
 bool Measuring::camera_by_horizon(MeasureStage& stage) {
@@ -409,8 +442,8 @@ bool Measuring::camera_by_horizon(MeasureStage& stage) {
         std::max_element(begin, end, [](const auto& a, const auto& b) { return a.y_px < b.y_px; });
     words.push_back(fmt::format("{:.1f},{:.1f}", lowest->x_px, lowest->y_px));
   }
-  // Stars measure the angle, a file only says it.
-  if (known_.hfov_deg) words.push_back("--hfov=" + sim::real_text(*known_.hfov_deg));
+  // Stars measure the lens, a picture's file only says what it is called.
+  if (!lens_file_.empty()) words.insert(words.end(), {"--lens", lens_file_});
   words.push_back("--overwrite");
   const Ended ended = run_words(words);
   take(stage, ended);
@@ -429,11 +462,9 @@ void Measuring::camera() {
   }
   if (camera_by_stars()) return;
   MeasureStage& stage = begin("Where the camera points: the horizon");
-  if (!has_horizon_ || is_fisheye_ || (!known_.has_focal && !known_.hfov_deg)) {
+  if (!has_horizon_ || (!known_.has_focal && lens_file_.empty())) {
     stage.trust = Trust::not_told;
     stage.found = !has_horizon_ ? "There is no skyline that could stand for the horizon."
-                  : is_fisheye_ ? "A skyline is there, but the stars say that the lens is a fisheye's, and "
-                                  "skylines are used with common lenses alone."
                                 : "A skyline is there, but the picture does not tell its field of view.";
     stage.lacking =
         "points on the horizon and the field of view: vegard horizon PHOTO --points X,Y X,Y --hfov DEGREES "
@@ -449,7 +480,7 @@ void Measuring::camera() {
   camera_file_ = in_run("camera.toml");
   stage.trust = Trust::doubtful;
   stage.found = "From the skyline and the field of view" +
-                std::string(known_.hfov_deg ? " that the stars tell: " : ": ") +
+                std::string(lens_file_.empty() ? ": " : " that the stars tell: ") +
                 line_with(stage.words, "elevation") +
                 ". The skyline may stand a degree or more above the horizon, and the azimuth is not known (0 "
                 "is assumed).";
@@ -554,9 +585,7 @@ void Measuring::map() {
     return;
   }
   const sim::Scene camera = sim::read_scene(camera_file_);
-  const double focal_px = camera.camera.model == sim::LensModel::pinhole && camera.camera.focal_px <= 0.0
-                              ? fit::focal_of_hfov_px(camera.camera.hfov_deg, camera.camera.width)
-                              : camera.camera.focal_px;
+  const double focal_px = sim::camera_view(camera.camera).lens.focal_px;
   write("region.png", region_mask());
   std::vector<std::string> words = {"mask",   options_.photo,       "-o",     in_run("mask.png"),
                                     "--draw", in_run("region.png"), "--stars"};

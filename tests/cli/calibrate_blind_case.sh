@@ -1,25 +1,6 @@
 # Stars of a picture recognised without time, place or camera, and with them.
 source "$(dirname "$0")/case.sh"
-# The table's stars to magnitude 4 as an equidistant lens of 250 px to a radian sees them, in 480 x 360 pixels about right
-# ascension 90 degrees and the equator with north up; over a ground with a little noise of a fixed sequence.
-sky_to() {
-  awk -F, -v mirrored="$1" 'BEGIN { srand(7); pi = atan2(0, -1) }
-    NR > 1 && $9 <= 4 {
-      a = $5 * pi / 180; d = $6 * pi / 180
-      right = cos(d) * cos(a); down = -sin(d); forward = cos(d) * sin(a)
-      across = sqrt(right * right + down * down); angle = atan2(across, forward)
-      x = 240 + (mirrored ? -1 : 1) * 250 * angle * right / across; y = 180 + 250 * angle * down / across
-      if (angle > 1.4 || x < 4 || y < 4 || x > 476 || y > 356) next
-      height = 9000 * exp(-0.921 * ($9 - 2))
-      for (j = int(y) - 4; j <= int(y) + 4; ++j)
-        for (i = int(x) - 4; i <= int(x) + 4; ++i)
-          light[j * 480 + i] += height * exp(-((i + .5 - x) ^ 2 + (j + .5 - y) ^ 2) / 2.9)
-    }
-    END {
-      print "P2 480 360 65535"
-      for (p = 0; p < 480 * 360; ++p) { v = 1000 + 60 * (rand() + rand() - 1) + light[p]; print int(v > 65535 ? 65535 : v) }
-    }' "$SOURCE/data/stars/bright_stars.csv"
-}
+source "$SOURCE/tests/cli/star_field.sh"
 sky_to 0 >sky.pgm
 # Without time: the place in the sky, and a table of the stars.
 expect_exit 0 calibrate --image sky.pgm --decoding linear --stars-out stars.csv

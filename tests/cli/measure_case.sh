@@ -48,6 +48,15 @@ refused_at_once --site 97,20
 refused_at_once --time yesterday
 expect_stderr "--time"
 
+# Stars and a skyline, but no time: the stars tell the lens, which no file says, and with it the skyline the elevation.
+source "$SOURCE/tests/cli/star_field.sh"
+sky_to 0 25 >field.pgm
+expect_exit 5 measure field.pgm --decoding linear --out field
+expect_stdout "Its lens"
+expect_stdout "--lens field/lens.toml"
+awk '/^elevation_deg/ && ($3 < 24.5 || $3 > 25.7) { exit 1 }' field/camera.toml || fail "another elevation by the skyline"
+grep -q '^focal_px = 2[45]' field/camera.toml || fail "another lens than the stars'"
+
 # An existing measurement stays unless asked, and what is none stays always.
 expect_exit 2 measure photo.png --out run
 expect_one_message

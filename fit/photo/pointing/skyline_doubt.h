@@ -13,7 +13,7 @@
 #include "fit/photo/pointing/star_table.h"
 #include "sim/scene/structs/scene.h"
 
-namespace vegard::apps {
+namespace vegard::fit {
 
 struct SkylineDoubt {
   double from_deg = 0.0, to_deg = 0.0;  ///< elevations of its high part
@@ -28,8 +28,7 @@ struct SkylineDoubt {
 /// `skyline`: a point a column, from left to right. None if it is no higher than 10 degrees over 20 degrees
 /// of azimuth, or if it is as rough as ground is and no stars are below it. Stars are asked for if `sky` has
 /// time and site.
-std::optional<SkylineDoubt> skyline_doubt(const std::vector<fit::PicturePoint>& skyline,
-                                          const sim::Camera& camera, const fit::Photo& photo,
-                                          const fit::SkyOfPicture& sky);
+std::optional<SkylineDoubt> skyline_doubt(const std::vector<PicturePoint>& skyline, const sim::Camera& camera,
+                                          const Photo& photo, const SkyOfPicture& sky);
 
-}  // namespace vegard::apps
+}  // namespace vegard::fit

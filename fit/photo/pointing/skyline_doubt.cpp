@@ -1,4 +1,4 @@
-#include "apps/commands/measure_skyline.h"
+#include "fit/photo/pointing/skyline_doubt.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/view/camera/camera.h"
 
-namespace vegard::apps {
+namespace vegard::fit {
 namespace {
 
 constexpr double kHighSkyline_deg = 10.0, kHighAzimuths_deg = 20.0;
@@ -36,8 +36,8 @@ double roughness_px(const std::vector<SkylineColumn>& line, std::size_t reach) {
   return *middle;
 }
 
-void count_stars_below(const std::vector<SkylineColumn>& line, const sim::Camera& camera,
-                       const fit::Photo& photo, const fit::SkyOfPicture& sky, SkylineDoubt& doubt) {
+void count_stars_below(const std::vector<SkylineColumn>& line, const sim::Camera& camera, const Photo& photo,
+                       const SkyOfPicture& sky, SkylineDoubt& doubt) {
   const int width = photo.linear.width, height = photo.linear.height;
   const double radius_px = std::max(2.5, 0.08 * sim::pixels_per_degree(camera));
   std::vector<char> below(static_cast<std::size_t>(width) * height, 0);
@@ -50,17 +50,17 @@ void count_stars_below(const std::vector<SkylineColumn>& line, const sim::Camera
       area_px2 += 1.0;
     }
   }
-  const std::vector<fit::FoundStar> points = fit::find_stars(photo.linear, {}, below);
+  const std::vector<FoundStar> points = find_stars(photo.linear, {}, below);
   const sim::CameraView<double> view = sim::camera_view(camera);
   int asked = 0;
-  for (const fit::StarSighting& star :
-       fit::catalogue_sky(*sky.observer, *sky.julian_date, kStarMagnitude, kStarElevation_deg)) {
+  for (const StarSighting& star :
+       catalogue_sky(*sky.observer, *sky.julian_date, kStarMagnitude, kStarElevation_deg)) {
     double x = 0.0, y = 0.0;
     if (!sim::pixel_of_enu(view, star.enu.data(), x, y) || x < 0.0 || y < 0.0 || x >= width || y >= height ||
         below[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] == 0)
       continue;
     ++asked;
-    doubt.stars_below += std::any_of(points.begin(), points.end(), [&](const fit::FoundStar& point) {
+    doubt.stars_below += std::any_of(points.begin(), points.end(), [&](const FoundStar& point) {
       return std::hypot(point.x_px - x, point.y_px - y) <= radius_px;
     });
   }
@@ -76,12 +76,11 @@ bool SkylineDoubt::has_stars() const {
   return stars_below >= kStarsThatShow && stars_below > 3.0 * by_chance;
 }
 
-std::optional<SkylineDoubt> skyline_doubt(const std::vector<fit::PicturePoint>& skyline,
-                                          const sim::Camera& camera, const fit::Photo& photo,
-                                          const fit::SkyOfPicture& sky) {
+std::optional<SkylineDoubt> skyline_doubt(const std::vector<PicturePoint>& skyline, const sim::Camera& camera,
+                                          const Photo& photo, const SkyOfPicture& sky) {
   std::vector<SkylineColumn> high;
   SkylineDoubt doubt;
-  for (const fit::PicturePoint& point : skyline) {
+  for (const PicturePoint& point : skyline) {
     const sim::Direction at = sim::direction_of_pixel(camera, point.x_px, point.y_px);
     const bool is_at_frame = point.y_px > photo.linear.height - 1.5;  // the sky goes on below the picture
     if (is_at_frame || !(at.elevation_deg > kHighSkyline_deg)) continue;
@@ -105,4 +104,4 @@ std::optional<SkylineDoubt> skyline_doubt(const std::vector<fit::PicturePoint>& 
   return doubt;
 }
 
-}  // namespace vegard::apps
+}  // namespace vegard::fit
