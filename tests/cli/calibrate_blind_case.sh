@@ -52,3 +52,12 @@ expect_exit 2 calibrate --image sky.pgm --decoding linear --site 0,0 --time 2020
 expect_exit 0 calibrate --image sky.pgm --decoding linear --site 0,0 --time 2020-12-22T00:00:00Z -o mine.toml --stars-out stars.csv \
   --overwrite
 grep -q '^focal_px' mine.toml || fail "no camera in the place of the old file"
+# A planet is named where the picture shows sky, and not where the mask hides it.
+jupiter_up=(--site 0,0 --time 2025-12-22T00:00:00Z)
+expect_exit 0 calibrate --image sky.pgm --decoding linear "${jupiter_up[@]}" -o with_jupiter.toml
+place=$(sed -n 's/^Jupiter should be at (\([0-9.]*\), \([0-9.]*\)).*/\1 \2/p' "$stdout")
+[[ -n $place ]] || fail "no Jupiter in the picture"
+awk -v place="$place" 'BEGIN { split(place, at, " "); print "P2 480 360 255"
+  for (y = 0; y < 360; ++y) for (x = 0; x < 480; ++x) print (x - at[1]) ^ 2 + (y - at[2]) ^ 2 < 400 ? 0 : 255 }' >hides_it.pgm
+expect_exit 0 calibrate --image sky.pgm --decoding linear "${jupiter_up[@]}" --mask hides_it.pgm -o without.toml
+! grep -q Jupiter "$stdout" || fail "Jupiter behind the mask"
