@@ -332,7 +332,10 @@ bool Measuring::camera_by_stars() {
     stage.found = "The stars were recognised, but not in azimuth and elevation: " +
                   line_with(ended.words, "the picture's middle") + "; " +
                   line_with(ended.words, "field of view") + ".";
-    stage.lacking = known_.time.empty() ? "the time: --time" : "the place: --site";
+    stage.lacking = known_.time.empty() ? "the time: --time"
+                    : !known_.site
+                        ? "the place: --site"
+                        : "the right time and place: " + line_with(ended.words, "below the horizon");
     if (has_horizon_) lens_by_stars();
     return false;
   }
@@ -516,8 +519,10 @@ void Measuring::border() {
     if (border_words_.size() < kToldFirst) border_words_.push_back(line);
   }
   if (!has_azimuth_ && !border_words_.empty())
-    border_words_.push_back(
-        "Azimuths count from where the camera looked, and elevations are by the skyline.");
+    border_words_.push_back("Azimuths count from where the camera looked, and elevations are by the skyline" +
+                            std::string(lens_file_.empty()
+                                            ? "."
+                                            : ": the stars would tell both, with the right time and place."));
   if (is_skyline_open_ && !border_words_.empty())
     border_words_.push_back(
         "Whether these are borders of light or of high ground is not decided: see below.");
