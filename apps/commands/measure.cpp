@@ -221,7 +221,7 @@ class Measuring {
   void picture();
   void sky();
   void camera();
-  std::vector<fit::PicturePoint> skyline() const;
+  std::vector<fit::PixelPoint> skyline() const;
   void doubt_skyline();
   bool camera_by_stars();
   void lens_by_stars();
@@ -347,8 +347,8 @@ bool Measuring::camera_by_stars() {
 }
 
 /// A point a column; none if no skyline was found.
-std::vector<fit::PicturePoint> Measuring::skyline() const {
-  std::vector<fit::PicturePoint> points;
+std::vector<fit::PixelPoint> Measuring::skyline() const {
+  std::vector<fit::PixelPoint> points;
   if (!has_horizon_) return points;
   std::ifstream file(in_run("horizon.csv"));
   for (std::string line; std::getline(file, line);) {
@@ -434,7 +434,7 @@ void Measuring::lens_by_stars() {
 /// The lowest points of a skyline in ten parts of the picture's width: hills stand above the horizon, nothing
 /// below it.
 bool Measuring::camera_by_horizon(MeasureStage& stage) {
-  const std::vector<fit::PicturePoint> skyline = this->skyline();
+  const std::vector<fit::PixelPoint> skyline = this->skyline();
   constexpr std::size_t kParts = 10;
   if (skyline.size() < 10 * kParts) return false;
   std::vector<std::string> words = {"horizon", options_.photo, "-o", in_run("camera.toml"), "--points"};

@@ -76,11 +76,11 @@ bool SkylineDoubt::has_stars() const {
   return stars_below >= kStarsThatShow && stars_below > 3.0 * by_chance;
 }
 
-std::optional<SkylineDoubt> skyline_doubt(const std::vector<PicturePoint>& skyline, const sim::Camera& camera,
+std::optional<SkylineDoubt> skyline_doubt(const std::vector<PixelPoint>& skyline, const sim::Camera& camera,
                                           const Photo& photo, const SkyOfPicture& sky) {
   std::vector<SkylineColumn> high;
   SkylineDoubt doubt;
-  for (const PicturePoint& point : skyline) {
+  for (const PixelPoint& point : skyline) {
     const sim::Direction at = sim::direction_of_pixel(camera, point.x_px, point.y_px);
     const bool is_at_frame = point.y_px > photo.linear.height - 1.5;  // the sky goes on below the picture
     if (is_at_frame || !(at.elevation_deg > kHighSkyline_deg)) continue;

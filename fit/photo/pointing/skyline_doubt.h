@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "fit/photo/mask/pixel_set.h"
 #include "fit/photo/photo.h"
+#include "fit/photo/pointing/horizon_calibration.h"
 #include "fit/photo/pointing/star_table.h"
 #include "sim/scene/structs/scene.h"
 
@@ -28,7 +28,7 @@ struct SkylineDoubt {
 /// `skyline`: a point a column, from left to right. None if it is no higher than 10 degrees over 20 degrees
 /// of azimuth, or if it is as rough as ground is and no stars are below it. Stars are asked for if `sky` has
 /// time and site.
-std::optional<SkylineDoubt> skyline_doubt(const std::vector<PicturePoint>& skyline, const sim::Camera& camera,
+std::optional<SkylineDoubt> skyline_doubt(const std::vector<PixelPoint>& skyline, const sim::Camera& camera,
                                           const Photo& photo, const SkyOfPicture& sky);
 
 }  // namespace vegard::fit

@@ -50,8 +50,8 @@ Photo sky_with_stars(const sim::Camera& camera, const SkyOfPicture& sky, double 
 }
 
 /// A line so many pixels below the picture's upper edge, up and down by `rough_px` from column to column.
-std::vector<PicturePoint> skyline_at(double y_px, double rough_px) {
-  std::vector<PicturePoint> points;
+std::vector<PixelPoint> skyline_at(double y_px, double rough_px) {
+  std::vector<PixelPoint> points;
   for (int x = 0; x < kWidth; ++x) {
     const sim::Words w =
         sim::random_words(3, sim::Stream::photon_noise, static_cast<std::uint32_t>(x / 3), 0u);
