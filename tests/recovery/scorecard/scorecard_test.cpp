@@ -121,18 +121,22 @@ Truth of_two_sheets() {
 TEST(Scores, TakeSheetsInEitherOrder) {
   const Truth t = of_two_sheets();
   fit::FitResult result = right_but_swapped(t);
-  // One standard deviation too bright, in the second sheet of the fit, which is the first of the truth.
-  const double first = t.scene.sheets[0].energy_flux_mw_m2, second = t.scene.sheets[1].energy_flux_mw_m2;
-  fit::FittedParameter flux;
-  flux.path = "sheet.second.energy_flux_mw_m2";
-  flux.value = 10.0 * first / second * 1.05;
-  flux.interval68 = {flux.value / 1.05, flux.value * 1.05};
-  result.parameters = {flux};
+  // 5 % too bright in the second sheet of the fit, which is the first of the truth; both fluxes are known to
+  // 5 %, and go up and down together.
+  result.best.sheets[1].energy_flux_mw_m2 *= 1.05;
+  for (const char* name : {"first", "second"}) {
+    fit::FittedParameter flux;
+    flux.path = std::string("sheet.") + name + ".energy_flux_mw_m2";
+    flux.value = result.best.sheets[name == std::string("first") ? 0 : 1].energy_flux_mw_m2;
+    flux.interval68 = {flux.value / 1.05, flux.value * 1.05};
+    result.parameters.push_back(flux);
+  }
+  result.correlation = {{1.0, 0.6}, {0.6, 1.0}};
   const Row row = score(t, wide_start(t), result);
   EXPECT_EQ(row.missed, "");
   EXPECT_EQ(row.recovered, 1);
-  EXPECT_NEAR(row.ratio, row.ratio_true, 1e-12);
-  EXPECT_NEAR(row.ratio_z, -1.0, 0.02);  // the solver's coordinate is nearly the logarithm
+  EXPECT_NEAR(row.ratio, row.ratio_true / 1.05, 1e-12);
+  EXPECT_NEAR(row.ratio_z, -1.0 / std::sqrt(1.0 + 1.0 - 2.0 * 0.6), 1e-9);
   EXPECT_TRUE(std::isnan(row.sheet[0].energy_z));
 }
 
