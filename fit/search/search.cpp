@@ -145,32 +145,51 @@ class Search {
     std::vector<Descent> polished;
     for (std::size_t i = 0; i < ends.size() && static_cast<int>(i) < scene_.fit.polish_descents; ++i) {
       if (i > 0 && (log_.exhausted() || ends[i].chi2 > 1.5 * ends[0].chi2)) break;
-      const std::string stage = "polish " + std::to_string(i + 1);
-      tell(stage, 0.8 + 0.1 * static_cast<double>(i));
-      const ProfileCost cost(free_, models_.full, log_,
-                             {{},
-                              {},
-                              spline_prior(scene_, free_, first_smoothness(scene_)),
-                              kFirstPriorWeight,
-                              anchors(free_, {}, ends[i].values)});
-      polished.push_back(descent_of(recorded_step(options_.journal, stage, free_.size(), log_, trace_,
-                                                  [&] {
-                                                    const Descent end =
-                                                        descend(cost, ends[i].values, kLongDescent, stage,
-                                                                log_, trace_);
-                                                    note(end.values, end.chi2, true);
-                                                    return output_of(end);
-                                                  }),
-                                    free_.size()));
+      polished.push_back(
+          polish(ends[i], "polish " + std::to_string(i + 1), 0.8 + 0.1 * static_cast<double>(i)));
     }
     const auto better = [](const Descent& a, const Descent& b) { return a.chi2 < b.chi2; };
     std::stable_sort(polished.begin(), polished.end(), better);
+    if (has_lost_a_sine(polished.front().values) && !log_.exhausted()) {
+      std::vector<Trial> others = {tried(polished.front().values)};
+      look_anew(others, ", polished");
+      if (others.size() > 1) polished.push_back(polish(others.front(), "polish of another sine", 0.88));
+      std::stable_sort(polished.begin(), polished.end(), better);
+    }
     outcome.best = polished.front();
     outcome.others.assign(polished.begin() + 1, polished.end());
     return outcome;
   }
 
  private:
+  Descent polish(const Trial& from, const std::string& stage, double share) {
+    tell(stage, share);
+    const ProfileCost cost(free_, models_.full, log_,
+                           {{},
+                            {},
+                            spline_prior(scene_, free_, first_smoothness(scene_)),
+                            kFirstPriorWeight,
+                            anchors(free_, {}, from.values)});
+    return descent_of(recorded_step(options_.journal, stage, free_.size(), log_, trace_,
+                                    [&] {
+                                      const Descent end =
+                                          descend(cost, from.values, kLongDescent, stage, log_, trace_);
+                                      note(end.values, end.chi2, true);
+                                      return output_of(end);
+                                    }),
+                      free_.size());
+  }
+
+  /// Of several sheets, one whose amplitude has gone to its lower limit.
+  bool has_lost_a_sine(const Values& values) const {
+    const std::vector<int> waved = waved_sheets();
+    return scene_.fit.scan_points > 0 && waved.size() > 1 &&
+           std::any_of(waved.begin(), waved.end(), [&](int s) {
+             const int j = sine_of(s).thickness;
+             return free_[j].at_limit(values[j]) && values[j] < free_[j].start;
+           });
+  }
+
   static ProfileCost::Options coarse_options() {
     ProfileCost::Options options;
     options.prior_weight = kCoarsePriorWeight;
@@ -557,7 +576,7 @@ class Search {
   /// Sheets that stand one behind the other take each other's waves in the first trials. So pairs exchange
   /// their sines, each sheet's sine is looked for anew with the others as they were found, and what explains
   /// the picture better goes to the front of `ends`, until no sheet gives way.
-  void look_anew(std::vector<Trial>& ends) {
+  void look_anew(std::vector<Trial>& ends, const std::string& of = {}) {
     const std::vector<int> waved = waved_sheets();
     if (waved.size() < 2) return;
     for (int round = 0; round < kRoundsAnew; ++round) {
@@ -570,7 +589,7 @@ class Search {
         ends.insert(ends.begin(), found.front());
         any_better = true;
       };
-      const std::string anew = " anew " + std::to_string(round + 1);
+      const std::string anew = " anew " + std::to_string(round + 1) + of;
       for (std::size_t i = 0; i + 1 < waved.size(); ++i) {
         const std::string name =
             "sheets " + std::to_string(waved[i] + 1) + " and " + std::to_string(waved[i + 1] + 1) + anew;
