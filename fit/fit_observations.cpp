@@ -117,11 +117,24 @@ void look_for_second_mode(const std::vector<FreeNumber>& free, const std::vector
           apart(free[j], other.values[j], values[j]) <= 3.0 * *r.parameters[j].sigma)
         continue;
       evidence.second_mode = true;
+      evidence.second_mode_values = other.values;
       evidence.second_mode_text = "another answer explains the data almost as well, with " + free[j].label() +
                                   " = " + std::to_string(without_turns(free[j], other.values[j]));
       break;
     }
   }
+}
+
+/// What the other end has for each derived number, by which one may see how much it matters.
+void put_second_mode(const sim::Scene& scene, const std::vector<FreeNumber>& free,
+                     const std::vector<double>& values, FitResult& r) {
+  sim::Scene there = r.best;
+  ParameterMap(scene, free).put(values, there);
+  const ValueUncertainty nothing_known{
+      std::vector<std::vector<double>>(free.size(), std::vector<double>(free.size(), 0.0)), {}};
+  for (const DerivedNumber& other : derived_numbers(there, free, values, nothing_known))
+    for (DerivedNumber& d : r.derived)
+      if (d.name == other.name && std::isfinite(other.value)) d.at_other_mode = other.value;
 }
 
 /// What each photograph has of the answer. Several leave what is theirs in the best scene's entries.
@@ -333,6 +346,7 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
         return std::any_of(p.aurora.value.begin(), p.aurora.value.end(), [](double x) { return x > 0.0; });
       });
   look_for_second_mode(free, values, outcome, r, evidence);
+  if (evidence.second_mode) put_second_mode(scene, free, evidence.second_mode_values, r);
   judge(evidence, r);
   judge_quantities(r);
   if (r.verdict == Verdict::good || r.verdict == Verdict::doubtful)

@@ -121,6 +121,8 @@ struct DerivedNumber {
   Trust trust = Trust::not_told;  ///< judge_quantities()
   std::string trust_reason{};
   std::optional<double>
+      at_other_mode{};  ///< where another end explains the data almost as well; none: nowhere
+  std::optional<double>
       systematic{};  ///< by the choices that the fit rests on (fit/stability.h); none: not asked
 };
 

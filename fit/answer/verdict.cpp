@@ -21,6 +21,7 @@ constexpr double kIndependentForShape = 5.0;  // of numbers that do not follow t
 constexpr double kLevelGain = 0.25;           // of chi2 over the inflation squared: half a standard deviation
 constexpr double kLevelCosine =
     0.02;  // moving one parameter could take 0.04 % off chi2; a descent ends at 0.003 %
+constexpr const char* kOneAnswerCheck = "one answer";
 constexpr const char* kPatternsCheck = "independent values";
 constexpr double kNoRise = 1e-6;  // of chi2 at the start: rounding
 
@@ -199,12 +200,21 @@ void ask_of_the_parameters(const FitResult& r, Checks& checks) {
 /// of limits and error bars, speak of single parameters.
 constexpr const char* kChecksOfParameters[] = {"moved", "inside the limits", "error bars"};
 
+/// Whether a number is good even if either of two answers may be the right one.
+bool is_good_at_both(const DerivedNumber& number) {
+  if (!number.at_other_mode || !number.error()) return false;
+  const double apart = number.unit == "deg" ? std::remainder(*number.at_other_mode - number.value, 360.0)
+                                            : *number.at_other_mode - number.value;
+  return trust_of(number.quantity, number.value, std::hypot(*number.error(), apart)) == Trust::good;
+}
+
 /// The first check of the whole that was not passed and that speaks against a number, in words; empty if
 /// there is none. Patterns from band to band are those of a course that is not the sheet's; error bars of
 /// what the profile's shape tells allow for them, unless hardly anything independent is left.
 std::string against_the_whole(const FitResult& result, const DerivedNumber& number) {
   for (const Check& check : result.checks) {
     const auto is_name = [&](const char* name) { return check.name == name; };
+    if (check.name == kOneAnswerCheck && is_good_at_both(number)) continue;
     if (check.name == kPatternsCheck && !number.is_course &&
         result.independent_per_unknown >= kIndependentForShape)
       continue;
@@ -303,7 +313,7 @@ void judge(const Evidence& evidence, FitResult& result) {
                            sim::short_number(evidence.chi2_without_aurora, 4)),
                !(result.chi2 > kLeastGain * evidence.chi2_without_aurora),
                "a sky without any " + light + " explains the data almost as well");
-  checks.ask("one answer", "no other end of the search explains the data as well", !evidence.second_mode,
+  checks.ask(kOneAnswerCheck, "no other end of the search explains the data as well", !evidence.second_mode,
              evidence.second_mode_text);
 
   if (evidence.stopped) {

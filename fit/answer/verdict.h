@@ -18,6 +18,7 @@ struct Evidence {
   double unknowns = 0.0;     ///< that the data determine, where priors do the rest; 0: every parameter
   bool second_mode = false;  ///< another valley explains the data almost as well
   std::string second_mode_text;
+  std::vector<double> second_mode_values;  ///< of the free numbers
   std::string curve_words;  ///< what was found of an unknown transfer curve; empty: it is known
   std::vector<std::string> against_curve;  ///< what speaks against that
 };
@@ -38,7 +39,8 @@ void judge(const Evidence& evidence, FitResult& result);
 /// that leans on a parameter at its limit is doubtful at best; and all are doubtful at best where the picture
 /// as a whole is not explained, or the search has not ended well. Residuals that form patterns speak against
 /// a sheet's course; against other numbers only where fewer than five independent values are left per
-/// parameter. A parameter that the picture does not tell (a sheet's length, when no end is in view) spoils
+/// parameter. Another answer that explains the data as well speaks only against numbers that
+/// it changes. A parameter that the picture does not tell (a sheet's length, when no end is in view) spoils
 /// only the numbers that depend on it. The error that counts is DerivedNumber::error(). The verdict line of a
 /// doubtful fit gets a sentence on what is good all the same.
 void judge_quantities(FitResult& result);

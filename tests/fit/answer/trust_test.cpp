@@ -46,6 +46,18 @@ TEST(Trust, WhatIsNotToldSpoilsNothingElse) {
             "Doubtful: no error bar for length_km. Good all the same: distance, lower border.");
 }
 
+// Two answers: the distance is 2 km farther in the other one, the border 8 km higher.
+TEST(Trust, AnotherAnswerSpeaksAgainstWhatItChanges) {
+  FitResult r = fine();
+  r.checks.push_back({"one answer", false, "another answer explains the data almost as well"});
+  r.derived[0].at_other_mode = 202.0;
+  r.derived[1].at_other_mode = 112.0;
+  judge_quantities(r);
+  EXPECT_EQ(r.derived[0].trust, Trust::good);
+  EXPECT_EQ(r.derived[1].trust, Trust::doubtful);
+  EXPECT_EQ(r.derived[1].trust_reason, "another answer explains the data almost as well");
+}
+
 // Judged once more with a systematic error, of which the first verdict knew nothing.
 TEST(Trust, BothErrorsCount) {
   FitResult r = fine();
