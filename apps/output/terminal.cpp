@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include "sim/base/file/durable_rename.h"
+#include "sim/base/quiet_decoder.h"
 
 namespace vegard::apps {
 namespace {
@@ -31,7 +32,7 @@ void end_at_once(int signal) {
   sim::delete_unfinished_files();
   std::signal(SIGPIPE, SIG_IGN);
   constexpr char words[] = "vegard: interrupted\n";
-  static_cast<void>(::write(STDERR_FILENO, words, sizeof words - 1) == 0);
+  static_cast<void>(::write(sim::error_stream(), words, sizeof words - 1) == 0);
   ::_exit(code_of_signal(signal));
 }
 

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <mutex>
 
 namespace vegard::sim {
@@ -10,7 +11,9 @@ namespace {
 
 std::mutex mutex;
 int holders = 0;
-int kept_stream = -1;  ///< where the words went before; -1 if they still go there
+/// Where the words went before; -1 if they still go there.
+std::atomic<int> kept_stream{-1};
+static_assert(std::atomic<int>::is_always_lock_free);
 
 }  // namespace
 
@@ -29,8 +32,12 @@ QuietDecoder::~QuietDecoder() {
   const std::lock_guard<std::mutex> lock(mutex);
   if (--holders > 0 || kept_stream < 0) return;
   ::dup2(kept_stream, STDERR_FILENO);
-  ::close(kept_stream);
-  kept_stream = -1;
+  ::close(kept_stream.exchange(-1));
+}
+
+int error_stream() {
+  const int kept = kept_stream.load();
+  return kept >= 0 ? kept : STDERR_FILENO;
 }
 
 }  // namespace vegard::sim

@@ -15,4 +15,7 @@ class QuietDecoder {
   QuietDecoder& operator=(const QuietDecoder&) = delete;
 };
 
+/// Where words for standard error go at this moment, past a decoder that is silenced. A signal handler may ask.
+int error_stream();
+
 }  // namespace vegard::sim

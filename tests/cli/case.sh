@@ -78,12 +78,10 @@ interrupt() {
 wait_until_interruptible() {
   local caught
   for _ in $(seq 600); do
-    # Until it runs our program, a job is a copy of the shell, which listens for Ctrl-C in its own way: so first
-    # what runs, then what is caught.
-    if [[ /proc/$1/exe -ef $VEGARD ]]; then
-      caught=$(sed -n 's/^SigCgt:[[:space:]]*//p' "/proc/$1/status" 2>/dev/null) || caught=
-      [[ -n $caught ]] && (((0x${caught: -4} & 2) != 0)) && return 0
-    fi
+    # Until it runs our program, a job is a copy of the shell, which listens for Ctrl-C in its own way, but not for
+    # SIGTERM; and what it listens for is still told for a moment when the program is already there.
+    caught=$(sed -n 's/^SigCgt:[[:space:]]*//p' "/proc/$1/status" 2>/dev/null) || caught=
+    [[ -n $caught && /proc/$1/exe -ef $VEGARD ]] && (((0x${caught: -4} & 0x4002) == 0x4002)) && return 0
     sleep 0.1
   done
   fail "the program never listens for Ctrl-C"
