@@ -88,10 +88,13 @@ void vary_air(const sim::Scene& from, std::vector<Variation>& all) {
   add("twice the haze", from.air.aerosol_optical_depth * kHazeFactor);
 }
 
+/// That is not the fit's own to find.
+bool is_out_of_a_curve(const Photo& photo) {
+  return photo.unknowns == 0 && (photo.srgb || photo.tone != nullptr);
+}
+
 void vary_curve(const sim::Scene& from, const std::vector<Photo>& photos, std::vector<Variation>& all) {
-  if (std::none_of(photos.begin(), photos.end(),
-                   [](const Photo& photo) { return photo.srgb || photo.tone != nullptr; }))
-    return;
+  if (std::none_of(photos.begin(), photos.end(), is_out_of_a_curve)) return;
   all.push_back({"curve", "steeper by a tenth", from, kCurvePower});
   all.push_back({"curve", "flatter by a tenth", from, 1.0 / kCurvePower});
 }
@@ -108,7 +111,7 @@ void vary_model_error(const sim::Scene& from, std::vector<Variation>& all) {
 std::vector<Photo> recurved(const std::vector<Photo>& photos, double power) {
   std::vector<Photo> all = photos;
   for (Photo& photo : all) {
-    if (!photo.srgb && photo.tone == nullptr) continue;
+    if (!is_out_of_a_curve(photo)) continue;
     for (float& light : photo.linear.data)
       light = light > 0.0F ? std::pow(light, static_cast<float>(power)) : light;
   }
@@ -201,7 +204,7 @@ std::vector<Variation> variations_of(const sim::Scene& best, const std::vector<P
   return all;
 }
 
-double systematic_error(const std::vector<StabilityRow>& rows, std::size_t derived) {
+std::optional<double> systematic_error(const std::vector<StabilityRow>& rows, std::size_t derived) {
   struct Sum {
     double squares = 0.0, by_chance = 0.0;
     int count = 0;
@@ -214,6 +217,7 @@ double systematic_error(const std::vector<StabilityRow>& rows, std::size_t deriv
     sum.by_chance += row.derived[derived].variance_by_chance;
     ++sum.count;
   }
+  if (by_choice.empty()) return {};
   double variance = 0.0;
   for (const auto& [choice, sum] : by_choice)
     variance += std::max(0.0, sum.squares - sum.by_chance) / sum.count;

@@ -9,6 +9,7 @@
 // shifts do not count.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,13 +28,14 @@ struct Variation {
 };
 
 /// Those that `best`, a FitResult's, leaves room for: no air where there is no aurora or its haze is free, no
-/// curve for photographs that were linear in their files, no region of several photographs, across a loop or
-/// about the Sun's limb.
+/// curve for photographs that were linear in their files or whose curve was found, no region of several
+/// photographs, across a loop or about the Sun's limb.
 std::vector<Variation> variations_of(const sim::Scene& best, const std::vector<Photo>& photos);
 
 /// The systematic error of derived number `derived`: for each choice the mean square of its shifts less what
-/// chance does, not below 0; the root of their sum. Rows that are refuted take no part.
-double systematic_error(const std::vector<StabilityRow>& rows, std::size_t derived);
+/// chance does, not below 0; the root of their sum. Rows that are refuted take no part;
+/// none where no row has the number.
+std::optional<double> systematic_error(const std::vector<StabilityRow>& rows, std::size_t derived);
 
 /// Repeats the fit of `result` (of `photos`, in its order) for all of variations_of(), side by side on
 /// options.threads, each on one; puts FitResult::stability and the systematic errors of derived numbers, and

@@ -27,20 +27,21 @@ StabilityRow row_of(const std::string& choice, double shift, double by_chance) {
 // / 2. A shift that chance explains adds nothing; a row without a value counts for nothing.
 TEST(SystematicError, IsWhatGoesBeyondChanceAddedOverTheChoices) {
   std::vector<StabilityRow> rows = {row_of("region", 3.0, 1.0), row_of("region", -5.0, 1.0)};
-  EXPECT_DOUBLE_EQ(systematic_error(rows, 0), 4.0);
+  EXPECT_DOUBLE_EQ(systematic_error(rows, 0).value(), 4.0);
   rows.push_back(row_of("bands", 2.0, 100.0));
-  EXPECT_DOUBLE_EQ(systematic_error(rows, 0), 4.0);
+  EXPECT_DOUBLE_EQ(systematic_error(rows, 0).value(), 4.0);
   rows.push_back(row_of("air", 3.0, 0.0));
-  EXPECT_DOUBLE_EQ(systematic_error(rows, 0), 5.0);
+  EXPECT_DOUBLE_EQ(systematic_error(rows, 0).value(), 5.0);
   rows.push_back(row_of("curve", 50.0, 0.0));
   rows.back().is_refuted = true;
-  EXPECT_DOUBLE_EQ(systematic_error(rows, 0), 5.0);
+  EXPECT_DOUBLE_EQ(systematic_error(rows, 0).value(), 5.0);
   StabilityRow failed;
   failed.choice = "air";
   rows.push_back(failed);
   rows.push_back(row_of("air", std::nan(""), 0.0));
-  EXPECT_DOUBLE_EQ(systematic_error(rows, 0), 5.0);
-  EXPECT_DOUBLE_EQ(systematic_error({}, 0), 0.0);
+  EXPECT_DOUBLE_EQ(systematic_error(rows, 0).value(), 5.0);
+  EXPECT_FALSE(systematic_error({}, 0));
+  EXPECT_FALSE(systematic_error(rows, 1));
 }
 
 sim::Scene one_sheet() {
