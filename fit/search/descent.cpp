@@ -2,6 +2,9 @@
 
 #include <ceres/ceres.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace vegard::fit {
@@ -13,6 +16,7 @@ constexpr double kParameterTolerance = 1e-7;
 /// noise creeps on for dozens of steps like that.
 constexpr double kNegligible = 0.02;
 constexpr int kSmallSteps = 2;
+constexpr double kStepInside = 2.0;  // from the start, in the solver's coordinate
 
 constexpr std::size_t kMostForQr = 40;
 
@@ -124,6 +128,23 @@ Descent descend(const ProfileCost& cost, const std::vector<double>& start, int i
   const bool stopped = summary.termination_type == ceres::USER_SUCCESS && !tracer.level();
   result.termination = stopped ? words_for_stop(log) : in_words(summary);
   return result;
+}
+
+Descent descend_off_limits(const ProfileCost& cost, const std::vector<double>& start, int iterations,
+                           const std::string& stage, EvaluationLog& log, std::vector<TraceRow>& trace) {
+  Descent end = descend(cost, start, iterations, stage, log, trace);
+  if (!std::isfinite(end.chi2) || log.exhausted()) return end;
+  const std::vector<FreeNumber>& moved = cost.moved();
+  std::vector<double> inside = end.values;
+  for (std::size_t j = 0; j < moved.size(); ++j) {
+    if (!moved[j].at_limit(end.values[j]) || moved[j].at_limit(start[j])) continue;
+    const double from = moved[j].coordinate(start[j]), to = moved[j].coordinate(end.values[j]);
+    inside[j] = moved[j].value(from + std::clamp(to - from, -kStepInside, kStepInside));
+  }
+  if (inside == end.values) return end;
+  Descent again = descend(cost, inside, iterations, stage, log, trace);
+  again.chi2_initial = end.chi2_initial;
+  return again.chi2 < end.chi2 ? again : end;
 }
 
 }  // namespace vegard::fit

@@ -33,4 +33,10 @@ std::string words_for_stop(const EvaluationLog& log);
 Descent descend(const ProfileCost& cost, const std::vector<double>& start, int iterations,
                 const std::string& stage, EvaluationLog& log, std::vector<TraceRow>& trace);
 
+/// The same; where it ends with numbers at limits that it did not start from, it goes on once more with these
+/// a step inside. At a limit a coordinate has next to no slope left, so that one long step towards it may be
+/// the last. The better of both ends.
+Descent descend_off_limits(const ProfileCost& cost, const std::vector<double>& start, int iterations,
+                           const std::string& stage, EvaluationLog& log, std::vector<TraceRow>& trace);
+
 }  // namespace vegard::fit

@@ -172,8 +172,8 @@ class Search {
                             anchors(free_, {}, from.values)});
     return descent_of(recorded_step(options_.journal, stage, free_.size(), log_, trace_,
                                     [&] {
-                                      const Descent end =
-                                          descend(cost, from.values, kLongDescent, stage, log_, trace_);
+                                      const Descent end = descend_off_limits(cost, from.values, kLongDescent,
+                                                                             stage, log_, trace_);
                                       note(end.values, end.chi2, true);
                                       return output_of(end);
                                     }),
