@@ -1,8 +1,11 @@
 #include "fit/compare/observation.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "fit/measure/measured_profile.h"
 #include "fit/measure/noise_model.h"
@@ -17,6 +20,7 @@ namespace {
 
 constexpr double kSearchError = 0.1;  // the search weighs bright and dark alike
 constexpr double kSearchPeakShare = 0.5;
+constexpr double kSmoothingPerBin = 2.0;  // standard deviations of the smoothing, in bins
 
 void check_sizes(const sim::Scene& scene, const Photo& photo) {
   if (photo.linear.width == scene.camera.width && photo.linear.height == scene.camera.height) return;
@@ -45,10 +49,10 @@ void check_film(const sim::Scene& scene) {
            "the literal march makes colours, not light that could be compared");
 }
 
-/// What the simulation's own sampling leaves in a profile, as a fraction of its brightness: beams are drawn,
-/// volumes are not.
+/// What the simulation's own sampling leaves in a profile, as a fraction of its brightness: beams may be
+/// drawn, volumes are not.
 double sampling_error_of(const sim::Scene& scene, const Photo& photo, const Profile& data, int threads) {
-  if (scene.sheets.empty()) return 0.0;
+  if (scene.sheets.empty() || !is_drawn(scene)) return 0.0;
   std::array<ModelProfile, 2> samplings;
   for (std::size_t i = 0; i < samplings.size(); ++i)
     ProfileModel(scene, photo, data.region, data.bands, 1.0, kProfileSmoothing_px, threads, i)
@@ -66,6 +70,11 @@ std::vector<double> whole_sigma(const sim::Scene& scene, const Photo& photo, con
   for (std::size_t i = 0; i < sigma.size(); ++i)
     if (sigma[i] > 0.0) sigma[i] = std::hypot(sigma[i], of_rays[i]);
   return sigma;
+}
+
+/// Rows to a bin of the search: what is smoothed by many rows is told by fewer.
+int search_rows(const sim::Scene& scene, double smooth_rows) {
+  return has_smooth_bands(scene) ? std::max(1, static_cast<int>(smooth_rows / kSmoothingPerBin)) : 1;
 }
 
 double weights(const std::vector<double>& sigma) {
@@ -100,9 +109,17 @@ Observation observed(const sim::Scene& scene, const Photo& photo, int threads, c
   o.sampling_error = sampling_error_of(scene, photo, data, threads);
   look_closely(data, threads, o);
   const double smooth_rows = scene.fit.search_smoothing * o.region.height;
-  const Profile smooth_data = smoothed(rows, smooth_rows);
+  const int rows_of_bin = search_rows(scene, smooth_rows);
+  const Profile smooth_data =
+      smoothed_by_px(rows_of_bin == 1 ? rows
+                                      : measured_profile(scene, photo,
+                                                         std::make_shared<const BinGrid>(column_bins(
+                                                             o.region, scene.fit.bands, rows_of_bin))),
+                     smooth_rows);
+  std::vector<double> sigma = profile_sigma(smooth_data, kSearchError, kSearchPeakShare);
+  for (double& s : sigma) s /= std::sqrt(static_cast<double>(rows_of_bin));  // of a row each, as before
   o.coarse = std::make_unique<Comparison>(
-      scene, photo, smooth_data, profile_sigma(smooth_data, kSearchError, kSearchPeakShare),
+      scene, photo, smooth_data, std::move(sigma),
       Comparison::Resolution{scene.fit.search_beams, smooth_rows, threads,
                              Statistics::ModelError{kSearchError, kSearchPeakShare}});
   return o;

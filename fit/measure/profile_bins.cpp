@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kRowsEachSide = 7;  ///< 15 rows of 30 pixels give the noise to 4 %
 
-BinGrid vertical(const Region& region, int bands) {
+BinGrid vertical(const Region& region, int bands, int rows = 1) {
   if (bands < 1 || bands > region.width) {
     sim::ErrorDetails details;
     details.key = "fit.bands";
@@ -28,19 +28,20 @@ BinGrid vertical(const Region& region, int bands) {
   BinGrid grid;
   grid.region = region;
   grid.groups = bands;
-  grid.positions = region.height;
-  grid.pooled = kRowsEachSide;
+  grid.positions = (region.height + rows - 1) / rows;
+  grid.position_px = rows;
+  grid.pooled = kRowsEachSide / rows;
   grid.narrowest_px = region.width / bands;
-  for (int b = 0; b < bands; ++b) grid.band.insert(grid.band.end(), region.height, b);
+  for (int b = 0; b < bands; ++b) grid.band.insert(grid.band.end(), grid.positions, b);
   return grid;
 }
 
 }  // namespace
 
-BinGrid column_bins(const Region& region, int bands) {
-  BinGrid grid = vertical(region, bands);
+BinGrid column_bins(const Region& region, int bands, int rows) {
+  BinGrid grid = vertical(region, bands, rows);
   const std::vector<int> band = bands_of_columns(region, bands);
-  gather([&](int x, int y) { return band[x - region.x] * region.height + y - region.y; }, grid);
+  gather([&](int x, int y) { return band[x - region.x] * grid.positions + (y - region.y) / rows; }, grid);
   return grid;
 }
 

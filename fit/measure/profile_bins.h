@@ -6,9 +6,9 @@
 
 namespace vegard::fit {
 
-/// Vertical profiles along the picture's columns: a bin is a row of a band. Throws sim::Error(scene) with key
-/// "fit.bands" unless 1 <= bands <= the region's width.
-BinGrid column_bins(const Region& region, int bands);
+/// Vertical profiles along the picture's columns: a bin is `rows` rows of a band, of which the last one may
+/// have fewer. Throws sim::Error(scene) with key "fit.bands" unless 1 <= bands <= the region's width.
+BinGrid column_bins(const Region& region, int bands, int rows = 1);
 
 /// Along elevation: bands are those of columns; a pixel's position is the row at which the curve of its
 /// elevation crosses the region's middle column, wherever in the picture the horizon is. What crosses it

@@ -12,8 +12,8 @@
 namespace vegard::fit {
 
 /// The means over the usable pixels of the bins of some grids, one grid's after the other's, on a film whose
-/// cells are one pixel high and a whole number of pixels wide, with cell borders at the grids' region's upper
-/// left corner. A pixel's light is that of the cell that it lies in.
+/// cells are whole numbers of pixels high, with a cell border at the grids' region's upper left corner. A
+/// pixel's light is that of the cell that its centre lies in.
 sim::CellWeights bin_weights(const Photo& photo, const std::vector<std::shared_ptr<const BinGrid>>& grids,
                              const sim::FilmGeometry& film);
 

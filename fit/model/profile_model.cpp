@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
+#include <type_traits>
 
 #include "fit/measure/profile_bins.h"
 #include "fit/model/bin_weights.h"
+#include "sim/base/parallel.h"
 #include "sim/emit/aurora/sheet.h"
+#include "sim/render/beams/sheet_nodes.h"
 #include "sim/render/film.h"
 #include "sim/view/film/blur.h"
 
@@ -14,6 +18,8 @@ namespace vegard::fit {
 namespace {
 
 constexpr int kWidestCell = 4;
+constexpr double kWidestMeanCell = 20.0;
+constexpr double kNarrowestRamp = 0.2;  // of a wide cell
 constexpr int kCellsPerBand = 12;
 constexpr int kCellsPerNarrowBin = 4;
 constexpr double kBeyond = 0.5;  // sheet lengths by which a fit may move an end
@@ -27,29 +33,86 @@ int cell_width(const std::vector<std::shared_ptr<const BinGrid>>& grids) {
   return cell;
 }
 
+/// The mean over all draws is smooth: a band of columns needs no more than a few wide cells, with ramps
+/// between them as wide as the blur across makes them. Other bins ask for narrow cells.
+sim::FilmGeometry film_of(const sim::Scene& scene, const std::vector<std::shared_ptr<const BinGrid>>& grids) {
+  const BinGrid& first = *grids.front();
+  const Region& region = first.region;
+  const auto film_with = [&](double cell_width, double cell_height) {
+    return sim::film_for(scene, region.x, region.y, region.width, region.height, cell_width, cell_height);
+  };
+  if (!has_smooth_bands(scene)) return film_with(cell_width(grids), 1.0);
+  double blur_px = 0.0;
+  for (std::size_t l = 0; l < scene.emission.lines.size(); ++l)
+    blur_px +=
+        sim::blur_sigma_px(scene, static_cast<int>(l)) / static_cast<double>(scene.emission.lines.size());
+  const double band_px = static_cast<double>(region.width) / first.groups;
+  const double wide = band_px / std::ceil(band_px / kWidestMeanCell);
+  // An even spread over the ramp is as wide as the Gaussian.
+  const double ramp_px = std::max(kNarrowestRamp * wide, std::sqrt(12.0) * blur_px);
+  if (wide <= kWidestCell || ramp_px > wide) return film_with(cell_width(grids), first.position_px);
+  sim::FilmGeometry film = film_with(wide, first.position_px);
+  film.ramp_px = ramp_px;
+  return film;
+}
+
+/// Of `count` numbers in a row, each with as many steps of `stride` before and behind it as the kernel is
+/// wide.
+void smooth_inside(const sim::BlurKernel& kernel, const double* from, std::size_t count,
+                   std::ptrdiff_t stride, double* to) {
+  constexpr std::size_t kAtOnce = 8;  // their sums stay in registers
+  const auto smooth_some = [&](std::size_t first, auto some) {
+    double sum[kAtOnce];
+    for (std::size_t i = 0; i < some; ++i) sum[i] = kernel.weights[0] * from[first + i];
+    for (int k = 1; k <= kernel.radius(); ++k) {
+      const double w = kernel.weights[k];
+      const double *before = from + first - k * stride, *behind = from + first + k * stride;
+      for (std::size_t i = 0; i < some; ++i) sum[i] += w * (before[i] + behind[i]);
+    }
+    std::copy_n(sum, static_cast<std::size_t>(some), to + first);
+  };
+  std::size_t first = 0;
+  for (; first + kAtOnce <= count; first += kAtOnce)
+    smooth_some(first, std::integral_constant<std::size_t, kAtOnce>());
+  if (first < count) smooth_some(first, count - first);
+}
+
 /// One grid's values, from the index `first` on.
-void smooth_part(ModelProfile& model, std::size_t first, int bands, int rows, double sigma_rows) {
+void smooth_part(ModelProfile& model, std::size_t first, int bands, int rows, double sigma_rows,
+                 int threads) {
   const sim::BlurKernel kernel = sim::gaussian_kernel(sigma_rows);
+  const int radius = kernel.radius();
+  double of_all = kernel.weights[0];
+  for (int k = 1; k <= radius; ++k) of_all += 2.0 * kernel.weights[k];
   // One band's rows at a time: value and derivatives lie side by side, three channels to a row.
   const auto smooth_rows = [&](std::vector<double>& data, std::size_t per_value) {
     const std::size_t per_row = 3 * per_value;
-    std::vector<double> from(per_row * rows);
-    for (int b = 0; b < bands; ++b) {
-      double* band = data.data() + first * per_value + static_cast<std::size_t>(b) * rows * per_row;
+    sim::parallel_for(static_cast<std::size_t>(bands), threads, [&](std::size_t b, int) {
+      thread_local std::vector<double> from;
+      from.resize(per_row * rows);
+      double* band = data.data() + first * per_value + b * rows * per_row;
       std::copy_n(band, from.size(), from.begin());
+      // By the sum of all weights where all rows are there, which rounding keeps from 1, else by that of
+      // some.
+      if (rows > 2 * radius)
+        smooth_inside(kernel, from.data() + radius * per_row, (rows - 2 * radius) * per_row,
+                      static_cast<std::ptrdiff_t>(per_row), band + radius * per_row);
       for (int r = 0; r < rows; ++r) {
         double* to = band + r * per_row;
-        std::fill_n(to, per_row, 0.0);
-        double weight = 0.0;
-        for (int k = std::max(-kernel.radius(), -r); k <= std::min(kernel.radius(), rows - 1 - r); ++k) {
-          const double w = kernel.weights[std::abs(k)];
-          weight += w;
-          const double* row = from.data() + (r + k) * per_row;
-          for (std::size_t i = 0; i < per_row; ++i) to[i] += w * row[i];
+        double weight = of_all;
+        if (r < radius || r >= rows - radius) {
+          std::fill_n(to, per_row, 0.0);
+          weight = 0.0;
+          for (int k = std::max(-radius, -r); k <= std::min(radius, rows - 1 - r); ++k) {
+            const double w = kernel.weights[std::abs(k)];
+            weight += w;
+            const double* row = from.data() + (r + k) * per_row;
+            for (std::size_t i = 0; i < per_row; ++i) to[i] += w * row[i];
+          }
         }
         for (std::size_t i = 0; i < per_row; ++i) to[i] /= weight;
       }
-    }
+    });
   };
   smooth_rows(model.value, 1);
   if (model.free > 0) smooth_rows(model.derivative, model.free);
@@ -62,6 +125,7 @@ void smooth_part(ModelProfile& model, std::size_t first, int bands, int rows, do
 struct ProfileModel::Workspace {
   std::vector<std::shared_ptr<const BinGrid>> grids;
   double smooth_rows = 0.0;
+  int threads = 1;
   sim::Scene scene;  // with this model's number of beams
   std::unique_ptr<sim::PictureModel> picture;
 
@@ -78,6 +142,17 @@ struct ProfileModel::Workspace {
   }
 };
 
+bool is_drawn(const sim::Scene& scene) {
+  return scene.fit.model == sim::FitModel::draws || !sim::has_expected_picture(scene);
+}
+
+bool has_smooth_bands(const sim::Scene& scene) {
+  const sim::Fit& fit = scene.fit;
+  return !is_drawn(scene) && !sim::has_volumes(scene) && fit.profile_along == sim::ProfileAlong::columns &&
+         fit.colour_weight == 0.0 && fit.horizontal_weight == 0.0 && fit.border_weight == 0.0 &&
+         fit.image_weight == 0.0 && fit.texture_weight == 0.0 && fit.granulation_weight == 0.0;
+}
+
 ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo, const Region& region, int bands,
                            double beams_share, double smooth_rows, int threads, std::uint64_t sampling)
     : ProfileModel(scene, photo, {std::make_shared<const BinGrid>(column_bins(region, bands))}, beams_share,
@@ -90,6 +165,7 @@ ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo,
   Workspace& w = *work_;
   w.grids = grids;
   w.smooth_rows = smooth_rows;
+  w.threads = sim::thread_count(threads);
   w.scene = scene;
   w.scene.march.shrink = 1;
   for (sim::Sheet& sheet : w.scene.sheets) {
@@ -97,13 +173,13 @@ ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo,
     sheet.beams_per_km = 0.0;
     sheet.spacing_jitter = 0.0;  // the expectation is wanted, not one realisation
   }
-  const Region& region = grids.front()->region;
-  const sim::FilmGeometry film =
-      sim::film_for(scene, region.x, region.y, region.width, region.height, cell_width(grids), 1.0);
+  const sim::FilmGeometry film = film_of(scene, grids);
   sim::PictureModelOptions options;
   options.keeps_negative_light = keeps_negative_light(photo);
   options.beyond = kBeyond;
-  options.sampling = sampling;
+  options.sampling.draw = sampling;
+  options.sampling.mean = !is_drawn(scene);
+  options.sampling.smooth_px = smooth_rows;
   options.threads = threads;
   w.picture = std::make_unique<sim::PictureModel>(w.scene, film, bin_weights(photo, grids, film), options);
 }
@@ -118,7 +194,7 @@ void ProfileModel::evaluate(const sim::Scene& scene, ModelProfile& out) {
   Workspace& w = *work_;
   w.adopt(scene);
   w.picture->evaluate(w.scene, out);
-  if (w.smooth_rows > 0.0) smooth(out, w.grids, w.smooth_rows);
+  if (w.smooth_rows > 0.0) smooth(out, w.grids, w.smooth_rows, w.threads);
 }
 
 void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene,
@@ -126,18 +202,19 @@ void ProfileModel::evaluate_with_derivatives(const sim::Scene& scene,
   Workspace& w = *work_;
   w.adopt(scene);
   w.picture->evaluate_with_derivatives(w.scene, free, out);
-  if (w.smooth_rows > 0.0) smooth(out, w.grids, w.smooth_rows);
+  if (w.smooth_rows > 0.0) smooth(out, w.grids, w.smooth_rows, w.threads);
 }
 
 void smooth(ModelProfile& model, int bands, int rows, double sigma_rows) {
-  smooth_part(model, 0, bands, rows, sigma_rows);
+  smooth_part(model, 0, bands, rows, sigma_rows, 1);
 }
 
-void smooth(ModelProfile& model, const std::vector<std::shared_ptr<const BinGrid>>& grids, double sigma_px) {
+void smooth(ModelProfile& model, const std::vector<std::shared_ptr<const BinGrid>>& grids, double sigma_px,
+            int threads) {
   std::size_t first = 0;
   for (const std::shared_ptr<const BinGrid>& grid : grids) {
     if (grid->position_px > 0.0)
-      smooth_part(model, first, grid->groups, grid->positions, sigma_px / grid->position_px);
+      smooth_part(model, first, grid->groups, grid->positions, sigma_px / grid->position_px, threads);
     first += grid->bins() * 3;
   }
 }

@@ -24,7 +24,16 @@ void smooth(ModelProfile& model, int bands, int rows, double sigma_rows);
 
 /// The same of a model in the bins of several grids, one grid's after the other's, sigma in pixels along the
 /// positions.
-void smooth(ModelProfile& model, const std::vector<std::shared_ptr<const BinGrid>>& grids, double sigma_px);
+void smooth(ModelProfile& model, const std::vector<std::shared_ptr<const BinGrid>>& grids, double sigma_px,
+            int threads = 1);
+
+/// Whether the model of a scene is one draw of its beams, by fit.model or because there is no other; else it
+/// is the mean over all draws (sim/render/beams/sheet_nodes.h).
+bool is_drawn(const sim::Scene& scene);
+
+/// Whether nothing but profiles along columns is compared, of a model that is smooth: then the cells of its
+/// film are wide, and as high as the bins are.
+bool has_smooth_bands(const sim::Scene& scene);
 
 /// Renders the region of interest again and again. The film's cells are one pixel high and up to four wide:
 /// profiles average over columns, and a band has at least a dozen of them (docs/fitting.md has what this
@@ -33,8 +42,9 @@ void smooth(ModelProfile& model, const std::vector<std::shared_ptr<const BinGrid
 /// not.
 class ProfileModel {
  public:
-  /// `beams_share` of the scene's beams are used, and the profiles are smoothed by `smooth_rows` (0: not at
-  /// all): coarse models search, the full one decides. `sampling`: another draw of the beams (sim::Exposer).
+  /// `beams_share` of the scene's beams are used, or of the nodes where nothing is drawn, and the profiles
+  /// are smoothed by `smooth_rows` (0: not at all): coarse models search, the full one decides. `sampling`:
+  /// another draw of the beams (sim::Exposer).
   ProfileModel(const sim::Scene& scene, const Photo& photo, const Region& region, int bands,
                double beams_share, double smooth_rows, int threads, std::uint64_t sampling = 0);
   /// In the bins of some grids of one region, one grid's after the other's, from one rendering.

@@ -9,10 +9,10 @@ namespace {
 
 constexpr std::uint64_t kSamplings = 12;
 
-/// Light of beams is a sum over random numbers, that of volumes is not.
+/// Light of drawn beams is a sum over random numbers, that of volumes is not.
 bool is_sampled(const std::vector<Observation>& observations) {
   return std::any_of(observations.begin(), observations.end(),
-                     [](const Observation& o) { return !o.scene.sheets.empty(); });
+                     [](const Observation& o) { return !o.scene.sheets.empty() && is_drawn(o.scene); });
 }
 
 }  // namespace
@@ -24,10 +24,7 @@ std::vector<std::vector<double>> sampled_jacobians(const std::vector<Observation
   std::vector<std::vector<double>> jacobians;
   EvaluationLog closing;
   for (std::uint64_t sampling = 0; sampling < kSamplings; ++sampling) {
-    if (sampling > 0 && !is_sampled(observations)) {
-      jacobians.push_back(jacobians.front());
-      continue;
-    }
+    if (sampling > 0 && !is_sampled(observations)) break;
     std::vector<std::unique_ptr<Comparison>> others;
     std::vector<CostTerm> terms = cost_terms(observations, free, Detail::full);
     for (std::size_t o = 0; o < terms.size(); ++o) {

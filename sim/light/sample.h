@@ -68,4 +68,14 @@ struct Deflection {
   double path_step = 0.0;  ///< d_t, the largest step as a fraction of the path
 };
 
+/// The nodes of a quadrature along a path, in the place of drawn steps: what is left of the path, plus
+/// `offset`, shrinks by the factor `shrink` from node to node. So nodes are denser where the light is born.
+/// All are fractions of the path.
+struct PathNodes {
+  double shrink = 0.0;  ///< between 0 and 1; 0: there are no nodes, steps are drawn
+  double offset = 0.0;  ///< above 0
+  double spread = 0.0;  ///< over which beams end evenly, before the path's end
+  bool any() const { return shrink > 0.0; }
+};
+
 }  // namespace vegard::sim

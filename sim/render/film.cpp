@@ -11,6 +11,7 @@
 #include "sim/render/beams/derivative_passes.h"
 #include "sim/render/beams/kernel.h"
 #include "sim/render/beams/kernel_scene.h"
+#include "sim/render/beams/sheet_nodes.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/table/parameter_id.h"
 #include "sim/view/film/tangent_film.h"
@@ -28,9 +29,11 @@ bool frees_distortion(const Camera& camera, const std::vector<ParameterId>& free
   });
 }
 
-Scene with_other_seed(Scene scene, std::uint64_t sampling) {
-  scene.seed += sampling;
-  return scene;
+BeamLayout laid_out(Scene scene, const FilmGeometry& film, double beyond, const BeamSampling& sampling) {
+  scene.seed += sampling.draw;
+  if (sampling.mean)
+    return BeamLayout(scene, beyond, sheet_nodes(scene, film, sampling.smooth_px, sampling.fineness));
+  return BeamLayout(scene, beyond);
 }
 
 }  // namespace
@@ -67,7 +70,7 @@ FilmGeometry film_for(const Scene& scene, double x_px, double y_px, double width
 struct Exposer::Workspace {
   FilmGeometry film;
   int threads = 1;
-  std::uint64_t sampling = 0;
+  std::uint64_t draw = 0;
   BeamLayout layout;
   std::vector<LargeZeros<std::int64_t>> slot_films;
   std::vector<PackedChunk> slot_chunks;                // kept: their memory is large enough to cost something
@@ -80,7 +83,8 @@ struct Exposer::Workspace {
     for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
       all.push_back(
           kernel_scene(scene, scene.sheets[s], layout.path_step(static_cast<int>(s)), film, profiles));
-      all.back().seed += sampling;
+      all.back().seed += draw;
+      all.back().nodes = layout.path_nodes(static_cast<int>(s));
     }
     return all;
   }
@@ -146,11 +150,11 @@ struct Exposer::Workspace {
 };
 
 Exposer::Exposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond,
-                 std::uint64_t sampling, std::shared_ptr<const Volumes> volumes)
+                 const BeamSampling& sampling, std::shared_ptr<const Volumes> volumes)
     : work_(new Workspace{film,
                           thread_count(threads),
-                          sampling,
-                          BeamLayout(with_other_seed(scene, sampling), beyond),
+                          sampling.draw,
+                          laid_out(scene, film, beyond, sampling),
                           {},
                           {},
                           {},

@@ -45,17 +45,28 @@ double blur_sigma_px(const Scene& scene, int line);
 /// by 5" pixels at sigma 4.75 and 2.0, are 2.2 and 1.25 sigma (docs/physics.md row B25).
 int blur_radius_px(const Scene& scene, int line);
 
+/// Which beams a film is exposed to.
+struct BeamSampling {
+  /// Added to the scene's seed where beams draw from it, and nowhere else: the noise of a volume is a matter
+  /// of the scene.
+  std::uint64_t draw = 0;
+  /// The mean over all draws instead of one, by a quadrature that is fine enough for profiles of the film's
+  /// rows that are smoothed by so many pixels (sim/render/beams/sheet_nodes.h).
+  bool mean = false;
+  double smooth_px = 0.0;
+  double fineness = 1.0;  ///< nodes stand so many times as densely as that asks for
+};
+
 /// Exposes one film again and again, as a fit does. The beams' places, steps and random numbers follow from
 /// the scene that it was made with and stay frozen: later scenes may differ in every continuous parameter,
 /// not in their seed, sheets, layers, beams or film. Not for use by two threads at once.
 class Exposer {
  public:
   /// `beyond` lays out dark beams past the sheets' ends, so many sheet lengths on either side, for later
-  /// scenes in which the ends have moved along the line. `sampling` is added to the scene's seed where beams
-  /// draw from it, and nowhere else: the noise of a volume is a matter of the scene. `volumes`, if any, are
-  /// the scene's, made elsewhere; else it makes them.
+  /// scenes in which the ends have moved along the line. `volumes`, if any, are the scene's, made elsewhere;
+  /// else it makes them.
   Exposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond = 0.0,
-          std::uint64_t sampling = 0, std::shared_ptr<const Volumes> volumes = nullptr);
+          const BeamSampling& sampling = {}, std::shared_ptr<const Volumes> volumes = nullptr);
   ~Exposer();
 
   /// `progress`, if any, is told the finished share now and then, from any thread; `stop`, if any, ends the

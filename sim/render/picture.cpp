@@ -42,6 +42,8 @@ Window pixels_on(const FilmGeometry& film, const Camera& camera) {
 Window all_of(const FilmGeometry& film) { return {0, 0, film.rows, film.columns}; }
 
 PlaneBlur line_blur(const Scene& scene, const FilmGeometry& film, int line) {
+  if (film.ramp_px > 0.0)
+    return {BlurInCells(scene, line, film.cell_height_px).kernel(), gaussian_kernel(0.0)};
   return {BlurInCells(scene, line, film.cell_height_px).kernel(),
           BlurInCells(scene, line, film.cell_width_px).kernel()};
 }

@@ -333,7 +333,7 @@ struct PictureModel::Workspace {
           add_plane(blurred.data(), static_cast<int>(j), l, out);
         };
         add(slope.down, blur.across, 1.0 / film.cell_height_px);
-        add(blur.down, slope.across, 1.0 / film.cell_width_px);
+        if (film.ramp_px == 0.0) add(blur.down, slope.across, 1.0 / film.cell_width_px);
       }
     }
   }

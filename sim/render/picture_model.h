@@ -11,6 +11,7 @@
 
 #include "sim/base/image.h"
 #include "sim/render/cell_weights.h"
+#include "sim/render/film.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_id.h"
 #include "sim/view/camera/camera.h"
@@ -30,7 +31,7 @@ struct PictureMeans {
 struct PictureModelOptions {
   bool keeps_negative_light = false;  ///< else what is not shown counts as none, cell by cell
   double beyond = 0.0;                ///< as Exposer
-  std::uint64_t sampling = 0;         ///< likewise
+  BeamSampling sampling;              ///< likewise
   int threads = 0;                    ///< 0: all cores
 };
 

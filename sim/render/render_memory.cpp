@@ -66,7 +66,8 @@ Exposer& RenderMemory::exposer(const FilmGeometry& film) {
   const std::shared_ptr<const Volumes> light = volumes();
   if (!is_good(exposer_, lights_and({"camera", "sensor"})) || !same_film(film, film_of_exposer_) ||
       light != volumes_of_exposer_) {
-    exposer_ = {*scene_, threads_, std::make_unique<Exposer>(*scene_, film, threads_, 0.0, 0, light)};
+    exposer_ = {*scene_, threads_,
+                std::make_unique<Exposer>(*scene_, film, threads_, 0.0, BeamSampling{}, light)};
     film_of_exposer_ = film;
     volumes_of_exposer_ = light;
   }

@@ -9,8 +9,10 @@
 #include <functional>
 
 #include "bench_scene.h"
+#include "fit/compare/observation.h"
 #include "fit/compare/profile_cost.h"
 #include "fit/measure/noise_model.h"
+#include "fit/measure/smoothing.h"
 #include "interleaved.h"
 #include "sim/render/film.h"
 #include "sim/render/render.h"
@@ -80,9 +82,11 @@ struct Problem {
       : scene(with_free),
         region(fit::checked_region(scene.fit.roi_px, photo.linear.width, photo.linear.height)),
         free(fit::free_numbers(scene)),
-        model(scene, photo, region, scene.fit.bands, 1.0, 0.0, kThreads),
-        comparison(scene, photo, fit::extract_profile(photo, region, scene.fit.bands), sigma(photo),
-                   {1.0, 0.0, kThreads}),
+        model(scene, photo, region, scene.fit.bands, 1.0, fit::kProfileSmoothing_px, kThreads),
+        comparison(
+            scene, photo,
+            fit::smoothed(fit::extract_profile(photo, region, scene.fit.bands), fit::kProfileSmoothing_px),
+            sigma(photo), {1.0, fit::kProfileSmoothing_px, kThreads}),
         cost(free, {{scene, fit::ParameterMap(scene, free), &comparison}}, log) {
     for (const fit::FreeNumber& number : free) coordinates.push_back(number.coordinate(number.start));
     residuals.resize(cost.num_residuals());

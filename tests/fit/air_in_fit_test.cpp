@@ -121,6 +121,7 @@ TEST(AirInAFit, JacobianAgreesWithDifferences) {
 /// The offset is no part of what the gains scale.
 TEST(AirInAFit, NightSkyOfThePhotographsOwnSceneLeavesNothing) {
   sim::Scene scene = low_scene();
+  scene.fit.model = sim::FitModel::draws;  // the very beams of the photograph
   add_night_sky(scene);
   const Photo photo = photo_of(scene);
   const Profile data = extract_profile(photo, kRegion, 4);
@@ -163,6 +164,7 @@ sim::Scene start_of_energy_alone(const sim::Scene& truth) {
 TEST(AirInAFit, KnownAirGivesTheEnergyBackAndMissingAirBiasesIt) {
   sim::Scene truth = low_scene();
   truth.sheets[0].energy_kev = 4.0;
+  truth.fit.model = sim::FitModel::draws;  // the very beams of the photograph
   add_night_sky(truth);
   const Photo photo = photo_of(truth);
   const sim::Scene start = start_of_energy_alone(truth);

@@ -14,6 +14,12 @@ double log_normal(double contrast, double gaussian) {
 
 }  // namespace
 
+BeamLight mean_light(const Sheet& sheet, double ray) {
+  BeamLight light;
+  if (sheet.ray_length_contrast > 0.0) light.stretch_above = log_normal(sheet.ray_length_contrast, ray);
+  return light;
+}
+
 ArcLight::ArcLight(const Sheet& sheet, std::uint32_t arc_address, std::uint64_t seed, double instant_s,
                    double drifted_km)
     : sheet_(sheet),

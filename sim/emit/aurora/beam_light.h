@@ -25,6 +25,10 @@ struct BeamLight {
   double stretch_above = 1.0;      ///< of the height profile above its peak
 };
 
+/// In the mean over all draws: every contrast has the mean 1, and `ray` is one of many values of the process
+/// of long and short rays. Of an undulating border there is none.
+BeamLight mean_light(const Sheet& sheet, double ray);
+
 /// One arc at an instant. Looks are remembered, so one object serves one thread.
 class ArcLight {
  public:

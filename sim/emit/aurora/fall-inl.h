@@ -4,6 +4,10 @@
 // of length L d_t nu along the field is turned by the pitch angle alpha and the azimuth beta. A point stands
 // for the stretch from half-way to its neighbours (the trapezium rule on the random nodes), which leaves the
 // light of a beam unbiased.
+//
+// In the mean over all draws a beam is a tube about the field line: where nothing is to be drawn, beams are
+// looked at in the nodes of a quadrature instead, each beam at a place in the tube's cross-section of its
+// own.
 #if defined(VEGARD_SIM_EMIT_AURORA_FALL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VEGARD_SIM_EMIT_AURORA_FALL_INL_H_
 #undef VEGARD_SIM_EMIT_AURORA_FALL_INL_H_
@@ -28,6 +32,74 @@ struct FallenPoint {
   L t;        ///< along the path, 0 to 1
 };
 
+/// What becomes of a path in the mean over all draws, as fractions of its length L: after the fraction t a
+/// beam has come L ∫ cos(pitch) dt along the field, and stands off by a normal deviate in either direction
+/// across, of the variance L² d_t / 3 ∫ sin²(pitch) dt: half of the mean of (L step sin(pitch))² a step, d_t²
+/// / 3 L² sin²(pitch), and a step takes d_t / 2 of the path. A pitch angle is a straight line in t by every
+/// law, and small: cosine and square of the sine to its fourth power.
+template <class C>
+class MeanPath {
+ public:
+  MeanPath() = default;
+  HWY_INLINE explicit MeanPath(const Deflection<C>& d) {
+    const C none = C(0.0f);
+    C at_start = none, growth = none;
+    switch (d.law) {
+      case PitchLaw::product:
+        growth = d.loss_cone_rad * d.pitch_step_rad;
+        break;
+      case PitchLaw::increment:
+        growth = d.pitch_step_rad;
+        break;
+      case PitchLaw::constant:
+        at_start = d.loss_cone_rad;
+        break;
+      case PitchLaw::reduced:
+        at_start = d.loss_cone_rad - d.pitch_step_rad;
+        growth = d.pitch_step_rad;
+        break;
+    }
+    // Integrals of the pitch's square and fourth power: coefficients of t, t², ...
+    const C aa = at_start * at_start, ab = at_start * growth, bb = growth * growth;
+    const C square[kTerms] = {aa, ab, bb * C(1.0f / 3.0f), none, none};
+    const C fourth[kTerms] = {aa * aa, aa * ab * C(2.0f), aa * bb * C(2.0f), ab * bb, bb * bb * C(0.2f)};
+    const float per_axis = static_cast<float>(d.path_step / 3.0);
+    for (int i = 0; i < kTerms; ++i) {
+      along_[i] = fourth[i] * C(1.0f / 24.0f) - square[i] * C(0.5f);
+      variance_[i] = (square[i] - fourth[i] * C(1.0f / 3.0f)) * C(per_axis);
+    }
+    along_[0] = along_[0] + C(1.0f);
+  }
+
+  template <class L>
+  HWY_INLINE C along(L t) const {
+    return at(along_, t);
+  }
+  /// Standard deviation in either direction across.
+  template <class L>
+  HWY_INLINE C aside(L t) const {
+    return square_root(at(variance_, t) + C(1e-12f));  // where there is no cone the root has no slope
+  }
+
+ private:
+  static constexpr int kTerms = 5;
+  template <class L>
+  static HWY_INLINE C at(const C (&term)[kTerms], L t) {
+    C sum = term[kTerms - 1];
+    for (int i = kTerms - 2; i >= 0; --i) sum = sum * t + term[i];
+    return sum * t;
+  }
+  C along_[kTerms], variance_[kTerms];
+};
+
+/// A quadrature along the paths of beams that share it.
+template <class C>
+struct NodesOfPaths {
+  PathNodes nodes;
+  MeanPath<C> mean;
+  double log_shrink = 0.0;  ///< of one over nodes.shrink
+};
+
 /// Beams on their way down. C is the type of what all beams share.
 template <class L, class P, class C>
 class FallingBeams {
@@ -44,6 +116,15 @@ class FallingBeams {
     random_.draw(quad_, keys, ahead_);
   }
 
+  /// Beams that are looked at in nodes. `left`: of the path at the first node, plus the offset. `aside`:
+  /// where a beam stands in its tube, in standard deviations.
+  HWY_INLINE void start_in_nodes(const P& length_km, L left, L aside1, L aside2) {
+    length_ = length_km;
+    left_ = left;
+    aside_[0] = aside1;
+    aside_[1] = aside2;
+  }
+
   /// The next four deflection points, one after the other to `take(i, point)`, i from 0 to 3.
   template <class Take>
   HWY_INLINE void next_four(const Deflection<C>& deflection, const PhiloxKeys& keys, const Take& take) {
@@ -58,6 +139,25 @@ class FallingBeams {
       deflect(deflection, step, now[i]);
       take(i, FallenPoint<L, P>{along_, across1_, across2_, (step + next_step) * L(0.5f), t_});
       step = next_step;
+    }
+  }
+
+  /// The same of nodes.
+  template <class Take>
+  HWY_INLINE void next_four_nodes(const NodesOfPaths<C>& paths, const Take& take) {
+    const L beyond(static_cast<float>(1.0 + paths.nodes.offset));
+    const L shrink(static_cast<float>(paths.nodes.shrink)), stretch(static_cast<float>(paths.log_shrink));
+    for (int i = 0; i < 4; ++i) {
+      const L t = beyond - left_;
+      const P aside = length_ * paths.mean.aside(t);
+      L stands_for = left_ * stretch;
+      if (paths.nodes.spread > 0.0) {  // so many of the beams have come as far as that
+        const L come = (L(1.0f) - t) * L(static_cast<float>(1.0 / paths.nodes.spread));
+        stands_for = stands_for * select(come < L(1.0f), come, L(1.0f));
+      }
+      take(i, FallenPoint<L, P>{length_ * paths.mean.along(t), aside * aside_[0], aside * aside_[1],
+                                stands_for, t});
+      left_ = left_ * shrink;
     }
   }
 
@@ -90,6 +190,7 @@ class FallingBeams {
 
   P length_, along_, across1_, across2_;
   L t_;
+  L left_, aside_[2];
   typename Traits::PathWords random_;
   typename Traits::Words ahead_[4];
   std::uint32_t quad_;

@@ -12,6 +12,7 @@ namespace vegard::sim {
 namespace {
 
 constexpr int kSheetMostBeams = 10000000;
+constexpr double kStepAcrossDeviations = 1.4;
 
 /// Van der Corput's sequence in base 2: the bits of i mirrored at the point.
 double van_der_corput(std::uint32_t i) {
@@ -62,19 +63,29 @@ std::uint32_t layer_address(int sheet_index, int arc, int layer) {
          static_cast<std::uint32_t>(layer);
 }
 
-LayerPlaces::LayerPlaces(const Sheet& sheet, std::uint32_t layer_address, std::uint64_t seed, double beyond)
-    : seed_(seed),
+LayerPlaces::LayerPlaces(const Sheet& sheet, std::uint32_t layer_address, std::uint64_t seed, double beyond,
+                         const SheetNodes& nodes)
+    : in_nodes_(nodes.beams > 0),
+      drawn_(beams_per_layer(sheet)),
+      nodes_(nodes),
+      gauss_(normal_nodes(nodes.across <= kMostGaussAcross ? nodes.across : 1)),
+      seed_(seed),
       address_(layer_address),
       rule_(sheet.spacing_rule),
       jitter_(sheet.spacing_jitter),
       shift_(uniform(random_words(seed, Stream::cross_section, 0, layer_address)[0])) {
-  const int own = beams_per_layer(sheet);
+  const int own = in_nodes_ ? nodes.beams : drawn_;
   // An odd number of beams more puts both ends into the middle of a beam: at a border the light has a kink.
   const int more =
       rule_ == SpacingRule::literal || beyond <= 0.0 ? 0 : 2 * static_cast<int>(beyond * own) + 1;
-  beams_ = own + more;
+  beams_ = (own + more) * (in_nodes_ ? nodes.across : 1);
   beyond_ = 0.5 * more / own;
-  if (rule_ == SpacingRule::stratified) return;
+  if (in_nodes_) {
+    for (int k = 0; k < kRecurrences; ++k)
+      recurrence_from_[k] =
+          uniform(random_words(0, Stream::cross_section, static_cast<std::uint32_t>(k), layer_address)[1]);
+  }
+  if (in_nodes_ || rule_ == SpacingRule::stratified) return;
   double sum = 0.0;
   for (int i = 0; i < beams_; ++i) {
     if (i % kSumEvery == 0) sums_.push_back(sum);
@@ -91,7 +102,58 @@ LayerPlaces::Step LayerPlaces::step(int beam) const {
           jitter_ * (u - 0.5), uniform(words[1])};
 }
 
+BeamPlace LayerPlaces::place_in_nodes(int beam) const {
+  // Steps of additive recurrences, from place to place along and from node to node across: the golden
+  // section, which fills every stretch of a line most evenly, and other irrational numbers.
+  constexpr double kStep[kRecurrences] = {0.6180339887498949, 0.4142135623730951, 0.7320508075688772,
+                                          0.2360679774997898, 0.6457513110645906, 0.3166247903553998};
+  constexpr double kStepAcross[kRecurrences] = {
+      0.0, 0.7548776662466927, 0.0, 0.6710436067037893, 0.3027756377319946, 0.5497004779019703};
+  const int many = nodes_.across, along = beam / many, side = beam % many;
+  const auto recurrence = [&](int which) {
+    const double at = recurrence_from_[which] + along * kStep[which] +
+                      side * (which == 0 ? 1.0 / many : kStepAcross[which]);
+    return std::clamp(at - std::floor(at), 1e-9, 1.0 - 1e-9);
+  };
+  const double even = static_cast<double>(many) / beams_, at = (along + 0.5) * even;
+  BeamPlace place;
+  if (rule_ == SpacingRule::literal) {
+    // Steps are (1 - u) or (1 + u) times the even one, u below or above a half: of mean 5/4 and variance
+    // 13/48. A beam stands before its step.
+    const double before = std::max(0.0, at - 0.5 / drawn_);
+    place.s = 1.25 * before + std::sqrt(13.0 / 48.0 * before / drawn_) * normal_quantile(recurrence(1));
+    place.s_of_phase = before;
+    place.from = place.s;
+    place.to = place.s + even;
+  } else {
+    const auto scaled = [&](double s) { return s * (1.0 + 2.0 * beyond_) - beyond_; };
+    place.s = place.s_of_phase = scaled(at);
+    place.from = scaled(along * even);
+    place.to = scaled((along + 1) * even);
+  }
+  if (many <= kMostGaussAcross) {
+    place.across = gauss_[side].place;
+    place.weight = gauss_[side].weight;
+  } else {
+    // The trapezium rule, whose nodes lie elsewhere at each place along: its error is exp(-2 pi² / step²).
+    place.across = (side - 0.5 * many + recurrence(2)) * kStepAcrossDeviations;
+    place.weight = kStepAcrossDeviations / kSqrtTwoPi * std::exp(-0.5 * place.across * place.across);
+  }
+  place.node = recurrence(0);
+  place.ray = normal_quantile(recurrence(3));
+  // In a narrow tube two nodes of a normal deviate in either direction, all four in turn.
+  for (int i = 0; i < 2; ++i)
+    place.aside[i] = nodes_.wide_tube                   ? normal_quantile(recurrence(4 + i))
+                     : (((along + side) >> i) & 1) != 0 ? 1.0
+                                                        : -1.0;
+  return place;
+}
+
 void LayerPlaces::fill(int first, int count, BeamPlace* out) const {
+  if (in_nodes_) {
+    for (int i = first; i < first + count; ++i) out[i - first] = place_in_nodes(i);
+    return;
+  }
   const double even = 1.0 / beams_, all = sums_.empty() ? 1.0 : sums_.back();
   const auto scaled = [&](double at) { return at / all * (1.0 + 2.0 * beyond_) - beyond_; };
   double s = sums_.empty() ? 0.0 : sums_[first / kSumEvery];

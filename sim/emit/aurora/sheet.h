@@ -9,8 +9,10 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
+#include "sim/base/number/gauss_hermite.h"
 #include "sim/emit/aurora/curl.h"
 #include "sim/emit/aurora/fold.h"
+#include "sim/light/sample.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
@@ -35,11 +37,26 @@ struct SheetShape {
 /// Where a beam stands on its layer, before any parameter is known: pure functions of the seed, frozen during
 /// a fit. Places along the sheet are fractions of the line from start (0) to end (1) of a StretchOfSheet.
 struct BeamPlace {
-  double s = 0.0;               ///< of the beam
-  double from = 0.0, to = 0.0;  ///< the stretch of the sheet that the beam stands for
-  double s_of_phase = 0.0;      ///< where the sine is read: s itself, or the even place of the literal rule
-  double across = 0.0;          ///< place in the Gaussian cross-section, in standard deviations
-  double depth = 0.0;           ///< uniform in (0, 1), for the random depth
+  double s = 0.0;                ///< of the beam
+  double from = 0.0, to = 0.0;   ///< the stretch of the sheet that the beam stands for
+  double s_of_phase = 0.0;       ///< where the sine is read: s itself, or the even place of the literal rule
+  double across = 0.0;           ///< place in the Gaussian cross-section, in standard deviations
+  double depth = 0.0;            ///< uniform in (0, 1), for the random depth
+  double node = 0.0;             ///< of beams in nodes: where between two the first one is
+  double aside[2] = {0.0, 0.0};  ///< likewise: place in the tube that deflections make, standard deviations
+  double weight = 1.0;           ///< likewise: share of the stretch's light, of those that stand side by side
+  double ray = 0.0;              ///< likewise: the Gaussian process that makes rays long and short
+};
+
+inline constexpr int kMostGaussAcross = 4;
+
+/// How densely a sheet is looked at where nothing is drawn.
+struct SheetNodes {
+  int beams = 0;  ///< per layer, along it; 0: as many as the scene says, drawn
+  /// Side by side at each place along: Gauss's up to kMostGaussAcross, else as many of the trapezium rule.
+  int across = 1;
+  bool wide_tube = false;  ///< whether the tube that deflections make of a beam is as wide as can be seen
+  PathNodes path;
 };
 
 /// The line on which beams are laid out: coordinates along a sheet count from the foot of the perpendicular
@@ -85,13 +102,18 @@ std::uint32_t layer_address(int sheet_index, int arc, int layer);
 /// 1)), then scaled to end at 1, phase read at the jittered s, light by the stretch. literal: s += d_s (1 ±
 /// ξ), phase 2πD/λ · i/n whatever s is, mean step 1.25 d_s, light shared equally; `beyond` is 0.
 ///
+/// In nodes: the mean over all draws. Beams stand evenly along the line (over 1.25 of it by the literal rule,
+/// and about the place of their phase with the normal scatter of its sum of steps), and what else is drawn
+/// of them goes by additive recurrences, which fill every stretch of the sheet evenly.
+///
 /// Places are worked out stretch by stretch when they are asked for. Of the steps before, which the tied and
 /// the literal rule add up, only the sums are kept, one per kSumEvery beams.
 class LayerPlaces {
  public:
   static constexpr int kSumEvery = 256;
 
-  LayerPlaces(const Sheet& sheet, std::uint32_t layer_address, std::uint64_t seed, double beyond);
+  LayerPlaces(const Sheet& sheet, std::uint32_t layer_address, std::uint64_t seed, double beyond,
+              const SheetNodes& nodes = {});
 
   int size() const { return beams_; }
 
@@ -104,7 +126,14 @@ class LayerPlaces {
     double length, shift, depth;
   };
   Step step(int beam) const;
+  BeamPlace place_in_nodes(int beam) const;
 
+  static constexpr int kRecurrences = 6;
+  bool in_nodes_;
+  int drawn_;  ///< beams of the sheet where they are drawn
+  double recurrence_from_[kRecurrences] = {};
+  SheetNodes nodes_;
+  std::vector<NormalNode> gauss_;
   std::uint64_t seed_;
   std::uint32_t address_;
   int beams_;

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/beam_light.h"
@@ -69,6 +70,8 @@ void leave_empty(BeamGroup& group, bool with_derivatives) {
   std::fill_n(group.end_of_path, kGroup, 0.0);
   std::fill_n(group.altitude_shift_km, kGroup, 0.0);
   std::fill_n(group.stretch_above, kGroup, 1.0);
+  std::fill_n(group.first_node, kGroup, 0.0);
+  std::fill_n(group.aside[0], 2 * kGroup, 0.0);
   std::fill_n(group.index, kGroup, 0u);
 }
 
@@ -131,8 +134,11 @@ T light_per_path(const Sheet& sheet, const T& vertical) {
 
 bool has_footprint_of_sheets(const Scene& scene) { return has_emitters_of_sheets(scene); }
 
-BeamLayout::BeamLayout(const Scene& scene, double beyond)
-    : instants_s_(instants_s(scene.time)), sheets_(scene.sheets), seed_(scene.seed) {
+BeamLayout::BeamLayout(const Scene& scene, double beyond, std::vector<SheetNodes> nodes)
+    : nodes_(std::move(nodes)),
+      instants_s_(instants_s(scene.time)),
+      sheets_(scene.sheets),
+      seed_(scene.seed) {
   const bool stretched = std::any_of(sheets_.begin(), sheets_.end(),
                                      [](const Sheet& sheet) { return sheet.ray_length_contrast > 0.0; });
   peak_km_.resize(sheets_.size());
@@ -157,7 +163,7 @@ BeamLayout::BeamLayout(const Scene& scene, double beyond)
       places_.back().emplace_back();
       for (int layer = 0; layer < sheet.layers; ++layer)
         places_.back().back().emplace_back(sheet, layer_address(static_cast<int>(s), arc, layer), scene.seed,
-                                           dark);
+                                           dark, nodes_.empty() ? SheetNodes{} : nodes_[s]);
     }
     const int beams = places_.back().front().front().size();
     for (int i = 0; i < instants(); ++i) {
@@ -255,9 +261,11 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
       }
       BeamLight shone;
       if (light.any())
-        shone = light.at(stretch.along_km(place.s),
-                         curve ? width_laid_out_km(laid_out, curve_laid_out, place.s) * place.across
-                               : aside_laid_out_km(laid_out, place, layer, instant));
+        shone = k.nodes.any()
+                    ? mean_light(laid_out, place.ray)
+                    : light.at(stretch.along_km(place.s),
+                               curve ? width_laid_out_km(laid_out, curve_laid_out, place.s) * place.across
+                                     : aside_laid_out_km(laid_out, place, layer, instant));
       const RungShare<FreeDual> share = rung_share(profiles.ladder, on_curve.ln_energy, free_foot.ln_energy);
       for (int rung = share.rung; rung < share.rung + share.rungs; ++rung) {
         OpenGroup& with = group_with_room(open, rung, [&] {
@@ -301,12 +309,16 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
         }
         group.flux_km2_mw_m2[place_in_group] = foot.flux_km2_mw_m2;
         if (share.rungs > 1) group.flux_km2_mw_m2[place_in_group] *= part.v;
+        group.flux_km2_mw_m2[place_in_group] *= place.weight;
         if (light.any()) {
           group.flux_km2_mw_m2[place_in_group] *= shone.factor;
           group.altitude_shift_km[place_in_group] = shone.altitude_shift_km;
           group.stretch_above[place_in_group] = shone.stretch_above;
         }
-        group.end_of_path[place_in_group] = 1.0 - place.depth * sheet.path_spread;
+        group.end_of_path[place_in_group] = k.nodes.any() ? 1.0 : 1.0 - place.depth * sheet.path_spread;
+        if (k.nodes.any())
+          group.first_node[place_in_group] = (1.0 + k.nodes.offset) * std::pow(k.nodes.shrink, place.node);
+        for (int i = 0; i < 2; ++i) group.aside[i][place_in_group] = place.aside[i];
         group.index[place_in_group] = static_cast<std::uint32_t>(b);
       }
     }

@@ -34,12 +34,14 @@ bool has_footprint_of_sheets(const Scene& scene);
 class BeamLayout {
  public:
   /// `beyond` lays out dark beams past the sheets' ends, so many sheet lengths on either side. Without chunks
-  /// if has_footprint_of_sheets().
-  BeamLayout(const Scene& scene, double beyond);
+  /// if has_footprint_of_sheets(). `nodes`, one per sheet, lay out the mean over all draws.
+  BeamLayout(const Scene& scene, double beyond, std::vector<SheetNodes> nodes = {});
 
   const std::vector<Chunk>& chunks() const { return chunks_; }
   /// d_t of a sheet's beams: as given, or by its electrons' mean energy.
   double path_step(int sheet) const { return path_steps_[sheet]; }
+  /// The nodes of a sheet's paths; none where steps are drawn.
+  PathNodes path_nodes(int sheet) const { return nodes_.empty() ? PathNodes{} : nodes_[sheet].path; }
   int instants() const { return static_cast<int>(instants_s_.size()); }
 
   /// Packs a chunk; the first for the light alone, the second with what derivatives need. What lies outside
@@ -56,6 +58,7 @@ class BeamLayout {
   void pack_as(const Scene& scene, const Chunk& chunk, const KernelScene& kernel, const Seeds* seeds,
                PackedChunk& out) const;
 
+  std::vector<SheetNodes> nodes_;  ///< [sheet], or none
   std::vector<double> instants_s_;
   std::vector<Sheet> sheets_;        ///< as they were laid out: what their structures go by
   std::vector<CurveLayout> curves_;  ///< [sheet], of those whose course is a curve

@@ -127,8 +127,11 @@ std::uint64_t fall_and_splat(const KernelScene& scene, const BeamGroup* groups, 
                 places.above_row[step][beam], light};
             const Shares shares{places.left[step][beam], places.right[step][beam], places.upper[step][beam],
                                 places.lower[step][beam]};
-            splat<kQuartets>(shares, columns,
-                             film + static_cast<std::ptrdiff_t>(places.cell[step][beam]) * kStride, lines);
+            std::int64_t* cell = film + static_cast<std::ptrdiff_t>(places.cell[step][beam]) * kStride;
+            if (shares.right == 0.0f)  // most of them, on a film with ramps
+              splat_in_column<kQuartets>(shares, columns, cell, lines);
+            else
+              splat<kQuartets>(shares, columns, cell, lines);
           }
         }
       });
@@ -239,6 +242,7 @@ std::uint64_t fall_tangents(const KernelScene& scene, const SharedChain& shared,
     return tangents.tile(column / kTile) + in_tile * kLines * kTangentWidth;
   };
   constexpr std::ptrdiff_t kRowPitch = TangentFilm::kTileColumns * kLines * kTangentWidth;
+  const bool off_ramps = scene.film.ramp_px > 0.0;  // where the column does not move with anything
   for (std::size_t g = 0; g < count; ++g) {
     const HeightProfile& profile = scene.profiles[groups[g].profile];
     const Wide by_energy = Expansion<kLocals>::one_hot(shared.parameter_of_energy[groups[g].profile]);
@@ -266,7 +270,10 @@ std::uint64_t fall_tangents(const KernelScene& scene, const SharedChain& shared,
             const WideDual emission(rate[l] + slope * above, altitude.d * slope + by_energy * grow);
             of_line[l] = emission * light;
           }
-          splat_tangents<kLines>(column, row, of_line, kRowPitch, cell_at);
+          if (off_ramps && column.v == static_cast<float>(static_cast<int>(column.v)))
+            splat_tangents_in_column<kLines>(column, row, of_line, kRowPitch, cell_at);
+          else
+            splat_tangents<kLines>(column, row, of_line, kRowPitch, cell_at);
           splat_from_profile<kStride / 4>(column.v, row.v, seen, altitude.v, profile.rate.data(),
                                           scene.film.columns, film);
         }

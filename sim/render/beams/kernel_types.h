@@ -40,6 +40,8 @@ struct BeamGroup {
   double end_of_path[kGroup];
   double altitude_shift_km[kGroup];  ///< how much lower the light of a point is read than it stands
   double stretch_above[kGroup];      ///< of the height profile above its peak; then not 0
+  double first_node[kGroup];         ///< what is left of the path there, plus the offset; of beams in nodes
+  double aside[2][kGroup];           ///< likewise: the place in the tube that deflections make of a beam
   std::uint32_t index[kGroup];
   bool reads_elsewhere = false;     ///< else shift and stretch are not looked at
   double peak_km = 0.0;             ///< of the height profile, from which on it is stretched
@@ -77,6 +79,7 @@ struct KernelScene {
   bool beams_own_field = false;  ///< the beams fall along BeamGroup::axes instead
   DipoleAxis dipole{};           ///< of the field that beams have their own direction of
   Deflection<LocalDual> deflection;
+  PathNodes nodes;  ///< if any, beams are looked at there, and nothing is drawn
   CameraView<LocalDual> view;
   bool plain_pinhole = true;  ///< no distortion, and none whose derivatives are wanted
   FilmGeometry film;

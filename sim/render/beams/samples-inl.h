@@ -84,6 +84,20 @@ HWY_INLINE LaneDual<L, kLocals> only_where(M mask, const LaneDual<L, kLocals>& x
   return r;
 }
 
+/// One of two numbers with its derivatives, lane by lane.
+template <class L, class M>
+HWY_INLINE L select_where(M mask, const L& yes, const L& no) {
+  return select(mask, yes, no);
+}
+template <class L, int kLocals, class M>
+HWY_INLINE LaneDual<L, kLocals> select_where(M mask, const LaneDual<L, kLocals>& yes,
+                                             const LaneDual<L, kLocals>& no) {
+  LaneDual<L, kLocals> r;
+  r.v = select(mask, yes.v, no.v);
+  for (int k = 0; k < kLocals; ++k) r.d.t[k] = select(mask, yes.d.t[k], no.d.t[k]);
+  return r;
+}
+
 /// Three axes that a beam falls along and is deflected across, in two frames.
 template <class F>
 struct BeamAxes {
@@ -117,6 +131,7 @@ class SampleMaker {
     spread(scene.deflection.pitch_step_rad, deflection_.pitch_step_rad, inputs_);
     deflection_.law = scene.deflection.law;
     deflection_.path_step = scene.deflection.path_step;
+    if (scene.nodes.any()) paths_ = {scene.nodes, MeanPath<C>(deflection_), -std::log(scene.nodes.shrink)};
     film_.set(scene.view.lens, scene.film,
               [this](const LocalDual& number, C& to) { spread(number, to, inputs_); });
     philox_keys(scene.seed, keys_);
@@ -143,7 +158,12 @@ class SampleMaker {
       end_[part] = Traits::load(group.end_of_path + first);
       shift_[part] = Traits::load(group.altitude_shift_km + first) * L(1.0 / HeightProfile::kStepKm);
       stretch_above_[part] = Traits::load(group.stretch_above + first);
-      beams_[part].start(length, Traits::load_indices(group.index + first), group.layer_address, keys_);
+      if (scene_.nodes.any())
+        beams_[part].start_in_nodes(length, Traits::load(group.first_node + first),
+                                    Traits::load(group.aside[0] + first),
+                                    Traits::load(group.aside[1] + first));
+      else
+        beams_[part].start(length, Traits::load_indices(group.index + first), group.layer_address, keys_);
       find_stretch_in_view(value_of(length), part);
     }
   }
@@ -166,7 +186,7 @@ class SampleMaker {
           for (int i = 0; i < 4; ++i) Traits::store(L(0.0f), block.light[step + i][0] + first);
           continue;
         }
-        beams.next_four(deflection_, keys_, [&](int i, const FallenPoint<L, P>& point) {
+        const auto take = [&](int i, const FallenPoint<L, P>& point) {
           t = point.t;
           points += static_cast<std::uint64_t>(count(t <= end));
           if (!kSee || none(first_in_view <= t && t <= last_in_view)) {
@@ -176,7 +196,11 @@ class SampleMaker {
           block.first_step = std::min(block.first_step, step + i);
           block.end_step = std::max(block.end_step, step + i + 1);
           see(point, part, first, step + i, block);
-        });
+        };
+        if (scene_.nodes.any())
+          beams.next_four_nodes(paths_, take);
+        else
+          beams.next_four(deflection_, keys_, take);
         over = none(t <= last_in_view);
       }
       alive_ = alive_ || !over;
@@ -254,6 +278,15 @@ class SampleMaker {
     return hidden < L(0.5f);
   }
 
+  /// Between the centres of two wide cells a place moves along the ramp about their border alone.
+  HWY_INLINE P on_ramp(const P& column) const {
+    const L steep(static_cast<float>(scene_.film.cell_width_px / scene_.film.ramp_px));
+    const L whole = round_to_nearest(value_of(column) - L(0.5f));
+    const P share = (column - whole - L(0.5f)) * steep + L(0.5f);
+    const P on = select_where(value_of(share) < L(1.0f), share, P(L(1.0f)));
+    return select_where(L(0.0f) < value_of(share), on, P(L(0.0f))) + whole;
+  }
+
   HWY_INLINE void see(const FallenPoint<L, P>& point, int part, int first, int step, Block& block) {
     const P way[3] = {point.along_km, point.across1_km, point.across2_km};
     P in_camera[3];
@@ -272,6 +305,7 @@ class SampleMaker {
       above = (above - peak_) * shrink + peak_;
     }
     const L h = value_of(above);
+    if (scene_.film.ramp_px > 0.0) seen.column = on_ramp(seen.column);
     if (scene_.nearest_cell) {
       seen.column = P(round_to_nearest(value_of(seen.column)));
       seen.row = P(round_to_nearest(value_of(seen.row)));
@@ -295,6 +329,7 @@ class SampleMaker {
   const int* inputs_;
   PhiloxKeys keys_;
   Deflection<C> deflection_;
+  NodesOfPaths<C> paths_;
   BeamAxes<F> axes_[kGroup];
   C camera_from_enu_[3][3];
   Film<C> film_;

@@ -45,6 +45,8 @@ std::vector<Declaration> fit_rows() {
           .means("share of the beams with which the search works"),
       Row("fit", "search_smoothing", &Scene::fit, &Fit::search_smoothing).within(0, 0.5)
           .means("standard deviation by which the search smooths profiles, as a fraction of the region's height"),
+      Row("fit", "model", &Scene::fit, &Fit::model).one_of<FitModel>({{"expected", FitModel::expected}, {"draws", FitModel::draws}})
+          .means("which picture is compared: the mean over all draws of beams, or one draw with the sheets' numbers of beams. Folds, curls and undulating borders have draws alone"),
       Row("fit", "profile_weight", &Scene::fit, &Fit::profile_weight).within(0, 100)
           .means("of intensity profiles in chi2; 0: left out, as with the other weights"),
       Row("fit", "colour_weight", &Scene::fit, &Fit::colour_weight).within(0, 100)

@@ -382,6 +382,11 @@ struct PhotoEntry {
   int line = 0;
 };
 
+enum class FitModel {
+  expected,  ///< the mean over all draws of beams
+  draws      ///< one draw
+};
+
 enum class ProfileAlong {
   columns,
   elevation,
@@ -427,6 +432,7 @@ struct Fit {
   double image_weight = 0.0;        ///< a low-resolution image
   double texture_weight = 0.0;      ///< autocovariance along the arc: ray spacing and contrast
   double granulation_weight = 0.0;  ///< angular power spectrum of the light on a disc
+  FitModel model = FitModel::expected;
   ProfileAlong profile_along = ProfileAlong::columns;
   std::vector<double> guide_x_px, guide_y_px;     ///< of profiles across a loop: points drawn along it
   double guide_half_width_px = 20.0;              ///< how far such a profile reaches to either side

@@ -17,6 +17,9 @@ struct FilmGeometry {
   double x0_px = 0.0, y0_px = 0.0;
   double cell_width_px = 1.0, cell_height_px = 1.0;
   int columns = 0, rows = 0;
+  /// Of wide cells: over how many pixels about the border of two cells light goes over from one to the other.
+  /// 0: from centre to centre.
+  double ramp_px = 0.0;
 };
 
 /// The numbers of a camera that a picture changes with, and that a fit may free.

@@ -62,6 +62,19 @@ HWY_INLINE void splat(const Shares& shares, int film_columns, std::int64_t* cell
   }
 }
 
+/// The same of a sample that is all in the left column.
+template <int kQuartets, class Light>
+HWY_INLINE void splat_in_column(const Shares& shares, int film_columns, std::int64_t* cell,
+                                const Light& light) {
+  const FourFloats d;
+  std::int64_t* below = cell + static_cast<std::int64_t>(film_columns) * 4 * kQuartets;
+  for (int q = 0; q < kQuartets; ++q) {
+    const auto all = light(q);
+    add_rounded(hn::Mul(all, hn::Set(d, shares.upper)), cell + 4 * q);
+    add_rounded(hn::Mul(all, hn::Set(d, shares.lower)), below + 4 * q);
+  }
+}
+
 /// The same from a place on the film: column and row are in cells, at least 0 and below the last one.
 template <int kQuartets, class Light>
 HWY_INLINE void splat(float column, float row, int film_columns, std::int64_t* film, const Light& light) {

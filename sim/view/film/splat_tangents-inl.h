@@ -78,6 +78,20 @@ HWY_INLINE void splat_tangents(const WideDual& column, const WideDual& row, cons
   }
 }
 
+/// The same of a sample that is all in the left column and stays there.
+template <int kLines, class CellAt>
+HWY_INLINE void splat_tangents_in_column(const WideDual& column, const WideDual& row, const WideDual* light,
+                                         std::ptrdiff_t row_pitch, const CellAt& cell_at) {
+  const int r = static_cast<int>(row.v);
+  const float lower = row.v - static_cast<float>(r);
+  float* const here = cell_at(static_cast<int>(column.v), r);
+  for (int l = 0; l < kLines; ++l) {
+    const Wide low = light[l].d * lower + row.d * light[l].v;
+    (light[l].d - low).add_to(here + 16 * l);
+    low.add_to(here + row_pitch + 16 * l);
+  }
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace vegard::sim
 HWY_AFTER_NAMESPACE();

@@ -103,7 +103,7 @@ TEST(Course, IsThatOfEachOfTwoSheets) {
     for (std::size_t s = 0; s < 2; ++s) {
       SCOPED_TRACE(s);
       EXPECT_EQ(found[s].size(), 24u);
-      expect_on_sine(found[s], truth.sheets[s], 5.0);
+      expect_on_sine(found[s], truth.sheets[s], 8.0);  // half the wave's swing, of the outermost bands
       const std::vector<SineThroughCourse> sines = sines_through(found[s], 300.0, 15.0, 300.0, 4.0, 3);
       ASSERT_FALSE(sines.empty());
       model.sheets[s].wavelength_km = sines[0].wavelength_km;
