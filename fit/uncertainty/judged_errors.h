@@ -37,7 +37,7 @@ struct ChainErrors {
   std::vector<double> median, sigma;
   std::vector<std::pair<double, double>> interval68, interval95;
   std::vector<std::vector<double>> correlation;
-  std::vector<double> autocorrelation_steps, effective;
+  std::vector<double> autocorrelation_steps, effective, r_hat;
   bool long_enough = false;     ///< fifty autocorrelation times of every parameter
   std::vector<double> samples;  ///< [sample][parameter], thinned evenly to at most some thousands
 };

@@ -90,6 +90,7 @@ ChainErrors in_values(const sim::EnsembleState& state, int burn_in, const Tellin
   c.correlation = s.correlation;
   c.autocorrelation_steps = e.autocorrelation_steps;
   c.effective = e.effective;
+  c.r_hat = e.r_hat;
   c.long_enough = e.long_enough;
   c.samples = thinned(told.chain, n, c.walkers);
   return c;

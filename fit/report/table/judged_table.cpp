@@ -112,6 +112,9 @@ std::string chain_note(const ChainErrors& c) {
       "worth "
       "{:.0f} independent samples of the slowest parameter.",
       c.walkers, c.steps, c.burn_in, 100.0 * c.acceptance, fewest);
+  if (!c.r_hat.empty())
+    text += fmt::format(" Split R-hat is at most {:.3f} (1: every walker has been everywhere).",
+                        *std::max_element(c.r_hat.begin(), c.r_hat.end()));
   if (!c.long_enough)
     text +=
         " <span class=\"flag\">too short</span> Less than fifty autocorrelation times: its intervals are not "

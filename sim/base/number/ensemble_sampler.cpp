@@ -23,10 +23,12 @@ constexpr double kSamplerLeastShare =
 constexpr double kJumpShare = 0.1;    // of the differential moves: whole differences, from mode to mode
 constexpr double kWindow = 5.0;       // Sokal's c
 constexpr double kLongEnough = 50.0;  // autocorrelation times
+constexpr int kFreedom = 8;           // of Student's distribution
+constexpr double kWider = 1.05;       // than the covariance
 constexpr const char* kFormat = "ensemble-1";
 
 /// The third index of a random number: what it is for.
-enum Purpose : std::uint32_t { kMove = 0, kAccept = 1, kStart = 16 };
+enum Purpose : std::uint32_t { kMove = 0, kAccept = 1, kStart = 16, kIndependent = 1u << 20 };
 
 int walkers_of(const EnsembleOptions& options, std::size_t coordinates) {
   const int d = static_cast<int>(coordinates);
@@ -68,8 +70,12 @@ Eigen::MatrixXd root_of(const std::vector<std::vector<double>>& covariance) {
 /// One run's walkers, in two halves: a walker moves by the places of the half that it does not belong to.
 class Ensemble {
  public:
-  Ensemble(const LogDensity& log_density, const EnsembleOptions& options, EnsembleState& state)
+  Ensemble(const LogDensity& log_density, const std::vector<double>& centre, const Eigen::MatrixXd& root,
+           const EnsembleOptions& options, EnsembleState& state)
       : log_density_(log_density),
+        centre_(Eigen::Map<const Eigen::VectorXd>(centre.data(), static_cast<Eigen::Index>(centre.size()))),
+        root_(kWider * root),
+        inverse_root_(root_.partialPivLu().inverse()),
         options_(options),
         state_(state),
         walkers_(walkers_of(options, state.coordinates)),
@@ -78,21 +84,13 @@ class Ensemble {
   bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
   bool placed() const { return static_cast<int>(state_.density.size()) == walkers_; }
 
-  bool place_next(const std::vector<double>& centre, const Eigen::MatrixXd& root) {
+  bool place_next() {
     const auto walker = static_cast<std::uint32_t>(state_.density.size());
     const std::size_t d = state_.coordinates;
     double spread = 1.0;
     for (std::uint32_t attempt = 0; attempt < kAttempts; ++attempt, spread *= kShrink) {
       if (stopped()) return true;
-      Eigen::VectorXd z(static_cast<Eigen::Index>(d));
-      for (std::size_t j = 0; j < d; ++j) {
-        const auto purpose = static_cast<std::uint32_t>(kStart + j);
-        const Words w = random_words(options_.seed, Stream::ensemble, attempt, walker, purpose);
-        z(static_cast<Eigen::Index>(j)) = normal_quantile(fine_uniform(w[0], w[1]));
-      }
-      const Eigen::VectorXd step = spread * (root * z);
-      std::vector<double> at(d);
-      for (std::size_t j = 0; j < d; ++j) at[j] = centre[j] + step(static_cast<Eigen::Index>(j));
+      const std::vector<double> at = about_centre(spread / kWider * normal(attempt, walker, kStart, d));
       const double density = finite_or_nowhere(log_density_(at));
       if (density == kSamplerNowhere) continue;
       state_.place.insert(state_.place.end(), at.begin(), at.end());
@@ -132,7 +130,43 @@ class Ensemble {
   }
   const double* place_of(int walker) const { return state_.place.data() + begin_of(walker); }
 
+  /// Standard normal numbers.
+  Eigen::VectorXd normal(std::uint32_t index, std::uint32_t walker, std::uint32_t purpose,
+                         std::size_t count) const {
+    Eigen::VectorXd z(static_cast<Eigen::Index>(count));
+    for (std::size_t j = 0; j < count; ++j) {
+      const Words w = random_words(options_.seed, Stream::ensemble, index, walker,
+                                   purpose + static_cast<std::uint32_t>(j));
+      z(static_cast<Eigen::Index>(j)) = normal_quantile(fine_uniform(w[0], w[1]));
+    }
+    return z;
+  }
+
+  std::vector<double> about_centre(const Eigen::VectorXd& z) const {
+    const Eigen::VectorXd at = centre_ + root_ * z;
+    return {at.data(), at.data() + at.size()};
+  }
+
+  /// Logarithm of Student's density, up to a constant.
+  double log_student(const double* at) const {
+    const Eigen::Map<const Eigen::VectorXd> place(at, centre_.size());
+    const double square = (inverse_root_ * (place - centre_)).squaredNorm();
+    return -0.5 * (kFreedom + static_cast<double>(centre_.size())) * std::log1p(square / kFreedom);
+  }
+
+  std::vector<double> independent_proposal(int walker, double& log_factor) const {
+    const Eigen::VectorXd z =
+        normal(static_cast<std::uint32_t>(state_.step), static_cast<std::uint32_t>(walker), kIndependent,
+               state_.coordinates + kFreedom);
+    const double chi2 = z.tail(kFreedom).squaredNorm();
+    const auto d = static_cast<Eigen::Index>(state_.coordinates);
+    std::vector<double> at = about_centre(z.head(d) / std::sqrt(chi2 / kFreedom));
+    log_factor = log_student(place_of(walker)) - log_student(at.data());
+    return at;
+  }
+
   std::vector<double> proposal(int walker, std::uint32_t kind, double& log_factor) const {
+    if (uniform(kind) >= 1.0 - options_.independent_share) return independent_proposal(walker, log_factor);
     const Words w = random_words(options_.seed, Stream::ensemble, static_cast<std::uint32_t>(state_.step),
                                  static_cast<std::uint32_t>(walker), kMove);
     const int other_half = walker < half_ ? half_ : 0;
@@ -163,6 +197,8 @@ class Ensemble {
   }
 
   const LogDensity& log_density_;
+  const Eigen::VectorXd centre_;
+  const Eigen::MatrixXd root_, inverse_root_;  // of the covariance, a little wider
   const EnsembleOptions& options_;
   EnsembleState& state_;
   const int walkers_, half_;
@@ -195,15 +231,12 @@ void run_ensemble(const LogDensity& log_density, const std::vector<double>& cent
                   EnsembleState& state) {
   state.coordinates = centre.size();
   if (centre.empty() || state.no_start) return;
-  Ensemble ensemble(log_density, options, state);
-  if (!ensemble.placed()) {
-    const Eigen::MatrixXd root = root_of(covariance);
-    while (!ensemble.placed() && !ensemble.stopped())
-      if (!ensemble.place_next(centre, root)) {
-        state.no_start = true;
-        return;
-      }
-  }
+  Ensemble ensemble(log_density, centre, root_of(covariance), options, state);
+  while (!ensemble.placed() && !ensemble.stopped())
+    if (!ensemble.place_next()) {
+      state.no_start = true;
+      return;
+    }
   while (!ensemble.stopped() && state.step < options.burn_in + options.steps) ensemble.move_next();
 }
 
@@ -251,6 +284,27 @@ double autocorrelation_time(const std::vector<double>& series, int walkers) {
   return std::max(1.0, time);
 }
 
+double split_r_hat(const std::vector<double>& series, int walkers) {
+  const auto w = static_cast<std::size_t>(walkers);
+  const std::size_t half = w > 0 ? series.size() / w / 2 : 0;
+  if (half < 2) return 1.0;
+  double within = 0.0, sum = 0.0, squares = 0.0;
+  for (std::size_t chain = 0; chain < 2 * w; ++chain) {
+    const std::size_t first = (chain / w) * half * w + chain % w;
+    double mean = 0.0, variance = 0.0;
+    for (std::size_t i = 0; i < half; ++i) mean += series[first + i * w] / static_cast<double>(half);
+    for (std::size_t i = 0; i < half; ++i)
+      variance += std::pow(series[first + i * w] - mean, 2) / static_cast<double>(half - 1);
+    within += variance / static_cast<double>(2 * w);
+    sum += mean;
+    squares += mean * mean;
+  }
+  const auto chains = static_cast<double>(2 * w);
+  const double between = std::max(0.0, squares - sum * sum / chains) / (chains - 1.0);  // of the means
+  if (!(within > 0.0)) return 1.0;
+  return std::sqrt((static_cast<double>(half - 1) / static_cast<double>(half) * within + between) / within);
+}
+
 EnsembleSummary summary_of(const EnsembleState& state) {
   EnsembleSummary s;
   const std::size_t d = state.coordinates;
@@ -278,6 +332,7 @@ EnsembleSummary summary_of(const EnsembleState& state) {
     for (std::size_t i = 0; i < s.samples; ++i) series[i] = about(static_cast<Eigen::Index>(i), jj);
     s.autocorrelation_steps.push_back(autocorrelation_time(series, s.walkers));
     s.effective.push_back(n / s.autocorrelation_steps.back());
+    s.r_hat.push_back(split_r_hat(series, s.walkers));
     if (s.steps < kLongEnough * s.autocorrelation_steps.back()) s.long_enough = false;
     for (std::size_t k = 0; k < d; ++k) {
       const auto kk = static_cast<Eigen::Index>(k);

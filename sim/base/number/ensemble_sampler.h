@@ -1,12 +1,14 @@
 // Markov chain Monte Carlo with an ensemble of walkers: the judge of error bars that were had more cheaply.
 //
-// Two kinds of moves, mixed at random. Stretch moves: J. Goodman and J. Weare, "Ensemble samplers with affine
-// invariance", Communications in Applied Mathematics and Computational Science 5 (2010) 65,
+// Three kinds of moves, mixed at random. Stretch moves: J. Goodman and J. Weare, "Ensemble samplers with
+// affine invariance", Communications in Applied Mathematics and Computational Science 5 (2010) 65,
 // doi:10.2140/camcos.2010.5.65. Differential evolution moves: C. J. F. ter Braak, "A Markov chain Monte Carlo
 // version of the genetic algorithm Differential Evolution", Statistics and Computing 16 (2006) 239,
 // doi:10.1007/s11222-006-8769-1. A walker of one half of the ensemble is moved by the places of the other
-// half, so that each move by itself keeps the density. Both moves are affine invariant: a long thin valley
-// costs no more than a round one.
+// half, so that each move by itself keeps the density. Independent moves: a place from Student's distribution
+// of eight degrees of freedom about the start's centre, with its covariance (W. K. Hastings, Biometrika 57
+// (1970) 97, doi:10.1093/biomet/57.1.97, section 2.5): where the density is nearly normal, such a move is a
+// fresh sample. All are affine invariant: a long thin valley costs no more than a round one.
 //
 // The chain is a pure function of density, start, options and seed; it depends on no clock and no thread.
 #pragma once
@@ -30,7 +32,8 @@ struct EnsembleOptions {
   int steps = 1000;   ///< steps of every walker that are kept
   std::uint64_t seed = 1;
   double stretch = 2.0;             ///< the paper's a: a stretch move goes by a factor in [1/a, a]
-  double differential_share = 0.5;  ///< of the moves
+  double differential_share = 0.4;  ///< of the moves
+  double independent_share = 0.4;   ///< likewise; the rest are stretch moves
   const std::atomic<bool>* stop = nullptr;
   std::function<void(double share)> progress;  ///< told after every step of all walkers
 };
@@ -70,6 +73,10 @@ struct EnsembleSummary {
   /// Number of independent samples that the chain is worth: samples / autocorrelation_steps. The mean's
   /// standard error is sigma / sqrt of it.
   std::vector<double> effective;
+  /// Split R-hat of each coordinate: the square root of the pooled variance of all walkers' half chains over
+  /// the mean of their own (A. Gelman et al., "Bayesian data analysis", 2013, section 11.4). Near 1 where
+  /// every walker has been everywhere; above 1.05 the chain is too short.
+  std::vector<double> r_hat;
   /// Every autocorrelation time is shorter than a fiftieth of the chain. If not, the numbers above are not to
   /// be leaned on: more steps are needed.
   bool long_enough = false;
@@ -82,5 +89,8 @@ EnsembleSummary summary_of(const EnsembleState& state);
 /// Integration, NATO ASI B 361 (1997) 131). `series` is [step][walker]; ρ is taken over all walkers, each
 /// compared with itself, about the mean of all. At least 1.
 double autocorrelation_time(const std::vector<double>& series, int walkers);
+
+/// Split R-hat of a series as above. 1 for fewer than four steps, and of a number that does not vary.
+double split_r_hat(const std::vector<double>& series, int walkers);
 
 }  // namespace vegard::sim

@@ -2,8 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
+
+#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/random.h"
 
 namespace vegard::sim::ensemble_sampler_test {
 namespace {
@@ -81,7 +88,7 @@ TEST(EnsembleSampler, RecoversTheMomentsOfABanana) {
   };
   EnsembleOptions options;
   options.walkers = 20;
-  options.steps = 6000;
+  options.steps = 10000;
   options.seed = 2;
   const EnsembleState state = run(banana, {0.0, 0.0}, {{1.0, 0.0}, {0.0, 1.0}}, options);
   expect_mean(
@@ -126,7 +133,7 @@ TEST(EnsembleSampler, IsReversible) {
   };
   const std::vector<std::vector<double>> unit = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const auto norm = [](const double* x) { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; };
-  for (const double share : {0.0, 1.0}) {
+  for (const auto& [share, independent] : {std::pair(0.0, 0.0), std::pair(1.0, 0.0), std::pair(0.0, 1.0)}) {
     std::vector<double> kept, swapped;
     for (std::uint64_t seed = 0; seed < 4000; ++seed) {
       EnsembleOptions options;
@@ -135,6 +142,7 @@ TEST(EnsembleSampler, IsReversible) {
       options.seed = seed;
       options.walkers = 8;
       options.differential_share = share;
+      options.independent_share = independent;
       EnsembleState state = run(round, {0, 0, 0}, unit, options);
       const std::vector<double> before = state.place;
       options.steps = 1;
@@ -156,7 +164,7 @@ TEST(EnsembleSampler, IsReversible) {
   }
 }
 
-// Both moves go along with an affine change of the coordinates, and so does a Cholesky factor with a
+// All moves go along with an affine change of the coordinates, and so does a Cholesky factor with a
 // triangular one: the same seed gives the same chain, seen in other coordinates.
 TEST(EnsembleSampler, IsAffineInvariant) {
   const auto to_other = [](double x, double y) {
@@ -182,7 +190,7 @@ TEST(EnsembleSampler, IsAffineInvariant) {
 // The effective number is worth what it says: the means of 80 chains scatter about the truth by
 // sigma / sqrt(effective). The mean square of 80 such ratios is 1 within sqrt(2 / 80) = 0.16; four of those.
 TEST(EnsembleSampler, StatesItsOwnErrorHonestly) {
-  for (const double share : {0.0, 0.5}) {
+  for (const auto& [share, independent] : {std::pair(0.0, 0.0), std::pair(0.5, 0.0), std::pair(0.4, 0.4)}) {
     double square = 0.0;
     for (std::uint64_t seed = 100; seed < 180; ++seed) {
       EnsembleOptions options;
@@ -191,6 +199,7 @@ TEST(EnsembleSampler, StatesItsOwnErrorHonestly) {
       options.walkers = 10;
       options.seed = seed;
       options.differential_share = share;
+      options.independent_share = independent;
       const EnsembleSummary s = summary_of(run(gaussian, {1.0, -2.0}, {{4.0, 0.9}, {0.9, 0.25}}, options));
       square += std::pow((s.mean[0] - 1.0) / s.sigma[0], 2) * s.effective[0] / 80.0;
     }
@@ -218,6 +227,48 @@ TEST(AutocorrelationTime, IsThatOfAKnownProcess) {
   for (std::size_t i = kWalkers; i < series.size(); ++i) series[i] = r * series[i - kWalkers] + noise();
   // Sokal's own estimate of its relative error: sqrt(2 (2 * 5 * 9 + 1) / 160000) = 0.034; three of those.
   EXPECT_NEAR(autocorrelation_time(series, kWalkers), 9.0, 3.0 * 0.034 * 9.0);
+}
+
+// Near a normal density fresh samples come by independent moves: the chain forgets within a few steps, and
+// the ensemble's own moves alone take an order of magnitude longer in twelve dimensions.
+TEST(EnsembleSampler, ForgetsFastWhereTheDensityIsNearlyNormal) {
+  constexpr std::size_t kDimensions = 12;
+  const auto round = [](const std::vector<double>& x) {
+    double square = 0.0;
+    for (const double v : x) square += v * v;
+    return -0.5 * square;
+  };
+  std::vector<std::vector<double>> unit(kDimensions, std::vector<double>(kDimensions, 0.0));
+  for (std::size_t j = 0; j < kDimensions; ++j) unit[j][j] = 1.0;
+  const auto slowest = [&](double independent) {
+    EnsembleOptions options;
+    options.burn_in = 20;
+    options.steps = 400;
+    options.differential_share = 0.6 * (1.0 - independent);
+    options.independent_share = independent;
+    const EnsembleSummary s = summary_of(run(round, std::vector<double>(kDimensions, 0.0), unit, options));
+    EXPECT_LT(*std::max_element(s.r_hat.begin(), s.r_hat.end()), independent > 0.0 ? 1.03 : 1.3);
+    return *std::max_element(s.autocorrelation_steps.begin(), s.autocorrelation_steps.end());
+  };
+  const double with = slowest(0.4), without = slowest(0.0);
+  EXPECT_LT(with, 8.0);
+  EXPECT_GT(without, 3.0 * with);
+}
+
+// Walkers that stay in two places each have a variance of their own far below that of all.
+TEST(SplitRHat, TellsChainsThatHaveNotMet) {
+  std::vector<double> apart, together;
+  for (int step = 0; step < 200; ++step)
+    for (int walker = 0; walker < 4; ++walker) {
+      const double noise = normal_quantile(uniform(random_words(3, Stream::ensemble, step, walker, 0)[0]));
+      together.push_back(noise);
+      apart.push_back(noise + (walker < 2 ? 0.0 : 5.0));
+    }
+  // Of means that differ by nothing but noise R-hat is 1 + O(1 / steps).
+  EXPECT_NEAR(split_r_hat(together, 4), 1.0, 0.02);
+  // Two places 5 apart: half-chain means have the variance 6.25 * 8 / 7, chains one of 1.
+  EXPECT_NEAR(split_r_hat(apart, 4), std::sqrt(1.0 + 6.25 * 8.0 / 7.0), 0.15);
+  EXPECT_EQ(split_r_hat({1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0}, 2), 1.0);
 }
 
 TEST(EnsembleSampler, ResumesBitForBit) {
