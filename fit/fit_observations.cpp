@@ -80,6 +80,7 @@ ComparedValues compared_values(const std::vector<Observation>& observations, int
     compared.values += o.full->residuals();
     compared.sum_of_weights += o.sum_of_weights;
     compared.sampling_error = std::max(compared.sampling_error, o.sampling_error);
+    compared.draws = compared.draws || (!o.scene.sheets.empty() && is_drawn(o.scene));
   }
   return compared;
 }

@@ -188,6 +188,7 @@ struct ComparedValues {
   double sum_of_weights = 0.0;  ///< of 1 / sigma^2, the simulation's own sampling left out of sigma
   double sampling_error = 0.0;  ///< that sampling's, as a fraction of the brightness; the largest
   int unknowns = 0;             ///< free and solved for, less what is held
+  bool draws = false;           ///< whether one draw of beams was compared, not the mean over all (fit.model)
 };
 
 struct FitResult {

@@ -32,14 +32,14 @@ Comparison::Comparison(const sim::Scene& scene, const Photo& photo, Profile data
           resolution.threads)),
       gains_(gain_layout(scene)),
       model_(scene, photo, statistics_->grids(), resolution.beams_share, resolution.smooth_rows,
-             resolution.threads, resolution.sampling) {}
+             resolution.threads, resolution.sampling, resolution.fineness) {}
 
 Comparison::Comparison(const sim::Scene& scene, const Photo& photo, const Comparison& like,
                        const Resolution& resolution)
     : statistics_(like.statistics_),
       gains_(like.gains_),
       model_(scene, photo, statistics_->grids(), resolution.beams_share, resolution.smooth_rows,
-             resolution.threads, resolution.sampling) {}
+             resolution.threads, resolution.sampling, resolution.fineness) {}
 
 Comparison::Point Comparison::at(const sim::Scene& scene) {
   Point point;

@@ -28,7 +28,8 @@ class Comparison {
     int threads = 0;
     /// Of statistics other than the profile, whose sigma is given; none: the scene's.
     std::optional<Statistics::ModelError> model_error = {};
-    std::uint64_t sampling = 0;  ///< another draw of the beams (sim::Exposer)
+    std::uint64_t sampling = 0;  ///< another draw of the beams (sim::BeamSampling)
+    double fineness = 1.0;       ///< of the mean over all draws, likewise
   };
 
   /// `data` and `sigma` are the photograph's profile as this resolution sees it, and its noise; it has the

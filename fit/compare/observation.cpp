@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kSearchError = 0.1;  // the search weighs bright and dark alike
 constexpr double kSearchPeakShare = 0.5;
+constexpr double kSearchFineness = 1.5;
 constexpr double kSmoothingPerBin = 2.0;  // standard deviations of the smoothing, in bins
 
 void check_sizes(const sim::Scene& scene, const Photo& photo) {
@@ -90,7 +91,8 @@ void look_closely(const Profile& data, int threads, Observation& o) {
   const double model_error = std::hypot(o.scene.fit.model_error, o.sampling_error);
   o.full = std::make_unique<Comparison>(
       o.scene, *o.photo, data, whole_sigma(o.scene, *o.photo, data, model_error),
-      Comparison::Resolution{1.0, kProfileSmoothing_px, threads, Statistics::ModelError{model_error}});
+      Comparison::Resolution{1.0, kProfileSmoothing_px, threads, Statistics::ModelError{model_error}, 0,
+                             kLastFineness});
 }
 
 }  // namespace
@@ -121,7 +123,7 @@ Observation observed(const sim::Scene& scene, const Photo& photo, int threads, c
   o.coarse = std::make_unique<Comparison>(
       scene, photo, smooth_data, std::move(sigma),
       Comparison::Resolution{scene.fit.search_beams, smooth_rows, threads,
-                             Statistics::ModelError{kSearchError, kSearchPeakShare}});
+                             Statistics::ModelError{kSearchError, kSearchPeakShare}, 0, kSearchFineness});
   return o;
 }
 

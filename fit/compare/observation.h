@@ -16,6 +16,10 @@ namespace vegard::fit {
 /// creep and its curvature is too large; what the sheet does to a profile is as smooth as this.
 inline constexpr double kProfileSmoothing_px = 2.0;
 
+/// How fine the mean over all draws is for the last word (sim::BeamSampling): what its own error moves an
+/// answer by is then small beside error bars.
+inline constexpr double kLastFineness = 1.5;
+
 struct Observation {
   const Photo* photo = nullptr;
   sim::Scene scene;  ///< as this photograph sees it, at the start

@@ -154,13 +154,14 @@ bool has_smooth_bands(const sim::Scene& scene) {
 }
 
 ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo, const Region& region, int bands,
-                           double beams_share, double smooth_rows, int threads, std::uint64_t sampling)
+                           double beams_share, double smooth_rows, int threads, std::uint64_t sampling,
+                           double fineness)
     : ProfileModel(scene, photo, {std::make_shared<const BinGrid>(column_bins(region, bands))}, beams_share,
-                   smooth_rows, threads, sampling) {}
+                   smooth_rows, threads, sampling, fineness) {}
 
 ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo,
                            const std::vector<std::shared_ptr<const BinGrid>>& grids, double beams_share,
-                           double smooth_rows, int threads, std::uint64_t sampling)
+                           double smooth_rows, int threads, std::uint64_t sampling, double fineness)
     : work_(std::make_unique<Workspace>()) {
   Workspace& w = *work_;
   w.grids = grids;
@@ -180,6 +181,7 @@ ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo,
   options.sampling.draw = sampling;
   options.sampling.mean = !is_drawn(scene);
   options.sampling.smooth_px = smooth_rows;
+  options.sampling.fineness = fineness;
   options.threads = threads;
   w.picture = std::make_unique<sim::PictureModel>(w.scene, film, bin_weights(photo, grids, film), options);
 }

@@ -44,13 +44,14 @@ class ProfileModel {
  public:
   /// `beams_share` of the scene's beams are used, or of the nodes where nothing is drawn, and the profiles
   /// are smoothed by `smooth_rows` (0: not at all): coarse models search, the full one decides. `sampling`:
-  /// another draw of the beams (sim::Exposer).
+  /// another draw of the beams; `fineness`: of the mean over all draws (sim::BeamSampling).
   ProfileModel(const sim::Scene& scene, const Photo& photo, const Region& region, int bands,
-               double beams_share, double smooth_rows, int threads, std::uint64_t sampling = 0);
+               double beams_share, double smooth_rows, int threads, std::uint64_t sampling = 0,
+               double fineness = 1.0);
   /// In the bins of some grids of one region, one grid's after the other's, from one rendering.
   ProfileModel(const sim::Scene& scene, const Photo& photo,
                const std::vector<std::shared_ptr<const BinGrid>>& grids, double beams_share,
-               double smooth_rows, int threads, std::uint64_t sampling = 0);
+               double smooth_rows, int threads, std::uint64_t sampling = 0, double fineness = 1.0);
   ~ProfileModel();
 
   /// The scene may differ from the constructor's in continuous parameters only.

@@ -8,6 +8,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr std::uint64_t kSamplings = 12;
+constexpr double kFineness = 3.0;  // of means over all draws
 
 /// Light of drawn beams is a sum over random numbers, that of volumes is not.
 bool is_sampled(const std::vector<Observation>& observations) {
@@ -32,7 +33,7 @@ std::vector<std::vector<double>> sampled_jacobians(const std::vector<Observation
       terms[o].map.put(values, terms[o].scene);
       others.push_back(std::make_unique<Comparison>(
           terms[o].scene, *observations[o].photo, *observations[o].full,
-          Comparison::Resolution{1.0, kProfileSmoothing_px, threads, {}, sampling}));
+          Comparison::Resolution{1.0, kProfileSmoothing_px, threads, {}, sampling, kFineness}));
       terms[o].comparison = others.back().get();
     }
     const ProfileCost cost(free, terms, closing, {{}, {}, {}, 1.0, anchors});

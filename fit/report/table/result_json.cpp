@@ -8,6 +8,7 @@
 #include "fit/report/table/curve_steps_table.h"
 #include "fit/version.h"
 #include "sim/base/version.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::fit {
 namespace {
@@ -141,6 +142,7 @@ Json chain(const FitResult& result) {
     entry["interval95"] = pair(c.interval95[j]);
     entry["autocorrelation_steps"] = number(c.autocorrelation_steps[j]);
     entry["effective_samples"] = number(c.effective[j]);
+    if (j < c.r_hat.size()) entry["r_hat"] = number(c.r_hat[j]);
   });
   json["correlation"] = matrix_rows(c.correlation);
   return json;
@@ -243,11 +245,13 @@ std::string result_json(const FitResult& result) {
   json["chi2"] = number(result.chi2);
   json["chi2_initial"] = number(result.chi2_initial);
   json["dof"] = result.dof;
-  json["compared"] = {{"regions_px", result.compared.regions_px},
-                      {"values", result.compared.values},
-                      {"sum_of_weights", number(result.compared.sum_of_weights)},
-                      {"sampling_error", number(result.compared.sampling_error)},
-                      {"unknowns", result.compared.unknowns}};
+  json["compared"] = {
+      {"regions_px", result.compared.regions_px},
+      {"values", result.compared.values},
+      {"sum_of_weights", number(result.compared.sum_of_weights)},
+      {"sampling_error", number(result.compared.sampling_error)},
+      {"model", sim::word_of(result.compared.draws ? sim::FitModel::draws : sim::FitModel::expected)},
+      {"unknowns", result.compared.unknowns}};
   json["steepest_cosine"] = number(result.steepest_cosine);
   json["statistics"] = Json::array();
   for (const ComparedStatistic& s : result.statistics)

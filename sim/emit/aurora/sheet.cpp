@@ -12,7 +12,6 @@ namespace vegard::sim {
 namespace {
 
 constexpr int kSheetMostBeams = 10000000;
-constexpr double kStepAcrossDeviations = 1.4;
 
 /// Van der Corput's sequence in base 2: the bits of i mirrored at the point.
 double van_der_corput(std::uint32_t i) {
@@ -65,27 +64,26 @@ std::uint32_t layer_address(int sheet_index, int arc, int layer) {
 
 LayerPlaces::LayerPlaces(const Sheet& sheet, std::uint32_t layer_address, std::uint64_t seed, double beyond,
                          const SheetNodes& nodes)
-    : in_nodes_(nodes.beams > 0),
+    : in_nodes_(!nodes.beams.empty()),
       drawn_(beams_per_layer(sheet)),
       nodes_(nodes),
-      gauss_(normal_nodes(nodes.across <= kMostGaussAcross ? nodes.across : 1)),
+      across_(normal_nodes(nodes.across)),
       seed_(seed),
       address_(layer_address),
       rule_(sheet.spacing_rule),
       jitter_(sheet.spacing_jitter),
       shift_(uniform(random_words(seed, Stream::cross_section, 0, layer_address)[0])) {
-  const int own = in_nodes_ ? nodes.beams : drawn_;
+  if (in_nodes_) {
+    lay_out_nodes(beyond);
+    return;
+  }
+  const int own = drawn_;
   // An odd number of beams more puts both ends into the middle of a beam: at a border the light has a kink.
   const int more =
       rule_ == SpacingRule::literal || beyond <= 0.0 ? 0 : 2 * static_cast<int>(beyond * own) + 1;
-  beams_ = (own + more) * (in_nodes_ ? nodes.across : 1);
+  beams_ = own + more;
   beyond_ = 0.5 * more / own;
-  if (in_nodes_) {
-    for (int k = 0; k < kRecurrences; ++k)
-      recurrence_from_[k] =
-          uniform(random_words(0, Stream::cross_section, static_cast<std::uint32_t>(k), layer_address)[1]);
-  }
-  if (in_nodes_ || rule_ == SpacingRule::stratified) return;
+  if (rule_ == SpacingRule::stratified) return;
   double sum = 0.0;
   for (int i = 0; i < beams_; ++i) {
     if (i % kSumEvery == 0) sums_.push_back(sum);
@@ -94,12 +92,39 @@ LayerPlaces::LayerPlaces(const Sheet& sheet, std::uint32_t layer_address, std::u
   sums_.push_back(sum);
 }
 
+void LayerPlaces::lay_out_nodes(double beyond) {
+  beyond_ = rule_ == SpacingRule::literal ? 0.0 : std::max(0.0, beyond);
+  const auto parts = static_cast<double>(nodes_.beams.size());
+  double before = 0.0;
+  const auto add = [&](double from, double beams) {
+    from_.push_back(from);
+    before_.push_back(before);
+    before += beams;
+  };
+  if (beyond_ > 0.0) add(-beyond_, nodes_.beams.front() * parts * beyond_);
+  for (std::size_t k = 0; k < nodes_.beams.size(); ++k) add(static_cast<double>(k) / parts, nodes_.beams[k]);
+  if (beyond_ > 0.0) add(1.0, nodes_.beams.back() * parts * beyond_);
+  add(1.0 + beyond_, 0.0);
+  beams_ = static_cast<int>(std::ceil(before)) * nodes_.across;
+  for (int k = 0; k < kRecurrences; ++k)
+    recurrence_from_[k] =
+        uniform(random_words(0, Stream::cross_section, static_cast<std::uint32_t>(k), address_)[1]);
+}
+
 LayerPlaces::Step LayerPlaces::step(int beam) const {
   const Words words = random_words(seed_, Stream::beam_spacing, static_cast<std::uint32_t>(beam), address_);
   const double u = uniform(words[0]), even = 1.0 / beams_;
   return {rule_ == SpacingRule::literal ? even * (u > 0.5 ? 1.0 + u : 1.0 - u)
                                         : even * (1.0 + jitter_ * (2.0 * u - 1.0)),
           jitter_ * (u - 0.5), uniform(words[1])};
+}
+
+double LayerPlaces::on_line(double share) const {
+  const double beams = share * before_.back();
+  const auto next = std::upper_bound(before_.begin() + 1, before_.end() - 1, beams);
+  const auto part = static_cast<std::size_t>(next - before_.begin()) - 1;
+  const double in_part = before_[part + 1] - before_[part];
+  return from_[part] + (from_[part + 1] - from_[part]) * (beams - before_[part]) / in_part;
 }
 
 BeamPlace LayerPlaces::place_in_nodes(int beam) const {
@@ -126,19 +151,12 @@ BeamPlace LayerPlaces::place_in_nodes(int beam) const {
     place.from = place.s;
     place.to = place.s + even;
   } else {
-    const auto scaled = [&](double s) { return s * (1.0 + 2.0 * beyond_) - beyond_; };
-    place.s = place.s_of_phase = scaled(at);
-    place.from = scaled(along * even);
-    place.to = scaled((along + 1) * even);
+    place.from = on_line(along * even);
+    place.to = on_line((along + 1) * even);
+    place.s = place.s_of_phase = 0.5 * (place.from + place.to);
   }
-  if (many <= kMostGaussAcross) {
-    place.across = gauss_[side].place;
-    place.weight = gauss_[side].weight;
-  } else {
-    // The trapezium rule, whose nodes lie elsewhere at each place along: its error is exp(-2 pi² / step²).
-    place.across = (side - 0.5 * many + recurrence(2)) * kStepAcrossDeviations;
-    place.weight = kStepAcrossDeviations / kSqrtTwoPi * std::exp(-0.5 * place.across * place.across);
-  }
+  place.across = across_[side].place;
+  place.weight = across_[side].weight;
   place.node = recurrence(0);
   place.ray = normal_quantile(recurrence(3));
   // In a narrow tube two nodes of a normal deviate in either direction, all four in turn.

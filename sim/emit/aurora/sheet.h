@@ -48,12 +48,12 @@ struct BeamPlace {
   double ray = 0.0;              ///< likewise: the Gaussian process that makes rays long and short
 };
 
-inline constexpr int kMostGaussAcross = 4;
-
 /// How densely a sheet is looked at where nothing is drawn.
 struct SheetNodes {
-  int beams = 0;  ///< per layer, along it; 0: as many as the scene says, drawn
-  /// Side by side at each place along: Gauss's up to kMostGaussAcross, else as many of the trapezium rule.
+  /// How many places there are in each of some equally long parts of the line, from its start to its end, per
+  /// layer; beyond either end as densely as in the part next to it. Empty: as many as the scene says, drawn.
+  std::vector<double> beams;
+  /// Side by side at each place along.
   int across = 1;
   bool wide_tube = false;  ///< whether the tube that deflections make of a beam is as wide as can be seen
   PathNodes path;
@@ -127,13 +127,17 @@ class LayerPlaces {
   };
   Step step(int beam) const;
   BeamPlace place_in_nodes(int beam) const;
+  void lay_out_nodes(double beyond);
+  /// Place on the line of a share of the beams in nodes.
+  double on_line(double share) const;
 
   static constexpr int kRecurrences = 6;
   bool in_nodes_;
-  int drawn_;  ///< beams of the sheet where they are drawn
+  std::vector<double> from_, before_;  ///< of parts of the line in nodes: where they begin, beams before them
+  int drawn_;                          ///< beams of the sheet where they are drawn
   double recurrence_from_[kRecurrences] = {};
   SheetNodes nodes_;
-  std::vector<NormalNode> gauss_;
+  std::vector<NormalNode> across_;
   std::uint64_t seed_;
   std::uint32_t address_;
   int beams_;

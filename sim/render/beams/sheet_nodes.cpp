@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/beam.h"
@@ -15,23 +16,28 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kAlongCells = 0.5, kAlongWideCells = 0.2, kAlongPerSmoothing = 0.5;  // from beam to beam
+constexpr double kAlongCells = 0.5, kAlongWideCells = 0.1, kAlongPerSmoothing = 0.25;  // from beam to beam
 // From node to node in the lower part of a path. Of a lattice of nodes with the distance d a Gaussian of the
 // standard deviation d / 2 leaves exp(-pi^2 / 2), 0.7 %, and many beams with nodes at other places a tenth of
 // it.
 constexpr double kDownPerBlur = 2.0, kLeastDownCells = 1.0;
-// A standard deviation of the width, in what is seen of a node, up to which 1, 2, ... nodes across will do.
-constexpr double kWidthOfGauss[kMostGaussAcross] = {0.15, 1.0, 1.5, 2.0};
-constexpr int kAcrossTrapezium = 6;
+// Up to which standard deviation of the width, in what is seen of a node, how many of Gauss's nodes will do.
+struct NodesAcross {
+  double width;
+  int nodes;
+};
+constexpr NodesAcross kAcross[] = {{0.15, 1}, {1.0, 2}, {1.5, 3}, {2.0, 4}, {3.0, 6}, {5.0, 9}};
+constexpr int kMostAcross = 14;
 constexpr double kNarrowTube = 1.0;
 constexpr double kMoreBeams = 3.0;  // where more is drawn than the place in a narrow cross-section
 constexpr double kHat = 0.41;       // standard deviation of a hat, in cells
 constexpr double kFurthestNodesKm = 4.0;
 constexpr double kFurthestBeamsKm = 8.0;
-constexpr int kLeastBeams = 64, kMostBeams = 1000000;
+constexpr double kLeastBeams = 64.0, kMostBeams = 1e6;
 constexpr double kStretchKm = 100.0;  // above the bottom nodes stand twice as far apart, and so on upwards
 constexpr double kNearKm = 100.0;     // of a sheet that is not in view
-constexpr int kPlaces = 129;
+constexpr int kParts = 96;            // of a line
+constexpr double kOutOfView = 0.25;   // of the beams where they stand most densely
 constexpr double kLowKm = 105.0, kHighKm = 125.0;  // where most light is
 
 /// Where a camera sees a point of the field line through a foot.
@@ -81,42 +87,40 @@ class Sights {
 /// Pixels per kilometre along a sheet and along its field lines, where they are most; and across it, by
 /// columns and rows.
 struct Scale {
-  double along_px_km = 0.0, down_px_km = 0.0, across_columns_px_km = 0.0, across_rows_px_km = 0.0;
+  std::vector<double> along_px_km = std::vector<double>(kParts, 0.0);  ///< by part of the line
+  double down_px_km = 0.0, across_columns_px_km = 0.0, across_rows_px_km = 0.0;
 };
 
 Scale scale_of(const Scene& scene, const Sheet& sheet, const Sights& sights) {
   Scale scale;
   for (const double instant : instants_s(scene.time)) {
     for (int arc = 0; arc < sheet.arcs; ++arc) {
-      const std::vector<EastNorth> feet = is_curve(sheet) ? curve_feet(sheet, instant, kPlaces)
-                                                          : sine_feet(scene, sheet, instant, arc, kPlaces);
-      const double step_km = line_length_km(sheet) / (kPlaces - 1);
-      Sight before;
-      EastNorth foot_before;
-      for (const EastNorth& foot : feet) {
-        const Sight low = sights.at(foot, kLowKm), high = sights.at(foot, kHighKm);
-        const double east = foot.east - foot_before.east, north = foot.north - foot_before.north;
-        const double way_km = std::hypot(east, north);
-        foot_before = foot;
-        if (low.seen && before.seen && way_km > 0.0) {
-          const Sight beside = sights.at({foot.east - north / way_km, foot.north + east / way_km}, kLowKm);
-          if (beside.seen) {
-            scale.across_columns_px_km = std::max(scale.across_columns_px_km, std::abs(beside.x - low.x));
-            scale.across_rows_px_km = std::max(scale.across_rows_px_km, std::abs(beside.y - low.y));
-          }
-        }
-        if (low.seen && before.seen)
-          scale.along_px_km =
-              std::max(scale.along_px_km, std::hypot(low.x - before.x, low.y - before.y) / step_km);
+      const std::vector<EastNorth> feet = is_curve(sheet) ? curve_feet(sheet, instant, kParts + 1)
+                                                          : sine_feet(scene, sheet, instant, arc, kParts + 1);
+      const double step_km = line_length_km(sheet) / kParts;
+      for (int k = 0; k < kParts; ++k) {
+        const EastNorth &foot = feet[k], &next = feet[k + 1];
+        const Sight low = sights.at(foot, kLowKm), high = sights.at(foot, kHighKm),
+                    on = sights.at(next, kLowKm);
         if (low.seen && high.seen)
           scale.down_px_km =
               std::max(scale.down_px_km, std::hypot(high.x - low.x, high.y - low.y) / (kHighKm - kLowKm));
-        before = low;
+        const double east = next.east - foot.east, north = next.north - foot.north;
+        const double way_km = std::hypot(east, north);
+        if (!low.seen || !on.seen || way_km == 0.0) continue;
+        scale.along_px_km[k] =
+            std::max(scale.along_px_km[k], std::hypot(on.x - low.x, on.y - low.y) / step_km);
+        const Sight beside = sights.at({foot.east - north / way_km, foot.north + east / way_km}, kLowKm);
+        if (!beside.seen) continue;
+        scale.across_columns_px_km = std::max(scale.across_columns_px_km, std::abs(beside.x - low.x));
+        scale.across_rows_px_km = std::max(scale.across_rows_px_km, std::abs(beside.y - low.y));
       }
     }
   }
   const double near_px_km = pixels_per_degree(scene.camera) / (kNearKm * kRadiansPerDegree);
-  if (scale.along_px_km == 0.0) scale.along_px_km = near_px_km;
+  const double most = *std::max_element(scale.along_px_km.begin(), scale.along_px_km.end());
+  for (double& along : scale.along_px_km)
+    along = most > 0.0 ? std::max(along, kOutOfView * most) : near_px_km;
   if (scale.down_px_km == 0.0) scale.down_px_km = near_px_km;
   if (scale.across_columns_px_km == 0.0) scale.across_columns_px_km = near_px_km;
   if (scale.across_rows_px_km == 0.0) scale.across_rows_px_km = near_px_km;
@@ -174,17 +178,18 @@ std::vector<SheetNodes> sheet_nodes(const Scene& scene, const FilmGeometry& film
         std::hypot(scale.across_rows_px_km / rows_px, scale.across_columns_px_km / film.cell_width_px);
     const double width = widest_km(sheet) * seen_across;
     SheetNodes nodes;
-    nodes.across = kAcrossTrapezium;
-    for (int count = kMostGaussAcross; count > 0; --count)
-      if (width < kWidthOfGauss[count - 1]) nodes.across = count;
+    nodes.across = kMostAcross;
+    for (auto most = std::rbegin(kAcross); most != std::rend(kAcross); ++most)
+      if (width < most->width) nodes.across = most->nodes;
     nodes.wide_tube = tube_km(sheet) * seen_across > kNarrowTube;
-    const bool much_is_drawn = nodes.wide_tube || nodes.across == kAcrossTrapezium ||
-                               sheet.ray_length_contrast > 0.0 || sheet.spacing_rule == SpacingRule::literal;
-    const double along_km = std::min(along_px / scale.along_px_km, structure_km(sheet)) / fineness /
-                            (much_is_drawn ? kMoreBeams : 1.0);
-    nodes.beams =
-        static_cast<int>(std::clamp(std::ceil(line_length_km(sheet) / along_km),
-                                    static_cast<double>(kLeastBeams), static_cast<double>(kMostBeams)));
+    const bool much_is_drawn =
+        nodes.wide_tube || sheet.ray_length_contrast > 0.0 || sheet.spacing_rule == SpacingRule::literal;
+    const double part_km = line_length_km(sheet) / kParts;
+    for (const double along_px_km : scale.along_px_km) {
+      const double along_km = std::min(along_px / along_px_km, structure_km(sheet)) / fineness /
+                              (much_is_drawn ? kMoreBeams : 1.0);
+      nodes.beams.push_back(std::clamp(part_km / along_km, kLeastBeams / kParts, kMostBeams / kParts));
+    }
     const double down_km = std::min(down_px / scale.down_px_km, kFurthestNodesKm) / fineness;
     nodes.path.offset = kStretchKm / (sheet.top_km - HeightProfile::kBottomKm);
     nodes.path.shrink = std::exp(-down_km / kStretchKm);

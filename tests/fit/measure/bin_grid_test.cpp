@@ -48,6 +48,18 @@ TEST(BinGrid, ColumnsAreRowsOfBands) {
     }
 }
 
+TEST(BinGrid, ColumnsMayHaveBinsOfSeveralRows) {
+  const BinGrid grid = column_bins(kRegion, 5, 4);
+  EXPECT_EQ(grid.positions, 25);  // 24 of four rows, and one of the last row of 97
+  EXPECT_EQ(grid.position_px, 4.0);
+  const std::vector<int> of = bin_of_pixels(grid);
+  for (int y = 0; y < kRegion.height; ++y)
+    for (int x = 0; x < kRegion.width; ++x)
+      ASSERT_EQ(of[static_cast<std::size_t>(y) * kRegion.width + x] % grid.positions, y / 4);
+  EXPECT_EQ(grid.row[0], 1.5);
+  EXPECT_EQ(grid.row[24], 96.0);
+}
+
 TEST(BinGrid, AlongElevationABinHasTheElevationsOfItsRowAtTheMiddleColumn) {
   sim::Camera camera = tests::small_scene().camera;
   camera.roll_deg = 8.0;
