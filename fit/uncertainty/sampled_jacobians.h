@@ -1,4 +1,4 @@
-// Jacobians of the photographs' residuals at an answer, from several samplings of the same scene.
+// Jacobians of the photographs' residuals at an answer, for its error bars.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,9 @@
 
 namespace vegard::fit {
 
-/// One for each of twelve seeds, row-major [residual][coordinate], by the solver's coordinates with these
-/// anchors. Of one of them the Monte-Carlo noise of a finite number of beams would pass for information.
+/// Row-major [residual][coordinate], by the solver's coordinates with these anchors: one for each of twelve seeds where
+/// beams are drawn, since of one alone the Monte-Carlo noise of a finite number of beams would pass for information;
+/// else one, of a finer quadrature.
 std::vector<std::vector<double>> sampled_jacobians(const std::vector<Observation>& observations,
                                                    const std::vector<FreeNumber>& free,
                                                    const std::vector<double>& values,

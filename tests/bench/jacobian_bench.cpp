@@ -82,11 +82,12 @@ struct Problem {
       : scene(with_free),
         region(fit::checked_region(scene.fit.roi_px, photo.linear.width, photo.linear.height)),
         free(fit::free_numbers(scene)),
-        model(scene, photo, region, scene.fit.bands, 1.0, fit::kProfileSmoothing_px, kThreads),
+        model(scene, photo, region, scene.fit.bands, 1.0, fit::kProfileSmoothing_px, kThreads, 0,
+              fit::kLastFineness),
         comparison(
             scene, photo,
             fit::smoothed(fit::extract_profile(photo, region, scene.fit.bands), fit::kProfileSmoothing_px),
-            sigma(photo), {1.0, fit::kProfileSmoothing_px, kThreads}),
+            sigma(photo), {1.0, fit::kProfileSmoothing_px, kThreads, {}, 0, fit::kLastFineness}),
         cost(free, {{scene, fit::ParameterMap(scene, free), &comparison}}, log) {
     for (const fit::FreeNumber& number : free) coordinates.push_back(number.coordinate(number.start));
     residuals.resize(cost.num_residuals());

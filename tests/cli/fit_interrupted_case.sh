@@ -2,7 +2,7 @@
 source "$(dirname "$0")/case.sh"
 expect_exit 0 render "$SCENES/small.toml" -o photo.png
 set -m  # a job of its own; else the shell has it ignore the signal
-"$VEGARD" fit "$SCENES/fit.toml" --photo photo.png --out run --set sheet.main.beams=15000 --set fit.scan_points=1000 \
+"$VEGARD" fit "$SCENES/fit.toml" --photo photo.png --out run --set sheet.main.beams=15000 --set fit.scan_points=1000 --set fit.model=draws \
   --threads 1 >"$stdout" 2>"$stderr" &
 job=$!
 # The first line of a stage says that the work is under way.
