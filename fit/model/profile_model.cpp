@@ -170,7 +170,8 @@ ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo,
   w.scene = scene;
   w.scene.march.shrink = 1;
   for (sim::Sheet& sheet : w.scene.sheets) {
-    sheet.beams = std::max(1, static_cast<int>(std::lround(sim::beams_per_layer(sheet) * beams_share)));
+    const double share = is_drawn(scene) ? beams_share : 1.0;
+    sheet.beams = std::max(1, static_cast<int>(std::lround(sim::beams_per_layer(sheet) * share)));
     sheet.beams_per_km = 0.0;
     sheet.spacing_jitter = 0.0;  // the expectation is wanted, not one realisation
   }

@@ -35,9 +35,8 @@ bool is_drawn(const sim::Scene& scene);
 /// film are wide, and as high as the bins are.
 bool has_smooth_bands(const sim::Scene& scene);
 
-/// Renders the region of interest again and again. The film's cells are one pixel high and up to four wide:
-/// profiles average over columns, and a band has at least a dozen of them (docs/fitting.md has what this
-/// costs: nothing that can be seen). Out-of-gamut light is clipped per cell, as in display_picture(), before
+/// Renders the region of interest again and again. The film's cells are as docs/fitting.md says:
+/// profiles average over columns. Out-of-gamut light is clipped per cell, as in display_picture(), before
 /// columns are averaged with the photograph's own mask; of a photograph that keeps_negative_light() it is
 /// not.
 class ProfileModel {

@@ -81,6 +81,8 @@ std::vector<std::vector<CoursePoint>> courses(Comparison& comparison, const sim:
   std::vector<Eigen::VectorXd> right(data.bands, Eigen::VectorXd::Zero(n));
   std::vector<double> chi2(data.bands, 0.0);
   std::vector<int> rows(data.bands, 0);
+  // A bin of several rows has the weight of all of them (fit/compare/observation.cpp).
+  const int rows_of_bin = data.grid != nullptr ? std::max(1, static_cast<int>(data.grid->position_px)) : 1;
   Eigen::VectorXd slope(n);
   for (std::size_t k = 0; k < used.size(); ++k) {
     const std::size_t band = used[k] / (3 * static_cast<std::size_t>(data.rows));
@@ -91,7 +93,7 @@ std::vector<std::vector<CoursePoint>> courses(Comparison& comparison, const sim:
     normal[band].noalias() += slope * slope.transpose();
     right[band] -= slope * residual;
     chi2[band] += residual * residual;
-    ++rows[band];
+    rows[band] += rows_of_bin;
   }
 
   std::vector<std::vector<CoursePoint>> result(sheets);

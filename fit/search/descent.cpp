@@ -139,6 +139,7 @@ Descent descend_off_limits(const ProfileCost& cost, const std::vector<double>& s
   for (std::size_t j = 0; j < moved.size(); ++j) {
     if (!moved[j].at_limit(end.values[j]) || moved[j].at_limit(start[j])) continue;
     const double from = moved[j].coordinate(start[j]), to = moved[j].coordinate(end.values[j]);
+    if (std::abs(to - from) <= kStepInside) continue;
     inside[j] = moved[j].value(from + std::clamp(to - from, -kStepInside, kStepInside));
   }
   if (inside == end.values) return end;

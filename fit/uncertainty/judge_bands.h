@@ -11,7 +11,7 @@ namespace vegard::fit {
 
 /// Rows of photographs, priors and limits at the answer, by the numbers' own coordinates. Bands are the
 /// profile's, those of several photographs one after the other; rows of other statistics belong to none. The
-/// Jacobian is the mean of several samplings' (sampled_jacobians.h). Of the residuals is taken what this mean
+/// Jacobian is that of the error bars (sampled_jacobians.h). Of the residuals is taken what this mean
 /// would still move: with all weights equal the answer stays where it is.
 BandRows band_rows(const JudgedFit& fit, int threads);
 

@@ -1,4 +1,4 @@
-// The error bars of an answer, from several samplings of the same scene (see uncertainty.h).
+// The error bars of an answer, by its Jacobians (see uncertainty.h and sampled_jacobians.h).
 #pragma once
 
 #include <vector>

@@ -25,7 +25,7 @@ constexpr double kWindow = 5.0;       // Sokal's c
 constexpr double kLongEnough = 50.0;  // autocorrelation times
 constexpr int kFreedom = 8;           // of Student's distribution
 constexpr double kWider = 1.05;       // than the covariance
-constexpr const char* kFormat = "ensemble-1";
+constexpr const char* kFormat = "ensemble-2";
 
 /// The third index of a random number: what it is for.
 enum Purpose : std::uint32_t { kMove = 0, kAccept = 1, kStart = 16, kIndependent = 1u << 20 };
@@ -301,7 +301,7 @@ double split_r_hat(const std::vector<double>& series, int walkers) {
   }
   const auto chains = static_cast<double>(2 * w);
   const double between = std::max(0.0, squares - sum * sum / chains) / (chains - 1.0);  // of the means
-  if (!(within > 0.0)) return 1.0;
+  if (!(within > 0.0)) return between > 0.0 ? std::numeric_limits<double>::infinity() : 1.0;
   return std::sqrt((static_cast<double>(half - 1) / static_cast<double>(half) * within + between) / within);
 }
 

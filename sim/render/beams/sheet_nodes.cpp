@@ -22,11 +22,12 @@ constexpr double kAlongCells = 0.5, kAlongWideCells = 0.1, kAlongPerSmoothing = 
 // it.
 constexpr double kDownPerBlur = 2.0, kLeastDownCells = 1.0;
 // Up to which standard deviation of the width, in what is seen of a node, how many of Gauss's nodes will do.
+// One alone would not feel the width.
 struct NodesAcross {
   double width;
   int nodes;
 };
-constexpr NodesAcross kAcross[] = {{0.15, 1}, {1.0, 2}, {1.5, 3}, {2.0, 4}, {3.0, 6}, {5.0, 9}};
+constexpr NodesAcross kAcross[] = {{1.0, 2}, {1.5, 3}, {2.0, 4}, {3.0, 6}, {5.0, 9}};
 constexpr int kMostAcross = 14;
 constexpr double kNarrowTube = 1.0;
 constexpr double kMoreBeams = 3.0;  // where more is drawn than the place in a narrow cross-section
