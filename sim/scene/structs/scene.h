@@ -79,6 +79,9 @@ struct Camera {
   /// theta^6 over the equidistant lens.
   double k1 = 0.0, k2 = 0.0, k3 = 0.0;
   double p1 = 0.0, p2 = 0.0;  ///< decentring terms, as OpenCV has them
+  /// How many of those pixels that focal_px and the principal point are in a pixel of the picture (width by
+  /// height) is wide and high. No file says so: sim/view/camera/scaled_camera.h does.
+  double pixel_width_px = 1.0, pixel_height_px = 1.0;
 };
 
 /// One sheet of precipitating electrons, or a system of like ones side by side (rows B1-B17, B28-B29 of the

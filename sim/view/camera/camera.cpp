@@ -110,7 +110,7 @@ void enu_of_direction(const Direction& direction, double enu[3]) {
 
 double pixels_per_degree(const Camera& camera) {
   return camera.model == LensModel::pinhole ? camera.width / camera.hfov_deg
-                                            : camera.focal_px * kRadiansPerDegree;
+                                            : camera.focal_px / camera.pixel_width_px * kRadiansPerDegree;
 }
 
 double pixels_per_degree_growth(const Camera& camera) {

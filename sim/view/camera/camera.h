@@ -79,10 +79,10 @@ CameraView<T> camera_view(const Camera& camera, const Number& number) {
   const T scale = number(scale_number);
   lens.focal_px = lens.model == LensModel::pinhole
                       ? (0.5 * camera.width) / tangent(scale * (0.5 * kRadiansPerDegree))
-                      : scale;
-  lens.principal_x_px = number(principal_x_number) + 0.5 * camera.width;
-  lens.principal_y_px = number(principal_y_number) + 0.5 * camera.height;
-  lens.aspect = number(aspect_number);
+                      : scale * (1.0 / camera.pixel_width_px);
+  lens.principal_x_px = number(principal_x_number) * (1.0 / camera.pixel_width_px) + 0.5 * camera.width;
+  lens.principal_y_px = number(principal_y_number) * (1.0 / camera.pixel_height_px) + 0.5 * camera.height;
+  lens.aspect = number(aspect_number) * (camera.pixel_width_px / camera.pixel_height_px);
   lens.k1 = number(k1_number);
   lens.k2 = number(k2_number);
   lens.k3 = number(k3_number);

@@ -13,18 +13,24 @@ PictureSize size_within(const Camera& camera, const PictureSize& most) {
 }
 
 Camera scaled_camera(const Camera& camera, const PictureSize& size) {
-  const double across = static_cast<double>(size.width) / camera.width;
-  const double down = static_cast<double>(size.height) / camera.height;
   Camera scaled = camera;
   scaled.width = size.width;
   scaled.height = size.height;
+  scaled.pixel_width_px *= static_cast<double>(camera.width) / size.width;
+  scaled.pixel_height_px *= static_cast<double>(camera.height) / size.height;
+  return scaled;
+}
+
+Camera in_own_pixels(const Camera& camera) {
   // A pinhole's field of view is across the whole picture and stays; so do the radial and decentring terms,
   // which are in units of the focal length.
-  scaled.focal_px *= across;
-  scaled.principal_x_px *= across;
-  scaled.principal_y_px *= down;
-  scaled.aspect *= down / across;
-  return scaled;
+  Camera own = camera;
+  own.focal_px /= camera.pixel_width_px;
+  own.principal_x_px /= camera.pixel_width_px;
+  own.principal_y_px /= camera.pixel_height_px;
+  own.aspect *= camera.pixel_width_px / camera.pixel_height_px;
+  own.pixel_width_px = own.pixel_height_px = 1.0;
+  return own;
 }
 
 }  // namespace vegard::sim
