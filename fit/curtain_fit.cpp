@@ -98,6 +98,7 @@ class CurtainFit {
         o.frame = framed.frame;
         o.scene = with_ties(framed.scene, free, framed.frame);
       }
+      o.scene = scene_of_pixels(o.scene, photos_[i]);
       o.region = first_[i].region;
       o.sum_of_weights = first_[i].sum_of_weights;
       o.sampling_error = first_[i].sampling_error;

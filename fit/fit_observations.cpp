@@ -17,6 +17,7 @@
 #include "fit/measure/noise_model.h"
 #include "fit/parameters/free_parameters.h"
 #include "fit/parameters/prior_rows.h"
+#include "fit/photo/averaging.h"
 #include "fit/search/journal.h"
 #include "fit/search/profile_rounds.h"
 #include "fit/search/search.h"
@@ -75,8 +76,7 @@ ComparedValues compared_values(const std::vector<Observation>& observations, int
   ComparedValues compared;
   compared.unknowns = unknowns;
   for (const Observation& o : observations) {
-    const Region& region = o.region;
-    compared.regions_px.push_back({region.x, region.y, region.width, region.height});
+    compared.regions_px.push_back(region_in_file(o.scene.camera, o.region));
     compared.values += o.full->residuals();
     compared.sum_of_weights += o.sum_of_weights;
     compared.sampling_error = std::max(compared.sampling_error, o.sampling_error);
@@ -147,6 +147,8 @@ void put_photos(const std::vector<Observation>& observations, const std::vector<
     FittedPhoto fitted;
     fitted.name = observations[o].frame.name;
     fitted.decoding = observations[o].photo->decoding;
+    if (const std::string averaged = averaging_words(observations[o].scene.camera); !averaged.empty())
+      fitted.decoding += ", " + averaged;
     fitted.data = full.data();
     fitted.sigma = full.sigma();
     fitted.model = full.profile_model(point.of_photo[o]);
@@ -328,7 +330,7 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
   put_photos(observations, full, free, tidied, point, known, r);
   if (observations.size() == 1 && r.photos.front().name.empty()) {
     start_from(free, tidied, r.photos.front().best);
-    r.best = r.photos.front().best;
+    r.best = with_pixels_of(scene, r.photos.front().best);
   }
   put_derived(observations, free, tidied, known, evidence.stopped, r);
   if (curve != nullptr) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fit/photo/averaging.h"
 #include "sim/render/needed_memory.h"
 #include "sim/scene/table/parameter_table.h"
 
@@ -11,13 +12,18 @@ namespace {
 // Of a photograph's pixel: its linear light and what of it is usable; beside them, while it is decoded,
 // measured and looked at, the file's numbers and planes of one channel.
 constexpr double kKeptOfPhoto = 15.0, kBesideOfPhoto = 30.0;
+constexpr double kOfAveraged = 20.0;  // of the file's pixels while it is averaged: its numbers, and its bytes
 constexpr double kFitItself =
     40.0 * 1024.0 * 1024.0;              // what the solver and the report's plots take beside pictures
 constexpr double kReportOfPixel = 60.0;  // pictures of the photograph, the model and what is left
 
 }  // namespace
 
-double fit_bytes(const sim::Scene& scene, int threads) {
+double fit_bytes(const sim::Scene& given, int threads) {
+  const sim::Camera& camera = given.camera;
+  const Averaging averaging = averaging_for_fit(given);
+  const double averaged = averaging.any() ? kOfAveraged * camera.width * camera.height : 0.0;
+  const sim::Scene scene = averaged_scene(given, averaging);
   const double pixels = static_cast<double>(scene.camera.width) * scene.camera.height;
   const double photos = std::max<double>(1.0, static_cast<double>(scene.fit.photos.size()));
   const auto& roi = scene.fit.roi_px;
@@ -33,7 +39,7 @@ double fit_bytes(const sim::Scene& scene, int threads) {
   const double fitting = photos * (pixels * kKeptOfPhoto + 2.0 * model) + pixels * kBesideOfPhoto;
   const double reporting = photos * (pixels * kKeptOfPhoto + 2.0 * model) +
                            sim::render_bytes(scene, threads, {false, kReportOfPixel});
-  return kFitItself + std::max(fitting, reporting);
+  return kFitItself + std::max({averaged, fitting, reporting});
 }
 
 }  // namespace vegard::fit

@@ -269,7 +269,7 @@ int run_fit(const FitRequest& options, const std::string& command) {
     from_photograph = take_from_photograph(scene, photo, options.scene.changes);
   const sim::Scene first = map ? fit::scene_of_ridges(scene, map->curtains) : scene;
   check_memory_of_fit(first, options.threads, options.memory_limit);
-  std::vector<fit::Photo> photos = photographs_asked(options.photo, scene);
+  std::vector<fit::Photo> photos = photographs_asked(options.photo, scene, PhotoPixels::for_fit);
   if (map) {
     std::vector<std::string> decodings;
     for (const fit::Photo& one : photos) decodings.push_back(one.decoding);

@@ -191,11 +191,13 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
         "--decoding", "a sequence is of one camera, and so of one transfer curve", "one that is known",
         "fit one frame by itself with --decoding unknown, and give all the curve that it tells");
   check_memory_of_fit(scene, options.threads, options.memory_limit);
-  for (const SequencePhoto& photo : photos) {  // now, not after hours
-    fit::Photo read =
-        fit::read_photo(photo.file, decoding_of(options.decoding, scene.fit.decoding, &scene), &scene);
-    if (!options.mask.empty()) fit::apply_mask(read, options.mask);
-  }
+  const auto read_frame = [&](const std::string& file) {
+    fit::Photo photo = fit::read_photo(file, decoding_of(options.decoding, scene.fit.decoding, &scene),
+                                       &scene, fit::averaging_for_fit(scene));
+    if (!options.mask.empty()) fit::apply_mask(photo, options.mask);
+    return photo;
+  };
+  for (const SequencePhoto& photo : photos) read_frame(photo.file);  // now, not after hours
   std::vector<NamedInput> inputs = inputs_of_scene(options.scene, scene);
   for (const SequencePhoto& photo : photos) inputs.push_back({photo.file, "the photograph"});
   for (const std::string& word : options.photos) inputs.push_back({word, "the list of photographs"});
@@ -213,9 +215,7 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
   std::vector<fit::SequenceRow> rows;
   bool chain_is_old = true;  // a frame depends on the one before it
   for (const SequencePhoto& frame : photos) {
-    fit::Photo photo =
-        fit::read_photo(frame.file, decoding_of(options.decoding, scene.fit.decoding, &scene), &scene);
-    if (!options.mask.empty()) fit::apply_mask(photo, options.mask);
+    const fit::Photo photo = read_frame(frame.file);
     if (chain_is_old)
       if (const auto row = folder.done(frame, photo)) {
         rows.push_back(*row);

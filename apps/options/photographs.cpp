@@ -20,12 +20,17 @@ std::string beside(const std::string& scene_file, const std::string& name) {
   return (std::filesystem::path(scene_file).parent_path() / name).string();
 }
 
-fit::Photo photograph_of(const sim::Scene& scene, const sim::PhotoEntry& entry) {
+fit::Averaging averaging_of(const sim::Scene& scene, PhotoPixels pixels) {
+  return pixels == PhotoPixels::for_fit ? fit::averaging_for_fit(scene) : fit::Averaging();
+}
+
+fit::Photo photograph_of(const sim::Scene& scene, const sim::PhotoEntry& entry, PhotoPixels pixels) {
   const sim::Scene own = sim::scene_of_photo(scene, entry);
   const fit::Decoding decoding = entry.decoding.empty()
                                      ? decoding_of("", scene.fit.decoding, &scene)
                                      : decoding_of("", entry.decoding, nullptr, beside(scene.file, ""));
-  fit::Photo photo = fit::read_photo(beside(scene.file, entry.file), decoding, &own);
+  fit::Photo photo =
+      fit::read_photo(beside(scene.file, entry.file), decoding, &own, averaging_of(own, pixels));
   if (!entry.mask.empty()) fit::apply_mask(photo, beside(scene.file, entry.mask));
   return photo;
 }
@@ -43,7 +48,8 @@ std::set<std::string> paths_of(const std::vector<std::string>& changes) {
 
 }  // namespace
 
-std::vector<fit::Photo> photographs_asked(const PhotoWords& words, const sim::Scene& scene) {
+std::vector<fit::Photo> photographs_asked(const PhotoWords& words, const sim::Scene& scene,
+                                          PhotoPixels pixels) {
   const auto refuse = [](const std::string& key, const std::string& problem, const std::string& hint) {
     sim::ErrorDetails details;
     details.key = key;
@@ -59,7 +65,7 @@ std::vector<fit::Photo> photographs_asked(const PhotoWords& words, const sim::Sc
     std::vector<fit::Photo> photos;
     const fit::Decoding decoding = decoding_of(words.decoding, scene.fit.decoding, &scene);
     if (words.filters.empty()) {
-      photos.push_back(fit::read_photo(words.file, decoding, &scene));
+      photos.push_back(fit::read_photo(words.file, decoding, &scene, averaging_of(scene, pixels)));
     } else {
       check_filters(scene);
       photos.push_back(
@@ -74,14 +80,14 @@ std::vector<fit::Photo> photographs_asked(const PhotoWords& words, const sim::Sc
        {std::pair{"--photo", &words.file}, {"--mask", &words.mask}, {"--decoding", &words.decoding}})
     if (!word->empty())
       refuse(key, "the scene names its photographs itself", "leave it out, or [[fit.photo]] of the scene");
-  return photographs_of(scene);
+  return photographs_of(scene, pixels);
 }
 
-std::vector<fit::Photo> photographs_of(const sim::Scene& scene) {
+std::vector<fit::Photo> photographs_of(const sim::Scene& scene, PhotoPixels pixels) {
   std::vector<fit::Photo> photos;
   for (const sim::PhotoEntry& entry : scene.fit.photos) {
     try {
-      photos.push_back(photograph_of(scene, entry));
+      photos.push_back(photograph_of(scene, entry, pixels));
     } catch (const sim::Error& error) {
       sim::ErrorDetails details = error.details();
       details.problem = "photograph '" + entry.name + "': " + details.problem;

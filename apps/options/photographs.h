@@ -19,14 +19,18 @@ struct PhotoWords {
   std::vector<std::string> filters;
 };
 
+/// Whether large photographs are averaged while they are read (fit/photo/averaging.h).
+enum class PhotoPixels { of_file, for_fit };
+
 /// The photograph of the command line, or those that the scene names. Throws Error(usage) where there is
 /// none, or both, and as reading does.
-std::vector<fit::Photo> photographs_asked(const PhotoWords& words, const sim::Scene& scene);
+std::vector<fit::Photo> photographs_asked(const PhotoWords& words, const sim::Scene& scene,
+                                          PhotoPixels pixels = PhotoPixels::of_file);
 
 /// scene.fit.photos, read and masked, in their order; files are relative to the scene's. A decoding by the
 /// sensor goes by that of the photograph's own scene. Throws Error(unreadable_input) with the photograph's
 /// name.
-std::vector<fit::Photo> photographs_of(const sim::Scene& scene);
+std::vector<fit::Photo> photographs_of(const sim::Scene& scene, PhotoPixels pixels = PhotoPixels::of_file);
 
 /// The scene's file and the photographs with their masks, for the result.
 std::vector<fit::InputFile> inputs_of(const std::string& scene_file, const std::string& scene_sha256,

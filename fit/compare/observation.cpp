@@ -24,12 +24,13 @@ constexpr double kSearchFineness = 1.5;
 constexpr double kSmoothingPerBin = 2.0;  // standard deviations of the smoothing, in bins
 
 void check_sizes(const sim::Scene& scene, const Photo& photo) {
-  if (photo.linear.width == scene.camera.width && photo.linear.height == scene.camera.height) return;
+  const sim::PictureSize of_file = size_of_file(photo);
+  if (of_file.width == scene.camera.width && of_file.height == scene.camera.height) return;
   const auto size = [](int w, int h) { return std::to_string(w) + " x " + std::to_string(h); };
   throw sim::Error(
       sim::ErrorKind::scene,
       {"the camera has " + size(scene.camera.width, scene.camera.height) + " pixels, " + photo.file_name +
-           " has " + size(photo.linear.width, photo.linear.height),
+           " has " + size(of_file.width, of_file.height),
        scene.file, 0, "camera.width", "the photograph's size", "set camera.width and camera.height"});
 }
 
@@ -97,8 +98,15 @@ void look_closely(const Profile& data, int threads, Observation& o) {
 
 }  // namespace
 
-Observation observed(const sim::Scene& scene, const Photo& photo, int threads, const PhotoFrame& frame) {
+sim::Scene scene_of_pixels(const sim::Scene& scene, const Photo& photo) {
   check_sizes(scene, photo);
+  const sim::PictureSize of_file = size_of_file(photo);
+  checked_region(scene.fit.roi_px, of_file.width, of_file.height);
+  return averaged_scene(scene, {of_file, {photo.linear.width, photo.linear.height}});
+}
+
+Observation observed(const sim::Scene& given, const Photo& photo, int threads, const PhotoFrame& frame) {
+  const sim::Scene scene = scene_of_pixels(given, photo);
   check_film(scene);
   Observation o;
   o.photo = &photo;

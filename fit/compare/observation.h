@@ -22,13 +22,17 @@ inline constexpr double kLastFineness = 1.5;
 
 struct Observation {
   const Photo* photo = nullptr;
-  sim::Scene scene;  ///< as this photograph sees it, at the start
+  sim::Scene scene;  ///< as this photograph sees it, in its pixels, at the start
   PhotoFrame frame;  ///< what sets it apart from others
   Region region;
   double sum_of_weights = 0.0;               ///< of the profile's 1 / sigma^2, the model's sampling left out
   double sampling_error = 0.0;               ///< of the model, as a fraction of the brightness
   std::unique_ptr<Comparison> coarse, full;  ///< for the search, and for the last word
 };
+
+/// The scene in the pixels of a photograph that may have been averaged (fit/photo/averaging.h). Throws
+/// sim::Error(scene) if the file's size is not the camera's.
+sim::Scene scene_of_pixels(const sim::Scene& scene, const Photo& photo);
 
 /// Prepares a photograph. It must outlive the observation. Throws sim::Error(scene) if its size is not the
 /// camera's, the region does not lie inside, or the scene's film or blur has no derivative.

@@ -27,6 +27,9 @@ Profile measured_profile(const sim::Scene& scene, const Photo& photo,
   if (is_grey(scene)) keep_one_channel(profile);
   if (scene.fit.photo_noise != sim::PhotoNoise::sensor) return profile;
   const sim::Image variance = sim::light_variance(scene, photo.linear, file_step(photo));
+  const sim::PictureSize of_file = size_of_file(photo);
+  const double averaged = static_cast<double>(of_file.width) * of_file.height /
+                          (static_cast<double>(photo.linear.width) * photo.linear.height);
   for (std::size_t bin = 0; bin < grid->bins(); ++bin)
     for (int c = 0; c < 3; ++c) {
       if (profile.count[bin * 3 + c] == 0) continue;
@@ -40,7 +43,7 @@ Profile measured_profile(const sim::Scene& scene, const Photo& photo,
           ++count;
         }
       }
-      if (count > 0) profile.standard_error[bin * 3 + c] = std::sqrt(sum) / count;
+      if (count > 0) profile.standard_error[bin * 3 + c] = std::sqrt(sum / averaged) / count;
     }
   return profile;
 }

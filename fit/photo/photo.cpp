@@ -5,9 +5,12 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <limits>
 #include <system_error>
 
+#include "fit/photo/averaged_jpeg.h"
+#include "fit/photo/codec/image_walk.h"
 #include "fit/photo/codec/picture_codes.h"
 #include "sim/base/file/sha256.h"
 #include "sim/base/image.h"
@@ -46,30 +49,120 @@ double light_of(const Photo& photo, double stored) {
   return photo.tone ? photo.tone->decode(stored) : photo.srgb ? sim::srgb_decode(stored) : stored;
 }
 
-void linearise(const PictureCodes& codes, Photo& photo) {
-  // Of few codes each is worked out once.
-  constexpr double kMostCodes = 65535.0;
-  std::vector<float> light_of_code;
-  if (!codes.floating && codes.white <= kMostCodes)
+/// The light of a file's codes.
+class CodeLight {
+ public:
+  CodeLight(const PictureCodes& codes, const Photo& photo) : codes_(codes), photo_(photo) {
+    // Of few codes each is worked out once.
+    constexpr double kMostCodes = 65535.0;
+    if (codes.floating || codes.white > kMostCodes) return;
     for (int code = 0; code <= static_cast<int>(codes.white); ++code)
-      light_of_code.push_back(static_cast<float>(light_of(photo, code / codes.white)));
-  const int channels = codes.channels;
-  for (std::size_t i = 0; i < photo.linear.data.size(); ++i) {
-    const std::size_t from = channels == 3 ? i : i / 3;
-    const float value = codes.values[from];
-    const bool usable = std::isfinite(value) && (codes.floating || value < codes.white) &&
-                        (codes.usable.empty() || codes.usable[from] != 0);
-    photo.usable[i] = usable;
-    if (!std::isfinite(value)) {
-      photo.linear.data[i] = 0.0f;
-      continue;
-    }
-    const auto code = static_cast<std::size_t>(std::clamp(value, 0.0f, 65535.0f));
-    if (static_cast<float>(code) == value && code < light_of_code.size())
-      photo.linear.data[i] = light_of_code[code];
-    else
-      photo.linear.data[i] = static_cast<float>(light_of(photo, value / codes.white));
+      light_of_code_.push_back(static_cast<float>(light_of(photo, code / codes.white)));
   }
+
+  const std::vector<float>& of_codes() const { return light_of_code_; }
+
+  /// Of the pixel and channel i, as in Photo::linear.
+  void take(std::size_t i, float& light, std::uint8_t& usable) const {
+    const std::size_t from = codes_.channels == 3 ? i : i / 3;
+    const float value = codes_.value(from);
+    usable = std::isfinite(value) && (codes_.floating || value < codes_.white) &&
+             (codes_.usable.empty() || codes_.usable[from] != 0);
+    light = std::isfinite(value) ? light_of_value(value) : 0.0f;
+  }
+
+ private:
+  float light_of_value(float value) const {
+    const auto code = static_cast<std::size_t>(std::clamp(value, 0.0f, 65535.0f));
+    if (static_cast<float>(code) == value && code < light_of_code_.size()) return light_of_code_[code];
+    return static_cast<float>(light_of(photo_, value / codes_.white));
+  }
+
+  const PictureCodes& codes_;
+  const Photo& photo_;
+  std::vector<float> light_of_code_;
+};
+
+void linearise(const PictureCodes& codes, Photo& photo) {
+  const CodeLight light(codes, photo);
+  photo.linear = sim::Image(codes.width, codes.height, {"R", "G", "B"});
+  photo.usable.assign(photo.linear.data.size(), 0);
+  for (std::size_t i = 0; i < photo.linear.data.size(); ++i)
+    light.take(i, photo.linear.data[i], photo.usable[i]);
+}
+
+/// What is linear light already, or becomes it by `row`.
+template <class Row>
+void average(const Averaging& averaging, const Row& row, Photo& photo) {
+  photo.averaged_from = averaging.from;
+  BlockAverager averager(averaging);
+  LightRow light;
+  for (int y = 0; y < averaging.from.height; ++y) {
+    row(y, light);
+    averager.add(light);
+  }
+  averager.take(photo.linear, photo.usable);
+}
+
+void linearise_averaged(const PictureCodes& codes, const Averaging& averaging, Photo& photo) {
+  const CodeLight light(codes, photo);
+  const std::size_t of_row = 3 * static_cast<std::size_t>(codes.width);
+  average(
+      averaging,
+      [&](int y, LightRow& out) {
+        out.light.resize(of_row);
+        out.usable.resize(of_row);
+        for (std::size_t i = 0; i < of_row; ++i) light.take(y * of_row + i, out.light[i], out.usable[i]);
+      },
+      photo);
+}
+
+void average_light(const Averaging& averaging, Photo& photo) {
+  const sim::Image whole = std::move(photo.linear);
+  const std::vector<std::uint8_t> usable = std::move(photo.usable);
+  const std::size_t of_row = 3 * static_cast<std::size_t>(whole.width);
+  average(
+      averaging,
+      [&](int y, LightRow& out) {
+        const auto begin = static_cast<std::ptrdiff_t>(y * of_row),
+                   end = begin + static_cast<std::ptrdiff_t>(of_row);
+        out.light.assign(whole.data.begin() + begin, whole.data.begin() + end);
+        out.usable.assign(usable.begin() + begin, usable.begin() + end);
+      },
+      photo);
+}
+
+/// The numbers of a JPEG's head, without its pixels.
+PictureCodes head_of(const ImageFile& image, int channels) {
+  PictureCodes head;
+  const bool turned = image.orientation >= 5;
+  head.width = static_cast<int>(turned ? image.height : image.width);
+  head.height = static_cast<int>(turned ? image.width : image.height);
+  head.channels = channels;
+  head.block_error = image.block_error;
+  head.kind = kind_by_opencv(image);
+  return head;
+}
+
+/// Of a mask of the file's pixels, which of the photograph's it leaves whole.
+std::vector<std::uint8_t> whole_blocks(const std::vector<std::uint8_t>& used, const Photo& photo) {
+  const auto width = static_cast<std::size_t>(photo.averaged_from.width);
+  const auto row = [&](int y, LightRow& out) {
+    out.light.assign(3 * width, 0.0f);
+    out.usable.resize(3 * width);
+    for (std::size_t i = 0; i < out.usable.size(); ++i) out.usable[i] = used[y * width + i / 3];
+  };
+  sim::Image unlit;
+  std::vector<std::uint8_t> channels, blocks;
+  BlockAverager averager({photo.averaged_from, {photo.linear.width, photo.linear.height}});
+  LightRow of_mask;
+  for (int y = 0; y < photo.averaged_from.height; ++y) {
+    row(y, of_mask);
+    averager.add(of_mask);
+  }
+  averager.take(unlit, channels);
+  for (std::size_t i = 0; i < channels.size(); i += 3) blocks.push_back(channels[i]);
+  return blocks;
 }
 
 std::string decoding_text(const PictureCodes& codes, const Photo& photo, const Decoding& asked) {
@@ -83,14 +176,29 @@ std::string decoding_text(const PictureCodes& codes, const Photo& photo, const D
 
 }  // namespace
 
-Photo read_photo(const std::string& file, const Decoding& decoding, const sim::Scene* scene) {
-  return read_photo_bytes(read_bytes(file), file, decoding, scene);
+Photo read_photo(const std::string& file, const Decoding& decoding, const sim::Scene* scene,
+                 const Averaging& averaging) {
+  return read_photo_bytes(read_bytes(file), file, decoding, scene, averaging);
 }
 
 Photo read_photo_bytes(std::string_view bytes, const std::string& file, const Decoding& decoding,
-                       const sim::Scene* scene) {
-  PictureCodes codes = picture_codes(bytes, file);
+                       const sim::Scene* scene, const Averaging& averaging) {
+  // One thread decodes; what identifies the file can be worked out beside it.
+  std::future<std::string> sha256 = std::async(std::launch::async, [bytes] { return sim::sha256(bytes); });
   Photo photo;
+  // An unknown curve is found by the codes of single pixels, and what a sensor has done to light is undone of
+  // them; all else of a JPEG can be averaged while it is decoded.
+  std::unique_ptr<JpegRows> jpeg;
+  ImageFile image;
+  if (averaging.any() && decoding.unknowns == 0 && decoding.kind != Decoding::Kind::sensor) {
+    image = inspect_image_file(bytes, file);
+    const bool turned = image.orientation >= 5;
+    if (image.format == ImageFormat::jpeg && (turned ? image.height : image.width) == averaging.from.width &&
+        (turned ? image.width : image.height) == averaging.from.height)
+      jpeg = std::make_unique<JpegRows>(bytes, file);
+    if (jpeg != nullptr && jpeg->channels() == 0) jpeg.reset();
+  }
+  PictureCodes codes = jpeg != nullptr ? head_of(image, jpeg->channels()) : picture_codes(bytes, file);
   photo.srgb = decoding == Decoding::automatic
                    ? !codes.linear
                    : decoding.kind != Decoding::Kind::linear && decoding.kind != Decoding::Kind::sensor;
@@ -116,19 +224,36 @@ Photo read_photo_bytes(std::string_view bytes, const std::string& file, const De
   photo.step = codes.step / codes.white;
   photo.block_error = codes.block_error;
   photo.file_name = file_name_of(file);
-  photo.sha256 = sim::sha256(bytes);
+  photo.sha256 = sha256.get();
   photo.words = std::move(codes.words);
+  const bool averages = averaging.any() && averaging.from.width == codes.width &&
+                        averaging.from.height == codes.height && photo.unknowns == 0;
   try {
-    photo.linear = sim::Image(codes.width, codes.height, {"R", "G", "B"});
-    photo.usable.assign(photo.linear.data.size(), 0);
+    if (jpeg != nullptr) {
+      CodeTable table;
+      for (int code = 0; code <= table.white; ++code)
+        table.light.push_back(static_cast<float>(light_of(photo, code / codes.white)));
+      average_jpeg(*jpeg, averaging, image.orientation, table, photo.linear, photo.usable);
+      photo.averaged_from = averaging.from;
+    } else if (averages && decoding.kind != Decoding::Kind::sensor) {
+      linearise_averaged(codes, averaging, photo);
+    } else {
+      linearise(codes, photo);
+      if (decoding == Decoding::sensor)
+        sim::recover_light(*scene, file_step(photo), photo.linear, photo.usable);
+      if (averages) average_light(averaging, photo);
+    }
   } catch (const std::bad_alloc&) {
     refuse_image(file,
                  "there is not enough memory for " + sim::size_text(codes.width, codes.height) + " pixels",
                  "", "scale or crop it first");
   }
-  linearise(codes, photo);
-  if (decoding == Decoding::sensor) sim::recover_light(*scene, file_step(photo), photo.linear, photo.usable);
   return photo;
+}
+
+sim::PictureSize size_of_file(const Photo& photo) {
+  return photo.averaged_from.width > 0 ? photo.averaged_from
+                                       : sim::PictureSize{photo.linear.width, photo.linear.height};
 }
 
 bool keeps_negative_light(const Photo& photo) { return photo.floating && !photo.srgb; }
@@ -154,20 +279,21 @@ double code_step(const Photo& photo, double linear) {
 void apply_mask(Photo& photo, const std::string& mask_file) {
   const std::string bytes = read_bytes(mask_file);
   const PictureCodes mask = picture_codes(bytes, mask_file);
-  if (mask.width != photo.linear.width || mask.height != photo.linear.height)
+  const sim::PictureSize size = size_of_file(photo);
+  if (mask.width != size.width || mask.height != size.height)
     refuse_image(mask_file, "the mask has " + sim::size_text(mask.width, mask.height) + " pixels",
-                 sim::size_text(photo.linear.width, photo.linear.height) + ", the size of " + photo.file_name,
-                 "");
-  bool any = false;
-  for (std::size_t pixel = 0; pixel < mask.values.size() / mask.channels; ++pixel) {
+                 sim::size_text(size.width, size.height) + ", the size of " + photo.file_name, "");
+  std::vector<std::uint8_t> used(static_cast<std::size_t>(mask.width) * mask.height);
+  for (std::size_t pixel = 0; pixel < used.size(); ++pixel) {
     double sum = 0.0;
-    for (int c = 0; c < mask.channels; ++c) sum += mask.values[pixel * mask.channels + c];
-    const bool use = sum > 0.5 * mask.white * mask.channels;
-    any = any || use;
-    if (!use)
-      for (int c = 0; c < 3; ++c) photo.usable[3 * pixel + c] = 0;
+    for (int c = 0; c < mask.channels; ++c) sum += mask.value(pixel * mask.channels + c);
+    used[pixel] = sum > 0.5 * mask.white * mask.channels;
   }
-  if (!any)
+  if (photo.averaged_from.width > 0) used = whole_blocks(used, photo);
+  for (std::size_t pixel = 0; pixel < used.size(); ++pixel)
+    if (used[pixel] == 0)
+      for (int c = 0; c < 3; ++c) photo.usable[3 * pixel + c] = 0;
+  if (std::find(used.begin(), used.end(), 1) == used.end())
     refuse_image(mask_file, "the mask leaves no pixel", "white where the photograph is to be used",
                  "invert it?");
   photo.mask_name = file_name_of(mask_file);

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fit/photo/averaging.h"
 #include "fit/photo/decoding.h"
 #include "sim/base/image.h"
 #include "sim/scene/structs/scene.h"
@@ -25,7 +26,9 @@ struct PhotoPart {
 struct Photo {
   sim::Image linear;  ///< channels R, G, B; linear light, the file's largest value = 1
   std::vector<std::uint8_t>
-      usable;            ///< per pixel and channel, as in linear.data: 1 = not clipped, not masked
+      usable;  ///< per pixel and channel, as in linear.data: 1 = not clipped, not masked
+  /// The file's size, upright, where `linear` is smaller, averaged over blocks (fit/photo/averaging.h).
+  sim::PictureSize averaged_from;
   std::string decoding;  ///< which decoding was used and why: "sRGB (8-bit JPEG, assumed)"
   bool srgb = true;      ///< that decoding: a display's curve (sRGB, if `tone` does not say which), or none
   std::shared_ptr<const sim::ToneCurve> tone;  ///< any other curve, a scene's sensor's too, in its place
@@ -36,8 +39,8 @@ struct Photo {
   /// Standard deviations, in codes of R, G and B, of what compression has put upon neighbouring pixels alike
   /// (fit/photo/codec/image_file.h); averaging over pixels does not lessen it.
   std::array<double, 3> block_error{};
-  std::string file_name;  ///< without its folder
-  std::string sha256;     ///< of the file's bytes
+  std::string file_name;                     ///< without its folder
+  std::string sha256;                        ///< of the file's bytes
   std::map<std::string, std::string> words;  ///< that came with it: FITS keywords, EXR attributes
   /// Of one file per filter: what each of the three channels is; a wavelength of 0 where there is no file.
   std::vector<PhotoPart> filters;
@@ -57,11 +60,17 @@ struct Photo {
 /// Decoding::sensor needs the `scene`: integers of display files go through its tone curve (all others are
 /// linear light), the light is divided by the vignetting, and what a full pixel has had a part in is not
 /// usable either. Decoding::unknown is for integers: floats are refused.
-Photo read_photo(const std::string& file, const Decoding& decoding, const sim::Scene* scene = nullptr);
+///
+/// A photograph of the size averaging.from is averaged while it is read, unless its curve is unknown.
+Photo read_photo(const std::string& file, const Decoding& decoding, const sim::Scene* scene = nullptr,
+                 const Averaging& averaging = {});
 
 /// The same of bytes in memory, which `file` is the name of.
 Photo read_photo_bytes(std::string_view bytes, const std::string& file, const Decoding& decoding,
-                       const sim::Scene* scene = nullptr);
+                       const sim::Scene* scene = nullptr, const Averaging& averaging = {});
+
+/// Upright, before any averaging.
+sim::PictureSize size_of_file(const Photo& photo);
 
 /// True for floats that no display curve was undone of: they may hold the light of colours out of gamut,
 /// signed. All else had it clipped when it was written, and a model is to be clipped likewise.
@@ -74,8 +83,9 @@ double file_step(const Photo& photo);
 /// vignetted picture, that in its middle.
 double code_step(const Photo& photo, double linear);
 
-/// A mask: white (above half of the largest code, mean of the channels) = use. Must have the photograph's
-/// size after orientation and leave at least one pixel. Throws sim::Error(unreadable_input).
+/// A mask: white (above half of the largest code, mean of the channels) = use. Must have the file's size
+/// after orientation and leave at least one pixel, of an averaged photograph a whole block. Throws
+/// sim::Error(unreadable_input).
 void apply_mask(Photo& photo, const std::string& mask_file);
 
 }  // namespace vegard::fit

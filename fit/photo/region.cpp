@@ -6,8 +6,6 @@
 #include "sim/base/error.h"
 
 namespace vegard::fit {
-namespace {}  // namespace
-
 Region checked_region(const std::array<int, 4>& roi_px, int image_width, int image_height) {
   const auto [x, y, width, height] = roi_px;
   if (x == 0 && y == 0 && width == 0 && height == 0) return {0, 0, image_width, image_height};

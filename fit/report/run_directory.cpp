@@ -26,6 +26,7 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/table_files.h"
 #include "sim/view/camera/camera.h"
+#include "sim/view/camera/scaled_camera.h"
 
 namespace vegard::fit {
 namespace {
@@ -71,8 +72,10 @@ void rename_files(const std::string& directory, sim::Scene& best) {
 
 sim::ImageAttributes attributes_of(const FitResult& result, const FittedPhoto& fitted,
                                    const std::string& units) {
+  sim::Scene shown = fitted.best;
+  shown.camera = sim::in_own_pixels(shown.camera);
   sim::ImageAttributes attributes = {
-      {"scene", sim::write_scene(fitted.best)},
+      {"scene", sim::write_scene(shown)},
       {"seed", std::to_string(result.seed)},
       {"version", sim::version()},
       {"verdict", verdict_name(result.verdict)},

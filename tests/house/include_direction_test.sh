@@ -100,6 +100,8 @@ check_sources() {
       if (target ~ /^CLI\// && room != "apps/options") complain("CLI11 belongs in apps/options/ only")
       if (target ~ /^OpenImageIO\// && room != "sim/base/picture/image_io")
         complain("OpenImageIO belongs in sim/base/picture/image_io/ only")
+      if (target ~ /^jpeglib/ && FILENAME != "fit/photo/codec/jpeg_rows.cpp")
+        complain("libjpeg belongs in fit/photo/codec/jpeg_rows.cpp only")
       if (target ~ /^fitsio/ && FILENAME != "sim/base/picture/fits_io.cpp")
         complain("CFITSIO belongs in sim/base/picture/fits_io.cpp only")
       if (target ~ /^openvdb\// && FILENAME !~ /^sim\/base\/grid\/vdb_(io|read).cpp$/)

@@ -1,9 +1,11 @@
 #include <cstdint>
 #include <exception>
 #include <limits>
+#include <memory>
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "fit/photo/codec/picture_codes.h"
 #include "sim/base/error.h"
@@ -79,8 +81,16 @@ cv::Mat decode(std::string_view bytes, const ImageFile& image, const std::string
   return codes;
 }
 
+/// As many bytes as numbers, red first.
+void keep_bytes(const cv::Mat& mat, PictureCodes& codes) {
+  const auto kept = std::make_shared<cv::Mat>(mat.isContinuous() ? mat : mat.clone());
+  if (codes.channels == 3) cv::cvtColor(*kept, *kept, cv::COLOR_BGR2RGB);
+  codes.bytes = {kept, kept->data};
+}
+
 template <typename Code>
 void take_codes(const cv::Mat& mat, PictureCodes& codes) {
+  codes.values.resize(codes.size());
   std::size_t i = 0;
   for (int y = 0; y < mat.rows; ++y) {
     const Code* row = mat.ptr<Code>(y);
@@ -92,6 +102,10 @@ void take_codes(const cv::Mat& mat, PictureCodes& codes) {
 
 }  // namespace
 
+std::string kind_by_opencv(const ImageFile& image) {
+  return std::to_string(image.bits) + (image.floating ? "-bit float " : "-bit ") + format_name(image.format);
+}
+
 PictureCodes decode_by_opencv(std::string_view bytes, const ImageFile& image, const std::string& file) {
   const cv::Mat mat = decode(bytes, image, file);
   PictureCodes codes;
@@ -101,13 +115,11 @@ PictureCodes decode_by_opencv(std::string_view bytes, const ImageFile& image, co
   // A PNG of fewer than 8 bits is stretched to 8 by libpng.
   codes.bits = std::max(8, image.bits);
   codes.floating = codes.linear = image.floating;
-  codes.kind =
-      std::to_string(image.bits) + (image.floating ? "-bit float " : "-bit ") + format_name(image.format);
-  codes.values.resize(static_cast<std::size_t>(codes.width) * codes.height * codes.channels);
+  codes.kind = kind_by_opencv(image);
   switch (mat.depth()) {
     case CV_8U:
       codes.white = std::numeric_limits<std::uint8_t>::max();
-      take_codes<std::uint8_t>(mat, codes);
+      keep_bytes(mat, codes);
       break;
     case CV_16U:
       codes.white = std::numeric_limits<std::uint16_t>::max();

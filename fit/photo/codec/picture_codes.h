@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +17,9 @@ namespace vegard::fit {
 struct PictureCodes {
   int width = 0, height = 0;
   int channels = 3;                  ///< 1 (grey) or 3 (red, green, blue)
-  std::vector<float> values;         ///< row by row from the top, channels interleaved
+  /// Row by row from the top, channels interleaved; of most files of 8 bits in `bytes`, a quarter of the size.
+  std::vector<float> values;
+  std::shared_ptr<const std::uint8_t> bytes;
   std::vector<std::uint8_t> usable;  ///< as `values`, besides being below white; empty: all
   double white = 255.0;              ///< the number of white; 1 for floats
   double step = 1.0;                 ///< between two codes; 0 for floats
@@ -26,6 +29,9 @@ struct PictureCodes {
   std::array<double, 3> block_error{};  ///< as ImageFile has it
   std::string kind;     ///< "8-bit JPEG", with what else has a part in its numbers
   std::map<std::string, std::string> words;  ///< that came with it: FITS keywords, EXR attributes
+
+  std::size_t size() const { return static_cast<std::size_t>(width) * height * channels; }
+  float value(std::size_t i) const { return bytes ? static_cast<float>(bytes.get()[i]) : values[i]; }
 };
 
 /// Reads any format of fit/photo/codec/image_file.h. `file` is for messages. Throws
@@ -33,6 +39,7 @@ struct PictureCodes {
 PictureCodes picture_codes(std::string_view bytes, const std::string& file);
 
 // One decoder per format; the bytes have been walked (fit/photo/codec/image_walk.h).
+std::string kind_by_opencv(const ImageFile& image);  ///< "8-bit JPEG", "32-bit float TIFF"
 PictureCodes decode_by_opencv(std::string_view bytes, const ImageFile& image, const std::string& file);
 PictureCodes decode_pnm(std::string_view bytes, const ImageFile& image, const std::string& file);
 PictureCodes decode_exr(std::string_view bytes, const std::string& file);

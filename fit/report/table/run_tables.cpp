@@ -7,6 +7,10 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "fit/photo/averaging.h"
 #include "fit/report/table/report_bins.h"
 #include "sim/base/file/csv_text.h"
 #include "sim/base/number/constants.h"
@@ -30,15 +34,15 @@ std::string head(const FitResult& result, const FittedPhoto& fitted) {
     text += sim::csv_comment(input.role + ": " + input.name + " (sha256 " + input.sha256 + ")");
   if (!fitted.name.empty()) text += sim::csv_comment("of the photograph " + fitted.name);
   text += sim::csv_comment("decoding: " + fitted.decoding);
-  const Region& region = fitted.data.region;
-  text += sim::csv_comment("roi_px: [" + std::to_string(region.x) + ", " + std::to_string(region.y) + ", " +
-                           std::to_string(region.width) + ", " + std::to_string(region.height) + "]");
+  text += sim::csv_comment(
+      fmt::format("roi_px: [{}]", fmt::join(region_in_file(fitted.best.camera, fitted.data.region), ", ")));
   if (has_named_axes(fitted.data)) {
     text += sim::csv_comment("band_at: " + axis_label(fitted.data.grid->across) + ", the band's middle");
     text += sim::csv_comment("at: " + axis_label(fitted.data.grid->along) + ", the bin's middle");
   } else {
     text += sim::csv_comment(
-        "row_px: row of the image, counted from 0 at the top; its centre is at row_px + 0.5");
+        "row_px: row of the image, counted from 0 at the top; its centre is at row_px + 0.5; of averaged "
+        "rows their middle");
     text += sim::csv_comment(
         "elevation_deg: above the horizon, of the row's centre at the centre column of the band");
   }
@@ -94,6 +98,7 @@ std::string profiles_csv(const FitResult& result, const FittedPhoto& fitted,
   const Profile& data = fitted.data;
   std::string text = head(result, fitted);
   const bool named = has_named_axes(data);
+  const double row_px = fitted.best.camera.pixel_height_px;
   text += std::string(named ? "band,band_at,at" : "band,row_px,elevation_deg") +
           ",channel,data,sigma,model,residual_over_sigma,count\n";
   for (int band = 0; band < data.bands; ++band)
@@ -102,7 +107,7 @@ std::string profiles_csv(const FitResult& result, const FittedPhoto& fitted,
           std::to_string(band) + "," +
           (named ? sim::csv_number(data.grid->across.edge(band + 0.5)) + "," +
                        sim::csv_number(data.grid->along.edge(row + 0.5))
-                 : std::to_string(data.region.y + row) + "," +
+                 : sim::csv_number((data.region.y + row + 0.5) * row_px - 0.5) + "," +
                        sim::csv_number(row_elevation_deg(data, band, row, elevation_of_pixel))) +
           ",";
       for (int c = 0; c < 3; ++c) {

@@ -409,6 +409,7 @@ enum class ResidualLoss { none, huber, cauchy };
 struct Fit {
   std::array<int, 4> roi_px{0, 0, 0, 0};  ///< x, y, width, height; all zero: the whole image
   int bands = 24;
+  int average_rows = 480;  ///< photographs are averaged to at least so many in the region; 0: never
   std::vector<FreeParameter> free;
   std::vector<TiedParameter> tied;
   std::vector<PhotoEntry> photos;

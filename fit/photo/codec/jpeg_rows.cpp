@@ -1,0 +1,82 @@
+#include "fit/photo/codec/jpeg_rows.h"
+
+#include <csetjmp>
+#include <cstddef>
+#include <cstdio>  // jpeglib.h needs it before
+
+#include <jpeglib.h>
+
+#include "fit/photo/codec/image_file.h"
+
+namespace vegard::fit {
+
+// libjpeg leaves by longjmp(), over whose way no object may need its destructor: everything lives here, and
+// what jumps are taken in are functions of plain numbers.
+struct JpegRows::Decoder {
+  jpeg_decompress_struct info{};
+  jpeg_error_mgr errors{};
+  std::jmp_buf out{};
+  std::string file;
+  int channels = 0;
+
+  static void leave(j_common_ptr info) { std::longjmp(static_cast<Decoder*>(info->client_data)->out, 1); }
+  static void be_silent(j_common_ptr) {}
+
+  /// False where libjpeg has given up.
+  bool start(const unsigned char* bytes, std::size_t size) {
+    info.err = jpeg_std_error(&errors);
+    errors.error_exit = leave;
+    errors.output_message = be_silent;
+    info.client_data = this;
+    if (setjmp(out) != 0) return false;
+    jpeg_create_decompress(&info);
+    info.client_data = this;
+    jpeg_mem_src(&info, bytes, static_cast<unsigned long>(size));
+    jpeg_read_header(&info, TRUE);
+    const bool grey = info.jpeg_color_space == JCS_GRAYSCALE;
+    if (!grey && info.jpeg_color_space != JCS_YCbCr && info.jpeg_color_space != JCS_RGB) return true;
+    info.out_color_space = grey ? JCS_GRAYSCALE : JCS_RGB;
+    jpeg_start_decompress(&info);
+    channels = info.output_components;
+    return true;
+  }
+
+  /// The number of rows; -1 where libjpeg has given up.
+  int read(int count, unsigned char* to) {
+    if (setjmp(out) != 0) return -1;
+    const std::size_t of_row = static_cast<std::size_t>(info.output_width) * channels;
+    const auto before = info.output_scanline;
+    while (static_cast<int>(info.output_scanline - before) < count &&
+           info.output_scanline < info.output_height) {
+      unsigned char* row = to + (info.output_scanline - before) * of_row;
+      jpeg_read_scanlines(&info, &row, 1);
+    }
+    return static_cast<int>(info.output_scanline - before);
+  }
+
+  [[noreturn]] void refuse() const {
+    refuse_image(file, "the image cannot be decoded", "a sound JPEG",
+                 "open it in an image viewer and save it anew");
+  }
+};
+
+JpegRows::JpegRows(std::string_view bytes, const std::string& file) : decoder_(std::make_unique<Decoder>()) {
+  decoder_->file = file;
+  if (decoder_->start(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) return;
+  jpeg_destroy_decompress(&decoder_->info);
+  decoder_->refuse();
+}
+
+JpegRows::~JpegRows() { jpeg_destroy_decompress(&decoder_->info); }
+
+int JpegRows::width() const { return static_cast<int>(decoder_->info.image_width); }
+int JpegRows::height() const { return static_cast<int>(decoder_->info.image_height); }
+int JpegRows::channels() const { return decoder_->channels; }
+
+int JpegRows::next_rows(int count, std::uint8_t* to) {
+  const int rows = decoder_->read(count, to);
+  if (rows < 0) decoder_->refuse();
+  return rows;
+}
+
+}  // namespace vegard::fit
