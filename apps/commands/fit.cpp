@@ -342,8 +342,9 @@ void add_fit_command(Program& program) {
       .type_name("N")
       .range(2, 1000000);
   command
-      .option("--mcmc", options->mcmc,
-              "Judge the error bars by a Markov chain of so many steps, a quarter more before them")
+      .option(
+          "--mcmc", options->mcmc,
+          "Judge the error bars by a Markov chain of so many steps, a quarter more (at most 200) before them")
       .type_name("STEPS")
       .range(2, 1000000);
   command.flag(

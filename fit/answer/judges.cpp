@@ -14,7 +14,7 @@ namespace {
 
 // In evaluations of the full model.
 constexpr double kCostOfFit = 500.0, kCostOfInterval = 300.0, kCostOfBootstrap = 60.0;
-constexpr int kWalkersOfNumber = 4;
+constexpr double kCostOfExpansion = 8.0;  // for each number: two Jacobians
 
 /// Share of the whole work that each part ends at.
 struct Shares {
@@ -24,7 +24,9 @@ struct Shares {
     const double of_intervals = options.intervals ? kCostOfInterval * n : 0.0;
     const double of_bootstrap = options.bootstrap > 0 ? kCostOfBootstrap : 0.0;
     const double of_chain =
-        options.mcmc > 0 ? kWalkersOfNumber * n * (options.mcmc + burn_in_of_chain(options.mcmc)) : 0.0;
+        options.mcmc > 0
+            ? kWalkersOfChain * (options.mcmc + burn_in_of_chain(options.mcmc)) + kCostOfExpansion * n
+            : 0.0;
     const double all = kCostOfFit + of_intervals + of_bootstrap + of_chain;
     fit = kCostOfFit / all;
     intervals = fit + of_intervals / all;

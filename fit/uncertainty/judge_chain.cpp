@@ -4,23 +4,31 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "fit/parameters/free_parameters.h"
 #include "fit/parameters/phase_anchor.h"
 #include "fit/uncertainty/judged_values.h"
+#include "fit/uncertainty/surrogate_cost.h"
 #include "sim/scene/table/free_entry_keys.h"
 
 namespace vegard::fit {
 namespace {
 
 constexpr int kStepsOfBatch = 20;
+constexpr int kMostBurnIn = 200;
+constexpr double kFence = 6.0;  // standard deviations of |y|² of a normal density
+constexpr double kTailShare = 0.2,
+                 kTailFreedom = 8.0;  // of Student's distribution, of the height at the answer
 constexpr double kNowhere = -std::numeric_limits<double>::infinity();
 
+/// Logarithms of the density that the chain is to have, and of one that nearly is it.
 class Density {
  public:
-  explicit Density(const JudgedFit& fit)
+  explicit Density(const JudgedFit& fit, const std::atomic<bool>* stop)
       : fit_(fit),
+        stop_(stop),
         cost_(fit.free, cost_terms(fit.observations, fit.free, Detail::full), uncounted_,
               {{}, {}, fit.prior, fit.inflation, {}}) {
     std::vector<bool> of_profile(fit.free.size(), false);
@@ -31,22 +39,58 @@ class Density {
       const bool has_prior = of_profile[j] || (prior && prior->law != sim::PriorLaw::uniform);
       const bool by_logarithm = of_profile[j] || (prior && prior->law == sim::PriorLaw::log_normal);
       volume_.push_back(!has_prior ? Volume::flat : by_logarithm ? Volume::of_logarithm : Volume::of_value);
+      if (!has_prior) flat_.push_back(fit.free[j]);
     }
     sim::Scene there = fit.scene;
     ParameterMap(fit.scene, fit.free).put(fit.values, there);
     anchors_ = phase_anchors(there, fit.free, fit.values);
   }
 
-  double operator()(const std::vector<double>& coordinates) const {
-    std::vector<double> values;
-    for (std::size_t j = 0; j < coordinates.size(); ++j) values.push_back(fit_.free[j].value(coordinates[j]));
+  double exact(const std::vector<double>& coordinates) const {
+    const std::vector<double> values = values_at(coordinates);
     if (turns_away(values)) return kNowhere;
     const double chi2 = cost_.at(values, false).chi2 / (fit_.inflation * fit_.inflation);
     return -0.5 * chi2 + log_volume(coordinates, values);
   }
 
+  /// Costs microseconds, but for the first call. Far out the expansion may be anything: it is fenced in where
+  /// a normal density would hardly be, so that a second place where it is small is not gone to in vain; and
+  /// long tails are under it, so that a place where the model fits better than it says is left in the end.
+  double surrogate(const std::vector<double>& coordinates) {
+    const std::vector<double> values = values_at(coordinates);
+    if (turns_away(values)) return kNowhere;
+    expand();
+    const auto n = static_cast<double>(coordinates.size());
+    const double square = expansion_->square(coordinates);
+    const double fence = std::max(0.0, square - n - kFence * std::sqrt(2.0 * n));
+    const double body = -0.5 * (expansion_->rise(coordinates) / (fit_.inflation * fit_.inflation) + fence);
+    const double tail = std::log(kTailShare) - 0.5 * (kTailFreedom + n) * std::log1p(square / kTailFreedom);
+    const double larger = std::max(body, tail);
+    return larger + std::log1p(std::exp(-std::abs(body - tail))) + log_volume(coordinates, values);
+  }
+
  private:
   enum class Volume { flat, of_value, of_logarithm };
+
+  void expand() {
+    if (expansion_) return;
+    const auto residuals = [this](const std::vector<double>& at, std::vector<double>& r,
+                                  std::vector<double>& jacobian) {
+      r.resize(static_cast<std::size_t>(cost_.num_residuals()));
+      jacobian.resize(r.size() * at.size());
+      const double* const place = at.data();
+      double* rows = jacobian.data();
+      return cost_.Evaluate(&place, r.data(), &rows);
+    };
+    expansion_.emplace(residuals, fit_.coordinates(), fit_.uncertainty.covariance, stop_);
+  }
+
+  std::vector<double> values_at(const std::vector<double>& coordinates) const {
+    std::vector<double> values;
+    values.reserve(coordinates.size());
+    for (std::size_t j = 0; j < coordinates.size(); ++j) values.push_back(fit_.free[j].value(coordinates[j]));
+    return values;
+  }
 
   /// A phase counts where it is in view; at the sheet's far end it may go round while nothing in view does.
   bool turns_away(const std::vector<double>& values) const {
@@ -63,25 +107,26 @@ class Density {
   /// Priors are densities in values, the chain goes by coordinates.
   double log_volume(const std::vector<double>& coordinates, const std::vector<double>& values) const {
     double sum = 0.0;
-    std::vector<FreeNumber> flat;
     std::vector<double> at;
     for (std::size_t j = 0; j < coordinates.size(); ++j) {
       if (volume_[j] == Volume::flat) {
-        flat.push_back(fit_.free[j]);
         at.push_back(coordinates[j]);
         continue;
       }
       sum += std::log(fit_.free[j].slope(coordinates[j]));
       if (volume_[j] == Volume::of_logarithm) sum -= std::log(values[j]);
     }
-    return sum + log_flat_prior(flat, at);
+    return sum + log_flat_prior(flat_, at);
   }
 
   const JudgedFit& fit_;
+  const std::atomic<bool>* stop_;
   mutable EvaluationLog uncounted_;
   const ProfileCost cost_;
   std::vector<Volume> volume_;
+  std::vector<FreeNumber> flat_;  // the numbers of Volume::flat
   std::vector<PhaseAnchor> anchors_;
+  std::optional<SurrogateCost> expansion_;
 };
 
 /// What a batch has added to the chain, and where it has left the walkers.
@@ -130,16 +175,17 @@ void take(const StepOutput& output, std::size_t coordinates, const sim::Ensemble
 
 }  // namespace
 
-int burn_in_of_chain(int steps) { return (steps + 3) / 4; }
+int burn_in_of_chain(int steps) { return std::min((steps + 3) / 4, kMostBurnIn); }
 
 sim::EnsembleState chain_of_fit(const JudgedFit& fit, int steps, const std::atomic<bool>* stop,
                                 Journal& journal, const std::function<void(double share)>& progress) {
-  const Density density(fit);
-  const sim::LogDensity log_density = [&](const std::vector<double>& at) { return density(at); };
+  Density density(fit, stop);
+  const sim::LogDensity log_density = [&](const std::vector<double>& at) { return density.exact(at); };
   const std::vector<double> centre = fit.coordinates();
   const auto stopped = [&] { return stop != nullptr && stop->load(); };
   sim::EnsembleOptions options;
-  options.walkers = 4 * static_cast<int>(centre.size());  // as many as it takes by itself
+  options.walkers = kWalkersOfChain;
+  options.surrogate = [&](const std::vector<double>& at) { return density.surrogate(at); };
   options.burn_in = burn_in_of_chain(steps);
   options.seed = fit.scene.seed;
   options.stop = stop;
@@ -152,7 +198,8 @@ sim::EnsembleState chain_of_fit(const JudgedFit& fit, int steps, const std::atom
       if (progress) progress(share * end / all);
     };
     // Of another number of steps the burn-in is another.
-    const std::string name = "chain of " + std::to_string(steps) + " steps, to step " + std::to_string(end);
+    const std::string name =
+        "chain with a surrogate of " + std::to_string(steps) + " steps, to step " + std::to_string(end);
     const StepOutput output = journal.step(name, [&] {
       sim::EnsembleState next = state;
       sim::run_ensemble(log_density, centre, fit.uncertainty.covariance, options, next);

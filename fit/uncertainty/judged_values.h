@@ -7,7 +7,7 @@
 #include "fit/uncertainty/band_bootstrap.h"
 #include "fit/uncertainty/judged_errors.h"
 #include "fit/uncertainty/profile_likelihood.h"
-#include "sim/base/number/ensemble_sampler.h"
+#include "sim/base/number/chain/ensemble_sampler.h"
 
 namespace vegard::fit {
 

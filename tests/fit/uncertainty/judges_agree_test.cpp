@@ -8,7 +8,7 @@
 #include "fit/uncertainty/band_bootstrap.h"
 #include "fit/uncertainty/profile_likelihood.h"
 #include "fit/uncertainty/uncertainty.h"
-#include "sim/base/number/ensemble_sampler.h"
+#include "sim/base/number/chain/ensemble_sampler.h"
 
 namespace vegard::fit::judges_agree_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/base/number/ensemble_sampler.h"
+#include "sim/base/number/chain/ensemble_sampler.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,12 @@
 
 #include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
+#include "tests/support/chain_mean.h"
 
 namespace vegard::sim::ensemble_sampler_test {
 namespace {
+
+using tests::expect_mean;
 
 constexpr double kNowhere = -std::numeric_limits<double>::infinity();
 
@@ -28,31 +31,6 @@ EnsembleState run(const LogDensity& density, const std::vector<double>& centre,
   EnsembleState state;
   run_ensemble(density, centre, covariance, options, state);
   return state;
-}
-
-/// Mean of f over the chain with its Monte-Carlo error, both from the samples.
-struct Estimate {
-  double mean = 0.0, error = 0.0;
-};
-Estimate mean_of(const EnsembleState& state, const std::function<double(const double*)>& f) {
-  std::vector<double> series;
-  for (std::size_t i = 0; i < state.chain.size(); i += state.coordinates)
-    series.push_back(f(state.chain.data() + i));
-  Estimate e;
-  for (const double x : series) e.mean += x / static_cast<double>(series.size());
-  double variance = 0.0;
-  for (const double x : series) variance += std::pow(x - e.mean, 2) / static_cast<double>(series.size());
-  const double time = autocorrelation_time(series, static_cast<int>(state.density.size()));
-  e.error = std::sqrt(variance * time / static_cast<double>(series.size()));
-  return e;
-}
-
-// Four standard errors, by the chain's own effective number: one seed in 16 000 would leave them.
-void expect_mean(const EnsembleState& state, const std::function<double(const double*)>& f, double expected,
-                 double most_error, const char* what) {
-  const Estimate e = mean_of(state, f);
-  EXPECT_NEAR(e.mean, expected, 4.0 * e.error) << what;
-  EXPECT_LT(e.error, most_error) << what;
 }
 
 TEST(EnsembleSampler, RecoversACorrelatedGaussian) {

@@ -10,6 +10,11 @@
 // (1970) 97, doi:10.1093/biomet/57.1.97, section 2.5): where the density is nearly normal, such a move is a
 // fresh sample. All are affine invariant: a long thin valley costs no more than a round one.
 //
+// Where there is a cheap surrogate of the density, most moves are transitions by it (surrogate_transition.h),
+// and few walkers do, since places no longer come from each other's: four, which start at twice the
+// covariance's standard deviations so that R-hat tells whether they have forgotten it. One move in ten is one
+// of the three above, so that the chain gets about where the surrogate is wrong.
+//
 // The chain is a pure function of density, start, options and seed; it depends on no clock and no thread.
 #pragma once
 
@@ -20,20 +25,24 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/number/chain/surrogate_transition.h"
+
 namespace vegard::sim {
 
-/// Logarithm of the density at some coordinates, up to a constant; -infinity where it is 0. NaN and +infinity
-/// count as -infinity.
-using LogDensity = std::function<double(const std::vector<double>& coordinates)>;
-
 struct EnsembleOptions {
-  int walkers = 0;    ///< made even, and at least 2 (coordinates + 1); 0: four for each coordinate
+  /// Made even. At least 2 (coordinates + 1), and 0: four for each coordinate; with a surrogate at least
+  /// four, which is what 0 then is.
+  int walkers = 0;
   int burn_in = 200;  ///< steps of every walker that are thrown away
   int steps = 1000;   ///< steps of every walker that are kept
   std::uint64_t seed = 1;
   double stretch = 2.0;             ///< the paper's a: a stretch move goes by a factor in [1/a, a]
   double differential_share = 0.4;  ///< of the moves
   double independent_share = 0.4;   ///< likewise; the rest are stretch moves
+  /// A density that costs next to nothing and is nearly the right one, or empty: none. Of the moves this
+  /// share are then surrogate transitions; what is left is shared out as above.
+  LogDensity surrogate;
+  double surrogate_share = 0.9;
   const std::atomic<bool>* stop = nullptr;
   std::function<void(double share)> progress;  ///< told after every step of all walkers
 };
@@ -50,10 +59,10 @@ struct EnsembleState {
   bool no_start = false;                    ///< no place with a density above 0 was found near the centre
 };
 
-/// Places the walkers, normally distributed with this centre and covariance [coordinate][coordinate] (where
-/// the covariance is not positive definite, the directions that it lacks get a ten-thousandth of the largest
-/// variance in terms of its diagonal), and moves them until `options.steps` are kept or `stop` is set. A
-/// walker that starts where the density is 0 is drawn anew, ever nearer to the centre.
+/// Places the walkers, normally distributed with this centre and covariance [coordinate][coordinate]
+/// (root_of_covariance() has it where it is not positive definite), and moves them until `options.steps` are
+/// kept or `stop` is set. A walker that starts where the density is 0 is drawn anew, ever nearer to the
+/// centre.
 void run_ensemble(const LogDensity& log_density, const std::vector<double>& centre,
                   const std::vector<std::vector<double>>& covariance, const EnsembleOptions& options,
                   EnsembleState& state);

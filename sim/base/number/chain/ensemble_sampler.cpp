@@ -1,4 +1,4 @@
-#include "sim/base/number/ensemble_sampler.h"
+#include "sim/base/number/chain/ensemble_sampler.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -9,22 +9,21 @@
 
 #include <fmt/format.h>
 
-#include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
 
 namespace vegard::sim {
 namespace {
 
 constexpr double kSamplerNowhere = -std::numeric_limits<double>::infinity();
-constexpr int kAttempts = 60;    // to place a walker
-constexpr double kShrink = 0.8;  // of the spread, from one attempt to the next
-constexpr double kSamplerLeastShare =
-    1e-4;                             // of the largest variance, for directions that the covariance lacks
-constexpr double kJumpShare = 0.1;    // of the differential moves: whole differences, from mode to mode
-constexpr double kWindow = 5.0;       // Sokal's c
-constexpr double kLongEnough = 50.0;  // autocorrelation times
-constexpr int kFreedom = 8;           // of Student's distribution
-constexpr double kWider = 1.05;       // than the covariance
+constexpr int kAttempts = 60;          // to place a walker
+constexpr double kShrink = 0.8;        // of the spread, from one attempt to the next
+constexpr double kJumpShare = 0.1;     // of the differential moves: whole differences, from mode to mode
+constexpr double kWindow = 5.0;        // Sokal's c
+constexpr double kLongEnough = 50.0;   // autocorrelation times
+constexpr int kStepsOfCoordinate = 8;  // on the surrogate, and no fewer than
+constexpr int kLeastSurrogateSteps = 64;
+constexpr double kSpreadOfStart = 2.0;  // in standard deviations, of walkers that have a surrogate
+constexpr double kShortShare = 0.1;     // of the surrogate's moves: one step, which leads nearby
 constexpr const char* kFormat = "ensemble-2";
 
 /// The third index of a random number: what it is for.
@@ -32,39 +31,14 @@ enum Purpose : std::uint32_t { kMove = 0, kAccept = 1, kStart = 16, kIndependent
 
 int walkers_of(const EnsembleOptions& options, std::size_t coordinates) {
   const int d = static_cast<int>(coordinates);
-  const int wanted = options.walkers > 0 ? options.walkers : 4 * d;
-  const int least = std::max(wanted, 2 * (d + 1));
+  const int few = options.surrogate ? 4 : 2 * (d + 1);
+  const int wanted = options.walkers > 0 ? options.walkers : options.surrogate ? few : 4 * d;
+  const int least = std::max(wanted, few);
   return least + least % 2;
 }
 
 std::uint32_t random_below(std::uint32_t word, std::uint32_t count) {
   return static_cast<std::uint32_t>(static_cast<std::uint64_t>(word) * count >> 32);
-}
-
-double finite_or_nowhere(double density) { return std::isfinite(density) ? density : kSamplerNowhere; }
-
-/// A matrix L with L Lᵀ the covariance. A Cholesky factor wherever there is one: it goes along with an affine
-/// change of the coordinates that is triangular itself.
-Eigen::MatrixXd root_of(const std::vector<std::vector<double>>& covariance) {
-  const auto n = static_cast<Eigen::Index>(covariance.size());
-  Eigen::MatrixXd c(n, n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n; ++j) c(i, j) = covariance[i][j];
-  if (c.allFinite()) {
-    const Eigen::LLT<Eigen::MatrixXd> cholesky(c);
-    if (cholesky.info() == Eigen::Success) return cholesky.matrixL();
-  } else {
-    c = c.unaryExpr([](double x) { return std::isfinite(x) ? x : 0.0; });
-  }
-  Eigen::VectorXd length = c.diagonal().cwiseMax(0.0).cwiseSqrt();
-  const double longest = n > 0 ? length.maxCoeff() : 0.0;
-  for (Eigen::Index i = 0; i < n; ++i)
-    if (!(length(i) > 0.0)) length(i) = longest > 0.0 ? longest : 1.0;
-  const Eigen::MatrixXd unit = length.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unit * c * unit);
-  const Eigen::VectorXd value = eigen.eigenvalues().cwiseMax(
-      kSamplerLeastShare * std::max(1.0, n > 0 ? eigen.eigenvalues()(n - 1) : 1.0));
-  return length.asDiagonal() * eigen.eigenvectors() * value.cwiseSqrt().asDiagonal();
 }
 
 /// One run's walkers, in two halves: a walker moves by the places of the half that it does not belong to.
@@ -73,9 +47,8 @@ class Ensemble {
   Ensemble(const LogDensity& log_density, const std::vector<double>& centre, const Eigen::MatrixXd& root,
            const EnsembleOptions& options, EnsembleState& state)
       : log_density_(log_density),
-        centre_(Eigen::Map<const Eigen::VectorXd>(centre.data(), static_cast<Eigen::Index>(centre.size()))),
-        root_(kWider * root),
-        inverse_root_(root_.partialPivLu().inverse()),
+        student_(centre, root),
+        transition_(options.surrogate, student_, options.seed),
         options_(options),
         state_(state),
         walkers_(walkers_of(options, state.coordinates)),
@@ -87,10 +60,11 @@ class Ensemble {
   bool place_next() {
     const auto walker = static_cast<std::uint32_t>(state_.density.size());
     const std::size_t d = state_.coordinates;
-    double spread = 1.0;
+    double spread = options_.surrogate ? kSpreadOfStart : 1.0;
     for (std::uint32_t attempt = 0; attempt < kAttempts; ++attempt, spread *= kShrink) {
       if (stopped()) return true;
-      const std::vector<double> at = about_centre(spread / kWider * normal(attempt, walker, kStart, d));
+      const std::vector<double> at =
+          student_.about_centre(spread * normal_numbers(options_.seed, attempt, walker, kStart, d));
       const double density = finite_or_nowhere(log_density_(at));
       if (density == kSamplerNowhere) continue;
       state_.place.insert(state_.place.end(), at.begin(), at.end());
@@ -107,11 +81,12 @@ class Ensemble {
         random_words(options_.seed, Stream::ensemble, static_cast<std::uint32_t>(state_.step),
                      static_cast<std::uint32_t>(walker), kAccept);
     double log_factor = 0.0;
-    const std::vector<double> at = proposal(walker, accept[2], log_factor);
-    const double density = finite_or_nowhere(log_density_(at));
+    const std::vector<double> at = proposal(walker, accept, log_factor);
+    const bool goes = !std::equal(at.begin(), at.end(), place_of(walker));
+    const double density = goes ? finite_or_nowhere(log_density_(at)) : state_.density[walker];
     const double log_ratio = log_factor + density - state_.density[walker];
     state_.proposed += counts;
-    if (density > kSamplerNowhere && std::log(fine_uniform(accept[0], accept[1])) < log_ratio) {
+    if (goes && density > kSamplerNowhere && std::log(fine_uniform(accept[0], accept[1])) < log_ratio) {
       std::copy(at.begin(), at.end(), state_.place.begin() + begin_of(walker));
       state_.density[walker] = density;
       state_.accepted += counts;
@@ -130,45 +105,28 @@ class Ensemble {
   }
   const double* place_of(int walker) const { return state_.place.data() + begin_of(walker); }
 
-  /// Standard normal numbers.
-  Eigen::VectorXd normal(std::uint32_t index, std::uint32_t walker, std::uint32_t purpose,
-                         std::size_t count) const {
-    Eigen::VectorXd z(static_cast<Eigen::Index>(count));
-    for (std::size_t j = 0; j < count; ++j) {
-      const Words w = random_words(options_.seed, Stream::ensemble, index, walker,
-                                   purpose + static_cast<std::uint32_t>(j));
-      z(static_cast<Eigen::Index>(j)) = normal_quantile(fine_uniform(w[0], w[1]));
+  /// Where a walker is to go; log_factor is the logarithm of what the densities' ratio is to be multiplied
+  /// by. Its own place where a step on the surrogate has led nowhere else.
+  std::vector<double> proposal(int walker, const Words& accept, double& log_factor) const {
+    const auto step = static_cast<std::uint32_t>(state_.step);
+    const auto index = static_cast<std::uint32_t>(walker);
+    double kind = uniform(accept[2]);
+    if (options_.surrogate) {
+      if (kind < options_.surrogate_share) {
+        std::vector<double> at(place_of(walker), place_of(walker) + state_.coordinates);
+        const int many = std::max(kLeastSurrogateSteps, kStepsOfCoordinate * static_cast<int>(at.size()));
+        log_factor = transition_.walk(at, uniform(accept[3]) < kShortShare ? 1 : many, step, index);
+        return at;
+      }
+      kind = (kind - options_.surrogate_share) / (1.0 - options_.surrogate_share);
     }
-    return z;
-  }
-
-  std::vector<double> about_centre(const Eigen::VectorXd& z) const {
-    const Eigen::VectorXd at = centre_ + root_ * z;
-    return {at.data(), at.data() + at.size()};
-  }
-
-  /// Logarithm of Student's density, up to a constant.
-  double log_student(const double* at) const {
-    const Eigen::Map<const Eigen::VectorXd> place(at, centre_.size());
-    const double square = (inverse_root_ * (place - centre_)).squaredNorm();
-    return -0.5 * (kFreedom + static_cast<double>(centre_.size())) * std::log1p(square / kFreedom);
-  }
-
-  std::vector<double> independent_proposal(int walker, double& log_factor) const {
-    const Eigen::VectorXd z =
-        normal(static_cast<std::uint32_t>(state_.step), static_cast<std::uint32_t>(walker), kIndependent,
-               state_.coordinates + kFreedom);
-    const double chi2 = z.tail(kFreedom).squaredNorm();
-    const auto d = static_cast<Eigen::Index>(state_.coordinates);
-    std::vector<double> at = about_centre(z.head(d) / std::sqrt(chi2 / kFreedom));
-    log_factor = log_student(place_of(walker)) - log_student(at.data());
-    return at;
-  }
-
-  std::vector<double> proposal(int walker, std::uint32_t kind, double& log_factor) const {
-    if (uniform(kind) >= 1.0 - options_.independent_share) return independent_proposal(walker, log_factor);
-    const Words w = random_words(options_.seed, Stream::ensemble, static_cast<std::uint32_t>(state_.step),
-                                 static_cast<std::uint32_t>(walker), kMove);
+    if (kind >= 1.0 - options_.independent_share) {
+      std::vector<double> at = student_.draw(options_.seed, step, index, kIndependent);
+      const std::vector<double> from(place_of(walker), place_of(walker) + state_.coordinates);
+      log_factor = student_.log_density(from) - student_.log_density(at);
+      return at;
+    }
+    const Words w = random_words(options_.seed, Stream::ensemble, step, index, kMove);
     const int other_half = walker < half_ ? half_ : 0;
     const auto half = static_cast<std::uint32_t>(half_);
     const std::uint32_t first = random_below(w[0], half);
@@ -176,7 +134,7 @@ class Ensemble {
     const double* const a = place_of(other_half + static_cast<int>(first));
     std::vector<double> at(state_.coordinates);
     const double d = static_cast<double>(state_.coordinates);
-    if (uniform(kind) >= options_.differential_share) {
+    if (kind >= options_.differential_share) {
       // z with density ∝ 1/√z on [1/a, a], by the inverse of its distribution; the factor z^(d − 1) is the
       // volume that the move spreads over.
       const double u = fine_uniform(w[2], w[3]);
@@ -197,8 +155,8 @@ class Ensemble {
   }
 
   const LogDensity& log_density_;
-  const Eigen::VectorXd centre_;
-  const Eigen::MatrixXd root_, inverse_root_;  // of the covariance, a little wider
+  const StudentProposal student_;
+  const SurrogateTransition transition_;
   const EnsembleOptions& options_;
   EnsembleState& state_;
   const int walkers_, half_;
@@ -231,7 +189,7 @@ void run_ensemble(const LogDensity& log_density, const std::vector<double>& cent
                   EnsembleState& state) {
   state.coordinates = centre.size();
   if (centre.empty() || state.no_start) return;
-  Ensemble ensemble(log_density, centre, root_of(covariance), options, state);
+  Ensemble ensemble(log_density, centre, root_of_covariance(covariance), options, state);
   while (!ensemble.placed() && !ensemble.stopped())
     if (!ensemble.place_next()) {
       state.no_start = true;
