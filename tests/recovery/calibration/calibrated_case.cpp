@@ -1,6 +1,7 @@
 #include "tests/recovery/calibration/calibrated_case.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -27,9 +28,10 @@
 namespace vegard::calibration {
 namespace {
 
-constexpr double kExposure = 0.7;     // of the brightest row, of white
-constexpr double kPixelNoise = 0.01;  // of white
-constexpr double kFinePicture = 3.0;  // sim::BeamSampling
+constexpr double kExposure = 0.7;                         // of the brightest row, of white
+constexpr double kPixelNoise = 0.01;                      // of white
+constexpr double kFinePicture = 3.0;                      // sim::BeamSampling
+const std::array<double, 3> kSky = {0.008, 0.01, 0.012};  // of white
 constexpr int kIterations = 60;
 // No stream of the simulator's.
 constexpr std::uint32_t kTruthTag = 0x5bc0ffeeu, kNoiseTag = 0x5bc0ffefu;
@@ -130,6 +132,8 @@ Ranks of_draws(const sim::Scene& scene, const sim::Scene& truth, const std::vect
   scorecard::Truth photographed;
   photographed.scene = truth;
   photographed.exposure = kExposure;
+  // Of a dark sky the code would cut the lower half of the noise off, and so brighten faint light.
+  photographed.scene.sky.level = kSky;
   const fit::Photo photo = fit::read_photo_bytes(scorecard::photograph(photographed, 1).jpeg,
                                                  "calibration.jpg", fit::Decoding::automatic);
   sim::Scene start = scene;
