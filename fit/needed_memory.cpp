@@ -12,7 +12,9 @@ namespace {
 // Of a photograph's pixel: its linear light and what of it is usable; beside them, while it is decoded,
 // measured and looked at, the file's numbers and planes of one channel.
 constexpr double kKeptOfPhoto = 15.0, kBesideOfPhoto = 30.0;
-constexpr double kOfAveraged = 20.0;  // of the file's pixels while it is averaged: its numbers, and its bytes
+// Of the file's pixels while it is averaged, from above: numbers of 16 bits as floats, and their light where
+// the sensor's part in it is undone first. A JPEG takes no more than its bytes.
+constexpr double kOfAveraged = 27.0;
 constexpr double kFitItself =
     40.0 * 1024.0 * 1024.0;              // what the solver and the report's plots take beside pictures
 constexpr double kReportOfPixel = 60.0;  // pictures of the photograph, the model and what is left

@@ -29,8 +29,8 @@ void vary_region(const sim::Scene& from, const std::vector<Photo>& photos, std::
                           from.fit.profile_along == sim::ProfileAlong::field;
   if (!is_upright || photos.size() != 1) return;
   std::array<int, 4> whole = from.fit.roi_px;
-  if (whole == std::array<int, 4>{0, 0, 0, 0})
-    whole = {0, 0, photos.front().linear.width, photos.front().linear.height};
+  const sim::PictureSize of_file = size_of_file(photos.front());
+  if (whole == std::array<int, 4>{0, 0, 0, 0}) whole = {0, 0, of_file.width, of_file.height};
   const auto add = [&](const char* name, double left, double right, double top, double bottom) {
     Variation v{"region", name, from};
     const auto cut = [](double share, int of) { return static_cast<int>(std::lround(share * of)); };

@@ -268,7 +268,11 @@ int run_fit(const FitRequest& options, const std::string& command) {
   if (scene.fit.photos.empty() && !photo.empty() && !options.no_metadata)
     from_photograph = take_from_photograph(scene, photo, options.scene.changes);
   const sim::Scene first = map ? fit::scene_of_ridges(scene, map->curtains) : scene;
-  check_memory_of_fit(first, options.threads, options.memory_limit);
+  sim::Scene estimated = first;
+  if (!options.photo.filters.empty() ||
+      decoding_of(options.photo.decoding, scene.fit.decoding, &scene).kind == fit::Decoding::Kind::unknown)
+    estimated.fit.average_rows = 0;  // such photographs are not averaged
+  check_memory_of_fit(estimated, options.threads, options.memory_limit);
   std::vector<fit::Photo> photos = photographs_asked(options.photo, scene, PhotoPixels::for_fit);
   if (map) {
     std::vector<std::string> decodings;

@@ -102,6 +102,8 @@ Averaging averaging_for_fit(const sim::Scene& scene) {
   block = std::min(block, std::floor(columns / (std::max(1, fit.bands) * kPixelsOfBand)));
   if (fit.image_weight > 0.0)
     block = std::min(block, static_cast<double>(fit.image_cell_px / kPixelsOfImageCell));
+  // A cell of the coarse image is to be a whole number of blocks.
+  while (fit.image_weight > 0.0 && block > 1.0 && std::fmod(fit.image_cell_px, block) != 0.0) block -= 1.0;
   if (block < 2.0) return averaging;
   averaging.to = {static_cast<int>(std::lround(camera.width / block)),
                   static_cast<int>(std::lround(camera.height / block))};

@@ -22,10 +22,10 @@ struct Averaging {
   bool any() const { return to.width > 0 && (to.width != from.width || to.height != from.height); }
 };
 
-/// What a fit of the scene needs of a photograph of its camera's size: fit.average_rows rows in the region of
-/// interest, or up to twice as many, with blocks as wide as they are high. Nothing is averaged where pixels
-/// themselves are compared or asked for: the Sun's profiles, texture, granulation, a picture of depth; nor
-/// where bands or the coarse image's cells would become too narrow.
+/// What a fit of the scene needs of a photograph of its camera's size: about fit.average_rows rows in the
+/// region of interest, or up to twice as many, with blocks as wide as they are high. Nothing is averaged
+/// where pixels themselves are compared or asked for: the Sun's profiles, texture, granulation, a picture of
+/// depth; nor where bands or the coarse image's cells would become too narrow.
 Averaging averaging_for_fit(const sim::Scene& scene);
 
 /// The scene whose camera has pixels of the size to which a photograph was averaged: the region, guides and

@@ -196,7 +196,10 @@ Photo read_photo_bytes(std::string_view bytes, const std::string& file, const De
     if (image.format == ImageFormat::jpeg && (turned ? image.height : image.width) == averaging.from.width &&
         (turned ? image.width : image.height) == averaging.from.height)
       jpeg = std::make_unique<JpegRows>(bytes, file);
-    if (jpeg != nullptr && jpeg->channels() == 0) jpeg.reset();
+    // What the walk and libjpeg do not see alike is left to the other decoder, which is asked for its size.
+    if (jpeg != nullptr &&
+        (jpeg->channels() == 0 || jpeg->width() != image.width || jpeg->height() != image.height))
+      jpeg.reset();
   }
   PictureCodes codes = jpeg != nullptr ? head_of(image, jpeg->channels()) : picture_codes(bytes, file);
   photo.srgb = decoding == Decoding::automatic
@@ -241,7 +244,10 @@ Photo read_photo_bytes(std::string_view bytes, const std::string& file, const De
       linearise(codes, photo);
       if (decoding == Decoding::sensor)
         sim::recover_light(*scene, file_step(photo), photo.linear, photo.usable);
-      if (averages) average_light(averaging, photo);
+      if (averages) {
+        codes = {};
+        average_light(averaging, photo);
+      }
     }
   } catch (const std::bad_alloc&) {
     refuse_image(file,

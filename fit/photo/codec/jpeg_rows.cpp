@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdio>  // jpeglib.h needs it before
 
+#include <jerror.h>
 #include <jpeglib.h>
 
 #include "fit/photo/codec/image_file.h"
@@ -18,15 +19,25 @@ struct JpegRows::Decoder {
   std::jmp_buf out{};
   std::string file;
   int channels = 0;
+  bool damaged = false;
 
   static void leave(j_common_ptr info) { std::longjmp(static_cast<Decoder*>(info->client_data)->out, 1); }
   static void be_silent(j_common_ptr) {}
+
+  /// libjpeg makes up what damaged data do not say, and goes on with a warning.
+  static void note(j_common_ptr info, int level) {
+    constexpr int kWarning = -1;
+    if (level != kWarning) return;
+    for (const int code : {JWRN_HIT_MARKER, JWRN_JPEG_EOF, JWRN_HUFF_BAD_CODE})
+      if (info->err->msg_code == code) static_cast<Decoder*>(info->client_data)->damaged = true;
+  }
 
   /// False where libjpeg has given up.
   bool start(const unsigned char* bytes, std::size_t size) {
     info.err = jpeg_std_error(&errors);
     errors.error_exit = leave;
     errors.output_message = be_silent;
+    errors.emit_message = note;
     info.client_data = this;
     if (setjmp(out) != 0) return false;
     jpeg_create_decompress(&info);
@@ -76,6 +87,7 @@ int JpegRows::channels() const { return decoder_->channels; }
 int JpegRows::next_rows(int count, std::uint8_t* to) {
   const int rows = decoder_->read(count, to);
   if (rows < 0) decoder_->refuse();
+  if (decoder_->damaged) throw_damaged(decoder_->file, "its compressed data are not sound");
   return rows;
 }
 

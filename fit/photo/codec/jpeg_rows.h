@@ -11,7 +11,7 @@ namespace vegard::fit {
 
 /// A JPEG of 8 bits, decoded as the file has it, before its EXIF orientation. The bytes have been walked
 /// (fit/photo/codec/image_walk.h) and must outlive it; `file` is for messages. Constructor and next_rows()
-/// throw sim::Error(unreadable_input) for what libjpeg cannot decode.
+/// throw sim::Error(unreadable_input) for what libjpeg cannot decode, or makes up.
 class JpegRows {
  public:
   JpegRows(std::string_view bytes, const std::string& file);

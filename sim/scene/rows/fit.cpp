@@ -19,7 +19,7 @@ std::vector<Declaration> fit_rows() {
           .means("number of equal column strips of the region of interest"),
       Row("fit", "average_rows", &Scene::fit, &Fit::average_rows).within(0, 65535)
           .means("a photograph with at least twice so many rows in the region of interest is averaged over square blocks of pixels, "
-                 "which leave at least so many; 0: never"),
+                 "which leave about so many or more; 0: never"),
       Row("fit", "band_brightness", &Scene::fit, &Fit::band_brightness)
           .means("whether each band has a brightness of its own (rays are uneven)"),
       Row("fit", "white_balance_known", &Scene::fit, &Fit::white_balance_known)

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <opencv2/imgcodecs.hpp>
 #include <vector>
 
 #include "fit/photo/photo.h"
+#include "fit/stability.h"
 #include "sim/view/camera/camera.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/image_bytes.h"
@@ -110,6 +112,28 @@ TEST(Averaging, OfCodesIsThatOfTheirLight) {
   }
 }
 
+/// Regions of the choices of --stability are in the file's pixels.
+TEST(Averaging, OfAPhotographLeavesRegionsInTheFilesPixels) {
+  sim::Scene scene = tests::small_scene();
+  scene.camera.width = 1200;
+  scene.camera.height = 1000;
+  sim::FreeParameter energy;
+  energy.path = "sheet." + scene.sheets[0].name + ".energy_kev";
+  scene.fit.free = {energy};
+  Photo photo;
+  photo.linear = sim::Image(600, 500, {"R", "G", "B"});
+  photo.usable.assign(photo.linear.data.size(), 1);
+  photo.averaged_from = {1200, 1000};
+  int regions = 0;
+  for (const Variation& v : variations_of(scene, {photo})) {
+    if (v.choice != "region") continue;
+    ++regions;
+    EXPECT_GE(v.scene.fit.roi_px[2], 800) << v.name;
+    EXPECT_GE(v.scene.fit.roi_px[3], 750) << v.name;
+  }
+  EXPECT_EQ(regions, 4);
+}
+
 TEST(Averaging, LeavesAFitTheRowsThatItAsksFor) {
   sim::Scene scene = tests::small_scene();
   scene.camera.width = 6000;
@@ -204,6 +228,42 @@ TEST(Averaging, OfATurnedFileIsThatOfTheUprightPicture) {
     EXPECT_EQ(blocks.sha256, whole.sha256);
     EXPECT_EQ(blocks.block_error, whole.block_error);
   }
+}
+
+/// Of a noisy picture of more rows than are decoded at once, in blocks that cut pixels: what is averaged
+/// while it is decoded is what is averaged of all of its pixels.
+TEST(Averaging, OfAFileOfManyRowsIsThatOfAllItsPixels) {
+  constexpr int kWidth = 203, kHeight = 197;
+  cv::Mat picture(kHeight, kWidth, CV_8UC3);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      for (int c = 0; c < 3; ++c)
+        picture.at<cv::Vec3b>(y, x)[c] =
+            static_cast<std::uint8_t>(250.0f * light_at(3 * (y * kWidth + x) + c));
+  std::vector<std::uint8_t> bytes;
+  ASSERT_TRUE(cv::imencode(".jpg", picture, bytes));
+  for (const int orientation : {1, 3, 6}) {
+    const std::string exif = std::string("Exif\0\0", 6) + tests::exif_with_orientation(orientation, false);
+    const tests::TemporaryFile file("rows.jpg",
+                                    tests::with_app1(std::string(bytes.begin(), bytes.end()), exif));
+    const Photo whole = read_photo(file.path(), Decoding::automatic);
+    const sim::PictureSize size = size_of_file(whole);
+    const Averaging averaging{size, {size.width / 4, size.height / 4}};
+    const Photo blocks = read_photo(file.path(), Decoding::automatic, nullptr, averaging);
+    const Averaged expected = averaged(
+        averaging, [&](std::size_t i) { return whole.linear.data[i]; }, kNone);
+    ASSERT_EQ(blocks.linear.data.size(), expected.light.data.size());
+    for (std::size_t i = 0; i < expected.light.data.size(); ++i)
+      // Sums of sixteen floats in another order, of a picture that is turned.
+      ASSERT_NEAR(blocks.linear.data[i], expected.light.data[i], 1e-6) << orientation << " at " << i;
+  }
+  // Half of the data, and an end behind them: libjpeg would make up the rest.
+  std::string half(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() / 2));
+  half += "\xff\xd9";
+  const tests::TemporaryFile file("half.jpg", half);
+  tests::expect_error(sim::ErrorKind::unreadable_input, [&] {
+    read_photo(file.path(), Decoding::automatic, nullptr, {{kWidth, kHeight}, {50, 49}});
+  });
 }
 
 TEST(Averaging, AMaskOfTheFilesSizeLeavesWholeBlocksOnly) {
