@@ -204,7 +204,13 @@ void BlockAverager::finish_blocks() {
   const auto area = static_cast<float>(static_cast<double>(averaging_.from.width) / averaging_.to.width *
                                        (static_cast<double>(averaging_.from.height) / averaging_.to.height));
   float* const to = light_.data.data() + of_row_ * static_cast<std::size_t>(to_y_);
-  for (std::size_t i = 0; i < of_row_; ++i) to[i] = sums_[i] / area;
+  std::uint8_t* const usable = usable_.data() + of_row_ * static_cast<std::size_t>(to_y_);
+  for (std::size_t i = 0; i < of_row_; ++i) {
+    to[i] = sums_[i] / area;
+    if (std::isfinite(to[i])) continue;  // of floats that no photograph has
+    to[i] = 0.0f;
+    usable[i] = 0;
+  }
   sums_.swap(next_sums_);
   std::fill(next_sums_.begin(), next_sums_.end(), 0.0f);
   ++to_y_;

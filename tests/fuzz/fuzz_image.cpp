@@ -2,6 +2,7 @@
 // where they begin as such files do, as a map of angles and a picture that a scene names.
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "fit/photo/codec/image_walk.h"
 #include "fit/photo/direction_map_file.h"
@@ -38,6 +39,19 @@ void read_as(std::string_view bytes, const fit::Decoding& decoding) {
   require(std::isfinite(fit::code_step(photo, 0.5)));
 }
 
+/// In blocks of about two by three pixels, as a fit reads large photographs.
+void read_averaged(std::string_view bytes) {
+  const fit::ImageFile image = fit::inspect_image_file(bytes, "folder/it");
+  if (image.width < 2 || image.height < 3) return;
+  sim::PictureSize from{static_cast<int>(image.width), static_cast<int>(image.height)};
+  if (image.orientation >= 5) std::swap(from.width, from.height);
+  const fit::Averaging averaging{from, {(from.width + 1) / 2, (from.height + 2) / 3}};
+  const fit::Photo photo =
+      fit::read_photo_bytes(bytes, "folder/it", fit::Decoding::automatic, nullptr, averaging);
+  require(photo.usable.size() == photo.linear.data.size());
+  for (const float value : photo.linear.data) require(std::isfinite(value));
+}
+
 /// An ending under which the bytes are read as angles; empty for formats that hold none.
 const char* ending_of_angles(std::string_view bytes) {
   if (bytes.substr(0, 6) == "SIMPLE") return ".fits";
@@ -71,6 +85,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   refused_or([&] { fit::inspect_image_file(bytes, "folder/it"); });
   refused_or([&] { sim::read_fits_table(bytes, "folder/it"); });
   refused_or([&] { read_as(bytes, fit::Decoding::automatic); });
+  refused_or([&] { read_averaged(bytes); });
   read_as_file(bytes);
   return 0;
 }
