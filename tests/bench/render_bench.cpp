@@ -210,6 +210,12 @@ struct Workload {
     fmt::print(", clearing and collecting the film (and tables) {:.1f}", ms("/film_threads_1"));
     if (whole) fmt::print(", blur {:.1f}", ms("/blur_threads_1"));
     fmt::print("; floor {:.1f}\n", ms("/floor"));
+    // Whatever else is saved, every point is walked to, and lit and projected before it is known to be off
+    // the film.
+    const double walked = samples, blur = whole ? ms("/blur_threads_1") : 0.0;
+    if (walked > 0.0)
+      fmt::print("  bound: floor / (floor + path, projection and light of all points + blur) {:.2f}\n",
+                 ms("/floor") / (ms("/floor") + walked + blur));
     if (clock == std::string("wall clock"))
       fmt::print("  on 2 threads: clearing and collecting {:.1f}, blur {:.1f}\n", ms("/film_threads_2"),
                  ms("/blur_threads_2"));
