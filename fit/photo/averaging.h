@@ -15,6 +15,8 @@
 
 namespace vegard::fit {
 
+class JpegRows;
+
 /// From the size of a photograph, upright, to a smaller one. The blocks are all alike; where a size is no
 /// multiple of the other, pixels on their borders belong to each by the share that lies in it.
 struct Averaging {
@@ -87,5 +89,11 @@ class BlockAverager {
   std::vector<std::size_t> spoilt_;            ///< of the row
   int y_ = 0, to_y_ = 0;
 };
+
+/// Averages all rows of a JPEG at its beginning and turns the result upright, by EXIF's orientation (1 to 8):
+/// one thread decodes some rows while another adds up those before. The averaging is that of the upright
+/// picture. Throws as JpegRows does.
+void average_jpeg(JpegRows& jpeg, const Averaging& averaging, int orientation, const CodeTable& table,
+                  sim::Image& light, std::vector<std::uint8_t>& usable);
 
 }  // namespace vegard::fit

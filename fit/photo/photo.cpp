@@ -9,8 +9,8 @@
 #include <limits>
 #include <system_error>
 
-#include "fit/photo/averaged_jpeg.h"
 #include "fit/photo/codec/image_walk.h"
+#include "fit/photo/codec/jpeg_rows.h"
 #include "fit/photo/codec/picture_codes.h"
 #include "sim/base/file/sha256.h"
 #include "sim/base/image.h"
@@ -91,45 +91,39 @@ void linearise(const PictureCodes& codes, Photo& photo) {
     light.take(i, photo.linear.data[i], photo.usable[i]);
 }
 
-/// What is linear light already, or becomes it by `row`.
+/// Averages what `row(y, out)` says of every row of the file.
 template <class Row>
-void average(const Averaging& averaging, const Row& row, Photo& photo) {
-  photo.averaged_from = averaging.from;
+void average(const Averaging& averaging, const Row& row, sim::Image& light,
+             std::vector<std::uint8_t>& usable) {
   BlockAverager averager(averaging);
-  LightRow light;
+  LightRow out;
   for (int y = 0; y < averaging.from.height; ++y) {
-    row(y, light);
-    averager.add(light);
+    row(y, out);
+    averager.add(out);
   }
-  averager.take(photo.linear, photo.usable);
+  averager.take(light, usable);
 }
 
 void linearise_averaged(const PictureCodes& codes, const Averaging& averaging, Photo& photo) {
   const CodeLight light(codes, photo);
   const std::size_t of_row = 3 * static_cast<std::size_t>(codes.width);
-  average(
-      averaging,
-      [&](int y, LightRow& out) {
-        out.light.resize(of_row);
-        out.usable.resize(of_row);
-        for (std::size_t i = 0; i < of_row; ++i) light.take(y * of_row + i, out.light[i], out.usable[i]);
-      },
-      photo);
+  const auto row = [&](int y, LightRow& out) {
+    out.light.resize(of_row);
+    out.usable.resize(of_row);
+    for (std::size_t i = 0; i < of_row; ++i) light.take(y * of_row + i, out.light[i], out.usable[i]);
+  };
+  average(averaging, row, photo.linear, photo.usable);
 }
 
 void average_light(const Averaging& averaging, Photo& photo) {
   const sim::Image whole = std::move(photo.linear);
   const std::vector<std::uint8_t> usable = std::move(photo.usable);
-  const std::size_t of_row = 3 * static_cast<std::size_t>(whole.width);
-  average(
-      averaging,
-      [&](int y, LightRow& out) {
-        const auto begin = static_cast<std::ptrdiff_t>(y * of_row),
-                   end = begin + static_cast<std::ptrdiff_t>(of_row);
-        out.light.assign(whole.data.begin() + begin, whole.data.begin() + end);
-        out.usable.assign(usable.begin() + begin, usable.begin() + end);
-      },
-      photo);
+  const auto of_row = static_cast<std::ptrdiff_t>(3 * whole.width);
+  const auto row = [&](int y, LightRow& out) {
+    out.light.assign(whole.data.begin() + y * of_row, whole.data.begin() + (y + 1) * of_row);
+    out.usable.assign(usable.begin() + y * of_row, usable.begin() + (y + 1) * of_row);
+  };
+  average(averaging, row, photo.linear, photo.usable);
 }
 
 /// The numbers of a JPEG's head, without its pixels.
@@ -154,13 +148,7 @@ std::vector<std::uint8_t> whole_blocks(const std::vector<std::uint8_t>& used, co
   };
   sim::Image unlit;
   std::vector<std::uint8_t> channels, blocks;
-  BlockAverager averager({photo.averaged_from, {photo.linear.width, photo.linear.height}});
-  LightRow of_mask;
-  for (int y = 0; y < photo.averaged_from.height; ++y) {
-    row(y, of_mask);
-    averager.add(of_mask);
-  }
-  averager.take(unlit, channels);
+  average({photo.averaged_from, {photo.linear.width, photo.linear.height}}, row, unlit, channels);
   for (std::size_t i = 0; i < channels.size(); i += 3) blocks.push_back(channels[i]);
   return blocks;
 }
@@ -233,22 +221,19 @@ Photo read_photo_bytes(std::string_view bytes, const std::string& file, const De
                         averaging.from.height == codes.height && photo.unknowns == 0;
   try {
     if (jpeg != nullptr) {
-      CodeTable table;
-      for (int code = 0; code <= table.white; ++code)
-        table.light.push_back(static_cast<float>(light_of(photo, code / codes.white)));
+      const CodeTable table{CodeLight(codes, photo).of_codes(), static_cast<int>(codes.white)};
       average_jpeg(*jpeg, averaging, image.orientation, table, photo.linear, photo.usable);
-      photo.averaged_from = averaging.from;
     } else if (averages && decoding.kind != Decoding::Kind::sensor) {
       linearise_averaged(codes, averaging, photo);
     } else {
       linearise(codes, photo);
       if (decoding == Decoding::sensor)
         sim::recover_light(*scene, file_step(photo), photo.linear, photo.usable);
-      if (averages) {
-        codes = {};
-        average_light(averaging, photo);
-      }
+      codes.values = {};
+      codes.bytes.reset();
+      if (averages) average_light(averaging, photo);
     }
+    if (averages) photo.averaged_from = averaging.from;
   } catch (const std::bad_alloc&) {
     refuse_image(file,
                  "there is not enough memory for " + sim::size_text(codes.width, codes.height) + " pixels",

@@ -11,6 +11,12 @@
 
 namespace vegard::tests {
 
+/// Logarithm of a banana's density: x0 normal with standard deviation 2, x1 = 0.5 x0² + a standard normal.
+/// E x1 = 2, Var x1 = 1 + 0.25 Var x0² = 1 + 0.25 * 2 * 16 = 9, E x0² x1 = 0.5 * 3 * 16 = 24.
+inline double banana(const std::vector<double>& x) {
+  return -0.125 * x[0] * x[0] - 0.5 * std::pow(x[1] - 0.5 * x[0] * x[0], 2);
+}
+
 /// Mean of f over the chain with its Monte-Carlo error, both from the samples.
 struct ChainMean {
   double mean = 0.0, error = 0.0;

@@ -58,17 +58,12 @@ TEST(EnsembleSampler, RecoversACorrelatedGaussian) {
   EXPECT_TRUE(s.long_enough);
 }
 
-// A banana: x0 normal with standard deviation 2, x1 = 0.5 x0² + a standard normal. E x1 = 2,
-// Var x1 = 1 + 0.25 Var x0² = 1 + 0.25 * 2 * 16 = 9, E x0² x1 = 0.5 * 3 * 16 = 24.
 TEST(EnsembleSampler, RecoversTheMomentsOfABanana) {
-  const auto banana = [](const std::vector<double>& x) {
-    return -0.125 * x[0] * x[0] - 0.5 * std::pow(x[1] - 0.5 * x[0] * x[0], 2);
-  };
   EnsembleOptions options;
   options.walkers = 20;
   options.steps = 10000;
   options.seed = 2;
-  const EnsembleState state = run(banana, {0.0, 0.0}, {{1.0, 0.0}, {0.0, 1.0}}, options);
+  const EnsembleState state = run(tests::banana, {0.0, 0.0}, {{1.0, 0.0}, {0.0, 1.0}}, options);
   expect_mean(
       state, [](const double* x) { return x[0]; }, 0.0, 0.1, "mean");
   expect_mean(

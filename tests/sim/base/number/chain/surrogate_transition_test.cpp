@@ -58,12 +58,9 @@ TEST(SurrogateTransition, AWrongSurrogateMovesNoMoment) {
   }
 }
 
-// The banana of ensemble_sampler_test.cpp (E x1 = 2, Var x0 = 4, E x0² x1 = 24) by a surrogate that bends
+// By a surrogate that bends
 // two thirds as much, is twice as thick and a quarter longer.
 TEST(SurrogateTransition, RecoversTheMomentsOfABanana) {
-  const auto banana = [](const std::vector<double>& x) {
-    return -0.125 * x[0] * x[0] - 0.5 * std::pow(x[1] - 0.5 * x[0] * x[0], 2);
-  };
   EnsembleOptions options;
   options.steps = 10000;
   options.burn_in = 500;
@@ -71,7 +68,7 @@ TEST(SurrogateTransition, RecoversTheMomentsOfABanana) {
   options.surrogate = [](const std::vector<double>& x) {
     return -0.08 * x[0] * x[0] - 0.125 * std::pow(x[1] - 0.33 * x[0] * x[0], 2);
   };
-  const EnsembleState state = run(banana, options);
+  const EnsembleState state = run(tests::banana, options);
   expect_mean(
       state, [](const double* x) { return x[0]; }, 0.0, 0.15, "mean");
   expect_mean(
