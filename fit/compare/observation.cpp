@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kSearchError = 0.1;  // the search weighs bright and dark alike
 constexpr double kSearchPeakShare = 0.5;
-constexpr double kSearchFineness = 1.5;
+constexpr double kSearchFineness = 1.0;
 constexpr double kSmoothingPerBin = 2.0;  // standard deviations of the smoothing, in bins
 
 void check_sizes(const sim::Scene& scene, const Photo& photo) {

@@ -18,7 +18,7 @@ inline constexpr double kProfileSmoothing_px = 2.0;
 
 /// How fine the mean over all draws is for the last word (sim::BeamSampling): what its own error moves an
 /// answer by is then small beside error bars.
-inline constexpr double kLastFineness = 1.5;
+inline constexpr double kLastFineness = 1.25;
 
 struct Observation {
   const Photo* photo = nullptr;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kWidestCell = 4;
 constexpr double kWidestMeanCell = 20.0;
-constexpr double kNarrowestRamp = 0.2;  // of a wide cell
+constexpr double kNarrowestRamp = 0.25;  // of a wide cell
 constexpr int kCellsPerBand = 12;
 constexpr int kCellsPerNarrowBin = 4;
 constexpr double kBeyond = 0.5;  // sheet lengths by which a fit may move an end
@@ -48,8 +48,8 @@ sim::FilmGeometry film_of(const sim::Scene& scene, const std::vector<std::shared
         sim::blur_sigma_px(scene, static_cast<int>(l)) / static_cast<double>(scene.emission.lines.size());
   const double band_px = static_cast<double>(region.width) / first.groups;
   const double wide = band_px / std::ceil(band_px / kWidestMeanCell);
-  // An even spread over the ramp is as wide as the Gaussian.
-  const double ramp_px = std::max(kNarrowestRamp * wide, std::sqrt(12.0) * blur_px);
+  // A parabola over the ramp is as wide as the Gaussian.
+  const double ramp_px = std::max(kNarrowestRamp * wide, std::sqrt(20.0) * blur_px);
   if (wide <= kWidestCell || ramp_px > wide) return film_with(cell_width(grids), first.position_px);
   sim::FilmGeometry film = film_with(wide, first.position_px);
   film.ramp_px = ramp_px;

@@ -8,7 +8,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr std::uint64_t kSamplings = 12;
-constexpr double kFineness = 3.0;  // of means over all draws
+constexpr double kFineness = 2.0;  // of means over all draws
 
 /// Light of drawn beams is a sum over random numbers, that of volumes is not.
 bool is_sampled(const std::vector<Observation>& observations) {

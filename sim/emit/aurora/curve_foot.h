@@ -15,6 +15,7 @@ template <class T>
 struct CurveFoot {
   BeamFoot<T> foot;
   T ln_energy{};  ///< of keV; 0 where the sheet has one energy for all
+  T along[2]{};   ///< the curve's direction there: a unit vector in east and north
 };
 
 /// The foot of a beam on a curve. It stands across the curve by its place in the cross-section, to the side
@@ -36,6 +37,7 @@ CurveFoot<T> curve_foot(const SheetCurve<T>& curve, const SheetShape<T>& shape, 
   }
   CurveFoot<T> result;
   const T aside = width * (place.across * shape.side);
+  for (int i = 0; i < 2; ++i) result.along[i] = on.along[i];
   result.foot.east_km = on.at[0] - aside * on.along[1];
   result.foot.north_km = on.at[1] + aside * on.along[0];
   result.foot.flux_km2_mw_m2 = shape.energy_flux_mw_m2 * width * share * kSqrtTwoPi;

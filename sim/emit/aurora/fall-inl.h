@@ -17,6 +17,7 @@
 
 #include "sim/base/number/dual-inl.h"
 #include "sim/base/number/lanes-inl.h"
+#include "sim/emit/aurora/place_in_tube.h"
 #include "sim/light/sample.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -75,10 +76,10 @@ class MeanPath {
   HWY_INLINE C along(L t) const {
     return at(along_, t);
   }
-  /// Standard deviation in either direction across.
+  /// Variance in either direction across; never none, since a root has no slope there.
   template <class L>
-  HWY_INLINE C aside(L t) const {
-    return square_root(at(variance_, t) + C(1e-12f));  // where there is no cone the root has no slope
+  HWY_INLINE C variance(L t) const {
+    return at(variance_, t) + C(1e-12f);
   }
 
  private:
@@ -116,13 +117,11 @@ class FallingBeams {
     random_.draw(quad_, keys, ahead_);
   }
 
-  /// Beams that are looked at in nodes. `left`: of the path at the first node, plus the offset. `aside`:
-  /// where a beam stands in its tube, in standard deviations.
-  HWY_INLINE void start_in_nodes(const P& length_km, L left, L aside1, L aside2) {
+  /// Beams that are looked at in nodes. `left`: of the path at the first node, plus the offset.
+  HWY_INLINE void start_in_nodes(const P& length_km, L left, const PlaceInTube<L>& place) {
     length_ = length_km;
     left_ = left;
-    aside_[0] = aside1;
-    aside_[1] = aside2;
+    in_tube_ = place;
   }
 
   /// The next four deflection points, one after the other to `take(i, point)`, i from 0 to 3.
@@ -149,13 +148,18 @@ class FallingBeams {
     const L shrink(static_cast<float>(paths.nodes.shrink)), stretch(static_cast<float>(paths.log_shrink));
     for (int i = 0; i < 4; ++i) {
       const L t = beyond - left_;
-      const P aside = length_ * paths.mean.aside(t);
+      const P variance = length_ * length_ * paths.mean.variance(t);
+      const P along_sheet = square_root(variance);
+      const P across_sheet =
+          variance / (square_root(variance + in_tube_.width_km * in_tube_.width_km) + in_tube_.width_km);
       L stands_for = left_ * stretch;
       if (paths.nodes.spread > 0.0) {  // so many of the beams have come as far as that
         const L come = (L(1.0f) - t) * L(static_cast<float>(1.0 / paths.nodes.spread));
         stands_for = stands_for * select(come < L(1.0f), come, L(1.0f));
       }
-      take(i, FallenPoint<L, P>{length_ * paths.mean.along(t), aside * aside_[0], aside * aside_[1],
+      take(i, FallenPoint<L, P>{length_ * paths.mean.along(t),
+                                along_sheet * in_tube_.along[0] + across_sheet * in_tube_.across[0],
+                                along_sheet * in_tube_.along[1] + across_sheet * in_tube_.across[1],
                                 stands_for, t});
       left_ = left_ * shrink;
     }
@@ -190,7 +194,8 @@ class FallingBeams {
 
   P length_, along_, across1_, across2_;
   L t_;
-  L left_, aside_[2];
+  L left_;
+  PlaceInTube<L> in_tube_;
   typename Traits::PathWords random_;
   typename Traits::Words ahead_[4];
   std::uint32_t quad_;

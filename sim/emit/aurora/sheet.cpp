@@ -11,6 +11,13 @@
 namespace vegard::sim {
 namespace {
 
+double phase_laid_out(const Sheet& sheet, const BeamPlace& place, int layer, double instant_s) {
+  const double layer_part = sheet.layers > 1 ? static_cast<double>(layer) / (sheet.layers - 1) : 0.0;
+  return kTwoPi / sheet.wavelength_km *
+             (place.s_of_phase * sheet.length_km - sheet.sine_speed_km_s * instant_s) +
+         sheet.phase_rad + sheet.phase_shift_rad * layer_part;
+}
+
 constexpr int kSheetMostBeams = 10000000;
 
 /// Van der Corput's sequence in base 2: the bits of i mirrored at the point.
@@ -44,11 +51,13 @@ StretchOfSheet stretch_of(const Sheet& sheet, double instant_s) {
 }
 
 double aside_laid_out_km(const Sheet& sheet, const BeamPlace& place, int layer, double instant_s) {
-  const double layer_part = sheet.layers > 1 ? static_cast<double>(layer) / (sheet.layers - 1) : 0.0;
-  const double phase = kTwoPi / sheet.wavelength_km *
-                           (place.s_of_phase * sheet.length_km - sheet.sine_speed_km_s * instant_s) +
-                       sheet.phase_rad + sheet.phase_shift_rad * layer_part;
-  return sheet.thickness_km * std::sin(phase) + sheet.width_km * place.across;
+  return sheet.thickness_km * std::sin(phase_laid_out(sheet, place, layer, instant_s)) +
+         sheet.width_km * place.across;
+}
+
+double slope_laid_out(const Sheet& sheet, const BeamPlace& place, int layer, double instant_s) {
+  return sheet.thickness_km * kTwoPi / sheet.wavelength_km *
+         std::cos(phase_laid_out(sheet, place, layer, instant_s));
 }
 
 int beams_per_layer(const Sheet& sheet) {
@@ -131,10 +140,8 @@ double LayerPlaces::on_line(double share) const {
 BeamPlace LayerPlaces::place_in_nodes(int beam) const {
   // Steps of additive recurrences, from place to place along and from node to node across: the golden
   // section, which fills every stretch of a line most evenly, and other irrational numbers.
-  constexpr double kStep[kRecurrences] = {0.6180339887498949, 0.4142135623730951, 0.7320508075688772,
-                                          0.2360679774997898, 0.6457513110645906, 0.3166247903553998};
-  constexpr double kStepAcross[kRecurrences] = {
-      0.0, 0.7548776662466927, 0.0, 0.6710436067037893, 0.3027756377319946, 0.5497004779019703};
+  constexpr double kStep[kRecurrences] = {0.6180339887498949, 0.4142135623730951, 0.2360679774997898};
+  constexpr double kStepAcross[kRecurrences] = {0.0, 0.7548776662466927, 0.6710436067037893};
   const int many = nodes_.across, along = beam / many, side = beam % many;
   const auto recurrence = [&](int which) {
     const double at = recurrence_from_[which] + along * kStep[which] +
@@ -159,12 +166,10 @@ BeamPlace LayerPlaces::place_in_nodes(int beam) const {
   place.across = across_[side].place;
   place.weight = across_[side].weight;
   place.node = recurrence(0);
-  place.ray = normal_quantile(recurrence(3));
-  // In a narrow tube two nodes of a normal deviate in either direction, all four in turn.
-  for (int i = 0; i < 2; ++i)
-    place.aside[i] = nodes_.wide_tube                   ? normal_quantile(recurrence(4 + i))
-                     : (((along + side) >> i) & 1) != 0 ? 1.0
-                                                        : -1.0;
+  place.ray = normal_quantile(recurrence(2));
+  // One side's beams stand off by the same, so that they stay evenly spaced; those of all sides of two layers
+  // by the mean and the variance of the tube.
+  place.along_in_tube = ((static_cast<unsigned>(side) + address_) & 1u) != 0 ? -1.0 : 1.0;
   return place;
 }
 

@@ -37,15 +37,15 @@ struct SheetShape {
 /// Where a beam stands on its layer, before any parameter is known: pure functions of the seed, frozen during
 /// a fit. Places along the sheet are fractions of the line from start (0) to end (1) of a StretchOfSheet.
 struct BeamPlace {
-  double s = 0.0;                ///< of the beam
-  double from = 0.0, to = 0.0;   ///< the stretch of the sheet that the beam stands for
-  double s_of_phase = 0.0;       ///< where the sine is read: s itself, or the even place of the literal rule
-  double across = 0.0;           ///< place in the Gaussian cross-section, in standard deviations
-  double depth = 0.0;            ///< uniform in (0, 1), for the random depth
-  double node = 0.0;             ///< of beams in nodes: where between two the first one is
-  double aside[2] = {0.0, 0.0};  ///< likewise: place in the tube that deflections make, standard deviations
-  double weight = 1.0;           ///< likewise: share of the stretch's light, of those that stand side by side
-  double ray = 0.0;              ///< likewise: the Gaussian process that makes rays long and short
+  double s = 0.0;               ///< of the beam
+  double from = 0.0, to = 0.0;  ///< the stretch of the sheet that the beam stands for
+  double s_of_phase = 0.0;      ///< where the sine is read: s itself, or the even place of the literal rule
+  double across = 0.0;          ///< place in the Gaussian cross-section, in standard deviations
+  double depth = 0.0;           ///< uniform in (0, 1), for the random depth
+  double node = 0.0;            ///< of beams in nodes: where between two the first one is
+  double along_in_tube = 0.0;   ///< likewise: place in the tube that deflections make, along the sheet
+  double weight = 1.0;          ///< likewise: share of the stretch's light, of those that stand side by side
+  double ray = 0.0;             ///< likewise: the Gaussian process that makes rays long and short
 };
 
 /// How densely a sheet is looked at where nothing is drawn.
@@ -55,7 +55,6 @@ struct SheetNodes {
   std::vector<double> beams;
   /// Side by side at each place along.
   int across = 1;
-  bool wide_tube = false;  ///< whether the tube that deflections make of a beam is as wide as can be seen
   PathNodes path;
 };
 
@@ -87,6 +86,9 @@ StretchOfSheet stretch_of(const Sheet& sheet, double instant_s);
 /// How far a beam was laid out to the side of the sine's positive values, counted from the straight line; of
 /// a sheet whose course is a sine.
 double aside_laid_out_km(const Sheet& sheet, const BeamPlace& place, int layer, double instant_s);
+
+/// The slope of that place's sine: how far aside it goes per km along.
+double slope_laid_out(const Sheet& sheet, const BeamPlace& place, int layer, double instant_s);
 
 /// How many beams a layer has: as many as the scene says, or as its length asks for.
 int beams_per_layer(const Sheet& sheet);
@@ -131,7 +133,7 @@ class LayerPlaces {
   /// Place on the line of a share of the beams in nodes.
   double on_line(double share) const;
 
-  static constexpr int kRecurrences = 6;
+  static constexpr int kRecurrences = 3;
   bool in_nodes_;
   std::vector<double> from_, before_;  ///< of parts of the line in nodes: where they begin, beams before them
   int drawn_;                          ///< beams of the sheet where they are drawn

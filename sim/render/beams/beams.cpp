@@ -12,6 +12,7 @@
 #include "sim/emit/aurora/curve_foot.h"
 #include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/motion.h"
+#include "sim/emit/aurora/place_in_tube.h"
 #include "sim/light/electron.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/emitters/emitter_kinds.h"
@@ -71,7 +72,9 @@ void leave_empty(BeamGroup& group, bool with_derivatives) {
   std::fill_n(group.altitude_shift_km, kGroup, 0.0);
   std::fill_n(group.stretch_above, kGroup, 1.0);
   std::fill_n(group.first_node, kGroup, 0.0);
-  std::fill_n(group.aside[0], 2 * kGroup, 0.0);
+  std::fill_n(group.tube_along[0], 2 * kGroup, 0.0);
+  std::fill_n(group.tube_across[0], 2 * kGroup, 0.0);
+  std::fill_n(group.sheet_width_km, kGroup, 0.0);
   std::fill_n(group.index, kGroup, 0u);
 }
 
@@ -266,6 +269,21 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
                     : light.at(stretch.along_km(place.s),
                                curve ? width_laid_out_km(laid_out, curve_laid_out, place.s) * place.across
                                      : aside_laid_out_km(laid_out, place, layer, instant));
+      PlaceInTube<double> in_tube;
+      if (k.nodes.any()) {
+        EastNorth tangent{shape.along_east, shape.along_north}, aside{-shape.along_north, shape.along_east};
+        if (curve) {
+          tangent = {on_curve.along[0], on_curve.along[1]};
+          aside = {-tangent.north, tangent.east};
+        } else {
+          const double slope = slope_laid_out(laid_out, place, layer, instant) * shape.side;
+          tangent = {tangent.east + slope * aside.east, tangent.north + slope * aside.north};
+        }
+        aside = {aside.east * shape.side, aside.north * shape.side};
+        const double width_km =
+            curve ? width_laid_out_km(laid_out, curve_laid_out, place.s) : laid_out.width_km;
+        in_tube = place_in_tube(own, tangent, aside, width_km, place.across, place.along_in_tube);
+      }
       const RungShare<FreeDual> share = rung_share(profiles.ladder, on_curve.ln_energy, free_foot.ln_energy);
       for (int rung = share.rung; rung < share.rung + share.rungs; ++rung) {
         OpenGroup& with = group_with_room(open, rung, [&] {
@@ -318,7 +336,11 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
         group.end_of_path[place_in_group] = k.nodes.any() ? 1.0 : 1.0 - place.depth * sheet.path_spread;
         if (k.nodes.any())
           group.first_node[place_in_group] = (1.0 + k.nodes.offset) * std::pow(k.nodes.shrink, place.node);
-        for (int i = 0; i < 2; ++i) group.aside[i][place_in_group] = place.aside[i];
+        for (int i = 0; i < 2; ++i) {
+          group.tube_along[i][place_in_group] = in_tube.along[i];
+          group.tube_across[i][place_in_group] = in_tube.across[i];
+        }
+        group.sheet_width_km[place_in_group] = in_tube.width_km;
         group.index[place_in_group] = static_cast<std::uint32_t>(b);
       }
     }

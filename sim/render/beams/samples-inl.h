@@ -159,9 +159,11 @@ class SampleMaker {
       shift_[part] = Traits::load(group.altitude_shift_km + first) * L(1.0 / HeightProfile::kStepKm);
       stretch_above_[part] = Traits::load(group.stretch_above + first);
       if (scene_.nodes.any())
-        beams_[part].start_in_nodes(length, Traits::load(group.first_node + first),
-                                    Traits::load(group.aside[0] + first),
-                                    Traits::load(group.aside[1] + first));
+        beams_[part].start_in_nodes(
+            length, Traits::load(group.first_node + first),
+            {{Traits::load(group.tube_along[0] + first), Traits::load(group.tube_along[1] + first)},
+             {Traits::load(group.tube_across[0] + first), Traits::load(group.tube_across[1] + first)},
+             Traits::load(group.sheet_width_km + first)});
       else
         beams_[part].start(length, Traits::load_indices(group.index + first), group.layer_address, keys_);
       find_stretch_in_view(value_of(length), part);
@@ -278,13 +280,15 @@ class SampleMaker {
     return hidden < L(0.5f);
   }
 
-  /// Between the centres of two wide cells a place moves along the ramp about their border alone.
+  /// Between the centres of two wide cells a place moves along the ramp about their border alone. A ramp is
+  /// smooth, or the few beams on it would tell their own number in every derivative by a place.
   HWY_INLINE P on_ramp(const P& column) const {
     const L steep(static_cast<float>(scene_.film.cell_width_px / scene_.film.ramp_px));
     const L whole = round_to_nearest(value_of(column) - L(0.5f));
     const P share = (column - whole - L(0.5f)) * steep + L(0.5f);
-    const P on = select_where(value_of(share) < L(1.0f), share, P(L(1.0f)));
-    return select_where(L(0.0f) < value_of(share), on, P(L(0.0f))) + whole;
+    const P below = select_where(value_of(share) < L(1.0f), share, P(L(1.0f)));
+    const P on = select_where(L(0.0f) < value_of(share), below, P(L(0.0f)));
+    return on * on * (P(L(3.0f)) - on * L(2.0f)) + whole;
   }
 
   HWY_INLINE void see(const FallenPoint<L, P>& point, int part, int first, int step, Block& block) {

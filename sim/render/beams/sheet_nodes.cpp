@@ -16,7 +16,10 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kAlongCells = 0.5, kAlongWideCells = 0.1, kAlongPerSmoothing = 0.25;  // from beam to beam
+// From beam to beam. A ramp is a parabola's integral: of beams that stand so far apart, as shares of the
+// parabola's width, a column keeps a wave of 3 / (pi / 0.53)^2, one in ten, at most, and more beams of other
+// layers and altitudes a tenth of it.
+constexpr double kAlongCells = 0.5, kAlongPerRamp = 0.53, kAlongPerSmoothing = 0.25;
 // From node to node in the lower part of a path. Of a lattice of nodes with the distance d a Gaussian of the
 // standard deviation d / 2 leaves exp(-pi^2 / 2), 0.7 %, and many beams with nodes at other places a tenth of
 // it.
@@ -27,10 +30,9 @@ struct NodesAcross {
   double width;
   int nodes;
 };
-constexpr NodesAcross kAcross[] = {{1.0, 2}, {1.5, 3}, {2.0, 4}, {3.0, 6}, {5.0, 9}};
+constexpr NodesAcross kAcross[] = {{1.0, 2}, {2.0, 4}, {3.0, 6}, {5.0, 10}};
 constexpr int kMostAcross = 14;
-constexpr double kNarrowTube = 1.0;
-constexpr double kMoreBeams = 3.0;  // where more is drawn than the place in a narrow cross-section
+constexpr double kMoreBeams = 3.0;  // where more is drawn than the place in a path
 constexpr double kHat = 0.41;       // standard deviation of a hat, in cells
 constexpr double kFurthestNodesKm = 4.0;
 constexpr double kFurthestBeamsKm = 8.0;
@@ -169,22 +171,22 @@ std::vector<SheetNodes> sheet_nodes(const Scene& scene, const FilmGeometry& film
   const double rows_px = std::hypot(kHat * film.cell_height_px, blur_px, smooth_px);
   const double down_px =
       std::max(kLeastDownCells * film.cell_height_px, kDownPerBlur * std::hypot(blur_px, smooth_px));
-  const double along_px = (film.ramp_px > 0.0 ? kAlongWideCells : kAlongCells) * film.cell_width_px +
-                          kAlongPerSmoothing * std::min(smooth_px, 0.5 * film.cell_width_px);
+  const double along_px = film.ramp_px > 0.0
+                              ? kAlongPerRamp * film.ramp_px
+                              : kAlongCells * film.cell_width_px +
+                                    kAlongPerSmoothing * std::min(smooth_px, 0.5 * film.cell_width_px);
   std::vector<SheetNodes> all;
   for (const Sheet& sheet : scene.sheets) {
     const Scale scale = scale_of(scene, sheet, sights);
     const double seen_across =  // of a kilometre across, in what is seen of a node
         fineness *
         std::hypot(scale.across_rows_px_km / rows_px, scale.across_columns_px_km / film.cell_width_px);
-    const double width = widest_km(sheet) * seen_across;
+    const double width = std::hypot(widest_km(sheet), tube_km(sheet)) * seen_across;
     SheetNodes nodes;
     nodes.across = kMostAcross;
     for (auto most = std::rbegin(kAcross); most != std::rend(kAcross); ++most)
       if (width < most->width) nodes.across = most->nodes;
-    nodes.wide_tube = tube_km(sheet) * seen_across > kNarrowTube;
-    const bool much_is_drawn =
-        nodes.wide_tube || sheet.ray_length_contrast > 0.0 || sheet.spacing_rule == SpacingRule::literal;
+    const bool much_is_drawn = sheet.ray_length_contrast > 0.0 || sheet.spacing_rule == SpacingRule::literal;
     const double part_km = line_length_km(sheet) / kParts;
     for (const double along_px_km : scale.along_px_km) {
       const double along_km = std::min(along_px / along_px_km, structure_km(sheet)) / fineness /

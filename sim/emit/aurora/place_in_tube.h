@@ -1,0 +1,45 @@
+// A beam in the mean over all draws is a tube about its field line, which deflections make. Where in the
+// tube's cross-section a beam in nodes is looked at.
+#pragma once
+
+#include <cmath>
+
+#include "sim/light/sample.h"
+#include "sim/scene/structs/scene.h"
+
+namespace vegard::sim {
+
+/// Two components, across1 and across2 of a FallFrame, each of a beam's places along its sheet and across it,
+/// in standard deviations. Across the sheet, tube and sheet are one Gaussian, of the variance of both: a beam
+/// that stands at a node of the sheet's width w is moved on by sqrt(w² + v) - w standard deviations, where v
+/// is the tube's variance in one direction. So nothing is drawn across a sheet, and beams along it stay as
+/// evenly spaced as they are. T is double or a lane type.
+template <class T>
+struct PlaceInTube {
+  T along[2]{}, across[2]{};
+  T width_km{};  ///< of the sheet, at a right angle to it and to the field
+};
+
+/// `tangent`: of the sheet at the foot, of any length; `aside`: the unit vector along which the foot of a
+/// beam stands `across` times `width_km` away from the sheet's middle. `along`: the place along the sheet.
+inline PlaceInTube<double> place_in_tube(const FallFrame<double>& fall, EastNorth tangent, EastNorth aside,
+                                         double width_km, double across, double along) {
+  const auto component = [](const double(&axis)[3], EastNorth d) {
+    return axis[0] * d.east + axis[1] * d.north;
+  };
+  // The sheet holds the field; what is at a right angle to both lies in the plane of the cross-section.
+  double sheet[2] = {component(fall.across1, tangent), component(fall.across2, tangent)};
+  const double length = std::hypot(sheet[0], sheet[1]);
+  for (double& x : sheet) x = length > 0.0 ? x / length : (&x == sheet ? 1.0 : 0.0);
+  const double normal[2] = {-sheet[1], sheet[0]};
+  const double off = component(fall.across1, aside) * normal[0] + component(fall.across2, aside) * normal[1];
+  PlaceInTube<double> place;
+  for (int i = 0; i < 2; ++i) {
+    place.along[i] = along * sheet[i];
+    place.across[i] = off < 0.0 ? -across * normal[i] : across * normal[i];
+  }
+  place.width_km = std::abs(off) * width_km;
+  return place;
+}
+
+}  // namespace vegard::sim
