@@ -37,7 +37,7 @@ std::string signed_number(double value) {
   return (value < 0.0 ? "\u2212" : "+") + sim::short_number(std::abs(value), 2);
 }
 
-std::string cell(const std::string& text) { return "<td class=\"number\">" + text + "</td>"; }
+std::string number_cell(const std::string& text) { return "<td class=\"number\">" + text + "</td>"; }
 
 std::string unit_of(const DerivedNumber& number) {
   return number.unit.empty() ? "" : " (" + sim::html_text(number.unit) + ")";
@@ -60,17 +60,17 @@ std::string stability_table(const FitResult& result) {
       html += "<div class=\"soft\">refuted by the picture: \u03c7\u00b2 is more than twice as large</div>";
     html += "</td>";
     for (const std::size_t i : shown)
-      html +=
-          cell(i < row.derived.size() && std::isfinite(row.derived[i].by) ? signed_number(row.derived[i].by)
-                                                                          : "\u2013");
-    html +=
-        cell(std::isfinite(row.chi2_per_dof) ? sim::short_number(row.chi2_per_dof, 3) : "\u2013") + "</tr>\n";
+      html += number_cell(i < row.derived.size() && std::isfinite(row.derived[i].by)
+                              ? signed_number(row.derived[i].by)
+                              : "\u2013");
+    html += number_cell(std::isfinite(row.chi2_per_dof) ? sim::short_number(row.chi2_per_dof, 3) : "\u2013") +
+            "</tr>\n";
   }
   const auto errors = [&](const char* name, const auto& error_of) {
     html += std::string("<tr class=\"strong\"><td colspan=\"2\">") + name + "</td>";
     for (const std::size_t i : shown) {
       const std::optional<double> error = error_of(result.derived[i]);
-      html += cell(error ? "\u00b1\u00a0" + sim::short_number(*error, 2) : "\u2013");
+      html += number_cell(error ? "\u00b1\u00a0" + sim::short_number(*error, 2) : "\u2013");
     }
     html += "<td></td></tr>\n";
   };
