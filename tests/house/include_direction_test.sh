@@ -102,6 +102,8 @@ check_sources() {
         complain("OpenImageIO belongs in sim/base/picture/image_io/ only")
       if (target ~ /^jpeglib/ && FILENAME != "fit/photo/codec/jpeg_rows.cpp")
         complain("libjpeg belongs in fit/photo/codec/jpeg_rows.cpp only")
+      if (target ~ /^zlib/ && FILENAME != "sim/base/file/byte_stream.cpp")
+        complain("zlib belongs in sim/base/file/byte_stream.cpp only")
       if (target ~ /^fitsio/ && FILENAME != "sim/base/picture/fits_io.cpp")
         complain("CFITSIO belongs in sim/base/picture/fits_io.cpp only")
       if (target ~ /^openvdb\// && FILENAME !~ /^sim\/base\/grid\/vdb_(io|read).cpp$/)

@@ -24,8 +24,16 @@ std::string why_no_regular_file(mode_t mode) {
   return "is a device, not a file";
 }
 
-/// A descriptor of a regular file, or -1 and why. `size` in bytes.
-int open_regular(const std::string& path, std::string& problem, off_t& size) {
+}  // namespace
+
+std::string bytes_text(std::size_t bytes) {
+  constexpr std::size_t kKilo = 1 << 10, kMega = 1 << 20;
+  if (bytes >= kMega) return std::to_string(bytes / kMega) + " MB";
+  if (bytes >= kKilo) return std::to_string(bytes / kKilo) + " kB";
+  return std::to_string(bytes) + " bytes";
+}
+
+int open_input(const std::string& path, std::string& problem, std::size_t& size_bytes) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) {
     problem = errno == ENOENT || errno == ENOTDIR ? "there is no such file"
@@ -44,35 +52,26 @@ int open_regular(const std::string& path, std::string& problem, off_t& size) {
     problem = "cannot be opened: " + words_of_errno(errno);
   else
     problem = why_no_regular_file(status.st_mode);
-  size = status.st_size;
+  size_bytes = static_cast<std::size_t>(status.st_size);
   if (problem.empty()) return descriptor;
   ::close(descriptor);
   return -1;
 }
 
-}  // namespace
-
-std::string bytes_text(std::size_t bytes) {
-  constexpr std::size_t kKilo = 1 << 10, kMega = 1 << 20;
-  if (bytes >= kMega) return std::to_string(bytes / kMega) + " MB";
-  if (bytes >= kKilo) return std::to_string(bytes / kKilo) + " kB";
-  return std::to_string(bytes) + " bytes";
-}
-
 std::string why_no_input(const std::string& path) {
   std::string problem;
-  off_t size = 0;
-  if (const int descriptor = open_regular(path, problem, size); descriptor >= 0) ::close(descriptor);
+  std::size_t size = 0;
+  if (const int descriptor = open_input(path, problem, size); descriptor >= 0) ::close(descriptor);
   return problem;
 }
 
 InputFile read_beginning(const std::string& path, std::size_t most_bytes) {
   InputFile file;
-  off_t size = 0;
-  const int descriptor = open_regular(path, file.problem, size);
+  std::size_t size = 0;
+  const int descriptor = open_input(path, file.problem, size);
   if (descriptor < 0) return file;
   // Files of /proc say that they are empty, and others may grow meanwhile: what comes is counted.
-  file.bytes.reserve(std::min(static_cast<std::size_t>(size) + 1, most_bytes));
+  file.bytes.reserve(std::min(size + 1, most_bytes));
   char block[1 << 16];
   while (file.bytes.size() < most_bytes) {
     const ssize_t count = ::read(descriptor, block, std::min(sizeof block, most_bytes - file.bytes.size()));

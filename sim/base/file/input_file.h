@@ -19,6 +19,10 @@ constexpr std::size_t kMostPictureBytes = (std::size_t{1} << 31) - 1;
 /// file", "cannot be opened: …"; empty if nothing does. To be asked before a library opens the file by name.
 std::string why_no_input(const std::string& path);
 
+/// A descriptor of a regular file to read from, the caller's to close, and its size; or -1 and the problem in
+/// the words of why_no_input().
+int open_input(const std::string& path, std::string& problem, std::size_t& size_bytes);
+
 struct InputFile {
   std::string bytes;
   std::string problem;  ///< why there are none, in words that follow the file's name; empty if it was read

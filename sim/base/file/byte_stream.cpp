@@ -1,0 +1,236 @@
+#include "sim/base/file/byte_stream.h"
+
+#include <unistd.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "sim/base/error.h"
+#include "sim/base/file/input_file.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr std::size_t kPackedBlock = 1 << 16;
+constexpr int kGzipOnly = 16;  // added to zlib's number of window bits
+
+/// A file or bytes in memory, as they are.
+class PlainBytes {
+ public:
+  explicit PlainBytes(const std::string& path) : name_(path) {
+    std::string problem;
+    descriptor_ = open_input(path, problem, size_);
+    if (descriptor_ < 0) refuse_file(ErrorKind::unreadable_input, path, problem);
+  }
+  PlainBytes(std::string_view bytes, std::string name)
+      : name_(std::move(name)), bytes_(bytes), size_(bytes.size()) {}
+  ~PlainBytes() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  PlainBytes(const PlainBytes&) = delete;
+  PlainBytes& operator=(const PlainBytes&) = delete;
+
+  const std::string& name() const { return name_; }
+
+  std::size_t read(char* to, std::size_t count) {
+    if (descriptor_ < 0) {
+      count = std::min(count, bytes_.size() - at_);
+      std::memcpy(to, bytes_.data() + at_, count);
+      at_ += count;
+      return count;
+    }
+    std::size_t done = 0;
+    while (done < count) {
+      const ssize_t got = ::read(descriptor_, to + done, count - done);
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0)
+        refuse_file(ErrorKind::unreadable_input, name_,
+                    "cannot be read: " + std::generic_category().message(errno));
+      if (got == 0) break;
+      done += static_cast<std::size_t>(got);
+    }
+    at_ += done;
+    return done;
+  }
+
+  std::uint64_t skip(std::uint64_t count) {
+    count = std::min<std::uint64_t>(count, size_ > at_ ? size_ - at_ : 0);
+    at_ += static_cast<std::size_t>(count);
+    if (descriptor_ >= 0 && ::lseek(descriptor_, static_cast<off_t>(at_), SEEK_SET) < 0)
+      refuse_file(ErrorKind::unreadable_input, name_,
+                  "cannot be read: " + std::generic_category().message(errno));
+    return count;
+  }
+
+ private:
+  std::string name_;
+  int descriptor_ = -1;
+  std::string_view bytes_;
+  std::size_t size_ = 0, at_ = 0;
+};
+
+/// What gzip has packed, from its first byte on, which `begun` is the beginning of.
+class Unpacker {
+ public:
+  Unpacker(PlainBytes& from, std::string_view begun) : from_(from), packed_(begun.begin(), begun.end()) {
+    packed_.resize(std::max(packed_.size(), kPackedBlock));
+    stream_.next_in = reinterpret_cast<Bytef*>(packed_.data());
+    stream_.avail_in = static_cast<uInt>(begun.size());
+    if (inflateInit2(&stream_, MAX_WBITS + kGzipOnly) != Z_OK) throw std::bad_alloc();
+  }
+  ~Unpacker() { inflateEnd(&stream_); }
+  Unpacker(const Unpacker&) = delete;
+  Unpacker& operator=(const Unpacker&) = delete;
+
+  std::size_t read(char* to, std::size_t count) {
+    std::size_t done = 0;
+    while (done < count && !ended_) {
+      if (stream_.avail_in == 0 && !refill()) refuse_cut();
+      constexpr std::size_t kAtOnce = std::size_t{1} << 30;  // zlib counts in unsigned int
+      const auto room = static_cast<uInt>(std::min(count - done, kAtOnce));
+      stream_.next_out = reinterpret_cast<Bytef*>(to + done);
+      stream_.avail_out = room;
+      const int code = inflate(&stream_, Z_NO_FLUSH);
+      done += room - stream_.avail_out;
+      if (code == Z_MEM_ERROR) throw std::bad_alloc();
+      if (code == Z_STREAM_END)
+        end_of_member();
+      else if (code != Z_OK && code != Z_BUF_ERROR)
+        refuse_damaged(stream_.msg != nullptr ? stream_.msg : "they make no sense");
+    }
+    unpacked_ += done;
+    if (unpacked_ > kMostUnpackedBytes)
+      refuse_file(ErrorKind::unreadable_input, from_.name(),
+                  "unpacks to more than " + bytes_text(kMostUnpackedBytes), "", "unpack it, and cut it up");
+    return done;
+  }
+
+ private:
+  bool refill() {
+    stream_.next_in = reinterpret_cast<Bytef*>(packed_.data());
+    stream_.avail_in = static_cast<uInt>(from_.read(packed_.data(), packed_.size()));
+    return stream_.avail_in > 0;
+  }
+
+  bool has_more() { return stream_.avail_in > 0 || refill(); }
+
+  /// gzip files one behind the other are one (RFC 1952, 2.2); tapes leave zeros behind the last.
+  void end_of_member() {
+    if (!has_more()) {
+      ended_ = true;
+    } else if (*stream_.next_in != 0) {
+      if (inflateReset(&stream_) != Z_OK) throw std::bad_alloc();
+      constexpr Bytef kFirstOfGzip = 0x1f;
+      if (*stream_.next_in != kFirstOfGzip) refuse_damaged("something else follows them");
+    } else {
+      for (; has_more(); stream_.avail_in = 0)
+        if (std::any_of(stream_.next_in, stream_.next_in + stream_.avail_in, [](Bytef b) { return b != 0; }))
+          refuse_damaged("something else follows them");
+      ended_ = true;
+    }
+  }
+
+  [[noreturn]] void refuse_cut() const {
+    refuse_file(ErrorKind::unreadable_input, from_.name(), "the file is truncated: its gzip data end early",
+                "", "copy it again from where it came");
+  }
+  [[noreturn]] void refuse_damaged(const std::string& why) const {
+    refuse_file(ErrorKind::unreadable_input, from_.name(), "the file is damaged: of its gzip data, " + why,
+                "", "copy it again from where it came");
+  }
+
+  PlainBytes& from_;
+  std::vector<char> packed_;
+  z_stream stream_{};
+  std::uint64_t unpacked_ = 0;
+  bool ended_ = false;
+};
+
+}  // namespace
+
+struct ByteStream::Source {
+  template <typename... Words>
+  explicit Source(Words&&... words) : plain(std::forward<Words>(words)...) {
+    fill(2);
+    if (!is_gzip({shown.data(), end})) return;
+    unpacker = std::make_unique<Unpacker>(plain, std::string_view(shown.data(), end));
+    end = 0;
+  }
+
+  std::size_t fetch(char* to, std::size_t count) {
+    return unpacker ? unpacker->read(to, count) : plain.read(to, count);
+  }
+
+  /// Until at least `count` bytes are shown, or there are no more.
+  void fill(std::size_t count) {
+    if (end - begin >= count) return;
+    std::memmove(shown.data(), shown.data() + begin, end - begin);
+    end -= begin;
+    begin = 0;
+    end += fetch(shown.data() + end, count - end);
+  }
+
+  PlainBytes plain;
+  std::unique_ptr<Unpacker> unpacker;
+  std::vector<char> shown = std::vector<char>(kMostLookedAt);  ///< looked at, not yet read: [begin, end)
+  std::size_t begin = 0, end = 0;
+  std::uint64_t position = 0;
+};
+
+ByteStream::ByteStream(const std::string& path) : source_(std::make_unique<Source>(path)) {}
+ByteStream::ByteStream(std::string_view bytes, const std::string& name)
+    : source_(std::make_unique<Source>(bytes, name)) {}
+ByteStream::~ByteStream() = default;
+ByteStream::ByteStream(ByteStream&&) noexcept = default;
+ByteStream& ByteStream::operator=(ByteStream&&) noexcept = default;
+
+bool ByteStream::is_packed() const { return source_->unpacker != nullptr; }
+
+std::uint64_t ByteStream::position() const { return source_->position; }
+
+std::string_view ByteStream::look(std::size_t count) {
+  assert(count <= kMostLookedAt);
+  source_->fill(count);
+  return {source_->shown.data() + source_->begin, std::min(count, source_->end - source_->begin)};
+}
+
+std::size_t ByteStream::read(char* to, std::size_t count) {
+  Source& s = *source_;
+  const std::size_t shown = std::min(count, s.end - s.begin);
+  std::memcpy(to, s.shown.data() + s.begin, shown);
+  s.begin += shown;
+  const std::size_t done = shown + (count > shown ? s.fetch(to + shown, count - shown) : 0);
+  s.position += done;
+  return done;
+}
+
+std::uint64_t ByteStream::skip(std::uint64_t count) {
+  Source& s = *source_;
+  const std::uint64_t shown = std::min<std::uint64_t>(count, s.end - s.begin);
+  s.begin += static_cast<std::size_t>(shown);
+  std::uint64_t done = shown;
+  if (s.unpacker == nullptr) {
+    done += s.plain.skip(count - shown);
+  } else if (count > shown) {
+    // Nothing is shown any more: its room serves for what is not kept.
+    s.begin = s.end = 0;
+    while (done < count) {
+      const std::size_t got = s.fetch(
+          s.shown.data(), static_cast<std::size_t>(std::min<std::uint64_t>(count - done, s.shown.size())));
+      if (got == 0) break;
+      done += got;
+    }
+  }
+  s.position += done;
+  return done;
+}
+
+bool is_gzip(std::string_view bytes) { return bytes.size() >= 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b'; }
+
+}  // namespace vegard::sim
