@@ -150,7 +150,7 @@ std::optional<fit::PictureTimes> from_metadata(const std::vector<sim::PictureMet
   std::set<std::string> sources;
   for (const sim::PictureMetadata& one : metadata) {
     texts.push_back(sim::taken_utc(one));
-    sources.insert(one.fits_time_key ? "FITS " + *one.fits_time_key : "EXIF");
+    sources.insert(one.header_time_utc ? one.sources.header_time : "EXIF");
   }
   const auto seconds = distinct_seconds(texts);
   if (!seconds) return std::nullopt;

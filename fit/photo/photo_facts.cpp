@@ -22,8 +22,8 @@ std::string six_digits(double value) { return fmt::format("{:.6g}", value); }
 void add_time(const sim::PictureMetadata& metadata, PhotoFacts& all) {
   if (const auto utc = sim::taken_utc(metadata)) {
     all.facts.push_back({"site.time_utc", "\"" + *utc + "\"",
-                         metadata.fits_time_key ? "FITS " + *metadata.fits_time_key
-                                                : "EXIF DateTimeOriginal and OffsetTimeOriginal"});
+                         metadata.header_time_utc ? metadata.sources.header_time
+                                                  : "EXIF DateTimeOriginal and OffsetTimeOriginal"});
   } else if (metadata.gps_time_utc) {
     all.facts.push_back({"site.time_utc", "\"" + *metadata.gps_time_utc + "\"",
                          "EXIF GPSDateStamp and GPSTimeStamp, of the last position"});
@@ -36,11 +36,12 @@ void add_time(const sim::PictureMetadata& metadata, PhotoFacts& all) {
 void add_place(const sim::PictureMetadata& metadata, PhotoFacts& all) {
   if (metadata.latitude_deg && metadata.longitude_deg) {
     // A metre of latitude is 0.000009 degrees.
-    all.facts.push_back({"site.latitude_deg", plain(*metadata.latitude_deg, 6), "EXIF GPSLatitude"});
-    all.facts.push_back({"site.longitude_deg", plain(*metadata.longitude_deg, 6), "EXIF GPSLongitude"});
+    all.facts.push_back({"site.latitude_deg", plain(*metadata.latitude_deg, 6), metadata.sources.latitude});
+    all.facts.push_back(
+        {"site.longitude_deg", plain(*metadata.longitude_deg, 6), metadata.sources.longitude});
   }
   if (metadata.altitude_m)
-    all.facts.push_back({"site.altitude_m", plain(*metadata.altitude_m, 2), "EXIF GPSAltitude"});
+    all.facts.push_back({"site.altitude_m", plain(*metadata.altitude_m, 2), metadata.sources.altitude});
 }
 
 void add_camera(const sim::PictureMetadata& metadata, PhotoFacts& all) {
@@ -68,7 +69,7 @@ void add_exposure(const sim::PictureMetadata& metadata, PhotoFacts& all) {
   if (metadata.iso)
     all.facts.push_back({"sensor.iso", six_digits(*metadata.iso), "EXIF PhotographicSensitivity"});
   if (metadata.exposure_s)
-    all.facts.push_back({"time.exposure_s", six_digits(*metadata.exposure_s), "EXIF ExposureTime"});
+    all.facts.push_back({"time.exposure_s", six_digits(*metadata.exposure_s), metadata.sources.exposure});
 }
 
 }  // namespace
@@ -79,6 +80,7 @@ PhotoFacts photo_facts(const sim::PictureMetadata& metadata) {
   add_time(metadata, all);
   add_camera(metadata, all);
   add_exposure(metadata, all);
+  if (!metadata.contradiction.empty()) all.notes.push_back(metadata.contradiction);
   return all;
 }
 

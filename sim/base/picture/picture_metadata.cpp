@@ -137,8 +137,8 @@ void read_gps(const TiffDirectory& gps, PictureMetadata& metadata) {
 PictureMetadata picture_metadata_of(std::string_view bytes) {
   PictureMetadata metadata;
   if (const auto time = fits_time(bytes)) {
-    metadata.fits_time_utc = time->utc;
-    metadata.fits_time_key = time->key;
+    metadata.header_time_utc = time->utc;
+    metadata.sources.header_time = "FITS " + time->key;
     return metadata;
   }
   const ExifBlock block = find_exif_block(bytes);
@@ -180,7 +180,7 @@ PictureMetadata read_picture_metadata(const std::string& path) {
 }
 
 std::optional<std::string> taken_utc(const PictureMetadata& metadata) {
-  if (metadata.fits_time_utc) return metadata.fits_time_utc;
+  if (metadata.header_time_utc) return metadata.header_time_utc;
   if (!metadata.taken_local || !metadata.utc_offset) return std::nullopt;
   const auto time = civil_time(*metadata.taken_local);
   const auto offset = offset_minutes(*metadata.utc_offset);

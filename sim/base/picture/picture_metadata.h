@@ -1,5 +1,6 @@
-// What a picture's file says of how it was taken: EXIF 2.32 (CIPA DC-008), sections 4.6.4 to 4.6.6; and of a
-// FITS image, when (sim/base/picture/fits_time.h).
+// What a picture's file says of how it was taken: EXIF 2.32 (CIPA DC-008), sections 4.6.4 to 4.6.6; of a FITS
+// image, when (sim/base/picture/fits_time.h); and what the imagers of the aurora say of theirs
+// (fit/photo/frames).
 //
 // Nothing is made up, and nothing that cannot be is passed on: a latitude of 95, an exposure below zero and a
 // focal length of 0 ("unknown" in the standard) are left out.
@@ -10,6 +11,13 @@
 #include <string_view>
 
 namespace vegard::sim {
+
+/// Which words say it, for whoever reads what was made of them.
+struct PictureSources {
+  std::string header_time;  ///< "FITS DATE-OBS"
+  std::string latitude = "EXIF GPSLatitude", longitude = "EXIF GPSLongitude", altitude = "EXIF GPSAltitude";
+  std::string exposure = "EXIF ExposureTime";
+};
 
 struct PictureMetadata {
   std::optional<std::string> make, model, lens;
@@ -23,11 +31,16 @@ struct PictureMetadata {
   std::optional<std::string> utc_offset;    ///< of that clock, "-07:00" or "Z"
   std::optional<std::string> gps_time_utc;  ///< "2019-03-01T07:16:01Z", of the last position, not the picture
 
-  /// FITS: when, in UTC, and the keywords that say it.
-  std::optional<std::string> fits_time_utc, fits_time_key;
+  /// Of FITS and of imagers, whose clocks are kept in UTC.
+  std::optional<std::string> header_time_utc;
 
   std::optional<double> latitude_deg, longitude_deg;  ///< north and east positive
   std::optional<double> altitude_m;                   ///< above sea level
+
+  std::optional<std::string> imager, site,
+      mode;  ///< as imagers' operators call them: "themis19", "gill", "full"
+  PictureSources sources;
+  std::string contradiction;  ///< of what the file says of itself, in a sentence without a full stop
 
   int orientation = 1;                     ///< EXIF's 1 to 8, of the stored picture
   std::optional<int> width_px, height_px;  ///< of the upright picture, from its container
@@ -42,8 +55,8 @@ PictureMetadata picture_metadata_of(std::string_view bytes);
 /// nothing is known. Throws Error(unreadable_input) if there is no such file or it cannot be read.
 PictureMetadata read_picture_metadata(const std::string& path);
 
-/// The time in UTC, ISO 8601: "2019-03-01T07:16:30.922622Z" from taken_local and its offset, or that of FITS;
-/// nothing without.
+/// The time in UTC, ISO 8601: "2019-03-01T07:16:30.922622Z" from taken_local and its offset, or that of the
+/// header; nothing without.
 std::optional<std::string> taken_utc(const PictureMetadata& metadata);
 
 }  // namespace vegard::sim

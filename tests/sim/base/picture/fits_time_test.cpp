@@ -47,7 +47,7 @@ TEST(FitsTime, IsPartOfWhatAPictureSays) {
   tests::put(folder / "a.fits", whole);
   const PictureMetadata metadata = read_picture_metadata(folder / "a.fits");
   EXPECT_EQ(taken_utc(metadata), "2015-10-07T08:23:51.743Z");
-  EXPECT_EQ(metadata.fits_time_key, "DATE-OBS");
+  EXPECT_EQ(metadata.sources.header_time, "FITS DATE-OBS");
   // Cut anywhere it tells the time or none, and never fails.
   for (std::size_t size = 0; size < 700; ++size) {
     const auto time = fits_time(std::string_view(whole).substr(0, size));

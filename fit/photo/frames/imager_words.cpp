@@ -1,0 +1,180 @@
+#include "fit/photo/frames/imager_words.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <initializer_list>
+
+#include "sim/base/utc_time.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr const char* kExposureOptions = "Exposure options";
+
+std::string_view without_blank_ends(std::string_view text) {
+  constexpr const char* kBlanks = " \t\r";
+  const std::size_t begin = text.find_first_not_of(kBlanks);
+  return begin == std::string_view::npos ? std::string_view()
+                                         : text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+bool are_alike(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
+using Word = ImagerWords::value_type;
+
+/// The last word of the first of these keys that there is.
+const Word* word_of_keys(const ImagerWords& words, std::initializer_list<const char*> keys) {
+  for (const char* key : keys) {
+    const auto found = std::find_if(words.rbegin(), words.rend(),
+                                    [&](const Word& word) { return are_alike(word.first, key); });
+    if (found != words.rend()) return &*found;
+  }
+  return nullptr;
+}
+
+std::optional<std::string> text_of_keys(const ImagerWords& words, std::initializer_list<const char*> keys) {
+  const Word* word = word_of_keys(words, keys);
+  return word != nullptr && !word->second.empty() ? std::optional<std::string>(word->second) : std::nullopt;
+}
+
+std::string source_of(const Word& word) { return "PGM comment \"" + word.first + "\""; }
+
+/// A number at the beginning of `text`, and nothing that only a damaged file holds.
+std::optional<double> leading_number(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  constexpr double kLargest = 1e9;
+  return end != text.c_str() && std::abs(value) <= kLargest ? std::optional<double>(value) : std::nullopt;
+}
+
+/// Of "WIDTH=512 HEIGHT=256 MSEC=999".
+std::optional<double> option_number(const ImagerWords& words, const std::string& name) {
+  const Word* options = word_of_keys(words, {kExposureOptions});
+  if (options == nullptr) return std::nullopt;
+  const std::string text = " " + options->second;
+  const std::size_t at = text.find(" " + name + "=");
+  return at == std::string::npos ? std::nullopt : leading_number(text.substr(at + name.size() + 2));
+}
+
+struct Exposure {
+  double seconds = 0.0;
+  std::string source;
+};
+
+std::optional<Exposure> exposure_of(const ImagerWords& words) {
+  constexpr double kMilliseconds = 1e-3;
+  if (const auto ms = option_number(words, "MSEC"); ms && *ms > 0.0)
+    return Exposure{*ms * kMilliseconds, source_of(*word_of_keys(words, {kExposureOptions}))};
+  // TREx RGB: "320.0 ms".
+  const Word* asked = word_of_keys(words, {"subframe_requested_exposure", "Effective image exposure"});
+  if (asked == nullptr || asked->second.find(" ms") == std::string::npos) return std::nullopt;
+  const auto ms = leading_number(asked->second);
+  return ms && *ms > 0.0 ? std::optional<Exposure>({*ms * kMilliseconds, source_of(*asked)}) : std::nullopt;
+}
+
+void take_place(const ImagerWords& words, sim::PictureMetadata& metadata) {
+  const Word* latitude = word_of_keys(words, {"Geodetic latitude", "Geographic latitude"});
+  const Word* longitude = word_of_keys(words, {"Geodetic longitude", "Geographic longitude"});
+  if (latitude == nullptr || longitude == nullptr) return;
+  const auto north = leading_number(latitude->second);
+  auto east = leading_number(longitude->second);
+  constexpr double kHalfTurn_deg = 180.0, kTurn_deg = 360.0, kPole_deg = 90.0;
+  if (east && *east > kHalfTurn_deg) *east -= kTurn_deg;
+  if (!north || !east || std::abs(*north) > kPole_deg || std::abs(*east) > kHalfTurn_deg) return;
+  metadata.latitude_deg = north;
+  metadata.longitude_deg = east;
+  metadata.sources.latitude = source_of(*latitude);
+  metadata.sources.longitude = source_of(*longitude);
+  const Word* altitude = word_of_keys(words, {"Geodetic altitude", "Geographic altitude"});
+  const auto up = altitude != nullptr ? leading_number(altitude->second) : std::nullopt;
+  constexpr double kLowest_m = -500.0, kHighest_m = 9000.0;
+  if (!up || *up < kLowest_m || *up > kHighest_m) return;
+  metadata.altitude_m = up;
+  metadata.sources.altitude = source_of(*altitude);
+}
+
+}  // namespace
+
+ImagerWords imager_words(std::string_view header) {
+  ImagerWords words;
+  while (!header.empty()) {
+    const std::string_view line = header.substr(0, header.find('\n'));
+    header.remove_prefix(std::min(header.size(), line.size() + 1));
+    if (line.substr(0, 2) != "#\"") continue;
+    const std::size_t end = line.find('"', 2);
+    if (end == std::string_view::npos) continue;
+    words.emplace_back(line.substr(2, end - 2), without_blank_ends(line.substr(end + 1)));
+  }
+  return words;
+}
+
+ImagerWords with_words_of_file(const ImagerWords& own, const ImagerWords& first) {
+  ImagerWords all;
+  for (const Word& word : first)
+    if (word_of_keys(own, {word.first.c_str()}) == nullptr) all.push_back(word);
+  all.insert(all.end(), own.begin(), own.end());
+  return all;
+}
+
+std::optional<ImagerTime> imager_time(const ImagerWords& words) {
+  const Word* word = word_of_keys(words, {"Image request start", "image_request_start_timestamp"});
+  if (word == nullptr) return std::nullopt;
+  std::string text = word->second;
+  constexpr const char* kZone = " UTC";
+  constexpr std::size_t kZoneSize = 4;
+  if (text.size() > kZoneSize && text.compare(text.size() - kZoneSize, kZoneSize, kZone) == 0)
+    text.erase(text.size() - kZoneSize);
+  const auto time = sim::civil_time(text);
+  if (!time) return std::nullopt;
+  ImagerTime found;
+  found.utc = sim::iso_text(*time) + "Z";
+  const auto seconds = sim::utc_seconds(found.utc);
+  if (!seconds) return std::nullopt;
+  found.seconds = *seconds;
+  found.source = source_of(*word);
+  return found;
+}
+
+std::optional<double> imager_exposure_s(const ImagerWords& words) {
+  const auto exposure = exposure_of(words);
+  return exposure ? std::optional<double>(exposure->seconds) : std::nullopt;
+}
+
+std::string contradicted_size(const ImagerWords& words, int width_px, int height_px) {
+  const auto width = option_number(words, "WIDTH"), height = option_number(words, "HEIGHT");
+  if (!width || !height) return {};
+  if (*width == width_px && *height == height_px) return {};
+  const double across = *width / std::max(1.0, option_number(words, "XBIN").value_or(1.0));
+  const double down = *height / std::max(1.0, option_number(words, "YBIN").value_or(1.0));
+  const double times = std::floor(across / width_px);
+  if (times >= 1.0 && std::floor(across) == times * width_px && std::floor(down) == times * height_px)
+    return {};
+  return "its comments tell of a picture of " + word_of_keys(words, {kExposureOptions})->second;
+}
+
+sim::PictureMetadata imager_metadata(const ImagerWords& words, int width_px, int height_px) {
+  sim::PictureMetadata metadata;
+  metadata.width_px = width_px;
+  metadata.height_px = height_px;
+  if (const auto time = imager_time(words)) {
+    metadata.header_time_utc = time->utc;
+    metadata.sources.header_time = time->source;
+  }
+  take_place(words, metadata);
+  if (const auto exposure = exposure_of(words)) {
+    metadata.exposure_s = exposure->seconds;
+    metadata.sources.exposure = exposure->source;
+  }
+  metadata.model = text_of_keys(words, {"Imager model", "Camera model"});
+  metadata.imager = text_of_keys(words, {"Imager unique ID"});
+  metadata.site = text_of_keys(words, {"Site unique ID"});
+  metadata.mode = text_of_keys(words, {"Mode unique ID", "Mode UID"});
+  return metadata;
+}
+
+}  // namespace vegard::fit
