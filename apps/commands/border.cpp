@@ -65,6 +65,7 @@ void add_border_command(Program& program) {
   add_scene_options(command, options->scene);
   command.option("--photo", options->photo.file, "A photograph of any format that is read")
       .type_name("IMAGE");
+  add_at_option(command, options->photo.at);
   command.option("--out", options->out, "The directory to write").type_name("RUN");
   command.option("--mask", options->photo.mask, "An image of the same size: white = use").type_name("IMAGE");
   add_decoding_option(command, options->photo.decoding);
@@ -73,7 +74,10 @@ void add_border_command(Program& program) {
       .one_of({"red", "green", "blue"})
       .shows_default();
   command.flag("--overwrite", options->overwrite, "Replace what an earlier call has written");
-  command.runs([options, words = program.command_line()] { return run_border(*options, words); });
+  command.runs([options, words = program.command_line()] {
+    options->photo = with_frames_chosen(options->photo);
+    return run_border(*options, words);
+  });
 }
 
 }  // namespace vegard::apps

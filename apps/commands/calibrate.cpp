@@ -20,6 +20,7 @@
 #include "apps/output/plot_file.h"
 #include "apps/output/terminal.h"
 #include "fit/photo/photo.h"
+#include "fit/photo/photo_metadata.h"
 #include "fit/photo/pointing/calibration_tables.h"
 #include "fit/photo/pointing/catalogue_sky.h"
 #include "fit/photo/pointing/identification.h"
@@ -248,7 +249,7 @@ int run_calibrate(const CalibrateOptions& options) {
   if (by_maps) maps = maps_of(options.maps);
   if (!options.image.empty()) {
     photo = fit::read_photo(options.image, decoding_of(options.decoding, "auto"));
-    metadata = sim::read_picture_metadata(options.image);
+    metadata = fit::photo_metadata(options.image);
     metadata.width_px = photo->linear.width;
     metadata.height_px = photo->linear.height;
   }
@@ -330,7 +331,10 @@ void add_calibrate_command(Program& program) {
       "Find a camera's pointing, lens and distortion from the stars in its picture, or from maps of "
       "its directions");
   add_calibrate_options(command, *options);
-  command.runs([options] { return run_calibrate(*options); });
+  command.runs([options] {
+    options->image = picture_at(options->image, options->at);
+    return run_calibrate(*options);
+  });
 }
 
 }  // namespace vegard::apps

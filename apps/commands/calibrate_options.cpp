@@ -79,6 +79,7 @@ void add_calibrate_options(const Command& command, CalibrateOptions& options) {
       "--image", options.image,
       "The picture the stars are in: its size, what to draw them on; and where it says so, and nothing "
       "else does, its time, site and focal length");
+  add_at_option(command, options.at);
   command
       .option("--time", options.time,
               "When the picture was taken, ISO 8601 in UTC or with a zone (2014-02-21T20:30:40+01:00)")

@@ -17,7 +17,7 @@ namespace vegard::apps {
 
 /// As given on the command line.
 struct CalibrateOptions {
-  std::string stars, image, output, camera, time;
+  std::string stars, image, at, output, camera, time;
   std::string residuals, json, plot, overlay, mask, decoding;
   std::string lens, terms, stars_out, date;
   MapOptions maps;

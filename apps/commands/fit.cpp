@@ -322,6 +322,7 @@ void add_fit_command(Program& program) {
               "A photograph of any format that is read; left out: those of the scene's [[fit.photo]]")
       .type_name("IMAGE");
   add_filter_option(command, options->photo.filters);
+  add_at_option(command, options->photo.at);
   command.option("--out", options->out, "The run's directory to write").type_name("RUN");
   command
       .option(
@@ -361,7 +362,10 @@ void add_fit_command(Program& program) {
                "Go on with a fit that was cut off, from the finished steps in RUN.part");
   command.flag("--check-derivatives", options->check_derivatives,
                "Only compare every free parameter's derivative with differences (no --out needed)");
-  command.runs([options, words = program.command_line()] { return run_fit(*options, words); });
+  command.runs([options, words = program.command_line()] {
+    options->photo = with_frames_chosen(options->photo);
+    return run_fit(*options, words);
+  });
 }
 
 }  // namespace vegard::apps

@@ -29,7 +29,7 @@ namespace vegard::apps {
 namespace {
 
 struct HorizonRequest {
-  std::string photo, output, sky, lens;
+  std::string photo, at, output, sky, lens;
   std::vector<std::string> points;
   std::vector<int> size_px;
   std::optional<double> hfov_deg, focal_35mm_mm, azimuth_deg, altitude_m;
@@ -209,6 +209,7 @@ void add_horizon_command(Program& program) {
   const Command command =
       program.add("horizon", "Find a camera's elevation and roll from points on the horizon of its picture");
   command.option("PHOTO", options->photo, "The picture, for its size and focal length");
+  add_at_option(command, options->at);
   command.option("--size", options->size_px, "Its size, without a PHOTO")
       .delimiter(',')
       .expected(2)
@@ -258,7 +259,10 @@ void add_horizon_command(Program& program) {
       .shows_default();
   command.option("-o,--output", options->output, "The camera, as a scene").type_name("CAMERA.toml");
   command.flag("--overwrite", options->overwrite, "Replace an output that exists");
-  command.runs([options] { return run_horizon(*options); });
+  command.runs([options] {
+    options->photo = picture_at(options->photo, options->at);
+    return run_horizon(*options);
+  });
 }
 
 }  // namespace vegard::apps

@@ -106,8 +106,9 @@ fit::Keogram measure(const KeogramOptions& options, const TimedPictures& picture
   fit::Keogram keogram;
   keogram.time_kind = pictures.times.kind;
   keogram.time_source = pictures.times.source;
+  fit::PictureSeries series;
   for (std::size_t i = 0; i < pictures.files.size(); ++i) {
-    fit::Photo photo = fit::read_photo(pictures.files[i], decoding, scene);
+    fit::Photo photo = fit::read_photo_of(series.read(pictures.files[i]), decoding, scene);
     if (i == 0) choose_line(options, scene, photo, keogram);
     const bool like_the_first = i == 0 || (photo.linear.width == keogram.picture_width_px &&
                                            photo.linear.height == keogram.picture_height_px);

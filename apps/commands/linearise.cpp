@@ -8,6 +8,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/photo_options.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
 #include "apps/options/standard_streams.h"
@@ -25,7 +26,7 @@ namespace vegard::apps {
 namespace {
 
 struct LineariseRequest {
-  std::string photo, output;
+  std::string photo, at, output;
   SceneOptions scene;
   bool overwrite = false;
 };
@@ -100,10 +101,14 @@ void add_linearise_command(Program& program) {
   command.option("photo", options->photo, "A photograph of any format that is read")
       .required()
       .type_name("PHOTO");
+  add_at_option(command, options->at);
   add_scene_options(command, options->scene);
   command.option("-o,--output", options->output, "The linear light to write").required().type_name("OUT.exr");
   command.flag("--overwrite", options->overwrite, "Replace an output that exists");
-  command.runs([options] { return run_linearise(*options); });
+  command.runs([options] {
+    options->photo = picture_at(options->photo, options->at);
+    return run_linearise(*options);
+  });
 }
 
 }  // namespace vegard::apps

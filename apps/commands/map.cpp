@@ -176,6 +176,7 @@ void add_map_command(Program& program) {
               "A photograph of any format that is read; left out: those of the scene's [[fit.photo]]")
       .type_name("IMAGE");
   add_filter_option(command, options->photo.filters);
+  add_at_option(command, options->photo.at);
   command.option("--out", options->out, "The map's directory to write").type_name("RUN");
   command.option("--mask", options->photo.mask, "An image of the same size: white = use").type_name("IMAGE");
   add_decoding_option(command, options->photo.decoding);
@@ -205,7 +206,10 @@ void add_map_command(Program& program) {
                "Replace a map that exists; without --resume, discard the steps of one that was cut off");
   command.flag("--resume", options->resume,
                "Go on with a map that was cut off, from the finished steps in RUN.part");
-  command.runs([options, words = program.command_line()] { return run_map(*options, words); });
+  command.runs([options, words = program.command_line()] {
+    options->photo = with_frames_chosen(options->photo);
+    return run_map(*options, words);
+  });
 }
 
 }  // namespace vegard::apps

@@ -21,7 +21,7 @@ namespace vegard::apps {
 namespace {
 
 struct MaskOptions {
-  std::string image, output, show, horizon_csv, decoding;
+  std::string image, at, output, show, horizon_csv, decoding;
   MaskRequest request;
   bool overwrite = false;
 };
@@ -156,6 +156,7 @@ void add_mask_command(Program& program) {
   const Command command =
       program.add("mask", "Leave out stars, hot pixels, captions, the ground: a mask, white = use");
   command.option("IMAGE", options->image, "A photograph").required();
+  add_at_option(command, options->at);
   command.option("-o,--output", options->output, "The mask to write").required().type_name("MASK.png");
   command.option("--show", options->show, "The photograph with what is left out in colours")
       .type_name("PICTURE.png");
@@ -165,6 +166,7 @@ void add_mask_command(Program& program) {
   add_decoding_option(command, options->decoding);
   command.flag("--overwrite", options->overwrite, "Replace outputs that exist");
   command.runs([options] {
+    options->image = picture_at(options->image, options->at);
     run_mask(*options);
     return good;
   });

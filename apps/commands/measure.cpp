@@ -58,7 +58,7 @@ constexpr double kBlur_px = 1.2;       // what lenses and demosaicing leave of a
 constexpr double kModelError = 0.03;
 
 struct MeasureRequest {
-  std::string photo, out, time, camera, mask, decoding;
+  std::string photo, at, out, time, camera, mask, decoding;
   std::vector<std::string> site;
   double line_nm = 557.7;
   int threads = 0, replicates = 8;
@@ -671,7 +671,8 @@ int Measuring::conclude() {
 }
 
 int run_measure(MeasureRequest options, const std::string& command) {
-  if (options.out.empty()) options.out = fs::path(file_name_of(options.photo)).stem().string() + "_measured";
+  options.photo = picture_at(options.photo, options.at);
+  if (options.out.empty()) options.out = fit::stem_of_picture(options.photo) + "_measured";
   return Measuring(options, command).run();
 }
 
@@ -682,6 +683,7 @@ void add_measure_command(Program& program) {
   const Command command = program.add(
       "measure", "From a photograph to an answer: where its aurora stands, how high, and of which energy");
   command.option("PHOTO", options->photo, "A photograph of any format that is read").required();
+  add_at_option(command, options->at);
   command
       .option("--time", options->time,
               "When it was taken, ISO 8601 in UTC or with a zone (default: what the picture says)")

@@ -48,7 +48,7 @@ struct ProfileRequest {
   std::string image, output, mask, scene, camera, plot;
   std::vector<std::string> filters;
   std::vector<std::string> images, keogram;  ///< image: the only one of a profile
-  std::string times;
+  std::string times, at;
   std::vector<int> roi_px;
   std::optional<int> bands;
   std::string decoding;
@@ -261,7 +261,13 @@ ProfileRequest of_one_image(const ProfileRequest& options) {
   if (options.output.empty()) throw usage_error("--output", "no table is named", "-o OUT.csv");
   if (!options.times.empty()) throw usage_error("--times", "a profile needs none", "--keogram OUT beside it");
   ProfileRequest one = options;
-  if (!options.images.empty()) one.image = options.images.front();
+  PhotoWords words;
+  if (!options.images.empty()) words.file = options.images.front();
+  words.filters = options.filters;
+  words.at = options.at;
+  words = with_frames_chosen(words);
+  one.image = words.file;
+  one.filters = words.filters;
   return one;
 }
 
@@ -271,6 +277,8 @@ KeogramOptions keogram_options(const ProfileRequest& options) {
   if (of_profiles)
     throw usage_error("--keogram", "it takes the place of a profile",
                       "no --output, --plot, --bands, --line, --lines, --azimuths or --directions beside it");
+  if (!options.at.empty())
+    throw usage_error("--at", "a keogram has all frames of a file", "no --at beside it");
   check_sector_options(options.sectors);
   KeogramOptions keogram;
   keogram.images = options.images;
@@ -293,6 +301,7 @@ void add_profile_command(Program& program) {
       program.add("profile", "Measure a photograph: mean light per row and band, as CSV and as a plot");
   command.option("IMAGE", options->images,
                  "A photograph of any format that is read; with --keogram a list of them");
+  add_at_option(command, options->at);
   add_filter_option(command, options->filters);
   command.option("-o,--output", options->output, "The table to write").type_name("OUT.csv");
   command

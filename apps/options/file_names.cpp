@@ -6,6 +6,7 @@
 
 #include "apps/options/composite_pictures.h"
 #include "apps/options/refusals.h"
+#include "fit/photo/frames/frame_name.h"
 #include "sim/base/error.h"
 #include "sim/scene/rows/decoding_word.h"
 #include "sim/scene/table/table_files.h"
@@ -23,8 +24,9 @@ std::filesystem::path whole_name(const std::string& name) {
 
 std::string file_name_of(const std::string& file) { return std::filesystem::path(file).filename().string(); }
 
-bool same_file(const std::string& a, const std::string& b) {
-  if (a.empty() || b.empty()) return false;
+bool same_file(const std::string& name, const std::string& other) {
+  if (name.empty() || other.empty()) return false;
+  const std::string a = fit::file_of_frame(name), b = fit::file_of_frame(other);
   std::error_code ignored;
   if (std::filesystem::equivalent(a, b, ignored)) return true;
   return whole_name(a) == whole_name(b);
@@ -32,7 +34,7 @@ bool same_file(const std::string& a, const std::string& b) {
 
 bool is_inside(const std::string& file, const std::string& folder) {
   if (file.empty() || folder.empty()) return false;
-  const std::filesystem::path inner = whole_name(file);
+  const std::filesystem::path inner = whole_name(fit::file_of_frame(file));
   std::filesystem::path outer = whole_name(folder);
   if (outer.filename().empty()) outer = outer.parent_path();  // of "run/"
   return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();

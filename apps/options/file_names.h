@@ -13,8 +13,8 @@ namespace vegard::apps {
 std::string file_name_of(const std::string& file);
 
 /// True if both names lead to one file, whether it exists yet or not: "./a.exr" and "a.exr", a link and what
-/// it points to. An empty name is no file.
-bool same_file(const std::string& a, const std::string& b);
+/// it points to, a frame of a file and the file. An empty name is no file.
+bool same_file(const std::string& name, const std::string& other);
 
 /// True if the name leads to the folder itself or into it, at any depth. An empty name leads nowhere.
 bool is_inside(const std::string& file, const std::string& folder);

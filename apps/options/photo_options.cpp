@@ -1,6 +1,11 @@
 #include "apps/options/photo_options.h"
 
+#include <optional>
+
 #include "apps/options/refusals.h"
+#include "fit/photo/frames/frame_name.h"
+#include "sim/base/file/input_file.h"
+#include "sim/base/utc_time.h"
 #include "sim/scene/rows/decoding_word.h"
 #include "sim/view/colour/sensor_response.h"
 
@@ -43,6 +48,32 @@ void check_filters(const sim::Scene& scene) {
   if (sim::sees_through_filters(scene)) return;
   throw usage_error("--line", "the scene's sensor.response is \"" + scene.sensor.response + "\"",
                     "\"filters\", an imager with a filter per line", "--set sensor.response=filters");
+}
+
+void add_at_option(const Command& command, std::string& time) {
+  command
+      .option("--at", time,
+              "Of a file with many frames the one taken at this time, ISO 8601 in UTC or with a zone; by its "
+              "number "
+              "from 0: FILE#12")
+      .type_name("TIME");
+}
+
+std::string picture_at(const std::string& picture, const std::string& time) {
+  if (time.empty()) return picture;
+  const std::optional<double> utc_s = sim::utc_seconds(time);
+  if (!utc_s)
+    throw usage_error("--at", "'" + time + "' is no time",
+                      "ISO 8601 such as 2014-03-10T06:05:33Z, or with a zone, 2014-03-10T07:05:33+01:00");
+  if (picture.empty()) throw usage_error("--at", "no photograph is named", "one with many frames in it");
+  if (fit::frame_name(picture).is_chosen())
+    throw usage_error("--at", "'" + picture + "' names a frame already", "one of both");
+  // What cannot be read is told where it is to be read.
+  if (!sim::why_no_input(picture).empty()) return picture;
+  if (!fit::is_frame_file(picture)) throw usage_error("--at", picture + " is no file of frames", "no --at");
+  const std::vector<fit::FrameHead> frames = fit::frame_index(picture).frames;
+  const int number = fit::frame_at(frames, *utc_s, picture);
+  return frames.size() > 1 ? fit::name_of_frame(picture, number) : picture;
 }
 
 void add_no_metadata_option(const Command& command, bool& off) {

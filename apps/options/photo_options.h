@@ -30,6 +30,13 @@ std::vector<fit::FilterFile> filter_files(const std::vector<std::string>& words)
 /// Throws Error(usage) unless the scene's sensor has a filter per line.
 void check_filters(const sim::Scene& scene);
 
+/// Adds --at; `time` stays empty if it is not given, and must outlive the parsing.
+void add_at_option(const Command& command, std::string& time);
+
+/// The picture's name, with the frame of its file chosen that was taken at `time`; as it is without one.
+/// Throws Error(usage, unreadable_input).
+std::string picture_at(const std::string& picture, const std::string& time);
+
 /// Adds --no-metadata; `off` must outlive the parsing.
 void add_no_metadata_option(const Command& command, bool& off);
 

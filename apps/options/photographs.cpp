@@ -8,6 +8,7 @@
 #include "apps/options/standard_streams.h"
 #include "fit/photo/photo.h"
 #include "fit/photo/photo_defaults.h"
+#include "fit/photo/photo_metadata.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
 #include "sim/scene/table/parameter_table.h"
@@ -47,6 +48,20 @@ std::set<std::string> paths_of(const std::vector<std::string>& changes) {
 }
 
 }  // namespace
+
+PhotoWords with_frames_chosen(PhotoWords words) {
+  if (words.at.empty()) return words;
+  // Checked as words, before any file: NM=FILE.
+  const std::vector<fit::FilterFile> filters = filter_files(words.filters);
+  for (std::size_t i = 0; i < filters.size(); ++i) {
+    std::string& word = words.filters[i];
+    word.replace(word.size() - filters[i].file.size(), filters[i].file.size(),
+                 picture_at(filters[i].file, words.at));
+  }
+  if (!words.file.empty() || filters.empty()) words.file = picture_at(words.file, words.at);
+  words.at.clear();
+  return words;
+}
 
 std::vector<fit::Photo> photographs_asked(const PhotoWords& words, const sim::Scene& scene,
                                           PhotoPixels pixels) {
@@ -115,7 +130,7 @@ std::vector<fit::InputFile> inputs_of(const std::string& scene_file, const std::
 }
 
 sim::PictureMetadata metadata_of(const std::string& photo) {
-  sim::PictureMetadata metadata = sim::read_picture_metadata(photo);
+  sim::PictureMetadata metadata = fit::photo_metadata(photo);
   if (!metadata.width_px || !metadata.height_px) {
     const fit::Photo pixels = fit::read_photo(photo, fit::Decoding::automatic);
     metadata.width_px = pixels.linear.width;
@@ -130,7 +145,7 @@ std::vector<fit::PhotoFact> take_from_photograph(sim::Scene& scene, const std::s
   // To decode a large picture only for a size that is given already would be a waste.
   const bool size_given = scene.lines.count("camera.width") + given.count("camera.width") > 0 ||
                           scene.lines.count("camera.height") + given.count("camera.height") > 0;
-  const sim::PictureMetadata metadata = size_given ? sim::read_picture_metadata(photo) : metadata_of(photo);
+  const sim::PictureMetadata metadata = size_given ? fit::photo_metadata(photo) : metadata_of(photo);
   fit::PhotoDefaults defaults = fit::with_photo_defaults(scene, metadata, given);
   sim::validate(defaults.scene);
   for (const fit::PhotoFact& fact : defaults.taken)

@@ -13,11 +13,15 @@
 
 namespace vegard::apps {
 
-/// What a command line says of the photograph that it names, of --photo, --mask, --decoding and --line.
+/// What a command line says of the photograph that it names, of --photo, --at, --mask, --decoding and --line.
 struct PhotoWords {
-  std::string file, mask, decoding;
+  std::string file, at, mask, decoding;
   std::vector<std::string> filters;
 };
+
+/// With the frames at `at` in the names of its files (picture_at()), and no `at` any more. Throws
+/// Error(usage, unreadable_input).
+PhotoWords with_frames_chosen(PhotoWords words);
 
 /// Whether large photographs are averaged while they are read (fit/photo/averaging.h).
 enum class PhotoPixels { of_file, for_fit };

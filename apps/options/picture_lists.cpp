@@ -12,6 +12,9 @@
 
 #include "apps/options/file_names.h"
 #include "apps/options/refusals.h"
+#include "fit/photo/frames/frame_name.h"
+#include "fit/photo/frames/picture_bytes.h"
+#include "fit/photo/photo_metadata.h"
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/picture/picture_metadata.h"
@@ -43,7 +46,7 @@ std::vector<ListedPhoto> read_list(const std::string& list) {
     std::string file, time, more;
     words >> file >> time >> more;
     if (file.empty() || file[0] == '#') continue;
-    ListedPhoto photo{(fs::path(list).parent_path() / file).string(), NAN};
+    ListedPhoto photo{(fs::path(list).parent_path() / file).string(), NAN, {}};
     std::size_t used = 0;
     try {
       if (!time.empty()) photo.time_s = std::stod(time, &used);
@@ -189,10 +192,23 @@ std::optional<fit::PictureTimes> from_clocks(const std::vector<sim::PictureMetad
                                sim::utc_text(first).substr(0, 19) + " on"};
 }
 
+/// When it was taken; a frame's file has been gone through for it already.
+sim::PictureMetadata metadata_of_listed(const ListedPhoto& photo) {
+  if (!photo.time) return fit::photo_metadata(photo.file);
+  sim::PictureMetadata metadata;
+  metadata.header_time_utc = photo.time->utc;
+  metadata.sources.header_time = photo.time->source;
+  return metadata;
+}
+
 /// Without a table or a list.
-fit::PictureTimes from_files(const std::vector<std::string>& files) {
+fit::PictureTimes from_files(const std::vector<ListedPhoto>& listed) {
+  std::vector<std::string> files;
   std::vector<sim::PictureMetadata> metadata;
-  for (const std::string& file : files) metadata.push_back(sim::read_picture_metadata(file));
+  for (const ListedPhoto& photo : listed) {
+    files.push_back(photo.file);
+    metadata.push_back(metadata_of_listed(photo));
+  }
   if (const auto times = from_metadata(metadata)) return *times;
   if (const auto times = from_names(files)) return *times;
   if (const auto times = from_clocks(metadata)) return *times;
@@ -210,19 +226,34 @@ std::vector<ListedPhoto> listed_photos(const std::vector<std::string>& words, co
   if (words.size() == 1 && fs::path(words[0]).extension() == ".txt")
     listed = read_list(words[0]);
   else
-    for (const std::string& word : words) listed.push_back({word, NAN});
+    for (const std::string& word : words) listed.push_back({word, NAN, {}});
   if (listed.empty()) throw usage_error(key, "no photograph is named", "images, or a list of them");
-  return listed;
+  std::vector<ListedPhoto> pictures;
+  for (const ListedPhoto& one : listed) {
+    const std::vector<fit::NamedPicture> in_it = fit::pictures_in(one.file);
+    if (in_it.size() > 1 && !std::isnan(one.time_s))
+      throw usage_error(key,
+                        "the list tells one time for the " + std::to_string(in_it.size()) + " frames of " +
+                            file_name_of(one.file),
+                        "no time, or a line for each: FILE#0 TIME_S");
+    for (const fit::NamedPicture& picture : in_it)
+      pictures.push_back({picture.name, one.time_s, picture.time});
+  }
+  return pictures;
 }
 
 std::vector<SequencePhoto> sequence_photos(const std::vector<std::string>& words, const sim::Scene& scene) {
   const std::vector<ListedPhoto> listed = listed_photos(words, "--photos");
   std::vector<SequencePhoto> photos;
   std::set<std::string> names;
+  const bool frames_tell_time =
+      std::all_of(listed.begin(), listed.end(), [](const ListedPhoto& one) { return one.time.has_value(); });
   for (const ListedPhoto& one : listed) {
-    SequencePhoto photo{fs::path(one.file).stem().string(), one.file, one.time_s};
+    SequencePhoto photo{fit::stem_of_picture(one.file), one.file, one.time_s};
     if (std::isnan(photo.time_s))
-      photo.time_s = scene.time.start_s + static_cast<double>(photos.size()) / scene.time.frames_per_second;
+      photo.time_s = scene.time.start_s +
+                     (frames_tell_time ? one.time->seconds - listed.front().time->seconds
+                                       : static_cast<double>(photos.size()) / scene.time.frames_per_second);
     if (!names.insert(photo.name).second)
       fail(sim::ErrorKind::usage, "two photographs are called '" + photo.name + "'", "", 0,
            "a name of its own for each");
@@ -248,7 +279,7 @@ TimedPictures timed_pictures(const std::vector<std::string>& words, const std::s
   } else if (!told.empty()) {
     throw usage_error("IMAGE", "the list tells the time of some pictures and not of others", "all, or none");
   } else {
-    pictures.times = from_files(pictures.files);
+    pictures.times = from_files(listed);
   }
   std::vector<std::size_t> order(pictures.files.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

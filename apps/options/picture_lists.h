@@ -1,32 +1,38 @@
 // Which pictures a sequence or a keogram has, and when they were taken.
 #pragma once
 
+#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "fit/measure/keogram.h"
+#include "fit/photo/frames/imager_words.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 
 struct ListedPhoto {
   std::string file;
-  double time_s;  ///< NaN if the list does not say
+  double time_s = NAN;                  ///< NaN if the list does not say
+  std::optional<fit::ImagerTime> time;  ///< of a frame that tells one
 };
 
-/// From images in their order, or from one list (.txt) as below. `key`: the option, for messages. Throws
-/// Error(usage, unreadable_input).
+/// From images in their order, or from one list (.txt) as below; of a file with many frames all of them, from
+/// the first to the last, unless one is chosen (fit/photo/frames/frame_name.h). `key`: the option, for
+/// messages. Throws Error(usage, unreadable_input).
 std::vector<ListedPhoto> listed_photos(const std::vector<std::string>& words, const std::string& key);
 
 struct SequencePhoto {
-  std::string name;  ///< the file's without its ending; no two are alike
+  std::string name;  ///< the file's without its ending, with a frame's number; no two are alike
   std::string file;
   double time_s = 0.0;  ///< on the scene's clock
 };
 
 /// From images in their order, or from one list (.txt) with a line "FILE" or "FILE TIME_S" for each, empty
 /// lines and those that begin with # left out, files relative to the list. Where no time is given: as the
-/// scene's frames_per_second has it, from its start_s on. Throws Error(usage, unreadable_input).
+/// scene's frames_per_second has it, from its start_s on; of frames whose files all tell when they were
+/// taken, so many seconds after the first of them. Throws Error(usage, unreadable_input).
 std::vector<SequencePhoto> sequence_photos(const std::vector<std::string>& words, const sim::Scene& scene);
 
 struct TimedPictures {

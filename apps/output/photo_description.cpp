@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "fit/photo/frames/frame_name.h"
+#include "fit/photo/photo_metadata.h"
 #include "sim/base/error.h"
 #include "sim/base/shown_text.h"
 #include "sim/base/version.h"
@@ -139,6 +141,9 @@ std::string description_text(const std::string& photo_name, const sim::PictureMe
   said.add("make", metadata.make);
   said.add("model", metadata.model);
   said.add("lens", metadata.lens);
+  said.add("imager", metadata.imager);
+  said.add("site", metadata.site);
+  said.add("mode", metadata.mode);
   said.add("focal length", metadata.focal_length_mm, "mm");
   said.add("35 mm equivalent", metadata.focal_length_35mm_mm, "mm");
   said.add("sensor", metadata.focal_plane_px_per_mm, "pixels per mm");
@@ -158,6 +163,18 @@ std::string description_text(const std::string& photo_name, const sim::PictureMe
     text += "  " + sim::shortened_quotes(fit::fact_text(fact)) + "\n";
   if (facts.facts.empty()) text += "  nothing\n";
   for (const std::string& note : facts.notes) text += "note: " + sim::shortened_quotes(note) + "\n";
+  return text;
+}
+
+std::string frames_description_text(const std::string& file_name, const fit::FrameIndex& index) {
+  sim::PictureMetadata metadata = fit::frame_metadata(index.frames.front(), index.words, file_name);
+  metadata.header_time_utc.reset();
+  std::string text = description_text(file_name, metadata);
+  text += fit::frames_text(index.frames) + (index.is_packed ? ", packed by gzip" : "") +
+          "; one is chosen as " + sim::shown_text(fit::name_of_frame(file_name, 0)) + ", or by --at TIME:\n";
+  for (const fit::FrameHead& frame : index.frames)
+    text += fmt::format("  #{:<5} {}{}\n", frame.number, frame.time ? frame.time->utc : "time unknown",
+                        frame.exposure_s ? fmt::format("  {:.6g} s", *frame.exposure_s) : "");
   return text;
 }
 

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "fit/photo/frames/frame_file.h"
 #include "fit/photo/photo_facts.h"
 #include "sim/base/picture/picture_metadata.h"
 
@@ -17,5 +18,9 @@ std::string comment_words(std::string words);
 
 /// What is known, line by line, and what follows from it in a scene's keys.
 std::string description_text(const std::string& photo_name, const sim::PictureMetadata& metadata);
+
+/// The same of a file with many frames: what its first says but for the time, and the frames with their
+/// times.
+std::string frames_description_text(const std::string& file_name, const fit::FrameIndex& index);
 
 }  // namespace vegard::apps

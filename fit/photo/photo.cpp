@@ -4,10 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <future>
-#include <limits>
-#include <system_error>
 
 #include "fit/photo/codec/image_walk.h"
 #include "fit/photo/codec/jpeg_rows.h"
@@ -21,28 +18,6 @@ namespace vegard::fit {
 namespace {
 
 std::string file_name_of(const std::string& file) { return std::filesystem::path(file).filename().string(); }
-
-std::string read_bytes(const std::string& file) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::file_status status = fs::status(file, error);
-  if (!fs::exists(status))
-    refuse_image(file, error ? error.message() : "no such file", "an image file", "check the path");
-  if (fs::is_directory(status)) refuse_image(file, "this is a folder", "an image file");
-  if (!fs::is_regular_file(status)) refuse_image(file, "this is not a regular file", "an image file");
-  const auto size = fs::file_size(file, error);
-  if (error) refuse_image(file, error.message());
-  // cv::imdecode counts bytes in an int, and no photograph has more.
-  if (size > static_cast<std::uintmax_t>(std::numeric_limits<int>::max()))
-    refuse_image(file, "the file is larger than 2 GiB", "", "scale or crop it first");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) refuse_image(file, "the file cannot be opened", "", "check its permissions");
-  std::string bytes(size, '\0');
-  stream.read(bytes.data(), static_cast<std::streamsize>(size));
-  if (static_cast<std::uintmax_t>(stream.gcount()) != size)
-    refuse_image(file, "the file cannot be read to its end");
-  return bytes;
-}
 
 /// Linear light of a file's number, white = 1.
 double light_of(const Photo& photo, double stored) {
@@ -166,7 +141,14 @@ std::string decoding_text(const PictureCodes& codes, const Photo& photo, const D
 
 Photo read_photo(const std::string& file, const Decoding& decoding, const sim::Scene* scene,
                  const Averaging& averaging) {
-  return read_photo_bytes(read_bytes(file), file, decoding, scene, averaging);
+  return read_photo_of(read_picture_bytes(file), decoding, scene, averaging);
+}
+
+Photo read_photo_of(const PictureBytes& picture, const Decoding& decoding, const sim::Scene* scene,
+                    const Averaging& averaging) {
+  Photo photo = read_photo_bytes(picture.bytes, picture.name, decoding, scene, averaging);
+  if (!picture.file_sha256.empty()) photo.sha256 = picture.file_sha256;
+  return photo;
 }
 
 Photo read_photo_bytes(std::string_view bytes, const std::string& file, const Decoding& decoding,
@@ -268,8 +250,8 @@ double code_step(const Photo& photo, double linear) {
 }
 
 void apply_mask(Photo& photo, const std::string& mask_file) {
-  const std::string bytes = read_bytes(mask_file);
-  const PictureCodes mask = picture_codes(bytes, mask_file);
+  const PictureBytes picture = read_picture_bytes(mask_file);
+  const PictureCodes mask = picture_codes(picture.bytes, mask_file);
   const sim::PictureSize size = size_of_file(photo);
   if (mask.width != size.width || mask.height != size.height)
     refuse_image(mask_file, "the mask has " + sim::size_text(mask.width, mask.height) + " pixels",
@@ -287,8 +269,8 @@ void apply_mask(Photo& photo, const std::string& mask_file) {
   if (std::find(used.begin(), used.end(), 1) == used.end())
     refuse_image(mask_file, "the mask leaves no pixel", "white where the photograph is to be used",
                  "invert it?");
-  photo.mask_name = file_name_of(mask_file);
-  photo.mask_sha256 = sim::sha256(bytes);
+  photo.mask_name = file_name_of(picture.name);
+  photo.mask_sha256 = picture.file_sha256.empty() ? sim::sha256(picture.bytes) : picture.file_sha256;
 }
 
 }  // namespace vegard::fit

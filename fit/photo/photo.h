@@ -11,6 +11,7 @@
 
 #include "fit/photo/averaging.h"
 #include "fit/photo/decoding.h"
+#include "fit/photo/frames/picture_bytes.h"
 #include "sim/base/image.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/view/sensor/tone_curve.h"
@@ -39,8 +40,8 @@ struct Photo {
   /// Standard deviations, in codes of R, G and B, of what compression has put upon neighbouring pixels alike
   /// (fit/photo/codec/image_file.h); averaging over pixels does not lessen it.
   std::array<double, 3> block_error{};
-  std::string file_name;                     ///< without its folder
-  std::string sha256;                        ///< of the file's bytes
+  std::string file_name;                     ///< without its folder; of one frame among several "a.pgm.gz#12"
+  std::string sha256;                        ///< of the file's bytes, or of those of that frame
   std::map<std::string, std::string> words;  ///< that came with it: FITS keywords, EXR attributes
   /// Of one file per filter: what each of the three channels is; a wavelength of 0 where there is no file.
   std::vector<PhotoPart> filters;
@@ -48,14 +49,14 @@ struct Photo {
   std::string mask_sha256;
 };
 
-/// Reads a photograph of any format, known by its contents (docs/file_formats.md, "Photographs"): JPEG, PNG,
-/// TIFF, PGM, PPM, EXR, FITS, camera raw, HEIC. It is turned upright once. Grey becomes three equal channels,
-/// alpha is dropped. automatic means sRGB for JPEG, PNG, integer TIFF, HEIC and PGM or PPM of 8 bits, linear
-/// light for all others. A number at the file's white in a channel is clipped there and not usable; in float
-/// files only what is not finite (stored as 0) is unusable. Throws sim::Error(unreadable_input) for a file
-/// that is missing, truncated, of zero size, no image at all, or larger than sim/base/picture/pixel_limit.h
-/// allows, which is seen in its header (OpenCV hands back a full picture for a truncated JPEG:
-/// fit/photo/codec/image_file.h looks first).
+/// Reads a photograph, a file or one frame of it (fit/photo/frames/frame_name.h), of any format, known by its
+/// contents (docs/file_formats.md, "Photographs"): JPEG, PNG, TIFF, PGM, PPM, EXR, FITS, camera raw, HEIC. It
+/// is turned upright once. Grey becomes three equal channels, alpha is dropped. automatic means sRGB for
+/// JPEG, PNG, integer TIFF, HEIC and PGM or PPM of 8 bits, linear light for all others. A number at the
+/// file's white in a channel is clipped there and not usable; in float files only what is not finite (stored
+/// as 0) is unusable. Throws sim::Error(unreadable_input) for a file that is missing, truncated, of zero
+/// size, no image at all, or larger than sim/base/picture/pixel_limit.h allows, which is seen in its header
+/// (OpenCV hands back a full picture for a truncated JPEG: fit/photo/codec/image_file.h looks first).
 ///
 /// Decoding::sensor needs the `scene`: integers of display files go through its tone curve (all others are
 /// linear light), the light is divided by the vignetting, and what a full pixel has had a part in is not
@@ -64,6 +65,10 @@ struct Photo {
 /// A photograph of the size averaging.from is averaged while it is read, unless its curve is unknown.
 Photo read_photo(const std::string& file, const Decoding& decoding, const sim::Scene* scene = nullptr,
                  const Averaging& averaging = {});
+
+/// The same of one that was read already, as of a series of them.
+Photo read_photo_of(const PictureBytes& picture, const Decoding& decoding, const sim::Scene* scene = nullptr,
+                    const Averaging& averaging = {});
 
 /// The same of bytes in memory, which `file` is the name of.
 Photo read_photo_bytes(std::string_view bytes, const std::string& file, const Decoding& decoding,

@@ -1,9 +1,11 @@
 #include "fit/photo/photo_defaults.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/utc_time.h"
 #include "sim/scene/table/parameter_table.h"
 
 namespace vegard::fit {
@@ -60,6 +62,20 @@ void note_the_field(const Given& given, PhotoDefaults& defaults) {
                            "field.declination_deg, or field.model = \"dipole\"");
 }
 
+/// A camera's clock may be wrong, and is set right in the scene; an imager's is kept by a time server.
+void note_the_time(const Given& given, const sim::PictureMetadata& metadata, PhotoDefaults& defaults) {
+  if (!metadata.contradiction.empty()) defaults.notes.push_back(metadata.contradiction);
+  if (!given("site.time_utc") || !metadata.header_time_utc) return;
+  const std::string& of_scene = defaults.scene.site.time_utc;
+  const auto scene_s = sim::utc_seconds(of_scene), header_s = sim::utc_seconds(*metadata.header_time_utc);
+  constexpr double kSame_s = 1.0;
+  if (!scene_s || !header_s || std::abs(*scene_s - *header_s) <= kSame_s + metadata.exposure_s.value_or(0.0))
+    return;
+  defaults.notes.push_back("the scene's site.time_utc is " + of_scene + ", the photograph's own time " +
+                           *metadata.header_time_utc + " (" + metadata.sources.header_time +
+                           "); the scene's is taken");
+}
+
 }  // namespace
 
 PhotoDefaults with_photo_defaults(const sim::Scene& scene, const sim::PictureMetadata& metadata,
@@ -82,6 +98,7 @@ PhotoDefaults with_photo_defaults(const sim::Scene& scene, const sim::PictureMet
     defaults.taken.push_back(fact);
   }
   note_the_field(given, defaults);
+  note_the_time(given, metadata, defaults);
   return defaults;
 }
 

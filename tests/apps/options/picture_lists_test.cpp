@@ -6,6 +6,8 @@
 #include "tests/support/exif_bytes.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/fits_bytes.h"
+#include "tests/support/frames/gzip_bytes.h"
+#include "tests/support/frames/made_frames.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::apps::picture_lists_test {
@@ -85,6 +87,39 @@ TEST_F(PictureTimesOf, ATableGoesBeforeAll) {
   const TimedPictures found = timed_pictures({folder_ / "a.jpg", folder_ / "b.jpg"}, folder_ / "times.csv");
   EXPECT_EQ(found.times.seconds, (std::vector<double>{1.0, 2.0}));
   EXPECT_EQ(found.files[0], folder_ / "b.jpg");
+}
+
+// A file of frames is all of them, and one of them where it is chosen.
+TEST_F(PictureTimesOf, FramesTellTheirOwn) {
+  const TimedPictures all = of({{"a.pgm.gz", tests::gzip_stored(tests::frames_bytes())}});
+  const std::string file = folder_ / "a.pgm.gz";
+  EXPECT_EQ(all.files, (std::vector<std::string>{file + "#0", file + "#1", file + "#2"}));
+  EXPECT_EQ(all.times.kind, Kind::utc);
+  EXPECT_EQ(all.times.source, "the files' own (PGM comment \"Image request start\")");
+  EXPECT_NEAR(all.times.seconds[0], 1394431380.25, 1e-6);
+  EXPECT_EQ(all.times.seconds[2] - all.times.seconds[0], 6.0);
+  const TimedPictures two = timed_pictures({file + "#2", file + "#2014-03-10T06:03:01Z"}, "");
+  EXPECT_EQ(two.files, (std::vector<std::string>{file + "#0", file + "#2"}));
+  EXPECT_EQ(two.times.seconds[1] - two.times.seconds[0], 6.0);
+  tests::put(folder_ / "list.txt", "a.pgm.gz 5\n");
+  tests::expect_error(sim::ErrorKind::usage, [&] { listed_photos({folder_ / "list.txt"}, "--photos"); });
+}
+
+TEST_F(PictureTimesOf, FramesOfASequenceAreAtTheirSeconds) {
+  of({{"a.pgm.gz", tests::gzip_stored(tests::frames_bytes())}});
+  tests::put(folder_ / "b.pgm", "P5 1 1 255\nx");
+  const std::string file = folder_ / "a.pgm.gz";
+  sim::Scene scene;
+  scene.time.start_s = 10.0;
+  scene.time.frames_per_second = 2.0;
+  const std::vector<SequencePhoto> frames = sequence_photos({file}, scene);
+  ASSERT_EQ(frames.size(), 3u);
+  EXPECT_EQ(frames[1].name, "a_0001");
+  EXPECT_EQ(frames[1].time_s, 13.0);
+  // With a picture among them that tells no time, they follow each other as the scene has it.
+  const std::vector<SequencePhoto> mixed = sequence_photos({file, folder_ / "b.pgm"}, scene);
+  EXPECT_EQ(mixed[1].time_s, 10.5);
+  EXPECT_EQ(mixed[3].name, "b");
 }
 
 }  // namespace

@@ -1,0 +1,147 @@
+#include "fit/photo/frames/picture_bytes.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <system_error>
+#include <utility>
+
+#include "fit/photo/codec/image_file.h"
+#include "sim/base/error.h"
+#include "sim/base/file/byte_stream.h"
+#include "sim/base/file/input_file.h"
+#include "sim/base/file/sha256.h"
+
+namespace vegard::fit {
+namespace {
+
+std::string bytes_of_file(const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status))
+    refuse_image(file, error ? error.message() : "no such file", "an image file", "check the path");
+  if (fs::is_directory(status)) refuse_image(file, "this is a folder", "an image file");
+  if (!fs::is_regular_file(status)) refuse_image(file, "this is not a regular file", "an image file");
+  const auto size = fs::file_size(file, error);
+  if (error) refuse_image(file, error.message());
+  // cv::imdecode counts bytes in an int, and no photograph has more.
+  if (size > static_cast<std::uintmax_t>(std::numeric_limits<int>::max()))
+    refuse_image(file, "the file is larger than 2 GiB", "", "scale or crop it first");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) refuse_image(file, "the file cannot be opened", "", "check its permissions");
+  std::string bytes(size, '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(size));
+  if (static_cast<std::uintmax_t>(stream.gcount()) != size)
+    refuse_image(file, "the file cannot be read to its end");
+  return bytes;
+}
+
+[[noreturn]] void refuse_choice(const std::string& file, const std::string& problem,
+                                const std::string& expected) {
+  throw sim::Error(sim::ErrorKind::usage, {problem, file, 0, {}, expected, {}});
+}
+
+[[noreturn]] void refuse_number(const std::string& file, int number, std::size_t frames) {
+  refuse_choice(file, "there is no frame " + std::to_string(number) + " in it", numbers_text(frames));
+}
+
+/// Frames of a file, and the one among them that is wanted.
+struct Chosen {
+  std::vector<FrameHead> heads;
+  PictureBytes picture;
+  bool is_packed = false;
+};
+
+Chosen go_through(const FrameName& wanted) {
+  FrameReader reader(wanted.file);
+  Chosen chosen;
+  chosen.is_packed = reader.is_packed();
+  double nearest_s = std::numeric_limits<double>::infinity();
+  while (reader.next()) {
+    const FrameHead& head = reader.head();
+    chosen.heads.push_back(head);
+    bool is_it = wanted.is_chosen() ? wanted.number == head.number : head.number == 0;
+    if (wanted.utc_s && head.time) {
+      const double away_s = std::abs(head.time->seconds - *wanted.utc_s);
+      is_it = away_s < nearest_s;
+      nearest_s = std::min(nearest_s, away_s);
+    }
+    if (!is_it) continue;
+    chosen.picture.frame = head;
+    chosen.picture.words = reader.words();
+    chosen.picture.bytes = reader.take();
+  }
+  if (wanted.utc_s) frame_at(chosen.heads, *wanted.utc_s, wanted.file);
+  if (!chosen.picture.frame) refuse_number(wanted.file, *wanted.number, chosen.heads.size());
+  return chosen;
+}
+
+}  // namespace
+
+PictureBytes read_picture_bytes(const std::string& name) {
+  const FrameName wanted = frame_name(name);
+  // What cannot be opened is told as that of any picture.
+  const bool is_readable = sim::why_no_input(wanted.file).empty();
+  if (!is_readable || !is_frame_file(wanted.file)) {
+    PictureBytes picture;
+    picture.name = wanted.file;
+    picture.bytes = bytes_of_file(wanted.file);
+    if (wanted.is_chosen())
+      refuse_choice(wanted.file, "there are no frames in it to choose from",
+                    "its name without a frame's number or time");
+    return picture;
+  }
+  Chosen chosen = go_through(wanted);
+  PictureBytes picture = std::move(chosen.picture);
+  picture.name = wanted.file;
+  if (chosen.heads.size() > 1) {
+    if (!wanted.is_chosen()) refuse_without_frame(chosen.heads, wanted.file);
+    picture.name = name_of_frame(wanted.file, picture.frame->number);
+  } else if (chosen.is_packed) {
+    picture.file_sha256 = sim::sha256_of_file(wanted.file);
+  } else {
+    picture.bytes = bytes_of_file(wanted.file);
+  }
+  return picture;
+}
+
+PictureBytes PictureSeries::read(const std::string& name) {
+  const FrameName wanted = frame_name(name);
+  if (!wanted.number) return read_picture_bytes(name);
+  if (reader_ == nullptr || file_ != wanted.file || reader_->head().number > *wanted.number) {
+    if (!is_frame_file(wanted.file)) return read_picture_bytes(name);
+    reader_ = std::make_unique<FrameReader>(wanted.file);
+    file_ = wanted.file;
+  }
+  bool is_there = true;
+  while (is_there && reader_->head().number < *wanted.number) is_there = reader_->next();
+  if (is_there) {
+    PictureBytes picture;
+    picture.frame = reader_->head();
+    picture.words = reader_->words();
+    picture.bytes = reader_->take();
+    picture.name = name_of_frame(wanted.file, *wanted.number);
+    // A file's only frame is a picture like any other.
+    if (*wanted.number > 0 || reader_->next()) return picture;
+  }
+  reader_.reset();
+  return read_picture_bytes(name);
+}
+
+std::vector<NamedPicture> pictures_in(const std::string& name) {
+  const FrameName wanted = frame_name(name);
+  if (!is_frame_file(wanted.file)) return {{name, {}}};
+  const std::vector<FrameHead> frames = frame_index(wanted.file).frames;
+  std::vector<NamedPicture> pictures;
+  for (const FrameHead& frame : frames)
+    pictures.push_back(
+        {frames.size() > 1 ? name_of_frame(wanted.file, frame.number) : wanted.file, frame.time});
+  if (!wanted.is_chosen()) return pictures;
+  const int number = wanted.number ? *wanted.number : frame_at(frames, *wanted.utc_s, wanted.file);
+  if (number >= static_cast<int>(frames.size())) refuse_number(wanted.file, number, frames.size());
+  return {pictures[number]};
+}
+
+}  // namespace vegard::fit

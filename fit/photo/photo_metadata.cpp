@@ -1,0 +1,36 @@
+#include "fit/photo/photo_metadata.h"
+
+#include <filesystem>
+
+#include "fit/photo/frames/imager_name.h"
+
+namespace vegard::fit {
+namespace {
+
+void compare_with_name(const std::string& file, sim::PictureMetadata& metadata) {
+  const std::string name = std::filesystem::path(file).filename().string();
+  add_imager_name(name, metadata);
+  metadata.contradiction = contradicted_time(name, metadata);
+}
+
+}  // namespace
+
+sim::PictureMetadata photo_metadata(const std::string& name) {
+  const FrameName wanted = frame_name(name);
+  if (wanted.is_chosen() || is_frame_file(wanted.file)) {
+    const PictureBytes picture = read_picture_bytes(name);
+    return frame_metadata(*picture.frame, picture.words, wanted.file);
+  }
+  sim::PictureMetadata metadata = sim::read_picture_metadata(wanted.file);
+  compare_with_name(wanted.file, metadata);
+  return metadata;
+}
+
+sim::PictureMetadata frame_metadata(const FrameHead& head, const ImagerWords& words,
+                                    const std::string& file) {
+  sim::PictureMetadata metadata = imager_metadata(words, head.width_px, head.height_px);
+  compare_with_name(file, metadata);
+  return metadata;
+}
+
+}  // namespace vegard::fit
