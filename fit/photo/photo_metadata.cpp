@@ -22,6 +22,8 @@ sim::PictureMetadata photo_metadata(const std::string& name) {
     return frame_metadata(*picture.frame, picture.words, wanted.file);
   }
   sim::PictureMetadata metadata = sim::read_picture_metadata(wanted.file);
+  if (const std::string begun = beginning_of_packed_fits(wanted.file); !begun.empty())
+    metadata = sim::picture_metadata_of(begun);
   compare_with_name(wanted.file, metadata);
   return metadata;
 }

@@ -24,11 +24,12 @@ put("pixels.pgm.gz", frame(0) + frame(3, there=100))
 put("size.pgm.gz", frame(0) + frame(3, 32, 48))
 put("words.pgm.gz", frame(0, options="WIDTH=512 HEIGHT=256 XBIN=2 YBIN=1") + frame(3))
 put("tail.pgm.gz", sound + b"GIF89a")
-# A thousand times their own size: of one frame, of frames without end, of a header, behind a frame.
+# A thousand times their own size: of one frame, of frames without end, of a header, behind a frame, of FITS.
 put("wide.pgm.gz", b"P5 16384 16384 65535\n" + bytes(1 << 28))
 put("many.pgm.gz", b"P5 1 1 255\na" * (1 << 20))
 put("header.pgm.gz", b"P5\n" + b"#" * (1 << 26))
 put("zeros.pgm.gz", b"P5 2 1 255\nab" + bytes(1 << 28))
+put("long.fits.gz", b"SIMPLE  =                    T".ljust(80) + bytes(1 << 28))
 EOF
 expect_exit 0 profile sound.pgm.gz#1 -o sound.csv
 expect_exit 0 mask sound.pgm.gz#0 -o mask.png --saturated --stars
@@ -72,3 +73,4 @@ for file in cut order many; do
   refused "$file" sequence "$SCENES/fit.toml" --photos "$file.pgm.gz" -o no
   refused "$file" profile sound.pgm.gz#1 --mask "$file.pgm.gz#0" -o no.csv
 done
+refused "larger than 128 MB" profile long.fits.gz -o no.csv

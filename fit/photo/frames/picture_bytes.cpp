@@ -38,6 +38,27 @@ std::string bytes_of_file(const std::string& file) {
   return bytes;
 }
 
+constexpr std::string_view kFitsBegins = "SIMPLE  =";
+
+bool is_packed_fits(sim::ByteStream& stream) {
+  return stream.is_packed() && stream.look(kFitsBegins.size()) == kFitsBegins;
+}
+
+/// A FITS file that gzip has packed; nothing of any other kind. It is gone through for its size, and then
+/// read into room for that.
+std::optional<std::string> unpacked_fits(const std::string& file) {
+  sim::ByteStream first(file);
+  if (!is_packed_fits(first)) return std::nullopt;
+  const std::uint64_t size = first.skip(kMostUnpackedFits + 1);
+  if (size > kMostUnpackedFits)
+    refuse_image(file, "the FITS file in it is larger than " + sim::bytes_text(kMostUnpackedFits), "",
+                 "unpack it first");
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  sim::ByteStream again(file);
+  bytes.resize(again.read(bytes.data(), bytes.size()));
+  return bytes;
+}
+
 [[noreturn]] void refuse_choice(const std::string& file, const std::string& problem,
                                 const std::string& expected) {
   throw sim::Error(sim::ErrorKind::usage, {problem, file, 0, {}, expected, {}});
@@ -87,7 +108,12 @@ PictureBytes read_picture_bytes(const std::string& name) {
   if (!is_readable || !is_frame_file(wanted.file)) {
     PictureBytes picture;
     picture.name = wanted.file;
-    picture.bytes = bytes_of_file(wanted.file);
+    if (std::optional<std::string> fits = is_readable ? unpacked_fits(wanted.file) : std::nullopt) {
+      picture.bytes = std::move(*fits);
+      picture.file_sha256 = sim::sha256_of_file(wanted.file);
+    } else {
+      picture.bytes = bytes_of_file(wanted.file);
+    }
     if (wanted.is_chosen())
       refuse_choice(wanted.file, "there are no frames in it to choose from",
                     "its name without a frame's number or time");
@@ -105,6 +131,12 @@ PictureBytes read_picture_bytes(const std::string& name) {
     picture.bytes = bytes_of_file(wanted.file);
   }
   return picture;
+}
+
+std::string beginning_of_packed_fits(const std::string& file) {
+  sim::ByteStream stream(file);
+  if (!is_packed_fits(stream)) return {};
+  return std::string(stream.look(sim::kMostLookedAt));
 }
 
 PictureBytes PictureSeries::read(const std::string& name) {

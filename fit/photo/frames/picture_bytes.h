@@ -11,6 +11,9 @@
 
 namespace vegard::fit {
 
+/// Of a FITS file that gzip has packed, in bytes.
+constexpr std::size_t kMostUnpackedFits = std::size_t{1} << 27;
+
 struct PictureBytes {
   std::string bytes;
   /// As results tell it: that of the file, with the frame's number where there are several.
@@ -26,6 +29,9 @@ struct PictureBytes {
 /// read, and (usage) where a frame is to be chosen, or there is none to choose. All of a file of frames is
 /// looked at, so that one that is damaged or out of order is refused whatever the frame.
 PictureBytes read_picture_bytes(const std::string& name);
+
+/// What a FITS file that gzip has packed begins with: its first header, as a rule; empty for any other file.
+std::string beginning_of_packed_fits(const std::string& file);
 
 /// Pictures one after another: where they are frames of one file in their order, it is gone through once, and
 /// not looked at further than the last of them.

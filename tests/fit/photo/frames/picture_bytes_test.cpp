@@ -12,6 +12,7 @@
 #include "sim/base/file/sha256.h"
 #include "sim/base/utc_time.h"
 #include "tests/support/expect_words.h"
+#include "tests/support/fits_bytes.h"
 #include "tests/support/frames/gzip_bytes.h"
 #include "tests/support/frames/made_frames.h"
 #include "tests/support/source_folder.h"
@@ -142,6 +143,28 @@ TEST_F(FileOfFrames, SaysWhereTimesContradictEachOther) {
             std::string::npos);
   // Within the exposure and a second it is the same moment.
   EXPECT_EQ(notes_of("2014-03-10T06:03:02Z").find("the scene's site.time_utc"), std::string::npos);
+}
+
+TEST_F(FileOfFrames, IsNotTheOnlyFileThatIsUnpacked) {
+  const std::string fits =
+      tests::fits_image(16, {2, 1}, {1, 2}, tests::fits_card("DATE-OBS", "'2015-10-07T08:23:51.743'"));
+  tests::put(folder_ / "a.fits", fits);
+  tests::put(folder_ / "a.fits.gz", tests::gzip_stored(fits));
+  const Photo plain = read_photo(folder_ / "a.fits", Decoding::automatic);
+  const Photo packed = read_photo(folder_ / "a.fits.gz", Decoding::automatic);
+  EXPECT_EQ(packed.linear.data, plain.linear.data);
+  EXPECT_EQ(packed.file_name, "a.fits.gz");
+  EXPECT_EQ(packed.sha256, sim::sha256(tests::gzip_stored(fits)));
+  EXPECT_EQ(photo_metadata(folder_ / "a.fits.gz").header_time_utc, "2015-10-07T08:23:51.743Z");
+  tests::put(folder_ / "cut.fits.gz", tests::gzip_stored(fits).substr(0, 1000));
+  expect_words(ErrorKind::unreadable_input, {"cut.fits.gz", "truncated"},
+               [&] { read_photo(folder_ / "cut.fits.gz", Decoding::automatic); });
+  tests::put(folder_ / "long.fits.gz", tests::gzip_stored(fits + std::string(kMostUnpackedFits, '\0')));
+  expect_words(ErrorKind::unreadable_input, {"long.fits.gz", "larger than 128 MB"},
+               [&] { read_photo(folder_ / "long.fits.gz", Decoding::automatic); });
+  tests::put(folder_ / "a.jpg.gz", tests::gzip_stored("\xff\xd8"));
+  expect_words(ErrorKind::unreadable_input, {"a.jpg.gz", "unpack it"},
+               [&] { read_photo(folder_ / "a.jpg.gz", Decoding::automatic); });
 }
 
 /// Where pictures to try the program on are; they are no part of it.
