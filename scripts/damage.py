@@ -12,6 +12,7 @@ there is a finding.
 """
 
 import argparse
+import gzip
 import itertools
 import json
 import os
@@ -50,6 +51,16 @@ ON_PHOTO = [
     ["map", "map.toml", "--photo", "{it}", "--out", "{out}/map"] + MAP + ONE,
     ["map", "map.toml", "--line", "557.7={it}", "--out", "{out}/map", "--set", "sensor.response=filters"] + MAP + ONE,
 ]
+ON_FRAMES = [
+    ["describe", "{it}"],
+    ["describe", "{it}#0", "-o", "{out}/d.toml"],
+    ["profile", "{it}#0", "-o", "{out}/p.csv"],
+    ["profile", "{it}", "--at", "2014-03-10T06:03:03Z", "-o", "{out}/p.csv"],
+    ["keogram", "{it}", "second.png", "-o", "{out}/k.csv"],
+    ["fit", "fit.toml", "--photo", "{it}#0", "--out", "{out}/run", "--max-evaluations", "2"] + ONE,
+    ["sequence", "fit.toml", "--photos", "{it}", "-o", "{out}/s", "--max-evaluations", "2"] + ONE,
+    ["profile", "photo.png", "--mask", "{it}#0", "-o", "{out}/p.csv"],
+]
 ON_ANGLES = [
     ["profile", "photo.png", "--azimuth-map", "{it}", "--azimuths", "0", "10", "-o", "{out}/p.csv"],
     ["keogram", "photo.png", "second.png", "--azimuth-map", "{it}", "-o", "{out}/k.csv"],
@@ -78,6 +89,14 @@ class Kind:
 
 def ppm(width, height):
     return b"P6\n# made\n%d %d\n255\n" % (width, height) + bytes((37 * i) % 256 for i in range(3 * width * height))
+
+
+def frames(count):
+    """A file of frames as the imagers of THEMIS write it."""
+    return b"".join(
+        b"P5\n" + (b'#"Site unique ID" gill\n#"Geodetic latitude" 56.35\n#"Geodetic Longitude" -94.65\n' if i == 0 else b"")
+        + b'#"Exposure options" WIDTH=64 HEIGHT=24 XBIN=2 YBIN=1 MSEC=999\n#"Image request start" 2014-03-10 06:03:%02d.031 UTC\n' % (3 * i)
+        + b"32 24\n65535\n" + b"".join((997 * (i + 1) * k % 60000).to_bytes(2, "big") for k in range(32 * 24)) for i in range(count))
 
 
 def make_kinds(vegard, home):
@@ -159,8 +178,11 @@ def make_kinds(vegard, home):
               ["calibrate", "stars.csv", "--camera", "{it}", "-o", "{out}/c.toml"] + SKY]),
         *[Kind(p.split(".")[1], "it." + p.split(".")[1], [bytes_of(p)] + ([bytes_of("second.png")] if "png" in p else []),
                ON_PHOTO) for p in pictures + ["photo.ppm"]],
+        Kind("frames", "it.pgm", [frames(3)], ON_FRAMES),
+        Kind("packed frames", "it.pgm.gz", [gzip.compress(frames(3), mtime=0), gzip.compress(frames(1), mtime=0)], ON_FRAMES),
         Kind("heic", "it.heic", [(SOURCE / "tests/data/turned.heic").read_bytes()], ON_PHOTO),
         Kind("fits", "it.fits", [bytes_of("maps_az.fits"), bytes_of("maps_el.fits")], ON_PHOTO[:6] + ON_ANGLES),
+        Kind("packed fits", "it.fits.gz", [gzip.compress(bytes_of("maps_az.fits"), mtime=0)], ON_PHOTO[:6]),
         Kind("maps", "it.exr", [bytes_of("maps.exr")], ON_ANGLES),
         Kind("list", "it.txt", [bytes_of("list.txt")],
              [["keogram", "{it}", "-o", "{out}/k.csv"],

@@ -10,6 +10,8 @@
 #include "tests/support/dng_bytes.h"
 #include "tests/support/exif_bytes.h"
 #include "tests/support/fits_bytes.h"
+#include "tests/support/frames/gzip_bytes.h"
+#include "tests/support/frames/made_frames.h"
 #include "tests/support/image_bytes.h"
 
 namespace vegard::tests {
@@ -105,6 +107,15 @@ std::vector<std::string> fuzz_seeds(const std::string& source) {
   seeds.push_back("P5\n# a remark\n2 1\n255\nab");
   seeds.push_back("P6 1 1 65535\nabcdef");
   seeds.push_back("P3\n1 2 1000\n0 500 1000 # half\n1 2 3\n");
+  const std::string frames = frames_bytes();
+  seeds.push_back(frames);
+  seeds.push_back(gzip_stored(frames));
+  seeds.push_back(gzip_stored("P6 1 1 255\nabc") + gzip_stored("P6 1 1 255\ndef"));
+  // "P5 1 1 255\na" twice, packed: the second time is told as bytes of before.
+  seeds.emplace_back(
+      "\037\213\010\000\000\000\000\000\002\003\013\060\125\060\004\102\043\123\123\256\304\000\044\066\000"
+      "\137\066\265\211\030\000\000\000",
+      33);
   add_fits(seeds);
   add_display_files(seeds);
   for (const char* name : {"/tests/data/quarters.heic", "/tests/data/turned.heic"}) {
@@ -121,6 +132,9 @@ std::vector<std::string> fuzz_dictionary() {
       "infe",       "Exif",     "irot",        "grid",     "hvcC",     "meta",     "mdat",
       "dataWindow", "chlist",   "compression", "tiles",    "box2i",    "II\x2a",   "FUJIFILMCCD-RAW",
       "IIRO",       "ftypcrx ", "ftypheic",    "ftypmif1"};
+  for (const char* word : {"\x1f\x8b\x08", "#\"Image request start\" 2014-03-10 06:03:59.5 UTC\n",
+                           "#\"Exposure options\" WIDTH=", "XBIN=0 ", "MSEC=-1 "})
+    words.emplace_back(word);
   for (const char* key :
        {"BITPIX", "NAXIS", "NAXIS1", "NAXIS2", "NAXIS3", "BZERO", "BSCALE", "BLANK", "ZIMAGE", "ZTILE1",
         "ZNAXIS1", "ZBITPIX", "TFIELDS", "PCOUNT", "GCOUNT", "SATURATE", "DATAMAX"})
