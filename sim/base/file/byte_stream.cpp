@@ -41,7 +41,7 @@ class PlainBytes {
   std::size_t read(char* to, std::size_t count) {
     if (descriptor_ < 0) {
       count = std::min(count, bytes_.size() - at_);
-      std::memcpy(to, bytes_.data() + at_, count);
+      std::copy_n(bytes_.data() + at_, count, to);  // of empty bytes the pointer may be null
       at_ += count;
       return count;
     }
@@ -203,7 +203,7 @@ std::string_view ByteStream::look(std::size_t count) {
 std::size_t ByteStream::read(char* to, std::size_t count) {
   Source& s = *source_;
   const std::size_t shown = std::min(count, s.end - s.begin);
-  std::memcpy(to, s.shown.data() + s.begin, shown);
+  std::copy_n(s.shown.data() + s.begin, shown, to);
   s.begin += shown;
   const std::size_t done = shown + (count > shown ? s.fetch(to + shown, count - shown) : 0);
   s.position += done;
