@@ -163,6 +163,10 @@ def make_kinds(vegard, home):
     for ending in ("vdb", "pbrt"):
         text(f"with_{ending}.toml", small + f'[[volume]]\nname = "cloud"\nfile = "a.{ending}"\n'
              + ("" if ending == "vdb" else "density_rayleigh = [1.0, 1.0, 1.0]\n"))
+    text("survey.toml", '[survey]\nname = "night"\nwork = ["border", "fit"]\nscene = "fit.toml"\nblock_frames = 1\n[[camera]]\n'
+         'name = "a"\nframes = ["frames.txt"]\nset = ["fit.bands=2"]\ndecoding = "srgb"\n[[camera.calibration]]\n'
+         'from = "2019-03-01"\nfile = "camera.toml"\n[[skip]]\nuntil = "2019-03-01"\nreason = "fog"\n')
+    text("frames.txt", "# when\nphoto.png 2019-03-01T22:10:00Z\nsecond.png 2019-03-01 22:10:03.5\n")
     journal = make_journal(vegard, home, ["fit", "fit.toml", "--photo", "photo.png", "--max-evaluations", "2"])
     map_journal = make_journal(vegard, home, ["map", "map.toml", "--photo", "band.png", *MAP])
     render = ["render", "{it}", "-o", "{out}/r.png"] + CAMERA + ONE
@@ -216,6 +220,8 @@ def make_kinds(vegard, home):
              [["animate", "small.toml", "-o", "frames/#.png", "--frames", "0:1"] + ONE]),
         Kind("rows", "sequence/frames/photo.json", [bytes_of("sequence/frames/photo.json")],
              [["sequence", "fit.toml", "--photos", "list.txt", "-o", "sequence", "--max-evaluations", "2"] + ONE]),
+        Kind("survey", "it.toml", [bytes_of("survey.toml")], [["survey", "plan", "it.toml", "-o", "{out}/p.json"]]),
+        Kind("frames of a survey", "frames.txt", [bytes_of("frames.txt")], [["survey", "plan", "survey.toml", "-o", "{out}/p.json"]]),
         Kind("words", None, [b"sheet.main.energy_kev=3.5", b"camera.width=64", b"fit.free=[]", b"sky.level=[1.0, 2.0, 3.0]",
                              b"sheet.main.center_km=[10.0, 220.0]", b'sensor.response="grey"'],
              [["render", "small.toml", "-o", "{out}/r.png", "--set", "{it}"] + CAMERA + ONE, ["profile", "{it}", "-o", "{out}/p.csv"],

@@ -45,25 +45,35 @@ std::string near_name(std::string_view name, const std::vector<std::string>& kno
 }
 
 /// The subcommand or option that the first unknown word may have been meant as; empty if it is like none.
-std::string meant_by(const CLI::App& app, int argc, const char* const* argv) {
-  if (argc < 2) return {};
+/// `first`: where the words of `app` begin.
+std::string meant_by(const CLI::App& app, int argc, const char* const* argv, int first = 1) {
+  if (argc <= first) return {};
   std::vector<std::string> known;
   const CLI::App* subcommand = nullptr;
   for (const CLI::App* one : app.get_subcommands({})) {
     known.push_back(one->get_name());
-    if (known.back() == argv[1]) subcommand = one;
+    if (known.back() == argv[first]) subcommand = one;
   }
-  if (subcommand == nullptr) return argv[1][0] == '-' ? "" : near_name(argv[1], known);
+  if (subcommand == nullptr) return argv[first][0] == '-' ? "" : near_name(argv[first], known);
+  ++first;
+  if (!subcommand->get_subcommands({}).empty()) return meant_by(*subcommand, argc, argv, first);
   known.clear();
   for (const CLI::Option* option : subcommand->get_options())
     for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-  for (int i = 2; i < argc; ++i) {
+  for (int i = first; i < argc; ++i) {
     const std::string_view word = argv[i];
     const std::string name(word.substr(0, word.find('=')));
     if (name.rfind("--", 0) != 0 || std::find(known.begin(), known.end(), name) != known.end()) continue;
     return near_name(name, known);
   }
   return {};
+}
+
+/// "survey run": without the program's own name.
+std::string full_name(const CLI::App& app) {
+  const CLI::App* parent = app.get_parent();
+  if (parent == nullptr || parent->get_parent() == nullptr) return app.get_name();
+  return full_name(*parent) + " " + app.get_name();
 }
 
 OutOfMemory out_of_memory(const std::string& command) {
@@ -245,6 +255,10 @@ Option Command::flag(const std::string& names, bool& value, const std::string& w
   return Option(app_->add_flag(names, value, words));
 }
 
+Command Command::add(const std::string& name, const std::string& description) const {
+  return Command(app_->add_subcommand(name, description), exit_code_);
+}
+
 Option Command::option_of_name(const std::string& name) const { return Option(app_->get_option(name)); }
 
 std::vector<Option> Command::order() const {
@@ -254,7 +268,7 @@ std::vector<Option> Command::order() const {
 }
 
 void Command::runs(std::function<int()> call) const {
-  app_->callback([call = std::move(call), code = exit_code_, name = app_->get_name()] {
+  app_->callback([call = std::move(call), code = exit_code_, name = full_name(*app_)] {
     try {
       *code = call();
     } catch (const std::bad_alloc&) {
@@ -311,7 +325,12 @@ std::optional<int> Program::read() {
 int Program::run() {
   if (const std::optional<int> end = read()) return *end;
   // CLI11's own require_subcommand would hide a misspelt subcommand behind "a subcommand is required".
-  if (app_->get_subcommands().empty()) return tell_bad_usage(app_->get_name(), "which subcommand?");
+  std::string called = app_->get_name();
+  for (const CLI::App* app = app_.get(); !app->get_subcommands({}).empty();) {
+    if (app->get_subcommands().empty()) return tell_bad_usage(called, "which subcommand?");
+    app = app->get_subcommands().front();
+    called += " " + app->get_name();
+  }
   return exit_code_;
 }
 

@@ -101,6 +101,9 @@ class Command {
                 const std::string& words = {}) const;
   Option flag(const std::string& names, bool& value, const std::string& words = {}) const;
 
+  /// A subcommand of this one, which is nothing without one then.
+  Command add(const std::string& name, const std::string& description) const;
+
   /// One that was added before.
   Option option_of_name(const std::string& name) const;
 

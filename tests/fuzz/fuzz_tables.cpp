@@ -7,6 +7,9 @@
 #include "apps/options/picture_lists.h"
 #include "apps/options/scene_options.h"
 #include "fit/photo/pointing/star_table.h"
+#include "fit/survey/plan_json.h"
+#include "fit/survey/survey_frames.h"
+#include "fit/survey/survey_toml.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/base/number/mask5.h"
 #include "sim/base/utc_time.h"
@@ -136,9 +139,35 @@ void precipitation(const std::string& bytes) {
             (map.energy_flux_mw_m2[i] > 0.0f || map.energy_kev[i] == 0.0f));
 }
 
+void survey(const std::string& text) {
+  const fit::Survey survey = fit::parse_survey(text, "it.toml");
+  require(!survey.cameras.empty() && !survey.work.empty() && survey.block_frames > 0);
+  for (const fit::SurveyCamera& camera : survey.cameras)
+    require(!camera.frames.empty() && !camera.calibrations.empty());
+}
+
+/// What is read comes back to the last bit.
+void plan(const std::string& text) {
+  const fit::SurveyPlan plan = fit::plan_of_json(text, "it.json");
+  const std::string again = fit::plan_json(plan);
+  require(fit::plan_json(fit::plan_of_json(again, "it.json")) == again);
+  for (const int shards : {1, 3}) fit::blocks_of_shard(plan, 1, shards);
+}
+
+void survey_list(const std::string& text) {
+  const tests::InputFile file(text, "it.txt");
+  fit::Survey survey;
+  survey.file = file.path("it.toml");
+  survey.cameras.emplace_back();
+  survey.cameras[0].frames = {"it.txt"};
+  const fit::ListedFrames listed = fit::survey_frames(survey, survey.cameras[0]);
+  for (const fit::ListedFrame& frame : listed.frames) require(std::isfinite(frame.time_s));
+}
+
 using Reader = void (*)(const std::string&);
-constexpr Reader kReaders[] = {csv,   height_profile, response, tone,    colours,  stars,        pictures,
-                               times, camera,         mask,     moments, curtains, precipitation};
+constexpr Reader kReaders[] = {csv,           height_profile, response, tone,       colours, stars,
+                               pictures,      times,          camera,   mask,       moments, curtains,
+                               precipitation, survey,         plan,     survey_list};
 
 }  // namespace
 

@@ -108,7 +108,8 @@ check_sources() {
         complain("CFITSIO belongs in sim/base/picture/fits_io.cpp only")
       if (target ~ /^openvdb\// && FILENAME !~ /^sim\/base\/grid\/vdb_(io|read).cpp$/)
         complain("OpenVDB belongs in sim/base/grid/vdb_io.cpp and vdb_read.cpp only")
-      if (target ~ /^toml(\+\+)?[\/.]/ && from != "sim/scene") complain("TOML parsing belongs in sim/scene only")
+      if (target ~ /^(toml(\+\+)?[\/.]|sim\/scene\/table\/(bounded_toml|toml_value)\.h)/ && from != "sim/scene" && FILENAME != "fit/survey/survey_toml.cpp")
+        complain("TOML parsing belongs in sim/scene and fit/survey/survey_toml.cpp only")
       if (target ~ /^muParser/ && FILENAME != "sim/scene/freedom/expression.cpp")
         complain("muParser belongs in sim/scene/freedom/expression.cpp only")
 

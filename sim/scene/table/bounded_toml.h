@@ -1,6 +1,6 @@
 // TOML of strangers: what would exhaust the parser is refused before it is parsed.
 //
-// For the files of the scene's rooms only.
+// For the files that read TOML only: the scene's, and fit/survey/survey_toml.cpp.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // From a TOML value to a number, a text or a parameter, with a message that says what was found instead.
 //
-// For the files of this folder only.
+// For the files that read TOML only (bounded_toml.h).
 #pragma once
 
 #include <optional>

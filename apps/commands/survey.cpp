@@ -1,0 +1,13 @@
+// vegard survey: many frames of several cameras.
+#include "apps/commands/commands.h"
+#include "apps/commands/survey/steps.h"
+
+namespace vegard::apps {
+
+void add_survey_command(Program& program) {
+  const Command survey = program.add(
+      "survey", "A night, a winter, a network of cameras: every frame measured, on one machine or on many");
+  add_survey_plan(survey);
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,10 @@
+// The steps of a survey, a subcommand of `vegard survey` and a file of this folder each.
+#pragma once
+
+#include "apps/options/command.h"
+
+namespace vegard::apps {
+
+void add_survey_plan(const Command& survey);
+
+}  // namespace vegard::apps

@@ -1,0 +1,46 @@
+#include "fit/survey/survey.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace vegard::fit {
+
+const char* survey_work_name(SurveyWork work) {
+  switch (work) {
+    case SurveyWork::border:
+      return "border";
+    case SurveyWork::fit:
+      return "fit";
+  }
+  return "";
+}
+
+std::optional<SurveyWork> survey_work_of(const std::string& name) {
+  for (const SurveyWork work : kSurveyWorks)
+    if (name == survey_work_name(work)) return work;
+  return std::nullopt;
+}
+
+std::string Survey::place(const std::string& name) const {
+  return (std::filesystem::path(file).parent_path() / name).string();
+}
+
+const std::vector<std::string>& picture_endings() {
+  static const std::vector<std::string> endings = {".jpg", ".jpeg", ".png", ".tif", ".tiff", ".pgm",  ".ppm",
+                                                   ".exr", ".fits", ".fit", ".fts", ".heic", ".heif", ".dng",
+                                                   ".nef", ".cr2",  ".cr3", ".arw", ".raf",  ".rw2"};
+  return endings;
+}
+
+FrameReference frame_reference(const std::string& text) {
+  const std::size_t hash = text.rfind('#');
+  constexpr std::size_t kMostDigits = 6;
+  if (hash == std::string::npos || hash == 0) return {text, std::nullopt};
+  const std::string digits = text.substr(hash + 1);
+  if (digits.empty() || digits.size() > kMostDigits ||
+      !std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; }))
+    return {text, std::nullopt};
+  return {text.substr(0, hash), std::stoi(digits)};
+}
+
+}  // namespace vegard::fit
