@@ -8,6 +8,7 @@
 #include "apps/options/exit_code.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/terminal.h"
+#include "fit/survey/sqlite_file.h"
 #include "fit/version.h"
 #include "sim/base/error.h"
 #include "sim/base/grid/vdb_io.h"
@@ -23,7 +24,7 @@ std::string versions() {
   return "vegard " + sim::version() + "\nCeres " + fit::ceres_version() + "\nOpenCV " +
          fit::opencv_version() + "\nEigen " + sim::eigen_version() + "\nOpenImageIO " +
          sim::image_library_version() + "\nCFITSIO " + sim::fits_library_version() + "\nOpenVDB " +
-         sim::vdb_library_version();
+         sim::vdb_library_version() + "\nSQLite " + fit::sqlite_version();
 }
 
 int report(const std::string& message, int exit_code) {

@@ -8,6 +8,7 @@ void add_survey_command(Program& program) {
   const Command survey = program.add(
       "survey", "A night, a winter, a network of cameras: every frame measured, on one machine or on many");
   add_survey_plan(survey);
+  add_survey_run(survey);
 }
 
 }  // namespace vegard::apps

@@ -38,4 +38,4 @@ expect_exit 0 fit --help
 expect_stdout --photo
 expect_exit 0 --version
 expect_stdout vegard
-for library in Ceres OpenCV Eigen OpenImageIO CFITSIO; do expect_stdout "$library"; done
+for library in Ceres OpenCV Eigen OpenImageIO CFITSIO SQLite; do expect_stdout "$library"; done

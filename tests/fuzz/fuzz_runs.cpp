@@ -1,12 +1,15 @@
-// Any bytes as what a fit leaves behind: 'j' before a journal of finished steps, anything else before the
-// result.json of a run.
+// Any bytes as what a fit or a survey leaves behind: 'j' before a journal of finished steps, 'd' before a
+// database of a survey, anything else before the result.json of a run.
 #include <sys/stat.h>
 
+#include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "fit/report/table/run_summary.h"
 #include "fit/search/file_journal.h"
 #include "fit/search/step_record.h"
+#include "fit/survey/survey_results.h"
 #include "tests/fuzz/input_file.h"
 #include "tests/fuzz/promise.h"
 #include "tests/fuzz/run_subject.h"
@@ -47,6 +50,18 @@ void journal(std::string_view bytes) {
     });
 }
 
+void survey_database(std::string_view bytes) {
+  const tests::InputFile file(bytes, "it.sqlite");
+  tests::read_or_refused([&] {
+    const fit::SqliteFile database(file.path("it.sqlite"), fit::SqliteFile::Opening::read);
+    const fit::SurveyReader reader(database);
+    for (const fit::AnsweredBlock& block : reader.blocks()) require(block.frames >= 0);
+    reader.frames(0, std::numeric_limits<int>::max(), [&](const fit::FrameAnswer& answer) {
+      require(answer.frame >= 0 && std::isfinite(answer.time_s));
+    });
+  });
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -54,6 +69,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   if (data[0] == 'j') {
     journal(bytes);
+    return 0;
+  }
+  if (data[0] == 'd') {
+    survey_database(bytes);
     return 0;
   }
   const tests::InputFile file(bytes, "result.json");

@@ -1,9 +1,11 @@
-// A journal of two steps, one torn, and results of runs, as far as they are read.
+// A journal of two steps, one torn, results of runs as far as they are read, a survey's database.
 #include <fstream>
 #include <iterator>
 
 #include "fit/search/step_record.h"
+#include "fit/survey/survey_results.h"
 #include "sim/base/file/sha256.h"
+#include "tests/fit/survey/made_answers.h"
 #include "tests/fuzz/input_file.h"
 #include "tests/fuzz/run_subject.h"
 #include "tests/fuzz/target.h"
@@ -35,6 +37,19 @@ std::string journal_bytes() {
   return bytes;
 }
 
+/// Of a shard of two blocks.
+std::string database_bytes() {
+  const InputFile folder("", "none");
+  const fit::SurveyPlan plan = made_survey_plan(2, 3);
+  {
+    fit::ShardResults results(folder.path("a.sqlite"), plan);
+    for (const int frame : {0, 1, 2}) results.add({made_answer(plan, 0, frame)});
+    results.add({made_answer(plan, 1, 0)});
+  }
+  std::ifstream stream(folder.path("a.sqlite"), std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
 constexpr const char* kResult = R"({"verdict": "good", "parameters": [{"path": "sheet.main.energy_kev",
 "value": 3.1, "sigma": null, "unit": "keV"}, {"path": "sheet.main.center_km.north", "value": null, "sigma": 0.5,
 "unit": "km"}], "chi2": 100.5, "dof": 90, "residuals_together": 1.25, "inputs": [{"role": "scene", "sha256": "00"},
@@ -50,9 +65,13 @@ std::vector<std::string> fuzz_seeds(const std::string&) {
                   R"("photos": [{"name": "a", "decoding": "sRGB"}, {"name": "b", "decoding": "linear"}])");
   const std::string other = fit::checked_line(R"({"journal": 1, "of": {"the scene": "of another"}})") +
                             fit::checked_line("no step");
-  return {
-      "j" + journal, "j" + other,  "j" + journal.substr(0, journal.size() - 40), "j" + journal.substr(0, 30),
-      "r" + result,  "r" + several};
+  return {"j" + journal,
+          "j" + other,
+          "j" + journal.substr(0, journal.size() - 40),
+          "j" + journal.substr(0, 30),
+          "r" + result,
+          "r" + several,
+          "d" + database_bytes()};
 }
 
 std::vector<std::string> fuzz_dictionary() {
@@ -73,6 +92,9 @@ std::vector<std::string> fuzz_dictionary() {
           "\"compared\"",
           "\"photos\"",
           "\"regions_px\"",
+          "done",
+          "fit",
+          "CREATE TABLE",
           "\"journal\"",
           "\"of\"",
           "\"step\"",

@@ -110,6 +110,8 @@ check_sources() {
         complain("OpenVDB belongs in sim/base/grid/vdb_io.cpp and vdb_read.cpp only")
       if (target ~ /^(toml(\+\+)?[\/.]|sim\/scene\/table\/(bounded_toml|toml_value)\.h)/ && from != "sim/scene" && FILENAME != "fit/survey/survey_toml.cpp")
         complain("TOML parsing belongs in sim/scene and fit/survey/survey_toml.cpp only")
+      if (target ~ /^sqlite3/ && FILENAME != "fit/survey/sqlite_file.cpp")
+        complain("SQLite belongs in fit/survey/sqlite_file.cpp only")
       if (target ~ /^muParser/ && FILENAME != "sim/scene/freedom/expression.cpp")
         complain("muParser belongs in sim/scene/freedom/expression.cpp only")
 

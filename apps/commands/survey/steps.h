@@ -6,5 +6,6 @@
 namespace vegard::apps {
 
 void add_survey_plan(const Command& survey);
+void add_survey_run(const Command& survey);
 
 }  // namespace vegard::apps

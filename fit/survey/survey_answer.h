@@ -1,0 +1,52 @@
+// What a survey keeps of a frame.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/survey/survey.h"
+
+namespace vegard::fit {
+
+/// A number with its error and whether to believe it.
+struct SurveyQuantity {
+  int item = 0;      ///< of several of a kind, from 1: a border's trace; 0: there is one
+  std::string name;  ///< "lowest elevation", "sheet.main.energy_kev"
+  std::string unit;
+  std::optional<double> value;  ///< none where it cannot be told
+  std::optional<double> sigma;
+  std::optional<std::string> trust;   ///< as fit/answer/trust.h names it; none where nobody has judged it
+  std::optional<std::string> reason;  ///< why it is not told, or not to be trusted
+};
+
+struct WorkAnswer {
+  SurveyWork work = SurveyWork::border;
+  /// Of a fit: "good", "doubtful", "failed". Of a border: "good", or "none" if none is told. "refused": the
+  /// work could not be done, `words` says why.
+  std::string verdict;
+  std::optional<std::string> words;
+  std::optional<std::string> start;  ///< of a fit: "full", "warm"
+  std::optional<double> chi2_per_dof;
+  std::optional<std::int64_t> seed;
+  std::vector<double> free_values;  ///< of a fit, exactly: where the next frame starts
+  std::vector<SurveyQuantity> quantities;
+};
+
+enum class FrameStatus { done, skipped, missing, unreadable };
+/// "done", "skipped", "missing", "unreadable".
+const char* frame_status_name(FrameStatus status);
+
+struct FrameAnswer {
+  int frame = 0, block = 0;  ///< numbers of the plan, from 0
+  std::string camera;
+  std::string file;  ///< as the plan has it
+  double time_s = 0.0;
+  FrameStatus status = FrameStatus::done;
+  std::optional<std::string> reason;  ///< of any other status
+  std::optional<std::string> sha256, decoding;
+  std::vector<WorkAnswer> works;  ///< of a frame that is done
+};
+
+}  // namespace vegard::fit

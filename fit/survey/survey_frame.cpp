@@ -1,0 +1,215 @@
+#include "fit/survey/survey_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/answer/trust.h"
+#include "fit/answer/verdict.h"
+#include "fit/border/border.h"
+#include "fit/border/border_distance.h"
+#include "fit/photo/averaging.h"
+#include "fit/photo/photo.h"
+#include "fit/report/border/border_page.h"
+#include "fit/sequence.h"
+#include "sim/base/error.h"
+#include "sim/base/file/input_file.h"
+#include "sim/base/file/sha256.h"
+#include "sim/base/utc_time.h"
+
+namespace vegard::fit {
+namespace {
+
+std::optional<double> finite_or_none(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+/// Without names of files, which depend on where the program runs.
+std::string words_of(const sim::Error& error) {
+  const sim::ErrorDetails& d = error.details();
+  return d.problem + (d.expected.empty() ? "" : " (expected " + d.expected + ")");
+}
+
+WorkAnswer refused_work(SurveyWork work, const sim::Error& error) {
+  WorkAnswer answer;
+  answer.work = work;
+  answer.verdict = "refused";
+  answer.words = words_of(error);
+  return answer;
+}
+
+WorkAnswer border_answer(const Photo& photo, const sim::Scene& scene, int channel) {
+  BorderSettings settings;
+  settings.channel = channel;
+  const Border border = trace_border(photo, scene, settings);
+  WorkAnswer answer;
+  answer.work = SurveyWork::border;
+  answer.verdict = border.told > 0 ? "good" : "none";
+  std::string words;
+  for (const std::string& note : border.notes) words += (words.empty() ? "" : "; ") + note;
+  if (!words.empty()) answer.words = words;
+  for (std::size_t t = 0; t < border.traces.size(); ++t) {
+    const BorderTrace& trace = border.traces[t];
+    if (trace.told == 0) continue;
+    const BorderSummary s = border_summary(trace, scene);
+    const int item = static_cast<int>(t) + 1;
+    const auto put = [&](const std::string& name, const std::string& unit, double value,
+                         std::optional<double> sigma = std::nullopt) {
+      answer.quantities.push_back({item, name, unit, finite_or_none(value), sigma, {}, {}});
+    };
+    put("points", "", trace.told);
+    put("from azimuth", "deg", s.from_azimuth_deg);
+    put("to azimuth", "deg", s.to_azimuth_deg);
+    put("lowest elevation", "deg", s.lowest_deg);
+    put("highest elevation", "deg", s.highest_deg, finite_or_none(s.nearest_error_deg));
+    put("nearest azimuth", "deg", s.nearest_azimuth_deg);
+    for (std::size_t h = 0; h < kBorderAltitudesKm.size(); ++h)
+      put("distance if " + std::to_string(static_cast<int>(kBorderAltitudesKm[h])) + " km high", "km",
+          s.distance_km[h], finite_or_none(s.distance_error_km[h]));
+    put("brightness", "white", trace.mean_brightness());
+  }
+  return answer;
+}
+
+/// What the last frame has left for the next to begin with.
+SequenceRow row_of_answer(const WorkAnswer& before) {
+  SequenceRow row;
+  for (const Verdict known : kVerdicts)
+    if (before.verdict == verdict_name(known)) row.verdict = known;
+  row.values = before.free_values;
+  return row;
+}
+
+WorkAnswer fit_answer(const FrameFit& fit, const sim::Scene& scene, const Photo& photo, double time_s) {
+  const FitResult& result = fit.result;
+  const SequenceRow row = sequence_row("", time_s, scene, fit, photo);
+  WorkAnswer answer;
+  answer.work = SurveyWork::fit;
+  answer.verdict = verdict_name(result.verdict);
+  answer.words = result.verdict_line;
+  answer.start = fit.searched ? "full" : "warm";
+  answer.chi2_per_dof = finite_or_none(row.chi2_per_dof);
+  answer.seed = static_cast<std::int64_t>(result.seed);
+  answer.free_values = row.values;
+  for (const SequenceNumber& n : row.numbers) {
+    SurveyQuantity quantity{0, n.name, n.unit, finite_or_none(n.value), {}, {}, {}};
+    if (n.sigma) quantity.sigma = finite_or_none(*n.sigma);
+    answer.quantities.push_back(quantity);
+  }
+  for (const DerivedNumber& d : result.derived) {
+    const auto found = std::find_if(answer.quantities.begin(), answer.quantities.end(),
+                                    [&](const SurveyQuantity& q) { return q.name == d.name; });
+    SurveyQuantity quantity{0, d.name, d.unit, {}, {}, {}, {}};
+    SurveyQuantity& of = found != answer.quantities.end() ? *found : quantity;
+    of.trust = trust_name(d.trust);
+    const std::string& reason = d.why_none.empty() ? d.trust_reason : d.why_none;
+    if (!reason.empty()) of.reason = reason;
+    if (found == answer.quantities.end() && !d.why_none.empty()) answer.quantities.push_back(quantity);
+  }
+  return answer;
+}
+
+/// The frame decoded, by what the works want of it.
+class FrameInHand {
+ public:
+  FrameInHand(std::string bytes, std::string name, const SurveyEye& eye, const sim::Scene& scene)
+      : bytes_(std::move(bytes)), name_(std::move(name)), eye_(eye), scene_(scene) {}
+
+  /// As the file has it.
+  const Photo& whole() {
+    if (!whole_) whole_ = read({});
+    return *whole_;
+  }
+  /// Averaged as a fit wants it.
+  const Photo& for_fit() {
+    const Averaging averaging = averaging_for_fit(scene_);
+    if (!averaging.any()) return whole();
+    if (!averaged_) averaged_ = read(averaging);
+    return *averaged_;
+  }
+
+ private:
+  Photo read(const Averaging& averaging) const {
+    return read_photo_bytes(bytes_, name_, eye_.decoding, &scene_, averaging);
+  }
+
+  std::string bytes_, name_;
+  const SurveyEye& eye_;
+  const sim::Scene& scene_;
+  std::optional<Photo> whole_, averaged_;
+};
+
+Photo masked(Photo photo, const std::string& mask) {
+  if (!mask.empty()) apply_mask(photo, mask);
+  return photo;
+}
+
+void give_up(FrameAnswer& answer, FrameStatus status, const std::string& reason) {
+  answer.status = status;
+  answer.reason = reason;
+}
+
+}  // namespace
+
+std::optional<FrameAnswer> survey_frame(const FrameTask& task, const SurveyEye* eye,
+                                        const FitOptions& options) {
+  const SurveyPlan& plan = *task.plan;
+  const PlannedBlock& block = plan.blocks.at(static_cast<std::size_t>(task.block));
+  const PlannedFrame& planned = block.frames.at(static_cast<std::size_t>(task.number));
+  FrameAnswer answer;
+  answer.frame = block.first_frame + task.number;
+  answer.block = task.block;
+  answer.camera = plan.cameras.at(static_cast<std::size_t>(block.camera)).name;
+  answer.file = planned.file;
+  answer.time_s = planned.time_s;
+  if (!planned.skip.empty() || eye == nullptr) {
+    give_up(answer, FrameStatus::skipped, planned.skip);
+    return answer;
+  }
+  const FrameReference reference = frame_reference(planned.file);
+  const std::string path = plan.place(reference.file);
+  sim::InputFile input = sim::read_input(path, sim::kMostPictureBytes);
+  if (!input.problem.empty()) {
+    const bool is_missing = input.problem == "there is no such file";
+    give_up(answer, is_missing ? FrameStatus::missing : FrameStatus::unreadable, input.problem);
+    return answer;
+  }
+  answer.sha256 = sim::sha256(input.bytes);
+  if (reference.number) {
+    give_up(answer, FrameStatus::unreadable,
+            "single frames of files of several are not read by this version");
+    return answer;
+  }
+  sim::Scene scene = eye->scene;
+  // The clock of the scene begins with the block: what drifts goes on from frame to frame.
+  const double clock_s = scene.time.start_s + planned.time_s - block.frames.front().time_s;
+  scene.time.start_s = clock_s;
+  scene.site.time_utc = sim::utc_text(planned.time_s);
+  FrameInHand frame(std::move(input.bytes), path, *eye, scene);
+  const bool borders = std::count(plan.work.begin(), plan.work.end(), SurveyWork::border) > 0;
+  try {
+    answer.decoding = (borders ? frame.whole() : frame.for_fit()).decoding;
+  } catch (const sim::Error& error) {
+    give_up(answer, FrameStatus::unreadable, words_of(error));
+    return answer;
+  }
+  for (const SurveyWork work : plan.work) {
+    try {
+      if (work == SurveyWork::border) {
+        answer.works.push_back(border_answer(masked(frame.whole(), eye->mask), scene, eye->channel));
+      } else {
+        const Photo photo = masked(frame.for_fit(), eye->mask);
+        const SequenceRow before = task.before != nullptr ? row_of_answer(*task.before) : SequenceRow();
+        const FrameFit fit =
+            fit_frame(scene, photo, clock_s, task.before != nullptr ? &before : nullptr, options);
+        if (fit.result.verdict == Verdict::interrupted) return std::nullopt;
+        answer.works.push_back(fit_answer(fit, scene, photo, clock_s));
+      }
+    } catch (const sim::Error& error) {
+      answer.works.push_back(refused_work(work, error));
+    }
+  }
+  if (options.stop != nullptr && options.stop->load()) return std::nullopt;
+  return answer;
+}
+
+}  // namespace vegard::fit

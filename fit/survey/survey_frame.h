@@ -1,0 +1,28 @@
+// What a survey does with one frame.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/search/fit_options.h"
+#include "fit/survey/survey_answer.h"
+#include "fit/survey/survey_eye.h"
+#include "fit/survey/survey_plan.h"
+
+namespace vegard::fit {
+
+struct FrameTask {
+  const SurveyPlan* plan = nullptr;
+  int block = 0, number = 0;  ///< of the frame, inside of its block
+  const WorkAnswer* before =
+      nullptr;  ///< the fit of the last frame of the block that has one; null: there is none
+};
+
+/// Opens the frame and does the plan's work with it. Whatever is wrong with it is in the answer. None if
+/// options.stop was raised meanwhile. The same frame, eye and answer before give the same answer, for every
+/// number of threads. `eye` may be null for a frame that is skipped.
+std::optional<FrameAnswer> survey_frame(const FrameTask& task, const SurveyEye* eye,
+                                        const FitOptions& options);
+
+}  // namespace vegard::fit
