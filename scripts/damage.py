@@ -167,6 +167,8 @@ def make_kinds(vegard, home):
          'name = "a"\nframes = ["frames.txt"]\nset = ["fit.bands=2"]\ndecoding = "srgb"\n[[camera.calibration]]\n'
          'from = "2019-03-01"\nfile = "camera.toml"\n[[skip]]\nuntil = "2019-03-01"\nreason = "fog"\n')
     text("frames.txt", "# when\nphoto.png 2019-03-01T22:10:00Z\nsecond.png 2019-03-01 22:10:03.5\n")
+    run("survey", "plan", "survey.toml", "-o", "plan.json")
+    run("survey", "run", "plan.json", "--out", "shards", *ONE)
     journal = make_journal(vegard, home, ["fit", "fit.toml", "--photo", "photo.png", "--max-evaluations", "2"])
     map_journal = make_journal(vegard, home, ["map", "map.toml", "--photo", "band.png", *MAP])
     render = ["render", "{it}", "-o", "{out}/r.png"] + CAMERA + ONE
@@ -222,6 +224,12 @@ def make_kinds(vegard, home):
              [["sequence", "fit.toml", "--photos", "list.txt", "-o", "sequence", "--max-evaluations", "2"] + ONE]),
         Kind("survey", "it.toml", [bytes_of("survey.toml")], [["survey", "plan", "it.toml", "-o", "{out}/p.json"]]),
         Kind("frames of a survey", "frames.txt", [bytes_of("frames.txt")], [["survey", "plan", "survey.toml", "-o", "{out}/p.json"]]),
+        Kind("plan", "it.json", [bytes_of("plan.json")],
+             [["survey", "run", "{it}", "--out", "{out}/s"] + ONE, ["survey", "run", "{it}", "--out", "{out}/s", "--shard", "1/2"] + ONE]),
+        Kind("database", "shards/shard-0001-of-0001.sqlite", [bytes_of("shards/shard-0001-of-0001.sqlite")],
+             [["survey", "merge", "shards", "-o", "{out}/m.sqlite"], ["survey", "export", "shards/{it}", "-o", "{out}/w.csv"],
+              ["survey", "export", "shards/{it}", "-o", "{out}/q.csv", "--table", "quantities"],
+              ["survey", "run", "plan.json", "--out", "shards"] + ONE]),
         Kind("words", None, [b"sheet.main.energy_kev=3.5", b"camera.width=64", b"fit.free=[]", b"sky.level=[1.0, 2.0, 3.0]",
                              b"sheet.main.center_km=[10.0, 220.0]", b'sensor.response="grey"'],
              [["render", "small.toml", "-o", "{out}/r.png", "--set", "{it}"] + CAMERA + ONE, ["profile", "{it}", "-o", "{out}/p.csv"],

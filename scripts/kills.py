@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Kills vegard at random moments, lets it go on or run again, and compares with a run that nobody disturbed.
 
-Six commands of some seconds each: a fit and a map (go on with --resume), a sequence and an animation (go on by
-themselves), a picture and a grid (made again with --overwrite, in the place of an older file). Of the kills most are
+Seven commands of some seconds each: a fit and a map (go on with --resume), a sequence, a survey by two processes and
+an animation (go on by themselves), a picture and a grid (made again with --overwrite, in the place of an older file).
+Of a survey the merged database counts, since its shards tell how often they were written to. Of the kills most are
 SIGKILL, some SIGTERM and SIGINT. A killed command may leave what it goes on with, or a temporary beside its output.
 What it must not do: leave half a file under the output's name. After the second run every byte is that of the
 undisturbed one, and nothing stands beside the outputs that does not stand there then.
@@ -35,12 +36,14 @@ ENDS = {signal.SIGKILL: {-signal.SIGKILL}, signal.SIGTERM: {143, -signal.SIGTERM
 class Job:
     """A command that writes into the folder "out", and what to call when it was killed."""
 
-    def __init__(self, name, words, again=(), old=None, done=(0,)):
-        self.name, self.words, self.old, self.done = name, list(words), old, done
+    def __init__(self, name, words, again=(), old=None, done=(0,), then=()):
+        """`then`: words of a command that makes what is in "out" of what the first has left in "shards"."""
+        self.name, self.words, self.old, self.done, self.then = name, list(words), old, done, list(then)
         self.again = self.words + [w for w in again if w not in self.words]
 
     def prepare(self, folder):
-        shutil.rmtree(folder / "out", ignore_errors=True)
+        for name in ("out", "shards"):
+            shutil.rmtree(folder / name, ignore_errors=True)
         (folder / "out").mkdir()
         if self.old:
             (folder / "out" / self.old).write_bytes(OLD)
@@ -54,6 +57,8 @@ def jobs():
         Job("map", ["map", str(SCENES / "map.toml"), "--photo", "band.png", "--out", "out/map", "--replicates", "2",
                     "--sparsity", "4", "--set", "sensor.calibration_error=0.1", *ONE], ["--resume"]),
         Job("sequence", ["sequence", fit, "--photos", "list.txt", "-o", "out/all", *ONE]),
+        Job("survey", ["survey", "run", "plan.json", "--out", "shards", "--local", "2", *ONE],
+            then=["survey", "merge", "shards", "-o", "out/all.sqlite"]),
         Job("animate", ["animate", "moving.toml", "-o", "out/frames/##.png", "--frames", "0:11", "--camera-json",
                         "--set", "sheet.main.beams=6000", *ONE]),
         Job("render", ["render", small, "-o", "out/it.exr", "--set", "sheet.main.beams=12000", "--overwrite", *ONE],
@@ -115,6 +120,12 @@ def compare(whole, found):
     return wrong
 
 
+def conclude(vegard, job, folder):
+    """Where a command is needed to see what was done: what it cannot do is missing then."""
+    if job.then:
+        finish(start(vegard, job.then, folder), 60)
+
+
 def main():
     words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     words.add_argument("--binary", default=str(SOURCE / "build/release/vegard"))
@@ -137,6 +148,14 @@ def main():
                             f"sheet.main.energy_kev={energy}"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
         subprocess.run([vegard, "render", str(SCENES / "map_light.toml"), "-o", "band.png"], cwd=folder, check=True,
                        stdout=subprocess.DEVNULL)
+        (folder / "survey.toml").write_text(
+            '[survey]\nname = "night"\nwork = ["border", "fit"]\nscene = "fit.toml"\nblock_frames = 5\n'
+            '[[camera]]\nname = "a"\nframes = ["frames.txt"]\nset = ["sheet.main.beams=1000"]\n')
+        shutil.copy(SCENES / "fit.toml", folder / "fit.toml")
+        (folder / "frames.txt").write_text("".join(
+            f"{('photo', 'second', 'third')[i % 3]}.png 2019-03-01T22:{i // 6:02}:{10 * (i % 6):02}Z\n" for i in range(20)))
+        subprocess.run([vegard, "survey", "plan", "survey.toml", "-o", "plan.json"], cwd=folder, check=True,
+                       stdout=subprocess.DEVNULL)
         for job in jobs():
             if options.only and job.name not in options.only:
                 continue
@@ -146,6 +165,7 @@ def main():
             seconds = time.monotonic() - begin
             if code not in job.done:
                 sys.exit(f"kills.py: vegard {' '.join(job.words)} ended with {code}:\n{said.decode(errors='replace')}")
+            conclude(vegard, job, folder)
             whole = tree(folder / "out")
             count = dict.fromkeys(columns, 0)
             for kill in range(options.kills):
@@ -172,6 +192,7 @@ def main():
                     code, said = finish(start(vegard, job.again, folder), 600)
                     if code not in job.done:
                         wrong.append(("refused", f"exit code {code} the second time: {said.decode(errors='replace')}"))
+                conclude(vegard, job, folder)
                 wrong += compare(whole, tree(folder / "out"))
                 findings += len(wrong)
                 for kind, what in wrong:

@@ -256,6 +256,15 @@ sed -e 's/^free = .*/free = ["sheet.main.center_km.north"]/' -e 's/^energy_kev =
 run_fit fit_held fit inputs/held.toml --photo out/render_plain.png --out out/fit_held
 run_fit compare compare out/fit_judged out/fit_held
 run_fit sequence sequence $fit --photos out/frame_1.png out/frame_2.png out/frame_3.png -o out/sequence
+# Of a survey's shards the bytes tell how often they were written to: beside the outputs.
+mkdir inputs/survey
+cp $fit inputs/survey/scene.toml
+for i in 1 2 3; do cp "out/frame_$i.png" "inputs/survey/20190301_22100$i.png"; done
+printf '[survey]\nname = "night"\nwork = ["border", "fit"]\nscene = "scene.toml"\n[[camera]]\nname = "a"\nframes = ["."]\n' >inputs/survey/survey.toml
+run survey_plan survey plan inputs/survey/survey.toml -o out/plan.json
+run survey_run survey run out/plan.json --out inputs/survey/shards
+run survey_merge survey merge inputs/survey/shards -o out/survey.sqlite
+run survey_export survey export out/survey.sqlite -o out/survey.csv
 cat $small - >inputs/both.toml <<'TOML'
 
 [fit]

@@ -7,5 +7,7 @@ namespace vegard::apps {
 
 void add_survey_plan(const Command& survey);
 void add_survey_run(const Command& survey);
+void add_survey_merge(const Command& survey);
+void add_survey_export(const Command& survey);
 
 }  // namespace vegard::apps

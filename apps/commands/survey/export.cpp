@@ -1,0 +1,41 @@
+#include <memory>
+#include <string>
+
+#include "apps/commands/survey/steps.h"
+#include "apps/options/exit_code.h"
+#include "apps/options/file_names.h"
+#include "fit/survey/survey_export.h"
+
+namespace vegard::apps {
+namespace {
+
+struct ExportRequest {
+  std::string database, out, table = "wide";
+  bool overwrite = false;
+};
+
+int run_export(const ExportRequest& options) {
+  spare_inputs("--output", options.out, {{options.database, "the database"}});
+  const fit::SqliteFile file(options.database, fit::SqliteFile::Opening::read);
+  fit::write_survey_csv(file, *fit::survey_table_kind(options.table), options.out, options.overwrite);
+  return good;
+}
+
+}  // namespace
+
+void add_survey_export(const Command& survey) {
+  const auto options = std::make_shared<ExportRequest>();
+  const Command command = survey.add("export", "A survey's database as a table (CSV)");
+  command.option("DATABASE", options->database, "The database, merged or of one shard").required();
+  command.option("-o,--output", options->out, "The table to write").required().type_name("OUT.csv");
+  command
+      .option("--table", options->table,
+              "wide: a row a frame with all its numbers; frames; results: a row for each frame and work; "
+              "quantities: a row for each number")
+      .one_of({"wide", "frames", "results", "quantities"})
+      .shows_default();
+  command.flag("--overwrite", options->overwrite, "Replace a file that exists");
+  command.runs([options] { return run_export(*options); });
+}
+
+}  // namespace vegard::apps

@@ -1,0 +1,198 @@
+#include "fit/survey/survey_export.h"
+
+#include <cerrno>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <set>
+#include <tuple>
+
+#include "fit/survey/survey_results.h"
+#include "sim/base/file/csv_text.h"
+#include "sim/base/file/output_error.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/base/number/constants.h"
+#include "sim/base/utc_time.h"
+
+namespace vegard::fit {
+namespace {
+
+using Take = std::function<void(const std::string& line)>;
+
+/// Cells with commas between.
+class CsvLine {
+ public:
+  CsvLine& add(const std::optional<std::string>& text) { return put(text ? sim::csv_cell(*text) : ""); }
+  CsvLine& add(const std::string& text) { return put(sim::csv_cell(text)); }
+  CsvLine& add(const std::optional<double>& number) {
+    return put(sim::csv_number(number.value_or(sim::kNaN)));
+  }
+  CsvLine& add(int number) { return put(std::to_string(number)); }
+  std::string line() const { return text_ + "\n"; }
+
+ private:
+  CsvLine& put(const std::string& cell) {
+    if (!is_first_) text_ += ",";
+    is_first_ = false;
+    text_ += cell;
+    return *this;
+  }
+  std::string text_;
+  bool is_first_ = true;
+};
+
+constexpr const char* kFacts = "frame,camera,file,time_utc,status,reason";
+CsvLine facts_line(const FrameAnswer& answer) {
+  CsvLine line;
+  line.add(answer.frame).add(answer.camera).add(answer.file).add(sim::utc_text(answer.time_s));
+  line.add(std::string(frame_status_name(answer.status))).add(answer.reason);
+  return line;
+}
+
+/// A column of the wide table.
+struct WideColumn {
+  SurveyWork work;
+  std::string name, unit;
+  bool operator<(const WideColumn& o) const {
+    return std::tie(work, name, unit) < std::tie(o.work, o.name, o.unit);
+  }
+};
+
+/// Of several items the first: a border's brightest trace.
+bool is_wide(const SurveyQuantity& quantity) { return quantity.item <= 1; }
+
+void each_frame(const SurveyReader& reader, const std::function<void(const FrameAnswer& answer)>& take) {
+  reader.frames(0, std::numeric_limits<int>::max(), take);
+}
+
+const WorkAnswer* work_in(const FrameAnswer& answer, SurveyWork work) {
+  for (const WorkAnswer& one : answer.works)
+    if (one.work == work) return &one;
+  return nullptr;
+}
+
+const SurveyQuantity* quantity_in(const WorkAnswer* work, const WideColumn& column) {
+  if (work == nullptr) return nullptr;
+  for (const SurveyQuantity& q : work->quantities)
+    if (is_wide(q) && q.name == column.name && q.unit == column.unit) return &q;
+  return nullptr;
+}
+
+void wide_table(const SurveyReader& reader, const Take& take) {
+  std::set<SurveyWork> works;
+  std::set<WideColumn> columns;
+  each_frame(reader, [&](const FrameAnswer& answer) {
+    for (const WorkAnswer& w : answer.works) {
+      works.insert(w.work);
+      for (const SurveyQuantity& q : w.quantities)
+        if (is_wide(q)) columns.insert({w.work, q.name, q.unit});
+    }
+  });
+  std::string head = kFacts;
+  for (const SurveyWork work : works) head += std::string(",") + survey_work_name(work) + " verdict";
+  for (const WideColumn& column : columns) {
+    const std::string name = std::string(survey_work_name(column.work)) + ": " + column.name +
+                             (column.unit.empty() ? "" : " (" + column.unit + ")");
+    head += "," + sim::csv_cell(name) + "," + sim::csv_cell("sigma of " + name) + "," +
+            sim::csv_cell("trust of " + name);
+  }
+  take(head + "\n");
+  each_frame(reader, [&](const FrameAnswer& answer) {
+    CsvLine line = facts_line(answer);
+    for (const SurveyWork work : works) {
+      const WorkAnswer* found = work_in(answer, work);
+      line.add(found != nullptr ? std::optional(found->verdict) : std::nullopt);
+    }
+    for (const WideColumn& column : columns) {
+      const SurveyQuantity* q = quantity_in(work_in(answer, column.work), column);
+      if (q != nullptr)
+        line.add(q->value).add(q->sigma).add(q->trust);
+      else
+        line.add(std::string()).add(std::string()).add(std::string());
+    }
+    take(line.line());
+  });
+}
+
+void frames_table(const SurveyReader& reader, const Take& take) {
+  take(std::string(kFacts) + ",block,time_s,sha256,decoding\n");
+  each_frame(reader, [&](const FrameAnswer& answer) {
+    CsvLine line = facts_line(answer);
+    take(line.add(answer.block)
+             .add(std::optional(answer.time_s))
+             .add(answer.sha256)
+             .add(answer.decoding)
+             .line());
+  });
+}
+
+void results_table(const SurveyReader& reader, const Take& take) {
+  take(std::string(kFacts) + ",work,verdict,words,start,chi2_per_dof,seed\n");
+  each_frame(reader, [&](const FrameAnswer& answer) {
+    for (const WorkAnswer& w : answer.works) {
+      CsvLine line = facts_line(answer);
+      line.add(std::string(survey_work_name(w.work)))
+          .add(w.verdict)
+          .add(w.words)
+          .add(w.start)
+          .add(w.chi2_per_dof);
+      take(line.add(w.seed ? std::to_string(*w.seed) : std::string()).line());
+    }
+  });
+}
+
+void quantities_table(const SurveyReader& reader, const Take& take) {
+  take("frame,camera,time_utc,work,item,name,unit,value,sigma,trust,reason\n");
+  each_frame(reader, [&](const FrameAnswer& answer) {
+    for (const WorkAnswer& w : answer.works)
+      for (const SurveyQuantity& q : w.quantities) {
+        CsvLine line;
+        line.add(answer.frame).add(answer.camera).add(sim::utc_text(answer.time_s));
+        line.add(std::string(survey_work_name(w.work))).add(q.item).add(q.name).add(q.unit);
+        take(line.add(q.value).add(q.sigma).add(q.trust).add(q.reason).line());
+      }
+  });
+}
+
+}  // namespace
+
+std::optional<SurveyTableKind> survey_table_kind(const std::string& word) {
+  if (word == "wide") return SurveyTableKind::wide;
+  if (word == "frames") return SurveyTableKind::frames;
+  if (word == "results") return SurveyTableKind::results;
+  if (word == "quantities") return SurveyTableKind::quantities;
+  return std::nullopt;
+}
+
+void write_survey_csv(const SqliteFile& database, SurveyTableKind kind, const std::string& output,
+                      bool overwrite) {
+  const SurveyReader reader(database);
+  sim::WholeFile whole(output, overwrite);
+  std::ofstream stream(whole.temporary(), std::ios::binary);
+  const auto require_written = [&] {
+    if (!stream) throw sim::unwritable(output, errno);
+  };
+  const Take take = [&](const std::string& line) {
+    stream << line;
+    require_written();
+  };
+  switch (kind) {
+    case SurveyTableKind::wide:
+      wide_table(reader, take);
+      break;
+    case SurveyTableKind::frames:
+      frames_table(reader, take);
+      break;
+    case SurveyTableKind::results:
+      results_table(reader, take);
+      break;
+    case SurveyTableKind::quantities:
+      quantities_table(reader, take);
+      break;
+  }
+  stream.close();
+  require_written();
+  whole.commit();
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,119 @@
+# A survey of eight frames: whatever cuts or kills it, the same bytes come out; and its refusals.
+source "$(dirname "$0")/case.sh"
+mkdir night
+cp "$SCENES/fit.toml" night/scene.toml
+for i in 0 1 2 3 4 5 6; do
+  expect_exit 0 render "$SCENES/small.toml" -o "night/20190301_22100$i.png" --set "sheet.main.energy_kev=3.$i"
+done
+head -c 3000 night/20190301_221000.png >night/20190301_221005.png # cut off
+cat >night/survey.toml <<'TOML'
+[survey]
+name = "night"
+work = ["border", "fit"]
+scene = "scene.toml"
+block_frames = 3
+[[camera]]
+name = "a"
+frames = [".", "late.txt"]
+[[skip]]
+from = "2019-03-01T22:10:06Z"
+until = "2019-03-01T22:10:07Z"
+reason = "a lamp"
+TOML
+printf 'late.png 2019-03-01T22:10:07Z\n' >night/late.txt
+expect_exit 0 survey plan night/survey.toml -o plan.json
+expect_stdout "8 frames (1 skipped) in 3 blocks"
+
+query() { sqlite3 "$1" "$2" 2>/dev/null || python3 -c 'import sqlite3, sys
+for row in sqlite3.connect(sys.argv[1]).execute(sys.argv[2]): print("|".join(map(str, row)))' "$1" "$2"; }
+
+expect_exit 0 survey run plan.json --out whole
+expect_stdout "shard 1/1: 8 of 8 frames"
+expect_exit 0 survey merge whole -o whole.sqlite
+expect_stdout "8 frames of 1 database"
+[[ $(query whole.sqlite "SELECT status || ': ' || coalesce(reason, '') FROM frame WHERE frame > 4 ORDER BY frame" | sed 's/unreadable: .*/unreadable/') == \
+  $'unreadable\nskipped: a lamp\nmissing: there is no such file' ]] || fail "other states of frames"
+[[ $(query whole.sqlite "SELECT group_concat(start, ' ') FROM (SELECT start FROM result WHERE work = 'fit' ORDER BY frame)") == \
+  "full warm warm full warm" ]] || fail "frames start elsewhere"
+[[ $(query whole.sqlite "SELECT count(*) FROM quantity WHERE name = 'sheet.main.energy_kev' AND abs(value - 3 - frame / 10.0) < 0.1") == 5 ]] ||
+  fail "other energies"
+
+# In two shards and by several processes.
+expect_exit 0 survey run plan.json --out two --shard 2/2
+expect_exit 5 survey merge two -o part.sqlite
+expect_stdout "frames of the plan are not there yet"
+expect_exit 0 survey run plan.json --out two --shard 1/2
+expect_exit 0 survey merge two/shard-0002-of-0002.sqlite two/shard-0001-of-0002.sqlite -o two.sqlite
+expect_same whole.sqlite two.sqlite
+expect_exit 0 survey run plan.json --out local --local 2 --threads 2
+[[ $(find local -name 'shard-*-of-0003.sqlite' | wc -l) -eq 3 ]] || fail "not three shards"
+expect_exit 0 survey merge local -o local.sqlite
+expect_same whole.sqlite local.sqlite
+
+# Killed again and again; and interrupted.
+for pause in 0.1 0.25 0.4 0.3 0.2 0.5; do
+  "$VEGARD" survey run plan.json --out killed >"$stdout" 2>"$stderr" &
+  sleep "$pause"
+  kill -KILL $! 2>/dev/null || true
+  wait $! 2>/dev/null || true
+done
+"$VEGARD" survey run plan.json --out killed >"$stdout" 2>"$stderr" &
+interrupt $!
+[[ $status -eq 130 || $status -eq 0 ]] || fail "exit $status after Ctrl-C"
+expect_exit 0 survey run plan.json --out killed
+expect_stdout "8 of 8 frames"
+expect_exit 0 survey merge killed -o killed.sqlite
+expect_same whole.sqlite killed.sqlite
+
+# What there is to take away.
+expect_exit 0 survey export whole.sqlite -o wide.csv
+[[ $(wc -l <wide.csv) -eq 9 ]] || fail "not a row a frame"
+grep -q '^7,a,late.png,2019-03-01T22:10:07Z,missing,there is no such file,' wide.csv || fail "no row of the missing frame"
+for table in frames results quantities; do
+  expect_exit 0 survey export whole/shard-0001-of-0001.sqlite -o "$table.csv" --table "$table"
+  expect_file "$table.csv"
+done
+
+# Refusals.
+expect_exit 2 survey run plan.json --out whole --shard 1/2
+expect_stderr "is cut into 1"
+expect_exit 2 survey run plan.json --out other --shard 3/2
+expect_one_message
+expect_exit 3 survey run night/survey.toml --out other
+expect_exit 2 survey merge whole -o whole.sqlite
+expect_exit 2 survey merge whole -o whole/shard-0001-of-0001.sqlite --overwrite
+expect_exit 2 survey merge night -o none.sqlite
+expect_stderr "no shard in the folder"
+expect_exit 3 survey merge plan.json -o none.sqlite
+expect_stderr "plan.json"
+expect_one_message
+expect_exit 3 survey export night/late.txt -o none.csv
+expect_exit 3 survey export none.sqlite -o none.csv
+[[ ! -e none.sqlite && ! -e none.csv ]] || fail "something was written"
+# What the plan was made of has changed; then the plan has.
+cp -r night changed
+sed 's/"night"/"changed"/' plan.json >changed.json
+cp changed/scene.toml scene.toml
+sed -i 's/^bands = 4/bands = 5/' changed/scene.toml
+expect_exit 2 survey run changed.json --out other
+expect_stderr "the setup of a, calibration 1"
+[[ ! -e other ]] || fail "something was written"
+cp scene.toml changed/scene.toml
+expect_exit 2 survey run changed.json --out whole
+expect_stderr "is of another plan"
+expect_exit 0 survey run changed.json --out other
+expect_exit 2 survey merge whole other -o none.sqlite
+expect_stderr "of 2 plans"
+expect_exit 0 survey merge whole other -o mixed.sqlite --mixed
+expect_stdout "of 2 plans and 1 version"
+# A full disk keeps what was finished.
+(
+  ulimit -f $(($(stat -c %s whole/shard-0001-of-0001.sqlite) / 1024 - 6)) # kB
+  status=0
+  "$VEGARD" survey run plan.json --out full >"$stdout" 2>"$stderr" || status=$?
+  [[ $status -eq 6 ]] || fail "exit $status on a full disk"
+  expect_one_message
+)
+expect_exit 0 survey run plan.json --out full
+expect_exit 0 survey merge full -o full.sqlite
+expect_same whole.sqlite full.sqlite
