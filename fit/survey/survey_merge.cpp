@@ -207,7 +207,7 @@ void write_merged(Inventory& stock, SqliteFile& file, SurveyMerge& merge) {
   SurveyAtHand at_hand;
   for (auto& [key, sources] : stock.blocks) {
     const BlockSource& source = chosen_source(sources, stock);
-    const auto [frame_offset, block_offset] = firsts[key.first];
+    const int frame_offset = firsts[key.first].first, block_offset = firsts[key.first].second;
     const std::pair origin{key.first, stock.versions[source.versions]};
     const auto number =
         std::lower_bound(stock.origins.begin(), stock.origins.end(), origin) - stock.origins.begin();
