@@ -1,0 +1,102 @@
+// One frame of a survey: whatever is wrong with it is in its answer.
+#include "fit/survey/survey_frame.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "fit/photo/mask/mask_picture.h"
+#include "sim/base/file/sha256.h"
+#include "tests/fit/survey/made_answers.h"
+#include "tests/support/temporary_folder.h"
+
+namespace vegard::fit::survey_frame_test {
+namespace {
+
+/// A survey of borders whose frames are these, in a folder.
+class SurveyOfFiles {
+ public:
+  explicit SurveyOfFiles(const std::vector<std::string>& files) : plan_(tests::made_survey_plan(1, 1)) {
+    plan_.file = folder_ / "plan.json";
+    plan_.work = {SurveyWork::border};
+    plan_.blocks[0].frames.clear();
+    for (const std::string& file : files)
+      plan_.blocks[0].frames.push_back(
+          {file, 1551478200.0 + 3.0 * static_cast<double>(plan_.blocks[0].frames.size()), {}});
+    eye_.scene.camera.width = 40;
+    eye_.scene.camera.height = 30;
+  }
+
+  void put(const std::string& name, const std::string& bytes) { tests::put(folder_ / name, bytes); }
+  static std::string png(int width, int height) { return mask_png(PixelSet(width, height)); }
+
+  std::optional<FrameAnswer> answer(int number, const std::atomic<bool>* stop = nullptr) const {
+    FitOptions options;
+    options.threads = 1;
+    options.stop = stop;
+    return survey_frame({&plan_, 0, number, nullptr}, &eye_, options);
+  }
+
+  SurveyEye& eye() { return eye_; }
+  SurveyPlan& plan() { return plan_; }
+  std::string path(const std::string& name) const { return folder_ / name; }
+
+ private:
+  tests::TemporaryFolder folder_;
+  SurveyPlan plan_;
+  SurveyEye eye_;
+};
+
+TEST(SurveyFrame, ThatCannotBeHadSaysWhy) {
+  SurveyOfFiles survey({"none.png", "junk.png", "folder", "a.png#3", "a.png"});
+  survey.put("junk.png", "no picture at all");
+  survey.put("a.png", SurveyOfFiles::png(40, 30));
+  std::filesystem::create_directories(survey.path("folder"));
+  const FrameAnswer none = *survey.answer(0), junk = *survey.answer(1);
+  EXPECT_EQ(none.status, FrameStatus::missing);
+  EXPECT_EQ(none.reason, "there is no such file");
+  EXPECT_FALSE(none.sha256);
+  EXPECT_EQ(junk.status, FrameStatus::unreadable);
+  EXPECT_EQ(junk.sha256, sim::sha256("no picture at all"));
+  ASSERT_TRUE(junk.reason);
+  EXPECT_EQ(junk.reason->find(survey.path("")), std::string::npos) << *junk.reason;  // of no machine
+  EXPECT_EQ(survey.answer(2)->reason, "is a directory");
+  EXPECT_EQ(survey.answer(3)->status, FrameStatus::unreadable);
+  survey.plan().blocks[0].frames[4].skip = "fog";
+  EXPECT_EQ(survey.answer(4)->status, FrameStatus::skipped);
+  EXPECT_EQ(survey.answer(4)->reason, "fog");
+}
+
+TEST(SurveyFrame, HasAnAnswerForEachWork) {
+  SurveyOfFiles survey({"a.png", "b.png"});
+  survey.put("a.png", SurveyOfFiles::png(40, 30));
+  survey.put("b.png", SurveyOfFiles::png(41, 30));
+  const FrameAnswer good = *survey.answer(0), other_size = *survey.answer(1);
+  EXPECT_EQ(good.status, FrameStatus::done);
+  EXPECT_EQ(good.frame, 0);
+  EXPECT_EQ(good.time_s, 1551478200.0);
+  ASSERT_EQ(good.works.size(), 1u);
+  EXPECT_EQ(good.works[0].verdict, "none");  // all of it is clipped
+  ASSERT_TRUE(good.works[0].words);
+  EXPECT_EQ(other_size.status, FrameStatus::done);
+  EXPECT_EQ(other_size.works[0].verdict, "refused");
+  EXPECT_NE(other_size.works[0].words->find("41"), std::string::npos) << *other_size.works[0].words;
+}
+
+TEST(SurveyFrame, WithAMaskOfAnotherSizeIsRefused) {
+  SurveyOfFiles survey({"a.png"});
+  survey.put("a.png", SurveyOfFiles::png(40, 30));
+  survey.put("mask.png", SurveyOfFiles::png(20, 30));
+  survey.eye().mask = survey.path("mask.png");
+  EXPECT_EQ(survey.answer(0)->works[0].verdict, "refused");
+}
+
+TEST(SurveyFrame, IsGivenUpWhenStopped) {
+  SurveyOfFiles survey({"a.png"});
+  survey.put("a.png", SurveyOfFiles::png(40, 30));
+  const std::atomic<bool> stop{true};
+  EXPECT_FALSE(survey.answer(0, &stop));
+}
+
+}  // namespace
+}  // namespace vegard::fit::survey_frame_test
