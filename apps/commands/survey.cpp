@@ -9,6 +9,9 @@ void add_survey_command(Program& program) {
       "survey", "A night, a winter, a network of cameras: every frame measured, on one machine or on many");
   add_survey_plan(survey);
   add_survey_run(survey);
+  add_survey_submit(survey);
+  add_survey_status(survey);
+  add_survey_cancel(survey);
   add_survey_merge(survey);
   add_survey_export(survey);
 }

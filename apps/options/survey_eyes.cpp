@@ -1,6 +1,8 @@
 #include "apps/options/survey_eyes.h"
 
 #include <filesystem>
+#include <set>
+#include <utility>
 
 #include "apps/options/photo_options.h"
 #include "apps/options/scene_options.h"
@@ -59,6 +61,13 @@ fit::SurveyEye planned_eye(const fit::SurveyPlan& plan, int camera, int calibrat
                       {},
                       "make a new plan, or put back what has changed"});
   return eye;
+}
+
+void check_planned_eyes(const fit::SurveyPlan& plan) {
+  std::set<std::pair<int, int>> seen;
+  for (const fit::PlannedBlock& block : plan.blocks)
+    if (block.calibration >= 0 && seen.emplace(block.camera, block.calibration).second)
+      planned_eye(plan, block.camera, block.calibration);
 }
 
 }  // namespace vegard::apps

@@ -28,4 +28,7 @@ fit::PlanInput survey_setup(const fit::SurveyCamera& camera, int calibration, co
 /// The eye of a plan's block. Throws Error(existing_output) if anything in it is not as the plan had it.
 fit::SurveyEye planned_eye(const fit::SurveyPlan& plan, int camera, int calibration);
 
+/// Throws as planned_eye() does for any of the plan's blocks: once, before many processes find it out.
+void check_planned_eyes(const fit::SurveyPlan& plan);
+
 }  // namespace vegard::apps

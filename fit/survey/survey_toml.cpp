@@ -45,7 +45,7 @@ class SurveyTable {
   std::string text(const std::string& key, const std::string& expected = "a text in quotes") {
     const toml::node* node = get(key);
     if (node == nullptr) return {};
-    const std::string found = sim::text_of(*node, at(key), expected);
+    std::string found = sim::text_of(*node, at(key), expected);
     if (found.empty()) complain({"it is empty", expected, ""}, at(key));
     return found;
   }
@@ -163,7 +163,7 @@ bool is_plain_name(const std::string& name) {
 
 std::string plain_name(SurveyTable& table, const std::string& key) {
   const std::string expected = "letters, digits, _ and -, 64 at most";
-  const std::string name = table.text(key, expected);
+  std::string name = table.text(key, expected);
   if (name.empty()) complain({"'" + key + "' is missing", expected, ""}, table.at(key));
   if (!is_plain_name(name)) complain({"'" + name + "' is no name", expected, ""}, table.at(key));
   return name;

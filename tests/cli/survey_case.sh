@@ -98,6 +98,8 @@ sed -i 's/^bands = 4/bands = 5/' changed/scene.toml
 expect_exit 2 survey run changed.json --out other
 expect_stderr "the setup of a, calibration 1"
 [[ ! -e other ]] || fail "something was written"
+expect_exit 2 survey run changed.json --out other --local 2
+expect_one_message
 cp scene.toml changed/scene.toml
 expect_exit 2 survey run changed.json --out whole
 expect_stderr "is of another plan"

@@ -88,4 +88,38 @@ ExitCode run_processes(const std::vector<LocalCall>& calls, int at_a_time) {
   return static_cast<ExitCode>(worst);
 }
 
+ProgramEnd run_program(const std::vector<std::string>& words) {
+  std::vector<std::string> copies = words;
+  std::vector<char*> arguments;
+  for (std::string& word : copies) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  int ends[2];
+  if (::pipe(ends) != 0) return {kNoProgram, "no pipe can be made"};
+  show_output();
+  const pid_t process = ::fork();
+  if (process == 0) {
+    ::dup2(ends[1], STDOUT_FILENO);
+    ::dup2(ends[1], STDERR_FILENO);
+    ::close(ends[0]);
+    ::close(ends[1]);
+    ::execvp(arguments[0], arguments.data());
+    ::_exit(kNoProgram);
+  }
+  ::close(ends[1]);
+  ProgramEnd end;
+  char block[4096];
+  for (;;) {
+    const ssize_t count = ::read(ends[0], block, sizeof block);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    end.words.append(block, static_cast<std::size_t>(count));
+  }
+  ::close(ends[0]);
+  int status = 0;
+  while (process > 0 && ::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  end.exit_code = process > 0 ? code_of_status(status) : kNoProgram;
+  return end;
+}
+
 }  // namespace vegard::apps

@@ -1,4 +1,4 @@
-// Several processes of this program on this machine.
+// Other processes on this machine: several of this program, and programs that a survey is handed to.
 #pragma once
 
 #include <string>
@@ -18,5 +18,14 @@ struct LocalCall {
 /// that is not 0; once one has been interrupted, or this process is, no more are begun, and those at work are
 /// told to end. They end as well if this process is killed.
 ExitCode run_processes(const std::vector<LocalCall>& calls, int at_a_time);
+
+/// What another program has said, on both of its outputs, and how it ended. An exit code of 127: there is no
+/// such program.
+struct ProgramEnd {
+  int exit_code = 0;
+  std::string words;
+};
+/// Runs a program of the system, by its name, and waits for it.
+ProgramEnd run_program(const std::vector<std::string>& words);
 
 }  // namespace vegard::apps

@@ -107,6 +107,7 @@ int run_local(const RunRequest& options, const fit::SurveyPlan& plan) {
   const int shards = !found.empty() ? found.front().shards
                                     : std::max(plan.shards, std::min(kShardsEach * *options.local,
                                                                      static_cast<int>(plan.blocks.size())));
+  check_planned_eyes(plan);
   begin_shard_folder(options.out, shards);
   std::vector<LocalCall> calls;
   for (int shard = 1; shard <= shards; ++shard) {

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <numeric>
 #include <system_error>
 
 #include "apps/options/refusals.h"
+#include "fit/survey/survey_results.h"
 #include "fit/survey/survey_run.h"
 #include "sim/base/error.h"
 #include "sim/base/file/output_error.h"
@@ -73,6 +75,12 @@ void begin_shard_folder(const std::string& folder, int shards) {
                         {},
                         {},
                         "go on with this number, or choose another folder"});
+}
+
+int frames_in(const std::string& database) {
+  const fit::SqliteFile file(database, fit::SqliteFile::Opening::read);
+  const std::vector<int> counts = fit::count_by_status(file);
+  return std::accumulate(counts.begin(), counts.end(), 0);
 }
 
 }  // namespace vegard::apps

@@ -23,4 +23,7 @@ std::pair<int, int> shard_words(const std::string& words);
 /// and Error(unwritable_output).
 void begin_shard_folder(const std::string& folder, int shards);
 
+/// Frames that a shard's database has. Throws as SurveyReader does.
+int frames_in(const std::string& database);
+
 }  // namespace vegard::apps

@@ -7,6 +7,9 @@ namespace vegard::apps {
 
 void add_survey_plan(const Command& survey);
 void add_survey_run(const Command& survey);
+void add_survey_submit(const Command& survey);
+void add_survey_status(const Command& survey);
+void add_survey_cancel(const Command& survey);
 void add_survey_merge(const Command& survey);
 void add_survey_export(const Command& survey);
 

@@ -1,0 +1,56 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "apps/commands/survey/shard_folder.h"
+#include "apps/commands/survey/slurm_job.h"
+#include "apps/commands/survey/steps.h"
+#include "apps/options/exit_code.h"
+#include "apps/options/refusals.h"
+#include "apps/options/standard_streams.h"
+#include "fit/survey/survey_results.h"
+
+namespace vegard::apps {
+namespace {
+
+int run_status(const std::string& folder) {
+  const std::vector<ShardFile> shards = shard_files(folder);
+  const std::string job = job_of_folder(folder);
+  if (shards.empty() && job.empty())
+    throw usage_error("DIR", "there is no shard in '" + folder + "'",
+                      "the folder of vegard survey run or submit");
+  std::vector<int> counts(4, 0);
+  int frames = 0, planned = 0;
+  std::string name;
+  for (const ShardFile& shard : shards) {
+    const fit::SqliteFile file(shard.path, fit::SqliteFile::Opening::read);
+    const std::vector<int> of_shard = fit::count_by_status(file);
+    for (std::size_t s = 0; s < counts.size(); ++s) {
+      counts[s] += of_shard[s];
+      frames += of_shard[s];
+    }
+    const fit::SurveyReader reader(file);
+    planned = reader.plans().front().frames;
+    name = reader.plans().front().name;
+  }
+  if (!shards.empty())
+    say("%s: %d of %d frames: %d done, %d skipped, %d missing, %d unreadable; %zu of %d shards begun\n",
+        name.c_str(), frames, planned, counts[0], counts[1], counts[2], counts[3], shards.size(),
+        shards.front().shards);
+  if (!job.empty()) {
+    const std::string state = state_of_job(job);
+    say("job %s: %s\n", job.c_str(), state.empty() ? "no longer in the queue" : state.c_str());
+  }
+  return frames == planned && planned > 0 ? good : doubted;
+}
+
+}  // namespace
+
+void add_survey_status(const Command& survey) {
+  const auto folder = std::make_shared<std::string>();
+  const Command command = survey.add("status", "How far a survey has come");
+  command.option("DIR", *folder, "The folder of its shards").required();
+  command.runs([folder] { return run_status(*folder); });
+}
+
+}  // namespace vegard::apps
