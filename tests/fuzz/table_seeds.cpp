@@ -35,6 +35,27 @@ std::string small_map() {
          fits_block(fits_numbers(-32, {1.0, 2.0, 0.0, 3.5, 2.0, 3.0, 0.0, 4.5}), '\0');
 }
 
+constexpr const char* kSurvey =
+    "n[survey]\nname = \"a\"\nwork = [\"border\", \"fit\"]\nscene = \"a.toml\"\nblock_frames = "
+    "5\n[survey.cost_s]\nfit = 2.5\n"
+    "[[camera]]\nname = \"b\"\nframes = [\"c\"]\nset = [\"fit.bands=5\"]\ndecoding = "
+    "\"gamma:2.2\"\nchannel = \"red\"\n"
+    "[[camera.calibration]]\nfrom = \"2019-03-01\"\nfile = \"d.toml\"\nmask = \"e.png\"\n[[skip]]\ncamera "
+    "= \"b\"\nreason "
+    "= \"fog\"\n";
+
+constexpr const char* kPlan =
+    "o{\"kind\": \"vegard survey plan\", \"format\": 1, \"version\": \"0\", \"name\": \"a\", \"folder\": "
+    "\".\", \"work\": "
+    "[\"fit\"], \"cameras\": [{\"name\": \"b\", \"scene\": \"c\", \"set\": [], \"decoding\": \"\", "
+    "\"channel\": 1, "
+    "\"calibrations\": [{\"from_s\": null, \"until_s\": 1.5, \"file\": \"d\", \"mask\": \"\"}]}], "
+    "\"inputs\": [{\"what\": "
+    "\"e\", \"sha256\": \"00\"}], \"shards\": 2, \"blocks\": [{\"camera\": 0, \"calibration\": -1, "
+    "\"seconds\": 2.5, "
+    "\"frames\": [[\"a#1\", 0.25, \"fog\"]]}, {\"camera\": 0, \"calibration\": 0, \"seconds\": 2, "
+    "\"frames\": [[\"b\", 1e9]]}]}";
+
 }  // namespace
 
 std::vector<std::string> fuzz_seeds(const std::string&) {
@@ -68,23 +89,8 @@ std::vector<std::string> fuzz_seeds(const std::string&) {
       "lcurtain,point,east_km,north_km,energy_flux_mw_m2,energy_kev,width_km,energy_kev_error\n"
       "1,1,-60,300,1,2,2,nan\n1,2,60,300,1.5,2,2,\n2,1,0,200,3,4,1,0.1\n2,2,9,201,4,3,1,0.1\n",
       "m" + small_map(),
-      "n[survey]\nname = \"a\"\nwork = [\"border\", \"fit\"]\nscene = \"a.toml\"\nblock_frames = "
-      "5\n[survey.cost_s]\nfit = 2.5\n"
-      "[[camera]]\nname = \"b\"\nframes = [\"c\"]\nset = [\"fit.bands=5\"]\ndecoding = "
-      "\"gamma:2.2\"\nchannel = \"red\"\n"
-      "[[camera.calibration]]\nfrom = \"2019-03-01\"\nfile = \"d.toml\"\nmask = \"e.png\"\n[[skip]]\ncamera "
-      "= \"b\"\nreason "
-      "= \"fog\"\n",
-      "o{\"kind\": \"vegard survey plan\", \"format\": 1, \"version\": \"0\", \"name\": \"a\", \"folder\": "
-      "\".\", \"work\": "
-      "[\"fit\"], \"cameras\": [{\"name\": \"b\", \"scene\": \"c\", \"set\": [], \"decoding\": \"\", "
-      "\"channel\": 1, "
-      "\"calibrations\": [{\"from_s\": null, \"until_s\": 1.5, \"file\": \"d\", \"mask\": \"\"}]}], "
-      "\"inputs\": [{\"what\": "
-      "\"e\", \"sha256\": \"00\"}], \"shards\": 2, \"blocks\": [{\"camera\": 0, \"calibration\": -1, "
-      "\"seconds\": 2.5, "
-      "\"frames\": [[\"a#1\", 0.25, \"fog\"]]}, {\"camera\": 0, \"calibration\": 0, \"seconds\": 2, "
-      "\"frames\": [[\"b\", 1e9]]}]}",
+      kSurvey,
+      kPlan,
       "p# when\nnight.pgm.gz#1 2019-03-01T22:10:03.5Z\nb c.png 2019-03-01 22:10\na/20190301_221001.png\r\n",
   };
 }

@@ -148,7 +148,7 @@ TEST(SurveyResults, AreRefusedWhereTheyAreNone) {
       SqliteFile file(name, SqliteFile::Opening::write);
       file.run(sql);
     }
-    const std::string words = tests::expect_error(sim::ErrorKind::unreadable_input, [&] {
+    std::string words = tests::expect_error(sim::ErrorKind::unreadable_input, [&] {
       const SqliteFile file(name, SqliteFile::Opening::read);
       const SurveyReader reader(file);
       reader.blocks();
