@@ -8,6 +8,7 @@
 #include "fit/border/border.h"
 #include "fit/border/border_distance.h"
 #include "fit/photo/averaging.h"
+#include "fit/photo/frames/frame_file.h"
 #include "fit/photo/photo.h"
 #include "fit/report/border/border_page.h"
 #include "fit/sequence.h"
@@ -143,6 +144,15 @@ Photo masked(Photo photo, const std::string& mask) {
   return photo;
 }
 
+/// A frame of a file of many as a picture of its own.
+std::string frame_in(const std::string& bytes, const std::string& name, int number) {
+  FrameReader reader(bytes, name);
+  while (reader.next())
+    if (reader.head().number == number) return reader.take();
+  throw sim::Error(sim::ErrorKind::unreadable_input,
+                   {"there is no frame " + std::to_string(number) + " in it", name, 0, {}, {}, {}});
+}
+
 void give_up(FrameAnswer& answer, FrameStatus status, const std::string& reason) {
   answer.status = status;
   answer.reason = reason;
@@ -175,9 +185,12 @@ std::optional<FrameAnswer> survey_frame(const FrameTask& task, const SurveyEye* 
   }
   answer.sha256 = sim::sha256(input.bytes);
   if (reference.number) {
-    give_up(answer, FrameStatus::unreadable,
-            "single frames of files of several are not read by this version");
-    return answer;
+    try {
+      input.bytes = frame_in(input.bytes, path, *reference.number);
+    } catch (const sim::Error& error) {
+      give_up(answer, FrameStatus::unreadable, words_of(error));
+      return answer;
+    }
   }
   sim::Scene scene = eye->scene;
   // The clock of the scene begins with the block: what drifts goes on from frame to frame.

@@ -8,6 +8,7 @@
 #include "fit/photo/mask/mask_picture.h"
 #include "sim/base/file/sha256.h"
 #include "tests/fit/survey/made_answers.h"
+#include "tests/support/frames/made_frames.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::fit::survey_frame_test {
@@ -89,6 +90,25 @@ TEST(SurveyFrame, WithAMaskOfAnotherSizeIsRefused) {
   survey.put("mask.png", SurveyOfFiles::png(20, 30));
   survey.eye().mask = survey.path("mask.png");
   EXPECT_EQ(survey.answer(0)->works[0].verdict, "refused");
+}
+
+TEST(SurveyFrame, IsOneOfAFileOfMany) {
+  SurveyOfFiles survey({"minute.pgm#0", "minute.pgm#2", "minute.pgm#3", "cut.pgm#2"});
+  tests::MadeFrames frames;
+  frames.width_px = 40;
+  frames.height_px = 30;
+  frames.options = "WIDTH=40 HEIGHT=30 XBIN=1 YBIN=1";
+  const std::string bytes = tests::frames_bytes(frames);
+  survey.put("minute.pgm", bytes);
+  survey.put("cut.pgm", bytes.substr(0, bytes.size() - 10));
+  const FrameAnswer first = *survey.answer(0), last = *survey.answer(1), none = *survey.answer(2);
+  EXPECT_EQ(first.status, FrameStatus::done) << first.reason.value_or("");
+  EXPECT_EQ(last.status, FrameStatus::done) << last.reason.value_or("");
+  EXPECT_EQ(last.file, "minute.pgm#2");
+  EXPECT_EQ(last.sha256, sim::sha256(bytes));  // of the file, which is what may change
+  EXPECT_EQ(none.status, FrameStatus::unreadable);
+  EXPECT_NE(none.reason->find("no frame 3"), std::string::npos) << *none.reason;
+  EXPECT_EQ(survey.answer(3)->status, FrameStatus::unreadable);
 }
 
 TEST(SurveyFrame, IsGivenUpWhenStopped) {
