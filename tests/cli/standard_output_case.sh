@@ -72,6 +72,15 @@ refused params --markdown
 refused params "$small"
 refused lines
 refused lines --csv
+mkdir night
+cp "$SCENES/map_light.toml" night/scene.toml && cp band.png night/20190301_221000.png
+printf '[survey]\nname = "night"\nwork = ["border"]\nscene = "scene.toml"\n[[camera]]\nname = "a"\nframes = ["."]\n' >night/survey.toml
+refused survey plan night/survey.toml -o out.json
+expect_exit 0 survey plan night/survey.toml -o plan.json
+refused survey run plan.json --out out_run
+expect_exit 0 survey run plan.json --out night_run
+refused survey merge night_run -o out.sqlite
+refused survey submit plan.json --out out_run --dry-run
 
 # No subcommand is left out, and the help of each goes the same way.
 expect_exit 0 --help

@@ -50,16 +50,16 @@ expect_exit 0 survey run plan.json --out local --local 2 --threads 2
 expect_exit 0 survey merge local -o local.sqlite
 expect_same whole.sqlite local.sqlite
 
-# Killed again and again; and interrupted.
+# Interrupted at its beginning, when it has most to do; then killed again and again.
+"$VEGARD" survey run plan.json --out killed >"$stdout" 2>"$stderr" &
+interrupt $!
+[[ $status -eq 130 || $status -eq 0 ]] || fail "exit $status after Ctrl-C"
 for pause in 0.1 0.25 0.4 0.3 0.2 0.5; do
   "$VEGARD" survey run plan.json --out killed >"$stdout" 2>"$stderr" &
   sleep "$pause"
   kill -KILL $! 2>/dev/null || true
   wait $! 2>/dev/null || true
 done
-"$VEGARD" survey run plan.json --out killed >"$stdout" 2>"$stderr" &
-interrupt $!
-[[ $status -eq 130 || $status -eq 0 ]] || fail "exit $status after Ctrl-C"
 expect_exit 0 survey run plan.json --out killed
 expect_stdout "8 of 8 frames"
 expect_exit 0 survey merge killed -o killed.sqlite

@@ -44,12 +44,14 @@ int run_merge(const MergeRequest& options) {
   for (const std::string& database : databases)
     spare_inputs("--output", options.out, {{database, "a database to merge"}});
   const fit::SurveyMerge merge = fit::merge_surveys(databases, options.out, options.mixed, options.overwrite);
-  say("%d frames of %d database%s\n", merge.frames, merge.databases, merge.databases == 1 ? "" : "s");
+  say("%d frame%s of %d database%s\n", merge.frames, merge.frames == 1 ? "" : "s", merge.databases,
+      merge.databases == 1 ? "" : "s");
   if (merge.plans > 1 || merge.versions > 1)
     say("of %d plan%s and %d version%s\n", merge.plans, merge.plans == 1 ? "" : "s", merge.versions,
         merge.versions == 1 ? "" : "s");
   if (merge.lacking == 0) return good;
-  say("%d frames of the plan are not there yet\n", merge.lacking);
+  say("%d frame%s of the plan %s not there yet\n", merge.lacking, merge.lacking == 1 ? "" : "s",
+      merge.lacking == 1 ? "is" : "are");
   return doubted;
 }
 
