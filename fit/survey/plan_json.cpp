@@ -145,6 +145,7 @@ SurveyPlan plan_of_json(const std::string& text, const std::string& file) {
       refuse_plan(file, "is a plan of another format, of another version of vegard");
     plan.version = json.at("version").get<std::string>();
     plan.name = json.at("name").get<std::string>();
+    if (!is_plain_name(plan.name)) throw std::out_of_range("no name");
     plan.folder = json.at("folder").get<std::string>();
     for (const Json& name : json.at("work")) {
       const auto work = survey_work_of(name.get<std::string>());

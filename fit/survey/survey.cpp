@@ -43,4 +43,11 @@ FrameReference frame_reference(const std::string& text) {
   return {text.substr(0, hash), std::stoi(digits)};
 }
 
+bool is_plain_name(const std::string& name) {
+  constexpr std::size_t kMostLetters = 64;
+  return !name.empty() && name.size() <= kMostLetters && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+}
+
 }  // namespace vegard::fit

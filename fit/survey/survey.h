@@ -83,4 +83,8 @@ struct FrameReference {
 };
 FrameReference frame_reference(const std::string& text);
 
+/// Whether it may be the name of a survey or of a camera: 1 to 64 letters, digits, _ and -. Names become
+/// parts of columns, messages and scripts.
+bool is_plain_name(const std::string& name);
+
 }  // namespace vegard::fit

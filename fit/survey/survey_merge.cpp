@@ -107,7 +107,11 @@ void sort_once(std::vector<T>& all) {
 Inventory take_stock(std::vector<std::string> names) {
   Inventory stock;
   sort_once(names);
-  stock.names = std::move(names);
+  for (std::string& name : names)
+    if (is_begun(SqliteFile(name, SqliteFile::Opening::read))) stock.names.push_back(std::move(name));
+  if (stock.names.empty())
+    refuse_merge(sim::ErrorKind::usage, names.back(), "no frame has been measured yet",
+                 "run the survey first");
   struct Found {
     std::pair<std::string, std::string> plan;
     std::vector<SurveyVersions> origins;

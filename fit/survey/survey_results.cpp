@@ -345,7 +345,10 @@ void ShardResults::add(const std::vector<FrameAnswer>& answers) {
   others_ += others;
 }
 
+bool is_begun(const SqliteFile& file) { return file.integer("SELECT count(*) FROM sqlite_schema") > 0; }
+
 std::vector<int> count_by_status(const SqliteFile& file) {
+  if (!is_begun(file)) return {0, 0, 0, 0};
   check_survey_tables(file);
   std::vector<int> counts;
   SqliteStatement count(file, "SELECT count(*) FROM frame WHERE status = ?");

@@ -116,4 +116,7 @@ class ShardResults {
 /// Frames of a database by their status, in the order of FrameStatus.
 std::vector<int> count_by_status(const SqliteFile& file);
 
+/// False for what a run leaves that ended before its first transaction: a database without tables.
+bool is_begun(const SqliteFile& file);
+
 }  // namespace vegard::fit

@@ -153,14 +153,6 @@ class SurveyTable {
   std::vector<std::string> known_;
 };
 
-/// Names become parts of columns and messages.
-bool is_plain_name(const std::string& name) {
-  constexpr std::size_t kMostLetters = 64;
-  return !name.empty() && name.size() <= kMostLetters && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  });
-}
-
 std::string plain_name(SurveyTable& table, const std::string& key) {
   const std::string expected = "letters, digits, _ and -, 64 at most";
   std::string name = table.text(key, expected);

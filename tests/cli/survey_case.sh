@@ -82,6 +82,10 @@ expect_one_message
 expect_exit 3 survey run night/survey.toml --out other
 expect_exit 2 survey merge whole -o whole.sqlite
 expect_exit 2 survey merge whole -o whole/shard-0001-of-0001.sqlite --overwrite
+mkdir begun && : >begun/shard-0001-of-0001.sqlite # what is left where a run ended before its first frame was kept
+expect_exit 2 survey merge begun -o none.sqlite
+expect_stderr "no frame has been measured yet"
+expect_exit 0 survey run plan.json --out begun
 expect_exit 2 survey merge night -o none.sqlite
 expect_stderr "no shard in the folder"
 expect_exit 3 survey merge plan.json -o none.sqlite

@@ -26,6 +26,10 @@ grep -qF '["b/frame.pgm#7",1551478202.5]' plan.json || fail "no row of the last 
 expect_same plan.json again.json
 
 # Refusals.
+sed 's/"name": "night"/"name": "night; true"/' plan.json >named.json # names go into scripts
+! cmp -s plan.json named.json || fail "the name is not where it was"
+expect_exit 3 survey run named.json --out named
+expect_one_message
 expect_exit 2 survey plan night/survey.toml -o plan.json
 expect_one_message
 expect_exit 0 survey plan night/survey.toml -o plan.json --overwrite
