@@ -16,6 +16,7 @@ struct CurveFoot {
   BeamFoot<T> foot;
   T ln_energy{};  ///< of keV; 0 where the sheet has one energy for all
   T along[2]{};   ///< the curve's direction there: a unit vector in east and north
+  double width_km = 0.0;
 };
 
 /// The foot of a beam on a curve. It stands across the curve by its place in the cross-section, to the side
@@ -36,7 +37,8 @@ CurveFoot<T> curve_foot(const SheetCurve<T>& curve, const SheetShape<T>& shape, 
     if (part > 0.0) share = share + curve.length_km(k) * part;
   }
   CurveFoot<T> result;
-  const T aside = width * (place.across * shape.side);
+  const T aside = with_slope(width, place.width_slope) * (place.across * shape.side);
+  result.width_km = value_of(width);
   for (int i = 0; i < 2; ++i) result.along[i] = on.along[i];
   result.foot.east_km = on.at[0] - aside * on.along[1];
   result.foot.north_km = on.at[1] + aside * on.along[0];

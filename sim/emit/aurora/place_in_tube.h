@@ -20,6 +20,29 @@ struct PlaceInTube {
   T width_km{};  ///< of the sheet, at a right angle to it and to the field
 };
 
+/// Variance in one direction across of the tube at the end of a path of the length 1 (MeanPath of
+/// sim/emit/aurora/fall-inl.h to the square of the pitch).
+inline double tube_variance_at_end(const Deflection<LocalDual>& d) {
+  const double cone = d.loss_cone_rad.v, step = d.pitch_step_rad.v;
+  double start = 0.0, growth = 0.0;  // of the pitch angle
+  switch (d.law) {
+    case PitchLaw::product:
+      growth = cone * step;
+      break;
+    case PitchLaw::increment:
+      growth = step;
+      break;
+    case PitchLaw::constant:
+      start = cone;
+      break;
+    case PitchLaw::reduced:
+      start = cone - step;
+      growth = step;
+      break;
+  }
+  return d.path_step / 3.0 * (start * start + start * growth + growth * growth / 3.0);
+}
+
 /// `tangent`: of the sheet at the foot, of any length; `aside`: the unit vector along which the foot of a
 /// beam stands `across` times `width_km` away from the sheet's middle. `along`: the place along the sheet.
 inline PlaceInTube<double> place_in_tube(const FallFrame<double>& fall, EastNorth tangent, EastNorth aside,

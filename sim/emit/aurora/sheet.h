@@ -44,6 +44,7 @@ struct BeamPlace {
   double depth = 0.0;           ///< uniform in (0, 1), for the random depth
   double node = 0.0;            ///< of beams in nodes: where between two the first one is
   double along_in_tube = 0.0;   ///< likewise: place in the tube that deflections make, along the sheet
+  double width_slope = 1.0;     ///< likewise: how far a beam moves with the sheet's width, beside its tube's
   double weight = 1.0;          ///< likewise: share of the stretch's light, of those that stand side by side
   double ray = 0.0;             ///< likewise: the Gaussian process that makes rays long and short
 };
@@ -186,6 +187,13 @@ PlanePoint<T> structured_point(const LayerSine<T>& layer, const LayerStructure& 
   return point;
 }
 
+/// The same number with a multiple of its derivatives.
+inline double with_slope(double x, double) { return x; }
+inline FreeDual with_slope(FreeDual x, double slope) {
+  for (double& t : x.d.t) t *= slope;
+  return x;
+}
+
 /// The foot of a beam. Equation (1) with P_i added: P = P_i + s u + w sin(phase) (u x B)/|u x B|, in the
 /// tangent plane. The area is Q's Gaussian cross-section, width sqrt(2 pi), times the beam's stretch of the
 /// arc. `structure` may be null: a sine without folds and curls.
@@ -218,7 +226,7 @@ BeamFoot<T> beam_foot(const SheetShape<T>& sheet, const StretchOfSheet& stretch,
       from_start * kTwoPi / sheet.wavelength_km + sheet.phase_rad + sheet.phase_shift_rad * layer_part;
   T aside;
   if (structure == nullptr) {
-    aside = sheet.thickness_km * sine(phase) + sheet.width_km * place.across;
+    aside = sheet.thickness_km * sine(phase) + with_slope(sheet.width_km, place.width_slope) * place.across;
   } else {
     const LayerSine<T> curve{sheet.thickness_km, kTwoPi / sheet.wavelength_km, phase};
     const PlanePoint<T> point = structured_point(curve, *structure, sheet.fold_stage,

@@ -217,6 +217,7 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
     fall.across1[i] = k.fall.across1[i].v;
     fall.across2[i] = k.fall.across2[i].v;
   }
+  const double tube_end = tube_variance_at_end(k.deflection);
   const Sheet& laid_out = sheets_[chunk.sheet];
   const CurveLayout& curve_laid_out = curves_[chunk.sheet];
   const ProfilesOfSheet profiles = profiles_of_sheet(scene, chunk.sheet);
@@ -240,7 +241,7 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
     }
     std::vector<OpenGroup> open;
     for (int b = chunk.first; b < chunk.first + chunk.count; ++b) {
-      const BeamPlace& place = out.places[b - chunk.first];
+      BeamPlace& place = out.places[b - chunk.first];
       CurveFoot<double> on_curve;
       if (curve) on_curve = curve_foot(*curve, shape, curve_laid_out, place);
       const BeamFoot<double> foot =
@@ -255,6 +256,24 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
       // down to the bottom, and has no length.
       if (plain.vertical <= 0.0 || !(plain.length_km > 0.0)) continue;
       if (k.film.columns > 0 && out_of_sight(plain, own.along, k)) continue;
+      PlaceInTube<double> in_tube;
+      if (k.nodes.any()) {
+        EastNorth tangent{shape.along_east, shape.along_north}, aside{-shape.along_north, shape.along_east};
+        if (curve) {
+          tangent = {on_curve.along[0], on_curve.along[1]};
+          aside = {-tangent.north, tangent.east};
+        } else {
+          const double slope = slope_laid_out(laid_out, place, layer, instant) * shape.side;
+          tangent = {tangent.east + slope * aside.east, tangent.north + slope * aside.north};
+        }
+        aside = {aside.east * shape.side, aside.north * shape.side};
+        in_tube = place_in_tube(own, tangent, aside, curve ? on_curve.width_km : shape.width_km, place.across,
+                                place.along_in_tube);
+        // The width of both, sqrt(w² + v), grows so much less with w; v where most light is.
+        const double width2 = in_tube.width_km * in_tube.width_km,
+                     tube2 = tube_end * plain.length_km * plain.length_km;
+        if (width2 > 0.0) place.width_slope = std::sqrt(width2 / (width2 + tube2));
+      }
       CurveFoot<FreeDual> free_foot;
       if constexpr (std::is_same_v<T, PlaceDual>) {
         if (free_curve)
@@ -269,21 +288,6 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
                     : light.at(stretch.along_km(place.s),
                                curve ? width_laid_out_km(laid_out, curve_laid_out, place.s) * place.across
                                      : aside_laid_out_km(laid_out, place, layer, instant));
-      PlaceInTube<double> in_tube;
-      if (k.nodes.any()) {
-        EastNorth tangent{shape.along_east, shape.along_north}, aside{-shape.along_north, shape.along_east};
-        if (curve) {
-          tangent = {on_curve.along[0], on_curve.along[1]};
-          aside = {-tangent.north, tangent.east};
-        } else {
-          const double slope = slope_laid_out(laid_out, place, layer, instant) * shape.side;
-          tangent = {tangent.east + slope * aside.east, tangent.north + slope * aside.north};
-        }
-        aside = {aside.east * shape.side, aside.north * shape.side};
-        const double width_km =
-            curve ? width_laid_out_km(laid_out, curve_laid_out, place.s) : laid_out.width_km;
-        in_tube = place_in_tube(own, tangent, aside, width_km, place.across, place.along_in_tube);
-      }
       const RungShare<FreeDual> share = rung_share(profiles.ladder, on_curve.ln_energy, free_foot.ln_energy);
       for (int rung = share.rung; rung < share.rung + share.rungs; ++rung) {
         OpenGroup& with = group_with_room(open, rung, [&] {

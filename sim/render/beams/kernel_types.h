@@ -41,7 +41,7 @@ struct BeamGroup {
   double altitude_shift_km[kGroup];  ///< how much lower the light of a point is read than it stands
   double stretch_above[kGroup];      ///< of the height profile above its peak; then not 0
   double first_node[kGroup];         ///< what is left of the path there, plus the offset; of beams in nodes
-  double tube_along[2][kGroup];      ///< likewise: PlaceInTube (sim/emit/aurora/fall-inl.h)
+  double tube_along[2][kGroup];      ///< likewise: PlaceInTube (sim/emit/aurora/place_in_tube.h)
   double tube_across[2][kGroup];     ///< likewise
   double sheet_width_km[kGroup];     ///< likewise
   std::uint32_t index[kGroup];

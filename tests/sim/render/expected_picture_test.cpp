@@ -199,6 +199,39 @@ TEST(ExpectedPicture, HasTheDerivativesOfAFinerOneInWideCells) {
   }
 }
 
+/// Beams stay where they were laid out while a fit changes the sheet: its width counts as it is now, beside
+/// the tube's, and so does its derivative, but for the tube's variance, which is taken where most light is.
+TEST(ExpectedPicture, OfAThinSheetDoesNotHangOnTheWidthThatItWasLaidOutWith) {
+  constexpr double kStep_km = 0.02;
+  const auto with_width = [](double width_km) {
+    Scene scene = base();
+    scene.sheets[0].width_km = width_km;
+    scene.sheets[0].pitch_law = PitchLaw::constant;
+    scene.sheets[0].loss_cone_deg = 3.0;
+    return scene;
+  };
+  const Scene wide = with_width(1.5), thin = with_width(0.4);
+  const FilmGeometry film = film_for(wide, 0, 0, wide.camera.width, wide.camera.height, 2.0, 1.0);
+  Exposer of_wide(wide, film, 1, 0.0, BeamSampling{0, true, 0.0, 4.0}),
+      of_thin(thin, film, 1, 0.0, BeamSampling{0, true, 0.0, 4.0});
+  Exposure there, here, more, less;
+  of_wide.expose_with_derivatives(thin, {parameter_at(thin, "sheet.main.width_km").value()}, there);
+  of_thin.expose(thin, here);
+  of_wide.expose(with_width(0.4 + kStep_km), more);
+  of_wide.expose(with_width(0.4 - kStep_km), less);
+  double square = 0.0, light = 0.0, square_of_slope = 0.0, slopes = 0.0;
+  for (std::size_t i = 0; i < here.rayleigh.size(); ++i) {
+    square += (there.rayleigh[i] - here.rayleigh[i]) * (there.rayleigh[i] - here.rayleigh[i]);
+    light += here.rayleigh[i] * here.rayleigh[i];
+    const double slope = (more.rayleigh[i] - less.rayleigh[i]) / (2.0 * kStep_km);
+    const double off = there.derivative[i * there.free_stride] - slope;
+    square_of_slope += off * off;
+    slopes += slope * slope;
+  }
+  EXPECT_LT(std::sqrt(square / light), 0.01);
+  EXPECT_LT(std::sqrt(square_of_slope / slopes), 0.03);
+}
+
 /// One draw is many times as far from the mean as the quadrature is; and no draw is in the mean.
 TEST(ExpectedPicture, DoesNotDependOnTheSeed) {
   Scene scene = base(), other = base();
