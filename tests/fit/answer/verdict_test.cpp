@@ -208,6 +208,23 @@ TEST(Judge, AStartThatIsTheAnswerIsNoReasonToDoubt) {
   EXPECT_EQ(r.reasons.size(), 3u);
 }
 
+// A frame that begins where the one before it ended: some numbers move in their last digits, others not.
+TEST(Judge, AStartNextToTheAnswerIsNoReasonToDoubt) {
+  FitResult r = fine();
+  r.parameters.push_back(r.parameters[0]);
+  r.parameters[0].moved_sigma = 0.05;
+  r.parameters[1].moved = false;
+  judge(clear(), r);
+  EXPECT_EQ(r.verdict, Verdict::good) << r.verdict_line;
+  r.parameters[0].moved_sigma = 0.2;
+  judge(clear(), r);
+  EXPECT_EQ(r.verdict, Verdict::doubtful);
+  r.parameters[0].moved_sigma = 0.05;
+  r.steepest_cosine = 0.5;
+  judge(clear(), r);
+  EXPECT_EQ(r.verdict, Verdict::doubtful);
+}
+
 TEST(Judge, AParameterWithoutInfluenceDoesNotHaveToMove) {
   FitResult r = fine();
   r.parameters.push_back(r.parameters[0]);
