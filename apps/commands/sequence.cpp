@@ -42,7 +42,7 @@ struct SequenceRequest {
   std::string memory_limit;
   SceneOptions scene;
   std::vector<std::string> photos;
-  std::string mask, decoding, out;
+  std::string mask, decoding, out, reports = "all";
   int threads = 0;
   int max_evaluations = fit::FitOptions().max_evaluations;
   bool overwrite = false;
@@ -118,6 +118,15 @@ class Folder {
     sim::write_whole(file(kManifest), text, true);
   }
 
+  /// Removes the run of a frame that an older fit has left. Throws if what stands there is none.
+  void drop_run(const std::string& frame) const {
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(run(frame), error))) return;
+    fit::check_run_directory(run(frame), true);
+    fs::remove_all(run(frame), error);
+    if (error) throw sim::unwritable(run(frame), error.value());
+  }
+
   /// The row of a frame that is done: of this photograph at this time.
   std::optional<fit::SequenceRow> done(const SequencePhoto& photo, const fit::Photo& read) const {
     const std::string text = sim::read_input(row(photo.name)).bytes;
@@ -177,6 +186,10 @@ ExitCode exit_code_of(const std::vector<fit::SequenceRow>& rows) {
   return code;
 }
 
+bool wants_report(const SequenceRequest& options, fit::Verdict verdict) {
+  return options.reports == "all" || (options.reports == "doubtful" && verdict != fit::Verdict::good);
+}
+
 int run_sequence(const SequenceRequest& options, const std::string& command) {
   const sim::Scene scene = scene_of(options.scene);
   if (!scene.fit.photos.empty())
@@ -234,9 +247,13 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
     fitted.result.command = command;
     std::error_code ignored;
     fs::remove(folder.row(frame.name), ignored);
-    fit::RunContext context;
-    context.threads = options.threads;
-    fit::write_run(folder.run(frame.name), true, fitted.result, photo, context);
+    if (wants_report(options, fitted.result.verdict)) {
+      fit::RunContext context;
+      context.threads = options.threads;
+      fit::write_run(folder.run(frame.name), true, fitted.result, photo, context);
+    } else {
+      folder.drop_run(frame.name);
+    }
     rows.push_back(fit::sequence_row(frame.name, frame.time_s, scene, fitted, photo));
     sim::write_whole(folder.row(frame.name), fit::sequence_row_json(rows.back()));
     write_tables(folder, rows);
@@ -269,6 +286,13 @@ void add_sequence_command(Program& program) {
       .range(0, 1024);
   command.option("--max-evaluations", options->max_evaluations, "Stop a frame after so many evaluations")
       .range(1, 1000000)
+      .shows_default();
+  command
+      .option("--reports", options->reports,
+              "Of which frames to write the whole run with its pictures: all, those that are not good, or "
+              "none; rows "
+              "are written of all")
+      .one_of({"all", "doubtful", "none"})
       .shows_default();
   command.flag("--overwrite", options->overwrite, "Fit anew what is of another scene or version");
   command.runs([options, words = program.command_line()] { return run_sequence(*options, words); });

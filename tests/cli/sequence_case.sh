@@ -25,6 +25,17 @@ for file in sequence.csv sequence.svg sequence.json frames/frame_3.json frames/f
   expect_same "all/$file" "resumed/$file"
 done
 
+# Rows alone: the same ones, and no run.
+expect_exit 0 sequence "$SCENES/fit.toml" --photos list.txt -o rows --reports none
+for file in sequence.csv sequence.svg frames/frame_2.json; do expect_same "all/$file" "rows/$file"; done
+[[ ! -e rows/frames/frame_2 ]] || fail "a run that nobody asked for"
+# A frame that is fitted again leaves no run of the fit before.
+expect_exit 0 sequence "$SCENES/fit.toml" --photos list.txt -o rows --reports doubtful --set fit.bands=5 --overwrite
+[[ ! -e rows/frames/frame_2 ]] || fail "a run of a good frame"
+cp -r all again
+expect_exit 0 sequence "$SCENES/fit.toml" --photos list.txt -o again --reports none --set fit.bands=5 --overwrite
+[[ ! -e again/frames/frame_2 ]] || fail "a run of another fit is left"
+
 # Another scene is another sequence.
 expect_exit 2 sequence "$SCENES/fit.toml" --photos list.txt -o all --set fit.bands=5
 expect_stderr "is of another sequence, scene or version"
