@@ -40,21 +40,26 @@ std::optional<double> wavelength_in(std::string_view name) {
   return number >= kLeastAngstrom ? number / 10.0 : number;
 }
 
-std::string column_of(const CsvTable& table, double wavelength_nm) {
-  const std::string line = short_real_text(wavelength_nm) + " nm";
+/// Empty if there is none.
+std::string column_if_any(const CsvTable& table, double wavelength_nm) {
   std::string found;
   for (const std::string& name : table.columns) {
     const std::optional<double> wavelength = wavelength_in(name);
     if (!wavelength || std::abs(*wavelength - wavelength_nm) >= 0.05) continue;
     if (!found.empty())
-      fail(table, "the columns '" + found + "' and '" + name + "' are both of " + line,
+      fail(table,
+           "the columns '" + found + "' and '" + name + "' are both of " + short_real_text(wavelength_nm) +
+               " nm",
            "one column per line");
     found = name;
   }
-  if (!found.empty()) return found;
+  return found;
+}
+
+[[noreturn]] void fail_without_column(const CsvTable& table, double wavelength_nm) {
   std::string there;
   for (const std::string& name : table.columns) there += (there.empty() ? "" : ", ") + name;
-  fail(table, "there is no column of " + line + " beside " + there,
+  fail(table, "there is no column of " + short_real_text(wavelength_nm) + " nm beside " + there,
        "one called '" + line_name(wavelength_nm) + "' or '" + short_real_text(wavelength_nm) + "'",
        "a line without light has a column of zeros");
 }
@@ -86,8 +91,9 @@ HeightProfile drawn_profile(const std::vector<double>& wavelengths_nm, const Sce
   const CsvTable table = read_table(scene, sheet);
   HeightProfile profile = dark_profile(static_cast<int>(wavelengths_nm.size()));
   for (int l = 0; l < profile.lines; ++l) {
-    if (!is_auroral(*find_emission_line(wavelengths_nm[l]))) continue;
-    const std::string column = column_of(table, wavelengths_nm[l]);
+    const std::string column = column_if_any(table, wavelengths_nm[l]);
+    if (column.empty() && !is_auroral(*find_emission_line(wavelengths_nm[l]))) continue;  // of something else
+    if (column.empty()) fail_without_column(table, wavelengths_nm[l]);
     table.require_within(column, 0.0, std::numeric_limits<float>::max());
     for (int a = 0; a < HeightProfile::kAltitudes; ++a)
       profile.rate[static_cast<std::size_t>(a) * profile.stride + l] = static_cast<float>(

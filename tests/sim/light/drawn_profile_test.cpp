@@ -42,6 +42,21 @@ TEST(DrawnProfile, IsStraightBetweenItsRowsAndDarkBeyondThem) {
   for (const float slope : profile.d_rate_d_ln_energy) EXPECT_EQ(slope, 0.0f);
 }
 
+// Protons bring H beta along, which no table of electrons has.
+TEST(DrawnProfile, HasLinesThatAreNotTheElectronsIfTheyHaveAColumn) {
+  const std::string without = "altitude_km,557.7\n100,0\n110,20\n200,2\n";
+  EXPECT_EQ(rate_at(sheet_profile({486.1, 557.7}, scene_with_table(without), 0), 110.0, 0), 0.0f);
+  const Scene scene =
+      scene_with_table("altitude_km,557.7,486.1\n100,0,0\n110,20,8\n120,2,0\n", {486.1, 557.7});
+  check_profiles(scene);
+  const HeightProfile profile = sheet_profile(scene.emission.lines, scene, 0);
+  EXPECT_EQ(rate_at(profile, 110.0, 0), 8.0f);
+  EXPECT_EQ(rate_at(profile, 115.0, 0), 4.0f);
+  EXPECT_EQ(rate_at(profile, 110.0, 1), 20.0f);
+  // 8 photons cm^-3 s^-1 in a triangle 20 km wide at its foot: 8 R.
+  EXPECT_NEAR(column_below(profile, 0, 500.0).rayleigh, 8.0, 0.1);
+}
+
 TEST(DrawnProfile, OfAGivenBrightnessTakesAnyUnit) {
   Scene scene = scene_with_table("altitude_km,ver_5577,ver_4278\n100,0,0\n110,7,1\n140,0,0\n", {427.8});
   scene.sheets[0].brightness_kilorayleigh = 5.0;
