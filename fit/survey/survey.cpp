@@ -9,8 +9,12 @@ const char* survey_work_name(SurveyWork work) {
   switch (work) {
     case SurveyWork::border:
       return "border";
+    case SurveyWork::profile:
+      return "profile";
     case SurveyWork::fit:
       return "fit";
+    case SurveyWork::map:
+      return "map";
   }
   return "";
 }

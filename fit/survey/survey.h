@@ -10,10 +10,11 @@
 namespace vegard::fit {
 
 /// What can be done with a frame. Their order is that in which it is done.
-enum class SurveyWork { border, fit };
-inline constexpr std::array kSurveyWorks = {SurveyWork::border, SurveyWork::fit};
+enum class SurveyWork { border, profile, fit, map };
+inline constexpr std::array kSurveyWorks = {SurveyWork::border, SurveyWork::profile, SurveyWork::fit,
+                                            SurveyWork::map};
 
-/// "border", "fit", as surveys and results have it.
+/// "border", "profile", "fit", "map", as surveys and results have it.
 const char* survey_work_name(SurveyWork work);
 std::optional<SurveyWork> survey_work_of(const std::string& name);
 
@@ -71,7 +72,7 @@ struct Survey {
 
 /// Seconds that a frame takes on one core of a machine of 2020, where a survey does not say it: measured on
 /// pictures of 720 x 480 pixels.
-inline constexpr std::array<double, kSurveyWorks.size()> kSurveyCost_s = {0.3, 2.0};
+inline constexpr std::array<double, kSurveyWorks.size()> kSurveyCost_s = {0.3, 0.1, 2.0, 120.0};
 
 /// Endings of files that are taken for frames, where a survey does not say it.
 const std::vector<std::string>& picture_endings();

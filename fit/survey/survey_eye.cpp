@@ -25,11 +25,11 @@ namespace {
 void check_eye(const SurveyEye& eye, const std::vector<SurveyWork>& work) {
   const sim::Scene& scene = eye.scene;
   for (const SurveyWork one : work) {
-    if (one != SurveyWork::fit) continue;
+    if (one != SurveyWork::fit && one != SurveyWork::map) continue;
     if (!scene.fit.photos.empty())
-      refuse_for_survey(scene, "fit.photo", "a survey fits one photograph after another",
-                        "a scene without [[fit.photo]]", "vegard fit fits them all at once");
-    if (free_numbers(scene).empty())
+      refuse_for_survey(scene, "fit.photo", "a survey takes one photograph after another",
+                        "a scene without [[fit.photo]]", "vegard fit and vegard map take them all at once");
+    if (one == SurveyWork::fit && free_numbers(scene).empty())
       refuse_for_survey(scene, "fit.free", "nothing is free", "a scene with fit.free",
                         "or a survey whose work is not \"fit\"");
     if (eye.decoding.kind == Decoding::Kind::unknown)

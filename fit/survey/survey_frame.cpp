@@ -12,6 +12,8 @@
 #include "fit/photo/photo.h"
 #include "fit/report/border/border_page.h"
 #include "fit/sequence.h"
+#include "fit/survey/map_work.h"
+#include "fit/survey/profile_work.h"
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/sha256.h"
@@ -198,9 +200,10 @@ std::optional<FrameAnswer> survey_frame(const FrameTask& task, const SurveyEye* 
   scene.time.start_s = clock_s;
   scene.site.time_utc = sim::utc_text(planned.time_s);
   FrameInHand frame(std::move(input.bytes), path, *eye, scene);
-  const bool borders = std::count(plan.work.begin(), plan.work.end(), SurveyWork::border) > 0;
+  const bool only_fits = std::all_of(plan.work.begin(), plan.work.end(),
+                                     [](SurveyWork work) { return work == SurveyWork::fit; });
   try {
-    answer.decoding = (borders ? frame.whole() : frame.for_fit()).decoding;
+    answer.decoding = (only_fits ? frame.for_fit() : frame.whole()).decoding;
   } catch (const sim::Error& error) {
     give_up(answer, FrameStatus::unreadable, words_of(error));
     return answer;
@@ -209,6 +212,16 @@ std::optional<FrameAnswer> survey_frame(const FrameTask& task, const SurveyEye* 
     try {
       if (work == SurveyWork::border) {
         answer.works.push_back(border_answer(masked(frame.whole(), eye->mask), scene, eye->channel));
+      } else if (work == SurveyWork::profile) {
+        answer.works.push_back(profile_answer(masked(frame.whole(), eye->mask), scene, eye->channel));
+      } else if (work == SurveyWork::map) {
+        MapOptions of_map;
+        of_map.threads = options.threads;
+        of_map.replicates = kSurveyReplicates;
+        of_map.stop = options.stop;
+        std::optional<WorkAnswer> map = map_answer(masked(frame.whole(), eye->mask), scene, of_map);
+        if (!map) return std::nullopt;
+        answer.works.push_back(std::move(*map));
       } else {
         const Photo photo = masked(frame.for_fit(), eye->mask);
         const SequenceRow before = task.before != nullptr ? row_of_answer(*task.before) : SequenceRow();

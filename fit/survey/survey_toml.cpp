@@ -163,7 +163,7 @@ std::string plain_name(SurveyTable& table, const std::string& key) {
 
 void read_head(SurveyTable& table, Survey& survey, std::string& scene) {
   survey.name = plain_name(table, "name");
-  const std::string works = "an array of \"border\" and \"fit\"";
+  const std::string works = "an array of \"border\", \"profile\", \"fit\" and \"map\"";
   for (const std::string& word : table.texts("work", works)) {
     const std::optional<SurveyWork> work = survey_work_of(word);
     if (!work) complain({"'" + word + "' is no work", works, ""}, table.at("work"));

@@ -167,7 +167,7 @@ TEST(SurveyResults, AreRefusedWhereTheyAreNone) {
   refused("UPDATE frame SET status = 'doen'");
   refused("UPDATE frame SET camera = x'00'");
   refused("UPDATE frame SET time_s = 1e300");
-  refused("UPDATE result SET work = 'map' WHERE work = 'fit'");
+  refused("UPDATE result SET work = 'dance' WHERE work = 'fit'");
   refused("UPDATE result SET free_values = '[\"a\"]'");
   refused("UPDATE quantity SET value = 'a'");
   refused("UPDATE block SET frames = 2147483647, first_frame = 5");

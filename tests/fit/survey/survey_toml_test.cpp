@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadSurvey{"block_frames", "block_frame", 5, "survey.block_frame", "did you mean 'block_frames'"},
         BadSurvey{"\"winter\"", "\"win ter\"", 2, "survey.name", "letters, digits"},
         BadSurvey{"name = \"winter\"\n", "", 1, "survey.name", "is missing"},
-        BadSurvey{"\"border\"]", "\"map\"]", 3, "survey.work", "'map' is no work"},
+        BadSurvey{"\"border\"]", "\"dance\"]", 3, "survey.work", "'dance' is no work"},
         BadSurvey{"\"border\"]", "\"fit\"]", 3, "survey.work", "twice"},
         BadSurvey{"work = [\"fit\", \"border\"]", "", 1, "survey.work", "what to do"},
         BadSurvey{"= 20", "= 20.5", 5, "survey.block_frames", "whole number"},
