@@ -232,6 +232,7 @@ def make_kinds(vegard, home):
         Kind("database", "shards/shard-0001-of-0001.sqlite", [bytes_of("shards/shard-0001-of-0001.sqlite")],
              [["survey", "merge", "shards", "-o", "{out}/m.sqlite"], ["survey", "export", "shards/{it}", "-o", "{out}/w.csv"],
               ["survey", "export", "shards/{it}", "-o", "{out}/q.csv", "--table", "quantities"],
+              ["survey", "smooth", "shards/{it}", "-o", "{out}/v.sqlite"],
               ["survey", "run", "plan.json", "--out", "shards"] + ONE]),
         Kind("words", None, [b"sheet.main.energy_kev=3.5", b"camera.width=64", b"fit.free=[]", b"sky.level=[1.0, 2.0, 3.0]",
                              b"sheet.main.center_km=[10.0, 220.0]", b'sensor.response="grey"'],

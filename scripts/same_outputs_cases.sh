@@ -265,6 +265,7 @@ run survey_plan survey plan inputs/survey/survey.toml -o out/plan.json
 run survey_run survey run out/plan.json --out inputs/survey/shards
 run survey_merge survey merge inputs/survey/shards -o out/survey.sqlite
 run survey_export survey export out/survey.sqlite -o out/survey.csv
+run survey_smooth survey smooth out/survey.sqlite -o out/survey_smooth.sqlite
 cat $small - >inputs/both.toml <<'TOML'
 
 [fit]

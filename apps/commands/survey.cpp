@@ -14,6 +14,7 @@ void add_survey_command(Program& program) {
   add_survey_cancel(survey);
   add_survey_merge(survey);
   add_survey_export(survey);
+  add_survey_smooth(survey);
 }
 
 }  // namespace vegard::apps

@@ -4,10 +4,10 @@
 #include <fstream>
 #include <functional>
 #include <limits>
-#include <set>
-#include <tuple>
 
+#include "fit/survey/survey_columns.h"
 #include "fit/survey/survey_results.h"
+#include "sim/base/error.h"
 #include "sim/base/file/csv_text.h"
 #include "sim/base/file/output_error.h"
 #include "sim/base/file/whole_file.h"
@@ -49,48 +49,16 @@ CsvLine facts_line(const FrameAnswer& answer) {
   return line;
 }
 
-/// A column of the wide table.
-struct WideColumn {
-  SurveyWork work;
-  std::string name, unit;
-  bool operator<(const WideColumn& o) const {
-    return std::tie(work, name, unit) < std::tie(o.work, o.name, o.unit);
-  }
-};
-
-/// Of several items the first: a border's brightest trace.
-bool is_wide(const SurveyQuantity& quantity) { return quantity.item <= 1; }
-
 void each_frame(const SurveyReader& reader, const std::function<void(const FrameAnswer& answer)>& take) {
   reader.frames(0, std::numeric_limits<int>::max(), take);
 }
 
-const WorkAnswer* work_in(const FrameAnswer& answer, SurveyWork work) {
-  for (const WorkAnswer& one : answer.works)
-    if (one.work == work) return &one;
-  return nullptr;
-}
-
-const SurveyQuantity* quantity_in(const WorkAnswer* work, const WideColumn& column) {
-  if (work == nullptr) return nullptr;
-  for (const SurveyQuantity& q : work->quantities)
-    if (is_wide(q) && q.name == column.name && q.unit == column.unit) return &q;
-  return nullptr;
-}
-
 void wide_table(const SurveyReader& reader, const Take& take) {
-  std::set<SurveyWork> works;
-  std::set<WideColumn> columns;
-  each_frame(reader, [&](const FrameAnswer& answer) {
-    for (const WorkAnswer& w : answer.works) {
-      works.insert(w.work);
-      for (const SurveyQuantity& q : w.quantities)
-        if (is_wide(q)) columns.insert({w.work, q.name, q.unit});
-    }
-  });
+  const SurveyColumns all = survey_columns(reader);
   std::string head = kFacts;
-  for (const SurveyWork work : works) head += std::string(",") + survey_work_name(work) + " verdict";
-  for (const WideColumn& column : columns) {
+  for (const auto& [work, verdicts] : all.verdicts)
+    head += std::string(",") + survey_work_name(work) + " verdict";
+  for (const SurveyColumn& column : all.columns) {
     const std::string name = std::string(survey_work_name(column.work)) + ": " + column.name +
                              (column.unit.empty() ? "" : " (" + column.unit + ")");
     head += "," + sim::csv_cell(name) + "," + sim::csv_cell("sigma of " + name) + "," +
@@ -99,11 +67,11 @@ void wide_table(const SurveyReader& reader, const Take& take) {
   take(head + "\n");
   each_frame(reader, [&](const FrameAnswer& answer) {
     CsvLine line = facts_line(answer);
-    for (const SurveyWork work : works) {
+    for (const auto& [work, verdicts] : all.verdicts) {
       const WorkAnswer* found = work_in(answer, work);
       line.add(found != nullptr ? std::optional(found->verdict) : std::nullopt);
     }
-    for (const WideColumn& column : columns) {
+    for (const SurveyColumn& column : all.columns) {
       const SurveyQuantity* q = quantity_in(work_in(answer, column.work), column);
       if (q != nullptr)
         line.add(q->value).add(q->sigma).add(q->trust);
@@ -154,6 +122,39 @@ void quantities_table(const SurveyReader& reader, const Take& take) {
   });
 }
 
+void velocities_table(const SqliteFile& database, const Take& take) {
+  take(
+      "frame,camera,time_utc,work,item,name,track,position,position_sigma,unit,velocity,velocity_sigma,"
+      "velocity_unit\n");
+  SqliteStatement rows(
+      database,
+      "SELECT frame, camera, time_utc, work, item, name, track, position, position_sigma, unit, velocity, "
+      "velocity_sigma, velocity_unit FROM velocity JOIN frame USING (frame) ORDER BY frame, work, item, "
+      "name");
+  while (rows.step()) {
+    CsvLine line;
+    line.add(static_cast<int>(rows.integer(0))).add(rows.text(1)).add(rows.text(2)).add(rows.text(3));
+    line.add(static_cast<int>(rows.integer(4))).add(rows.text(5)).add(static_cast<int>(rows.integer(6)));
+    line.add(rows.number_or_none(7)).add(rows.number_or_none(8)).add(rows.text(9));
+    take(line.add(rows.number_or_none(10)).add(rows.number_or_none(11)).add(rows.text(12)).line());
+  }
+}
+
+void flags_table(const SqliteFile& database, const Take& take) {
+  take("frame,camera,file,time_utc,work,item,name,track,kind,chi2,chi2_limit\n");
+  SqliteStatement rows(
+      database,
+      "SELECT frame, camera, file, time_utc, work, item, name, track, kind, chi2, chi2_limit "
+      "FROM flag JOIN frame USING (frame) ORDER BY frame, work, item, name");
+  while (rows.step()) {
+    CsvLine line;
+    line.add(static_cast<int>(rows.integer(0))).add(rows.text(1)).add(rows.text(2)).add(rows.text(3));
+    line.add(rows.text(4)).add(static_cast<int>(rows.integer(5))).add(rows.text(6));
+    line.add(static_cast<int>(rows.integer(7))).add(rows.text(8));
+    take(line.add(rows.number_or_none(9)).add(rows.number_or_none(10)).line());
+  }
+}
+
 }  // namespace
 
 std::optional<SurveyTableKind> survey_table_kind(const std::string& word) {
@@ -161,12 +162,19 @@ std::optional<SurveyTableKind> survey_table_kind(const std::string& word) {
   if (word == "frames") return SurveyTableKind::frames;
   if (word == "results") return SurveyTableKind::results;
   if (word == "quantities") return SurveyTableKind::quantities;
+  if (word == "velocities") return SurveyTableKind::velocities;
+  if (word == "flags") return SurveyTableKind::flags;
   return std::nullopt;
 }
 
 void write_survey_csv(const SqliteFile& database, SurveyTableKind kind, const std::string& output,
                       bool overwrite) {
   const SurveyReader reader(database);
+  const bool is_of_motion = kind == SurveyTableKind::velocities || kind == SurveyTableKind::flags;
+  if (is_of_motion && !has_motion(database))
+    throw sim::Error(
+        sim::ErrorKind::usage,
+        {"has no velocities yet", database.name(), 0, "--table", {}, "vegard survey smooth makes them"});
   sim::WholeFile whole(output, overwrite);
   std::ofstream stream(whole.temporary(), std::ios::binary);
   const auto require_written = [&] {
@@ -188,6 +196,12 @@ void write_survey_csv(const SqliteFile& database, SurveyTableKind kind, const st
       break;
     case SurveyTableKind::quantities:
       quantities_table(reader, take);
+      break;
+    case SurveyTableKind::velocities:
+      velocities_table(database, take);
+      break;
+    case SurveyTableKind::flags:
+      flags_table(database, take);
       break;
   }
   stream.close();

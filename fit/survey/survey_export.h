@@ -13,12 +13,14 @@ enum class SurveyTableKind {
   frames,      ///< a row a frame
   results,     ///< a row for each frame and work
   quantities,  ///< a row for each number
+  velocities,  ///< a row for each number that vegard survey smooth has followed
+  flags,       ///< a row for each that jumps
 };
 /// By its word, "wide".
 std::optional<SurveyTableKind> survey_table_kind(const std::string& word);
 
-/// Writes the table, whole or not at all, a row at a time. What is unknown is empty. Throws as SurveyReader
-/// and WholeFile do.
+/// Writes the table, whole or not at all, a row at a time. What is unknown is empty. Throws
+/// sim::Error(usage) for tables of motion that are not there, and as SurveyReader and WholeFile do.
 void write_survey_csv(const SqliteFile& database, SurveyTableKind kind, const std::string& output,
                       bool overwrite);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <tuple>
 
 #include "fit/version.h"
@@ -50,6 +51,27 @@ constexpr std::array<TableOfSurvey, 7> kTables = {{
      "(frame INTEGER NOT NULL, work TEXT NOT NULL, verdict TEXT NOT NULL, words TEXT, start TEXT, "
      "chi2_per_dof REAL, "
      "seed INTEGER, free_values TEXT, PRIMARY KEY (frame, work)) WITHOUT ROWID"},
+}};
+
+/// Beside those, in what vegard survey smooth writes.
+constexpr std::array<TableOfSurvey, 3> kMotionTables = {{
+    {"flag",
+     "(frame INTEGER NOT NULL, work TEXT NOT NULL, item INTEGER NOT NULL, name TEXT NOT NULL, track INTEGER "
+     "NOT "
+     "NULL, kind TEXT NOT NULL, chi2 REAL, chi2_limit REAL NOT NULL, PRIMARY KEY (frame, work, item, name)) "
+     "WITHOUT ROWID"},
+    {"track",
+     "(track INTEGER PRIMARY KEY, camera TEXT NOT NULL, work TEXT NOT NULL, item INTEGER NOT NULL, name TEXT "
+     "NOT NULL, unit TEXT NOT NULL, first_frame INTEGER NOT NULL, last_frame INTEGER NOT NULL, used INTEGER "
+     "NOT NULL, outliers INTEGER NOT NULL, breaks INTEGER NOT NULL, process_noise REAL, process_noise_unit "
+     "TEXT NOT NULL, innovation_chi2 REAL)"},
+    {"velocity",
+     "(frame INTEGER NOT NULL, work TEXT NOT NULL, item INTEGER NOT NULL, name TEXT NOT NULL, track INTEGER "
+     "NOT "
+     "NULL, position REAL NOT NULL, position_sigma REAL NOT NULL, unit TEXT NOT NULL, velocity REAL NOT "
+     "NULL, "
+     "velocity_sigma REAL NOT NULL, velocity_unit TEXT NOT NULL, PRIMARY KEY (frame, work, item, name)) "
+     "WITHOUT ROWID"},
 }};
 
 std::string creation_of(const TableOfSurvey& table) {
@@ -135,14 +157,31 @@ void check_survey_tables(const SqliteFile& file) {
     refuse_database(file, "is no database of a survey");
   if (file.integer("PRAGMA user_version") != kTablesFormat)
     refuse_database(file, "is of another version of vegard, whose tables are others");
+  std::vector<TableOfSurvey> tables(kTables.begin(), kTables.end());
+  if (has_motion(file)) tables.insert(tables.end(), kMotionTables.begin(), kMotionTables.end());
+  std::sort(tables.begin(), tables.end(), [](const TableOfSurvey& a, const TableOfSurvey& b) {
+    return std::string_view(a.name) < std::string_view(b.name);
+  });
   SqliteStatement rows(file, "SELECT sql FROM sqlite_schema ORDER BY name");
   std::size_t i = 0;
   for (; rows.step(); ++i)
-    if (i >= kTables.size() || rows.is_null(0) || rows.text(0) != creation_of(kTables[i])) break;
+    if (i >= tables.size() || rows.is_null(0) || rows.text(0) != creation_of(tables[i])) break;
   rows.reset();
-  if (i != kTables.size() ||
-      file.integer("SELECT count(*) FROM sqlite_schema") != static_cast<std::int64_t>(kTables.size()))
+  if (i != tables.size() ||
+      file.integer("SELECT count(*) FROM sqlite_schema") != static_cast<std::int64_t>(tables.size()))
     refuse_database(file, "has other tables than a survey's");
+}
+
+bool has_motion(const SqliteFile& file) {
+  return file.integer("SELECT count(*) FROM sqlite_schema WHERE name = 'velocity'") > 0;
+}
+
+void make_motion_tables(SqliteFile& file) {
+  for (const TableOfSurvey& table : kMotionTables) file.run(creation_of(table));
+}
+
+void drop_motion_tables(SqliteFile& file) {
+  for (const TableOfSurvey& table : kMotionTables) file.run(std::string("DROP TABLE ") + table.name);
 }
 
 SurveyWriter::SurveyWriter(SqliteFile& file)

@@ -42,8 +42,14 @@ struct AnsweredBlock {
 /// Makes the tables in an empty database.
 void make_survey_tables(SqliteFile& file);
 
-/// Throws sim::Error(unreadable_input) unless the tables are those that this version makes.
+/// Throws sim::Error(unreadable_input) unless the tables are those that this version makes, with or without
+/// those of motion.
 void check_survey_tables(const SqliteFile& file);
+
+/// The tables of fit/survey/survey_motion.h: whether they are there; makes them, and removes them again.
+bool has_motion(const SqliteFile& file);
+void make_motion_tables(SqliteFile& file);
+void drop_motion_tables(SqliteFile& file);
 
 /// Rows, as they are; for merging, which numbers them anew.
 class SurveyWriter {

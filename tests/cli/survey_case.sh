@@ -74,6 +74,20 @@ for table in frames results quantities; do
   expect_file "$table.csv"
 done
 
+# How curtains move.
+expect_exit 0 survey smooth whole.sqlite -o moving.sqlite --quantity sheet.main.energy_kev
+expect_stdout "tracks of"
+[[ $(query moving.sqlite "SELECT count(*) FROM velocity WHERE velocity_unit = 'keV/s' AND abs(velocity - 0.1) < 4 * velocity_sigma") == 5 ]] ||
+  fail "other velocities"
+expect_exit 0 survey smooth local.sqlite -o again.sqlite --quantity sheet.main.energy_kev
+expect_same moving.sqlite again.sqlite
+expect_exit 0 survey export moving.sqlite -o velocities.csv --table velocities
+grep -q ',fit,0,sheet.main.energy_kev,' velocities.csv || fail "no velocity of the energy"
+expect_exit 2 survey export whole.sqlite -o none.csv --table velocities
+expect_stderr "vegard survey smooth"
+expect_exit 2 survey smooth whole.sqlite -o none.sqlite --false-alarms 0.7
+expect_one_message
+
 # Refusals.
 expect_exit 2 survey run plan.json --out whole --shard 1/2
 expect_stderr "is cut into 1"

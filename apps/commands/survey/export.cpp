@@ -10,14 +10,15 @@ namespace vegard::apps {
 namespace {
 
 struct ExportRequest {
-  std::string database, out, table = "wide";
+  std::string database, out, table;  // no table: wide
   bool overwrite = false;
 };
 
 int run_export(const ExportRequest& options) {
   spare_inputs("--output", options.out, {{options.database, "the database"}});
   const fit::SqliteFile file(options.database, fit::SqliteFile::Opening::read);
-  fit::write_survey_csv(file, *fit::survey_table_kind(options.table), options.out, options.overwrite);
+  fit::write_survey_csv(file, *fit::survey_table_kind(options.table.empty() ? "wide" : options.table),
+                        options.out, options.overwrite);
   return good;
 }
 
@@ -27,13 +28,14 @@ void add_survey_export(const Command& survey) {
   const auto options = std::make_shared<ExportRequest>();
   const Command command = survey.add("export", "A survey's database as a table (CSV)");
   command.option("DATABASE", options->database, "The database, merged or of one shard").required();
-  command.option("-o,--output", options->out, "The table to write").required().type_name("OUT.csv");
+  command.option("-o,--output", options->out, "The table to write")
+      .required()
+      .type_name("OUT.csv");
   command
       .option("--table", options->table,
-              "wide: a row a frame with all its numbers; frames; results: a row for each frame and work; "
-              "quantities: a row for each number")
-      .one_of({"wide", "frames", "results", "quantities"})
-      .shows_default();
+              "wide (default): a row a frame with all its numbers; frames; results: a row for each frame and "
+              "work; quantities: a row for each number; velocities and flags, of vegard survey smooth")
+      .one_of({"wide", "frames", "results", "quantities", "velocities", "flags"});
   command.flag("--overwrite", options->overwrite, "Replace a file that exists");
   command.runs([options] { return run_export(*options); });
 }

@@ -12,5 +12,6 @@ void add_survey_status(const Command& survey);
 void add_survey_cancel(const Command& survey);
 void add_survey_merge(const Command& survey);
 void add_survey_export(const Command& survey);
+void add_survey_smooth(const Command& survey);
 
 }  // namespace vegard::apps

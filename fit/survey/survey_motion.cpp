@@ -1,0 +1,177 @@
+#include "fit/survey/survey_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "fit/survey/followed_quantity.h"
+#include "fit/survey/survey_results.h"
+#include "fit/survey/track_smoother.h"
+#include "sim/base/error.h"
+#include "sim/base/file/whole_file.h"
+
+namespace vegard::fit {
+namespace {
+
+struct VelocityUnit {
+  std::string words;
+  double factor = 1.0;
+};
+VelocityUnit velocity_unit(const std::string& unit) {
+  if (unit == "km") return {"m/s", 1000.0};
+  return {(unit.empty() ? "1" : unit) + "/s", 1.0};
+}
+
+/// A number of a camera's frames.
+struct FollowedNumber {
+  std::string camera;
+  SurveyWork work = SurveyWork::border;
+  int item = 0;
+  std::string name, unit;
+  bool operator<(const FollowedNumber& o) const {
+    return std::tie(camera, work, item, name, unit) < std::tie(o.camera, o.work, o.item, o.name, o.unit);
+  }
+};
+
+struct OpenTrack {
+  std::vector<int> frames;
+  std::vector<TrackPoint> points;
+};
+
+std::optional<double> finite_number(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+class MotionWriter {
+ public:
+  MotionWriter(const SqliteFile& file, const SurveyMotionOptions& options)
+      : options_(options),
+        track_(file, "INSERT INTO track VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+        velocity_(file, "INSERT INTO velocity VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+        flag_(file, "INSERT INTO flag VALUES (?, ?, ?, ?, ?, ?, ?, ?)") {}
+
+  void take(const FrameAnswer& answer) {
+    for (const WorkAnswer& work : answer.works) {
+      if (work.verdict != "good" && work.verdict != "doubtful") continue;
+      for (const SurveyQuantity& q : work.quantities)
+        if (q.value && q.sigma && *q.sigma > 0.0 && is_followed(work.work, q))
+          add({answer.camera, work.work, q.item, q.name, q.unit}, answer,
+              {answer.time_s, *q.value, *q.sigma});
+    }
+  }
+  void finish() {
+    for (auto& [number, track] : open_) write(number, track);
+    open_.clear();
+  }
+  const SurveyMotion& motion() const { return motion_; }
+
+ private:
+  bool is_followed(SurveyWork work, const SurveyQuantity& q) const {
+    if (q.item > 1) return false;
+    const std::optional<FollowedKind> kind = followed_kind(work, q);
+    return kind == FollowedKind::distance || kind == FollowedKind::altitude ||
+           std::count(options_.quantities.begin(), options_.quantities.end(), q.name) > 0;
+  }
+
+  void add(const FollowedNumber& number, const FrameAnswer& answer, const TrackPoint& point) {
+    OpenTrack& track = open_[number];
+    if (!track.points.empty()) {
+      const double since_s = point.time_s - track.points.back().time_s;
+      if (!(since_s > 0.0) || since_s > options_.gap_s) {
+        write(number, track);
+        track = {};
+      }
+    }
+    track.frames.push_back(answer.frame);
+    track.points.push_back(point);
+  }
+
+  void write(const FollowedNumber& number, const OpenTrack& track) {
+    const SmoothedTrack smoothed = smooth_track(track.points, options_.false_alarms);
+    const char* work = survey_work_name(number.work);
+    const VelocityUnit unit = velocity_unit(number.unit);
+    const int id = ++motion_.tracks;
+    track_.bind(0, id).bind(1, number.camera).bind(2, work).bind(3, number.item).bind(4, number.name);
+    track_.bind(5, number.unit).bind(6, track.frames.front()).bind(7, track.frames.back());
+    track_.bind(8, smoothed.used).bind(9, smoothed.outliers).bind(10, smoothed.breaks);
+    track_.bind(11, smoothed.process_noise > 0.0 ? std::optional(smoothed.process_noise) : std::nullopt);
+    track_.bind(12, "(" + (number.unit.empty() ? "1" : number.unit) + ")^2 s^-3");
+    track_.bind(13, finite_number(smoothed.innovation_chi2)).run();
+    for (std::size_t i = 0; i < track.frames.size(); ++i) {
+      const SmoothedPoint& point = smoothed.points[i];
+      const auto begin_row = [&](SqliteStatement& row) {
+        row.bind(0, track.frames[i]).bind(1, work).bind(2, number.item).bind(3, number.name).bind(4, id);
+      };
+      if (std::isfinite(point.velocity)) {
+        begin_row(velocity_);
+        velocity_.bind(5, point.position).bind(6, point.position_sigma).bind(7, number.unit);
+        velocity_.bind(8, unit.factor * point.velocity).bind(9, unit.factor * point.velocity_sigma);
+        velocity_.bind(10, unit.words).run();
+      }
+      if (point.flag != TrackFlag::none) {
+        begin_row(flag_);
+        flag_.bind(5, track_flag_name(point.flag)).bind(6, finite_number(point.chi2));
+        flag_.bind(7, jump_limit(options_.false_alarms)).run();
+      }
+    }
+    motion_.used += smoothed.used;
+    motion_.outliers += smoothed.outliers;
+    motion_.breaks += smoothed.breaks;
+  }
+
+  const SurveyMotionOptions& options_;
+  SqliteStatement track_, velocity_, flag_;
+  std::map<FollowedNumber, OpenTrack> open_;
+  SurveyMotion motion_;
+};
+
+void require_in_range(bool is_in, const char* key, const char* expected) {
+  if (!is_in) throw sim::Error(sim::ErrorKind::usage, {"is out of range", {}, 0, key, expected, {}});
+}
+
+std::string in_sql_quotes(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
+  return quoted + "'";
+}
+
+}  // namespace
+
+SurveyMotion smooth_survey(const std::string& database, const std::string& output,
+                           const SurveyMotionOptions& options, bool overwrite) {
+  require_in_range(options.gap_s > 0.0, "--gap-s", "more than 0");
+  require_in_range(options.false_alarms > 0.0 && options.false_alarms < 0.5, "--false-alarms",
+                   "between 0 and 0.5");
+  SqliteFile from(database, SqliteFile::Opening::read);
+  const SurveyReader reader(from);
+  sim::WholeFile whole(output, overwrite);
+  // As new: of a database, the bytes tell how often it was written to, of this copy they do not.
+  from.run("VACUUM INTO " + in_sql_quotes(whole.temporary()));
+  SurveyMotion motion;
+  {
+    SqliteFile to(whole.temporary(), SqliteFile::Opening::make);
+    if (has_motion(to)) {
+      drop_motion_tables(to);
+      to.run("VACUUM");
+    }
+    to.transaction([&] {
+      make_motion_tables(to);
+      MotionWriter writer(to, options);
+      std::string camera;
+      reader.frames(0, std::numeric_limits<int>::max(), [&](const FrameAnswer& answer) {
+        // A camera's frames stand together: of the one before nothing more will come.
+        if (answer.camera != camera) writer.finish();
+        camera = answer.camera;
+        writer.take(answer);
+      });
+      writer.finish();
+      motion = writer.motion();
+    });
+  }
+  whole.commit();
+  return motion;
+}
+
+}  // namespace vegard::fit

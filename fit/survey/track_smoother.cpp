@@ -1,0 +1,572 @@
+#include "fit/survey/track_smoother.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "sim/base/number/constants.h"
+#include "sim/base/number/normal_quantile.h"
+
+namespace vegard::fit {
+namespace {
+
+using CourseState = Eigen::Vector2d;
+using CourseSpread = Eigen::Matrix2d;
+
+CourseSpread way_over(double time_s) { return (CourseSpread() << 1.0, time_s, 0.0, 1.0).finished(); }
+
+/// What the noise of acceleration adds over a time.
+CourseSpread noise_over(double time_s, double q) {
+  const double t2 = time_s * time_s;
+  return q * (CourseSpread() << t2 * time_s / 3.0, t2 / 2.0, t2 / 2.0, time_s).finished();
+}
+
+struct Guess {
+  CourseState state = CourseState::Zero();
+  CourseSpread spread = CourseSpread::Zero();
+};
+
+Guess predicted(const Guess& from, double time_s, double q) {
+  const CourseSpread way = way_over(time_s);
+  return {way * from.state, way * from.spread * way.transpose() + noise_over(time_s, q)};
+}
+
+/// The state at the second of two numbers, if nothing else is known.
+Guess begun(const TrackPoint& first, const TrackPoint& second, double q) {
+  const double t = second.time_s - first.time_s, r0 = first.sigma * first.sigma,
+               r1 = second.sigma * second.sigma;
+  Guess guess;
+  guess.state << second.value, (second.value - first.value) / t;
+  guess.spread << r1, r1 / t, r1 / t, (r0 + r1) / (t * t) + q * t / 3.0;
+  return guess;
+}
+
+struct Innovation {
+  double difference = 0.0, variance = 1.0;
+  double chi2() const { return difference * difference / variance; }
+};
+
+Innovation innovation_of(const Guess& guess, const TrackPoint& point) {
+  return {point.value - guess.state[0], guess.spread(0, 0) + point.sigma * point.sigma};
+}
+
+/// With the number taken in.
+Guess updated(const Guess& guess, const Innovation& innovation) {
+  const CourseState gain = guess.spread.col(0) / innovation.variance;
+  Guess after;
+  after.state = guess.state + gain * innovation.difference;
+  after.spread = guess.spread - gain * guess.spread.row(0);
+  after.spread = 0.5 * (after.spread + after.spread.transpose()).eval();
+  return after;
+}
+
+bool tells_position(const TrackPoint& point) {
+  // Nor what no square of a double can hold.
+  constexpr double kMost = 1e100;
+  return std::abs(point.value) < kMost && point.sigma < kMost && point.sigma > 1.0 / kMost;
+}
+
+using Indices = std::vector<std::size_t>;
+
+/// The numbers that courses are of: pieces, in the order of time.
+using Pieces = std::vector<Indices>;
+
+/// Of the third and later numbers: the sum over their innovations, whose mean is 1 if all is as told, and -2
+/// log likelihood.
+struct Misfit {
+  double chi2 = 0.0, deviance = 0.0;
+  int count = 0;
+};
+Misfit misfit_of(const std::vector<TrackPoint>& points, const Pieces& pieces, double q) {
+  Misfit sum;
+  for (const Indices& piece : pieces) {
+    if (piece.size() < 3) continue;
+    Guess guess = begun(points[piece[0]], points[piece[1]], q);
+    for (std::size_t i = 2; i < piece.size(); ++i) {
+      const TrackPoint& point = points[piece[i]];
+      guess = predicted(guess, point.time_s - points[piece[i - 1]].time_s, q);
+      const Innovation innovation = innovation_of(guess, point);
+      sum.chi2 += innovation.chi2();
+      sum.deviance += innovation.chi2() + std::log(innovation.variance);
+      ++sum.count;
+      guess = updated(guess, innovation);
+    }
+  }
+  return sum;
+}
+
+/// Limits of q: below the first the noise moves nothing over all of the time, above the second a number tells
+/// nothing of the next.
+struct NoiseLimits {
+  double least = 1.0, most = 1.0;
+  bool any = false;
+};
+
+NoiseLimits noise_limits(const std::vector<TrackPoint>& points, const Pieces& pieces) {
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0.0, least_sigma = shortest,
+         most_sigma = 0.0, low = shortest, high = -shortest;
+  NoiseLimits limits;
+  for (const Indices& piece : pieces) {
+    if (piece.size() < 3) continue;
+    limits.any = true;
+    longest = std::max(longest, points[piece.back()].time_s - points[piece.front()].time_s);
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      const TrackPoint& point = points[piece[i]];
+      if (i > 0) shortest = std::min(shortest, point.time_s - points[piece[i - 1]].time_s);
+      least_sigma = std::min(least_sigma, point.sigma);
+      most_sigma = std::max(most_sigma, point.sigma);
+      low = std::min(low, point.value);
+      high = std::max(high, point.value);
+    }
+  }
+  if (!limits.any) return limits;
+  constexpr double kFar = 1e4;
+  limits.least = least_sigma * least_sigma / (kFar * longest * longest * longest);
+  const double width = high - low + most_sigma;
+  limits.most = kFar * width * width / (shortest * shortest * shortest);
+  return limits;
+}
+
+/// ln q in even steps, kNodesOfTen to a power of ten.
+std::vector<double> noise_nodes(const NoiseLimits& limits) {
+  constexpr double kNodesOfTen = 4.0;
+  const double begin = std::log(limits.least), length = std::log(limits.most) - begin;
+  const int steps = std::max(4, static_cast<int>(std::ceil(kNodesOfTen / std::log(10.0) * length)));
+  std::vector<double> nodes;
+  for (int i = 0; i <= steps; ++i) nodes.push_back(begin + length * i / steps);
+  return nodes;
+}
+
+/// Where the likelihood is largest: the best node, then by golden sections between its neighbours.
+double best_noise(const std::vector<TrackPoint>& points, const Pieces& pieces) {
+  const NoiseLimits limits = noise_limits(points, pieces);
+  if (!limits.any) return 0.0;
+  const auto deviance = [&](double log_q) { return misfit_of(points, pieces, std::exp(log_q)).deviance; };
+  const std::vector<double> nodes = noise_nodes(limits);
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (const double d = deviance(nodes[i]); d < least) {
+      least = d;
+      best = i;
+    }
+  double low = nodes[best == 0 ? 0 : best - 1], high = nodes[std::min(nodes.size() - 1, best + 1)];
+  const double kGolden = 0.5 * (std::sqrt(5.0) - 1.0);
+  double a = high - kGolden * (high - low), b = low + kGolden * (high - low), at_a = deviance(a),
+         at_b = deviance(b);
+  constexpr double kClose = 1e-3;
+  while (high - low > kClose) {
+    if (at_a < at_b) {
+      high = b;
+      b = a;
+      at_b = at_a;
+      at_a = deviance(a = high - kGolden * (high - low));
+    } else {
+      low = a;
+      a = b;
+      at_a = at_b;
+      at_b = deviance(b = low + kGolden * (high - low));
+    }
+  }
+  return std::exp(0.5 * (low + high));
+}
+
+/// A value of q with its share of what the numbers say of it.
+struct WeighedNoise {
+  double q = 0.0, weight = 1.0;
+};
+
+/// By the likelihood, and beforehand by the square root of q, all of whose values are alike (Gelman 2006,
+/// Bayesian Analysis 1, 515): the logarithm's would put all short courses on straight lines.
+std::vector<WeighedNoise> weighed_noise(const std::vector<TrackPoint>& points, const Pieces& pieces) {
+  const NoiseLimits limits = noise_limits(points, pieces);
+  if (!limits.any) return {{0.0, 1.0}};
+  std::vector<double> nodes = noise_nodes(limits), logs;
+  for (const double node : nodes)
+    logs.push_back(0.5 * node - 0.5 * misfit_of(points, pieces, std::exp(node)).deviance);
+  const double most = *std::max_element(logs.begin(), logs.end());
+  // Of long courses the peak is narrower than the nodes' distance: then it is looked at more closely.
+  constexpr double kBelow = 8.0, kFine = 12.0;
+  double low = nodes.back(), high = nodes.front();
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (logs[i] > most - kBelow) {
+      low = std::min(low, nodes[i == 0 ? 0 : i - 1]);
+      high = std::max(high, nodes[std::min(nodes.size() - 1, i + 1)]);
+    }
+  std::vector<WeighedNoise> weighed;
+  double sum = 0.0, top = -std::numeric_limits<double>::infinity();
+  std::vector<double> fine;
+  for (int i = 0; i <= kFine; ++i) {
+    const double node = low + (high - low) * i / kFine;
+    fine.push_back(0.5 * node - 0.5 * misfit_of(points, pieces, std::exp(node)).deviance);
+    weighed.push_back({std::exp(node), 0.0});
+    top = std::max(top, fine.back());
+  }
+  for (std::size_t i = 0; i < weighed.size(); ++i) weighed[i].weight = std::exp(fine[i] - top);
+  constexpr double kNoPart = 1e-3;
+  weighed.erase(std::remove_if(weighed.begin(), weighed.end(),
+                               [](const WeighedNoise& one) { return one.weight < kNoPart; }),
+                weighed.end());
+  for (const WeighedNoise& one : weighed) sum += one.weight;
+  for (WeighedNoise& one : weighed) one.weight /= sum;
+  return weighed;
+}
+
+struct Sorted {
+  Pieces pieces;
+  /// -2 log likelihood, where a number that jumps counts as one that lies at the limit: so what is left out
+  /// is paid for, and q is not made small by leaving out much, nor large by taking jumps for movement.
+  double deviance = 0.0;
+  std::vector<std::pair<std::size_t, double>> outliers, breaks;  ///< with their chi2
+};
+
+/// How badly the third agrees with the two before it.
+double disagreement(const std::vector<TrackPoint>& points, std::size_t a, std::size_t b, std::size_t c,
+                    double q) {
+  const Guess guess = predicted(begun(points[a], points[b], q), points[c].time_s - points[b].time_s, q);
+  return innovation_of(guess, points[c]).chi2();
+}
+
+/// Each number is asked whether it agrees with those before it.
+class TrackSorting {
+ public:
+  TrackSorting(const std::vector<TrackPoint>& points, const Indices& told, double q, double limit)
+      : points_(points), told_(told), q_(q), limit_(limit) {}
+
+  Sorted sort() {
+    std::size_t next = begin_piece(0);
+    while (next < told_.size()) next = take(next);
+    leave_out_held();
+    return std::move(sorted_);
+  }
+
+ private:
+  /// One of told_ that jumps; those in a row are held until it is clear what they are.
+  struct Held {
+    std::size_t number = 0;
+    double chi2 = 0.0, variance = 1.0;
+  };
+
+  /// Begins a course with the first two of those from here on that a third agrees with; of four one may be
+  /// left out. The next number to be asked.
+  std::size_t begin_piece(std::size_t from) {
+    sorted_.pieces.emplace_back();
+    held_.clear();
+    std::size_t a = from, b = from + 1;
+    if (from + 3 < told_.size() && disagrees(from, from + 1, from + 2)) {
+      std::optional<std::size_t> left_out;
+      double best = limit_;
+      for (const std::size_t skipped : {from, from + 1, from + 2}) {
+        Indices kept;
+        for (std::size_t i = from; i < from + 4; ++i)
+          if (i != skipped) kept.push_back(i);
+        const double chi2 = disagreement(points_, told_[kept[0]], told_[kept[1]], told_[kept[2]], q_);
+        if (chi2 > best) continue;
+        best = chi2;
+        left_out = skipped;
+      }
+      if (left_out && *left_out < from + 2) {
+        sorted_.outliers.emplace_back(told_[*left_out], sim::kNaN);
+        const double sigma = points_[told_[*left_out]].sigma;
+        sorted_.deviance += limit_ + std::log(sigma * sigma);
+        a = *left_out == from ? from + 1 : from;
+        b = from + 2;
+      }
+    }
+    piece().push_back(told_[a]);
+    if (b >= told_.size()) return b;
+    piece().push_back(told_[b]);
+    guess_ = begun(points_[told_[a]], points_[told_[b]], q_);
+    at_s_ = points_[told_[b]].time_s;
+    return b + 1;
+  }
+
+  std::size_t take(std::size_t i) {
+    const TrackPoint& point = points_[told_[i]];
+    const Guess guess = predicted(guess_, point.time_s - at_s_, q_);
+    const Innovation innovation = innovation_of(guess, point);
+    if (innovation.chi2() > limit_) {
+      held_.push_back({i, innovation.chi2(), innovation.variance});
+      constexpr std::size_t kInARow = 3;
+      if (held_.size() < kInARow) return i + 1;
+      const auto* last = &held_[held_.size() - kInARow];
+      if (disagrees(last[0].number, last[1].number, last[2].number)) return i + 1;
+      const Held first = last[0];
+      // Two begin the new course.
+      for (const Held* one : {last, last + 1}) sorted_.deviance += limit_ + std::log(one->variance);
+      held_.erase(held_.end() - static_cast<std::ptrdiff_t>(kInARow), held_.end());
+      leave_out_held();
+      sorted_.breaks.emplace_back(told_[first.number], first.chi2);
+      return begin_piece(first.number);
+    }
+    leave_out_held();
+    sorted_.deviance += innovation.chi2() + std::log(innovation.variance);
+    guess_ = updated(guess, innovation);
+    at_s_ = point.time_s;
+    piece().push_back(told_[i]);
+    return i + 1;
+  }
+
+  void leave_out_held() {
+    for (const Held& one : held_) {
+      sorted_.outliers.emplace_back(told_[one.number], one.chi2);
+      sorted_.deviance += limit_ + std::log(one.variance);
+    }
+    held_.clear();
+  }
+  bool disagrees(std::size_t a, std::size_t b, std::size_t c) const {
+    return disagreement(points_, told_[a], told_[b], told_[c], q_) > limit_;
+  }
+  Indices& piece() { return sorted_.pieces.back(); }
+
+  const std::vector<TrackPoint>& points_;
+  const Indices& told_;
+  double q_, limit_;
+  Sorted sorted_;
+  std::vector<Held> held_;
+  Guess guess_;
+  double at_s_ = 0.0;
+};
+
+/// The state before one that is known, backwards in time: nothing else being known beforehand, the way back
+/// is as random as the way there. With a number that tells `row` times the state.
+struct WayBack {
+  CourseSpread way = CourseSpread::Identity(), noise = CourseSpread::Zero();
+  CourseState pull = CourseState::Zero();
+
+  WayBack(double time_s, double q) {
+    way = way_over(-time_s);
+    noise = way * noise_over(time_s, q) * way.transpose();
+  }
+  void take(const Eigen::RowVector2d& row, double value, double variance) {
+    const CourseState gain = noise * row.transpose() / (row * noise * row.transpose() + variance);
+    const CourseSpread left = CourseSpread::Identity() - gain * row;
+    pull = left * pull + gain * value;
+    way = left * way;
+    noise = left * noise;
+  }
+  Guess of(const Guess& later) const {
+    return {way * later.state + pull, way * later.spread * way.transpose() + noise};
+  }
+};
+
+/// The smoothed states of a piece at the times from its first number to its last, and at all between them.
+/// `is_used`: of all points. `first`, `last`: of the points whose states are asked for, around the piece's.
+void smooth_piece(const std::vector<TrackPoint>& points, const Indices& piece, std::size_t first,
+                  std::size_t last, double q, std::vector<Guess>& smoothed, std::vector<char>& is_known) {
+  if (piece.size() < 2) return;
+  const std::size_t second = piece[1];
+  std::vector<Guess> before(last - second + 1), after(last - second + 1);  // of each point from the second on
+  after[0] = begun(points[piece[0]], points[second], q);
+  std::size_t next = 2;
+  for (std::size_t i = second + 1; i <= last; ++i) {
+    const std::size_t k = i - second;
+    before[k] = predicted(after[k - 1], points[i].time_s - points[i - 1].time_s, q);
+    after[k] = before[k];
+    if (next < piece.size() && piece[next] == i) {
+      after[k] = updated(before[k], innovation_of(before[k], points[i]));
+      ++next;
+    }
+  }
+  smoothed[last] = after[last - second];
+  is_known[last] = 1;
+  for (std::size_t i = last; i-- > second;) {
+    const std::size_t k = i - second;
+    const CourseSpread way = way_over(points[i + 1].time_s - points[i].time_s);
+    const CourseSpread gain = before[k + 1].spread.ldlt().solve(way * after[k].spread).transpose();
+    smoothed[i].state = after[k].state + gain * (smoothed[i + 1].state - before[k + 1].state);
+    smoothed[i].spread =
+        after[k].spread + gain * (smoothed[i + 1].spread - before[k + 1].spread) * gain.transpose();
+    is_known[i] = 1;
+  }
+  // Before the second number the filter has no state: from there on backwards.
+  const TrackPoint& begin = points[piece[0]];
+  for (std::size_t i = second; i-- > first;) {
+    WayBack back(points[i + 1].time_s - points[i].time_s, q);
+    if (i >= piece[0]) {
+      const double since = points[i].time_s - begin.time_s;
+      back.take({1.0, -since}, begin.value, begin.sigma * begin.sigma + q * since * since * since / 3.0);
+    }
+    smoothed[i] = back.of(smoothed[i + 1]);
+    is_known[i] = 1;
+  }
+}
+
+/// Numbers that do not lie between all others, the worst of their neighbourhood: its place in the piece.
+std::vector<std::pair<std::size_t, double>> jumps_between(const std::vector<TrackPoint>& points,
+                                                          const Indices& piece,
+                                                          const std::vector<Guess>& smoothed, double limit) {
+  constexpr std::size_t kNeighbours = 3;
+  std::vector<double> chi2(piece.size(), 0.0);
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    const TrackPoint& point = points[piece[i]];
+    const double difference = point.value - smoothed[piece[i]].state[0];
+    // Of what the others say, the smoothed number's own part taken out again.
+    const double variance = point.sigma * point.sigma - smoothed[piece[i]].spread(0, 0);
+    if (variance > 1e-9 * point.sigma * point.sigma) chi2[i] = difference * difference / variance;
+  }
+  std::vector<std::pair<std::size_t, double>> found;
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    const std::size_t begin = i < kNeighbours ? 0 : i - kNeighbours,
+                      end = std::min(piece.size(), i + kNeighbours + 1);
+    const auto worst = std::max_element(chi2.begin() + static_cast<std::ptrdiff_t>(begin),
+                                        chi2.begin() + static_cast<std::ptrdiff_t>(end));
+    if (chi2[i] > limit && worst == chi2.begin() + static_cast<std::ptrdiff_t>(i))
+      found.emplace_back(i, chi2[i]);
+  }
+  return found;
+}
+
+/// Points that a piece gives states for: from the one before's end to its own last number.
+struct PieceReach {
+  std::size_t first = 0, last = 0;
+};
+std::vector<PieceReach> reaches_of(const Pieces& pieces, std::size_t points) {
+  std::vector<PieceReach> reaches;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    const std::size_t first = p == 0 ? 0 : pieces[p].front();
+    const std::size_t last = p + 1 == pieces.size() ? points - 1 : pieces[p + 1].front() - 1;
+    reaches.push_back({first, last});
+  }
+  return reaches;
+}
+
+/// The sorting that the numbers fit best, over all q.
+Sorted best_sorting(const std::vector<TrackPoint>& points, const Indices& told, double limit) {
+  const NoiseLimits limits = noise_limits(points, {told});
+  if (!limits.any) return TrackSorting(points, told, 0.0, limit).sort();
+  Sorted best;
+  best.deviance = std::numeric_limits<double>::infinity();
+  for (const double node : noise_nodes(limits)) {
+    Sorted sorted = TrackSorting(points, told, std::exp(node), limit).sort();
+    if (sorted.deviance < best.deviance) best = std::move(sorted);
+  }
+  return best;
+}
+
+/// States of all points that have any, over the pieces.
+struct SmoothedStates {
+  std::vector<Guess> states;
+  std::vector<char> is_known;
+};
+SmoothedStates smoothed_states(const std::vector<TrackPoint>& points, const Pieces& pieces, double q) {
+  SmoothedStates all{std::vector<Guess>(points.size()), std::vector<char>(points.size(), 0)};
+  const std::vector<PieceReach> reaches = reaches_of(pieces, points.size());
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    smooth_piece(points, pieces[p], reaches[p].first, reaches[p].last, q, all.states, all.is_known);
+  return all;
+}
+
+/// The same over what the numbers say of q: means, and the spread about them.
+SmoothedStates states_of_all_noise(const std::vector<TrackPoint>& points, const Pieces& pieces) {
+  const std::vector<WeighedNoise> weighed = weighed_noise(points, pieces);
+  SmoothedStates sum = smoothed_states(points, pieces, weighed.front().q);
+  // Counted from the first, so that nothing is lost in differences of large numbers.
+  const std::vector<Guess> origin = sum.states;
+  std::vector<CourseSpread> squares(points.size(), CourseSpread::Zero());
+  for (Guess& guess : sum.states) guess = Guess();
+  for (const WeighedNoise& one : weighed) {
+    const SmoothedStates states = smoothed_states(points, pieces, one.q);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const CourseState from_origin = states.states[i].state - origin[i].state;
+      sum.states[i].state += one.weight * from_origin;
+      sum.states[i].spread += one.weight * states.states[i].spread;
+      squares[i] += one.weight * from_origin * from_origin.transpose();
+    }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Guess& guess = sum.states[i];
+    guess.spread += squares[i] - guess.state * guess.state.transpose();
+    guess.state += origin[i].state;
+  }
+  return sum;
+}
+
+}  // namespace
+
+const char* track_flag_name(TrackFlag flag) {
+  switch (flag) {
+    case TrackFlag::none:
+      return "";
+    case TrackFlag::outlier:
+      return "outlier";
+    case TrackFlag::broken:
+      return "break";
+  }
+  return "";
+}
+
+double jump_limit(double false_alarms) {
+  const double z = sim::normal_quantile(1.0 - 0.5 * false_alarms);
+  return z * z;
+}
+
+SmoothedTrack smooth_track(const std::vector<TrackPoint>& points, double false_alarms) {
+  const double limit = jump_limit(false_alarms);
+  SmoothedTrack track;
+  track.points.assign(points.size(),
+                      {sim::kNaN, sim::kNaN, sim::kNaN, sim::kNaN, TrackFlag::none, sim::kNaN});
+  Indices told;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (tells_position(points[i])) told.push_back(i);
+  if (told.empty()) {
+    track.innovation_chi2 = sim::kNaN;
+    return track;
+  }
+  Sorted sorted = best_sorting(points, told, limit);
+  double q = best_noise(points, sorted.pieces);
+  constexpr int kMostRounds = 50;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const SmoothedStates now = smoothed_states(points, sorted.pieces, q);
+    bool any = false;
+    for (Indices& piece : sorted.pieces) {
+      if (piece.size() < 4) continue;
+      const auto jumps = jumps_between(points, piece, now.states, limit);
+      // From behind, so that the places before stay; three at least are left to agree.
+      for (auto jump = jumps.rbegin(); jump != jumps.rend() && piece.size() > 3; ++jump) {
+        sorted.outliers.emplace_back(piece[jump->first], jump->second);
+        piece.erase(piece.begin() + static_cast<std::ptrdiff_t>(jump->first));
+        any = true;
+      }
+    }
+    if (!any) break;
+  }
+  q = best_noise(points, sorted.pieces);
+  SmoothedStates all = states_of_all_noise(points, sorted.pieces);
+  // Nothing says how a course of two bends, nor whether one of them jumps.
+  if (!noise_limits(points, sorted.pieces).any) std::fill(all.is_known.begin(), all.is_known.end(), 0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (all.is_known[i] == 0) continue;
+    SmoothedPoint& to = track.points[i];
+    const Guess& guess = all.states[i];
+    to.position = guess.state[0];
+    to.velocity = guess.state[1];
+    to.position_sigma = std::sqrt(std::max(0.0, guess.spread(0, 0)));
+    to.velocity_sigma = std::sqrt(std::max(0.0, guess.spread(1, 1)));
+  }
+  for (const auto& [i, chi2] : sorted.breaks) {
+    track.points[i].flag = TrackFlag::broken;
+    track.points[i].chi2 = chi2;
+  }
+  for (const auto& [i, chi2] : sorted.outliers) {
+    SmoothedPoint& to = track.points[i];
+    to.flag = TrackFlag::outlier;
+    // By the course as it is in the end, which has no part of it.
+    const double difference = points[i].value - to.position;
+    const double variance = points[i].sigma * points[i].sigma + to.position_sigma * to.position_sigma;
+    to.chi2 = all.is_known[i] != 0 ? difference * difference / variance : chi2;
+  }
+  track.process_noise = q;
+  track.outliers = static_cast<int>(sorted.outliers.size());
+  track.breaks = static_cast<int>(sorted.breaks.size());
+  for (const Indices& piece : sorted.pieces) track.used += static_cast<int>(piece.size());
+  const Misfit misfit = misfit_of(points, sorted.pieces, q);
+  track.innovation_chi2 = misfit.count > 0 ? misfit.chi2 / misfit.count : sim::kNaN;
+  return track;
+}
+
+}  // namespace vegard::fit
