@@ -16,5 +16,6 @@ find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs highgui videoio c
 find_package(JPEG REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(SQLite3 REQUIRED)
+pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)

@@ -232,6 +232,7 @@ def make_kinds(vegard, home):
         Kind("database", "shards/shard-0001-of-0001.sqlite", [bytes_of("shards/shard-0001-of-0001.sqlite")],
              [["survey", "merge", "shards", "-o", "{out}/m.sqlite"], ["survey", "export", "shards/{it}", "-o", "{out}/w.csv"],
               ["survey", "export", "shards/{it}", "-o", "{out}/q.csv", "--table", "quantities"],
+              ["survey", "export", "shards/{it}", "-o", "{out}/w.nc"],
               ["survey", "smooth", "shards/{it}", "-o", "{out}/v.sqlite"],
               ["survey", "run", "plan.json", "--out", "shards"] + ONE]),
         Kind("words", None, [b"sheet.main.energy_kev=3.5", b"camera.width=64", b"fit.free=[]", b"sky.level=[1.0, 2.0, 3.0]",

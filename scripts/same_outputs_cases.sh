@@ -266,6 +266,7 @@ run survey_run survey run out/plan.json --out inputs/survey/shards
 run survey_merge survey merge inputs/survey/shards -o out/survey.sqlite
 run survey_export survey export out/survey.sqlite -o out/survey.csv
 run survey_smooth survey smooth out/survey.sqlite -o out/survey_smooth.sqlite
+run survey_netcdf survey export out/survey_smooth.sqlite -o out/survey.nc
 cat $small - >inputs/both.toml <<'TOML'
 
 [fit]

@@ -85,6 +85,12 @@ expect_exit 0 survey export moving.sqlite -o velocities.csv --table velocities
 grep -q ',fit,0,sheet.main.energy_kev,' velocities.csv || fail "no velocity of the energy"
 expect_exit 2 survey export whole.sqlite -o none.csv --table velocities
 expect_stderr "vegard survey smooth"
+expect_exit 0 survey export moving.sqlite -o moving.nc
+[[ $(head -c 4 moving.nc | tail -c 3) == HDF ]] || fail "no netCDF-4"
+expect_exit 0 survey export again.sqlite -o again.nc
+expect_same moving.nc again.nc
+expect_exit 2 survey export moving.sqlite -o other.nc --table wide
+expect_stderr "all of a frame in one"
 expect_exit 2 survey smooth whole.sqlite -o none.sqlite --false-alarms 0.7
 expect_one_message
 

@@ -112,6 +112,8 @@ check_sources() {
         complain("TOML parsing belongs in sim/scene and fit/survey/survey_toml.cpp only")
       if (target ~ /^sqlite3/ && FILENAME != "fit/survey/sqlite_file.cpp")
         complain("SQLite belongs in fit/survey/sqlite_file.cpp only")
+      if (target ~ /^netcdf/ && FILENAME != "sim/base/file/netcdf_file.cpp")
+        complain("netCDF belongs in sim/base/file/netcdf_file.cpp only")
       if (target ~ /^muParser/ && FILENAME != "sim/scene/freedom/expression.cpp")
         complain("muParser belongs in sim/scene/freedom/expression.cpp only")
 

@@ -1,10 +1,13 @@
+#include <filesystem>
 #include <memory>
 #include <string>
 
 #include "apps/commands/survey/steps.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/refusals.h"
 #include "fit/survey/survey_export.h"
+#include "fit/survey/survey_netcdf.h"
 
 namespace vegard::apps {
 namespace {
@@ -17,6 +20,12 @@ struct ExportRequest {
 int run_export(const ExportRequest& options) {
   spare_inputs("--output", options.out, {{options.database, "the database"}});
   const fit::SqliteFile file(options.database, fit::SqliteFile::Opening::read);
+  if (std::filesystem::path(options.out).extension() == ".nc") {
+    if (!options.table.empty())
+      throw usage_error("--table", "a netCDF file has all of a frame in one", "a name that ends in .csv");
+    fit::write_survey_netcdf(file, options.out, options.overwrite);
+    return good;
+  }
   fit::write_survey_csv(file, *fit::survey_table_kind(options.table.empty() ? "wide" : options.table),
                         options.out, options.overwrite);
   return good;
@@ -26,9 +35,9 @@ int run_export(const ExportRequest& options) {
 
 void add_survey_export(const Command& survey) {
   const auto options = std::make_shared<ExportRequest>();
-  const Command command = survey.add("export", "A survey's database as a table (CSV)");
+  const Command command = survey.add("export", "A survey's database as a table (CSV), or as netCDF");
   command.option("DATABASE", options->database, "The database, merged or of one shard").required();
-  command.option("-o,--output", options->out, "The table to write")
+  command.option("-o,--output", options->out, "The file to write: netCDF if it ends in .nc, else CSV")
       .required()
       .type_name("OUT.csv");
   command

@@ -1,0 +1,330 @@
+#include "fit/survey/survey_netcdf.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "fit/answer/trust.h"
+#include "fit/survey/survey_columns.h"
+#include "fit/survey/survey_results.h"
+#include "sim/base/file/netcdf_file.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/base/number/constants.h"
+#include "sim/base/version.h"
+
+namespace vegard::fit {
+namespace {
+
+using sim::NetcdfFile;
+using sim::NetcdfType;
+
+constexpr std::size_t kRowsAtATime = 4096;
+
+/// Words as the CF conventions have flags: numbers from 0 on with their meanings beside them. There are not
+/// more than a byte has room for, unless somebody has tampered with the database.
+class FlagColumn {
+ public:
+  static constexpr std::size_t kMostFlags = 100;
+  FlagColumn(NetcdfFile& file, const std::string& name, const std::string& long_name,
+             const std::vector<std::string>& words, const std::vector<NetcdfFile::Dimension>& of)
+      : words_(words.begin(),
+               words.begin() + static_cast<std::ptrdiff_t>(std::min(words.size(), kMostFlags))),
+        variable_(file.variable(name, NetcdfType::flag, of)) {
+    file.attribute(variable_, "long_name", long_name);
+    std::vector<int> numbers;
+    std::string meanings;
+    for (const std::string& word : words_) {
+      numbers.push_back(static_cast<int>(numbers.size()));
+      // Meanings have blanks between them, and so none inside.
+      std::string meaning = word;
+      std::replace(meaning.begin(), meaning.end(), ' ', '_');
+      meanings += (meanings.empty() ? "" : " ") + meaning;
+    }
+    if (words_.empty()) return;
+    file.flags(variable_, "flag_values", numbers);
+    file.attribute(variable_, "flag_meanings", meanings);
+  }
+  void add(const std::optional<std::string>& word) {
+    const auto found = word ? std::find(words_.begin(), words_.end(), *word) : words_.end();
+    rows_.push_back(found == words_.end() ? sim::kNetcdfNoFlag : static_cast<int>(found - words_.begin()));
+  }
+  void put(NetcdfFile& file, std::size_t first) {
+    file.put(variable_, first, rows_);
+    rows_.clear();
+  }
+  const NetcdfFile::Variable& variable() const { return variable_; }
+
+ private:
+  std::vector<std::string> words_;
+  NetcdfFile::Variable variable_;
+  std::vector<int> rows_;
+};
+
+class RealColumn {
+ public:
+  RealColumn(NetcdfFile& file, const std::string& name, const std::string& long_name, const std::string& unit,
+             const std::vector<NetcdfFile::Dimension>& of)
+      : variable_(file.variable(name, NetcdfType::real, of)) {
+    file.attribute(variable_, "long_name", long_name);
+    file.attribute(variable_, "units", udunits_of(unit));
+  }
+  void add(const std::optional<double>& value) { rows_.push_back(value.value_or(sim::kNaN)); }
+  void put(NetcdfFile& file, std::size_t first) {
+    file.put(variable_, first, rows_);
+    rows_.clear();
+  }
+  const NetcdfFile::Variable& variable() const { return variable_; }
+
+ private:
+  NetcdfFile::Variable variable_;
+  std::vector<double> rows_;
+};
+
+/// Names that no two variables have.
+class VariableNames {
+ public:
+  std::string of(const std::string& words) {
+    const std::string name = sim::netcdf_name(words);
+    std::string found = name;
+    for (int i = 2; !taken_.insert(found).second; ++i) found = name + "_" + std::to_string(i);
+    return found;
+  }
+
+ private:
+  std::set<std::string> taken_;
+};
+
+/// A number with its error, and whether to trust it.
+struct QuantityColumns {
+  SurveyColumn of;
+  RealColumn value, sigma;
+  std::optional<FlagColumn> trust;
+};
+
+/// How a number moves, of what vegard survey smooth has written.
+struct MotionColumns {
+  std::string work, name;
+  int item = 0;
+  RealColumn velocity, sigma;
+  FlagColumn flag;
+};
+
+class SurveyNetcdf {
+ public:
+  SurveyNetcdf(NetcdfFile& file, const SqliteFile& database, const SurveyReader& reader,
+               const SurveyColumns& all)
+      : file_(file) {
+    const std::vector<NetcdfFile::Dimension> frame = {
+        file.dimension("frame", static_cast<std::size_t>(all.frames))};
+    number_ = define("frame_number", NetcdfType::whole, "number of the frame in the survey's plan", frame);
+    file.attribute(number_, "units", "1");
+    time_ = define("time", NetcdfType::real, "when the frame was taken", frame);
+    file.attribute(time_, "standard_name", "time");
+    file.attribute(time_, "units", "seconds since 1970-01-01 00:00:00");
+    file.attribute(time_, "calendar", "standard");
+    camera_ = define("camera", NetcdfType::text, "camera", frame);
+    name_ = define("file", NetcdfType::text, "file of the frame, from the survey's folder", frame);
+    status_.emplace(file, names_.of("status"), "what became of the frame",
+                    std::vector<std::string>{"done", "skipped", "missing", "unreadable"}, frame);
+    at_time(status_->variable());
+    for (const auto& [work, verdicts] : all.verdicts) {
+      const std::string name = survey_work_name(work);
+      verdicts_.emplace_back(work,
+                             FlagColumn(file, names_.of(name + " verdict"), "verdict of the work " + name,
+                                        {verdicts.begin(), verdicts.end()}, frame));
+      at_time(verdicts_.back().second.variable());
+    }
+    for (const SurveyColumn& column : all.columns)
+      define_quantity(column, all.judged.count(column) > 0, frame);
+    if (has_motion(database)) define_motion(database, frame);
+    describe(reader);
+  }
+
+  void take(const FrameAnswer& answer) {
+    numbers_.push_back(answer.frame);
+    times_.push_back(answer.time_s);
+    cameras_.push_back(answer.camera);
+    files_.push_back(answer.file);
+    status_->add(std::string(frame_status_name(answer.status)));
+    for (auto& [work, column] : verdicts_) {
+      const WorkAnswer* found = work_in(answer, work);
+      column.add(found != nullptr ? std::optional(found->verdict) : std::nullopt);
+    }
+    for (QuantityColumns& column : quantities_) {
+      const SurveyQuantity* q = quantity_in(work_in(answer, column.of.work), column.of);
+      column.value.add(q != nullptr ? q->value : std::nullopt);
+      column.sigma.add(q != nullptr ? q->sigma : std::nullopt);
+      if (column.trust) column.trust->add(q != nullptr ? q->trust : std::nullopt);
+    }
+    for (MotionColumns& column : motions_) take_motion(answer.frame, column);
+    if (numbers_.size() == kRowsAtATime) put();
+  }
+
+  void put() {
+    if (numbers_.empty()) return;
+    const std::size_t count = numbers_.size();
+    file_.put(number_, first_, numbers_);
+    file_.put(time_, first_, times_);
+    file_.put(camera_, first_, cameras_);
+    file_.put(name_, first_, files_);
+    status_->put(file_, first_);
+    for (auto& [work, column] : verdicts_) column.put(file_, first_);
+    for (QuantityColumns& column : quantities_) {
+      column.value.put(file_, first_);
+      column.sigma.put(file_, first_);
+      if (column.trust) column.trust->put(file_, first_);
+    }
+    for (MotionColumns& column : motions_) {
+      column.velocity.put(file_, first_);
+      column.sigma.put(file_, first_);
+      column.flag.put(file_, first_);
+    }
+    first_ += count;
+    numbers_.clear();
+    times_.clear();
+    cameras_.clear();
+    files_.clear();
+  }
+
+ private:
+  NetcdfFile::Variable define(const std::string& name, NetcdfType type, const std::string& long_name,
+                              const std::vector<NetcdfFile::Dimension>& of) {
+    const NetcdfFile::Variable made = file_.variable(names_.of(name), type, of);
+    file_.attribute(made, "long_name", long_name);
+    return made;
+  }
+  void at_time(const NetcdfFile::Variable& variable) { file_.attribute(variable, "coordinates", "time"); }
+
+  void define_quantity(const SurveyColumn& column, bool is_judged,
+                       const std::vector<NetcdfFile::Dimension>& frame) {
+    const std::string work = survey_work_name(column.work), name = names_.of(work + " " + column.name);
+    const std::string sigma = names_.of(name + "_sigma"), trust = is_judged ? names_.of(name + "_trust") : "";
+    QuantityColumns made{column, RealColumn(file_, name, column.name, column.unit, frame),
+                         RealColumn(file_, sigma, "standard deviation of " + column.name, column.unit, frame),
+                         std::nullopt};
+    if (is_judged)
+      made.trust.emplace(file_, trust, "whether to trust " + column.name,
+                         std::vector<std::string>{trust_name(Trust::good), trust_name(Trust::doubtful),
+                                                  trust_name(Trust::not_told)},
+                         frame);
+    if (column.unit == "white")
+      file_.attribute(made.value.variable(), "comment", "share of the picture's white");
+    file_.attribute(made.value.variable(), "ancillary_variables", sigma + (is_judged ? " " + trust : ""));
+    for (const NetcdfFile::Variable& one : {made.value.variable(), made.sigma.variable()}) at_time(one);
+    if (made.trust) at_time(made.trust->variable());
+    quantities_.push_back(std::move(made));
+  }
+
+  void define_motion(const SqliteFile& database, const std::vector<NetcdfFile::Dimension>& frame) {
+    SqliteStatement rows(database,
+                         "SELECT DISTINCT work, item, name, velocity_unit FROM velocity ORDER BY work, item, "
+                         "name");
+    while (rows.step()) {
+      const std::string work = rows.text(0), words = rows.text(2);
+      const std::string name = names_.of(work + " velocity of " + words), sigma = names_.of(name + "_sigma"),
+                        flag = names_.of(name + "_flag");
+      motions_.push_back(
+          {work, words, static_cast<int>(rows.integer(1)),
+           RealColumn(file_, name, "how fast it grows: " + words, rows.text(3), frame),
+           RealColumn(file_, sigma, "standard deviation of how fast it grows: " + words, rows.text(3), frame),
+           FlagColumn(file_, flag, "whether it jumps: " + words, {"sound", "outlier", "break"}, frame)});
+      const MotionColumns& made = motions_.back();
+      file_.attribute(made.velocity.variable(), "ancillary_variables", sigma + " " + flag);
+      for (const NetcdfFile::Variable& one :
+           {made.velocity.variable(), made.sigma.variable(), made.flag.variable()})
+        at_time(one);
+    }
+    motion_.emplace(
+        database,
+        "SELECT velocity, velocity_sigma, (SELECT kind FROM flag f WHERE f.frame = v.frame AND "
+        "f.work = v.work AND f.item = v.item AND f.name = v.name) FROM velocity v WHERE frame = ? "
+        "AND work = ? AND item = ? AND name = ?");
+  }
+
+  void take_motion(int frame, MotionColumns& column) {
+    motion_->bind(0, frame).bind(1, column.work).bind(2, column.item).bind(3, column.name);
+    if (motion_->step()) {
+      column.velocity.add(motion_->number_or_none(0));
+      column.sigma.add(motion_->number_or_none(1));
+      column.flag.add(motion_->text_or_none(2).value_or("sound"));
+      motion_->reset();
+      return;
+    }
+    column.velocity.add(std::nullopt);
+    column.sigma.add(std::nullopt);
+    column.flag.add(std::nullopt);
+  }
+
+  void describe(const SurveyReader& reader) {
+    file_.attribute("Conventions", "CF-1.8");
+    std::string names, sources, plans;
+    for (const AnsweredPlan& plan : reader.plans()) {
+      names += (names.empty() ? "" : ", ") + plan.name;
+      plans += (plans.empty() ? "" : " ") + plan.sha256;
+    }
+    for (const SurveyReader::Origin& origin : reader.origins())
+      sources += (sources.empty() ? "" : "; ") + origin.versions.words();
+    file_.attribute("title", "vegard survey " + names);
+    file_.attribute("source", sources);
+    file_.attribute("plan_sha256", plans);
+    file_.attribute(
+        "comment",
+        std::string("A row a frame, by camera and time. Of a border the brightest trace. Written by "
+                    "vegard ") +
+            sim::version() + ".");
+  }
+
+  NetcdfFile& file_;
+  VariableNames names_;
+  NetcdfFile::Variable number_, time_, camera_, name_;
+  std::optional<FlagColumn> status_;
+  std::vector<std::pair<SurveyWork, FlagColumn>> verdicts_;
+  std::vector<QuantityColumns> quantities_;
+  std::vector<MotionColumns> motions_;
+  std::optional<SqliteStatement> motion_;
+  std::size_t first_ = 0;
+  std::vector<int> numbers_;
+  std::vector<double> times_;
+  std::vector<std::string> cameras_, files_;
+};
+
+}  // namespace
+
+std::string udunits_of(const std::string& unit) {
+  if (unit.empty() || unit == "white") return "1";
+  if (unit == "deg" || unit == "\u00b0") return "degree";
+  static const std::array<std::pair<const char*, const char*>, 11> kRaised = {{{"\u207b", "-"},
+                                                                               {"\u2070", "0"},
+                                                                               {"\u00b9", "1"},
+                                                                               {"\u00b2", "2"},
+                                                                               {"\u00b3", "3"},
+                                                                               {"\u2074", "4"},
+                                                                               {"\u2075", "5"},
+                                                                               {"\u2076", "6"},
+                                                                               {"\u2077", "7"},
+                                                                               {"\u2078", "8"},
+                                                                               {"\u2079", "9"}}};
+  std::string plain = unit;
+  for (const auto& [raised, digit] : kRaised)
+    for (std::size_t at = plain.find(raised); at != std::string::npos; at = plain.find(raised))
+      plain.replace(at, std::string(raised).size(), digit);
+  return plain;
+}
+
+void write_survey_netcdf(const SqliteFile& database, const std::string& output, bool overwrite) {
+  const SurveyReader reader(database);
+  sim::WholeFile whole(output, overwrite);
+  const SurveyColumns all = survey_columns(reader);
+  NetcdfFile file(whole.temporary(), output);
+  SurveyNetcdf survey(file, database, reader, all);
+  reader.frames(0, std::numeric_limits<int>::max(), [&](const FrameAnswer& answer) { survey.take(answer); });
+  survey.put();
+  file.close();
+  whole.commit();
+}
+
+}  // namespace vegard::fit

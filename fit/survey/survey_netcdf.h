@@ -1,0 +1,18 @@
+// A survey's database as one netCDF-4 file by the CF conventions, version 1.8 (https://cfconventions.org).
+#pragma once
+
+#include <string>
+
+#include "fit/survey/sqlite_file.h"
+
+namespace vegard::fit {
+
+/// Writes the file, whole or not at all; docs/file_formats.md has its variables. Reads the database twice,
+/// some thousand frames at a time. The same rows give the same bytes, of one version of netCDF and HDF5.
+/// Throws as SurveyReader, sim::WholeFile and sim::NetcdfFile do.
+void write_survey_netcdf(const SqliteFile& database, const std::string& output, bool overwrite);
+
+/// A unit as UDUNITS has it: "mW m-2" of "mW m\u207b\u00b2", "degree" of "deg", "1" of none.
+std::string udunits_of(const std::string& unit);
+
+}  // namespace vegard::fit
