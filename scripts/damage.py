@@ -233,6 +233,7 @@ def make_kinds(vegard, home):
              [["survey", "merge", "shards", "-o", "{out}/m.sqlite"], ["survey", "export", "shards/{it}", "-o", "{out}/w.csv"],
               ["survey", "export", "shards/{it}", "-o", "{out}/q.csv", "--table", "quantities"],
               ["survey", "export", "shards/{it}", "-o", "{out}/w.nc"],
+              ["survey", "report", "shards/{it}", "-o", "{out}/pages"],
               ["survey", "smooth", "shards/{it}", "-o", "{out}/v.sqlite"],
               ["survey", "run", "plan.json", "--out", "shards"] + ONE]),
         Kind("words", None, [b"sheet.main.energy_kev=3.5", b"camera.width=64", b"fit.free=[]", b"sky.level=[1.0, 2.0, 3.0]",

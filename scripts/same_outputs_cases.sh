@@ -267,6 +267,7 @@ run survey_merge survey merge inputs/survey/shards -o out/survey.sqlite
 run survey_export survey export out/survey.sqlite -o out/survey.csv
 run survey_smooth survey smooth out/survey.sqlite -o out/survey_smooth.sqlite
 run survey_netcdf survey export out/survey_smooth.sqlite -o out/survey.nc
+run survey_report survey report out/survey_smooth.sqlite -o out/survey_pages --plan out/plan.json
 cat $small - >inputs/both.toml <<'TOML'
 
 [fit]

@@ -15,6 +15,7 @@ void add_survey_command(Program& program) {
   add_survey_merge(survey);
   add_survey_export(survey);
   add_survey_smooth(survey);
+  add_survey_report(survey);
 }
 
 }  // namespace vegard::apps

@@ -94,7 +94,24 @@ expect_stderr "all of a frame in one"
 expect_exit 2 survey smooth whole.sqlite -o none.sqlite --false-alarms 0.7
 expect_one_message
 
+# Pages to look at.
+expect_exit 0 survey report moving.sqlite -o pages --plan plan.json
+expect_stdout "1 night, 1 keogram"
+for text in 'a lamp' 'there is no such file' 'href="../night/20190301_221005.png"' '<image'; do
+  grep -qF -- "$text" pages/night-2019-03-01.html || fail "the night's page has no '$text'"
+done
+grep -q '8 frames of 1 camera in 1 night' pages/index.html || fail "another first sentence"
+! grep -qE '<script|(src|href)="http' pages/*.html || fail "a page wants something from elsewhere"
+expect_exit 2 survey report whole.sqlite -o pages
+expect_stderr "pages"
+cp -r pages first_pages
+expect_exit 0 survey report again.sqlite -o pages --plan plan.json --overwrite
+for page in index night-2019-03-01; do expect_same "first_pages/$page.html" "pages/$page.html"; done
+expect_exit 0 survey report whole.sqlite -o without --no-keograms
+expect_stdout "0 keograms"
+
 # Refusals.
+expect_exit 3 survey report whole.sqlite -o none --plan night/survey.toml
 expect_exit 2 survey run plan.json --out whole --shard 1/2
 expect_stderr "is cut into 1"
 expect_exit 2 survey run plan.json --out other --shard 3/2

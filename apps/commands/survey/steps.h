@@ -13,5 +13,6 @@ void add_survey_cancel(const Command& survey);
 void add_survey_merge(const Command& survey);
 void add_survey_export(const Command& survey);
 void add_survey_smooth(const Command& survey);
+void add_survey_report(const Command& survey);
 
 }  // namespace vegard::apps

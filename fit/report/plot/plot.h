@@ -35,6 +35,7 @@ struct Series {
   std::vector<double> x, y;
   std::vector<double> low, high;  ///< limits of the shaded band, one per point; empty: none
   bool band_along_x = false;      ///< low and high are in x (for vertical profiles), else in y
+  bool error_bars = false;        ///< low and high as a bar through each point, in the place of the band
 };
 
 struct Axis {

@@ -219,6 +219,22 @@ void draw_band(const Series& series, const PlotScale& scale, PlotCanvas& canvas)
   close();
 }
 
+/// Half as opaque as the points: a thinner line of a paler colour, since lines have no opacity.
+void draw_error_bars(const Series& series, const PlotScale& scale, PlotCanvas& canvas) {
+  constexpr double kWidth_px = 1.0;
+  const auto paler = [](std::uint8_t ink) { return static_cast<std::uint8_t>((ink + 255) / 2); };
+  const Colour colour{paler(series.colour.r), paler(series.colour.g), paler(series.colour.b)};
+  for (std::size_t i = 0; i < series.low.size(); ++i) {
+    if (!finite_at(series, i) || !std::isfinite(series.low[i]) || !std::isfinite(series.high[i])) continue;
+    if (series.band_along_x)
+      canvas.line({scale.place(series.low[i], series.y[i]), scale.place(series.high[i], series.y[i])}, colour,
+                  kWidth_px, false);
+    else
+      canvas.line({scale.place(series.x[i], series.low[i]), scale.place(series.x[i], series.high[i])}, colour,
+                  kWidth_px, false);
+  }
+}
+
 void draw_raster(const Raster& raster, const PlotScale& scale, PlotCanvas& canvas) {
   if (raster.rgb.empty()) return;
   const PlotPoint corner = scale.place(raster.left, raster.top),
@@ -249,7 +265,7 @@ void draw_legend(const std::vector<const Series*>& entries, double base_line, Pl
   double x = kPlotEdge;
   for (const Series* entry : entries) {
     const double middle = base_line - 0.34 * kPlotNoteSize;
-    if (!entry->low.empty())
+    if (!entry->low.empty() && !entry->error_bars)
       canvas.area({{x, middle - 5},
                    {x + kLegendSample, middle - 5},
                    {x + kLegendSample, middle + 5},
@@ -379,7 +395,11 @@ void draw_plot(const Plot& plot, PlotCanvas& canvas) {
     canvas.text({area.x, area.y - 8}, panel.title, title);
     canvas.begin_clip(area);
     draw_raster(panel.raster, scale, canvas);
-    for (const Series& series : panel.series) draw_band(series, scale, canvas);
+    for (const Series& series : panel.series)
+      if (series.error_bars)
+        draw_error_bars(series, scale, canvas);
+      else
+        draw_band(series, scale, canvas);
     for (const Series& series : panel.series) draw_series(series, scale, canvas);
     canvas.end_clip();
     if (!plot.shared_axes) label_axes(panel.x, panel.y, area, canvas);

@@ -103,6 +103,27 @@ TEST(PlotSvg, PutsDataWhereTheAxesSay) {
   }
 }
 
+TEST(PlotSvg, DrawsErrorsAsBarsWhereItIsAskedTo) {
+  Plot plot = simple_plot();
+  Series& series = plot.panels[0].series[0];
+  series.mark = Mark::points;
+  series.error_bars = true;
+  series.low = {20.0, 15.0, kNaN};
+  series.high = {30.0, 50.0, kNaN};
+  const std::string svg = plot_svg(plot);
+  EXPECT_EQ(count(svg, "fill-opacity"), 0);  // no band, in the legend neither
+  const auto corners = lines_in(svg, "#969696").front();
+  const auto bars = lines_in(svg, "#84e38e");  // half as dark as the points
+  ASSERT_EQ(bars.size(), 2u);
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_EQ(bars[i].size(), 2u);
+    EXPECT_NEAR(bars[i][0].x, corners[0].x + 100.0 * i, 0.01);
+    EXPECT_NEAR(bars[i][1].x, bars[i][0].x, 0.01);
+    EXPECT_NEAR(bars[i][0].y, corners[1].y - 2.0 * series.low[i], 0.01);  // 100 pixels for 50
+    EXPECT_NEAR(bars[i][1].y, corners[1].y - 2.0 * series.high[i], 0.01);
+  }
+}
+
 TEST(PlotSvg, ReversedAxisGrowsDownwards) {
   Plot plot = simple_plot();
   plot.panels[0].series[0].y = {0.0, 10.0, 20.0};

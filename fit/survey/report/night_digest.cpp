@@ -1,0 +1,198 @@
+#include "fit/survey/report/night_digest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "fit/border/border_distance.h"
+#include "sim/base/number/constants.h"
+#include "sim/base/utc_time.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr std::size_t kNamedFrames = 5, kMostReasons = 60;
+constexpr double kHour_s = 3600.0, kMinute_s = 60.0;
+constexpr const char* kOtherReasons = "other reasons";
+
+/// "the file ends after 3000 bytes": its number is another in every frame.
+std::string without_numbers(const std::string& words) {
+  std::string text;
+  bool in_number = false;
+  for (const char c : words) {
+    const bool is_digit = c >= '0' && c <= '9';
+    const bool goes_on = is_digit || (in_number && (c == '.' || c == 'e'));
+    if (!goes_on) text += c;
+    if (is_digit && !in_number) text += "\u2026";
+    in_number = goes_on;
+  }
+  return text;
+}
+
+void add_failure(const std::string& reason, const FrameAnswer& answer, Failures& failures) {
+  const bool is_new = failures.count(reason) == 0;
+  FailedFrames& failed = failures[is_new && failures.size() >= kMostReasons ? kOtherReasons : reason];
+  ++failed.frames;
+  if (failed.some.size() < kNamedFrames)
+    failed.some.push_back({answer.frame, answer.file, sim::utc_text(answer.time_s)});
+}
+
+bool is_believed(const WorkAnswer& work) { return work.verdict == "good" || work.verdict == "doubtful"; }
+
+/// Of a curtain so far away in this direction, on the sphere that fit/border/border_distance.h has.
+double latitude_at(const sim::Site& site, double distance_km, double azimuth_deg) {
+  constexpr double kSphere_km = 6371.0;
+  const double arc = distance_km / kSphere_km, latitude = sim::kRadiansPerDegree * site.latitude_deg;
+  return std::asin(std::sin(latitude) * std::cos(arc) +
+                   std::cos(latitude) * std::sin(arc) * std::cos(sim::kRadiansPerDegree * azimuth_deg)) /
+         sim::kRadiansPerDegree;
+}
+
+class NightReading {
+ public:
+  NightReading(NightDigest& digest, const SiteOfBlock& site) : digest_(digest), site_(site) {}
+
+  void take(const FrameAnswer& answer) {
+    if (digest_.frames == 0) digest_.first_s = digest_.last_s = answer.time_s;
+    digest_.first_s = std::min(digest_.first_s, answer.time_s);
+    digest_.last_s = std::max(digest_.last_s, answer.time_s);
+    ++digest_.frames;
+    ++digest_.statuses[answer.status];
+    ++digest_.frames_of_minute[static_cast<std::int64_t>(std::floor(answer.time_s / kMinute_s))];
+    if (answer.status != FrameStatus::done)
+      add_failure(std::string(frame_status_name(answer.status)) + ": " +
+                      without_numbers(answer.reason.value_or("no reason is told")),
+                  answer, digest_.failures);
+    const int hour = static_cast<int>(std::floor(answer.time_s / kHour_s)) % 24;
+    for (const WorkAnswer& work : answer.works) {
+      ++digest_.verdicts[work.work][work.verdict];
+      ++digest_.verdicts_of_hour[hour < 0 ? hour + 24 : hour][work.work][work.verdict];
+      if (work.verdict == "refused" || work.verdict == "failed")
+        add_failure(std::string(survey_work_name(work.work)) + " " + work.verdict + ": " +
+                        without_numbers(work.words.value_or("no reason is told")),
+                    answer, digest_.failures);
+      if (is_believed(work)) follow(answer, work);
+    }
+  }
+
+  void finish() {
+    for (auto& [key, series] : series_) digest_.series.push_back(std::move(series));
+    if (!digest_.energies.empty()) digest_.why_no_flux.clear();
+  }
+
+ private:
+  void follow(const FrameAnswer& answer, const WorkAnswer& work) {
+    const bool is_good = work.verdict == "good";
+    std::map<std::string, EnergyAndFlux> by_owner;
+    std::map<FollowedKind, double> first;
+    for (const SurveyQuantity& q : work.quantities) {
+      const std::optional<FollowedKind> kind = followed_kind(work.work, q);
+      if (!kind) continue;
+      if (*kind == FollowedKind::flux && !q.value && q.reason) digest_.why_no_flux = *q.reason;
+      if (!q.value) continue;
+      first.emplace(*kind, *q.value);
+      if (*kind == FollowedKind::energy) by_owner[owner_of_quantity(q.name)].energy_kev = *q.value;
+      if (*kind == FollowedKind::flux) by_owner[owner_of_quantity(q.name)].flux_mw_m2 = *q.value;
+      FollowedSeries& series = series_[{*kind, q.name, q.unit}];
+      series.work = work.work;
+      series.kind = *kind;
+      series.name = q.name;
+      series.unit = q.unit;
+      series.points.push_back({answer.time_s, *q.value, q.sigma.value_or(sim::kNaN), is_good});
+    }
+    for (const auto& [owner, pair] : by_owner)
+      if (pair.energy_kev > 0.0 && pair.flux_mw_m2 > 0.0)
+        digest_.energies.push_back({pair.energy_kev, pair.flux_mw_m2, is_good});
+    const auto azimuth = first.find(work.work == SurveyWork::border ? FollowedKind::border_azimuth
+                                                                    : FollowedKind::sheet_azimuth);
+    const auto distance = first.find(FollowedKind::distance);
+    const sim::Site* site = site_ ? site_(answer.block) : nullptr;
+    // One latitude a frame: the border's goes first, as its work does.
+    if (site != nullptr && azimuth != first.end() && distance != first.end() &&
+        (digest_.latitudes.empty() || digest_.latitudes.back().time_s != answer.time_s))
+      digest_.latitudes.push_back({answer.time_s, latitude_at(*site, distance->second, azimuth->second)});
+  }
+
+  NightDigest& digest_;
+  const SiteOfBlock& site_;
+  std::map<std::tuple<FollowedKind, std::string, std::string>, FollowedSeries> series_;
+};
+
+}  // namespace
+
+NightDigest digest_night(const SurveyReader& reader, const CameraNight& night, const SiteOfBlock& site) {
+  NightDigest digest;
+  digest.camera = night.camera;
+  NightReading reading(digest, site);
+  for (const FrameRange& range : night.ranges)
+    reader.frames(range.first, range.end, [&](const FrameAnswer& answer) { reading.take(answer); });
+  reading.finish();
+  return digest;
+}
+
+void add_motion(const SqliteFile& database, const CameraNight& night, NightDigest& digest) {
+  if (!has_motion(database)) return;
+  digest.is_smoothed = true;
+  std::map<std::string, FollowedSeries> series;
+  SqliteStatement rows(
+      database,
+      "SELECT time_s, v.work, v.item, v.name, velocity, velocity_sigma, velocity_unit, verdict "
+      "FROM velocity v JOIN frame USING (frame) JOIN result r ON r.frame = v.frame AND r.work = "
+      "v.work WHERE v.frame >= ? AND v.frame < ? ORDER BY v.frame, v.work, v.item, v.name");
+  SqliteStatement jumps(
+      database,
+      "SELECT f.name, kind, time_s, value FROM flag f JOIN frame USING (frame) JOIN quantity q "
+      "ON q.frame = f.frame AND q.work = f.work AND q.item = f.item AND q.name = f.name WHERE "
+      "f.frame >= ? AND f.frame < ? ORDER BY f.frame, f.work, f.item, f.name");
+  for (const FrameRange& range : night.ranges) {
+    rows.bind(0, range.first).bind(1, range.end);
+    while (rows.step()) {
+      const std::optional<SurveyWork> work = survey_work_of(rows.text(1));
+      SurveyQuantity quantity;
+      quantity.item = static_cast<int>(rows.integer(2));
+      quantity.name = rows.text(3);
+      if (!work || followed_kind(*work, quantity) != FollowedKind::distance) continue;
+      FollowedSeries& of = series[quantity.name];
+      of.work = *work;
+      of.kind = FollowedKind::velocity;
+      of.name = quantity.name;
+      of.unit = rows.text(6);
+      of.points.push_back({rows.number(0), rows.number(4), rows.number(5), rows.text(7) == "good"});
+    }
+    jumps.bind(0, range.first).bind(1, range.end);
+    while (jumps.step())
+      digest.jumps.push_back({jumps.text(0), jumps.text(1), jumps.number(2), jumps.number(3)});
+  }
+  for (auto& [name, of] : series) digest.series.push_back(std::move(of));
+}
+
+void add_verdicts(const VerdictCounts& more, VerdictCounts& counts) {
+  for (const auto& [work, verdicts] : more)
+    for (const auto& [verdict, count] : verdicts) counts[work][verdict] += count;
+}
+
+void add_failures(const Failures& more, Failures& failures) {
+  for (const auto& [reason, failed] : more) {
+    const bool is_new = failures.count(reason) == 0;
+    FailedFrames& sum = failures[is_new && failures.size() >= kMostReasons ? kOtherReasons : reason];
+    sum.frames += failed.frames;
+    for (const NamedFrame& frame : failed.some)
+      if (sum.some.size() < kNamedFrames) sum.some.push_back(frame);
+  }
+}
+
+std::vector<FollowedPoint> points_of(const NightDigest& digest, FollowedKind kind) {
+  for (const FollowedSeries& series : digest.series)
+    if (series.kind == kind) return series.points;
+  return {};
+}
+
+double share_of_numbers(std::vector<double> numbers, double share) {
+  if (numbers.empty()) return sim::kNaN;
+  const auto at = numbers.begin() +
+                  static_cast<std::ptrdiff_t>(std::lround(share * static_cast<double>(numbers.size() - 1)));
+  std::nth_element(numbers.begin(), at, numbers.end());
+  return *at;
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,140 @@
+#include "fit/survey/report/night_keogram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "fit/photo/photo.h"
+#include "fit/photo/region.h"
+#include "fit/report/keogram_plot.h"
+#include "sim/base/error.h"
+#include "sim/view/camera/direction_map.h"
+
+namespace vegard::fit {
+namespace {
+
+struct ChosenFrame {
+  int frame = 0, block = 0;  ///< of the plan
+  double time_s = 0.0;
+};
+
+std::vector<ChosenFrame> chosen_frames(const SurveyReader& reader, const CameraNight& night, int most) {
+  std::vector<ChosenFrame> all, chosen;
+  for (const FrameRange& range : night.ranges)
+    reader.frames(range.first, range.end, [&](const FrameAnswer& answer) {
+      if (answer.status == FrameStatus::done) all.push_back({answer.frame, answer.block, answer.time_s});
+    });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const ChosenFrame& a, const ChosenFrame& b) { return a.time_s < b.time_s; });
+  if (all.empty()) return chosen;
+  const double begin = all.front().time_s, length = std::max(1e-3, all.back().time_s - begin);
+  int last = -1;
+  for (const ChosenFrame& frame : all) {
+    const int stretch = static_cast<int>((frame.time_s - begin) / length * most);
+    if (stretch == last || (!chosen.empty() && frame.time_s <= chosen.back().time_s)) continue;
+    last = stretch;
+    chosen.push_back(frame);
+  }
+  return chosen;
+}
+
+KeogramLine line_of_eye(const SurveyEye& eye, const Photo& photo) {
+  constexpr double kLooksUp_deg = 60.0;
+  constexpr int kStripShare = 50;
+  const int width = photo.linear.width, height = photo.linear.height;
+  const Region region = checked_region({}, width, height);
+  const sim::Camera& camera = eye.scene.camera;
+  if (camera.width == width && camera.height == height) {
+    MeridianOptions meridian;
+    meridian.azimuth_deg =
+        camera.elevation_deg > kLooksUp_deg ? eye.scene.field.declination_deg : camera.azimuth_deg;
+    try {
+      return meridian_line(sim::direction_map(camera), region, meridian);
+    } catch (const sim::Error&) {
+      // It shows nothing of that plane.
+    }
+  }
+  return column_line(region, std::max(1, width / kStripShare));
+}
+
+/// What the frames of a camera are read by, asked for once for each calibration.
+class EyesAtHand {
+ public:
+  explicit EyesAtHand(const SurveyFrames& frames) : frames_(frames) {}
+  const SurveyEye& of(int camera, int calibration) {
+    const std::pair key{camera, calibration};
+    if (!eye_ || key != key_) eye_ = frames_.eye(camera, calibration);
+    key_ = key;
+    return *eye_;
+  }
+
+ private:
+  const SurveyFrames& frames_;
+  std::optional<SurveyEye> eye_;
+  std::pair<int, int> key_{-1, -1};
+};
+
+}  // namespace
+
+NightKeogram night_keogram(const SurveyReader& reader, const CameraNight& night, const SurveyFrames& frames,
+                           int most) {
+  NightKeogram made;
+  if (frames.plan == nullptr) {
+    made.why_none = "where the frames are was not said (--plan)";
+    return made;
+  }
+  const SurveyPlan& plan = *frames.plan;
+  const std::vector<ChosenFrame> chosen = chosen_frames(reader, night, most);
+  if (chosen.empty()) made.why_none = "no frame was measured";
+  EyesAtHand eyes(frames);
+  PictureSeries series;
+  Keogram keogram;
+  keogram.time_kind = PictureTimes::Kind::utc;
+  keogram.time_source = "the survey";
+  int calibration = -1;
+  for (const ChosenFrame& one : chosen) {
+    try {
+      const PlannedBlock& block = plan.blocks.at(static_cast<std::size_t>(one.block));
+      const PlannedFrame& planned = block.frames.at(static_cast<std::size_t>(one.frame - block.first_frame));
+      const SurveyEye& eye = eyes.of(block.camera, block.calibration);
+      Photo photo = read_photo_of(series.read(plan.place(planned.file)), eye.decoding, &eye.scene);
+      if (!eye.mask.empty()) apply_mask(photo, eye.mask);
+      if (keogram.columns.empty()) {
+        keogram.line = line_of_eye(eye, photo);
+        calibration = block.calibration;
+      } else if (calibration != block.calibration) {
+        continue;  // the line's pixels look elsewhere now
+      }
+      add_picture(photo, one.time_s, keogram);
+    } catch (const sim::Error& error) {
+      ++made.unreadable;
+      if (made.why_none.empty()) made.why_none = error.details().problem;
+    }
+  }
+  made.columns = static_cast<int>(keogram.columns.size());
+  if (made.columns > 0) {
+    made.keogram = std::move(keogram);
+    made.why_none.clear();
+  }
+  return made;
+}
+
+Plot keogram_with_border(const Keogram& keogram, const NightDigest& digest, const ShownSpan& span) {
+  Plot plot = keogram_plot(keogram);
+  plot.title.clear();
+  plot.note.clear();
+  plot.panel_width_px = kNightPanel_px;
+  plot.panel_height_px = 300;
+  Panel& panel = plot.panels.front();
+  panel.x = time_axis(span, "");
+  if (!keogram.line.of_directions) return plot;
+  constexpr Colour kOverLight{255, 140, 60};
+  for (const FollowedSeries& series : digest.series)
+    if (series.kind == FollowedKind::border)
+      for (Series& shown : series_of(series, span, "lower border, where it is highest", kOverLight))
+        panel.series.push_back(std::move(shown));
+  return plot;
+}
+
+}  // namespace vegard::fit
