@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/number/constants.h"
+
 namespace vegard::sim {
 namespace {
 
@@ -15,6 +17,10 @@ constexpr double kIonPairKev = 0.035;
 constexpr double kKevPerErg = 6.241509074e8;  // 1 mW m^-2 = 1 erg cm^-2 s^-1
 constexpr double kColumn = 6e-6;              // g cm^-2
 constexpr double kLeastKev = 0.05;
+constexpr double kUnitG = 1.66053907e-24;  // of atomic mass
+constexpr double kBoltzmannErgK = 1.380649e-16;
+constexpr double kGravityCmS2 = 980.665;  // at sea level
+constexpr double kO = 15.999, kO2 = 31.998, kN2 = 28.014;
 
 /// ln(A y^B exp(-C y^D)) for the four coefficients from `first` on, at ln(y) that falls with ln(E).
 LogRate log_term(int first, double log_y, double log_energy) {
@@ -41,6 +47,15 @@ LogRate log_dissipation(double log_y, double log_energy) {
 }
 
 }  // namespace
+
+StoppingAir stopping_air(double altitude_km, double temperature_k, double n2_cm3, double o2_cm3,
+                         double o_cm3) {
+  const double density = kUnitG * (kO * o_cm3 + kO2 * o2_cm3 + kN2 * n2_cm3);
+  const double mass = density / (o_cm3 + o2_cm3 + n2_cm3);
+  const double out = 1.0 + altitude_km / kEarthRadiusKm;
+  const double height = kBoltzmannErgK * temperature_k * out * out / (mass * kGravityCmS2);
+  return {density * height, height};
+}
 
 LogRate log_ionisation(const StoppingAir& air, double energy_kev) {
   const double log_energy = std::log(energy_kev);

@@ -24,6 +24,11 @@ struct StoppingAir {
   double scale_height_cm = 0.0;    ///< H = kT/(m g)
 };
 
+/// Air of these densities, cm^-3, and this temperature. The mean mass is that of N2, O2 and O; gravity falls
+/// with the square of the distance from the Earth's centre.
+StoppingAir stopping_air(double altitude_km, double temperature_k, double n2_cm3, double o2_cm3,
+                         double o_cm3);
+
 /// ln of the ion pairs cm^-3 s^-1 for an energy flux of 1 mW m^-2. Below 0.05 keV, where the polynomials of
 /// the paper would run away, the coefficients C are those of 0.05 keV.
 LogRate log_ionisation(const StoppingAir& air, double energy_kev);
