@@ -1,0 +1,78 @@
+// Electrons on their way down a field line through the air: where they ionise and excite it, and what comes
+// back.
+//
+// In steady state, for electrons psi per cosine mu of the pitch angle at every energy of a grid, at the path
+// s along the field (from the bottom up),
+//
+//     mu dpsi/ds = -K psi + sum over streams of (elastic turns) + q,
+//
+// K the density times the cross-sections, q what electrons of higher energies leave at this one
+// (degradation.h). Energies are marched from the highest downwards, each solved exactly in all streams at
+// once: along a path between two places the source over K is a straight line in optical depth (short
+// characteristics; Olson and Kunasz 1987, J. Quant. Spectrosc. Radiat. Transfer 38, 325), and the streams of
+// all places are one block tridiagonal system. The discrete ordinates are those of Lummerzheim and Lilensten
+// 1994, Ann. Geophys. 12, 1039.
+//
+// Left out: the mirror force (mean free paths are short against the field's scale), electric fields along the
+// line, what electrons below 2 eV lose to the ambient electrons, and recombination.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "sim/light/transport/degradation.h"
+#include "sim/light/transport/field_air.h"
+#include "sim/light/transport/incident_electrons.h"
+#include "sim/light/transport/streams.h"
+
+namespace vegard::sim {
+
+/// Per cm^2 of a plane across the field and second; energies in eV.
+struct ElectronBudget {
+  double incident_ev = 0.0, incident_number = 0.0;
+  double back_ev = 0.0, back_number = 0.0;        ///< up through the top
+  double through_ev = 0.0, through_number = 0.0;  ///< down through the bottom
+  double excitation_ev = 0.0;                     ///< in excited molecules and atoms
+  double ionisation_ev = 0.0;                     ///< in ions, Auger electrons taken off
+  double thermal_ev = 0.0;                        ///< in electrons below the lowest energy
+  double ion_pairs = 0.0;
+
+  double deposited_ev() const { return excitation_ev + ionisation_ev + thermal_ev; }
+  /// What is missing of the incident energy, as a share of it: the error of the grids.
+  double missing_share() const {
+    return incident_ev > 0.0 ? 1.0 - (deposited_ev() + back_ev + through_ev) / incident_ev : 0.0;
+  }
+  double ev_per_ion_pair() const { return ion_pairs > 0.0 ? deposited_ev() / ion_pairs : 0.0; }
+};
+
+struct ElectronRates {
+  std::array<std::vector<double>, kGases> ion_pairs_cm3_s;                ///< [gas][place]
+  std::array<std::vector<std::vector<double>>, kGases> excitation_cm3_s;  ///< [gas][excitation][place]
+  std::array<std::vector<std::vector<double>>, kGases> shell_cm3_s;       ///< [gas][shell][place]
+  std::vector<double> deposited_ev_cm3_s;                                 ///< [place]
+  std::vector<std::vector<double>> flux;         ///< [energy][place]: all directions, cm^-2 s^-1
+  std::vector<std::vector<double>> top, bottom;  ///< [energy][stream]: per cosine, cm^-2 s^-1
+  /// [energy][place * streams + stream], per cosine, cm^-2 s^-1; only where asked for.
+  std::vector<std::vector<double>> streams;
+  ElectronBudget budget;
+
+  double all_ion_pairs(std::size_t place) const;
+};
+
+struct TransportOptions {
+  int half_streams = 4;  ///< 4 or 8 in each half
+  bool keep_streams = false;
+};
+
+/// `flux`: electrons cm^-2 s^-1 at each energy of the degradation's grid, down through a plane across the
+/// field at the column's top. Deterministic, on one thread; memory 8 bytes times energies, places and
+/// streams.
+ElectronRates electron_transport(const Degradation& degradation, const FieldAir& column,
+                                 const std::vector<double>& flux, PitchAngles angles,
+                                 const TransportOptions& options = {});
+
+/// The integral over the path of what falls off exponentially between places.
+double path_integral(const FieldAir& column, const std::vector<double>& rate);
+
+}  // namespace vegard::sim

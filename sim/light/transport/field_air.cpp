@@ -1,0 +1,126 @@
+#include "sim/light/transport/field_air.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "sim/base/error.h"
+#include "sim/base/file/csv_table.h"
+#include "sim/base/number/constants.h"
+#include "sim/light/atmosphere.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr std::array<double, kGases> kMassNumber = {28.0, 32.0, 16.0};
+constexpr std::array<const char*, kGases> kColumns = {"nN2", "nO2", "nO"};
+constexpr double kLeastDensity = 1e-30;  // cm^-3, for logarithms of what is not there
+
+struct AirPlace {
+  double temperature_k = 0.0;
+  std::array<double, kGases> density_cm3{};
+};
+
+AirPlace air_place_at(const AirTable& table, double altitude_km) {
+  const auto after = std::upper_bound(table.altitude_km.begin(), table.altitude_km.end() - 1, altitude_km);
+  const auto high = static_cast<std::size_t>(std::max(after - table.altitude_km.begin(), std::ptrdiff_t{1}));
+  const std::size_t low = high - 1;
+  const double way =
+      (altitude_km - table.altitude_km[low]) / (table.altitude_km[high] - table.altitude_km[low]);
+  AirPlace place;
+  place.temperature_k =
+      table.temperature_k[low] + way * (table.temperature_k[high] - table.temperature_k[low]);
+  for (std::size_t g = 0; g < kGases; ++g) {
+    const double a = std::log(std::max(kLeastDensity, table.density_cm3[g][low]));
+    const double b = std::log(std::max(kLeastDensity, table.density_cm3[g][high]));
+    place.density_cm3[g] = std::exp(a + way * (b - a));
+  }
+  return place;
+}
+
+double mass_density(const AirPlace& place) {
+  double sum = 0.0;
+  for (std::size_t g = 0; g < kGases; ++g) sum += kMassNumber[g] * place.density_cm3[g];
+  return sum;
+}
+
+/// Distance over which the density falls by e, from 1 km of it.
+double scale_height_km(const AirTable& table, double altitude_km) {
+  const double end = table.altitude_km.back(), low = std::min(altitude_km, end - 1.0);
+  const double fall =
+      std::log(mass_density(air_place_at(table, low)) / mass_density(air_place_at(table, low + 1.0)));
+  return fall > 0.0 ? 1.0 / fall : 1e9;
+}
+
+}  // namespace
+
+AirTable standard_air_table() {
+  AirTable table;
+  for (double altitude = 80.0; altitude <= 640.0; altitude += altitude < 130.0 ? 1.0 : 5.0) {
+    const Air air = standard_air(altitude);
+    table.altitude_km.push_back(altitude);
+    table.temperature_k.push_back(air.temperature_k);
+    table.density_cm3[0].push_back(air.n2_cm3);
+    table.density_cm3[1].push_back(air.o2_cm3);
+    table.density_cm3[2].push_back(air.o_cm3);
+  }
+  return table;
+}
+
+AirTable read_air_table(const std::string& text, const std::string& name) {
+  constexpr double kMostBottomKm = 100.0, kLeastTopKm = 300.0, kLargest = 1e20, kHighestKm = 2000.0;
+  const CsvTable csv = read_csv_table(text, name);
+  AirTable table;
+  table.altitude_km = csv.column("altitude_km");
+  csv.require_increasing("altitude_km");
+  csv.require_within("altitude_km", 0.0, kHighestKm);
+  table.temperature_k = csv.column("T_K");
+  csv.require_within("T_K", 1.0, 1e4);
+  for (std::size_t g = 0; g < kGases; ++g) {
+    table.density_cm3[g] = csv.column(kColumns[g]);
+    csv.require_within(kColumns[g], 0.0, kLargest);
+  }
+  if (table.altitude_km.front() > kMostBottomKm || table.altitude_km.back() < kLeastTopKm)
+    refuse_file(ErrorKind::unreadable_input, name,
+                "the air reaches from " + std::to_string(static_cast<int>(table.altitude_km.front())) +
+                    " to " + std::to_string(static_cast<int>(table.altitude_km.back())) + " km",
+                "a table that begins at 100 km or below and ends at 300 km or above",
+                "electrons of some keV stop near 100 km and begin to above 300 km");
+  for (std::size_t r = 0; r < csv.rows(); ++r) {
+    if (table.density_cm3[0][r] + table.density_cm3[1][r] + table.density_cm3[2][r] > 0.0) continue;
+    ErrorDetails details;
+    details.file = name;
+    details.line = csv.lines[r];
+    details.problem = "there is no air";
+    details.expected = "a density above 0 of N2, O2 or O";
+    throw Error(ErrorKind::unreadable_input, details);
+  }
+  return table;
+}
+
+FieldAir field_air(const AirTable& table, double dip_deg, double refinement) {
+  constexpr double kLeastStepKm = 0.2, kStepsPerHeight = 30.0, kMostStepKm = 20.0;
+  FieldAir column;
+  const double bottom = table.altitude_km.front(), top = table.altitude_km.back();
+  const double path_per_km = 1e5 / std::sin(dip_deg * kRadiansPerDegree);
+  for (double altitude = bottom;;) {
+    const AirPlace place = air_place_at(table, altitude);
+    column.altitude_km.push_back(altitude);
+    column.path_cm.push_back((altitude - bottom) * path_per_km);
+    column.temperature_k.push_back(place.temperature_k);
+    for (std::size_t g = 0; g < kGases; ++g) column.density_cm3[g].push_back(place.density_cm3[g]);
+    if (altitude >= top) break;
+    const double step =
+        std::clamp(scale_height_km(table, altitude) / kStepsPerHeight, kLeastStepKm, kMostStepKm) /
+        refinement;
+    altitude = altitude + 1.5 * step >= top ? top : altitude + step;
+  }
+  return column;
+}
+
+StoppingAir stopping_air(const FieldAir& column, std::size_t place) {
+  return stopping_air(column.altitude_km[place], column.temperature_k[place], column.density_cm3[0][place],
+                      column.density_cm3[1][place], column.density_cm3[2][place]);
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,62 @@
+// Electrons that come down from above: how many of each energy, and at which angles to the field.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/light/transport/energy_grid.h"
+#include "sim/light/transport/streams.h"
+
+namespace vegard::sim {
+
+enum class SpectrumKind { mono, gaussian, maxwellian, kappa, accelerated, table };
+
+/// Number flux per energy, up to a factor:
+///
+///     mono          all at E0
+///     gaussian      exp(-(E - E0)^2/(2 (spread E0)^2)), E > 0
+///     maxwellian    E exp(-E/E0)
+///     kappa         E (1 + E/(kappa E0))^(-kappa - 1), kappa > 2: the mean energy is 2 E0 kappa/(kappa - 2)
+///     accelerated   E exp(-(E - V)/E0), E >= V: a Maxwellian after a fall through the potential V, the
+///                   particles in the loss cone far from the field's end (Evans 1974, J. Geophys. Res. 79,
+///                   2853)
+///     table         straight between its rows, nothing beyond
+struct IncidentSpectrum {
+  SpectrumKind kind = SpectrumKind::maxwellian;
+  double energy_kev = 1.0;     ///< E0
+  double spread = 0.1;         ///< gaussian
+  double kappa = 5.0;          ///< kappa
+  double potential_kev = 0.0;  ///< V of accelerated
+  std::vector<double> table_energy_kev, table_flux;
+};
+
+/// Energies that the transport is made for.
+inline constexpr double kLeastSpectrumKev = 0.02, kMostSpectrumKev = 100.0;
+/// Beyond it a spectrum is cut.
+inline constexpr double kHighestKev = 300.0;
+
+/// What has an upper end that the grid has to reach: where less than 1e-4 of the energy is above, at most
+/// kHighestKev.
+double highest_energy_kev(const IncidentSpectrum& spectrum);
+
+/// Electrons cm^-2 s^-1 at each energy of the grid with together `energy_flux_mw_m2` through a plane across
+/// the field.
+std::vector<double> incident_flux(const IncidentSpectrum& spectrum, const EnergyGrid& grid,
+                                  double energy_flux_mw_m2);
+
+/// Mean energy of the electrons of such a flux.
+double mean_energy_ev(const EnergyGrid& grid, const std::vector<double>& flux);
+
+enum class PitchAngles {
+  isotropic,      ///< over the downward half
+  field_aligned,  ///< all in the stream nearest to the field
+};
+
+/// Electrons per cosine in each downward stream for a flux of 1 through a plane across the field; 0 upwards.
+std::vector<double> incident_angles(const Streams& streams, PitchAngles angles);
+
+/// keV per erg, since 1 mW m^-2 is 1 erg cm^-2 s^-1.
+inline constexpr double kEvPerErg = 6.241509074e11;
+
+}  // namespace vegard::sim
