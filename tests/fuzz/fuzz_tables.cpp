@@ -14,6 +14,7 @@
 #include "sim/base/number/mask5.h"
 #include "sim/base/utc_time.h"
 #include "sim/light/sheet_profile.h"
+#include "sim/light/transport/field_air.h"
 #include "sim/scene/file/curve_table.h"
 #include "sim/scene/file/precipitation_file.h"
 #include "sim/view/colour/colour_table.h"
@@ -164,10 +165,19 @@ void survey_list(const std::string& text) {
   for (const fit::ListedFrame& frame : listed.frames) require(std::isfinite(frame.time_s));
 }
 
+void air(const std::string& text) {
+  const sim::FieldAir column = sim::field_air(sim::read_air_table(text, "it.csv"), 77.0, 0.1);
+  require(column.size() > 1 && column.path_cm.front() == 0.0);
+  for (std::size_t m = 0; m < column.size(); ++m) {
+    require(std::isfinite(column.path_cm[m]) && column.temperature_k[m] > 0.0);
+    for (const std::vector<double>& gas : column.density_cm3) require(std::isfinite(gas[m]) && gas[m] >= 0.0);
+  }
+}
+
 using Reader = void (*)(const std::string&);
-constexpr Reader kReaders[] = {csv,           height_profile, response, tone,       colours, stars,
-                               pictures,      times,          camera,   mask,       moments, curtains,
-                               precipitation, survey,         plan,     survey_list};
+constexpr Reader kReaders[] = {csv,           height_profile, response, tone,        colours, stars,
+                               pictures,      times,          camera,   mask,        moments, curtains,
+                               precipitation, survey,         plan,     survey_list, air};
 
 }  // namespace
 
