@@ -1,0 +1,28 @@
+// What `vegard electrons` writes: the rates by altitude as a table, the energy's way as words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/light/transport/electron_transport.h"
+
+namespace vegard::apps {
+
+/// What was asked for, in words, and the ionisation of Fang et al. 2010 at the column's places (empty: none,
+/// since the electrons are not isotropic or the field is not vertical).
+struct ElectronRun {
+  std::string electrons;   ///< "Maxwellian, E0 5 keV, 1 mW m^-2, isotropic"
+  std::string atmosphere;  ///< "U.S. Standard Atmosphere 1976"
+  std::vector<double> fang_cm3_s;
+};
+
+/// CSV, a row a place from the bottom up: altitude_km, ion pairs (all, of each gas, Fang's), energy, and a
+/// column for each excitation and ionised shell.
+std::string electron_rates_csv(const ElectronRun& run, const sim::FieldAir& column,
+                               const sim::ElectronRates& rates);
+
+/// Lines: where the energy goes, eV an ion pair, the peak, and the comparison with Fang's formula.
+std::string electron_budget_text(const ElectronRun& run, const sim::FieldAir& column,
+                                 const sim::ElectronRates& rates);
+
+}  // namespace vegard::apps
