@@ -5,6 +5,7 @@
 #include "apps/commands/survey/steps.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/standard_streams.h"
+#include "apps/output/terminal.h"
 #include "apps/options/survey_eyes.h"
 #include "apps/output/progress_bar.h"
 #include "fit/survey/plan_json.h"

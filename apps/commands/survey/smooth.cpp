@@ -5,6 +5,7 @@
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
 #include "apps/options/standard_streams.h"
+#include "apps/output/terminal.h"
 #include "fit/survey/survey_motion.h"
 
 namespace vegard::apps {
