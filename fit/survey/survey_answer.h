@@ -23,8 +23,8 @@ struct SurveyQuantity {
 
 struct WorkAnswer {
   SurveyWork work = SurveyWork::border;
-  /// Of a fit: "good", "doubtful", "failed". Of a border and of profiles: "good", or "none" if none is told. Of a
-  /// map: "good", "doubtful". "refused": the work could not be done, `words` says why.
+  /// Of a fit: "good", "doubtful", "failed". Of a border and of profiles: "good", or "none" if none is told.
+  /// Of a map: "good", "doubtful". "refused": the work could not be done, `words` says why.
   std::string verdict;
   std::optional<std::string> words;
   std::optional<std::string> start;  ///< of a fit: "full", "warm"
