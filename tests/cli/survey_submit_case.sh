@@ -37,6 +37,18 @@ PATH=$PWD/programs:$PATH
 expect_exit 2 survey submit plan.json --out shards --sbatch=--partition=long
 expect_stderr "invalid partition specified: long"
 expect_exit 2 survey cancel shards
+# Killed between Slurm's taking the job and the note of its number: the queue knows it by its comment.
+printf '#!/bin/bash\ncp "$2" submitted\nkill -9 "$PPID"\necho 4710\n' >programs/sbatch
+printf '#!/bin/bash\ncase "$*" in *%%k*) echo "11 mine"; echo "4710 $(sed -n "s/^#SBATCH --comment=//p" submitted)" ;; *) echo RUNNING ;; esac\n' \
+  >programs/squeue
+"$VEGARD" survey submit plan.json --out shards >/dev/null 2>&1 && fail "it was not killed"
+expect_exit 2 survey submit plan.json --out shards
+expect_stderr "job 4710 is still at it: 1 running"
+expect_exit 5 survey status shards
+expect_stdout "job 4710: 1 running"
+expect_exit 0 survey cancel shards
+[[ $(cat scancelled) == 4710 ]] || fail "another job is cancelled"
+printf '#!/bin/bash\nexit 0\n' >programs/squeue
 printf '#!/bin/bash\ncp "$2" submitted\necho "4711;cluster"\n' >programs/sbatch
 expect_exit 0 survey submit plan.json --out shards
 expect_stdout "job 4711: 3 of 4 shards"

@@ -1,8 +1,10 @@
 #include "apps/commands/survey/slurm_job.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <sstream>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -10,6 +12,7 @@
 #include "apps/options/refusals.h"
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
+#include "sim/base/file/sha256.h"
 #include "sim/base/file/whole_file.h"
 
 namespace vegard::apps {
@@ -23,6 +26,12 @@ std::string in_quotes(const std::string& word) {
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return text + "'";
+}
+
+/// By which Slurm's queue tells the job of a folder, an absolute name, from all others.
+std::string comment_of(const std::string& folder) {
+  constexpr std::size_t kDigits = 16;
+  return "vegard-" + sim::sha256(folder).substr(0, kDigits);
 }
 
 /// Slurm reads these lines itself, without a shell: quotes keep blanks, and % begins its own words.
@@ -60,6 +69,26 @@ void write_own(const std::string& file, const std::string& text) {
   sim::write_whole(file, text, true);
 }
 
+/// What the folder's job is called: its number, or its comment as long as that is all that is known.
+void note_job(const std::string& folder, const std::string& job) {
+  write_own(folder + kJobName, std::string(kMark) + ": the job of the shards in this folder\n" + job + "\n");
+}
+
+/// Its number, if it is one of ours in the queue.
+std::string job_with_comment(const std::string& comment) {
+  if (comment.empty()) return "";
+  const ProgramEnd end = run_program({"squeue", "--noheader", "--me", "--format", "%F %k"});
+  if (end.exit_code != 0) refuse_slurm("squeue", end);
+  std::istringstream lines(end.words);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string job, of_job;
+    words >> job >> of_job;
+    if (of_job == comment && is_number(job)) return job;
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string task_ranges(const std::vector<int>& tasks) {
@@ -80,6 +109,7 @@ std::string slurm_script(const SlurmScript& s) {
   text += "#SBATCH --job-name=vegard-" + s.name + "\n";
   text += "#SBATCH --array=" + task_ranges(s.tasks) + (s.at_once > 0 ? "%" + std::to_string(s.at_once) : "") +
           "\n";
+  text += "#SBATCH --comment=" + comment_of(s.folder) + "\n";
   text += "#SBATCH --requeue\n#SBATCH --open-mode=append\n";
   text += "#SBATCH --output=\"" + for_directive("--out", s.folder) + "/log/shard-%a.txt\"\n";
   text += "#SBATCH --cpus-per-task=" + std::to_string(s.threads) + "\n";
@@ -100,19 +130,30 @@ std::string job_of_folder(const std::string& folder) {
   std::string mark, job;
   std::getline(lines, mark);
   std::getline(lines, job);
-  return mark.rfind(kMark, 0) == 0 && is_number(job) ? job : "";
+  if (mark.rfind(kMark, 0) != 0) return "";
+  if (is_number(job)) return job;
+  // Whoever handed it over was killed before its number was known.
+  const std::string found = job_with_comment(job);
+  if (!found.empty()) note_job(folder, found);
+  return found;
 }
 
 std::string submit_to_slurm(const std::string& folder, const std::string& script) {
   write_own(folder + kScriptName, script);
+  // Before Slurm has it: what is killed meanwhile leaves a job that can be found.
+  note_job(folder, comment_of(folder));
   const ProgramEnd end = run_program({"sbatch", "--parsable", folder + kScriptName});
   // "123" or "123;cluster", the last line: warnings may stand before it.
   std::istringstream lines(end.words);
   std::string job;
   for (std::string line; std::getline(lines, line);)
     if (is_number(line.substr(0, line.find(';')))) job = line.substr(0, line.find(';'));
-  if (end.exit_code != 0 || job.empty()) refuse_slurm("sbatch", end);
-  write_own(folder + kJobName, std::string(kMark) + ": the job of the shards in this folder\n" + job + "\n");
+  if (end.exit_code != 0 || job.empty()) {
+    std::error_code ignored;
+    std::filesystem::remove(folder + kJobName, ignored);
+    refuse_slurm("sbatch", end);
+  }
+  note_job(folder, job);
   return job;
 }
 

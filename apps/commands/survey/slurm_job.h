@@ -23,11 +23,12 @@ std::string task_ranges(const std::vector<int>& tasks);
 /// The same gives the same text. Throws Error(usage) for what cannot stand in a line of sbatch's.
 std::string slurm_script(const SlurmScript& script);
 
-/// The job that a folder's shards were last handed to; empty if there is none.
+/// The job that a folder's shards were last handed to; empty if there is none. Where whoever handed them over
+/// was killed before Slurm told the number, the queue is asked for it. Throws Error(usage) if it cannot be.
 std::string job_of_folder(const std::string& folder);
 
-/// Hands the script to Slurm, and notes the job in the folder. The job's number. Throws Error(usage) with
-/// Slurm's words if it will not take it.
+/// Hands the script to Slurm, and notes the job in the folder, an absolute name, before and after. The job's
+/// number. Throws Error(usage) with Slurm's words if it will not take it.
 std::string submit_to_slurm(const std::string& folder, const std::string& script);
 
 /// How many tasks of the job are in which state, "2 running, 5 pending"; empty once it has left the queue.
