@@ -30,9 +30,10 @@ std::string Survey::place(const std::string& name) const {
 }
 
 const std::vector<std::string>& picture_endings() {
-  static const std::vector<std::string> endings = {".jpg", ".jpeg", ".png", ".tif", ".tiff", ".pgm",  ".ppm",
-                                                   ".exr", ".fits", ".fit", ".fts", ".heic", ".heif", ".dng",
-                                                   ".nef", ".cr2",  ".cr3", ".arw", ".raf",  ".rw2"};
+  static const std::vector<std::string> endings = {".jpg", ".jpeg",    ".png",    ".tif",  ".tiff", ".pgm",
+                                                   ".ppm", ".pgm.gz",  ".ppm.gz", ".exr",  ".fits", ".fit",
+                                                   ".fts", ".fits.gz", ".fit.gz", ".heic", ".heif", ".dng",
+                                                   ".nef", ".cr2",     ".cr3",    ".arw",  ".raf",  ".rw2"};
   return endings;
 }
 

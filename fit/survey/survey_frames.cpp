@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <system_error>
 #include <tuple>
 
+#include "fit/photo/frames/frame_file.h"
+#include "fit/photo/frames/frame_name.h"
+#include "fit/photo/frames/imager_name.h"
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/sha256.h"
@@ -33,9 +37,15 @@ bool has_ending(const std::string& name, const std::vector<std::string>& endings
 /// "a/./b//c" as "a/b/c", so that a name is the same however it was come by.
 std::string plain_path(const std::string& path) { return fs::path(path).lexically_normal().generic_string(); }
 
+/// Of a file's name; none if it tells no time.
+std::optional<double> time_in_name(const std::string& name) {
+  if (const auto imager = imager_name(name)) return imager->begin_s;
+  return sim::utc_seconds_in_name(name);
+}
+
 double time_of_name(const std::string& frame, const std::string& file, int line) {
   const std::string name = fs::path(frame_reference(frame).file).filename().string();
-  if (const auto seconds = sim::utc_seconds_in_name(name)) return *seconds;
+  if (const auto seconds = time_in_name(name)) return *seconds;
   sim::ErrorDetails details;
   details.problem = "the name of '" + name + "' tells no time";
   details.file = file;
@@ -44,6 +54,63 @@ double time_of_name(const std::string& frame, const std::string& file, int line)
   details.hint =
       "a list (.txt) with lines FRAME TIME says when each was taken; 'endings' leaves other files out";
   throw sim::Error(sim::ErrorKind::unreadable_input, details);
+}
+
+/// Whether it may hold many frames, which its name does not tell: such files alone are opened.
+bool may_have_frames(const std::string& file) {
+  static const std::vector<std::string> endings = {".pgm", ".ppm", ".pgm.gz", ".ppm.gz"};
+  return has_ending(file, endings);
+}
+
+/// Where a frame, or a file of them, was named.
+struct Mention {
+  std::string file;  ///< to be told to the user
+  int line = 0;      ///< of a list; 0: of none
+};
+
+/// One frame of a file, and when it was taken: as it says itself, as the file's name does if it is the only
+/// one.
+double time_of_frame(const FrameHead& frame, bool is_only, const std::string& name, const Mention& mention) {
+  if (frame.time) return frame.time->seconds;
+  if (is_only) return time_of_name(name, mention.file, mention.line);
+  throw sim::Error(sim::ErrorKind::unreadable_input,
+                   {"frame " + std::to_string(frame.number) + " of '" + fs::path(name).filename().string() +
+                        "' tells no time",
+                    mention.file,
+                    mention.line,
+                    {},
+                    "the words of an imager, #\"Image request start\"",
+                    "a list (.txt) with lines FILE#NUMBER TIME says when each was taken"});
+}
+
+/// A file of frames as its frames, path#0, path#1, …, as far as it can be read; where it is damaged one more
+/// stands for the rest, so that it is missed by nobody. False for what is no such file, or none that is
+/// there.
+bool take_frames_of_file(const Survey& survey, const std::string& name, const Mention& mention,
+                         ListedFrames& all) {
+  const std::string place = survey.place(name);
+  if (!may_have_frames(name) || !sim::why_no_input(place).empty()) return false;
+  std::vector<FrameHead> heads;
+  bool is_damaged = false;
+  try {
+    FrameReader reader(place);
+    while (reader.next()) heads.push_back(reader.head());
+  } catch (const sim::Error&) {
+    is_damaged = true;
+  }
+  if (heads.empty()) return false;
+  const std::string frame = plain_path(name);
+  if (heads.size() == 1 && !is_damaged) {
+    all.frames.push_back({frame, time_of_frame(heads[0], true, name, mention), {}});
+    return true;
+  }
+  for (const FrameHead& head : heads)
+    all.frames.push_back(
+        {name_of_frame(frame, head.number), time_of_frame(head, heads.size() == 1, name, mention), {}});
+  if (is_damaged)
+    all.frames.push_back(
+        {name_of_frame(frame, static_cast<int>(heads.size())), all.frames.back().time_s, {}});
+  return true;
 }
 
 /// A line of a list: the frame, and the time after its last blank, if that is one. Names may have blanks.
@@ -82,9 +149,11 @@ void take_list(const Survey& survey, const std::string& name, ListedFrames& all)
     ++number;
     const ListLine words = list_line(line);
     if (words.frame.empty()) continue;
+    const std::string frame = (fs::path(folder) / words.frame).string();
+    if (words.time.empty() && take_frames_of_file(survey, frame, {place, number}, all)) continue;
     const double time_s =
         words.time.empty() ? time_of_name(words.frame, place, number) : *sim::utc_seconds(words.time);
-    all.frames.push_back({plain_path((fs::path(folder) / words.frame).string()), time_s, {}});
+    all.frames.push_back({plain_path(frame), time_s, {}});
   }
   all.sources.push_back({name, sim::sha256(bytes)});
 }
@@ -110,9 +179,9 @@ void take_folder(const Survey& survey, const SurveyCamera& camera, const std::st
   std::string names;
   for (const std::string& file : found) {
     names += file + "\n";
-    all.frames.push_back({plain_path((fs::path(name) / file).string()),
-                          time_of_name(file, (fs::path(place) / file).string(), 0),
-                          {}});
+    const std::string frame = (fs::path(name) / file).string(), path = (fs::path(place) / file).string();
+    if (!take_frames_of_file(survey, frame, {path, 0}, all))
+      all.frames.push_back({plain_path(frame), time_of_name(file, path, 0), {}});
   }
   all.sources.push_back({name, sim::sha256(names)});
 }
@@ -164,7 +233,8 @@ ListedFrames survey_frames(const Survey& survey, const SurveyCamera& camera) {
         throw sim::Error(
             sim::ErrorKind::unreadable_input,
             {problem, place, 0, {}, "a folder, a list (.txt) or a frame", "named by " + survey.file});
-      all.frames.push_back({plain_path(name), time_of_name(name, place, 0), {}});
+      if (!take_frames_of_file(survey, name, {place, 0}, all))
+        all.frames.push_back({plain_path(name), time_of_name(name, place, 0), {}});
     }
   }
   const auto by_time = [](const ListedFrame& a, const ListedFrame& b) {

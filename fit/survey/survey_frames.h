@@ -1,4 +1,5 @@
-// Which frames a camera has, and when they were taken: by their names or a list, so that no frame is opened.
+// Which frames a camera has, and when they were taken: by their names, a list, or, of a file that may hold
+// many (PGM, PPM, gzipped or not), what they say of themselves. Only such files are opened.
 #pragma once
 
 #include <string>
@@ -28,10 +29,13 @@ struct ListedFrames {
 /// A folder gives all files in it and in folders in it whose ending is one of the camera's, hidden ones left
 /// out; links to folders are not followed. A list (.txt) gives a line "FRAME" or "FRAME TIME" for each, TIME
 /// in ISO 8601 (UTC or with a zone), names relative to the list; empty lines and those that begin with # are
-/// left out. Times that are not given are those of the names (sim/base/utc_time.h), taken for UTC. What is
-/// skipped is marked by the first of the survey's skips that has it. Throws sim::Error(unreadable_input) for
-/// a folder, list or file that is not there, a line that cannot be understood, a frame that tells no time;
-/// and (scene) for a camera without a frame.
+/// left out. A file with many frames gives each of them, "night.pgm.gz#7", unless a list gives a time with
+/// it; of a damaged one those before the damage, and one more that stands for what is behind it. Times that
+/// are not given are those that the frames of such files tell, else those of the names
+/// (fit/photo/frames/imager_name.h, sim/base/utc_time.h), taken for UTC. What is skipped is marked by the
+/// first of the survey's skips that has it. Throws sim::Error(unreadable_input) for a folder, list or file
+/// that is not there, a line that cannot be understood, a frame that tells no time; and (scene) for a camera
+/// without a frame.
 ListedFrames survey_frames(const Survey& survey, const SurveyCamera& camera);
 
 }  // namespace vegard::fit

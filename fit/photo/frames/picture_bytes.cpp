@@ -139,24 +139,45 @@ std::string beginning_of_packed_fits(const std::string& file) {
   return std::string(stream.look(sim::kMostLookedAt));
 }
 
-PictureBytes PictureSeries::read(const std::string& name) {
-  const FrameName wanted = frame_name(name);
-  if (!wanted.number) return read_picture_bytes(name);
-  if (reader_ == nullptr || file_ != wanted.file || reader_->head().number > *wanted.number) {
-    if (!is_frame_file(wanted.file)) return read_picture_bytes(name);
+std::optional<PictureBytes> PictureSeries::next_of_file(const FrameName& wanted) {
+  const int number = *wanted.number;
+  const bool is_behind =
+      reader_ != nullptr && file_ == wanted.file &&
+      (reader_->head().number < number || (reader_->head().number == number && !is_taken_));
+  if (!is_behind) {
     reader_ = std::make_unique<FrameReader>(wanted.file);
     file_ = wanted.file;
   }
   bool is_there = true;
-  while (is_there && reader_->head().number < *wanted.number) is_there = reader_->next();
-  if (is_there) {
-    PictureBytes picture;
-    picture.frame = reader_->head();
-    picture.words = reader_->words();
-    picture.bytes = reader_->take();
-    picture.name = name_of_frame(wanted.file, *wanted.number);
-    // A file's only frame is a picture like any other.
-    if (*wanted.number > 0 || reader_->next()) return picture;
+  while (is_there && reader_->head().number < number) is_there = reader_->next();
+  if (!is_there) return std::nullopt;
+  PictureBytes picture;
+  picture.frame = reader_->head();
+  picture.words = reader_->words();
+  picture.bytes = reader_->take();
+  picture.name = name_of_frame(wanted.file, number);
+  is_taken_ = true;
+  // A file's only frame is a picture like any other. What is damaged behind the first is not the only one.
+  try {
+    if (number == 0) {
+      if (!reader_->next()) return std::nullopt;
+      is_taken_ = false;
+    }
+  } catch (const sim::Error&) {
+    reader_.reset();
+  }
+  return picture;
+}
+
+PictureBytes PictureSeries::read(const std::string& name) {
+  const FrameName wanted = frame_name(name);
+  if (!wanted.number || !is_frame_file(wanted.file)) return read_picture_bytes(name);
+  try {
+    if (std::optional<PictureBytes> picture = next_of_file(wanted)) return std::move(*picture);
+  } catch (const sim::Error&) {
+    // What comes behind the damage is told as it would be by itself.
+    reader_.reset();
+    throw;
   }
   reader_.reset();
   return read_picture_bytes(name);

@@ -40,8 +40,12 @@ class PictureSeries {
   PictureBytes read(const std::string& name);
 
  private:
+  /// None behind the last frame, and of a file's only one.
+  std::optional<PictureBytes> next_of_file(const FrameName& wanted);
+
   std::string file_;
   std::unique_ptr<FrameReader> reader_;
+  bool is_taken_ = false;  ///< the frame that the reader has come to
 };
 
 struct NamedPicture {

@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "fit/survey/survey_toml.h"
 #include "sim/base/utc_time.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/frames/gzip_bytes.h"
+#include "tests/support/frames/made_frames.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::fit::survey_frames_test {
@@ -75,6 +79,59 @@ TEST(SurveyFrames, ThatAreSkippedKeepTheirReason) {
   EXPECT_EQ(reasons, (std::vector<std::string>{"", "fog", "fog", "a lamp"}));
 }
 
+std::vector<double> seconds_of(const ListedFrames& listed, const std::string& from) {
+  std::vector<double> seconds;
+  for (const ListedFrame& frame : listed.frames) seconds.push_back(frame.time_s - *sim::utc_seconds(from));
+  return seconds;
+}
+
+TEST(SurveyFrames, OfAFileOfManyAreEachWithItsOwnTime) {
+  const tests::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "in");
+  const std::string name = "20140310_0603_gill_themis19_full.pgm";
+  put(folder / ("in/" + name + ".gz"), tests::gzip_stored(tests::frames_bytes()));
+  tests::MadeFrames next;
+  next.begin = "2014-03-10 06:04:";
+  put(folder / "next.pgm", tests::frames_bytes(next));
+  put(folder / "list.txt", "next.pgm\nin/20140310_0605_gill_themis19_full.pgm.gz\n");
+  const ListedFrames listed = frames_of(survey_in(folder, "\"in\", \"list.txt\""));
+  EXPECT_EQ(names_of(listed),
+            (std::vector<std::string>{"in/" + name + ".gz#0", "in/" + name + ".gz#1", "in/" + name + ".gz#2",
+                                      "next.pgm#0", "next.pgm#1", "next.pgm#2",
+                                      "in/20140310_0605_gill_themis19_full.pgm.gz"}));
+  EXPECT_EQ(seconds_of(listed, "2014-03-10T06:03:00Z"),
+            (std::vector<double>{0.25, 3.25, 6.25, 60.25, 63.25, 66.25, 120.0}));
+}
+
+TEST(SurveyFrames, OfAFileOfOneIsThatFile) {
+  const tests::TemporaryFolder folder;
+  const std::string frame = frame_bytes(tests::MadeFrames(), 1);
+  put(folder / "20140310_0600_gill_themis19_full.pgm.gz", tests::gzip_stored(frame));
+  put(folder / "20140310_0607_gill_themis19_full.pgm", "P5 1 1 255\nx");  // says nothing of itself
+  const ListedFrames listed = frames_of(survey_in(folder, "\".\""));
+  EXPECT_EQ(names_of(listed), (std::vector<std::string>{"20140310_0600_gill_themis19_full.pgm.gz",
+                                                        "20140310_0607_gill_themis19_full.pgm"}));
+  EXPECT_EQ(seconds_of(listed, "2014-03-10T06:03:00Z"), (std::vector<double>{3.25, 240.0}));
+}
+
+// Of one whose pixels are cut that frame itself is what cannot be read.
+TEST(SurveyFrames, BehindDamageAreOneThatStandsForThem) {
+  const tests::TemporaryFolder folder;
+  const std::string whole = tests::frames_bytes();
+  put(folder / "cut_20140310_060300.pgm", whole.substr(0, whole.size() - 20));
+  std::string damaged = whole;
+  damaged.replace(damaged.rfind("P5"), 2, "XX");
+  put(folder / "cut_20140310_060400.pgm", damaged);
+  put(folder / "cut_20140310_060500.pgm.gz", tests::gzip_stored(whole).substr(0, 100));
+  const ListedFrames listed = frames_of(survey_in(folder, "\".\""));
+  std::vector<std::string> names = names_of(listed);
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, (std::vector<std::string>{"cut_20140310_060300.pgm#0", "cut_20140310_060300.pgm#1",
+                                             "cut_20140310_060300.pgm#2", "cut_20140310_060400.pgm#0",
+                                             "cut_20140310_060400.pgm#1", "cut_20140310_060400.pgm#2",
+                                             "cut_20140310_060500.pgm.gz"}));
+}
+
 TEST(SurveyFrames, AreRefusedWhereTheyTellNoTimeOrAreNotThere) {
   const tests::TemporaryFolder folder;
   put(folder / "in.png", "");
@@ -89,6 +146,10 @@ TEST(SurveyFrames, AreRefusedWhereTheyTellNoTimeOrAreNotThere) {
   EXPECT_NE(error_of(sim::ErrorKind::unreadable_input, "\"none\"").find("there is no such file"),
             std::string::npos);
   EXPECT_NE(error_of(sim::ErrorKind::unreadable_input, "\"none.txt\"").find("none.txt"), std::string::npos);
+  put(folder / "many_20190301_221000.pgm", "P5 1 1 255\nxP5 1 1 255\ny");
+  EXPECT_NE(error_of(sim::ErrorKind::unreadable_input, "\"many_20190301_221000.pgm\"")
+                .find("frame 0 of 'many_20190301_221000.pgm' tells no time"),
+            std::string::npos);
   EXPECT_NE(error_of(sim::ErrorKind::scene, "\"empty\"").find("has no frame"), std::string::npos);
 }
 

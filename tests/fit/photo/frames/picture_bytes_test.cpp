@@ -77,7 +77,8 @@ TEST_F(FileOfFrames, WithOneFrameIsAPicture) {
 TEST_F(FileOfFrames, IsReadOnceInASeries) {
   PictureSeries series;
   for (const std::string& name :
-       {packed_ + "#0", packed_ + "#2", plain_ + "#1", packed_ + "#1", one_ + "#0", one_}) {
+       {packed_ + "#0", packed_ + "#2", plain_ + "#1", packed_ + "#1", packed_ + "#1", plain_ + "#0",
+        plain_ + "#0", one_ + "#0", one_ + "#0", one_}) {
     const PictureBytes one_by_one = read_picture_bytes(name), in_series = series.read(name);
     EXPECT_EQ(in_series.bytes, one_by_one.bytes) << name;
     EXPECT_EQ(in_series.name, one_by_one.name);
@@ -85,6 +86,11 @@ TEST_F(FileOfFrames, IsReadOnceInASeries) {
     EXPECT_EQ(in_series.file_sha256, one_by_one.file_sha256);
   }
   expect_words(ErrorKind::usage, {"no frame 9"}, [&] { series.read(packed_ + "#9"); });
+  // What is behind the damage is refused whatever was asked before.
+  const std::string cut = folder_ / "cut.pgm", whole = tests::frames_bytes();
+  tests::put(cut, whole.substr(0, whole.size() / 2));
+  EXPECT_EQ(series.read(cut + "#0").bytes, frame_bytes(MadeFrames(), 0));
+  for (const char* frame : {"#1", "#2", "#1"}) EXPECT_THROW(series.read(cut + frame), sim::Error) << frame;
 }
 
 TEST_F(FileOfFrames, NamesItsPictures) {
