@@ -16,7 +16,8 @@ set(VEGARD_EMBEDDED_TABLES
     ${PROJECT_SOURCE_DIR}/data/cameras/nikon_d200.csv
     ${PROJECT_SOURCE_DIR}/data/cameras/nikon_d700.csv
     ${PROJECT_SOURCE_DIR}/data/cameras/sony_a7s_ii.csv
-    ${PROJECT_SOURCE_DIR}/data/stars/bright_stars.csv)
+    ${PROJECT_SOURCE_DIR}/data/stars/bright_stars.csv
+    ${PROJECT_SOURCE_DIR}/data/filter/sky_trees.json)
 add_custom_command(
   OUTPUT ${VEGARD_EMBEDDED_DATA}
   COMMAND ${CMAKE_COMMAND} -DOUTPUT=${VEGARD_EMBEDDED_DATA} "-DINPUTS=${VEGARD_EMBEDDED_TABLES}"

@@ -1,6 +1,8 @@
 #include "apps/options/survey_eyes.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -38,6 +40,8 @@ fit::SurveyEye survey_eye(const fit::SurveyCamera& camera, int calibration, cons
   eye.mask = place(one.mask);
   eye.channel = camera.channel;
   fit::check_eye(eye, work);
+  if (std::count(work.begin(), work.end(), fit::SurveyWork::filter) > 0)
+    eye.filter = std::make_shared<fit::FrameFilter>(eye.scene, eye.mask, place(camera.filter));
   return eye;
 }
 

@@ -28,6 +28,7 @@ Json limit_json(double seconds) { return std::isfinite(seconds) ? Json(seconds) 
 Json camera_json_of_plan(const SurveyCamera& camera) {
   Json json = {{"name", camera.name},         {"scene", camera.scene},     {"set", camera.changes},
                {"decoding", camera.decoding}, {"channel", camera.channel}, {"calibrations", Json::array()}};
+  if (!camera.filter.empty()) json["filter"] = camera.filter;
   for (const SurveyCalibration& c : camera.calibrations)
     json["calibrations"].push_back({{"from_s", limit_json(c.period.from_s)},
                                     {"until_s", limit_json(c.period.until_s)},
@@ -71,6 +72,7 @@ SurveyCamera camera_of_json(const Json& json) {
   camera.decoding = json.at("decoding").get<std::string>();
   camera.channel = whole_number(json.at("channel"));
   if (camera.channel < 0 || camera.channel > 2) throw std::out_of_range("no channel");
+  if (json.contains("filter")) camera.filter = json.at("filter").get<std::string>();
   for (const Json& c : json.at("calibrations")) {
     SurveyCalibration calibration;
     if (!c.at("from_s").is_null()) calibration.period.from_s = finite_number(c.at("from_s"));

@@ -7,6 +7,8 @@ namespace vegard::fit {
 
 const char* survey_work_name(SurveyWork work) {
   switch (work) {
+    case SurveyWork::filter:
+      return "filter";
     case SurveyWork::border:
       return "border";
     case SurveyWork::profile:

@@ -12,6 +12,8 @@ const char* frame_status_name(FrameStatus status) {
       return "missing";
     case FrameStatus::unreadable:
       return "unreadable";
+    case FrameStatus::filtered:
+      return "filtered";
   }
   return "";
 }

@@ -1,6 +1,7 @@
 // What a survey keeps of a frame.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -23,8 +24,9 @@ struct SurveyQuantity {
 
 struct WorkAnswer {
   SurveyWork work = SurveyWork::border;
-  /// Of a fit: "good", "doubtful", "failed". Of a border and of profiles: "good", or "none" if none is told.
-  /// Of a map: "good", "doubtful". "refused": the work could not be done, `words` says why.
+  /// Of a filter: what is seen, as fit/survey/filter/sky_trees.h names it. Of a fit: "good", "doubtful",
+  /// "failed". Of a border and of profiles: "good", or "none" if none is told. Of a map: "good", "doubtful".
+  /// "refused": the work could not be done, `words` says why.
   std::string verdict;
   std::optional<std::string> words;
   std::optional<std::string> start;  ///< of a fit: "full", "warm"
@@ -34,8 +36,11 @@ struct WorkAnswer {
   std::vector<SurveyQuantity> quantities;
 };
 
-enum class FrameStatus { done, skipped, missing, unreadable };
-/// "done", "skipped", "missing", "unreadable".
+/// `filtered`: the filter has found no arc in it, and nothing else was done.
+enum class FrameStatus { done, skipped, missing, unreadable, filtered };
+inline constexpr std::array kFrameStatuses = {FrameStatus::done, FrameStatus::skipped, FrameStatus::missing,
+                                              FrameStatus::unreadable, FrameStatus::filtered};
+/// "done", "skipped", "missing", "unreadable", "filtered".
 const char* frame_status_name(FrameStatus status);
 
 struct FrameAnswer {
@@ -46,7 +51,7 @@ struct FrameAnswer {
   FrameStatus status = FrameStatus::done;
   std::optional<std::string> reason;  ///< of any other status
   std::optional<std::string> sha256, decoding;
-  std::vector<WorkAnswer> works;  ///< of a frame that is done
+  std::vector<WorkAnswer> works;  ///< of a frame that is done, or filtered
 };
 
 }  // namespace vegard::fit

@@ -57,6 +57,7 @@ std::string eye_sha256(const SurveyEye& eye, const std::string& decoding) {
   const std::string file = decoding.empty() ? "" : sim::decoding_word(decoding).file;
   add("decoding", file.empty() ? decoding : sim::sha256_of_file(file));
   add("channel", std::to_string(eye.channel));
+  if (eye.filter != nullptr) add("filter", eye.filter->sha256());
   return sum.digest();
 }
 

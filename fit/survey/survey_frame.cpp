@@ -8,7 +8,6 @@
 #include "fit/border/border.h"
 #include "fit/border/border_distance.h"
 #include "fit/photo/averaging.h"
-#include "fit/photo/frames/frame_file.h"
 #include "fit/photo/photo.h"
 #include "fit/report/border/border_page.h"
 #include "fit/sequence.h"
@@ -37,6 +36,24 @@ WorkAnswer refused_work(SurveyWork work, const sim::Error& error) {
   answer.work = work;
   answer.verdict = "refused";
   answer.words = words_of(error);
+  return answer;
+}
+
+WorkAnswer filter_answer(const FilterFinding& found) {
+  WorkAnswer answer;
+  answer.work = SurveyWork::filter;
+  answer.verdict = found.sky;
+  for (int q = 0; q < kSkyQuestions; ++q)
+    answer.quantities.push_back({0,
+                                 std::string("score of ") + sky_question_name(static_cast<SkyQuestion>(q)),
+                                 "",
+                                 found.scores[static_cast<std::size_t>(q)],
+                                 {},
+                                 {},
+                                 {}});
+  for (const FeatureWords& words : feature_words())
+    answer.quantities.push_back(
+        {0, words.name, words.unit, finite_or_none(feature(found.features, words.feature)), {}, {}, {}});
   return answer;
 }
 
@@ -114,8 +131,8 @@ WorkAnswer fit_answer(const FrameFit& fit, const sim::Scene& scene, const Photo&
 /// The frame decoded, by what the works want of it.
 class FrameInHand {
  public:
-  FrameInHand(std::string bytes, std::string name, const SurveyEye& eye, const sim::Scene& scene)
-      : bytes_(std::move(bytes)), name_(std::move(name)), eye_(eye), scene_(scene) {}
+  FrameInHand(const PictureBytes& picture, const SurveyEye& eye, const sim::Scene& scene)
+      : picture_(picture), eye_(eye), scene_(scene) {}
 
   /// As the file has it.
   const Photo& whole() {
@@ -132,10 +149,10 @@ class FrameInHand {
 
  private:
   Photo read(const Averaging& averaging) const {
-    return read_photo_bytes(bytes_, name_, eye_.decoding, &scene_, averaging);
+    return read_photo_of(picture_, eye_.decoding, &scene_, averaging);
   }
 
-  std::string bytes_, name_;
+  const PictureBytes& picture_;
   const SurveyEye& eye_;
   const sim::Scene& scene_;
   std::optional<Photo> whole_, averaged_;
@@ -146,15 +163,6 @@ Photo masked(Photo photo, const std::string& mask) {
   return photo;
 }
 
-/// A frame of a file of many as a picture of its own.
-std::string frame_in(const std::string& bytes, const std::string& name, int number) {
-  FrameReader reader(bytes, name);
-  while (reader.next())
-    if (reader.head().number == number) return reader.take();
-  throw sim::Error(sim::ErrorKind::unreadable_input,
-                   {"there is no frame " + std::to_string(number) + " in it", name, 0, {}, {}, {}});
-}
-
 void give_up(FrameAnswer& answer, FrameStatus status, const std::string& reason) {
   answer.status = status;
   answer.reason = reason;
@@ -162,8 +170,22 @@ void give_up(FrameAnswer& answer, FrameStatus status, const std::string& reason)
 
 }  // namespace
 
+PictureBytes SurveyPictures::read(const std::string& name, std::string& sha256) {
+  const std::string file = file_of_frame(name);
+  const bool is_one_of_many = file != name;
+  if (!is_one_of_many) {
+    sha256 = sim::sha256_of_file(file);
+  } else if (hashed_ != file) {
+    hashed_.clear();
+    sha256_ = sim::sha256_of_file(file);
+    hashed_ = file;
+  }
+  if (is_one_of_many) sha256 = sha256_;
+  return series_.read(name);
+}
+
 std::optional<FrameAnswer> survey_frame(const FrameTask& task, const SurveyEye* eye,
-                                        const FitOptions& options) {
+                                        const FitOptions& options, SurveyPictures& pictures) {
   const SurveyPlan& plan = *task.plan;
   const PlannedBlock& block = plan.blocks.at(static_cast<std::size_t>(task.block));
   const PlannedFrame& planned = block.frames.at(static_cast<std::size_t>(task.number));
@@ -177,29 +199,28 @@ std::optional<FrameAnswer> survey_frame(const FrameTask& task, const SurveyEye* 
     give_up(answer, FrameStatus::skipped, planned.skip);
     return answer;
   }
-  const FrameReference reference = frame_reference(planned.file);
-  const std::string path = plan.place(reference.file);
-  sim::InputFile input = sim::read_input(path, sim::kMostPictureBytes);
-  if (!input.problem.empty()) {
-    const bool is_missing = input.problem == "there is no such file";
-    give_up(answer, is_missing ? FrameStatus::missing : FrameStatus::unreadable, input.problem);
+  const std::string name = plan.place(planned.file);
+  const std::string problem = sim::why_no_input(file_of_frame(name));
+  if (!problem.empty()) {
+    const bool is_missing = problem == "there is no such file";
+    give_up(answer, is_missing ? FrameStatus::missing : FrameStatus::unreadable, problem);
     return answer;
   }
-  answer.sha256 = sim::sha256(input.bytes);
-  if (reference.number) {
-    try {
-      input.bytes = frame_in(input.bytes, path, *reference.number);
-    } catch (const sim::Error& error) {
-      give_up(answer, FrameStatus::unreadable, words_of(error));
-      return answer;
-    }
+  PictureBytes picture;
+  std::string sha256;
+  try {
+    picture = pictures.read(name, sha256);
+  } catch (const sim::Error& error) {
+    give_up(answer, FrameStatus::unreadable, words_of(error));
   }
+  if (!sha256.empty()) answer.sha256 = sha256;
+  if (answer.status != FrameStatus::done) return answer;
   sim::Scene scene = eye->scene;
   // The clock of the scene begins with the block: what drifts goes on from frame to frame.
   const double clock_s = scene.time.start_s + planned.time_s - block.frames.front().time_s;
   scene.time.start_s = clock_s;
   scene.site.time_utc = sim::utc_text(planned.time_s);
-  FrameInHand frame(std::move(input.bytes), path, *eye, scene);
+  FrameInHand frame(picture, *eye, scene);
   const bool only_fits = std::all_of(plan.work.begin(), plan.work.end(),
                                      [](SurveyWork work) { return work == SurveyWork::fit; });
   try {
@@ -210,7 +231,13 @@ std::optional<FrameAnswer> survey_frame(const FrameTask& task, const SurveyEye* 
   }
   for (const SurveyWork work : plan.work) {
     try {
-      if (work == SurveyWork::border) {
+      if (work == SurveyWork::filter) {
+        const FilterFinding found = eye->filter->look(frame.whole(), scene, planned.time_s);
+        answer.works.push_back(filter_answer(found));
+        if (has_arc(found.scores)) continue;
+        give_up(answer, FrameStatus::filtered, "no arc: " + found.sky);
+        break;
+      } else if (work == SurveyWork::border) {
         answer.works.push_back(border_answer(masked(frame.whole(), eye->mask), scene, eye->channel));
       } else if (work == SurveyWork::profile) {
         answer.works.push_back(profile_answer(masked(frame.whole(), eye->mask), scene, eye->channel));

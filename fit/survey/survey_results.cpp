@@ -122,8 +122,7 @@ WorkAnswer work_of_row(const SqliteFile& file, const SqliteStatement& row) {
 }
 
 FrameStatus status_of(const SqliteFile& file, const std::string& name) {
-  for (const FrameStatus status :
-       {FrameStatus::done, FrameStatus::skipped, FrameStatus::missing, FrameStatus::unreadable})
+  for (const FrameStatus status : kFrameStatuses)
     if (name == frame_status_name(status)) return status;
   refuse_database(file, "has a frame of a status that there is none of");
 }
@@ -361,6 +360,34 @@ std::optional<WorkAnswer> ShardResults::last_fit(int block) const {
   return work_of_row(file_, row);
 }
 
+std::vector<ShardResults::Lost> ShardResults::lost(int block) const {
+  const PlannedBlock& planned = plan_.blocks.at(static_cast<std::size_t>(block));
+  SqliteStatement rows(file_,
+                       "SELECT frame, status, sha256 FROM frame WHERE frame >= ? AND frame < ? AND status IN "
+                       "('missing', 'unreadable') ORDER BY frame");
+  rows.bind(0, planned.first_frame).bind(1, planned.first_frame + static_cast<int>(planned.frames.size()));
+  std::vector<Lost> found;
+  while (rows.step())
+    found.push_back(
+        {small_number(file_, rows, 0), status_of(file_, rows.text(1)), rows.text_or_none(2).value_or("")});
+  return found;
+}
+
+int ShardResults::forget(int block, int from_frame) {
+  const PlannedBlock& planned = plan_.blocks.at(static_cast<std::size_t>(block));
+  const int end = planned.first_frame + static_cast<int>(planned.frames.size()), before = done(block);
+  file_.transaction([&] {
+    for (const char* table : {"frame", "result", "quantity"}) {
+      SqliteStatement remove(file_, std::string("DELETE FROM ") + table + " WHERE frame >= ? AND frame < ?");
+      remove.bind(0, from_frame).bind(1, end).run();
+    }
+    if (from_frame > planned.first_frame) return;
+    SqliteStatement remove(file_, "DELETE FROM block WHERE block = ?");
+    remove.bind(0, block).run();
+  });
+  return before - done(block);
+}
+
 void ShardResults::add(const std::vector<FrameAnswer>& answers) {
   int others = 0;
   file_.transaction([&] {
@@ -387,12 +414,11 @@ void ShardResults::add(const std::vector<FrameAnswer>& answers) {
 bool is_begun(const SqliteFile& file) { return file.integer("SELECT count(*) FROM sqlite_schema") > 0; }
 
 std::vector<int> count_by_status(const SqliteFile& file) {
-  if (!is_begun(file)) return {0, 0, 0, 0};
+  if (!is_begun(file)) return std::vector<int>(kFrameStatuses.size(), 0);
   check_survey_tables(file);
   std::vector<int> counts;
   SqliteStatement count(file, "SELECT count(*) FROM frame WHERE status = ?");
-  for (const FrameStatus status :
-       {FrameStatus::done, FrameStatus::skipped, FrameStatus::missing, FrameStatus::unreadable}) {
+  for (const FrameStatus status : kFrameStatuses) {
     count.bind(0, frame_status_name(status));
     count.step();
     counts.push_back(small_number(file, count, 0));

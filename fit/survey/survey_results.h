@@ -107,6 +107,18 @@ class ShardResults {
   /// believed dead, and began again elsewhere, finds the same answers.
   void add(const std::vector<FrameAnswer>& answers);
 
+  /// A frame that could not be had.
+  struct Lost {
+    int frame = 0;  ///< of the plan
+    FrameStatus status = FrameStatus::missing;
+    std::string sha256;  ///< of the file as it was; empty: there was none
+  };
+  /// Those of the block, in their order.
+  std::vector<Lost> lost(int block) const;
+
+  /// The block's frames from this one of the plan on were never done. How many were.
+  int forget(int block, int from_frame);
+
   /// How many frames were there already when they were to be added.
   int frames_of_others() const { return others_; }
 

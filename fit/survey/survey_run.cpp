@@ -8,7 +8,10 @@
 
 #include <fmt/format.h>
 
+#include "fit/photo/frames/frame_name.h"
 #include "fit/survey/survey_frame.h"
+#include "sim/base/file/input_file.h"
+#include "sim/base/file/sha256.h"
 
 namespace vegard::fit {
 namespace {
@@ -60,8 +63,9 @@ class FramesToKeep {
   Clock::time_point last_ = Clock::now();
 };
 
-bool run_block(const SurveyPlan& plan, int number, const SurveyEye* eye, ShardResults& results,
-               const SurveyRunOptions& options, const std::function<void()>& done_one) {
+bool run_block(const SurveyPlan& plan, int number, const SurveyEye* eye, SurveyPictures& pictures,
+               ShardResults& results, const SurveyRunOptions& options,
+               const std::function<void()>& done_one) {
   FitOptions fit_options;
   fit_options.threads = options.threads;
   fit_options.stop = options.stop;
@@ -70,7 +74,7 @@ bool run_block(const SurveyPlan& plan, int number, const SurveyEye* eye, ShardRe
   FramesToKeep frames(results);
   for (int f = results.done(number); f < static_cast<int>(block.frames.size()); ++f) {
     std::optional<FrameAnswer> answer =
-        survey_frame({&plan, number, f, before ? &*before : nullptr}, eye, fit_options);
+        survey_frame({&plan, number, f, before ? &*before : nullptr}, eye, fit_options, pictures);
     if (!answer || (options.stop != nullptr && options.stop->load())) {
       frames.keep();
       return false;
@@ -100,13 +104,31 @@ bool run_shard(const SurveyPlan& plan, const BlockRange& blocks, ShardResults& r
   }
   options.progress(done, all);
   EyeAtHand eye(options);
+  SurveyPictures pictures;
   for (int b = blocks.begin; b < blocks.end; ++b) {
     const PlannedBlock& block = plan.blocks[static_cast<std::size_t>(b)];
     if (results.done(b) == static_cast<int>(block.frames.size())) continue;
-    if (!run_block(plan, b, eye.of(block), results, options, [&] { options.progress(++done, all); }))
+    if (!run_block(plan, b, eye.of(block), pictures, results, options,
+                   [&] { options.progress(++done, all); }))
       return false;
   }
   return true;
+}
+
+int forget_what_came_since(const SurveyPlan& plan, const BlockRange& blocks, ShardResults& results) {
+  int forgotten = 0;
+  for (int b = blocks.begin; b < blocks.end; ++b) {
+    const PlannedBlock& block = plan.blocks[static_cast<std::size_t>(b)];
+    for (const ShardResults::Lost& lost : results.lost(b)) {
+      const auto number = static_cast<std::size_t>(lost.frame - block.first_frame);
+      const std::string file = file_of_frame(plan.place(block.frames.at(number).file));
+      if (!sim::why_no_input(file).empty()) continue;
+      if (lost.status == FrameStatus::unreadable && sim::sha256_of_file(file) == lost.sha256) continue;
+      forgotten += results.forget(b, lost.frame);
+      break;
+    }
+  }
+  return forgotten;
 }
 
 std::string shard_name(int shard, int shards) {

@@ -163,7 +163,7 @@ std::string plain_name(SurveyTable& table, const std::string& key) {
 
 void read_head(SurveyTable& table, Survey& survey, std::string& scene) {
   survey.name = plain_name(table, "name");
-  const std::string works = "an array of \"border\", \"profile\", \"fit\" and \"map\"";
+  const std::string works = "an array of \"filter\", \"border\", \"profile\", \"fit\" and \"map\"";
   for (const std::string& word : table.texts("work", works)) {
     const std::optional<SurveyWork> work = survey_work_of(word);
     if (!work) complain({"'" + word + "' is no work", works, ""}, table.at("work"));
@@ -224,6 +224,7 @@ SurveyCamera read_camera(SurveyTable& table, const std::string& scene) {
       complain({"'" + channel + "' is no channel", "red, green or blue", ""}, table.at("channel"));
     camera.channel = static_cast<int>(found - channels.begin());
   }
+  camera.filter = table.text("filter", "a file of scripts/learn_filter.py");
   table.each("calibration", [&](SurveyTable& inner) {
     SurveyCalibration calibration;
     calibration.period = inner.period();

@@ -65,6 +65,24 @@ expect_stdout "8 of 8 frames"
 expect_exit 0 survey merge killed -o killed.sqlite
 expect_same whole.sqlite killed.sqlite
 
+# What was missing has come: it is done, and nothing else.
+cp -r whole again
+expect_exit 0 survey run plan.json --out again --again
+expect_stdout "shard 1/1: 8 of 8 frames"
+! grep -q "frames again" "$stdout" || fail "frames are done again that are what they were"
+cp night/20190301_221004.png night/late.png
+expect_exit 0 survey run plan.json --out again
+expect_exit 0 survey merge again -o again.sqlite
+expect_same whole.sqlite again.sqlite
+expect_exit 0 survey run plan.json --out again --again
+expect_stdout "shard 1/1: 1 frames again"
+expect_exit 0 survey merge again -o again.sqlite --overwrite
+expect_exit 0 survey run plan.json --out fresh
+expect_exit 0 survey merge fresh -o fresh.sqlite
+expect_same again.sqlite fresh.sqlite
+! cmp -s again.sqlite whole.sqlite || fail "what has come is missing still"
+rm night/late.png
+
 # What there is to take away.
 expect_exit 0 survey export whole.sqlite -o wide.csv
 [[ $(wc -l <wide.csv) -eq 9 ]] || fail "not a row a frame"

@@ -44,7 +44,7 @@ int run_plan(const PlanRequest& options) {
   for (const fit::SurveyCamera& camera : survey.cameras)
     for (std::size_t c = 0; c < camera.calibrations.size(); ++c) {
       const fit::SurveyCalibration& one = camera.calibrations[c];
-      for (const std::string& file : {camera.scene, one.file, one.mask})
+      for (const std::string& file : {camera.scene, camera.filter, one.file, one.mask})
         spare_inputs("--output", options.out, {{place(file), "a file of camera " + camera.name}});
       setups.push_back(survey_setup(camera, static_cast<int>(c), place, survey.work));
     }

@@ -28,6 +28,7 @@ struct RunRequest {
   std::string plan, out, shard, memory_limit;
   std::optional<int> local;
   int threads = 1;
+  bool again = false;
 };
 
 /// What a shard tells while it works: a line a minute, on standard error as all that depends on the clock,
@@ -90,6 +91,9 @@ int run_one(const RunRequest& options, const fit::SurveyPlan& plan, int shard, i
   }
   begin_shard_folder(options.out, shards);
   fit::ShardResults results(options.out + "/" + fit::shard_name(shard, shards), plan);
+  if (options.again)
+    if (const int forgotten = fit::forget_what_came_since(plan, blocks, results); forgotten > 0)
+      say("shard %d/%d: %d frames again\n", shard, shards, forgotten);
   const bool finished = fit::run_shard(plan, blocks, results, run);
   account.tell_end();
   if (results.frames_of_others() > 0)
@@ -115,6 +119,7 @@ int run_local(const RunRequest& options, const fit::SurveyPlan& plan) {
     calls.push_back({"shard " + words,
                      {"survey", "run", options.plan, "--out", options.out, "--shard", words, "--threads",
                       std::to_string(options.threads)}});
+    if (options.again) calls.back().words.emplace_back("--again");
     if (!options.memory_limit.empty())
       calls.back().words.insert(calls.back().words.end(), {"--memory-limit", options.memory_limit});
   }
@@ -148,6 +153,10 @@ void add_survey_run(const Command& survey) {
       .type_name("J")
       .range(1, 1024)
       .excludes(shard);
+  command.flag(
+      "--again", options->again,
+      "Frames that were missing and have come, or could not be read and are other files, are done, with "
+      "those after them in their block");
   add_memory_option(command, options->memory_limit);
   command
       .option("--threads", options->threads, "Threads of each process (0: all cores); the result is the same")

@@ -2,6 +2,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "apps/commands/survey/shard_folder.h"
 #include "apps/commands/survey/slurm_job.h"
 #include "apps/commands/survey/steps.h"
@@ -19,7 +21,7 @@ int run_status(const std::string& folder) {
   if (shards.empty() && job.empty())
     throw usage_error("DIR", "there is no shard in '" + folder + "'",
                       "the folder of vegard survey run or submit");
-  std::vector<int> counts(4, 0);
+  std::vector<int> counts(fit::kFrameStatuses.size(), 0);
   int frames = 0, planned = 0;
   std::string name;
   for (const ShardFile& shard : shards) {
@@ -34,8 +36,9 @@ int run_status(const std::string& folder) {
     name = reader.plans().front().name;
   }
   if (!shards.empty())
-    say("%s: %d of %d frames: %d done, %d skipped, %d missing, %d unreadable; %zu of %d shards begun\n",
-        name.c_str(), frames, planned, counts[0], counts[1], counts[2], counts[3], shards.size(),
+    say("%s: %d of %d frames: %d done, %d skipped, %d missing, %d unreadable%s; %zu of %d shards begun\n",
+        name.c_str(), frames, planned, counts[0], counts[1], counts[2], counts[3],
+        counts[4] > 0 ? fmt::format(", {} filtered", counts[4]).c_str() : "", shards.size(),
         shards.front().shards);
   if (!job.empty()) {
     const std::string state = state_of_job(job);

@@ -8,6 +8,8 @@
 #include "fit/photo/mask/mask_picture.h"
 #include "sim/base/file/sha256.h"
 #include "tests/fit/survey/made_answers.h"
+#include "tests/support/fits_bytes.h"
+#include "tests/support/frames/gzip_bytes.h"
 #include "tests/support/frames/made_frames.h"
 #include "tests/support/temporary_folder.h"
 
@@ -35,7 +37,7 @@ class SurveyOfFiles {
     FitOptions options;
     options.threads = 1;
     options.stop = stop;
-    return survey_frame({&plan_, 0, number, nullptr}, &eye_, options);
+    return survey_frame({&plan_, 0, number, nullptr}, &eye_, options, pictures_);
   }
 
   SurveyEye& eye() { return eye_; }
@@ -46,6 +48,7 @@ class SurveyOfFiles {
   tests::TemporaryFolder folder_;
   SurveyPlan plan_;
   SurveyEye eye_;
+  mutable SurveyPictures pictures_;
 };
 
 TEST(SurveyFrame, ThatCannotBeHadSaysWhy) {
@@ -109,6 +112,27 @@ TEST(SurveyFrame, IsOneOfAFileOfMany) {
   EXPECT_EQ(none.status, FrameStatus::unreadable);
   EXPECT_NE(none.reason->find("no frame 3"), std::string::npos) << *none.reason;
   EXPECT_EQ(survey.answer(3)->status, FrameStatus::unreadable);
+}
+
+TEST(SurveyFrame, MayBePackedAndIsToBeChosenAmongMany) {
+  SurveyOfFiles survey({"one.pgm.gz", "many.pgm", "packed.fits.gz"});
+  tests::MadeFrames frames;
+  frames.width_px = 40;
+  frames.height_px = 30;
+  frames.options = "WIDTH=40 HEIGHT=30 XBIN=1 YBIN=1";
+  const std::string one = tests::gzip_stored(tests::frame_bytes(frames, 0)),
+                    many = tests::frames_bytes(frames);
+  survey.put("one.pgm.gz", one);
+  survey.put("many.pgm", many);
+  survey.put("packed.fits.gz",
+             tests::gzip_stored(tests::fits_image(16, {40, 30}, std::vector<double>(1200, 100.0))));
+  const FrameAnswer packed = *survey.answer(0), unchosen = *survey.answer(1), fits = *survey.answer(2);
+  EXPECT_EQ(packed.status, FrameStatus::done) << packed.reason.value_or("");
+  EXPECT_EQ(packed.sha256, sim::sha256(one));
+  EXPECT_EQ(unchosen.status, FrameStatus::unreadable);
+  EXPECT_NE(unchosen.reason->find("more than one picture"), std::string::npos) << *unchosen.reason;
+  EXPECT_EQ(unchosen.sha256, sim::sha256(many));
+  EXPECT_EQ(fits.status, FrameStatus::done) << fits.reason.value_or("");
 }
 
 TEST(SurveyFrame, IsGivenUpWhenStopped) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kWhole = R"([survey]
 name = "winter"
-work = ["fit", "border"]
+work = ["fit", "filter", "border"]
 scene = "scene.toml"
 block_frames = 20
 gap_s = 60
@@ -51,13 +51,13 @@ reason = "a lamp"
 TEST(SurveyToml, ReadsAllKeys) {
   const Survey survey = parse_survey(kWhole, "nights/winter.toml");
   EXPECT_EQ(survey.name, "winter");
-  EXPECT_EQ(survey.work, (std::vector<SurveyWork>{SurveyWork::border, SurveyWork::fit}));
+  EXPECT_EQ(survey.work, (std::vector<SurveyWork>{SurveyWork::filter, SurveyWork::border, SurveyWork::fit}));
   EXPECT_EQ(survey.block_frames, 20);
   EXPECT_EQ(survey.gap_s, 60.0);
   EXPECT_EQ(survey.shard_minutes, 45.5);
   EXPECT_EQ(survey.most_shards, 7);
-  EXPECT_EQ(survey.cost_s[0], 0.25);
-  EXPECT_EQ(survey.cost_s[1], kSurveyCost_s[1]);
+  EXPECT_EQ(survey.cost_s,
+            (std::array{kSurveyCost_s[0], 0.25, kSurveyCost_s[2], kSurveyCost_s[3], kSurveyCost_s[4]}));
   EXPECT_EQ(survey.place("gill"), "nights/gill");
   EXPECT_EQ(survey.sha256.size(), 64u);
   ASSERT_EQ(survey.cameras.size(), 2u);
@@ -68,6 +68,7 @@ TEST(SurveyToml, ReadsAllKeys) {
   EXPECT_EQ(gill.changes, std::vector<std::string>{"fit.bands=5"});
   EXPECT_EQ(gill.decoding, "linear");
   EXPECT_EQ(gill.channel, 0);
+  EXPECT_EQ(gill.filter, "");
   ASSERT_EQ(gill.calibrations.size(), 2u);
   const double march = *sim::utc_seconds("2019-03-01T00:00:00Z");
   EXPECT_TRUE(gill.calibrations[0].period.has(march - 1.0));
@@ -123,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadSurvey{"name = \"winter\"\n", "", 1, "survey.name", "is missing"},
         BadSurvey{"\"border\"]", "\"dance\"]", 3, "survey.work", "'dance' is no work"},
         BadSurvey{"\"border\"]", "\"fit\"]", 3, "survey.work", "twice"},
-        BadSurvey{"work = [\"fit\", \"border\"]", "", 1, "survey.work", "what to do"},
+        BadSurvey{"work = [\"fit\", \"filter\", \"border\"]", "", 1, "survey.work", "what to do"},
         BadSurvey{"= 20", "= 20.5", 5, "survey.block_frames", "whole number"},
         BadSurvey{"= 20", "= 0", 5, "survey.block_frames", "from 1 to"},
         BadSurvey{"= 60", "= nan", 6, "survey.gap_s", "from 0 to"},
@@ -153,6 +154,14 @@ TEST(SurveyToml, AsksForACameraWithItsCalibration) {
     EXPECT_EQ(error.details().line, 4);
     EXPECT_NE(error.details().problem.find("no calibration and no scene"), std::string::npos);
   }
+}
+
+TEST(SurveyToml, MayNameTheTreesOfAFilter) {
+  const Survey survey = parse_survey(
+      "[survey]\nname = \"a\"\nwork = [\"filter\"]\nscene = \"a.toml\"\n[[camera]]\nname = \"b\"\nframes = "
+      "[\"c\"]\nfilter = \"trees.json\"\n",
+      "a.toml");
+  EXPECT_EQ(survey.cameras[0].filter, "trees.json");
 }
 
 TEST(SurveyToml, IsRefusedWithoutItsHead) {

@@ -1,0 +1,38 @@
+// Whether there is an arc in a frame that is worth a fit, and what there is else.
+#pragma once
+
+#include <string>
+
+#include "fit/survey/filter/frame_features.h"
+#include "fit/survey/filter/sky_trees.h"
+
+namespace vegard::fit {
+
+struct FilterFinding {
+  FrameFeatures features{};
+  SkyScores scores{};
+  std::string sky;  ///< its class, as sky_class() has it
+};
+
+/// Of one camera during one of its calibrations.
+class FrameFilter {
+ public:
+  /// `mask`, `trees`: names of files that may be opened; empty: there is none, those built in. Throws
+  /// sim::Error(unreadable_input) for a mask or trees that cannot be read, a mask of another size than the
+  /// camera's, and a camera that sees no sky.
+  FrameFilter(const sim::Scene& scene, const std::string& mask, const std::string& trees);
+
+  /// Of a photograph as its file has it, without the mask; of the scene's place and camera. Throws as
+  /// frame_features() does.
+  FilterFinding look(const Photo& photo, const sim::Scene& scene, double utc_s) const;
+
+  /// Of the trees.
+  const std::string& sha256() const { return sha256_; }
+
+ private:
+  FilterCells cells_;
+  SkyTrees trees_;
+  std::string sha256_;
+};
+
+}  // namespace vegard::fit
