@@ -3,10 +3,15 @@
 #include <limits>
 #include <tuple>
 
+#include "fit/survey/profile_work.h"
+
 namespace vegard::fit {
 namespace {
 
-bool is_in_column(const SurveyQuantity& quantity) { return quantity.item <= 1; }
+bool is_in_column(SurveyWork work, const SurveyQuantity& quantity) {
+  constexpr int kMiddleStrip = (kSurveyStrips + 1) / 2;
+  return work == SurveyWork::profile ? quantity.item == kMiddleStrip : quantity.item <= 1;
+}
 
 }  // namespace
 
@@ -21,7 +26,7 @@ SurveyColumns survey_columns(const SurveyReader& reader) {
     for (const WorkAnswer& w : answer.works) {
       all.verdicts[w.work].insert(w.verdict);
       for (const SurveyQuantity& q : w.quantities) {
-        if (!is_in_column(q)) continue;
+        if (!is_in_column(w.work, q)) continue;
         all.columns.insert({w.work, q.name, q.unit});
         if (q.trust) all.judged.insert({w.work, q.name, q.unit});
       }
@@ -39,7 +44,7 @@ const WorkAnswer* work_in(const FrameAnswer& answer, SurveyWork work) {
 const SurveyQuantity* quantity_in(const WorkAnswer* work, const SurveyColumn& column) {
   if (work == nullptr) return nullptr;
   for (const SurveyQuantity& q : work->quantities)
-    if (is_in_column(q) && q.name == column.name && q.unit == column.unit) return &q;
+    if (is_in_column(work->work, q) && q.name == column.name && q.unit == column.unit) return &q;
   return nullptr;
 }
 

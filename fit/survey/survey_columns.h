@@ -9,7 +9,8 @@
 
 namespace vegard::fit {
 
-/// A number that frames have; of several items of a kind it is the first: a border's brightest trace.
+/// A number that frames have; of several items of a kind it is the first: a border's brightest trace, a map's
+/// first curtain; of profiles the middle strip.
 struct SurveyColumn {
   SurveyWork work = SurveyWork::border;
   std::string name, unit;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/survey/survey_columns.h"
 #include "sim/base/error.h"
 #include "sim/view/camera/rays.h"
 
@@ -100,6 +101,13 @@ TEST(ProfileWork, OfADarkFrameTellsNothing) {
   const WorkAnswer answer = profile_answer(layer(0.0), scene_of_picture(), 1);
   EXPECT_EQ(answer.verdict, "none");
   EXPECT_TRUE(answer.quantities.empty());
+}
+
+TEST(ProfileWork, OfTheMiddleStripStandsInTables) {
+  const WorkAnswer answer = profile_answer(layer(), scene_of_picture(), 1);
+  const SurveyQuantity* shown = quantity_in(&answer, {SurveyWork::profile, "brightness", "white"});
+  ASSERT_NE(shown, nullptr);
+  EXPECT_EQ(shown->item, 3);
 }
 
 TEST(ProfileWork, OfAnotherSizeIsRefused) {
