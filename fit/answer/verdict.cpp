@@ -181,6 +181,7 @@ void ask_of_the_parameters(const FitResult& r, Checks& checks) {
   double furthest_sigma = 0.0;
   for (const FittedParameter& p : r.parameters) {
     moved += p.moved;
+    // What has no error bar may wander without a change.
     if (p.moved) furthest_sigma = std::max(furthest_sigma, p.moved_sigma.value_or(0.0));
     if (p.at_limit && !(is_length_at_limit(p) && is_told_by_ends_only(r, p)))
       at_limit.push_back(p.path + " is at a limit");

@@ -1,9 +1,12 @@
 #include "fit/survey/survey_eye.h"
 
+#include <algorithm>
+
 #include "fit/parameters/free_parameters.h"
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/sha256.h"
+#include "sim/emit/aurora/foot_line.h"
 #include "sim/scene/file/named_files.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/rows/decoding_word.h"
@@ -24,6 +27,16 @@ namespace {
 
 void check_eye(const SurveyEye& eye, const std::vector<SurveyWork>& work) {
   const sim::Scene& scene = eye.scene;
+  const auto wants = [&](SurveyWork one) { return std::count(work.begin(), work.end(), one) > 0; };
+  if (wants(SurveyWork::filter) && !(sim::is_latitude_given(scene) && sim::is_longitude_given(scene)))
+    refuse_for_survey(scene, "site.latitude_deg, site.longitude_deg",
+                      "the filter asks where the Sun and the Moon stand, and the site is not given",
+                      "[site] with latitude_deg and longitude_deg",
+                      "or a survey whose work is not \"filter\"");
+  if (wants(SurveyWork::profile) && eye.decoding.kind == Decoding::Kind::unknown)
+    refuse_for_survey(scene, "fit.decoding", "light cannot be measured through an unknown transfer curve",
+                      "a decoding that is known",
+                      "vegard fit --decoding unknown finds the curve of one frame");
   for (const SurveyWork one : work) {
     if (one != SurveyWork::fit && one != SurveyWork::map) continue;
     if (!scene.fit.photos.empty())

@@ -238,7 +238,10 @@ ListedFrames survey_frames(const Survey& survey, const SurveyCamera& camera) {
     }
   }
   const auto by_time = [](const ListedFrame& a, const ListedFrame& b) {
-    return std::tie(a.time_s, a.file) < std::tie(b.time_s, b.file);
+    // Frames of one file go by their number, not as text.
+    const FrameReference one = frame_reference(a.file), other = frame_reference(b.file);
+    return std::tie(a.time_s, one.file, one.number, a.file) <
+           std::tie(b.time_s, other.file, other.number, b.file);
   };
   std::sort(all.frames.begin(), all.frames.end(), by_time);
   const auto same = [](const ListedFrame& a, const ListedFrame& b) {

@@ -113,6 +113,12 @@ struct MotionColumns {
   FlagColumn flag;
 };
 
+std::vector<std::string> status_words() {
+  std::vector<std::string> words;
+  for (const FrameStatus status : kFrameStatuses) words.emplace_back(frame_status_name(status));
+  return words;
+}
+
 class SurveyNetcdf {
  public:
   SurveyNetcdf(NetcdfFile& file, const SqliteFile& database, const SurveyReader& reader,
@@ -128,8 +134,7 @@ class SurveyNetcdf {
     file.attribute(time_, "calendar", "standard");
     camera_ = define("camera", NetcdfType::text, "camera", frame);
     name_ = define("file", NetcdfType::text, "file of the frame, from the survey's folder", frame);
-    status_.emplace(file, names_.of("status"), "what became of the frame",
-                    std::vector<std::string>{"done", "skipped", "missing", "unreadable"}, frame);
+    status_.emplace(file, names_.of("status"), "what became of the frame", status_words(), frame);
     at_time(status_->variable());
     for (const auto& [work, verdicts] : all.verdicts) {
       const std::string name = survey_work_name(work);
@@ -295,7 +300,12 @@ class SurveyNetcdf {
 }  // namespace
 
 std::string udunits_of(const std::string& unit) {
-  if (unit.empty() || unit == "white") return "1";
+  // Of a velocity what is before the second.
+  const std::string per_second = "/s";
+  if (unit != "m/s" && unit.size() > per_second.size() &&
+      unit.compare(unit.size() - per_second.size(), per_second.size(), per_second) == 0)
+    return udunits_of(unit.substr(0, unit.size() - per_second.size())) + " s-1";
+  if (unit.empty() || unit == "white" || unit == "dex" || unit == "px") return "1";
   if (unit == "deg" || unit == "\u00b0") return "degree";
   static const std::array<std::pair<const char*, const char*>, 11> kRaised = {{{"\u207b", "-"},
                                                                                {"\u2070", "0"},

@@ -1,10 +1,8 @@
 #include "apps/commands/survey/slurm_job.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <sstream>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -148,11 +146,8 @@ std::string submit_to_slurm(const std::string& folder, const std::string& script
   std::string job;
   for (std::string line; std::getline(lines, line);)
     if (is_number(line.substr(0, line.find(';')))) job = line.substr(0, line.find(';'));
-  if (end.exit_code != 0 || job.empty()) {
-    std::error_code ignored;
-    std::filesystem::remove(folder + kJobName, ignored);
-    refuse_slurm("sbatch", end);
-  }
+  // The note stays: Slurm may have taken the job all the same, and then it is found by its comment.
+  if (end.exit_code != 0 || job.empty()) refuse_slurm("sbatch", end);
   note_job(folder, job);
   return job;
 }

@@ -23,7 +23,8 @@ std::vector<ChosenFrame> chosen_frames(const SurveyReader& reader, const CameraN
   std::vector<ChosenFrame> all, chosen;
   for (const FrameRange& range : night.ranges)
     reader.frames(range.first, range.end, [&](const FrameAnswer& answer) {
-      if (answer.status == FrameStatus::done) all.push_back({answer.frame, answer.block, answer.time_s});
+      if (answer.status == FrameStatus::done || answer.status == FrameStatus::filtered)
+        all.push_back({answer.frame, answer.block, answer.time_s});
     });
   std::stable_sort(all.begin(), all.end(),
                    [](const ChosenFrame& a, const ChosenFrame& b) { return a.time_s < b.time_s; });

@@ -293,6 +293,7 @@ void SurveySum::add(const NightDigest& digest) {
   for (const auto& [status, count] : digest.statuses) {
     statuses_of_camera[digest.camera][status] += count;
     if (status == FrameStatus::done) done += count;
+    if (status == FrameStatus::filtered) filtered += count;
   }
   add_verdicts(digest.verdicts, verdicts);
   add_verdicts(digest.verdicts, verdicts_of_camera[digest.camera]);
@@ -319,8 +320,10 @@ std::string survey_page(const SurveyFacts& facts, const SurveySum& sum, const Fr
     second = "The mean electron energy of a night, in the middle of its frames, goes from " +
              sim::short_number(*std::min_element(energies.begin(), energies.end()), 3) + " to " +
              sim::short_number(*std::max_element(energies.begin(), energies.end()), 3) + "\u00a0keV";
-  if (sum.frames > sum.done)
-    second += (second.empty() ? "" : "; ") + std::to_string(sum.frames - sum.done) +
+  if (sum.filtered > 0)
+    second += (second.empty() ? "" : "; ") + std::to_string(sum.filtered) + " frames have no arc";
+  if (sum.frames > sum.done + sum.filtered)
+    second += (second.empty() ? "" : "; ") + std::to_string(sum.frames - sum.done - sum.filtered) +
               " frames were skipped, missing or unreadable";
   if (facts.lacking > 0)
     second += (second.empty() ? "" : "; ") + count_words(facts.lacking, "frame") + " of the plan " +

@@ -48,7 +48,7 @@ struct ListedNight {
 
 /// All nights together, counted; grows night by night and never holds a frame.
 struct SurveySum {
-  int frames = 0, done = 0;
+  int frames = 0, done = 0, filtered = 0;
   double first_s = 0.0, last_s = 0.0;
   std::map<std::string, VerdictCounts> verdicts_of_camera;
   std::map<std::string, std::map<FrameStatus, int>> statuses_of_camera;

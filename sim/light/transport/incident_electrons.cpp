@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/error.h"
+
 namespace vegard::sim {
 namespace {
 
@@ -87,7 +89,13 @@ std::vector<double> incident_flux(const IncidentSpectrum& spectrum, const Energy
   }
   double energy = 0.0;
   for (std::size_t i = 0; i < grid.size(); ++i) energy += flux[i] * grid.energy_ev[i];
-  if (energy <= 0.0) return flux;
+  if (!(energy > 0.0)) {
+    ErrorDetails details;
+    details.problem = "the spectrum is narrower than the steps of energy, and none of its electrons is met";
+    details.expected = "one that is a percent wide at least";
+    details.hint = "electrons of one energy are the spectrum \"mono\"";
+    throw Error(ErrorKind::unreadable_input, details);
+  }
   const double factor = energy_flux_mw_m2 * kEvPerErg / energy;
   for (double& f : flux) f *= factor;
   return flux;

@@ -95,7 +95,7 @@ TEST(SurveyNetcdf, HasAllThatFramesTell) {
             "fit_sheet_main_energy_kev_sigma");
   EXPECT_EQ(file.words("fit_energy_flux_Q_of_the_main_sheet", "units"), "mW m-2");
   EXPECT_EQ(file.words("fit_distance_of_the_main_sheet_trust", "flag_meanings"), "good doubtful not_told");
-  EXPECT_EQ(file.words("status", "flag_meanings"), "done skipped missing unreadable");
+  EXPECT_EQ(file.words("status", "flag_meanings"), "done skipped missing unreadable filtered");
   EXPECT_EQ(file.words("border_verdict", "flag_meanings"), "none");
   const std::vector<double> time = file.numbers("time"), status = file.numbers("status"),
                             verdict = file.numbers("fit_verdict"),
@@ -159,6 +159,10 @@ TEST(SurveyNetcdf, WritesUnitsAsUdunitsHasThem) {
   EXPECT_EQ(udunits_of("deg"), "degree");
   EXPECT_EQ(udunits_of("km"), "km");
   EXPECT_EQ(udunits_of(""), "1");
+  EXPECT_EQ(udunits_of("dex"), "1");
+  EXPECT_EQ(udunits_of("m/s"), "m/s");
+  EXPECT_EQ(udunits_of("deg/s"), "degree s-1");
+  EXPECT_EQ(udunits_of("white/s"), "1 s-1");
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "sim/base/error.h"
+
 namespace vegard::sim::incident_electrons_test {
 namespace {
 
@@ -40,6 +42,15 @@ TEST(IncidentElectrons, HaveTheirEnergyFluxAndMeanEnergy) {
     EXPECT_NEAR(1e-3 * mean_energy_ev(grid, flux) / c->mean_kev, 1.0, 0.01)
         << static_cast<int>(c->spectrum.kind);
   }
+}
+
+TEST(IncidentElectrons, ThatFallBetweenTheGridsEnergiesAreRefused) {
+  IncidentSpectrum narrow;
+  narrow.kind = SpectrumKind::table;
+  narrow.table_energy_kev = {5.0, 5.00001, 5.00002};
+  narrow.table_flux = {0.0, 1.0, 0.0};
+  const EnergyGrid grid = energy_grid(5100.0);
+  EXPECT_THROW(incident_flux(narrow, grid, 1.0), Error);
 }
 
 TEST(IncidentElectrons, ComeDownwardsThroughAPlane) {
