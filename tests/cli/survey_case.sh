@@ -97,15 +97,15 @@ expect_exit 0 survey smooth whole.sqlite -o moving.sqlite --quantity sheet.main.
 expect_stdout "tracks of"
 [[ $(query moving.sqlite "SELECT count(*) FROM velocity WHERE velocity_unit = 'keV/s' AND abs(velocity - 0.1) < 4 * velocity_sigma") == 5 ]] ||
   fail "other velocities"
-expect_exit 0 survey smooth local.sqlite -o again.sqlite --quantity sheet.main.energy_kev
-expect_same moving.sqlite again.sqlite
+expect_exit 0 survey smooth local.sqlite -o smoothed_again.sqlite --quantity sheet.main.energy_kev
+expect_same moving.sqlite smoothed_again.sqlite
 expect_exit 0 survey export moving.sqlite -o velocities.csv --table velocities
 grep -q ',fit,0,sheet.main.energy_kev,' velocities.csv || fail "no velocity of the energy"
 expect_exit 2 survey export whole.sqlite -o none.csv --table velocities
 expect_stderr "vegard survey smooth"
 expect_exit 0 survey export moving.sqlite -o moving.nc
 [[ $(head -c 4 moving.nc | tail -c 3) == HDF ]] || fail "no netCDF-4"
-expect_exit 0 survey export again.sqlite -o again.nc
+expect_exit 0 survey export smoothed_again.sqlite -o again.nc
 expect_same moving.nc again.nc
 expect_exit 2 survey export moving.sqlite -o other.nc --table wide
 expect_stderr "all of a frame in one"
@@ -123,7 +123,7 @@ grep -q '8 frames of 1 camera in 1 night' pages/index.html || fail "another firs
 expect_exit 2 survey report whole.sqlite -o pages
 expect_stderr "pages"
 cp -r pages first_pages
-expect_exit 0 survey report again.sqlite -o pages --plan plan.json --overwrite
+expect_exit 0 survey report smoothed_again.sqlite -o pages --plan plan.json --overwrite
 for page in index night-2019-03-01; do expect_same "first_pages/$page.html" "pages/$page.html"; done
 expect_exit 0 survey report whole.sqlite -o without --no-keograms
 expect_stdout "0 keograms"
