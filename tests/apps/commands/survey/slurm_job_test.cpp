@@ -32,6 +32,8 @@ TEST(SlurmJob, QuotesWhatAShellOrSlurmWouldTakeApart) {
             "begun again.\n"
             "#SBATCH --job-name=vegard-night\n"
             "#SBATCH --array=2-3%4\n"
+            // The first sixteen digits of the SHA-256 of the folder's name, as sha256sum has it.
+            "#SBATCH --comment=vegard-2c1d516024e845e4\n"
             "#SBATCH --requeue\n"
             "#SBATCH --open-mode=append\n"
             "#SBATCH --output=\"/data/50%%/a b/log/shard-%a.txt\"\n"
