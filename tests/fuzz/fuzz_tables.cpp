@@ -7,6 +7,7 @@
 #include "apps/options/picture_lists.h"
 #include "apps/options/scene_options.h"
 #include "fit/photo/pointing/star_table.h"
+#include "fit/survey/filter/sky_trees.h"
 #include "fit/survey/plan_json.h"
 #include "fit/survey/survey_frames.h"
 #include "fit/survey/survey_toml.h"
@@ -175,9 +176,18 @@ void air(const std::string& text) {
 }
 
 using Reader = void (*)(const std::string&);
+void sky_trees(const std::string& text) {
+  const fit::SkyTrees trees(text, "it.json");
+  for (const double value : {-1e9, 0.0, 1e9}) {
+    fit::FrameFeatures features{};
+    features.fill(value);
+    for (const double score : trees.scores(features)) require(score >= 0.0 && score <= 1.0);
+  }
+}
+
 constexpr Reader kReaders[] = {csv,           height_profile, response, tone,        colours, stars,
                                pictures,      times,          camera,   mask,        moments, curtains,
-                               precipitation, survey,         plan,     survey_list, air};
+                               precipitation, survey,         plan,     survey_list, air,     sky_trees};
 
 }  // namespace
 
