@@ -34,7 +34,32 @@ Box first_box(std::string_view bytes, const std::string& file) {
   return {type, bytes.substr(head, size - head), size};
 }
 
+/// Numbers one after another; throws where they end.
+class BoxNumbers {
+ public:
+  BoxNumbers(std::string_view bytes, const char* what, const std::string& file)
+      : bytes_(bytes), what_(what), file_(file) {}
+  std::uint64_t next(std::size_t size) {
+    if (bytes_.size() < size) throw_damaged(file_, std::string(what_) + " is cut");
+    const std::uint64_t value = size == 0 ? 0 : unsigned_at(bytes_, 0, static_cast<int>(size), true);
+    bytes_.remove_prefix(size);
+    return value;
+  }
+  std::string_view rest() const { return bytes_; }
+
+ private:
+  std::string_view bytes_;
+  const char* what_;
+  const std::string& file_;
+};
+
+/// Which picture is the main one, and where things are: the boxes pitm, iinf, iloc and idat.
+struct ItemTables {
+  std::string_view primary, types, places, data;
+};
+
 struct Sizes {
+  ItemTables items;
   std::vector<std::pair<long long, long long>> promised;
   bool cropped = false;           ///< a picture is to be cut out of what is stored
   std::vector<Box> properties;    ///< of all items, in the order in which they are counted
@@ -43,6 +68,13 @@ struct Sizes {
 
 std::pair<long long, long long> size_of(const Box& property) {
   return {unsigned_at(property.body, 4, 4, true), unsigned_at(property.body, 8, 4, true)};
+}
+
+/// Of two tables of a kind libheif takes one: which, nobody here is to have to know.
+void take_table(const Box& box, std::string_view& table, const std::string& file) {
+  if (table.data() != nullptr)
+    throw_damaged(file, "two boxes " + std::string(box.type) + " contradict each other");
+  table = box.body;
 }
 
 /// Looks through the boxes for the sizes of pictures (ISO/IEC 23008-12, 6.5.3), which are three deep: meta,
@@ -59,7 +91,15 @@ void find_sizes(std::string_view bytes, const std::string& file, Sizes& sizes, i
     } else if (box.type == "iprp" || box.type == "ipco") {
       find_sizes(box.body, file, sizes, depth + 1, box.type == "ipco");
     } else if (box.type == "ipma") {
-      sizes.associations = box.body;
+      take_table(box, sizes.associations, file);
+    } else if (box.type == "pitm") {
+      take_table(box, sizes.items.primary, file);
+    } else if (box.type == "iinf") {
+      take_table(box, sizes.items.types, file);
+    } else if (box.type == "iloc") {
+      take_table(box, sizes.items.places, file);
+    } else if (box.type == "idat") {
+      take_table(box, sizes.items.data, file);
     } else if (box.type == "ispe" && box.body.size() >= 12) {
       sizes.promised.push_back(size_of(box));
     } else if (box.type == "clap") {
@@ -69,28 +109,110 @@ void find_sizes(std::string_view bytes, const std::string& file, Sizes& sizes, i
   }
 }
 
-/// Throws where an item with a stream of its own is promised to be larger or smaller than that.
-void check_streams(const Sizes& sizes, const std::string& file) {
-  std::string_view list = sizes.associations;
-  const auto next = [&](std::size_t size) {
-    if (list.size() < size) throw_damaged(file, "the list of its pictures' properties is cut");
-    const std::uint64_t value = unsigned_at(list, 0, static_cast<int>(size), true);
-    list.remove_prefix(size);
-    return value;
-  };
-  if (list.empty()) return;
-  const std::uint64_t head = next(4), items = next(4);
+/// The kind of an item ("hvc1", "grid"); none if it is not in the list or stands there twice (ISO/IEC
+/// 14496-12, 8.11.6).
+std::optional<std::string> type_of_item(std::uint64_t item, const ItemTables& tables,
+                                        const std::string& file) {
+  BoxNumbers head(tables.types, "the list of its items", file);
+  const bool many = head.next(4) >> 24 != 0;
+  head.next(many ? 4 : 2);
+  std::optional<std::string> found;
+  for (std::string_view entries = head.rest(); !entries.empty();) {
+    const Box box = first_box(entries, file);
+    entries.remove_prefix(box.size);
+    if (box.type != "infe") continue;
+    BoxNumbers entry(box.body, "an item", file);
+    const std::uint64_t version = entry.next(4) >> 24;
+    if (version < 2) continue;  // of another kind than pictures
+    const std::uint64_t number = entry.next(version == 2 ? 2 : 4);
+    entry.next(2);
+    if (number != item) continue;
+    if (found || entry.rest().size() < 4) return std::nullopt;
+    found = std::string(entry.rest().substr(0, 4));
+  }
+  return found;
+}
+
+/// What an item consists of, if that is one piece, in the file or in the box idat (ISO/IEC 14496-12, 8.11.3).
+std::optional<std::string_view> bytes_of_item(std::uint64_t item, const ItemTables& tables,
+                                              std::string_view bytes, const std::string& file) {
+  BoxNumbers list(tables.places, "the list of where its items are", file);
+  const std::uint64_t version = list.next(4) >> 24, sizes = list.next(2);
+  const auto size_at = [&](int shift) { return static_cast<std::size_t>(sizes >> shift & 15); };
+  const std::size_t offset_size = size_at(12), length_size = size_at(8), base_size = size_at(4),
+                    index_size = version == 0 ? 0 : size_at(0);
+  for (const std::size_t size : {offset_size, length_size, base_size, index_size})
+    if (size > 8) throw_damaged(file, "the list of where its items are has numbers of impossible size");
+  std::optional<std::string_view> found;
+  for (std::uint64_t left = list.next(version < 2 ? 2 : 4); left > 0; --left) {
+    const std::uint64_t number = list.next(version < 2 ? 2 : 4);
+    const std::uint64_t method = version == 0 ? 0 : list.next(2) & 15;
+    list.next(2);
+    const std::uint64_t base = list.next(base_size), pieces = list.next(2);
+    for (std::uint64_t piece = 0; piece < pieces; ++piece) {
+      list.next(index_size);
+      const std::uint64_t offset = list.next(offset_size), length = list.next(length_size);
+      if (number != item) continue;
+      const std::string_view whole = method == 0 ? bytes : tables.data;
+      if (found || pieces != 1 || method > 1 || base > whole.size() || offset > whole.size() - base)
+        return std::nullopt;
+      found = whole.substr(base + offset, length);
+    }
+  }
+  return found;
+}
+
+/// Width and height that a grid of tiles puts together (ISO/IEC 23008-12, 6.6.2.3).
+std::optional<std::pair<long long, long long>> size_of_grid(std::string_view grid) {
+  constexpr std::size_t kHead = 4;  // version, flags, rows and columns
+  if (grid.size() < kHead) return std::nullopt;
+  const int size = (static_cast<unsigned char>(grid[1]) & 1) != 0 ? 4 : 2;
+  if (grid[0] != 0 || grid.size() < kHead + 2 * static_cast<std::size_t>(size)) return std::nullopt;
+  return std::pair<long long, long long>{unsigned_at(grid, kHead, size, true),
+                                         unsigned_at(grid, kHead + size, size, true)};
+}
+
+/// Throws unless the main picture is a stream of its own, which check_items() looks at, or a grid of tiles
+/// of the promised size: OpenImageIO 2.4 reads as many rows as are promised.
+void check_main_picture(std::string_view bytes, const Sizes& sizes, std::uint64_t main_picture,
+                        bool has_stream, const std::vector<std::pair<long long, long long>>& promised,
+                        const std::string& file) {
+  const std::optional<std::string> type = type_of_item(main_picture, sizes.items, file);
+  if (has_stream && type == "hvc1") return;
+  if (type != "grid" || has_stream)
+    throw_damaged(file, "its main picture is neither an HEVC stream nor put together of tiles");
+  const std::optional<std::string_view> grid = bytes_of_item(main_picture, sizes.items, bytes, file);
+  const auto size = grid ? size_of_grid(*grid) : std::nullopt;
+  for (const auto& [width, height] : promised)
+    if (!size || size->first != width || size->second != height)
+      throw_damaged(file, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                              " pixels by its header is put together of tiles to another size");
+}
+
+/// Throws where an item is promised to be larger or smaller than its stream, or the main picture than its
+/// tiles.
+void check_items(std::string_view bytes, const Sizes& sizes, const std::string& file) {
+  if (sizes.associations.empty()) return;
+  BoxNumbers main_box(sizes.items.primary, "the number of its main picture", file);
+  const std::uint64_t main_picture = main_box.next(main_box.next(4) >> 24 == 0 ? 2 : 4);
+  BoxNumbers list(sizes.associations, "the list of its pictures' properties", file);
+  const std::uint64_t head = list.next(4), items = list.next(4);
   const bool long_numbers = head >> 24 != 0, two_bytes = (head & 1) != 0;
+  int main_pictures = 0;
   for (std::uint64_t i = 0; i < items; ++i) {
-    next(long_numbers ? 4 : 2);
+    const std::uint64_t item = list.next(long_numbers ? 4 : 2);
     std::vector<std::pair<long long, long long>> promised;
     std::optional<std::string_view> stream;
-    for (std::uint64_t left = next(1); left > 0; --left) {
-      const std::uint64_t index = two_bytes ? next(2) & 0x7fff : next(1) & 0x7f;
+    for (std::uint64_t left = list.next(1); left > 0; --left) {
+      const std::uint64_t index = two_bytes ? list.next(2) & 0x7fff : list.next(1) & 0x7f;
       if (index == 0 || index > sizes.properties.size()) continue;
       const Box& property = sizes.properties[index - 1];
       if (property.type == "ispe" && property.body.size() >= 12) promised.push_back(size_of(property));
       if (property.type == "hvcC") stream = property.body;
+    }
+    if (item == main_picture) {
+      ++main_pictures;
+      check_main_picture(bytes, sizes, item, stream.has_value(), promised, file);
     }
     if (!stream) continue;
     // An odd number of pixels is stored as an even one, and blocks may stand out.
@@ -104,6 +226,7 @@ void check_streams(const Sizes& sizes, const std::string& file) {
         throw_damaged(file, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                                 " pixels by its header is of another size in its stream");
   }
+  if (main_pictures != 1) throw_damaged(file, "it does not say once what its main picture is");
 }
 
 }  // namespace
@@ -130,7 +253,7 @@ ImageFile walk_heif(std::string_view bytes, const std::string& file) {
       image.width = width, image.height = height;
   if (sizes.promised.empty()) throw_damaged(file, "a HEIC that does not say its size");
   sim::check_pixel_limit(image.width, image.height, file);
-  check_streams(sizes, file);
+  check_items(bytes, sizes, file);
   return image;
 }
 

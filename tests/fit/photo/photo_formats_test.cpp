@@ -329,6 +329,26 @@ TEST(ReadHeic, CutAndLyingFilesAreRefused) {
   says(refusal(lying), "40000 x 40000");
 }
 
+// The library reads as many rows as the header promises, whether the tiles have them or not.
+TEST(ReadHeic, TilesOfAnotherSizeThanPromisedAreRefused) {
+  for (const char* name : {"quarters.heic", "turned.heic"}) {
+    const std::string whole = data_file(name);
+    const std::size_t size =
+        whole.rfind("ispe") + 8;  // of what the tiles make; before it stands that of a tile
+    for (const auto& [width, height] : {std::pair{64, 64}, {12352, 32}, {64, 16}}) {
+      std::string lying = whole;
+      lying.replace(size, 8, tests::big_endian(width, 4) + tests::big_endian(height, 4));
+      says(refusal(lying), "put together of tiles to another size");
+    }
+    std::string other = whole;  // a kind of picture whose size nothing tells
+    other.replace(other.find("grid"), 4, "iovl");
+    says(refusal(other), "neither an HEVC stream nor put together of tiles");
+    std::string twice = whole;
+    twice.replace(twice.find("idat"), 4, "pitm");
+    says(refusal(twice), "two boxes pitm");
+  }
+}
+
 // ---- all of them ----
 
 TEST(ReadPhotoBytes, OnePixelIsAPicture) {
