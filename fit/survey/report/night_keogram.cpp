@@ -29,14 +29,11 @@ std::vector<ChosenFrame> chosen_frames(const SurveyReader& reader, const CameraN
   std::stable_sort(all.begin(), all.end(),
                    [](const ChosenFrame& a, const ChosenFrame& b) { return a.time_s < b.time_s; });
   if (all.empty()) return chosen;
-  const double begin = all.front().time_s, length = std::max(1e-3, all.back().time_s - begin);
-  int last = -1;
-  for (const ChosenFrame& frame : all) {
-    const int stretch = static_cast<int>((frame.time_s - begin) / length * most);
-    if (stretch == last || (!chosen.empty() && frame.time_s <= chosen.back().time_s)) continue;
-    last = stretch;
-    chosen.push_back(frame);
-  }
+  // Each so-manieth, so that their times are as even as the camera's: uneven ones would look like gaps.
+  const std::size_t every =
+      (all.size() + static_cast<std::size_t>(most) - 1) / static_cast<std::size_t>(most);
+  for (std::size_t i = 0; i < all.size(); i += every)
+    if (chosen.empty() || all[i].time_s > chosen.back().time_s) chosen.push_back(all[i]);
   return chosen;
 }
 

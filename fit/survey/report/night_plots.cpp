@@ -344,27 +344,39 @@ std::string verdict_bars(const std::map<int, VerdictCounts>& verdicts_of_hour, S
   }
   if (hours.empty()) return {};
   const int begin = hours.begin()->first, end = hours.rbegin()->first + 1;
-  constexpr double kLeft = 50, kAbove = 66, kHeight = 170, kBelow = 44, kMostBar = 46, kWidth = 470;
+  constexpr double kLeft = 50, kHeight = 170, kBelow = 44, kMostBar = 46, kWidth = 470;
   const double bar = std::min(kMostBar, (kWidth - kLeft - 10) / (end - begin));
+  constexpr double kLegendRow = 16, kLegendText = 12;
+  // Where the words of the legend stand: as many rows as the picture is too narrow for.
+  std::vector<std::pair<std::string, std::pair<double, double>>> legend;
+  double x = kLeft, y = 27;
+  for (const auto& [verdict, count] : ranked_verdicts(all)) {
+    const double wide = 32 + text_width_px(verdict, kLegendText);
+    if (x > kLeft && x + wide > kWidth) {
+      x = kLeft;
+      y += kLegendRow;
+    }
+    legend.push_back({verdict, {x, y}});
+    x += wide;
+  }
+  const double above = y + 39;
   const std::string title = std::string(survey_work_name(work)) + ": verdicts by the hour";
-  return drawn_svg(title, {kWidth, kAbove + kHeight + kBelow}, [&](PlotCanvas& canvas) {
+  return drawn_svg(title, {kWidth, above + kHeight + kBelow}, [&](PlotCanvas& canvas) {
     TextStyle style;
     style.size_px = 12.5;
     style.bold = true;
     style.colour = {38, 38, 38};
     canvas.text({kLeft, 16}, title, style);
     style.bold = false;
-    style.size_px = 12;
-    double x = kLeft;
-    for (const auto& [verdict, count] : ranked_verdicts(all)) {
-      fill_box(canvas, {x, 27, 11, 11}, verdict_ink(verdict));
-      canvas.text({x + 16, 37}, verdict, style);
-      x += 32 + text_width_px(verdict, style.size_px);
+    style.size_px = kLegendText;
+    for (const auto& [verdict, place] : legend) {
+      fill_box(canvas, {place.first, place.second, 11, 11}, verdict_ink(verdict));
+      canvas.text({place.first + 16, place.second + 10}, verdict, style);
     }
     style.size_px = 11;
     style.colour = kBarText;
     for (const int percent : {0, 25, 50, 75, 100}) {
-      const double y = kAbove + kHeight * (1.0 - percent / 100.0);
+      const double y = above + kHeight * (1.0 - percent / 100.0);
       canvas.line({{kLeft, y}, {kLeft + bar * (end - begin), y}}, {232, 232, 232}, 1, false);
       style.anchor = TextAnchor::end;
       canvas.text({kLeft - 6, y + 4}, std::to_string(percent) + "\u00a0%", style);
@@ -375,23 +387,23 @@ std::string verdict_bars(const std::map<int, VerdictCounts>& verdicts_of_hour, S
       int sum = 0;
       for (const auto& [verdict, count] : counts) sum += count;
       const double left = kLeft + bar * (hour - begin);
-      double bottom = kAbove + kHeight;
+      double bottom = above + kHeight;
       for (const auto& [verdict, count] : ranked_verdicts(counts)) {
         const double height = kHeight * count / sum;
         fill_box(canvas, {left + 1, bottom - height, bar - 2, height}, verdict_ink(verdict));
         bottom -= height;
       }
       style.size_px = bar < 30 ? 8 : 10;
-      canvas.text({left + bar / 2, kAbove - 5}, std::to_string(sum), style);
+      canvas.text({left + bar / 2, above - 5}, std::to_string(sum), style);
     }
     style.size_px = 11;
-    canvas.line({{kLeft, kAbove + kHeight}, {kLeft + bar * (end - begin), kAbove + kHeight}}, kBarAxis, 1,
+    canvas.line({{kLeft, above + kHeight}, {kLeft + bar * (end - begin), above + kHeight}}, kBarAxis, 1,
                 false);
     for (int hour = begin; hour < end; hour += label_every)
-      canvas.text({kLeft + bar * (hour - begin + 0.5), kAbove + kHeight + 16},
+      canvas.text({kLeft + bar * (hour - begin + 0.5), above + kHeight + 16},
                   std::to_string((hour + first_hour) % 24), style);
     style.size_px = 12.5;
-    canvas.text({kLeft + 0.5 * bar * (end - begin), kAbove + kHeight + 36}, "hour (UTC); above: frames",
+    canvas.text({kLeft + 0.5 * bar * (end - begin), above + kHeight + 36}, "hour (UTC); above: frames",
                 style);
   });
 }
