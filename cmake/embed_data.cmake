@@ -5,6 +5,8 @@ set(VEGARD_EMBEDDED_TABLES
     ${PROJECT_SOURCE_DIR}/data/atmosphere/ozone_233k.csv
     ${PROJECT_SOURCE_DIR}/data/electrons/cross_sections.csv
     ${PROJECT_SOURCE_DIR}/data/electrons/shells.csv
+    ${PROJECT_SOURCE_DIR}/data/electrons/reactions.csv
+    ${PROJECT_SOURCE_DIR}/data/electrons/emissions.csv
     ${PROJECT_SOURCE_DIR}/data/glow/atmosphere.csv
     ${PROJECT_SOURCE_DIR}/data/glow/ver_maxwellian.csv
     ${PROJECT_SOURCE_DIR}/data/glow/column_brightness.csv

@@ -31,6 +31,15 @@ Passage passage(double depth) {
   return {left, mean - left, 1.0 - mean};
 }
 
+/// How often per path, cm^-1, electrons at an energy of the grid pass on to the next lower one (from the
+/// lowest, to the thermal ones), since thermal electrons slow them down.
+double slowing_cm(const EnergyGrid& grid, const FieldAir& column, std::size_t energy, std::size_t place) {
+  if (column.electrons_cm3.empty()) return 0.0;
+  const double here = grid.energy_ev[energy], lower = energy > 0 ? grid.energy_ev[energy - 1] : 0.0;
+  return loss_to_electrons_ev_cm(here, column.electrons_cm3[place], column.electron_temperature_k[place]) /
+         (here - lower);
+}
+
 /// All energies of a column with 2 N streams.
 template <int Size>
 class Sweep {
@@ -104,6 +113,10 @@ class Sweep {
       for (std::size_t g = 0; g < kGases; ++g) turned += density(g, m) * anywhere[g][m];
       source_[m].array() += 0.5 * turned;
     }
+    if (any && !column_.electrons_cm3.empty())
+      for (std::size_t m = 0; m < places_; ++m)
+        source_[m] += slowing_cm(degradation_.grid, column_, i + 1, m) *
+                      Eigen::Map<const Vector>(psi_[i + 1].data() + m * Size);
     return any;
   }
 
@@ -130,7 +143,7 @@ class Sweep {
         const GasDegradation& gas = degradation_.gases[g];
         sum += density(g, m) * (gas.inelastic[i] - gas.straight[i][0] + gas.elastic[i] * turn.kept);
       }
-      extinction_[m] = std::max(sum, kNothing);
+      extinction_[m] = std::max(sum + slowing_cm(degradation_.grid, column_, i, m), kNothing);
       source_[m] /= extinction_[m];
     }
     // From the bottom up: every place as what it makes of the place above.
@@ -241,6 +254,16 @@ void add_rates(const Degradation& degradation, const FieldAir& column, ElectronR
     budget.ionisation_ev += path_integral(column, bound) - excitation;
     budget.thermal_ev += path_integral(column, thermal);
   }
+  if (!column.electrons_cm3.empty()) {
+    std::vector<double> heating(places, 0.0);
+    for (std::size_t m = 0; m < places; ++m)
+      for (std::size_t j = 0; j < rates.flux.size(); ++j)
+        heating[m] +=
+            rates.flux[j][m] * loss_to_electrons_ev_cm(degradation.grid.energy_ev[j], column.electrons_cm3[m],
+                                                       column.electron_temperature_k[m]);
+    add_rate(rates.deposited_ev_cm3_s, heating);
+    budget.heating_ev = path_integral(column, heating);
+  }
   budget.ion_pairs = path_integral(column, ion_pairs);
 }
 
@@ -283,6 +306,14 @@ double ElectronRates::all_ion_pairs(std::size_t place) const {
   double sum = 0.0;
   for (const std::vector<double>& gas : ion_pairs_cm3_s) sum += gas[place];
   return sum;
+}
+
+double loss_to_electrons_ev_cm(double energy_ev, double electrons_cm3, double electron_temperature_k) {
+  constexpr double kBoltzmannEv = 8.617333262e-5;
+  const double thermal_ev = kBoltzmannEv * electron_temperature_k;
+  if (energy_ev <= thermal_ev || electrons_cm3 <= 0.0) return 0.0;
+  return 3.37e-12 * std::pow(electrons_cm3, 0.97) * std::pow(energy_ev, -0.94) *
+         std::pow((energy_ev - thermal_ev) / (energy_ev - 0.53 * thermal_ev), 2.36);
 }
 
 double path_integral(const FieldAir& column, const std::vector<double>& rate) {

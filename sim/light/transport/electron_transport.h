@@ -13,8 +13,14 @@
 // all places are one block tridiagonal system. The discrete ordinates are those of Lummerzheim and Lilensten
 // 1994, Ann. Geophys. 12, 1039.
 //
+// Thermal electrons, where the column has them, slow the others down without turning them: an energy passes
+// electrons on to the next lower one as often as it takes to lose the energy between them. The loss per path
+// is that of Swartz, Nisbet and Green 1971, J. Geophys. Res. 76, 8425,
+//
+//     3.37e-12 n^0.97 E^-0.94 ((E - kT)/(E - 0.53 kT))^2.36 eV cm^-1,    E above kT.
+//
 // Left out: the mirror force (mean free paths are short against the field's scale), electric fields along the
-// line, what electrons below 2 eV lose to the ambient electrons, and recombination.
+// line, and recombination.
 #pragma once
 
 #include <array>
@@ -36,9 +42,10 @@ struct ElectronBudget {
   double excitation_ev = 0.0;                     ///< in excited molecules and atoms
   double ionisation_ev = 0.0;                     ///< in ions, Auger electrons taken off
   double thermal_ev = 0.0;                        ///< in electrons below the lowest energy
+  double heating_ev = 0.0;                        ///< of thermal electrons, by those that pass
   double ion_pairs = 0.0;
 
-  double deposited_ev() const { return excitation_ev + ionisation_ev + thermal_ev; }
+  double deposited_ev() const { return excitation_ev + ionisation_ev + thermal_ev + heating_ev; }
   /// What is missing of the incident energy, as a share of it: the error of the grids.
   double missing_share() const {
     return incident_ev > 0.0 ? 1.0 - (deposited_ev() + back_ev + through_ev) / incident_ev : 0.0;
@@ -71,6 +78,9 @@ struct TransportOptions {
 ElectronRates electron_transport(const Degradation& degradation, const FieldAir& column,
                                  const std::vector<double>& flux, PitchAngles angles,
                                  const TransportOptions& options = {});
+
+/// Energy that an electron loses to thermal ones, per path.
+double loss_to_electrons_ev_cm(double energy_ev, double electrons_cm3, double electron_temperature_k);
 
 /// The integral over the path of what falls off exponentially between places.
 double path_integral(const FieldAir& column, const std::vector<double>& rate);

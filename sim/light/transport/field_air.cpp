@@ -19,6 +19,7 @@ constexpr double kLeastDensity = 1e-30;  // cm^-3, for logarithms of what is not
 struct AirPlace {
   double temperature_k = 0.0;
   std::array<double, kGases> density_cm3{};
+  double no_cm3 = 0.0, n_cm3 = 0.0, electron_temperature_k = 0.0;
 };
 
 AirPlace air_place_at(const AirTable& table, double altitude_km) {
@@ -27,14 +28,19 @@ AirPlace air_place_at(const AirTable& table, double altitude_km) {
   const std::size_t low = high - 1;
   const double way =
       (altitude_km - table.altitude_km[low]) / (table.altitude_km[high] - table.altitude_km[low]);
+  const auto straight = [&](const std::vector<double>& of) { return of[low] + way * (of[high] - of[low]); };
+  const auto falling = [&](const std::vector<double>& of) {
+    const double a = std::log(std::max(kLeastDensity, of[low]));
+    return std::exp(a + way * (std::log(std::max(kLeastDensity, of[high])) - a));
+  };
   AirPlace place;
-  place.temperature_k =
-      table.temperature_k[low] + way * (table.temperature_k[high] - table.temperature_k[low]);
-  for (std::size_t g = 0; g < kGases; ++g) {
-    const double a = std::log(std::max(kLeastDensity, table.density_cm3[g][low]));
-    const double b = std::log(std::max(kLeastDensity, table.density_cm3[g][high]));
-    place.density_cm3[g] = std::exp(a + way * (b - a));
-  }
+  place.temperature_k = straight(table.temperature_k);
+  for (std::size_t g = 0; g < kGases; ++g) place.density_cm3[g] = falling(table.density_cm3[g]);
+  place.no_cm3 = table.no_cm3.empty() ? nitric_oxide_cm3(altitude_km) : falling(table.no_cm3);
+  place.n_cm3 = table.n_cm3.empty() ? 0.0 : falling(table.n_cm3);
+  place.electron_temperature_k = table.electron_temperature_k.empty()
+                                     ? electron_temperature_k(altitude_km, place.temperature_k)
+                                     : straight(table.electron_temperature_k);
   return place;
 }
 
@@ -53,6 +59,24 @@ double scale_height_km(const AirTable& table, double altitude_km) {
 }
 
 }  // namespace
+
+double nitric_oxide_cm3(double altitude_km) {
+  // A layer with the scale heights of what makes it below its peak and of diffusion above.
+  constexpr double kMostCm3 = 1.5e8, kPeakKm = 107.0, kBelowKm = 8.0, kAboveKm = 18.0;
+  const double z = (altitude_km - kPeakKm) / (altitude_km < kPeakKm ? kBelowKm : kAboveKm);
+  return kMostCm3 * (1.0 + std::abs(z)) * std::exp(-std::abs(z));
+}
+
+double electron_temperature_k(double altitude_km, double temperature_k) {
+  constexpr double kFromKm = 115.0, kMostK = 1500.0, kScaleKm = 123.0;
+  if (altitude_km <= kFromKm) return temperature_k;
+  return temperature_k - kMostK * std::expm1(-(altitude_km - kFromKm) / kScaleKm);
+}
+
+AirTable with_oxygen_factor(AirTable table, double factor) {
+  for (double& density : table.density_cm3[static_cast<std::size_t>(Gas::o)]) density *= factor;
+  return table;
+}
 
 AirTable standard_air_table() {
   AirTable table;
@@ -80,6 +104,14 @@ AirTable read_air_table(const std::string& text, const std::string& name) {
     table.density_cm3[g] = csv.column(kColumns[g]);
     csv.require_within(kColumns[g], 0.0, kLargest);
   }
+  const auto optional_column = [&](const char* name, double least, double most) {
+    if (!csv.has(name)) return std::vector<double>();
+    csv.require_within(name, least, most);
+    return csv.column(name);
+  };
+  table.no_cm3 = optional_column("nNO", 0.0, kLargest);
+  table.n_cm3 = optional_column("nN4S", 0.0, kLargest);
+  table.electron_temperature_k = optional_column("Te_K", 1.0, 1e5);
   if (table.altitude_km.front() > kMostBottomKm || table.altitude_km.back() < kLeastTopKm)
     refuse_file(ErrorKind::unreadable_input, name,
                 "the air reaches from " + std::to_string(static_cast<int>(table.altitude_km.front())) +
@@ -109,6 +141,9 @@ FieldAir field_air(const AirTable& table, double dip_deg, double refinement) {
     column.path_cm.push_back((altitude - bottom) * path_per_km);
     column.temperature_k.push_back(place.temperature_k);
     for (std::size_t g = 0; g < kGases; ++g) column.density_cm3[g].push_back(place.density_cm3[g]);
+    column.no_cm3.push_back(place.no_cm3);
+    column.n_cm3.push_back(place.n_cm3);
+    column.electron_temperature_k.push_back(place.electron_temperature_k);
     if (altitude >= top) break;
     const double step =
         std::clamp(scale_height_km(table, altitude) / kStepsPerHeight, kLeastStepKm, kMostStepKm) /

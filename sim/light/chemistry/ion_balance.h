@@ -1,0 +1,41 @@
+// The ions that electrons leave behind, in balance with the air and the thermal electrons.
+//
+// Every ion has its production over its losses (sim/light/chemistry/reactions.h); the density of thermal
+// electrons is that at which it equals the sum of all ions. The sum falls as electrons become more, so there
+// is one such density. Above some 250 km O+ lives so long that it moves first: it is taken to leave by
+// ambipolar diffusion within H^2/D, H = k(T + Te)/(m g) and D = k(T + Te)/(m nu), nu of O+ in O (Schunk and
+// Nagy 2009, "Ionospheres", table 4.5). Where it goes is left out.
+#pragma once
+
+#include <vector>
+
+#include "sim/light/chemistry/reactions.h"
+
+namespace vegard::sim {
+
+/// The air at a place as chemistry needs it; densities in cm^-3.
+struct ReactingAir {
+  double altitude_km = 0.0, temperature_k = 0.0, electron_temperature_k = 0.0;
+  double n2 = 0.0, o2 = 0.0, o = 0.0, no = 0.0, n = 0.0;
+};
+
+/// Per cm^3 and second.
+struct IonProduction {
+  double n2p = 0.0, np = 0.0, o2p = 0.0, op = 0.0, op2d = 0.0, op2p = 0.0;
+  double all() const { return n2p + np + o2p + op + op2d + op2p; }
+};
+
+/// In cm^-3.
+struct IonDensities {
+  double n2p = 0.0, np = 0.0, o2p = 0.0, op = 0.0, op2d = 0.0, op2p = 0.0, nop = 0.0;
+  double electrons = 0.0;
+  double leaving_cm3_s = 0.0;  ///< O+ that diffuses away
+  double ions() const { return n2p + np + o2p + op + op2d + op2p + nop; }
+};
+
+IonDensities ion_balance(const ReactingAir& air, const IonProduction& production, const Reactions& reactions);
+
+/// Losses of O+ by diffusion, s^-1.
+double diffusion_loss_s(const ReactingAir& air);
+
+}  // namespace vegard::sim

@@ -1,0 +1,276 @@
+#include "sim/light/chemistry/line_sources.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+#include "sim/base/file/csv_table.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr std::size_t kN2 = 0, kO2 = 1, kO = 2;
+using Rate = std::vector<double>;
+using R = Reaction;
+
+/// Processes of data/electrons/emissions.csv. Beyond their tables that of 777.4 nm from O changes the spin;
+/// the others go on as their last two rows do.
+enum class ImpactLight { o_7774 = 400, o2_7774, o_8446, o2_8446 };
+
+CollisionCurve impact_curve(ImpactLight process) {
+  constexpr double kUnitCm2 = 1e-18;
+  static const CsvTable table = embedded_csv_table("emissions.csv");
+  const auto &numbers = table.column("process"), &energy = table.column("energy_eV"),
+             &value = table.column("cross_section_1e-18_cm2");
+  CollisionCurve curve;
+  curve.tail = process == ImpactLight::o_7774 ? CollisionTail::exchange : CollisionTail::allowed;
+  for (std::size_t r = 0; r < table.rows(); ++r)
+    if (numbers[r] == static_cast<int>(process)) {
+      curve.energy_ev.push_back(energy[r]);
+      curve.cm2.push_back(kUnitCm2 * value[r]);
+    }
+  curve.loss_ev = curve.energy_ev.front();
+  return curve;
+}
+
+class Light {
+ public:
+  Light(const Degradation& degradation, const FieldAir& column, const ElectronRates& rates,
+        const Reactions& reactions)
+      : degradation_(degradation), column_(column), rates_(rates), reactions_(reactions) {
+    for (std::size_t m = 0; m < column.size(); ++m) {
+      air_.push_back(reacting_air(column, m));
+      at_.push_back(reactions.at(air_[m].temperature_k, air_[m].electron_temperature_k));
+      light_.ions.push_back(ion_balance(air_[m], production(m), reactions));
+    }
+  }
+
+  AuroralLight run() {
+    const Rate o2_7774 = impact(kO2, ImpactLight::o2_7774);
+    const Rate blue = scaled(shell(kN2, "N2+ B"), blue_of_shell());
+    add("ver_3371", 337.1, {{"N2 + e, to C3Pi", scaled(excited(kN2, "N2 C3Pi"), value(R::light_3371))}});
+    add("ver_4278", 427.8, {{"N2 + e, to N2+(B)", blue}});
+    nitrogen_2d();
+    oxygen_1s(o2_7774);
+    oxygen_1d();
+    const double bands = value(R::light_6705), of_w = value(R::b_of_w);
+    add("ver_6705", 670.5,
+        {{"N2 + e, to B3Pi", scaled(excited(kN2, "N2 B3Pi"), bands)},
+         {"from C3Pi", scaled(excited(kN2, "N2 C3Pi"), bands)},
+         {"from B'3Sigma", scaled(excited(kN2, "N2 B'3Sigma"), bands)},
+         {"from W3Delta", scaled(excited(kN2, "N2 W3Delta"), bands * of_w)}});
+    add("ver_7774", 777.4, {{"O + e", impact(kO, ImpactLight::o_7774)}, {"O2 + e", o2_7774}});
+    add("ver_8446", 844.6,
+        {{"O + e", impact(kO, ImpactLight::o_8446)}, {"O2 + e", impact(kO2, ImpactLight::o2_8446)}});
+    return std::move(light_);
+  }
+
+ private:
+  double value(Reaction reaction) const { return reactions_.value(reaction); }
+  std::size_t places() const { return column_.size(); }
+
+  void add(const char* column, double nm, std::vector<LineSource> sources) {
+    light_.lines.push_back({column, nm, std::move(sources)});
+  }
+
+  static Rate scaled(Rate rate, double factor) {
+    for (double& r : rate) r *= factor;
+    return rate;
+  }
+
+  template <class Function>
+  Rate by_place(const Function& of) const {
+    Rate rate(places());
+    for (std::size_t m = 0; m < places(); ++m) rate[m] = of(m);
+    return rate;
+  }
+
+  /// By the name of sim/light/transport/collisions.cpp.
+  const Rate& excited(std::size_t gas, const char* name) const {
+    const auto& excitations = gas_collisions(static_cast<Gas>(gas)).excitations;
+    for (std::size_t e = 0; e < excitations.size(); ++e)
+      if (excitations[e].name == name) return rates_.excitation_cm3_s[gas][e];
+    assert(false);
+    return rates_.excitation_cm3_s[gas][0];
+  }
+
+  const Rate& shell(std::size_t gas, const char* name) const {
+    const auto& shells = gas_collisions(static_cast<Gas>(gas)).shells;
+    for (std::size_t s = 0; s < shells.size(); ++s)
+      if (shells[s].name == name) return rates_.shell_cm3_s[gas][s];
+    assert(false);
+    return rates_.shell_cm3_s[gas][0];
+  }
+
+  Rate impact(std::size_t gas, ImpactLight process) const {
+    const CollisionCurve curve = impact_curve(process);
+    Rate rate(places(), 0.0);
+    for (std::size_t j = 0; j < degradation_.grid.size(); ++j) {
+      const double cm2 = curve.at(degradation_.grid.energy_ev[j]);
+      if (cm2 <= 0.0) continue;
+      for (std::size_t m = 0; m < places(); ++m) rate[m] += cm2 * rates_.flux[j][m];
+    }
+    for (std::size_t m = 0; m < places(); ++m) rate[m] *= column_.density_cm3[gas][m];
+    return rate;
+  }
+
+  /// 427.8 nm per ionisation of the shell that leaves N2+(B).
+  double blue_of_shell() const {
+    constexpr double kMeasuredEv = 100.0, kUnitCm2 = 1e-18;
+    const GasCollisions& n2 = gas_collisions(Gas::n2);
+    for (const IonisedShell& s : n2.shells)
+      if (s.name == "N2+ B")
+        return kUnitCm2 * value(R::light_3914) * value(R::light_4278) /
+               (n2.shell_factor(kMeasuredEv) * ShellSpectrum(s, kMeasuredEv).cm2());
+    assert(false);
+    return 0.0;
+  }
+
+  double ionised(std::size_t gas, std::size_t m) const {
+    double sum = 0.0;
+    for (const Rate& shell : rates_.shell_cm3_s[gas]) sum += shell[m];
+    return sum;
+  }
+
+  IonProduction production(std::size_t m) const {
+    const double n2 = ionised(kN2, m), o2 = ionised(kO2, m);
+    IonProduction p;
+    p.np = value(R::np_share) * n2;
+    p.n2p = n2 - p.np;
+    p.op = value(R::op_share) * o2 + shell(kO, "O+ 4S")[m] + shell(kO, "O+ 2s2p4")[m] + shell(kO, "O 1s")[m];
+    p.o2p = (1.0 - value(R::op_share)) * o2;
+    p.op2d = shell(kO, "O+ 2D")[m];
+    p.op2p = shell(kO, "O+ 2P")[m];
+    return p;
+  }
+
+  void nitrogen_2d() {
+    const Rate &a2 = excited(kN2, "N2 a''1Sigma"), &singlets = excited(kN2, "N2 singlets from 13 eV");
+    const Rate left = by_place([&](std::size_t m) {
+      const auto& k = at_[m];
+      return k(R::n2d_5200) + k(R::n2d_o2) * air_[m].o2 + k(R::n2d_o) * air_[m].o +
+             k(R::n2d_no) * air_[m].no + k(R::n2d_e) * light_.ions[m].electrons;
+    });
+    light_.n2d_lifetime_s = by_place([&](std::size_t m) { return 1.0 / left[m]; });
+    const auto shine = [&](const auto& made) {
+      return by_place([&](std::size_t m) { return at_[m](R::n2d_5200) * made(m) / left[m]; });
+    };
+    add("ver_5200", 520.0,
+        {{"N2+ + O", shine([&](std::size_t m) { return at_[m](R::n2p_o) * air_[m].o * light_.ions[m].n2p; })},
+         {"N2+ + e", shine([&](std::size_t m) {
+            return value(R::n2d_of_n2p) * at_[m](R::n2p_e) * light_.ions[m].electrons * light_.ions[m].n2p;
+          })},
+         {"NO+ + e", shine([&](std::size_t m) {
+            return value(R::n2d_of_nop) * at_[m].nop_e() * light_.ions[m].electrons * light_.ions[m].nop;
+          })},
+         {"N2 + e", shine([&](std::size_t m) { return value(R::n2d_of_n2) * (a2[m] + singlets[m]); })},
+         {"N2 + e, to N+",
+          shine([&](std::size_t m) { return value(R::n2d_of_np) * value(R::np_share) * ionised(kN2, m); })}});
+    const Rate all = light_.lines.back().photons_cm3_s();
+    n2d_cm3_ = by_place([&](std::size_t m) { return all[m] / at_[m](R::n2d_5200); });
+  }
+
+  void oxygen_1s(const Rate& o2_7774) {
+    Rate n2a(places(), 0.0);
+    for (const char* state : {"N2 A3Sigma v=0-4", "N2 A3Sigma v=5-9", "N2 A3Sigma v=10-", "N2 B3Pi",
+                              "N2 W3Delta", "N2 B'3Sigma", "N2 C3Pi", "N2 E3Sigma"})
+      for (std::size_t m = 0; m < places(); ++m) n2a[m] += excited(kN2, state)[m];
+    const Rate left = by_place([&](std::size_t m) {
+      const auto& k = at_[m];
+      return k(R::o1s_5577) + k(R::o1s_2972) + k(R::o1s_o2) * air_[m].o2 + k(R::o1s_o) * air_[m].o;
+    });
+    light_.o1s_lifetime_s = by_place([&](std::size_t m) { return 1.0 / left[m]; });
+    const auto shine = [&](const auto& made) {
+      return by_place([&](std::size_t m) { return at_[m](R::o1s_5577) * made(m) / left[m]; });
+    };
+    const Rate& impact = excited(kO, "O 1S");
+    add("ver_5577", 557.7,
+        {{"O + e", shine([&](std::size_t m) { return impact[m]; })},
+         {"O2+ + e", shine([&](std::size_t m) { return value(R::o1s_of_o2p) * o2p_recombined(m); })},
+         {"N2(A) + O", shine([&](std::size_t m) {
+            const double by_o = at_[m](R::n2a_o) * air_[m].o;
+            return value(R::o1s_of_n2a) * n2a[m] * by_o /
+                   (by_o + at_[m](R::n2a_o2) * air_[m].o2 + at_[m](R::n2a_light));
+          })},
+         {"O2 + e", shine([&](std::size_t m) { return value(R::o1s_of_o2) * o2_7774[m]; })},
+         {"O2+ + N", shine([&](std::size_t m) {
+            return value(R::o1s_of_o2p_n) * at_[m](R::o2p_n) * air_[m].n * light_.ions[m].o2p;
+          })},
+         {"N+ + O2", shine([&](std::size_t m) { return value(R::o1s_of_np) * np_o2(m); })}});
+  }
+
+  void oxygen_1d() {
+    const Rate green = light_.lines.back().photons_cm3_s();
+    const Rate left = by_place([&](std::size_t m) {
+      const auto& k = at_[m];
+      return k(R::o1d_6300) + k(R::o1d_6364) + k(R::o1d_n2) * air_[m].n2 + k(R::o1d_o2) * air_[m].o2 +
+             k(R::o1d_o) * air_[m].o + k(R::o1d_e) * light_.ions[m].electrons;
+    });
+    light_.o1d_lifetime_s = by_place([&](std::size_t m) { return 1.0 / left[m]; });
+    const auto shine = [&](const auto& made) {
+      return by_place([&](std::size_t m) { return at_[m](R::o1d_6300) * made(m) / left[m]; });
+    };
+    const Rate &impact = excited(kO, "O 1D"), &dissociated = excited(kO2, "O2 8.4 eV");
+    add("ver_6300", 630.0,
+        {{"O + e", shine([&](std::size_t m) { return impact[m]; })},
+         {"O2+ + e", shine([&](std::size_t m) { return value(R::o1d_of_o2p) * o2p_recombined(m); })},
+         {"N(2D) + O2", shine([&](std::size_t m) {
+            return value(R::o1d_of_n2d) * at_[m](R::n2d_o2) * air_[m].o2 * n2d_cm3_[m];
+          })},
+         {"O(1S)", shine([&](std::size_t m) { return green[m]; })},
+         {"N+ + O2", shine([&](std::size_t m) { return value(R::o1d_of_np) * np_o2(m); })},
+         {"O2 + e", shine([&](std::size_t m) { return value(R::o1d_of_o2) * dissociated[m]; })}});
+  }
+
+  double o2p_recombined(std::size_t m) const {
+    return at_[m].o2p_e() * light_.ions[m].electrons * light_.ions[m].o2p;
+  }
+  double np_o2(std::size_t m) const { return at_[m](R::np_o2) * air_[m].o2 * light_.ions[m].np; }
+
+  const Degradation& degradation_;
+  const FieldAir& column_;
+  const ElectronRates& rates_;
+  const Reactions& reactions_;
+  std::vector<ReactingAir> air_;
+  std::vector<RatesAtPlace> at_;
+  Rate n2d_cm3_;
+  AuroralLight light_;
+};
+
+}  // namespace
+
+std::vector<double> SourcedLine::photons_cm3_s() const {
+  std::vector<double> sum(sources.front().photons_cm3_s.size(), 0.0);
+  for (const LineSource& source : sources)
+    for (std::size_t m = 0; m < sum.size(); ++m) sum[m] += source.photons_cm3_s[m];
+  return sum;
+}
+
+ReactingAir reacting_air(const FieldAir& column, std::size_t m) {
+  ReactingAir air;
+  air.altitude_km = column.altitude_km[m];
+  air.temperature_k = column.temperature_k[m];
+  air.electron_temperature_k = column.electron_temperature_k[m];
+  air.n2 = column.density_cm3[kN2][m];
+  air.o2 = column.density_cm3[kO2][m];
+  air.o = column.density_cm3[kO][m];
+  air.no = column.no_cm3[m];
+  air.n = column.n_cm3[m];
+  return air;
+}
+
+double column_rayleigh(const FieldAir& column, const std::vector<double>& photons_cm3_s) {
+  // The path along the field is longer than the altitude by the same factor everywhere.
+  const double slant = 1e-5 * (column.path_cm.back() - column.path_cm.front()) /
+                       (column.altitude_km.back() - column.altitude_km.front());
+  return 1e-6 * path_integral(column, photons_cm3_s) / slant;
+}
+
+AuroralLight auroral_light(const Degradation& degradation, const FieldAir& column, const ElectronRates& rates,
+                           const Reactions& reactions) {
+  return Light(degradation, column, rates, reactions).run();
+}
+
+}  // namespace vegard::sim

@@ -1,0 +1,54 @@
+// The light of the auroral lines by where it comes from: impact, cascades, chemistry.
+//
+//     427.8        N2+(B) of ionisation, with the ratio of 391.4 nm to the shell at 100 eV
+//     337.1        N2(C) by impact
+//     670.5        first positive bands: N2(B) by impact, from C, B' and a part of W
+//     557.7        O(1S): impact on O, O2+ + e, N2(A) + O, impact on O2
+//     630.0        O(1D): impact on O, O2+ + e, N(2D) + O2, O(1S) by way of 557.7, N+ + O2, impact on O2
+//     520.0        N(2D): N2+ + O, N2+ + e, NO+ + e, impact on N2
+//     777.4, 844.6 impact on O and O2
+//
+// Metastable atoms are in a steady state: production over losses by light and collisions. Left out: transport
+// of atoms, O(1D) by thermal electrons, the nightglow, scattered sunlight. Sources: data/electrons;
+// docs/physics.md.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/light/chemistry/ion_balance.h"
+#include "sim/light/transport/electron_transport.h"
+
+namespace vegard::sim {
+
+struct LineSource {
+  std::string name;                   ///< "O2+ + e"
+  std::vector<double> photons_cm3_s;  ///< [place]
+};
+
+struct SourcedLine {
+  std::string column;  ///< of the emission tables: "ver_5577"
+  double wavelength_nm = 0.0;
+  std::vector<LineSource> sources;
+
+  std::vector<double> photons_cm3_s() const;
+};
+
+struct AuroralLight {
+  std::vector<SourcedLine> lines;  ///< by wavelength
+  std::vector<IonDensities> ions;  ///< [place]
+  /// Of O(1D), O(1S) and N(2D), s: light, collisions with the air and with electrons.
+  std::vector<double> o1d_lifetime_s, o1s_lifetime_s, n2d_lifetime_s;
+};
+
+/// What the electrons of `rates` make of the air of `column`.
+AuroralLight auroral_light(const Degradation& degradation, const FieldAir& column, const ElectronRates& rates,
+                           const Reactions& reactions);
+
+/// The air at a place. Nitric oxide, atomic nitrogen and the electrons' temperature are the column's.
+ReactingAir reacting_air(const FieldAir& column, std::size_t place);
+
+/// Rayleighs seen from straight below, 1e-6 times the integral over the altitude.
+double column_rayleigh(const FieldAir& column, const std::vector<double>& photons_cm3_s);
+
+}  // namespace vegard::sim

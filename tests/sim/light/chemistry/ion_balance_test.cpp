@@ -1,0 +1,65 @@
+#include "sim/light/chemistry/ion_balance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vegard::sim::ion_balance_test {
+namespace {
+
+ReactingAir air_at_110_km() { return {110.0, 240.0, 240.0, 1.6e12, 2.6e11, 1.8e11, 1.4e8, 0.0}; }
+ReactingAir air_at_300_km() { return {300.0, 976.0, 2200.0, 9.6e7, 3.9e6, 5.4e8, 3e5, 1e6}; }
+
+IonProduction production() {
+  IonProduction p;
+  p.n2p = 3000.0;
+  p.np = 800.0;
+  p.o2p = 700.0;
+  p.op = 500.0;
+  p.op2d = 250.0;
+  p.op2p = 120.0;
+  return p;
+}
+
+/// Ion and electron pairs that become neutral.
+double recombined(const ReactingAir& air, const IonDensities& ions) {
+  const RatesAtPlace k = Reactions::standard().at(air.temperature_k, air.electron_temperature_k);
+  return ions.electrons * (k(Reaction::n2p_e) * ions.n2p + k.o2p_e() * ions.o2p + k.nop_e() * ions.nop);
+}
+
+// No reaction but with an electron takes a charge away: what is made recombines, or diffuses.
+TEST(IonBalance, MakesNoChargeAndLosesNone) {
+  for (const ReactingAir& air : {air_at_110_km(), air_at_300_km()}) {
+    const IonDensities ions = ion_balance(air, production(), Reactions::standard());
+    EXPECT_NEAR((recombined(air, ions) + ions.leaving_cm3_s) / production().all(), 1.0, 1e-9)
+        << air.altitude_km;
+    EXPECT_NEAR(ions.ions() / ions.electrons, 1.0, 1e-9);
+  }
+}
+
+// In pure O2 the electrons are those of recombination alone, sqrt(P/alpha).
+TEST(IonBalance, OfOneIonIsARoot) {
+  const ReactingAir air{110.0, 240.0, 240.0, 0.0, 1e12, 0.0, 0.0, 0.0};
+  IonProduction p;
+  p.o2p = 1000.0;
+  const double alpha = Reactions::standard().at(240.0, 240.0).o2p_e();
+  EXPECT_NEAR(ion_balance(air, p, Reactions::standard()).electrons / std::sqrt(1000.0 / alpha), 1.0, 1e-9);
+}
+
+// Around 110 km an aurora's ions are NO+ and O2+; far up they are O+ (Rees 1989, "Physics and Chemistry of
+// the Upper Atmosphere", chapter 6).
+TEST(IonBalance, LeavesMoleculesLowAndAtomsHigh) {
+  const IonDensities low = ion_balance(air_at_110_km(), production(), Reactions::standard());
+  EXPECT_GT(low.nop + low.o2p, 0.95 * low.electrons);
+  IonProduction thin = production();
+  for (double* rate : {&thin.n2p, &thin.np, &thin.o2p, &thin.op, &thin.op2d, &thin.op2p}) *rate *= 0.05;
+  const IonDensities high = ion_balance(air_at_300_km(), thin, Reactions::standard());
+  EXPECT_GT(high.op, 0.8 * high.electrons);
+}
+
+TEST(IonBalance, OfNothingIsNothing) {
+  EXPECT_EQ(ion_balance(air_at_110_km(), {}, Reactions::standard()).electrons, 0.0);
+}
+
+}  // namespace
+}  // namespace vegard::sim::ion_balance_test
