@@ -204,6 +204,8 @@ def make_kinds(vegard, home):
         Kind("profile", "profile.csv", [bytes_of("profile.csv")], [["render", "with_profile.toml", "-o", "{out}/r.png"] + ONE]),
         Kind("air", "it.csv", [b"altitude_km,T_K,nN2,nO2,nO\n90,190,4e13,1e13,2e11\n110,240,2e12,3e11,2e11\n400,1000,4e6,1e5,1e8\n"],
              [["electrons", "--energy-kev", "0.5", "--atmosphere", "{it}", "-o", "{out}/e.csv"]]),
+        Kind("reactions", "it.csv", [b"number,value,exponent,activation_K,of\n43,0.19,0,0,0\n40,3.1e-11,0,0,1\n31,1.9e-7,-0.7,0,2\n"],
+             [["lines", "--sources", "--energy-kev", "0.1", "--reactions", "{it}", "-o", "{out}/l.csv"]]),
         Kind("electrons", "it.csv", [b"energy_keV,flux\n0.5,1\n1,2\n2,0\n"],
              [["electrons", "--spectrum", "table", "--spectrum-table", "{it}", "-o", "{out}/e.csv"]]),
         Kind("response", "response.csv", [bytes_of("response.csv")], [["render", "with_response.toml", "-o", "{out}/r.png"] + ONE]),

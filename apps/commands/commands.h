@@ -14,6 +14,7 @@ void add_compare_command(Program& program);
 void add_describe_command(Program& program);
 void add_directions_command(Program& program);
 void add_electrons_command(Program& program);
+void add_tables_command(Program& program);
 void add_fit_command(Program& program);
 void add_grid_command(Program& program);
 void add_horizon_command(Program& program);

@@ -15,6 +15,7 @@
 #include "sim/base/number/mask5.h"
 #include "sim/base/utc_time.h"
 #include "sim/light/sheet_profile.h"
+#include "sim/light/chemistry/reactions.h"
 #include "sim/light/transport/field_air.h"
 #include "sim/scene/file/curve_table.h"
 #include "sim/scene/file/precipitation_file.h"
@@ -185,9 +186,15 @@ void sky_trees(const std::string& text) {
   }
 }
 
+void reactions(const std::string& text) {
+  const sim::RatesAtPlace rates = sim::Reactions::changed(text, "it.csv").at(200.0, 2000.0);
+  require(rates(sim::Reaction::o1s_5577) >= 0.0);
+}
+
 constexpr Reader kReaders[] = {csv,           height_profile, response, tone,        colours, stars,
                                pictures,      times,          camera,   mask,        moments, curtains,
-                               precipitation, survey,         plan,     survey_list, air,     sky_trees};
+                               precipitation, survey,         plan,     survey_list, air,     sky_trees,
+                               reactions};
 
 }  // namespace
 

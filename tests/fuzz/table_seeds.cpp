@@ -93,6 +93,7 @@ std::vector<std::string> fuzz_seeds(const std::string&) {
       kPlan,
       "p# when\nnight.pgm.gz#1 2019-03-01T22:10:03.5Z\nb c.png 2019-03-01 22:10\na/20190301_221001.png\r\n",
       "qaltitude_km,T_K,nN2,nO2,nO\n90,190,4e13,1e13,2e11\n110,240,2e12,3e11,2e11\n400,1000,4e6,1e5,1e8\n",
+      "snumber,value,exponent,activation_K,of\n43,0.19,0,0,0\n31,1.9e-7,-0.7,0,2\n",
       "r{\"kind\": \"vegard sky trees\", \"format\": 1, \"trees\": {\"arc\": [[{\"feature\": \"green\", "
       "\"threshold\": 0.17, "
       "\"below\": 1, \"above\": 2}, {\"score\": -0.4}, {\"score\": 0.3}]], \"twilight\": [[{\"score\": 1}]], "

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
+#include <utility>
 
 #include "sim/base/file/csv_table.h"
 
@@ -71,8 +71,9 @@ class Light {
   double value(Reaction reaction) const { return reactions_.value(reaction); }
   std::size_t places() const { return column_.size(); }
 
-  void add(const char* column, double nm, std::vector<LineSource> sources) {
-    light_.lines.push_back({column, nm, std::move(sources)});
+  void add(const char* column, double nm, std::vector<LineSource> sources, const Rate& losses_s = {}) {
+    light_.lines.push_back({column, nm, std::move(sources), losses_s});
+    for (double& lifetime : light_.lines.back().lifetime_s) lifetime = 1.0 / lifetime;
   }
 
   static Rate scaled(Rate rate, double factor) {
@@ -153,7 +154,6 @@ class Light {
       return k(R::n2d_5200) + k(R::n2d_o2) * air_[m].o2 + k(R::n2d_o) * air_[m].o +
              k(R::n2d_no) * air_[m].no + k(R::n2d_e) * light_.ions[m].electrons;
     });
-    light_.n2d_lifetime_s = by_place([&](std::size_t m) { return 1.0 / left[m]; });
     const auto shine = [&](const auto& made) {
       return by_place([&](std::size_t m) { return at_[m](R::n2d_5200) * made(m) / left[m]; });
     };
@@ -167,7 +167,8 @@ class Light {
           })},
          {"N2 + e", shine([&](std::size_t m) { return value(R::n2d_of_n2) * (a2[m] + singlets[m]); })},
          {"N2 + e, to N+",
-          shine([&](std::size_t m) { return value(R::n2d_of_np) * value(R::np_share) * ionised(kN2, m); })}});
+          shine([&](std::size_t m) { return value(R::n2d_of_np) * value(R::np_share) * ionised(kN2, m); })}},
+        left);
     const Rate all = light_.lines.back().photons_cm3_s();
     n2d_cm3_ = by_place([&](std::size_t m) { return all[m] / at_[m](R::n2d_5200); });
   }
@@ -181,7 +182,6 @@ class Light {
       const auto& k = at_[m];
       return k(R::o1s_5577) + k(R::o1s_2972) + k(R::o1s_o2) * air_[m].o2 + k(R::o1s_o) * air_[m].o;
     });
-    light_.o1s_lifetime_s = by_place([&](std::size_t m) { return 1.0 / left[m]; });
     const auto shine = [&](const auto& made) {
       return by_place([&](std::size_t m) { return at_[m](R::o1s_5577) * made(m) / left[m]; });
     };
@@ -198,7 +198,8 @@ class Light {
          {"O2+ + N", shine([&](std::size_t m) {
             return value(R::o1s_of_o2p_n) * at_[m](R::o2p_n) * air_[m].n * light_.ions[m].o2p;
           })},
-         {"N+ + O2", shine([&](std::size_t m) { return value(R::o1s_of_np) * np_o2(m); })}});
+         {"N+ + O2", shine([&](std::size_t m) { return value(R::o1s_of_np) * np_o2(m); })}},
+        left);
   }
 
   void oxygen_1d() {
@@ -208,7 +209,6 @@ class Light {
       return k(R::o1d_6300) + k(R::o1d_6364) + k(R::o1d_n2) * air_[m].n2 + k(R::o1d_o2) * air_[m].o2 +
              k(R::o1d_o) * air_[m].o + k(R::o1d_e) * light_.ions[m].electrons;
     });
-    light_.o1d_lifetime_s = by_place([&](std::size_t m) { return 1.0 / left[m]; });
     const auto shine = [&](const auto& made) {
       return by_place([&](std::size_t m) { return at_[m](R::o1d_6300) * made(m) / left[m]; });
     };
@@ -221,7 +221,8 @@ class Light {
           })},
          {"O(1S)", shine([&](std::size_t m) { return green[m]; })},
          {"N+ + O2", shine([&](std::size_t m) { return value(R::o1d_of_np) * np_o2(m); })},
-         {"O2 + e", shine([&](std::size_t m) { return value(R::o1d_of_o2) * dissociated[m]; })}});
+         {"O2 + e", shine([&](std::size_t m) { return value(R::o1d_of_o2) * dissociated[m]; })}},
+        left);
   }
 
   double o2p_recombined(std::size_t m) const {
@@ -246,6 +247,13 @@ std::vector<double> SourcedLine::photons_cm3_s() const {
   for (const LineSource& source : sources)
     for (std::size_t m = 0; m < sum.size(); ++m) sum[m] += source.photons_cm3_s[m];
   return sum;
+}
+
+SourcedLine after_seconds(SourcedLine line, double seconds) {
+  for (LineSource& source : line.sources)
+    for (std::size_t m = 0; m < line.lifetime_s.size(); ++m)
+      source.photons_cm3_s[m] *= -std::expm1(-seconds / line.lifetime_s[m]);
+  return line;
 }
 
 ReactingAir reacting_air(const FieldAir& column, std::size_t m) {

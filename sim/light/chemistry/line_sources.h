@@ -30,6 +30,9 @@ struct SourcedLine {
   std::string column;  ///< of the emission tables: "ver_5577"
   double wavelength_nm = 0.0;
   std::vector<LineSource> sources;
+  /// Of the metastable atoms, [place]: light, collisions with the air and with electrons. Empty of a prompt
+  /// line.
+  std::vector<double> lifetime_s;
 
   std::vector<double> photons_cm3_s() const;
 };
@@ -37,13 +40,16 @@ struct SourcedLine {
 struct AuroralLight {
   std::vector<SourcedLine> lines;  ///< by wavelength
   std::vector<IonDensities> ions;  ///< [place]
-  /// Of O(1D), O(1S) and N(2D), s: light, collisions with the air and with electrons.
-  std::vector<double> o1d_lifetime_s, o1s_lifetime_s, n2d_lifetime_s;
 };
 
 /// What the electrons of `rates` make of the air of `column`.
 AuroralLight auroral_light(const Degradation& degradation, const FieldAir& column, const ElectronRates& rates,
                            const Reactions& reactions);
+
+/// The same line some seconds after electrons have begun to come: a source grows as 1 - exp(-t/lifetime) of
+/// the line's own atoms. What makes them is taken to be steady at once, so that N(2D) and ions which live as
+/// long come too early.
+SourcedLine after_seconds(SourcedLine line, double seconds);
 
 /// The air at a place. Nitric oxide, atomic nitrogen and the electrons' temperature are the column's.
 ReactingAir reacting_air(const FieldAir& column, std::size_t place);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -57,11 +58,22 @@ TEST(LineSources, AtomsLiveAsLongAsTheBlurHasThem) {
   const EmissionLine& red = *find_emission_line(630.0);
   for (std::size_t m = 0; m < run.column.size(); ++m) {
     if (run.column.altitude_km[m] > 160.0) break;  // above, light counts: 110 s there, 117 s here
-    EXPECT_NEAR(
-        run.light.o1d_lifetime_s[m] / effective_lifetime_s(red, standard_air(run.column.altitude_km[m])), 1.0,
-        0.02)
+    EXPECT_NEAR(line_of(run, "ver_6300").lifetime_s[m] /
+                    effective_lifetime_s(red, standard_air(run.column.altitude_km[m])),
+                1.0, 0.02)
         << run.column.altitude_km[m];
   }
+}
+
+// A step of precipitation: red after its own lifetime at each altitude, blue at once.
+TEST(LineSources, SlowLinesComeLate) {
+  const SourcedLine& red = line_of(usual_run(), "ver_6300");
+  const SourcedLine later = after_seconds(red, 30.0);
+  const std::vector<double> full = red.photons_cm3_s(), grown = later.photons_cm3_s();
+  for (std::size_t m = 0; m < full.size(); ++m)
+    EXPECT_NEAR(grown[m], full[m] * (1.0 - std::exp(-30.0 / red.lifetime_s[m])), 1e-9 * full[m]);
+  const SourcedLine& blue = line_of(usual_run(), "ver_4278");
+  EXPECT_EQ(after_seconds(blue, 0.001).photons_cm3_s(), blue.photons_cm3_s());
 }
 
 TEST(LineSources, LightGoesWithTheFluxWhereChemistryIsLinear) {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/commands/electrons/line_sources.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
@@ -144,12 +145,15 @@ std::string line_csv() {
 
 void add_lines_command(Program& program) {
   struct LinesRequest {
-    bool markdown = false, csv = false, overwrite = false;
+    bool markdown = false, csv = false, overwrite = false, sources = false;
     std::string quenching;
+    LineSourcesRequest of_electrons;
   };
   const auto options = std::make_shared<LinesRequest>();
   const Command command = program.add(
-      "lines", "List the emission lines: wavelength, species, lifetime, source; or plot their quenching");
+      "lines",
+      "List the emission lines: wavelength, species, lifetime, source; plot their quenching; or what "
+      "electrons make them shine");
   const Option page = command.flag("--markdown", options->markdown, "Print the documentation page instead");
   const Option csv = command.flag("--csv", options->csv, "Print a table instead").excludes(page);
   const Option plot = command
@@ -157,8 +161,18 @@ void add_lines_command(Program& program) {
                                   "Plot how collisions quench the slow lines, as .svg or .png")
                           .excludes(page)
                           .excludes(csv);
-  command.flag("--overwrite", options->overwrite, "Replace an existing plot").needs(plot);
+  command.flag("--overwrite", options->overwrite, "Replace an existing output");
+  const Option sources =
+      command
+          .flag(
+              "--sources", options->sources,
+              "The brightness of each line under electrons from above, and what share of it comes from where")
+          .excludes(page)
+          .excludes(csv)
+          .excludes(plot);
+  add_line_source_options(command, sources, options->of_electrons);
   command.runs([options] {
+    if (options->sources) return run_line_sources(options->of_electrons, options->overwrite);
     if (!options->quenching.empty()) {
       const PlotFormat format = plot_format(options->quenching, "--quenching");
       sim::write_whole(options->quenching, plot_bytes(fit::quenching_plot(), format), options->overwrite);

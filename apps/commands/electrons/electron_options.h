@@ -1,0 +1,39 @@
+// The options by which `vegard electrons` and `vegard lines --sources` are told of electrons and of the air.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/options/command.h"
+#include "sim/light/transport/field_air.h"
+#include "sim/light/transport/incident_electrons.h"
+
+namespace vegard::apps {
+
+struct ElectronOptions {
+  std::string spectrum = "maxwellian", pitch = "isotropic", table, atmosphere;
+  std::optional<double> energy_kev, spread, kappa, potential_kev;
+  double flux_mw_m2 = 1.0, dip_deg = 90.0;
+};
+
+/// Adds them, and gives them all.
+std::vector<Option> add_electron_options(const Command& command, ElectronOptions& options);
+
+/// Throws Error(usage) for numbers that do not belong to the spectrum, and Error(unreadable_input) for its
+/// table.
+sim::IncidentSpectrum spectrum_of(const ElectronOptions& options);
+sim::PitchAngles pitch_angles_of(const ElectronOptions& options);
+
+/// "maxwellian, 5 keV, 1 mW m^-2, isotropic, dip 90 deg".
+std::string electron_words(const ElectronOptions& options, const sim::IncidentSpectrum& spectrum);
+
+/// The user's air or the standard one, and what it is called.
+sim::AirTable air_of(const ElectronOptions& options);
+std::string air_words(const ElectronOptions& options);
+
+/// Throws Error(unreadable_input) that names the user's air if more of the energy than grids can err by is
+/// missing.
+void require_balance(const ElectronOptions& options, double missing_share);
+
+}  // namespace vegard::apps

@@ -1,0 +1,143 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/commands/commands.h"
+#include "apps/options/exit_code.h"
+#include "apps/options/file_names.h"
+#include "apps/options/refusals.h"
+#include "apps/options/standard_streams.h"
+#include "apps/output/progress_bar.h"
+#include "apps/output/terminal.h"
+#include "sim/base/file/input_file.h"
+#include "sim/base/file/whole_directory.h"
+#include "sim/base/file/whole_file.h"
+#include "sim/light/chemistry/table_maker.h"
+
+namespace vegard::apps {
+namespace {
+
+constexpr const char* kAbout = "about.json";
+constexpr const char* kFiles[] = {"ver_maxwellian.csv", "ver_mono.csv",   "column_brightness.csv",
+                                  "linearity_Q.csv",    "atmosphere.csv", kAbout};
+
+struct TablesRequest {
+  std::string output, atmosphere, reactions;
+  std::vector<double> oxygen = {0.5, 1.0, 2.0};
+  double dip_deg = 78.0, refinement = 0.5;
+  int threads = 0;
+  bool overwrite = false;
+};
+
+/// A folder of emission tables is known by its about.json.
+sim::KnownFolder look_at_tables(const std::string& directory) {
+  constexpr std::size_t kMostBytes = 65536;
+  sim::KnownFolder known;
+  const sim::InputFile file = sim::read_input(directory + "/" + kAbout, kMostBytes);
+  if (!file.problem.empty())
+    known.objection = std::string("its ") + kAbout + " " + file.problem;
+  else if (file.bytes.find("\"vegard emission tables 1\"") == std::string::npos)
+    known.objection = std::string("its ") + kAbout + " is none that vegard wrote";
+  known.has = [](const std::string& name) {
+    for (const char* file_of_tables : kFiles)
+      if (name == file_of_tables) return true;
+    return false;
+  };
+  return known;
+}
+
+void require_factors(const std::vector<double>& factors) {
+  bool one = false, increasing = true;
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    one = one || factors[i] == 1.0;
+    increasing =
+        increasing && factors[i] >= 0.1 && factors[i] <= 10.0 && (i == 0 || factors[i] > factors[i - 1]);
+  }
+  constexpr std::size_t kMost = 9;
+  if (!one || !increasing || factors.size() > kMost)
+    throw usage_error("--oxygen-factors", "the factors are not such as tables have",
+                      "up to nine that increase, from 0.1 to 10, 1 among them, such as 0.5,1,2");
+}
+
+int run_tables(const TablesRequest& request) {
+  end_at_once_when_interrupted();
+  require_factors(request.oxygen);
+  sim::TableRequest tables;
+  tables.dip_deg = request.dip_deg;
+  tables.refinement = request.refinement;
+  tables.oxygen_factors = request.oxygen;
+  if (!request.atmosphere.empty()) {
+    tables.air_file = request.atmosphere;
+    tables.air_name = file_name_of(request.atmosphere);
+    tables.air = sim::read_air_table(
+        sim::input_bytes(request.atmosphere, "a table of the columns altitude_km, T_K, nN2, nO2 and nO"),
+        request.atmosphere);
+  }
+  if (!request.reactions.empty()) {
+    tables.reactions_name += ", changed by " + file_name_of(request.reactions);
+    tables.reactions = sim::Reactions::changed(
+        sim::input_bytes(request.reactions, "a table of the columns of data/electrons/reactions.csv"),
+        request.reactions);
+  }
+  sim::WholeDirectory folder(request.output, request.overwrite,
+                             {"a folder of emission tables", look_at_tables, {kAbout}});
+  ProgressBar bar("making emission tables");
+  const sim::MadeTables made =
+      sim::make_tables(tables, request.threads, [&](std::size_t done, std::size_t all) {
+        bar.update(static_cast<double>(done) / static_cast<double>(all));
+      });
+  bar.finish();
+  for (const auto& [name, text] : made) {
+    sim::WholeFile file(folder.file(name), false);
+    file.write(text);
+    file.commit();
+  }
+  folder.commit();
+  say_text(fmt::format("emission tables of {} Maxwellian and {} single energies, {} oxygen factors: {}\n",
+                       tables.maxwellian_kev.size(), tables.mono_kev.size(), request.oxygen.size(),
+                       request.output));
+  return good;
+}
+
+}  // namespace
+
+void add_tables_command(Program& program) {
+  const auto options = std::make_shared<TablesRequest>();
+  const Command command = program.add(
+      "tables",
+      "Make emission tables for an air and its chemistry: light by altitude and energy of electrons");
+  command.option("-o,--output", options->output, "The folder of the tables").type_name("FOLDER").required();
+  command
+      .option("--atmosphere", options->atmosphere,
+              "Columns altitude_km, T_K, nN2, nO2, nO in km, K and cm^-3, from 80 to 640 km (default: U.S. "
+              "Standard "
+              "Atmosphere 1976)")
+      .type_name("FILE.csv");
+  command
+      .option("--reactions", options->reactions,
+              "Rows that replace those of data/electrons/reactions.csv: number, value, exponent, "
+              "activation_K, of")
+      .type_name("FILE.csv");
+  command
+      .option("--oxygen-factors", options->oxygen,
+              "Multiples of the atomic oxygen, between which a scene may choose and a fit may search")
+      .delimiter(',')
+      .shows_default();
+  command.option("--dip-deg", options->dip_deg, "Inclination of the field to the horizontal")
+      .finite_range(10.0, 90.0)
+      .shows_default();
+  command
+      .option("--refinement", options->refinement,
+              "Of the steps in energy and altitude; work grows as its cube (at 0.5 columns are within 0.3 % "
+              "of 1)")
+      .finite_range(0.25, 2.0)
+      .shows_default();
+  command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
+      .range(0, 1024);
+  command.flag("--overwrite", options->overwrite, "Replace a folder of emission tables");
+  command.runs([options] { return run_tables(*options); });
+}
+
+}  // namespace vegard::apps
