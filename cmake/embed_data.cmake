@@ -7,10 +7,6 @@ set(VEGARD_EMBEDDED_TABLES
     ${PROJECT_SOURCE_DIR}/data/electrons/shells.csv
     ${PROJECT_SOURCE_DIR}/data/electrons/reactions.csv
     ${PROJECT_SOURCE_DIR}/data/electrons/emissions.csv
-    ${PROJECT_SOURCE_DIR}/data/glow/atmosphere.csv
-    ${PROJECT_SOURCE_DIR}/data/glow/ver_maxwellian.csv
-    ${PROJECT_SOURCE_DIR}/data/glow/column_brightness.csv
-    ${PROJECT_SOURCE_DIR}/data/glow/linearity_Q.csv
     ${PROJECT_SOURCE_DIR}/data/cie/cie1931_2deg_5nm.csv
     ${PROJECT_SOURCE_DIR}/data/cie/cie1951_scotopic_5nm.csv
     ${PROJECT_SOURCE_DIR}/data/cie/daylight_components_10nm.csv
@@ -20,9 +16,20 @@ set(VEGARD_EMBEDDED_TABLES
     ${PROJECT_SOURCE_DIR}/data/cameras/sony_a7s_ii.csv
     ${PROJECT_SOURCE_DIR}/data/stars/bright_stars.csv
     ${PROJECT_SOURCE_DIR}/data/filter/sky_trees.json)
+# The emission tables that are compiled in, by their folders in data/: those of kDefaultEmissionTables (sim/scene/structs/scene.h) must
+# be. Others of data/ are found as files at run time (sim/base/data_folders.h). They are called by folder and file, "glow/atmosphere.csv".
+set(VEGARD_EMBEDDED_EMISSION glow)
+foreach(folder IN LISTS VEGARD_EMBEDDED_EMISSION)
+  foreach(name ver_maxwellian.csv ver_mono.csv column_brightness.csv linearity_Q.csv atmosphere.csv about.json)
+    if(EXISTS ${PROJECT_SOURCE_DIR}/data/${folder}/${name})
+      list(APPEND VEGARD_EMBEDDED_TABLES ${PROJECT_SOURCE_DIR}/data/${folder}/${name})
+    endif()
+  endforeach()
+endforeach()
 add_custom_command(
   OUTPUT ${VEGARD_EMBEDDED_DATA}
   COMMAND ${CMAKE_COMMAND} -DOUTPUT=${VEGARD_EMBEDDED_DATA} "-DINPUTS=${VEGARD_EMBEDDED_TABLES}"
+          "-DFOLDERS=${VEGARD_EMBEDDED_EMISSION}"
           -P ${PROJECT_SOURCE_DIR}/cmake/embed_data_script.cmake
   DEPENDS ${VEGARD_EMBEDDED_TABLES} ${PROJECT_SOURCE_DIR}/cmake/embed_data_script.cmake
   COMMENT "Embedding the tables of data/"

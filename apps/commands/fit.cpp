@@ -111,8 +111,7 @@ fit::JournalSubject subject_of(const FitRequest& options, const sim::Scene& scen
       {"the version of a library",
        fit::ceres_version() + ", " + sim::eigen_version() + ", " + fit::opencv_version()},
       {"the scene", sim::sha256(sim::write_scene(scene))}};
-  for (const auto& [path, text] : scene.tables)
-    subject.push_back({"the table of " + path, sim::sha256(text)});
+  for (const auto& [path, sum] : sim::table_sums(scene)) subject.push_back({"the table of " + path, sum});
   for (const sim::NamedFile& named : sim::named_files(scene))
     for (const std::string& name : sim::files_of_name(named.name))
       subject.push_back({"the file of " + named.path, sim::sha256_of_file(sim::table_place(scene, name))});

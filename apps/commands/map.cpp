@@ -32,6 +32,7 @@
 #include "sim/base/file/sha256.h"
 #include "sim/base/version.h"
 #include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/table_files.h"
 
 namespace vegard::apps {
 namespace {
@@ -83,6 +84,7 @@ fit::JournalSubject subject_of(const MapRequest& options, const sim::Scene& scen
                                  {"--sparsity", sim::short_number(options.sparsity, 17)},
                                  {"--farthest-km", sim::short_number(options.farthest_km, 17)},
                                  {"--altitude-scale", sim::short_number(options.altitude_scale, 17)}};
+  for (const auto& [path, sum] : sim::table_sums(scene)) subject.push_back({"the table of " + path, sum});
   for (std::size_t i = 0; i < photos.size(); ++i) {
     const std::string which = photos.size() > 1 ? " " + std::to_string(i + 1) : "";
     subject.push_back({"the photograph" + which, photos[i].sha256});

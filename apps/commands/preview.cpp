@@ -38,7 +38,8 @@ void check_save(const PreviewOptions& options, const sim::Scene& scene) {
   if (same_file(options.save, options.scene.file)) refuse_same_file("--save", options.save, "the scene");
   if (same_file(options.save, options.scene.camera_file))
     refuse_same_file("--save", options.save, "the camera's file");
-  const bool names_files = !picture_files(scene).empty() || !sim::table_files(scene).empty();
+  const bool names_files =
+      !picture_files(scene).empty() || !sim::table_files(scene).empty() || scene.emission.folder != nullptr;
   const std::string folder = std::filesystem::path(options.scene.file).parent_path().string();
   const std::string of_save = std::filesystem::path(options.save).parent_path().string();
   if (names_files && !same_file(folder.empty() ? "." : folder, of_save.empty() ? "." : of_save))

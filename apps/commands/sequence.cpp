@@ -32,6 +32,7 @@
 #include "sim/base/version.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/rows/decoding_word.h"
+#include "sim/scene/table/table_files.h"
 
 namespace vegard::apps {
 namespace {
@@ -59,7 +60,7 @@ bool is_manifest(const std::string& text) {
 std::string manifest(const SequenceRequest& options, const sim::Scene& scene) {
   nlohmann::ordered_json json;
   json["scene_sha256"] = sim::sha256(sim::write_scene(scene));
-  for (const auto& [path, text] : scene.tables) json["tables_sha256"][path] = sim::sha256(text);
+  for (const auto& [path, sum] : sim::table_sums(scene)) json["tables_sha256"][path] = sum;
   if (!options.mask.empty()) json["mask_sha256"] = sim::sha256_of_file(options.mask);
   if (!options.decoding.empty()) json["decoding"] = options.decoding;
   json["max_evaluations"] = options.max_evaluations;

@@ -54,6 +54,9 @@ std::vector<NamedInput> inputs_of_scene(const SceneOptions& options, const sim::
     inputs.push_back({file, "a file that the scene reads"});
   for (const sim::TableFile& table : sim::table_files(scene))
     inputs.push_back({sim::table_place(scene, table.name), "a table of the scene"});
+  if (scene.emission.folder)
+    for (const auto& [file, text] : scene.emission.folder->files)
+      inputs.push_back({scene.emission.folder->place + "/" + file, "a table of the scene"});
   for (const sim::PhotoEntry& photo : scene.fit.photos) {
     inputs.push_back({sim::table_place(scene, photo.file), "a photograph"});
     if (!photo.mask.empty()) inputs.push_back({sim::table_place(scene, photo.mask), "a mask"});

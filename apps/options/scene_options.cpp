@@ -1,6 +1,7 @@
 #include "apps/options/scene_options.h"
 
 #include "sim/base/error.h"
+#include "sim/light/emission_tables.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
@@ -80,6 +81,7 @@ sim::Scene scene_of(const SceneOptions& options) {
   sim::validate(scene);
   sim::read_table_files(scene);  // a change may have named another
   sim::check_profiles(scene);
+  sim::limit_free_oxygen(scene);
   sim::SensorResponse check_of_the_response(scene);
   return scene;
 }

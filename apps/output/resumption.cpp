@@ -15,6 +15,7 @@
 #include "sim/base/file/whole_file.h"
 #include "sim/base/version.h"
 #include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/table_files.h"
 
 namespace vegard::apps {
 namespace fs = std::filesystem;
@@ -133,7 +134,7 @@ std::string manifest_text(const sim::Scene& scene, double frames_per_second, con
   json["scene_sha256"] = sim::sha256(sim::write_scene(as_frames_see(scene)));
   for (const std::string& file : picture_files(scene))
     json["pictures_sha256"].push_back(sim::sha256_of_file(file));
-  for (const auto& [path, text] : scene.tables) json["tables_sha256"][path] = sim::sha256(text);
+  for (const auto& [path, sum] : sim::table_sums(scene)) json["tables_sha256"][path] = sum;
   if (picture.photograph) json["photograph"] = true;
   if (picture.bits) json["bits"] = *picture.bits;
   if (picture.quality) json["quality"] = *picture.quality;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "sim/base/number/constants.h"
+#include "sim/light/emission_tables.h"
 #include "sim/light/height_profile.h"
 
 namespace vegard::fit {
@@ -249,7 +250,8 @@ LowerBorder lower_border(const sim::Scene& scene, double energy_kev) {
   for (std::size_t l = 0; l < scene.emission.lines.size(); ++l)
     if (std::abs(scene.emission.lines[l] - 557.7) < 0.5) line = l;
   const auto border = [&](double energy) {
-    const sim::HeightProfile profile = sim::maxwellian_profile({scene.emission.lines[line]}, energy);
+    const sim::HeightProfile profile =
+        sim::maxwellian_profile(sim::emission_source(scene), {scene.emission.lines[line]}, energy);
     int peak = 0;
     const auto rate = [&](int row) { return profile.rate[static_cast<std::size_t>(row) * profile.stride]; };
     for (int row = 1; row < sim::HeightProfile::kAltitudes; ++row)

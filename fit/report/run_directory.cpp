@@ -24,6 +24,7 @@
 #include "sim/base/version.h"
 #include "sim/scene/file/named_files.h"
 #include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/emission_folder.h"
 #include "sim/scene/table/table_files.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/camera/scaled_camera.h"
@@ -64,6 +65,7 @@ void rename_files(const std::string& directory, sim::Scene& best) {
     return (from / file).lexically_normal().lexically_relative(to).string();
   };
   sim::rename_files(best, renamed);
+  sim::rename_emission_folder(best, renamed);
   for (sim::PhotoEntry& entry : best.fit.photos) {
     entry.file = renamed(entry.file);
     entry.mask = renamed(entry.mask);

@@ -11,6 +11,7 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/rows/decoding_word.h"
 #include "sim/scene/structs/line_of.h"
+#include "sim/scene/table/emission_folder.h"
 #include "sim/scene/table/table_files.h"
 
 namespace vegard::fit {
@@ -62,6 +63,9 @@ std::string eye_sha256(const SurveyEye& eye, const std::string& decoding) {
   };
   add("scene", sim::write_scene(eye.scene));
   for (const auto& [path, text] : eye.scene.tables) add(path, text);
+  if (eye.scene.emission.folder)
+    for (const auto& [file, text] : eye.scene.emission.folder->files)
+      add(sim::emission_file_path(file), text);
   for (const sim::NamedFile& named : sim::named_files(eye.scene))
     for (const std::string& name : sim::files_of_name(named.name))
       add(named.path, sim::sha256_of_file(sim::table_place(eye.scene, name)));

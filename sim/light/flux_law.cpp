@@ -1,73 +1,39 @@
 #include "sim/light/flux_law.h"
 
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <vector>
 
-#include "sim/base/file/csv_table.h"
 #include "sim/base/number/spline.h"
+#include "sim/scene/rows/value_words.h"
 
 namespace vegard::sim {
 namespace {
 
 constexpr double kBackgroundEnergyKev = 10.0;  // both tables have it, and the lines are faint there
 constexpr double kColumnRounding = 5e-5;       // of column_brightness.csv
-constexpr double kLowestFlux = 0.1, kHighestFlux = 10.0;
+constexpr double kLowestFlux = 0.1, kMiddleFlux = 1.0, kHighestFlux = 10.0;
 
-struct FluxCurve {
-  std::vector<double> log_factor, curvature;  ///< at the energies
-};
-
-struct ColumnLaw {
-  double background_rayleigh = 0.0;
-  std::vector<double> log_energy;
-  FluxCurve at_low, at_high;
-};
-
-/// R_5577 of a table at one flux (or, of a table without, at all rows) by energy.
-std::map<double, double> columns_at(const CsvTable& table, const std::string& name, double flux) {
-  std::map<double, double> columns;
+/// Rows of a table at one flux (all of them, if it has none) by energy.
+std::map<double, std::size_t> rows_at(const CsvTable& table, double flux) {
+  const std::vector<double>& energy = table.column("E0_keV");
+  std::map<double, std::size_t> rows;
   for (std::size_t row = 0; row < table.rows(); ++row)
-    if (!table.has("Q_erg") || table.column("Q_erg")[row] == flux)
-      columns[table.column("E0_keV")[row]] = table.column(name)[row];
-  return columns;
+    if (!table.has("Q_erg") || table.column("Q_erg")[row] == flux) rows[energy[row]] = row;
+  return rows;
 }
 
-FluxCurve curve_of(const std::vector<double>& log_energy, const std::map<double, double>& at_flux,
-                   double flux, const std::map<double, double>& at_one, double background) {
-  FluxCurve curve;
-  for (const auto& [energy, column] : at_one)
-    curve.log_factor.push_back(std::log((at_flux.at(energy) - background) / (flux * (column - background))));
-  curve.curvature = spline_curvature(log_energy, curve.log_factor);
-  return curve;
-}
-
-std::map<std::string, ColumnLaw> read_laws() {
-  const CsvTable linearity = embedded_csv_table("linearity_Q.csv");
-  const CsvTable brightness = embedded_csv_table("column_brightness.csv");
-  std::map<std::string, ColumnLaw> laws;
-  for (const std::string& name : brightness.columns) {
-    if (name.substr(0, 2) != "R_") continue;
-    ColumnLaw& law = laws["ver_" + name.substr(2)];
-    const std::map<double, double> at_one = columns_at(linearity, name, 1.0);
-    const double alone = columns_at(brightness, name, 1.0).at(kBackgroundEnergyKev);
-    const double beyond = at_one.at(kBackgroundEnergyKev) - alone;
-    if (std::abs(beyond) > kColumnRounding * alone) law.background_rayleigh = beyond;
-    for (const auto& [energy, column] : at_one) law.log_energy.push_back(std::log(energy));
-    law.at_low = curve_of(law.log_energy, columns_at(linearity, name, kLowestFlux), kLowestFlux, at_one,
-                          law.background_rayleigh);
-    law.at_high = curve_of(law.log_energy, columns_at(linearity, name, kHighestFlux), kHighestFlux, at_one,
-                           law.background_rayleigh);
-  }
-  return laws;
-}
-
-const ColumnLaw& law_of(const std::string& column) {
-  static const std::map<std::string, ColumnLaw> laws = read_laws();
-  assert(laws.count(column) > 0);
-  return laws.at(column);
+/// The row of an energy. Throws at the table's last row if there is none.
+std::size_t row_at(const CsvTable& table, const std::map<double, std::size_t>& rows, double energy,
+                   double flux) {
+  const auto found = rows.find(energy);
+  if (found == rows.end())
+    table.refuse(table.rows() - 1,
+                 "no row of " + short_real_text(energy) + " keV" +
+                     (table.has("Q_erg") ? " at Q_erg " + short_real_text(flux) : ""),
+                 "one", "it tells how light grows with the energy flux");
+  return found->second;
 }
 
 /// A function of ln Q through three values, and its slope: a linear function of them.
@@ -86,17 +52,66 @@ SplineValue along_flux(double low, double middle, double high, double log_flux) 
 
 }  // namespace
 
-FluxFactor flux_factor(const std::string& column, double energy_kev, double energy_flux_mw_m2) {
-  const ColumnLaw& law = law_of(column);
+FluxFactors::FluxFactors(const std::vector<std::string>& columns, const CsvTable& brightness,
+                         const CsvTable& linearity) {
+  const std::map<double, std::size_t> at_one = rows_at(linearity, kMiddleFlux),
+                                      alone = rows_at(brightness, 0.0);
+  for (const auto& [energy, row] : at_one) {
+    if (!(energy > 0.0)) linearity.refuse(row, "an energy that is not above 0", "keV above 0");
+    energies_kev_.push_back(energy);
+    log_energies_.push_back(std::log(energy));
+  }
+  if (at_one.size() < 2)
+    linearity.refuse(linearity.rows() - 1, "fewer than two energies at Q_erg 1", "two or more");
+  const std::size_t with_background = row_at(linearity, at_one, kBackgroundEnergyKev, kMiddleFlux);
+  for (const std::string& column : columns) {
+    const std::string name = "R_" + column.substr(column.find('_') + 1);
+    const std::vector<double>& rayleigh = linearity.column(name);
+    ColumnLaw& law = laws_[column];
+    if (brightness.has(name)) {
+      const double bare = brightness.column(name)[row_at(brightness, alone, kBackgroundEnergyKev, 0.0)];
+      const double beyond = rayleigh[with_background] - bare;
+      if (std::abs(beyond) > kColumnRounding * bare) law.background_rayleigh = beyond;
+    }
+    law.at_low = curve_of(linearity, name, kLowestFlux, law.background_rayleigh);
+    law.at_high = curve_of(linearity, name, kHighestFlux, law.background_rayleigh);
+  }
+}
+
+FluxFactors::FluxCurve FluxFactors::curve_of(const CsvTable& linearity, const std::string& name, double flux,
+                                             double background) const {
+  const std::vector<double>& rayleigh = linearity.column(name);
+  const std::map<double, std::size_t> at_one = rows_at(linearity, kMiddleFlux),
+                                      at_flux = rows_at(linearity, flux);
+  FluxCurve curve;
+  for (const auto& [energy, row] : at_one) {
+    const std::size_t there = row_at(linearity, at_flux, energy, flux);
+    for (const std::size_t each : {row, there})
+      if (!(rayleigh[each] > background))
+        linearity.refuse(
+            each,
+            name + " is " + short_real_text(rayleigh[each]) + ", no more than the light without electrons",
+            "above " + short_real_text(background));
+    curve.log_factor.push_back(
+        std::log((rayleigh[there] - background) / (flux * (rayleigh[row] - background))));
+  }
+  curve.curvature = spline_curvature(log_energies_, curve.log_factor);
+  return curve;
+}
+
+FluxFactor FluxFactors::at(const std::string& column, double energy_kev, double energy_flux_mw_m2) const {
+  const ColumnLaw& law = laws_.at(column);
   const double log_energy = std::log(energy_kev), log_flux = std::log(energy_flux_mw_m2);
   const auto at = [&](const FluxCurve& curve) {
-    return spline_at(law.log_energy, curve.log_factor, curve.curvature, log_energy);
+    return spline_at(log_energies_, curve.log_factor, curve.curvature, log_energy);
   };
   const SplineValue low = at(law.at_low), high = at(law.at_high);
   const SplineValue factor = along_flux(low.value, 0.0, high.value, log_flux);
   return {factor.value, along_flux(low.slope, 0.0, high.slope, log_flux).value, factor.slope};
 }
 
-double background_rayleigh(const std::string& column) { return law_of(column).background_rayleigh; }
+double FluxFactors::background_rayleigh(const std::string& column) const {
+  return laws_.at(column).background_rayleigh;
+}
 
 }  // namespace vegard::sim

@@ -78,22 +78,17 @@ double form_intensity(const FormCurve& curve, double altitude_km) {
   return (1.0 + x) * std::exp(-x);
 }
 
-HeightProfile form_profile(const std::vector<double>& wavelengths_nm, double energy_kev,
-                           const FormCurve& curve, double energy_flux_mw_m2) {
-  return moved(maxwellian_profile(wavelengths_nm, energy_kev, energy_flux_mw_m2),
-               maxwellian_profile(kTotalLinesNm, energy_kev, energy_flux_mw_m2), curve);
+HeightProfile form_profile(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
+                           double energy_kev, const FormCurve& curve, double energy_flux_mw_m2, SlopeBy by) {
+  return moved(maxwellian_profile(source, wavelengths_nm, energy_kev, energy_flux_mw_m2, by),
+               maxwellian_profile(source, kTotalLinesNm, energy_kev, energy_flux_mw_m2, by), curve);
 }
 
-HeightProfile form_profile_by_flux(const std::vector<double>& wavelengths_nm, double energy_kev,
-                                   const FormCurve& curve, double energy_flux_mw_m2) {
-  return moved(maxwellian_profile_by_flux(wavelengths_nm, energy_kev, energy_flux_mw_m2),
-               maxwellian_profile_by_flux(kTotalLinesNm, energy_kev, energy_flux_mw_m2), curve);
-}
-
-std::vector<float> form_slope(const std::vector<double>& wavelengths_nm, double energy_kev,
-                              const FormCurve& curve, double energy_flux_mw_m2, double FormCurve::*number) {
-  const HeightProfile profile = maxwellian_profile(wavelengths_nm, energy_kev, energy_flux_mw_m2);
-  const HeightProfile reference = maxwellian_profile(kTotalLinesNm, energy_kev, energy_flux_mw_m2);
+std::vector<float> form_slope(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
+                              double energy_kev, const FormCurve& curve, double energy_flux_mw_m2,
+                              double FormCurve::*number) {
+  const HeightProfile profile = maxwellian_profile(source, wavelengths_nm, energy_kev, energy_flux_mw_m2);
+  const HeightProfile reference = maxwellian_profile(source, kTotalLinesNm, energy_kev, energy_flux_mw_m2);
   double of_tables = 0.0, of_form = 0.0, form_grows = 0.0;
   for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
     const double end = a == 0 || a == HeightProfile::kAltitudes - 1 ? 0.5 : 1.0;

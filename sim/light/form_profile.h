@@ -25,16 +25,14 @@ double form_intensity(const FormCurve& curve, double altitude_km);
 /// The profile of Maxwellian electrons with its total light moved to where the form's curve has it. Total is
 /// the sum of the photons of 630.0, 557.7 and 427.8 nm, whichever lines are asked for. At each altitude the
 /// ratios of the lines are those of the tables (or of their floor); over all altitudes the total is that of
-/// the tables.
-HeightProfile form_profile(const std::vector<double>& wavelengths_nm, double energy_kev,
-                           const FormCurve& curve, double energy_flux_mw_m2 = 1.0);
-
-/// The same, but with the derivative by the energy flux in mW m^-2 where that by ln(E0) is.
-HeightProfile form_profile_by_flux(const std::vector<double>& wavelengths_nm, double energy_kev,
-                                   const FormCurve& curve, double energy_flux_mw_m2);
+/// the tables. The slope is that of maxwellian_profile().
+HeightProfile form_profile(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
+                           double energy_kev, const FormCurve& curve, double energy_flux_mw_m2 = 1.0,
+                           SlopeBy by = SlopeBy::log_energy);
 
 /// d rate / d one of the curve's numbers, as HeightProfile::rate.
-std::vector<float> form_slope(const std::vector<double>& wavelengths_nm, double energy_kev,
-                              const FormCurve& curve, double energy_flux_mw_m2, double FormCurve::*number);
+std::vector<float> form_slope(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
+                              double energy_kev, const FormCurve& curve, double energy_flux_mw_m2,
+                              double FormCurve::*number);
 
 }  // namespace vegard::sim

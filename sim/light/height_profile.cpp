@@ -6,8 +6,7 @@
 #include <cstddef>
 
 #include "sim/base/number/spline.h"
-#include "sim/light/emission_table.h"
-#include "sim/light/flux_law.h"
+#include "sim/light/emission_tables.h"
 #include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::sim {
@@ -46,36 +45,27 @@ void sample_line(const std::vector<double>& altitudes_km, const std::vector<doub
   }
 }
 
-HeightProfile maxwellian_profile(const std::vector<double>& wavelengths_nm, double energy_kev,
-                                 double energy_flux_mw_m2) {
-  const EmissionTable& table = EmissionTable::glow();
+HeightProfile maxwellian_profile(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
+                                 double energy_kev, double energy_flux_mw_m2, SlopeBy by) {
+  const EmissionTable& table = source.tables.maxwellian();
   HeightProfile profile = dark_profile(static_cast<int>(wavelengths_nm.size()));
   for (int l = 0; l < profile.lines; ++l) {
     const EmissionLine* line = find_emission_line(wavelengths_nm[l]);
     assert(line != nullptr);
     if (!is_auroral(*line)) continue;
-    const FluxFactor flux = flux_factor(line->table_column, energy_kev, energy_flux_mw_m2);
-    const double log_scale = std::log(line->ratio) + flux.log_factor;
+    const LineColumn column = column_of(*line, table);
+    const FluxFactor flux = source.tables.flux_factors().at(column.name, energy_kev, energy_flux_mw_m2);
+    const double log_scale = std::log(column.ratio) + flux.log_factor;
     std::vector<double> log_rate, log_slope;
-    for (const Emission1d& e : table.at_energy(line->table_column, energy_kev)) {
+    for (const Emission1d& e : table.at_energy(column.name, energy_kev, source.oxygen_factor)) {
       log_rate.push_back(std::log(e.rate) + log_scale);
-      log_slope.push_back(e.d_rate_d_ln_energy / e.rate + flux.by_log_energy);
+      log_slope.push_back(by == SlopeBy::oxygen_factor ? e.d_rate_d_ln_oxygen / e.rate / source.oxygen_factor
+                                                       : e.d_rate_d_ln_energy / e.rate + flux.by_log_energy);
     }
     sample_line(table.altitudes_km(), log_rate, log_slope, l, profile);
-  }
-  return profile;
-}
-
-HeightProfile maxwellian_profile_by_flux(const std::vector<double>& wavelengths_nm, double energy_kev,
-                                         double energy_flux_mw_m2) {
-  HeightProfile profile = maxwellian_profile(wavelengths_nm, energy_kev, energy_flux_mw_m2);
-  std::fill(profile.d_rate_d_ln_energy.begin(), profile.d_rate_d_ln_energy.end(), 0.0f);
-  if (energy_flux_mw_m2 <= 0.0) return profile;
-  for (int l = 0; l < profile.lines; ++l) {
-    const EmissionLine* line = find_emission_line(wavelengths_nm[l]);
-    if (!is_auroral(*line)) continue;
+    if (by != SlopeBy::energy_flux && by != SlopeBy::energy_spread) continue;
     const double growth =
-        flux_factor(line->table_column, energy_kev, energy_flux_mw_m2).by_log_flux / energy_flux_mw_m2;
+        by == SlopeBy::energy_flux && energy_flux_mw_m2 > 0.0 ? flux.by_log_flux / energy_flux_mw_m2 : 0.0;
     for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
       const std::size_t i = static_cast<std::size_t>(a) * profile.stride + l;
       profile.d_rate_d_ln_energy[i] = static_cast<float>(profile.rate[i] * growth);

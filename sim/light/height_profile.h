@@ -5,6 +5,8 @@
 
 namespace vegard::sim {
 
+struct EmissionSource;  // sim/light/emission_tables.h
+
 /// Volume emission rates (photons cm^-3 s^-1) for an energy flux of 1 mW m^-2, sampled every kStepKm from
 /// kBottomKm up, linear in between. One row per altitude, `stride` floats long: the lines in the order they
 /// were asked for, zeros behind, so that a row is one vector load.
@@ -38,15 +40,17 @@ HeightProfile dark_profile(int lines);
 void sample_line(const std::vector<double>& altitudes_km, const std::vector<double>& log_rate,
                  const std::vector<double>& log_slope, int line, HeightProfile& profile);
 
-/// The profile of Maxwellian electrons of characteristic energy E0 from the GLOW tables. Between the
-/// tabulated altitudes log(rate) is a natural cubic spline. Wavelengths must be those of emission_lines(),
-/// energy inside the table. It is the light per mW m^-2 at this energy flux (sim/light/flux_law.h).
-HeightProfile maxwellian_profile(const std::vector<double>& wavelengths_nm, double energy_kev,
-                                 double energy_flux_mw_m2 = 1.0);
+/// What the derivative that a profile carries in d_rate_d_ln_energy is by: ln(energy), or, of those who ask
+/// for another number's, that number itself.
+enum class SlopeBy { log_energy, energy_flux, energy_spread, oxygen_factor };
 
-/// The same, but with the derivative by the energy flux in mW m^-2 where that by ln(E0) is. 0 at a flux of 0.
-HeightProfile maxwellian_profile_by_flux(const std::vector<double>& wavelengths_nm, double energy_kev,
-                                         double energy_flux_mw_m2);
+/// The profile of Maxwellian electrons of characteristic energy E0 from emission tables. Between the
+/// tabulated altitudes log(rate) is a natural cubic spline. Wavelengths must be those of emission_lines(),
+/// energy inside the table. It is the light per mW m^-2 at this energy flux (sim/light/flux_law.h). The slope
+/// by the flux is 0 at a flux of 0, that by the spread everywhere.
+HeightProfile maxwellian_profile(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
+                                 double energy_kev, double energy_flux_mw_m2 = 1.0,
+                                 SlopeBy by = SlopeBy::log_energy);
 
 /// The altitude at which the lines together are brightest, in photons.
 double peak_altitude_km(const HeightProfile& profile);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/light/emission_table.h"
-#include "sim/light/form_profile.h"
+#include "sim/light/emission_tables.h"
 #include "sim/light/sheet_profile.h"
+#include "sim/scene/table/parameter_id.h"
 
 namespace vegard::sim {
 namespace {
@@ -51,7 +51,7 @@ void darken_above(double top_km, HeightProfile& profile) {
 ProfileTable profile_table(const std::vector<double>& lines_nm, const Scene& scene, const Footprint& f,
                            double ln_least, double ln_most) {
   Scene one = scene_of(scene, f);
-  const std::vector<double>& energies = EmissionTable::glow().energies_kev();
+  const std::vector<double>& energies = emission_tables(scene).energies_kev();
   const double ln_lowest = std::log(energies.front() / f.energy_kev),
                ln_highest = std::log(energies.back() / f.energy_kev);
   ln_least = std::clamp(ln_least, ln_lowest, ln_highest);
@@ -69,23 +69,26 @@ ProfileTable profile_table(const std::vector<double>& lines_nm, const Scene& sce
   return table;
 }
 
-ProfileTable profile_table_by_flux(const std::vector<double>& lines_nm, const Scene& scene,
-                                   const Footprint& f, const ProfileTable& table) {
-  const bool form = f.profile == ProfileKind::form;
-  if (scene.emission.flux_law == FluxLaw::linear || !(form || f.profile == ProfileKind::maxwellian))
-    return {};
-  const std::vector<double>& energies = EmissionTable::glow().energies_kev();
-  ProfileTable by_flux = table;
-  for (std::size_t i = 0; i < table.of_energy.size(); ++i) {
-    const double ln = table.ln_first + static_cast<double>(i) * table.ln_step;
-    const double energy = std::clamp(f.energy_kev * std::exp(ln), energies.front(), energies.back());
-    const HeightProfile slopes =
-        form
-            ? form_profile_by_flux(lines_nm, energy, {f.peak_km, f.lower_km, f.upper_km}, f.energy_flux_mw_m2)
-            : maxwellian_profile_by_flux(lines_nm, energy, f.energy_flux_mw_m2);
-    by_flux.of_energy[i] = slopes;
-  }
-  return by_flux;
+ProfileChanges profile_changes(const std::vector<double>& lines_nm, const Scene& scene, const Footprint& f,
+                               const ProfileTable& table) {
+  const EmissionTables& tables = emission_tables(scene);
+  Scene one = scene_of(scene, f);
+  const auto changes_by = [&](const ParameterId& number) {
+    ProfileTable changes = table;
+    for (std::size_t i = 0; i < table.of_energy.size(); ++i) {
+      const double ln = table.ln_first + static_cast<double>(i) * table.ln_step;
+      one.sheets[0].energy_kev = std::clamp(f.energy_kev * std::exp(ln), tables.energies_kev().front(),
+                                            tables.energies_kev().back());
+      changes.of_energy[i].d_rate_d_ln_energy = profile_slope(lines_nm, one, 0, number);
+      if (changes.of_energy[i].d_rate_d_ln_energy.empty()) return ProfileTable();
+    }
+    return changes;
+  };
+  ProfileChanges changes;
+  changes.by_flux = changes_by(parameter_with(ParameterRole::energy_flux, 0));
+  if (tables.maxwellian().oxygen_factors().size() > 1)
+    changes.by_oxygen = changes_by(parameter_with(ParameterRole::oxygen_factor, -1));
+  return changes;
 }
 
 }  // namespace vegard::sim

@@ -21,11 +21,15 @@ struct ProfileTable {
 ProfileTable profile_table(const std::vector<double>& lines_nm, const Scene& scene,
                            const Footprint& footprint, double ln_least, double ln_most);
 
-// How a footprint's height profiles change with the energy flux, beyond proportion.
+/// The profiles of a footprint's table with the derivative of the rate by another number in the place of that
+/// by ln(energy). Empty where the light does not depend on it.
+struct ProfileChanges {
+  ProfileTable by_flux;    ///< of the rate per mW m^-2 by the energy flux in mW m^-2, beyond proportion
+  ProfileTable by_oxygen;  ///< by the tables' factor of atomic oxygen
+};
 
-/// The profiles of `table`, profile_table() of the same footprint, with the derivative of the rate per mW
-/// m^-2 by the energy flux in mW m^-2 where that by ln(energy) is. Empty where the light goes as the flux.
-ProfileTable profile_table_by_flux(const std::vector<double>& lines_nm, const Scene& scene,
-                                   const Footprint& footprint, const ProfileTable& table);
+/// Of `table`, profile_table() of the same footprint.
+ProfileChanges profile_changes(const std::vector<double>& lines_nm, const Scene& scene,
+                               const Footprint& footprint, const ProfileTable& table);
 
 }  // namespace vegard::sim

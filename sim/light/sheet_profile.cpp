@@ -6,7 +6,7 @@
 
 #include "sim/base/error.h"
 #include "sim/light/drawn_profile.h"
-#include "sim/light/emission_table.h"
+#include "sim/light/emission_tables.h"
 #include "sim/light/form_profile.h"
 #include "sim/light/spectrum_profile.h"
 #include "sim/light/spline_profile.h"
@@ -26,36 +26,36 @@ double flux_of(const Scene& scene, const Sheet& sheet) {
                                                                                    : sheet.energy_flux_mw_m2;
 }
 
-HeightProfile of_unit_flux(const std::vector<double>& wavelengths_nm, const Scene& scene,
-                           const Sheet& sheet) {
+HeightProfile of_unit_flux(const std::vector<double>& wavelengths_nm, const Scene& scene, const Sheet& sheet,
+                           SlopeBy by = SlopeBy::log_energy) {
   const double flux = flux_of(scene, sheet);
   switch (sheet.profile) {
     case ProfileKind::spline:
       return spline_profile(wavelengths_nm, scene, sheet);
     case ProfileKind::mono:
-      return mono_profile(wavelengths_nm, sheet.energy_kev);
+      return mono_profile(emission_source(scene), wavelengths_nm, sheet.energy_kev, by);
     case ProfileKind::gaussian:
-      return gaussian_profile(wavelengths_nm, sheet.energy_kev, sheet.energy_spread);
+      return gaussian_profile(emission_source(scene), wavelengths_nm, sheet.energy_kev, sheet.energy_spread,
+                              by);
     case ProfileKind::file:
       return drawn_profile(wavelengths_nm, scene, sheet);
     case ProfileKind::form:
-      return form_profile(wavelengths_nm, sheet.energy_kev, form_curve(sheet), flux);
+      return form_profile(emission_source(scene), wavelengths_nm, sheet.energy_kev, form_curve(sheet), flux,
+                          by);
     case ProfileKind::maxwellian:
       break;
   }
-  return maxwellian_profile(wavelengths_nm, sheet.energy_kev, flux);
+  return maxwellian_profile(emission_source(scene), wavelengths_nm, sheet.energy_kev, flux, by);
 }
 
-/// d rate / d Q of a profile per unit flux; empty if there is none.
-std::vector<float> slope_by_flux(const std::vector<double>& wavelengths_nm, const Scene& scene,
-                                 const Sheet& sheet) {
-  if (scene.emission.flux_law == FluxLaw::linear || has_given_brightness(sheet)) return {};
-  const double flux = sheet.energy_flux_mw_m2;
-  if (sheet.profile == ProfileKind::form)
-    return form_profile_by_flux(wavelengths_nm, sheet.energy_kev, form_curve(sheet), flux).d_rate_d_ln_energy;
-  if (sheet.profile == ProfileKind::maxwellian)
-    return maxwellian_profile_by_flux(wavelengths_nm, sheet.energy_kev, flux).d_rate_d_ln_energy;
-  return {};
+/// Whether the light per flux of electrons grows with their flux.
+bool follows_flux_law(const Scene& scene, const Sheet& sheet) {
+  return scene.emission.flux_law != FluxLaw::linear && !has_given_brightness(sheet) &&
+         (sheet.profile == ProfileKind::form || sheet.profile == ProfileKind::maxwellian);
+}
+
+bool is_of_electrons(const Sheet& sheet) {
+  return sheet.profile != ProfileKind::file && sheet.profile != ProfileKind::spline;
 }
 
 /// Its derivative by a number; empty for one that it does not depend on, or by the energy alone.
@@ -63,14 +63,19 @@ std::vector<float> slope_of_unit_flux(const std::vector<double>& wavelengths_nm,
                                       const Sheet& sheet, const ParameterId& number) {
   const auto by_form = [&](double FormCurve::*of_curve) {
     if (sheet.profile != ProfileKind::form) return std::vector<float>();
-    return form_slope(wavelengths_nm, sheet.energy_kev, form_curve(sheet), flux_of(scene, sheet), of_curve);
+    return form_slope(emission_source(scene), wavelengths_nm, sheet.energy_kev, form_curve(sheet),
+                      flux_of(scene, sheet), of_curve);
+  };
+  const auto slope_by = [&](SlopeBy by, bool counts) {
+    return counts ? of_unit_flux(wavelengths_nm, scene, sheet, by).d_rate_d_ln_energy : std::vector<float>();
   };
   switch (number.role()) {
     case ParameterRole::energy_spread:
-      if (sheet.profile != ProfileKind::gaussian) return {};
-      return gaussian_slope(wavelengths_nm, sheet.energy_kev, sheet.energy_spread);
+      return slope_by(SlopeBy::energy_spread, sheet.profile == ProfileKind::gaussian);
     case ParameterRole::energy_flux:
-      return slope_by_flux(wavelengths_nm, scene, sheet);
+      return slope_by(SlopeBy::energy_flux, follows_flux_law(scene, sheet));
+    case ParameterRole::oxygen_factor:
+      return slope_by(SlopeBy::oxygen_factor, is_of_electrons(sheet));
     case ParameterRole::profile_coefficient:
       if (!has_spline_profile(sheet)) return {};
       return spline_slope(wavelengths_nm, scene, sheet, index_in(scene, number));
@@ -105,9 +110,17 @@ HeightProfile sheet_profile(const std::vector<double>& wavelengths_nm, const Sce
   return profile;
 }
 
+namespace {
+
+bool may_shape(const ParameterId& number, int sheet) {
+  return number.sheet() == sheet || number.role() == ParameterRole::oxygen_factor;
+}
+
+}  // namespace
+
 std::vector<float> profile_slope(const std::vector<double>& wavelengths_nm, const Scene& scene, int index,
                                  const ParameterId& number) {
-  if (number.sheet() != index) return {};
+  if (!may_shape(number, index)) return {};
   const Sheet& sheet = scene.sheets[index];
   std::vector<float> slope = slope_of_unit_flux(wavelengths_nm, scene, sheet, number);
   if (slope.empty() || !has_given_brightness(sheet)) return slope;
@@ -124,11 +137,11 @@ std::vector<float> profile_slope(const std::vector<double>& wavelengths_nm, cons
 }
 
 double EnergyLadder::energy_kev(int rung) const {
-  const std::vector<double>& energies = EmissionTable::glow().energies_kev();
-  return std::clamp(std::exp((first + rung) * kLnStep), energies.front(), energies.back());
+  return std::clamp(std::exp((first + rung) * kLnStep), least_kev, most_kev);
 }
 
-EnergyLadder energy_ladder(const Sheet& sheet) {
+EnergyLadder energy_ladder(const Scene& scene, int index) {
+  const Sheet& sheet = scene.sheets[index];
   EnergyLadder ladder;
   if (sheet.course != SheetCourse::curve || sheet.point_energy_kev.empty()) return ladder;
   const auto [least, most] =
@@ -136,9 +149,11 @@ EnergyLadder energy_ladder(const Sheet& sheet) {
   // Between its points a curve goes beyond their values by less than a third of their range
   // (sim/emit/aurora/sheet_curve.h).
   const double low = std::log(*least), high = std::log(*most), beyond = (high - low) / 3.0;
-  const std::vector<double>& energies = EmissionTable::glow().energies_kev();
-  const double bottom = std::max(low - beyond, std::log(energies.front())),
-               top = std::min(high + beyond, std::log(energies.back()));
+  const std::vector<double>& energies = emission_tables(scene).energies_kev();
+  ladder.least_kev = energies.front();
+  ladder.most_kev = energies.back();
+  const double bottom = std::max(low - beyond, std::log(ladder.least_kev)),
+               top = std::min(high + beyond, std::log(ladder.most_kev));
   ladder.first = static_cast<int>(std::floor(bottom / EnergyLadder::kLnStep));
   ladder.count = std::max(2, static_cast<int>(std::ceil(top / EnergyLadder::kLnStep)) - ladder.first + 1);
   return ladder;
@@ -146,7 +161,7 @@ EnergyLadder energy_ladder(const Sheet& sheet) {
 
 std::vector<HeightProfile> ladder_profiles(const std::vector<double>& wavelengths_nm, const Scene& scene,
                                            int sheet) {
-  const EnergyLadder ladder = energy_ladder(scene.sheets[sheet]);
+  const EnergyLadder ladder = energy_ladder(scene, sheet);
   std::vector<HeightProfile> profiles;
   if (ladder.count == 0) return profiles;
   Scene of_energy = scene;
@@ -159,11 +174,11 @@ std::vector<HeightProfile> ladder_profiles(const std::vector<double>& wavelength
 
 std::vector<std::vector<float>> profile_slopes(const std::vector<double>& wavelengths_nm, const Scene& scene,
                                                int sheet, const ParameterId& number) {
-  const EnergyLadder ladder = energy_ladder(scene.sheets[sheet]);
+  const EnergyLadder ladder = energy_ladder(scene, sheet);
   std::vector<std::vector<float>> slopes;
   if (ladder.count == 0) {
     slopes.push_back(profile_slope(wavelengths_nm, scene, sheet, number));
-  } else if (number.sheet() == sheet) {
+  } else if (may_shape(number, sheet)) {
     Scene of_energy = scene;
     for (int rung = 0; rung < ladder.count; ++rung) {
       of_energy.sheets[sheet].energy_kev = ladder.energy_kev(rung);
@@ -175,6 +190,7 @@ std::vector<std::vector<float>> profile_slopes(const std::vector<double>& wavele
 }
 
 void check_profiles(const Scene& scene) {
+  check_emission_tables(scene);
   for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
     const Sheet& sheet = scene.sheets[s];
     if (sheet.profile != ProfileKind::file) continue;

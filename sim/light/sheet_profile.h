@@ -26,23 +26,25 @@ HeightProfile sheet_profile(const std::vector<double>& wavelengths_nm, const Sce
 /// from them that is off by 0.2 % of a profile's peak at most (sim/light/profile_table.cpp).
 struct EnergyLadder {
   static constexpr double kLnStep = 0.04;
-  int first = 0;  ///< rung 0 is at exp(first kLnStep) keV
-  int count = 0;  ///< at least 2; 0: the sheet has one energy
+  int first = 0;                           ///< rung 0 is at exp(first kLnStep) keV
+  int count = 0;                           ///< at least 2; 0: the sheet has one energy
+  double least_kev = 0.0, most_kev = 0.0;  ///< the limits of the emission tables
 
-  /// The energy of a rung, within the limits of the emission tables.
+  /// The energy of a rung, within these limits.
   double energy_kev(int rung) const;
 };
 
-/// Of all energies that a sheet's curve can pass through.
-EnergyLadder energy_ladder(const Sheet& sheet);
+/// Of all energies that the curve of scene.sheets[sheet] can pass through.
+EnergyLadder energy_ladder(const Scene& scene, int sheet);
 
 /// What sheet_profile() gives for each rung; empty for a sheet of one energy.
 std::vector<HeightProfile> ladder_profiles(const std::vector<double>& wavelengths_nm, const Scene& scene,
                                            int sheet);
 
 /// d rate / d number, as HeightProfile::rate, for a number of the scene that shapes the sheet's profile other
-/// than by energy_kev, whose derivative the profile itself carries. Empty for a number that does not. By
-/// energy_flux_mw_m2 it is the part that comes on top of proportion, d(rate per mW m^-2)/dQ.
+/// than by energy_kev, whose derivative the profile itself carries: one of its own, or the oxygen factor of
+/// the tables, which all sheets of electrons share. Empty for a number that does not. By energy_flux_mw_m2 it
+/// is the part that comes on top of proportion, d(rate per mW m^-2)/dQ.
 std::vector<float> profile_slope(const std::vector<double>& wavelengths_nm, const Scene& scene, int sheet,
                                  const ParameterId& number);
 
@@ -51,7 +53,8 @@ std::vector<std::vector<float>> profile_slopes(const std::vector<double>& wavele
                                                int sheet, const ParameterId& number);
 
 /// Throws Error(unreadable_input) if a profile that comes from a user's table cannot be used for the scene's
-/// lines and brightness. To be called when a scene has been read, before any work.
+/// lines and brightness, and what check_emission_tables() throws. To be called when a scene has been read,
+/// before any work.
 void check_profiles(const Scene& scene);
 
 }  // namespace vegard::sim

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sim/light/emission_table.h"
-#include "sim/light/mono_table.h"
+#include "sim/light/emission_tables.h"
 #include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::sim {
@@ -15,29 +14,36 @@ namespace {
 constexpr double kFirstTau = -14.0, kLastTau = 6.0, kTauStep = 0.125;
 constexpr double kSpectrumLeastShare = 1e-14;  // a piece below that changes no float
 
-std::vector<LogRate> mono_rates(const EmissionLine& line, double energy_kev) {
-  std::vector<LogRate> rates = MonoEnergeticTable::glow().at_energy(line.table_column, energy_kev);
-  for (LogRate& rate : rates) rate.value += std::log(line.ratio);
+std::vector<MonoRate> mono_rates(const EmissionSource& source, const EmissionLine& line, double energy_kev) {
+  const MonoEnergeticTable& table = source.tables.mono();
+  const LineColumn column = column_of(line, table);
+  std::vector<MonoRate> rates = table.at_energy(column.name, energy_kev, source.oxygen_factor);
+  for (MonoRate& rate : rates) rate.value += std::log(column.ratio);
   return rates;
 }
 
-enum class By { log_energy, spread };
+double slope_of(const MonoRate& rate, SlopeBy by, double oxygen_factor) {
+  if (by == SlopeBy::log_energy) return rate.slope;
+  return by == SlopeBy::oxygen_factor ? rate.by_log_oxygen / oxygen_factor : 0.0;
+}
 
 /// The sum over the pieces, in logarithms: far below where the electrons stop every piece would underflow.
-std::vector<LogRate> gaussian_rates(const EmissionLine& line, const std::vector<GaussianPiece>& pieces,
-                                    By by) {
-  std::vector<std::vector<LogRate>> of_piece;
-  for (const GaussianPiece& piece : pieces) of_piece.push_back(mono_rates(line, piece.energy_kev));
+/// Values, and slopes as `by` says.
+std::vector<LogRate> gaussian_rates(const EmissionSource& source, const EmissionLine& line,
+                                    const std::vector<GaussianPiece>& pieces, SlopeBy by) {
+  std::vector<std::vector<MonoRate>> of_piece;
+  for (const GaussianPiece& piece : pieces) of_piece.push_back(mono_rates(source, line, piece.energy_kev));
   std::vector<LogRate> rates(of_piece.front().size());
   for (std::size_t a = 0; a < rates.size(); ++a) {
     double largest = -1e300, sum = 0.0, slope = 0.0;
-    for (const std::vector<LogRate>& rate : of_piece) largest = std::max(largest, rate[a].value);
+    for (const std::vector<MonoRate>& rate : of_piece) largest = std::max(largest, rate[a].value);
     for (std::size_t p = 0; p < pieces.size(); ++p) {
-      const LogRate& rate = of_piece[p][a];
+      const MonoRate& rate = of_piece[p][a];
       const double light = pieces[p].share * std::exp(rate.value - largest);
       sum += light;
-      slope += light * (by == By::log_energy ? rate.slope
-                                             : pieces[p].d_log_share_d_spread + rate.slope * pieces[p].tau);
+      slope +=
+          light * (by == SlopeBy::energy_spread ? pieces[p].d_log_share_d_spread + rate.slope * pieces[p].tau
+                                                : slope_of(rate, by, source.oxygen_factor));
     }
     rates[a] = {largest + std::log(sum), slope / sum};
   }
@@ -46,7 +52,8 @@ std::vector<LogRate> gaussian_rates(const EmissionLine& line, const std::vector<
 
 /// A profile of the lines' rates at the altitudes of the tables.
 template <class RatesOf>
-HeightProfile sampled(const std::vector<double>& wavelengths_nm, const RatesOf& rates_of) {
+HeightProfile sampled(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
+                      const RatesOf& rates_of) {
   HeightProfile profile = dark_profile(static_cast<int>(wavelengths_nm.size()));
   for (int l = 0; l < profile.lines; ++l) {
     const EmissionLine* line = find_emission_line(wavelengths_nm[l]);
@@ -57,30 +64,28 @@ HeightProfile sampled(const std::vector<double>& wavelengths_nm, const RatesOf& 
       log_rate.push_back(rate.value);
       log_slope.push_back(rate.slope);
     }
-    sample_line(EmissionTable::glow().altitudes_km(), log_rate, log_slope, l, profile);
+    sample_line(source.tables.mono().altitudes_km(), log_rate, log_slope, l, profile);
   }
   return profile;
 }
 
-HeightProfile gaussian_by(const std::vector<double>& wavelengths_nm, double energy_kev, double spread,
-                          By by) {
-  const std::vector<GaussianPiece> pieces = gaussian_pieces(energy_kev, spread);
-  return sampled(wavelengths_nm, [&](const EmissionLine& line) { return gaussian_rates(line, pieces, by); });
-}
-
 }  // namespace
 
-HeightProfile mono_profile(const std::vector<double>& wavelengths_nm, double energy_kev) {
-  return sampled(wavelengths_nm, [&](const EmissionLine& line) { return mono_rates(line, energy_kev); });
+HeightProfile mono_profile(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
+                           double energy_kev, SlopeBy by) {
+  return sampled(source, wavelengths_nm, [&](const EmissionLine& line) {
+    std::vector<LogRate> rates;
+    for (const MonoRate& rate : mono_rates(source, line, energy_kev))
+      rates.push_back({rate.value, slope_of(rate, by, source.oxygen_factor)});
+    return rates;
+  });
 }
 
-HeightProfile gaussian_profile(const std::vector<double>& wavelengths_nm, double energy_kev, double spread) {
-  return gaussian_by(wavelengths_nm, energy_kev, spread, By::log_energy);
-}
-
-std::vector<float> gaussian_slope(const std::vector<double>& wavelengths_nm, double energy_kev,
-                                  double spread) {
-  return gaussian_by(wavelengths_nm, energy_kev, spread, By::spread).d_rate_d_ln_energy;
+HeightProfile gaussian_profile(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
+                               double energy_kev, double spread, SlopeBy by) {
+  const std::vector<GaussianPiece> pieces = gaussian_pieces(energy_kev, spread);
+  return sampled(source, wavelengths_nm,
+                 [&](const EmissionLine& line) { return gaussian_rates(source, line, pieces, by); });
 }
 
 std::vector<GaussianPiece> gaussian_pieces(double energy_kev, double spread) {

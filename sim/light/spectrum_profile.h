@@ -8,8 +8,10 @@
 
 namespace vegard::sim {
 
-/// The profile of mono-energetic electrons (sim/light/mono_table.h). The derivative is by ln(energy).
-HeightProfile mono_profile(const std::vector<double>& wavelengths_nm, double energy_kev);
+/// The profile of mono-energetic electrons (sim/light/mono_table.h). The slope is by ln(energy) or the oxygen
+/// factor.
+HeightProfile mono_profile(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
+                           double energy_kev, SlopeBy by = SlopeBy::log_energy);
 
 /// The profile of electrons whose number flux is a Gaussian, cut at 0:
 ///
@@ -18,12 +20,9 @@ HeightProfile mono_profile(const std::vector<double>& wavelengths_nm, double ene
 /// so that their energy flux goes by E phi(E), which begins at 0 without a step. The integral over E is a sum
 /// over fixed values of tau, evenly spaced, E = Ec exp(spread tau): smooth in Ec and spread, and of
 /// trapezoids over a curve that is level at both ends, so that it converges like one of higher order.
-/// Relative spread: above 0, up to 1.
-HeightProfile gaussian_profile(const std::vector<double>& wavelengths_nm, double energy_kev, double spread);
-
-/// d rate / d spread of the same, as HeightProfile::rate.
-std::vector<float> gaussian_slope(const std::vector<double>& wavelengths_nm, double energy_kev,
-                                  double spread);
+/// Relative spread: above 0, up to 1. The slope is by anything but the energy flux.
+HeightProfile gaussian_profile(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
+                               double energy_kev, double spread, SlopeBy by = SlopeBy::log_energy);
 
 /// Energies of a Gaussian's pieces, their share of the energy flux, and how its logarithm grows with the
 /// spread at the same tau (d ln(energy) / d spread is tau).

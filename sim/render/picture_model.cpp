@@ -49,7 +49,9 @@ ProfileShapers profile_shapers(const Scene& scene, const std::vector<ParameterId
       const std::vector<std::vector<float>> slopes =
           profile_slopes(scene.emission.lines, scene, static_cast<int>(s), free[j]);
       if (slopes.empty()) continue;
-      result.alone[j] = free[j].role() != ParameterRole::energy_flux;
+      // Of these two there is more: the kernel's share, and the volumes'.
+      result.alone[j] =
+          free[j].role() != ParameterRole::energy_flux && free[j].role() != ParameterRole::oxygen_factor;
       const std::size_t stride = slopes.front().size() / HeightProfile::kAltitudes;
       for (std::size_t l = 0; l < scene.emission.lines.size(); ++l) {
         std::vector<float> rate;  // of one rung of the sheet's ladder of energies after the other

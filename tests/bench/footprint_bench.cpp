@@ -21,6 +21,7 @@
 #include "sim/render/film.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/camera/rays.h"
+#include "tests/support/glow.h"
 
 namespace {
 
@@ -82,7 +83,7 @@ struct Workload {
     scene.footprints.push_back(shell);
     film = sim::film_for(scene, 0, 0, width, height, 1.0, 1.0);
     sim::ProfileTable profiles;
-    profiles.of_energy.push_back(sim::maxwellian_profile({630.0, 557.7, 427.8}, 3.0));
+    profiles.of_energy.push_back(sim::maxwellian_profile(tests::glow(), {630.0, 557.7, 427.8}, 3.0));
     profile = std::make_unique<sim::StepProfile>(profiles, shell.top_km, step_km);
     rays = std::make_unique<sim::MarchRays>(scene, shell, profile->bottom_km());
     double least = 0.0;

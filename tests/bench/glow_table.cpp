@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sim/scene/lines/emission_lines.h"
+#include "tests/support/glow.h"
 #include "tests/support/glow_columns.h"
 
 namespace vegard::bench {
@@ -29,7 +30,7 @@ std::vector<sim::EmissionLine> lines_with_columns() {
 
 /// The altitude of the table at which a line is brightest, at one of its energies.
 double brightest_row_km(const std::string& column, double energy_kev) {
-  const sim::EmissionTable& table = sim::EmissionTable::glow();
+  const sim::EmissionTable& table = tests::glow().tables.maxwellian();
   const std::vector<sim::Emission1d> rates = table.at_energy(column, energy_kev);
   const auto brightest =
       std::max_element(rates.begin(), rates.end(),
@@ -47,7 +48,7 @@ void print_columns(const tests::GlowColumns& glow) {
     double own[3], theirs[3];
     const double lines[] = {630.0, 557.7, 427.8};
     for (int l = 0; l < 3; ++l) {
-      const sim::HeightProfile profile = sim::maxwellian_profile({lines[l]}, energies[i]);
+      const sim::HeightProfile profile = sim::maxwellian_profile(tests::glow(), {lines[l]}, energies[i]);
       fmt::print(" {:.1f} / {:.0f} |", sim::peak_altitude_km(profile),
                  brightest_row_km(sim::find_emission_line(lines[l])->table_column, energies[i]));
       own[l] = tests::program_column(lines[l], energies[i]).rayleigh;

@@ -11,17 +11,18 @@
 
 #include "fit/report/plot/plot.h"
 #include "sim/light/emission_table.h"
-#include "sim/light/glow_air.h"
 #include "sim/light/mono_table.h"
 #include "sim/light/spectrum_profile.h"
+#include "sim/light/tables_air.h"
 #include "sim/scene/lines/emission_lines.h"
+#include "tests/support/glow.h"
 
 namespace vegard::bench {
 namespace {
 
 using Curve = std::vector<double>;  ///< at the altitudes of the tables
 
-const sim::EmissionTable& glow() { return sim::EmissionTable::glow(); }
+const sim::EmissionTable& glow() { return tests::glow().tables.maxwellian(); }
 
 /// By trapezoids, times 1e5 cm per km.
 double column(const Curve& curve) {
@@ -62,7 +63,7 @@ Curve of_pieces(double e0, const RatesOf& rates_of) {
   Curve curve(glow().altitudes_km().size(), 0.0);
   for (const sim::SpectrumPiece& piece : sim::maxwellian_pieces(e0)) {
     if (piece.share < 1e-12) continue;
-    const std::vector<sim::LogRate> rates = rates_of(piece.energy_kev);
+    const auto rates = rates_of(piece.energy_kev);
     for (std::size_t a = 0; a < curve.size(); ++a) curve[a] += piece.share * std::exp(rates[a].value);
   }
   return curve;
@@ -70,7 +71,8 @@ Curve of_pieces(double e0, const RatesOf& rates_of) {
 
 std::vector<sim::LogRate> ion_pairs(double energy_kev) {
   std::vector<sim::LogRate> rates;
-  for (const sim::StoppingAir& air : sim::glow_air()) rates.push_back(sim::log_ionisation(air, energy_kev));
+  for (const sim::StoppingAir& air : tests::glow().tables.air())
+    rates.push_back(sim::log_ionisation(air, energy_kev));
   return rates;
 }
 
@@ -125,8 +127,8 @@ void print_lines() {
     for (const double line : lines) {
       const std::string name = sim::find_emission_line(line)->table_column;
       const Curve tables = of_tables(name, e0);
-      const Curve made = of_pieces(
-          e0, [&](double energy) { return sim::MonoEnergeticTable::glow().at_energy(name, energy); });
+      const Curve made =
+          of_pieces(e0, [&](double energy) { return tests::glow().tables.mono().at_energy(name, energy); });
       fmt::print(" {:+.1f} %, {:+.1f} km, {:.1f} % |", 100.0 * (column(made) / column(tables) - 1.0),
                  peak_km(made) - peak_km(tables), 100.0 * difference_of_shape(made, tables));
     }
@@ -181,9 +183,9 @@ void print_spectra() {
       "|\n|---|---|---|---|\n");
   for (const double mean : {0.5, 1.0, 2.0, 5.0, 10.0, 20.0}) {
     fmt::print("| {:g} |", mean);
-    for (const sim::HeightProfile& profile :
-         {sim::maxwellian_profile({557.7}, 0.5 * mean), sim::gaussian_profile({557.7}, mean, 0.2),
-          sim::mono_profile({557.7}, mean)}) {
+    for (const sim::HeightProfile& profile : {sim::maxwellian_profile(tests::glow(), {557.7}, 0.5 * mean),
+                                              sim::gaussian_profile(tests::glow(), {557.7}, mean, 0.2),
+                                              sim::mono_profile(tests::glow(), {557.7}, mean)}) {
       fmt::print(" {:.1f}, {:.2f}, {:.0f} |", peak_km(profile_curve(profile)), tenth_below_km(profile),
                  sim::column_below(profile, 0, 640.0).rayleigh);
     }
@@ -212,9 +214,11 @@ fit::Plot spectra_plot() {
     panel.title = fmt::format("mean energy {:g} keV", mean);
     panel.x.label = "photons per cm^3 and s";
     panel.y.label = "altitude (km)";
-    panel.series.push_back(series("Maxwellian", 0, sim::maxwellian_profile({557.7}, 0.5 * mean)));
-    panel.series.push_back(series("Gaussian, spread 0.2", 1, sim::gaussian_profile({557.7}, mean, 0.2)));
-    panel.series.push_back(series("one energy", 2, sim::mono_profile({557.7}, mean)));
+    panel.series.push_back(
+        series("Maxwellian", 0, sim::maxwellian_profile(tests::glow(), {557.7}, 0.5 * mean)));
+    panel.series.push_back(
+        series("Gaussian, spread 0.2", 1, sim::gaussian_profile(tests::glow(), {557.7}, mean, 0.2)));
+    panel.series.push_back(series("one energy", 2, sim::mono_profile(tests::glow(), {557.7}, mean)));
     plot.panels.push_back(panel);
   }
   return plot;

@@ -14,8 +14,9 @@
 #include "sim/base/file/csv_table.h"
 #include "sim/base/number/mask5.h"
 #include "sim/base/utc_time.h"
-#include "sim/light/sheet_profile.h"
 #include "sim/light/chemistry/reactions.h"
+#include "sim/light/emission_tables.h"
+#include "sim/light/sheet_profile.h"
 #include "sim/light/transport/field_air.h"
 #include "sim/scene/file/curve_table.h"
 #include "sim/scene/file/precipitation_file.h"
@@ -45,6 +46,28 @@ void height_profile(const std::string& text) {
   scene.sheets[0].profile_file = "it.csv";
   scene.tables["sheet." + scene.sheets[0].name + ".profile_file"] = text;
   sim::check_profiles(scene);
+}
+
+/// As each kind of file in a folder of emission tables.
+void emission_tables(const std::string& text) {
+  const sim::CsvTable csv = sim::read_csv_table(text, "it.csv");
+  const auto tried = [](const auto& read) {
+    try {
+      read();
+    } catch (const sim::Error&) {
+    }
+  };
+  tried([&] {
+    const sim::EmissionTable table(csv);
+    for (const std::string& column : table.columns())
+      require(table.at_energy(column, 3.0, 1.1).size() == table.altitudes_km().size());
+    sim::tables_air(csv, table.altitudes_km());
+  });
+  tried([&] {
+    const sim::FluxFactors factors({"ver_5577"}, csv, csv);
+    factors.at("ver_5577", 3.0, 0.5);
+  });
+  tried([&] { require(sim::tables_air(csv, csv.column("altitude_km")).size() == csv.rows()); });
 }
 
 void response(const std::string& text) {
@@ -191,10 +214,10 @@ void reactions(const std::string& text) {
   require(rates(sim::Reaction::o1s_5577) >= 0.0);
 }
 
-constexpr Reader kReaders[] = {csv,           height_profile, response, tone,        colours, stars,
-                               pictures,      times,          camera,   mask,        moments, curtains,
-                               precipitation, survey,         plan,     survey_list, air,     sky_trees,
-                               reactions};
+constexpr Reader kReaders[] = {
+    csv,   height_profile, response, tone,      colours,         stars,         pictures,
+    times, camera,         mask,     moments,   curtains,        precipitation, survey,
+    plan,  survey_list,    air,      sky_trees, emission_tables, reactions};
 
 }  // namespace
 

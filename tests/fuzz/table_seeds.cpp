@@ -93,7 +93,12 @@ std::vector<std::string> fuzz_seeds(const std::string&) {
       kPlan,
       "p# when\nnight.pgm.gz#1 2019-03-01T22:10:03.5Z\nb c.png 2019-03-01 22:10\na/20190301_221001.png\r\n",
       "qaltitude_km,T_K,nN2,nO2,nO\n90,190,4e13,1e13,2e11\n110,240,2e12,3e11,2e11\n400,1000,4e6,1e5,1e8\n",
-      "snumber,value,exponent,activation_K,of\n43,0.19,0,0,0\n31,1.9e-7,-0.7,0,2\n",
+      "tnumber,value,exponent,activation_K,of\n43,0.19,0,0,0\n31,1.9e-7,-0.7,0,2\n",
+      "soxygen_factor,E0_keV,altitude_km,ver_5577\n0.5,1,80,0\n0.5,1,640,2\n0.5,9,80,3\n0.5,9,640,1\n1,1,80,"
+      "0\n1,1,640,1\n"
+      "1,9,80,3\n1,9,640,1\n",
+      "sQ_erg,E0_keV,R_5577\n0.1,1,20\n0.1,10,22\n1,1,120\n1,10,110\n10,1,1100\n10,10,1000\n",
+      "saltitude_km,T_K,nO,nO2,nN2\n80,200,2e9,6e13,2e14\n640,900,1e6,1e2,1e4\n",
       "r{\"kind\": \"vegard sky trees\", \"format\": 1, \"trees\": {\"arc\": [[{\"feature\": \"green\", "
       "\"threshold\": 0.17, "
       "\"below\": 1, \"above\": 2}, {\"score\": -0.4}, {\"score\": 0.3}]], \"twilight\": [[{\"score\": 1}]], "

@@ -12,6 +12,7 @@
 #include "sim/base/number/spline.h"
 #include "sim/light/emission_table.h"
 #include "sim/light/height_profile.h"
+#include "tests/support/glow.h"
 
 namespace vegard::tests {
 
@@ -19,7 +20,7 @@ namespace vegard::tests {
 /// the model's own grid. Its energies are those of the emission tables, rounded to five digits.
 class GlowColumns {
  public:
-  const std::vector<double>& energies_kev() const { return sim::EmissionTable::glow().energies_kev(); }
+  const std::vector<double>& energies_kev() const { return tests::glow().tables.maxwellian().energies_kev(); }
 
   /// In the order of the energies, for a wavelength such as 557.7.
   const std::vector<double>& rayleigh(double wavelength_nm) const {
@@ -43,18 +44,18 @@ class GlowColumns {
   }
 
  private:
-  sim::CsvTable table_ = sim::embedded_csv_table("column_brightness.csv");
+  sim::CsvTable table_ = sim::embedded_csv_table("glow/column_brightness.csv");
 };
 
 /// The program's column in rayleighs, from 80 to 640 km.
 inline sim::Column program_column(double wavelength_nm, double energy_kev) {
-  return sim::column_below(sim::maxwellian_profile({wavelength_nm}, energy_kev), 0,
+  return sim::column_below(sim::maxwellian_profile(tests::glow(), {wavelength_nm}, energy_kev), 0,
                            sim::HeightProfile::kTopKm);
 }
 
 /// The emission table without every second of its energies; the first and the last stay.
 inline sim::EmissionTable every_second_energy() {
-  std::istringstream text{std::string(sim::embedded_table("ver_maxwellian.csv"))};
+  std::istringstream text{std::string(sim::embedded_table("glow/ver_maxwellian.csv"))};
   std::string line, kept, last;
   std::getline(text, line);
   kept = line + "\n";
@@ -65,7 +66,7 @@ inline sim::EmissionTable every_second_energy() {
     last = key;
     if (energy % 2 == 0) kept += line + "\n";
   }
-  return sim::EmissionTable(kept);
+  return sim::EmissionTable(sim::read_csv_table(kept, "half.csv"));
 }
 
 /// A table's column in rayleighs, summed as the program sums it.

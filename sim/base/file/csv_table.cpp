@@ -95,6 +95,11 @@ const std::vector<double>& CsvTable::column(std::string_view column_name) const 
   return numbers[static_cast<std::size_t>(found - columns.begin())];
 }
 
+void CsvTable::refuse(std::size_t row, const std::string& problem, const std::string& expected,
+                      const std::string& hint) const {
+  fail(name, lines.at(row), problem, expected, hint);
+}
+
 void CsvTable::require_increasing(std::string_view column_name) const {
   const std::vector<double>& values = column(column_name);
   for (std::size_t r = 1; r < values.size(); ++r)

@@ -23,6 +23,10 @@ struct CsvTable {
   /// one of them.
   const std::vector<double>& column(std::string_view column) const;
 
+  /// Throws Error(unreadable_input) about a row.
+  [[noreturn]] void refuse(std::size_t row, const std::string& problem, const std::string& expected,
+                           const std::string& hint = {}) const;
+
   /// Throws Error(unreadable_input), at the row's line, unless the column's numbers increase.
   void require_increasing(std::string_view column) const;
 

@@ -26,6 +26,10 @@ std::vector<double> spline_curvature(const std::vector<double>& x, const std::ve
 
 SplineValue spline_at(const std::vector<double>& x, const std::vector<double>& y,
                       const std::vector<double>& curvature, double at) {
+  return spline_at(x, y.data(), curvature.data(), at);
+}
+
+SplineValue spline_at(const std::vector<double>& x, const double* y, const double* curvature, double at) {
   const auto upper = std::upper_bound(x.begin() + 1, x.end() - 1, at);
   const std::size_t i = static_cast<std::size_t>(upper - x.begin()) - 1;
   const double h = x[i + 1] - x[i];

@@ -18,4 +18,7 @@ struct SplineValue {
 SplineValue spline_at(const std::vector<double>& x, const std::vector<double>& y,
                       const std::vector<double>& curvature, double at);
 
+/// The same with as many values and curvatures as there are knots, wherever they lie.
+SplineValue spline_at(const std::vector<double>& x, const double* y, const double* curvature, double at);
+
 }  // namespace vegard::sim

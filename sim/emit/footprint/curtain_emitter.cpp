@@ -39,17 +39,21 @@ template <class T>
 class CurtainEmitter : public Emitter<T> {
  public:
   CurtainEmitter(const Scene& scene, const Footprint& f, const ProfileTable& profiles,
-                 const ProfileTable& by_flux, const NumberAs<T>& number)
+                 const ProfileChanges& changes, const NumberAs<T>& number)
       : profile_(profiles, f.top_km, 0.0),
         rays_(scene, f, profile_.bottom_km()),
         foot_(of_profile(profile_)),
         marcher_(foot_) {
     foot_.ln_energy_shift = (number(f.energy_kev) - f.energy_kev) * (1.0 / f.energy_kev);
     foot_.flux_shift = number(f.energy_flux_mw_m2) - f.energy_flux_mw_m2;
-    if (!by_flux.of_energy.empty()) {
-      by_flux_ = std::make_unique<StepProfile>(by_flux, f.top_km, 0.0);
-      foot_.profile_by_flux = by_flux_.get();
-    }
+    foot_.oxygen_shift = number(scene.emission.oxygen_factor) - scene.emission.oxygen_factor;
+    const auto step_profile = [&](const ProfileTable& table) {
+      return table.of_energy.empty() ? nullptr : std::make_unique<StepProfile>(table, f.top_km, 0.0);
+    };
+    by_flux_ = step_profile(changes.by_flux);
+    by_oxygen_ = step_profile(changes.by_oxygen);
+    foot_.profile_by_flux = by_flux_.get();
+    foot_.profile_by_oxygen = by_oxygen_.get();
     foot_.way = way_of_foot<T>(scene, f, number, foot_.axis);
     build(f, number);
   }
@@ -189,7 +193,7 @@ class CurtainEmitter : public Emitter<T> {
   }
 
   StepProfile profile_;
-  std::unique_ptr<StepProfile> by_flux_;
+  std::unique_ptr<StepProfile> by_flux_, by_oxygen_;
   MarchRays rays_;
   ScalarFootprint<T, double> foot_;
   ScalarMarch<T, double> marcher_;
@@ -200,15 +204,15 @@ class CurtainEmitter : public Emitter<T> {
 
 template <class T>
 std::unique_ptr<Emitter<T>> curtain_emitter(const Scene& scene, const Footprint& footprint,
-                                            const ProfileTable& profiles, const ProfileTable& by_flux,
+                                            const ProfileTable& profiles, const ProfileChanges& changes,
                                             const NumberAs<T>& number) {
-  return std::make_unique<CurtainEmitter<T>>(scene, footprint, profiles, by_flux, number);
+  return std::make_unique<CurtainEmitter<T>>(scene, footprint, profiles, changes, number);
 }
 
 template std::unique_ptr<Emitter<double>> curtain_emitter(const Scene&, const Footprint&, const ProfileTable&,
-                                                          const ProfileTable&, const NumberAs<double>&);
+                                                          const ProfileChanges&, const NumberAs<double>&);
 template std::unique_ptr<Emitter<FreeDual>> curtain_emitter(const Scene&, const Footprint&,
-                                                            const ProfileTable&, const ProfileTable&,
+                                                            const ProfileTable&, const ProfileChanges&,
                                                             const NumberAs<FreeDual>&);
 
 }  // namespace vegard::sim

@@ -14,10 +14,10 @@
 
 namespace vegard::sim {
 
-/// Of a footprint with model "curtain". `by_flux` as of plane_footprint_emitter(). T is double or FreeDual.
+/// Of a footprint with model "curtain". `changes` as of plane_footprint_emitter(). T is double or FreeDual.
 template <class T>
 std::unique_ptr<Emitter<T>> curtain_emitter(const Scene& scene, const Footprint& footprint,
-                                            const ProfileTable& profiles, const ProfileTable& by_flux,
+                                            const ProfileTable& profiles, const ProfileChanges& changes,
                                             const NumberAs<T>& number);
 
 }  // namespace vegard::sim

@@ -21,7 +21,7 @@ template <class T, class G>
 class FootprintEmitter : public Emitter<T> {
  public:
   FootprintEmitter(const Scene& scene, const Footprint& footprint, const ProfileTable& profiles,
-                   const ProfileTable& by_flux, const NumberAs<T>& number, MarchBy by)
+                   const ProfileChanges& changes, const NumberAs<T>& number, MarchBy by)
       : profile_(profiles, footprint.top_km, scene.march.step_km),
         rays_(scene, footprint, profile_.bottom_km()),
         step_cells_(scene.march.step_cells),
@@ -32,10 +32,16 @@ class FootprintEmitter : public Emitter<T> {
     scalar_.ln_energy_shift =
         (number(footprint.energy_kev) - footprint.energy_kev) * (1.0 / footprint.energy_kev);
     scalar_.flux_shift = number(footprint.energy_flux_mw_m2) - footprint.energy_flux_mw_m2;
-    if (!by_flux.of_energy.empty()) {
-      by_flux_ = std::make_unique<StepProfile>(by_flux, footprint.top_km, scene.march.step_km);
-      scalar_.profile_by_flux = by_flux_.get();
-    }
+    scalar_.oxygen_shift = number(scene.emission.oxygen_factor) - scene.emission.oxygen_factor;
+    const auto step_profile = [&](const ProfileTable& table) {
+      return table.of_energy.empty()
+                 ? nullptr
+                 : std::make_unique<StepProfile>(table, footprint.top_km, scene.march.step_km);
+    };
+    by_flux_ = step_profile(changes.by_flux);
+    by_oxygen_ = step_profile(changes.by_oxygen);
+    scalar_.profile_by_flux = by_flux_.get();
+    scalar_.profile_by_oxygen = by_oxygen_.get();
   }
 
   void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override {
@@ -133,7 +139,7 @@ class FootprintEmitter : public Emitter<T> {
   }
 
   StepProfile profile_;
-  std::unique_ptr<StepProfile> by_flux_;
+  std::unique_ptr<StepProfile> by_flux_, by_oxygen_;
   MarchRays rays_;
   double step_cells_;
   bool in_lanes_;
@@ -153,9 +159,9 @@ template <class T>
 class PlaneEmitter : public FootprintEmitter<T, T> {
  public:
   PlaneEmitter(const Scene& scene, const Footprint& footprint, PlaneFootprint<T> map,
-               const ProfileTable& profiles, const ProfileTable& by_flux, const NumberAs<T>& number,
+               const ProfileTable& profiles, const ProfileChanges& changes, const NumberAs<T>& number,
                int threads, MarchBy by)
-      : FootprintEmitter<T, T>(scene, footprint, profiles, by_flux, number, by), map_(std::move(map)) {
+      : FootprintEmitter<T, T>(scene, footprint, profiles, changes, number, by), map_(std::move(map)) {
     const double texels = 1.0 / map_.cell_km, least = least_flux(map_.grid, 0.0);
     this->set_grid(texels, -map_.west_km * texels - 0.5, -map_.south_km * texels - 0.5);
     this->set_face(0, map_.grid, least);
@@ -173,9 +179,9 @@ template <class T>
 class CubeEmitter : public FootprintEmitter<T, double> {
  public:
   CubeEmitter(const Scene& scene, const Footprint& footprint, CubeFootprint<double> map,
-              const ProfileTable& profiles, const ProfileTable& by_flux, const NumberAs<T>& number,
+              const ProfileTable& profiles, const ProfileChanges& changes, const NumberAs<T>& number,
               int threads, MarchBy by)
-      : FootprintEmitter<T, double>(scene, footprint, profiles, by_flux, number, by), map_(std::move(map)) {
+      : FootprintEmitter<T, double>(scene, footprint, profiles, changes, number, by), map_(std::move(map)) {
     const double half = 0.5 * map_.face_cells;
     double least = 0.0;
     for (const FootprintGrid<double>& face : map_.face) least = least_flux(face, least);
@@ -196,36 +202,37 @@ class CubeEmitter : public FootprintEmitter<T, double> {
 template <class T>
 std::unique_ptr<Emitter<T>> plane_footprint_emitter(const Scene& scene, const Footprint& footprint,
                                                     PlaneFootprint<T> map, const ProfileTable& profiles,
-                                                    const ProfileTable& by_flux, const NumberAs<T>& number,
+                                                    const ProfileChanges& changes, const NumberAs<T>& number,
                                                     int threads, MarchBy by) {
-  return std::make_unique<PlaneEmitter<T>>(scene, footprint, std::move(map), profiles, by_flux, number,
+  return std::make_unique<PlaneEmitter<T>>(scene, footprint, std::move(map), profiles, changes, number,
                                            threads, by);
 }
 
 template <class T>
 std::unique_ptr<Emitter<T>> cube_footprint_emitter(const Scene& scene, const Footprint& footprint,
                                                    CubeFootprint<double> map, const ProfileTable& profiles,
-                                                   const ProfileTable& by_flux, const NumberAs<T>& number,
+                                                   const ProfileChanges& changes, const NumberAs<T>& number,
                                                    int threads, MarchBy by) {
-  return std::make_unique<CubeEmitter<T>>(scene, footprint, std::move(map), profiles, by_flux, number,
+  return std::make_unique<CubeEmitter<T>>(scene, footprint, std::move(map), profiles, changes, number,
                                           threads, by);
 }
 
 template std::unique_ptr<Emitter<double>> plane_footprint_emitter(const Scene&, const Footprint&,
                                                                   PlaneFootprint<double>, const ProfileTable&,
-                                                                  const ProfileTable&,
+                                                                  const ProfileChanges&,
                                                                   const NumberAs<double>&, int, MarchBy);
 template std::unique_ptr<Emitter<FreeDual>> plane_footprint_emitter(const Scene&, const Footprint&,
                                                                     PlaneFootprint<FreeDual>,
-                                                                    const ProfileTable&, const ProfileTable&,
+                                                                    const ProfileTable&,
+                                                                    const ProfileChanges&,
                                                                     const NumberAs<FreeDual>&, int, MarchBy);
 template std::unique_ptr<Emitter<double>> cube_footprint_emitter(const Scene&, const Footprint&,
                                                                  CubeFootprint<double>, const ProfileTable&,
-                                                                 const ProfileTable&, const NumberAs<double>&,
-                                                                 int, MarchBy);
+                                                                 const ProfileChanges&,
+                                                                 const NumberAs<double>&, int, MarchBy);
 template std::unique_ptr<Emitter<FreeDual>> cube_footprint_emitter(const Scene&, const Footprint&,
                                                                    CubeFootprint<double>, const ProfileTable&,
-                                                                   const ProfileTable&,
+                                                                   const ProfileChanges&,
                                                                    const NumberAs<FreeDual>&, int, MarchBy);
 
 }  // namespace vegard::sim

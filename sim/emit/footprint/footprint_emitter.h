@@ -19,19 +19,19 @@ namespace vegard::sim {
 /// Whether in lanes, or one after the other in double, the reference.
 enum class MarchBy { lanes, reference };
 
-/// Of a footprint of shape "box". `by_flux` are profiles whose d_rate_d_ln_energy is by the energy flux in
-/// mW m^-2; empty: the light goes as the flux.
+/// Of a footprint of shape "box". `changes` are for those who ask for derivatives; empty: the light goes as
+/// the flux, whatever the oxygen.
 template <class T>
 std::unique_ptr<Emitter<T>> plane_footprint_emitter(const Scene& scene, const Footprint& footprint,
                                                     PlaneFootprint<T> map, const ProfileTable& profiles,
-                                                    const ProfileTable& by_flux, const NumberAs<T>& number,
+                                                    const ProfileChanges& changes, const NumberAs<T>& number,
                                                     int threads, MarchBy by = MarchBy::lanes);
 
 /// Of a footprint of shape "shell".
 template <class T>
 std::unique_ptr<Emitter<T>> cube_footprint_emitter(const Scene& scene, const Footprint& footprint,
                                                    CubeFootprint<double> map, const ProfileTable& profiles,
-                                                   const ProfileTable& by_flux, const NumberAs<T>& number,
+                                                   const ProfileChanges& changes, const NumberAs<T>& number,
                                                    int threads, MarchBy by = MarchBy::lanes);
 
 /// The same as fields in space, in the observer's east, north and up.

@@ -27,6 +27,9 @@ struct ScalarFootprint {
   T ln_energy_shift;                             ///< 0, with the tangents of ln(energy)
   const StepProfile* profile_by_flux = nullptr;  ///< its slopes are by the energy flux; null: none
   T flux_shift;                                  ///< 0, with the tangents of the energy flux
+  const StepProfile* profile_by_oxygen =
+      nullptr;     ///< its slopes are by the tables' oxygen factor; null: none
+  T oxygen_shift;  ///< 0, with the tangents of that factor
 };
 
 template <class T>
@@ -204,6 +207,8 @@ class ScalarMarch {
       rate[l] = between(profile_.rate(energy, width), l) + between(profile_.slope(energy, width), l) * shift;
       if (f_.profile_by_flux != nullptr)
         rate[l] = rate[l] + between(f_.profile_by_flux->slope(energy, width), l) * f_.flux_shift;
+      if (f_.profile_by_oxygen != nullptr)
+        rate[l] = rate[l] + between(f_.profile_by_oxygen->slope(energy, width), l) * f_.oxygen_shift;
     }
   }
 

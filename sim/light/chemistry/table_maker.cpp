@@ -171,7 +171,11 @@ std::string about_json(const TableRequest& request) {
 
 }  // namespace
 
-std::vector<double> usual_maxwellian_kev() { return energies(0.1, 20.0, 24); }
+std::vector<double> usual_maxwellian_kev() {
+  std::vector<double> kev = energies(0.1, 15.849, 23);
+  kev.push_back(20.0);
+  return kev;
+}
 
 std::vector<double> usual_mono_kev() { return energies(0.05, 100.0, 54); }
 

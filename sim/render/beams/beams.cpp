@@ -149,6 +149,7 @@ BeamLayout::BeamLayout(const Scene& scene, double beyond, std::vector<SheetNodes
     const std::vector<HeightProfile> profiles = height_profiles(scene);
     for (int s = 0; s < static_cast<int>(sheets_.size()); ++s) {
       const ProfilesOfSheet own = profiles_of_sheet(scene, s);
+      first_rung_.push_back(own.ladder.first);
       for (int rung = 0; rung < own.count(); ++rung)
         peak_km_[s].push_back(peak_altitude_km(profiles[own.first + rung]));
     }
@@ -193,7 +194,7 @@ double BeamLayout::peak_km(int sheet, const EnergyLadder& ladder, int rung) cons
   const std::vector<double>& peaks = peak_km_[sheet];
   if (peaks.empty()) return 0.0;
   // A fit may have led to other rungs than those of the layout.
-  const int laid_out = ladder.first + rung - energy_ladder(sheets_[sheet]).first;
+  const int laid_out = ladder.first + rung - first_rung_[sheet];
   return peaks[ladder.count == 0 ? 0 : std::clamp(laid_out, 0, static_cast<int>(peaks.size()) - 1)];
 }
 

@@ -64,6 +64,7 @@ class BeamLayout {
   std::vector<CurveLayout> curves_;  ///< [sheet], of those whose course is a curve
   /// Of their height profiles, [sheet][rung of its ladder of energies], where a structure asks for it.
   std::vector<std::vector<double>> peak_km_;
+  std::vector<int> first_rung_;  ///< of each sheet, where there are peaks
   std::uint64_t seed_;
   std::vector<double> path_steps_;                             ///< [sheet]
   std::vector<std::vector<StretchOfSheet>> stretches_;         ///< [instant][sheet]

@@ -144,16 +144,17 @@ std::vector<HeightProfile> height_profiles(const Scene& scene) {
 }
 
 ProfilesOfSheet profiles_of_sheet(const Scene& scene, int sheet) {
-  ProfilesOfSheet profiles{sheet, energy_ladder(scene.sheets[sheet])};
+  ProfilesOfSheet profiles{sheet, energy_ladder(scene, sheet)};
   if (profiles.ladder.count == 0) return profiles;
   profiles.first = static_cast<int>(scene.sheets.size());
-  for (int before = 0; before < sheet; ++before) profiles.first += energy_ladder(scene.sheets[before]).count;
+  for (int before = 0; before < sheet; ++before) profiles.first += energy_ladder(scene, before).count;
   return profiles;
 }
 
 int profile_count(const Scene& scene) {
-  int count = static_cast<int>(scene.sheets.size());
-  for (const Sheet& sheet : scene.sheets) count += energy_ladder(sheet).count;
+  const int sheets = static_cast<int>(scene.sheets.size());
+  int count = sheets;
+  for (int sheet = 0; sheet < sheets; ++sheet) count += energy_ladder(scene, sheet).count;
   return count;
 }
 

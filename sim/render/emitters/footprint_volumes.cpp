@@ -32,16 +32,18 @@ struct EnergyRange {
 };
 
 struct Profiles {
-  ProfileTable usual, by_flux;
+  ProfileTable usual;
+  ProfileChanges changes;
 };
 
 Profiles profiles_of(const Scene& scene, const Footprint& f, const EnergyRange& range, bool with_slopes) {
   Profiles profiles;
   profiles.usual = footprint_profiles(scene, f, range.least, range.most);
   if (!with_slopes) return profiles;
-  profiles.by_flux = profile_table_by_flux(scene.emission.lines, scene, f, profiles.usual);
+  profiles.changes = profile_changes(scene.emission.lines, scene, f, profiles.usual);
   if (f.light == FootprintLight::colours)
-    profiles.by_flux = colours_table(profiles.by_flux, colour_ladder(scene, f));
+    for (ProfileTable* table : {&profiles.changes.by_flux, &profiles.changes.by_oxygen})
+      *table = colours_table(*table, colour_ladder(scene, f));
   return profiles;
 }
 
@@ -67,13 +69,13 @@ std::unique_ptr<Emitter<T>> footprint_emitter(const Scene& scene, const Footprin
       range.most = std::max(range.most, std::log(energy));
     }
     const Profiles profiles = profiles_of(scene, f, range, kSlopes);
-    return curtain_emitter<T>(scene, f, profiles.usual, profiles.by_flux, number);
+    return curtain_emitter<T>(scene, f, profiles.usual, profiles.changes, number);
   }
   if (f.shape == FootprintShape::shell) {
     CubeFootprint<double> map = make_cube_footprint(scene, f, pictures, threads);
     for (const FootprintGrid<double>& face : map.face) range.take(face);
     const Profiles profiles = profiles_of(scene, f, range, kSlopes);
-    return cube_footprint_emitter<T>(scene, f, std::move(map), profiles.usual, profiles.by_flux, number,
+    return cube_footprint_emitter<T>(scene, f, std::move(map), profiles.usual, profiles.changes, number,
                                      threads);
   }
   if (const PrecipitationMap* precipitation = map_of(f, files)) {
@@ -81,13 +83,13 @@ std::unique_ptr<Emitter<T>> footprint_emitter(const Scene& scene, const Footprin
     PlaneFootprint<T> map = precipitation_plane<T>(f, *precipitation);
     range.take(map.grid);
     const Profiles profiles = profiles_of(scene, own, range, kSlopes);
-    return plane_footprint_emitter<T>(scene, own, std::move(map), profiles.usual, profiles.by_flux, number,
+    return plane_footprint_emitter<T>(scene, own, std::move(map), profiles.usual, profiles.changes, number,
                                       threads);
   }
   PlaneFootprint<T> map = make_plane_footprint<T>(scene, f, pictures, number, threads);
   range.take(map.grid);
   const Profiles profiles = profiles_of(scene, f, range, kSlopes);
-  return plane_footprint_emitter<T>(scene, f, std::move(map), profiles.usual, profiles.by_flux, number,
+  return plane_footprint_emitter<T>(scene, f, std::move(map), profiles.usual, profiles.changes, number,
                                     threads);
 }
 

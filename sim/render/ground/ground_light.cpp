@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "sim/base/parallel.h"
+#include "sim/light/emission_tables.h"
 #include "sim/light/height_profile.h"
 #include "sim/view/camera/rays.h"
 #include "sim/view/sky/air.h"
@@ -23,7 +24,8 @@ std::vector<float> mean_rates(const Scene& scene, const std::vector<double>& ene
   std::vector<float> rates(static_cast<std::size_t>(bins.bins()) * lines * kGroundEnergies, 0.0f);
   const double at_flux = scene.emission.flux_law == FluxLaw::linear ? 1.0 : flux;
   for (std::size_t e = 0; e < energies_kev.size(); ++e) {
-    const HeightProfile profile = maxwellian_profile(scene.emission.lines, energies_kev[e], at_flux);
+    const HeightProfile profile =
+        maxwellian_profile(emission_source(scene), scene.emission.lines, energies_kev[e], at_flux);
     const auto rate = [&](int line, double altitude_km) {
       const double row = (altitude_km / altitude_scale - HeightProfile::kBottomKm) / HeightProfile::kStepKm;
       if (row < 0.0 || row > HeightProfile::kAltitudes - 1) return 0.0;

@@ -2,9 +2,9 @@
 // and the Sun too, is emission_lines() (sim/scene/lines/emission_lines.h): a scene may name these, and their
 // light and colour follow from the row.
 //
-// Most lines have a column of their own in the emission tables (data/glow). The others come from the same
-// upper state as one that has, or go with it by a ratio from the literature: their light is that column's
-// times `ratio`. Those of nebulae (sim/scene/lines/nebular_lines.h) have no column: electrons in the air
+// Most lines have a column of their own in the emission tables (sim/light/emission_tables.h). Where tables
+// have none, a line comes from the same upper state as one that has, or goes with it by a ratio from the
+// literature: its light is that column's times `ratio`. Those of nebulae (sim/scene/lines/nebular_lines.h) have no column: electrons in the air
 // leave them dark. docs/lines.md prints the list.
 #pragma once
 
@@ -26,8 +26,8 @@ struct EmissionLine {
   const char* species;
   const char* transition;
   double lifetime_s;                      ///< of the upper state, without collisions
-  const char* table_column;               ///< in data/glow/ver_maxwellian.csv; empty: not of the aurora
-  double ratio;                           ///< of its photons to the column's
+  const char* table_column;               ///< of emission tables without its own; empty: not of the aurora
+  double ratio;                           ///< of its photons to that column's
   const char* ratio_source;               ///< empty for a line with a column of its own; else with the spread
   const char* blended_with;               ///< what stands so near that a colour filter of some nm has both
   std::vector<LineComponent> components;  ///< shares add up to 1; the wavelength alone for a single line

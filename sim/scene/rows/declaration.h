@@ -63,6 +63,7 @@ enum class ParameterRole {
   lens_k3,
   lens_p1,
   lens_p2,
+  oxygen_factor,  ///< of the emission tables
   blur_width,
   // of the air and the night sky
   aerosol_depth,
@@ -204,6 +205,8 @@ struct Declaration {
   /// A text that may name a table (sim/scene/table/table_files.h), or a picture or grid
   /// (sim/scene/file/named_files.h).
   bool names_table = false, names_file = false;
+  /// One that may name a folder of emission tables (sim/scene/table/emission_folder.h).
+  bool names_folder = false;
 
   /// What follows from a new value, of a scalar in a repeated table.
   void (*then)(Scene&, int element) = nullptr;

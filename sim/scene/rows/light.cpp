@@ -17,8 +17,13 @@ std::vector<Declaration> light_rows() {
       Row("emission", "lines", &Scene::emission, &Emission::lines).of({"<n>"}).named_by(index_name).in("nm")
           .rule(line_complaint).list_rule(lines_complaint).set_by(change_lines)
           .means("wavelengths of the emission lines"),
+      Row("emission", "tables", &Scene::emission, &Emission::tables).names_folder().rule(emission_tables_complaint)
+          .means("the emission tables: \"glow\", or a folder relative to the scene's file (docs/file_formats.md)"),
+      Row("emission", "oxygen_factor", &Scene::emission, &Emission::oxygen_factor).as(ParameterRole::oxygen_factor)
+          .within(0.25, 4).may_be_free(ParameterScale::logarithmic)
+          .means("atomic oxygen, as a multiple of what the tables' air has; other than 1 only for tables of several factors, and within those"),
       Row("emission", "flux_law", &Scene::emission, &Emission::flux_law).one_of<FluxLaw>({{"column", FluxLaw::column}, {"linear", FluxLaw::linear}})
-          .means("how light grows with the energy flux of Maxwellian electrons: as the columns of GLOW do, which "
+          .means("how light grows with the energy flux of Maxwellian electrons: as the columns of the tables do, which "
                  "depart from proportion by up to 15 % between 0.1 and 10 mW m⁻²; or in proportion"),
 
       Row("blur", "width_deg", &Scene::blur, &Blur::width_deg).as(ParameterRole::blur_width).by_line().in("deg")

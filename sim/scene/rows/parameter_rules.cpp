@@ -82,6 +82,11 @@ std::optional<Complaint> time_complaint(const std::string& time_utc) {
       "ISO 8601 such as \"2019-09-01T05:00:00Z\" in UTC, or with a zone, \"2019-09-01T07:00:00+02:00\"", ""};
 }
 
+std::optional<Complaint> emission_tables_complaint(const std::string& name) {
+  if (!name.empty()) return std::nullopt;
+  return Complaint{"no tables are named", "\"glow\", or the name of a folder", ""};
+}
+
 std::optional<Complaint> line_complaint(double line_nm) {
   const auto& known = known_emission_lines_nm();
   if (std::find(known.begin(), known.end(), line_nm) != known.end()) return std::nullopt;

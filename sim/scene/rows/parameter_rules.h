@@ -25,6 +25,9 @@ bool is_table_file(const std::string& value);
 /// Empty, or "2019-09-01", with a time "T05:00", "T05:00:00" or "T05:00:00.25" and "Z".
 std::optional<Complaint> time_complaint(const std::string& time_utc);
 
+/// The name of built-in emission tables or of a folder: not empty.
+std::optional<Complaint> emission_tables_complaint(const std::string& name);
+
 /// A line must be one of the emission tables'.
 std::optional<Complaint> line_complaint(double line_nm);
 

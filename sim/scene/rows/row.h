@@ -157,6 +157,7 @@ class Row {
   Row& presets(const std::vector<KeyAndText>& (*values)(const std::string&)) {
     return d_.presets = values, *this;
   }
+  Row& names_folder() { return d_.names_folder = true, *this; }
   Row& names_file() { return d_.names_file = true, *this; }
   Row& then(void (*follow)(Scene&, int)) { return d_.then = follow, *this; }
   Row& named_by(std::string (*name)(const Scene&, int component)) {

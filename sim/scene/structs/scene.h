@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "sim/scene/structs/sheet_kinds.h"
 #include "sim/scene/structs/site.h"
 #include "sim/scene/structs/sun_of_scene.h"
+#include "sim/scene/structs/table_folder.h"
 #include "sim/scene/structs/volumes_of_scene.h"
 
 namespace vegard::sim {
@@ -174,8 +176,16 @@ enum class FluxLaw {
   linear
 };
 
+/// The emission tables of a scene that names none.
+inline const char* const kDefaultEmissionTables = "glow";
+
 struct Emission {
   std::vector<double> lines = {630.0, 557.7, 427.8};  ///< wavelengths in nm
+  std::string tables = kDefaultEmissionTables;        ///< that come with the program, or a folder
+  /// The text of that folder, read with the scene (sim/scene/table/emission_folder.h); null for the
+  /// program's.
+  std::shared_ptr<const TableFolder> folder;
+  double oxygen_factor = 1.0;  ///< of the atomic oxygen that the tables are made for
   FluxLaw flux_law = FluxLaw::column;
 };
 

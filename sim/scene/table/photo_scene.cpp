@@ -10,8 +10,10 @@
 #include "sim/scene/rows/nearest_name.h"
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/structs/photo_entry_keys.h"
+#include "sim/scene/table/emission_folder.h"
 #include "sim/scene/table/free_entry_keys.h"
 #include "sim/scene/table/parameter_declarations.h"
+#include "sim/scene/table/parameter_id.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/scene/table/table_files.h"
 #include "sim/scene/table/value_check.h"
@@ -37,8 +39,10 @@ void refuse_common_keys(const Scene& scene, const PhotoEntry& entry, const Param
     complain({path.text + " is no matter of a single photograph", "a path that a photograph may differ in",
               path.row->key == "decoding" ? "give the entry a decoding" : "set it in [fit]"},
              origin);
-  if (declaration_of(*path.row).names_table && value.size() > 2 &&
-      is_table_file(value.substr(1, value.size() - 2)))
+  const std::string text = value.size() > 2 ? value.substr(1, value.size() - 2) : "";
+  const Declaration& declaration = declaration_of(*path.row);
+  if ((declaration.names_table && is_table_file(text)) ||
+      (declaration.names_folder && !are_built_in_tables(text)))
     complain({"a table in a file cannot be set for a single photograph", "the name of what is built in",
               "set " + path.text + " of the scene"},
              origin);

@@ -31,7 +31,7 @@ bool same_value(const ValueRef& a, const ValueRef& b) {
 }  // namespace
 
 bool same_values(const Scene& a, const Scene& b, const std::set<std::string>& except) {
-  if (a.file != b.file || a.tables != b.tables) return false;
+  if (a.file != b.file || a.tables != b.tables || a.emission.folder != b.emission.folder) return false;
   // Only read through: the accessors take a Scene they could change.
   Scene &one = const_cast<Scene&>(a), &other = const_cast<Scene&>(b);
   for (const Declaration& d : declarations()) {

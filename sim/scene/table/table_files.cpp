@@ -6,9 +6,11 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
+#include "sim/base/file/sha256.h"
 #include "sim/scene/rows/decoding_word.h"
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/structs/line_of.h"
+#include "sim/scene/table/emission_folder.h"
 #include "sim/scene/table/parameter_declarations.h"
 
 namespace vegard::sim {
@@ -65,6 +67,16 @@ std::string table_place(const Scene& scene, const std::string& name) {
 void read_table_files(Scene& scene) {
   scene.tables.clear();
   for (const TableFile& table : table_files(scene)) scene.tables[table.path] = read_text(scene, table);
+  read_emission_folder(scene);
+}
+
+std::vector<std::pair<std::string, std::string>> table_sums(const Scene& scene) {
+  std::vector<std::pair<std::string, std::string>> sums;
+  for (const auto& [path, text] : scene.tables) sums.emplace_back(path, sha256(text));
+  if (scene.emission.folder)
+    for (const auto& [file, text] : scene.emission.folder->files)
+      sums.emplace_back(emission_file_path(file), sha256(text));
+  return sums;
 }
 
 const std::string& table_text(const Scene& scene, const std::string& path) { return scene.tables.at(path); }

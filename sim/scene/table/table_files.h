@@ -6,6 +6,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/scene/structs/scene.h"
@@ -22,9 +23,13 @@ std::vector<TableFile> table_files(const Scene& scene);
 /// Where a table stands: its name is relative to the folder of the scene's file.
 std::string table_place(const Scene& scene, const std::string& name);
 
-/// Reads all of them into Scene::tables anew. Throws Error(unreadable_input) for one that is missing, no file
-/// or above 16 MB.
+/// Reads all of them into Scene::tables anew, and the folder of emission tables (emission_folder.h). Throws
+/// Error(unreadable_input) for one that is missing, no file or above 16 MB.
 void read_table_files(Scene& scene);
+
+/// The SHA-256 of every table that the scene reads from a file: by the key's path, and of a folder by path
+/// and file ("emission.tables/ver_mono.csv"). What was made of a scene was made of these too.
+std::vector<std::pair<std::string, std::string>> table_sums(const Scene& scene);
 
 /// The text of a key's table. It must be there: for keys whose value is a table file.
 const std::string& table_text(const Scene& scene, const std::string& path);

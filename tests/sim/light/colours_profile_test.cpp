@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/base/number/random.h"
+#include "tests/support/glow.h"
 
 namespace vegard::sim::colours_profile_test {
 namespace {
@@ -62,7 +63,7 @@ TEST(LineAmounts, OfBlackAreNone) {
 }
 
 TEST(ColoursProfile, KeepsTheTotalAndItsShapeAndHasTheLaddersShares) {
-  const HeightProfile usual = maxwellian_profile({630.0, 557.7, 427.8}, 2.0);
+  const HeightProfile usual = maxwellian_profile(tests::glow(), {630.0, 557.7, 427.8}, 2.0);
   const ColourLadder ladder{{0.0, 3.0, 1.0}, {2.0, 0.0, 2.0}, 110.0, 200.0};
   const HeightProfile profile = colours_profile(usual, ladder);
   double column = 0.0, usual_column = 0.0;
@@ -93,7 +94,8 @@ TEST(ColoursProfile, KeepsTheTotalAndItsShapeAndHasTheLaddersShares) {
 TEST(ColoursProfile, SlopeIsThatOfDifferences) {
   const ColourLadder ladder{{0.0, 1.0, 0.0}, {1.0, 0.0, 1.0}, 110.0, 220.0};
   const auto at = [&](double ln) {
-    return colours_profile(maxwellian_profile({630.0, 557.7, 427.8}, 2.0 * std::exp(ln)), ladder);
+    return colours_profile(maxwellian_profile(tests::glow(), {630.0, 557.7, 427.8}, 2.0 * std::exp(ln)),
+                           ladder);
   };
   constexpr double h = 1e-2;
   const HeightProfile more = at(h), less = at(-h), here = at(0.0);

@@ -1,4 +1,5 @@
 #include "sim/light/form_profile.h"
+#include "tests/support/glow.h"
 
 #include <gtest/gtest.h>
 
@@ -43,8 +44,8 @@ TEST(FormProfile, HasTheCurveAsItsTotalAndTheTablesRatiosAndLight) {
   // Floats of up to three lines: 2e-7 each.
   for (double energy : {0.5, 3.0, 12.0}) {
     for (const FormCurve& curve : {FormCurve{110.0, 4.0, 20.0}, FormCurve{180.0, 30.0, 250.0}}) {
-      const HeightProfile form = form_profile(kTriad, energy, curve);
-      const HeightProfile tables = maxwellian_profile(kTriad, energy);
+      const HeightProfile form = form_profile(tests::glow(), kTriad, energy, curve);
+      const HeightProfile tables = maxwellian_profile(tests::glow(), kTriad, energy);
       const int peak = static_cast<int>((curve.peak_km - HeightProfile::kBottomKm) / HeightProfile::kStepKm);
       for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
         const double wanted = form_intensity(curve, HeightProfile::altitude_km(a));
@@ -60,9 +61,9 @@ TEST(FormProfile, HasTheCurveAsItsTotalAndTheTablesRatiosAndLight) {
 
 TEST(FormProfile, AnotherLineLeavesTheOthersAsTheyAre) {
   const FormCurve curve{};
-  const HeightProfile three = form_profile(kTriad, 3.0, curve);
-  const HeightProfile five = form_profile({337.1, 630.0, 557.7, 427.8, 777.4}, 3.0, curve);
-  const HeightProfile one = form_profile({557.7}, 3.0, curve);
+  const HeightProfile three = form_profile(tests::glow(), kTriad, 3.0, curve);
+  const HeightProfile five = form_profile(tests::glow(), {337.1, 630.0, 557.7, 427.8, 777.4}, 3.0, curve);
+  const HeightProfile one = form_profile(tests::glow(), {557.7}, 3.0, curve);
   for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
     for (int l = 0; l < 3; ++l) EXPECT_EQ(five.rate[a * 8 + 1 + l], three.rate[a * 4 + l]);
     EXPECT_EQ(one.rate[a * 4], three.rate[a * 4 + 1]);
@@ -73,7 +74,7 @@ TEST(FormProfile, IsFiniteWhereTheTablesAreAtTheirFloor) {
   // 12 keV leaves nothing above some 250 km, 0.1 keV nothing below 110: there the form's light is all theirs.
   for (double energy : {0.1, 12.0, 20.0}) {
     for (double peak_km : {90.0, 350.0}) {
-      const HeightProfile form = form_profile(kTriad, energy, {peak_km, 5.0, 20.0});
+      const HeightProfile form = form_profile(tests::glow(), kTriad, energy, {peak_km, 5.0, 20.0});
       for (std::size_t i = 0; i < form.rate.size(); ++i) {
         ASSERT_TRUE(std::isfinite(form.rate[i])) << i;
         ASSERT_TRUE(std::isfinite(form.d_rate_d_ln_energy[i])) << i;
@@ -89,9 +90,9 @@ TEST(FormProfile, DerivativeByTheEnergyIsThatOfTheRate) {
   const FormCurve curve{115.0, 5.0, 60.0};
   for (double energy : {0.7, 3.0, 9.0}) {
     constexpr double h = 0.01;
-    const HeightProfile here = form_profile(kTriad, energy, curve);
-    const HeightProfile more = form_profile(kTriad, energy * std::exp(h), curve);
-    const HeightProfile less = form_profile(kTriad, energy * std::exp(-h), curve);
+    const HeightProfile here = form_profile(tests::glow(), kTriad, energy, curve);
+    const HeightProfile more = form_profile(tests::glow(), kTriad, energy * std::exp(h), curve);
+    const HeightProfile less = form_profile(tests::glow(), kTriad, energy * std::exp(-h), curve);
     for (int l = 0; l < 3; ++l) {
       double peak = 0.0;
       for (int a = 0; a < HeightProfile::kAltitudes; ++a)

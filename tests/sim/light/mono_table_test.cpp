@@ -6,27 +6,31 @@
 #include <cmath>
 
 #include "sim/light/emission_table.h"
-#include "sim/light/glow_air.h"
 #include "sim/light/spectrum_profile.h"
+#include "sim/light/tables_air.h"
 #include "sim/scene/lines/emission_lines.h"
+#include "tests/support/glow.h"
 
 namespace vegard::sim::mono_table_test {
 namespace {
 
+const EmissionTable& maxwellian() { return tests::glow().tables.maxwellian(); }
+const std::vector<StoppingAir>& air() { return tests::glow().tables.air(); }
+
 double column(const std::vector<double>& curve) {
-  const std::vector<double>& z = EmissionTable::glow().altitudes_km();
+  const std::vector<double>& z = maxwellian().altitudes_km();
   double sum = 0.0;
   for (std::size_t a = 0; a + 1 < z.size(); ++a) sum += 0.5 * (curve[a] + curve[a + 1]) * (z[a + 1] - z[a]);
   return sum;
 }
 
-TEST(GlowAir, HasTheAltitudesOfTheTablesAndAnAtmospheresScaleHeights) {
-  ASSERT_EQ(glow_air().size(), EmissionTable::glow().altitudes_km().size());
+TEST(TablesAir, HasTheAltitudesOfTheTablesAndAnAtmospheresScaleHeights) {
+  ASSERT_EQ(air().size(), maxwellian().altitudes_km().size());
   // H of 6 km in the mesosphere; the density falls by the factor that it says, but for the temperature's
   // gradient.
-  EXPECT_NEAR(glow_air().front().scale_height_cm, 6.4e5, 0.2e5);
+  EXPECT_NEAR(air().front().scale_height_cm, 6.4e5, 0.2e5);
   // 80 km of air of 18 mg/m^3 (U.S. Standard Atmosphere 1976: 1.846e-8 g/cm^3), within the season's 30 %.
-  EXPECT_NEAR(glow_air().front().mass_column_g_cm2 / glow_air().front().scale_height_cm / 1.846e-8, 1.0, 0.3);
+  EXPECT_NEAR(air().front().mass_column_g_cm2 / air().front().scale_height_cm / 1.846e-8, 1.0, 0.3);
 }
 
 TEST(MonoEnergeticTable, AMaxwellianMadeOutOfItIsThatOfTheTables) {
@@ -35,12 +39,12 @@ TEST(MonoEnergeticTable, AMaxwellianMadeOutOfItIsThatOfTheTables) {
   for (const EmissionLine& line : emission_lines()) {
     if (!is_auroral(line)) continue;
     for (const double e0 : {0.22387, 0.50119, 1.0, 1.9953, 5.0119, 10.0, 19.953}) {
-      std::vector<double> tables, made(glow_air().size(), 0.0), off;
-      for (const Emission1d& emission : EmissionTable::glow().at_energy(line.table_column, e0))
+      std::vector<double> tables, made(air().size(), 0.0), off;
+      for (const Emission1d& emission : maxwellian().at_energy(line.table_column, e0))
         tables.push_back(emission.rate);
       for (const SpectrumPiece& piece : maxwellian_pieces(e0)) {
-        const std::vector<LogRate> rates =
-            MonoEnergeticTable::glow().at_energy(line.table_column, piece.energy_kev);
+        const std::vector<MonoRate> rates =
+            tests::glow().tables.mono().at_energy(line.table_column, piece.energy_kev);
         for (std::size_t a = 0; a < made.size(); ++a) made[a] += piece.share * std::exp(rates[a].value);
       }
       EXPECT_NEAR(column(made) / column(tables), 1.0, 0.03) << line.wavelength_nm << " nm, " << e0 << " keV";
@@ -53,11 +57,11 @@ TEST(MonoEnergeticTable, AMaxwellianMadeOutOfItIsThatOfTheTables) {
 
 TEST(MonoEnergeticTable, GrowsWithTheEnergyAsItsSlopeSays) {
   constexpr double h = 1e-5;
-  const MonoEnergeticTable& table = MonoEnergeticTable::glow();
+  const MonoEnergeticTable& table = tests::glow().tables.mono();
   for (const double energy : {0.15, 0.9, 6.0, 19.0, 55.0}) {
-    const std::vector<LogRate> here = table.at_energy("ver_5577", energy),
-                               more = table.at_energy("ver_5577", energy * std::exp(h)),
-                               less = table.at_energy("ver_5577", energy * std::exp(-h));
+    const std::vector<MonoRate> here = table.at_energy("ver_5577", energy),
+                                more = table.at_energy("ver_5577", energy * std::exp(h)),
+                                less = table.at_energy("ver_5577", energy * std::exp(-h));
     for (std::size_t a = 0; a < here.size(); ++a) {
       const double difference = (more[a].value - less[a].value) / (2.0 * h);
       EXPECT_NEAR(here[a].slope, difference, 1e-6 * (1.0 + std::abs(difference))) << energy << ", row " << a;

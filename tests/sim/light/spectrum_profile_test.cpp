@@ -9,6 +9,7 @@
 #include "sim/light/emission_table.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/table/parameter_id.h"
+#include "tests/support/glow.h"
 #include "tests/support/one_sheet.h"
 
 namespace vegard::sim::spectrum_profile_test {
@@ -26,7 +27,7 @@ double peak_of(const std::vector<float>& rate, int line) {
 /// At the altitudes of the tables; between them each is a spline of its own.
 void expect_close(const HeightProfile& found, const HeightProfile& wanted, double share_of_peak) {
   for (int l = 0; l < found.lines; ++l) {
-    for (const double altitude : EmissionTable::glow().altitudes_km()) {
+    for (const double altitude : tests::glow().tables.maxwellian().altitudes_km()) {
       const auto a = static_cast<std::size_t>((altitude - HeightProfile::kBottomKm) / HeightProfile::kStepKm);
       EXPECT_NEAR(found.rate[a * 4 + l], wanted.rate[a * 4 + l], share_of_peak * peak_of(wanted.rate, l))
           << "line " << l << ", altitude " << altitude;
@@ -47,18 +48,20 @@ double border_km(const HeightProfile& profile) {
 TEST(SpectrumProfile, TheNarrowerTheSpectrumTheSharperTheLowerBorder) {
   // At one mean energy.
   for (const double mean : {2.0, 5.0, 10.0, 20.0}) {
-    const double mono = border_km(mono_profile(kLines, mean));
-    const double narrow = border_km(gaussian_profile(kLines, mean, 0.15));
-    const double wide = border_km(gaussian_profile(kLines, mean, 0.3));
+    const double mono = border_km(mono_profile(tests::glow(), kLines, mean));
+    const double narrow = border_km(gaussian_profile(tests::glow(), kLines, mean, 0.15));
+    const double wide = border_km(gaussian_profile(tests::glow(), kLines, mean, 0.3));
     EXPECT_LT(mono, narrow) << mean;
     EXPECT_LT(narrow, wide) << mean;
   }
-  EXPECT_LT(border_km(mono_profile(kLines, 10.0)), 0.65 * border_km(maxwellian_profile(kLines, 5.0)));
+  EXPECT_LT(border_km(mono_profile(tests::glow(), kLines, 10.0)),
+            0.65 * border_km(maxwellian_profile(tests::glow(), kLines, 5.0)));
 }
 
 TEST(SpectrumProfile, ANarrowGaussianIsOneEnergy) {
   // What is left is of second order in the spread.
-  expect_close(gaussian_profile(kLines, 6.0, 0.01), mono_profile(kLines, 6.0), 2e-3);
+  expect_close(gaussian_profile(tests::glow(), kLines, 6.0, 0.01), mono_profile(tests::glow(), kLines, 6.0),
+               2e-3);
 }
 
 TEST(SpectrumProfile, AGaussianIsTheIntegralOverItsEnergies) {
@@ -73,12 +76,12 @@ TEST(SpectrumProfile, AGaussianIsTheIntegralOverItsEnergies) {
     for (int i = 1; i < kSteps; ++i) {
       const double x = std::exp(first + (last - first) * i / kSteps), u = (x - 1.0) / spread;
       const double weight = x * x * std::exp(-0.5 * u * u);
-      const HeightProfile piece = mono_profile(kLines, centre * x);
+      const HeightProfile piece = mono_profile(tests::glow(), kLines, centre * x);
       for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weight * piece.rate[k];
       weights += weight;
     }
     for (std::size_t k = 0; k < sum.size(); ++k) wanted.rate[k] = static_cast<float>(sum[k] / weights);
-    expect_close(gaussian_profile(kLines, centre, spread), wanted, 1e-4);
+    expect_close(gaussian_profile(tests::glow(), kLines, centre, spread), wanted, 1e-4);
   }
 }
 

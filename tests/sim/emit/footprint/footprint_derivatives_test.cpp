@@ -7,6 +7,7 @@
 #include "march_case.h"
 #include "sim/emit/footprint/footprint_emitter.h"
 #include "sim/light/profile_table.h"
+#include "tests/support/made_tables.h"
 
 namespace vegard::sim::footprint_derivatives_test {
 namespace {
@@ -33,6 +34,7 @@ PlaneFootprint<T> arc_at(const T& north_km, const T& flux, const T& ln_energy) {
 struct Numbers {
   double north_km = 60.0, flux = 5.0, ln_energy = 0.3, inclination_deg = 77.0, energy_kev = 3.0;
   double elevation_deg = 40.0;
+  double oxygen = 0.0;  ///< above 0: the factor, of tables that have several
 };
 
 /// The light of a few rays for T, where `with` gives a number as T.
@@ -45,18 +47,23 @@ std::vector<T> light_of(const Numbers& n, const std::function<T(double, int)>& w
   f.energy_kev = n.energy_kev;
   scene.field.inclination_deg = n.inclination_deg;
   scene.march.step_km = 4.0;
+  if (n.oxygen > 0.0) {
+    tests::give_tables_with_oxygen(scene);
+    scene.emission.oxygen_factor = n.oxygen;
+  }
   const NumberAs<T> number = [&](const double& x) {
     if (&x == &scene.field.inclination_deg) return with(x, 3);
     if (&x == &f.energy_kev) return with(x, 4);
     if (&x == &f.energy_flux_mw_m2) return with(x, 1);
+    if (&x == &scene.emission.oxygen_factor) return with(x, 6);
     return T(x);
   };
   const ProfileTable profiles =
       given != nullptr ? *given : profile_table(scene.emission.lines, scene, f, 0.0, 0.7);
-  const ProfileTable by_flux = profile_table_by_flux(scene.emission.lines, scene, f, profiles);
+  const ProfileChanges changes = profile_changes(scene.emission.lines, scene, f, profiles);
   const auto emitter =
       plane_footprint_emitter<T>(scene, f, arc_at(with(n.north_km, 0), with(n.flux, 1), with(n.ln_energy, 2)),
-                                 profiles, by_flux, number, 1, MarchBy::reference);
+                                 profiles, changes, number, 1, MarchBy::reference);
   std::vector<T> direction[3], rayleigh(3 * 4, T(0.0)), kept(3 * 4, T(1.0));
   std::vector<double> end(4, kInfinity), entry(4, kInfinity), depth(4, kInfinity);
   for (int i = 0; i < 4; ++i) {
@@ -98,6 +105,28 @@ TEST(FootprintDerivatives, AreThoseOfDifferences) {
   check(3, &Numbers::inclination_deg, 1e-5, 1e-3);
   check(4, &Numbers::energy_kev, 1e-3, 2e-3);
   check(5, &Numbers::elevation_deg, 1e-5, 1e-3);
+}
+
+TEST(FootprintDerivatives, ByTheTablesOxygenAreThoseOfDifferences) {
+  Numbers numbers;
+  numbers.oxygen = 1.3;
+  const std::vector<FreeDual> dual = light_of<FreeDual>(numbers, [](double x, int which) {
+    FreeDual d(x);
+    if (which == 6) d.d.t[6] = 1.0;
+    return d;
+  });
+  const auto at = [&](double oxygen) {
+    Numbers there = numbers;
+    there.oxygen = oxygen;
+    return light_of<double>(there, [](double x, int) { return x; });
+  };
+  constexpr double kStep = 1e-2;
+  const std::vector<double> low = at(numbers.oxygen - kStep), high = at(numbers.oxygen + kStep);
+  double most = 0.0;
+  for (const FreeDual& d : dual) most = std::max(most, std::abs(d.d.t[6]));
+  ASSERT_GT(most, 0.0);
+  for (std::size_t i = 0; i < dual.size(); ++i)
+    EXPECT_NEAR(dual[i].d.t[6], (high[i] - low[i]) / (2.0 * kStep), 1e-3 * most) << i;
 }
 
 // The tangents go by the slopes of the profiles, and light is linear between the rungs of their ladder: a

@@ -12,6 +12,7 @@
 #include "sim/emit/footprint/footprint_kernel.h"
 #include "sim/emit/footprint/texel_store.h"
 #include "sim/light/form_profile.h"
+#include "tests/support/glow.h"
 #include "tests/support/kind_named.h"
 
 namespace vegard::sim::footprint_emitter_test {
@@ -113,7 +114,7 @@ TEST(FootprintEmitter, SeesAGaussianTubeAcrossItsWidth) {
     return flux * std::exp(-0.5 * std::pow((north - 30.0) / width, 2));
   });
   ProfileTable table;
-  table.of_energy.push_back(form_profile({557.7}, 3.0, {110.0, 8.0, 20.0}));
+  table.of_energy.push_back(form_profile(tests::glow(), {557.7}, 3.0, {110.0, 8.0, 20.0}));
   const auto tube = emitter(scene, map, table);
   Rays rays;
   rays.add(0.0, 0.0);
@@ -165,7 +166,7 @@ TEST(FootprintEmitter, AgreesWithABruteMarchOfShortSteps) {
     return 10.0 * std::exp(-0.5 * std::pow((north - 100.0 - 0.1 * east) / 6.0, 2));
   });
   ProfileTable steep;
-  steep.of_energy.push_back(form_profile({630.0, 557.7}, 5.0, {105.0, 1.5, 25.0}));
+  steep.of_energy.push_back(form_profile(tests::glow(), {630.0, 557.7}, 5.0, {105.0, 1.5, 25.0}));
   const Rays rays = sky(120, 11, 20.0, 70.0);
   const Light coarse = rays.through(*emitter(scene, map, steep), 2);
   scene.march.step_km = 0.05;

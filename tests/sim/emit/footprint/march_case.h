@@ -8,6 +8,7 @@
 
 #include "sim/base/number/random.h"
 #include "sim/emit/footprint/footprint_emitter.h"
+#include "tests/support/glow.h"
 #include "tests/support/kind_named.h"
 
 namespace vegard::sim::march_case {
@@ -34,7 +35,7 @@ inline ProfileTable drawn(const std::function<double(double)>& rate) {
 /// Of 3 keV, three lines.
 inline ProfileTable maxwellian(double energy_kev = 3.0) {
   ProfileTable table;
-  table.of_energy.push_back(maxwellian_profile({630.0, 557.7, 427.8}, energy_kev));
+  table.of_energy.push_back(maxwellian_profile(tests::glow(), {630.0, 557.7, 427.8}, energy_kev));
   return table;
 }
 

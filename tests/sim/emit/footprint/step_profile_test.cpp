@@ -6,13 +6,14 @@
 
 #include "march_case.h"
 #include "sim/light/form_profile.h"
+#include "tests/support/glow.h"
 
 namespace vegard::sim::step_profile_test {
 namespace {
 
 ProfileTable steep() {
   ProfileTable table;
-  table.of_energy.push_back(form_profile({630.0, 557.7}, 5.0, {105.0, 0.8, 25.0}));
+  table.of_energy.push_back(form_profile(tests::glow(), {630.0, 557.7}, 5.0, {105.0, 0.8, 25.0}));
   return table;
 }
 

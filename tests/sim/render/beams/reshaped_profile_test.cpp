@@ -10,6 +10,7 @@
 #include "sim/render/beams/kernel_scene.h"
 #include "sim/render/film.h"
 #include "tests/support/exposed.h"
+#include "tests/support/glow.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim::reshaped_profile_test {
@@ -110,9 +111,9 @@ TEST(ReshapedProfile, IsStretchedFromItsShiftedPeak) {
 
 TEST(PeakAltitude, IsWhereTheLightIsBrightest) {
   // The tables' own figures: 557.7 nm of electrons of 1, 3 and 10 keV peaks at 126, 109 and 101 km.
-  EXPECT_NEAR(peak_altitude_km(maxwellian_profile({557.7}, 1.0)), 126.0, 1.0);
-  EXPECT_NEAR(peak_altitude_km(maxwellian_profile({557.7}, 3.0)), 109.0, 1.0);
-  EXPECT_NEAR(peak_altitude_km(maxwellian_profile({557.7}, 10.0)), 101.0, 1.0);
+  EXPECT_NEAR(peak_altitude_km(maxwellian_profile(tests::glow(), {557.7}, 1.0)), 126.0, 1.0);
+  EXPECT_NEAR(peak_altitude_km(maxwellian_profile(tests::glow(), {557.7}, 3.0)), 109.0, 1.0);
+  EXPECT_NEAR(peak_altitude_km(maxwellian_profile(tests::glow(), {557.7}, 10.0)), 101.0, 1.0);
 }
 
 TEST(StructuredScene, MovesThePictureAndKeepsItsLight) {

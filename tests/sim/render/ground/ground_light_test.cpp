@@ -81,7 +81,8 @@ TEST(GroundLight, HasTheColumnOfTheTablesStraightUp) {
     std::vector<float> map(light.numbers(), 0.0f), rayleighs;
     for (std::size_t i = e; i < map.size(); i += kGroundEnergies) map[i] = 1.0f;
     light.forward(map, rayleighs);
-    const HeightProfile profile = maxwellian_profile(scene.emission.lines, kEnergies[e]);
+    const HeightProfile profile =
+        maxwellian_profile(emission_source(scene), scene.emission.lines, kEnergies[e]);
     const std::size_t middle = (15 * 40 + 20) * 3;
     for (int line = 0; line < 3; ++line) {
       const double column = column_below(profile, line, HeightProfile::kTopKm).rayleigh;
@@ -103,7 +104,8 @@ TEST(GroundLight, OfOneCellIsWhatAFineMarchFinds) {
   std::vector<float> map(light.numbers(), 0.0f), rayleighs;
   map[static_cast<std::size_t>(cell) * kGroundEnergies + 1] = 1.0f;
   light.forward(map, rayleighs);
-  const HeightProfile profile = maxwellian_profile(scene.emission.lines, kEnergies[1]);
+  const HeightProfile profile =
+      maxwellian_profile(emission_source(scene), scene.emission.lines, kEnergies[1]);
   const CameraView<double> view = camera_view(scene.camera);
   double sum = 0.0, expected = 0.0;
   for (int row = 0; row < scene.camera.height; ++row)

@@ -8,6 +8,7 @@
 #include "sim/light/emission_table.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/lines/solar_lines.h"
+#include "tests/support/glow.h"
 
 namespace vegard::sim::emission_line_test {
 namespace {
@@ -24,7 +25,7 @@ TEST(EmissionLines, AreOneListByWavelength) {
 }
 
 TEST(EmissionLines, HaveAColumnOrARatioWithASource) {
-  const EmissionTable& table = EmissionTable::glow();
+  const EmissionTable& table = tests::glow().tables.maxwellian();
   for (const EmissionLine& line : emission_lines()) {
     if (!is_auroral(line)) continue;
     EXPECT_TRUE(table.has(line.table_column)) << line.wavelength_nm;

@@ -1,0 +1,174 @@
+#include "sim/light/emission_tables.h"
+
+#include <map>
+
+#include "sim/base/error.h"
+#include "sim/light/height_profile.h"
+#include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/rows/value_words.h"
+#include "sim/scene/structs/line_of.h"
+#include "sim/scene/table/emission_folder.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr double kLeastEnergyKev = 0.1, kMostEnergyKev = 19.9;  // what a sheet's electrons may have, nearly
+
+CsvTable table_in(const TableFolder& folder, const char* file) {
+  return read_csv_table(folder.files.at(file), folder.place + "/" + file);
+}
+
+/// That a table can be used for every height profile.
+EmissionTable checked(const CsvTable& csv, const std::string& energy_column) {
+  EmissionTable table(csv, energy_column);
+  const std::size_t last = csv.rows() - 1;
+  const std::vector<double>&altitudes = table.altitudes_km(), &energies = table.energies_kev();
+  if (altitudes.front() > HeightProfile::kBottomKm)
+    csv.refuse(0, "the altitudes begin at " + short_real_text(altitudes.front()) + " km",
+               "from 80 km or below");
+  if (altitudes.back() < HeightProfile::kTopKm)
+    csv.refuse(last, "the altitudes end at " + short_real_text(altitudes.back()) + " km",
+               "up to 640 km or above");
+  if (energies.front() > kLeastEnergyKev)
+    csv.refuse(0, "the energies begin at " + short_real_text(energies.front()) + " keV",
+               "from " + short_real_text(kLeastEnergyKev) + " keV or below");
+  if (energies.back() < kMostEnergyKev)
+    csv.refuse(last, "the energies end at " + short_real_text(energies.back()) + " keV",
+               "up to " + short_real_text(kMostEnergyKev) + " keV or above");
+  for (const EmissionLine& line : emission_lines())
+    if (is_auroral(line)) csv.column(column_of(line, table).name);  // or throws
+  return table;
+}
+
+/// The columns of the lines, each once.
+std::vector<std::string> columns_of_lines(const EmissionTable& table) {
+  std::map<std::string, bool> names;
+  for (const EmissionLine& line : emission_lines())
+    if (is_auroral(line)) names[column_of(line, table).name] = true;
+  std::vector<std::string> columns;
+  for (const auto& [name, is_there] : names) columns.push_back(name);
+  return columns;
+}
+
+}  // namespace
+
+template <class Table>
+LineColumn column_of(const EmissionLine& line, const Table& table) {
+  const std::string own = "ver_" + line_name(line.wavelength_nm);
+  if (table.has(own)) return {own, 1.0};
+  return {line.table_column, line.ratio};
+}
+template LineColumn column_of(const EmissionLine&, const EmissionTable&);
+template LineColumn column_of(const EmissionLine&, const MonoEnergeticTable&);
+
+EmissionTables::EmissionTables(const TableFolder& folder)
+    : maxwellian_(checked(table_in(folder, kMaxwellianFile), "E0_keV")),
+      flux_factors_(columns_of_lines(maxwellian_), table_in(folder, kColumnsFile),
+                    table_in(folder, kFluxesFile)),
+      air_(tables_air(table_in(folder, kTablesAirFile), maxwellian_.altitudes_km())) {
+  const std::vector<double>& known = flux_factors_.energies_kev();
+  if (known.front() > kLeastEnergyKev || known.back() < kMostEnergyKev) {
+    const CsvTable csv = table_in(folder, kFluxesFile);
+    csv.refuse(csv.rows() - 1,
+               "the energies at Q_erg 1 go from " + short_real_text(known.front()) + " to " +
+                   short_real_text(known.back()) + " keV",
+               "from " + short_real_text(kLeastEnergyKev) + " to " + short_real_text(kMostEnergyKev) +
+                   " keV or farther");
+  }
+  if (folder.files.count(kMonoFile) == 0) return;
+  const CsvTable csv = table_in(folder, kMonoFile);
+  EmissionTable mono = checked(csv, "E_keV");
+  if (mono.oxygen_factors() != maxwellian_.oxygen_factors())
+    csv.refuse(0, "other oxygen factors than " + std::string(kMaxwellianFile) + " has", "the same");
+  mono_ = std::make_unique<MonoEnergeticTable>(std::move(mono));
+}
+
+const MonoEnergeticTable& EmissionTables::mono() const {
+  std::call_once(mono_made_, [&] {
+    if (!mono_) mono_ = std::make_unique<MonoEnergeticTable>(maxwellian_, air_);
+  });
+  return *mono_;
+}
+
+namespace {
+
+const EmissionTables& tables_of(const std::shared_ptr<const TableFolder>& folder) {
+  static std::mutex mutex;
+  // With the folder, so that no other comes to have its address.
+  static std::map<std::shared_ptr<const TableFolder>, std::unique_ptr<const EmissionTables>> read;
+  const std::lock_guard<std::mutex> lock(mutex);
+  std::unique_ptr<const EmissionTables>& tables = read[folder];
+  if (!tables) tables = std::make_unique<const EmissionTables>(*folder);
+  return *tables;
+}
+
+}  // namespace
+
+const EmissionTables& emission_tables(const std::string& built_in) {
+  return tables_of(built_in_tables(built_in));
+}
+
+const EmissionTables& emission_tables(const Scene& scene) {
+  const std::string& name = scene.emission.tables;
+  return scene.emission.folder && !are_built_in_tables(name) ? tables_of(scene.emission.folder)
+                                                             : emission_tables(name);
+}
+
+EmissionSource emission_source(const Scene& scene) {
+  return {emission_tables(scene), scene.emission.oxygen_factor};
+}
+
+namespace {
+
+const std::string kOxygenPath = "emission.oxygen_factor";
+
+[[noreturn]] void refuse_oxygen(const Scene& scene, int line, const std::string& problem,
+                                const std::string& expected, const std::string& hint = {}) {
+  ErrorDetails details;
+  details.file = scene.file;
+  details.line = line;
+  details.key = kOxygenPath;
+  details.problem = problem;
+  details.expected = expected;
+  details.hint = hint;
+  throw Error(ErrorKind::scene, details);
+}
+
+}  // namespace
+
+void check_emission_tables(const Scene& scene) {
+  bool is_free = false;
+  for (const FreeParameter& free : scene.fit.free) is_free = is_free || free.path == kOxygenPath;
+  const double factor = scene.emission.oxygen_factor;
+  // Those that come with the program are tested with it, and read when light is first asked for.
+  if (factor == 1.0 && !is_free && are_built_in_tables(scene.emission.tables)) return;
+  const std::vector<double>& factors = emission_tables(scene).maxwellian().oxygen_factors();
+  const int line = line_of(scene, kOxygenPath);
+  if (factors.size() == 1) {
+    if (factor == 1.0 && !is_free) return;
+    refuse_oxygen(scene, line, "the emission tables are for one amount of atomic oxygen",
+                  is_free ? "no " + kOxygenPath + " in fit.free" : "1",
+                  "tables of several factors have a column oxygen_factor");
+  }
+  const auto check = [&](double value, int of_line) {
+    if (value < factors.front() || value > factors.back())
+      refuse_oxygen(scene, of_line, short_real_text(value) + " is outside of the emission tables",
+                    "from " + short_real_text(factors.front()) + " to " + short_real_text(factors.back()));
+  };
+  check(factor, line);
+  for (const FreeParameter& free : scene.fit.free)
+    if (free.path == kOxygenPath)
+      for (const std::optional<double>& value : {free.start, free.min, free.max})
+        if (value) check(*value, free.line);
+}
+
+void limit_free_oxygen(Scene& scene) {
+  for (FreeParameter& free : scene.fit.free) {
+    if (free.path != kOxygenPath) continue;
+    const std::vector<double>& factors = emission_tables(scene).maxwellian().oxygen_factors();
+    if (!free.min) free.min = factors.front();
+    if (!free.max) free.max = factors.back();
+  }
+}
+
+}  // namespace vegard::sim

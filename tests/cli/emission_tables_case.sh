@@ -1,0 +1,84 @@
+# Emission tables that a scene names: a folder with GLOW's own files gives GLOW's light, a run finds it again, and what is wrong with
+# a folder is told before any work.
+source "$(dirname "$0")/case.sh"
+mkdir scenes
+cp "$SCENES/small.toml" scenes/plain.toml
+{
+  cat "$SCENES/small.toml"
+  printf '[emission]\ntables = "own"\n'
+} >scenes/scene.toml
+cp -r "$SOURCE/data/glow" scenes/own
+render() { expect_exit 0 render "$1" -o "$2"; }
+
+# The pixels are the same; what the file says of its scene is not.
+render scenes/plain.toml plain.ppm
+render scenes/scene.toml own.ppm
+expect_same plain.ppm own.ppm
+expect_exit 0 render scenes/plain.toml -o set.ppm --set 'emission.tables="own"'
+expect_same plain.ppm set.ppm
+
+# A table of mono-energetic electrons and several factors of oxygen: half of the red light at a factor of 2, to the power of -1.
+awk -F, -v OFS=, '
+  NR == 1 { print "oxygen_factor," $0; next }
+  { rows[++count] = $0 }
+  END {
+    for (f = 0.5; f <= 2; f *= 2)
+      for (i = 1; i <= count; ++i) { $0 = rows[i]; $7 = $7 / f; print f, $0 }
+  }' "$SOURCE/data/glow/ver_maxwellian.csv" >scenes/own/ver_maxwellian.csv
+render scenes/scene.toml own.ppm
+expect_same plain.ppm own.ppm
+red() { sed -n 's/.* \([0-9.]*\) R at 630.0 nm.*/\1/p' "$stdout"; }
+expect_exit 0 brightness scenes/scene.toml
+cp "$stdout" one.txt
+expect_exit 0 brightness scenes/scene.toml --set emission.oxygen_factor=1.5
+expect_different "$stdout" one.txt
+expect_exit 0 render scenes/scene.toml -o twice.ppm --set emission.oxygen_factor=2
+expect_different twice.ppm own.ppm
+
+# It may be free, within the factors that there are; the run finds its folder again.
+{
+  cat scenes/scene.toml
+  printf '[fit]\nbands = 4\nscan_points = 0\nfree = ["emission.oxygen_factor", "sheet.main.bearing_deg"]\n'
+} >scenes/fit.toml
+expect_exit 0 render scenes/scene.toml -o photo.png --set emission.oxygen_factor=1.4
+status=0
+"$VEGARD" fit scenes/fit.toml --photo photo.png --out run >"$stdout" 2>"$stderr" || status=$?
+[[ $status -eq 0 || $status -eq 5 ]] || fail "the fit ends with $status"
+grep -qF 'tables = "../scenes/own"' run/best.toml || fail "best.toml looks for its tables elsewhere"
+expect_exit 0 render run/best.toml -o best.ppm
+expect_exit 0 fit scenes/fit.toml --photo photo.png --check-derivatives
+expect_exit 2 render scenes/scene.toml -o out.png --set emission.oxygen_factor=2.5
+expect_stderr "from 0.5 to 2"
+expect_exit 2 render scenes/plain.toml -o out.png --set emission.oxygen_factor=1.1
+expect_stderr "one amount of atomic oxygen"
+expect_one_message
+sed 's/^tables = .*/tables = "glow"/' scenes/fit.toml >scenes/fit_glow.toml
+expect_exit 2 fit scenes/fit_glow.toml --photo photo.png --out out
+expect_stderr "no emission.oxygen_factor in fit.free"
+expect_one_message
+
+# What is wrong.
+refused() {  # WORDS...
+  local command words
+  for command in "render scenes/scene.toml -o out.png" "fit scenes/fit.toml --photo photo.png --out out"; do
+    # shellcheck disable=SC2086
+    expect_exit 3 $command
+    for words in "$@"; do expect_stderr "$words"; done
+    expect_one_message
+    [[ ! -e out.png && ! -e out ]] || fail "something was written"
+  done
+}
+anew() { rm -rf scenes/own && cp -r "$SOURCE/data/glow" scenes/own; }
+anew
+sed -i '105s/,[^,]*$/,-1/' scenes/own/ver_maxwellian.csv
+refused "scenes/own/ver_maxwellian.csv:105" "-1 in column 'ionisation_electron'"
+anew
+sed -i 105d scenes/own/ver_maxwellian.csv
+refused "scenes/own/ver_maxwellian.csv:105"
+anew
+rm scenes/own/atmosphere.csv
+refused "scene.toml" "emission.tables" "own/atmosphere.csv"
+rm -r scenes/own
+refused "emission.tables" "there is no such folder" "relative to the scene's file"
+touch scenes/own
+refused "there is no such folder"
