@@ -3,6 +3,10 @@ set(VEGARD_EMBEDDED_DATA ${CMAKE_CURRENT_BINARY_DIR}/generated/embedded_data.cpp
 set(VEGARD_EMBEDDED_TABLES
     ${PROJECT_SOURCE_DIR}/data/atmosphere/us76.csv
     ${PROJECT_SOURCE_DIR}/data/atmosphere/ozone_233k.csv
+    ${PROJECT_SOURCE_DIR}/data/atmosphere/msis_thermosphere.csv
+    ${PROJECT_SOURCE_DIR}/data/atmosphere/msis_nodes.csv
+    ${PROJECT_SOURCE_DIR}/data/atmosphere/msis_gases.csv
+    ${PROJECT_SOURCE_DIR}/data/atmosphere/msis_constants.csv
     ${PROJECT_SOURCE_DIR}/data/electrons/cross_sections.csv
     ${PROJECT_SOURCE_DIR}/data/electrons/shells.csv
     ${PROJECT_SOURCE_DIR}/data/electrons/reactions.csv

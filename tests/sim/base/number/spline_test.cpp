@@ -64,6 +64,21 @@ TEST(Spline, SlopeIsTheDerivativeOfTheValue) {
     EXPECT_NEAR(at(y, x).slope, (at(y, x + h).value - at(y, x - h).value) / (2.0 * h), 1e-8) << x;
 }
 
+TEST(Spline, IsExactForACubicOfGivenSlopesAtItsEnds) {
+  const auto cubic = [](double x) { return 1.0 - 2.0 * x + 0.3 * x * x + 0.1 * x * x * x; };
+  const auto slope = [](double x) { return -2.0 + 0.6 * x + 0.3 * x * x; };
+  const auto integral = [](double x) { return x - x * x + 0.1 * x * x * x + 0.025 * x * x * x * x; };
+  std::vector<double> y;
+  for (const double x : kKnots) y.push_back(cubic(x));
+  const std::vector<double> curvature =
+      clamped_spline_curvature(kKnots, y, slope(kKnots.front()), slope(kKnots.back()));
+  for (double x = 0.0; x <= 5.0; x += 0.21) {
+    EXPECT_NEAR(spline_at(kKnots, y, curvature, x).value, cubic(x), 1e-12) << x;
+    EXPECT_NEAR(spline_integral(kKnots, y, curvature, x), integral(x), 1e-12) << x;
+  }
+  EXPECT_NEAR(spline_integral(kKnots, y, curvature, 5.0), integral(5.0), 1e-12);
+}
+
 TEST(Spline, OfTwoKnotsIsTheLineBetweenThem) {
   const std::vector<double> x = {1.0, 3.0}, y = {5.0, 9.0};
   EXPECT_NEAR(spline_at(x, y, spline_curvature(x, y), 1.5).value, 6.0, 1e-14);
