@@ -3,7 +3,6 @@
 #include <map>
 
 #include "sim/base/error.h"
-#include "sim/light/height_profile.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/structs/line_of.h"
@@ -23,10 +22,10 @@ EmissionTable checked(const CsvTable& csv, const std::string& energy_column) {
   EmissionTable table(csv, energy_column);
   const std::size_t last = csv.rows() - 1;
   const std::vector<double>&altitudes = table.altitudes_km(), &energies = table.energies_kev();
-  if (altitudes.front() > HeightProfile::kBottomKm)
+  if (altitudes.front() > kTablesBottomKm)
     csv.refuse(0, "the altitudes begin at " + short_real_text(altitudes.front()) + " km",
                "from 80 km or below");
-  if (altitudes.back() < HeightProfile::kTopKm)
+  if (altitudes.back() < kTablesTopKm)
     csv.refuse(last, "the altitudes end at " + short_real_text(altitudes.back()) + " km",
                "up to 640 km or above");
   if (energies.front() > kLeastEnergyKev)

@@ -19,6 +19,9 @@
 
 namespace vegard::sim {
 
+/// The altitudes that tables must reach: those of height profiles (sim/light/height_profile.h).
+inline constexpr double kTablesBottomKm = 80.0, kTablesTopKm = 640.0;
+
 class EmissionTables {
  public:
   /// Throws Error(unreadable_input) with file and line for whatever is wrong: a column that a line needs is

@@ -12,6 +12,7 @@
 namespace vegard::sim {
 namespace {
 
+static_assert(HeightProfile::kBottomKm == kTablesBottomKm && HeightProfile::kTopKm == kTablesTopKm);
 constexpr double kLogDark = -69.0;  // 1e-30 of the peak; floats would soon lose their digits, and their speed
 
 }  // namespace

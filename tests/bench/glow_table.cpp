@@ -14,7 +14,6 @@
 
 #include "sim/scene/lines/emission_lines.h"
 #include "tests/support/glow.h"
-#include "tests/support/glow_columns.h"
 
 namespace vegard::bench {
 namespace {

@@ -10,7 +10,6 @@
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/scene/structs/line_of.h"
-#include "sim/scene/table/table_files.h"
 
 namespace vegard::sim {
 namespace {
@@ -128,7 +127,7 @@ std::shared_ptr<const TableFolder> built_in_tables(const std::string& name) {
   return folder;
 }
 
-void read_emission_folder(Scene& scene) {
+void read_emission_folder(Scene& scene, const std::string& place) {
   const std::string& name = scene.emission.tables;
   try {
     if (are_built_in_tables(name)) {
@@ -136,7 +135,6 @@ void read_emission_folder(Scene& scene) {
       built_in_tables(name);  // or throws
       return;
     }
-    const std::string place = table_place(scene, name);
     if (!scene.emission.folder || scene.emission.folder->place != place)
       scene.emission.folder = the_one(folder_at(place));
   } catch (const Error& error) {

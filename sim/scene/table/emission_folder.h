@@ -32,10 +32,11 @@ std::shared_ptr<const TableFolder> built_in_tables(const std::string& name);
 /// What a file of the folder is called where files are told by keys: "emission.tables/ver_mono.csv".
 std::string emission_file_path(const std::string& file);
 
-/// Reads the folder of emission.tables into scene.emission.folder, unless it is there already; it is null
-/// where the tables come with the program. Equal folders are one: whoever has its pointer has its content.
-/// Throws Error(unreadable_input) for a folder or a file that is missing or too large, naming the key.
-void read_emission_folder(Scene& scene);
+/// Reads the folder of emission.tables, which stands at `place`, into scene.emission.folder, unless it is
+/// there already; it is null where the tables come with the program. Equal folders are one: whoever has its
+/// pointer has its content. Throws Error(unreadable_input) for a folder or a file that is missing or too
+/// large, naming the key.
+void read_emission_folder(Scene& scene, const std::string& place);
 
 /// Calls the folder of emission.tables by what `renamed` makes of its name; built-in ones stay.
 template <class Renamed>

@@ -67,7 +67,7 @@ std::string table_place(const Scene& scene, const std::string& name) {
 void read_table_files(Scene& scene) {
   scene.tables.clear();
   for (const TableFile& table : table_files(scene)) scene.tables[table.path] = read_text(scene, table);
-  read_emission_folder(scene);
+  read_emission_folder(scene, table_place(scene, scene.emission.tables));
 }
 
 std::vector<std::pair<std::string, std::string>> table_sums(const Scene& scene) {

@@ -14,9 +14,9 @@
 #include "sim/light/spectrum_profile.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/table/parameter_id.h"
+#include "tests/sim/light/made_tables.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/glow.h"
-#include "tests/support/made_tables.h"
 #include "tests/support/one_sheet.h"
 
 namespace vegard::sim::emission_tables_test {
@@ -348,10 +348,11 @@ TEST(CheckEmissionTables, RefusesOxygenThatTheTablesDoNotHave) {
   expect_words(tests::expect_error(ErrorKind::scene, [&] { check_emission_tables(scene); }),
                {"2.1", "from 0.5 to 2"});
   scene.emission.oxygen_factor = 1.0;
+  scene.file = "night.toml";
   scene.fit.free[0].max = 3.0;
   scene.fit.free[0].line = 12;
   expect_words(tests::expect_error(ErrorKind::scene, [&] { check_emission_tables(scene); }),
-               {":12:", "3 is outside", "from 0.5 to 2"});
+               {"night.toml:12:", "3 is outside", "from 0.5 to 2"});
   scene.fit.free[0].max = 1.5;
   check_emission_tables(scene);
   limit_free_oxygen(scene);

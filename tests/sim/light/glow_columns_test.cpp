@@ -1,4 +1,4 @@
-#include "tests/support/glow_columns.h"
+#include "tests/support/glow.h"
 
 #include <gtest/gtest.h>
 

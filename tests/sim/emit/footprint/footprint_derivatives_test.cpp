@@ -7,7 +7,7 @@
 #include "march_case.h"
 #include "sim/emit/footprint/footprint_emitter.h"
 #include "sim/light/profile_table.h"
-#include "tests/support/made_tables.h"
+#include "tests/sim/light/made_tables.h"
 
 namespace vegard::sim::footprint_derivatives_test {
 namespace {
