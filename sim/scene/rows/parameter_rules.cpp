@@ -84,7 +84,7 @@ std::optional<Complaint> time_complaint(const std::string& time_utc) {
 
 std::optional<Complaint> emission_tables_complaint(const std::string& name) {
   if (!name.empty()) return std::nullopt;
-  return Complaint{"no tables are named", "\"glow\", or the name of a folder", ""};
+  return Complaint{"no tables are named", "\"glow\", \"vegard\" or the name of a folder", ""};
 }
 
 std::optional<Complaint> line_complaint(double line_nm) {

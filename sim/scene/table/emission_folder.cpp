@@ -21,7 +21,7 @@ struct BuiltIn {
   const char* name;
   const char* folder;
 };
-constexpr std::array<BuiltIn, 1> kBuiltIn = {{{"glow", "glow"}}};
+constexpr std::array<BuiltIn, 2> kBuiltIn = {{{"glow", "glow"}, {"vegard", "emission"}}};
 
 constexpr std::array<const char*, 4> kRequired = {kMaxwellianFile, kColumnsFile, kFluxesFile, kTablesAirFile};
 constexpr std::array<const char*, 2> kOptional = {kMonoFile, kAboutFile};
@@ -58,7 +58,7 @@ TableFolder folder_at(const std::string& place) {
   std::error_code error;
   if (!std::filesystem::is_directory(place, error)) {
     ErrorDetails details = about_tables("'" + place + "': there is no such folder");
-    details.expected = "a folder of emission tables, or \"glow\"";
+    details.expected = "a folder of emission tables, \"glow\" or \"vegard\"";
     details.hint = "its name is relative to the scene's file";
     throw Error(ErrorKind::unreadable_input, details);
   }

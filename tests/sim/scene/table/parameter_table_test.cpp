@@ -141,7 +141,9 @@ TEST(ParameterTable, EveryValueIsReachedByItsPathSetAndReadBack) {
     switch (path.row->kind) {
       case ParameterKind::real:
         // A number that no other value has, inside the limits and the rules.
-        text = path.row->table == "emission" ? "844.6" : path.row->key == "inclination_deg" ? "-61.25" : "";
+        text = path.row->table == "emission" && path.row->key == "lines" ? "844.6"
+               : path.row->key == "inclination_deg"                      ? "-61.25"
+                                                                         : "";
         if (text.empty()) text = std::to_string(path.row->min + 0.4375 * (path.row->max - path.row->min));
         break;
       case ParameterKind::integer:
