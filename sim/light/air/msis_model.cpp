@@ -61,7 +61,7 @@ MsisModel::Layer MsisModel::layer(bool mean_exosphere, bool mean_nodes) const {
   temperatures.node_slope_k_km =
       n.node_slope_k_km * n.node_slope[0] * (1.0 + node(n.node_slope)) * bottom_ratio * bottom_ratio;
 
-  Layer made = {MsisProfile(gravity_, temperatures, n.boundary_km, n.join_km), temperatures.t_inf_k, {}};
+  Layer made = {temperatures, MsisProfile(gravity_, temperatures, n.boundary_km, n.join_km), {}};
   for (std::size_t g = 0; g < kMsisGases; ++g) {
     const MsisGasNumbers& gas = n.gas[g];
     made.mixed_cm3[g] = boundary_cm3_[g] *
@@ -91,13 +91,27 @@ double MsisModel::gas_cm3(const Layer& layer, std::size_t g, double altitude_km)
   return density;
 }
 
+bool MsisModel::sound() const {
+  constexpr double kMostFactor = 2.0, kMostInversion = 1.25;
+  for (const Layer* layer : {&*below_join_, &*middle_}) {
+    const MsisTemperatures& t = layer->temperatures;
+    if (!(t.t_lb_k > 0.0 && t.t_inf_k > t.t_lb_k && t.gradient_k_km > 0.0)) return false;
+    for (std::size_t k = 0; k < t.node_k.size(); ++k) {
+      const double mean_k = numbers_.node_k[k] * numbers_.node[k][0];
+      const double most_k = k == 0 ? kMostInversion * t.t_lb_k : kMostFactor * mean_k;
+      if (!(t.node_k[k] > mean_k / kMostFactor && t.node_k[k] < most_k)) return false;
+    }
+  }
+  return true;
+}
+
 MsisAir MsisModel::at(double altitude_km) const {
   assert(altitude_km >= kMsisBottomKm && altitude_km <= kMsisTopKm);
   const Layer& layer = *(altitude_km <= numbers_.join_km ? below_join_
                          : altitude_km < kMeanNodesKm    ? middle_
                                                          : high_);
   MsisAir air;
-  air.exospheric_k = layer.exospheric_k;
+  air.exospheric_k = layer.temperatures.t_inf_k;
   air.temperature_k = layer.profile.temperature_k(altitude_km);
   double mass = 0.0;
   for (std::size_t g = 0; g < kMsisGases; ++g) {

@@ -31,16 +31,23 @@ class MsisModel {
  public:
   explicit MsisModel(const MsisDrivers& drivers);
 
-  /// kMsisBottomKm to kMsisTopKm. As in the published programs the exosphere is the mean one up to 123.4 km:
-  /// there temperature and densities jump, by up to 0.7 % (F10.7 = 75 in winter). They jump by up to 0.3 %
-  /// where a gas's turbulent part ends (160 km for N2), and at 300 km, above which the nodes are mean ones.
+  /// Whether the expansions stay where they make sense: temperatures of the nodes within a factor of two of
+  /// their means, but at 110 km up to 1.25 of that at 120 km, and the exosphere hotter than that. They do up
+  /// to an Ap of 100 and a mean flux of 250; in greater storms, the sooner the nearer to a pole, the node at
+  /// 110 km runs away.
+  bool sound() const;
+
+  /// Of a sound model. kMsisBottomKm to kMsisTopKm. As in the published programs the exosphere is the mean
+  /// one up to 123.4 km: there temperature and densities jump, by up to 0.7 % (F10.7 = 75 in winter). They
+  /// jump by up to 0.3 % where a gas's turbulent part ends (160 km for N2), and at 300 km, above which the
+  /// nodes are mean ones.
   MsisAir at(double altitude_km) const;
 
  private:
   /// A temperature profile, and in it the mixed density at the boundary that a gas would have.
   struct Layer {
+    MsisTemperatures temperatures;
     MsisProfile profile;
-    double exospheric_k;
     std::array<double, kMsisGases> mixed_cm3;
   };
   Layer layer(bool mean_exosphere, bool mean_nodes) const;
