@@ -59,6 +59,7 @@ int run(int argc, char** argv) {
   apps::add_sdf_command(program);
   apps::add_linearise_command(program);
   apps::add_electrons_command(program);
+  apps::add_atmosphere_command(program);
   apps::add_tables_command(program);
   apps::add_params_command(program);
   apps::add_lines_command(program);

@@ -27,6 +27,12 @@ printf 'altitude_km,T_K,nN2,nO2,nO\n90,190,4e13,1e13,2e11\n400,1000,4e6,1e5,1e8\
 expect_exit 0 electrons --energy-kev 0.5 --atmosphere air.csv
 expect_stdout "atmosphere: air.csv, 90 to 400 km"
 
+# Air that is built in, by its name.
+expect_exit 0 electrons --energy-kev 5 --spectrum mono --atmosphere us76 -o rates.csv --overwrite
+expect_same rates.csv first.csv
+expect_exit 0 electrons --energy-kev 0.5 --atmosphere winter_active
+expect_stdout "atmosphere: winter_active (NRLMSISE-00, 2014-12-21T09:52:00Z, 65 N 148 W"
+
 # refuses CODE TEXT ARGUMENTS...
 refuses() {
   local code=$1 text=$2
@@ -47,6 +53,7 @@ refuses 2 "--dip-deg" --energy-kev 5 --dip-deg 0
 refuses 2 "--plot" --energy-kev 5 --plot rates.gif
 refuses 2 "an input" --energy-kev 5 --atmosphere air.csv -o air.csv --overwrite
 refuses 3 "missing.csv" --energy-kev 5 --atmosphere missing.csv
+refuses 3 "summer_quiet" --energy-kev 5 --atmosphere autumn
 printf 'energy_keV,flux\n1,2\n0.5,1\n' >wrong.csv
 refuses 3 "wrong.csv:3" --spectrum table --spectrum-table wrong.csv
 printf 'energy_keV,flux\n0.5,0\n1,0\n' >wrong.csv

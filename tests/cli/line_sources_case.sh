@@ -12,6 +12,12 @@ expect_one_message
 expect_exit 0 lines --sources --energy-kev 0.3 -o sources.csv --overwrite
 cmp -s "$stdout" first.txt || fail "the same electrons make other light"
 
+# The air by its name: winter has the more oxygen.
+expect_exit 0 lines --sources --energy-kev 0.3 --atmosphere us76
+cmp -s "$stdout" first.txt || fail "the standard air has a name"
+expect_exit 0 lines --sources --energy-kev 0.3 --atmosphere winter_quiet
+expect_stdout "winter_quiet"
+
 # Red comes late; a user's reaction replaces one.
 expect_exit 0 lines --sources --energy-kev 0.3 --seconds 1
 ! cmp -s "$stdout" first.txt || fail "red is there at once"

@@ -97,21 +97,14 @@ sim::PitchAngles pitch_angles_of(const ElectronOptions& options) {
   return options.pitch == "isotropic" ? sim::PitchAngles::isotropic : sim::PitchAngles::field_aligned;
 }
 
-sim::AirTable air_of(const ElectronOptions& options) {
-  if (options.atmosphere.empty()) return sim::standard_air_table();
-  return sim::read_air_table(
-      sim::input_bytes(options.atmosphere, "a table of the columns altitude_km, T_K, nN2, nO2 and nO"),
-      options.atmosphere);
-}
+sim::AirTable air_of(const ElectronOptions& options) { return air_of_choice(options.atmosphere); }
 
-std::string air_words(const ElectronOptions& options) {
-  return options.atmosphere.empty() ? "U.S. Standard Atmosphere 1976" : file_name_of(options.atmosphere);
-}
+std::string air_words(const ElectronOptions& options) { return words_of_air(options.atmosphere); }
 
 // An air whose density jumps, or that is thick where electrons begin, is not what the places are made for.
 void require_balance(const ElectronOptions& request, double missing_share) {
   constexpr double kMostMissing = 0.03;
-  if (request.atmosphere.empty() || std::abs(missing_share) <= kMostMissing) return;
+  if (air_file(request.atmosphere).empty() || std::abs(missing_share) <= kMostMissing) return;
   sim::refuse_file(sim::ErrorKind::unreadable_input, request.atmosphere,
                    fmt::format("the energy of the electrons does not balance in this air, {:.0f} % of it",
                                100.0 * std::abs(missing_share)),
@@ -153,13 +146,7 @@ std::vector<Option> add_electron_options(const Command& command, ElectronOptions
   all.push_back(command.option("--dip-deg", options.dip_deg, "Inclination of the field to the horizontal")
                     .finite_range(10.0, 90.0)
                     .shows_default());
-  all.push_back(
-      command
-          .option(
-              "--atmosphere", options.atmosphere,
-              "Columns altitude_km, T_K, nN2, nO2, nO in km, K and cm^-3 (default: U.S. Standard Atmosphere "
-              "1976)")
-          .type_name("FILE.csv"));
+  all.push_back(add_air_option(command, options.atmosphere));
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/commands/electrons/air_choice.h"
 #include "apps/options/command.h"
 #include "sim/light/transport/field_air.h"
 #include "sim/light/transport/incident_electrons.h"
@@ -12,7 +13,7 @@
 namespace vegard::apps {
 
 struct ElectronOptions {
-  std::string spectrum = "maxwellian", pitch = "isotropic", table, atmosphere;
+  std::string spectrum = "maxwellian", pitch = "isotropic", table, atmosphere = kDefaultAir;
   std::optional<double> energy_kev, spread, kappa, potential_kev;
   double flux_mw_m2 = 1.0, dip_deg = 90.0;
 };
@@ -28,7 +29,7 @@ sim::PitchAngles pitch_angles_of(const ElectronOptions& options);
 /// "maxwellian, 5 keV, 1 mW m^-2, isotropic, dip 90 deg".
 std::string electron_words(const ElectronOptions& options, const sim::IncidentSpectrum& spectrum);
 
-/// The user's air or the standard one, and what it is called.
+/// The air (air_choice.h), and what it is called.
 sim::AirTable air_of(const ElectronOptions& options);
 std::string air_words(const ElectronOptions& options);
 

@@ -52,7 +52,7 @@ std::vector<double> fang_rates(const sim::FieldAir& column, const sim::EnergyGri
 int run_electrons(const ElectronsRequest& request) {
   const PlotFormat format = plot_format(request.plot, "--plot");
   for (const auto& [key, file] : {std::pair{"--output", request.output}, std::pair{"--plot", request.plot}})
-    for (const std::string& input : {request.electrons.table, request.electrons.atmosphere})
+    for (const std::string& input : {request.electrons.table, air_file(request.electrons.atmosphere)})
       if (same_file(file, input)) refuse_same_file(key, file, "an input");
   if (same_file(request.plot, request.output)) refuse_same_file("--plot", request.plot, "another output");
   const ElectronOptions& electrons = request.electrons;

@@ -157,7 +157,7 @@ ExitCode run_line_sources(const LineSourcesRequest& request, bool overwrite) {
   const PlotFormat format = plot_format(request.plot, "--plot");
   for (const auto& [key, file] : {std::pair{"--output", request.output}, std::pair{"--plot", request.plot}})
     for (const std::string& input :
-         {request.electrons.table, request.electrons.atmosphere, request.reactions})
+         {request.electrons.table, air_file(request.electrons.atmosphere), request.reactions})
       if (same_file(file, input)) refuse_same_file(key, file, "an input");
   if (same_file(request.plot, request.output)) refuse_same_file("--plot", request.plot, "another output");
   const ElectronOptions& electrons = request.electrons;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands/commands.h"
+#include "apps/commands/electrons/air_choice.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
 #include "apps/options/refusals.h"
@@ -24,7 +25,7 @@ constexpr const char* kFiles[] = {"ver_maxwellian.csv", "ver_mono.csv",   "colum
                                   "linearity_Q.csv",    "atmosphere.csv", kAbout};
 
 struct TablesRequest {
-  std::string output, atmosphere, reactions;
+  std::string output, atmosphere = kDefaultAir, reactions;
   std::vector<double> oxygen = {0.5, 1.0, 2.0};
   double dip_deg = 78.0, refinement = 0.5;
   int threads = 0;
@@ -68,13 +69,9 @@ int run_tables(const TablesRequest& request) {
   tables.dip_deg = request.dip_deg;
   tables.refinement = request.refinement;
   tables.oxygen_factors = request.oxygen;
-  if (!request.atmosphere.empty()) {
-    tables.air_file = request.atmosphere;
-    tables.air_name = file_name_of(request.atmosphere);
-    tables.air = sim::read_air_table(
-        sim::input_bytes(request.atmosphere, "a table of the columns altitude_km, T_K, nN2, nO2 and nO"),
-        request.atmosphere);
-  }
+  tables.air_file = air_file(request.atmosphere);
+  tables.air_name = words_of_air(request.atmosphere);
+  tables.air = air_of_choice(request.atmosphere);
   if (!request.reactions.empty()) {
     tables.reactions_name += ", changed by " + file_name_of(request.reactions);
     tables.reactions = sim::Reactions::changed(
@@ -109,12 +106,7 @@ void add_tables_command(Program& program) {
       "tables",
       "Make emission tables for an air and its chemistry: light by altitude and energy of electrons");
   command.option("-o,--output", options->output, "The folder of the tables").type_name("FOLDER").required();
-  command
-      .option("--atmosphere", options->atmosphere,
-              "Columns altitude_km, T_K, nN2, nO2, nO in km, K and cm^-3, from 80 to 640 km (default: U.S. "
-              "Standard "
-              "Atmosphere 1976)")
-      .type_name("FILE.csv");
+  add_air_option(command, options->atmosphere, ", from 80 to 640 km");
   command
       .option("--reactions", options->reactions,
               "Rows that replace those of data/electrons/reactions.csv: number, value, exponent, "

@@ -94,6 +94,7 @@ AirTable msis_air(const AirConditions& conditions, double bottom_km, double top_
     const MsisAir air = model.at(altitude);
     table.temperature_k.push_back(air.temperature_k);
     for (std::size_t g = 0; g < kGases; ++g) table.density_cm3[g].push_back(air.of(kOrder[g]));
+    table.n_cm3.push_back(air.of(MsisGas::n));
   }
   return table;
 }

@@ -119,7 +119,7 @@ TEST(MsisModel, GivesThePublishedAir) {
 /// precision, where exponents of -30, as O has them near 80 km, cost some units of 30 * 6e-8, and
 /// gives temperatures to a hundredth.
 TEST(MsisModel, GivesTheAirOfGlow) {
-  const CsvTable glow = embedded_csv_table("atmosphere.csv");
+  const CsvTable glow = embedded_csv_table("glow/atmosphere.csv");
   MsisDrivers drivers;
   drivers.day_of_year = 80.0;  // 21 March
   drivers.ut_s = 36000.0;

@@ -1,0 +1,30 @@
+// What `vegard atmosphere` writes: the air of a place and time as a table, and in words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/light/air/msis_air.h"
+
+namespace vegard::apps {
+
+/// The model's air at altitudes, from the bottom up.
+struct AirColumn {
+  sim::AirConditions conditions;
+  std::vector<double> altitude_km;
+  std::vector<sim::MsisAir> air;
+};
+
+/// Throws Error(usage) where the model is not sound.
+AirColumn air_column(const sim::AirConditions& conditions, double bottom_km, double top_km);
+
+/// CSV that sim::read_air_table() reads: conditions in comments; altitude_km, T_K, densities in cm^-3, mass.
+std::string air_csv(const AirColumn& column);
+
+/// Lines: conditions, temperatures, where O overtakes N2.
+std::string air_text(const AirColumn& column);
+
+/// The conditions that have a name, a line each.
+std::string named_conditions_text();
+
+}  // namespace vegard::apps
