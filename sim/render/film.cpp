@@ -169,7 +169,7 @@ void Exposer::expose(const Scene& scene, Exposure& out, const std::function<void
   Workspace& w = *work_;
   const int lines = static_cast<int>(scene.emission.lines.size());
   const int stride = lines <= 4 ? 4 : 8;
-  out.deflection_points = w.fall(scene, height_profiles(scene), stride, only_sheet, progress, stop);
+  out.deflection_points = w.fall(scene, w.layout.profiles(scene), stride, only_sheet, progress, stop);
   out.free = out.free_stride = 0;
   w.collect(lines, stride, out);
   out.volumes = {};
@@ -181,7 +181,7 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<Para
   Workspace& w = *work_;
   const int lines = static_cast<int>(scene.emission.lines.size());
   const int stride = lines <= 4 ? 4 : 8;
-  const std::vector<HeightProfile> profiles = height_profiles(scene);
+  const std::vector<HeightProfile> profiles = w.layout.profiles(scene);
   std::vector<KernelScene> kernels = w.kernels(scene, profiles);
   if (frees_distortion(scene.camera, free))
     for (KernelScene& kernel : kernels) kernel.plain_pinhole = false;
@@ -208,8 +208,12 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<Para
         const ParameterId& id = free[pass.first + i];
         const int k = local_input_of(scene, static_cast<int>(s), id);
         if (k >= 0) of_sheets[s].parameter_of_local[k] = static_cast<int>(i);
-        if (id == parameter_with(ParameterRole::energy, static_cast<int>(s)))
+        if (id == parameter_with(ParameterRole::energy, static_cast<int>(s))) {
           of_energy[s] = static_cast<int>(i);
+          const bool is_ladder = profiles_of_sheet(scene, static_cast<int>(s)).ladder.count > 0;
+          for (int age = 1; !is_ladder && age < w.layout.ages().count(static_cast<int>(s)); ++age)
+            of_energy[w.layout.ages().first_profile(scene, static_cast<int>(s), age)] = static_cast<int>(i);
+        }
       }
     }
 
@@ -275,8 +279,12 @@ void Exposer::expose_profiles(const Scene& scene, int sheet, const std::vector<s
                               Exposure& out) {
   constexpr int kLanes = 8;
   Workspace& w = *work_;
-  std::vector<HeightProfile> profiles = height_profiles(scene);
-  const ProfilesOfSheet of_sheet = profiles_of_sheet(scene, sheet);
+  std::vector<HeightProfile> profiles = w.layout.profiles(scene);
+  const LightAges& ages = w.layout.ages();
+  const int rungs = profiles_of_sheet(scene, sheet).count();
+  std::vector<int> of_sheet;  // its profiles: interval by interval of age the rungs
+  for (int age = 0; age < ages.count(sheet); ++age)
+    for (int rung = 0; rung < rungs; ++rung) of_sheet.push_back(ages.first_profile(scene, sheet, age) + rung);
   const auto largest = [](const std::vector<float>& numbers) {
     float most = 0.0f;
     for (const float x : numbers) most = std::max(most, std::abs(x));
@@ -284,8 +292,7 @@ void Exposer::expose_profiles(const Scene& scene, int sheet, const std::vector<s
   };
   // As bright as the sheet's own light, so that the film's units are as fine for them as for it.
   float usual = 0.0f;
-  for (int rung = 0; rung < of_sheet.count(); ++rung)
-    usual = std::max(usual, largest(profiles[of_sheet.first + rung].rate));
+  for (const int own : of_sheet) usual = std::max(usual, largest(profiles[own].rate));
   if (!(usual > 0.0f)) usual = 1.0f;
   out.geometry = w.film;
   out.lines = static_cast<int>(rates.size());
@@ -304,18 +311,18 @@ void Exposer::expose_profiles(const Scene& scene, int sheet, const std::vector<s
       const float most = largest(rates[first + l]);
       if (most > 0.0f) back[l] = most / usual;
     }
-    for (int rung = 0; rung < of_sheet.count(); ++rung) {
-      HeightProfile& profile = profiles[of_sheet.first + rung];
+    for (std::size_t part = 0; part < of_sheet.size(); ++part) {
+      HeightProfile& profile = profiles[of_sheet[part]];
       profile.lines = lanes;
       profile.rate.assign(static_cast<std::size_t>(HeightProfile::kAltitudes) * stride, 0.0f);
       for (int l = 0; l < lanes; ++l) {
         const std::vector<float>& rate = rates[first + l];
-        assert(rate.size() == static_cast<std::size_t>(HeightProfile::kAltitudes) * of_sheet.count());
+        assert(rate.size() == static_cast<std::size_t>(HeightProfile::kAltitudes) * of_sheet.size());
         const float most = largest(rate);
         if (!(most > 0.0f)) continue;
-        const float* of_rung = rate.data() + static_cast<std::ptrdiff_t>(rung) * HeightProfile::kAltitudes;
+        const float* of_part = rate.data() + part * HeightProfile::kAltitudes;
         for (int a = 0; a < HeightProfile::kAltitudes; ++a)
-          profile.rate[static_cast<std::size_t>(a) * stride + l] = of_rung[a] * (usual / most);
+          profile.rate[static_cast<std::size_t>(a) * stride + l] = of_part[a] * (usual / most);
       }
     }
     out.deflection_points += w.fall(scene, profiles, stride, sheet);
@@ -327,11 +334,16 @@ void Exposer::expose_profiles(const Scene& scene, int sheet, const std::vector<s
   }
 }
 
+std::vector<float> Exposer::split_by_age(int sheet, double wavelength_nm,
+                                         const std::vector<float>& rates) const {
+  return work_->layout.ages().split_rates(sheet, wavelength_nm, rates);
+}
+
 void Exposer::expose_reference(const Scene& scene, std::vector<double>& rayleigh) {
   Workspace& w = *work_;
   const int lines = static_cast<int>(scene.emission.lines.size());
   const int stride = lines <= 4 ? 4 : 8;
-  const std::vector<HeightProfile> profiles = height_profiles(scene);
+  const std::vector<HeightProfile> profiles = w.layout.profiles(scene);
   const std::size_t cells = static_cast<std::size_t>(w.film.rows) * w.film.columns;
   std::vector<double> film(cells * stride, 0.0);
   const std::vector<KernelScene> kernels = w.kernels(scene, profiles);
@@ -348,7 +360,7 @@ void Exposer::expose_reference(const Scene& scene, std::vector<double>& rayleigh
 
 void Exposer::record_splats(const Scene& scene, SplatRecord& record) {
   Workspace& w = *work_;
-  const std::vector<HeightProfile> profiles = height_profiles(scene);
+  const std::vector<HeightProfile> profiles = w.layout.profiles(scene);
   const std::vector<KernelScene> kernels = w.kernels(scene, profiles);
   PackedChunk packed;
   for (const Chunk& chunk : w.layout.chunks()) {

@@ -88,6 +88,11 @@ class Exposer {
   void expose_profiles(const Scene& scene, int sheet, const std::vector<std::vector<float>>& rates,
                        Exposure& out);
 
+  /// What expose_profiles() wants in the place of a line's profiles of a sheet whose light has ages
+  /// (LightAges in sim/render/beams/light_ages.h): their shares of every interval, one interval behind the
+  /// other. Those profiles themselves for any other sheet.
+  std::vector<float> split_by_age(int sheet, double wavelength_nm, const std::vector<float>& rates) const;
+
   /// The same light computed in double by one thread; for tests.
   void expose_reference(const Scene& scene, std::vector<double>& rayleigh);
 

@@ -138,7 +138,12 @@ std::uint64_t add_slow_line(const Scene& scene, const EmissionLine& line, const 
   kernel_levels.variance_px2 = variances_px2.data();
 
   const Scene of_line = with_lines(scene, {line.wavelength_nm});
-  const std::vector<HeightProfile> profiles = height_profiles(of_line);
+  // Light that has ages has been carried by the wind for as long, beam by beam.
+  const SpreadProfile calm = spread_profile(line, 0.0);
+  KernelLevels of_ages = kernel_levels;
+  of_ages.variance_km2 = calm.variance_km2.data();
+  std::fill(of_ages.wind_enu_km_s, of_ages.wind_enu_km_s + 3, 0.0);
+  const std::vector<HeightProfile> profiles = layout.profiles(of_line);
   const FilmGeometry seen = film_of_all(levels, carried_px);
   std::vector<KernelScene> kernels;
   for (std::size_t s = 0; s < of_line.sheets.size(); ++s)
@@ -163,8 +168,8 @@ std::uint64_t add_slow_line(const Scene& scene, const EmissionLine& line, const 
     const Chunk& chunk = layout.chunks()[c];
     if (only_sheet >= 0 && chunk.sheet != only_sheet) return;
     layout.pack(of_line, chunk, kernels[chunk.sheet], slot.packed);
-    points += fall_on_levels(kernels[chunk.sheet], kernel_levels, slot.packed.groups.data(),
-                             slot.packed.groups.size(), slot.films.data());
+    points += fall_on_levels(kernels[chunk.sheet], layout.ages().lags(chunk.sheet) ? of_ages : kernel_levels,
+                             slot.packed.groups.data(), slot.packed.groups.size(), slot.films.data());
     const std::size_t finished = ++done;
     if (progress) progress(static_cast<double>(finished) / static_cast<double>(layout.chunks().size()));
   });

@@ -39,7 +39,8 @@ struct ProfileShapers {
 
 /// What the free numbers do to the height profiles. The energy flux scales the light too, which the kernel
 /// has.
-ProfileShapers profile_shapers(const Scene& scene, const std::vector<ParameterId>& free) {
+ProfileShapers profile_shapers(const Scene& scene, const std::vector<ParameterId>& free,
+                               const Exposer& exposer) {
   ProfileShapers result;
   result.of_sheet.resize(scene.sheets.size());
   result.alone.assign(free.size(), false);
@@ -58,6 +59,7 @@ ProfileShapers profile_shapers(const Scene& scene, const std::vector<ParameterId
         for (const std::vector<float>& slope : slopes)
           for (int a = 0; a < HeightProfile::kAltitudes; ++a) rate.push_back(slope[a * stride + l]);
         if (std::all_of(rate.begin(), rate.end(), [](float x) { return x == 0.0f; })) continue;
+        rate = exposer.split_by_age(static_cast<int>(s), scene.emission.lines[l], rate);
         const auto found = std::find(of_sheet.rates.begin(), of_sheet.rates.end(), rate);
         of_sheet.shapers.push_back({static_cast<int>(j), static_cast<int>(l),
                                     static_cast<std::size_t>(found - of_sheet.rates.begin())});
@@ -376,7 +378,7 @@ void PictureModel::evaluate(const Scene& scene, PictureMeans& out) {
 void PictureModel::evaluate_with_derivatives(const Scene& scene, const std::vector<ParameterId>& free,
                                              PictureMeans& out) {
   Workspace& w = *work_;
-  const ProfileShapers shapers = profile_shapers(scene, free);
+  const ProfileShapers shapers = profile_shapers(scene, free, *w.exposer);
   std::vector<ParameterId> of_kernel;
   std::vector<int> kernel_parameters;
   for (std::size_t j = 0; j < free.size(); ++j)

@@ -50,6 +50,14 @@ StretchOfSheet stretch_of(const Sheet& sheet, double instant_s) {
   return {east * std::sin(bearing) + north * std::cos(bearing), sheet.length_km, drifted};
 }
 
+StretchOfSheet moved(const StretchOfSheet& stretch, const Sheet& sheet, double later_s) {
+  if (is_curve(sheet)) return stretch;
+  const double bearing = sheet.bearing_deg * kRadiansPerDegree;
+  const double way =
+      (sheet.drift_km_s.east * std::sin(bearing) + sheet.drift_km_s.north * std::cos(bearing)) * later_s;
+  return {stretch.center_km + way, stretch.length_km, stretch.drifted_km + way};
+}
+
 double aside_laid_out_km(const Sheet& sheet, const BeamPlace& place, int layer, double instant_s) {
   return sheet.thickness_km * std::sin(phase_laid_out(sheet, place, layer, instant_s)) +
          sheet.width_km * place.across;

@@ -83,6 +83,8 @@ double line_length_km(const Sheet& sheet);
 
 /// The stretch that a sheet takes up at an instant: it drifts with the sheet.
 StretchOfSheet stretch_of(const Sheet& sheet, double instant_s);
+/// The same so much later.
+StretchOfSheet moved(const StretchOfSheet& stretch, const Sheet& sheet, double later_s);
 
 /// How far a beam was laid out to the side of the sine's positive values, counted from the straight line; of
 /// a sheet whose course is a sine.

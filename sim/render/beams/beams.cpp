@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "sim/base/number/normal_quantile.h"
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/beam_light.h"
 #include "sim/emit/aurora/curve_foot.h"
@@ -126,6 +127,33 @@ RungShare<FreeDual> rung_share(const EnergyLadder& ladder, double ln_energy, con
   return share;
 }
 
+// Of beams whose light has an age: so many of a layer's stand for one each. It is odd, so that those across
+// the layer stay even (LayerPlaces). A line that is still bright at an age is so over some five intervals, so
+// that with seven its noise is little more than that of prompt light; and slow lines are the widely blurred
+// ones.
+constexpr int kThinning = 7;
+
+/// Which beams of a layer stand for its light of an age.
+struct BeamsOfAge {
+  int every = 1, first = 0;
+  double weight = 1.0;
+
+  BeamsOfAge(int beams, int age, bool in_nodes) {
+    if (age == 0 || in_nodes) return;
+    every = std::min(kThinning, (beams - 1) / 2 * 2 + 1);
+    first = 3 * age % every;
+    weight = static_cast<double>(beams) / ((beams - first + every - 1) / every);
+  }
+  bool has(int beam) const { return beam % every == first; }
+};
+
+/// An even sequence over (0, 1), by the golden section along a layer; others are shifted against it.
+double even_place(int beam, int age, int layer, double step) {
+  const double at = beam * step + age * 0.7548776662466927 + layer * 0.5698402909980532;
+  return std::clamp(at - std::floor(at), 1e-6, 1.0 - 1e-6);
+}
+constexpr double kStepOfAge = 0.6180339887498949, kStepOfRay = 0.4142135623730951;
+
 /// The vertical extent of a stretch of path, over which a beam's energy is spread. Where the brightness along
 /// the field is given, the beam is weaker by what that line of sight is longer than the vertical.
 template <class T>
@@ -140,6 +168,7 @@ bool has_footprint_of_sheets(const Scene& scene) { return has_emitters_of_sheets
 BeamLayout::BeamLayout(const Scene& scene, double beyond, std::vector<SheetNodes> nodes)
     : nodes_(std::move(nodes)),
       instants_s_(instants_s(scene.time)),
+      ages_(has_footprint_of_sheets(scene) ? LightAges() : LightAges(scene)),
       sheets_(scene.sheets),
       seed_(scene.seed) {
   const bool stretched = std::any_of(sheets_.begin(), sheets_.end(),
@@ -170,6 +199,11 @@ BeamLayout::BeamLayout(const Scene& scene, double beyond, std::vector<SheetNodes
                                            dark, nodes_.empty() ? SheetNodes{} : nodes_[s]);
     }
     const int beams = places_.back().front().front().size();
+    past_.emplace_back();
+    for (int age = 0; age < ages_.count(static_cast<int>(s)); ++age)
+      past_.back().push_back(age == 0 ? SheetOverTime{sheet}
+                                      : sheet_over(sheet, ages_.age_s(static_cast<int>(s), age, 1.0) -
+                                                              ages_.from_s(static_cast<int>(s), age)));
     for (int i = 0; i < instants(); ++i) {
       stretches_[i].push_back(stretch_of(sheet, instants_s_[i]));
       if (has_footprint_of_sheets(scene)) continue;
@@ -177,6 +211,11 @@ BeamLayout::BeamLayout(const Scene& scene, double beyond, std::vector<SheetNodes
         for (int first = 0; first < beams; first += LayerPlaces::kSumEvery)
           chunks_.push_back(
               {i, static_cast<int>(s), arc, first, std::min(LayerPlaces::kSumEvery, beams - first)});
+      for (int arc = 0; arc < sheet.arcs; ++arc)
+        for (int age = 1; age < ages_.count(static_cast<int>(s)); ++age)
+          for (int first = 0; first < beams; first += LayerPlaces::kSumEvery)
+            chunks_.push_back(
+                {i, static_cast<int>(s), arc, first, std::min(LayerPlaces::kSumEvery, beams - first), age});
     }
   }
 }
@@ -188,6 +227,12 @@ void BeamLayout::pack(const Scene& scene, const Chunk& chunk, const KernelScene&
 void BeamLayout::pack(const Scene& scene, const Chunk& chunk, const KernelScene& kernel, const Seeds& seeds,
                       PackedChunk& out) const {
   pack_as<PlaceDual>(scene, chunk, kernel, &seeds, out);
+}
+
+std::vector<HeightProfile> BeamLayout::profiles(const Scene& scene) const {
+  std::vector<HeightProfile> all = height_profiles(scene);
+  ages_.split(scene, all);
+  return all;
 }
 
 double BeamLayout::peak_km(int sheet, const EnergyLadder& ladder, int rung) const {
@@ -207,9 +252,9 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
   out.places.resize(chunk.count);
   const Sheet& sheet = scene.sheets[chunk.sheet];
   const bool literal = sheet.spacing_rule == SpacingRule::literal;
-  const double instant = instants_s_[chunk.instant];
-  const StretchOfSheet& stretch = stretches_[chunk.instant][chunk.sheet];
-  const SheetShape<double> shape = shape_of(scene, chunk.sheet, chunk.arc, instant, NoSeeds());
+  double instant = instants_s_[chunk.instant];  // of light of an age, from beam to beam that of its electrons
+  StretchOfSheet stretch = stretches_[chunk.instant][chunk.sheet];
+  SheetShape<double> shape = shape_of(scene, chunk.sheet, chunk.arc, instant, NoSeeds());
   SheetShape<FreeDual> free_shape;
   if (seeds != nullptr) free_shape = shape_of(scene, chunk.sheet, chunk.arc, instant, *seeds);
   FallFrame<double> fall;
@@ -219,34 +264,71 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
     fall.across2[i] = k.fall.across2[i].v;
   }
   const double tube_end = tube_variance_at_end(k.deflection);
-  const Sheet& laid_out = sheets_[chunk.sheet];
+  const SheetOverTime& over_time = past_[chunk.sheet][chunk.age];
+  const Sheet& laid_out = over_time.sheet;
   const CurveLayout& curve_laid_out = curves_[chunk.sheet];
   const ProfilesOfSheet profiles = profiles_of_sheet(scene, chunk.sheet);
   const std::uint32_t arc_address = layer_address(chunk.sheet, chunk.arc, 0);
   ArcLight light(laid_out, arc_address, seed_, instant, stretch.drifted_km);
   const Folds folds(laid_out, arc_address, seed_, instant, stretch.drifted_km);
+  const bool reads_elsewhere = light.reads_elsewhere() || over_time.draws_ray_length;
+  const bool any_light = light.any() || over_time.draws_ray_length;
+  const int first_profile = ages_.first_profile(scene, chunk.sheet, chunk.age);
+  // To the time at which a beam's electrons fell, whose light is only now seen.
+  std::optional<ArcLight> past_light;
+  EastNorth moved_km;
+  const auto go_back = [&](int beam, int layer, LayerStructure& structures) {
+    const int every =
+        BeamsOfAge(places_[chunk.sheet][chunk.arc][layer].size(), chunk.age, k.nodes.any()).every;
+    const double age_s =
+        ages_.age_s(chunk.sheet, chunk.age, even_place(beam / every, chunk.age, layer, kStepOfAge));
+    instant = instants_s_[chunk.instant] - age_s;
+    stretch = moved(stretches_[chunk.instant][chunk.sheet], sheets_[chunk.sheet], -age_s);
+    shape = shape_of(scene, chunk.sheet, chunk.arc, instant, NoSeeds());
+    if (seeds != nullptr) free_shape = shape_of(scene, chunk.sheet, chunk.arc, instant, *seeds);
+    moved_km = scene.blur.model == BlurModel::physical ? EastNorth{1e-3 * scene.blur.wind_m_s.east * age_s,
+                                                                   1e-3 * scene.blur.wind_m_s.north * age_s}
+                                                       : EastNorth{};
+    if (is_curve(sheet)) {
+      moved_km.east -= sheet.drift_km_s.east * age_s;
+      moved_km.north -= sheet.drift_km_s.north * age_s;
+    }
+    if (light.any() && !k.nodes.any())
+      past_light.emplace(laid_out, arc_address, seed_, instant, stretch.drifted_km);
+    if (folds.any() || structures.curls.any())
+      structures = {
+          Folds(laid_out, arc_address, seed_, instant, stretch.drifted_km),
+          Curls(laid_out, layer_address(chunk.sheet, chunk.arc, layer), seed_, instant, stretch.drifted_km)};
+  };
   for (int layer = 0; layer < sheet.layers; ++layer) {
-    places_[chunk.sheet][chunk.arc][layer].fill(chunk.first, chunk.count, out.places.data());
-    if (layer == 0)
+    const LayerPlaces& places = places_[chunk.sheet][chunk.arc][layer];
+    places.fill(chunk.first, chunk.count, out.places.data());
+    const BeamsOfAge of_age(places.size(), chunk.age, k.nodes.any());
+    if (layer == 0 && chunk.age == 0)
       light.remember(stretch.along_km(out.places.front().s), stretch.along_km(out.places.back().s));
-    const LayerStructure structures{folds, Curls(laid_out, layer_address(chunk.sheet, chunk.arc, layer),
-                                                 seed_, instant, stretch.drifted_km)};
+    LayerStructure structures{folds, Curls(laid_out, layer_address(chunk.sheet, chunk.arc, layer), seed_,
+                                           instants_s_[chunk.instant], stretch.drifted_km)};
     const LayerStructure* structure =
         structures.folds.any() || structures.curls.any() ? &structures : nullptr;
     std::optional<SheetCurve<double>> curve;
     std::optional<SheetCurve<FreeDual>> free_curve;
     if (is_curve(sheet)) {
       const auto [first, last] = pieces_of(curve_laid_out, out.places);
-      curve.emplace(curve_nodes<double>(sheet, instant, NoSeeds()), first, last);
-      if (seeds != nullptr) free_curve.emplace(curve_nodes<FreeDual>(sheet, instant, *seeds), first, last);
+      const double at = instants_s_[chunk.instant];  // it keeps its shape, and is moved as a whole
+      curve.emplace(curve_nodes<double>(sheet, at, NoSeeds()), first, last);
+      if (seeds != nullptr) free_curve.emplace(curve_nodes<FreeDual>(sheet, at, *seeds), first, last);
     }
     std::vector<OpenGroup> open;
     for (int b = chunk.first; b < chunk.first + chunk.count; ++b) {
+      if (!of_age.has(b)) continue;
       BeamPlace& place = out.places[b - chunk.first];
+      if (chunk.age > 0) go_back(b, layer, structures);
       CurveFoot<double> on_curve;
       if (curve) on_curve = curve_foot(*curve, shape, curve_laid_out, place);
-      const BeamFoot<double> foot =
+      BeamFoot<double> foot =
           curve ? on_curve.foot : beam_foot(shape, stretch, place, layer, sheet.layers, literal, structure);
+      foot.east_km += moved_km.east;
+      foot.north_km += moved_km.north;
       if (foot.flux_km2_mw_m2 <= 0.0) continue;
       if (foot.east_km * foot.east_km + foot.north_km * foot.north_km > kFarthestKm * kFarthestKm) continue;
       const FallFrame<double> own =
@@ -283,12 +365,20 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
           free_foot.foot = beam_foot(free_shape, stretch, place, layer, sheet.layers, literal, structure);
       }
       BeamLight shone;
-      if (light.any())
-        shone = k.nodes.any()
-                    ? mean_light(laid_out, place.ray)
-                    : light.at(stretch.along_km(place.s),
-                               curve ? width_laid_out_km(laid_out, curve_laid_out, place.s) * place.across
-                                     : aside_laid_out_km(laid_out, place, layer, instant));
+      if (k.nodes.any()) {
+        if (any_light) shone = mean_light(sheets_[chunk.sheet], place.ray);
+      } else {
+        ArcLight& then = past_light ? *past_light : light;
+        if (then.any())
+          shone = then.at(stretch.along_km(place.s),
+                          curve ? width_laid_out_km(laid_out, curve_laid_out, place.s) * place.across
+                                : aside_laid_out_km(laid_out, place, layer, instant));
+        if (over_time.draws_ray_length)
+          shone.stretch_above =
+              mean_light(sheets_[chunk.sheet],
+                         normal_quantile(even_place(b / of_age.every, chunk.age, layer, kStepOfRay)))
+                  .stretch_above;
+      }
       const RungShare<FreeDual> share = rung_share(profiles.ladder, on_curve.ln_energy, free_foot.ln_energy);
       for (int rung = share.rung; rung < share.rung + share.rungs; ++rung) {
         OpenGroup& with = group_with_room(open, rung, [&] {
@@ -296,8 +386,8 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
           BeamGroup& fresh = out.groups.back();
           leave_empty(fresh, seeds != nullptr);
           fresh.layer_address = layer_address(chunk.sheet, chunk.arc, layer);
-          fresh.profile = profiles.first + rung;
-          fresh.reads_elsewhere = light.reads_elsewhere();
+          fresh.profile = first_profile + rung;
+          fresh.reads_elsewhere = reads_elsewhere;
           fresh.peak_km = peak_km(chunk.sheet, profiles.ladder, rung);
           if (seeds != nullptr) out.chains.emplace_back(GroupChain{});
           if (k.beams_own_field) out.axes.emplace_back(GroupAxes{});
@@ -333,7 +423,8 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
         group.flux_km2_mw_m2[place_in_group] = foot.flux_km2_mw_m2;
         if (share.rungs > 1) group.flux_km2_mw_m2[place_in_group] *= part.v;
         group.flux_km2_mw_m2[place_in_group] *= place.weight;
-        if (light.any()) {
+        if (chunk.age > 0) group.flux_km2_mw_m2[place_in_group] *= of_age.weight;
+        if (any_light) {
           group.flux_km2_mw_m2[place_in_group] *= shone.factor;
           group.altitude_shift_km[place_in_group] = shone.altitude_shift_km;
           group.stretch_above[place_in_group] = shone.stretch_above;

@@ -4,17 +4,21 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/emit/aurora/change_times.h"
 #include "sim/emit/aurora/sheet.h"
 #include "sim/emit/aurora/sheet_curve.h"
 #include "sim/render/beams/kernel_scene.h"
 #include "sim/render/beams/kernel_types.h"
+#include "sim/render/beams/light_ages.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 
-/// A stretch of one arc at one instant, all its layers.
+/// A stretch of one arc at one instant, all its layers; or of the beams whose light of that instant has an
+/// age, of which only some of a layer's stand for all.
 struct Chunk {
   int instant, sheet, arc, first, count;
+  int age = 0;  ///< interval of the sheet's LightAges
 };
 
 /// The beams of a chunk that can be seen, packed into groups of one layer each.
@@ -43,6 +47,9 @@ class BeamLayout {
   /// The nodes of a sheet's paths; none where steps are drawn.
   PathNodes path_nodes(int sheet) const { return nodes_.empty() ? PathNodes{} : nodes_[sheet].path; }
   int instants() const { return static_cast<int>(instants_s_.size()); }
+  const LightAges& ages() const { return ages_; }
+  /// height_profiles() of a scene, split by the ages of the light.
+  std::vector<HeightProfile> profiles(const Scene& scene) const;
 
   /// Packs a chunk; the first for the light alone, the second with what derivatives need. What lies outside
   /// the film of `kernel`, or below the horizon, is left out; a film without columns leaves nothing out.
@@ -60,8 +67,10 @@ class BeamLayout {
 
   std::vector<SheetNodes> nodes_;  ///< [sheet], or none
   std::vector<double> instants_s_;
-  std::vector<Sheet> sheets_;        ///< as they were laid out: what their structures go by
-  std::vector<CurveLayout> curves_;  ///< [sheet], of those whose course is a curve
+  LightAges ages_;
+  std::vector<std::vector<SheetOverTime>> past_;  ///< [sheet][age], what its structures go by
+  std::vector<Sheet> sheets_;                     ///< as they were laid out: what their structures go by
+  std::vector<CurveLayout> curves_;               ///< [sheet], of those whose course is a curve
   /// Of their height profiles, [sheet][rung of its ladder of energies], where a structure asks for it.
   std::vector<std::vector<double>> peak_km_;
   std::vector<int> first_rung_;  ///< of each sheet, where there are peaks

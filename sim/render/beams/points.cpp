@@ -65,6 +65,7 @@ std::uint64_t stream_points(const Scene& scene, const PointOptions& options,
   assert(options.every % 2 == 1);
   Scene still = scene;
   still.time.instants = 1;
+  still.emission.lag = EmissionLag::none;
   remove_emitters(still);  // the points are those of the beams, whatever is drawn in their place
   const BeamLayout layout(still, 0.0);
   const std::vector<HeightProfile> profiles = height_profiles(still);
@@ -113,6 +114,7 @@ int thinning_for(const Scene& scene, std::uint64_t most, int threads, const std:
   // To count takes long. So the search begins where the expected count says, and widens from there.
   Scene still = scene;
   still.time.instants = 1;
+  still.emission.lag = EmissionLag::none;
   remove_emitters(still);  // the points are those of the beams, whatever is drawn in their place
   const BeamLayout layout(still, 0.0);
   int low = -1, high = last;  // `low` is too little, or below all

@@ -27,7 +27,8 @@ struct PointOptions {
 };
 
 /// Hands the points that give off light to `sink`, some thousands at a time, in the order sheet, arc, stretch
-/// of the arc, layer, beam, path; from the calling thread. The time is the scene's first instant. The same
+/// of the arc, layer, beam, path; from the calling thread. The time is the scene's first instant, at which
+/// electrons fall: the light has no lag. The same
 /// scene gives the same points on every run. Memory does not grow with their number. Returns how many.
 std::uint64_t stream_points(const Scene& scene, const PointOptions& options,
                             const std::function<void(const EmissionPoints&)>& sink);

@@ -25,6 +25,9 @@ std::vector<Declaration> light_rows() {
       Row("emission", "flux_law", &Scene::emission, &Emission::flux_law).one_of<FluxLaw>({{"column", FluxLaw::column}, {"linear", FluxLaw::linear}})
           .means("how light grows with the energy flux of Maxwellian electrons: as the columns of the tables do, which "
                  "depart from proportion by up to 15 % between 0.1 and 10 mW m⁻²; or in proportion"),
+      Row("emission", "lag", &Scene::emission, &Emission::lag).one_of<EmissionLag>({{"lifetime", EmissionLag::lifetime}, {"none", EmissionLag::none}})
+          .means("light follows electrons that change after the excited atoms' effective lifetimes, up to 110 s of "
+                 "630.0 nm and 0.7 s of 557.7 nm; or at once"),
 
       Row("blur", "width_deg", &Scene::blur, &Blur::width_deg).as(ParameterRole::blur_width).by_line().in("deg")
           .within(0, 10).list_rule(blur_complaint).may_be_free(ParameterScale::logarithmic)

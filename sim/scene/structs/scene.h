@@ -179,6 +179,12 @@ enum class FluxLaw {
 /// The emission tables of a scene that names none.
 inline const char* const kDefaultEmissionTables = "glow";
 
+/// When light is seen of the electrons that excite it.
+enum class EmissionLag {
+  lifetime,  ///< after the atoms' effective lifetimes
+  none       ///< at once
+};
+
 struct Emission {
   std::vector<double> lines = {630.0, 557.7, 427.8};  ///< wavelengths in nm
   std::string tables = kDefaultEmissionTables;        ///< that come with the program, or a folder
@@ -187,6 +193,7 @@ struct Emission {
   std::shared_ptr<const TableFolder> folder;
   double oxygen_factor = 1.0;  ///< of the atomic oxygen that the tables are made for
   FluxLaw flux_law = FluxLaw::column;
+  EmissionLag lag = EmissionLag::lifetime;
 };
 
 enum class BlurKernelKind {

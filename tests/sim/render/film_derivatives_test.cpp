@@ -249,7 +249,8 @@ TEST(FilmDerivatives, OfAnExposureOfADriftingSheetAgreeWithDifferences) {
   Sheet& sheet = scene.sheets[0];
   sheet.center_km.east = 130.0;
   sheet.length_km = 250.0;
-  sheet.beams = 50;
+  sheet.beams =
+      150;  // of which a seventh stands for the light of each age: few samples, few to even out kinks
   sheet.arcs = 2;
   sheet.arc_spacing_km = 14.0;
   sheet.drift_km_s = {4.0, 2.5};

@@ -273,5 +273,39 @@ TEST(PictureModel, HasTheDerivativesOfAFreeFormProfile) {
                              {"blur.width_deg.5577", 1e-3}});
 }
 
+TEST(PictureModel, HasTheDerivativesOfLightThatLags) {
+  // What shapes a profile shapes those of all ages, by line.
+  Scene scene = plain_scene();
+  scene.emission.flux_law = FluxLaw::column;
+  scene.sheets[0].spacing_jitter = 0.0;
+  scene.sheets[0].drift_km_s = {0.1, 0.4};
+  Scene still = scene;
+  still.emission.lag = EmissionLag::none;
+  const FilmGeometry film = film_of(scene, 4.0, 1.0);
+  PictureMeans late, prompt;
+  PictureModel(scene, film, strips(film, 3)).evaluate(scene, late);
+  PictureModel(still, film, strips(film, 3)).evaluate(still, prompt);
+  double apart = 0.0;
+  for (std::size_t i = 0; i < late.value.size(); ++i)
+    apart = std::max(apart, std::abs(late.value[i] - prompt.value[i]));
+  EXPECT_GT(apart, 0.005 * *std::max_element(prompt.value.begin(), prompt.value.end())) << "there is a lag";
+  const std::vector<std::pair<std::string, double>> steps = {{"sheet.main.energy_flux_mw_m2", 0.01},
+                                                             {"sheet.main.energy_kev", 0.003},
+                                                             {"sheet.main.center_km.north", 2e-3},
+                                                             {"camera.elevation_deg", 5e-4}};
+  expect_derivatives(scene, steps);
+  scene.sheets[0].profile = ProfileKind::form;
+  scene.sheets[0].peak_km = 150.0;
+  scene.sheets[0].upper_km = 100.0;
+  expect_derivatives(scene, {{"sheet.main.peak_km", 0.02}, {"sheet.main.upper_km", 0.1}, steps[0]});
+  scene.sheets[0].profile = ProfileKind::spline;
+  scene.sheets[0].spline_knots = 10;
+  fill_spline_rates(scene);
+  const std::vector<ParameterPath> rates = resolve(scene, "sheet.main.spline_rate");
+  const double most =
+      *std::max_element(scene.sheets[0].spline_rate.begin(), scene.sheets[0].spline_rate.end());
+  expect_derivatives(scene, {{rates[6].text, 0.01 * most}, {rates[16].text, 0.01 * most}});
+}
+
 }  // namespace
 }  // namespace vegard::sim::picture_model_test
