@@ -1,0 +1,229 @@
+#include "fit/columns/column_inversion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/base/number/constants.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kWidestFirstStep = 0.3;  // of a logarithm, where the covariance says nothing
+constexpr double kTradeOff = 0.9;         // of a correlation: two unknowns are told as trading off
+constexpr int kMostMinimisations = 400, kMostRestarts = 3;
+constexpr const char* kNouns[kColumnUnknowns] = {"E0", "energy flux", "oxygen factor"};
+constexpr const char* kUnits[kColumnUnknowns] = {" keV", " mW m-2", ""};
+
+OpenInterval interval_of_exponential(const OpenInterval& of_ln) {
+  OpenInterval interval;
+  if (of_ln.lower) interval.lower = std::exp(*of_ln.lower);
+  if (of_ln.upper) interval.upper = std::exp(*of_ln.upper);
+  return interval;
+}
+
+/// The intervals of one unknown about a valley. True if a deeper point turned up, which then is `valley`.
+bool take_intervals(const ColumnChi2& chi2, const ColumnData& data, ColumnValley& valley, std::size_t k,
+                    double sigma_ln, ColumnEstimate& estimate) {
+  const MinimisedChi2 minimised = [&](std::size_t j, double fixed, std::vector<double>& point) {
+    ColumnFreedom free = chi2.free();
+    free[j] = false;
+    ColumnPoint start{};
+    std::copy(point.begin(), point.end(), start.begin());
+    start[j] = fixed;
+    const ColumnValley there = chi2.descend(data, start, free);
+    point.assign(there.at.begin(), there.at.end());
+    return there.chi2;
+  };
+  ProfileLikelihoodOptions options;
+  options.first_step = sigma_ln > 0.0 && sigma_ln < kWidestFirstStep ? sigma_ln : kWidestFirstStep;
+  options.least = chi2.model().least(k);
+  options.most = chi2.model().most(k);
+  options.most_steps = 1e12;
+  options.most_minimisations = kMostMinimisations;
+  options.tolerance = 1e-3;
+  const LikelihoodProfile profile =
+      profile_likelihood(k, {valley.at.begin(), valley.at.end()}, valley.chi2, minimised, options);
+  if (profile.better) {
+    ColumnPoint start{};
+    std::copy(profile.better->point.begin(), profile.better->point.end(), start.begin());
+    valley = chi2.descend(data, start, chi2.free());
+    return true;
+  }
+  estimate.interval68 = interval_of_exponential(profile.interval68);
+  estimate.interval95 = interval_of_exponential(profile.interval95);
+  return false;
+}
+
+ColumnSolution solution_of(const ColumnChi2& chi2, const ColumnData& data, ColumnValley valley) {
+  ColumnSolution solution;
+  for (int restart = 0; restart <= kMostRestarts; ++restart) {
+    solution = {};
+    const Eigen::Matrix3d covariance = column_covariance(valley, chi2.free());
+    bool found_better = false;
+    for (std::size_t k = 0; k < kColumnUnknowns && !found_better; ++k) {
+      const auto i = static_cast<Eigen::Index>(k);
+      ColumnEstimate& estimate = solution.of[k];
+      estimate.value = std::exp(valley.at[k]);
+      estimate.is_free = chi2.free()[k];
+      if (!estimate.is_free) continue;
+      estimate.sigma_ln = valley.at_edge[k] ? sim::kNaN : std::sqrt(covariance(i, i));
+      estimate.sigma_ln_alone = 1.0 / std::sqrt(valley.information(i, i));
+      found_better =
+          take_intervals(chi2, data, valley, k, estimate.sigma_ln, estimate) && restart < kMostRestarts;
+    }
+    if (found_better) continue;
+    for (Eigen::Index i = 0; i < 3; ++i)
+      for (Eigen::Index j = 0; j < 3; ++j)
+        if (i != j && covariance(i, i) > 0.0 && covariance(j, j) > 0.0)
+          solution.correlation(i, j) = covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j));
+    break;
+  }
+  solution.chi2 = valley.chi2;
+  for (std::size_t l = 0; l < chi2.model().lines(); ++l)
+    solution.rayleigh.push_back(std::exp(chi2.model().at(l, valley.at).ln_rayleigh));
+  return solution;
+}
+
+std::string column_value_text(std::size_t k, double value) {
+  return fmt::format("{:.3g}{}", value, kUnits[k]);
+}
+
+/// The line that is farthest off.
+std::string farthest_line(const ColumnInversion& inversion) {
+  const ColumnSolution& best = inversion.solutions.front();
+  std::size_t farthest = 0;
+  double most = 0.0;
+  for (std::size_t l = 0; l < inversion.lines_nm.size(); ++l) {
+    const double pull = (inversion.data.rayleigh[l] - best.rayleigh[l]) / inversion.data.sigma[l];
+    if (std::abs(pull) <= std::abs(most)) continue;
+    most = pull;
+    farthest = l;
+  }
+  return fmt::format("{:.1f} nm is {:.1f} standard deviations {} the best of the tables",
+                     inversion.lines_nm[farthest], std::abs(most), most > 0.0 ? "above" : "below");
+}
+
+void judge_columns(ColumnInversion& inversion) {
+  const ColumnSolution& best = inversion.solutions.front();
+  const bool contradicts =
+      inversion.degrees_of_freedom > 0 ? inversion.p_value < kLeastChance : best.chi2 > kMostColumnChi2;
+  if (contradicts) {
+    inversion.verdict = ColumnVerdict::contradiction;
+    inversion.reason =
+        "no electrons of these tables make these lines within their errors: " + farthest_line(inversion);
+    return;
+  }
+  if (inversion.solutions.size() > 1) {
+    inversion.verdict = ColumnVerdict::two_solutions;
+    std::string energies;
+    for (const ColumnSolution& s : inversion.solutions)
+      energies += (energies.empty() ? "" : " or ") + column_value_text(kLnEnergy, s.of[kLnEnergy].value);
+    inversion.reason = "E0 may be " + energies +
+                       ": a line whose ratio to these is not the same at both would tell them apart";
+    return;
+  }
+  std::string open, wide;
+  for (std::size_t k = 0; k < kColumnUnknowns; ++k) {
+    const ColumnEstimate& estimate = best.of[k];
+    if (!estimate.is_free) continue;
+    const OpenInterval& interval = estimate.interval95;
+    const std::string separator = open.empty() ? "" : ", ";
+    if (!interval.lower && !interval.upper)
+      open += separator + kNouns[k] + " is not told at all";
+    else if (!interval.lower)
+      open += separator + kNouns[k] + " is below " + column_value_text(k, *interval.upper) + " (95 %)";
+    else if (!interval.upper)
+      open += separator + kNouns[k] + " is above " + column_value_text(k, *interval.lower) + " (95 %)";
+    else if (*interval.upper > kWideFactor * *interval.lower)
+      wide += (wide.empty() ? "" : ", ") + fmt::format("{} lies anywhere from {} to {} (95 %)", kNouns[k],
+                                                       column_value_text(k, *interval.lower),
+                                                       column_value_text(k, *interval.upper));
+  }
+  if (!open.empty()) {
+    inversion.verdict = ColumnVerdict::one_sided;
+    inversion.reason = open + ", as far as the tables reach";
+  } else if (!wide.empty()) {
+    inversion.verdict = ColumnVerdict::loosely_constrained;
+    inversion.reason = wide;
+  } else {
+    inversion.verdict = ColumnVerdict::well_constrained;
+    inversion.reason = "one solution, with closed intervals";
+  }
+}
+
+/// What trades off with what, and what would help.
+std::vector<std::string> degeneracies_of(const ColumnSolution& best) {
+  std::vector<std::string> words;
+  for (std::size_t a = 0; a < kColumnUnknowns; ++a)
+    for (std::size_t b = a + 1; b < kColumnUnknowns; ++b) {
+      const double r = best.correlation(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
+      const ColumnEstimate &one = best.of[a], &other = best.of[b];
+      if (!one.is_free || !other.is_free || std::abs(r) < kTradeOff) continue;
+      words.push_back(fmt::format(
+          "{} and {} trade off (correlation {:+.2f}): {} more of the one goes with {:.2g} % {} of the other; "
+          "were all else known, {} would be known to {:.2g} % instead of {:.2g} %",
+          kNouns[a], kNouns[b], r, "10 %", 10.0 * std::abs(r) * other.sigma_ln / one.sigma_ln,
+          r > 0.0 ? "more" : "less", kNouns[a], 100.0 * one.sigma_ln_alone, 100.0 * one.sigma_ln));
+    }
+  return words;
+}
+
+}  // namespace
+
+const char* column_verdict_name(ColumnVerdict verdict) {
+  switch (verdict) {
+    case ColumnVerdict::well_constrained:
+      return "well constrained";
+    case ColumnVerdict::loosely_constrained:
+      return "loosely constrained";
+    case ColumnVerdict::one_sided:
+      return "constrained on one side";
+    case ColumnVerdict::two_solutions:
+      return "two solutions";
+    case ColumnVerdict::contradiction:
+      return "lines contradict each other";
+    case ColumnVerdict::no_light:
+      return "no light";
+    case ColumnVerdict::not_measured:
+      return "not measured";
+  }
+  return "";
+}
+
+double chi2_tail(double chi2, int degrees_of_freedom) {
+  // By the recurrence of the incomplete gamma function, from one degree of freedom or two.
+  const double half = 0.5 * std::max(0.0, chi2);
+  const bool odd = degrees_of_freedom % 2 != 0;
+  double tail = odd ? std::erfc(std::sqrt(half)) : std::exp(-half);
+  double term = odd ? std::exp(-half) * std::sqrt(half) / std::tgamma(1.5) : half * std::exp(-half);
+  for (int n = odd ? 1 : 2; n < degrees_of_freedom; n += 2) {
+    tail += term;
+    term *= half / (0.5 * n + 1.0);
+  }
+  return tail;
+}
+
+ColumnInversion invert_columns(const ColumnChi2& chi2, const ColumnData& data) {
+  ColumnInversion inversion;
+  inversion.lines_nm = chi2.model().lines_nm();
+  inversion.data = data;
+  int unknowns = 0;
+  for (const bool is_free : chi2.free()) unknowns += is_free ? 1 : 0;
+  inversion.degrees_of_freedom = static_cast<int>(inversion.lines_nm.size()) - unknowns;
+  const std::vector<ColumnValley> valleys = chi2.valleys(data);
+  for (const ColumnValley& valley : valleys) {
+    if (!inversion.solutions.empty() &&
+        (valley.chi2 - valleys.front().chi2 > kAlikeChi2 || valley.barrier < kLeastBarrier))
+      continue;
+    inversion.solutions.push_back(solution_of(chi2, data, valley));
+  }
+  if (inversion.degrees_of_freedom > 0)
+    inversion.p_value = chi2_tail(inversion.solutions.front().chi2, inversion.degrees_of_freedom);
+  judge_columns(inversion);
+  inversion.degeneracies = degeneracies_of(inversion.solutions.front());
+  return inversion;
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,119 @@
+#include "fit/columns/column_maps.h"
+
+#include <cmath>
+
+#include "sim/base/number/constants.h"
+#include "sim/base/parallel.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kSeenSigmas = 3.0;  // standard deviations that a line with light stands out
+constexpr double kEdgeSigmas = 2.0;
+
+/// The brightnesses of a pixel. False: one of them, or its error, is missing.
+bool take_pixel(const std::vector<LineMap>& lines, std::size_t i, ColumnData& data) {
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    const LineMap& line = lines[l];
+    data.rayleigh[l] = line.rayleigh[i];
+    const double known = line.known_error.empty() ? 0.0 : line.known_error[i];
+    data.sigma[l] = std::hypot(line.error.of(data.rayleigh[l]), known);
+    if (!std::isfinite(data.rayleigh[l]) || !std::isfinite(data.sigma[l])) return false;
+  }
+  return true;
+}
+
+/// Whether there is light, and every line has an error that it can be weighed by.
+bool light_in_pixel(const ColumnData& data, std::size_t lines) {
+  bool seen = false;
+  for (std::size_t l = 0; l < lines; ++l) {
+    if (!(data.sigma[l] > 0.0)) return false;
+    seen = seen || data.rayleigh[l] > kSeenSigmas * data.sigma[l];
+  }
+  return seen;
+}
+
+class PixelJudge {
+ public:
+  explicit PixelJudge(const ColumnChi2& chi2) : chi2_(chi2) {
+    degrees_of_freedom_ = static_cast<int>(chi2.model().lines());
+    for (const bool is_free : chi2.free()) degrees_of_freedom_ -= is_free ? 1 : 0;
+  }
+
+  ColumnVerdict of(const ColumnValley& best, const ColumnPoint& sigma_ln, bool has_second) const {
+    const bool contradicts = degrees_of_freedom_ > 0
+                                 ? chi2_tail(best.chi2, degrees_of_freedom_) < kLeastChance
+                                 : best.chi2 > kMostColumnChi2;
+    if (contradicts) return ColumnVerdict::contradiction;
+    if (has_second) return ColumnVerdict::two_solutions;
+    ColumnVerdict verdict = ColumnVerdict::well_constrained;
+    for (std::size_t k = 0; k < kColumnUnknowns; ++k) {
+      if (!chi2_.free()[k]) continue;
+      const double reach = kEdgeSigmas * sigma_ln[k];
+      if (best.at_edge[k] || best.at[k] - reach < chi2_.model().least(k) ||
+          best.at[k] + reach > chi2_.model().most(k))
+        return ColumnVerdict::one_sided;
+      if (2.0 * reach > std::log(kWideFactor)) verdict = ColumnVerdict::loosely_constrained;
+    }
+    return verdict;
+  }
+
+ private:
+  const ColumnChi2& chi2_;
+  int degrees_of_freedom_ = 0;
+};
+
+void invert_pixel(const ColumnChi2& chi2, const PixelJudge& judge, const ColumnData& data, std::size_t i,
+                  ColumnMaps& maps) {
+  const std::vector<ColumnValley> valleys = chi2.valleys(data);
+  const ColumnValley& best = valleys.front();
+  const Eigen::Matrix3d covariance = column_covariance(best, chi2.free());
+  ColumnPoint sigma_ln{};
+  for (std::size_t k = 0; k < kColumnUnknowns; ++k)
+    sigma_ln[k] = best.at_edge[k]
+                      ? sim::kNaN
+                      : std::sqrt(covariance(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(k)));
+  const ColumnValley* second = nullptr;
+  for (std::size_t v = 1; v < valleys.size() && second == nullptr; ++v)
+    if (valleys[v].chi2 - best.chi2 <= kAlikeChi2 && valleys[v].barrier >= kLeastBarrier)
+      second = &valleys[v];
+  maps.energy_kev[i] = static_cast<float>(std::exp(best.at[kLnEnergy]));
+  maps.flux_mw_m2[i] = static_cast<float>(std::exp(best.at[kLnFlux]));
+  maps.oxygen_factor[i] = static_cast<float>(std::exp(best.at[kLnOxygen]));
+  maps.ln_energy_error[i] = static_cast<float>(sigma_ln[kLnEnergy]);
+  maps.relative_flux_error[i] = static_cast<float>(sigma_ln[kLnFlux]);
+  maps.ln_oxygen_error[i] = static_cast<float>(sigma_ln[kLnOxygen]);
+  if (second != nullptr) maps.other_energy_kev[i] = static_cast<float>(std::exp(second->at[kLnEnergy]));
+  maps.chi2[i] = static_cast<float>(best.chi2);
+  maps.quality[i] = static_cast<std::uint8_t>(judge.of(best, sigma_ln, second != nullptr));
+}
+
+}  // namespace
+
+ColumnMaps invert_maps(const ColumnChi2& chi2, const std::vector<LineMap>& lines, std::size_t width,
+                       std::size_t height, int threads) {
+  ColumnMaps maps;
+  maps.width = width;
+  maps.height = height;
+  const std::size_t pixels = width * height;
+  const auto nan = static_cast<float>(sim::kNaN);
+  for (std::vector<float>* values :
+       {&maps.energy_kev, &maps.flux_mw_m2, &maps.oxygen_factor, &maps.ln_energy_error,
+        &maps.relative_flux_error, &maps.ln_oxygen_error, &maps.other_energy_kev, &maps.chi2})
+    values->assign(pixels, nan);
+  maps.quality.assign(pixels, static_cast<std::uint8_t>(ColumnVerdict::not_measured));
+  const PixelJudge judge(chi2);
+  sim::parallel_for(height, threads, [&](std::size_t row, int) {
+    ColumnData data;
+    for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
+      if (!take_pixel(lines, i, data)) continue;
+      if (light_in_pixel(data, lines.size()))
+        invert_pixel(chi2, judge, data, i, maps);
+      else
+        maps.quality[i] = static_cast<std::uint8_t>(ColumnVerdict::no_light);
+    }
+  });
+  return maps;
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,81 @@
+// Brightness of emission lines along the magnetic zenith, by the electrons that make them: what a
+// column-ratio inversion compares with photometers and filtered cameras.
+//
+// The columns are those of the simulator's own height profiles (sim/light/height_profile.h), tabulated once
+// over energy (and whatever else changes them), so that a million pixels can ask for them. In between,
+// ln(rayleighs) is a cubic through the four nearest nodes, once continuously differentiable.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "sim/light/emission_tables.h"
+
+namespace vegard::fit {
+
+/// The unknowns of an inversion, in this order everywhere.
+enum ColumnUnknown : std::size_t { kLnEnergy = 0, kLnFlux = 1, kLnOxygen = 2, kColumnUnknowns = 3 };
+
+/// ln(E0 in keV), ln(energy flux in mW m^-2), ln(factor of atomic oxygen).
+using ColumnPoint = std::array<double, kColumnUnknowns>;
+using ColumnFreedom = std::array<bool, kColumnUnknowns>;
+
+enum class ColumnSpectrum { maxwellian, gaussian, mono };
+
+struct ColumnModelOptions {
+  ColumnSpectrum spectrum = ColumnSpectrum::maxwellian;
+  double spread = 0.25;  ///< of a Gaussian: its standard deviation over its energy
+};
+
+/// ln of a line's rayleighs, and its slopes by the three unknowns.
+struct ColumnLight {
+  double ln_rayleigh = 0.0;
+  ColumnPoint slope{};
+};
+
+class ColumnModel {
+ public:
+  static constexpr double kLeastFlux = 1e-3, kMostFlux = 1e3;  ///< mW m^-2
+
+  /// Lines of the aurora, eight at most. `tables` are not needed any more afterwards. Takes some tenths of a
+  /// second, on up to `threads` threads (0: all).
+  ColumnModel(const sim::EmissionTables& tables, const std::vector<double>& lines_nm,
+              const ColumnModelOptions& options, int threads = 0);
+
+  std::size_t lines() const { return lines_nm_.size(); }
+  const std::vector<double>& lines_nm() const { return lines_nm_; }
+
+  /// Inside the limits.
+  ColumnLight at(std::size_t line, const ColumnPoint& point) const;
+
+  /// The range of each unknown: of the tables, of kLeastFlux to kMostFlux. Two equal numbers: the tables do
+  /// not know it.
+  double least(std::size_t unknown) const { return least_[unknown]; }
+  double most(std::size_t unknown) const { return most_[unknown]; }
+  bool knows(std::size_t unknown) const { return most_[unknown] > least_[unknown]; }
+
+  /// Energies that are close enough together that no minimum of chi2 hides between two.
+  const std::vector<double>& ln_energies() const { return energy_nodes_; }
+  const std::vector<double>& ln_oxygens() const { return oxygen_nodes_; }
+
+  /// Whether one of the lines is a fixed multiple of another, whatever the electrons: they come from the same
+  /// upper state.
+  bool is_multiple(std::size_t line, std::size_t other) const;
+
+ private:
+  double node(std::size_t line, std::size_t energy, std::size_t oxygen) const {
+    return ln_column_[(line * oxygen_nodes_.size() + oxygen) * energy_nodes_.size() + energy];
+  }
+  void tabulate_columns(const sim::EmissionTables& tables, const ColumnModelOptions& options, int threads);
+  void tabulate_flux_law(const sim::EmissionTables& tables);
+
+  std::vector<double> lines_nm_, energy_nodes_, oxygen_nodes_, flux_nodes_;
+  ColumnPoint least_{}, most_{};
+  std::vector<double> ln_column_;  ///< [(line * oxygens + oxygen) * energies + energy], at 1 mW m^-2
+  std::vector<double>
+      ln_factor_;  ///< of the flux law, [(line * energies + energy) * fluxes + flux]; or empty
+};
+
+}  // namespace vegard::fit
