@@ -61,6 +61,7 @@ int run(int argc, char** argv) {
   apps::add_electrons_command(program);
   apps::add_atmosphere_command(program);
   apps::add_tables_command(program);
+  apps::add_invert_command(program);
   apps::add_params_command(program);
   apps::add_lines_command(program);
   const int exit_code = program.run();

@@ -69,6 +69,7 @@ ON_ANGLES = [
     ["keogram", "photo.png", "second.png", "--azimuth-map", "{it}", "-o", "{out}/k.csv"],
     ["calibrate", "--azimuth-map", "{it}", "-o", "{out}/c.toml"],
 ]
+ON_LINES = [["invert", "--map", "427.8={it}", "--map", "630.0={it}", "--relative-error", "5", "-o", "{out}/i.nc"] + ONE]
 ON_GRID = [
     ["grid", "{it}", "-o", "{out}/g.pbrt"],
     ["grid", "{it}", "-o", "{out}/g.vdb", "--blur", "1"] + ONE,
@@ -190,7 +191,7 @@ def make_kinds(vegard, home):
         Kind("frames", "it.pgm", [frames(3)], ON_FRAMES),
         Kind("packed frames", "it.pgm.gz", [gzip.compress(frames(3), mtime=0), gzip.compress(frames(1), mtime=0)], ON_FRAMES),
         Kind("heic", "it.heic", [(SOURCE / "tests/data/turned.heic").read_bytes()], ON_PHOTO),
-        Kind("fits", "it.fits", [bytes_of("maps_az.fits"), bytes_of("maps_el.fits")], ON_PHOTO[:7] + ON_ANGLES),
+        Kind("fits", "it.fits", [bytes_of("maps_az.fits"), bytes_of("maps_el.fits")], ON_PHOTO[:7] + ON_ANGLES + ON_LINES),
         Kind("packed fits", "it.fits.gz", [gzip.compress(bytes_of("maps_az.fits"), mtime=0)], ON_PHOTO[:7]),
         Kind("maps", "it.exr", [bytes_of("maps.exr")], ON_ANGLES),
         Kind("list", "it.txt", [bytes_of("list.txt")],

@@ -10,7 +10,7 @@ photo=inputs/examples/h000/photo.jpg
 all_of() { ! $quick; }
 
 # --- Words ---------------------------------------------------------------------------------------------------------------------------
-for command in animate atmosphere brightness calibrate compare describe directions electrons fit grid horizon keogram linearise lines mask params points \
+for command in animate atmosphere brightness calibrate compare describe directions electrons fit grid horizon invert keogram linearise lines mask params points \
   preview profile render sdf sequence slices volume; do
   all_of || [[ $command == fit || $command == render ]] || continue
   run "help_$command" "$command" --help
@@ -28,6 +28,7 @@ run lines_plot lines --quenching out/quenching.svg
 run lines_plot_png lines --quenching out/quenching.png
 run atmosphere atmosphere --conditions winter_quiet -o out/atmosphere.csv --plot out/atmosphere.svg
 run electrons electrons --energy-kev 2 -o out/electrons.csv --plot out/electrons.svg
+run invert invert --line 427.8=2300±50 --line 557.7=9000±200 --line 630.0=330±15 -o out/invert.json --plot out/invert.svg
 
 # --- What is refused: the messages, and the hints in them ----------------------------------------------------------------------------
 run_refused no_command rendre

@@ -19,6 +19,7 @@ void add_tables_command(Program& program);
 void add_fit_command(Program& program);
 void add_grid_command(Program& program);
 void add_horizon_command(Program& program);
+void add_invert_command(Program& program);
 void add_keogram_command(Program& program);
 void add_linearise_command(Program& program);
 void add_lines_command(Program& program);

@@ -68,6 +68,7 @@ refused slices grid.vdb -o out.svg
 refused sdf a.png -o out.exr --threshold 0.3
 refused linearise a.png "$small" -o out.exr
 refused electrons --spectrum mono --energy-kev 1
+refused invert --line 427.8=2300±50 --line 630.0=330±15
 refused lines --sources --energy-kev 0.1
 refused params
 refused params --markdown

@@ -1,0 +1,143 @@
+# vegard invert: lines and maps of them, and how it refuses.
+source "$2/tests/cli/case.sh"
+
+# invert CODE ARGUMENTS...; what is told, as JSON, a plot.
+invert() {
+  local code=$1
+  shift
+  expect_exit "$code" invert "$@"
+}
+three=(--line 427.8=2300±50 --line 557.7=9000+-200 --line 630.0=330±5%)
+invert 0 "${three[@]}" -o answer.json --plot answer.svg
+expect_only answer.json answer.svg
+expect_stdout "verdict: well constrained"
+expect_stdout "1 degree of freedom"
+grep -qF '"verdict": "well constrained"' answer.json || fail "the verdict in JSON"
+head -c 4 answer.svg | grep -q '<svg' || fail "the plot is no SVG"
+invert 0 "${three[@]}" --json
+grep -qF '"energy_kev": {' "$stdout" || fail "--json prints no JSON"
+invert 2 "${three[@]}" -o answer.json
+expect_one_message
+cp answer.json first.json
+invert 0 "${three[@]}" -o answer.json --plot answer.svg --overwrite
+expect_same answer.json first.json
+
+# What the verdicts are.
+invert 0 --line 557.7=2100±1% --line 337.1=496±1%
+expect_stdout "verdict: two solutions"
+invert 0 --line 427.8=132±3 --line 630.0=2650±80
+expect_stdout "verdict: constrained on one side; E0 is below"
+invert 5 --line 427.8=2300±50 --line 557.7=20000±200 --line 630.0=330±10 -o against.json
+expect_stdout "verdict: lines contradict each other"
+expect_file against.json
+invert 0 --line 427.8=2300±50 --free flux --energy-kev 5
+expect_stdout "held"
+for spectrum in gaussian mono; do
+  invert 0 "${three[@]}" --model-error 20 --spectrum $spectrum
+  expect_stdout "electrons: $spectrum"
+done
+invert 0 --line 427.8=2300 --line 630.0=330 --relative-error 5 --threads 1
+cp "$stdout" one.txt
+invert 0 --line 427.8=2300±5% --line 630.0=330±5% --threads 2
+expect_same "$stdout" one.txt
+
+# Tables of one's own, with several amounts of atomic oxygen: twice of it halves the red line of the same electrons.
+cp -r "$SOURCE/data/glow" own
+awk -F, -v OFS=, '
+  NR == 1 { print "oxygen_factor," $0; next }
+  { rows[++count] = $0 }
+  END {
+    for (f = 0.5; f <= 2; f *= 2)
+      for (i = 1; i <= count; ++i) { $0 = rows[i]; $7 = $7 / f; print f, $0 }
+  }' "$SOURCE/data/glow/ver_maxwellian.csv" >own/ver_maxwellian.csv
+oxygen=(--line 427.8=2300±1% --line 557.7=9000±1% --line 630.0=330±1%)
+invert 0 "${oxygen[@]}" --tables own --free energy,flux,oxygen
+expect_stdout "oxygen factor"
+invert 0 "${three[@]}" --tables own --oxygen-factor 1.5 --model-error 20
+
+# refuses CODE TEXT ARGUMENTS...
+refuses() {
+  local code=$1 text=$2
+  shift 2
+  expect_exit "$code" invert "$@"
+  expect_one_message
+  expect_stderr "$text"
+}
+refuses 2 "no line is given"
+refuses 2 "no line of the aurora is known at 500 nm" --line 500=1±1 --line 630.0=5±1
+refuses 2 "no line of the aurora is known at 656.3 nm" --line 656.3=1±1 --line 630.0=5±1
+refuses 2 "the brightness of 427.8 nm is -3" --line 427.8=-3±1 --line 630.0=5±1
+refuses 2 "an error of 0 is none" --line 427.8=3±0 --line 630.0=5±1
+refuses 2 "the error of 427.8 nm is not known" --line 427.8=3 --line 630.0=5±1
+refuses 2 "not understood" --line 427.8:3 --line 630.0=5±1
+refuses 2 "427.8 nm is given twice" --line 427.8=3±1 --line 427.8=5±1
+refuses 2 "1 line is not enough for 2 unknowns" --line 427.8=2300±50
+expect_stderr "630.0 beside 427.8"
+refuses 2 "one upper state" --line 427.8=2300±50 --line 391.4=7500±50
+refuses 2 "one amount of atomic oxygen" "${oxygen[@]}" --free energy,flux,oxygen
+refuses 2 "2 lines are not enough for 3 unknowns" --line 427.8=2300±50 --line 630.0=330±5 --tables own --free energy,flux,oxygen
+refuses 2 "neither free nor given" "${three[@]}" --free flux
+refuses 2 "--energy-kev" "${three[@]}" --energy-kev 5
+refuses 2 "outside of the tables" --line 427.8=2300±50 --free flux --energy-kev 50
+refuses 2 "--free" "${three[@]}" --free colour
+refuses 2 "--spread" "${three[@]}" --spread 0.2
+refuses 2 "--relative-error" --line 427.8=3 --line 630.0=5 --relative-error 0
+refuses 2 "--plot" "${three[@]}" --plot answer.gif
+refuses 2 "--error" "${three[@]}" --error 427.8=5
+refuses 3 "missing" "${three[@]}" --tables ./missing
+refuses 6 "missing" "${three[@]}" -o missing/answer.json
+
+# Maps, of brightnesses of 5 keV and 10 mW m^-2, with a pixel that is not measured, one without light and one that contradicts.
+python3 - <<EOF
+import struct
+def fits(name, rows):
+    cards = [("SIMPLE", "T"), ("BITPIX", "-32"), ("NAXIS", "2"), ("NAXIS1", str(len(rows[0]))), ("NAXIS2", str(len(rows)))]
+    head = "".join(f"{key:<8}= {value:>20}".ljust(80) for key, value in cards) + "END".ljust(80)
+    data = b"".join(struct.pack(">f", value) for row in rows for value in row)
+    open(name, "wb").write(head.ljust(2880).encode() + data.ljust(2880, b"\0"))
+nan = float("nan")
+fits("blue.fits", [[2361, 2361, 0, 2361], [1180, 2361, 2361, 236]])
+fits("green.fits", [[9349, nan, 0, 28000], [4690, 9349, 9349, 944]])
+fits("red.fits", [[330, 330, -2, 330], [171, 330, 330, 36]])
+fits("small.fits", [[1, 2], [3, 4]])
+EOF
+maps=(--map 427.8=blue.fits --map 557.7=green.fits --map 630.0=red.fits)
+errors=(--error 427.8=3% --error 427.8=5 --error 557.7=3% --error 557.7=5 --error 630.0=3% --error 630.0=5)
+invert 0 "${maps[@]}" "${errors[@]}" -o map.fits -o map.nc --threads 1
+expect_stdout "5  well constrained"
+expect_stdout "1  lines contradict each other"
+expect_stdout "1  no light"
+expect_stdout "1  not measured"
+expect_starts map.fits 53494d504c45
+expect_starts map.nc 89484446
+cp map.fits one.fits && cp map.nc one.nc
+invert 0 "${maps[@]}" "${errors[@]}" -o map.fits -o map.nc --threads 2 --overwrite
+expect_same map.fits one.fits
+expect_same map.nc one.nc
+python3 - <<EOF || fail "the map holds other numbers"
+import math, struct
+data = open("map.fits", "rb").read()
+at = 0
+while b"END     " not in [data[i:i + 8] for i in range(at, at + 2880, 80)]: at += 2880
+at += 2880
+value = lambda plane, i: struct.unpack_from(">f", data, at + 4 * (plane * 8 + i))[0]
+# Rows from the bottom up, as they came: pixel 0 has light, 1 is not measured, 2 without light, 3 contradicts.
+assert abs(value(0, 0) / 10 - 1) < 0.03 and abs(value(1, 0) / 5 - 1) < 0.03, (value(0, 0), value(1, 0))
+assert all(math.isnan(value(plane, i)) for plane in (0, 1, 2, 3) for i in (1, 2))
+assert [value(8, i) for i in range(4)] == [0, 6, 5, 4]
+EOF
+# An image of errors, and lines as a rendering has them.
+invert 0 "${maps[@]}" --relative-error 5 --error 630.0=blue.fits -o with_errors.nc
+expect_exit 0 render "$SCENES/small.toml" --lines lines.exr -o photo.png
+invert 0 --map 427.8=lines.exr --map 557.7=lines.exr --map 630.0=lines.exr --relative-error 5 -o rendered.fits
+refuses 2 "--output" "${maps[@]}" "${errors[@]}"
+refuses 2 ".fits or .nc" "${maps[@]}" "${errors[@]}" -o map.png
+refuses 2 "the error of 427.8 nm is not known" "${maps[@]}" -o new.nc
+refuses 2 "there is no map of 337.1 nm" "${maps[@]}" "${errors[@]}" --error 337.1=5 -o new.nc
+refuses 2 "an input" "${maps[@]}" "${errors[@]}" -o blue.fits --overwrite
+refuses 2 "--plot" "${maps[@]}" "${errors[@]}" -o new.nc --plot new.svg
+refuses 2 "excludes" "${maps[@]}" "${three[@]}" -o new.nc
+refuses 3 "it has 2 x 2 pixels" --map 427.8=blue.fits --map 630.0=small.fits --relative-error 5 -o new.nc
+refuses 3 "missing.fits" --map 427.8=blue.fits --map 630.0=missing.fits --relative-error 5 -o new.nc
+refuses 3 "it holds integers, no brightnesses" --map 427.8=photo.png --map 630.0=red.fits --relative-error 5 -o new.nc
+[[ ! -e new.nc ]] || fail "what is refused leaves a map"
