@@ -64,6 +64,13 @@ ON_FRAMES = [
     ["sequence", "fit.toml", "--photos", "{it}", "-o", "{out}/s", "--max-evaluations", "2"] + ONE,
     ["profile", "photo.png", "--mask", "{it}#0", "-o", "{out}/p.csv"],
 ]
+ON_ARRAYS = [
+    ["describe", "{it}"],
+    ["describe", "{it}#1"],
+    ["profile", "{it}#0", "-o", "{out}/p.csv"],
+    ["keogram", "{it}", "-o", "{out}/k.csv"],
+    ["calibrate", "--skymap", "{it}", "-o", "{out}/c.toml"],
+]
 ON_ANGLES = [
     ["profile", "photo.png", "--azimuth-map", "{it}", "--azimuths", "0", "10", "-o", "{out}/p.csv"],
     ["keogram", "photo.png", "second.png", "--azimuth-map", "{it}", "-o", "{out}/k.csv"],
@@ -190,6 +197,9 @@ def make_kinds(vegard, home):
                ON_PHOTO) for p in pictures + ["photo.ppm"]],
         Kind("frames", "it.pgm", [frames(3)], ON_FRAMES),
         Kind("packed frames", "it.pgm.gz", [gzip.compress(frames(3), mtime=0), gzip.compress(frames(1), mtime=0)], ON_FRAMES),
+        *[Kind(name, "it." + name, [(SOURCE / "tests/data/imagers" / file).read_bytes() for file in files], ON_ARRAYS)
+          for name, files in (("h5", ["rgb.h5", "huge.h5"]), ("mat", ["stack.mat", "stack_v73.mat"]), ("cdf", ["asi.cdf", "asi_packed.cdf"]),
+                              ("sav", ["skymap.sav", "skymap_packed.sav"]), ("png.tar", ["minute.png.tar"]))],
         Kind("heic", "it.heic", [(SOURCE / "tests/data/turned.heic").read_bytes()], ON_PHOTO),
         Kind("fits", "it.fits", [bytes_of("maps_az.fits"), bytes_of("maps_el.fits")], ON_PHOTO[:7] + ON_ANGLES + ON_LINES),
         Kind("packed fits", "it.fits.gz", [gzip.compress(bytes_of("maps_az.fits"), mtime=0)], ON_PHOTO[:7]),

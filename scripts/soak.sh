@@ -50,7 +50,7 @@ if wanted fuzz; then
 fi
 
 mkdir -p "$out"
-targets=(fuzz_scene fuzz_image fuzz_grids fuzz_tables fuzz_runs)
+targets=(fuzz_scene fuzz_image fuzz_grids fuzz_tables fuzz_runs fuzz_arrays)
 build() { # PRESET TARGETS...
   local preset=$1 log=$out/build-$1.log
   shift

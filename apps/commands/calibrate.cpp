@@ -45,7 +45,7 @@ constexpr int kLensesShown = 8;
 std::string plain_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 std::string names_of(const MapOptions& maps) {
-  std::string names = plain_name(maps.azimuth_map);
+  std::string names = plain_name(maps.first());
   if (!maps.elevation_map.empty() && maps.elevation_map != maps.azimuth_map)
     names += ", " + plain_name(maps.elevation_map);
   return names;
@@ -57,8 +57,9 @@ void check_outputs(const CalibrateOptions& options) {
       {"--json", &options.json},       {"--plot", &options.plot},
       {"--overlay", &options.overlay}, {"--stars-out", &options.stars_out}};
   for (const auto& [key, file] : outputs) {
-    for (const std::string& input : {options.stars, options.image, options.mask, options.camera,
-                                     options.maps.azimuth_map, options.maps.elevation_map})
+    for (const std::string& input :
+         {options.stars, options.image, options.mask, options.camera, options.maps.azimuth_map,
+          options.maps.elevation_map, options.maps.skymap})
       if (same_file(*file, input)) refuse_same_file(key, *file, "an input");
     for (const auto& [other_key, other] : outputs)
       if (std::string(key) > other_key && same_file(*file, *other)) refuse_same_file(key, *file, other_key);
@@ -220,11 +221,11 @@ int run_calibrate(const CalibrateOptions& options) {
   end_at_once_when_interrupted();
   const PlotFormat format = plot_format(options.plot, "--plot");
   check_outputs(options);
-  const bool by_maps = !options.maps.azimuth_map.empty() || !options.maps.elevation_map.empty();
+  const bool by_maps = options.maps.any();
   if (by_maps && !options.stars.empty())
-    throw usage_error("STARS", "stars and maps", "one of a table of stars and --azimuth-map");
+    throw usage_error("STARS", "stars and maps", "one of a table of stars and --azimuth-map or --skymap");
   if (!by_maps && options.stars.empty() && options.image.empty())
-    throw usage_error("STARS", "no stars", "a table of stars, or --image; or --azimuth-map");
+    throw usage_error("STARS", "no stars", "a table of stars, or --image; or --azimuth-map, --skymap");
   const bool blind = !by_maps && options.stars.empty() && options.camera.empty();
   if (options.output.empty() && !blind)
     throw usage_error("--output", "nothing to write the camera to", "-o CAMERA.toml");
@@ -255,7 +256,9 @@ int run_calibrate(const CalibrateOptions& options) {
   }
   const PictureSays says = with_metadata(options, camera_file, metadata);
   const std::optional<sim::Scene>& camera_scene = says.camera;
-  const fit::SkyOfPicture& sky = says.sky;
+  fit::SkyOfPicture sky = says.sky;
+  if (!sky.observer && maps && maps->place)
+    sky.observer = {maps->place->latitude_deg, maps->place->longitude_deg, maps->place->altitude_m};
   for (const fit::PhotoFact& fact : says.taken)
     say("from the photograph: %s\n", fit::fact_text(fact).c_str());
   for (const std::string& note : says.notes) say("note: %s\n", note.c_str());
@@ -284,7 +287,7 @@ int run_calibrate(const CalibrateOptions& options) {
     stars = recognised(options, *photo, frame, sky, settings, *start);
     settings.start = start;
   }
-  const std::string from = maps                    ? options.maps.azimuth_map
+  const std::string from = maps                    ? options.maps.first()
                            : options.stars.empty() ? options.image
                                                    : options.stars;
   fit::Calibration calibration =

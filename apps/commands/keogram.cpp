@@ -43,8 +43,8 @@ OutputKind output_kind(const std::string& file) {
 
 void check_outputs(const KeogramOptions& options, const std::vector<std::string>& images) {
   std::vector<std::string> inputs = images;
-  for (const std::string& input :
-       {options.mask, options.scene, options.times, options.maps.azimuth_map, options.maps.elevation_map})
+  for (const std::string& input : {options.mask, options.scene, options.times, options.maps.azimuth_map,
+                                   options.maps.elevation_map, options.maps.skymap})
     inputs.push_back(input);
   for (std::size_t i = 0; i < options.outputs.size(); ++i) {
     output_kind(options.outputs[i]);

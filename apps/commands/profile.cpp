@@ -83,7 +83,8 @@ void check_outputs(const ProfileRequest& options) {
                                      options.scene,
                                      options.camera,
                                      options.maps.azimuth_map,
-                                     options.maps.elevation_map};
+                                     options.maps.elevation_map,
+                                     options.maps.skymap};
   for (const fit::FilterFile& filter : filter_files(options.filters)) inputs.push_back(filter.file);
   for (const std::string& input : inputs) {
     if (same_file(options.output, input)) refuse_same_file("--output", options.output, "an input");
@@ -164,7 +165,7 @@ fit::Profile sun_profile(sim::Scene scene, const fit::Photo& photo, const fit::R
 Measured measure_bands(const ProfileRequest& options, const std::optional<sim::Scene>& scene,
                        const fit::Photo& photo, const fit::Region& region) {
   fit::ElevationOfPixel elevation;
-  if (!options.maps.azimuth_map.empty()) {
+  if (options.maps.any()) {
     elevation = elevation_of_pixel(
         known_directions(options.maps, nullptr, photo.linear.width, photo.linear.height, photo.file_name)
             ->map);

@@ -9,14 +9,21 @@
 #include "sim/base/image.h"
 
 namespace vegard::apps {
-namespace {}  // namespace
-
 void add_map_options(const Command& command, MapOptions& options) {
   command.option("--azimuth-map", options.azimuth_map,
                  "Azimuth of every pixel in degrees: FITS, EXR (channel azimuth_deg, or its only one) or "
                  "TIFF of floats");
   command.option("--elevation-map", options.elevation_map,
                  "Elevation of every pixel (channel elevation_deg; default: the file of --azimuth-map)");
+  command
+      .option("--skymap", options.skymap,
+              "Both in one file: IDL's .sav and CDF as THEMIS, REGO and TREx have them, HDF5, MATLAB, FITS "
+              "of two planes, EXR")
+      .type_name("FILE");
+  command
+      .option("--skymap-flip", options.skymap_flip,
+              "What of the skymap runs the other way than in the picture: rows, columns or both")
+      .type_name("WHICH");
 }
 
 void check_camera_size(const sim::Scene& scene, int width_px, int height_px, const std::string& picture) {
@@ -31,27 +38,40 @@ void check_camera_size(const sim::Scene& scene, int width_px, int height_px, con
 
 KnownDirections maps_of(const MapOptions& options) {
   const std::string& az = options.azimuth_map;
+  if (!options.skymap.empty()) {
+    if (!az.empty() || !options.elevation_map.empty())
+      throw usage_error("--skymap", "it has azimuths and elevations",
+                        "no --azimuth-map or --elevation-map beside it");
+    const std::string& which = options.skymap_flip;
+    const fit::SkyMapFlip flip{which == "rows" || which == "both", which == "columns" || which == "both"};
+    if (!which.empty() && !flip.rows && !flip.columns)
+      throw usage_error("--skymap-flip", "'" + which + "' is nothing that can be flipped",
+                        "rows, columns or both");
+    const fit::SkyMapFile file = fit::read_sky_map(options.skymap, flip);
+    return {file.map, "skymap " + file_name_of(options.skymap), file.place};
+  }
+  if (!options.skymap_flip.empty())
+    throw usage_error("--skymap-flip", "there is no skymap", "--skymap beside it");
   if (az.empty())
     throw usage_error("--elevation-map", "a map of elevations alone is not enough",
                       "--azimuth-map beside it");
   const std::string& el = options.elevation_map.empty() ? az : options.elevation_map;
-  KnownDirections known{fit::read_direction_map(az, el), "maps " + file_name_of(az)};
+  KnownDirections known{fit::read_direction_map(az, el), "maps " + file_name_of(az), {}};
   if (el != az) known.words += ", " + file_name_of(el);
   return known;
 }
 
 std::optional<KnownDirections> known_directions(const MapOptions& options, const sim::Scene* scene,
                                                 int width_px, int height_px, const std::string& picture) {
-  const std::string& az = options.azimuth_map;
-  if (az.empty() && options.elevation_map.empty()) {
+  if (!options.any()) {
     if (scene == nullptr) return std::nullopt;
     check_camera_size(*scene, width_px, height_px, picture);
-    return KnownDirections{sim::direction_map(scene->camera), "the scene's camera"};
+    return KnownDirections{sim::direction_map(scene->camera), "the scene's camera", {}};
   }
   KnownDirections known = maps_of(options);
   if (known.map.width != width_px || known.map.height != height_px) {
     sim::ErrorDetails details;
-    details.file = az;
+    details.file = options.first();
     details.problem = "the maps have " + sim::size_text(known.map.width, known.map.height) + " pixels";
     details.expected = sim::size_text(width_px, height_px) + ", the size of " + picture;
     throw sim::Error(sim::ErrorKind::unreadable_input, details);

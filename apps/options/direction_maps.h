@@ -6,6 +6,7 @@
 
 #include "apps/options/command.h"
 
+#include "fit/photo/sky_map_file.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/view/camera/direction_map.h"
 
@@ -13,15 +14,20 @@ namespace vegard::apps {
 
 /// Empty as long as they are not given; the file of elevations is then that of azimuths.
 struct MapOptions {
-  std::string azimuth_map, elevation_map;
+  std::string azimuth_map, elevation_map, skymap, skymap_flip;
+
+  bool any() const { return !azimuth_map.empty() || !elevation_map.empty() || !skymap.empty(); }
+  /// The file that messages name.
+  const std::string& first() const { return skymap.empty() ? azimuth_map : skymap; }
 };
 
-/// Adds --azimuth-map and --elevation-map; `options` must outlive the parsing.
+/// Adds --azimuth-map, --elevation-map, --skymap and --skymap-flip; `options` must outlive the parsing.
 void add_map_options(const Command& command, MapOptions& options);
 
 struct KnownDirections {
   sim::DirectionMap map;
-  std::string words;  ///< whose they are: "maps az.exr, el.exr", "the scene's camera"
+  std::string words;                      ///< whose they are: "maps az.exr, el.exr", "the scene's camera"
+  std::optional<fit::SkyMapPlace> place;  ///< where the camera stands, if a skymap tells
 };
 
 /// Of the maps alone, of any size. Throws Error(usage, unreadable_input).

@@ -30,7 +30,11 @@ sim::PictureMetadata photo_metadata(const std::string& name) {
 
 sim::PictureMetadata frame_metadata(const FrameHead& head, const ImagerWords& words,
                                     const std::string& file) {
-  sim::PictureMetadata metadata = imager_metadata(words, head.width_px, head.height_px);
+  sim::PictureMetadata metadata = imager_metadata(words, head.width_px, head.height_px, head.word_kind);
+  if (!metadata.header_time_utc && head.time) {
+    metadata.header_time_utc = head.time->utc;
+    metadata.sources.header_time = head.time->source;
+  }
   compare_with_name(file, metadata);
   return metadata;
 }

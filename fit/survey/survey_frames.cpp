@@ -58,7 +58,8 @@ double time_of_name(const std::string& frame, const std::string& file, int line)
 
 /// Whether it may hold many frames, which its name does not tell: such files alone are opened.
 bool may_have_frames(const std::string& file) {
-  static const std::vector<std::string> endings = {".pgm", ".ppm", ".pgm.gz", ".ppm.gz"};
+  static const std::vector<std::string> endings = {".pgm",  ".ppm", ".pgm.gz", ".ppm.gz", ".h5",
+                                                   ".hdf5", ".mat", ".cdf",    ".tar"};
   return has_ending(file, endings);
 }
 

@@ -1,8 +1,10 @@
 #include "fit/photo/frames/frame_file.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "fit/photo/codec/image_file.h"
+#include "fit/photo/frames/open_frame_store.h"
 #include "sim/base/error.h"
 #include "sim/base/picture/pixel_limit.h"
 
@@ -30,13 +32,17 @@ bool has_whole_header(std::string_view bytes) {
 
 }  // namespace
 
-FrameReader::FrameReader(const std::string& file) : FrameReader(sim::ByteStream(file), file) {}
+FrameReader::FrameReader(const std::string& file) : FrameReader(frame_store(file), file) {
+  if (store_ == nullptr) stream_.emplace(file);
+}
 
 FrameReader::FrameReader(std::string_view bytes, const std::string& name)
-    : FrameReader(sim::ByteStream(bytes, name), name) {}
+    : FrameReader(frame_store(name, bytes), name) {
+  if (store_ == nullptr) stream_.emplace(bytes, name);
+}
 
-FrameReader::FrameReader(sim::ByteStream stream, std::string name)
-    : stream_(std::move(stream)), name_(std::move(name)) {
+FrameReader::FrameReader(std::unique_ptr<FrameStore> store, std::string name)
+    : store_(std::move(store)), name_(std::move(name)) {
   head_.number = -1;
 }
 
@@ -52,18 +58,19 @@ void FrameReader::refuse_cut(std::uint64_t there) const {
 }
 
 bool FrameReader::next() {
+  if (store_ != nullptr) return next_of_store();
   if (pixels_ > 0) {
-    const std::uint64_t there = stream_.skip(pixels_);
+    const std::uint64_t there = stream_->skip(pixels_);
     if (there < pixels_) refuse_cut(there);
     pixels_ = 0;
   }
-  const std::string_view kind = stream_.look(kKindBytes);
+  const std::string_view kind = stream_->look(kKindBytes);
   if (kind.empty() && head_.number >= 0) return false;
   if (!is_frame_kind(kind)) {
     if (head_.number < 0)
       refuse_image(name_, "there are no frames in it", "PGM or PPM of bytes (P5, P6), one behind the other");
     // What stands behind the only picture of a plain file has always been passed over.
-    if (head_.number == 0 && !stream_.is_packed()) return false;
+    if (head_.number == 0 && !stream_->is_packed()) return false;
     refuse_image(name_,
                  "the file is damaged: behind its frame " + std::to_string(head_.number) +
                      " stands something else than a frame",
@@ -78,11 +85,11 @@ bool FrameReader::next() {
 }
 
 void FrameReader::read_header() {
-  head_.offset = stream_.position();
+  head_.offset = stream_->position();
   std::string_view begun;
   constexpr std::size_t kUsual = 2048;
   for (std::size_t size = kUsual; size <= kMostFrameHeaderBytes; size *= 2) {
-    begun = stream_.look(size);
+    begun = stream_->look(size);
     if (begun.size() < size || has_whole_header(begun)) break;
   }
   if (begun.size() == kMostFrameHeaderBytes && !has_whole_header(begun))
@@ -90,11 +97,11 @@ void FrameReader::read_header() {
   const std::string of_frame = head_.number == 0 ? name_ : name_ + "#" + std::to_string(head_.number);
   pnm_ = pnm_header(begun, of_frame);
   sim::check_pixel_limit(pnm_.width, pnm_.height, of_frame);
-  if (stream_.is_packed() && pnm_.width * pnm_.height > kMostPackedPixels)
+  if (stream_->is_packed() && pnm_.width * pnm_.height > kMostPackedPixels)
     refuse_image(of_frame, "a packed frame claims " + pixels_text(pnm_.width, pnm_.height),
                  "at most 2^25 in all", "unpack the file first");
   header_.resize(pnm_.data);
-  stream_.read(header_.data(), header_.size());
+  stream_->read(header_.data(), header_.size());
   head_.width_px = static_cast<int>(pnm_.width);
   head_.height_px = static_cast<int>(pnm_.height);
   constexpr int kLargestByte = 255;
@@ -103,13 +110,34 @@ void FrameReader::read_header() {
   head_.bytes = pnm_.data + pixels_;
 
   own_ = imager_words(header_);
+  channels_ = pnm_.channels;
+  head_.time = imager_time(own_);
+  place_among_others();
+}
+
+bool FrameReader::next_of_store() {
+  if (head_.number + 1 >= static_cast<int>(std::min<std::size_t>(store_->size(), kMostFrames))) return false;
+  ++head_.number;
+  StoredFrame frame = store_->frame(static_cast<std::size_t>(head_.number));
+  sim::check_pixel_limit(frame.width_px, frame.height_px, name_);
+  head_.width_px = static_cast<int>(frame.width_px);
+  head_.height_px = static_cast<int>(frame.height_px);
+  head_.word_kind = store_->word_kind();
+  own_ = std::move(frame.words);
+  channels_ = frame.channels;
+  head_.time = imager_time(own_, head_.word_kind);
+  if (!head_.time) head_.time = frame.time;
+  place_among_others();
+  return true;
+}
+
+void FrameReader::place_among_others() {
   if (head_.number == 0) {
     first_ = own_;
     first_width_px_ = head_.width_px;
     first_height_px_ = head_.height_px;
-    first_channels_ = pnm_.channels;
+    first_channels_ = channels_;
   }
-  head_.time = imager_time(own_);
   head_.exposure_s = imager_exposure_s(own_);
   if (!head_.exposure_s) head_.exposure_s = imager_exposure_s(first_);
   check_against_others();
@@ -123,7 +151,7 @@ void FrameReader::check_against_others() const {
   if (head_.width_px != first_width_px_ || head_.height_px != first_height_px_)
     refuse("has " + own_size + ", the first " + pixels_text(first_width_px_, first_height_px_),
            "cut the file up by the size of its frames");
-  if (pnm_.channels != first_channels_) refuse("has other colours than the first");
+  if (channels_ != first_channels_) refuse("has other colours than the first");
   const std::string contradicted = contradicted_size(own_, head_.width_px, head_.height_px);
   if (!contradicted.empty())
     refuse("has " + own_size + ", and " + contradicted,
@@ -137,6 +165,7 @@ void FrameReader::check_against_others() const {
 ImagerWords FrameReader::words() const { return head_.number == 0 ? own_ : with_words_of_file(own_, first_); }
 
 std::string FrameReader::take() {
+  if (store_ != nullptr) return store_->picture(static_cast<std::size_t>(head_.number));
   std::string frame = std::move(header_);
   header_.clear();
   const std::size_t header = frame.size();
@@ -147,7 +176,7 @@ std::string FrameReader::take() {
     const auto count = static_cast<std::size_t>(std::min(pixels_, kAtOnce));
     frame.reserve(header + static_cast<std::size_t>(std::min<std::uint64_t>(head_.bytes, 2 * at + count)));
     frame.resize(at + count);
-    const std::size_t got = stream_.read(frame.data() + at, count);
+    const std::size_t got = stream_->read(frame.data() + at, count);
     if (got < count) refuse_cut(at + got - header);
     pixels_ -= count;
   }
@@ -168,7 +197,7 @@ FrameIndex frame_index(const std::string& file) {
 bool is_frame_file(const std::string& file) {
   try {
     sim::ByteStream stream(file);
-    return is_frame_kind(stream.look(kKindBytes));
+    return is_frame_kind(stream.look(kKindBytes)) || has_frame_store(file);
   } catch (const sim::Error&) {
     return false;
   }

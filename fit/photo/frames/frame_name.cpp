@@ -55,7 +55,7 @@ std::string name_of_frame(const std::string& file, int number) {
 std::string stem_of_picture(const std::string& name) {
   const FrameName frame = frame_name(name);
   std::filesystem::path file = std::filesystem::path(frame.file).filename();
-  if (file.extension() == ".gz") file = file.stem();
+  if (file.extension() == ".gz" || file.extension() == ".tar") file = file.stem();
   std::string stem = file.stem().string();
   if (frame.number) stem += fmt::format("_{:04}", *frame.number);
   return stem;

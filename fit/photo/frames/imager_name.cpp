@@ -22,7 +22,7 @@ std::optional<ImagerName> imager_name(const std::string& file_name) {
   static const std::regex kPicture(
       R"((\d{8})_(\d{6})_(\d{6})_([a-z0-9]{3,5})_([a-z][a-z0-9-]*)_(\d{1,6})ms_([a-z0-9-]+)\.png)");
   static const std::regex kFrames(
-      R"((\d{8})_(\d{2}(?:\d{2})?)_([a-z0-9]{3,5})_([a-z][a-z0-9-]*)_([a-z0-9-]+)\.pgm(?:\.gz)?)");
+      R"((\d{8})_(\d{2}(?:\d{2})?)_([a-z0-9]{3,5})_([a-z][a-z0-9-]*)_([a-z0-9-]+)\.(?:pgm(?:\.gz)?|h5|png\.tar))");
   if (file_name.size() > kLongestName) return std::nullopt;
   std::smatch part;
   ImagerName found;

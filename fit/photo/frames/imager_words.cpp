@@ -42,7 +42,7 @@ std::optional<std::string> text_of_keys(const ImagerWords& words, std::initializ
   return word != nullptr && !word->second.empty() ? std::optional<std::string>(word->second) : std::nullopt;
 }
 
-std::string source_of(const Word& word) { return "PGM comment \"" + word.first + "\""; }
+std::string source_of(const Word& word, const std::string& kind) { return kind + " \"" + word.first + "\""; }
 
 /// A number at the beginning of `text`, and nothing that only a damaged file holds.
 std::optional<double> leading_number(const std::string& text) {
@@ -66,20 +66,23 @@ struct Exposure {
   std::string source;
 };
 
-std::optional<Exposure> exposure_of(const ImagerWords& words) {
+std::optional<Exposure> exposure_of(const ImagerWords& words, const std::string& kind) {
   constexpr double kMilliseconds = 1e-3;
   if (const auto ms = option_number(words, "MSEC"); ms && *ms > 0.0)
-    return Exposure{*ms * kMilliseconds, source_of(*word_of_keys(words, {kExposureOptions}))};
+    return Exposure{*ms * kMilliseconds, source_of(*word_of_keys(words, {kExposureOptions}), kind)};
   // TREx RGB: "320.0 ms".
   const Word* asked = word_of_keys(words, {"subframe_requested_exposure", "Effective image exposure"});
   if (asked == nullptr || asked->second.find(" ms") == std::string::npos) return std::nullopt;
   const auto ms = leading_number(asked->second);
-  return ms && *ms > 0.0 ? std::optional<Exposure>({*ms * kMilliseconds, source_of(*asked)}) : std::nullopt;
+  return ms && *ms > 0.0 ? std::optional<Exposure>({*ms * kMilliseconds, source_of(*asked, kind)})
+                         : std::nullopt;
 }
 
-void take_place(const ImagerWords& words, sim::PictureMetadata& metadata) {
-  const Word* latitude = word_of_keys(words, {"Geodetic latitude", "Geographic latitude"});
-  const Word* longitude = word_of_keys(words, {"Geodetic longitude", "Geographic longitude"});
+void take_place(const ImagerWords& words, const std::string& kind, sim::PictureMetadata& metadata) {
+  const Word* latitude =
+      word_of_keys(words, {"Geodetic latitude", "Geographic latitude", "site_latitude", "geodetic_latitude"});
+  const Word* longitude = word_of_keys(
+      words, {"Geodetic longitude", "Geographic longitude", "site_longitude", "geodetic_longitude"});
   if (latitude == nullptr || longitude == nullptr) return;
   const auto north = leading_number(latitude->second);
   auto east = leading_number(longitude->second);
@@ -88,14 +91,14 @@ void take_place(const ImagerWords& words, sim::PictureMetadata& metadata) {
   if (!north || !east || std::abs(*north) > kPole_deg || std::abs(*east) > kHalfTurn_deg) return;
   metadata.latitude_deg = north;
   metadata.longitude_deg = east;
-  metadata.sources.latitude = source_of(*latitude);
-  metadata.sources.longitude = source_of(*longitude);
+  metadata.sources.latitude = source_of(*latitude, kind);
+  metadata.sources.longitude = source_of(*longitude, kind);
   const Word* altitude = word_of_keys(words, {"Geodetic altitude", "Geographic altitude"});
   const auto up = altitude != nullptr ? leading_number(altitude->second) : std::nullopt;
   constexpr double kLowest_m = -500.0, kHighest_m = 9000.0;
   if (!up || *up < kLowest_m || *up > kHighest_m) return;
   metadata.altitude_m = up;
-  metadata.sources.altitude = source_of(*altitude);
+  metadata.sources.altitude = source_of(*altitude, kind);
 }
 
 }  // namespace
@@ -121,7 +124,7 @@ ImagerWords with_words_of_file(const ImagerWords& own, const ImagerWords& first)
   return all;
 }
 
-std::optional<ImagerTime> imager_time(const ImagerWords& words) {
+std::optional<ImagerTime> imager_time(const ImagerWords& words, const std::string& kind) {
   const Word* word = word_of_keys(words, {"Image request start", "image_request_start_timestamp"});
   if (word == nullptr) return std::nullopt;
   std::string text = word->second;
@@ -136,12 +139,12 @@ std::optional<ImagerTime> imager_time(const ImagerWords& words) {
   const auto seconds = sim::utc_seconds(found.utc);
   if (!seconds) return std::nullopt;
   found.seconds = *seconds;
-  found.source = source_of(*word);
+  found.source = source_of(*word, kind);
   return found;
 }
 
 std::optional<double> imager_exposure_s(const ImagerWords& words) {
-  const auto exposure = exposure_of(words);
+  const auto exposure = exposure_of(words, kPgmComment);
   return exposure ? std::optional<double>(exposure->seconds) : std::nullopt;
 }
 
@@ -157,23 +160,24 @@ std::string contradicted_size(const ImagerWords& words, int width_px, int height
   return "its comments tell of a picture of " + word_of_keys(words, {kExposureOptions})->second;
 }
 
-sim::PictureMetadata imager_metadata(const ImagerWords& words, int width_px, int height_px) {
+sim::PictureMetadata imager_metadata(const ImagerWords& words, int width_px, int height_px,
+                                     const std::string& kind) {
   sim::PictureMetadata metadata;
   metadata.width_px = width_px;
   metadata.height_px = height_px;
-  if (const auto time = imager_time(words)) {
+  if (const auto time = imager_time(words, kind)) {
     metadata.header_time_utc = time->utc;
     metadata.sources.header_time = time->source;
   }
-  take_place(words, metadata);
-  if (const auto exposure = exposure_of(words)) {
+  take_place(words, kind, metadata);
+  if (const auto exposure = exposure_of(words, kind)) {
     metadata.exposure_s = exposure->seconds;
     metadata.sources.exposure = exposure->source;
   }
-  metadata.model = text_of_keys(words, {"Imager model", "Camera model"});
-  metadata.imager = text_of_keys(words, {"Imager unique ID"});
-  metadata.site = text_of_keys(words, {"Site unique ID"});
-  metadata.mode = text_of_keys(words, {"Mode unique ID", "Mode UID"});
+  metadata.model = text_of_keys(words, {"Imager model", "Camera model", "imager_model"});
+  metadata.imager = text_of_keys(words, {"Imager unique ID", "imager_unique_id"});
+  metadata.site = text_of_keys(words, {"Site unique ID", "site_unique_id"});
+  metadata.mode = text_of_keys(words, {"Mode unique ID", "Mode UID", "mode_unique_id"});
   return metadata;
 }
 

@@ -17,6 +17,9 @@ namespace vegard::fit {
 /// Keys and values as they stand there, in their order.
 using ImagerWords = std::vector<std::pair<std::string, std::string>>;
 
+/// What the words are that stand in a PGM.
+inline constexpr const char* kPgmComment = "PGM comment";
+
 /// Of the header of a PGM or PPM; comments of another form are passed over.
 ImagerWords imager_words(std::string_view header);
 
@@ -29,8 +32,8 @@ struct ImagerTime {
   std::string source;    ///< the word that says it
 };
 
-/// Nothing where no word tells it, or one that no calendar has.
-std::optional<ImagerTime> imager_time(const ImagerWords& words);
+/// Nothing where no word tells it, or one that no calendar has. `kind`: what the words are, for its source.
+std::optional<ImagerTime> imager_time(const ImagerWords& words, const std::string& kind = kPgmComment);
 
 /// What was asked of the camera, in seconds; nothing where no word tells it.
 std::optional<double> imager_exposure_s(const ImagerWords& words);
@@ -41,6 +44,7 @@ std::optional<double> imager_exposure_s(const ImagerWords& words);
 std::string contradicted_size(const ImagerWords& words, int width_px, int height_px);
 
 /// Time, place, exposure and camera, with the words that say them, and the size.
-sim::PictureMetadata imager_metadata(const ImagerWords& words, int width_px, int height_px);
+sim::PictureMetadata imager_metadata(const ImagerWords& words, int width_px, int height_px,
+                                     const std::string& kind = kPgmComment);
 
 }  // namespace vegard::fit

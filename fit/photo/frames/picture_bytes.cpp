@@ -72,13 +72,13 @@ std::optional<std::string> unpacked_fits(const std::string& file) {
 struct Chosen {
   std::vector<FrameHead> heads;
   PictureBytes picture;
-  bool is_packed = false;
+  bool is_plain = false;
 };
 
 Chosen go_through(const FrameName& wanted) {
   FrameReader reader(wanted.file);
   Chosen chosen;
-  chosen.is_packed = reader.is_packed();
+  chosen.is_plain = reader.is_plain();
   double nearest_s = std::numeric_limits<double>::infinity();
   while (reader.next()) {
     const FrameHead& head = reader.head();
@@ -125,7 +125,7 @@ PictureBytes read_picture_bytes(const std::string& name) {
   if (chosen.heads.size() > 1) {
     if (!wanted.is_chosen()) refuse_without_frame(chosen.heads, wanted.file);
     picture.name = name_of_frame(wanted.file, picture.frame->number);
-  } else if (chosen.is_packed) {
+  } else if (!chosen.is_plain) {
     picture.file_sha256 = sim::sha256_of_file(wanted.file);
   } else {
     picture.bytes = bytes_of_file(wanted.file);

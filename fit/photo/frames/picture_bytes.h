@@ -18,10 +18,10 @@ struct PictureBytes {
   std::string bytes;
   /// As results tell it: that of the file, with the frame's number where there are several.
   std::string name;
-  /// Of a file of one picture that gzip has packed: that of the file as it stands there. Else empty: that of
-  /// the bytes is what tells the picture from others.
+  /// Of a file of one picture that gzip has packed, or a FrameStore made of it: that of the file as it stands
+  /// there. Else empty: that of the bytes is what tells the picture from others.
   std::string file_sha256;
-  std::optional<FrameHead> frame;  ///< of a PGM or PPM of bytes
+  std::optional<FrameHead> frame;  ///< of a file of frames
   ImagerWords words;               ///< of that frame
 };
 

@@ -75,14 +75,15 @@ class PlainBytes {
   std::size_t size_ = 0, at_ = 0;
 };
 
-/// What gzip has packed, from its first byte on, which `begun` is the beginning of.
+/// What gzip, or zlib, has packed, from its first byte on, which `begun` is the beginning of.
 class Unpacker {
  public:
-  Unpacker(PlainBytes& from, std::string_view begun) : from_(from), packed_(begun.begin(), begun.end()) {
+  Unpacker(PlainBytes& from, std::string_view begun, bool is_gzip)
+      : from_(from), packed_(begun.begin(), begun.end()), is_gzip_(is_gzip) {
     packed_.resize(std::max(packed_.size(), kPackedBlock));
     stream_.next_in = reinterpret_cast<Bytef*>(packed_.data());
     stream_.avail_in = static_cast<uInt>(begun.size());
-    if (inflateInit2(&stream_, MAX_WBITS + kGzipOnly) != Z_OK) throw std::bad_alloc();
+    if (inflateInit2(&stream_, MAX_WBITS + (is_gzip ? kGzipOnly : 0)) != Z_OK) throw std::bad_alloc();
   }
   ~Unpacker() { inflateEnd(&stream_); }
   Unpacker(const Unpacker&) = delete;
@@ -122,7 +123,7 @@ class Unpacker {
 
   /// gzip files one behind the other are one (RFC 1952, 2.2); tapes leave zeros behind the last.
   void end_of_member() {
-    if (!has_more()) {
+    if (!is_gzip_ || !has_more()) {
       ended_ = true;
     } else if (*stream_.next_in != 0) {
       if (inflateReset(&stream_) != Z_OK) throw std::bad_alloc();
@@ -137,16 +138,21 @@ class Unpacker {
   }
 
   [[noreturn]] void refuse_cut() const {
-    refuse_file(ErrorKind::unreadable_input, from_.name(), "the file is truncated: its gzip data end early",
-                "", "copy it again from where it came");
+    refuse_file(ErrorKind::unreadable_input, from_.name(),
+                std::string("the file is truncated: its ") + word() + " data end early", "",
+                "copy it again from where it came");
   }
   [[noreturn]] void refuse_damaged(const std::string& why) const {
-    refuse_file(ErrorKind::unreadable_input, from_.name(), "the file is damaged: of its gzip data, " + why,
-                "", "copy it again from where it came");
+    refuse_file(ErrorKind::unreadable_input, from_.name(),
+                std::string("the file is damaged: of its ") + word() + " data, " + why, "",
+                "copy it again from where it came");
   }
+
+  const char* word() const { return is_gzip_ ? "gzip" : "zlib"; }
 
   PlainBytes& from_;
   std::vector<char> packed_;
+  bool is_gzip_;
   z_stream stream_{};
   std::uint64_t unpacked_ = 0;
   bool ended_ = false;
@@ -155,11 +161,14 @@ class Unpacker {
 }  // namespace
 
 struct ByteStream::Source {
+  struct OfZlib {};
+  Source(OfZlib, std::string_view bytes, const std::string& name)
+      : plain(bytes, name), unpacker(std::make_unique<Unpacker>(plain, std::string_view(), false)) {}
   template <typename... Words>
   explicit Source(Words&&... words) : plain(std::forward<Words>(words)...) {
     fill(2);
     if (!is_gzip({shown.data(), end})) return;
-    unpacker = std::make_unique<Unpacker>(plain, std::string_view(shown.data(), end));
+    unpacker = std::make_unique<Unpacker>(plain, std::string_view(shown.data(), end), true);
     end = 0;
   }
 
@@ -186,6 +195,10 @@ struct ByteStream::Source {
 ByteStream::ByteStream(const std::string& path) : source_(std::make_unique<Source>(path)) {}
 ByteStream::ByteStream(std::string_view bytes, const std::string& name)
     : source_(std::make_unique<Source>(bytes, name)) {}
+ByteStream::ByteStream(std::unique_ptr<Source> source) : source_(std::move(source)) {}
+ByteStream ByteStream::of_zlib(std::string_view bytes, const std::string& name) {
+  return ByteStream(std::make_unique<Source>(Source::OfZlib(), bytes, name));
+}
 ByteStream::~ByteStream() = default;
 ByteStream::ByteStream(ByteStream&&) noexcept = default;
 ByteStream& ByteStream::operator=(ByteStream&&) noexcept = default;

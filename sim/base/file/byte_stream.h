@@ -24,6 +24,9 @@ class ByteStream {
   explicit ByteStream(const std::string& path);
   /// Of bytes that outlive it; `name` is for messages.
   ByteStream(std::string_view bytes, const std::string& name);
+  /// Of bytes that outlive it, and are packed as zlib has it (RFC 1950); what stands behind them is passed
+  /// over.
+  static ByteStream of_zlib(std::string_view bytes, const std::string& name);
   ~ByteStream();
   ByteStream(ByteStream&&) noexcept;
   ByteStream& operator=(ByteStream&&) noexcept;
@@ -43,6 +46,7 @@ class ByteStream {
 
  private:
   struct Source;
+  explicit ByteStream(std::unique_ptr<Source> source);
   std::unique_ptr<Source> source_;
 };
 

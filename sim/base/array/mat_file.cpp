@@ -1,0 +1,183 @@
+#include "sim/base/array/mat_file.h"
+
+#include <matio.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "sim/base/array/guarded_array_file.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr int kMostVariables = 10000;
+constexpr int kDeepestStructure = 3;
+constexpr const char* kCopy = "copy it again from where it came";
+
+struct CloseMat {
+  void operator()(mat_t* file) const { Mat_Close(file); }
+};
+struct FreeVariable {
+  void operator()(matvar_t* variable) const { Mat_VarFree(variable); }
+};
+using OpenMat = std::unique_ptr<mat_t, CloseMat>;
+using Variable = std::unique_ptr<matvar_t, FreeVariable>;
+
+/// Of a class of real numbers; false of all others.
+bool kind_of_class(const matvar_t& variable, ArrayKind& kind) {
+  if (variable.isComplex != 0) return false;
+  switch (variable.class_type) {
+    case MAT_C_UINT8:
+      kind = ArrayKind::u8;
+      return true;
+    case MAT_C_INT8:
+      kind = ArrayKind::i8;
+      return true;
+    case MAT_C_UINT16:
+      kind = ArrayKind::u16;
+      return true;
+    case MAT_C_INT16:
+      kind = ArrayKind::i16;
+      return true;
+    case MAT_C_UINT32:
+      kind = ArrayKind::u32;
+      return true;
+    case MAT_C_INT32:
+      kind = ArrayKind::i32;
+      return true;
+    case MAT_C_UINT64:
+      kind = ArrayKind::u64;
+      return true;
+    case MAT_C_INT64:
+      kind = ArrayKind::i64;
+      return true;
+    case MAT_C_SINGLE:
+      kind = ArrayKind::f32;
+      return true;
+    case MAT_C_DOUBLE:
+      kind = ArrayKind::f64;
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// The library opens files by name alone: bytes become one that has none, in memory.
+std::string file_of_bytes(std::string_view bytes) {
+  const int descriptor = ::memfd_create("mat", 0);
+  if (descriptor < 0) return {};
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written <= 0) return {};
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return "/proc/self/fd/" + std::to_string(descriptor);
+}
+
+/// With the library; in the child, which ends with what it has open.
+class MatFile : public ArrayFile {
+ public:
+  MatFile(const std::string& name, std::string_view bytes)
+      : ArrayFile(name, "MATLAB"), place_(bytes.data() != nullptr ? file_of_bytes(bytes) : name) {
+    const OpenMat file = opened();
+    for (int variables = 0;; ++variables) {
+      if (variables == kMostVariables)
+        refuse("it holds more than " + std::to_string(kMostVariables) + " variables");
+      const Variable variable(Mat_VarReadNextInfo(file.get()));
+      if (variable == nullptr) break;
+      if (variable->name == nullptr) continue;
+      if (variable->class_type == MAT_C_STRUCT)
+        take_structure(variable->name);
+      else
+        take(*variable, variable->name);
+    }
+    if (arrays_.empty())
+      refuse("no array of real numbers can be read of it: the file is damaged, or holds none", "", kCopy);
+  }
+
+ private:
+  OpenMat opened() const {
+    OpenMat file(Mat_Open(place_.c_str(), MAT_ACC_RDONLY));
+    if (file == nullptr) refuse("the file is truncated, or no MATLAB file", "", kCopy);
+    return file;
+  }
+
+  void take(const matvar_t& variable, const std::string& name) {
+    StoredArray array;
+    array.name = name;
+    if (!kind_of_class(variable, array.kind) || variable.rank < 1 ||
+        variable.rank > static_cast<int>(kMostArrayDims) || variable.dims == nullptr)
+      return;
+    array.dims.assign(variable.dims, variable.dims + variable.rank);
+    std::reverse(array.dims.begin(), array.dims.end());
+    array.columns_first = true;
+    if (array.count() > 0 && arrays_.size() < kMostArrays) arrays_.push_back(std::move(array));
+  }
+
+  void take_fields(const matvar_t& structure, const std::string& name, int depth) {
+    const bool is_one =
+        structure.rank == 2 && structure.dims != nullptr && structure.dims[0] == 1 && structure.dims[1] == 1;
+    if (!is_one || depth > kDeepestStructure) return;
+    const unsigned fields = Mat_VarGetNumberOfFields(const_cast<matvar_t*>(&structure));
+    char* const* names = Mat_VarGetStructFieldnames(&structure);
+    for (unsigned i = 0; names != nullptr && i < fields; ++i) {
+      const matvar_t* field = Mat_VarGetStructFieldByIndex(const_cast<matvar_t*>(&structure), i, 0);
+      if (field == nullptr || names[i] == nullptr) continue;
+      const std::string path = name + "/" + names[i];
+      if (field->class_type == MAT_C_STRUCT)
+        take_fields(*field, path, depth + 1);
+      else
+        take(*field, path);
+    }
+  }
+
+  void take_structure(const std::string& name) {
+    const Variable structure(Mat_VarRead(opened().get(), name.c_str()));
+    if (structure != nullptr) take_fields(*structure, name, 1);
+  }
+
+  /// The variable or field of that name in `variable_`, which is kept for the next block of it.
+  const matvar_t* find(const std::string& path) {
+    const std::string name = path.substr(0, path.find('/'));
+    if (variable_ == nullptr || variable_name_ != name) {
+      variable_.reset();
+      variable_.reset(Mat_VarRead(opened().get(), name.c_str()));
+      variable_name_ = name;
+    }
+    const matvar_t* found = variable_.get();
+    for (std::size_t at = path.find('/'); found != nullptr && at != std::string::npos;) {
+      const std::size_t next = path.find('/', at + 1);
+      const std::string field = path.substr(at + 1, next == std::string::npos ? next : next - at - 1);
+      found = Mat_VarGetStructFieldByName(const_cast<matvar_t*>(found), field.c_str(), 0);
+      at = next;
+    }
+    return found;
+  }
+
+  std::string read_block(const StoredArray& array, const std::vector<std::uint64_t>& start,
+                         const std::vector<std::uint64_t>& count) override {
+    const matvar_t* found = find(array.name);
+    const std::uint64_t bytes = array.count() * size_of(array.kind);
+    if (found == nullptr || found->data == nullptr || found->nbytes < bytes)
+      refuse("the file is damaged: '" + array.name + "' cannot be read", "", kCopy);
+    return block_of({static_cast<const char*>(found->data), static_cast<std::size_t>(bytes)}, array, start,
+                    count);
+  }
+
+  std::string place_;
+  Variable variable_;
+  std::string variable_name_;
+};
+
+}  // namespace
+
+std::unique_ptr<ArrayFile> open_mat(const std::string& name, std::string_view bytes) {
+  return guarded(name, "MATLAB", "the reader of MATLAB files", [name, bytes]() -> std::unique_ptr<ArrayFile> {
+    return std::make_unique<MatFile>(name, bytes);
+  });
+}
+
+}  // namespace vegard::sim

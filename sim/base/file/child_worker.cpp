@@ -1,0 +1,239 @@
+#include "sim/base/file/child_worker.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <mutex>
+#include <new>
+#include <utility>
+
+#include "sim/base/error.h"
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define VEGARD_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
+#define VEGARD_SANITIZED 1
+#endif
+#endif
+
+namespace vegard::sim {
+namespace {
+
+constexpr const char* kDamagedFile = "the file is damaged";
+
+enum class Outcome : std::uint64_t { answer, error, no_memory };
+
+double now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// All of it, or false where nobody reads any more.
+bool send_all(int socket, const char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t sent = ::send(socket, bytes, count, MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent <= 0) return false;
+    bytes += sent;
+    count -= static_cast<std::size_t>(sent);
+  }
+  return true;
+}
+
+bool receive_all(int socket, char* to, std::size_t count) {
+  while (count > 0) {
+    const ssize_t got = ::recv(socket, to, count, 0);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    to += got;
+    count -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+/// Of this process: the pages that it may touch by now.
+std::uint64_t address_space_bytes() {
+  unsigned long long pages = 0;
+  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
+    if (std::fscanf(file, "%llu", &pages) != 1) pages = 0;
+    std::fclose(file);
+  }
+  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+void limit_memory([[maybe_unused]] std::uint64_t bytes) {
+#ifndef VEGARD_SANITIZED
+  if (const std::uint64_t has = address_space_bytes(); has > 0) {
+    const rlimit limit{static_cast<rlim_t>(has + bytes), static_cast<rlim_t>(has + bytes)};
+    ::setrlimit(RLIMIT_AS, &limit);
+  }
+#endif
+}
+
+/// The child is to end by itself and in silence, whatever this process has made of signals.
+void become_a_worker(std::uint64_t memory_bytes) {
+  for (const int signal :
+       {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGTRAP, SIGTERM, SIGALRM, SIGPROF, SIGXCPU})
+    ::signal(signal, SIG_DFL);
+  // What interrupts this process is its own affair: it ends the child, or finishes first.
+  ::signal(SIGINT, SIG_IGN);
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  const rlimit no_core{0, 0};
+  ::setrlimit(RLIMIT_CORE, &no_core);
+  limit_memory(memory_bytes);
+  if (const int nowhere = ::open("/dev/null", O_RDWR); nowhere >= 0)
+    for (const int standard : {0, 1, 2}) ::dup2(nowhere, standard);
+}
+
+std::string error_text(const Error& error) {
+  const ErrorDetails& details = error.details();
+  return details.problem + '\0' + details.expected + '\0' + details.hint;
+}
+
+[[noreturn]] void throw_again(const std::string& file, const std::string& text) {
+  const std::size_t first = text.find('\0'), second = text.find('\0', first + 1);
+  refuse_file(ErrorKind::unreadable_input, file, text.substr(0, first),
+              text.substr(first + 1, second - first - 1), text.substr(second + 1));
+}
+
+/// SIGPROF ends the child when it has worked for so long; 0: never.
+void limit_work(double seconds) {
+  itimerval limit{};
+  limit.it_value.tv_sec = static_cast<time_t>(seconds);
+  constexpr double kMicroseconds = 1e6;
+  limit.it_value.tv_usec =
+      static_cast<suseconds_t>((seconds - static_cast<double>(limit.it_value.tv_sec)) * kMicroseconds);
+  ::setitimer(ITIMER_PROF, &limit, nullptr);
+}
+
+[[noreturn]] void serve(int socket, const ChildWorker::Answer& answer, double seconds) {
+  for (;;) {
+    std::uint64_t size = 0;
+    if (!receive_all(socket, reinterpret_cast<char*>(&size), sizeof size)) ::_exit(0);
+    Outcome outcome = Outcome::answer;
+    std::string text;
+    try {
+      std::string request(static_cast<std::size_t>(size), '\0');
+      if (!receive_all(socket, request.data(), request.size())) ::_exit(0);
+      limit_work(seconds);
+      text = answer(request);
+    } catch (const Error& error) {
+      outcome = Outcome::error;
+      text = error_text(error);
+    } catch (const std::bad_alloc&) {
+      outcome = Outcome::no_memory;
+      text.clear();
+    }
+    limit_work(0.0);
+    const std::uint64_t head[2] = {static_cast<std::uint64_t>(outcome), text.size()};
+    if (!send_all(socket, reinterpret_cast<const char*>(head), sizeof head) ||
+        !send_all(socket, text.data(), text.size()))
+      ::_exit(0);
+  }
+}
+
+}  // namespace
+
+ChildWorker::ChildWorker(std::string name, std::string library, Answer answer, const ChildLimits& limits)
+    : name_(std::move(name)), library_(std::move(library)), answer_(std::move(answer)), limits_(limits) {}
+
+ChildWorker::~ChildWorker() { end(); }
+
+void ChildWorker::end() {
+  if (socket_ >= 0) ::close(socket_);
+  socket_ = -1;
+  if (process_ <= 0) return;
+  ::kill(process_, SIGKILL);
+  while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  process_ = -1;
+}
+
+void ChildWorker::refuse(const std::string& problem, const std::string& hint) {
+  end();
+  refuse_file(ErrorKind::unreadable_input, name_, problem, "", hint);
+}
+
+void ChildWorker::start() {
+  // No other child may come to hold the ends of this one's socket.
+  static std::mutex one_at_a_time;
+  const std::lock_guard<std::mutex> lock(one_at_a_time);
+  int ends[2] = {-1, -1};
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+    refuse(std::string("it cannot be read apart: ") + std::strerror(errno));
+  const pid_t process = ::fork();
+  if (process == 0) {
+    ::close(ends[0]);
+    become_a_worker(limits_.memory_bytes);
+    serve(ends[1], answer_, limits_.seconds);
+  }
+  ::close(ends[1]);
+  socket_ = ends[0];
+  process_ = process;
+  if (process < 0) refuse(std::string("it cannot be read apart: ") + std::strerror(errno));
+}
+
+void ChildWorker::refuse_end() {
+  int status = 0;
+  if (process_ > 0 && ::waitpid(process_, &status, 0) == process_) process_ = -1;
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  const bool took_too_long = signal == SIGPROF || signal == SIGXCPU;
+  refuse(std::string(kDamagedFile) + ": " + library_ +
+             (took_too_long ? " does not come to an end with it" : " fails on it"),
+         "copy it again from where it came");
+}
+
+void ChildWorker::send(std::string_view bytes) {
+  if (!send_all(socket_, bytes.data(), bytes.size())) refuse_end();
+}
+
+void ChildWorker::receive(char* to, std::size_t count, double until_s) {
+  while (count > 0) {
+    const double left_s = until_s - now_s();
+    pollfd waited{socket_, POLLIN, 0};
+    constexpr double kMilliseconds = 1000.0;
+    const int ready = left_s > 0.0 ? ::poll(&waited, 1, static_cast<int>(left_s * kMilliseconds) + 1) : 0;
+    if (ready < 0 && errno == EINTR) continue;
+    if (ready <= 0)
+      refuse(std::string(kDamagedFile) + ": " + library_ + " does not come to an end with it",
+             "copy it again from where it came");
+    const ssize_t got = ::recv(socket_, to, count, 0);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) refuse_end();
+    to += got;
+    count -= static_cast<std::size_t>(got);
+  }
+}
+
+std::string ChildWorker::ask(std::string_view request) {
+  if (process_ <= 0) start();
+  const std::uint64_t size = request.size();
+  send({reinterpret_cast<const char*>(&size), sizeof size});
+  send(request);
+  constexpr double kSleepingTimes = 20.0;
+  const double until_s = now_s() + kSleepingTimes * limits_.seconds;
+  std::uint64_t head[2] = {};
+  receive(reinterpret_cast<char*>(head), sizeof head, until_s);
+  if (static_cast<Outcome>(head[0]) == Outcome::no_memory || head[1] > limits_.answer_bytes)
+    refuse("what it promises needs more memory than it may have",
+           "make it again in smaller parts, if it is sound");
+  std::string answer(static_cast<std::size_t>(head[1]), '\0');
+  receive(answer.data(), answer.size(), until_s);
+  if (static_cast<Outcome>(head[0]) == Outcome::error) throw_again(name_, answer);
+  return answer;
+}
+
+}  // namespace vegard::sim
