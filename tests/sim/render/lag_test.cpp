@@ -63,8 +63,10 @@ double lagging_level(const Substorm& substorm, double instant_s, double tau_s) {
 }
 
 TEST(Lag, AStepOfPrecipitationRisesAsOneLessAnExponential) {
-  // Within an interval of ages beams stand evenly where the light falls off exponentially: with intervals
-  // that double, up to 1.5 % of the step; and few of them straddle the step.
+  // Within an interval of ages beams stand evenly in the logarithm where the light falls off exponentially:
+  // that is off by 1.8 % of the step at most, at three lives and where an interval has two of them; worked
+  // out for lifetimes from 0.3 to 100 s. Here it is less, and what a seventh of 1000 beams a layer do not
+  // sample is beside it.
   for (const auto& [altitude_km, line, nm] :
        {std::tuple(250.0, 0, 630.0), std::tuple(200.0, 0, 630.0), std::tuple(150.0, 1, 557.7)}) {
     Scene scene = thin_scene(altitude_km);
