@@ -38,6 +38,7 @@ TEST_P(PointsUnder, ProjectedGiveTheRayleighsOfTheFilm) {
   scene.sheets[0].path_spread = 0.3;
   scene.time.start_s = 3.0;
   scene.sheets[0].drift_km_s = {0.0, 2.5};
+  scene.emission.lag = EmissionLag::none;  // points are those of the instant
   const EmissionPoints points = all_points(scene);
   const CameraView<double> view = camera_view(scene.camera);
   const FilmGeometry film = tests::whole_picture(scene);
