@@ -169,6 +169,38 @@ TEST(Lag, OfADriftingSheetLeavesRedBehindByItsLifetimesWay) {
   EXPECT_NEAR(behind, way, 0.15 * way);
 }
 
+TEST(Lag, IsThatOfTheMeanOverAllDrawsToo) {
+  Scene scene = tests::small_scene();
+  scene.sheets[0].beams = 3000;
+  scene.sheets[0].drift_km_s = {0.0, -0.3};
+  scene.sheets[0].sine_speed_km_s = 2.0;
+  const FilmGeometry film = tests::whole_picture(scene);
+  BeamSampling sampling;
+  sampling.mean = true;
+  Exposure mean;
+  Exposer(scene, film, 0, 0.0, sampling).expose(scene, mean);
+  const Exposure drawn = exposed(scene), prompt = exposed(without_lag(scene));
+  // Rows of the picture, in which draws differ by the noise of their beams: some hundred cross each.
+  for (int line = 0; line < 3; ++line) {
+    double error = 0.0, size = 0.0, lag = 0.0;
+    for (int row = 0; row < film.rows; row += 10) {
+      double a = 0.0, b = 0.0, c = 0.0;
+      for (int cell = row * film.columns; cell < (row + 10) * film.columns; ++cell) {
+        a += mean.rayleigh[line * mean.cells() + cell];
+        b += drawn.rayleigh[line * mean.cells() + cell];
+        c += prompt.rayleigh[line * mean.cells() + cell];
+      }
+      error += (a - b) * (a - b);
+      lag += (c - b) * (c - b);
+      size += b * b;
+    }
+    EXPECT_LT(std::sqrt(error / size), 0.02) << line;
+    if (line == 0) {
+      EXPECT_GT(std::sqrt(lag / size), 0.04) << "it lags";
+    }
+  }
+}
+
 TEST(Lag, GivesTheSameBytesForEveryNumberOfThreads) {
   Scene scene = tests::small_scene();
   scene.sheets[0].drift_km_s = {0.3, -0.5};
