@@ -60,32 +60,35 @@ LineColumn column_of(const EmissionLine& line, const Table& table) {
 template LineColumn column_of(const EmissionLine&, const EmissionTable&);
 template LineColumn column_of(const EmissionLine&, const MonoEnergeticTable&);
 
-EmissionTables::EmissionTables(const TableFolder& folder)
-    : maxwellian_(checked(table_in(folder, kMaxwellianFile), "E0_keV")),
-      flux_factors_(columns_of_lines(maxwellian_), table_in(folder, kColumnsFile),
-                    table_in(folder, kFluxesFile)),
-      air_(tables_air(table_in(folder, kTablesAirFile), maxwellian_.altitudes_km())) {
+EmissionTables::EmissionTables(std::shared_ptr<const TableFolder> folder)
+    : folder_(std::move(folder)),
+      maxwellian_(checked(table_in(*folder_, kMaxwellianFile), "E0_keV")),
+      flux_factors_(columns_of_lines(maxwellian_), table_in(*folder_, kColumnsFile),
+                    table_in(*folder_, kFluxesFile)),
+      air_(tables_air(table_in(*folder_, kTablesAirFile), maxwellian_.altitudes_km())) {
   const std::vector<double>& known = flux_factors_.energies_kev();
-  if (known.front() > kLeastEnergyKev || known.back() < kMostEnergyKev) {
-    const CsvTable csv = table_in(folder, kFluxesFile);
-    csv.refuse(csv.rows() - 1,
-               "the energies at Q_erg 1 go from " + short_real_text(known.front()) + " to " +
-                   short_real_text(known.back()) + " keV",
-               "from " + short_real_text(kLeastEnergyKev) + " to " + short_real_text(kMostEnergyKev) +
-                   " keV or farther");
-  }
-  if (folder.files.count(kMonoFile) == 0) return;
-  const CsvTable csv = table_in(folder, kMonoFile);
+  if (known.front() <= kLeastEnergyKev && known.back() >= kMostEnergyKev) return;
+  const CsvTable csv = table_in(*folder_, kFluxesFile);
+  csv.refuse(csv.rows() - 1,
+             "the energies at Q_erg 1 go from " + short_real_text(known.front()) + " to " +
+                 short_real_text(known.back()) + " keV",
+             "from " + short_real_text(kLeastEnergyKev) + " to " + short_real_text(kMostEnergyKev) +
+                 " keV or farther");
+}
+
+bool EmissionTables::has_mono_file() const { return folder_->files.count(kMonoFile) > 0; }
+
+std::unique_ptr<MonoEnergeticTable> EmissionTables::read_mono() const {
+  if (!has_mono_file()) return std::make_unique<MonoEnergeticTable>(maxwellian_, air_);
+  const CsvTable csv = table_in(*folder_, kMonoFile);
   EmissionTable mono = checked(csv, "E_keV");
   if (mono.oxygen_factors() != maxwellian_.oxygen_factors())
     csv.refuse(0, "other oxygen factors than " + std::string(kMaxwellianFile) + " has", "the same");
-  mono_ = std::make_unique<MonoEnergeticTable>(std::move(mono));
+  return std::make_unique<MonoEnergeticTable>(std::move(mono));
 }
 
 const MonoEnergeticTable& EmissionTables::mono() const {
-  std::call_once(mono_made_, [&] {
-    if (!mono_) mono_ = std::make_unique<MonoEnergeticTable>(maxwellian_, air_);
-  });
+  std::call_once(mono_made_, [&] { mono_ = read_mono(); });
   return *mono_;
 }
 
@@ -97,7 +100,7 @@ const EmissionTables& tables_of(const std::shared_ptr<const TableFolder>& folder
   static std::map<std::shared_ptr<const TableFolder>, std::unique_ptr<const EmissionTables>> read;
   const std::lock_guard<std::mutex> lock(mutex);
   std::unique_ptr<const EmissionTables>& tables = read[folder];
-  if (!tables) tables = std::make_unique<const EmissionTables>(*folder);
+  if (!tables) tables = std::make_unique<const EmissionTables>(folder);
   return *tables;
 }
 
@@ -141,7 +144,9 @@ void check_emission_tables(const Scene& scene) {
   const double factor = scene.emission.oxygen_factor;
   // Those that come with the program are tested with it, and read when light is first asked for.
   if (factor == 1.0 && !is_free && are_built_in_tables(scene.emission.tables)) return;
-  const std::vector<double>& factors = emission_tables(scene).maxwellian().oxygen_factors();
+  const EmissionTables& tables = emission_tables(scene);
+  if (tables.has_mono_file() && !are_built_in_tables(scene.emission.tables)) tables.mono();  // or throws
+  const std::vector<double>& factors = tables.maxwellian().oxygen_factors();
   const int line = line_of(scene, kOxygenPath);
   if (factors.size() == 1) {
     if (factor == 1.0 && !is_free) return;

@@ -27,19 +27,23 @@ class EmissionTables {
   /// Throws Error(unreadable_input) with file and line for whatever is wrong: a column that a line needs is
   /// missing, rows are (emission_table.h, flux_law.h, tables_air.h), altitudes do not reach from 80 to 640 km
   /// or energies from 0.1 to 19.9 keV, or the tables have different factors of oxygen.
-  explicit EmissionTables(const TableFolder& folder);
+  explicit EmissionTables(std::shared_ptr<const TableFolder> folder);
 
   const EmissionTable& maxwellian() const { return maxwellian_; }
   const FluxFactors& flux_factors() const { return flux_factors_; }
   const std::vector<StoppingAir>& air() const { return air_; }
 
-  /// Made at the first call where the folder has no ver_mono.csv.
+  /// Read at the first call, and made where the folder has no ver_mono.csv. Throws as the constructor does.
   const MonoEnergeticTable& mono() const;
+  bool has_mono_file() const;
 
   /// Of Maxwellian electrons: what all energies are limited to.
   const std::vector<double>& energies_kev() const { return maxwellian_.energies_kev(); }
 
  private:
+  std::unique_ptr<MonoEnergeticTable> read_mono() const;
+
+  std::shared_ptr<const TableFolder> folder_;
   EmissionTable maxwellian_;
   FluxFactors flux_factors_;
   std::vector<StoppingAir> air_;

@@ -29,6 +29,14 @@ bool has_free_brightness(const Scene& scene, int sheet) {
   return points > 0 && free_points.size() == points;
 }
 
+/// Whether anything shines by the emission tables.
+bool has_electrons(const Scene& scene) {
+  bool any = !scene.footprints.empty();
+  for (const Sheet& sheet : scene.sheets)
+    any = any || (sheet.profile != ProfileKind::file && sheet.profile != ProfileKind::spline);
+  return any;
+}
+
 }  // namespace
 
 std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const ParameterPath& path) {
@@ -52,6 +60,10 @@ std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const Par
   if (path.row->table == "air" && scene.air.model == AirModel::none) {
     return Complaint{"there is no air, so " + key + " counts for nothing", expected,
                      "leave it out of fit.free, or set air.model to \"standard\""};
+  }
+  if (path.row->role == ParameterRole::oxygen_factor && !has_electrons(scene)) {
+    return Complaint{"nothing shines by the emission tables, so " + key + " counts for nothing", expected,
+                     "leave it out of fit.free, or set a sheet's profile to a spectrum of electrons"};
   }
   for (const EmitterKind& kind : emitter_kinds())
     if (kind.why_idle != nullptr)

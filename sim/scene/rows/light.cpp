@@ -23,8 +23,8 @@ std::vector<Declaration> light_rows() {
           .within(0.25, 4).may_be_free(ParameterScale::logarithmic)
           .means("atomic oxygen, as a multiple of what the tables' air has; other than 1 only for tables of several factors, and within those"),
       Row("emission", "flux_law", &Scene::emission, &Emission::flux_law).one_of<FluxLaw>({{"column", FluxLaw::column}, {"linear", FluxLaw::linear}})
-          .means("how light grows with the energy flux of Maxwellian electrons: as the columns of the tables do, which "
-                 "depart from proportion by up to 15 % between 0.1 and 10 mW m⁻²; or in proportion"),
+          .means("how light grows with the energy flux of Maxwellian electrons: as the columns of the tables do (GLOW's "
+                 "depart from proportion by up to 15 % between 0.1 and 10 mW m⁻²); or in proportion"),
       Row("emission", "lag", &Scene::emission, &Emission::lag).one_of<EmissionLag>({{"lifetime", EmissionLag::lifetime}, {"none", EmissionLag::none}})
           .means("light follows electrons that change after the excited atoms' effective lifetimes, up to 110 s of "
                  "630.0 nm and 0.7 s of 557.7 nm; or at once"),
