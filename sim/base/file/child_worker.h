@@ -1,6 +1,5 @@
-// Work in a process of its own: for libraries that trust what a file says. Debian's libhdf5 and libmatio
-// crash or never come back on some damaged files (docs/validation.md has the figures); here that ends a
-// child, and is told like any other damage.
+// Work in a process of its own: for libraries that trust what a file says. Debian's libhdf5 crashes on some
+// damaged files (docs/validation.md has the figures); here that ends a child, and is told like any other damage.
 //
 // The child is a copy of this process (fork) with a limit of memory, without standard output and error. It
 // answers one request after another until the worker is destroyed.
