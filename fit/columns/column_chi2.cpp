@@ -175,6 +175,7 @@ std::vector<ColumnValley> ColumnChi2::valleys(const ColumnData& data) const {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   std::vector<double> least(ln_energies_.size(), kFar);
   std::vector<ColumnPoint> where(ln_energies_.size());
+  for (const ScanPlace& place : places_) where[place.energy] = place.at;  // where chi2 is no number
   for (const ScanPlace& place : places_) {
     double ln_flux = 0.0;
     const double chi2 = best_flux(data, place, ln_flux);
@@ -197,7 +198,7 @@ std::vector<ColumnValley> ColumnChi2::valleys(const ColumnData& data) const {
     else if (valley.chi2 < same->chi2)
       *same = valley;
   }
-  if (found.empty()) found.push_back(descend(data, where[0], free_));  // chi2 is nowhere finite
+  if (found.empty()) found.push_back(descend(data, where[0], free_));  // chi2 is nowhere a number
   std::stable_sort(found.begin(), found.end(),
                    [](const ColumnValley& a, const ColumnValley& b) { return a.chi2 < b.chi2; });
   for (std::size_t v = 1; v < found.size(); ++v) {

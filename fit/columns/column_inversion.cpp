@@ -108,7 +108,7 @@ std::string farthest_line(const ColumnInversion& inversion) {
 void judge_columns(ColumnInversion& inversion) {
   const ColumnSolution& best = inversion.solutions.front();
   const bool contradicts =
-      inversion.degrees_of_freedom > 0 ? inversion.p_value < kLeastChance : best.chi2 > kMostColumnChi2;
+      inversion.degrees_of_freedom > 0 ? inversion.p_value < kLeastChance : !(best.chi2 <= kMostColumnChi2);
   if (contradicts) {
     inversion.verdict = ColumnVerdict::contradiction;
     inversion.reason =
@@ -193,6 +193,8 @@ const char* column_verdict_name(ColumnVerdict verdict) {
 }
 
 double chi2_tail(double chi2, int degrees_of_freedom) {
+  constexpr double kNoChance = 1e5;  // also of what is no number
+  if (!(chi2 < kNoChance)) return 0.0;
   // By the recurrence of the incomplete gamma function, from one degree of freedom or two.
   const double half = 0.5 * std::max(0.0, chi2);
   const bool odd = degrees_of_freedom % 2 != 0;

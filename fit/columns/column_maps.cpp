@@ -43,7 +43,7 @@ class PixelJudge {
   ColumnVerdict of(const ColumnValley& best, const ColumnPoint& sigma_ln, bool has_second) const {
     const bool contradicts = degrees_of_freedom_ > 0
                                  ? chi2_tail(best.chi2, degrees_of_freedom_) < kLeastChance
-                                 : best.chi2 > kMostColumnChi2;
+                                 : !(best.chi2 <= kMostColumnChi2);
     if (contradicts) return ColumnVerdict::contradiction;
     if (has_second) return ColumnVerdict::two_solutions;
     ColumnVerdict verdict = ColumnVerdict::well_constrained;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "sim/base/number/normal_quantile.h"
@@ -120,6 +121,20 @@ TEST(ColumnInversion, LinesThatNoElectronsMakeContradictEachOther) {
   ColumnData red = made(model, point_of(0.1, 1.0), 0.03);
   red.rayleigh[1] *= 2.0;
   EXPECT_EQ(invert_columns(ColumnChi2(model, kEnergyAndFlux, {}), red).verdict, ColumnVerdict::contradiction);
+}
+
+TEST(ColumnInversion, ErrorsThatNoNumberHoldsContradict) {
+  EXPECT_EQ(chi2_tail(std::numeric_limits<double>::infinity(), 3), 0.0);
+  ColumnData data = made(three_lines(), point_of(3.0, 5.0), 0.03);
+  data.rayleigh[1] *= 1.5;
+  data.sigma = {1e-300, 1e-300, 1e-300};
+  const ColumnPoint held = point_of(3.0, 5.0);
+  for (const ColumnFreedom& free : {kEnergyAndFlux, ColumnFreedom{false, true, false}}) {
+    const ColumnInversion found = invert_columns(ColumnChi2(three_lines(), free, held), data);
+    EXPECT_EQ(found.verdict, ColumnVerdict::contradiction);
+    if (free[kLnEnergy]) continue;
+    EXPECT_NEAR(found.solutions.front().of[kLnEnergy].value, 3.0, 1e-12);
+  }
 }
 
 TEST(ColumnInversion, AnUnknownThatIsHeldStays) {
