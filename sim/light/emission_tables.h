@@ -28,6 +28,8 @@ class EmissionTables {
   /// missing, rows are (emission_table.h, flux_law.h, tables_air.h), altitudes do not reach from 80 to 640 km
   /// or energies from 0.1 to 19.9 keV, or the tables have different factors of oxygen.
   explicit EmissionTables(std::shared_ptr<const TableFolder> folder);
+  explicit EmissionTables(const TableFolder& folder)
+      : EmissionTables(std::make_shared<const TableFolder>(folder)) {}
 
   const EmissionTable& maxwellian() const { return maxwellian_; }
   const FluxFactors& flux_factors() const { return flux_factors_; }
