@@ -1,6 +1,8 @@
 #include "apps/commands/commands.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -351,13 +353,12 @@ void add_invert_command(Program& program) {
   const auto options = std::make_shared<InvertRequest>();
   const Command command = program.add(
       "invert", "Energy flux and energy of electrons from the brightness of lines, or from maps of it");
-  const Option line =
-      command
-          .option("--line", options->lines,
-                  "A line's brightness in rayleighs along the magnetic zenith, 427.8=2300±50 or "
-                  "427.8=2300+-2%; two to eight of them")
-          .type_name("NM=R±ERROR")
-          .repeated();
+  const Option line = command
+                          .option("--line", options->lines,
+                                  "A line's brightness in rayleighs of the vertical column, 427.8=2300±50 or "
+                                  "427.8=2300+-2%; two to eight of them")
+                          .type_name("NM=R±ERROR")
+                          .repeated();
   command
       .option(
           "--map", options->maps,

@@ -38,6 +38,8 @@ void check_camera_size(const sim::Scene& scene, int width_px, int height_px, con
 
 KnownDirections maps_of(const MapOptions& options) {
   const std::string& az = options.azimuth_map;
+  if (options.skymap.empty() && !options.skymap_flip.empty())
+    throw usage_error("--skymap-flip", "there is no skymap", "--skymap beside it");
   if (!options.skymap.empty()) {
     if (!az.empty() || !options.elevation_map.empty())
       throw usage_error("--skymap", "it has azimuths and elevations",
@@ -50,8 +52,6 @@ KnownDirections maps_of(const MapOptions& options) {
     const fit::SkyMapFile file = fit::read_sky_map(options.skymap, flip);
     return {file.map, "skymap " + file_name_of(options.skymap), file.place};
   }
-  if (!options.skymap_flip.empty())
-    throw usage_error("--skymap-flip", "there is no skymap", "--skymap beside it");
   if (az.empty())
     throw usage_error("--elevation-map", "a map of elevations alone is not enough",
                       "--azimuth-map beside it");

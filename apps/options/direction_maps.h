@@ -16,7 +16,9 @@ namespace vegard::apps {
 struct MapOptions {
   std::string azimuth_map, elevation_map, skymap, skymap_flip;
 
-  bool any() const { return !azimuth_map.empty() || !elevation_map.empty() || !skymap.empty(); }
+  bool any() const {
+    return !azimuth_map.empty() || !elevation_map.empty() || !skymap.empty() || !skymap_flip.empty();
+  }
   /// The file that messages name.
   const std::string& first() const { return skymap.empty() ? azimuth_map : skymap; }
 };

@@ -22,7 +22,7 @@ enum class ColumnVerdict {
   two_solutions,
   contradiction,  ///< no electrons of the tables make these lines
   no_light,       ///< of maps: no line stands out of its error
-  not_measured,   ///< of maps: a brightness is missing
+  not_measured,   ///< of maps: a brightness, or its error, is missing
 };
 /// "well constrained".
 const char* column_verdict_name(ColumnVerdict verdict);

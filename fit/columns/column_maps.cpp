@@ -23,11 +23,17 @@ bool take_pixel(const std::vector<LineMap>& lines, std::size_t i, ColumnData& da
   return true;
 }
 
+/// Whether every brightness has an error: a share of what is 0 or below is none.
+bool has_errors(const ColumnData& data, std::size_t lines) {
+  for (std::size_t l = 0; l < lines; ++l)
+    if (!(data.sigma[l] > 0.0)) return false;
+  return true;
+}
+
 /// Whether there is light, and every line has an error that it can be weighed by.
 bool light_in_pixel(const ColumnData& data, std::size_t lines) {
   bool seen = false;
   for (std::size_t l = 0; l < lines; ++l) {
-    if (!(data.sigma[l] > 0.0)) return false;
     seen = seen || data.rayleigh[l] > kSeenSigmas * data.sigma[l];
   }
   return seen;
@@ -50,7 +56,7 @@ class PixelJudge {
     for (std::size_t k = 0; k < kColumnUnknowns; ++k) {
       if (!chi2_.free()[k]) continue;
       const double reach = kEdgeSigmas * sigma_ln[k];
-      if (best.at_edge[k] || best.at[k] - reach < chi2_.model().least(k) ||
+      if (best.at_edge[k] || !std::isfinite(reach) || best.at[k] - reach < chi2_.model().least(k) ||
           best.at[k] + reach > chi2_.model().most(k))
         return ColumnVerdict::one_sided;
       if (2.0 * reach > std::log(kWideFactor)) verdict = ColumnVerdict::loosely_constrained;
@@ -106,7 +112,7 @@ ColumnMaps invert_maps(const ColumnChi2& chi2, const std::vector<LineMap>& lines
   sim::parallel_for(height, threads, [&](std::size_t row, int) {
     ColumnData data;
     for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
-      if (!take_pixel(lines, i, data)) continue;
+      if (!take_pixel(lines, i, data) || !has_errors(data, lines.size())) continue;
       if (light_in_pixel(data, lines.size()))
         invert_pixel(chi2, judge, data, i, maps);
       else

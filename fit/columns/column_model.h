@@ -1,4 +1,4 @@
-// Brightness of emission lines along the magnetic zenith, by the electrons that make them: what a
+// Brightness of the vertical column of emission lines, by the electrons that make them: what a
 // column-ratio inversion compares with photometers and filtered cameras.
 //
 // The columns are those of the simulator's own height profiles (sim/light/height_profile.h), tabulated once

@@ -1,5 +1,6 @@
 #include "fit/columns/line_measurement.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 

@@ -1,6 +1,9 @@
 #include "sim/light/emission_tables.h"
 
+#include <algorithm>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "sim/base/error.h"
 #include "sim/scene/lines/emission_lines.h"
@@ -170,8 +173,8 @@ void limit_free_oxygen(Scene& scene) {
   for (FreeParameter& free : scene.fit.free) {
     if (free.path != kOxygenPath) continue;
     const std::vector<double>& factors = emission_tables(scene).maxwellian().oxygen_factors();
-    if (!free.min) free.min = factors.front();
-    if (!free.max) free.max = factors.back();
+    if (!free.min) free.min = std::max(factors.front(), kLeastOxygenFactor);
+    if (!free.max) free.max = std::min(factors.back(), kMostOxygenFactor);
   }
 }
 

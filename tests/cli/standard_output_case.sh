@@ -70,6 +70,9 @@ refused linearise a.png "$small" -o out.exr
 refused electrons --spectrum mono --energy-kev 1
 refused invert --line 427.8=2300±50 --line 630.0=330±15
 refused lines --sources --energy-kev 0.1
+refused atmosphere --list
+refused atmosphere --conditions equinox
+tried+=" tables" # a minute of work; its help is tried below, and its words go the same way
 refused params
 refused params --markdown
 refused params "$small"

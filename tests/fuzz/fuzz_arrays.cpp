@@ -23,7 +23,7 @@ void read_arrays(std::string_view bytes) {
   const auto file = sim::open_array_file("it", bytes);
   constexpr std::uint64_t kMostNumbers = 1 << 20;
   for (const sim::StoredArray& array : file->arrays()) {
-    require(!array.name.empty() || array.dims.size() <= sim::kMostArrayDims);
+    require(!array.name.empty() && array.dims.size() <= sim::kMostArrayDims);
     if (array.count() > kMostNumbers) continue;
     if (array.kind == sim::ArrayKind::text)
       require(file->read_texts(array).size() == array.count());

@@ -18,6 +18,7 @@
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/light/chemistry/auroral_run.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 namespace {
@@ -138,7 +139,7 @@ void add_line_source_options(const Command& command, const Option& sources, Line
       .type_name("FILE.csv")
       .needs(sources);
   command.option("--oxygen-factor", request.oxygen_factor, "Multiple of the atomic oxygen")
-      .finite_range(0.1, 10.0)
+      .finite_range(sim::kLeastOxygenFactor, sim::kMostOxygenFactor)
       .needs(sources);
   command
       .option("--seconds", request.seconds,

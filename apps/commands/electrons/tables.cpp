@@ -16,6 +16,7 @@
 #include "sim/base/file/whole_directory.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/light/chemistry/table_maker.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 namespace {
@@ -53,8 +54,8 @@ void require_factors(const std::vector<double>& factors) {
   bool one = false, increasing = true;
   for (std::size_t i = 0; i < factors.size(); ++i) {
     one = one || factors[i] == 1.0;
-    increasing =
-        increasing && factors[i] >= 0.1 && factors[i] <= 10.0 && (i == 0 || factors[i] > factors[i - 1]);
+    increasing = increasing && factors[i] >= sim::kLeastOxygenFactor &&
+                 factors[i] <= sim::kMostOxygenFactor && (i == 0 || factors[i] > factors[i - 1]);
   }
   constexpr std::size_t kMost = 9;
   if (!one || !increasing || factors.size() > kMost)

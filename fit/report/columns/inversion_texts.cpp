@@ -107,7 +107,7 @@ std::string inversion_text(const ColumnInversion& inversion, const InversionFact
                       inversion.degrees_of_freedom == 1 ? "" : "s");
   if (inversion.degrees_of_freedom > 0)
     text += " (so much or more by chance: " + chance_text(inversion.p_value) + ")";
-  else
+  else if (inversion.verdict != ColumnVerdict::contradiction)
     text += ": whether the lines agree cannot be told";
   text += "\n";
   for (std::size_t a = 0; a < kColumnUnknowns; ++a)

@@ -237,7 +237,7 @@ class CdfFile : public ArrayFile {
     const std::uint64_t r_dims = global.four();
     global.pass(4 + 8 + 12);
     std::vector<std::uint64_t> r_lengths;
-    if (r_dims > kMostArrayDims) refuse("its variables have too many dimensions");
+    if (r_dims >= kMostArrayDims) refuse("its variables have too many dimensions");
     for (std::uint64_t d = 0; d < r_dims; ++d) r_lengths.push_back(global.four());
     if (global.is_short()) refuse_damaged("its record of what it holds is cut short");
     take_variables(r_head, kRVariable, r_lengths);
@@ -354,6 +354,9 @@ class CdfFile : public ArrayFile {
         refuse("'" + name + "' is packed in a way that is not read", "gzip, or runs of zeros");
       kept_place_ = block.place;
     }
+    // Two indices may claim one block, with other sizes.
+    if (in_block > kept_.size() || variable.record_bytes > kept_.size() - in_block)
+      refuse_damaged("a packed block of '" + name + "' is smaller than its index says");
     return kept_.substr(static_cast<std::size_t>(in_block), static_cast<std::size_t>(variable.record_bytes));
   }
 

@@ -75,6 +75,8 @@ struct Structure {
 
 /// A record's numbers and texts, one after another (XDR: four bytes at least, high byte first).
 class Xdr {
+  static constexpr std::uint32_t kMostTextBytes = 1 << 16;
+
  public:
   Xdr(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
 
@@ -83,6 +85,7 @@ class Xdr {
   /// A length, and so many letters.
   std::string text() {
     const std::uint32_t length = number();
+    if (length > kMostTextBytes) refuse("has a text of more than 64 kB");
     std::string value(take(length));
     align();
     return value;
@@ -243,10 +246,12 @@ class IdlSave : public ArrayFile {
   void take_values(Xdr& xdr, const Tag& tag, const std::string& within, int depth) {
     constexpr std::size_t kMostSteps = 10000000;
     if (++steps_ > kMostSteps) xdr.refuse("has too many parts");
+    if (within.size() + tag.name.size() > kMostNameLetters) xdr.refuse("has a name of more than 256 letters");
     const std::string path = within.empty() ? tag.name : within + "/" + tag.name;
     if (tag.structure != nullptr) {
       if (depth > kDeepestPart || tag.shape.elements > kMostArrays) xdr.refuse("has too many structures");
       // Of arrays of structures the first stands for all; the others are gone through.
+      steps_ += static_cast<std::size_t>(tag.shape.elements);
       for (std::uint64_t i = 0; i < tag.shape.elements; ++i)
         for (const Tag& part : tag.structure->tags)
           take_values(xdr, part, i == 0 ? path : path + "[" + std::to_string(i) + "]", depth + 1);
@@ -259,7 +264,10 @@ class IdlSave : public ArrayFile {
         // Its length stands there twice, unless it is 0.
         const std::uint32_t length = xdr.number();
         const std::string text = length > 0 ? xdr.text() : std::string();
-        if (!is_array && words_.size() < kMostArrays) words_[within].emplace_back(tag.name, text);
+        if (is_array) continue;
+        word_bytes_ += within.size() + tag.name.size() + text.size();
+        if (word_bytes_ > kMostWordBytes) xdr.refuse("has too many texts");
+        words_[within].emplace_back(tag.name, text);
       }
       return;
     }
@@ -294,6 +302,8 @@ class IdlSave : public ArrayFile {
   }
 
   static constexpr std::uint64_t kMostTexts = 1 << 16;
+  static constexpr std::size_t kMostNameLetters = 256;
+  std::size_t word_bytes_ = 0;
 
   struct Values {
     std::string_view stored;

@@ -9,9 +9,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <mutex>
@@ -83,11 +83,11 @@ void limit_memory([[maybe_unused]] std::uint64_t bytes) {
 
 /// The child is to end by itself and in silence, whatever this process has made of signals.
 void become_a_worker(std::uint64_t memory_bytes) {
-  for (const int signal :
-       {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGTRAP, SIGTERM, SIGALRM, SIGPROF, SIGXCPU})
+  for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGTRAP, SIGALRM, SIGPROF, SIGXCPU})
     ::signal(signal, SIG_DFL);
-  // What interrupts this process is its own affair: it ends the child, or finishes first.
-  ::signal(SIGINT, SIG_IGN);
+  // What interrupts or ends the parent is the parent's affair: it ends the child, or finishes first, and when
+  // it is gone the socket ends.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_IGN);
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -117,9 +117,14 @@ void limit_work(double seconds) {
   limit.it_value.tv_usec =
       static_cast<suseconds_t>((seconds - static_cast<double>(limit.it_value.tv_sec)) * kMicroseconds);
   ::setitimer(ITIMER_PROF, &limit, nullptr);
+  // One that sleeps, on a lock that was held when it was forked, works for nothing and has to end as well.
+  constexpr double kSleepingTo = 20.0;
+  ::alarm(static_cast<unsigned>(std::ceil(kSleepingTo * seconds)));
 }
 
-[[noreturn]] void serve(int socket, const ChildWorker::Answer& answer, double seconds) {
+/// Nothing may leave it: the stack above is the parent's, with files and locks that are not the child's to
+/// end.
+[[noreturn]] void serve(int socket, const ChildWorker::Answer& answer, double seconds) noexcept {
   for (;;) {
     std::uint64_t size = 0;
     if (!receive_all(socket, reinterpret_cast<char*>(&size), sizeof size)) ::_exit(0);
@@ -136,6 +141,8 @@ void limit_work(double seconds) {
     } catch (const std::bad_alloc&) {
       outcome = Outcome::no_memory;
       text.clear();
+    } catch (...) {
+      ::_exit(1);
     }
     limit_work(0.0);
     const std::uint64_t head[2] = {static_cast<std::uint64_t>(outcome), text.size()};
@@ -190,7 +197,7 @@ void ChildWorker::refuse_end() {
   int status = 0;
   if (process_ > 0 && ::waitpid(process_, &status, 0) == process_) process_ = -1;
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  const bool took_too_long = signal == SIGPROF || signal == SIGXCPU;
+  const bool took_too_long = signal == SIGPROF || signal == SIGXCPU || signal == SIGALRM;
   refuse(std::string(kDamagedFile) + ": " + library_ +
              (took_too_long ? " does not come to an end with it" : " fails on it"),
          "copy it again from where it came");

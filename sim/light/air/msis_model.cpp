@@ -1,5 +1,6 @@
 #include "sim/light/air/msis_model.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>

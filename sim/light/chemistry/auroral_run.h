@@ -9,7 +9,7 @@
 namespace vegard::sim {
 
 struct AuroralRun {
-  FieldAir column;  ///< with the thermal electrons that the run made
+  FieldAir column;  ///< with the thermal electrons of the first run, which the second one met
   ElectronRates rates;
   AuroralLight light;
 };

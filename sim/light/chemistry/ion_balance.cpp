@@ -46,16 +46,16 @@ IonDensities ions_among(const ReactingAir& a, const IonProduction& p, const Rate
 
 double diffusion_loss_s(const ReactingAir& air) {
   constexpr double kBoltzmann = 1.380649e-16, kMassG = 15.999 * 1.66053907e-24;  // CGS
-  constexpr double kEarthCm = 6371.0e5, kGravityCm = 981.0;
+  constexpr double kEarthCm = 1e5 * kEarthRadiusKm, kGravityCm = 981.0;
   const double r = kEarthCm / (kEarthCm + 1e5 * air.altitude_km), gravity = kGravityCm * r * r;
-  const double both = air.temperature_k + air.electron_temperature_k;
-  const double scale_cm = kBoltzmann * both / (kMassG * gravity);
+  const double temperatures_k = air.temperature_k + air.electron_temperature_k;
+  const double scale_cm = kBoltzmann * temperatures_k / (kMassG * gravity);
   const double bend = 1.0 - 0.064 * std::log10(air.temperature_k);
   // N2 and O2 hinder O+ as well (6.82e-10 and 6.64e-10 of the same table).
   const double collisions_s =
       3.67e-11 * std::sqrt(air.temperature_k) * bend * bend * air.o + 6.82e-10 * air.n2 + 6.64e-10 * air.o2;
   constexpr double kLeastS = 1e-12;
-  return kBoltzmann * both / (kMassG * std::max(kLeastS, collisions_s)) / (scale_cm * scale_cm);
+  return kBoltzmann * temperatures_k / (kMassG * std::max(kLeastS, collisions_s)) / (scale_cm * scale_cm);
 }
 
 IonDensities ion_balance(const ReactingAir& air, const IonProduction& production,

@@ -3,8 +3,8 @@
 // Every ion has its production over its losses (sim/light/chemistry/reactions.h); the density of thermal
 // electrons is that at which it equals the sum of all ions. The sum falls as electrons become more, so there
 // is one such density. Above some 250 km O+ lives so long that it moves first: it is taken to leave by
-// ambipolar diffusion within H^2/D, H = k(T + Te)/(m g) and D = k(T + Te)/(m nu), nu of O+ in O (Schunk and
-// Nagy 2009, "Ionospheres", table 4.5). Where it goes is left out.
+// ambipolar diffusion within H^2/D, H = k(T + Te)/(m g) and D = k(T + Te)/(m nu), nu of O+ in O, N2 and
+// O2 (Schunk and Nagy 2009, "Ionospheres", chapter 4), along a vertical field. Where it goes is left out.
 #pragma once
 
 #include <vector>

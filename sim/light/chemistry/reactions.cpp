@@ -1,8 +1,10 @@
 #include "sim/light/chemistry/reactions.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 
 #include "sim/base/embedded_table.h"
 #include "sim/base/error.h"
@@ -23,6 +25,25 @@ constexpr double kRoomK = 300.0, kHotElectronsK = 1200.0;
   throw Error(ErrorKind::unreadable_input, details);
 }
 
+bool is_one_of(int number, std::initializer_list<Reaction> reactions) {
+  return std::any_of(reactions.begin(), reactions.end(),
+                     [&](Reaction reaction) { return static_cast<int>(reaction) == number; });
+}
+
+/// Recombination, without which ions stay for ever, and the light of metastable atoms, by which they are
+/// counted.
+bool needs_more_than_nothing(int number) {
+  using R = Reaction;
+  return is_one_of(number, {R::n2p_e, R::o2p_e_cold, R::o2p_e_hot, R::nop_e_cold, R::nop_e_hot, R::n2a_light,
+                            R::o1s_5577, R::o1d_6300, R::n2d_5200, R::op2p_light_2d});
+}
+
+bool is_share(int number) {
+  using R = Reaction;
+  return is_one_of(number, {R::np_share, R::op_share, R::np_to_nop, R::np_to_o2p, R::np_to_op, R::light_4278,
+                            R::light_3371, R::light_6705, R::b_of_w});
+}
+
 }  // namespace
 
 void Reactions::read(const std::string& csv, const std::string& name, bool may_add) {
@@ -32,19 +53,30 @@ void Reactions::read(const std::string& csv, const std::string& name, bool may_a
              &of = table.column("of");
   table.require_within("exponent", -10.0, 10.0);
   table.require_within("activation_K", -1e4, 1e5);
+  table.require_within("of", 0.0, 2.0);
   for (std::size_t r = 0; r < table.rows(); ++r) {
+    if (!(numbers[r] >= 0.0 && numbers[r] < kReactionNumbers) || numbers[r] != std::floor(numbers[r]))
+      refuse_row(table, r, "there is no reaction of this number", "a number of data/electrons/reactions.csv");
     const int number = static_cast<int>(numbers[r]), by = static_cast<int>(of[r]);
     const auto known = rows_.find(number);
-    if (number < 0 || number >= kReactionNumbers || number != numbers[r] ||
-        (!may_add && known == rows_.end()))
+    if (!may_add && known == rows_.end())
       refuse_row(table, r, "there is no reaction of this number", "a number of data/electrons/reactions.csv");
     if (values[r] < 0.0) refuse_row(table, r, "the value is negative", "0 or more");
-    if (by < 0 || by > 2 || by != of[r] || (!may_add && by != known->second.of))
-      refuse_row(
-          table, r, "the column `of` is not that of the reaction",
-          "0 (a value alone), 1 (by the air's temperature) or 2 (by the electrons'), as the reaction has it");
+    if (needs_more_than_nothing(number) && values[r] == 0.0)
+      refuse_row(table, r, "the value is 0, and nothing else would end what it ends", "a value above 0");
+    if (is_share(number) && values[r] > 1.0) refuse_row(table, r, "a share is above 1", "0 to 1");
+    if (by != of[r] || (!may_add && by != known->second.of))
+      refuse_row(table, r, "the column `of` is not that of the reaction",
+                 "0 (a value alone), 1 (by the air's temperature) or 2 (by the electrons'), as the reaction "
+                 "has it");
     rows_[number] = {values[r], exponents[r], activations[r], by};
   }
+  constexpr double kRounding = 1e-9;
+  if (std::abs(value(Reaction::np_to_nop) + value(Reaction::np_to_o2p) + value(Reaction::np_to_op) - 1.0) >
+      kRounding)
+    refuse_file(ErrorKind::unreadable_input, name,
+                "the shares of N+ + O2, numbers 82 to 84, do not add up to 1",
+                "all three in the table, with a sum of 1");
 }
 
 const Reactions& Reactions::standard() {
@@ -79,7 +111,5 @@ double Reactions::value(Reaction reaction) const {
   assert(row.of == 0);
   return row.value;
 }
-
-void Reactions::set(Reaction reaction, double value) { rows_.at(static_cast<int>(reaction)).value = value; }
 
 }  // namespace vegard::sim

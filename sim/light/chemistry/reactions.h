@@ -104,16 +104,14 @@ class Reactions {
   static const Reactions& standard();
 
   /// The standard ones, with rows of a user's table of the same columns in place of theirs. Throws
-  /// Error(unreadable_input) for a number that is none of them, a negative value, or another `of`.
+  /// Error(unreadable_input) for a number that is none of them, a negative value, another `of`, a share above
+  /// 1, or nothing where something has to end what is made.
   static Reactions changed(const std::string& csv, const std::string& name);
 
   RatesAtPlace at(double temperature_k, double electron_temperature_k) const;
 
   /// A row without a temperature: a yield, a share, s^-1.
   double value(Reaction reaction) const;
-
-  /// One row with another value, its course with temperature kept.
-  void set(Reaction reaction, double value);
 
  private:
   struct Row {

@@ -68,7 +68,7 @@ CaseLight light_of(const Case& which, const TableRequest& request, const Degrada
   const AuroralRun run = auroral_run(all, air, incident_flux(spectrum, all.grid, which.flux_mw_m2),
                                      PitchAngles::isotropic, request.reactions);
   if (std::abs(run.rates.budget.missing_share()) > kMostMissing)
-    refuse_file(ErrorKind::unreadable_input, request.air_file,
+    refuse_file(ErrorKind::unreadable_input, request.air_file.empty() ? request.air_name : request.air_file,
                 "the energy of the electrons does not balance in this air",
                 "densities that fall off smoothly, to where electrons pass freely at the top");
   CaseLight light;

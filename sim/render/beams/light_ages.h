@@ -20,8 +20,8 @@ class LightAges {
  public:
   LightAges() = default;
   /// By emission.lag, the scene's lines and how soon each sheet changes; none where every point counts alike.
-  /// What lasts longer than an hour (N(2D), of 520.0 nm) counts as an hour to two old: so long nobody's scene
-  /// describes the past of an arc.
+  /// What lasts longer than the last interval's beginning, half an hour to an hour (N(2D), of 520.0 nm),
+  /// counts as that to twice that: so long nobody's scene describes the past of an arc.
   explicit LightAges(const Scene& scene);
 
   bool lags(int sheet) const { return count(sheet) > 1; }

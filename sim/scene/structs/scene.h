@@ -179,6 +179,9 @@ enum class FluxLaw {
 /// The emission tables of a scene that names none.
 inline const char* const kDefaultEmissionTables = "glow";
 
+/// Limits of Emission::oxygen_factor, and of the factors that tables are made for.
+inline constexpr double kLeastOxygenFactor = 0.1, kMostOxygenFactor = 10.0;
+
 /// When light is seen of the electrons that excite it.
 enum class EmissionLag {
   lifetime,  ///< after the atoms' effective lifetimes

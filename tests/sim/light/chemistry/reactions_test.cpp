@@ -6,6 +6,8 @@
 #include <string>
 
 #include "sim/base/error.h"
+#include "sim/base/file/input_file.h"
+#include "tests/support/source_folder.h"
 
 namespace vegard::sim::reactions_test {
 namespace {
@@ -43,6 +45,15 @@ TEST(Reactions, AUsersRowsReplaceTheStandardOnes) {
   EXPECT_DOUBLE_EQ(changed.value(Reaction::o1s_of_o2p), Reactions::standard().value(Reaction::o1s_of_o2p));
 }
 
+// The set that the columns "with GLOW's reactions" of docs/validation.md are made with.
+TEST(Reactions, OfTheComparisonReplaceTheStandardOnes) {
+  const std::string file = tests::source_folder() + "/data/electrons/reactions_solomon.csv";
+  const Reactions changed = Reactions::changed(input_bytes(file, "a table of reactions"), file);
+  EXPECT_DOUBLE_EQ(changed.value(Reaction::o1s_of_n2a), 0.19);
+  EXPECT_DOUBLE_EQ(changed.value(Reaction::o1s_5577), 1.06);
+  EXPECT_NEAR(changed.at(300.0, 1200.0)(Reaction::o1d_e), 1.62e-9, 1e-15);
+}
+
 void expect_refused(const std::string& row, const std::string& words) {
   try {
     Reactions::changed(kHead + row + "\n", "mine.csv");
@@ -60,6 +71,11 @@ TEST(Reactions, RefuseWhatIsNone) {
   expect_refused("-1,1,0,0,0", "no reaction of this number");
   expect_refused("1000000,1,0,0,0", "no reaction of this number");
   expect_refused("43,-0.1,0,0,0", "negative");
+  expect_refused("74,0,0,0,0", "is 0");
+  expect_refused("31,0,-0.7,0,2", "is 0");
+  expect_refused("80,1.5,0,0,0", "share");
+  expect_refused("82,0.6,0,0,0", "add up to 1");
+  expect_refused("1e300,1,0,0,0", "no reaction of this number");
   expect_refused("43,0.1,0,0,1", "`of`");
 }
 
