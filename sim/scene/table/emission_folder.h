@@ -15,12 +15,12 @@
 namespace vegard::sim {
 
 /// The files of a folder; the first four must be there.
-inline const char* const kMaxwellianFile = "ver_maxwellian.csv";
-inline const char* const kColumnsFile = "column_brightness.csv";
-inline const char* const kFluxesFile = "linearity_Q.csv";
-inline const char* const kTablesAirFile = "atmosphere.csv";
-inline const char* const kMonoFile = "ver_mono.csv";
-inline const char* const kAboutFile = "about.json";
+inline constexpr const char* kMaxwellianFile = "ver_maxwellian.csv";
+inline constexpr const char* kColumnsFile = "column_brightness.csv";
+inline constexpr const char* kFluxesFile = "linearity_Q.csv";
+inline constexpr const char* kTablesAirFile = "atmosphere.csv";
+inline constexpr const char* kMonoFile = "ver_mono.csv";
+inline constexpr const char* kAboutFile = "about.json";
 
 /// Whether emission.tables names tables that come with the program ("glow"), not a folder.
 bool are_built_in_tables(const std::string& name);
