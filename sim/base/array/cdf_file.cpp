@@ -272,6 +272,7 @@ class CdfFile : public ArrayFile {
       for (const std::uint64_t length : lengths)
         if (head.four() != 0) array.dims.push_back(length);
       if (head.is_short()) refuse_damaged("its record of a variable is cut short");
+      if (array.name.empty()) continue;  // nobody could ask for it
       if (!kind_of_type(data_type, array.kind, array.clock) || elements != 1) continue;
       variable.packing = (flags & kIsPacked) != 0 ? packing_of(packing_at) : kNoPacking;
       variable.varies = (flags & kVariesByRecord) != 0;
