@@ -9,6 +9,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/base/file/input_file.h"
+#include "sim/light/transport/electron_transport.h"
 
 namespace vegard::apps {
 namespace {
@@ -101,10 +102,8 @@ sim::AirTable air_of(const ElectronOptions& options) { return air_of_choice(opti
 
 std::string air_words(const ElectronOptions& options) { return words_of_air(options.atmosphere); }
 
-// An air whose density jumps, or that is thick where electrons begin, is not what the places are made for.
 void require_balance(const ElectronOptions& request, double missing_share) {
-  constexpr double kMostMissing = 0.03;
-  if (air_file(request.atmosphere).empty() || std::abs(missing_share) <= kMostMissing) return;
+  if (air_file(request.atmosphere).empty() || std::abs(missing_share) <= sim::kMostMissingShare) return;
   sim::refuse_file(sim::ErrorKind::unreadable_input, request.atmosphere,
                    fmt::format("the energy of the electrons does not balance in this air, {:.0f} % of it",
                                100.0 * std::abs(missing_share)),

@@ -17,7 +17,6 @@ namespace {
 
 constexpr double kFirstKm = 80.0, kLastKm = 640.0;
 constexpr double kLeastOfPeak = 1e-7;  // less is written as 0
-constexpr double kMostMissing = 0.03;  // of the energy
 constexpr const char* kIonisation = "ionisation_electron";
 constexpr std::array<double, 3> kFluxes = {0.1, 1.0, 10.0};  // mW m^-2, of the flux law
 
@@ -67,7 +66,7 @@ CaseLight light_of(const Case& which, const TableRequest& request, const Degrada
       field_air(with_oxygen_factor(request.air, which.oxygen), request.dip_deg, request.refinement);
   const AuroralRun run = auroral_run(all, air, incident_flux(spectrum, all.grid, which.flux_mw_m2),
                                      PitchAngles::isotropic, request.reactions);
-  if (std::abs(run.rates.budget.missing_share()) > kMostMissing)
+  if (std::abs(run.rates.budget.missing_share()) > kMostMissingShare)
     refuse_file(ErrorKind::unreadable_input, request.air_file.empty() ? request.air_name : request.air_file,
                 "the energy of the electrons does not balance in this air",
                 "densities that fall off smoothly, to where electrons pass freely at the top");

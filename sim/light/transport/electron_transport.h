@@ -53,6 +53,10 @@ struct ElectronBudget {
   double ev_per_ion_pair() const { return ion_pairs > 0.0 ? deposited_ev() / ion_pairs : 0.0; }
 };
 
+/// A budget that lacks more is of an air whose density jumps, or that is thick where electrons begin: not
+/// what the places are made for.
+inline constexpr double kMostMissingShare = 0.03;
+
 struct ElectronRates {
   std::array<std::vector<double>, kGases> ion_pairs_cm3_s;                ///< [gas][place]
   std::array<std::vector<std::vector<double>>, kGases> excitation_cm3_s;  ///< [gas][excitation][place]
