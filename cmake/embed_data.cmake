@@ -22,7 +22,7 @@ set(VEGARD_EMBEDDED_TABLES
     ${PROJECT_SOURCE_DIR}/data/filter/sky_trees.json)
 # The emission tables that are compiled in, by their folders in data/: those of kDefaultEmissionTables (sim/scene/structs/scene.h) must
 # be. Others of data/ are found as files at run time (sim/base/data_folders.h). They are called by folder and file, "glow/atmosphere.csv".
-set(VEGARD_EMBEDDED_EMISSION glow)
+set(VEGARD_EMBEDDED_EMISSION emission)
 foreach(folder IN LISTS VEGARD_EMBEDDED_EMISSION)
   foreach(name ver_maxwellian.csv ver_mono.csv column_brightness.csv linearity_Q.csv atmosphere.csv about.json)
     if(EXISTS ${PROJECT_SOURCE_DIR}/data/${folder}/${name})

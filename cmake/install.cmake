@@ -11,9 +11,13 @@ install(EXPORT vegardTargets NAMESPACE vegard:: DESTINATION ${VEGARD_INSTALL_CMA
 # Under include/vegard, so that #include "sim/render/render.h" reads the same inside and outside.
 install(DIRECTORY sim fit DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/vegard FILES_MATCHING PATTERN "*.h")
 
-# The emission tables travel with their licence, and NOTICE with the libraries that they are compiled into.
-install(DIRECTORY data/ DESTINATION ${VEGARD_INSTALL_DATADIR})
-install(FILES LICENSE NOTICE CITATION.cff CHANGELOG.md data/glow/glowlicense.txt DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# GLOW's tables travel with their licence, or stay behind: what is left is free (NOTICE).
+option(VEGARD_INSTALL_GLOW "Install GLOW's emission tables, which have a licence of their own" ON)
+if(NOT VEGARD_INSTALL_GLOW)
+  set(VEGARD_DATA_NOT_INSTALLED PATTERN "glow" EXCLUDE)
+endif()
+install(DIRECTORY data/ DESTINATION ${VEGARD_INSTALL_DATADIR} ${VEGARD_DATA_NOT_INSTALLED})
+install(FILES LICENSE NOTICE CITATION.cff CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 configure_package_config_file(cmake/vegardConfig.cmake.in ${PROJECT_BINARY_DIR}/vegardConfig.cmake
                               INSTALL_DESTINATION ${VEGARD_INSTALL_CMAKEDIR}

@@ -2,7 +2,11 @@
 # a folder is told before any work.
 source "$(dirname "$0")/case.sh"
 mkdir scenes
-cp "$SCENES/small.toml" scenes/plain.toml
+cp "$SCENES/small.toml" scenes/default.toml
+{
+  cat "$SCENES/small.toml"
+  printf '[emission]\ntables = "glow"\n'
+} >scenes/plain.toml
 {
   cat "$SCENES/small.toml"
   printf '[emission]\ntables = "own"\n'
@@ -16,6 +20,15 @@ light scenes/scene.toml own.ply
 expect_same plain.ply own.ply
 light scenes/plain.toml own.ply --set 'emission.tables="own"'
 expect_same plain.ply own.ply
+
+# The default tables are the program's own, which are those of data/emission; GLOW's are others.
+light scenes/default.toml default.ply
+cp -r "$SOURCE/data/emission" scenes/ours
+for tables in vegard ours; do
+  light scenes/plain.toml own.ply --set "emission.tables=\"$tables\""
+  expect_same default.ply own.ply
+done
+if cmp -s default.ply plain.ply; then fail "GLOW's tables and the default ones give the same light"; fi
 
 # Several factors of oxygen: 557.7 nm goes as the inverse of the factor.
 awk -F, -v OFS=, '

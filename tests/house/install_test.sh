@@ -26,7 +26,7 @@ prefix=$work/moved
 
 for file in bin/vegard include/vegard/sim/base/image.h include/vegard/fit/measure/profile.h share/vegard/data/README.md \
   share/vegard/data/glow/ver_maxwellian.csv share/vegard/data/glow/glowlicense.txt share/doc/vegard/LICENSE \
-  share/doc/vegard/NOTICE share/doc/vegard/glowlicense.txt; do
+  share/doc/vegard/NOTICE; do
   [[ -e $prefix/$file ]] || fail "$file is not installed"
 done
 if grep -rlF -e "$source/" -e "$build/" --include='*.cmake' --include='*.h' "$prefix" >&2; then

@@ -45,7 +45,8 @@ inline sim::Sheet true_sheet(const nlohmann::json& truth) {
 /// Camera, field, lens and sheet as they are.
 inline sim::Scene known_scene(const nlohmann::json& truth) {
   sim::Scene scene;
-  scene.emission.flux_law = sim::FluxLaw::linear;  // that of the program that made the pictures
+  scene.emission.tables = "glow";  // those of the program that made the pictures, as is
+  scene.emission.flux_law = sim::FluxLaw::linear;
   scene.site.latitude_deg = truth.at("site").at("latitude_deg");
   scene.field.inclination_deg = truth.at("field").at("inclination_deg");
   scene.field.declination_deg = truth.at("field").at("declination_deg");

@@ -56,6 +56,7 @@ MapRaster truth_raster() {
 /// the origin's frame, whose north is turned by the meridians' convergence.
 sim::Scene scene_of(const nlohmann::json& truth, int which) {
   sim::Scene scene;
+  scene.emission.tables = "glow";  // those of the program that made the pictures, as is
   scene.emission.flux_law = sim::FluxLaw::linear;
   scene.site.latitude_deg = truth.at("site").at("latitude_deg");
   scene.field.inclination_deg = truth.at("field").at("inclination_deg");

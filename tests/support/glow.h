@@ -8,15 +8,23 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/embedded_table.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/base/number/spline.h"
 #include "sim/light/emission_tables.h"
 #include "sim/light/height_profile.h"
+#include "sim/scene/table/emission_folder.h"
 
 namespace vegard::tests {
 
 inline sim::EmissionSource glow() { return {sim::emission_tables("glow"), 1.0}; }
+
+/// The text of one of the files of data/glow that make emission tables.
+inline const std::string& glow_text(const std::string& file) {
+  return sim::built_in_tables("glow")->files.at(file);
+}
+inline sim::CsvTable glow_table(const std::string& file) {
+  return sim::read_csv_table(glow_text(file), "glow/" + file);
+}
 
 /// data/glow/column_brightness.csv: the model's full column in rayleighs, which the tables' makers summed on
 /// the model's own grid. Its energies are those of the emission tables, rounded to five digits.
@@ -46,7 +54,7 @@ class GlowColumns {
   }
 
  private:
-  sim::CsvTable table_ = sim::embedded_csv_table("glow/column_brightness.csv");
+  sim::CsvTable table_ = glow_table("column_brightness.csv");
 };
 
 /// The program's column in rayleighs, from 80 to 640 km.
@@ -57,7 +65,7 @@ inline sim::Column program_column(double wavelength_nm, double energy_kev) {
 
 /// The emission table without every second of its energies; the first and the last stay.
 inline sim::EmissionTable every_second_energy() {
-  std::istringstream text{std::string(sim::embedded_table("glow/ver_maxwellian.csv"))};
+  std::istringstream text(glow_text("ver_maxwellian.csv"));
   std::string line, kept, last;
   std::getline(text, line);
   kept = line + "\n";

@@ -18,7 +18,7 @@ std::vector<Declaration> light_rows() {
           .rule(line_complaint).list_rule(lines_complaint).set_by(change_lines)
           .means("wavelengths of the emission lines"),
       Row("emission", "tables", &Scene::emission, &Emission::tables).names_folder().rule(emission_tables_complaint)
-          .means("the emission tables: \"glow\", \"vegard\" (our own, under a free licence), or a folder relative to the scene's file (docs/file_formats.md)"),
+          .means("the emission tables: \"vegard\" (our own), \"glow\" (of the GLOW model, whose licence is not free), or a folder relative to the scene's file (docs/file_formats.md)"),
       Row("emission", "oxygen_factor", &Scene::emission, &Emission::oxygen_factor).as(ParameterRole::oxygen_factor)
           .within(kLeastOxygenFactor, kMostOxygenFactor).may_be_free(ParameterScale::logarithmic)
           .means("atomic oxygen, as a multiple of what the tables' air has; other than 1 only for tables of several factors, and within those"),

@@ -177,7 +177,7 @@ enum class FluxLaw {
 };
 
 /// The emission tables of a scene that names none.
-inline const char* const kDefaultEmissionTables = "glow";
+inline const char* const kDefaultEmissionTables = "vegard";
 
 /// Limits of Emission::oxygen_factor, and of the factors that tables are made for.
 inline constexpr double kLeastOxygenFactor = 0.1, kMostOxygenFactor = 10.0;

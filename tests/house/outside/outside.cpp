@@ -23,7 +23,7 @@ void expect(bool good, const char* what) {
 
 void use_sim() {
   using namespace vegard::sim;
-  expect(!embedded_table("glow/ver_maxwellian.csv").empty(), "the emission tables are not in the library");
+  expect(!embedded_table("emission/ver_maxwellian.csv").empty(), "the emission tables are not in the library");
   expect(std::abs(srgb_encode(0.18) - 0.461356) < 1e-6, "the transfer curve is wrong");
   const Scene scene = parse_scene(
       "camera = { width = 48, height = 32 }\nsheet = [{ name = \"main\", beams = 100 }]\n", "outside.toml");

@@ -335,6 +335,7 @@ TEST(EmissionTables, SayWhereTheOtherFilesAreWrong) {
 
 TEST(CheckEmissionTables, RefusesOxygenThatTheTablesDoNotHave) {
   Scene scene;
+  scene.emission.tables = "glow";
   check_emission_tables(scene);
   scene.emission.oxygen_factor = 1.2;
   expect_words(tests::expect_error(ErrorKind::scene, [&] { check_emission_tables(scene); }),

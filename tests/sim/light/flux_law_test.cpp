@@ -18,7 +18,7 @@ namespace {
 const FluxFactors& glow_factors() { return tests::glow().tables.flux_factors(); }
 
 TEST(FluxLaw, GivesGlowsColumnsBackWithTheBackgroundOfZeroFlux) {
-  const CsvTable glow = embedded_csv_table("glow/linearity_Q.csv");
+  const CsvTable glow = tests::glow_table("linearity_Q.csv");
   int checked = 0;
   for (const std::string line : {"3371", "4278", "5200", "5577", "6300", "7774", "8446"}) {
     const std::string column = "ver_" + line;

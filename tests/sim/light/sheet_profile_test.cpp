@@ -62,6 +62,7 @@ TEST(SheetProfile, FollowsTheColumnsOfItsEnergyFlux) {
   const auto green = [&](double flux, const char* law) {
     sheet.energy_flux_mw_m2 = flux;
     Scene scene = tests::with_sheet(sheet);
+    scene.emission.tables = "glow";
     scene.emission.flux_law = tests::kind_named<FluxLaw>(law);
     return column_below(sheet_profile({557.7}, scene, 0), 0, HeightProfile::kTopKm).rayleigh;
   };

@@ -16,7 +16,7 @@ namespace {
 // 6357 km.
 TEST(TablesAir, IsHeldByTheEarthsGravity) {
   constexpr double kBoltzmann = 1.380649e-23, kDalton = 1.66053907e-27;
-  const CsvTable table = embedded_csv_table("glow/atmosphere.csv");
+  const CsvTable table = tests::glow_table("atmosphere.csv");
   const std::vector<double>& altitude = table.column("altitude_km");
   ASSERT_EQ(tests::glow().tables.air().size(), altitude.size());
   int found = 0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/base/file/csv_table.h"
+#include "tests/support/glow.h"
 
 namespace vegard::sim::msis_model_test {
 namespace {
@@ -119,7 +120,7 @@ TEST(MsisModel, GivesThePublishedAir) {
 /// precision, where exponents of -30, as O has them near 80 km, cost some units of 30 * 6e-8, and
 /// gives temperatures to a hundredth.
 TEST(MsisModel, GivesTheAirOfGlow) {
-  const CsvTable glow = embedded_csv_table("glow/atmosphere.csv");
+  const CsvTable glow = tests::glow_table("atmosphere.csv");
   MsisDrivers drivers;
   drivers.day_of_year = 80.0;  // 21 March
   drivers.ut_s = 36000.0;

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "sim/base/data_folders.h"
+#include "sim/base/embedded_table.h"
 #include "sim/base/error.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/same_values.h"
@@ -66,6 +67,9 @@ TEST(EmissionFolder, ComesWithTheProgramByName) {
   EXPECT_TRUE(are_built_in_tables(kDefaultEmissionTables));
   EXPECT_EQ(built_in_tables("glow"), built_in_tables("glow"));
   EXPECT_EQ(built_in_tables("glow")->files.count(kMaxwellianFile), 1u);
+  // What is compiled in is under the program's own licence (NOTICE).
+  EXPECT_FALSE(embedded_table("emission/" + std::string(kMaxwellianFile)).empty());
+  EXPECT_TRUE(embedded_table("glow/" + std::string(kMaxwellianFile)).empty());
   tests::expect_error(ErrorKind::unreadable_input, [] { built_in_tables("own"); });
   Scene scene;
   const auto beside = [](const std::string& name) { return "../" + name; };
