@@ -26,6 +26,7 @@
 #include "apps/output/terminal.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/picture/image_io.h"
+#include "sim/render/grain.h"
 #include "sim/render/render.h"
 #include "sim/view/colour/colour_table.h"
 #include "sim/view/sensor/tone_curve.h"
@@ -38,7 +39,7 @@ struct RenderRequest {
   std::string output, lines, raw, layers;
   PictureOptions picture;
   int threads = 0;
-  bool overwrite = false, camera_json = false;
+  bool overwrite = false, camera_json = false, grain = false;
   std::string memory_limit;
 };
 
@@ -65,6 +66,8 @@ void spare_what_is_rendered(const RenderRequest& options, const sim::Scene& scen
 
 /// Refuses what would be refused at the end, before the work.
 void check_outputs(const RenderRequest& options, const sim::Scene& scene) {
+  if (options.grain && scene.blur.model == sim::BlurModel::physical)
+    throw usage_error("--grain", "with blur.model = \"physical\" it is not known", "leave it out");
   if (options.output.empty() && options.lines.empty() && options.raw.empty())
     throw usage_error("--output", "nothing to write", "-o OUT, --lines OUT.exr, --raw OUT.tif or several");
   if (same_file(options.output, options.lines))
@@ -133,6 +136,15 @@ void write_outputs(const RenderRequest& options, const sim::Scene& scene, sim::R
   if (camera) camera->commit();
 }
 
+/// Of beams: volumes have none.
+std::string grain_text(const sim::Scene& scene, const std::vector<double>& grain) {
+  std::string text = "grain";
+  for (std::size_t l = 0; l < grain.size(); ++l)
+    text += fmt::format("{} {:.1f} % of a pixel's light at {:.1f} nm", l > 0 ? "," : "", 100.0 * grain[l],
+                        scene.emission.lines[l]);
+  return text;
+}
+
 std::string facts(const sim::Scene& scene, const sim::Rendering& rendering) {
   const sim::Image& image = rendering.rayleigh;
   std::string text = fmt::format("{} x {} pixels, ", image.width, image.height);
@@ -162,6 +174,7 @@ int run_render(const RenderRequest& request) {
 
   const std::atomic<bool>& stop = watch_for_interrupt();
   sim::Rendering rendering;
+  std::vector<double> grain;
   ProgressBar bar("rendering");
   {
     sim::RenderOptions render_options;
@@ -172,6 +185,8 @@ int run_render(const RenderRequest& request) {
     render_options.pictures = &pictures;
     render_options.sheet_layers = !options.layers.empty();
     rendering = sim::render(scene, render_options);
+    render_options.progress = {};
+    if (options.grain && !stop.load()) grain = sim::grain_per_px(scene, rendering, render_options);
   }
   if (stop.load()) {
     bar.finish();
@@ -190,6 +205,7 @@ int run_render(const RenderRequest& request) {
   for (const std::string& name : {options.output, options.lines, options.raw, camera_file(options)})
     if (!name.empty()) written += (written.empty() ? "" : ", ") + name;
   say("%s: %s\n", written.c_str(), summary.c_str());
+  if (options.grain) say("%s\n", grain_text(scene, grain).c_str());
   return good;
 }
 
@@ -223,6 +239,8 @@ void add_render_command(Program& program) {
       .range(1e-3, 1e6)
       .type_name("MCD_M2")
       .needs(as_seen);
+  command.flag("--grain", options->grain,
+               "Render once more with other paths of the beams, and tell by how much a pixel differs");
   command.flag("--camera-json", options->camera_json,
                "Write the camera's matrices beside the picture, OUT.camera.json");
   command.flag("--overwrite", options->overwrite, "Replace outputs that exist");

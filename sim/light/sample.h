@@ -66,6 +66,7 @@ struct Deflection {
   T loss_cone_rad;
   T pitch_step_rad;
   double path_step = 0.0;  ///< d_t, the largest step as a fraction of the path
+  PathRule rule = PathRule::even;
 };
 
 /// The nodes of a quadrature along a path, in the place of drawn steps: what is left of the path, plus

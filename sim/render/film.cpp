@@ -153,7 +153,7 @@ Exposer::Exposer(const Scene& scene, const FilmGeometry& film, int threads, doub
                  const BeamSampling& sampling, std::shared_ptr<const Volumes> volumes)
     : work_(new Workspace{film,
                           thread_count(threads),
-                          sampling.draw,
+                          sampling.draw + sampling.path_draw,
                           laid_out(scene, film, beyond, sampling),
                           {},
                           {},

@@ -55,6 +55,8 @@ struct BeamSampling {
   bool mean = false;
   double smooth_px = 0.0;
   double fineness = 1.0;  ///< nodes stand so many times as densely as that asks for
+  /// As `draw`, where the steps of beams alone draw from it: other paths of beams that stand where they stood.
+  std::uint64_t path_draw = 0;
 };
 
 /// Exposes one film again and again, as a fit does. The beams' places, steps and random numbers follow from

@@ -12,10 +12,7 @@ namespace vegard::sim {
 double expected_deflection_points(const Scene& scene) {
   double points = 0.0;
   for (const Sheet& sheet : scene.sheets) {
-    const std::optional<double> energy_kev = mean_energy_kev(sheet);
-    const double path_step =
-        sheet.step_rule == PathStepRule::energy && energy_kev ? path_step_of(*energy_kev) : sheet.path_step;
-    points += 2.0 / path_step * beams_per_layer(sheet) * sheet.layers * sheet.arcs;
+    points += 2.0 / path_step_of(sheet) * beams_per_layer(sheet) * sheet.layers * sheet.arcs;
   }
   return points * scene.time.instants;
 }
@@ -35,7 +32,7 @@ Scene reduced_scene(const Scene& scene, const Reduction& reduction) {
     for (Sheet& sheet : reduced.sheets) {
       // By their number, so that no limit of beams_per_km stands in the way.
       sheet.beams = std::max(1, static_cast<int>(std::lround(beams_per_layer(sheet) * share)));
-      sheet.beams_per_km = 0.0;
+      sheet.beams_per_km = sheet.points_per_px = 0.0;
     }
   return reduced;
 }

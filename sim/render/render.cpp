@@ -6,6 +6,7 @@
 
 #include "sim/emit/aurora/motion.h"
 #include "sim/render/air_on_film.h"
+#include "sim/render/beams/sheet_nodes.h"
 #include "sim/render/film.h"
 #include "sim/render/literal_layer.h"
 #include "sim/render/physical_blur.h"
@@ -102,9 +103,12 @@ Image rayleigh_image(const Scene& scene, const Exposure& exposure, int threads) 
   return rayleigh;
 }
 
-Rendering render(const Scene& scene, const RenderOptions& options) {
-  const int width = scene.camera.width, height = scene.camera.height;
-  const FilmGeometry film = film_for(scene, 0, 0, width, height, 1.0, 1.0);
+Rendering render(const Scene& as_given, const RenderOptions& options) {
+  const int width = as_given.camera.width, height = as_given.camera.height;
+  const FilmGeometry film = film_for(as_given, 0, 0, width, height, 1.0, 1.0);
+  const Scene scene = with_enough_beams(as_given, film);
+  BeamSampling sampling;
+  sampling.path_draw = options.path_draw;
   const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
   const std::size_t exposures = options.sheet_layers ? 1 + scene.sheets.size() : 1;
   const auto progress_of = [&](std::size_t n) {
@@ -123,7 +127,7 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
     Exposer* exposer = nullptr;
     if (scene.blur.model == BlurModel::angle)
       exposer = options.memory != nullptr ? &options.memory->exposer(film)
-                                          : &own_exposer.emplace(scene, film, options.threads);
+                                          : &own_exposer.emplace(scene, film, options.threads, 0.0, sampling);
     const auto lines_of = [&](std::size_t n, int only_sheet, std::uint64_t& points) {
       if (!exposer) {
         Image lines = dark_lines(scene);

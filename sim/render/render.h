@@ -23,6 +23,7 @@ struct RenderOptions {
   /// The pictures of the scene's [composite], at the camera's size; none: nothing behind or before the
   /// aurora.
   const CompositePictures* pictures = nullptr;
+  std::uint64_t path_draw = 0;  ///< other paths of the same beams (BeamSampling in sim/render/film.h)
   bool sheet_layers = false;  ///< each sheet by itself as well, for twice the work
   /// What is kept from one picture to the next (sim/render/render_memory.h). The picture does not depend on
   /// it.

@@ -165,6 +165,15 @@ HWY_INLINE Pack upper_uniform(WordVector word) {
 }
 HWY_INLINE double upper_uniform(std::uint32_t word) { return sim::upper_uniform(word); }
 
+/// A word a beam whose upper halves, of beams next to each other, fill 0 to 1 evenly: Weyl's sequence of the
+/// golden ratio, from where `from` says.
+HWY_INLINE WordVector golden_word(WordVector beams, std::uint32_t from) {
+  return hn::Add(hn::Mul(beams, hn::Set(WordTag(), 0x9E3779B9u)), hn::Set(WordTag(), from));
+}
+HWY_INLINE std::uint32_t golden_word(std::uint32_t beam, std::uint32_t from) {
+  return beam * 0x9E3779B9u + from;
+}
+
 HWY_INLINE Pack place_in_quarter(WordVector word) {
   const auto integer = hn::BitCast(IntTag(), hn::And(word, hn::Set(WordTag(), azimuth_bits::kPlace)));
   return Pack(hn::ConvertTo(FloatTag(), integer)) * Pack(azimuth_bits::kCell) + Pack(azimuth_bits::kFirst);

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
 #include "sim/emit/aurora/sheet_curve.h"
+#include "sim/light/electron.h"
 
 namespace vegard::sim {
 namespace {
@@ -18,7 +20,6 @@ double phase_laid_out(const Sheet& sheet, const BeamPlace& place, int layer, dou
          sheet.phase_rad + sheet.phase_shift_rad * layer_part;
 }
 
-constexpr int kSheetMostBeams = 10000000;
 
 /// Van der Corput's sequence in base 2: the bits of i mirrored at the point.
 double van_der_corput(std::uint32_t i) {
@@ -66,6 +67,11 @@ double aside_laid_out_km(const Sheet& sheet, const BeamPlace& place, int layer, 
 double slope_laid_out(const Sheet& sheet, const BeamPlace& place, int layer, double instant_s) {
   return sheet.thickness_km * kTwoPi / sheet.wavelength_km *
          std::cos(phase_laid_out(sheet, place, layer, instant_s));
+}
+
+double path_step_of(const Sheet& sheet) {
+  const std::optional<double> energy_kev = mean_energy_kev(sheet);
+  return sheet.step_rule == PathStepRule::energy && energy_kev ? path_step_of(*energy_kev) : sheet.path_step;
 }
 
 int beams_per_layer(const Sheet& sheet) {

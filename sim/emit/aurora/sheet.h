@@ -93,6 +93,12 @@ double aside_laid_out_km(const Sheet& sheet, const BeamPlace& place, int layer, 
 /// The slope of that place's sine: how far aside it goes per km along.
 double slope_laid_out(const Sheet& sheet, const BeamPlace& place, int layer, double instant_s);
 
+/// The largest step of a beam's path as a fraction of it: as the scene says, or by the electrons' energy.
+double path_step_of(const Sheet& sheet);
+
+/// As many beams as a layer may have.
+inline constexpr int kSheetMostBeams = 10000000;
+
 /// How many beams a layer has: as many as the scene says, or as its length asks for.
 int beams_per_layer(const Sheet& sheet);
 

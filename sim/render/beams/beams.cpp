@@ -186,9 +186,7 @@ BeamLayout::BeamLayout(const Scene& scene, double beyond, std::vector<SheetNodes
   stretches_.resize(instants_s_.size());
   for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
     const Sheet& sheet = scene.sheets[s];
-    const std::optional<double> energy_kev = mean_energy_kev(sheet);
-    path_steps_.push_back(sheet.step_rule == PathStepRule::energy && energy_kev ? path_step_of(*energy_kev)
-                                                                                : sheet.path_step);
+    path_steps_.push_back(path_step_of(sheet));
     places_.emplace_back();
     curves_.push_back(is_curve(sheet) ? curve_layout(sheet) : CurveLayout{});
     const double dark = is_curve(sheet) ? 0.0 : beyond;  // a curve's ends carry their beams along

@@ -95,6 +95,7 @@ KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_ste
   k.deflection.loss_cone_rad = local<LocalDual>(sheet.loss_cone_deg, loss_cone);
   k.deflection.pitch_step_rad = local<LocalDual>(sheet.pitch_step_rad, pitch_step, 1.0);
   k.deflection.path_step = path_step;
+  k.deflection.rule = sheet.path_rule;
   k.view = camera_view<LocalDual>(scene.camera, [&](CameraNumber which) {
     return local<LocalDual>(camera_number(scene.camera, which), first_camera_input + which, 1.0);
   });

@@ -70,6 +70,7 @@ inline void list_every_point(const KernelScene& scene, const BeamGroup* groups, 
   spread(scene.deflection.pitch_step_rad, deflection.pitch_step_rad);
   deflection.law = scene.deflection.law;
   deflection.path_step = scene.deflection.path_step;
+  deflection.rule = scene.deflection.rule;
   PhiloxKeys keys;
   philox_keys(scene.seed, keys);
   for (std::size_t g = 0; g < count; ++g) {

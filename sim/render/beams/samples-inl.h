@@ -131,6 +131,7 @@ class SampleMaker {
     spread(scene.deflection.pitch_step_rad, deflection_.pitch_step_rad, inputs_);
     deflection_.law = scene.deflection.law;
     deflection_.path_step = scene.deflection.path_step;
+    deflection_.rule = scene.deflection.rule;
     if (scene.nodes.any()) paths_ = {scene.nodes, MeanPath<C>(deflection_), -std::log(scene.nodes.shrink)};
     film_.set(scene.view.lens, scene.film,
               [this](const LocalDual& number, C& to) { spread(number, to, inputs_); });

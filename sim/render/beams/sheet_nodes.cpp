@@ -37,10 +37,11 @@ constexpr double kHat = 0.41;       // standard deviation of a hat, in cells
 constexpr double kFurthestNodesKm = 4.0;
 constexpr double kFurthestBeamsKm = 8.0;
 constexpr double kLeastBeams = 64.0, kMostBeams = 1e6;
-constexpr double kStretchKm = 100.0;  // above the bottom nodes stand twice as far apart, and so on upwards
-constexpr double kNearKm = 100.0;     // of a sheet that is not in view
-constexpr int kParts = 96;            // of a line
-constexpr double kOutOfView = 0.25;   // of the beams where they stand most densely
+constexpr double kStretchKm = 100.0;     // above the bottom nodes stand twice as far apart, and so on upwards
+constexpr double kNearKm = 100.0;        // of a sheet that is not in view
+constexpr int kParts = 96;               // of a line
+constexpr double kMostMoreBeams = 16.0;  // than are said
+constexpr double kOutOfView = 0.25;      // of the beams where they stand most densely
 constexpr double kLowKm = 105.0, kHighKm = 125.0;  // where most light is
 
 /// Where a camera sees a point of the field line through a foot.
@@ -136,6 +137,26 @@ double structure_km(const Sheet& sheet) {
   return std::min(kFurthestBeamsKm, sheet.wavelength_km / 16.0);
 }
 
+/// Square pixels that a square kilometre of a sheet takes in the picture, where it takes most; 0 out of view.
+double px2_per_km2(const Scene& scene, const Sheet& sheet, const Sights& sights) {
+  const double step_km = line_length_km(sheet) / kParts;
+  double most = 0.0;
+  for (const double instant : instants_s(scene.time)) {
+    for (int arc = 0; arc < sheet.arcs; ++arc) {
+      const std::vector<EastNorth> feet = is_curve(sheet) ? curve_feet(sheet, instant, kParts + 1)
+                                                          : sine_feet(scene, sheet, instant, arc, kParts + 1);
+      for (int k = 0; k < kParts; ++k) {
+        const Sight low = sights.at(feet[k], kLowKm), high = sights.at(feet[k], kHighKm),
+                    on = sights.at(feet[k + 1], kLowKm);
+        if (!low.seen || !high.seen || !on.seen) continue;
+        const double area = (on.x - low.x) * (high.y - low.y) - (on.y - low.y) * (high.x - low.x);
+        most = std::max(most, std::abs(area) / (step_km * (kHighKm - kLowKm)));
+      }
+    }
+  }
+  return most;
+}
+
 /// Not less than the standard deviation to either side at the lower end of a path (MeanPath in
 /// sim/emit/aurora/fall-inl.h).
 double tube_km(const Sheet& sheet) {
@@ -159,6 +180,22 @@ bool has_expected_picture(const Scene& scene) {
   return std::all_of(scene.sheets.begin(), scene.sheets.end(), [](const Sheet& sheet) {
     return sheet.fold_spacing_km == 0.0 && sheet.curl_spacing_km == 0.0 && sheet.border_amplitude_km == 0.0;
   });
+}
+
+Scene with_enough_beams(const Scene& scene, const FilmGeometry& film) {
+  Scene enough = scene;
+  const Sights sights(scene, film);
+  for (Sheet& sheet : enough.sheets) {
+    if (sheet.points_per_px <= 0.0) continue;
+    const double points_per_km = 2.0 / path_step_of(sheet) / (sheet.top_km - HeightProfile::kBottomKm);
+    const double beams =
+        sheet.points_per_px * px2_per_km2(scene, sheet, sights) / points_per_km * line_length_km(sheet);
+    const int said = beams_per_layer(sheet);
+    const double most = std::min(kMostMoreBeams * said, static_cast<double>(kSheetMostBeams));
+    sheet.beams = std::max(said, static_cast<int>(std::min(std::ceil(beams), most)));
+    sheet.beams_per_km = 0.0;
+  }
+  return enough;
 }
 
 std::vector<SheetNodes> sheet_nodes(const Scene& scene, const FilmGeometry& film, double smooth_px,

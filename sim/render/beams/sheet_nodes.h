@@ -1,7 +1,6 @@
-// How densely sheets are looked at where the expected picture is wanted: the mean over all draws of beams.
-//
-// Along a sheet and down its field lines nodes stand at distances of so many pixels, as the camera sees them
-// where the sheet is nearest, and close enough to each other for the sheet's own structures.
+// How densely sheets are looked at, by the pixels of a film where the camera sees them nearest: the nodes that
+// tell the expected picture, which is the mean over all draws of beams, and the beams that a picture of one
+// draw takes to be free of grain.
 #pragma once
 
 #include <vector>
@@ -20,5 +19,9 @@ bool has_expected_picture(const Scene& scene);
 /// rows by `smooth_px`; `fineness` makes every distance so many times smaller.
 std::vector<SheetNodes> sheet_nodes(const Scene& scene, const FilmGeometry& film, double smooth_px = 0.0,
                                     double fineness = 1.0);
+
+/// The scene with as many beams as Sheet::points_per_px asks for on this film, at least those that it has, at
+/// most 16 times as many.
+Scene with_enough_beams(const Scene& scene, const FilmGeometry& film);
 
 }  // namespace vegard::sim

@@ -81,6 +81,10 @@ std::vector<Declaration> sheet_rows() {
           .means("electron beams per kilometre of each layer, in place of their number; 0: beams says"),
       Row("step_rule", &Sheet::step_rule).one_of<PathStepRule>({{"given", PathStepRule::given}, {"energy", PathStepRule::energy}})
           .means("whether path_step is taken as it is, or follows from the electrons' mean energy"),
+      Row("path_rule", &Sheet::path_rule).one_of<PathRule>({{"even", PathRule::even}, {"random", PathRule::random}})
+          .means("steps of half of path_step, which begin elsewhere for each beam; or the paper's, random between nothing and path_step, of which a picture takes far more beams to be free of grain"),
+      Row("points_per_px", &Sheet::points_per_px).in("px⁻¹").within(0, 1000)
+          .means("a picture is rendered with as many more beams as it takes (up to 16 times as many) to have so many deflection points of each layer on every pixel; 0: with those that are said"),
       Row("arcs", &Sheet::arcs).within(1, 64).means("how many like sheets stand side by side, center_km in their middle"),
       Row("arc_spacing_km", &Sheet::arc_spacing_km).called("spacing of the arcs").in("km").within(0.1, 1000).may_be_free(ParameterScale::logarithmic)
           .means("distance between them (10 to 100 in nature)"),

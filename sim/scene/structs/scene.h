@@ -118,6 +118,8 @@ struct Sheet {
   SpacingRule spacing_rule = SpacingRule::stratified;
   double beams_per_km = 0.0;  ///< if not 0, the number of beams follows from the length
   PathStepRule step_rule = PathStepRule::given;
+  PathRule path_rule = PathRule::even;
+  double points_per_px = 0.0;  ///< render() draws more beams where a layer has fewer deflection points a pixel
 
   int arcs = 1;                  ///< like sheets side by side
   double arc_spacing_km = 30.0;  ///< between them

@@ -30,6 +30,12 @@ enum class SpacingRule {
   literal      ///< by the paper's walk, whose phase does not follow it
 };
 
+/// How long the steps of a beam's path are.
+enum class PathRule {
+  even,   ///< all alike, and beams next to each other begin at other places
+  random  ///< between nothing and the largest one, as in the paper
+};
+
 /// The largest step of a beam's path.
 enum class PathStepRule {
   given,  ///< path_step

@@ -105,6 +105,7 @@ Scene scene_that_needs_all() {
 
 TEST(FilmDerivatives, EveryFreeNumberAgreesWithDifferences) {
   Scene scene = scene_that_needs_all();
+  scene.sheets[0].beams = 800;  // what differences make of the film's kinks falls with their number
   expect_derivatives(scene, 0.01);
 }
 
@@ -241,6 +242,7 @@ TEST(FilmDerivatives, SouthernSheetsOfTheLiteralRuleAgreeWithDifferences) {
   sheet.pitch_step_rad = 0.4;
   sheet.loss_cone_deg = 25.0;
   sheet.path_spread = 0.2;
+  sheet.beams = 800;
   expect_derivatives(scene, 0.02);
 }
 

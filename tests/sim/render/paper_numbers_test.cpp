@@ -54,7 +54,7 @@ TEST(PaperNumbers, PhaseAfterAllPointsIsTwoPiDOverLambda) {
 // Section 3.2: "on average an electron with 10 keV ... can collide 300 times".
 TEST(PaperNumbers, MeanCollisionsAreThoseOfTheFallingBeams) {
   Scene scene = parse_scene(
-      "[[sheet]]\nmean_collisions = 300\ncenter_km = [0, 200]\nlength_km = 10\nbeams = 200\nlayers = 1\n",
+      "[[sheet]]\nmean_collisions = 300\npath_rule = 'random'\ncenter_km = [0, 200]\nlength_km = 10\nbeams = 200\nlayers = 1\n",
       "x.toml");
   // 200 beams of 299.67 +- 10 points each.
   EXPECT_NEAR(static_cast<double>(exposed(scene).deflection_points) / 200.0, 299.67,

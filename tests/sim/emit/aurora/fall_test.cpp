@@ -22,10 +22,11 @@ struct Falls {
   double mean_light = 0.0, deviation_of_light = 0.0;  ///< of the path that the points above the end stand for
 };
 
-Falls fall(PitchLaw law, int beams, double path_step = 1.0 / 300.0) {
+Falls fall(PitchLaw law, int beams, double path_step = 1.0 / 300.0, PathRule rule = PathRule::random) {
   constexpr double kLengthKm = 200.0;
   Deflection<double> deflection;
   deflection.law = law;
+  deflection.rule = rule;
   deflection.loss_cone_rad = 2.5 * kRadiansPerDegree;
   deflection.pitch_step_rad = 0.015;
   deflection.path_step = path_step;
@@ -80,6 +81,50 @@ TEST(FallingBeams, SpreadByTheReadingOfEquationFour) {
   expect_metres(PitchLaw::constant, 411.0, 0.5);
 }
 
+TEST(FallingBeams, OfEvenStepsSpreadAlikeAndHaveNoGrainOfTheirOwn) {
+  // Tolerances as above. A path has its 600 points; the first stands for up to half a step less than a whole.
+  for (const auto& [law, metres] : {std::pair{PitchLaw::increment, 82.0}, std::pair{PitchLaw::reduced, 342.0},
+                                    std::pair{PitchLaw::constant, 411.0}}) {
+    const Falls even = fall(law, 4000, 1.0 / 300.0, PathRule::even);
+    EXPECT_NEAR(1000.0 * even.spread_km, metres, 0.032 * metres + 0.5);
+    EXPECT_NEAR(even.mean_points, 600.0, 0.01);
+    EXPECT_NEAR(even.mean_light, 200.0, 0.5 * 200.0 / 600.0);
+    EXPECT_LT(even.deviation_of_light, 0.5 * fall(law, 4000).deviation_of_light);
+  }
+}
+
+TEST(FallingBeams, OfEvenStepsBeginBetweenTheirNeighbours) {
+  // Of eight points of Weyl's sequence of the golden ratio none is nearer to another than 1 / phi^5, 0.09, or
+  // farther from the next than 1 / phi^3, 0.24 (the three-distance theorem), in units of the even step.
+  Deflection<double> deflection;
+  deflection.loss_cone_rad = 0.04;
+  deflection.pitch_step_rad = 0.015;
+  deflection.path_step = 0.01;
+  HWY_NAMESPACE::PhiloxKeys keys;
+  HWY_NAMESPACE::philox_keys(12, keys);
+  for (std::uint32_t layer = 0; layer < 3; ++layer) {
+    std::vector<double> first;
+    for (std::uint32_t b = 40; b < 48; ++b) {
+      Beams beam;
+      beam.start(150.0, b, layer, keys);
+      double before = 0.0;
+      beam.next_four(deflection, keys, [&](int i, const Point& p) {
+        if (i == 0) first.push_back(p.t / 0.005);
+        if (i > 0) {
+          EXPECT_NEAR(p.t - before, 0.005, 1e-9);
+        }
+        before = p.t;
+      });
+    }
+    std::sort(first.begin(), first.end());
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      const double gap = i == 0 ? first.front() + 1.0 - first.back() : first[i] - first[i - 1];
+      EXPECT_GT(gap, 0.08);
+      EXPECT_LT(gap, 0.25);
+    }
+  }
+}
+
 TEST(FallingBeams, PointsStandForTheWholePath) {
   // Half a first step is missing at the top, and the last point on the path stands for half of the gap that
   // holds the end: the mean is the length less a quarter of the largest step, plus what the end's longer gap
@@ -110,6 +155,7 @@ TEST(FallingBeams, AZeroPitchFallsStraight) {
 TEST(FallingBeams, TakeTheirStepsFromOneWordEach) {
   // The constant law: what goes aside is the step times the sine of one angle.
   Deflection<double> deflection;
+  deflection.rule = PathRule::random;
   deflection.law = PitchLaw::constant;
   deflection.loss_cone_rad = 0.1;
   deflection.path_step = 0.01;
