@@ -31,6 +31,7 @@ struct Case {
 Case made(int scene, const CaseOptions& options) {
   Case result;
   result.truth = truth(options.set, scene);
+  result.truth.scene.emission.tables = options.tables;
   result.start = options.from_truth ? start_at_truth(result.truth) : wide_start(result.truth);
   if (options.free_ends) result.start = with_free_ends(result.start);
   const Photograph photo = photograph(result.truth, options.threads);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "sim/scene/structs/scene.h"
 #include "tests/recovery/scorecard/card.h"
 
 namespace vegard::scorecard {
@@ -12,9 +13,10 @@ struct CaseOptions {
   std::uint64_t set = 1;
   int threads = 1;
   int max_evaluations = 2000;
-  bool from_truth = false;  ///< start_at_truth() in place of wide_start()
-  bool free_ends = false;   ///< with_free_ends() of it
-  std::string keep;         ///< folder for the photograph, the truth and the start; empty: none
+  bool from_truth = false;                           ///< start_at_truth() in place of wide_start()
+  bool free_ends = false;                            ///< with_free_ends() of it
+  std::string tables = sim::kDefaultEmissionTables;  ///< of truth and start
+  std::string keep;  ///< folder for the photograph, the truth and the start; empty: none
 };
 
 /// Draws, photographs, fits and scores. A pure function of the set and the number, but for the seconds.

@@ -84,6 +84,9 @@ int run(int argc, char** argv) {
                         "Recovery scorecard: fits of scenes of which the truth is known", {}, argc, argv);
   const apps::Command app = program.root();
   app.option("--seed", options.of_case.set, "The set of scenes").shows_default();
+  app.option("--tables", options.of_case.tables, "The emission tables of pictures and fits")
+      .one_of({"vegard", "glow"})
+      .shows_default();
   app.option("--first", options.first, "Number of the first scene").shows_default();
   app.option("--count", options.count, "How many scenes").shows_default();
   app.option("--jobs", options.jobs, "Scenes side by side, one thread each").range(1, 256).shows_default();

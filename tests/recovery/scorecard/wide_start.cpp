@@ -44,6 +44,7 @@ sim::Scene wide_start(const Truth& truth) {
   scene.field = truth.scene.field;
   scene.camera = truth.scene.camera;
   scene.blur = truth.scene.blur;
+  scene.emission.tables = truth.scene.emission.tables;
   scene.fit.bands = 24;
   scene.fit.search_beams = 0.15;
   double north = 205.0;
