@@ -26,6 +26,7 @@
 #include "apps/output/terminal.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/picture/image_io.h"
+#include "sim/render/auto_exposure.h"
 #include "sim/render/grain.h"
 #include "sim/render/render.h"
 #include "sim/view/colour/colour_table.h"
@@ -34,12 +35,14 @@
 namespace vegard::apps {
 namespace {
 
+constexpr double kBrightest = 0.95;  // of white, with --auto-exposure
+
 struct RenderRequest {
   SceneOptions scene;
   std::string output, lines, raw, layers;
   PictureOptions picture;
   int threads = 0;
-  bool overwrite = false, camera_json = false, grain = false;
+  bool overwrite = false, camera_json = false, grain = false, auto_exposure = false;
   std::string memory_limit;
 };
 
@@ -160,10 +163,23 @@ std::string facts(const sim::Scene& scene, const sim::Rendering& rendering) {
   return text;
 }
 
+sim::Scene auto_exposed(const RenderRequest& options, const sim::Scene& scene) {
+  sim::RenderOptions render_options;
+  render_options.threads = options.threads;
+  return sim::auto_exposed(scene, kBrightest, render_options);
+}
+
+std::string exposure_text(const sim::Scene& scene) {
+  return scene.sensor.exposure == sim::ExposureRule::gain
+             ? fmt::format("sensor.gain_per_kilorayleigh = {:.4g}", scene.sensor.gain_per_kilorayleigh)
+             : fmt::format("sensor.iso = {:.0f}", scene.sensor.iso);
+}
+
 int run_render(const RenderRequest& request) {
   RenderRequest options = request;
-  const sim::Scene scene = scene_of(options.scene);
-  check_outputs(options, scene);
+  const sim::Scene as_given = scene_of(options.scene);
+  check_outputs(options, as_given);
+  const sim::Scene scene = options.auto_exposure ? auto_exposed(options, as_given) : as_given;
   double bytes_per_px = 0.0;
   for (const std::string& name : {options.output, options.lines, options.raw})
     if (!name.empty())
@@ -205,6 +221,7 @@ int run_render(const RenderRequest& request) {
   for (const std::string& name : {options.output, options.lines, options.raw, camera_file(options)})
     if (!name.empty()) written += (written.empty() ? "" : ", ") + name;
   say("%s: %s\n", written.c_str(), summary.c_str());
+  if (options.auto_exposure) say("exposed with %s\n", exposure_text(scene).c_str());
   if (options.grain) say("%s\n", grain_text(scene, grain).c_str());
   return good;
 }
@@ -239,6 +256,9 @@ void add_render_command(Program& program) {
       .range(1e-3, 1e6)
       .type_name("MCD_M2")
       .needs(as_seen);
+  command.flag(
+      "--auto-exposure", options->auto_exposure,
+      "Choose the sensor's gain (with a camera's exposure its ISO) so that next to nothing is white");
   command.flag("--grain", options->grain,
                "Render once more with other paths of the beams, and tell by how much a pixel differs");
   command.flag("--camera-json", options->camera_json,
