@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fit/report/plot/plot.h"
@@ -53,6 +54,10 @@ void draw_plot(const Plot& plot, PlotCanvas& canvas);
 
 /// A whole SVG document of what `draw` draws, as plot_svg() makes it.
 std::string drawn_svg(const std::string& title, PlotSize size, const std::function<void(PlotCanvas&)>& draw);
+
+/// A text in the letters of a PNG's font, which knows ASCII alone: an exponent as ^-3, Greek letters by their
+/// names, the degree sign as the byte 1, which is drawn as the ring that it is, and ? for what is not known.
+std::string spelled_in_ascii(std::string_view text);
 
 /// Roughly: the width of a text in a sans-serif face, as wide as they come (DejaVu Sans), so that nothing is
 /// cut off.

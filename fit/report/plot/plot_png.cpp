@@ -24,31 +24,7 @@ cv::Scalar bgr(Colour c) {
   return {static_cast<double>(c.b), static_cast<double>(c.g), static_cast<double>(c.r)};
 }
 
-/// OpenCV's fonts know ASCII alone: what else a plot may say, in their letters. The degree sign stays, as a
-/// byte of its own, and is drawn as the ring that it is.
-constexpr char kDegree = '\x01';
-std::string spelled_in_ascii(std::string_view text) {
-  constexpr std::pair<std::string_view, std::string_view> kSpelling[] = {
-      {"\u00b0", "\x01"}, {"\u2212", "-"},  {"\u2013", "-"},   {"\u2014", "-"},
-      {"\u00b1", "+/-"},  {"\u00d7", "x"},  {"\u00b7", "."},   {"\u03c3", "sigma"},
-      {"\u03c7", "chi"},  {"\u00b2", "^2"}, {"\u2026", "..."}, {"\u00b5", "u"}};
-  std::string out;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto* known = std::find_if(std::begin(kSpelling), std::end(kSpelling), [&](const auto& pair) {
-      return text.substr(i, pair.first.size()) == pair.first;
-    });
-    if (known != std::end(kSpelling)) {
-      out += known->second;
-      i += known->first.size();
-    } else {
-      const auto byte = static_cast<unsigned char>(text[i]);
-      if (byte >= 0x20 && byte < 0x7f) out += text[i];
-      if (byte >= 0xc0) out += '?';  // the first byte of an unknown character
-      ++i;
-    }
-  }
-  return out;
-}
+constexpr char kDegree = '\x01';  // in what spelled_in_ascii() gives
 
 class PngCanvas : public PlotCanvas {
  public:
@@ -243,6 +219,45 @@ class PngCanvas : public PlotCanvas {
 };
 
 }  // namespace
+
+std::string spelled_in_ascii(std::string_view text) {
+  struct Spelling {
+    std::string_view character, ascii;
+    bool raised = false;  // a run of such is one exponent
+  };
+  constexpr Spelling kSpellings[] = {
+      {"\u00b0", "\x01"},    {"\u2212", "-"},       {"\u2013", "-"},       {"\u2014", "-"},
+      {"\u00b1", "+/-"},     {"\u00d7", "x"},       {"\u00b7", "."},       {"\u2026", "..."},
+      {"\u00b5", "u"},       {"\u03bc", "u"},       {"\u03b1", "alpha"},   {"\u03b4", "delta"},
+      {"\u0394", "Delta"},   {"\u03bb", "lambda"},  {"\u03c3", "sigma"},   {"\u03c4", "tau"},
+      {"\u03c7", "chi"},     {"\u2264", "<="},      {"\u2265", ">="},      {"\u2032", "'"},
+      {"\u00b2", "2", true}, {"\u00b3", "3", true}, {"\u00b9", "1", true}, {"\u2070", "0", true},
+      {"\u2074", "4", true}, {"\u2075", "5", true}, {"\u2076", "6", true}, {"\u2077", "7", true},
+      {"\u2078", "8", true}, {"\u2079", "9", true}, {"\u207a", "+", true}, {"\u207b", "-", true},
+      {"\u2080", "0"},       {"\u2081", "1"},       {"\u2082", "2"},       {"\u2083", "3"},
+      {"\u2084", "4"},       {"\u2085", "5"},       {"\u2086", "6"},       {"\u2087", "7"},
+      {"\u2088", "8"},       {"\u2089", "9"}};
+  std::string out;
+  bool raised = false;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto* known = std::find_if(std::begin(kSpellings), std::end(kSpellings), [&](const Spelling& one) {
+      return text.substr(i, one.character.size()) == one.character;
+    });
+    if (known != std::end(kSpellings)) {
+      if (known->raised && !raised) out += '^';
+      raised = known->raised;
+      out += known->ascii;
+      i += known->character.size();
+      continue;
+    }
+    raised = false;
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (byte >= 0x20 && byte < 0x7f) out += text[i];
+    if (byte >= 0xc0) out += '?';  // the first byte of an unknown character
+    ++i;
+  }
+  return out;
+}
 
 std::string plot_png(const Plot& plot) {
   PngCanvas canvas(plot_size(plot));

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kFirstKm = 80.0, kLastKm = 640.0;
 constexpr double kLeastOfPeak = 1e-7;  // less is written as 0
-constexpr const char* kIonisation = "ionisation_electron";
+constexpr const char* kIonisationColumn = "ionisation_electron";
 constexpr std::array<double, 3> kFluxes = {0.1, 1.0, 10.0};  // mW m^-2, of the flux law
 
 std::string number(const char* format, double value) {
@@ -84,7 +84,7 @@ CaseLight light_of(const Case& which, const TableRequest& request, const Degrada
   }
   std::vector<double> pairs;
   for (std::size_t m = 0; m < run.column.size(); ++m) pairs.push_back(run.rates.all_ion_pairs(m));
-  add(kIonisation, pairs);
+  add(kIonisationColumn, pairs);
   return light;
 }
 
@@ -116,7 +116,7 @@ std::string rates_csv(const std::vector<Case>& cases, const std::vector<CaseLigh
 std::string column_names(const CaseLight& light) {
   std::string text;
   for (const std::string& name : light.names)
-    if (name != kIonisation) text += ",R_" + name.substr(4);
+    if (name != kIonisationColumn) text += ",R_" + name.substr(4);
   return text + "\n";
 }
 

@@ -291,5 +291,12 @@ TEST(ProfilePlot, TallRegionsAreThinned) {
   EXPECT_DOUBLE_EQ(red.y[100], 301.5);
 }
 
+TEST(PlotText, IsSpelledInThePngsOwnLetters) {
+  EXPECT_EQ(spelled_in_ascii("log\u2081\u2080 n (cm\u207b\u00b3), 5 \u00b1 1 mW m\u207b\u00b2"),
+            "log10 n (cm^-3), 5 +/- 1 mW m^-2");
+  EXPECT_EQ(spelled_in_ascii("\u03c7\u00b2 and x\u00b2y\u00b9\u2070"), "chi^2 and x^2y^10");
+  EXPECT_EQ(spelled_in_ascii("30\u00b0 \u2265 \u7532"), "30\x01 >= ?");
+}
+
 }  // namespace
 }  // namespace vegard::fit::plot_test
