@@ -30,6 +30,7 @@ void add_params_command(Program& program);
 void add_points_command(Program& program);
 void add_preview_command(Program& program);
 void add_profile_command(Program& program);
+void add_manual_command(Program& program);
 void add_render_command(Program& program);
 void add_sdf_command(Program& program);
 void add_sequence_command(Program& program);

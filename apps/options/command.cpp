@@ -76,6 +76,37 @@ std::string full_name(const CLI::App& app) {
   return full_name(*parent) + " " + app.get_name();
 }
 
+/// The words of "TEXT:{good,bad}"; none of other types.
+std::vector<std::string> choices_of(const std::string& type) {
+  const std::size_t begin = type.find('{'), end = type.rfind('}');
+  std::vector<std::string> choices;
+  if (begin == std::string::npos || end == std::string::npos) return choices;
+  std::istringstream words(type.substr(begin + 1, end - begin - 1));
+  for (std::string word; std::getline(words, word, ',');) choices.push_back(word);
+  return choices;
+}
+
+CommandText text_of(const CLI::App& app) {
+  CommandText text;
+  text.name = full_name(app);
+  text.words = app.get_description();
+  for (const CLI::Option* option : app.get_options()) {
+    OptionText one;
+    one.by_place = option->get_positional();
+    if (one.by_place) one.names.push_back(option->get_name(true));
+    for (const std::string& name : option->get_snames()) one.names.push_back("-" + name);
+    for (const std::string& name : option->get_lnames()) one.names.push_back("--" + name);
+    if (one.by_place || option->get_items_expected_max() > 0) one.value = option->get_type_name();
+    one.choices = choices_of(one.value);
+    one.words = option->get_description();
+    if (!option->get_default_str().empty()) one.words += " (default: " + option->get_default_str() + ")";
+    one.required = option->get_required();
+    text.options.push_back(one);
+  }
+  for (const CLI::App* subcommand : app.get_subcommands({})) text.subcommands.push_back(text_of(*subcommand));
+  return text;
+}
+
 OutOfMemory out_of_memory(const std::string& command) {
   const auto is_one_of = [&](std::initializer_list<const char*> names) {
     return std::find(names.begin(), names.end(), command) != names.end();
@@ -301,6 +332,8 @@ std::string Program::command_line() const {
   }
   return text;
 }
+
+CommandText Program::text() const { return text_of(*app_); }
 
 Command Program::root() { return Command(app_.get(), &exit_code_); }
 

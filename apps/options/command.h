@@ -120,6 +120,23 @@ class Command {
   int* exit_code_;
 };
 
+/// An option in words, for manuals.
+struct OptionText {
+  std::vector<std::string> names;    ///< "-o", "--output"; of a word by its place its name alone, "SCENE"
+  std::string value;                 ///< what the help calls its value; empty: a flag
+  std::vector<std::string> choices;  ///< the words that it takes, if they are few
+  std::string words;
+  bool by_place = false, required = false;
+};
+
+/// A subcommand, or the whole program, in words.
+struct CommandText {
+  std::string name;  ///< "survey run"; of the program its own
+  std::string words;
+  std::vector<OptionText> options;
+  std::vector<CommandText> subcommands;
+};
+
 /// The whole command line. Options and subcommands are added before it is read.
 class Program {
  public:
@@ -135,6 +152,9 @@ class Program {
 
   /// What is given without a subcommand.
   Command root();
+
+  /// All of it in words, as far as it has been added.
+  CommandText text() const;
 
   /// Words that nothing takes are no error.
   void takes_more();

@@ -73,6 +73,7 @@ refused lines --sources --energy-kev 0.1
 refused atmosphere --list
 refused atmosphere --conditions equinox
 tried+=" tables" # a minute of work; its help is tried below, and its words go the same way
+refused manual
 refused params
 refused params --markdown
 refused params "$small"

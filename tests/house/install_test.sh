@@ -26,7 +26,8 @@ prefix=$work/moved
 
 for file in bin/vegard include/vegard/sim/base/image.h include/vegard/fit/measure/profile.h share/vegard/data/README.md \
   share/vegard/data/glow/ver_maxwellian.csv share/vegard/data/glow/glowlicense.txt share/doc/vegard/LICENSE \
-  share/doc/vegard/NOTICE; do
+  share/doc/vegard/NOTICE share/man/man1/vegard-fit.1 share/bash-completion/completions/vegard \
+  share/zsh/vendor-completions/_vegard share/fish/vendor_completions.d/vegard.fish; do
   [[ -e $prefix/$file ]] || fail "$file is not installed"
 done
 if grep -rlF -e "$source/" -e "$build/" --include='*.cmake' --include='*.h' "$prefix" >&2; then
