@@ -16,6 +16,7 @@ std::vector<std::string> data_folders() {
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) folders.push_back((program.parent_path().parent_path() / "share" / "vegard" / "data").string());
   folders.emplace_back(VEGARD_INSTALLED_DATA);
+  folders.emplace_back("/usr/share/vegard/data");  // Debian's package, also where there is no /proc
   folders.emplace_back(VEGARD_SOURCE_DATA);
   return folders;
 }

@@ -8,7 +8,8 @@ namespace vegard::sim {
 
 /// The folders that may hold what data/ does, in the order in which to look: the environment's VEGARD_DATA if
 /// it is set; share/vegard/data beside the running program's own folder, wherever it was installed; where
-/// this build installs it; the sources it was built from. None of them needs to exist.
+/// this build installs it; where Debian's package does; the sources it was built from. None of them needs to
+/// exist.
 std::vector<std::string> data_folders();
 
 /// The first of data_folders() that has this file, as a path to it; empty if none has.

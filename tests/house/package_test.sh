@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# The Debian packages: they are made, lintian finds no error in them where it is installed, and each has what it is for.
+# usage: package_test.sh CPACK BUILD_FOLDER
+set -euo pipefail
+cpack=$1
+build=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+fail() {
+  echo "FAILED: $*" >&2
+  exit 1
+}
+
+(cd "$build" && "$cpack" -G DEB -B "$work") >"$work/log" 2>&1 || fail "$(tail -20 "$work/log")"
+for name in vegard vegard-dev; do
+  package=$(echo "$work/$name"_*.deb)
+  [[ -f $package ]] || fail "there is no package $name"
+  dpkg-deb -c "$package" | awk '{ print $6 }' >"$work/$name.files"
+  if command -v lintian >/dev/null; then
+    lintian --fail-on error --allow-root "$package" >"$work/lintian" 2>&1 || fail "lintian of $name: $(cat "$work/lintian")"
+  fi
+done
+has() { # PACKAGE FILE
+  grep -qxF "./usr/$2" "$work/$1.files" || fail "$1 has no $2"
+}
+for file in bin/vegard share/man/man1/vegard-fit.1.gz share/vegard/data/glow/glowlicense.txt share/doc/vegard/copyright \
+  share/bash-completion/completions/vegard; do has vegard $file; done
+for file in include/vegard/sim/render/render.h share/doc/vegard-dev/copyright; do has vegard-dev $file; done
+if grep -q "^./usr/include" "$work/vegard.files"; then fail "headers are in the program's package"; fi
