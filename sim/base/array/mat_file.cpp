@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
 #include <memory>
 #include <utility>
 
@@ -77,12 +78,45 @@ std::string file_of_bytes(std::string_view bytes) {
   return "/proc/self/fd/" + std::to_string(descriptor);
 }
 
+/// Whether the elements of a file of version 5 end where it ends: a header of 128 bytes, and elements one
+/// behind the other, each a type and a size in four bytes before its data (or both in four bytes and the data
+/// in the other four), to a multiple of eight unless they are packed (MathWorks, "MAT-File Format", Level 5).
+/// The library takes what is cut off for variables that are not there.
+bool has_whole_elements(const std::string& place) {
+  constexpr std::uint64_t kHeader = 128, kTag = 8, kEndianAt = 126;
+  constexpr std::uint32_t kPacked = 15, kSmall = 0xffff0000u;
+  std::ifstream stream(place, std::ios::binary | std::ios::ate);
+  const auto size = static_cast<std::uint64_t>(std::max<std::streamoff>(stream.tellg(), 0));
+  char endian[2] = {};
+  stream.seekg(kEndianAt);
+  stream.read(endian, sizeof endian);
+  const bool is_little = endian[0] == 'I';
+  const auto word = [&](const char* bytes) {
+    std::uint32_t value = 0;
+    for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[is_little ? 3 - i : i]);
+    return value;
+  };
+  std::uint64_t at = kHeader;
+  while (at + kTag <= size) {
+    char tag[kTag] = {};
+    stream.seekg(static_cast<std::streamoff>(at));
+    if (!stream.read(tag, sizeof tag)) return false;
+    at += kTag;
+    if ((word(tag) & kSmall) != 0) continue;
+    const std::uint64_t bytes = word(tag + 4);
+    at += word(tag) == kPacked ? bytes : (bytes + kTag - 1) / kTag * kTag;
+  }
+  return at == size;
+}
+
 /// With the library; in the child, which ends with what it has open.
 class MatFile : public ArrayFile {
  public:
   MatFile(const std::string& name, std::string_view bytes)
       : ArrayFile(name, "MATLAB"), place_(bytes.data() != nullptr ? file_of_bytes(bytes) : name) {
     const OpenMat file = opened();
+    if (Mat_GetVersion(file.get()) == MAT_FT_MAT5 && !has_whole_elements(place_))
+      refuse("the file is truncated: its elements end behind its end", "", kCopy);
     for (int variables = 0;; ++variables) {
       if (variables == kMostVariables)
         refuse("it holds more than " + std::to_string(kMostVariables) + " variables");

@@ -98,6 +98,12 @@ void become_a_worker(std::uint64_t memory_bytes) {
     for (const int standard : {0, 1, 2}) ::dup2(nowhere, standard);
 }
 
+/// Whether a child that a signal has ended was ended by somebody else: no library raises these, and neither
+/// do the limits here. SIGKILL is what a kernel without memory sends, and batch systems.
+bool is_end_from_outside(int signal) {
+  return signal == SIGKILL || signal == SIGQUIT || signal == SIGUSR1 || signal == SIGUSR2;
+}
+
 std::string error_text(const Error& error) {
   const ErrorDetails& details = error.details();
   return details.problem + '\0' + details.expected + '\0' + details.hint;
@@ -197,6 +203,10 @@ void ChildWorker::refuse_end() {
   int status = 0;
   if (process_ > 0 && ::waitpid(process_, &status, 0) == process_) process_ = -1;
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (is_end_from_outside(signal))
+    refuse("the process that reads it was killed (signal " + std::to_string(signal) +
+               "), which says nothing about the file",
+           "try again; a machine that runs out of memory kills so");
   const bool took_too_long = signal == SIGPROF || signal == SIGXCPU || signal == SIGALRM;
   refuse(std::string(kDamagedFile) + ": " + library_ +
              (took_too_long ? " does not come to an end with it" : " fails on it"),

@@ -18,6 +18,8 @@ using tests::expect_words;
 std::string answer(std::string_view request) {
   static int asked = 0;
   if (request == "crash") ::raise(SIGSEGV);
+  if (request == "killed") ::raise(SIGKILL);
+  if (request == "quit") ::raise(SIGQUIT);
   if (request == "hang")
     for (volatile int i = 0;; i = 1 - i) {
     }
@@ -53,6 +55,15 @@ TEST(ChildWorker, TellsOfACrash) {
   ChildWorker worker("file", "a library", answer);
   expect_words(ErrorKind::unreadable_input, {"file", "damaged", "a library fails on it"},
                [&] { worker.ask("crash"); });
+}
+
+TEST(ChildWorker, IsNotTheFilesFaultWhereItIsKilled) {
+  for (const char* signal : {"killed", "quit"}) {
+    const std::string text = tests::expect_error(
+        ErrorKind::unreadable_input, [&] { ChildWorker("file", "a library", answer).ask(signal); });
+    EXPECT_NE(text.find("was killed (signal "), std::string::npos) << text;
+    EXPECT_EQ(text.find("damaged"), std::string::npos) << text;
+  }
 }
 
 TEST(ChildWorker, EndsWhatDoesNotEnd) {
