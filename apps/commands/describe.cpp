@@ -10,11 +10,14 @@
 #include "apps/options/file_names.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/photographs.h"
+#include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/photo_description.h"
 #include "fit/photo/frames/frame_file.h"
 #include "fit/photo/frames/frame_name.h"
 #include "fit/photo/photo_facts.h"
+#include "fit/photo/sky_map_file.h"
+#include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
 
 namespace vegard::apps {
@@ -25,11 +28,31 @@ struct DescribeRequest {
   bool overwrite = false;
 };
 
+/// Nothing for a file without frames. One that has maps of directions and no images that can be told apart
+/// has none either.
+std::optional<fit::FrameIndex> frames_of_photo(const std::string& photo) {
+  if (fit::frame_name(photo).is_chosen() || !fit::is_frame_file(photo)) return std::nullopt;
+  try {
+    return fit::frame_index(photo);
+  } catch (const sim::Error&) {
+    if (fit::has_sky_map(photo)) return std::nullopt;
+    throw;
+  }
+}
+
 int run_describe(const DescribeRequest& options) {
   if (same_file(options.photo, options.output)) refuse_same_file("--output", options.output, "the picture");
   const std::string name = file_name_of(options.photo);
-  if (!fit::frame_name(options.photo).is_chosen() && fit::is_frame_file(options.photo)) {
-    const fit::FrameIndex index = fit::frame_index(options.photo);
+  const std::optional<fit::FrameIndex> frames = frames_of_photo(options.photo);
+  if (!frames && fit::has_sky_map(options.photo)) {
+    if (!options.output.empty())
+      throw usage_error("--output", "a skymap is no picture to make a scene of", "no -o beside a skymap",
+                        "vegard calibrate --skymap makes a camera of it");
+    say_text(sky_map_description_text(name, fit::read_sky_map(options.photo)));
+    return good;
+  }
+  if (frames) {
+    const fit::FrameIndex& index = *frames;
     if (index.frames.size() > 1) {
       // A scene is of one moment.
       if (!options.output.empty()) fit::refuse_without_frame(index.frames, options.photo);
@@ -55,7 +78,7 @@ void add_describe_command(Program& program) {
   const Command command = program.add(
       "describe",
       "Tell what a picture says of itself (place, time, lens, exposure), and write a scene of it");
-  command.option("PHOTO", options->photo, "The picture, or a file of frames").required();
+  command.option("PHOTO", options->photo, "The picture, a file of frames, or a skymap").required();
   add_at_option(command, options->at);
   command.option("-o,--output", options->output, "A scene to begin with").type_name("SCENE.toml");
   command.flag("--overwrite", options->overwrite, "Replace an output that exists");

@@ -1,6 +1,7 @@
 #include "apps/output/photo_description.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -176,6 +177,28 @@ std::string frames_description_text(const std::string& file_name, const fit::Fra
     text += fmt::format("  #{:<5} {}{}\n", frame.number, frame.time ? frame.time->utc : "time unknown",
                         frame.exposure_s ? fmt::format("  {:.6g} s", *frame.exposure_s) : "");
   return text;
+}
+
+std::string sky_map_description_text(const std::string& file_name, const fit::SkyMapFile& map) {
+  Listing said(sim::shown_text(file_name) + " is a skymap, azimuth and elevation of every pixel:");
+  said.add("size", fmt::format("{} x {} pixels", map.map.width, map.map.height));
+  if (!map.arrays.empty()) said.add("arrays", map.arrays);
+  std::size_t looking = 0;
+  double lowest = 90.0, highest = -90.0;
+  for (const float elevation : map.map.elevation_deg) {
+    if (!std::isfinite(elevation)) continue;
+    ++looking;
+    lowest = std::min<double>(lowest, elevation);
+    highest = std::max<double>(highest, elevation);
+  }
+  said.add("directions",
+           fmt::format("of {} pixels, elevations {:.1f} to {:.1f} deg", looking, lowest, highest));
+  if (map.place) {
+    said.add("latitude", map.place->latitude_deg, "deg");
+    said.add("longitude", map.place->longitude_deg, "deg");
+    said.add("altitude", map.place->altitude_m, "m");
+  }
+  return said.text() + "note: it holds no picture; calibrate, profile and keogram take it as --skymap\n";
 }
 
 }  // namespace vegard::apps

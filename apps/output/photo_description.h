@@ -5,6 +5,7 @@
 
 #include "fit/photo/frames/frame_file.h"
 #include "fit/photo/photo_facts.h"
+#include "fit/photo/sky_map_file.h"
 #include "sim/base/picture/picture_metadata.h"
 
 namespace vegard::apps {
@@ -22,5 +23,8 @@ std::string description_text(const std::string& photo_name, const sim::PictureMe
 /// The same of a file with many frames: what its first says but for the time, and the frames with their
 /// times.
 std::string frames_description_text(const std::string& file_name, const fit::FrameIndex& index);
+
+/// Of a skymap: its size, how much of it looks at the sky and where, its place, and who takes it.
+std::string sky_map_description_text(const std::string& file_name, const fit::SkyMapFile& map);
 
 }  // namespace vegard::apps

@@ -171,4 +171,14 @@ SkyMapFile read_sky_map(const std::string& file, const SkyMapFlip& flip) {
   return read;
 }
 
+bool has_sky_map(const std::string& file) {
+  if (sim::array_format_of(file) == sim::ArrayFormat::none) return false;
+  try {
+    const std::unique_ptr<sim::ArrayFile> arrays = sim::open_array_file(file);
+    return plane_of(angles_of(*arrays, kAzimuthNames)) == plane_of(angles_of(*arrays, kElevationNames));
+  } catch (const sim::Error&) {
+    return false;
+  }
+}
+
 }  // namespace vegard::fit

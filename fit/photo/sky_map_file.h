@@ -35,4 +35,7 @@ struct SkyMapFlip {
 /// sim::Error(unreadable_input) for what holds none, or several of one size.
 SkyMapFile read_sky_map(const std::string& file, const SkyMapFlip& flip = {});
 
+/// Whether a file of arrays has such maps: nothing is read of them. False as well for one that is damaged.
+bool has_sky_map(const std::string& file);
+
 }  // namespace vegard::fit

@@ -3,7 +3,6 @@
 // threads at most. --tiny shrinks the work to a check that everything still runs.
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <cmath>
@@ -16,6 +15,7 @@
 #include "fit/photo/frames/frame_file.h"
 #include "fit/photo/photo.h"
 #include "interleaved.h"
+#include "minute_of_frames.h"
 
 namespace {
 
@@ -42,55 +42,19 @@ std::string jpeg_of(int width, int height) {
 constexpr double kTarget = 1.2;
 constexpr double kFramesPerSecond = 500.0, kFilesPerSecond = 60.0;
 
-/// A minute of THEMIS: 16-bit frames of 256 x 256 pixels with a camera's grain, gzipped, in a file of its
-/// own. Its share of what is not packed is that of a moonlit night's, four fifths.
-class MinuteOfFrames {
- public:
-  explicit MinuteOfFrames(int count)
-      : count_(count),
-        path_(std::filesystem::temp_directory_path() /
-              ("photo_bench_" + std::to_string(::getpid()) + ".pgm.gz")) {
-    cv::RNG grain(2);
-    constexpr int kSide = 256;
-    const gzFile file = gzopen(path_.c_str(), "wb6");
-    for (int frame = 0; frame < count; ++frame) {
-      std::string bytes = fmt::format(
-          "P5\n#\"Exposure options\" WIDTH=512 HEIGHT=256 XBIN=2 YBIN=1 MSEC=999\n"
-          "#\"Image request start\" 2014-03-10 06:{:02}:{:02}.031212 UTC\n256 256\n65535\n",
-          frame / 20, frame % 20 * 3);
-      for (int pixel = 0; pixel < kSide * kSide; ++pixel) {
-        const auto count_of = static_cast<int>(6000.0 + 8.0 * (pixel / kSide) + grain.gaussian(700.0));
-        bytes += static_cast<char>(count_of >> 8);
-        bytes += static_cast<char>(count_of & 0xff);
-      }
-      gzwrite(file, bytes.data(), static_cast<unsigned>(bytes.size()));
-    }
-    gzclose(file);
-  }
-  ~MinuteOfFrames() { std::filesystem::remove(path_); }
-  MinuteOfFrames(const MinuteOfFrames&) = delete;
-  MinuteOfFrames& operator=(const MinuteOfFrames&) = delete;
+/// What reading a minute of frames is compared with.
+void unpack_by_zlib(const std::string& path) {
+  const gzFile file = gzopen(path.c_str(), "rb");
+  std::string block(1 << 16, '\0');
+  while (gzread(file, block.data(), static_cast<unsigned>(block.size())) > 0)
+    benchmark::DoNotOptimize(block.data());
+  gzclose(file);
+}
 
-  int count() const { return count_; }
-  const std::string& path() const { return path_; }
-
-  void by_zlib() const {
-    const gzFile file = gzopen(path_.c_str(), "rb");
-    std::string block(1 << 16, '\0');
-    while (gzread(file, block.data(), static_cast<unsigned>(block.size())) > 0)
-      benchmark::DoNotOptimize(block.data());
-    gzclose(file);
-  }
-
-  void by_reader() const {
-    fit::FrameReader reader(path_);
-    while (reader.next()) benchmark::DoNotOptimize(reader.take().data());
-  }
-
- private:
-  int count_;
-  std::string path_;
-};
+void read_frames(const std::string& path) {
+  fit::FrameReader reader(path);
+  while (reader.next()) benchmark::DoNotOptimize(reader.take().data());
+}
 
 }  // namespace
 
@@ -117,9 +81,9 @@ int main(int argc, char** argv) {
   };
   add("averaged", [&] { read({size, {size.width / 8, size.height / 8}}); });
   add("pixels", [&] { read({}); });
-  const MinuteOfFrames minute(tiny ? 2 : 20);
-  add("frames_zlib", [&] { minute.by_zlib(); });
-  add("frames", [&] { minute.by_reader(); });
+  const bench::MinuteOfFrames minute(0, tiny ? 2 : 20);
+  add("frames_zlib", [&] { unpack_by_zlib(minute.path()); });
+  add("frames", [&] { read_frames(minute.path()); });
   add("frame_index", [&] { benchmark::DoNotOptimize(fit::frame_index(minute.path()).frames.data()); });
   const bench::TimingsByClock clocks = bench::run_interleaved(argc, argv);
   const bench::Timings& timings = clocks.wall;

@@ -1,10 +1,10 @@
 # Imagers' frames in HDF5, MATLAB and CDF files and in tars (tests/data/imagers, by other writers), and skymaps.
 source "$(dirname "$0")/case.sh"
 made=$SCENES/../../data/imagers
-cp "$made"/{rgb.h5,stack.mat,stack_v73.mat,asi.cdf,asi_packed.cdf,minute.png.tar,huge.h5,skymap.sav} .
+cp "$made"/{rgb.h5,stack.mat,stack_v73.mat,asi.cdf,asi_packed.cdf,minute.png.tar,minute.pgm.gz,frame.fits.gz,huge.h5,skymap.sav} .
 
 # What there is to choose from, and one frame by its number and its time.
-for file in rgb.h5 stack.mat stack_v73.mat asi.cdf asi_packed.cdf minute.png.tar; do
+for file in rgb.h5 stack.mat stack_v73.mat asi.cdf asi_packed.cdf minute.png.tar minute.pgm.gz; do
   expect_exit 0 describe $file
   expect_stdout "3 frames, 2021-10-30T06:05:00.25"
   expect_stdout "#2     2021-10-30T06:05:06.25"
@@ -25,6 +25,19 @@ expect_exit 0 describe rgb.h5#0
 expect_stdout 'time.exposure_s = 2.8 (HDF5 word "subframe_requested_exposure")'
 expect_exit 0 describe minute.png.tar#0
 expect_stdout "rgb-04"
+expect_exit 0 describe minute.pgm.gz
+expect_stdout "themis19"
+expect_stdout "packed by gzip"
+expect_exit 0 describe frame.fits.gz
+expect_stdout '5 x 4 pixels'
+expect_stdout 'site.time_utc = "2021-10-30T06:05:03.25'
+expect_exit 0 describe skymap.sav
+expect_stdout "is a skymap"
+expect_stdout "6 x 4 pixels"
+expect_stdout "skymap/full_azimuth, skymap/full_elevation"
+expect_exit 2 describe skymap.sav -o no.toml
+expect_one_message
+[[ ! -e no.toml ]] || fail "a scene of a skymap was written"
 
 # What is declared and is not there, and what is cut short: one message, nothing written.
 expect_exit 3 describe huge.h5

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Writes the files beside it, which tests read: small ones of the formats in which imagers' frames and skymaps are
-published, by writers that have nothing to do with vegard: h5py (rgb.h5, huge*.h5, stack_v73.mat), SciPy (stack.mat), tarfile and
-zlib (minute.png.tar), and for CDF, which has no library in Debian, the format's description by hand (asi.cdf,
+published, by writers that have nothing to do with vegard: h5py (rgb.h5, huge*.h5, stack_v73.mat), SciPy (stack.mat), tarfile,
+zlib and gzip (minute.png.tar, minute.pgm.gz, frame.fits.gz), and for CDF, which has no library in Debian, the format's description by hand (asi.cdf,
 asi_packed.cdf; Debian's libjcdf-java reads the same numbers of them). The two .sav are GDL's: gdl -q make_skymap.pro.
 
     apt-get install python3-h5py python3-scipy gnudatalanguage; ./make.py; gdl -q make_skymap.pro
@@ -68,6 +68,28 @@ def write_matlab():
         file.write(b"MATLAB 7.3 MAT-file, Platform: made, Created by: h5py".ljust(116) + bytes(8) + b"\x00\x02IM")
 
 
+def write_minute():
+    """As THEMIS: PGM with its words in comments, frame after frame, packed."""
+    data = b""
+    for f in range(FRAMES):
+        first = b'#"Imager unique ID" themis19\n#"Site unique ID" gill\n' if f == 0 else b""
+        data += (b"P5\n" + first + b'#"Exposure options" WIDTH=5 HEIGHT=4 XBIN=1 YBIN=1 MSEC=999\n'
+                 b'#"Image request start" ' + TIMES[f].encode() + b"\n5 4\n65535\n" + frame(f).astype(">u2").tobytes())
+    with open("minute.pgm.gz", "wb") as file:
+        file.write(gzip.compress(data, mtime=0))
+
+
+def write_fits():
+    """The second frame by the FITS standard, 16 bits from 32768, its upper row first, packed."""
+    cards = ["SIMPLE  =                    T", "BITPIX  =                   16", "NAXIS   =                    2",
+             "NAXIS1  =                    5", "NAXIS2  =                    4", "BZERO   =                32768",
+             "BSCALE  =                    1", "ROWORDER= 'TOP-DOWN'", "DATE-OBS= '2021-10-30T06:05:03.250'", "END"]
+    head = "".join(card.ljust(80) for card in cards).ljust(2880).encode()
+    pixels = (frame(1) - 32768).astype(">i2").tobytes()
+    with open("frame.fits.gz", "wb") as file:
+        file.write(gzip.compress(head + pixels.ljust(2880, b"\0"), mtime=0))
+
+
 def png(pixels):
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
@@ -129,6 +151,8 @@ def write_cdf(name, packed, big):
 
 
 write_rgb()
+write_minute()
+write_fits()
 write_huge()
 write_matlab()
 write_tar()

@@ -173,6 +173,22 @@ TEST_F(FileOfFrames, IsNotTheOnlyFileThatIsUnpacked) {
                [&] { read_photo(folder_ / "a.jpg.gz", Decoding::automatic); });
 }
 
+TEST(FilesOfOtherWriters, AreReadAsTheyWereWritten) {
+  // tests/data/imagers/make.py: pixel (x, y) of frame f has 100 f + 10 y + x.
+  const std::string folder = tests::source_folder() + "/tests/data/imagers/";
+  for (const char* name : {"minute.pgm.gz#1", "frame.fits.gz"}) {
+    SCOPED_TRACE(name);
+    const Photo photo = read_photo(folder + name, Decoding::automatic);
+    ASSERT_EQ(photo.linear.width, 5);
+    ASSERT_EQ(photo.linear.height, 4);
+    for (int y = 0; y < 4; ++y)
+      for (int x = 0; x < 5; ++x)
+        EXPECT_NEAR(65535.0 * photo.linear.at(x, y, 0), 100 + 10 * y + x, 1e-2) << x << " " << y;
+    EXPECT_EQ(photo_metadata(folder + name).header_time_utc.value_or("").substr(0, 22),
+              "2021-10-30T06:05:03.25");
+  }
+}
+
 /// Where pictures to try the program on are; they are no part of it.
 std::string imagers_folder() {
   const char* named = std::getenv("VEGARD_PHOTOS");
