@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <set>
 
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/sha256.h"
-#include "sim/base/utc_time.h"
 #include "sim/scene/rows/complaint.h"
 #include "sim/scene/rows/decoding_word.h"
 #include "sim/scene/rows/nearest_name.h"
 #include "sim/scene/table/bounded_toml.h"
-#include "sim/scene/table/toml_value.h"
+#include "sim/scene/table/checked_table.h"
 
 namespace vegard::fit {
 namespace {
@@ -23,135 +21,16 @@ using sim::Origin;
 
 constexpr double kMostSeconds = 1e6;
 
-/// A table of the file whose keys are asked for one after the other; what nobody has asked for is unknown.
-class SurveyTable {
- public:
-  SurveyTable(const toml::table& table, std::string file, std::string path, int line)
-      : table_(table), file_(std::move(file)), path_(std::move(path)), line_(line) {}
+using SurveyTable = sim::CheckedTable;
 
-  int line() const { return line_; }
-  const std::string& file() const { return file_; }
-
-  const toml::node* get(const std::string& key) {
-    known_.push_back(key);
-    return table_.get(key);
-  }
-
-  Origin at(const std::string& key) const {
-    const toml::node* node = table_.get(key);
-    return {file_, node != nullptr ? sim::line_of(*node) : line_, path_.empty() ? key : path_ + "." + key};
-  }
-
-  std::string text(const std::string& key, const std::string& expected = "a text in quotes") {
-    const toml::node* node = get(key);
-    if (node == nullptr) return {};
-    std::string found = sim::text_of(*node, at(key), expected);
-    if (found.empty()) complain({"it is empty", expected, ""}, at(key));
-    return found;
-  }
-
-  std::vector<std::string> texts(const std::string& key, const std::string& expected) {
-    const toml::node* node = get(key);
-    if (node == nullptr) return {};
-    const toml::array* array = node->as_array();
-    if (array == nullptr) complain({"found " + sim::found_text(*node), expected, ""}, at(key));
-    std::vector<std::string> found;
-    for (const toml::node& element : *array) {
-      Origin origin = at(key);
-      if (sim::line_of(element) > 0) origin.line = sim::line_of(element);
-      found.push_back(sim::text_of(element, origin, expected));
-      if (found.back().empty()) complain({"a text is empty", expected, ""}, origin);
-    }
-    return found;
-  }
-
-  void number(const std::string& key, double least, double most, double& value) {
-    const toml::node* node = get(key);
-    if (node == nullptr) return;
-    const std::string expected = "a number from " + short_text(least) + " to " + short_text(most);
-    const double found = sim::number_of(*node, at(key), expected);
-    if (!(found >= least && found <= most))
-      complain({sim::found_text(*node) + " is none", expected, ""}, at(key));
-    value = found;
-  }
-
-  void whole_number(const std::string& key, int least, int most, int& value) {
-    double found = value;
-    number(key, least, most, found);
-    if (found != std::floor(found)) complain({"it is no whole number", "a whole number", ""}, at(key));
-    value = static_cast<int>(found);
-  }
-
-  void time(const std::string& key, double& seconds) {
-    const std::string expected = "a time in UTC, \"2019-03-01T22:10:00Z\", or a day";
-    const std::string found = text(key, expected);
-    if (found.empty()) return;
-    std::optional<double> read = sim::utc_seconds(found);
-    if (!read && sim::has_form(found, "0000-00-00")) read = sim::utc_seconds(found + "T00:00:00Z");
-    if (!read) complain({"'" + found + "' is no time", expected, ""}, at(key));
-    seconds = *read;
-  }
-
-  SurveyPeriod period() {
-    SurveyPeriod period;
-    time("from", period.from_s);
-    time("until", period.until_s);
-    if (!(period.from_s < period.until_s))
-      complain({"the period ends before it begins", "a time after 'from'", ""}, at("until"));
-    return period;
-  }
-
-  /// The tables of an array of tables, [[name]].
-  void each(const std::string& key, const std::function<void(SurveyTable& table)>& read) {
-    const toml::node* node = get(key);
-    if (node == nullptr) return;
-    const toml::array* array = node->as_array();
-    if (array == nullptr)
-      complain({"found " + sim::found_text(*node), "tables, [[" + at(key).key + "]]", ""}, at(key));
-    for (const toml::node& element : *array) {
-      Origin origin = at(key);
-      if (sim::line_of(element) > 0) origin.line = sim::line_of(element);
-      const toml::table* table = element.as_table();
-      if (table == nullptr)
-        complain({"found " + sim::found_text(element), "tables, [[" + origin.key + "]]", ""}, origin);
-      SurveyTable inner(*table, file_, origin.key, origin.line);
-      read(inner);
-      inner.refuse_unknown();
-    }
-  }
-
-  /// A table of the file, [name]; not called where there is none.
-  void table(const std::string& key, const std::function<void(SurveyTable& table)>& read) {
-    const toml::node* node = get(key);
-    if (node == nullptr) return;
-    if (node->as_table() == nullptr)
-      complain({"found " + sim::found_text(*node), "a table, [" + at(key).key + "]", ""}, at(key));
-    SurveyTable inner(*node->as_table(), file_, at(key).key, sim::line_of(*node));
-    read(inner);
-    inner.refuse_unknown();
-  }
-
-  void refuse_unknown() const {
-    for (const auto& [key, node] : table_) {
-      const std::string name(key.str());
-      if (std::find(known_.begin(), known_.end(), name) == known_.end())
-        complain({"unknown key '" + name + "'", "", sim::nearest_hint(name, known_)}, at(name));
-    }
-  }
-
- private:
-  static std::string short_text(double value) {
-    std::string text = std::to_string(value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text;
-  }
-
-  const toml::table& table_;
-  std::string file_, path_;
-  int line_;
-  std::vector<std::string> known_;
-};
+SurveyPeriod period_of(SurveyTable& table) {
+  SurveyPeriod period;
+  table.time("from", period.from_s);
+  table.time("until", period.until_s);
+  if (!(period.from_s < period.until_s))
+    complain({"the period ends before it begins", "a time after 'from'", ""}, table.at("until"));
+  return period;
+}
 
 std::string plain_name(SurveyTable& table, const std::string& key) {
   const std::string expected = "letters, digits, _ and -, 64 at most";
@@ -227,7 +106,7 @@ SurveyCamera read_camera(SurveyTable& table, const std::string& scene) {
   camera.filter = table.text("filter", "a file of scripts/learn_filter.py");
   table.each("calibration", [&](SurveyTable& inner) {
     SurveyCalibration calibration;
-    calibration.period = inner.period();
+    calibration.period = period_of(inner);
     calibration.file = inner.text("file");
     calibration.mask = inner.text("mask");
     if (calibration.file.empty() && calibration.mask.empty())
@@ -261,7 +140,7 @@ SurveySkip read_skip(SurveyTable& table, const Survey& survey) {
               sim::nearest_hint(skip.camera, names)},
              table.at("camera"));
   }
-  skip.period = table.period();
+  skip.period = period_of(table);
   skip.list = table.text("list");
   skip.reason = table.text("reason");
   if (skip.reason.empty()) complain({"it is not said why", "reason = \"fog\"", ""}, table.at("reason"));
@@ -300,18 +179,9 @@ Survey survey_of(const toml::table& document, const std::string& file) {
 }  // namespace
 
 Survey parse_survey(const std::string& text, const std::string& file) {
-  try {
-    Survey survey = survey_of(sim::parse_toml(text, file), file);
-    survey.sha256 = sim::sha256(text);
-    return survey;
-  } catch (const toml::parse_error& error) {
-    sim::ErrorDetails details;
-    details.problem = std::string(error.description());
-    details.file = file;
-    details.line = static_cast<int>(error.source().begin.line);
-    details.expected = "a TOML file";
-    throw sim::Error(sim::ErrorKind::scene, details);
-  }
+  Survey survey = survey_of(sim::checked_toml(text, file), file);
+  survey.sha256 = sim::sha256(text);
+  return survey;
 }
 
 Survey read_survey(const std::string& file) {

@@ -108,7 +108,7 @@ check_sources() {
         complain("CFITSIO belongs in sim/base/picture/fits_io.cpp only")
       if (target ~ /^openvdb\// && FILENAME !~ /^sim\/base\/grid\/vdb_(io|read).cpp$/)
         complain("OpenVDB belongs in sim/base/grid/vdb_io.cpp and vdb_read.cpp only")
-      if (target ~ /^(toml(\+\+)?[\/.]|sim\/scene\/table\/(bounded_toml|toml_value)\.h)/ && from != "sim/scene" && FILENAME != "fit/survey/survey_toml.cpp")
+      if (target ~ /^(toml(\+\+)?[\/.]|sim\/scene\/table\/(bounded_toml|checked_table|toml_value)\.h)/ && from != "sim/scene" && FILENAME != "fit/survey/survey_toml.cpp")
         complain("TOML parsing belongs in sim/scene and fit/survey/survey_toml.cpp only")
       if (target ~ /^sqlite3/ && FILENAME != "fit/survey/sqlite_file.cpp")
         complain("SQLite belongs in fit/survey/sqlite_file.cpp only")

@@ -1,0 +1,156 @@
+// A table of a TOML file whose keys are asked for one after the other: values of a kind and within limits,
+// with one message that names file, line and key for what is not; what nobody has asked for is unknown.
+//
+// For the files that read TOML only (bounded_toml.h).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/base/utc_time.h"
+#include "sim/scene/rows/complaint.h"
+#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/table/bounded_toml.h"
+#include "sim/scene/table/toml_value.h"
+
+namespace vegard::sim {
+
+/// All that reads throws Error(scene). `path` is the table's own key, empty of the file's. The parsed TOML
+/// must outlive it.
+class CheckedTable {
+ public:
+  CheckedTable(const toml::table& table, std::string file, std::string path, int line)
+      : table_(table), file_(std::move(file)), path_(std::move(path)), line_(line) {}
+
+  int line() const { return line_; }
+  const std::string& file() const { return file_; }
+
+  const toml::node* get(const std::string& key) {
+    known_.push_back(key);
+    return table_.get(key);
+  }
+
+  Origin at(const std::string& key) const {
+    const toml::node* node = table_.get(key);
+    return {file_, node != nullptr ? line_of(*node) : line_, path_.empty() ? key : path_ + "." + key};
+  }
+
+  std::string text(const std::string& key, const std::string& expected = "a text in quotes") {
+    const toml::node* node = get(key);
+    if (node == nullptr) return {};
+    std::string found = text_of(*node, at(key), expected);
+    if (found.empty()) complain({"it is empty", expected, ""}, at(key));
+    return found;
+  }
+
+  std::vector<std::string> texts(const std::string& key, const std::string& expected) {
+    const toml::node* node = get(key);
+    if (node == nullptr) return {};
+    const toml::array* array = node->as_array();
+    if (array == nullptr) complain({"found " + found_text(*node), expected, ""}, at(key));
+    std::vector<std::string> found;
+    for (const toml::node& element : *array) {
+      Origin origin = at(key);
+      if (line_of(element) > 0) origin.line = line_of(element);
+      found.push_back(text_of(element, origin, expected));
+      if (found.back().empty()) complain({"a text is empty", expected, ""}, origin);
+    }
+    return found;
+  }
+
+  void number(const std::string& key, double least, double most, double& value) {
+    const toml::node* node = get(key);
+    if (node == nullptr) return;
+    const std::string expected = "a number from " + short_text(least) + " to " + short_text(most);
+    const double found = number_of(*node, at(key), expected);
+    if (!(found >= least && found <= most)) complain({found_text(*node) + " is none", expected, ""}, at(key));
+    value = found;
+  }
+
+  void whole_number(const std::string& key, int least, int most, int& value) {
+    double found = value;
+    number(key, least, most, found);
+    if (found != std::floor(found)) complain({"it is no whole number", "a whole number", ""}, at(key));
+    value = static_cast<int>(found);
+  }
+
+  void time(const std::string& key, double& seconds) {
+    const std::string expected = "a time in UTC, \"2019-03-01T22:10:00Z\", or a day";
+    const std::string found = text(key, expected);
+    if (found.empty()) return;
+    std::optional<double> read = utc_seconds(found);
+    if (!read && has_form(found, "0000-00-00")) read = utc_seconds(found + "T00:00:00Z");
+    if (!read) complain({"'" + found + "' is no time", expected, ""}, at(key));
+    seconds = *read;
+  }
+
+  /// Who asks knows the key: it is one of those that a misspelt one may have meant.
+  bool has(const std::string& key) { return get(key) != nullptr; }
+
+  /// The tables of an array of tables, [[name]].
+  void each(const std::string& key, const std::function<void(CheckedTable& table)>& read) {
+    const toml::node* node = get(key);
+    if (node == nullptr) return;
+    const toml::array* array = node->as_array();
+    if (array == nullptr)
+      complain({"found " + found_text(*node), "tables, [[" + at(key).key + "]]", ""}, at(key));
+    for (const toml::node& element : *array) {
+      Origin origin = at(key);
+      if (line_of(element) > 0) origin.line = line_of(element);
+      const toml::table* table = element.as_table();
+      if (table == nullptr)
+        complain({"found " + found_text(element), "tables, [[" + origin.key + "]]", ""}, origin);
+      CheckedTable inner(*table, file_, origin.key, origin.line);
+      read(inner);
+      inner.refuse_unknown();
+    }
+  }
+
+  /// A table of the file, [name]; not called where there is none.
+  void table(const std::string& key, const std::function<void(CheckedTable& table)>& read) {
+    const toml::node* node = get(key);
+    if (node == nullptr) return;
+    if (node->as_table() == nullptr)
+      complain({"found " + found_text(*node), "a table, [" + at(key).key + "]", ""}, at(key));
+    CheckedTable inner(*node->as_table(), file_, at(key).key, line_of(*node));
+    read(inner);
+    inner.refuse_unknown();
+  }
+
+  void refuse_unknown() const {
+    for (const auto& [key, node] : table_) {
+      const std::string name(key.str());
+      if (std::find(known_.begin(), known_.end(), name) == known_.end())
+        complain({"unknown key '" + name + "'", "", nearest_hint(name, known_)}, at(name));
+    }
+  }
+
+ private:
+  static std::string short_text(double value) {
+    std::string text = std::to_string(value);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text;
+  }
+
+  const toml::table& table_;
+  std::string file_, path_;
+  int line_;
+  std::vector<std::string> known_;
+};
+
+/// parse_toml(), where what is no TOML is told as what is wrong in it is. Throws Error(scene).
+inline toml::table checked_toml(const std::string& text, const std::string& file) {
+  try {
+    return parse_toml(text, file);
+  } catch (const toml::parse_error& error) {
+    complain({std::string(error.description()), "a TOML file", ""},
+             {file, static_cast<int>(error.source().begin.line), ""});
+  }
+}
+
+}  // namespace vegard::sim
