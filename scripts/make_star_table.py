@@ -5,7 +5,7 @@
   npm pack d3-celestial && tar xzf d3-celestial-*.tgz
   scripts/make_star_table.py kstars/usr/share/kstars package/data data/stars/bright_stars.csv
 
-Which stars there are, their places (equinox and epoch J2000, to 1e-4 degrees), magnitudes, names and numbers come from
+Which stars there are, their places (equinox and epoch J2000, to 1e-4 degrees), magnitudes, colours, names and numbers come from
 d3-celestial (stars.6.json, starnames.json); their proper motions from the binary star files of KStars, whose own places
 are in part those of 1991.25, Hipparcos's epoch. A star of the one is that star of the other which stands within 5
 seconds of arc of it at J2000 or at 1991.25. A star that has no partner (doubles) is told and has no motion.
@@ -63,12 +63,13 @@ def main(kstars, celestial, output):
             near = (0.0, 0.0, 0.0, 0.0)
         name = names.get(str(hip), {"bayer": "", "flam": "", "name": "", "hd": ""})
         hd = name["hd"].split()[-1] if name.get("hd") else ""
-        rows.append((magnitude, hip, hd, designation(name), name["name"], east % 360, north, *near[2:]))
+        rows.append((magnitude, hip, hd, designation(name), name["name"], east % 360, north, *near[2:],
+                     float(star["properties"]["bv"])))
     rows.sort()
     with open(output, "w") as out:
-        out.write("hip,hd,designation,name,ra_deg,dec_deg,pm_ra_mas_per_year,pm_dec_mas_per_year,magnitude\n")
-        for magnitude, hip, hd, letter, name, ra, dec, pm_ra, pm_dec in rows:
-            out.write(f"{hip},{hd},{letter},{name},{ra:.4f},{dec:.4f},{pm_ra:.1f},{pm_dec:.1f},{magnitude:.2f}\n")
+        out.write("hip,hd,designation,name,ra_deg,dec_deg,pm_ra_mas_per_year,pm_dec_mas_per_year,magnitude,b_v\n")
+        for magnitude, hip, hd, letter, name, ra, dec, pm_ra, pm_dec, b_v in rows:
+            out.write(f"{hip},{hd},{letter},{name},{ra:.4f},{dec:.4f},{pm_ra:.1f},{pm_dec:.1f},{magnitude:.2f},{b_v:.3f}\n")
     print(f"{len(rows)} stars, {len(still)} of them without a motion: HIP {', '.join(map(str, sorted(still)))}")
 
 

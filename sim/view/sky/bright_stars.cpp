@@ -45,7 +45,7 @@ std::vector<BrightStar> read_star_table() {
       continue;
     }
     const std::vector<std::string> cells = star_cells(line);
-    assert(cells.size() == 9);
+    assert(cells.size() == 10);
     BrightStar star;
     star.hip = star_number<int>(cells[0]);
     star.hd = star_number<int>(cells[1]);
@@ -55,6 +55,7 @@ std::vector<BrightStar> read_star_table() {
     star.place.motion_ra_mas_per_year = star_number<double>(cells[6]);
     star.place.motion_dec_mas_per_year = star_number<double>(cells[7]);
     star.magnitude = star_number<double>(cells[8]);
+    star.colour_index = star_number<double>(cells[9]);
     stars.push_back(star);
   }
   return stars;

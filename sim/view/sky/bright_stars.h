@@ -13,7 +13,8 @@ struct BrightStar {
   std::string designation;  ///< "alf Lyr", "17 Tau", or empty
   std::string name;         ///< "Vega", or empty
   CataloguePlace place;
-  double magnitude = 0.0;  ///< V
+  double magnitude = 0.0;     ///< V
+  double colour_index = 0.0;  ///< B - V
 
   /// The first of name, designation and "HIP 91262" that there is.
   std::string label() const;

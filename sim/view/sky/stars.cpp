@@ -36,10 +36,6 @@ double slope_after(int m) {
   return std::log10(kCounts[m + 1] / kCounts[m]);
 }
 
-double temperature_k(double colour_index) {
-  return 4600.0 * (1.0 / (0.92 * colour_index + 1.7) + 1.0 / (0.92 * colour_index + 0.62));
-}
-
 /// Tints at even steps of the colour index, to be interpolated: a mean of tints of luminance 1 has it too.
 class Tints {
  public:
@@ -115,12 +111,16 @@ std::array<double, 3> star_direction(const Star& star, double latitude_deg, doub
           to_pole * std::sin(latitude) + to_meridian * std::cos(latitude)};
 }
 
+double colour_temperature_k(double colour_index) {
+  return 4600.0 * (1.0 / (0.92 * colour_index + 1.7) + 1.0 / (0.92 * colour_index + 0.62));
+}
+
 double star_photons_cm2_s(double magnitude) {
   return kPhotonsOfMagnitude0 * std::pow(10.0, -0.4 * magnitude);
 }
 
 std::array<double, 3> star_tint(double colour_index, const SensorResponse& response) {
-  const double temperature = temperature_k(colour_index);
+  const double temperature = colour_temperature_k(colour_index);
   std::array<double, 3> channels{};
   double luminance = 0.0;
   constexpr double kStepNm = 5.0;

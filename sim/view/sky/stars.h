@@ -43,8 +43,11 @@ std::array<double, 3> star_direction(const Star& star, double latitude_deg, doub
 /// Photons cm^-2 s^-1 in the V band: 1.0e6 at magnitude 0.
 double star_photons_cm2_s(double magnitude);
 
-/// Linear RGB, through a sensor, of light of luminance 1 from a black body of the temperature that a colour
-/// index stands for (Ballesteros 2012, doi:10.1209/0295-5075/97/34008).
+/// Of the black body that a colour index B - V stands for: Ballesteros 2012,
+/// doi:10.1209/0295-5075/97/34008.
+double colour_temperature_k(double colour_index);
+
+/// Linear RGB, through a sensor, of light of luminance 1 from a black body of that temperature.
 std::array<double, 3> star_tint(double colour_index, const SensorResponse& response);
 
 /// Linear RGB of the scene's stars through its camera and sensor, the mean of the given instants; black if
