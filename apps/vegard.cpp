@@ -37,6 +37,7 @@ int run(int argc, char** argv) {
   apps::add_render_command(program);
   apps::add_animate_command(program);
   apps::add_preview_command(program);
+  apps::add_photometry_command(program);
   apps::add_points_command(program);
   apps::add_volume_command(program);
   apps::add_describe_command(program);

@@ -84,6 +84,23 @@ ON_GRID = [
 ]
 
 
+COUNTS = b"""name = "a"
+dark_counts = 3.5
+gain_e_per_count = 2
+[[filter]]
+name = "g"
+line_nm = 557.7
+width_nm = 2.0
+width_error = 0.03
+rayleigh_per_count_s = 24.2
+rayleigh_per_count_s_error = 1
+[[filter]]
+name = "b"
+line_nm = 427.8
+channel = "blue"
+"""
+
+
 def quiet(words, **more):
     """Runs what must succeed."""
     done = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **more)
@@ -162,6 +179,7 @@ def make_kinds(vegard, home):
     }
     for name, words in tables.items():
         text(name, words)
+    (home / "frames.pgm").write_bytes(frames(1))
     small = (home / "small.toml").read_text()
     sheet = 'energy_kev = 3.0\n'
     text("with_profile.toml", small.replace(sheet, sheet + 'profile = "file"\nprofile_file = "profile.csv"\n'))
@@ -197,6 +215,10 @@ def make_kinds(vegard, home):
                ON_PHOTO) for p in pictures + ["photo.ppm"]],
         Kind("frames", "it.pgm", [frames(3)], ON_FRAMES),
         Kind("packed frames", "it.pgm.gz", [gzip.compress(frames(3), mtime=0), gzip.compress(frames(1), mtime=0)], ON_FRAMES),
+        Kind("counts", "it.toml", [COUNTS],
+             [["linearise", "frames.pgm", "--rayleigh", "{it}", "--filter", "g", "--exposure", "2", "-o", "{out}/r.fits"],
+              ["photometry", "{it}", "frames.pgm", "--filter", "g", "--camera", "camera.toml", "--exposure", "2",
+               "--time", "2019-03-01T22:10:00Z", "-o", "{out}/c.toml"]]),
         *[Kind(name, "it." + name, [(SOURCE / "tests/data/imagers" / file).read_bytes() for file in files], ON_ARRAYS)
           for name, files in (("h5", ["rgb.h5", "huge.h5"]), ("mat", ["stack.mat", "stack_v73.mat"]), ("cdf", ["asi.cdf", "asi_packed.cdf"]),
                               ("sav", ["skymap.sav", "skymap_packed.sav"]), ("png.tar", ["minute.png.tar"]))],

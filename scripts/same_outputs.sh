@@ -62,6 +62,10 @@ write() {
   cd "$2"
   mkdir inputs logs out
   cp -r "$source_folder/data/gallery" "$source_folder/data/examples" "$source_folder/tests/cli/scenes" inputs
+  mkdir inputs/stars
+  (cd inputs/stars && python3 "$source_folder/tests/cli/made_stars.py" "$source_folder/data/stars/bright_stars.csv")
+  printf '%s\n' 'dark_counts = 100' '[[filter]]' 'name = "green"' 'line_nm = 557.7' 'width_nm = 2' \
+    'rayleigh_per_count_s = 25' >inputs/counts.toml
   ln -s "$binary" vegard  # results hold the name by which it was called
   binary=$PWD/vegard
   unset DISPLAY WAYLAND_DISPLAY

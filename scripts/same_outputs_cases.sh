@@ -10,7 +10,7 @@ photo=inputs/examples/h000/photo.jpg
 all_of() { ! $quick; }
 
 # --- Words ---------------------------------------------------------------------------------------------------------------------------
-for command in animate atmosphere brightness calibrate compare describe directions electrons fit grid horizon invert keogram linearise lines mask params points \
+for command in animate atmosphere brightness calibrate compare describe directions electrons fit grid horizon invert keogram linearise lines mask params photometry points \
   preview profile render sdf sequence slices volume; do
   all_of || [[ $command == fit || $command == render ]] || continue
   run "help_$command" "$command" --help
@@ -212,6 +212,9 @@ run directions directions $small -o out/directions.exr
 run directions_fits directions $small -o out/directions.fits
 run horizon horizon --size 600,400 --points 100,200 300,190 500,200 --hfov 53.13 -o out/horizon.toml
 run horizon_photo horizon $photo --points 100,300 600,310 --focal-35mm 24
+run photometry photometry inputs/counts.toml inputs/stars/stars.pgm --camera inputs/stars/camera.toml --exposure 200 --time 2000-01-01T12:00:00Z \
+  --stars-out out/stars_of_counts.csv
+run linearise_rayleigh linearise inputs/stars/stars.pgm --rayleigh inputs/counts.toml --exposure 200 -o out/rayleighs.fits
 run linearise linearise out/photograph.png $small --set 'sensor.exposure="camera"' --set time.exposure_s=8 \
   --set sensor.vignetting_cos_power=4 -o out/linear.exr
 awk 'BEGIN {

@@ -27,6 +27,7 @@ void add_map_command(Program& program);
 void add_mask_command(Program& program);
 void add_measure_command(Program& program);
 void add_params_command(Program& program);
+void add_photometry_command(Program& program);
 void add_points_command(Program& program);
 void add_preview_command(Program& program);
 void add_profile_command(Program& program);

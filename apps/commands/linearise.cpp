@@ -1,6 +1,8 @@
 #include "apps/commands/commands.h"
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,9 @@
 #include "apps/output/picture_file.h"
 #include "apps/output/terminal.h"
 #include "fit/photo/photo.h"
+#include "fit/photo/rayleigh/count_picture.h"
+#include "fit/photo/rayleigh/rayleigh_camera.h"
+#include "fit/photo/rayleigh/rayleigh_picture.h"
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/picture/image_io.h"
@@ -27,6 +32,8 @@ namespace {
 
 struct LineariseRequest {
   std::string photo, at, output;
+  std::string rayleigh, filter;  ///< a camera's file of counts, and which of its filters
+  std::optional<double> exposure_s;
   SceneOptions scene;
   bool overwrite = false;
 };
@@ -92,22 +99,87 @@ int run_linearise(const LineariseRequest& options) {
   return good;
 }
 
+/// To rayleighs, by what is known of a camera that counts.
+int run_rayleigh(const LineariseRequest& options) {
+  end_at_once_when_interrupted();
+  if (!options.scene.file.empty() || !options.scene.camera_file.empty() || !options.scene.changes.empty() ||
+      !options.scene.seed.empty())
+    throw usage_error("--rayleigh", "a scene and a camera that counts", "no SCENE beside --rayleigh");
+  const std::string ending = std::filesystem::path(options.output).extension().string();
+  const bool is_fits = ending == ".fits" || ending == ".fit" || ending == ".fts";
+  if (!is_fits && ending != ".exr")
+    throw usage_error("--output", "'" + options.output + "' cannot hold rayleighs and their error",
+                      "a name that ends in .fits or .exr");
+  const fit::RayleighCamera camera = fit::read_rayleigh_camera(options.rayleigh);
+  const fit::RayleighFilter& filter = fit::filter_called(camera, options.filter);
+  for (const std::string& input : {options.photo, options.rayleigh, filter.dark_file, filter.flat_file})
+    if (same_file(options.output, input)) refuse_same_file("--output", options.output, "an input");
+  if (!filter.factor) {
+    sim::ErrorDetails details;
+    details.file = options.rayleigh;
+    details.line = filter.line;
+    details.key = "filter.rayleigh_per_count_s";
+    details.problem = "it is not known what a count of '" + filter.name + "' stands for";
+    details.expected = "rayleigh_per_count_s";
+    details.hint = "vegard photometry finds it by stars";
+    throw sim::Error(sim::ErrorKind::scene, details);
+  }
+  sim::WholeFile file(options.output, options.overwrite);
+  const fit::CountPicture counts = fit::count_picture(options.photo, filter, options.exposure_s);
+  const fit::RayleighPicture picture = fit::rayleigh_picture(counts, filter);
+  const std::string photo = file_name_of(options.photo);
+  file.write(
+      is_fits ? fit::encode_rayleigh_fits(picture, filter, camera, photo, counts.exposure_s, options.output)
+              : fit::encode_rayleigh_exr(picture, filter, camera, photo, counts.exposure_s, options.output));
+  file.commit();
+  std::string text = fmt::format("{} x {} pixels of {:.1f} nm, {:g} s; {:.4g} to {:.4g} R, median {:.4g} R\n",
+                                 picture.image.width, picture.image.height, filter.band.line_nm,
+                                 counts.exposure_s, picture.least, picture.most, picture.median);
+  text += picture.scale_error > 0.0
+              ? fmt::format("the scale is known to {:.1f} %, the same for all pixels\n",
+                            100.0 * picture.scale_error)
+              : "note: how well the scale is known, no rayleigh_per_count_s_error tells\n";
+  if (!counts.is_noise_known)
+    text += "note: a pixel's error is without its photons' noise: no gain_e_per_count\n";
+  if (picture.unknown > 0) text += fmt::format("{} pixels are full or blank, and are NaN\n", picture.unknown);
+  say("%s: %s", options.output.c_str(), text.c_str());
+  return good;
+}
+
 }  // namespace
 
 void add_linearise_command(Program& program) {
   const auto options = std::make_shared<LineariseRequest>();
-  const Command command = program.add(
-      "linearise", "Take a photograph back to linear light, with its variance, by a scene's sensor");
+  const Command command = program.add("linearise",
+                                      "Take a photograph back to linear light, with its variance, by a "
+                                      "scene's sensor, or counts to rayleighs");
   command.option("photo", options->photo, "A photograph of any format that is read")
       .required()
       .type_name("PHOTO");
   add_at_option(command, options->at);
-  add_scene_options(command, options->scene);
-  command.option("-o,--output", options->output, "The linear light to write").required().type_name("OUT.exr");
+  add_scene_options(command, options->scene, SceneWord::may_be_missing);
+  const Option rayleigh = command
+                              .option("--rayleigh", options->rayleigh,
+                                      "To rayleighs instead, without a scene: dark level, flat field and "
+                                      "factors of a camera that counts")
+                              .type_name("COUNTS.toml");
+  command.option("--filter", options->filter, "Which of its filters the picture was taken through")
+      .type_name("NAME")
+      .needs(rayleigh);
+  command.option("--exposure", options->exposure_s, "Seconds, where the picture does not tell them")
+      .finite_range(1e-6, 1e5)
+      .type_name("S")
+      .needs(rayleigh);
+  command.option("-o,--output", options->output, "The linear light, or rayleighs, to write")
+      .required()
+      .type_name("OUT.exr|OUT.fits");
   command.flag("--overwrite", options->overwrite, "Replace an output that exists");
   command.runs([options] {
+    if (options->rayleigh.empty() && options->scene.file.empty())
+      throw usage_error("SCENE", "no scene is given",
+                        "a scene with the photograph's sensor, or --rayleigh COUNTS.toml");
     options->photo = picture_at(options->photo, options->at);
-    return run_linearise(*options);
+    return options->rayleigh.empty() ? run_linearise(*options) : run_rayleigh(*options);
   });
 }
 

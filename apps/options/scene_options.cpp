@@ -58,8 +58,9 @@ void take_camera(sim::Scene& scene, const std::string& camera_file) {
   }
 }
 
-void add_scene_options(const Command& command, SceneOptions& options) {
-  command.option("SCENE", options.file, "The scene file (TOML)").required();
+void add_scene_options(const Command& command, SceneOptions& options, SceneWord scene) {
+  const Option file = command.option("SCENE", options.file, "The scene file (TOML)");
+  if (scene == SceneWord::required) file.required();
   command
       .option("--camera", options.camera_file,
               "Take [camera] and [site] from this file, as vegard calibrate writes it")

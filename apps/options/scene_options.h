@@ -18,8 +18,10 @@ struct SceneOptions {
   std::string seed;                  ///< wins over a change of "seed"; empty: the file's
 };
 
-/// Adds SCENE, --camera, --set and --seed. `options` must outlive the parsing.
-void add_scene_options(const Command& command, SceneOptions& options);
+/// Adds SCENE, --camera, --set and --seed. `options` must outlive the parsing. A command that does without a
+/// scene in some of its ways says so, and asks whether one is given.
+enum class SceneWord { required, may_be_missing };
+void add_scene_options(const Command& command, SceneOptions& options, SceneWord scene = SceneWord::required);
 
 /// Puts the [camera] of a file such as `vegard calibrate` writes in place of the scene's, whole, and every
 /// key of its [site] in place of the scene's. Throws Error(unreadable_input), Error(scene) if it has anything

@@ -67,6 +67,10 @@ refused grid grid.vdb -o out.txt --channel density
 refused slices grid.vdb -o out.svg
 refused sdf a.png -o out.exr --threshold 0.3
 refused linearise a.png "$small" -o out.exr
+python3 "$SOURCE/tests/cli/made_stars.py" "$SOURCE/data/stars/bright_stars.csv"
+printf '%s\n' 'dark_counts = 100' '[[filter]]' 'name = "green"' 'line_nm = 557.7' 'width_nm = 2' 'rayleigh_per_count_s = 25' >counts.toml
+refused linearise stars.pgm --rayleigh counts.toml --exposure 200 -o out.fits
+refused photometry counts.toml stars.pgm --camera camera.toml --exposure 200 --time 2000-01-01T12:00:00Z -o out.toml
 refused electrons --spectrum mono --energy-kev 1
 refused invert --line 427.8=2300±50 --line 630.0=330±15
 refused lines --sources --energy-kev 0.1

@@ -7,6 +7,7 @@
 #include "apps/options/picture_lists.h"
 #include "apps/options/scene_options.h"
 #include "fit/photo/pointing/star_table.h"
+#include "fit/photo/rayleigh/rayleigh_camera.h"
 #include "fit/survey/filter/sky_trees.h"
 #include "fit/survey/plan_json.h"
 #include "fit/survey/survey_frames.h"
@@ -214,10 +215,23 @@ void reactions(const std::string& text) {
   require(rates(sim::Reaction::o1s_5577) >= 0.0);
 }
 
+/// What takes a factor is read as it was meant.
+void counts(const std::string& text) {
+  const fit::RayleighCamera camera = fit::parse_rayleigh_camera(text, "it.toml");
+  require(!camera.filters.empty());
+  for (const fit::RayleighFilter& filter : camera.filters) {
+    require(!filter.name.empty() && filter.band.line_nm > 0.0);
+    const bool has_band = filter.band.width_nm > 0.0 || !filter.band.table_nm.empty();
+    if (has_band) require(std::isfinite(fit::star_photons_in_band(filter.band, 1.0, 0.5)));
+    const std::string with = fit::with_factor(text, "it.toml", filter.name, {12.5, 0.5});
+    require(fit::filter_called(fit::parse_rayleigh_camera(with, "it.toml"), filter.name).factor->value == 12.5);
+  }
+}
+
 constexpr Reader kReaders[] = {
     csv,   height_profile, response, tone,      colours,         stars,         pictures,
     times, camera,         mask,     moments,   curtains,        precipitation, survey,
-    plan,  survey_list,    air,      sky_trees, emission_tables, reactions};
+    plan,  survey_list,    air,      sky_trees, emission_tables, reactions, counts};
 
 }  // namespace
 

@@ -44,6 +44,11 @@ constexpr const char* kSurvey =
     "= \"b\"\nreason "
     "= \"fog\"\n";
 
+constexpr const char* kCounts =
+    "uname = \"a\"\ndark_counts = 3.5\ngain_e_per_count = 2\n[[filter]]\nname = \"g\"\nline_nm = 557.7\nwidth_nm = "
+    "2.0\nwidth_error = 0.03\nrayleigh_per_count_s = 24.2\nrayleigh_per_count_s_error = 1\n[[filter]]\nname = "
+    "\"b\"\nline_nm = 427.8\nflat = \"f.fits\"\nchannel = \"blue\"\n";
+
 constexpr const char* kPlan =
     "o{\"kind\": \"vegard survey plan\", \"format\": 1, \"version\": \"0\", \"name\": \"a\", \"folder\": "
     "\".\", \"work\": "
@@ -90,6 +95,7 @@ std::vector<std::string> fuzz_seeds(const std::string&) {
       "1,1,-60,300,1,2,2,nan\n1,2,60,300,1.5,2,2,\n2,1,0,200,3,4,1,0.1\n2,2,9,201,4,3,1,0.1\n",
       "m" + small_map(),
       kSurvey,
+      kCounts,
       kPlan,
       "p# when\nnight.pgm.gz#1 2019-03-01T22:10:03.5Z\nb c.png 2019-03-01 22:10\na/20190301_221001.png\r\n",
       "qaltitude_km,T_K,nN2,nO2,nO\n90,190,4e13,1e13,2e11\n110,240,2e12,3e11,2e11\n400,1000,4e6,1e5,1e8\n",

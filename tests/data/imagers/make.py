@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Writes the files beside it, which tests read: small ones of the formats in which imagers' frames and skymaps are
 published, by writers that have nothing to do with vegard: h5py (rgb.h5, huge*.h5, stack_v73.mat), SciPy (stack.mat), tarfile,
-zlib and gzip (minute.png.tar, minute.pgm.gz, frame.fits.gz), and for CDF, which has no library in Debian, the format's description by hand (asi.cdf,
-asi_packed.cdf; Debian's libjcdf-java reads the same numbers of them). The two .sav are GDL's: gdl -q make_skymap.pro.
+zlib and gzip (minute.png.tar, minute.pgm.gz, frame.fits.gz), and for CDF, which has no library in Debian, the format's
+description by hand (asi.cdf, asi_packed.cdf; Debian's libjcdf-java reads the same numbers of them). The two .sav are GDL's: gdl -q make_skymap.pro.
 
     apt-get install python3-h5py python3-scipy gnudatalanguage; ./make.py; gdl -q make_skymap.pro
 

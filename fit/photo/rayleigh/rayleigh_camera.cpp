@@ -1,0 +1,248 @@
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "fit/photo/rayleigh/rayleigh_camera.h"
+#include "sim/base/error.h"
+#include "sim/base/file/csv_table.h"
+#include "sim/base/file/input_file.h"
+#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/table/checked_table.h"
+
+namespace vegard::fit {
+namespace {
+
+using sim::CheckedTable;
+using sim::complain;
+
+constexpr double kMostCounts = 1e9, kLeastNm = 300.0, kMostNm = 1200.0;
+/// Of what the light of stars is known for (sim/view/sky/star_flux.h).
+constexpr double kLeastStarNm = 400.0, kMostStarNm = 900.0;
+constexpr const char* kFactorKey = "rayleigh_per_count_s";
+constexpr const char* kFactorErrorKey = "rayleigh_per_count_s_error";
+
+/// A file's name as the camera's file has it, seen from where we are.
+std::string beside(const std::string& camera_file, const std::string& name) {
+  const std::filesystem::path path(name);
+  return path.is_absolute() ? name : (std::filesystem::path(camera_file).parent_path() / path).string();
+}
+
+std::optional<double> given_number(CheckedTable& table, const std::string& key, double least, double most) {
+  if (!table.has(key)) return std::nullopt;
+  double value = 0.0;
+  table.number(key, least, most, value);
+  return value;
+}
+
+/// A number above 0.
+void positive_number(CheckedTable& table, const std::string& key, double most, double& value) {
+  if (!table.has(key)) return;
+  table.number(key, 0.0, most, value);
+  if (!(value > 0.0)) complain({"it is 0", "a number above 0", ""}, table.at(key));
+}
+
+/// What may stand for all filters in the file's head, and for one of them in its table.
+void read_sensor(CheckedTable& table, RayleighFilter& filter) {
+  if (table.has("dark") && table.has("dark_counts"))
+    complain({"there are two dark levels", "'dark', a picture, or 'dark_counts', a number", ""},
+             table.at("dark"));
+  if (table.has("dark")) {
+    filter.dark_file = beside(table.file(), table.text("dark", "the file of a dark picture, in quotes"));
+  } else if (table.has("dark_counts")) {
+    filter.dark_file.clear();
+    table.number("dark_counts", -kMostCounts, kMostCounts, filter.dark_counts);
+  }
+  table.number("dark_error_counts", 0.0, kMostCounts, filter.dark_error_counts);
+  if (table.has("flat"))
+    filter.flat_file = beside(table.file(), table.text("flat", "the file of a flat field, in quotes"));
+  table.number("flat_error", 0.0, 1.0, filter.flat_error);
+  if (table.has("gain_e_per_count")) {
+    double gain = 0.0;
+    positive_number(table, "gain_e_per_count", 1e6, gain);
+    filter.gain_e_per_count = gain;
+  }
+  table.number("read_noise_counts", 0.0, kMostCounts, filter.read_noise_counts);
+  if (table.has("exposure_s")) {
+    double exposure_s = 0.0;
+    positive_number(table, "exposure_s", 1e5, exposure_s);
+    filter.exposure_s = exposure_s;
+  }
+  const std::string channel = table.text("channel", "\"red\", \"green\" or \"blue\"");
+  if (!channel.empty()) {
+    if (channel != "red" && channel != "green" && channel != "blue")
+      complain({"'" + channel + "' is no channel", "\"red\", \"green\" or \"blue\"", ""},
+               table.at("channel"));
+    filter.channel = channel;
+  }
+}
+
+/// The curve of a filter, wavelength_nm and transmission.
+void read_transmission(CheckedTable& table, FilterBand& band) {
+  const std::string file =
+      beside(table.file(), table.text("transmission", "a CSV of wavelength_nm and transmission, in quotes"));
+  for (const char* other : {"centre_nm", "width_nm"})
+    if (table.has(other))
+      complain({"the filter has a curve already", "'transmission', or 'centre_nm' and 'width_nm'", ""},
+               table.at(other));
+  constexpr std::size_t kMostCurveBytes = std::size_t{1} << 24;
+  const sim::CsvTable curve =
+      sim::read_csv_table(sim::input_bytes(file, "a filter's curve (CSV)", kMostCurveBytes), file);
+  curve.require_increasing("wavelength_nm");
+  curve.require_within("wavelength_nm", kLeastStarNm, kMostStarNm);
+  band.table_nm = curve.column("wavelength_nm");
+  band.transmission = curve.column("transmission");
+  curve.require_within("transmission", 0.0, kMostCounts);
+  if (band.table_nm.size() < 2)
+    curve.refuse(0, "this is the only row of a filter's curve",
+                 "two or more rows with increasing wavelengths");
+}
+
+void read_band(CheckedTable& table, FilterBand& band) {
+  if (!table.has("line_nm"))
+    complain({"'line_nm' is missing", "the wavelength of the line whose rayleighs are meant", ""},
+             table.at("line_nm"));
+  table.number("line_nm", kLeastNm, kMostNm, band.line_nm);
+  band.centre_nm = band.line_nm;
+  if (table.has("transmission")) {
+    read_transmission(table, band);
+  } else {
+    table.number("centre_nm", kLeastNm, kMostNm, band.centre_nm);
+    positive_number(table, "width_nm", 100.0, band.width_nm);
+  }
+  table.number("width_error", 0.0, 1.0, band.width_error);
+  const bool has_band = band.width_nm > 0.0 || !band.table_nm.empty();
+  if (has_band && !(transmission_at(band, band.line_nm) > 0.0))
+    complain({fmt::format("the filter lets nothing through at {:g} nm", band.line_nm),
+              "a band with the line in it", ""},
+             table.at("line_nm"));
+  if (!band.table_nm.empty() || band.width_nm == 0.0) return;
+  if (band.centre_nm - 0.5 * band.width_nm < kLeastStarNm ||
+      band.centre_nm + 0.5 * band.width_nm > kMostStarNm)
+    complain(
+        {"the light of stars is not known in all of the band",
+         fmt::format("a band within {:g} to {:g} nm", kLeastStarNm, kMostStarNm), "leave 'width_nm' out"},
+        table.at("width_nm"));
+}
+
+void read_factor(CheckedTable& table, RayleighFilter& filter) {
+  const std::optional<double> value = given_number(table, kFactorKey, 0.0, kMostCounts);
+  const std::optional<double> error = given_number(table, kFactorErrorKey, 0.0, kMostCounts);
+  if (value && !(*value > 0.0)) complain({"it is 0", "a number above 0", ""}, table.at(kFactorKey));
+  if (error && !value)
+    complain({"an error without its number", std::string("'") + kFactorKey + "' beside it", ""},
+             table.at(kFactorErrorKey));
+  if (value) filter.factor = RayleighFactor{*value, error.value_or(0.0)};
+}
+
+RayleighCamera camera_of(const toml::table& document, const std::string& file) {
+  RayleighCamera camera;
+  camera.file = file;
+  CheckedTable root(document, file, "", 1);
+  camera.name = root.text("name");
+  RayleighFilter common;
+  read_sensor(root, common);
+  root.each("filter", [&](CheckedTable& table) {
+    RayleighFilter filter = common;
+    filter.line = table.line();
+    const std::string expected = "a name for the filter, such as \"green\"";
+    filter.name = table.text("name", expected);
+    if (filter.name.empty()) complain({"'name' is missing", expected, ""}, table.at("name"));
+    for (const RayleighFilter& other : camera.filters)
+      if (other.name == filter.name)
+        complain({"two filters are called '" + filter.name + "'", "a name of its own for each", ""},
+                 table.at("name"));
+    read_sensor(table, filter);
+    read_band(table, filter.band);
+    read_factor(table, filter);
+    camera.filters.push_back(filter);
+  });
+  root.refuse_unknown();
+  if (camera.filters.empty()) complain({"there is no filter", "[[filter]]", ""}, {file, 1, "filter"});
+  return camera;
+}
+
+std::vector<std::string> lines_of_text(const std::string& text) {
+  std::vector<std::string> lines(1);
+  for (const char c : text) {
+    lines.back() += c;
+    if (c == '\n') lines.emplace_back();
+  }
+  if (lines.back().empty()) lines.pop_back();
+  return lines;
+}
+
+}  // namespace
+
+RayleighCamera parse_rayleigh_camera(const std::string& text, const std::string& file) {
+  return camera_of(sim::checked_toml(text, file), file);
+}
+
+std::string rayleigh_camera_text(const std::string& file) {
+  return sim::input_bytes(file, "a camera's counts (TOML)", sim::kMostTomlBytes);
+}
+
+RayleighCamera read_rayleigh_camera(const std::string& file) {
+  return parse_rayleigh_camera(rayleigh_camera_text(file), file);
+}
+
+const RayleighFilter& filter_called(const RayleighCamera& camera, const std::string& name) {
+  if (name.empty() && camera.filters.size() == 1) return camera.filters.front();
+  std::vector<std::string> names;
+  for (const RayleighFilter& filter : camera.filters) {
+    if (filter.name == name) return filter;
+    names.push_back(filter.name);
+  }
+  sim::ErrorDetails details;
+  details.file = camera.file;
+  details.key = "--filter";
+  details.problem = name.empty() ? "it has several filters" : "it has no filter '" + name + "'";
+  for (const std::string& one : names) details.expected += (details.expected.empty() ? "" : ", ") + one;
+  if (!name.empty()) details.hint = sim::nearest_hint(name, names);
+  throw sim::Error(sim::ErrorKind::usage, details);
+}
+
+std::string with_factor(const std::string& text, const std::string& file, const std::string& filter,
+                        const RayleighFactor& factor) {
+  const toml::table document = sim::checked_toml(text, file);
+  const RayleighCamera before = camera_of(document, file);
+  const RayleighFilter& wanted = filter_called(before, filter);
+  const auto index = static_cast<std::size_t>(&wanted - before.filters.data());
+  const toml::table& table = *document.get("filter")->as_array()->get(index)->as_table();
+  std::vector<std::string> lines = lines_of_text(text);
+  // What stood there goes; the new numbers stand behind the filter's line_nm.
+  const auto line_of_key = [&](const char* key) {
+    const toml::node* node = table.get(key);
+    return node != nullptr ? static_cast<std::size_t>(sim::line_of(*node)) : std::size_t{0};
+  };
+  const std::size_t after = line_of_key("line_nm");
+  for (const char* key : {kFactorKey, kFactorErrorKey})
+    if (const std::size_t line = line_of_key(key); line > 0 && line <= lines.size() && line != after)
+      lines[line - 1].clear();
+  std::string written;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    written += lines[i];
+    if (i + 1 != after) continue;
+    if (!written.empty() && written.back() != '\n') written += '\n';
+    written +=
+        fmt::format("{} = {:.6g}\n{} = {:.3g}\n", kFactorKey, factor.value, kFactorErrorKey, factor.error);
+  }
+  // It is written if it reads as it was meant.
+  const auto is_written = [&] {
+    try {
+      const RayleighCamera now = parse_rayleigh_camera(written, file);
+      const auto& found = filter_called(now, wanted.name).factor;
+      return now.filters.size() == before.filters.size() && found &&
+             std::abs(found->value / factor.value - 1.0) < 1e-5;
+    } catch (const sim::Error&) {
+      return false;
+    }
+  };
+  if (!is_written())
+    complain(
+        {"the filter '" + wanted.name + "' has no room for its factor", "a key a line in [[filter]]", ""},
+        {file, wanted.line, kFactorKey});
+  return written;
+}
+
+}  // namespace vegard::fit

@@ -1,0 +1,58 @@
+// What is known of a camera that counts: its dark level, flat field and filters, and for each of these how
+// many rayleighs a count per second stands for. Its file is docs/rayleighs.md's.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/photo/rayleigh/filter_band.h"
+
+namespace vegard::fit {
+
+/// Rayleighs of the filter's line for one count per second above the dark level, where the flat field is 1,
+/// below the air: what the camera gets, extinction not undone.
+struct RayleighFactor {
+  double value = 0.0;
+  double error = 0.0;  ///< its standard uncertainty; 0: not told
+};
+
+struct RayleighFilter {
+  std::string name;
+  int line = 0;  ///< of its table in the file
+  FilterBand band;
+  std::string dark_file;  ///< a picture of as long an exposure; empty: dark_counts everywhere
+  double dark_counts = 0.0, dark_error_counts = 0.0;
+  std::string flat_file;    ///< empty: 1 everywhere
+  double flat_error = 0.0;  ///< relative, of a pixel against the middle
+  std::optional<double> gain_e_per_count;
+  double read_noise_counts = 0.0;
+  std::optional<double> exposure_s;  ///< where neither the picture nor the command line tells it
+  std::string channel;               ///< of a picture of colours: "red", "green", "blue"
+  std::optional<RayleighFactor> factor;
+};
+
+struct RayleighCamera {
+  std::string file, name;
+  std::vector<RayleighFilter> filters;  ///< at least one, each with a name of its own
+};
+
+/// Files that it names stand beside it. Throws sim::Error(unreadable_input) if there is no such file, and
+/// (scene) with file, line and key for what is no such camera.
+RayleighCamera read_rayleigh_camera(const std::string& file);
+
+/// All of such a file. Throws sim::Error(unreadable_input).
+std::string rayleigh_camera_text(const std::string& file);
+
+/// The same of a text; `file` is for messages and for the folder of what it names.
+RayleighCamera parse_rayleigh_camera(const std::string& text, const std::string& file);
+
+/// By its name; of one filter alone, with an empty name too. Throws sim::Error(usage) for another.
+const RayleighFilter& filter_called(const RayleighCamera& camera, const std::string& name);
+
+/// The same text with that filter's factor and its error in it, comments and all else as they were. Throws
+/// sim::Error(scene) where the filter's table cannot be written in: one that is written in a single line.
+std::string with_factor(const std::string& text, const std::string& file, const std::string& filter,
+                        const RayleighFactor& factor);
+
+}  // namespace vegard::fit
