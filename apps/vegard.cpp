@@ -55,6 +55,7 @@ int run(int argc, char** argv) {
   apps::add_compare_command(program);
   apps::add_sequence_command(program);
   apps::add_survey_command(program);
+  apps::add_to_netcdf_command(program);
   apps::add_grid_command(program);
   apps::add_slices_command(program);
   apps::add_sdf_command(program);

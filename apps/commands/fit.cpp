@@ -58,7 +58,7 @@ struct FitRequest {
   std::string out;
   int threads = 0;
   int max_evaluations = fit::FitOptions().max_evaluations;
-  bool overwrite = false;
+  bool overwrite = false, netcdf = false;
   bool resume = false;
   bool check_derivatives = false;
   bool intervals = false;
@@ -296,6 +296,7 @@ int run_fit(const FitRequest& options, const std::string& command) {
   result.from_photograph = from_photograph;
   fit::RunContext context;
   context.threads = options.threads;
+  context.netcdf = options.netcdf;
   fit::write_run(options.out, replaces, result, photos, context);
   if (result.verdict == fit::Verdict::interrupted)
     std::fputs("vegard: interrupted; the same command with --resume goes on\n", stderr);
@@ -355,6 +356,7 @@ void add_fit_command(Program& program) {
       "--stability", options->stability,
       "Repeat the fit from its answer with other regions, bands, sky, air, curve and model error: what "
       "numbers move by is their systematic error");
+  command.flag("--netcdf", options->netcdf, "Write the result as netCDF too: RUN/result.nc");
   command.flag("--overwrite", options->overwrite,
                "Replace a run that exists; without --resume, discard the steps of one that was cut off");
   command.flag("--resume", options->resume,

@@ -18,6 +18,7 @@
 #include "fit/photo/photo.h"
 #include "fit/photo/region.h"
 #include "fit/report/keogram_plot.h"
+#include "fit/report/netcdf/table_dataset.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/file/whole_file.h"
@@ -30,15 +31,16 @@ namespace {
 /// Of the picture's width, where nothing says how wide the strip is to be.
 constexpr int kUsualStripShare = 50;
 
-enum class OutputKind { table, image, plot };
+enum class OutputKind { table, netcdf, image, plot };
 
 OutputKind output_kind(const std::string& file) {
   const std::string extension = std::filesystem::path(file).extension().string();
   if (extension == ".csv") return OutputKind::table;
+  if (extension == ".nc") return OutputKind::netcdf;
   if (extension == ".exr") return OutputKind::image;
   if (extension == ".png" || extension == ".svg") return OutputKind::plot;
   throw usage_error("--output", "'" + file + "' names no kind of keogram",
-                    "a name that ends in .png, .svg, .exr or .csv");
+                    "a name that ends in .png, .svg, .exr, .csv or .nc");
 }
 
 void check_outputs(const KeogramOptions& options, const std::vector<std::string>& images) {
@@ -128,18 +130,24 @@ fit::KeogramLook look_of(const KeogramOptions& options) {
   return look;
 }
 
-std::string bytes_of(const fit::Keogram& keogram, const fit::KeogramLook& look, const std::string& file) {
+void fill(sim::WholeFile& to, const fit::Keogram& keogram, const fit::KeogramLook& look,
+          const std::string& file) {
   switch (output_kind(file)) {
     case OutputKind::table:
-      return fit::keogram_csv(keogram);
+      to.write(fit::keogram_csv(keogram));
+      break;
+    case OutputKind::netcdf:
+      fit::table_dataset(fit::keogram_csv(keogram), file).write(to.temporary(), file);
+      break;
     case OutputKind::image: {
       const sim::Image image = fit::keogram_image(keogram);
-      return sim::encode_exr({&image}, fit::keogram_attributes(keogram), file);
+      to.write(sim::encode_exr({&image}, fit::keogram_attributes(keogram), file));
+      break;
     }
     case OutputKind::plot:
+      to.write(plot_bytes(fit::keogram_plot(keogram, look), plot_format(file, "--output")));
       break;
   }
-  return plot_bytes(fit::keogram_plot(keogram, look), plot_format(file, "--output"));
 }
 
 std::string line_words(const fit::KeogramLine& line) {
@@ -165,7 +173,7 @@ void run_keogram(const KeogramOptions& options) {
   std::optional<sim::Scene> scene;
   if (!options.scene.empty()) scene = sim::read_scene(options.scene);
   const fit::Keogram keogram = measure(options, pictures, scene ? &*scene : nullptr);
-  for (std::size_t i = 0; i < files.size(); ++i) files[i]->write(bytes_of(keogram, look, options.outputs[i]));
+  for (std::size_t i = 0; i < files.size(); ++i) fill(*files[i], keogram, look, options.outputs[i]);
   for (const auto& file : files) file->commit();
 
   say("%zu pictures of %d x %d pixels, decoding: %s\n", keogram.columns.size(), keogram.picture_width_px,
@@ -190,7 +198,7 @@ void add_keogram_command(Program& program) {
               "What to write: a picture, linear light, a table; may be repeated")
       .required()
       .one_an_occurrence()
-      .type_name("OUT.png|.svg|.exr|.csv");
+      .type_name("OUT.png|.svg|.exr|.csv|.nc");
   command.option("--scene", options->scene,
                  "A scene whose camera took the pictures: the line is the magnetic meridian");
   add_map_options(command, options->maps);

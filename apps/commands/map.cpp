@@ -47,7 +47,7 @@ struct MapRequest {
   double sparsity = 0.0;
   double farthest_km = 0.0;
   double altitude_scale = fit::MapOptions().altitude_scale;
-  bool overwrite = false, resume = false, no_metadata = false;
+  bool overwrite = false, resume = false, no_metadata = false, netcdf = false;
 };
 
 /// What the map tells while it works: a bar on a terminal, elsewhere one line a stage.
@@ -148,6 +148,7 @@ int run_map(const MapRequest& options, const std::string& command) {
   fit::MapRunFacts facts;
   facts.faint = fit::find_faint_curtains(result);
   facts.command = command;
+  facts.netcdf = options.netcdf;
   facts.inputs = inputs_of(options.scene.file, scene_sha256, photos);
   facts.from_photograph = from_photograph;
   for (std::size_t i = 0; i < photos.size(); ++i)
@@ -204,6 +205,7 @@ void add_map_command(Program& program) {
           "Let all light stand at so many times the altitudes of the tables' atmosphere, to see what changes")
       .range(0.9, 1.2)
       .shows_default();
+  command.flag("--netcdf", options->netcdf, "Write the map as netCDF too: RUN/precipitation.nc");
   command.flag("--overwrite", options->overwrite,
                "Replace a map that exists; without --resume, discard the steps of one that was cut off");
   command.flag("--resume", options->resume,

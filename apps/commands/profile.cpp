@@ -26,6 +26,7 @@
 #include "fit/measure/profile.h"
 #include "fit/measure/profile_bins.h"
 #include "fit/photo/photo.h"
+#include "fit/report/netcdf/table_dataset.h"
 #include "fit/report/plot/plot.h"
 #include "fit/report/profile_plot.h"
 #include "fit/report/table/profile_csv.h"
@@ -243,7 +244,10 @@ void run_profile(const ProfileRequest& options) {
   sim::WholeFile table_file(options.output, options.overwrite);
   std::optional<sim::WholeFile> plot_file;
   if (format != PlotFormat::none) plot_file.emplace(options.plot, options.overwrite);
-  table_file.write(measured.csv);
+  if (std::filesystem::path(options.output).extension() == ".nc")
+    fit::table_dataset(measured.csv, options.output).write(table_file.temporary(), options.output);
+  else
+    table_file.write(measured.csv);
   if (plot_file) plot_file->write(plot);
   table_file.commit();
   if (plot_file) plot_file->commit();
@@ -304,12 +308,13 @@ void add_profile_command(Program& program) {
                  "A photograph of any format that is read; with --keogram a list of them");
   add_at_option(command, options->at);
   add_filter_option(command, options->filters);
-  command.option("-o,--output", options->output, "The table to write").type_name("OUT.csv");
+  command.option("-o,--output", options->output, "The table to write: netCDF if it ends in .nc, else CSV")
+      .type_name("OUT.csv|.nc");
   command
       .option("--keogram", options->keogram,
               "A keogram of all images in place of a profile of one (see vegard keogram)")
       .one_an_occurrence()
-      .type_name("OUT.png|.svg|.exr|.csv");
+      .type_name("OUT.png|.svg|.exr|.csv|.nc");
   command.option("--times", options->times, "With --keogram: when each was taken, lines of FILE,TIME")
       .type_name("TIMES.csv");
   command.option("--roi", options->roi_px, "Region of interest in pixels (default: the scene's, or all)")

@@ -21,6 +21,7 @@
 #include "apps/options/standard_streams.h"
 #include "apps/output/terminal.h"
 #include "fit/answer/verdict.h"
+#include "fit/report/netcdf/run_dataset.h"
 #include "fit/report/run_directory.h"
 #include "fit/report/table/sequence_files.h"
 #include "fit/sequence.h"
@@ -46,7 +47,7 @@ struct SequenceRequest {
   std::string mask, decoding, out, reports = "all";
   int threads = 0;
   int max_evaluations = fit::FitOptions().max_evaluations;
-  bool overwrite = false;
+  bool overwrite = false, netcdf = false;
 };
 
 /// True for what manifest() has written, in this version or an older one.
@@ -95,7 +96,7 @@ class Folder {
         refuse(path_, "is of another sequence, scene or version",
                "use --overwrite to fit it anew, or choose another name");
     }
-    for (const char* name : {kManifest, kTable, kPlot}) {
+    for (const char* name : {kManifest, kTable, kPlot, kNetcdf}) {
       const fs::file_status status = fs::symlink_status(file(name), error);
       if (fs::exists(status) && !fs::is_regular_file(status))  // what a link leads to would be replaced
         refuse(file(name), "is in the way, and is no file that vegard wrote", "choose another name");
@@ -156,13 +157,15 @@ class Folder {
     fit::sequence_row_of(found.bytes, row);
   }
 
-  static constexpr const char *kManifest = "sequence.json", *kTable = "sequence.csv", *kPlot = "sequence.svg";
+  static constexpr const char *kManifest = "sequence.json", *kTable = "sequence.csv", *kPlot = "sequence.svg",
+                              *kNetcdf = fit::kSequenceNetcdf;
   std::string path_;
 };
 
-void write_tables(const Folder& folder, const std::vector<fit::SequenceRow>& rows) {
+void write_tables(const Folder& folder, const std::vector<fit::SequenceRow>& rows, bool netcdf) {
   sim::write_whole(folder.file("sequence.csv"), fit::sequence_csv(rows), true);
   sim::write_whole(folder.file("sequence.svg"), fit::plot_svg(fit::sequence_plot(rows)), true);
+  if (netcdf) sim::write_netcdf(fit::sequence_dataset(rows), folder.file(fit::kSequenceNetcdf), true);
 }
 
 void tell_row(const fit::SequenceRow& row, bool was_done) {
@@ -251,16 +254,17 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
     if (wants_report(options, fitted.result.verdict)) {
       fit::RunContext context;
       context.threads = options.threads;
+      context.netcdf = options.netcdf;
       fit::write_run(folder.run(frame.name), true, fitted.result, photo, context);
     } else {
       folder.drop_run(frame.name);
     }
     rows.push_back(fit::sequence_row(frame.name, frame.time_s, scene, fitted, photo));
     sim::write_whole(folder.row(frame.name), fit::sequence_row_json(rows.back()));
-    write_tables(folder, rows);
+    write_tables(folder, rows, options.netcdf);
     tell_row(rows.back(), false);
   }
-  write_tables(folder, rows);
+  write_tables(folder, rows, options.netcdf);
   say("%s\n", folder.file("sequence.csv").c_str());
   return exit_code_of(rows);
 }
@@ -295,6 +299,8 @@ void add_sequence_command(Program& program) {
               "are written of all")
       .one_of({"all", "doubtful", "none"})
       .shows_default();
+  command.flag("--netcdf", options->netcdf,
+               "Write netCDF too: DIR/sequence.nc, and result.nc into each frame's run");
   command.flag("--overwrite", options->overwrite, "Fit anew what is of another scene or version");
   command.runs([options, words = program.command_line()] { return run_sequence(*options, words); });
 }

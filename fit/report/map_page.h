@@ -19,6 +19,7 @@ struct MapRunFacts {
   std::vector<PhotoFact> from_photograph;
   std::vector<std::pair<std::string, std::string>> decodings;  ///< of each photograph: its name, and how
   std::vector<Curtain> faint;  ///< find_faint_curtains(): for a fit that may add them
+  bool netcdf = false;         ///< precipitation.nc beside the FITS file (fit/report/netcdf)
 };
 
 /// The same result gives the same bytes.

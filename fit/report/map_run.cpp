@@ -11,6 +11,7 @@
 #include "fit/map/map_raster.h"
 #include "fit/map/map_record.h"
 #include "fit/report/map_page.h"
+#include "fit/report/netcdf/map_dataset.h"
 #include "sim/base/error.h"
 #include "sim/base/file/csv_text.h"
 #include "sim/base/file/input_file.h"
@@ -47,8 +48,8 @@ std::optional<nlohmann::json> map_json_of(const std::string& bytes) {
 }
 
 sim::KnownFolder look_at_map(const std::string& directory) {
-  std::set<std::string> names = {kMapJson, "precipitation.fits", kCurtainTable, kFaintCurtainTable,
-                                 "report.html"};
+  std::set<std::string> names = {kMapJson,           "precipitation.fits", kCurtainTable,
+                                 kFaintCurtainTable, "report.html",        kMapNetcdf};
   sim::KnownFolder known;
   const sim::InputFile file = sim::read_input(directory + "/" + kMapJson, kMostMapBytes);
   const std::optional<nlohmann::json> json = map_json_of(file.bytes);
@@ -261,6 +262,8 @@ void write_map_run(const std::string& directory, bool overwrite, const MapResult
     sim::write_whole(run.file(kFaintCurtainTable), curtains_csv(facts.faint));
     for (const MappedPhoto& photo : result.photos) write_pictures(run, photo);
     sim::write_whole(run.file("report.html"), map_page(result, curtains, verdicts, facts));
+    // Whatever is in it stands in the other files.
+    if (facts.netcdf) sim::write_netcdf(map_dataset(run.temporary()), run.file(kMapNetcdf), false);
     run.commit();
   } catch (const sim::Error& error) {
     throw about(directory, run.temporary(), error);

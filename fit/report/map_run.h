@@ -1,6 +1,6 @@
 // A map of precipitation as a directory: map.json, precipitation.fits, curtains.csv, faint_curtains.csv,
-// model.exr, residual.exr, report.html. Of several photographs: model-NAME.exr and residual-NAME.exr for
-// each.
+// model.exr, residual.exr, report.html, and precipitation.nc if it is asked for. Of several photographs:
+// model-NAME.exr and residual-NAME.exr for each.
 #pragma once
 
 #include <string>

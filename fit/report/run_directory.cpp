@@ -11,6 +11,7 @@
 
 #include "fit/report/foot_map.h"
 #include "fit/report/model_picture.h"
+#include "fit/report/netcdf/run_dataset.h"
 #include "fit/report/report_html.h"
 #include "fit/report/table/report_bins.h"
 #include "fit/report/table/result_json.h"
@@ -143,8 +144,8 @@ std::optional<std::vector<std::string>> photos_of_result(const std::string& text
 /// What a run may hold: what write_run() writes, for the photographs of its result.json and with the tables
 /// of its best.toml.
 sim::KnownFolder look_at_run(const std::string& directory) {
-  std::set<std::string> names = {"result.json", "best.toml", "profile.csv",
-                                 "trace.csv",   "map.svg",   "report.html"};
+  std::set<std::string> names = {"result.json", "best.toml",   "profile.csv", "trace.csv",
+                                 "map.svg",     "report.html", kRunNetcdf};
   sim::KnownFolder known;
   const sim::InputFile result = sim::read_input(directory + "/result.json", kMostResultBytes);
   const std::optional<std::vector<std::string>> photos = photos_of_result(result.bytes);
@@ -212,6 +213,8 @@ void write_run(const std::string& directory, bool overwrite, const FitResult& re
     if (const std::string map = foot_map_svg(result); !map.empty())
       sim::write_whole(run.file("map.svg"), map);
     sim::write_whole(run.file("report.html"), report_html(result, shown));
+    // Whatever is in it stands in the other files.
+    if (context.netcdf) sim::write_netcdf(run_dataset(run.temporary()), run.file(kRunNetcdf), false);
     run.commit();
   } catch (const sim::Error& error) {
     throw about(directory, run.temporary(), error);

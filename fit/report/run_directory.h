@@ -1,6 +1,6 @@
 // One fit as a directory: result.json, best.toml, profiles.csv, trace.csv, map.svg, model.exr,
-// residual.exr, report.html. Of several photographs: profiles-NAME.csv, model-NAME.exr and residual-NAME.exr
-// for each.
+// residual.exr, report.html, and result.nc if it is asked for. Of several photographs: profiles-NAME.csv,
+// model-NAME.exr and residual-NAME.exr for each.
 #pragma once
 
 #include <string>
@@ -13,7 +13,8 @@ namespace vegard::fit {
 
 /// What the writing needs to know beside the result.
 struct RunContext {
-  int threads = 0;  ///< for the model's picture; 0: all cores. The files do not depend on it.
+  int threads = 0;      ///< for the model's picture; 0: all cores. The files do not depend on it.
+  bool netcdf = false;  ///< all numbers in result.nc as well (fit/report/netcdf)
 };
 
 /// Throws as write_run would, without writing: to be asked before the long work.

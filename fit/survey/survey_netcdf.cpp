@@ -1,16 +1,15 @@
 #include "fit/survey/survey_netcdf.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
 #include "fit/answer/trust.h"
 #include "fit/survey/survey_columns.h"
 #include "fit/survey/survey_results.h"
+#include "sim/base/file/netcdf_dataset.h"
 #include "sim/base/file/netcdf_file.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/number/constants.h"
@@ -36,21 +35,13 @@ class FlagColumn {
         variable_(file.variable(name, NetcdfType::flag, of)) {
     file.attribute(variable_, "long_name", long_name);
     std::vector<int> numbers;
-    std::string meanings;
-    for (const std::string& word : words_) {
-      numbers.push_back(static_cast<int>(numbers.size()));
-      // Meanings have blanks between them, and so none inside.
-      std::string meaning = word;
-      std::replace(meaning.begin(), meaning.end(), ' ', '_');
-      meanings += (meanings.empty() ? "" : " ") + meaning;
-    }
+    for (std::size_t i = 0; i < words_.size(); ++i) numbers.push_back(static_cast<int>(i));
     if (words_.empty()) return;
     file.flags(variable_, "flag_values", numbers);
-    file.attribute(variable_, "flag_meanings", meanings);
+    file.attribute(variable_, "flag_meanings", sim::netcdf_flag_meanings(words_));
   }
   void add(const std::optional<std::string>& word) {
-    const auto found = word ? std::find(words_.begin(), words_.end(), *word) : words_.end();
-    rows_.push_back(found == words_.end() ? sim::kNetcdfNoFlag : static_cast<int>(found - words_.begin()));
+    rows_.push_back(word ? sim::flag_number(words_, *word) : sim::kNetcdfNoFlag);
   }
   void put(NetcdfFile& file, std::size_t first) {
     file.put(variable_, first, rows_);
@@ -70,7 +61,7 @@ class RealColumn {
              const std::vector<NetcdfFile::Dimension>& of)
       : variable_(file.variable(name, NetcdfType::real, of)) {
     file.attribute(variable_, "long_name", long_name);
-    file.attribute(variable_, "units", udunits_of(unit));
+    file.attribute(variable_, "units", sim::udunits_of(unit));
   }
   void add(const std::optional<double>& value) { rows_.push_back(value.value_or(sim::kNaN)); }
   void put(NetcdfFile& file, std::size_t first) {
@@ -82,20 +73,6 @@ class RealColumn {
  private:
   NetcdfFile::Variable variable_;
   std::vector<double> rows_;
-};
-
-/// Names that no two variables have.
-class VariableNames {
- public:
-  std::string of(const std::string& words) {
-    const std::string name = sim::netcdf_name(words);
-    std::string found = name;
-    for (int i = 2; !taken_.insert(found).second; ++i) found = name + "_" + std::to_string(i);
-    return found;
-  }
-
- private:
-  std::set<std::string> taken_;
 };
 
 /// A number with its error, and whether to trust it.
@@ -284,7 +261,7 @@ class SurveyNetcdf {
   }
 
   NetcdfFile& file_;
-  VariableNames names_;
+  sim::NetcdfNames names_;
   NetcdfFile::Variable number_, time_, camera_, name_;
   std::optional<FlagColumn> status_;
   std::vector<std::pair<SurveyWork, FlagColumn>> verdicts_;
@@ -298,32 +275,6 @@ class SurveyNetcdf {
 };
 
 }  // namespace
-
-std::string udunits_of(const std::string& unit) {
-  // Of a velocity what is before the second.
-  const std::string per_second = "/s";
-  if (unit != "m/s" && unit.size() > per_second.size() &&
-      unit.compare(unit.size() - per_second.size(), per_second.size(), per_second) == 0)
-    return udunits_of(unit.substr(0, unit.size() - per_second.size())) + " s-1";
-  if (unit.empty() || unit == "white" || unit == "dex" || unit == "px") return "1";
-  if (unit == "deg" || unit == "\u00b0") return "degree";
-  static const std::array<std::pair<const char*, const char*>, 11> kRaised = {{{"\u207b", "-"},
-                                                                               {"\u2070", "0"},
-                                                                               {"\u00b9", "1"},
-                                                                               {"\u00b2", "2"},
-                                                                               {"\u00b3", "3"},
-                                                                               {"\u2074", "4"},
-                                                                               {"\u2075", "5"},
-                                                                               {"\u2076", "6"},
-                                                                               {"\u2077", "7"},
-                                                                               {"\u2078", "8"},
-                                                                               {"\u2079", "9"}}};
-  std::string plain = unit;
-  for (const auto& [raised, digit] : kRaised)
-    for (std::size_t at = plain.find(raised); at != std::string::npos; at = plain.find(raised))
-      plain.replace(at, std::string(raised).size(), digit);
-  return plain;
-}
 
 void write_survey_netcdf(const SqliteFile& database, const std::string& output, bool overwrite) {
   const SurveyReader reader(database);

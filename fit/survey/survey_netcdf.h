@@ -12,7 +12,4 @@ namespace vegard::fit {
 /// Throws as SurveyReader, sim::WholeFile and sim::NetcdfFile do.
 void write_survey_netcdf(const SqliteFile& database, const std::string& output, bool overwrite);
 
-/// A unit as UDUNITS has it: "mW m-2" of "mW m\u207b\u00b2", "degree" of "deg", "1" of none.
-std::string udunits_of(const std::string& unit);
-
 }  // namespace vegard::fit

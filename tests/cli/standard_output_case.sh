@@ -63,6 +63,7 @@ refused "${fit[@]}" --out out
 refused "${fit[@]}" --check-derivatives
 refused compare one two
 refused sequence "$SCENES/fit.toml" --photos a.png b.png -o out --max-evaluations 3 --set sheet.main.beams=20
+refused to-netcdf one -o out.nc
 refused grid grid.vdb -o out.txt --channel density
 refused slices grid.vdb -o out.svg
 refused sdf a.png -o out.exr --threshold 0.3
@@ -95,7 +96,7 @@ refused survey submit plan.json --out out_run --dry-run
 
 # No subcommand is left out, and the help of each goes the same way.
 expect_exit 0 --help
-names=$(sed -n '/^S[Uu][Bb][Cc][Oo][Mm][Mm][Aa][Nn][Dd][Ss]:/,$p' "$stdout" | sed -n 's/^  \([a-z]\{1,\}\) .*/\1/p')
+names=$(sed -n '/^S[Uu][Bb][Cc][Oo][Mm][Mm][Aa][Nn][Dd][Ss]:/,$p' "$stdout" | sed -n 's/^  \([a-z-]\{1,\}\) .*/\1/p')
 [[ $(wc -w <<<"$names") -ge 22 ]] || fail "the list of subcommands is not understood: $names"
 ways=full
 for name in $names; do

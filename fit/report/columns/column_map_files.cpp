@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/base/file/netcdf_file.h"
+#include "sim/base/file/netcdf_dataset.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/version.h"
@@ -33,12 +33,6 @@ constexpr std::array<ColumnVerdict, 7> kQualities = {
     ColumnVerdict::well_constrained, ColumnVerdict::loosely_constrained, ColumnVerdict::one_sided,
     ColumnVerdict::two_solutions,    ColumnVerdict::contradiction,       ColumnVerdict::no_light,
     ColumnVerdict::not_measured};
-
-std::string with_underscores(std::string words) {
-  for (char& c : words)
-    if (c == ' ') c = '_';
-  return words;
-}
 
 std::string quality_words() {
   std::string words;
@@ -75,37 +69,22 @@ std::string encode_column_maps(const ColumnMaps& maps, const InversionFacts& fac
 
 void write_column_maps_netcdf(const ColumnMaps& maps, const InversionFacts& facts, const std::string& path,
                               const std::string& shown_name) {
-  sim::NetcdfFile file(path, shown_name);
-  const std::vector<sim::NetcdfFile::Dimension> plane = {file.dimension("y", maps.height),
-                                                         file.dimension("x", maps.width)};
-  std::vector<sim::NetcdfFile::Variable> variables;
+  sim::NetcdfDataset dataset(
+      "energy and energy flux of electrons by line brightnesses",
+      "vegard " + sim::version() + ", electrons: " + facts.spectrum + ", emission tables: " + facts.tables);
+  dataset.attribute("model_error", fmt::format("{:g}", facts.model_error));
+  dataset.attribute("comment", "rows from the top of the line maps down");
+  dataset.dimension("y", maps.height);
+  dataset.dimension("x", maps.width);
   for (const MapPlane& p : kPlanes) {
-    variables.push_back(file.variable(p.name, sim::NetcdfType::real, plane));
-    file.attribute(variables.back(), "long_name", p.long_name);
-    file.attribute(variables.back(), "units", p.unit);
+    const std::vector<float>& of = maps.*p.values;
+    dataset.real(p.name, p.long_name, p.unit, {"y", "x"}, std::vector<double>(of.begin(), of.end()));
   }
-  const sim::NetcdfFile::Variable quality = file.variable("quality", sim::NetcdfType::flag, plane);
-  std::vector<int> values;
-  std::string meanings;
-  for (const ColumnVerdict verdict : kQualities) {
-    values.push_back(static_cast<int>(verdict));
-    meanings += (meanings.empty() ? "" : " ") + with_underscores(column_verdict_name(verdict));
-  }
-  file.attribute(quality, "long_name", "what to believe of a pixel");
-  file.flags(quality, "flag_values", values);
-  file.attribute(quality, "flag_meanings", meanings);
-  file.attribute("Conventions", "CF-1.8");
-  file.attribute("title", "energy and energy flux of electrons by line brightnesses");
-  file.attribute("source", "vegard " + sim::version() + ", electrons: " + facts.spectrum +
-                               ", emission tables: " + facts.tables);
-  file.attribute("model_error", fmt::format("{:g}", facts.model_error));
-  file.attribute("comment", "rows from the top of the line maps down");
-  for (std::size_t p = 0; p < kPlanes.size(); ++p) {
-    const std::vector<float>& of = maps.*kPlanes[p].values;
-    file.put(variables[p], 0, std::vector<double>(of.begin(), of.end()));
-  }
-  file.put(quality, 0, std::vector<int>(maps.quality.begin(), maps.quality.end()));
-  file.close();
+  std::vector<std::string> words;
+  for (const ColumnVerdict verdict : kQualities) words.emplace_back(column_verdict_name(verdict));
+  dataset.flags("quality", "what to believe of a pixel", words, {"y", "x"},
+                std::vector<int>(maps.quality.begin(), maps.quality.end()));
+  dataset.write(path, shown_name);
 }
 
 std::string column_maps_text(const ColumnMaps& maps) {

@@ -154,16 +154,5 @@ TEST(SurveyNetcdf, IsTheSameLaterOn) {
   write_survey_netcdf(database, folder / "a.nc", true);
 }
 
-TEST(SurveyNetcdf, WritesUnitsAsUdunitsHasThem) {
-  EXPECT_EQ(udunits_of("mW m\u207b\u00b2"), "mW m-2");
-  EXPECT_EQ(udunits_of("deg"), "degree");
-  EXPECT_EQ(udunits_of("km"), "km");
-  EXPECT_EQ(udunits_of(""), "1");
-  EXPECT_EQ(udunits_of("dex"), "1");
-  EXPECT_EQ(udunits_of("m/s"), "m/s");
-  EXPECT_EQ(udunits_of("deg/s"), "degree s-1");
-  EXPECT_EQ(udunits_of("white/s"), "1 s-1");
-}
-
 }  // namespace
 }  // namespace vegard::fit::survey_netcdf_test

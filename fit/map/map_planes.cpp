@@ -1,0 +1,94 @@
+#include "fit/map/map_planes.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "sim/base/error.h"
+#include "sim/base/file/input_file.h"
+#include "sim/base/number/constants.h"
+#include "sim/base/picture/fits_io.h"
+#include "sim/base/utc_time.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr int kPlanesOfMap = 5;
+constexpr long long kMostCellsOfMap = 4194304;
+
+class PlanesReader {
+ public:
+  explicit PlanesReader(const std::string& file)
+      : file_(file),
+        fits_(sim::read_fits_image(
+            sim::input_bytes(file, "the precipitation.fits of a map", sim::kMostPictureBytes), file)) {}
+
+  MapPlanes read() const {
+    const sim::Image& image = fits_.image;
+    if (image.channels() != kPlanesOfMap)
+      refuse("it has " + std::to_string(image.channels()) + " planes", "the five of a map");
+    if (static_cast<long long>(image.width) * image.height > kMostCellsOfMap)
+      refuse("it has more than 4194304 cells", "a map of vegard's");
+    if (text("CTYPE1") != "EAST" || text("CTYPE2") != "NORTH")
+      refuse("its axes are not EAST and NORTH", "a map of vegard's");
+    MapPlanes planes;
+    planes.columns = image.width;
+    planes.rows = image.height;
+    planes.step_km = number("CDELT1");
+    if (!(planes.step_km > 0.0) || number("CDELT2") != planes.step_km)
+      refuse("its cells are no squares", "CDELT1 and CDELT2 alike, above 0");
+    planes.west_km = number("CRVAL1") + (1.0 - number("CRPIX1")) * planes.step_km;
+    planes.south_km = number("CRVAL2") + (1.0 - number("CRPIX2")) * planes.step_km;
+    planes.height_km = number("HEIGHTKM");
+    planes.site.latitude_deg = number("SITELAT");
+    planes.site.longitude_deg = number("SITELONG");
+    if (!(std::abs(planes.site.latitude_deg) <= 90.0 && std::abs(planes.site.longitude_deg) <= 360.0))
+      refuse("its site is no place on the Earth", "SITELAT and SITELONG in degrees");
+    planes.flux_is_absolute = text("FLUXCAL") != "relative";
+    planes.time_s = sim::utc_seconds(text("DATE-OBS"));
+    int plane = 0;
+    for (std::vector<double>* values :
+         {&planes.energy_flux_mw_m2, &planes.energy_kev, &planes.relative_flux_error, &planes.ln_energy_error,
+          &planes.sensitivity})
+      take_plane(plane++, *values);
+    return planes;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& problem, const std::string& expected) const {
+    sim::refuse_file(sim::ErrorKind::unreadable_input, file_, problem, expected);
+  }
+
+  std::string text(const std::string& keyword) const {
+    const auto found = fits_.keywords.find(keyword);
+    return found == fits_.keywords.end() ? std::string() : found->second;
+  }
+
+  double number(const std::string& keyword) const {
+    const std::string words = text(keyword);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(words.data(), words.data() + words.size(), value);
+    if (error != std::errc() || end != words.data() + words.size() || !std::isfinite(value))
+      refuse("its header has no number " + keyword, "a map of vegard's");
+    return value;
+  }
+
+  void take_plane(int plane, std::vector<double>& values) const {
+    const sim::Image& image = fits_.image;
+    for (int row = 0; row < image.height; ++row)
+      for (int x = 0; x < image.width; ++x) {
+        const std::size_t at = image.index(x, image.height - 1 - row, plane);
+        values.push_back(fits_.known[at] != 0 ? static_cast<double>(image.data[at]) : sim::kNaN);
+      }
+  }
+
+  std::string file_;
+  sim::FitsImage fits_;
+};
+
+}  // namespace
+
+MapPlanes read_map_planes(const std::string& directory) {
+  return PlanesReader(directory + "/precipitation.fits").read();
+}
+
+}  // namespace vegard::fit
