@@ -56,6 +56,8 @@ int run(int argc, char** argv) {
   apps::add_sequence_command(program);
   apps::add_survey_command(program);
   apps::add_to_netcdf_command(program);
+  apps::add_to_gemini_command(program);
+  apps::add_to_lompe_command(program);
   apps::add_grid_command(program);
   apps::add_slices_command(program);
   apps::add_sdf_command(program);

@@ -37,6 +37,8 @@ void add_sdf_command(Program& program);
 void add_sequence_command(Program& program);
 void add_slices_command(Program& program);
 void add_survey_command(Program& program);
+void add_to_gemini_command(Program& program);
+void add_to_lompe_command(Program& program);
 void add_to_netcdf_command(Program& program);
 void add_volume_command(Program& program);
 

@@ -64,6 +64,9 @@ refused "${fit[@]}" --check-derivatives
 refused compare one two
 refused sequence "$SCENES/fit.toml" --photos a.png b.png -o out --max-evaluations 3 --set sheet.main.beams=20
 refused to-netcdf one -o out.nc
+expect_exit 0 map "$SCENES/map.toml" --photo band.png --out calibrated --replicates 2 --sparsity 16 --set sensor.calibration_error=0.1
+refused to-gemini calibrated --out out --time 2014-03-10T06:05:33Z
+refused to-lompe calibrated -o out.nc --time 2014-03-10T06:05:33Z
 refused grid grid.vdb -o out.txt --channel density
 refused slices grid.vdb -o out.svg
 refused sdf a.png -o out.exr --threshold 0.3
