@@ -23,6 +23,9 @@
 #include "fit/photo/photo_metadata.h"
 #include "fit/photo/pointing/calibration_tables.h"
 #include "fit/photo/pointing/catalogue_sky.h"
+#include "fit/photo/pointing/exchange/aida_camera.h"
+#include "fit/photo/pointing/exchange/sip_wcs.h"
+#include "fit/photo/pointing/exchange/star_files.h"
 #include "fit/photo/pointing/identification.h"
 #include "fit/photo/pointing/map_calibration.h"
 #include "fit/photo/pointing/scene_camera.h"
@@ -30,9 +33,11 @@
 #include "fit/photo/pointing/star_finder.h"
 #include "fit/report/calibration_plots.h"
 #include "sim/base/error.h"
+#include "sim/base/file/input_file.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/picture/picture_metadata.h"
+#include "sim/base/picture/pixel_limit.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/sky/instant.h"
@@ -44,7 +49,18 @@ constexpr int kLensesShown = 8;
 
 std::string plain_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-std::string names_of(const MapOptions& maps) {
+/// The file that tells directions in the place of stars; empty if none does.
+const std::string& directions_file(const CalibrateOptions& options) {
+  return !options.wcs.empty() ? options.wcs : !options.acc.empty() ? options.acc : options.maps.first();
+}
+
+bool is_by_directions(const CalibrateOptions& options) {
+  return options.maps.any() || !options.wcs.empty() || !options.acc.empty();
+}
+
+std::string names_of(const CalibrateOptions& options) {
+  if (!options.wcs.empty() || !options.acc.empty()) return plain_name(directions_file(options));
+  const MapOptions& maps = options.maps;
   std::string names = plain_name(maps.first());
   if (!maps.elevation_map.empty() && maps.elevation_map != maps.azimuth_map)
     names += ", " + plain_name(maps.elevation_map);
@@ -55,11 +71,12 @@ void check_outputs(const CalibrateOptions& options) {
   const std::pair<const char*, const std::string*> outputs[] = {
       {"--output", &options.output},   {"--residuals", &options.residuals},
       {"--json", &options.json},       {"--plot", &options.plot},
-      {"--overlay", &options.overlay}, {"--stars-out", &options.stars_out}};
+      {"--overlay", &options.overlay}, {"--stars-out", &options.stars_out},
+      {"--axy-out", &options.axy_out}, {"--corr-out", &options.corr_out}};
   for (const auto& [key, file] : outputs) {
     for (const std::string& input :
          {options.stars, options.image, options.mask, options.camera, options.maps.azimuth_map,
-          options.maps.elevation_map, options.maps.skymap})
+          options.maps.elevation_map, options.maps.skymap, options.wcs, options.acc})
       if (same_file(*file, input)) refuse_same_file(key, *file, "an input");
     for (const auto& [other_key, other] : outputs)
       if (std::string(key) > other_key && same_file(*file, *other)) refuse_same_file(key, *file, other_key);
@@ -71,8 +88,8 @@ void check_outputs(const CalibrateOptions& options) {
 class CalibrateOutputs {
  public:
   explicit CalibrateOutputs(const CalibrateOptions& options) {
-    for (const std::string& name :
-         {options.output, options.residuals, options.json, options.plot, options.overlay, options.stars_out})
+    for (const std::string& name : {options.output, options.residuals, options.json, options.plot,
+                                    options.overlay, options.stars_out, options.axy_out, options.corr_out})
       if (!name.empty()) claimed_[name] = std::make_unique<sim::WholeFile>(name, options.overwrite);
   }
   void put(const std::string& name, const std::string& bytes) {
@@ -151,16 +168,81 @@ std::vector<char> where_to_look(const CalibrateOptions& options, const fit::Phot
   return usable;
 }
 
-/// Stars found in the picture and named by the catalogue.
-std::vector<fit::StarSighting> recognised(const CalibrateOptions& options, const fit::Photo& photo,
-                                          const fit::Frame& frame, const fit::SkyOfPicture& sky,
-                                          const fit::LensSettings& lens, fit::SkyCamera& start) {
-  if (!sky.julian_date) throw usage_error("--time", "stars are found by when and where", "--time and --site");
-  if (!sky.observer) throw usage_error("--site", "stars are found by when and where", "--time and --site");
+std::vector<fit::FoundStar> points_in(const CalibrateOptions& options, const fit::Photo& photo) {
   fit::StarFinderSettings finder;
   finder.least_signal = options.least_signal;
-  const std::vector<char> usable = where_to_look(options, photo);
-  const std::vector<fit::FoundStar> points = fit::find_stars(photo.linear, finder, usable);
+  return fit::find_stars(photo.linear, finder, where_to_look(options, photo));
+}
+
+/// The points of light of solve-field's list, if the table of stars is one.
+std::optional<fit::StarPoints> listed_points(const CalibrateOptions& options) {
+  if (options.stars.empty()) return std::nullopt;
+  const std::string bytes = sim::input_bytes(options.stars, "a table of stars");
+  if (!fit::is_star_list(bytes, options.stars)) return std::nullopt;
+  if (options.camera.empty())
+    throw usage_error("--camera", "points of light alone are stars of a rough camera",
+                      "--camera CAMERA.toml beside the list, or --image alone");
+  return fit::read_star_list(bytes, options.stars);
+}
+
+/// Where the pixels look by another program's file. Throws Error(usage, unreadable_input).
+KnownDirections told_directions(const CalibrateOptions& options, const std::optional<fit::Photo>& photo,
+                                const fit::SkyOfPicture& sky) {
+  if (!options.maps.first().empty() || !options.maps.elevation_map.empty() ||
+      (!options.wcs.empty() && !options.acc.empty()))
+    throw usage_error(options.wcs.empty() ? "--acc" : "--wcs", "directions are told twice",
+                      "one of --wcs, --acc, --skymap and --azimuth-map");
+  const fit::SkyMapFlip flip = flip_of(options.maps);
+  int width = 0, height = 0;
+  if (photo) {
+    width = photo->linear.width;
+    height = photo->linear.height;
+  } else if (!options.size_px.empty()) {
+    width = options.size_px[0];
+    height = options.size_px[1];
+    sim::check_pixel_limit(width, height, "--size");
+  }
+  KnownDirections known;
+  if (!options.wcs.empty()) {
+    fit::SipWcs wcs =
+        fit::read_sip_wcs(sim::input_bytes(options.wcs, "the .wcs file of solve-field"), options.wcs);
+    fit::require_sky(sky, options.wcs);
+    if (wcs.width_px == 0 || wcs.height_px == 0) {
+      wcs.width_px = width;
+      wcs.height_px = height;
+    }
+    if (wcs.width_px == 0)
+      throw usage_error("--size", "the solution does not say how large its picture is", "--size or --image");
+    sim::check_pixel_limit(wcs.width_px, wcs.height_px, options.wcs);
+    known = {fit::directions_of_wcs(wcs, *sky.observer, *sky.julian_date),
+             "solution " + plain_name(options.wcs),
+             {}};
+  } else {
+    const std::vector<fit::AidaCamera> cameras =
+        fit::read_aida_cameras(sim::input_bytes(options.acc, "a camera of AIDA_tools"), options.acc);
+    const auto chosen = std::find_if(cameras.begin(), cameras.end(), [&](const fit::AidaCamera& one) {
+      return !options.acc_line || one.line == *options.acc_line;
+    });
+    if (cameras.size() > 1 && !options.acc_line)
+      throw usage_error("--acc-line", "the file has " + std::to_string(cameras.size()) + " cameras",
+                        "the line of one of them");
+    if (chosen == cameras.end())
+      throw usage_error("--acc-line", "there is no camera in line " + std::to_string(*options.acc_line),
+                        "a line of the file");
+    if (width == 0) throw usage_error("--size", "a camera of AIDA's has no size", "--size W,H or --image");
+    known = {fit::directions_of_aida(*chosen, width, height), "camera " + plain_name(options.acc), {}};
+  }
+  fit::flip_map(flip, known.map);
+  return known;
+}
+
+/// Stars found among points of light and named by the catalogue.
+std::vector<fit::StarSighting> recognised(const CalibrateOptions& options,
+                                          const std::vector<fit::FoundStar>& points, const fit::Frame& frame,
+                                          const fit::SkyOfPicture& sky, const fit::LensSettings& lens,
+                                          fit::SkyCamera& start) {
+  if (!sky.julian_date) throw usage_error("--time", "stars are found by when and where", "--time and --site");
+  if (!sky.observer) throw usage_error("--site", "stars are found by when and where", "--time and --site");
   const std::vector<fit::StarSighting> catalogue =
       fit::catalogue_sky(*sky.observer, *sky.julian_date, options.faintest, options.least_elevation_deg);
   fit::IdentificationSettings settings;
@@ -221,11 +303,17 @@ int run_calibrate(const CalibrateOptions& options) {
   end_at_once_when_interrupted();
   const PlotFormat format = plot_format(options.plot, "--plot");
   check_outputs(options);
-  const bool by_maps = options.maps.any();
+  const bool by_maps = is_by_directions(options);
   if (by_maps && !options.stars.empty())
-    throw usage_error("STARS", "stars and maps", "one of a table of stars and --azimuth-map or --skymap");
+    throw usage_error("STARS", "stars and maps",
+                      "one of a table of stars and --azimuth-map, --skymap, --wcs or --acc");
   if (!by_maps && options.stars.empty() && options.image.empty())
-    throw usage_error("STARS", "no stars", "a table of stars, or --image; or --azimuth-map, --skymap");
+    throw usage_error("STARS", "no stars",
+                      "a table of stars, or --image; or --azimuth-map, --skymap, --wcs, --acc");
+  if (!options.axy_out.empty() && options.image.empty())
+    throw usage_error("--axy-out", "no picture has points of light", "--image beside it");
+  if (!options.corr_out.empty() && by_maps)
+    throw usage_error("--corr-out", "directions are no stars", "a table of stars, or --image");
   const bool blind = !by_maps && options.stars.empty() && options.camera.empty();
   if (options.output.empty() && !blind)
     throw usage_error("--output", "nothing to write the camera to", "-o CAMERA.toml");
@@ -247,7 +335,7 @@ int run_calibrate(const CalibrateOptions& options) {
   sim::PictureMetadata metadata;
   std::optional<fit::Photo> photo;
   std::optional<KnownDirections> maps;
-  if (by_maps) maps = maps_of(options.maps);
+  if (options.maps.any() && options.wcs.empty() && options.acc.empty()) maps = maps_of(options.maps);
   if (!options.image.empty()) {
     photo = fit::read_photo(options.image, decoding_of(options.decoding, "auto"));
     metadata = fit::photo_metadata(options.image);
@@ -259,13 +347,24 @@ int run_calibrate(const CalibrateOptions& options) {
   fit::SkyOfPicture sky = says.sky;
   if (!sky.observer && maps && maps->place)
     sky.observer = {maps->place->latitude_deg, maps->place->longitude_deg, maps->place->altitude_m};
+  if (by_maps && !maps) maps = told_directions(options, photo, sky);
   for (const fit::PhotoFact& fact : says.taken)
     say("from the photograph: %s\n", fit::fact_text(fact).c_str());
   for (const std::string& note : says.notes) say("note: %s\n", note.c_str());
   std::vector<fit::StarSighting> stars;
-  if (!options.stars.empty()) stars = table_of(options, sky);
-  const fit::Frame frame = maps ? frame_of(options, photo, *maps) : frame_of(options, photo, stars);
-  if (!options.stars.empty() && frame.known) fit::check_star_places(stars, frame, options.stars);
+  const std::optional<fit::StarPoints> listed = listed_points(options);
+  const bool by_table = !options.stars.empty() && !listed;
+  if (by_table) stars = table_of(options, sky);
+  const fit::Frame frame = maps ? frame_of(options, photo, *maps)
+                           : listed && listed->frame.known && !photo && options.size_px.empty()
+                               ? listed->frame
+                               : frame_of(options, photo, stars);
+  if (listed && !frame.known)
+    throw usage_error("--size", "the list does not say how large its picture is", "--size or --image");
+  if (!options.axy_out.empty())
+    outputs.put(options.axy_out, fit::encode_star_list(points_in(options, *photo), frame, options.axy_out));
+  if (!options.corr_out.empty()) fit::require_sky(sky, options.corr_out);
+  if (by_table && frame.known) fit::check_star_places(stars, frame, options.stars);
   std::optional<fit::SkyCamera> start;
   if (camera_scene) start = fit::sky_camera_of(camera_scene->camera, frame);
   if (start && !options.centre_px.empty()) {
@@ -283,11 +382,12 @@ int run_calibrate(const CalibrateOptions& options) {
     }
     stars = seen.stars;
     if (!settings.model || *settings.model == seen.camera.model) settings.start = seen.camera;
-  } else if (!maps && options.stars.empty()) {
-    stars = recognised(options, *photo, frame, sky, settings, *start);
+  } else if (!maps && !by_table) {
+    stars = recognised(options, listed ? listed->points : points_in(options, *photo), frame, sky, settings,
+                       *start);
     settings.start = start;
   }
-  const std::string from = maps                    ? options.maps.first()
+  const std::string from = maps                    ? directions_file(options)
                            : options.stars.empty() ? options.image
                                                    : options.stars;
   fit::Calibration calibration =
@@ -299,7 +399,7 @@ int run_calibrate(const CalibrateOptions& options) {
   sim::validate(scene);
 
   fit::CalibrationOrigin origin;
-  origin.stars = maps ? names_of(options.maps) : plain_name(from);
+  origin.stars = maps ? names_of(options) : plain_name(from);
   if ((maps || !options.stars.empty()) && photo) origin.image = photo->file_name;
   for (const fit::PhotoFact& fact : says.taken) origin.from_photograph.push_back(fit::fact_text(fact));
   origin.site_known = sky.observer.has_value();
@@ -313,6 +413,8 @@ int run_calibrate(const CalibrateOptions& options) {
   // All is made before anything gets its name.
   outputs.put(options.output, fit::camera_toml(calibration, origin));
   if (!options.residuals.empty()) outputs.put(options.residuals, fit::residuals_csv(calibration));
+  if (!options.corr_out.empty())
+    outputs.put(options.corr_out, fit::encode_star_pairs(calibration, sky, options.corr_out));
   if (!options.json.empty()) outputs.put(options.json, fit::calibration_json(calibration, origin));
   if (format != PlotFormat::none)
     outputs.put(options.plot, plot_bytes(fit::residual_plot(calibration), format));

@@ -72,7 +72,8 @@ void add_calibrate_options(const Command& command, CalibrateOptions& options) {
       "STARS", options.stars,
       "A table of recognised stars: x_px, y_px and azimuth_deg with elevation_deg or zenith_deg; or ra_deg "
       "and dec_deg; or star. Or the .corr file of solve-field. Without it they are found in --image, or "
-      "--azimuth-map takes their place. Without --camera they are recognised blindly");
+      "--azimuth-map takes their place. Without --camera they are recognised blindly. Or the .axy list of "
+      "solve-field: the points of light in which stars are recognised, with --camera");
   command.option("-o,--output", options.output, "The camera to write: a scene file with [camera] and [site]")
       .type_name("CAMERA.toml");
   command.option(
@@ -153,6 +154,23 @@ void add_calibrate_options(const Command& command, CalibrateOptions& options) {
   command.option("--mask", options.mask, "An image of the picture's size: white = look for stars there");
   add_decoding_option(command, options.decoding);
   add_map_options(command, options.maps);
+  command
+      .option("--wcs", options.wcs,
+              "Astrometry.net's solution of the picture in the place of stars (needs --time and --site)")
+      .type_name("FIELD.wcs");
+  command
+      .option("--acc", options.acc, "A camera of AIDA_tools in the place of stars (needs --size or --image)")
+      .type_name("FILE.acc");
+  command.option("--acc-line", options.acc_line,
+                 "Which line of it, counted from 1, if it has several cameras");
+  command
+      .option("--axy-out", options.axy_out,
+              "--image: write the points of light in it as solve-field takes them (X, Y, FLUX)")
+      .type_name("OUT.axy");
+  command
+      .option("--corr-out", options.corr_out,
+              "Write the stars in use as solve-field writes them: where they are seen, and the catalogue's")
+      .type_name("OUT.corr");
   command.flag("--no-metadata", options.no_metadata,
                "Do not take time, site and focal length from the picture's own words");
   command

@@ -20,10 +20,12 @@ struct CalibrateOptions {
   std::string stars, image, at, output, camera, time;
   std::string residuals, json, plot, overlay, mask, decoding;
   std::string lens, terms, stars_out, date;
+  std::string wcs, acc, axy_out, corr_out;
   MapOptions maps;
   std::vector<std::string> free, site;
   std::vector<double> centre_px, offset_px;
   std::vector<int> size_px;
+  std::optional<int> acc_line;
   std::optional<double> first_pixel;
   double faintest = 4.0, least_elevation_deg = 5.0, twist_deg = 5.0, shift_px = 12.0, scale_percent = 0.0,
          radius_px = 12.0, least_signal = 4.0;

@@ -36,6 +36,15 @@ void check_camera_size(const sim::Scene& scene, int width_px, int height_px, con
   throw with_place(sim::Error(sim::ErrorKind::scene, details), scene);
 }
 
+fit::SkyMapFlip flip_of(const MapOptions& options) {
+  const std::string& which = options.skymap_flip;
+  const fit::SkyMapFlip flip{which == "rows" || which == "both", which == "columns" || which == "both"};
+  if (!which.empty() && !flip.rows && !flip.columns)
+    throw usage_error("--skymap-flip", "'" + which + "' is nothing that can be flipped",
+                      "rows, columns or both");
+  return flip;
+}
+
 KnownDirections maps_of(const MapOptions& options) {
   const std::string& az = options.azimuth_map;
   if (options.skymap.empty() && !options.skymap_flip.empty())
@@ -44,12 +53,7 @@ KnownDirections maps_of(const MapOptions& options) {
     if (!az.empty() || !options.elevation_map.empty())
       throw usage_error("--skymap", "it has azimuths and elevations",
                         "no --azimuth-map or --elevation-map beside it");
-    const std::string& which = options.skymap_flip;
-    const fit::SkyMapFlip flip{which == "rows" || which == "both", which == "columns" || which == "both"};
-    if (!which.empty() && !flip.rows && !flip.columns)
-      throw usage_error("--skymap-flip", "'" + which + "' is nothing that can be flipped",
-                        "rows, columns or both");
-    const fit::SkyMapFile file = fit::read_sky_map(options.skymap, flip);
+    const fit::SkyMapFile file = fit::read_sky_map(options.skymap, flip_of(options));
     return {file.map, "skymap " + file_name_of(options.skymap), file.place};
   }
   if (az.empty())

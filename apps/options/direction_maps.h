@@ -32,6 +32,9 @@ struct KnownDirections {
   std::optional<fit::SkyMapPlace> place;  ///< where the camera stands, if a skymap tells
 };
 
+/// Of --skymap-flip. Throws Error(usage).
+fit::SkyMapFlip flip_of(const MapOptions& options);
+
 /// Of the maps alone, of any size. Throws Error(usage, unreadable_input).
 KnownDirections maps_of(const MapOptions& options);
 

@@ -158,9 +158,7 @@ SkyMapFile read_as_stored(const std::string& file) {
 
 }  // namespace
 
-SkyMapFile read_sky_map(const std::string& file, const SkyMapFlip& flip) {
-  SkyMapFile read = read_as_stored(file);
-  sim::DirectionMap& map = read.map;
+void flip_map(const SkyMapFlip& flip, sim::DirectionMap& map) {
   for (std::vector<float>* angles : {&map.azimuth_deg, &map.elevation_deg}) {
     // Both at once are the order of all pixels turned round.
     if (flip.rows) std::reverse(angles->begin(), angles->end());
@@ -168,6 +166,11 @@ SkyMapFile read_sky_map(const std::string& file, const SkyMapFlip& flip) {
       for (auto row = angles->begin(); row != angles->end(); row += map.width)
         std::reverse(row, row + map.width);
   }
+}
+
+SkyMapFile read_sky_map(const std::string& file, const SkyMapFlip& flip) {
+  SkyMapFile read = read_as_stored(file);
+  flip_map(flip, read.map);
   return read;
 }
 

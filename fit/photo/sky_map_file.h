@@ -28,6 +28,9 @@ struct SkyMapFlip {
   bool rows = false, columns = false;
 };
 
+/// Turns a map's rows or columns round, or both.
+void flip_map(const SkyMapFlip& flip, sim::DirectionMap& map);
+
 /// In a file of arrays (sim/base/array) the azimuths are the largest array of two dimensions (besides those
 /// of length 1) that is called azimuth, azim or az, alone or behind an underscore (azimuth_deg as well); the
 /// elevations likewise, elevation, elev or el. A FITS file has the azimuths in its first plane and the

@@ -254,6 +254,39 @@ void write_rows(fitsfile* file, const Image& image, int* status) {
     }
 }
 
+void write_keywords(fitsfile* file, const std::vector<FitsKeyword>& keywords, int* status) {
+  for (const FitsKeyword& keyword : keywords) {
+    constexpr int kAllDigits = -17;
+    if (const auto* number = std::get_if<double>(&keyword.value))
+      fits_write_key_dbl(file, keyword.name.c_str(), *number, kAllDigits, keyword.comment.c_str(), status);
+    else
+      fits_write_key_longstr(file, keyword.name.c_str(), std::get<std::string>(keyword.value).c_str(),
+                             keyword.comment.c_str(), status);
+  }
+}
+
+/// The bytes of a file in memory that `fill` writes. Throws Error(unwritable_output) about `name`.
+template <typename Fill>
+std::string encoded_in_memory(const std::string& name, const Fill& fill) {
+  void* buffer = nullptr;
+  std::size_t size = 0;
+  int status = 0;
+  fitsfile* raw = nullptr;
+  fits_create_memfile(&raw, &buffer, &size, kFitsBlock * 64, std::realloc, &status);
+  std::string bytes;
+  if (status == 0) {
+    const std::unique_ptr<fitsfile, Close> file(raw);
+    fill(raw, &status);
+    fits_flush_file(raw, &status);
+    LONGLONG header = 0, data = 0, end = 0;
+    fits_get_hduaddrll(raw, &header, &data, &end, &status);
+    if (status == 0) bytes.assign(static_cast<const char*>(buffer), static_cast<std::size_t>(end));
+  }
+  std::free(buffer);
+  if (status != 0) refuse_file(ErrorKind::unwritable_output, name, "cannot be encoded: " + words_of(status));
+  return bytes;
+}
+
 }  // namespace
 
 FitsImage read_fits_image(std::string_view bytes, const std::string& name) {
@@ -330,37 +363,54 @@ FitsTable read_fits_table(std::string_view bytes, const std::string& name) {
   return table;
 }
 
+FitsKeywords read_fits_header(std::string_view bytes, const std::string& name) {
+  FitsKeywords keywords;
+  FitsReader(bytes, name).add_keywords(keywords);
+  return keywords;
+}
+
 std::string encode_fits(const Image& image, const std::vector<FitsKeyword>& keywords,
                         const std::string& name) {
   assert(!image.empty());
-  void* buffer = nullptr;
-  std::size_t size = 0;
-  int status = 0;
-  fitsfile* raw = nullptr;
-  fits_create_memfile(&raw, &buffer, &size, kFitsBlock * 64, std::realloc, &status);
-  std::string bytes;
-  if (status == 0) {
-    const std::unique_ptr<fitsfile, Close> file(raw);
+  return encoded_in_memory(name, [&](fitsfile* file, int* status) {
     LONGLONG lengths[3] = {image.width, image.height, image.channels()};
-    fits_create_imgll(raw, FLOAT_IMG, image.channels() == 1 ? 2 : 3, lengths, &status);
-    fits_write_key_str(raw, "ROWORDER", "BOTTOM-UP", "the lowest row comes first", &status);
-    for (const FitsKeyword& keyword : keywords) {
-      constexpr int kAllDigits = -17;
-      if (const auto* number = std::get_if<double>(&keyword.value))
-        fits_write_key_dbl(raw, keyword.name.c_str(), *number, kAllDigits, keyword.comment.c_str(), &status);
-      else
-        fits_write_key_longstr(raw, keyword.name.c_str(), std::get<std::string>(keyword.value).c_str(),
-                               keyword.comment.c_str(), &status);
+    fits_create_imgll(file, FLOAT_IMG, image.channels() == 1 ? 2 : 3, lengths, status);
+    fits_write_key_str(file, "ROWORDER", "BOTTOM-UP", "the lowest row comes first", status);
+    write_keywords(file, keywords, status);
+    write_rows(file, image, status);
+  });
+}
+
+std::string encode_fits_header(const std::vector<FitsKeyword>& keywords, const std::string& name) {
+  return encoded_in_memory(name, [&](fitsfile* file, int* status) {
+    fits_create_imgll(file, BYTE_IMG, 0, nullptr, status);
+    write_keywords(file, keywords, status);
+  });
+}
+
+std::string encode_fits_table(const std::vector<FitsColumn>& columns,
+                              const std::vector<FitsKeyword>& keywords, const std::string& name) {
+  assert(!columns.empty());
+  return encoded_in_memory(name, [&](fitsfile* file, int* status) {
+    fits_create_imgll(file, BYTE_IMG, 0, nullptr, status);
+    write_keywords(file, keywords, status);
+    std::vector<char*> names, forms, units;
+    std::string form = "D";
+    for (const FitsColumn& column : columns) {
+      // CFITSIO reads all three, and takes them for its own only by their types.
+      names.push_back(const_cast<char*>(column.name.c_str()));
+      forms.push_back(form.data());
+      units.push_back(const_cast<char*>(column.unit.c_str()));
     }
-    write_rows(raw, image, &status);
-    fits_flush_file(raw, &status);
-    LONGLONG header = 0, data = 0, end = 0;
-    fits_get_hduaddrll(raw, &header, &data, &end, &status);
-    if (status == 0) bytes.assign(static_cast<const char*>(buffer), static_cast<std::size_t>(end));
-  }
-  std::free(buffer);
-  if (status != 0) refuse_file(ErrorKind::unwritable_output, name, "cannot be encoded: " + words_of(status));
-  return bytes;
+    const auto rows = static_cast<LONGLONG>(columns.front().values.size());
+    fits_create_tbl(file, BINARY_TBL, rows, static_cast<int>(columns.size()), names.data(), forms.data(),
+                    units.data(), nullptr, status);
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      std::vector<double> values = columns[c].values;
+      if (!values.empty())
+        fits_write_col(file, TDOUBLE, static_cast<int>(c) + 1, 1, 1, rows, values.data(), status);
+    }
+  });
 }
 
 void write_fits(const std::string& path, const Image& image, const std::vector<FitsKeyword>& keywords,

@@ -47,6 +47,9 @@ struct FitsTable {
 /// Error(unreadable_input).
 FitsTable read_fits_table(std::string_view bytes, const std::string& name);
 
+/// Keywords of the first header alone, whatever is behind it. Throws Error(unreadable_input).
+FitsKeywords read_fits_header(std::string_view bytes, const std::string& name);
+
 struct FitsKeyword {
   std::string name;  ///< at most eight of A to Z, 0 to 9, - and _
   std::variant<std::string, double> value;
@@ -58,7 +61,20 @@ struct FitsKeyword {
 std::string encode_fits(const Image& image, const std::vector<FitsKeyword>& keywords,
                         const std::string& name = {});
 
-/// The same into a file. Throws Error(existing_output), Error(unwritable_output).
+/// A header without an image, and nothing behind it. Throws Error(unwritable_output).
+std::string encode_fits_header(const std::vector<FitsKeyword>& keywords, const std::string& name = {});
+
+struct FitsColumn {
+  std::string name, unit;
+  std::vector<double> values;
+};
+
+/// A binary table of doubles, columns of one length, behind a header without an image that has the keywords.
+/// Throws Error(unwritable_output).
+std::string encode_fits_table(const std::vector<FitsColumn>& columns,
+                              const std::vector<FitsKeyword>& keywords, const std::string& name = {});
+
+/// The image of encode_fits() into a file. Throws Error(existing_output), Error(unwritable_output).
 void write_fits(const std::string& path, const Image& image, const std::vector<FitsKeyword>& keywords,
                 bool overwrite = false);
 
