@@ -12,6 +12,7 @@
 #include "apps/options/photographs.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
+#include "apps/output/file_description.h"
 #include "apps/output/photo_description.h"
 #include "fit/photo/frames/frame_file.h"
 #include "fit/photo/frames/frame_name.h"
@@ -43,6 +44,11 @@ std::optional<fit::FrameIndex> frames_of_photo(const std::string& photo) {
 int run_describe(const DescribeRequest& options) {
   if (same_file(options.photo, options.output)) refuse_same_file("--output", options.output, "the picture");
   const std::string name = file_name_of(options.photo);
+  if (options.output.empty() && !fit::frame_name(options.photo).is_chosen())
+    if (const std::optional<std::string> other = other_file_text(options.photo)) {
+      say_text(*other);
+      return good;
+    }
   const std::optional<fit::FrameIndex> frames = frames_of_photo(options.photo);
   if (!frames && fit::has_sky_map(options.photo)) {
     if (!options.output.empty())
@@ -78,7 +84,11 @@ void add_describe_command(Program& program) {
   const Command command = program.add(
       "describe",
       "Tell what a picture says of itself (place, time, lens, exposure), and write a scene of it");
-  command.option("PHOTO", options->photo, "The picture, a file of frames, or a skymap").required();
+  command
+      .option("PHOTO", options->photo,
+              "The picture, a file of frames, or a skymap; or netCDF, a solution or list of stars of "
+              "Astrometry.net's, a camera of AIDA_tools")
+      .required();
   add_at_option(command, options->at);
   command.option("-o,--output", options->output, "A scene to begin with").type_name("SCENE.toml");
   command.flag("--overwrite", options->overwrite, "Replace an output that exists");

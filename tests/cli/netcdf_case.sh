@@ -80,6 +80,14 @@ expect_exit 0 to-netcdf k.csv -o of_k.nc
 expect_same of_k.nc k.nc
 expect_exit 0 to-netcdf run/profiles.csv -o profiles.nc
 
+# What they say of themselves.
+expect_exit 0 describe of_plain.nc
+expect_stdout "CF-1.8"
+expect_stdout "sheet_main_"
+expect_stdout "keV"
+expect_exit 0 describe absolute.nc
+expect_stdout "energy_flux"
+
 # What is refused, in one line each, leaves nothing.
 refuses() {
   local code=$1 words=$2

@@ -56,6 +56,20 @@ near focal_px 250 0.5
 expect_exit 0 calibrate sky.corr --size 480,360 "${stars[@]}" -o back.toml --overwrite
 near focal_px 250 0.5
 
+# What they say of themselves.
+expect_exit 0 describe field.wcs
+expect_stdout "SIP of order"
+expect_stdout "360 x 240 pixels"
+expect_exit 0 describe station.acc
+expect_stdout "1 camera of AIDA_tools"
+expect_exit 0 describe sky.axy
+expect_stdout "points of light"
+expect_exit 0 describe sky.corr
+expect_stdout "stars that were recognised"
+expect_exit 0 directions camera.toml -o maps.fits
+expect_exit 0 describe maps_az.fits
+expect_stdout "360 x 240 pixels"
+
 refuses() {
   local code=$1 words=$2
   shift 2
