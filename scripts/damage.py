@@ -154,6 +154,11 @@ def make_kinds(vegard, home):
     run("render", "map_light.toml", "-o", "band.png", *ONE)
     run("directions", "small.toml", "-o", "maps.exr")
     run("directions", "small.toml", "-o", "maps.fits")
+    run("directions", "small.toml", "-o", "field.acc")
+    run("directions", "small.toml", "-o", "field.wcs", "--set", "site.time_utc=\"2014-02-21T19:30:40Z\"", "--set", "site.latitude_deg=65.1",
+        "--set", "site.longitude_deg=20.5")
+    run("profile", "photo.png", "-o", "measured.csv")
+    run("keogram", "photo.png", "second.png", "-o", "keogram.csv")
     run("volume", "small.toml", "-o", "a.vdb", "--voxel-km", "16", "--lines", "557.7", *ONE)
     run("grid", "a.vdb", "-o", "a.pbrt")
     run("fit", "fit.toml", "--photo", "photo.png", "--out", "run", "--max-evaluations", "2", *ONE)
@@ -234,6 +239,11 @@ def make_kinds(vegard, home):
         Kind("stars", "it.csv", [text("stars.csv", stars), b"star,x_px,y_px\nVega,1,2\nalf Aql,3,4\nHIP 91262,5,6\n",
                                  solved_field(9)],
              [["calibrate", "{it}", "-o", "{out}/c.toml"] + SKY]),
+        Kind("solution", "it.wcs", [bytes_of("field.wcs")],
+             [["calibrate", "--wcs", "{it}", "-o", "{out}/c.toml", "--size", "16,12"] + SKY]),
+        Kind("aida", "it.acc", [bytes_of("field.acc")],
+             [["calibrate", "--acc", "{it}", "--acc-line", "1", "-o", "{out}/c.toml", "--size", "16,12"]]),
+        Kind("netcdf", "it.csv", [bytes_of("measured.csv"), bytes_of("keogram.csv")], [["to-netcdf", "{it}", "-o", "{out}/t.nc"]]),
         Kind("profile", "profile.csv", [bytes_of("profile.csv")], [["render", "with_profile.toml", "-o", "{out}/r.png"] + ONE]),
         Kind("air", "it.csv", [b"altitude_km,T_K,nN2,nO2,nO\n90,190,4e13,1e13,2e11\n110,240,2e12,3e11,2e11\n400,1000,4e6,1e5,1e8\n"],
              [["electrons", "--energy-kev", "0.5", "--atmosphere", "{it}", "-o", "{out}/e.csv"]]),
@@ -257,7 +267,7 @@ def make_kinds(vegard, home):
         Kind("map's journal", "cut.part", [map_journal],
              [["map", "map.toml", "--photo", "band.png", "--out", "cut", "--resume"] + MAP + ONE]),
         Kind("result", "run/result.json", [bytes_of("run/result.json")],
-             [["compare", "run", "other"],
+             [["compare", "run", "other"], ["to-netcdf", "run", "-o", "{out}/r.nc"],
               ["fit", "fit.toml", "--photo", "photo.png", "--out", "run", "--resume", "--max-evaluations", "2"] + ONE,
               ["fit", "fit.toml", "--photo", "photo.png", "--out", "run", "--max-evaluations", "2"] + ONE]),
         Kind("manifest", "frames/animation.json", [bytes_of("frames/animation.json")],

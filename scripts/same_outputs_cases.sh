@@ -10,8 +10,8 @@ photo=inputs/examples/h000/photo.jpg
 all_of() { ! $quick; }
 
 # --- Words ---------------------------------------------------------------------------------------------------------------------------
-for command in animate atmosphere brightness calibrate compare describe directions electrons fit grid horizon invert keogram linearise lines mask params photometry points \
-  preview profile render sdf sequence slices volume; do
+for command in animate atmosphere brightness calibrate compare describe directions electrons fit grid horizon invert keogram linearise lines manual mask params photometry \
+  points preview profile render sdf sequence slices to-gemini to-lompe to-netcdf volume; do
   all_of || [[ $command == fit || $command == render ]] || continue
   run "help_$command" "$command" --help
 done
@@ -226,6 +226,8 @@ awk 'BEGIN {
 }' >inputs/stars.csv
 run calibrate calibrate inputs/stars.csv -o out/camera.toml --size 64,48 --site 65,20,100 --time 2020-01-01T20:00:00Z \
   --residuals out/residuals.csv --json out/calibrate.json --plot out/residuals.svg
+run directions_aida directions $small -o out/directions.acc
+run calibrate_aida calibrate --acc out/directions.acc --size 160,120 -o out/camera_aida.toml
 run calibrate_maps calibrate --azimuth-map out/directions_az.fits --elevation-map out/directions_el.fits -o out/camera_maps.toml \
   --site 65,20 --json out/calibrate_maps.json
 run camera_taken render $small --camera out/camera.toml -o out/camera_taken.png
@@ -238,6 +240,8 @@ for time in 193000 193010 193030 193100; do
   i=$((i + 1))
 done
 run keogram keogram out/sky_*.png -o out/keogram.png -o out/keogram.svg -o out/keogram.exr -o out/keogram.csv
+run keogram_netcdf keogram out/sky_*.png -o out/keogram.nc
+run to_netcdf to-netcdf out/keogram.csv -o out/keogram_of_csv.nc
 run keogram_meridian keogram out/sky_*.png -o out/meridian.csv --scene $small --channel g
 
 # --- Fits ----------------------------------------------------------------------------------------------------------------------------

@@ -6,8 +6,11 @@
 
 #include "apps/options/picture_lists.h"
 #include "apps/options/scene_options.h"
+#include "fit/photo/pointing/exchange/aida_camera.h"
+#include "fit/photo/pointing/exchange/sip_wcs.h"
 #include "fit/photo/pointing/star_table.h"
 #include "fit/photo/rayleigh/rayleigh_camera.h"
+#include "fit/report/netcdf/keyed_table.h"
 #include "fit/survey/filter/sky_trees.h"
 #include "fit/survey/plan_json.h"
 #include "fit/survey/survey_frames.h"
@@ -224,14 +227,41 @@ void counts(const std::string& text) {
     const bool has_band = filter.band.width_nm > 0.0 || !filter.band.table_nm.empty();
     if (has_band) require(std::isfinite(fit::star_photons_in_band(filter.band, 1.0, 0.5)));
     const std::string with = fit::with_factor(text, "it.toml", filter.name, {12.5, 0.5});
-    require(fit::filter_called(fit::parse_rayleigh_camera(with, "it.toml"), filter.name).factor->value == 12.5);
+    require(fit::filter_called(fit::parse_rayleigh_camera(with, "it.toml"), filter.name).factor->value ==
+            12.5);
   }
 }
 
+void aida_cameras(const std::string& text) {
+  for (const fit::AidaCamera& camera : fit::read_aida_cameras(text, "it.acc")) {
+    const sim::DirectionMap map = fit::directions_of_aida(camera, 3, 2);
+    require(map.azimuth_deg.size() == 6 && map.elevation_deg.size() == 6);
+  }
+}
+
+/// A FITS header.
+void solutions(const std::string& bytes) {
+  fit::SipWcs wcs = fit::read_sip_wcs(bytes, "it.wcs");
+  wcs.width_px = 3;
+  wcs.height_px = 2;
+  const sim::DirectionMap map = fit::directions_of_wcs(wcs, {65.0, 20.0, 100.0, true}, 2458849.5);
+  require(map.azimuth_deg.size() == 6 && map.elevation_deg.size() == 6);
+}
+
+/// By its first two columns, as those of netCDF are.
+void keyed_tables(const std::string& text) {
+  const fit::TextTable table = fit::read_text_table(text, "it.csv");
+  if (table.columns.size() < 3) return;
+  const std::vector<std::string> keys = {table.columns[0], table.columns[1]};
+  const fit::KeyedTable keyed(table, keys);
+  const std::size_t places = keyed.places(keys[0]).size() * keyed.places(keys[1]).size();
+  require(keyed.numbers(table.columns[2], keys).size() == places);
+}
+
 constexpr Reader kReaders[] = {
-    csv,   height_profile, response, tone,      colours,         stars,         pictures,
-    times, camera,         mask,     moments,   curtains,        precipitation, survey,
-    plan,  survey_list,    air,      sky_trees, emission_tables, reactions, counts};
+    csv,    height_profile, response,        tone,      colours,       stars,     pictures,     times,
+    camera, mask,           moments,         curtains,  precipitation, survey,    plan,         survey_list,
+    air,    sky_trees,      emission_tables, reactions, aida_cameras,  solutions, keyed_tables, counts};
 
 }  // namespace
 

@@ -35,6 +35,28 @@ std::string small_map() {
          fits_block(fits_numbers(-32, {1.0, 2.0, 0.0, 3.5, 2.0, 3.0, 0.0, 4.5}), '\0');
 }
 
+/// solve-field's header.
+std::string small_solution() {
+  std::string cards = fits_card("CTYPE1", "'RA---TAN-SIP'") + fits_card("CTYPE2", "'DEC--TAN-SIP'");
+  for (const auto& [key, value] : {std::pair{"CRVAL1", "279.2"},
+                                   {"CRVAL2", "38.8"},
+                                   {"CRPIX1", "2.0"},
+                                   {"CRPIX2", "1.5"},
+                                   {"CD1_1", "-0.5"},
+                                   {"CD1_2", "0.01"},
+                                   {"CD2_1", "0.02"},
+                                   {"CD2_2", "-0.5"},
+                                   {"IMAGEW", "3"},
+                                   {"IMAGEH", "2"},
+                                   {"A_ORDER", "2"},
+                                   {"A_0_2", "1e-4"},
+                                   {"A_2_0", "-2e-4"},
+                                   {"B_ORDER", "2"},
+                                   {"B_1_1", "3e-5"}})
+    cards += fits_card(key, value);
+  return fits_header(8, {}, cards);
+}
+
 constexpr const char* kSurvey =
     "n[survey]\nname = \"a\"\nwork = [\"border\", \"fit\"]\nscene = \"a.toml\"\nblock_frames = "
     "5\n[survey.cost_s]\nfit = 2.5\n"
@@ -98,6 +120,11 @@ std::vector<std::string> fuzz_seeds(const std::string&) {
       kCounts,
       kPlan,
       "p# when\nnight.pgm.gz#1 2019-03-01T22:10:03.5Z\nb c.png 2019-03-01 22:10\na/20190301_221001.png\r\n",
+      "u  3 330 37 2456946.5 2457250.5 3 -1.0 1.01 -15.5 33.4 -9.1 -0.02 0.04 0.32 0\n% more\n 1 0 0 0 0 12 "
+      "1 1 0 "
+      "0 0 0 0 -0.5 0\n",
+      "v" + small_solution(),
+      "w# a profile\n# decoding: srgb\nband,row_px,r,\"g, h\"\n0,0,1,2\n0,1,,4\n1,0,5e-3,6\n1,1,7,8\n",
       "qaltitude_km,T_K,nN2,nO2,nO\n90,190,4e13,1e13,2e11\n110,240,2e12,3e11,2e11\n400,1000,4e6,1e5,1e8\n",
       "tnumber,value,exponent,activation_K,of\n43,0.19,0,0,0\n31,1.9e-7,-0.7,0,2\n",
       "soxygen_factor,E0_keV,altitude_km,ver_5577\n0.5,1,80,0\n0.5,1,640,2\n0.5,9,80,3\n0.5,9,640,1\n1,1,80,"
