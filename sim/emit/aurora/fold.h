@@ -2,17 +2,18 @@
 //
 // Source: Baranoski et al. 2000, section 3.1.1 (folds are Bézier curves in place of portions of the sine, at
 // quasi-periodic intervals, their rotational stage set by the control points) and figures 6a and 9b; row B8
-// of docs/physics.md. The paper gives neither degree nor control points. Ours are two cubics P0 → M → P3, C1
-// to the sine at P0 and P3 and to each other at M. A single cubic will not do: C1 to the sine, its handles
-// lie nearly on one line, and all that sweeping them past each other does is to fold the line flat upon
-// itself. The two inner handles lie opposite each other about M, the sine's point at the centre, and turn
-// about it with the stage: by 0 they lie along the sine and the fold is a ripple that can hardly be told from
-// it; from about a half the curve overhangs; by 1 they have turned by 155 degrees, σ (3 - σ)/2 of that at the
-// stage σ, grown to 1 + 4 σ² times their length, and the curve is an S of two horseshoe bends.
+// of docs/physics.md. The paper gives neither degree nor control points. Ours are six cubics, C1 to the sine
+// and to each other. Their ends lie at even places of the stretch, on the sine swirled about its point M at
+// the fold's centre: turned by θ (1 - q²)², q from 0 at M to 1 at the ends of the stretch, and so do their
+// handles. θ is σ (3 - σ)/2 of 155 degrees at the stage σ: by 0 the fold is a ripple that can hardly be told
+// from the sine; from about a half the curve overhangs; by 1 it is an S of two round horseshoe bends, of a
+// radius of a sixth of half the stretch or more.
 //
-// Sense: counter-clockwise seen against the field B, from the ground in the north. That is how a charged
-// sheet turns: the electric field points to its excess of electrons from either side, and the drift E x B
-// shears it. In the south, where the sheet's sine is mirrored, so are the folds.
+// Sense: folds turn clockwise seen along the field B, which is counter-clockwise seen against it, from the
+// ground in the north. That is how a charged sheet turns: the electric field points to its excess of
+// electrons from either side, and the drift E x B shears it (T. J. Hallinan, T. N. Davis, Planet. Space Sci.
+// 18, 1735, 1970; docs/physics.md says what of it could be checked). In the south, where the sheet's sine is
+// mirrored, so are the folds.
 //
 // A fold is passed through evenly in the coordinate along the sheet: its light is the sine's, carried with
 // the electrons.
@@ -74,33 +75,56 @@ struct CurvePoint {
   T turn_cos, turn_sin;  ///< of the curve's tangent against the sine's at the same place along the sheet
 };
 
+/// A point of the swirled sine, counted from M, and its derivative by the place along the sheet.
+template <class T>
+struct SwirledPoint {
+  T x_km, aside_km, x_slope, aside_slope;
+};
+
+/// `from_center_km` from the fold's centre, which stands `center_km` from the beam that the sine is given at.
+/// `turn_rad` is that of the fold's middle.
+template <class T>
+SwirledPoint<T> swirled_point(const LayerSine<T>& layer, double center_km, const T& middle_aside_km,
+                              double from_center_km, double half_km, const T& turn_rad) {
+  const double q = from_center_km / half_km, left = 1.0 - q * q;
+  // Clockwise in (x, aside): seen from below, against B in the north, that is the other way round.
+  const T angle = turn_rad * (left * left), by_x = turn_rad * (-4.0 * q * left / half_km);
+  const T c = cosine(angle), s = sine(angle);
+  const T aside = layer.aside(center_km + from_center_km) - middle_aside_km,
+          slope = layer.slope(center_km + from_center_km);
+  const T x = c * from_center_km + s * aside, y = c * aside - s * from_center_km;
+  return {x, y, c + s * slope + by_x * y, c * slope - s - by_x * x};
+}
+
 /// The point of a folded layer at `x_km` from the beam. `stage` is the sheet's fold_stage.
 template <class T>
 CurvePoint<T> folded_curve(const LayerSine<T>& layer, const Fold& fold, const T& stage, double x_km) {
   constexpr double kLargestTurnRad = 155.0 * 3.14159265358979323846 / 180.0;
-  constexpr double kGrowth = 4.0;  // of the inner handles, from stage 0 to 1
+  constexpr int kCubics = 3;  // of each half
   const T aside = layer.aside(x_km);
   if (!fold.here) return {T(x_km), aside, T(1.0), T(0.0)};
 
-  const double center = x_km - fold.from_center_km, half = fold.half_km;
-  const bool second = fold.from_center_km >= 0.0;
-  const double joint = second ? center + half : center - half;
-  // The inner handle. It turns clockwise in (x, aside), which seen from below is the other way round.
-  const T own_stage = stage * fold.stage;
-  const T angle = own_stage * (1.5 - 0.5 * own_stage) * kLargestTurnRad, slope = layer.slope(center);
-  const T size = (own_stage * own_stage * kGrowth + 1.0) * (half / 3.0);
-  const T handle_x = (cosine(angle) + slope * sine(angle)) * size;
-  const T handle_aside = (slope * cosine(angle) - sine(angle)) * size;
-  const double to_joint = second ? half / 3.0 : -half / 3.0, sign = second ? 1.0 : -1.0;
-  // From the middle outwards: M, inner handle, outer handle, joint.
-  const T px[4] = {T(center), center + handle_x * sign, T(joint - to_joint), T(joint)};
-  const T middle = layer.aside(center), end = layer.aside(joint);
-  const T py[4] = {middle, middle + handle_aside * sign, end - layer.slope(joint) * to_joint, end};
+  const double center = x_km - fold.from_center_km, sign = fold.from_center_km >= 0.0 ? 1.0 : -1.0;
+  const T own_stage = stage * fold.stage, middle = layer.aside(center);
+  const T turn = own_stage * (1.5 - 0.5 * own_stage) * kLargestTurnRad;
+  const double place = fold.from_center_km / fold.half_km * sign * kCubics;
+  const int cubic = place < kCubics - 1 ? static_cast<int>(place) : kCubics - 1;
+  // From the middle outwards.
+  const double length = sign * fold.half_km / kCubics;
+  const auto end = [&](int k) {
+    return swirled_point(layer, center, middle, length * k, fold.half_km, turn);
+  };
+  const SwirledPoint<T> first = end(cubic), last = end(cubic + 1);
+  const double handle = length / 3.0;
+  const T px[4] = {first.x_km, first.x_km + first.x_slope * handle, last.x_km - last.x_slope * handle,
+                   last.x_km};
+  const T py[4] = {first.aside_km, first.aside_km + first.aside_slope * handle,
+                   last.aside_km - last.aside_slope * handle, last.aside_km};
 
-  const double u = fold.from_center_km / half * sign, v = 1.0 - u;
+  const double u = place - cubic, v = 1.0 - u;
   const double b[4] = {v * v * v, 3.0 * v * v * u, 3.0 * v * u * u, u * u * u};
-  // Derivatives by x: du/dx is sign / half.
-  const double per_km = 3.0 * sign / half;
+  // Derivatives by x: du/dx is 1 / length.
+  const double per_km = 3.0 / length;
   const double d[4] = {-v * v * per_km, (v * v - 2.0 * v * u) * per_km, (2.0 * v * u - u * u) * per_km,
                        u * u * per_km};
   const auto sum = [](const double* weight, const T* point) {
@@ -111,8 +135,9 @@ CurvePoint<T> folded_curve(const LayerSine<T>& layer, const Fold& fold, const T&
   const T tangent_x = (sum(d, px) - 1.0) * p + 1.0;
   const T tangent_aside = (sum(d, py) - sine_slope) * p + sine_slope;
   const T dot = tangent_x + tangent_aside * sine_slope, cross = tangent_aside - tangent_x * sine_slope;
-  const T length = square_root(dot * dot + cross * cross + 1e-30);
-  return {(sum(b, px) - x_km) * p + x_km, (sum(b, py) - aside) * p + aside, dot / length, cross / length};
+  const T length_of_tangent = square_root(dot * dot + cross * cross + 1e-30);
+  return {(sum(b, px) - fold.from_center_km) * p + x_km, (sum(b, py) + middle - aside) * p + aside,
+          dot / length_of_tangent, cross / length_of_tangent};
 }
 
 }  // namespace vegard::sim

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace vegard::sim::fold_test {
@@ -121,6 +122,42 @@ TEST(Fold, DoesNotCrossItself) {
           side(points[i], points[i + 1], points[j]) * side(points[i], points[i + 1], points[j + 1]) < 0.0 &&
           side(points[j], points[j + 1], points[i]) * side(points[j], points[j + 1], points[i + 1]) < 0.0;
   EXPECT_EQ(crossings, 0);
+}
+
+// By stage 1 the bends are round: over the middle four fifths of a bend's turn (from 10 to 90 % of 155
+// degrees) the radius of curvature on a straight sheet goes from a sixth of half the stretch to less than 0.9
+// of it. A cusp, as two cubics made it, has a radius of hundredths there.
+TEST(Fold, HasRoundHorseshoeBends) {
+  const auto place = [](double x) {
+    Fold fold;
+    fold.from_center_km = x;
+    fold.half_km = 1.0;
+    fold.here = std::abs(x) < 1.0;
+    fold.stage = 1.0;
+    CurvePoint<double> p = folded_curve(LayerSine<double>{0.0, 0.1, 0.0}, fold, 1.0, 0.0);
+    return Vector{p.x_km + x, p.aside_km};
+  };
+  constexpr double h = 1e-3;
+  double turned = 0.0, tightest = 1e9, widest = 0.0;
+  std::vector<std::pair<double, double>> bends;  // turn so far, radius
+  for (double x = h; x < 1.0 - 2.0 * h; x += h) {
+    const Vector a = place(x - h), b = place(x), c = place(x + h);
+    const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - b.x, vy = c.y - b.y;
+    const double angle = std::atan2(ux * vy - uy * vx, ux * vx + uy * vy);
+    const double length = 0.5 * (std::hypot(ux, uy) + std::hypot(vx, vy));
+    turned += std::max(0.0, angle);
+    if (angle > 1e-9) bends.emplace_back(turned, length / angle);
+    if (std::abs(angle) > 1e-9) tightest = std::min(tightest, length / std::abs(angle));
+  }
+  double least = 1e9;
+  for (const auto& [so_far, radius] : bends)
+    if (so_far > 0.1 * turned && so_far < 0.9 * turned) {
+      least = std::min(least, radius);
+      widest = std::max(widest, radius);
+    }
+  EXPECT_GT(least, 0.16);
+  EXPECT_LT(widest, 0.9);
+  EXPECT_GT(tightest, 0.05);
 }
 
 Sheet folded_sheet() {
