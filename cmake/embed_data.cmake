@@ -7,6 +7,7 @@ set(VEGARD_EMBEDDED_TABLES
     ${PROJECT_SOURCE_DIR}/data/atmosphere/msis_nodes.csv
     ${PROJECT_SOURCE_DIR}/data/atmosphere/msis_gases.csv
     ${PROJECT_SOURCE_DIR}/data/atmosphere/msis_constants.csv
+    ${PROJECT_SOURCE_DIR}/data/field/igrf14.csv
     ${PROJECT_SOURCE_DIR}/data/electrons/cross_sections.csv
     ${PROJECT_SOURCE_DIR}/data/electrons/shells.csv
     ${PROJECT_SOURCE_DIR}/data/electrons/reactions.csv

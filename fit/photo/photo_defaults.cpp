@@ -50,8 +50,10 @@ bool was_taken(const PhotoDefaults& defaults, const std::string& path) {
 void note_the_field(const Given& given, PhotoDefaults& defaults) {
   if (!was_taken(defaults, "site.latitude_deg")) return;
   const sim::Field& field = defaults.scene.field;
-  if (field.model == sim::FieldModel::dipole) {
-    defaults.notes.push_back("the dipole's field is that of the photograph's place");
+  if (field.model != sim::FieldModel::uniform) {
+    defaults.notes.push_back(
+        std::string(field.model == sim::FieldModel::dipole ? "the dipole's field" : "the reference field") +
+        " is that of the photograph's place");
     return;
   }
   if (given("field.inclination_deg") || given("field.declination_deg")) return;

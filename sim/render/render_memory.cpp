@@ -51,7 +51,7 @@ void RenderMemory::look_at(const Scene& scene, int threads) {
 std::shared_ptr<const Volumes> RenderMemory::volumes() {
   if (!has_volumes(*scene_)) return nullptr;
   std::set<std::string> others = lights_and({"camera", "blur", "film"});
-  if (!has_emitters_of_sheets(*scene_)) others.insert({"sheet", "substorm"});
+  if (!has_emitters_of_sheets(*scene_)) others.insert("sheet");
   if (!has_moving_emitters(*scene_)) others.insert("time");
   // A picture of depth is of the camera's size.
   const auto same_size = [&](const Camera& camera) {

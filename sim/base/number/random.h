@@ -26,6 +26,7 @@ enum class Stream : std::uint32_t {
   border = 12,        ///< the course of the lower border
   footprint = 13,     ///< a footprint of fractal noise
   ripple = 14,        ///< what a footprint's flow starts from
+  spiral = 15,        ///< where a spiral stands
   stars = 16,         ///< where stars stand, and their colours
   photon_noise = 24,  ///< a pixel's electrons
   read_noise = 25,    ///< and what reading them adds

@@ -42,7 +42,7 @@ ChangeTimes change_times(const Sheet& sheet) {
     constexpr double kEnds = 0.05;  // of the length: how far the ends may go unseen
     course_s = change_s(0.0, kEnds * sheet.length_km, along);
   }
-  ChangeTimes times{kNever, kNever, kNever, kNever, kNever, kNever};
+  ChangeTimes times{kNever, kNever, kNever, kNever, kNever, kNever, kNever};
   times.course = std::min(course_s, change_s(0.0, narrowest_km(sheet), aside));
   if (sheet.ray_contrast > 0.0 || sheet.ray_length_contrast > 0.0)
     times.rays = change_s(sheet.ray_lifetime_s, sheet.ray_width_km, along + sheet.ray_speed_km_s);
@@ -54,12 +54,15 @@ ChangeTimes change_times(const Sheet& sheet) {
     times.folds = change_s(sheet.fold_lifetime_s, sheet.fold_length_km, along + sheet.fold_speed_km_s);
   if (sheet.curl_spacing_km > 0.0)
     times.curls = change_s(sheet.curl_lifetime_s, sheet.curl_radius_km, along + sheet.curl_speed_km_s);
+  if (sheet.spiral_spacing_km > 0.0)
+    times.spirals =
+        change_s(sheet.spiral_lifetime_s, sheet.spiral_radius_km, along + sheet.spiral_speed_km_s);
   return times;
 }
 
 double soonest_change_s(const Sheet& sheet, const Substorm& substorm) {
   const ChangeTimes t = change_times(sheet);
-  const double of_sheet = std::min({t.rays, t.patches, t.border, t.folds, t.curls, t.course});
+  const double of_sheet = std::min({t.rays, t.patches, t.border, t.folds, t.curls, t.spirals, t.course});
   if (substorm.quiet >= 1.0) return of_sheet;
   return std::min({of_sheet, substorm.growth_s, substorm.expansion_s, substorm.recovery_s});
 }
@@ -76,6 +79,7 @@ SheetOverTime sheet_over(const Sheet& sheet, double stretch_s) {
   if (is_mean(times.border)) over.sheet.border_amplitude_km = 0.0;
   if (is_mean(times.folds)) over.sheet.fold_spacing_km = 0.0;
   if (is_mean(times.curls)) over.sheet.curl_spacing_km = 0.0;
+  if (is_mean(times.spirals)) over.sheet.spiral_spacing_km = 0.0;
   return over;
 }
 

@@ -12,7 +12,7 @@ namespace vegard::sim {
 /// In seconds, as seen from the ground: lifetimes, or how long a structure takes to go on by its own width.
 /// Infinite for what lasts and stays, and for what a sheet does not have.
 struct ChangeTimes {
-  double rays, patches, border, folds, curls;
+  double rays, patches, border, folds, curls, spirals;
   double course;  ///< of the layers themselves, which drift and whose sine travels
 };
 

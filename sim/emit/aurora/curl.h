@@ -6,6 +6,12 @@
 // (1 - g exp(-x²/R²)), which keeps their order and puts them 1 - g of their spacing apart at the centre: a
 // cluster of beams. Then they are turned about the centre by an angle that falls off as exp(-r²/R²): that
 // preserves areas, as a flow without sources does. Sense as for folds, counter-clockwise seen against B.
+//
+// Spirals are the same map without gathering, larger and of the other sense, shared by all layers of an arc:
+// they turn about a point of its middle. Source: T. J. Hallinan, J. Geophys. Res. 81, 3959 (1976): field
+// lines twisted by an upward current, which winds a sheet up counter-clockwise seen along B (docs/physics.md
+// has the derivation); all spirals that Viking saw are wound so (J. S. Murphree, L. L. Cogger, R. D.
+// Elphinstone, IEEE Trans. Plasma Sci. 17, 109, 1989).
 #pragma once
 
 #include <algorithm>
@@ -33,11 +39,18 @@ struct Curl {
   }
 };
 
-/// The curls of one layer at an instant.
+/// The curls of one layer at an instant, or the spirals of an arc.
 class Curls {
  public:
+  /// None.
+  Curls() = default;
   Curls(const Sheet& sheet, std::uint32_t layer_address, std::uint64_t seed, double instant_s,
         double drifted_km);
+
+  /// Those of all layers of an arc. Their turn_rad is negative where they wind counter-clockwise seen along
+  /// B.
+  static Curls spirals(const Sheet& sheet, std::uint32_t arc_address, std::uint64_t seed, double instant_s,
+                       double drifted_km);
 
   bool any() const { return spacing_km_ > 0.0; }
 
@@ -63,9 +76,11 @@ class Curls {
 
   Curl of_slot(std::int64_t slot) const;
 
-  std::uint64_t seed_;
-  std::uint32_t address_;
-  double spacing_km_, radius_km_, gather_, turn_rad_, lifetime_s_, instant_s_, moved_km_;
+  Stream stream_ = Stream::curl;
+  std::uint64_t seed_ = 0;
+  std::uint32_t address_ = 0;
+  double spacing_km_ = 0.0, radius_km_ = 1.0, gather_ = 0.0, turn_rad_ = 0.0, lifetime_s_ = 0.0,
+         instant_s_ = 0.0, moved_km_ = 0.0;
 };
 
 /// Turns the point (x, aside) about a curl's centre: clockwise in (x, aside), which seen from below is

@@ -23,6 +23,20 @@ inline DipoleAxis dipole_axis(const Field& field, const Site& site) {
            std::sin(pole) * std::sin(here) + std::cos(pole) * std::cos(here) * std::cos(east)}};
 }
 
+/// The axes across a direction of fall: the first one horizontal, to the east where the field is vertical.
+template <class T>
+void find_across(FallFrame<T>& f) {
+  const T level2 = f.along[0] * f.along[0] + f.along[1] * f.along[1];
+  const bool slanted = value_of(level2) > 1e-18;
+  const T level = slanted ? square_root(level2) : T(1.0);
+  f.across1[0] = slanted ? f.along[1] / level : T(1.0);
+  f.across1[1] = slanted ? -f.along[0] / level : T(0.0);
+  f.across1[2] = T(0.0);
+  f.across2[0] = f.along[2] * f.across1[1];
+  f.across2[1] = -f.along[2] * f.across1[0];
+  f.across2[2] = f.along[1] * f.across1[0] - f.along[0] * f.across1[1];
+}
+
 /// The frame of fall at the point of the tangent plane (east, north) at kFootAltitudeKm: along B where that
 /// points into the Earth, against it elsewhere; the first axis across is horizontal (to the east where the
 /// field is vertical). The foot must be closer to the observer than the Earth's radius.
@@ -37,15 +51,7 @@ FallFrame<T> dipole_fall_frame(const DipoleAxis& axis, const T& east_km, const T
   const T size = square_root(up * up * 3.0 + 1.0) * (value_of(up) < 0.0 ? -1.0 : 1.0);
   FallFrame<T> f;
   for (int i = 0; i < 3; ++i) f.along[i] = (T(n[i]) - up * place[i] * 3.0) / size;
-  const T level2 = f.along[0] * f.along[0] + f.along[1] * f.along[1];
-  const bool slanted = value_of(level2) > 1e-18;
-  const T level = slanted ? square_root(level2) : T(1.0);
-  f.across1[0] = slanted ? f.along[1] / level : T(1.0);
-  f.across1[1] = slanted ? -f.along[0] / level : T(0.0);
-  f.across1[2] = T(0.0);
-  f.across2[0] = f.along[2] * f.across1[1];
-  f.across2[1] = -f.along[2] * f.across1[0];
-  f.across2[2] = f.along[1] * f.across1[0] - f.along[0] * f.across1[1];
+  find_across(f);
   return f;
 }
 

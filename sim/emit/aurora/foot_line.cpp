@@ -6,6 +6,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/dipole.h"
+#include "sim/emit/aurora/foot_field.h"
 #include "sim/emit/aurora/sheet_curve.h"
 
 namespace vegard::sim {
@@ -29,12 +30,6 @@ Line line_of_sheet(const Sheet& sheet, double instant_s) {
 
 double arc_offset_km(const Sheet& sheet, int arc) {
   return (arc - 0.5 * (sheet.arcs - 1)) * sheet.arc_spacing_km;
-}
-
-/// By the field, as sim/render/beams/kernel_scene.cpp has it.
-bool is_northern(const Scene& scene) {
-  if (scene.field.model == FieldModel::dipole) return dipole_axis(scene.field, scene.site).in_enu[2] >= 0.0;
-  return scene.field.inclination_deg >= 0.0;
 }
 
 double part(int i, int count) { return count > 1 ? static_cast<double>(i) / (count - 1) : 0.5; }
@@ -79,7 +74,7 @@ std::vector<EastNorth> sine_feet(const Scene& scene, const Sheet& sheet, double 
   if (is_curve(sheet)) return curve_feet(sheet, instant_s, count);
   const Line line = line_of_sheet(sheet, instant_s);
   // The sine's positive values lie towards u x B: to the left in the north (sim/emit/aurora/sheet.h).
-  const double side = is_northern(scene) ? 1.0 : -1.0;
+  const double side = falls_along_field(scene) ? 1.0 : -1.0;
   const double middle_phase = sheet.layers > 1 ? 0.5 * sheet.phase_shift_rad : 0.0;
   std::vector<EastNorth> feet;
   for (int i = 0; i < count; ++i) {

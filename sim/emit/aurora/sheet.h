@@ -72,10 +72,22 @@ struct StretchOfSheet {
   double along_km(double s) const { return center_km + length_km * (s - 0.5); }
 };
 
-/// The folds and curls of one layer at an instant.
+/// The folds and curls of one layer at an instant, and the spirals of its arc.
 struct LayerStructure {
   Folds folds;
   Curls curls;
+  Curls spirals;
+
+  LayerStructure(const Folds& folds, const Curls& curls, const Curls& spirals = {})
+      : folds(folds), curls(curls), spirals(spirals) {}
+  /// Of a layer of a sheet. `arc_address` is that of the arc's first layer.
+  LayerStructure(const Sheet& sheet, std::uint32_t arc_address, std::uint32_t layer_address,
+                 std::uint64_t seed, double instant_s, double drifted_km)
+      : folds(sheet, arc_address, seed, instant_s, drifted_km),
+        curls(sheet, layer_address, seed, instant_s, drifted_km),
+        spirals(Curls::spirals(sheet, arc_address, seed, instant_s, drifted_km)) {}
+
+  bool any() const { return folds.any() || curls.any() || spirals.any(); }
 };
 
 /// Of the line that a sheet's layers follow: from start to end, or along its curve.
@@ -170,11 +182,13 @@ struct PlanePoint {
   T x_km, aside_km;
 };
 
-/// Where folds and curls bring a beam that stands `across_km` beside its layer's sine, counted from its place
-/// on the straight line. Across a fold the cross-section turns with the curve.
+/// Where folds, curls and spirals bring a beam that stands `across_km` beside its layer's sine, counted from
+/// its place on the straight line. Across a fold the cross-section turns with the curve. `middle` is the sine
+/// in the middle between the first and the last layer, about which spirals turn.
 template <class T>
 PlanePoint<T> structured_point(const LayerSine<T>& layer, const LayerStructure& structure,
-                               const T& fold_stage, double along_km, const T& across_km) {
+                               const T& fold_stage, double along_km, const T& across_km,
+                               const LayerSine<T>& middle) {
   const auto curve_at = [&](double at_km) {
     return folded_curve(layer, structure.folds.at(at_km), fold_stage, at_km - along_km);
   };
@@ -192,7 +206,22 @@ PlanePoint<T> structured_point(const LayerSine<T>& layer, const LayerStructure& 
                  point.aside_km);
     });
   }
+  if (structure.spirals.any()) {
+    structure.spirals.near(along_km, [&](const Curl& spiral) {
+      const double center = spiral.center_km - along_km, hold = Curls::hold(center, spiral.radius_km);
+      if (spiral.turn_rad == 0.0 || hold == 0.0) return;
+      turn_about(T(center), middle.aside(center), spiral.radius_km, spiral.turn_rad * hold, point.x_km,
+                 point.aside_km);
+    });
+  }
   return point;
+}
+
+/// Of a sheet whose layers all have one sine.
+template <class T>
+PlanePoint<T> structured_point(const LayerSine<T>& layer, const LayerStructure& structure,
+                               const T& fold_stage, double along_km, const T& across_km) {
+  return structured_point(layer, structure, fold_stage, along_km, across_km, layer);
 }
 
 /// The same number with a multiple of its derivatives.
@@ -237,8 +266,11 @@ BeamFoot<T> beam_foot(const SheetShape<T>& sheet, const StretchOfSheet& stretch,
     aside = sheet.thickness_km * sine(phase) + with_slope(sheet.width_km, place.width_slope) * place.across;
   } else {
     const LayerSine<T> curve{sheet.thickness_km, kTwoPi / sheet.wavelength_km, phase};
-    const PlanePoint<T> point = structured_point(curve, *structure, sheet.fold_stage,
-                                                 stretch.along_km(place.s), sheet.width_km * place.across);
+    const LayerSine<T> middle{curve.amplitude_km, curve.wave_number_per_km,
+                              phase + sheet.phase_shift_rad * (layers > 1 ? 0.5 - layer_part : 0.0)};
+    const PlanePoint<T> point =
+        structured_point(curve, *structure, sheet.fold_stage, stretch.along_km(place.s),
+                         sheet.width_km * place.across, middle);
     along = along + point.x_km;
     aside = point.aside_km;
   }

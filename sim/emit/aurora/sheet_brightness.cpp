@@ -4,7 +4,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/beam.h"
-#include "sim/emit/aurora/dipole.h"
+#include "sim/emit/aurora/foot_field.h"
 #include "sim/emit/aurora/motion.h"
 #include "sim/emit/aurora/sheet_curve.h"
 #include "sim/light/electron.h"
@@ -22,10 +22,10 @@ double vertical_at_centre(const Scene& scene, const Sheet& sheet) {
   const double east = sheet.center_km.east, north = sheet.center_km.north;
   if (!(std::hypot(east, north) < kFarthestKm)) return 0.0;
   const Field& field = scene.field;
-  const FallFrame<double> fall =
-      field.model == FieldModel::dipole
-          ? dipole_fall_frame(dipole_axis(field, scene.site), east, north)
-          : fall_frame(field.inclination_deg * kRadiansPerDegree, field.declination_deg * kRadiansPerDegree);
+  const FootField own(scene);
+  const FallFrame<double> fall = own.varies() ? own.at(east, north)
+                                              : fall_frame(field.inclination_deg * kRadiansPerDegree,
+                                                           field.declination_deg * kRadiansPerDegree);
   const Beam<double> beam =
       start_beam(east, north, fall, 1e-3 * scene.site.altitude_m, sheet.top_km, HeightProfile::kBottomKm);
   return beam.vertical > 0.0 && beam.length_km > 0.0 ? beam.vertical : 0.0;

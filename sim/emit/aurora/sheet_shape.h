@@ -2,19 +2,13 @@
 #pragma once
 
 #include "sim/base/number/constants.h"
-#include "sim/emit/aurora/dipole.h"
+#include "sim/emit/aurora/foot_field.h"
 #include "sim/emit/aurora/motion.h"
 #include "sim/emit/aurora/sheet.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
-
-/// Whether electrons fall along the field, not against it: in the northern magnetic hemisphere, that is.
-inline bool falls_along_field(const Scene& scene) {
-  if (scene.field.model == FieldModel::dipole) return dipole_axis(scene.field, scene.site).in_enu[2] >= 0.0;
-  return scene.field.inclination_deg >= 0.0;
-}
 
 /// The shape of one arc of a sheet's system at an instant. `number(n, scale)` is scale times a number of the
 /// scene as T, `number(n)` the number itself.

@@ -39,9 +39,10 @@ template <class T>
 class CurtainEmitter : public Emitter<T> {
  public:
   CurtainEmitter(const Scene& scene, const Footprint& f, const ProfileTable& profiles,
-                 const ProfileChanges& changes, const NumberAs<T>& number)
+                 const ProfileChanges& changes, const NumberAs<T>& number, const FootprintAt& at)
       : profile_(profiles, f.top_km, 0.0),
-        rays_(scene, f, profile_.bottom_km()),
+        rays_(scene, f, profile_.bottom_km(), at.turned_deg),
+        rule_(rule_of_foot<T>(scene, f, number, at.turned_deg)),
         foot_(of_profile(profile_)),
         marcher_(foot_) {
     foot_.ln_energy_shift = (number(f.energy_kev) - f.energy_kev) * (1.0 / f.energy_kev);
@@ -54,8 +55,10 @@ class CurtainEmitter : public Emitter<T> {
     by_oxygen_ = step_profile(changes.by_oxygen);
     foot_.profile_by_flux = by_flux_.get();
     foot_.profile_by_oxygen = by_oxygen_.get();
-    foot_.way = way_of_foot<T>(scene, f, number, foot_.axis);
-    build(f, number);
+    foot_.way = rule_.way;
+    std::copy_n(rule_.axis, 3, foot_.axis);
+    foot_.patches = rule_.patches ? rule_.patches->data() : nullptr;
+    build(f, number, at);
   }
   CurtainEmitter(const CurtainEmitter&) = delete;
   CurtainEmitter& operator=(const CurtainEmitter&) = delete;
@@ -84,11 +87,12 @@ class CurtainEmitter : public Emitter<T> {
     T flux, ln_energy;
   };
 
-  void build(const Footprint& f, const NumberAs<T>& number) {
+  void build(const Footprint& f, const NumberAs<T>& number, const FootprintAt& now) {
     std::vector<Edge> edges;
     bool closed = false;
     const auto cargo = [&](std::size_t i, auto& point) {
       point.flux = number(f.energy_flux_mw_m2);
+      if (now.share != 1.0) point.flux = point.flux * now.share;
       if (!f.point_flux.empty()) point.flux = point.flux * number(f.point_flux[i]);
       point.ln_energy = f.point_energy.empty() ? T(0.0) : logarithm(number(f.point_energy[i]));
     };
@@ -108,8 +112,8 @@ class CurtainEmitter : public Emitter<T> {
     } else {
       std::vector<CurveNode<T, 2>> points(f.east_km.size());
       for (std::size_t i = 0; i < points.size(); ++i) {
-        points[i].at = {number(f.center_km.east) + number(f.east_km[i]),
-                        number(f.center_km.north) + number(f.north_km[i])};
+        points[i].at = {number(f.center_km.east) + number(f.east_km[i]) + now.drifted_km.east,
+                        number(f.center_km.north) + number(f.north_km[i]) + now.drifted_km.north};
         cargo(i, points[i]);
       }
       const auto curve = curve_pieces<T, 2>(points, f.closed, longest_piece_km(f), false);
@@ -136,6 +140,12 @@ class CurtainEmitter : public Emitter<T> {
     if (foot_.way == FootWay::dipole) {
       T direction[3];
       dipole_fall(foot_.axis, PlaneFoot<T>{a.foot[0], a.foot[1], true}, direction);
+      along = {direction[0], direction[1], direction[2]};
+    }
+    if (foot_.way == FootWay::reference) {
+      T direction[3];
+      patch_fall(foot_.patches[0].template numbers<double>(), T(foot_.patches[0].per_place),
+                 PlaneFoot<T>{a.foot[0], a.foot[1], true}, direction);
       along = {direction[0], direction[1], direction[2]};
     }
     const Vec3<T> normal = cross3(wall.way, along), level = cross3(wall.way, up);
@@ -195,6 +205,7 @@ class CurtainEmitter : public Emitter<T> {
   StepProfile profile_;
   std::unique_ptr<StepProfile> by_flux_, by_oxygen_;
   MarchRays rays_;
+  FootRule<T> rule_;
   ScalarFootprint<T, double> foot_;
   ScalarMarch<T, double> marcher_;
   std::vector<Wall<T>> walls_;
@@ -205,14 +216,15 @@ class CurtainEmitter : public Emitter<T> {
 template <class T>
 std::unique_ptr<Emitter<T>> curtain_emitter(const Scene& scene, const Footprint& footprint,
                                             const ProfileTable& profiles, const ProfileChanges& changes,
-                                            const NumberAs<T>& number) {
-  return std::make_unique<CurtainEmitter<T>>(scene, footprint, profiles, changes, number);
+                                            const NumberAs<T>& number, const FootprintAt& at) {
+  return std::make_unique<CurtainEmitter<T>>(scene, footprint, profiles, changes, number, at);
 }
 
 template std::unique_ptr<Emitter<double>> curtain_emitter(const Scene&, const Footprint&, const ProfileTable&,
-                                                          const ProfileChanges&, const NumberAs<double>&);
+                                                          const ProfileChanges&, const NumberAs<double>&,
+                                                          const FootprintAt&);
 template std::unique_ptr<Emitter<FreeDual>> curtain_emitter(const Scene&, const Footprint&,
                                                             const ProfileTable&, const ProfileChanges&,
-                                                            const NumberAs<FreeDual>&);
+                                                            const NumberAs<FreeDual>&, const FootprintAt&);
 
 }  // namespace vegard::sim

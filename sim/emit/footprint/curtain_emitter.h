@@ -14,10 +14,17 @@
 
 namespace vegard::sim {
 
+/// A footprint at an instant.
+struct FootprintAt {
+  EastNorth drifted_km{};   ///< of a box, since the clock's zero
+  double turned_deg = 0.0;  ///< of a shell, to the east
+  double share = 1.0;       ///< times its light
+};
+
 /// Of a footprint with model "curtain". `changes` as of plane_footprint_emitter(). T is double or FreeDual.
 template <class T>
 std::unique_ptr<Emitter<T>> curtain_emitter(const Scene& scene, const Footprint& footprint,
                                             const ProfileTable& profiles, const ProfileChanges& changes,
-                                            const NumberAs<T>& number);
+                                            const NumberAs<T>& number, const FootprintAt& at = {});
 
 }  // namespace vegard::sim

@@ -9,14 +9,10 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
+#include "sim/light/field/patch_field.h"
 #include "sim/light/sample.h"
 
 namespace vegard::sim {
-
-template <class T>
-inline T select(bool which, const T& yes, const T& no) {
-  return which ? yes : no;
-}
 
 #define VEGARD_INLINE inline
 #include "sim/emit/footprint/foot_body.h"

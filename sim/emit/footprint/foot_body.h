@@ -74,20 +74,45 @@ VEGARD_INLINE void dipole_fall(const L axis[3], const PlaneFoot<L>& foot, L alon
   for (int i = 0; i < 3; ++i) along[i] = (axis[i] - up * place[i] * L(3.0)) * scale;
 }
 
-/// Along the direction that a dipole has at the foot itself: three steps from the place below the point. Each
-/// leaves less than three times (altitude - 110 km) / (6481 km cos chi) of the error before it, where chi is
-/// the angle of the field to the vertical.
-template <class L>
-VEGARD_INLINE PlaneFoot<L> foot_of_dipole(const AirPoint<L>& p, const L axis[3]) {
+/// The direction of fall at a foot in the field of a plane's patch (sim/light/field/field_body.h).
+template <class L, class Number>
+VEGARD_INLINE void patch_fall(const Number* patch, const L& per_place, const PlaneFoot<L>& foot, L along[3]) {
+  constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
+  const L level2 = foot.east_km * foot.east_km + foot.north_km * foot.north_km;
+  const L height2 = L(kRadius * kRadius) - level2;
+  const L place[3] = {foot.east_km, foot.north_km,
+                      square_root(select(value_of(L(1.0)) < value_of(height2), height2, L(1.0)))};
+  L field[3];
+  field_of_patch(patch, foot.east_km * per_place, foot.north_km * per_place, field);
+  fall_in_field(field, place, along);
+}
+
+/// Along the direction that a field has at the foot itself, `fall_at(foot, along)`: three steps from the
+/// place below the point. Of a dipole each leaves less than three times (altitude - 110 km) / (6481 km cos
+/// chi) of the error before it, where chi is the angle of the field to the vertical.
+template <class L, class FallAt>
+VEGARD_INLINE PlaneFoot<L> foot_of_field(const AirPoint<L>& p, const FallAt& fall_at) {
   PlaneFoot<L> foot = foot_below(p);
   const auto above_horizon = foot.is_there;
   for (int step = 0; step < 3; ++step) {
     L along[3];
-    dipole_fall(axis, foot, along);
+    fall_at(foot, along);
     foot = foot_along(p, along);
   }
   foot.is_there = foot.is_there && above_horizon;
   return foot;
+}
+
+template <class L>
+VEGARD_INLINE PlaneFoot<L> foot_of_dipole(const AirPoint<L>& p, const L axis[3]) {
+  return foot_of_field(p, [axis](const PlaneFoot<L>& foot, L along[3]) { dipole_fall(axis, foot, along); });
+}
+
+template <class L, class Number>
+VEGARD_INLINE PlaneFoot<L> foot_of_patch(const AirPoint<L>& p, const Number* patch, const L& per_place) {
+  return foot_of_field(p, [patch, &per_place](const PlaneFoot<L>& foot, L along[3]) {
+    patch_fall(patch, per_place, foot, along);
+  });
 }
 
 /// A place on the face of a cube about the Earth's centre (sim/emit/footprint/map/footprint_map.h).
@@ -119,4 +144,56 @@ VEGARD_INLINE L face_number(const AirPoint<L>& p) {
   const auto first = value_of(size[1]) <= value_of(size[0]) && value_of(size[2]) <= value_of(size[0]);
   const auto second = value_of(size[2]) <= value_of(size[1]);
   return select(first, backwards[0], select(second, L(2.0) + backwards[1], L(4.0) + backwards[2]));
+}
+
+/// The foot of a point around the whole Earth, in its axes: in three steps along the direction that the field
+/// has at the foot, `fall_at(unit vector of the foot, along)`. Straight down where its line misses the sphere
+/// of the feet, or does not fall. Of the result only `x` is set.
+template <class L, class FallAt>
+VEGARD_INLINE AirPoint<L> foot_around_earth(const AirPoint<L>& p, const FallAt& fall_at) {
+  constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
+  constexpr double kFootSquare = kFootAltitudeKm * (kFootAltitudeKm + 2.0 * kEarthRadiusKm);
+  const L above = p.square - L(kFootSquare), scale = L(kRadius) / radius_km(p);
+  const L below[3] = {p.x[0] * scale, p.x[1] * scale, p.x[2] * scale};
+  AirPoint<L> foot = p;
+  for (int i = 0; i < 3; ++i) foot.x[i] = below[i];
+  for (int step = 0; step < 3; ++step) {
+    const L place[3] = {foot.x[0] * L(1.0 / kRadius), foot.x[1] * L(1.0 / kRadius),
+                        foot.x[2] * L(1.0 / kRadius)};
+    L along[3];
+    fall_at(place, along);
+    const L rise = p.x[0] * along[0] + p.x[1] * along[1] + p.x[2] * along[2];
+    const L root2 = rise * rise - above;
+    const auto falls = value_of(L(1.0)) < value_of(root2) && value_of(rise) < value_of(L(-1.0));
+    const L safe_rise = select(falls, rise, L(-1.0));
+    const L way = above / (square_root(select(falls, root2, L(1.0))) - safe_rise);
+    for (int i = 0; i < 3; ++i) foot.x[i] = select(falls, p.x[i] + way * along[i], below[i]);
+  }
+  return foot;
+}
+
+/// The same in a dipole's field, whose axis points to its pole in the north.
+template <class L>
+VEGARD_INLINE AirPoint<L> foot_in_dipole_around_earth(const AirPoint<L>& p, const L axis[3]) {
+  return foot_around_earth(p, [axis](const L place[3], L along[3]) {
+    const L up = place[0] * axis[0] + place[1] * axis[1] + place[2] * axis[2];
+    const L size = square_root(up * up * L(3.0) + L(1.0));
+    const L scale = L(1.0) / select(value_of(up) < value_of(L(0.0)), L(0.0) - size, size);
+    for (int i = 0; i < 3; ++i) along[i] = (axis[i] - up * place[i] * L(3.0)) * scale;
+  });
+}
+
+/// The same in the field of a face's patch, of a foot on that face or beside it.
+template <class L, class Number>
+VEGARD_INLINE AirPoint<L> foot_in_patch_around_earth(const AirPoint<L>& p, int face, const Number* patch,
+                                                     const L& per_place) {
+  return foot_around_earth(p, [&](const L place[3], L along[3]) {
+    const int a = face / 2;
+    const L ahead = face % 2 == 0 ? place[a] : L(0.0) - place[a], least(0.3);
+    const L scale = L(1.0) / select(value_of(least) < value_of(ahead), ahead, least);
+    L field[3];
+    field_of_patch(patch, evened(place[(a + 1) % 3] * scale) * per_place,
+                   evened(place[(a + 2) % 3] * scale) * per_place, field);
+    fall_in_field(field, place, along);
+  });
 }

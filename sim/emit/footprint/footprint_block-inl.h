@@ -22,6 +22,8 @@ namespace vegard::sim {
 namespace HWY_NAMESPACE {
 
 #define VEGARD_INLINE HWY_INLINE
+#include "sim/light/field/field_body.h"
+//
 #include "sim/emit/footprint/foot_body.h"
 #undef VEGARD_INLINE
 
@@ -47,12 +49,26 @@ struct Place {
   PackMask is_there;
 };
 
+/// The foot of a point, or the point itself where feet lie below. L is Pack or double.
+template <FootWay kWay, class L>
+HWY_INLINE AirPoint<L> foot_of_shell(const FootprintKernel& kernel, const AirPoint<L>& p, int face) {
+  if constexpr (kWay == FootWay::shell_dipole) {
+    const L axis[3] = {L(kernel.axis[0]), L(kernel.axis[1]), L(kernel.axis[2])};
+    return foot_in_dipole_around_earth(p, axis);
+  } else if constexpr (kWay == FootWay::shell_reference) {
+    const FieldPatch& patch = kernel.patches[face];
+    return foot_in_patch_around_earth(p, face, patch.rounded.data(), L(patch.per_place));
+  } else {
+    return p;
+  }
+}
+
 /// The foot of a point in texels of the plane's grid, or of a face's.
 template <FootWay kWay>
 HWY_INLINE Place place_of(const FootprintKernel& kernel, const AirPoint<Pack>& p, int face) {
   const Pack texels(kernel.texels), first_x(kernel.first_x), first_y(kernel.first_y);
-  if constexpr (kWay == FootWay::shell) {
-    const FacePlace<Pack> at = place_on_face(p, face);
+  if constexpr (is_shell_way(kWay)) {
+    const FacePlace<Pack> at = place_on_face(foot_of_shell<kWay>(kernel, p, face), face);
     return {at.u * texels + first_x, at.v * texels + first_y, Pack(1.0f) < at.ahead};
   } else {
     const Pack axis[3] = {Pack(kernel.axis[0]), Pack(kernel.axis[1]), Pack(kernel.axis[2])};
@@ -61,8 +77,10 @@ HWY_INLINE Place place_of(const FootprintKernel& kernel, const AirPoint<Pack>& p
       foot = foot_below(p);
     else if constexpr (kWay == FootWay::field)
       foot = foot_along(p, axis);
-    else
+    else if constexpr (kWay == FootWay::dipole)
       foot = foot_of_dipole(p, axis);
+    else
+      foot = foot_of_patch(p, kernel.patches[0].rounded.data(), Pack(kernel.patches[0].per_place));
     return {foot.east_km * texels + first_x, foot.north_km * texels + first_y, foot.is_there};
   }
 }
@@ -72,11 +90,15 @@ HWY_INLINE PackMask on_face(const AirPoint<Pack>& p, int face) {
   return middle - Pack(0.5f) < number && number < middle + Pack(0.5f);
 }
 
-/// The face of the ray's point, from the reference on.
-HWY_INLINE int face_at(const MarchSpan& span, double u) {
-  AirPoint<double> p;
-  for (int i = 0; i < 3; ++i) p.x[i] = span.place_km[i] + u * span.direction[i];
-  return static_cast<int>(face_number(p));
+/// The face of the foot of the ray's point, from the reference on.
+template <FootWay kWay>
+HWY_INLINE int face_at(const FootprintKernel& kernel, const MarchSpan& span, double u) {
+  const AirPoint<double> p = point_of_ray(span.place_km, span.direction, span.square_km2, span.along_km, u);
+  const int above = static_cast<int>(face_number(p));
+  if constexpr (kWay == FootWay::shell)
+    return above;
+  else
+    return static_cast<int>(face_number(foot_of_shell<kWay>(kernel, p, above)));
 }
 
 /// Where the middles of steps are: texels of a window, and rows of the height profile.
@@ -104,7 +126,7 @@ struct FaceMarch {
     const AirPoint<Pack> p = lanes.at(Pack(span.first_km) + (number + Pack(0.5f)) * Pack(span.step_km));
     const Place at = place_of<kWay>(kernel, p, face);
     PackMask shines = at.is_there && number < Pack(span.steps);
-    if (several_faces) shines = shines && on_face(p, face);
+    if (several_faces) shines = shines && on_face(foot_of_shell<kWay>(kernel, p, face), face);
     return {at.x - Pack(window().first_x), at.y - Pack(window().first_y), row_of(p), shines};
   }
 };

@@ -21,13 +21,19 @@ template <class T, class G>
 class FootprintEmitter : public Emitter<T> {
  public:
   FootprintEmitter(const Scene& scene, const Footprint& footprint, const ProfileTable& profiles,
-                   const ProfileChanges& changes, const NumberAs<T>& number, MarchBy by)
+                   const ProfileChanges& changes, const NumberAs<T>& number, MarchBy by,
+                   double turned_deg = 0.0)
       : profile_(profiles, footprint.top_km, scene.march.step_km),
-        rays_(scene, footprint, profile_.bottom_km()),
+        rays_(scene, footprint, profile_.bottom_km(), turned_deg),
+        rule_(rule_of_foot<T>(scene, footprint, number, turned_deg)),
         step_cells_(scene.march.step_cells),
         in_lanes_(std::is_same_v<T, double> && by == MarchBy::lanes) {
-    scalar_.way = kernel_.way = way_of_foot<T>(scene, footprint, number, scalar_.axis);
-    for (int i = 0; i < 3; ++i) kernel_.axis[i] = value_of(scalar_.axis[i]);
+    scalar_.way = kernel_.way = rule_.way;
+    for (int i = 0; i < 3; ++i) {
+      scalar_.axis[i] = rule_.axis[i];
+      kernel_.axis[i] = value_of(rule_.axis[i]);
+    }
+    scalar_.patches = kernel_.patches = rule_.patches ? rule_.patches->data() : nullptr;
     scalar_.profile = kernel_.profile = &profile_;
     scalar_.ln_energy_shift =
         (number(footprint.energy_kev) - footprint.energy_kev) * (1.0 / footprint.energy_kev);
@@ -74,8 +80,8 @@ class FootprintEmitter : public Emitter<T> {
     scalar_.first_x = kernel_.first_x = first_x;
     scalar_.first_y = kernel_.first_y = first_y;
     const double cell_km =
-        kernel_.way == FootWay::shell ? (kEarthRadiusKm + kFootAltitudeKm) / texels : 1.0 / texels;
-    rays_.limit_feet(kernel_.way, kernel_.axis, step_cells_ * cell_km);
+        is_shell_way(kernel_.way) ? (kEarthRadiusKm + kFootAltitudeKm) / texels : 1.0 / texels;
+    rays_.limit_feet(plain_rule(rule_), step_cells_ * cell_km);
   }
 
   void set_face(int face, const FootprintGrid<G>& grid, double least_flux) {
@@ -141,6 +147,7 @@ class FootprintEmitter : public Emitter<T> {
   StepProfile profile_;
   std::unique_ptr<StepProfile> by_flux_, by_oxygen_;
   MarchRays rays_;
+  FootRule<T> rule_;
   double step_cells_;
   bool in_lanes_;
   std::array<TexelStore, 6> texels_;
@@ -181,7 +188,8 @@ class CubeEmitter : public FootprintEmitter<T, double> {
   CubeEmitter(const Scene& scene, const Footprint& footprint, CubeFootprint<double> map,
               const ProfileTable& profiles, const ProfileChanges& changes, const NumberAs<T>& number,
               int threads, MarchBy by)
-      : FootprintEmitter<T, double>(scene, footprint, profiles, changes, number, by), map_(std::move(map)) {
+      : FootprintEmitter<T, double>(scene, footprint, profiles, changes, number, by, map.turned_deg),
+        map_(std::move(map)) {
     const double half = 0.5 * map_.face_cells;
     double least = 0.0;
     for (const FootprintGrid<double>& face : map_.face) least = least_flux(face, least);

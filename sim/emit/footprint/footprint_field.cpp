@@ -15,12 +15,15 @@ namespace {
 class FootprintField : public LightField {
  public:
   FootprintField(const Scene& scene, const Footprint& footprint, const ProfileTable& profiles,
-                 std::array<FootprintGrid<double>, 6> grids)
+                 std::array<FootprintGrid<double>, 6> grids, double turned_deg = 0.0)
       : grids_(std::move(grids)),
         profile_(profiles, footprint.top_km, 0.0),
-        rays_(scene, footprint, profile_.bottom_km()) {
-    f_.way = way_of_foot<double>(
-        scene, footprint, [](const double& number) { return number; }, f_.axis);
+        rays_(scene, footprint, profile_.bottom_km(), turned_deg),
+        rule_(rule_of_foot<double>(
+            scene, footprint, [](const double& number) { return number; }, turned_deg)) {
+    f_.way = rule_.way;
+    std::copy_n(rule_.axis, 3, f_.axis);
+    f_.patches = rule_.patches ? rule_.patches->data() : nullptr;
     f_.profile = &profile_;
     f_.ln_energy_shift = f_.flux_shift = 0.0;
     for (int face = 0; face < 6; ++face) f_.grid[face] = &grids_[face];
@@ -104,7 +107,7 @@ class FootprintField : public LightField {
     const double u = (x - f_.first_x) / f_.texels, v = (y - f_.first_y) / f_.texels;
     double foot[3], up[3];
     constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
-    if (f_.way == FootWay::shell) {
+    if (is_shell_way(f_.way)) {
       const int a = face / 2;
       const double scale = kRadius / std::sqrt(1.0 + u * u + v * v);
       foot[a] = face % 2 == 0 ? scale : -scale;
@@ -115,21 +118,18 @@ class FootprintField : public LightField {
       if (height2 <= 0.0) return;
       foot[0] = u, foot[1] = v, foot[2] = std::sqrt(height2);
     }
-    for (int i = 0; i < 3; ++i) up[i] = foot[i] / kRadius;
-    if (f_.way == FootWay::field) std::transform(f_.axis, f_.axis + 3, up, [](double a) { return -a; });
-    if (f_.way == FootWay::dipole) {
-      double along[3];
-      dipole_fall(f_.axis, PlaneFoot<double>{foot[0], foot[1], true}, along);
-      std::transform(along, along + 3, up, [](double a) { return -a; });
-    }
+    double place[3], fall[3];
+    for (int i = 0; i < 3; ++i) place[i] = foot[i] / kRadius;
+    fall_at_place(rule_, place, fall);
+    for (int i = 0; i < 3; ++i) up[i] = -fall[i];
     const double rise = (foot[0] * up[0] + foot[1] * up[1] + foot[2] * up[2]);
     for (const double altitude : {rays_.bottom_km(), rays_.top_km()}) {
       const double squares =
           (altitude - kFootAltitudeKm) * (altitude + kFootAltitudeKm + 2.0 * kEarthRadiusKm);
       const double way = -rise + std::copysign(std::sqrt(std::max(0.0, rise * rise + squares)), rise);
-      const double place[3] = {foot[0] + way * up[0], foot[1] + way * up[1], foot[2] + way * up[2]};
+      const double above[3] = {foot[0] + way * up[0], foot[1] + way * up[1], foot[2] + way * up[2]};
       double enu[3];
-      rays_.enu_of(place, enu);
+      rays_.enu_of(above, enu);
       for (int i = 0; i < 3; ++i) {
         bounds_.low[i] = std::min(bounds_.low[i], enu[i]);
         bounds_.high[i] = std::max(bounds_.high[i], enu[i]);
@@ -140,6 +140,7 @@ class FootprintField : public LightField {
   std::array<FootprintGrid<double>, 6> grids_;
   StepProfile profile_;
   MarchRays rays_;
+  FootRule<double> rule_;
   ScalarFootprint<double, double> f_;
   std::vector<LitMap> lit_;
   double least_ = 0.0;
@@ -165,7 +166,8 @@ std::unique_ptr<LightField> plane_footprint_field(const Scene& scene, const Foot
 std::unique_ptr<LightField> cube_footprint_field(const Scene& scene, const Footprint& footprint,
                                                  CubeFootprint<double> map, const ProfileTable& profiles,
                                                  int threads) {
-  auto field = std::make_unique<FootprintField>(scene, footprint, profiles, std::move(map.face));
+  auto field =
+      std::make_unique<FootprintField>(scene, footprint, profiles, std::move(map.face), map.turned_deg);
   std::array<std::vector<std::uint8_t>, 6> lit;
   for (int face = 0; face < 6; ++face) lit[face] = lit_texels(field->grid(face), field->least_flux());
   const double half = 0.5 * map.face_cells;

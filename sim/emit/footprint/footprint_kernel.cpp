@@ -19,6 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace vegard::sim {
 namespace HWY_NAMESPACE {
 
+constexpr int kBentBlocks = 16;    ///< over which feet along a field run straight enough
 constexpr int kStretchBlocks = 8;  ///< that are passed over together, if all are dark
 
 /// A span's way through the faces, to the blocks with light.
@@ -35,7 +36,7 @@ class SpanMarch {
 
   HWY_INLINE void run() {
     const int blocks = (span_.steps + kBlockSteps - 1) / kBlockSteps;
-    if constexpr (kWay == FootWay::shell)
+    if constexpr (is_shell_way(kWay))
       through_faces(0, blocks, face_at_block(0), face_at_block(blocks));
     else
       along_face(0, blocks, 0);
@@ -43,12 +44,14 @@ class SpanMarch {
 
  private:
   int face_at_block(int block) const {
-    return face_at(span_, span_.first_km + block * kBlockSteps * span_.step_km);
+    return face_at<kWay>(kernel_, span_, span_.first_km + block * kBlockSteps * span_.step_km);
   }
 
-  /// Faces are convex: a stretch with both ends on one is there as a whole.
+  /// Faces are convex: a stretch with both ends on one is there as a whole. Along a field the feet of a ray
+  /// run in a bow, which is flat over a few blocks.
   void through_faces(int first, int last, int face, int last_face) {
-    if (face == last_face) return along_face(first, last, face);
+    if (face == last_face && (kWay == FootWay::shell || last - first <= kBentBlocks))
+      return along_face(first, last, face);
     if (last - first == 1) return across_faces(first);
     const int middle = first + (last - first) / 2, middle_face = face_at_block(middle);
     through_faces(first, middle, face, middle_face);
@@ -180,6 +183,12 @@ std::size_t MarchSpans(const FootprintKernel& kernel, const MarchSpan* spans, st
       return march_way<FootWay::field>(kernel, spans, count, out);
     case FootWay::dipole:
       return march_way<FootWay::dipole>(kernel, spans, count, out);
+    case FootWay::reference:
+      return march_way<FootWay::reference>(kernel, spans, count, out);
+    case FootWay::shell_dipole:
+      return march_way<FootWay::shell_dipole>(kernel, spans, count, out);
+    case FootWay::shell_reference:
+      return march_way<FootWay::shell_reference>(kernel, spans, count, out);
     case FootWay::shell:
       break;
   }

@@ -21,7 +21,8 @@ struct TexelWindow {
 
 struct FootprintKernel {
   FootWay way = FootWay::vertical;
-  double axis[3] = {0.0, 0.0, -1.0};  ///< the direction of fall, or the dipole's
+  double axis[3] = {0.0, 0.0, -1.0};  ///< as FootRule's
+  const FieldPatch* patches = nullptr;
   /// Texels of the grid by places on the plane in km, or on a face: x = place * texels + first.
   double texels = 1.0, first_x = 0.0, first_y = 0.0;
   std::array<TexelWindow, 6> window;   ///< of a plane the first one only

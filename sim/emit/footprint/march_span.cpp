@@ -5,7 +5,7 @@
 
 namespace vegard::sim {
 
-MarchRays::MarchRays(const Scene& scene, const Footprint& footprint, double bottom_km)
+MarchRays::MarchRays(const Scene& scene, const Footprint& footprint, double bottom_km, double turned_deg)
     : observer_km_(scene.site.altitude_m * 1e-3),
       bottom_km_(bottom_km),
       top_km_(footprint.top_km),
@@ -13,7 +13,10 @@ MarchRays::MarchRays(const Scene& scene, const Footprint& footprint, double bott
       literal_ghosts_(scene.march.ghosts == GhostRule::literal),
       axes_{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}} {
   if (footprint.shape == FootprintShape::shell) {
-    const SiteAxes axes = axes_at(scene.site);
+    // What has turned to the east is seen from as much farther west.
+    Site site = scene.site;
+    site.longitude_deg -= turned_deg;
+    const SiteAxes axes = axes_at(site);
     for (int i = 0; i < 3; ++i)
       for (int a = 0; a < 3; ++a) axes_[i][a] = axes.axis[i][a];
   } else if (is_given_elsewhere(scene, footprint)) {
@@ -23,17 +26,50 @@ MarchRays::MarchRays(const Scene& scene, const Footprint& footprint, double bott
   }
 }
 
+void fall_at_place(const FootRule<double>& rule, const double up[3], double fall[3]) {
+  constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
+  const PlaneFoot<double> foot{up[0] * kRadius, up[1] * kRadius, true};
+  switch (rule.way) {
+    case FootWay::vertical:
+    case FootWay::shell:
+      for (int a = 0; a < 3; ++a) fall[a] = -up[a];
+      break;
+    case FootWay::field:
+      std::copy_n(rule.axis, 3, fall);
+      break;
+    case FootWay::dipole:
+      dipole_fall(rule.axis, foot, fall);
+      break;
+    case FootWay::reference:
+      patch_fall((*rule.patches)[0].numbers<double>(), (*rule.patches)[0].per_place, foot, fall);
+      break;
+    case FootWay::shell_dipole: {
+      const double along = up[0] * rule.axis[0] + up[1] * rule.axis[1] + up[2] * rule.axis[2];
+      const double size = std::copysign(std::sqrt(3.0 * along * along + 1.0), along);
+      for (int a = 0; a < 3; ++a) fall[a] = (rule.axis[a] - 3.0 * along * up[a]) / size;
+      break;
+    }
+    case FootWay::shell_reference: {
+      AirPoint<double> place;
+      for (int a = 0; a < 3; ++a) place.x[a] = up[a] * kRadius;
+      place.square = kFootAltitudeKm * (kFootAltitudeKm + 2.0 * kEarthRadiusKm);
+      const int face = static_cast<int>(face_number(place));
+      const FacePlace<double> at = place_on_face(place, face);
+      const FieldPatch& patch = (*rule.patches)[static_cast<std::size_t>(face)];
+      double field[3];
+      field_of_patch(patch.numbers<double>(), evened(at.u) * patch.per_place, evened(at.v) * patch.per_place,
+                     field);
+      fall_in_field(field, up, fall);
+      break;
+    }
+  }
+}
+
 double MarchRays::foot_share(const double place_km[3], const double direction[3]) const {
   const double radius = std::hypot(place_km[0], place_km[1], place_km[2]);
   double up[3], fall[3];
-  for (int a = 0; a < 3; ++a) {
-    up[a] = place_km[a] / radius;
-    fall[a] = way_ == FootWay::field ? axis_[a] : -up[a];
-  }
-  if (way_ == FootWay::dipole) {
-    const double scale = kEarthRadiusKm + kFootAltitudeKm;
-    dipole_fall(axis_, PlaneFoot<double>{up[0] * scale, up[1] * scale, true}, fall);
-  }
+  for (int a = 0; a < 3; ++a) up[a] = place_km[a] / radius;
+  fall_at_place(rule_, up, fall);
   const auto along_up = [&](const double x[3]) { return x[0] * up[0] + x[1] * up[1] + x[2] * up[2]; };
   // Back to the height that the point came from, along the fall.
   const double back = along_up(direction) / std::min(along_up(fall), -1.0 / kMostFootShare);

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/emit/footprint/ray_span.h"
 #include "sim/emit/footprint/step_profile.h"
+#include "sim/light/field/field_patch.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
@@ -16,8 +19,24 @@ namespace vegard::sim {
 inline constexpr int kBlockSteps = 16;  ///< steps that are marched, or passed over, together
 
 /// How feet are found: of a box in the axes of its site (the observer's, or its home's), of a shell on the
-/// cube's faces in the Earth's.
-enum class FootWay { vertical, field, dipole, shell };
+/// cube's faces in the Earth's, straight down or along a field.
+enum class FootWay { vertical, field, dipole, reference, shell, shell_dipole, shell_reference };
+
+constexpr bool is_shell_way(FootWay way) { return way >= FootWay::shell; }
+/// Whether the foot is the place below.
+constexpr bool is_upright_way(FootWay way) { return way == FootWay::vertical || way == FootWay::shell; }
+
+/// What feet are found by.
+template <class T>
+struct FootRule {
+  FootWay way = FootWay::vertical;
+  T axis[3] = {T(0.0), T(0.0), T(-1.0)};  ///< the direction of fall, or the dipole's
+  /// Of the way `reference` the first one only, of `shell_reference` one for each face.
+  std::shared_ptr<const std::array<FieldPatch, 6>> patches;
+};
+
+/// The direction of fall at a place of the Earth, a unit vector from its centre in the march's axes.
+void fall_at_place(const FootRule<double>& rule, const double up[3], double fall[3]);
 
 /// Whether a box is given about another site than the scene's.
 inline bool is_given_elsewhere(const Scene& scene, const Footprint& footprint) {
@@ -42,13 +61,13 @@ using MarchSpan = MarchSpanOf<double>;
 /// Cuts rays from the scene's observer into spans with steps.
 class MarchRays {
  public:
-  /// In the axes of the site that it is given about for a box, in the Earth's for a shell.
-  MarchRays(const Scene& scene, const Footprint& footprint, double bottom_km);
+  /// In the axes of the site that it is given about for a box, in the Earth's for a shell. A shell has
+  /// turned to the east by `turned_deg` as a whole.
+  MarchRays(const Scene& scene, const Footprint& footprint, double bottom_km, double turned_deg = 0.0);
 
-  /// No step shall move the foot by more than `foot_km`. `axis` as in FootprintKernel.
-  void limit_feet(FootWay way, const double axis[3], double foot_km) {
-    way_ = way;
-    std::copy_n(axis, 3, axis_);
+  /// No step shall move the foot by more than `foot_km`.
+  void limit_feet(const FootRule<double>& rule, double foot_km) {
+    rule_ = rule;
     foot_km_ = foot_km;
   }
 
@@ -104,8 +123,7 @@ class MarchRays {
  private:
   template <class T>
   double longest_step_km(const MarchSpanOf<T>& span, double half_km) const {
-    const bool upright = way_ == FootWay::vertical || way_ == FootWay::shell;
-    if (foot_km_ >= step_km_ * (upright ? 1.0 : kMostFootShare)) return step_km_;
+    if (foot_km_ >= step_km_ * (is_upright_way(rule_.way) ? 1.0 : kMostFootShare)) return step_km_;
     double share = 0.0;
     for (const double at_km : {-half_km, 0.0, half_km}) {
       double place[3], direction[3];
@@ -126,8 +144,7 @@ class MarchRays {
   double observer_km_, bottom_km_, top_km_, step_km_;
   bool literal_ghosts_;
   double axes_[3][3];  ///< east, north and up
-  FootWay way_ = FootWay::vertical;
-  double axis_[3] = {0.0, 0.0, -1.0};
+  FootRule<double> rule_;
   double foot_km_ = std::numeric_limits<double>::infinity();
 };
 

@@ -20,6 +20,7 @@ template <class T, class G>
 struct ScalarFootprint {
   FootWay way = FootWay::vertical;
   T axis[3];  ///< as FootprintKernel's
+  const FieldPatch* patches = nullptr;
   double texels = 1.0, first_x = 0.0, first_y = 0.0;
   std::array<const FootprintGrid<G>*, 6> grid{};
   std::array<const LitMap*, 6> lit{};  ///< null: nothing is passed over
@@ -70,13 +71,11 @@ class ScalarMarch {
 
   template <class V>
   Place<V> place_of(const AirPoint<V>& p, const V axis[3], int face) const {
-    if (f_.way == FootWay::shell) {
-      const FacePlace<V> at = place_on_face(p, face);
+    if (is_shell_way(f_.way)) {
+      const FacePlace<V> at = place_on_face(foot_of_shell(p, axis, face), face);
       return {at.u * f_.texels + f_.first_x, at.v * f_.texels + f_.first_y, value_of(at.ahead) > 1.0};
     }
-    const PlaneFoot<V> foot = f_.way == FootWay::vertical ? foot_below(p)
-                              : f_.way == FootWay::field  ? foot_along(p, axis)
-                                                          : foot_of_dipole(p, axis);
+    const PlaneFoot<V> foot = foot_on_plane(p, axis);
     return {foot.east_km * f_.texels + f_.first_x, foot.north_km * f_.texels + f_.first_y, foot.is_there};
   }
 
@@ -151,8 +150,39 @@ class ScalarMarch {
   static constexpr double kBeyondLadder = 1e-6;  // in ln E; less is rounding
 
   template <class V>
+  PlaneFoot<V> foot_on_plane(const AirPoint<V>& p, const V axis[3]) const {
+    switch (f_.way) {
+      case FootWay::field:
+        return foot_along(p, axis);
+      case FootWay::dipole:
+        return foot_of_dipole(p, axis);
+      case FootWay::reference:
+        return foot_of_patch(p, f_.patches[0].template numbers<double>(), V(f_.patches[0].per_place));
+      default:
+        return foot_below(p);
+    }
+  }
+
+  template <class V>
+  AirPoint<V> foot_of_shell(const AirPoint<V>& p, const V axis[3], int face) const {
+    if (f_.way == FootWay::shell_dipole) return foot_in_dipole_around_earth(p, axis);
+    if (f_.way == FootWay::shell_reference)
+      return foot_in_patch_around_earth(p, face, f_.patches[face].template numbers<double>(),
+                                        V(f_.patches[face].per_place));
+    return p;
+  }
+
+  /// The face that the foot of a point is on.
+  template <class V>
   int face_of(const AirPoint<V>& p) const {
-    return f_.way == FootWay::shell ? static_cast<int>(value_of(face_number(p))) : 0;
+    if (!is_shell_way(f_.way)) return 0;
+    const int above = static_cast<int>(value_of(face_number(p)));
+    if (f_.way == FootWay::shell) return above;
+    AirPoint<double> plain;
+    for (int i = 0; i < 3; ++i) plain.x[i] = value_of(p.x[i]);
+    plain.square = value_of(p.square);
+    const double axis[3] = {value_of(f_.axis[0]), value_of(f_.axis[1]), value_of(f_.axis[2])};
+    return static_cast<int>(face_number(foot_of_shell(plain, axis, above)));
   }
 
   static MarchSpan plain_span(const MarchSpanOf<T>& span) {

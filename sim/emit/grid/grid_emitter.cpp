@@ -85,12 +85,14 @@ FreeDual chained(const RayDual& value, const FreeDual (&input)[kInputs]) {
 
 template <class T>
 GridEmitter<T>::GridEmitter(const GridBricks& grid, const Volume& volume, const NumberAs<T>& number,
-                            const Sun* sun)
+                            const Sun* sun, double share)
     : grid_(grid),
       home_(grid_home(grid, volume, sun, number)),
       extinction_(number(volume.extinction_per_km)),
       step_km_(volume.step_voxels * home_.voxel_km),
       absorbs_(grid.has_density() && volume.extinction_per_km > 0.0) {
+  for (T& light : home_.light)
+    if (share != 1.0) light = light * share;
   // A free extinction that is 0 at present has a derivative.
   if constexpr (std::is_same_v<T, FreeDual>)
     for (const double tangent : extinction_.d.t)

@@ -19,9 +19,9 @@ template <class T>
 class GridEmitter : public Emitter<T> {
  public:
   /// `grid` must outlive it. `number` gives the volume's and the Sun's numbers as T; `sun` is the scene's,
-  /// for a volume whose frame it is.
+  /// for a volume whose frame it is; `share` is a factor of its light.
   GridEmitter(const GridBricks& grid, const Volume& volume, const NumberAs<T>& number,
-              const Sun* sun = nullptr);
+              const Sun* sun = nullptr, double share = 1.0);
 
   void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override;
   bool absorbs() const override { return absorbs_; }

@@ -13,7 +13,7 @@ constexpr double kBrick = GridBricks::kEdge, kCoarseCell = kBrick * GridBricks::
 
 }  // namespace
 
-GridField::GridField(const GridBricks& grid, const Volume& volume, const Sun* sun)
+GridField::GridField(const GridBricks& grid, const Volume& volume, const Sun* sun, double share)
     : grid_(grid), unit_km_(volume.frame == VolumeFrame::sun && sun != nullptr ? sun->unit_km : 1.0) {
   double shift[3];
   shift_of_volume(grid, volume, unit_km_, plain_number, shift);
@@ -23,8 +23,8 @@ GridField::GridField(const GridBricks& grid, const Volume& volume, const Sun* su
   }
   for (int l = 0; l < grid.lines(); ++l)
     gain_.push_back(volume.density_rayleigh.empty()
-                        ? volume.gain
-                        : volume.gain * volume.density_rayleigh[l] / (kRayleighsPerKm * unit_km_));
+                        ? share * volume.gain
+                        : share * volume.gain * volume.density_rayleigh[l] / (kRayleighsPerKm * unit_km_));
 }
 
 Box3 GridField::bounds() const {

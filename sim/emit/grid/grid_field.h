@@ -12,7 +12,7 @@ namespace vegard::sim {
 class GridField : public LightField {
  public:
   /// `grid` must outlive it. With a volume whose frame is "sun" the field's is that too, `sun` the scene's.
-  GridField(const GridBricks& grid, const Volume& volume, const Sun* sun = nullptr);
+  GridField(const GridBricks& grid, const Volume& volume, const Sun* sun = nullptr, double share = 1.0);
 
   double unit_cm() const override { return unit_km_ * 1e5; }
   Box3 bounds() const override;

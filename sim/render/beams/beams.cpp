@@ -11,7 +11,6 @@
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/beam_light.h"
 #include "sim/emit/aurora/curve_foot.h"
-#include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/motion.h"
 #include "sim/emit/aurora/place_in_tube.h"
 #include "sim/light/electron.h"
@@ -269,6 +268,7 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
   const std::uint32_t arc_address = layer_address(chunk.sheet, chunk.arc, 0);
   ArcLight light(laid_out, arc_address, seed_, instant, stretch.drifted_km);
   const Folds folds(laid_out, arc_address, seed_, instant, stretch.drifted_km);
+  const Curls spirals = Curls::spirals(laid_out, arc_address, seed_, instant, stretch.drifted_km);
   const bool reads_elsewhere = light.reads_elsewhere() || over_time.draws_ray_length;
   const bool any_light = light.any() || over_time.draws_ray_length;
   const int first_profile = ages_.first_profile(scene, chunk.sheet, chunk.age);
@@ -293,10 +293,9 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
     }
     if (light.any() && !k.nodes.any())
       past_light.emplace(laid_out, arc_address, seed_, instant, stretch.drifted_km);
-    if (folds.any() || structures.curls.any())
-      structures = {
-          Folds(laid_out, arc_address, seed_, instant, stretch.drifted_km),
-          Curls(laid_out, layer_address(chunk.sheet, chunk.arc, layer), seed_, instant, stretch.drifted_km)};
+    if (structures.any())
+      structures = LayerStructure(laid_out, arc_address, layer_address(chunk.sheet, chunk.arc, layer), seed_,
+                                  instant, stretch.drifted_km);
   };
   for (int layer = 0; layer < sheet.layers; ++layer) {
     const LayerPlaces& places = places_[chunk.sheet][chunk.arc][layer];
@@ -304,10 +303,11 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
     const BeamsOfAge of_age(places.size(), chunk.age, k.nodes.any());
     if (layer == 0 && chunk.age == 0)
       light.remember(stretch.along_km(out.places.front().s), stretch.along_km(out.places.back().s));
-    LayerStructure structures{folds, Curls(laid_out, layer_address(chunk.sheet, chunk.arc, layer), seed_,
-                                           instants_s_[chunk.instant], stretch.drifted_km)};
-    const LayerStructure* structure =
-        structures.folds.any() || structures.curls.any() ? &structures : nullptr;
+    LayerStructure structures{folds,
+                              Curls(laid_out, layer_address(chunk.sheet, chunk.arc, layer), seed_,
+                                    instants_s_[chunk.instant], stretch.drifted_km),
+                              spirals};
+    const LayerStructure* structure = structures.any() ? &structures : nullptr;
     std::optional<SheetCurve<double>> curve;
     std::optional<SheetCurve<FreeDual>> free_curve;
     if (is_curve(sheet)) {
@@ -329,8 +329,7 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
       foot.north_km += moved_km.north;
       if (foot.flux_km2_mw_m2 <= 0.0) continue;
       if (foot.east_km * foot.east_km + foot.north_km * foot.north_km > kFarthestKm * kFarthestKm) continue;
-      const FallFrame<double> own =
-          k.beams_own_field ? dipole_fall_frame(k.dipole, foot.east_km, foot.north_km) : fall;
+      const FallFrame<double> own = k.beams_own_field ? k.field.at(foot.east_km, foot.north_km) : fall;
       const Beam<double> plain = start_beam(foot.east_km, foot.north_km, own, k.observer_altitude_km,
                                             sheet.top_km, HeightProfile::kBottomKm);
       // A field line that does not descend would be negative light; one that grazes the Earth never comes
@@ -398,8 +397,7 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
           PlaceDual east(foot.east_km), north(foot.north_km);
           east.d.t[foot_east] = 1.0;
           north.d.t[foot_north] = 1.0;
-          const FallFrame<PlaceDual> own_fall =
-              k.beams_own_field ? dipole_fall_frame(k.dipole, east, north) : k.fall;
+          const FallFrame<PlaceDual> own_fall = k.beams_own_field ? k.field.at(east, north) : k.fall;
           if (k.beams_own_field) put(own_fall, place_in_group, out.axes[with.group]);
           const Beam<PlaceDual> beam = start_beam(east, north, own_fall, k.observer_altitude_km, sheet.top_km,
                                                   HeightProfile::kBottomKm);

@@ -6,7 +6,6 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/beam.h"
-#include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/sheet_shape.h"
 #include "sim/light/sheet_profile.h"
 
@@ -89,8 +88,8 @@ KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_ste
   KernelScene k;
   k.fall = fall_frame(local<PlaceDual>(scene.field.inclination_deg, inclination),
                       local<PlaceDual>(scene.field.declination_deg, declination));
-  k.beams_own_field = scene.field.model == FieldModel::dipole;
-  if (k.beams_own_field) k.dipole = dipole_axis(scene.field, scene.site);
+  k.field = FootField(scene);
+  k.beams_own_field = k.field.varies();
   k.deflection.law = sheet.pitch_law;
   k.deflection.loss_cone_rad = local<LocalDual>(sheet.loss_cone_deg, loss_cone);
   k.deflection.pitch_step_rad = local<LocalDual>(sheet.pitch_step_rad, pitch_step, 1.0);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/emit/aurora/foot_field.h"
 #include "sim/light/height_profile.h"
 #include "sim/light/sample.h"
 #include "sim/view/camera/camera.h"
@@ -79,7 +80,7 @@ struct GroupChain {
 struct KernelScene {
   FallFrame<PlaceDual> fall;     ///< of the uniform field
   bool beams_own_field = false;  ///< the beams fall along BeamGroup::axes instead
-  DipoleAxis dipole{};           ///< of the field that beams have their own direction of
+  FootField field;               ///< that those follow
   Deflection<LocalDual> deflection;
   PathNodes nodes;  ///< if any, beams are looked at there, and nothing is drawn
   CameraView<LocalDual> view;

@@ -7,7 +7,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/beam.h"
-#include "sim/emit/aurora/dipole.h"
+#include "sim/emit/aurora/foot_field.h"
 #include "sim/emit/aurora/foot_line.h"
 #include "sim/emit/aurora/motion.h"
 #include "sim/emit/aurora/sheet_curve.h"
@@ -53,11 +53,8 @@ struct Sight {
 class Sights {
  public:
   Sights(const Scene& scene, const FilmGeometry& film)
-      : scene_(scene), film_(film), view_(camera_view(scene.camera)) {
-    own_field_ = scene.field.model == FieldModel::dipole;
-    if (own_field_)
-      axis_ = dipole_axis(scene.field, scene.site);
-    else
+      : scene_(scene), film_(film), view_(camera_view(scene.camera)), field_(scene) {
+    if (!field_.varies())
       fall_ = fall_frame(scene.field.inclination_deg * kRadiansPerDegree,
                          scene.field.declination_deg * kRadiansPerDegree);
   }
@@ -66,7 +63,7 @@ class Sights {
     Sight sight;
     const double up = scene_.site.altitude_m * 1e-3;
     if (foot.east * foot.east + foot.north * foot.north > kEarthRadiusKm * kEarthRadiusKm) return sight;
-    const FallFrame<double> fall = own_field_ ? dipole_fall_frame(axis_, foot.east, foot.north) : fall_;
+    const FallFrame<double> fall = field_.varies() ? field_.at(foot.east, foot.north) : fall_;
     const Beam<double> beam =
         start_beam(foot.east, foot.north, fall, up, altitude_km, HeightProfile::kBottomKm);
     if (!(beam.vertical > 0.0)) return sight;
@@ -83,8 +80,7 @@ class Sights {
   const Scene& scene_;
   const FilmGeometry& film_;
   CameraView<double> view_;
-  bool own_field_ = false;
-  DipoleAxis axis_{};
+  FootField field_;
   FallFrame<double> fall_{};
 };
 
@@ -178,7 +174,8 @@ double widest_km(const Sheet& sheet) {
 
 bool has_expected_picture(const Scene& scene) {
   return std::all_of(scene.sheets.begin(), scene.sheets.end(), [](const Sheet& sheet) {
-    return sheet.fold_spacing_km == 0.0 && sheet.curl_spacing_km == 0.0 && sheet.border_amplitude_km == 0.0;
+    return sheet.fold_spacing_km == 0.0 && sheet.curl_spacing_km == 0.0 && sheet.spiral_spacing_km == 0.0 &&
+           sheet.border_amplitude_km == 0.0;
   });
 }
 

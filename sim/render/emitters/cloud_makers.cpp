@@ -1,6 +1,8 @@
 // Nebulae of the physical march, and grids from files.
 #include <memory>
+#include <vector>
 
+#include "sim/emit/aurora/motion.h"
 #include "sim/emit/grid/grid_emitter.h"
 #include "sim/emit/grid/grid_field.h"
 #include "sim/emit/nebula/nebula_emitter.h"
@@ -31,18 +33,28 @@ std::optional<Complaint> why_nebula_has_no_field(const Scene& scene) {
   return std::nullopt;
 }
 
+/// What a substorm leaves of a volume's light: of one about a site, which is aurora, the mean over instants.
+double substorm_share(const Scene& scene, const Volume& volume, const std::vector<double>& instants) {
+  if (volume.frame != VolumeFrame::site) return 1.0;
+  double sum = 0.0;
+  for (const double instant : instants) sum += substorm_level(scene.substorm, instant);
+  return sum / static_cast<double>(instants.size());
+}
+
 template <class T>
 void add_volumes(const EmitterInputs<T>& in, Emitters<T>& all) {
   for (std::size_t v = 0; v < in.scene.volumes.size(); ++v)
-    all.push_back(
-        std::make_unique<GridEmitter<T>>(*in.files.grids[v], in.scene.volumes[v], in.number, &in.scene.sun));
+    all.push_back(std::make_unique<GridEmitter<T>>(
+        *in.files.grids[v], in.scene.volumes[v], in.number, &in.scene.sun,
+        substorm_share(in.scene, in.scene.volumes[v], instants_s(in.scene.time))));
 }
 
 void add_volume_fields(const FieldInputs& in, std::vector<NamedField>& all) {
   for (std::size_t v = 0; v < in.scene.volumes.size(); ++v) {
     const Volume& volume = in.scene.volumes[v];
     all.push_back({"volume '" + volume.name + "'",
-                   std::make_unique<GridField>(*in.files.grids[v], volume, &in.scene.sun),
+                   std::make_unique<GridField>(*in.files.grids[v], volume, &in.scene.sun,
+                                               substorm_share(in.scene, volume, {in.scene.time.start_s})),
                    volume.frame == VolumeFrame::sun ? FieldFrame::sun : FieldFrame::ground});
   }
 }

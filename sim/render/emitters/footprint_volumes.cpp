@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/emit/aurora/motion.h"
 #include "sim/emit/footprint/curtain_emitter.h"
 #include "sim/emit/footprint/footprint_emitter.h"
 #include "sim/emit/footprint/map/make_footprint.h"
@@ -14,6 +15,7 @@
 #include "sim/light/profile_table.h"
 #include "sim/render/emitters/emitter_makers.h"
 #include "sim/scene/file/scene_pictures.h"
+#include "sim/scene/structs/footprint_size.h"
 #include "sim/view/colour/line_colours.h"
 
 namespace vegard::sim {
@@ -56,12 +58,43 @@ const PrecipitationMap* map_of(const Footprint& f, const VolumeFiles& files) {
 
 }  // namespace
 
+namespace {
+
+template <class T>
+void dim(FootprintGrid<T>& grid, double share) {
+  if (share == 1.0) return;
+  for (T& flux : grid.flux_mw_m2) flux = flux * share;
+}
+
+/// The map of a box at an instant, with that share of its light, and in `own` the footprint with what the map
+/// says itself.
+template <class T>
+PlaneFootprint<T> plane_at(const Scene& scene, const Footprint& f, const VolumeFiles& files,
+                           const NumberAs<T>& number, double instant_s, double share, int threads,
+                           Footprint& own) {
+  PlaneFootprint<T> map;
+  own = f;
+  if (const PrecipitationMap* precipitation = map_of(f, files)) {
+    own = with_map(f, *precipitation);
+    map = precipitation_plane<T>(f, *precipitation);
+    const EastNorth drift = drifted_km(f, instant_s);
+    map.west_km += drift.east;
+    map.south_km += drift.north;
+  } else {
+    map = make_plane_footprint<T>(scene, f, footprint_pictures(files, f), number, threads, instant_s);
+  }
+  dim(map.grid, share);
+  return map;
+}
+
+}  // namespace
+
 template <class T>
 std::unique_ptr<Emitter<T>> footprint_emitter(const Scene& scene, const Footprint& f,
                                               const VolumeFiles& files, const NumberAs<T>& number,
-                                              int threads) {
-  const FootprintPictures pictures = footprint_pictures(files, f);
+                                              int threads, const FootprintInstant& when) {
   constexpr bool kSlopes = !std::is_same_v<T, double>;
+  const double instant = when.instant_s.value_or(scene.time.start_s);
   EnergyRange range;
   if (f.model == FootprintModel::curtain) {
     for (const double energy : f.point_energy) {
@@ -69,64 +102,79 @@ std::unique_ptr<Emitter<T>> footprint_emitter(const Scene& scene, const Footprin
       range.most = std::max(range.most, std::log(energy));
     }
     const Profiles profiles = profiles_of(scene, f, range, kSlopes);
-    return curtain_emitter<T>(scene, f, profiles.usual, profiles.changes, number);
+    return curtain_emitter<T>(scene, f, profiles.usual, profiles.changes, number,
+                              {drifted_km(f, instant), turned_deg(f, instant), when.share});
   }
   if (f.shape == FootprintShape::shell) {
-    CubeFootprint<double> map = make_cube_footprint(scene, f, pictures, threads);
-    for (const FootprintGrid<double>& face : map.face) range.take(face);
+    CubeFootprint<double> map = make_cube_footprint(scene, f, footprint_pictures(files, f), threads, instant);
+    for (FootprintGrid<double>& face : map.face) {
+      range.take(face);
+      dim(face, when.share);
+    }
     const Profiles profiles = profiles_of(scene, f, range, kSlopes);
     return cube_footprint_emitter<T>(scene, f, std::move(map), profiles.usual, profiles.changes, number,
                                      threads);
   }
-  if (const PrecipitationMap* precipitation = map_of(f, files)) {
-    const Footprint own = with_map(f, *precipitation);
-    PlaneFootprint<T> map = precipitation_plane<T>(f, *precipitation);
-    range.take(map.grid);
-    const Profiles profiles = profiles_of(scene, own, range, kSlopes);
-    return plane_footprint_emitter<T>(scene, own, std::move(map), profiles.usual, profiles.changes, number,
-                                      threads);
-  }
-  PlaneFootprint<T> map = make_plane_footprint<T>(scene, f, pictures, number, threads);
+  Footprint own;
+  PlaneFootprint<T> map = plane_at<T>(scene, f, files, number, instant, when.share, threads, own);
   range.take(map.grid);
-  const Profiles profiles = profiles_of(scene, f, range, kSlopes);
-  return plane_footprint_emitter<T>(scene, f, std::move(map), profiles.usual, profiles.changes, number,
+  // Numbers of the scene are known by their place in it.
+  const Footprint& drawn = map_of(f, files) != nullptr ? own : f;
+  const Profiles profiles = profiles_of(scene, drawn, range, kSlopes);
+  return plane_footprint_emitter<T>(scene, drawn, std::move(map), profiles.usual, profiles.changes, number,
                                     threads);
 }
 
 template std::unique_ptr<Emitter<double>> footprint_emitter(const Scene&, const Footprint&,
-                                                            const VolumeFiles&, const NumberAs<double>&, int);
+                                                            const VolumeFiles&, const NumberAs<double>&, int,
+                                                            const FootprintInstant&);
 template std::unique_ptr<Emitter<FreeDual>> footprint_emitter(const Scene&, const Footprint&,
                                                               const VolumeFiles&, const NumberAs<FreeDual>&,
-                                                              int);
+                                                              int, const FootprintInstant&);
 
 std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint& f, const VolumeFiles& files,
                                             int threads) {
-  const FootprintPictures pictures = footprint_pictures(files, f);
+  const double instant = scene.time.start_s, share = substorm_share(scene, f, instant);
   EnergyRange range;
   if (f.shape == FootprintShape::shell) {
-    CubeFootprint<double> map = make_cube_footprint(scene, f, pictures, threads);
-    for (const FootprintGrid<double>& face : map.face) range.take(face);
+    CubeFootprint<double> map = make_cube_footprint(scene, f, footprint_pictures(files, f), threads, instant);
+    for (FootprintGrid<double>& face : map.face) {
+      range.take(face);
+      dim(face, share);
+    }
     return cube_footprint_field(scene, f, std::move(map), profiles_of(scene, f, range, false).usual, threads);
   }
-  if (const PrecipitationMap* precipitation = map_of(f, files)) {
-    const Footprint own = with_map(f, *precipitation);
-    PlaneFootprint<double> map = precipitation_plane<double>(f, *precipitation);
-    range.take(map.grid);
-    return plane_footprint_field(scene, own, std::move(map), profiles_of(scene, own, range, false).usual,
-                                 threads);
-  }
-  PlaneFootprint<double> map = make_plane_footprint<double>(
-      scene, f, pictures, [](const double& number) { return number; }, threads);
+  Footprint own;
+  PlaneFootprint<double> map = plane_at<double>(
+      scene, f, files, [](const double& number) { return number; }, instant, share, threads, own);
   range.take(map.grid);
-  return plane_footprint_field(scene, f, std::move(map), profiles_of(scene, f, range, false).usual, threads);
+  return plane_footprint_field(scene, own, std::move(map), profiles_of(scene, own, range, false).usual,
+                               threads);
+}
+
+double substorm_share(const Scene& scene, const Footprint& f, double instant_s) {
+  // Sheets have theirs.
+  return f.source == FootprintSource::sheets ? 1.0 : substorm_level(scene.substorm, instant_s);
 }
 
 namespace {
 
 template <class T>
 void add_footprints(const EmitterInputs<T>& in, Emitters<T>& all) {
-  for (const Footprint& footprint : in.scene.footprints)
-    all.push_back(footprint_emitter<T>(in.scene, footprint, in.files, in.number, in.threads));
+  const std::vector<double> instants = instants_s(in.scene.time);
+  for (const Footprint& footprint : in.scene.footprints) {
+    if (footprint.source != FootprintSource::sheets && moves_by_itself(footprint)) {
+      for (const double instant : instants)
+        all.push_back(footprint_emitter<T>(
+            in.scene, footprint, in.files, in.number, in.threads,
+            {instant, substorm_share(in.scene, footprint, instant) / static_cast<double>(instants.size())}));
+      continue;
+    }
+    double share = 0.0;
+    for (const double instant : instants) share += substorm_share(in.scene, footprint, instant);
+    all.push_back(footprint_emitter<T>(in.scene, footprint, in.files, in.number, in.threads,
+                                       {{}, share / static_cast<double>(instants.size())}));
+  }
 }
 
 void add_footprint_fields(const FieldInputs& in, std::vector<NamedField>& all) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "sim/emit/footprint/map/make_footprint.h"
 #include "sim/light/colours_profile.h"
@@ -12,13 +13,23 @@
 
 namespace vegard::sim {
 
-/// T is double or FreeDual. The footprint is one of the scene's.
+/// When a footprint is looked at, and with which share of its light.
+struct FootprintInstant {
+  std::optional<double> instant_s{};  ///< none: the scene's start
+  double share = 1.0;
+};
+
+/// T is double or FreeDual. The footprint is one of the scene's. An exposure of one that moves by itself is
+/// the sum of its instants, each with its share.
 template <class T>
 std::unique_ptr<Emitter<T>> footprint_emitter(const Scene& scene, const Footprint& footprint,
                                               const VolumeFiles& files, const NumberAs<T>& number,
-                                              int threads);
+                                              int threads, const FootprintInstant& when = {});
 
-/// As a field in the observer's east, north and up.
+/// What the substorm leaves of a footprint's light, where its source does not go by it already.
+double substorm_share(const Scene& scene, const Footprint& footprint, double instant_s);
+
+/// As a field in the observer's east, north and up, at the scene's start.
 std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint& footprint,
                                             const VolumeFiles& files, int threads);
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "sim/base/number/constants.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/dipole.h"
+#include "sim/emit/aurora/foot_field.h"
 #include "sim/emit/footprint/foot.h"
 #include "sim/light/height_profile.h"
 #include "sim/scene/structs/site_axes.h"
@@ -21,32 +23,50 @@ constexpr int kMostAltitudeSteps = 4096;  // from one altitude to the next, of a
 /// The field over a frame's places.
 class FieldOver {
  public:
-  FieldOver(const Field& field, const Site& site) : dipole_(field.model == FieldModel::dipole) {
-    if (dipole_) {
-      const DipoleAxis axis = dipole_axis(field, site);
-      std::copy_n(axis.in_enu, 3, axis_);
-    } else {
-      const FallFrame<double> frame = fall_frame<double>(field.inclination_deg * kRadiansPerDegree,
-                                                         field.declination_deg * kRadiansPerDegree);
-      std::copy_n(frame.along, 3, axis_);
+  FieldOver(const Scene& scene, const Site& site) : model_(scene.field.model) {
+    const Field& field = scene.field;
+    switch (model_) {
+      case FieldModel::dipole:
+        std::copy_n(dipole_axis(field, site).in_enu, 3, axis_);
+        break;
+      case FieldModel::igrf:
+        patch_ = reference_field(scene, site);
+        break;
+      case FieldModel::uniform: {
+        const FallFrame<double> frame = fall_frame<double>(field.inclination_deg * kRadiansPerDegree,
+                                                           field.declination_deg * kRadiansPerDegree);
+        std::copy_n(frame.along, 3, axis_);
+        break;
+      }
     }
   }
 
   PlaneFoot<double> foot(const AirPoint<double>& p) const {
-    return dipole_ ? foot_of_dipole(p, axis_) : foot_along(p, axis_);
+    if (model_ == FieldModel::uniform) return foot_along(p, axis_);
+    return model_ == FieldModel::dipole ? foot_of_dipole(p, axis_)
+                                        : foot_of_patch(p, patch_->numbers<double>(), patch_->per_place);
   }
 
   /// The direction of fall at a foot.
   void fall_at(EastNorth foot_km, double along[3]) const {
-    if (dipole_)
-      dipole_fall(axis_, PlaneFoot<double>{foot_km.east, foot_km.north, true}, along);
-    else
-      std::copy_n(axis_, 3, along);
+    const PlaneFoot<double> foot{foot_km.east, foot_km.north, true};
+    switch (model_) {
+      case FieldModel::dipole:
+        dipole_fall(axis_, foot, along);
+        break;
+      case FieldModel::igrf:
+        patch_fall(patch_->numbers<double>(), patch_->per_place, foot, along);
+        break;
+      case FieldModel::uniform:
+        std::copy_n(axis_, 3, along);
+        break;
+    }
   }
 
  private:
-  bool dipole_;
-  double axis_[3];
+  FieldModel model_;
+  double axis_[3] = {0.0, 0.0, -1.0};
+  std::shared_ptr<const FieldPatch> patch_;
 };
 
 /// A ray from a place, both in home's axes with the Earth's centre as origin.
@@ -155,7 +175,7 @@ AltitudeBins::AltitudeBins() {
 SightLines sight_lines(const Scene& scene, const Site& home, const GroundGrid& grid, const FilmGeometry& film,
                        const std::vector<std::uint8_t>& wanted, int threads) {
   const AltitudeBins bins;
-  const FieldOver field(scene.field, home);
+  const FieldOver field(scene, home);
   const SiteTurn to_home = turn_between(scene.site, home);
   const CameraView<double> view = camera_view(scene.camera);
   const auto rows = static_cast<std::size_t>(film.rows);
@@ -187,7 +207,7 @@ SightLines sight_lines(const Scene& scene, const Site& home, const GroundGrid& g
 
 bool pixel_over_foot(const Scene& scene, const Site& home, EastNorth foot_km, double altitude_km,
                      double& x_px, double& y_px) {
-  const FieldOver field(scene.field, home);
+  const FieldOver field(scene, home);
   double fall[3];
   field.fall_at(foot_km, fall);
   constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;

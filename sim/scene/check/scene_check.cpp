@@ -9,6 +9,7 @@
 #include "sim/base/error.h"
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/lines/camera_responses.h"
+#include "sim/scene/rows/igrf_year.h"
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/rows/spline_rates.h"
 #include "sim/scene/rows/value_words.h"
@@ -74,6 +75,8 @@ void check_structures(const Scene& scene) {
   for (const Sheet& sheet : scene.sheets) {
     check(sheet, "folds", sheet.fold_length_km, sheet.fold_spacing_km, "fold_length_km", "fold_spacing_km");
     check(sheet, "curls", sheet.curl_radius_km, sheet.curl_spacing_km, "curl_radius_km", "curl_spacing_km");
+    check(sheet, "spirals", sheet.spiral_radius_km, sheet.spiral_spacing_km, "spiral_radius_km",
+          "spiral_spacing_km");
     // Else a given brightness might have no light at all to be reached with.
     if (sheet.profile == ProfileKind::form && sheet.peak_km >= sheet.top_km) {
       const std::string path = "sheet." + sheet.name + ".";
@@ -137,6 +140,8 @@ void check_courses(const Scene& scene) {
                   "fold_spacing_km = 0, and the folds among the curve's points");
     refuse_beside(sheet.curl_spacing_km > 0.0, "has no curls but its own", "curl_spacing_km",
                   "curl_spacing_km = 0");
+    refuse_beside(sheet.spiral_spacing_km > 0.0, "has no spirals but its own", "spiral_spacing_km",
+                  "spiral_spacing_km = 0, and the spirals among the curve's points");
     refuse_beside(sheet.spacing_rule == SpacingRule::literal, "is not laid out by the paper's walk",
                   "spacing_rule", "\"stratified\" or \"tied\"");
     if (sheet.point_energy_kev.empty()) continue;
@@ -291,6 +296,7 @@ void validate(const Scene& scene) {
     const ValueRef value = d.at(const_cast<Scene&>(scene), path.element, path.component);
     if (const auto complaint = complaint_about(d, value)) complain(*complaint, {scene.file, 0, path.text});
   }
+  if (scene.field.model == FieldModel::igrf) igrf_year(scene);
   check_names(scene);
   check_structures(scene);
   check_courses(scene);

@@ -7,6 +7,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/scene/emitters/element_rules.h"
 #include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/rows/row.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/structs/footprint_size.h"
@@ -33,7 +34,7 @@ std::vector<Declaration> footprint_rows() {
       row("source", &F::source).one_of<FootprintSource>({{"spline", FootprintSource::spline}, {"image", FootprintSource::image}, {"cube", FootprintSource::cube}, {"sheets", FootprintSource::sheets}, {"noise", FootprintSource::noise}, {"precipitation", FootprintSource::precipitation}})
           .means("where the footprint comes from: a curve through points, a picture, six pictures of a cube's faces, the scene's sheets (which are then not drawn as beams), fractal noise in a box, or a map of energy flux and energy, as vegard map writes it"),
       row("fall", &F::fall).one_of<FootprintFall>({{"field", FootprintFall::field}, {"vertical", FootprintFall::vertical}})
-          .means("along the scene's field, or straight down; a shell's light always falls straight down"),
+          .means("along the scene's field, or straight down; a shell's light falls straight down in a uniform field, which is one of the observer's surroundings"),
       row("center_km", &F::center_km).as(ParameterRole::footprint_centre).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
           .means("middle of a box, of the feet at 110 km altitude"),
       row("size_km", &F::size_km).of({"east", "north"}).in("km").within(1, 6000)
@@ -67,10 +68,18 @@ std::vector<Declaration> footprint_rows() {
       row("noise_scale_km", &F::noise_scale_km).in("km").within(1, 5000).means("largest waves of a noise footprint"),
       row("noise_octaves", &F::noise_octaves).within(1, 10).means("its octaves"),
       row("noise_coverage", &F::noise_coverage).within(0, 1).means("roughly the share of the box that shines"),
+      row("noise_lifetime_s", &F::noise_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
+          .means("in which the noise becomes another; 0: it lasts"),
       row("flow_turns", &F::flow_turns).within(0, 10)
           .means("how far a plane incompressible flow has wound the footprint up, in turns of its fastest part; 0: not at all"),
+      row("flow_turns_per_s", &F::flow_turns_per_s).in("s⁻¹").within(0, 10)
+          .means("how much farther it winds with every second of the scene's clock; from 0 turns, where it begins, to 10, where it ends"),
+      row("flow_sense", &F::flow_sense).one_of<FlowSense>({{"spiral", FlowSense::spiral}, {"charge", FlowSense::charge}})
+          .means("which way it turns what is bright: as spirals are wound, counter-clockwise seen along the field, or as a charged sheet turns, counter-clockwise seen against it"),
       row("flow_scale_km", &F::flow_scale_km).in("km").within(1, 2000).means("of the ripples that the flow starts from"),
       row("flow_ripple", &F::flow_ripple).within(0, 10).means("their strength, over that of the footprint's own shear"),
+      row("drift_km_s", &F::drift_km_s).of({"east", "north"}).in("km s⁻¹").within(-100, 100)
+          .means("velocity of the whole box; a shell turns about the Earth's axis, with that speed to the east at the equator"),
       row("light", &F::light).one_of<FootprintLight>({{"lines", FootprintLight::lines}, {"colours", FootprintLight::colours}})
           .means("the emission lines of the electrons, or two colours between two altitudes in the place of theirs"),
       row("low_colour", &F::low_colour).of({"r", "g", "b"}).within(0, 1).means("colour at low_km, linear, of the sensor's primaries"),
@@ -189,7 +198,7 @@ void check_the_footprint(const Scene& scene, const Footprint& f) {
     refuse({"the footprint is to come from a map of precipitation, but file names none",
             "file = \"precipitation.fits\"", ""},
            "source");
-  if (of_map && f.flow_turns > 0.0)
+  if (of_map && flows(f))
     refuse({"a map of precipitation is not wound up", "flow_turns = 0", ""}, "flow_turns");
   if (is_shell && (f.source == FootprintSource::sheets || of_map || f.source == FootprintSource::noise))
     refuse({"a footprint of " + quoted_text(word_in(footprint_rows(), f.source)) + " is a box's",
@@ -199,9 +208,18 @@ void check_the_footprint(const Scene& scene, const Footprint& f) {
     refuse({"the footprint is to be that of the sheets, but there are none", "a [[sheet]], or another source",
             ""},
            "source");
-  if (is_shell && f.flow_turns > 0.0)
+  if (is_shell && flows(f))
     refuse({"a flow is of a plane, and a shell has none", "flow_turns = 0, or shape = \"box\"", ""},
            "flow_turns");
+  const bool drifts = f.drift_km_s.east != 0.0 || f.drift_km_s.north != 0.0;
+  if (drifts && f.source == FootprintSource::sheets)
+    refuse(
+        {"a footprint of the sheets goes where they go", "drift_km_s = [0, 0]", "the sheets' own drift_km_s"},
+        "drift_km_s");
+  if (is_shell && f.drift_km_s.north != 0.0)
+    refuse(
+        {"a shell turns about the Earth's axis and cannot drift to the north", "drift_km_s = [east, 0]", ""},
+        "drift_km_s");
   check_size(f, refuse);
   if (f.low_km >= f.high_km) refuse({"low_km is not below high_km", "low_km below high_km", ""}, "low_km");
 }
@@ -218,7 +236,7 @@ std::optional<Complaint> of_footprint(const Footprint& f, const std::string& key
   if (of_spline && f.source != FootprintSource::spline)
     return idle("the footprint comes from \"" + word_in(footprint_rows(), f.source) + "\"", key,
                 "set source to \"spline\"");
-  if (f.model != FootprintModel::curtain && f.flow_turns > 0.0 &&
+  if (f.model != FootprintModel::curtain && flows(f) &&
       is_one_of(key, {"east_km", "north_km", "width_km", "point_flux"}))
     return Complaint{
         "the flow that winds the footprint up depends on " + key + ", and its derivative is not known",
@@ -245,11 +263,11 @@ std::optional<Complaint> of_sheet_in_footprint(const Scene& scene, const Sheet& 
         "a sheet of given energy_flux_mw_m2",
         "set energy_flux_mw_m2 in the place of brightness_kilorayleigh, or leave it out of "
         "fit.free"};
-  const bool flows = std::any_of(scene.footprints.begin(), scene.footprints.end(), [](const Footprint& f) {
-    return f.source == FootprintSource::sheets && f.flow_turns > 0.0;
-  });
+  const bool any_flows =
+      std::any_of(scene.footprints.begin(), scene.footprints.end(),
+                  [](const Footprint& f) { return f.source == FootprintSource::sheets && flows(f); });
   // The flow goes by ratios of fluxes, and so not by the flux of a single sheet.
-  if (!flows || key == "energy_kev" || (key == "energy_flux_mw_m2" && scene.sheets.size() == 1))
+  if (!any_flows || key == "energy_kev" || (key == "energy_flux_mw_m2" && scene.sheets.size() == 1))
     return std::nullopt;
   return Complaint{
       "the flow that winds the sheets' footprint up depends on " + key + ", and its derivative is not known",
@@ -268,6 +286,12 @@ std::optional<Complaint> why_footprint_idle(const Scene& scene, const ParameterP
 bool footprints_could_shine(const Scene& scene) {
   return std::any_of(scene.footprints.begin(), scene.footprints.end(), [](const Footprint& f) {
     return f.source == FootprintSource::precipitation || f.energy_flux_mw_m2 > 0.0;
+  });
+}
+
+bool footprints_move(const Scene& scene) {
+  return std::any_of(scene.footprints.begin(), scene.footprints.end(), [&](const Footprint& f) {
+    return f.source == FootprintSource::sheets || moves_by_itself(f) || scene.substorm.quiet < 1.0;
   });
 }
 
@@ -325,7 +349,7 @@ EmitterKind footprint_kind() {
   kind.check = check_footprints;
   kind.why_idle = why_footprint_idle;
   kind.could_shine = footprints_could_shine;
-  kind.moves = footprints_of_sheets;
+  kind.moves = footprints_move;
   kind.made_of_sheets = footprints_of_sheets;
   kind.whereabouts = where_footprints_are;
   kind.pictures = pictures_of_footprints;

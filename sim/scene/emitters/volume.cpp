@@ -77,12 +77,20 @@ std::optional<Complaint> volumes_stay_at(Scene& scene, const Site& home) {
   return std::nullopt;
 }
 
+/// Those about a site are aurora, which goes by the substorm.
+bool volumes_move(const Scene& scene) {
+  return scene.substorm.quiet < 1.0 &&
+         std::any_of(scene.volumes.begin(), scene.volumes.end(),
+                     [](const Volume& volume) { return volume.frame == VolumeFrame::site; });
+}
+
 }  // namespace
 
 EmitterKind volume_kind() {
   EmitterKind kind;
   kind.table = "volume";
   kind.repeated = {repeated_table_of(kind.table, &Scene::volumes)};
+  kind.moves = volumes_move;
   kind.stay_at = volumes_stay_at;
   kind.rows = volume_rows;
   kind.check = check_volumes;

@@ -42,9 +42,11 @@ bool has_electrons(const Scene& scene) {
 std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const ParameterPath& path) {
   const std::string expected = "a parameter that the light depends on";
   const std::string& key = path.row->key;
-  if (path.row->table == "field" && scene.field.model == FieldModel::dipole) {
-    return Complaint{"the field is a dipole's, so " + key + " counts for nothing", expected,
-                     "leave it out of fit.free, or set field.model to \"uniform\""};
+  if (path.row->table == "field" && scene.field.model != FieldModel::uniform) {
+    return Complaint{std::string("the field is ") +
+                         (scene.field.model == FieldModel::dipole ? "a dipole's" : "the reference field") +
+                         ", so " + key + " counts for nothing",
+                     expected, "leave it out of fit.free, or set field.model to \"uniform\""};
   }
   if (path.row->table == "camera") {
     const LensModel model = scene.camera.model;

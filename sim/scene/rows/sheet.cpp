@@ -136,6 +136,16 @@ std::vector<Declaration> sheet_rows() {
           .means("of the curls, from start to end (0 to 8 in nature, at most 90)"),
       Row("curl_lifetime_s", &Sheet::curl_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
           .means("of a curl (0.25 to 0.75 in nature); 0: curls last"),
+      Row("spiral_spacing_km", &Sheet::spiral_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
+          .means("mean distance between spirals (125 to 175 in nature); 0: no spirals"),
+      Row("spiral_radius_km", &Sheet::spiral_radius_km).in("km").within(1, 1000)
+          .means("of a spiral, at most the spacing; the whole is about twice as wide (25 to 75 in nature)"),
+      Row("spiral_turn_rad", &Sheet::spiral_turn_rad).in("rad").within(-100, 100)
+          .means("angle by which a spiral has wound up its centre, counter-clockwise seen along the field"),
+      Row("spiral_speed_km_s", &Sheet::spiral_speed_km_s).in("km s⁻¹").within(-100, 100)
+          .means("of the spirals, from start to end (4 on the average in nature)"),
+      Row("spiral_lifetime_s", &Sheet::spiral_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
+          .means("of a spiral, which winds up and unwinds; 0: spirals last"),
       Row("ray_contrast", &Sheet::ray_contrast).within(0, 3)
           .means("standard deviation of the logarithm of the light from ray to ray; 0: no rays"),
       Row("ray_width_km", &Sheet::ray_width_km).in("km").within(0.01, 100)

@@ -17,7 +17,7 @@ std::vector<Declaration> time_rows() {
       Row("time", "frames", &Scene::time, &Time::frames).within(1, 1000000).means("of an animation"),
 
       Row("substorm", "quiet", &Scene::substorm, &Substorm::quiet).within(0, 1)
-          .means("brightness of all sheets before and after a substorm, of what they say; 1: no substorm"),
+          .means("brightness of all aurora (sheets, footprints, volumes of the site) before and after a substorm, of what they say; 1: no substorm"),
       Row("substorm", "grown", &Scene::substorm, &Substorm::grown).within(0, 1)
           .means("brightness at the end of the growth phase"),
       Row("substorm", "onset_s", &Scene::substorm, &Substorm::onset_s).in("s").within(-1e7, 1e7)

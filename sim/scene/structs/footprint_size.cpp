@@ -62,7 +62,7 @@ double bytes_per_cell(const Footprint& f, std::size_t number_bytes) {
   double numbers = layers + (of_sheets ? 4.0 : 0.0);
   // The flow is worked out from plain numbers.
   double plain = 0.0;
-  if (!is_shell(f) && f.flow_turns > 0.0) {
+  if (!is_shell(f) && flows(f)) {
     numbers = std::max(numbers, 2.0 * layers);
     plain = 8.0;
   }

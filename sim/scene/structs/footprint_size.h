@@ -7,6 +7,15 @@
 
 namespace vegard::sim {
 
+/// Whether a flow winds it up, now or later.
+inline bool flows(const Footprint& f) { return f.flow_turns > 0.0 || f.flow_turns_per_s > 0.0; }
+
+/// Whether it changes with the scene's clock, whatever it is made of.
+inline bool moves_by_itself(const Footprint& f) {
+  return f.drift_km_s.east != 0.0 || f.drift_km_s.north != 0.0 || f.flow_turns_per_s > 0.0 ||
+         (f.source == FootprintSource::noise && f.noise_lifetime_s > 0.0);
+}
+
 /// Where the Gaussian across a spline is narrower than this many cells it is drawn as wide as this, and as
 /// much fainter: the samples of a narrower one would not add up to it.
 inline constexpr double kNarrowestCells = 0.7;

@@ -25,11 +25,12 @@ namespace vegard::sim {
 
 enum class FieldModel {
   uniform,  ///< the same everywhere
-  dipole    ///< that of a tilted dipole at each foot
+  dipole,   ///< that of a tilted dipole at each foot
+  igrf      ///< that of the International Geomagnetic Reference Field at each foot, at the site's time
 };
 
-/// The geomagnetic field, straight along every beam: the same everywhere, or that of a tilted dipole at each
-/// foot.
+/// The geomagnetic field, straight along every beam: the same everywhere, or that of a tilted dipole or of
+/// the reference field at each foot.
 struct Field {
   FieldModel model = FieldModel::uniform;
   double inclination_deg = 78.0;       ///< of the uniform field, below the horizon in the north
@@ -48,7 +49,7 @@ struct Time {
   int frames = 60;
 };
 
-/// The brightness of all sheets over a substorm, as a fraction of what the sheets say.
+/// The brightness of all aurora over a substorm, as a fraction of what its emitters say.
 struct Substorm {
   double quiet = 1.0;  ///< before the growth phase and after the recovery; 1: no substorm
   double grown = 0.3;  ///< at the end of the growth phase, when the expansion sets in
@@ -152,6 +153,12 @@ struct Sheet {
   double curl_gather = 0.5;  ///< how close together its beams stand: 1 - this is their spacing at the centre
   double curl_speed_km_s = 0.0;
   double curl_lifetime_s = 0.0;  ///< 0: they last
+
+  double spiral_spacing_km = 0.0;  ///< mean distance of spirals; 0: none
+  double spiral_radius_km = 25.0;
+  double spiral_turn_rad = 6.0;  ///< by which a spiral has wound its centre up
+  double spiral_speed_km_s = 0.0;
+  double spiral_lifetime_s = 0.0;  ///< 0: they last
 
   double ray_contrast = 0.0;         ///< standard deviation of the logarithm of the light along the sheet
   double ray_width_km = 0.5;         ///< full width of a ray at half its height

@@ -37,6 +37,12 @@ enum class FootprintLight {
   colours  ///< two of them, between two altitudes
 };
 
+/// Which way a flow turns what is bright.
+enum class FlowSense {
+  spiral,  ///< as spirals are wound: counter-clockwise seen along the field
+  charge   ///< as a charged sheet turns: counter-clockwise seen against the field
+};
+
 /// Aurora by its footprint: light = energy flux at the foot of the field line through a point, times the
 /// height profile of the electrons that fall there (after Lawlor and Genetti 2011, docs/volumes.md).
 struct Footprint {
@@ -69,11 +75,16 @@ struct Footprint {
 
   double noise_scale_km = 120.0;  ///< of the largest waves of a noise footprint
   int noise_octaves = 5;
-  double noise_coverage = 0.3;  ///< share of the box, roughly, that shines
+  double noise_coverage = 0.3;    ///< share of the box, roughly, that shines
+  double noise_lifetime_s = 0.0;  ///< in which the noise becomes another; 0: it lasts
 
-  double flow_turns = 0.0;      ///< by how many turns the flow winds the brightest part up; 0: none
+  double flow_turns = 0.0;        ///< by how many turns the flow winds the brightest part up; 0: none
+  double flow_turns_per_s = 0.0;  ///< by how many turns more with every second of the scene's clock
+  FlowSense flow_sense = FlowSense::spiral;
   double flow_scale_km = 20.0;  ///< of the ripples that it starts from
   double flow_ripple = 0.3;     ///< their strength, of that of the sheet's own shear
+
+  EastNorth drift_km_s{0.0, 0.0};  ///< of a box; a shell turns about the Earth's axis, east at the equator
 
   FootprintLight light = FootprintLight::lines;
   std::array<double, 3> low_colour{0.1, 1.0, 0.3},

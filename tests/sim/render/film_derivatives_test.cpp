@@ -171,6 +171,23 @@ TEST(FilmDerivatives, AFormOfGivenBrightnessAgreesWithDifferences) {
   expect_derivatives(scene, 0.01);
 }
 
+// 0.013 for the pitch step, whose differences are those of single samples that cross cells; what moves feet
+// agrees to 0.01.
+TEST(FilmDerivatives, OfSpiralsUnderTheReferenceFieldAgreeWithDifferences) {
+  Scene scene = tests::small_scene();
+  scene.field.model = FieldModel::igrf;
+  scene.site.time_utc = "2012-03-04T00:00:00Z";
+  scene.sheets[0].center_km.east = 130.0;
+  scene.sheets[0].length_km = 250.0;
+  scene.sheets[0].arcs = 2;
+  scene.sheets[0].fold_spacing_km = 25.0;
+  scene.sheets[0].fold_length_km = 15.0;
+  scene.sheets[0].spiral_spacing_km = 80.0;
+  scene.sheets[0].spiral_radius_km = 12.0;
+  scene.sheets[0].spiral_turn_rad = 3.0;
+  expect_derivatives(scene, 0.02, "field");
+}
+
 TEST(FilmDerivatives, UnderADipoleAgreeWithDifferences) {
   Scene scene = tests::small_scene();
   scene.field.model = FieldModel::dipole;

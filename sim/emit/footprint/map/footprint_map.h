@@ -41,7 +41,8 @@ struct PlaneFootprint {
 /// has its middle at u = v = -1 - 1 / n.
 template <class T>
 struct CubeFootprint {
-  int face_cells = 0;  ///< n
+  int face_cells = 0;       ///< n
+  double turned_deg = 0.0;  ///< to the east, the whole
   std::array<FootprintGrid<T>, 6> face;
 };
 

@@ -4,7 +4,8 @@
 #include <string>
 #include <type_traits>
 
-#include "sim/emit/aurora/sheet_shape.h"
+#include "sim/base/number/constants.h"
+#include "sim/emit/aurora/foot_field.h"
 #include "sim/emit/footprint/map/noise_footprint.h"
 #include "sim/emit/footprint/map/picture_footprint.h"
 #include "sim/emit/footprint/map/plane_flow.h"
@@ -42,14 +43,14 @@ void check_memory(const Scene& scene, const Footprint& f) {
 
 template <class T>
 PlaneFootprint<T> at_rest(const Scene& scene, const Footprint& f, const FootprintPictures& pictures,
-                          const NumberAs<T>& number, bool centre_moves, int threads) {
+                          const NumberAs<T>& number, bool centre_moves, double instant_s, int threads) {
   switch (f.source) {
     case FootprintSource::spline:
       return spline_plane(f, number, threads, centre_moves);
     case FootprintSource::sheets:
       return sheet_plane(scene, f, number, threads);
     case FootprintSource::noise:
-      return as_free(noise_plane(f, scene.seed, index_of(scene, f), threads), f, number);
+      return as_free(noise_plane(f, scene.seed, index_of(scene, f), instant_s, threads), f, number);
     case FootprintSource::precipitation:  // which precipitation_plane() makes
     case FootprintSource::image:
     case FootprintSource::cube:
@@ -73,33 +74,46 @@ PlaneFootprint<double> values(const PlaneFootprint<FreeDual>& plane) {
 
 }  // namespace
 
+double turned_deg(const Footprint& f, double instant_s) {
+  constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
+  return f.shape == FootprintShape::shell ? drifted_km(f, instant_s).east / (kRadius * kRadiansPerDegree)
+                                          : 0.0;
+}
+
 template <class T>
 PlaneFootprint<T> make_plane_footprint(const Scene& scene, const Footprint& f,
                                        const FootprintPictures& pictures, const NumberAs<T>& number,
-                                       int threads) {
+                                       int threads, std::optional<double> instant_s) {
   if constexpr (!std::is_same_v<T, double>) check_memory<T>(scene, f);
-  const bool flows = f.flow_turns > 0.0;
+  const double instant = instant_s.value_or(scene.time.start_s), turns = flow_turns_at(f, instant);
   // A spline knows where it goes with the centre to a point of the grid. What stands still in its box goes
   // with it, and so does all that the flow has wound up, ripples included.
   const bool goes_with_box =
-      f.source != FootprintSource::sheets && (flows || f.source != FootprintSource::spline);
-  PlaneFootprint<T> plane = at_rest(scene, f, pictures, number, !goes_with_box, threads);
-  if (flows)
-    carry(wind_up(values(plane), f, scene.seed, index_of(scene, f), falls_along_field(scene), threads), plane,
-          threads);
+      f.source != FootprintSource::sheets && (flows(f) || f.source != FootprintSource::spline);
+  PlaneFootprint<T> plane = at_rest(scene, f, pictures, number, !goes_with_box, instant, threads);
+  if (turns > 0.0)
+    carry(wind_up(values(plane), f, turns, scene.seed, index_of(scene, f), falls_along_field(scene), threads),
+          plane, threads);
   if (goes_with_box) move_with_centre(f, number, plane);
+  const EastNorth drift = drifted_km(f, instant);
+  plane.west_km += drift.east;
+  plane.south_km += drift.north;
   return plane;
 }
 
 template PlaneFootprint<double> make_plane_footprint(const Scene&, const Footprint&, const FootprintPictures&,
-                                                     const NumberAs<double>&, int);
+                                                     const NumberAs<double>&, int, std::optional<double>);
 template PlaneFootprint<FreeDual> make_plane_footprint(const Scene&, const Footprint&,
                                                        const FootprintPictures&, const NumberAs<FreeDual>&,
-                                                       int);
+                                                       int, std::optional<double>);
 
-CubeFootprint<double> make_cube_footprint(const Scene&, const Footprint& f, const FootprintPictures& pictures,
-                                          int threads) {
-  return f.source == FootprintSource::spline ? spline_cube(f, threads) : picture_cube(f, pictures, threads);
+CubeFootprint<double> make_cube_footprint(const Scene& scene, const Footprint& f,
+                                          const FootprintPictures& pictures, int threads,
+                                          std::optional<double> instant_s) {
+  CubeFootprint<double> cube =
+      f.source == FootprintSource::spline ? spline_cube(f, threads) : picture_cube(f, pictures, threads);
+  cube.turned_deg = turned_deg(f, instant_s.value_or(scene.time.start_s));
+  return cube;
 }
 
 }  // namespace vegard::sim

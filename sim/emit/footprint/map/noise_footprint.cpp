@@ -20,7 +20,8 @@ constexpr double kNoisePlane = 0.5;
 /// The height of the ridges at a place, in the largest waves.
 class Ridges {
  public:
-  Ridges(std::uint64_t seed, int index, int octaves) : seed_(seed), index_(index), octaves_(octaves) {}
+  Ridges(std::uint64_t seed, int index, int octaves, double plane)
+      : seed_(seed), index_(index), octaves_(octaves), plane_(plane) {}
 
   double at(double x, double y) const {
     const double px = x + kPushed * noise(1, x, y), py = y + kPushed * noise(2, x, y);
@@ -39,20 +40,23 @@ class Ridges {
  private:
   double noise(int part, double x, double y) const {
     return gradient_noise(seed_, Stream::footprint, static_cast<std::uint64_t>(index_) << 8 | part, x, y,
-                          kNoisePlane);
+                          plane_);
   }
 
   std::uint64_t seed_;
   int index_, octaves_;
+  double plane_;
 };
 
 }  // namespace
 
-PlaneFootprint<double> noise_plane(const Footprint& f, std::uint64_t seed, int index, int threads) {
+PlaneFootprint<double> noise_plane(const Footprint& f, std::uint64_t seed, int index, double instant_s,
+                                   int threads) {
   PlaneFootprint<double> plane = plane_grid<double>(f);
   FootprintGrid<double>& grid = plane.grid;
   if (f.noise_coverage <= 0.0) return plane;
-  const Ridges ridges(seed, index, f.noise_octaves);
+  const double lives = f.noise_lifetime_s > 0.0 ? instant_s / f.noise_lifetime_s : 0.0;
+  const Ridges ridges(seed, index, f.noise_octaves, kNoisePlane + lives);
   const auto height_at = [&](double east_km, double north_km) {
     return ridges.at(east_km / f.noise_scale_km, north_km / f.noise_scale_km);
   };

@@ -16,7 +16,9 @@ inline constexpr double kNoiseFade = 0.25;
 
 /// In units of energy_flux_mw_m2, from 0 to 1, dark at the box's edges. `index` is the footprint's number in
 /// its scene: others have other noise. Which level of the noise is dark follows from noise_coverage, by the
-/// share of the box that lies above it, before its edges fade. It stands still in the box.
-PlaneFootprint<double> noise_plane(const Footprint& footprint, std::uint64_t seed, int index, int threads);
+/// share of the box that lies above it, before its edges fade. It stands still in the box, and with a
+/// lifetime becomes another: the plane through the noise goes on by a node in that time.
+PlaneFootprint<double> noise_plane(const Footprint& footprint, std::uint64_t seed, int index,
+                                   double instant_s, int threads);
 
 }  // namespace vegard::sim

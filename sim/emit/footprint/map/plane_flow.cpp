@@ -199,11 +199,16 @@ class Flow {
 
 }  // namespace
 
-PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& f, std::uint64_t seed, int index,
-                  bool stands_north, int threads) {
+double flow_turns_at(const Footprint& f, double instant_s) {
+  constexpr double kMostTurns = 10.0;
+  return std::clamp(f.flow_turns + f.flow_turns_per_s * instant_s, 0.0, kMostTurns);
+}
+
+PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& f, double turns, std::uint64_t seed,
+                  int index, bool stands_north, int threads) {
   PlaneFlow result;
   const FootprintGrid<double>& grid = plane.grid;
-  if (f.flow_turns <= 0.0 || grid.flux_mw_m2.empty()) return result;
+  if (turns <= 0.0 || grid.flux_mw_m2.empty()) return result;
   int block = 1;  // of the footprint's cells, to one of the flow's along either axis
   while (kAround * kAround * grid.columns * grid.rows / (block * block) > kFlowMostCells) ++block;
   const int box_columns = (grid.columns + block - 1) / block, box_rows = (grid.rows + block - 1) / block;
@@ -233,9 +238,11 @@ PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& f, std::
   double largest = 0.0;
   for (const double w : flow.first) largest = std::max(largest, std::abs(w));
   if (largest <= 0.0) return result;
-  for (double& w : flow.first) w *= (stands_north ? -1.0 : 1.0) / largest;
+  // Counter-clockwise seen along B is so from above in the north.
+  const double sense = (f.flow_sense == FlowSense::spiral) == stands_north ? 1.0 : -1.0;
+  for (double& w : flow.first) w *= sense / largest;
 
-  const double duration = 4.0 * kPi * f.flow_turns;
+  const double duration = 4.0 * kPi * turns;
   const int steps = std::max(1, static_cast<int>(std::ceil(duration / kFlowStep)));
   const double time = duration / steps;
   flow.begin_stretch({});

@@ -2,12 +2,16 @@
 //
 // Source: the electrons of a sheet charge its place; across the magnetic field that charge drives the drift
 // E × B, whose vorticity is proportional to the charge, so that a sheet is a vortex sheet and rolls up into
-// curls (T. J. Hallinan and T. N. Davis, "Small-scale auroral arc distortions", Planet. Space Sci. 18, 1970;
-// T. J. Hallinan, "Auroral spirals 2", J. Geophys. Res. 81, 1976). Lawlor and Genetti 2011 feed their splines
-// to a fluid solver in the same way. Here: Euler's equation of a plane in vorticity form,
+// curls (T. J. Hallinan and T. N. Davis, "Small-scale auroral arc distortions", Planet. Space Sci. 18, 1970);
+// the field lines that carry its upward current are twisted about it, which winds the sheet up into spirals,
+// the other way round (T. J. Hallinan, "Auroral spirals 2", J. Geophys. Res. 81, 1976). Lawlor and Genetti
+// 2011 feed their splines to a fluid solver in the same way. Here: Euler's equation of a plane in vorticity
+// form,
 //   dω/dt = 0 along the flow,  ∇²ψ = ω,  velocity = (-∂ψ/∂north, ∂ψ/∂east),
-// ω being proportional to the energy flux (less its mean), clockwise seen from above in the northern
-// magnetic hemisphere, which is anticlockwise for who looks up against B. ψ by Fourier transform on a
+// ω being proportional to the energy flux (less its mean). Seen along B, down from above in the northern
+// magnetic hemisphere, it turns counter-clockwise as spirals do, or clockwise as charged sheets do
+// (flow_sense; docs/physics.md). The twist of field lines is not a flow: its law is the charge's with the
+// other sign, which is ours. ψ by Fourier transform on a
 // periodic plane around the box, between its cells by cubic convolution; the velocities are that function's
 // own derivatives, central differences on the cells, so that there is no divergence anywhere. What is
 // followed back along the flow is the place where each point came from (the characteristic mapping of X.-Y.
@@ -40,12 +44,16 @@ struct PlaneFlow {
   double energy_first = 0.0, energy_last = 0.0;  ///< half the squares of the velocities, summed over cells
 };
 
-/// The flow of a footprint until its fastest part has turned flow_turns times: a round patch of vorticity ω
+/// How often the flow's fastest part has turned at an instant of the scene's clock: flow_turns and
+/// flow_turns_per_s times that, from 0 to 10.
+double flow_turns_at(const Footprint& footprint, double instant_s);
+
+/// The flow of a footprint until its fastest part has turned so many times: a round patch of vorticity ω
 /// turns once in 4π/ω. `stands_north` says whether it is in the northern magnetic hemisphere; `index` is the
 /// footprint's number in its scene. The charge is uneven by ripples: flux (1 + flow_ripple noise), noise on
 /// the scale of flow_scale_km.
-PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& footprint, std::uint64_t seed,
-                  int index, bool stands_north, int threads);
+PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& footprint, double turns,
+                  std::uint64_t seed, int index, bool stands_north, int threads);
 
 /// The footprint where the flow has brought it: mean of four places in each cell. ln E goes with the flux.
 /// What leaves the box is lost. T is double or FreeDual, whose derivatives go with the flow as it is: they

@@ -46,9 +46,8 @@ void deposit(const Scene& scene, const LayerOfFeet& which, double scale, const T
   const StretchOfSheet stretch = stretch_of(sheet, instant);
   const std::uint32_t address = layer_address(which.sheet, which.arc, which.layer),
                       arc_address = layer_address(which.sheet, which.arc, 0);
-  const LayerStructure structures{Folds(sheet, arc_address, scene.seed, instant, stretch.drifted_km),
-                                  Curls(sheet, address, scene.seed, instant, stretch.drifted_km)};
-  const LayerStructure* structure = structures.folds.any() || structures.curls.any() ? &structures : nullptr;
+  const LayerStructure structures(sheet, arc_address, address, scene.seed, instant, stretch.drifted_km);
+  const LayerStructure* structure = structures.any() ? &structures : nullptr;
   ArcLight light(scene.sheets[which.sheet], arc_address, scene.seed, instant, stretch.drifted_km);
   sheet.beams = footprint_beams(sheet, on.cell_km);
   sheet.beams_per_km = 0.0;

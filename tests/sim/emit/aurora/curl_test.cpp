@@ -136,6 +136,63 @@ TEST(Curls, StandAtTheirMeanSpacing) {
   EXPECT_GT(longest, 16.0);
 }
 
+// A spiral turns about one point for all layers of its arc: they stay where they were against each other, and
+// so do areas, but for what is left of a neighbour where it is let go, five to six radii off: 1e-4.
+TEST(Spirals, WindAllLayersUpAboutOnePointAndKeepAreas) {
+  Sheet sheet;
+  sheet.spiral_spacing_km = 150.0;
+  const LayerStructure structure(sheet, 0, 3, 5, 0.0, 0.0);
+  ASSERT_TRUE(structure.any());
+  EXPECT_FALSE(structure.curls.any());
+  Curl spiral;
+  spiral.center_km = 1e9;
+  structure.spirals.near(0.0, [&](const Curl& s) {
+    if (std::abs(s.center_km) < std::abs(spiral.center_km)) spiral = s;
+  });
+  const auto at = [&](double along, double layer_aside, double across) {
+    const LayerSine<double> layer{layer_aside, 0.0, 1.5707963267948966}, middle{0.0, 0.0, 0.0};
+    PlanePoint<double> p = structured_point(layer, structure, 0.5, along, across, middle);
+    p.x_km += along;
+    return p;
+  };
+  constexpr double h = 1e-4;
+  double moved = 0.0;
+  for (double x = -60.0; x <= 60.0; x += 7.3)
+    for (double aside : {-4.0, 0.0, 5.0}) {
+      const double along = spiral.center_km + x;
+      // Whatever layer a place belongs to, it goes to the same point.
+      const PlanePoint<double> by_layer = at(along, aside, 0.0), by_width = at(along, 0.0, aside);
+      EXPECT_NEAR(by_layer.x_km, by_width.x_km, 1e-9);
+      EXPECT_NEAR(by_layer.aside_km, by_width.aside_km, 1e-9);
+      const PlanePoint<double> e = at(along + h, 0.0, aside), w = at(along - h, 0.0, aside),
+                               n = at(along, 0.0, aside + h), s = at(along, 0.0, aside - h);
+      const double area =
+          (e.x_km - w.x_km) * (n.aside_km - s.aside_km) - (n.x_km - s.x_km) * (e.aside_km - w.aside_km);
+      EXPECT_NEAR(area / (4.0 * h * h), 1.0, 2e-4) << x << " " << aside;
+      moved = std::max(moved, std::abs(by_layer.aside_km - aside));
+    }
+  EXPECT_GT(moved, 10.0);
+}
+
+TEST(Spirals, WindUpAndUnwindInTheirLifetime) {
+  Sheet sheet;
+  sheet.spiral_spacing_km = 150.0;
+  sheet.spiral_lifetime_s = 60.0;
+  sheet.spiral_speed_km_s = 4.0;
+  double most = 0.0, least = 1e9;
+  for (double t = 0.0; t < 120.0; t += 0.5) {
+    const Curls spirals = Curls::spirals(sheet, 0, 5, t, 0.0);
+    double turn = 0.0;
+    spirals.near(4.0 * t, [&](const Curl& s) {
+      if (std::abs(s.center_km - 4.0 * t) < 75.0) turn = -s.turn_rad;
+    });
+    most = std::max(most, turn);
+    least = std::min(least, turn);
+  }
+  EXPECT_NEAR(most, sheet.spiral_turn_rad, 0.01);
+  EXPECT_NEAR(least, 0.0, 0.01);
+}
+
 TEST(Curls, ComeAndGoWithoutAJumpEvenOnFolds) {
   Sheet sheet = curled_sheet();
   sheet.curl_lifetime_s = 0.5;

@@ -29,11 +29,12 @@ std::vector<double> photons_per_line(const EmissionPoints& points) {
 
 /// Under which field does not matter; the film's kernel and the points' loop have their axes from one place.
 class PointsUnder : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Field, PointsUnder, testing::Values("uniform", "dipole"));
+INSTANTIATE_TEST_SUITE_P(Field, PointsUnder, testing::Values("uniform", "dipole", "igrf"));
 
 TEST_P(PointsUnder, ProjectedGiveTheRayleighsOfTheFilm) {
   Scene scene = tests::small_scene();
   scene.field.model = tests::kind_named<FieldModel>(GetParam());
+  scene.site.time_utc = "2012-03-04T00:00:00Z";
   scene.sheets[0].arcs = 2;
   scene.sheets[0].path_spread = 0.3;
   scene.time.start_s = 3.0;

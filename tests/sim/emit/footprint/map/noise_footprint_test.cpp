@@ -28,15 +28,15 @@ TEST(NoiseFootprint, CoversAboutAsMuchAsItIsToldTo) {
   // the edges: some fifth of them is lost, more of those that are there where little is.
   for (const double coverage : {0.1, 0.3, 0.6})
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u}) {
-      const double covered = share(noise_plane(noise(coverage), seed, 0, 2));
+      const double covered = share(noise_plane(noise(coverage), seed, 0, 0.0, 2));
       EXPECT_LT(covered, 1.1 * coverage) << seed;
       EXPECT_GT(covered, 0.5 * coverage) << seed;
     }
-  EXPECT_TRUE(noise_plane(noise(0.0), 1, 0, 1).grid.flux_mw_m2.empty());
+  EXPECT_TRUE(noise_plane(noise(0.0), 1, 0, 0.0, 1).grid.flux_mw_m2.empty());
 }
 
 TEST(NoiseFootprint, FadesTowardsTheEdgesAndStaysBetween0And1) {
-  const PlaneFootprint<double> plane = noise_plane(noise(0.9), 7, 0, 1);
+  const PlaneFootprint<double> plane = noise_plane(noise(0.9), 7, 0, 0.0, 1);
   const auto at = [&](int c, int r) { return plane.grid.flux_mw_m2[r * plane.grid.columns + c]; };
   double most = 0.0, at_edge = 0.0;
   for (int r = 0; r < plane.grid.rows; ++r)
@@ -55,14 +55,15 @@ TEST(NoiseFootprint, FadesTowardsTheEdgesAndStaysBetween0And1) {
 TEST(NoiseFootprint, IsTheSameOnAFinerGridAndForAnyNumberOfThreads) {
   Footprint fine = noise(0.4);
   fine.cell_km = 8.0 / 3.0;
-  const PlaneFootprint<double> coarse = noise_plane(noise(0.4), 3, 1, 1), finer = noise_plane(fine, 3, 1, 2);
+  const PlaneFootprint<double> coarse = noise_plane(noise(0.4), 3, 1, 0.0, 1),
+                               finer = noise_plane(fine, 3, 1, 0.0, 2);
   ASSERT_EQ(finer.grid.columns, 3 * coarse.grid.columns);
   for (int r = 0; r < coarse.grid.rows; r += 7)
     for (int c = 0; c < coarse.grid.columns; c += 7)
       EXPECT_NEAR(coarse.grid.flux_mw_m2[r * coarse.grid.columns + c],
                   finer.grid.flux_mw_m2[(3 * r + 1) * finer.grid.columns + 3 * c + 1], 1e-9);
-  EXPECT_EQ(noise_plane(noise(0.4), 3, 1, 2).grid.flux_mw_m2, coarse.grid.flux_mw_m2);
-  EXPECT_NE(noise_plane(noise(0.4), 3, 0, 2).grid.flux_mw_m2, coarse.grid.flux_mw_m2);
+  EXPECT_EQ(noise_plane(noise(0.4), 3, 1, 0.0, 2).grid.flux_mw_m2, coarse.grid.flux_mw_m2);
+  EXPECT_NE(noise_plane(noise(0.4), 3, 0, 0.0, 2).grid.flux_mw_m2, coarse.grid.flux_mw_m2);
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST(PlaneFft, TransformsWavesAndBack) {
 
 TEST(PlaneFlow, HasNoDivergence) {
   const Footprint f = arc(0.5);
-  const PlaneFlow flow = wind_up(spline_plane(f, kPlain, 2), f, 1, 0, true, 2);
+  const PlaneFlow flow = wind_up(spline_plane(f, kPlain, 2), f, f.flow_turns, 1, 0, true, 2);
   double worst = 0.0, fastest = 0.0;
   for (int r = 0; r < flow.rows; ++r)
     for (int c = 0; c < flow.columns; ++c) {
@@ -75,7 +75,7 @@ TEST(PlaneFlow, KeepsFluxAndEnergy) {
     const Footprint f = arc(turns);
     const PlaneFootprint<double> before = spline_plane(f, kPlain, 2);
     PlaneFootprint<double> after = before;
-    const PlaneFlow flow = wind_up(before, f, 1, 0, true, 2);
+    const PlaneFlow flow = wind_up(before, f, f.flow_turns, 1, 0, true, 2);
     carry(flow, after, 2);
     // The flow is followed on cells a quarter of the arc's width: both are kept as well as that resolves it.
     EXPECT_NEAR(total(after), total(before), 0.01 * total(before)) << turns;
@@ -105,13 +105,23 @@ PlaneFootprint<double> patch() {
   return plane;
 }
 
-TEST(PlaneFlow, TurnsARoundPatchAsAWholeClockwiseInTheNorth) {
+// Murphree, Cogger and Elphinstone 1989 (abstract): the spirals that Viking saw "always have a
+// counterclockwise sense (viewed in the direction of the magnetic field in the northern hemisphere)". B
+// points down in the north: counter-clockwise seen from above, and clockwise in the south. A charged sheet
+// turns the other way (E x B about an excess of electrons).
+TEST(PlaneFlow, TurnsARoundPatchAsAWholeCounterClockwiseSeenAlongTheFieldAsSpirals) {
   Footprint f;
   f.flow_ripple = 0.0;
-  for (const bool north : {true, false}) {
+  EXPECT_EQ(f.flow_sense, FlowSense::spiral);
+  for (const auto& [north, sense] : {std::pair{true, FlowSense::spiral},
+                                     {false, FlowSense::spiral},
+                                     {true, FlowSense::charge},
+                                     {false, FlowSense::charge}}) {
+    f.flow_sense = sense;
+    const bool clockwise_from_above = north == (sense == FlowSense::charge);
     f.flow_turns = 0.25;
     PlaneFootprint<double> plane = patch();
-    carry(wind_up(plane, f, 1, 0, north, 2), plane, 2);
+    carry(wind_up(plane, f, f.flow_turns, 1, 0, north, 2), plane, 2);
     // The bright energy was in the east; clockwise, seen from above, a quarter turn brings it to the south.
     // Less the mean vorticity of the plane the patch turns slower, by the share of it that the patch takes
     // up: 1964 of 22500 km², 9 %.
@@ -123,15 +133,15 @@ TEST(PlaneFlow, TurnsARoundPatchAsAWholeClockwiseInTheNorth) {
         towards_east += cell * (c - 59.5);
       }
     const double turned = std::atan2(towards_south, towards_east) / (2.0 * M_PI);
-    EXPECT_NEAR(turned, (north ? 1.0 : -1.0) * 0.25 * (1.0 - 1964.0 / 22500.0), 0.01);
+    EXPECT_NEAR(turned, (clockwise_from_above ? 1.0 : -1.0) * 0.25 * (1.0 - 1964.0 / 22500.0), 0.01);
   }
 }
 
 TEST(PlaneFlow, IsTheSameForAnyNumberOfThreads) {
   const Footprint f = arc(0.3);
   PlaneFootprint<double> one = spline_plane(f, kPlain, 1), two = one;
-  carry(wind_up(one, f, 1, 0, true, 1), one, 1);
-  carry(wind_up(two, f, 1, 0, true, 2), two, 2);
+  carry(wind_up(one, f, f.flow_turns, 1, 0, true, 1), one, 1);
+  carry(wind_up(two, f, f.flow_turns, 1, 0, true, 2), two, 2);
   EXPECT_EQ(one.grid.flux_mw_m2, two.grid.flux_mw_m2);
 }
 
@@ -146,7 +156,7 @@ TEST(PlaneFlow, CarriesDerivativesAlong) {
   PlaneFootprint<double> plane = spline_plane(f, kPlain, 2), slope = plane;
   for (std::size_t i = 0; i < slope.grid.cells(); ++i)
     slope.grid.flux_mw_m2[i] = dual.grid.flux_mw_m2[i].d.t[2];
-  const PlaneFlow flow = wind_up(plane, f, 1, 0, true, 2);
+  const PlaneFlow flow = wind_up(plane, f, f.flow_turns, 1, 0, true, 2);
   carry(flow, dual, 1);
   carry(flow, plane, 1);
   carry(flow, slope, 2);
