@@ -233,7 +233,8 @@ int run_animate(const AnimateRequest& request) {
     ProgressBar bar("encoding");
     codec = write_movie(
         options.output, files, frames_per_second, options.overwrite,
-        [&bar](double share) { bar.update(share); }, &watch_for_interrupt());
+        [&bar](double share) { bar.update(share); }, &watch_for_interrupt(),
+        scene.camera.model == sim::LensModel::equirectangular);
   }
   if (codec.empty()) return tell_of_interruption(frames.size(), frames.size());
   remove_animation(names, frames);

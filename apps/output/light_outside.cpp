@@ -12,6 +12,7 @@
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/table/parameter_table.h"
+#include "sim/view/camera/lens.h"
 
 namespace vegard::apps {
 namespace {
@@ -66,6 +67,8 @@ std::string warning_if_out_of_view(const sim::Scene& scene, const sim::Image& ra
       scene.camera.azimuth_deg, scene.camera.elevation_deg);
   text += scene.camera.model == sim::LensModel::pinhole
               ? fmt::format("with {:g}\u00b0 across", scene.camera.hfov_deg)
+          : sim::is_panorama(scene.camera.model)
+              ? fmt::format("its picture {}, all around", sim::word_of(scene.camera.model))
               : fmt::format("its lens {}, {:g} px to a radian", sim::word_of(scene.camera.model),
                             scene.camera.focal_px);
   const double observer_km = scene.site.altitude_m * 1e-3;

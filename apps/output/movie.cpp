@@ -11,6 +11,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
+#include "apps/output/spherical_video.h"
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
 
@@ -78,7 +79,7 @@ bool is_whole(const std::string& file, std::size_t frames, cv::Size size, double
 
 std::string write_movie(const std::string& path, const std::vector<std::string>& pictures,
                         double frames_per_second, bool overwrite, const std::function<void(double)>& progress,
-                        const std::atomic<bool>* stop) {
+                        const std::atomic<bool>* stop, bool all_around) {
   // Both print of their own accord, about codecs that they do not have and files that they cannot read.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);  // FFmpeg's AV_LOG_QUIET
@@ -106,6 +107,7 @@ std::string write_movie(const std::string& path, const std::vector<std::string>&
     if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(pictures.size()));
   }
   writer.release();
+  if (all_around) mark_as_spherical(file.temporary(), path);
   if (!is_whole(file.temporary(), pictures.size(), size, frames_per_second))
     throw trouble(sim::ErrorKind::unwritable_output, path,
                   "cannot be written: what was encoded cannot be read again",

@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "apps/options/refusals.h"
 #include "apps/output/layers.h"
 #include "sim/base/utc_time.h"
@@ -10,6 +12,7 @@
 #include "sim/render/as_seen.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
+#include "sim/view/colour/line_colours.h"
 #include "sim/view/sensor/sensor.h"
 #include "sim/view/sensor/tone_curve.h"
 
@@ -110,6 +113,9 @@ std::string encoded_picture(const std::string& path, const PictureOptions& optio
   sim::ImageAttributes attributes = attributes_of(scene);
   const sim::ImageFormat format = sim::image_format(path);
   if (format == sim::ImageFormat::exr) {
+    // Light for other scenes, on a scale that its readers know.
+    if (scene.camera.model == sim::LensModel::equirectangular)
+      attributes["whiteLuminance"] = fmt::format("{:.9g}", sim::white_luminance_cd_m2(scene));
     attributes["units"] =
         "R, G, B: linear sensor values, white = 1, negative where a line is out of gamut; rayleigh.*: "
         "rayleighs, "

@@ -14,6 +14,7 @@
 #include "fit/measure/smoothing.h"
 #include "sim/base/error.h"
 #include "sim/scene/table/parameter_table.h"
+#include "sim/view/camera/lens.h"
 
 namespace vegard::fit {
 namespace {
@@ -46,6 +47,8 @@ void check_film(const sim::Scene& scene) {
   refuse("film.weight", scene.film.weight, sim::PointWeight::rayleigh, literal);
   refuse("film.splat", scene.film.splat, sim::SplatRule::bilinear, literal);
   refuse("blur.model", scene.blur.model, sim::BlurModel::angle, "the physical blur is for rendering only");
+  if (sim::is_panorama(scene.camera.model))
+    refuse("camera.model", scene.camera.model, sim::LensModel::pinhole, "panoramas are for rendering only");
   for (const sim::Nebula& nebula : scene.nebulae)
     refuse("nebula." + nebula.name + ".method", nebula.method, sim::NebulaMethod::physical,
            "the literal march makes colours, not light that could be compared");

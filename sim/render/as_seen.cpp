@@ -4,10 +4,8 @@
 
 #include <Eigen/LU>
 
-#include "sim/scene/lines/emission_line.h"
 #include "sim/view/colour/colour_table.h"
 #include "sim/view/colour/line_colours.h"
-#include "sim/view/colour/radiometry.h"
 #include "sim/view/sensor/transfer_curve.h"
 
 namespace vegard::sim {
@@ -19,7 +17,7 @@ Eigen::Matrix3d luminous_from_rgb(const Scene& scene) {
   Eigen::Matrix3d matrix;
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) matrix(r, c) = rgb[r][c];
-  return matrix.inverse() * (1e3 * luminance_cd_m2_per_rayleigh(kGreenNm) / gain_per_kilorayleigh(scene));
+  return matrix.inverse() * white_luminance_cd_m2(scene);
 }
 
 }  // namespace

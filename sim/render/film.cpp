@@ -14,6 +14,7 @@
 #include "sim/render/beams/sheet_nodes.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/table/parameter_id.h"
+#include "sim/view/film/panorama.h"
 #include "sim/view/film/tangent_film.h"
 
 namespace vegard::sim {
@@ -64,6 +65,11 @@ FilmGeometry film_for(const Scene& scene, double x_px, double y_px, double width
   film.y0_px = y_px - down * cell_height_px;
   film.columns = static_cast<int>(std::ceil(width_px / cell_width_px)) + 2 * across;
   film.rows = static_cast<int>(std::ceil(height_px / cell_height_px)) + 2 * down;
+  if (scene.camera.model == LensModel::equirectangular && width_px == scene.camera.width &&
+      height_px == scene.camera.height) {
+    film.turn_columns = film.columns - 2 * across;
+    film.turn_rows = film.rows - 2 * down;
+  }
   return film;
 }
 
@@ -146,6 +152,9 @@ struct Exposer::Workspace {
         }
       }
     });
+    if (film.turn_columns > 0)
+      parallel_for(static_cast<std::size_t>(lines), threads,
+                   [&](std::size_t l, int) { close_turn(film, out.rayleigh.data() + l * cells); });
   }
 };
 

@@ -6,6 +6,7 @@
 
 #include "sim/render/air_on_film.h"
 #include "sim/scene/lines/emission_lines.h"
+#include "sim/view/film/panorama.h"
 
 namespace vegard::sim {
 namespace {
@@ -23,14 +24,32 @@ struct BlurInCells {
   BlurKernel slope() const { return gaussian_kernel_derivative(sigma, radius); }
 };
 
+void make_room(const Scene& scene, const Window& window, Image& out) {
+  if (out.width == window.columns && out.height == window.rows &&
+      out.channel_names.size() == scene.emission.lines.size())
+    return;
+  std::vector<std::string> names;
+  for (const double nm : scene.emission.lines) names.push_back(line_name(nm));
+  out = Image(window.columns, window.rows, names);
+}
+
 void blur_by(const std::vector<PlaneBlur>& blurs, const Scene& scene, const FilmGeometry& film,
              const float* planes, const Window& window, int threads, Image& out) {
-  if (out.width != window.columns || out.height != window.rows || out.channel_names.size() != blurs.size()) {
-    std::vector<std::string> names;
-    for (const double nm : scene.emission.lines) names.push_back(line_name(nm));
-    out = Image(window.columns, window.rows, names);
-  }
+  make_room(scene, window, out);
   blur_window(planes, film.rows, film.columns, blurs, window, out.data.data(), threads);
+}
+
+void blur_lines_on_sphere(const Scene& scene, const FilmGeometry& film, const float* planes,
+                          const Window& window, int threads, Image& out) {
+  make_room(scene, window, out);
+  const std::size_t lines = scene.emission.lines.size(), pixels = out.data.size() / lines;
+  std::vector<float> plane(pixels);
+  for (std::size_t l = 0; l < lines; ++l) {
+    const BlurInCells blur(scene, static_cast<int>(l), film.cell_height_px);
+    blur_on_sphere(film, planes + l * film.rows * film.columns, blur.sigma, blur.radius, window, plane.data(),
+                   threads);
+    for (std::size_t i = 0; i < pixels; ++i) out.data[i * lines + l] = plane[i];
+  }
 }
 
 }  // namespace
@@ -55,6 +74,7 @@ PlaneBlur line_blur_slope(const Scene& scene, const FilmGeometry& film, int line
 
 void blur_lines(const Scene& scene, const FilmGeometry& film, const float* planes, const Window& window,
                 int threads, Image& out) {
+  if (film.turn_columns > 0) return blur_lines_on_sphere(scene, film, planes, window, threads, out);
   std::vector<PlaneBlur> blurs;
   for (std::size_t l = 0; l < scene.emission.lines.size(); ++l)
     blurs.push_back(line_blur(scene, film, static_cast<int>(l)));

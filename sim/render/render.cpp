@@ -1,9 +1,12 @@
 #include "sim/render/render.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cmath>
 #include <optional>
 
+#include "sim/base/number/constants.h"
 #include "sim/emit/aurora/motion.h"
 #include "sim/render/air_on_film.h"
 #include "sim/render/beams/sheet_nodes.h"
@@ -15,6 +18,9 @@
 #include "sim/render/volume_layer.h"
 #include "sim/scene/lines/camera_responses.h"
 #include "sim/scene/lines/emission_lines.h"
+#include "sim/view/camera/camera.h"
+#include "sim/view/camera/cube_cameras.h"
+#include "sim/view/camera/cube_map.h"
 #include "sim/view/colour/colour.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/sensor/sensor.h"
@@ -57,6 +63,62 @@ void compose_layers(const Scene& scene, const Rendering& layers, const Image& ni
     add_light(behind, 1.0, rgb);
   }
   if (!layers.foreground.empty()) cover(layers.foreground, rgb);
+}
+
+/// A picture of a cube's face, where the whole one has it.
+void put_face(const Image& of_face, const CubeFace& face, Image& whole) {
+  const int size = of_face.width, x = face.column * size, y = face.row * size;
+  const std::size_t channels = static_cast<std::size_t>(of_face.channels()), run = size * channels;
+  for (int row = 0; row < size; ++row)
+    std::copy_n(of_face.data.begin() + static_cast<std::ptrdiff_t>(row * run), run,
+                whole.data.begin() + static_cast<std::ptrdiff_t>(
+                                         (static_cast<std::size_t>(y + row) * whole.width + x) * channels));
+}
+void put_face(const VolumePictures& of_face, const CubeFace& face, const Scene& scene,
+              VolumePictures& whole) {
+  const auto put = [&](const Image& part, Image& all) {
+    if (part.empty()) return;
+    if (all.empty()) all = dark_lines(scene);
+    put_face(part, face, all);
+  };
+  put(of_face.rayleigh, whole.rayleigh);
+  put(of_face.hidden, whole.hidden);
+}
+
+/// The scene before one of the pinholes that its picture is put together from.
+Scene seen_by_face(const Scene& scene, const CubeFace& face) {
+  Scene one = scene;
+  one.camera = camera_of_face(scene.camera, face);
+  return one;
+}
+
+/// The whole picture's.
+FilmGeometry film_of(const Scene& scene) {
+  return film_for(scene, 0, 0, scene.camera.width, scene.camera.height, 1.0, 1.0);
+}
+
+/// As with_enough_beams() of a panorama: by a fisheye of as many pixels to a degree, which has no seams.
+Scene with_enough_beams_around(const Scene& scene) {
+  constexpr double kHighSite_m = 100e3;
+  Scene fisheye = scene;
+  fisheye.camera = Camera();
+  fisheye.camera.model = LensModel::equidistant;
+  fisheye.camera.focal_px = pixels_per_degree(scene.camera) / kRadiansPerDegree;
+  fisheye.camera.width = fisheye.camera.height = static_cast<int>(std::ceil(kPi * fisheye.camera.focal_px));
+  fisheye.camera.elevation_deg = scene.site.altitude_m > kHighSite_m ? -90.0 : 90.0;
+  Scene enough = scene;
+  enough.sheets = with_enough_beams(fisheye, film_of(fisheye)).sheets;
+  return enough;
+}
+
+/// The stars of a picture: those at a face's edge shine into the next one.
+Image stars_of(const Scene& scene, const std::atomic<bool>* stop) {
+  const std::vector<double> instants = instants_s(scene.time);
+  if (scene.camera.model != LensModel::cube) return star_light(scene, instants, stop);
+  Image all(scene.camera.width, scene.camera.height, {"R", "G", "B"});
+  for (const CubeFace& face : cube_faces(scene.camera.cube_layout))
+    put_face(star_light(seen_by_face(scene, face), instants, stop), face, all);
+  return all;
 }
 
 /// The volumes' light before a lens that the physical blur has no part in: atoms' ways are those of beams.
@@ -105,8 +167,14 @@ Image rayleigh_image(const Scene& scene, const Exposure& exposure, int threads) 
 
 Rendering render(const Scene& as_given, const RenderOptions& options) {
   const int width = as_given.camera.width, height = as_given.camera.height;
-  const FilmGeometry film = film_for(as_given, 0, 0, width, height, 1.0, 1.0);
-  const Scene scene = with_enough_beams(as_given, film);
+  // A cube is six pictures, all on a film of one size.
+  const bool is_cube = as_given.camera.model == LensModel::cube;
+  const std::array<CubeFace, 6> faces = cube_faces(as_given.camera.cube_layout);
+  const Scene scene = is_panorama(as_given.camera.model) ? with_enough_beams_around(as_given)
+                                                         : with_enough_beams(as_given, film_of(as_given));
+  const Scene first_face = is_cube ? seen_by_face(scene, faces.front()) : Scene();
+  const Scene& first = is_cube ? first_face : scene;
+  const FilmGeometry film = film_of(first);
   BeamSampling sampling;
   sampling.path_draw = options.path_draw;
   const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
@@ -127,25 +195,48 @@ Rendering render(const Scene& as_given, const RenderOptions& options) {
     Exposer* exposer = nullptr;
     if (scene.blur.model == BlurModel::angle)
       exposer = options.memory != nullptr ? &options.memory->exposer(film)
-                                          : &own_exposer.emplace(scene, film, options.threads, 0.0, sampling);
-    const auto lines_of = [&](std::size_t n, int only_sheet, std::uint64_t& points) {
+                                          : &own_exposer.emplace(first, film, options.threads, 0.0, sampling);
+    // Of one camera; its volumes, if there are any, are put into `of_volumes`.
+    const auto lines_before = [&](const Scene& view, const std::function<void(double)>& progress,
+                                  int only_sheet, std::uint64_t& points, VolumePictures& of_volumes) {
       if (!exposer) {
-        Image lines = dark_lines(scene);
-        points =
-            add_lines_physically(scene, options.threads, progress_of(n), options.stop, lines, only_sheet);
-        dim_picture_by_air(scene, lines, options.threads);
-        if (only_sheet < 0 && has_volumes(scene) && !stopped())
-          volumes = add_volumes_unblurred(scene, film, options, lines);
+        Image lines = dark_lines(view);
+        points = add_lines_physically(view, options.threads, progress, options.stop, lines, only_sheet);
+        dim_picture_by_air(view, lines, options.threads);
+        if (only_sheet < 0 && has_volumes(view) && !stopped())
+          of_volumes = add_volumes_unblurred(view, film, options, lines);
         return lines;
       }
-      exposer->expose(scene, exposure, progress_of(n), options.stop, only_sheet);
+      exposer->expose(view, exposure, progress, options.stop, only_sheet);
       points = exposure.deflection_points;
       if (stopped()) return Image();
       Image lines;
-      form_lines(scene, exposure, pixels_on(film, scene.camera), options.threads, lines);
+      form_lines(view, exposure, pixels_on(film, view.camera), options.threads, lines);
       if (exposure.volumes.lines > 0)
-        volumes = volume_pictures(scene, film, exposure.volumes, true, options.threads);
+        of_volumes = volume_pictures(view, film, exposure.volumes, true, options.threads);
       return lines;
+    };
+    const auto lines_of = [&](std::size_t n, int only_sheet, std::uint64_t& points) {
+      const std::function<void(double)> progress = progress_of(n);
+      if (!is_cube) return lines_before(scene, progress, only_sheet, points, volumes);
+      Image all = dark_lines(scene);
+      points = 0;
+      for (std::size_t f = 0; f < faces.size(); ++f) {
+        std::uint64_t points_of_face = 0;
+        VolumePictures of_volumes;
+        std::function<void(double)> part;
+        if (progress)
+          part = [&](double share) {
+            progress((static_cast<double>(f) + share) / static_cast<double>(faces.size()));
+          };
+        const Image one = lines_before(f == 0 ? first : seen_by_face(scene, faces[f]), part, only_sheet,
+                                       points_of_face, of_volumes);
+        if (stopped()) return Image();
+        put_face(one, faces[f], all);
+        put_face(of_volumes, faces[f], scene, volumes);
+        points = std::max(points, points_of_face);  // every face is shone at by the same
+      }
+      return all;
     };
     result.rayleigh = lines_of(0, -1, result.deflection_points);
     if (stopped()) return {};
@@ -162,9 +253,10 @@ Rendering render(const Scene& as_given, const RenderOptions& options) {
   if (has_night_sky(scene))
     result.night_sky =
         options.memory != nullptr ? options.memory->night_sky() : night_sky_light(scene, options.threads);
-  if (scene.stars.shown)
-    result.stars = options.memory != nullptr ? options.memory->stars(options.stop)
-                                             : star_light(scene, instants_s(scene.time), options.stop);
+  if (scene.stars.shown && (options.memory == nullptr || is_cube))
+    result.stars = stars_of(scene, options.stop);
+  else if (scene.stars.shown)
+    result.stars = options.memory->stars(options.stop);
   if (stopped()) return {};
   if (options.pictures != nullptr && !options.pictures->background.empty()) {
     result.background = Image(width, height, {"R", "G", "B"});

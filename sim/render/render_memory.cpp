@@ -23,7 +23,8 @@ std::set<std::string> lights_and(std::set<std::string> others) {
 
 bool same_film(const FilmGeometry& a, const FilmGeometry& b) {
   return a.x0_px == b.x0_px && a.y0_px == b.y0_px && a.cell_width_px == b.cell_width_px &&
-         a.cell_height_px == b.cell_height_px && a.columns == b.columns && a.rows == b.rows;
+         a.cell_height_px == b.cell_height_px && a.columns == b.columns && a.rows == b.rows &&
+         a.turn_columns == b.turn_columns;
 }
 
 /// These, and the tables of all that is marched.

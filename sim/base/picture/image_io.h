@@ -14,9 +14,9 @@
 
 namespace vegard::sim {
 
-/// Words that travel with an image. Two keys have a meaning: "DateTime" (ISO 8601 or EXIF style; the time of
-/// the scene, never of the writing) and "ImageDescription". Numbers are given as text: OpenImageIO drops
-/// 64-bit integers.
+/// Words that travel with an image. Some keys have a meaning: "DateTime" (ISO 8601 or EXIF style; the time of
+/// the scene, never of the writing), "ImageDescription" and, in an EXR, "whiteLuminance" (cd m^-2 of a value
+/// of 1 in R, G and B). Numbers are given as text: OpenImageIO drops 64-bit integers.
 using ImageAttributes = std::map<std::string, std::string>;
 
 enum class ImageFormat { exr, png, tiff, jpeg };
@@ -26,7 +26,7 @@ ImageFormat image_format(const std::string& path);
 
 /// The channels of all images, which have one size and no channel name in common, as the bytes of one EXR:
 /// 32-bit float, ZIP (lossless). A name with a dot, "rayleigh.630.0", makes a layer of what stands before its
-/// last dot in programs that show layers. Attributes other than the two above are stored as "vegard:<key>",
+/// last dot in programs that show layers. Attributes other than those above are stored as "vegard:<key>",
 /// out of the way of EXR's own names. Throws Error(unwritable_output), with `name` as the file it is about,
 /// if the encoder gives up.
 std::string encode_exr(const std::vector<const Image*>& images, const ImageAttributes& attributes,

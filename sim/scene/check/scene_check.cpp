@@ -179,14 +179,65 @@ void check_response(const Scene& scene) {
 void check_blur(const Scene& scene) {
   if (scene.blur.model != BlurModel::physical) return;
   const Camera& c = scene.camera;
-  const bool is_plain = c.model == LensModel::pinhole && c.k1 == 0.0 && c.k2 == 0.0 && c.k3 == 0.0 &&
-                        c.p1 == 0.0 && c.p2 == 0.0 && c.aspect == 1.0 && !c.mirrored &&
-                        c.principal_x_px == 0.0 && c.principal_y_px == 0.0;
+  // A cube's faces are pinholes too.
+  const bool is_plain = (c.model == LensModel::pinhole || c.model == LensModel::cube) && c.k1 == 0.0 &&
+                        c.k2 == 0.0 && c.k3 == 0.0 && c.p1 == 0.0 && c.p2 == 0.0 && c.aspect == 1.0 &&
+                        !c.mirrored && c.principal_x_px == 0.0 && c.principal_y_px == 0.0;
   if (!is_plain)
     complain(
         {"the physical blur is drawn by a pinhole without distortion only, its axis in the picture's middle",
          "blur.model = \"angle\" with this camera", ""},
         {scene.file, 0, "blur.model"});
+}
+
+/// Panoramas have a shape of their own, and no lens to shift, to bend or to darken: what would be ignored is
+/// refused.
+void check_panorama(const Scene& scene) {
+  const Camera& c = scene.camera;
+  const bool is_cube = c.model == LensModel::cube;
+  if (!is_cube && c.model != LensModel::equirectangular) return;
+  const std::string size = std::to_string(c.width) + " x " + std::to_string(c.height) + " pixels";
+  if (!is_cube && c.width != 2 * c.height)
+    complain({"an equirectangular picture is twice as wide as high, not " + size,
+              "camera.width = 2 camera.height", "such as 2048 x 1024"},
+             {scene.file, 0, "camera.width"});
+  if (is_cube) {
+    const auto [columns, rows] = c.cube_layout == CubeLayout::cross   ? std::pair(4, 3)
+                                 : c.cube_layout == CubeLayout::strip ? std::pair(6, 1)
+                                                                      : std::pair(3, 2);
+    if (c.height % rows != 0 || c.width * rows != c.height * columns)
+      complain({"this layout of a cube is " + std::to_string(columns) + " faces wide and " +
+                    std::to_string(rows) + " high, not " + size,
+                "square faces of whole pixels",
+                "such as " + std::to_string(512 * columns) + " x " + std::to_string(512 * rows)},
+               {scene.file, 0, "camera.width"});
+  }
+  const Camera none;
+  const auto refuse = [&](const std::string& key, bool is_set) {
+    if (!is_set) return;
+    complain({"a panorama has no " + key, "camera." + key + " as it is without being set", ""},
+             {scene.file, 0, "camera." + key});
+  };
+  refuse("principal_x_px", c.principal_x_px != none.principal_x_px);
+  refuse("principal_y_px", c.principal_y_px != none.principal_y_px);
+  refuse("aspect", c.aspect != none.aspect);
+  refuse("k1", c.k1 != none.k1);
+  refuse("k2", c.k2 != none.k2);
+  refuse("k3", c.k3 != none.k3);
+  refuse("p1", c.p1 != none.p1);
+  refuse("p2", c.p2 != none.p2);
+  refuse("mirrored", is_cube && c.mirrored);
+  const auto refuse_elsewhere = [&](const std::string& key, bool is_set, const std::string& problem) {
+    if (!is_set) return;
+    complain({problem, key + " as it is without being set", ""}, {scene.file, 0, key});
+  };
+  const Sensor& sensor = scene.sensor;
+  refuse_elsewhere("sensor.vignetting_cos_power", sensor.vignetting_cos_power != 0.0,
+                   "a panorama has no corners to darken");
+  refuse_elsewhere("sensor.vignetting", sensor.vignetting != Sensor().vignetting,
+                   "a panorama has no corners to darken");
+  refuse_elsewhere("march.depth", !scene.march.depth.empty(), "a panorama takes no picture of depths");
+  refuse_elsewhere("march.glow", scene.march.glow != 0.0, "glow would end at a panorama's seams");
 }
 
 /// What such a file has to hold is checked where it is used.
@@ -302,6 +353,7 @@ void validate(const Scene& scene) {
   check_courses(scene);
   check_response(scene);
   check_blur(scene);
+  check_panorama(scene);
   check_profile_files(scene);
   check_sensor(scene);
   check_splines(scene);

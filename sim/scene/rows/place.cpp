@@ -32,8 +32,11 @@ std::vector<Declaration> place_rows() {
           .means("longitude of the dipole's northern pole, east positive"),
 
       Row("camera", "model", &Scene::camera, &Camera::model)
-          .one_of<LensModel>({{"pinhole", LensModel::pinhole}, {"equidistant", LensModel::equidistant}, {"equisolid", LensModel::equisolid}, {"stereographic", LensModel::stereographic}, {"orthographic", LensModel::orthographic}, {"polynomial", LensModel::polynomial}})
+          .one_of<LensModel>({{"pinhole", LensModel::pinhole}, {"equidistant", LensModel::equidistant}, {"equisolid", LensModel::equisolid}, {"stereographic", LensModel::stereographic}, {"orthographic", LensModel::orthographic}, {"polynomial", LensModel::polynomial}, {"equirectangular", LensModel::equirectangular}, {"cube", LensModel::cube}})
           .means("projection of the lens"),
+      Row("camera", "cube_layout", &Scene::camera, &Camera::cube_layout)
+          .one_of<CubeLayout>({{"cross", CubeLayout::cross}, {"strip", CubeLayout::strip}, {"grid", CubeLayout::grid}})
+          .means("how the picture holds the faces of a \"cube\": 4 by 3, 6 by 1 or 3 by 2"),
       Row("camera", "width", &Scene::camera, &Camera::width).in("px").within(1, 65535).means("width of the image"),
       Row("camera", "height", &Scene::camera, &Camera::height).in("px").within(1, 65535).means("height of the image"),
       Row("camera", "hfov_deg", &Scene::camera, &Camera::hfov_deg).called("field of view").as(ParameterRole::field_of_view).in("deg").within(0.1, 170).may_be_free(ParameterScale::linear)

@@ -60,11 +60,28 @@ struct Substorm {
 };
 
 /// The projection of a lens: a pinhole with Brown's distortion, a polynomial with terms of the angle off the
-/// axis (sim/view/camera/lens.h).
-enum class LensModel { pinhole, equidistant, equisolid, stereographic, orthographic, polynomial };
+/// axis (sim/view/camera/lens.h); and the panoramas that hold all directions, a map by longitude and latitude
+/// or the six faces of a cube.
+enum class LensModel {
+  pinhole,
+  equidistant,
+  equisolid,
+  stereographic,
+  orthographic,
+  polynomial,
+  equirectangular,
+  cube
+};
+
+/// How a picture holds the six faces of a cube (sim/view/camera/cube_map.h).
+enum class CubeLayout {
+  cross,  ///< four by three
+  strip,  ///< six by one
+  grid    ///< three by two
+};
 
 /// A camera: a lens (sim/view/camera/lens.h) before pixels. Each lens has its own measure of scale: a pinhole
-/// its field of view, all others focal_px.
+/// its field of view, panoramas the picture's size, all others focal_px.
 struct Camera {
   LensModel model = LensModel::pinhole;
   int width = 720;
@@ -85,6 +102,7 @@ struct Camera {
   /// How many of those pixels that focal_px and the principal point are in a pixel of the picture (width by
   /// height) is wide and high. No file says so: sim/view/camera/scaled_camera.h does.
   double pixel_width_px = 1.0, pixel_height_px = 1.0;
+  CubeLayout cube_layout = CubeLayout::cross;  ///< of the model "cube"
 };
 
 /// One sheet of precipitating electrons, or a system of like ones side by side (rows B1-B17, B28-B29 of the
@@ -120,7 +138,8 @@ struct Sheet {
   double beams_per_km = 0.0;  ///< if not 0, the number of beams follows from the length
   PathStepRule step_rule = PathStepRule::given;
   PathRule path_rule = PathRule::even;
-  double points_per_px = 0.0;  ///< render() draws more beams where a layer has fewer deflection points a pixel
+  double points_per_px =
+      0.0;  ///< render() draws more beams where a layer has fewer deflection points a pixel
 
   int arcs = 1;                  ///< like sheets side by side
   double arc_spacing_km = 30.0;  ///< between them

@@ -109,6 +109,8 @@ void enu_of_direction(const Direction& direction, double enu[3]) {
 }
 
 double pixels_per_degree(const Camera& camera) {
+  if (camera.model == LensModel::equirectangular) return camera.width / 360.0;
+  if (camera.model == LensModel::cube) return face_px(camera) / 90.0;
   return camera.model == LensModel::pinhole ? camera.width / camera.hfov_deg
                                             : camera.focal_px / camera.pixel_width_px * kRadiansPerDegree;
 }

@@ -20,6 +20,9 @@ struct FilmGeometry {
   /// Of wide cells: over how many pixels about the border of two cells light goes over from one to the other.
   /// 0: from centre to centre.
   double ramp_px = 0.0;
+  /// Of a film that goes around all of an equirectangular picture: how many of its columns are 360 degrees
+  /// and of its rows 180 degrees, what is beyond them a margin. 0: it does not.
+  int turn_columns = 0, turn_rows = 0;
 };
 
 /// The numbers of a camera that a picture changes with, and that a fit may free.
@@ -90,6 +93,13 @@ CameraView<T> camera_view(const Camera& camera, const Number& number) {
   lens.p2 = number(p2_number);
   lens.side = camera.mirrored ? -1.0 : 1.0;
   lens.least_cosine = least_cosine(lens.model, camera.k1, camera.k2, camera.k3);
+  if (is_panorama(lens.model)) {
+    lens.focal_px = T(lens.model == LensModel::cube ? 0.5 * face_px(camera) : camera.width / (2.0 * kPi));
+    lens.aspect = T(lens.model == LensModel::cube ? 1.0 : 2.0 * camera.height / camera.width);
+    lens.principal_x_px = T(0.5 * camera.width);
+    lens.principal_y_px = T(0.5 * camera.height);
+    lens.cube_layout = camera.cube_layout;
+  }
   return view;
 }
 
@@ -131,7 +141,7 @@ Direction direction_of_enu(const double enu[3]);
 void enu_of_direction(const Direction& direction, double enu[3]);
 
 /// Pixels to a degree: of a pinhole the mean across the picture, width / hfov_deg; of others that on the
-/// axis.
+/// axis, of panoramas the mean along a level line.
 double pixels_per_degree(const Camera& camera);
 
 /// The camera's number that pixels_per_degree() hangs on has this share in it: d ln pixels_per_degree / d

@@ -42,6 +42,7 @@ std::vector<Vec3<double>> border(const Lens<double>& lens, double left, double t
 
 FilmEdges film_edges(const Lens<double>& lens, const FilmGeometry& film) {
   FilmEdges edges;
+  if (is_panorama(lens.model)) return edges;
   const double left = film.x0_px - film.cell_width_px, top = film.y0_px - film.cell_height_px;
   const double right = film.x0_px + (film.columns + 1) * film.cell_width_px;
   const double bottom = film.y0_px + (film.rows + 1) * film.cell_height_px;

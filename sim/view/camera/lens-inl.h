@@ -7,6 +7,7 @@
 #define VEGARD_SIM_VIEW_LENS_INL_H_
 #endif
 
+#include "sim/base/number/arctangent-inl.h"
 #include "sim/base/number/dual-inl.h"
 #include "sim/base/number/lanes-inl.h"
 #include "sim/light/sample.h"
@@ -33,7 +34,8 @@ class LensFilm {
     spread(lens.k3, k3_);
     spread(lens.p1, p1_);
     spread(lens.p2, p2_);
-    if (pinhole_) return;
+    equirectangular_ = lens.model == LensModel::equirectangular;
+    if (pinhole_ || equirectangular_) return;
     const LensSeries<LocalDual> series = lens_series(lens, widest_angle_rad(values_of(lens), film));
     terms_ = series.terms;
     most_q_ = series.most_q;
@@ -50,7 +52,14 @@ class LensFilm {
     const P length2 = right * right + down * down + forward * forward;
     const P length = square_root(length2);
     P x, y, per_steradian;
-    if (pinhole_) {
+    if (equirectangular_) {
+      // As if every row were as wide as the equator: what a film has caught is divided by the true width of
+      // its rows later (sim/view/film/panorama.h), which keeps the light's sum and knows no pole.
+      seen_at_all = L(1e-6f) < value_of(length2);
+      x = arctangent(right, forward);
+      y = arctangent(down, square_root(right * right + forward * forward));
+      per_steradian = P(L(1.0f)) / length2;
+    } else if (pinhole_) {
       seen_at_all = L(1e-3f) < value_of(forward) && value_of(length) * L(least_cosine_) < value_of(forward);
       const P inverse = L(1.0f) / forward;
       x = right * inverse;
@@ -103,7 +112,7 @@ class LensFilm {
   }
 
   PlaceOnFilm<C> place_;
-  bool pinhole_ = false;
+  bool pinhole_ = false, equirectangular_ = false;
   int terms_ = 0;
   double least_cosine_ = 0.0, most_q_ = 0.0;
   C k1_, k2_, k3_, p1_, p2_;

@@ -73,8 +73,34 @@ double angle_of_radius(const Lens<double>& lens, double radius) {
     case LensModel::polynomial:
       theta = undo_radial(lens, radius, end);
       break;
+    case LensModel::equirectangular:
+    case LensModel::cube:
+      return -1.0;  // no radius tells where these look
   }
   return theta < end ? theta : -1.0;
+}
+
+bool unproject_panorama(const Lens<double>& lens, double x_px, double y_px, double in_camera[3]) {
+  if (lens.model == LensModel::equirectangular) {
+    // Beyond a pole the cosine of the latitude is negative, and the direction is that on the other side.
+    const double longitude = (x_px - lens.principal_x_px) / (lens.focal_px * lens.side);
+    const double below = (y_px - lens.principal_y_px) / (lens.focal_px * lens.aspect);
+    in_camera[0] = std::cos(below) * std::sin(longitude);
+    in_camera[1] = std::sin(below);
+    in_camera[2] = std::cos(below) * std::cos(longitude);
+    return true;
+  }
+  const double edge = 2.0 * lens.focal_px, column = std::floor(x_px / edge), row = std::floor(y_px / edge);
+  for (const CubeFace& face : cube_faces(lens.cube_layout)) {
+    if (face.column != column || face.row != row) continue;
+    const double right = x_px / lens.focal_px - (2.0 * column + 1.0),
+                 down = y_px / lens.focal_px - (2.0 * row + 1.0);
+    const double scale = 1.0 / std::sqrt(1.0 + right * right + down * down);
+    for (int i = 0; i < 3; ++i)
+      in_camera[i] = scale * (face.right[i] * right + face.down[i] * down + face.forward[i]);
+    return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -90,12 +116,16 @@ double least_cosine(LensModel model, double k1, double k2, double k3) {
       return 0.0;
     case LensModel::polynomial:
       return std::cos(first_fold(k1, k2, k3, kFarthestOff));
+    case LensModel::equirectangular:
+    case LensModel::cube:
+      return -1.0;
     default:
       return std::cos(kFarthestOff);
   }
 }
 
 bool unproject(const Lens<double>& lens, double x_px, double y_px, double in_camera[3]) {
+  if (is_panorama(lens.model)) return unproject_panorama(lens, x_px, y_px, in_camera);
   const double x_seen = (x_px - lens.principal_x_px) / (lens.focal_px * lens.side);
   const double y_seen = (y_px - lens.principal_y_px) / (lens.focal_px * lens.aspect);
   if (is_plain_pinhole(lens)) {
@@ -190,6 +220,7 @@ PlaceSlopes place_slopes(const Lens<double>& lens, const double direction[3]) {
   dual.p2 = lens.p2;
   dual.side = lens.side;
   dual.least_cosine = lens.least_cosine;
+  dual.cube_layout = lens.cube_layout;
   Two there[3], x(0.0), y(0.0);
   for (int i = 0; i < 3; ++i) {
     there[i] = direction[i];

@@ -9,14 +9,21 @@
 // place (x, y), in units of focal_px and before the radial terms of a pinhole, by (2 p1 x y + p2 (r^2 + 2
 // x^2), p1 (r^2 + 2 y^2) + 2 p2 x y), in every lens.
 //
+// Two panoramas hold every direction. Equirectangular: x is the longitude, to the right of the camera's
+// forward direction, and y the latitude below its level, both in proportion to the angle; the picture is 360
+// degrees wide and 180 high, and goes on beyond its edges: on the right with its left, above with what is
+// beyond the pole. Cube: six pinholes of 90 degrees (sim/view/camera/cube_map.h).
+//
 // Camera axes are right, down, forward; pixels are those of docs/architecture.md: the centre of the first one
 // is at (0.5, 0.5). T is double or a dual number over it (sim/base/number/dual.h).
 #pragma once
 
 #include <cmath>
 
+#include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/scene/structs/scene.h"
+#include "sim/view/camera/cube_map.h"
 
 namespace vegard::sim {
 
@@ -31,7 +38,13 @@ struct Lens {
   /// What is farther off the axis than this has no image: the lens's own end, or where its radial terms would
   /// fold the picture back.
   double least_cosine = 0.0;
+  CubeLayout cube_layout = CubeLayout::cross;  ///< of a cube, whose focal_px is half of a face's edge
 };
+
+/// Whether a picture holds every direction.
+inline bool is_panorama(LensModel model) {
+  return model == LensModel::equirectangular || model == LensModel::cube;
+}
 
 /// Whether the lens is a pinhole without any distortion.
 template <class T>
@@ -44,7 +57,7 @@ bool is_plain_pinhole(const Lens<T>& lens) {
 /// degrees off the axis.
 double least_cosine(LensModel model, double k1, double k2, double k3);
 
-/// rho(theta); of a pinhole with its radial terms.
+/// rho(theta); of a pinhole with its radial terms. Not of a panorama.
 template <class T>
 T radius_of_angle(const Lens<T>& lens, const T& theta) {
   switch (lens.model) {
@@ -61,6 +74,8 @@ T radius_of_angle(const Lens<T>& lens, const T& theta) {
       return r * (r2 * (r2 * (r2 * lens.k3 + lens.k2) + lens.k1) + T(1.0));
     }
     case LensModel::equidistant:
+    case LensModel::equirectangular:
+    case LensModel::cube:
       break;
   }
   return theta;
@@ -74,10 +89,38 @@ void decentring(const Lens<T>& lens, const T& x, const T& y, T& shift_x, T& shif
   shift_y = lens.p1 * (r2 + y * y * 2.0) + lens.p2 * xy;
 }
 
+/// project() of a panorama.
+template <class T>
+void project_panorama(const Lens<T>& lens, const T in_camera[3], T& x_px, T& y_px) {
+  const T &right = in_camera[0], &down = in_camera[1], &forward = in_camera[2];
+  if (lens.model == LensModel::cube) {
+    const double towards[3] = {value_of(right), value_of(down), value_of(forward)};
+    const CubeFace face = face_towards(lens.cube_layout, towards);
+    const auto along = [&](const std::array<double, 3>& axis) {
+      return right * axis[0] + down * axis[1] + forward * axis[2];
+    };
+    const T depth = along(face.forward);
+    x_px = (along(face.right) / depth + (2.0 * face.column + 1.0)) * lens.focal_px;
+    y_px = (along(face.down) / depth + (2.0 * face.row + 1.0)) * lens.focal_px;
+    return;
+  }
+  const T level2 = right * right + forward * forward;
+  const bool at_pole = !(value_of(level2) > 0.0);
+  const T longitude = at_pole ? T(0.0) : arctangent(right, forward);
+  const T below =
+      at_pole ? T(value_of(down) > 0.0 ? 0.5 * kPi : -0.5 * kPi) : arctangent(down, square_root(level2));
+  x_px = lens.principal_x_px + longitude * lens.focal_px * lens.side;
+  y_px = lens.principal_y_px + below * lens.focal_px * lens.aspect;
+}
+
 /// Where the direction (of any length but 0) is seen; false, and nothing told, if the lens has no image of
 /// it.
 template <class T>
 bool project(const Lens<T>& lens, const T in_camera[3], T& x_px, T& y_px) {
+  if (is_panorama(lens.model)) {
+    project_panorama(lens, in_camera, x_px, y_px);
+    return true;
+  }
   const T &right = in_camera[0], &down = in_camera[1], &forward = in_camera[2];
   const T across2 = right * right + down * down;
   const double length = std::sqrt(value_of(across2) + value_of(forward) * value_of(forward));
@@ -140,6 +183,7 @@ Lens<double> values_of(const Lens<T>& lens) {
   plain.p2 = value_of(lens.p2);
   plain.side = lens.side;
   plain.least_cosine = lens.least_cosine;
+  plain.cube_layout = lens.cube_layout;
   return plain;
 }
 

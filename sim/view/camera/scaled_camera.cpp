@@ -3,9 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/view/camera/cube_map.h"
+#include "sim/view/camera/lens.h"
+
 namespace vegard::sim {
 
 PictureSize size_within(const Camera& camera, const PictureSize& most) {
+  if (is_panorama(camera.model)) {
+    // Their shape is exact: in whole faces, or halves.
+    const CubeSize parts = camera.model == LensModel::cube ? cube_size(camera.cube_layout) : CubeSize{2, 1};
+    const int edge =
+        std::min({camera.height / parts.rows, most.height / parts.rows, most.width / parts.columns});
+    return {parts.columns * std::max(1, edge), parts.rows * std::max(1, edge)};
+  }
   const double scale = std::min({1.0, static_cast<double>(most.width) / camera.width,
                                  static_cast<double>(most.height) / camera.height});
   return {std::max(1, static_cast<int>(std::lround(camera.width * scale))),

@@ -9,8 +9,8 @@ struct PictureSize {
   int width = 0, height = 0;
 };
 
-/// The largest size of the camera's shape, to the nearest pixel, within `most`, and never larger than the
-/// camera's own.
+/// The largest size of the camera's shape, to the nearest pixel (of a panorama exactly), within `most`, and
+/// never larger than the camera's own.
 PictureSize size_within(const Camera& camera, const PictureSize& most);
 
 /// The camera with another number of pixels: what it saw at (x, y) stands at (x w' / w, y h' / h). Where the

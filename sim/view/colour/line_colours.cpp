@@ -2,6 +2,7 @@
 
 #include "sim/scene/lines/camera_responses.h"
 #include "sim/scene/lines/emission_lines.h"
+#include "sim/view/colour/radiometry.h"
 #include "sim/view/colour/sensor_response.h"
 #include "sim/view/colour/sensor_scale.h"
 
@@ -15,6 +16,10 @@ double gain_per_kilorayleigh(const Scene& scene) {
                                                                  response.rgb_per_kilorayleigh(kGreenNm))[1];
   const double white_e = sensor_scale(scene.sensor, scene.time).white_e;
   return green_electrons_per_kilorayleigh(scene.sensor, scene.time) / (white_e * raw_green);
+}
+
+double white_luminance_cd_m2(const Scene& scene) {
+  return 1e3 * luminance_cd_m2_per_rayleigh(kGreenNm) / gain_per_kilorayleigh(scene);
 }
 
 std::vector<Vector3> line_colours_at_unit_gain(const Scene& scene) {

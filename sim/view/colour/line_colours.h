@@ -12,6 +12,9 @@ namespace vegard::sim {
 /// exposure "camera" that which gives a green pixel its electrons (sim/view/colour/sensor_scale.h).
 double gain_per_kilorayleigh(const Scene& scene);
 
+/// cd m^-2 of a linear sensor value of 1 in every channel, by that scale.
+double white_luminance_cd_m2(const Scene& scene);
+
 /// Linear, signed RGB per kilorayleigh of every line of the scene, at a gain_per_kilorayleigh of 1.
 std::vector<Vector3> line_colours_at_unit_gain(const Scene& scene);
 

@@ -45,7 +45,13 @@ std::string encode_exr(const std::vector<const Image*>& images, const ImageAttri
   spec.channelnames = names;
   spec.attribute("compression", "zip");
   spec.attribute("DateTime", exif_time(value_or_empty(attributes, "DateTime")));
-  describe_in_own_keys(spec, attributes);
+  ImageAttributes own = attributes;
+  // One of EXR's own: how many cd m^-2 a value of 1 in R, G and B is.
+  if (const auto white = own.find("whiteLuminance"); white != own.end()) {
+    spec.attribute("whiteLuminance", std::stof(white->second));
+    own.erase(white);
+  }
+  describe_in_own_keys(spec, own);
   return encode("image.exr", name, spec, pixels);
 }
 
