@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes data/stars/bright_stars.csv: the stars to magnitude 4.5 with the numbers of the Hipparcos catalogue.
+"""Makes data/stars/bright_stars.csv: the stars to magnitude 6 with the numbers of the Hipparcos catalogue.
 
   apt-get download kstars-data && dpkg-deb -x kstars-data_*.deb kstars
   npm pack d3-celestial && tar xzf d3-celestial-*.tgz
@@ -15,7 +15,7 @@ import math
 import struct
 import sys
 
-FAINTEST = 4.5
+FAINTEST = 6.0
 YEARS_TO_2000 = 8.75
 RECORDS_BEGIN = 6458  # after the header of 305 bytes and the index of the 512 fields of the sky
 RECORD = struct.Struct("<iiiiiihh2sBB")
@@ -64,12 +64,15 @@ def main(kstars, celestial, output):
         name = names.get(str(hip), {"bayer": "", "flam": "", "name": "", "hd": ""})
         hd = name["hd"].split()[-1] if name.get("hd") else ""
         rows.append((magnitude, hip, hd, designation(name), name["name"], east % 360, north, *near[2:],
-                     float(star["properties"]["bv"])))
+                     star["properties"].get("bv") or ""))
     rows.sort()
     with open(output, "w") as out:
-        out.write("hip,hd,designation,name,ra_deg,dec_deg,pm_ra_mas_per_year,pm_dec_mas_per_year,magnitude,b_v\n")
-        for magnitude, hip, hd, letter, name, ra, dec, pm_ra, pm_dec, b_v in rows:
-            out.write(f"{hip},{hd},{letter},{name},{ra:.4f},{dec:.4f},{pm_ra:.1f},{pm_dec:.1f},{magnitude:.2f},{b_v:.3f}\n")
+        out.write("hip,hd,designation,name,ra_deg,dec_deg,pm_ra_mas_per_year,pm_dec_mas_per_year,magnitude,"
+                  "colour_index\n")
+        for magnitude, hip, hd, letter, name, ra, dec, pm_ra, pm_dec, colour in rows:
+            colour = f"{float(colour):.2f}" if colour != "" else ""
+            out.write(f"{hip},{hd},{letter},{name},{ra:.4f},{dec:.4f},{pm_ra:.1f},{pm_dec:.1f},{magnitude:.2f},"
+                      f"{colour}\n")
     print(f"{len(rows)} stars, {len(still)} of them without a motion: HIP {', '.join(map(str, sorted(still)))}")
 
 

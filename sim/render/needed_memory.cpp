@@ -8,6 +8,7 @@
 #include "sim/render/film.h"
 #include "sim/render/volumes/volumes.h"
 #include "sim/view/sky/night_sky.h"
+#include "sim/view/sky/stars.h"
 
 namespace vegard::sim {
 namespace {
@@ -46,7 +47,7 @@ double render_bytes(const Scene& scene, int threads, const RenderingUse& use) {
   // After it: lines (twice, once to be written), the aurora, and all of it together.
   double of_pixel = 2.0 * of_lines + 2.0 * of_colours + of_sheets + use.bytes_per_px;
   if (has_night_sky(scene)) of_pixel += 2.0 * of_colours;
-  if (scene.stars.shown) of_pixel += of_colours;
+  if (has_stars(scene)) of_pixel += of_colours;
   if (!scene.composite.background.empty()) of_pixel += 2.0 * of_colours + kFloatBytes;
   if (!scene.composite.foreground.empty()) of_pixel += 2.0 * (of_colours + kFloatBytes);
   if (has_volumes(scene)) of_pixel += 2.0 * of_lines + 3.0 * of_colours + kFloatBytes;

@@ -112,12 +112,12 @@ Scene with_enough_beams_around(const Scene& scene) {
 }
 
 /// The stars of a picture: those at a face's edge shine into the next one.
-Image stars_of(const Scene& scene, const std::atomic<bool>* stop) {
+Image stars_of(const Scene& scene, const std::atomic<bool>* stop, int threads) {
   const std::vector<double> instants = instants_s(scene.time);
-  if (scene.camera.model != LensModel::cube) return star_light(scene, instants, stop);
+  if (scene.camera.model != LensModel::cube) return star_light(scene, instants, stop, threads);
   Image all(scene.camera.width, scene.camera.height, {"R", "G", "B"});
   for (const CubeFace& face : cube_faces(scene.camera.cube_layout))
-    put_face(star_light(seen_by_face(scene, face), instants, stop), face, all);
+    put_face(star_light(seen_by_face(scene, face), instants, stop, threads), face, all);
   return all;
 }
 
@@ -253,9 +253,9 @@ Rendering render(const Scene& as_given, const RenderOptions& options) {
   if (has_night_sky(scene))
     result.night_sky =
         options.memory != nullptr ? options.memory->night_sky() : night_sky_light(scene, options.threads);
-  if (scene.stars.shown && (options.memory == nullptr || is_cube))
-    result.stars = stars_of(scene, options.stop);
-  else if (scene.stars.shown)
+  if (has_stars(scene) && (options.memory == nullptr || is_cube))
+    result.stars = stars_of(scene, options.stop, options.threads);
+  else if (has_stars(scene))
     result.stars = options.memory->stars(options.stop);
   if (stopped()) return {};
   if (options.pictures != nullptr && !options.pictures->background.empty()) {

@@ -24,7 +24,7 @@ struct RenderOptions {
   /// aurora.
   const CompositePictures* pictures = nullptr;
   std::uint64_t path_draw = 0;  ///< other paths of the same beams (BeamSampling in sim/render/film.h)
-  bool sheet_layers = false;  ///< each sheet by itself as well, for twice the work
+  bool sheet_layers = false;    ///< each sheet by itself as well, for twice the work
   /// What is kept from one picture to the next (sim/render/render_memory.h). The picture does not depend on
   /// it.
   RenderMemory* memory = nullptr;
@@ -42,12 +42,12 @@ struct Rendering {
                    ///< rayleighs, as they reach the camera: what the air takes is gone
   Image aurora;    ///< linear RGB of the aurora alone through the sensor, signed where a line is out of gamut
   Image rgb;       ///< linear, signed: foreground + (1 - mask) (aurora + behind), where `behind` is sky +
-                   ///< night_sky + background + stars, of which `literal` and then `hidden` hide their shares
+              ///< night_sky + background + stars, of which `literal` and then `hidden` hide their shares
   std::uint64_t deflection_points = 0;
 
-  Image night_sky;   ///< linear RGB of airglow, twilight and light pollution; empty: none
+  Image night_sky;   ///< linear RGB of airglow, twilight, light pollution and moonlit air; empty: none
   Image background;  ///< linear RGB of the picture behind the aurora, times its gain; empty: none
-  Image stars;       ///< linear RGB; empty: none
+  Image stars;       ///< linear RGB, with planets, the Moon and the Milky Way; empty: none
   Image foreground;  ///< linear R, G, B times its gain and its mask, and A, the mask; empty: none
   Image volume;   ///< what volumes are in all of this: R, G, B, multiplied by A (sim/render/volume_layer.h);
                   ///< their rayleighs' light is in `aurora` too; empty: no volumes

@@ -14,7 +14,7 @@ namespace {
 
 /// That a picture's light is put together from what shines, and has no part in that.
 const std::set<std::string> kLights = {"sky",       "air",   "airglow", "twilight", "light_pollution",
-                                       "composite", "stars", "fit"};
+                                       "composite", "stars", "moon",    "ground",   "fit"};
 
 std::set<std::string> lights_and(std::set<std::string> others) {
   others.insert(kLights.begin(), kLights.end());
@@ -76,9 +76,9 @@ Exposer& RenderMemory::exposer(const FilmGeometry& film) {
 }
 
 const Image& RenderMemory::stars(const std::atomic<bool>* stop) {
-  if (!is_good(stars_, volumes_and({"sheet", "sky", "composite", "fit"}))) {
+  if (!is_good(stars_, volumes_and({"sheet", "sky", "composite", "ground", "fit"}))) {
     stars_ = {};
-    Image light = star_light(*scene_, instants_s(scene_->time), stop);
+    Image light = star_light(*scene_, instants_s(scene_->time), stop, threads_);
     stars_.value = std::move(light);
     stars_.threads = threads_;
     if (stop == nullptr || !stop->load()) stars_.made_for = *scene_;  // else stars are missing
@@ -87,12 +87,13 @@ const Image& RenderMemory::stars(const std::atomic<bool>* stop) {
 }
 
 const Image& RenderMemory::night_sky() {
-  // Of the time the sensor's exposure alone.
+  // Of the time the sensor's exposure alone, unless the sky follows it.
+  std::set<std::string> others = volumes_and({"sheet", "composite", "ground", "fit"});
+  if (!night_sky_moves(*scene_)) others.insert({"stars", "moon", "time"});
   const auto same_exposure = [&](const Time& time) {
     return time.exposure_s == scene_->time.exposure_s && time.instants == scene_->time.instants;
   };
-  if (!is_good(night_sky_, volumes_and({"sheet", "composite", "fit", "stars", "time"})) ||
-      !same_exposure(night_sky_.made_for->time))
+  if (!is_good(night_sky_, others) || !same_exposure(night_sky_.made_for->time))
     night_sky_ = {*scene_, threads_, night_sky_light(*scene_, threads_)};
   return night_sky_.value;
 }

@@ -44,7 +44,7 @@ for star in csv.DictReader(open(sys.argv[1])):
     x, y = side / 2 + f * zenith * math.sin(azimuth), side / 2 + f * zenith * math.cos(azimuth)
     if not (10 < x < side - 10 and 10 < y < side - 10):
         continue
-    v, bv = float(star["magnitude"]), float(star["b_v"])
+    v, bv = float(star["magnitude"]), float(star["colour_index"] or 0.6)
     # Vega's light at 555.6 nm, the library's 0.991 to 1.005 of it at 557.7 nm.
     watts = 3.44e-11 * 10 ** (-0.4 * (v - 0.03) + 0.028 * bv) * 0.991 * (1.005 / 0.991) ** bv
     photons = 2.0 * watts * 557.7e-9 / 1.98644586e-25 * 1e-4

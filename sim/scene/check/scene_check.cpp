@@ -240,6 +240,25 @@ void check_panorama(const Scene& scene) {
   refuse_elsewhere("march.glow", scene.march.glow != 0.0, "glow would end at a panorama's seams");
 }
 
+/// What stands in the real sky needs a time.
+void check_sky_time(const Scene& scene) {
+  if (!scene.site.time_utc.empty()) return;
+  const auto needs = [&](const std::string& key, bool is_set, const std::string& what) {
+    if (!is_set) return;
+    complain({what + " at a time that nobody has told",
+              "site.time_utc, in ISO 8601 such as \"2019-09-01T05:00:00Z\"", ""},
+             {scene.file, 0, key});
+  };
+  needs("stars.source", scene.stars.shown && scene.stars.source == StarSource::catalogue,
+        "the catalogue's stars stand in the sky");
+  needs("stars.planets", scene.stars.planets, "planets stand in the sky");
+  needs("stars.milky_way", scene.stars.milky_way, "the Milky Way stands in the sky");
+  needs("moon.shown", scene.moon.shown, "the Moon stands in the sky");
+  needs("moon.skylight", scene.moon.skylight, "the Moon stands in the sky");
+  needs("twilight.sun", scene.twilight.shown && scene.twilight.sun == TwilightSun::of_time,
+        "the sun stands below the horizon");
+}
+
 /// What such a file has to hold is checked where it is used.
 void check_profile_files(const Scene& scene) {
   for (const Sheet& sheet : scene.sheets) {
@@ -354,6 +373,7 @@ void validate(const Scene& scene) {
   check_response(scene);
   check_blur(scene);
   check_panorama(scene);
+  check_sky_time(scene);
   check_profile_files(scene);
   check_sensor(scene);
   check_splines(scene);

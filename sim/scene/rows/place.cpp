@@ -17,7 +17,7 @@ std::vector<Declaration> place_rows() {
       Row("site", "altitude_m", &Scene::site, &Site::altitude_m).in("m").within(-500, 1e9)
           .means("altitude of the observer above the sphere of the Earth"),
       Row("site", "time_utc", &Scene::site, &Site::time_utc).rule(time_complaint)
-          .means("when, in ISO 8601 such as \"2019-09-01T05:00:00Z\"; empty if unknown; goes into file headers, and the field \"igrf\" is that of this time"),
+          .means("when, in ISO 8601 such as \"2019-09-01T05:00:00Z\"; empty if unknown; where time.start_s is 0; goes into file headers, and the field \"igrf\" is that of this time"),
 
       Row("field", "model", &Scene::field, &Field::model).one_of<FieldModel>({{"uniform", FieldModel::uniform}, {"dipole", FieldModel::dipole}, {"igrf", FieldModel::igrf}})
           .means("the same field everywhere, or at each foot that of a tilted dipole, or of the International Geomagnetic Reference Field (IGRF-14) at site.time_utc"),

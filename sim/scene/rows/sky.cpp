@@ -1,5 +1,5 @@
-// What else is in the picture: [sky], [stars], [composite], and the lights of the night sky: [air],
-// [airglow], [twilight], [light_pollution].
+// What else is in the picture: [sky], [stars], [moon], [composite], and the lights of the night
+// sky: [air], [airglow], [twilight], [light_pollution].
 #include "sim/scene/rows/row.h"
 #include "sim/scene/rows/rows.h"
 
@@ -19,11 +19,18 @@ std::vector<Declaration> sky_rows() {
                  "gain_per_kilorayleigh"),
 
       Row("stars", "shown", &Scene::stars, &Stars::shown).means("whether there are stars behind the aurora"),
+      Row("stars", "source", &Scene::stars, &Stars::source).one_of<StarSource>({{"random", StarSource::random}, {"catalogue", StarSource::catalogue}})
+          .means("random ones, or those of the catalogue as they stand at the site and its time"),
+      Row("stars", "planets", &Scene::stars, &Stars::planets).means("Mercury to Saturn as they stand at the site and its time"),
+      Row("stars", "milky_way", &Scene::stars, &Stars::milky_way).means("the light of all stars that are too faint to be seen one by one"),
       Row("stars", "faintest_magnitude", &Scene::stars, &Stars::faintest_magnitude).in("mag").within(-2, 12)
           .means("of the stars that are shown"),
       Row("stars", "width_deg", &Scene::stars, &Stars::width_deg).in("deg").within(0.0001, 5)
           .means("standard deviation of a star's image"),
       Row("stars", "gain", &Scene::stars, &Stars::gain).within(0, 1e6).means("times the stars' photometric brightness"),
+
+      Row("moon", "shown", &Scene::moon, &Moon::shown).means("the Moon's disc with its phase, as it stands at the site and its time"),
+      Row("moon", "skylight", &Scene::moon, &Moon::skylight).means("the Moon's light that the air scatters"),
 
       Row("composite", "background", &Scene::composite, &Composite::background).names_file()
           .means("picture behind the aurora, beside the scene's file; empty: none"),
@@ -61,6 +68,8 @@ std::vector<Declaration> night_sky_rows() {
           .means("zenith airglow of both sodium lines, 589.3 nm, at 92 km; 0: none; 37 at Paranal in the mean"),
 
       Row("twilight", "shown", &Scene::twilight, &Twilight::shown).means("whether there is the light of a sun below the horizon"),
+      Row("twilight", "sun", &Scene::twilight, &Twilight::sun).one_of<TwilightSun>({{"given", TwilightSun::given}, {"time", TwilightSun::of_time}})
+          .means("where the sun is: as sun_elevation_deg and sun_azimuth_deg say, or as it stands at the site and its time"),
       Row("twilight", "sun_elevation_deg", &Scene::twilight, &Twilight::sun_elevation_deg).in("deg").within(-15, -5)
           .means("of the sun, between which elevations the twilight sky was measured"),
       Row("twilight", "sun_azimuth_deg", &Scene::twilight, &Twilight::sun_azimuth_deg).in("deg").within(-720, 720)

@@ -349,9 +349,16 @@ struct Airglow {
   double sodium_rayleigh = 0.0;  ///< 589.3 nm, at 92 km
 };
 
+/// Where the sun of the twilight stands.
+enum class TwilightSun {
+  given,
+  of_time  ///< as at the site and its time
+};
+
 /// The scattered light of a sun below the horizon.
 struct Twilight {
   bool shown = false;
+  TwilightSun sun = TwilightSun::given;
   double sun_elevation_deg = -12.0;
   double sun_azimuth_deg = 0.0;
   double contrast = 10.0;  ///< of the horizon under the sun to the zenith
@@ -366,12 +373,26 @@ struct LightPollution {
   double colour_temperature_k = 3000.0;
 };
 
-/// Stars behind the aurora: random ones, as many of each magnitude as the sky has.
+enum class StarSource {
+  random,    ///< as many of each magnitude as the sky has
+  catalogue  ///< those of the site and its time
+};
+
+/// Stars behind the aurora, and what else of the sky is fixed among them or wanders.
 struct Stars {
   bool shown = false;
+  StarSource source = StarSource::random;
+  bool planets = false;    ///< those that the eye sees, at the site and its time
+  bool milky_way = false;  ///< likewise
   double faintest_magnitude = 6.5;
   double width_deg = 0.02;  ///< standard deviation of a star's image
   double gain = 1.0;        ///< times its photometric brightness
+};
+
+/// The Moon at the site and its time.
+struct Moon {
+  bool shown = false;     ///< its disc
+  bool skylight = false;  ///< what of its light the air scatters
 };
 
 /// Pictures behind and before the aurora, by file, beside the scene's.
@@ -534,6 +555,7 @@ struct Scene {
   Twilight twilight;
   LightPollution light_pollution;
   Stars stars;
+  Moon moon;
   Composite composite;
   Time time;
   Substorm substorm;

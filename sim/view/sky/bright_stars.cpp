@@ -55,7 +55,7 @@ std::vector<BrightStar> read_star_table() {
     star.place.motion_ra_mas_per_year = star_number<double>(cells[6]);
     star.place.motion_dec_mas_per_year = star_number<double>(cells[7]);
     star.magnitude = star_number<double>(cells[8]);
-    star.colour_index = star_number<double>(cells[9]);
+    if (!cells[9].empty()) star.colour_index = star_number<double>(cells[9]);
     stars.push_back(star);
   }
   return stars;
@@ -78,15 +78,26 @@ std::string BrightStar::label() const {
   return "HIP " + std::to_string(hip);
 }
 
-const std::vector<BrightStar>& bright_stars() {
+const std::vector<BrightStar>& catalogue_stars() {
   static const std::vector<BrightStar> stars = read_star_table();
+  return stars;
+}
+
+const std::vector<BrightStar>& bright_stars() {
+  static const std::vector<BrightStar> stars = [] {
+    constexpr double kFaintestBright = 4.5;
+    std::vector<BrightStar> bright;
+    for (const BrightStar& star : catalogue_stars())
+      if (star.magnitude <= kFaintestBright) bright.push_back(star);
+    return bright;
+  }();
   return stars;
 }
 
 const BrightStar* find_bright_star(const std::string& words) {
   const std::string wanted = name_without_blanks(words);
   if (wanted.empty()) return nullptr;
-  for (const BrightStar& star : bright_stars()) {
+  for (const BrightStar& star : catalogue_stars()) {
     if (wanted == name_without_blanks(star.name) || wanted == name_without_blanks(star.designation) ||
         wanted == "hip" + std::to_string(star.hip) ||
         (star.hd > 0 && wanted == "hd" + std::to_string(star.hd)))

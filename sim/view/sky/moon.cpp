@@ -13,22 +13,82 @@ namespace {
 double sin_deg(double degrees) { return std::sin(std::remainder(degrees, 360.0) * kRadiansPerDegree); }
 double cos_deg(double degrees) { return std::cos(std::remainder(degrees, 360.0) * kRadiansPerDegree); }
 
+/// A multiple of each argument, and millionths of a degree, or metres.
+struct MoonTerm {
+  int elongation, sun, moon, node;
+  double size;
+};
+
+constexpr MoonTerm kMoonLongitude[] = {
+    {0, 0, 1, 0, 6288774.0}, {2, 0, -1, 0, 1274027.0}, {2, 0, 0, 0, 658314.0},  {0, 0, 2, 0, 213618.0},
+    {0, 1, 0, 0, -185116.0}, {0, 0, 0, 2, -114332.0},  {2, 0, -2, 0, 58793.0},  {2, -1, -1, 0, 57066.0},
+    {2, 0, 1, 0, 53322.0},   {2, -1, 0, 0, 45758.0},   {0, 1, -1, 0, -40923.0}, {1, 0, 0, 0, -34720.0},
+    {0, 1, 1, 0, -30383.0},  {2, 0, 0, -2, 15327.0},   {0, 0, 1, 2, -12528.0},  {0, 0, 1, -2, 10980.0},
+    {4, 0, -1, 0, 10675.0},  {0, 0, 3, 0, 10034.0},    {4, 0, -2, 0, 8548.0},   {2, 1, -1, 0, -7888.0},
+    {2, 1, 0, 0, -6766.0},   {1, 0, -1, 0, -5163.0},   {1, 1, 0, 0, 4987.0},    {2, -1, 1, 0, 4036.0},
+    {2, 0, 2, 0, 3994.0},    {4, 0, 0, 0, 3861.0},     {2, 0, -3, 0, 3665.0}};
+
+constexpr MoonTerm kMoonLatitude[] = {
+    {0, 0, 0, 1, 5128122.0}, {0, 0, 1, 1, 280602.0},  {0, 0, 1, -1, 277693.0}, {2, 0, 0, -1, 173237.0},
+    {2, 0, -1, 1, 55413.0},  {2, 0, -1, -1, 46271.0}, {2, 0, 0, 1, 32573.0},   {0, 0, 2, 1, 17198.0},
+    {2, 0, 1, -1, 9266.0},   {0, 0, 2, -1, 8822.0},   {2, -1, 0, -1, 8216.0},  {2, 0, -2, -1, 4324.0},
+    {2, 0, 1, 1, 4200.0},    {2, 1, 0, -1, -3359.0},  {2, -1, -1, 1, 2463.0},  {2, -1, 0, 1, 2211.0},
+    {2, -1, -1, -1, 2065.0}};
+
+constexpr MoonTerm kMoonDistance[] = {
+    {0, 0, 1, 0, -20905355.0}, {2, 0, -1, 0, -3699111.0}, {2, 0, 0, 0, -2955968.0}, {0, 0, 2, 0, -569925.0},
+    {2, 0, -2, 0, 246158.0},   {2, -1, 0, 0, -204586.0},  {2, 0, 1, 0, -170733.0},  {2, -1, -1, 0, -152138.0},
+    {0, 1, -1, 0, -129620.0},  {1, 0, 0, 0, 108743.0},    {0, 1, 1, 0, 104755.0},   {0, 0, 1, -2, 79661.0},
+    {0, 1, 0, 0, 48888.0}};
+
+/// The Sun's place, equinox of date.
+Equatorial sun_of_date(double julian_date) {
+  return apparent_place({place_of_sun(julian_date), 0.0, 0.0}, julian_date);
+}
+
 }  // namespace
 
 MoonPlace place_of_moon(double julian_date) {
   const double t = (julian_date - kJ2000) / kDaysPerCentury;
+  const double mean_longitude = 218.3164477 + t * (481267.88123421 - 0.0015786 * t);
+  const double elongation = 297.8501921 + t * (445267.1114034 - 0.0018819 * t);
+  const double sun_anomaly = 357.5291092 + t * (35999.0502909 - 0.0001536 * t);
+  const double anomaly = 134.9633964 + t * (477198.8675055 + 0.0087414 * t);
+  const double from_node = 93.2720950 + t * (483202.0175233 - 0.0036539 * t);
+  const double orbit = 1.0 - t * (0.002516 + 0.0000074 * t);  // the Earth's eccentricity over that of J2000
+  const double venus = 119.75 + 131.849 * t, jupiter = 53.09 + 479264.290 * t;
+  const auto sum_of = [&](const auto& terms, const auto& function) {
+    double sum = 0.0;
+    for (const MoonTerm& term : terms) {
+      const double angle =
+          term.elongation * elongation + term.sun * sun_anomaly + term.moon * anomaly + term.node * from_node;
+      sum += term.size * std::pow(orbit, std::abs(term.sun)) * function(angle);
+    }
+    return sum;
+  };
   MoonPlace moon;
-  const double longitude = 218.32 + 481267.881 * t + 6.29 * sin_deg(135.0 + 477198.87 * t) -
-                           1.27 * sin_deg(259.3 - 413335.36 * t) + 0.66 * sin_deg(235.7 + 890534.22 * t) +
-                           0.21 * sin_deg(269.9 + 954397.74 * t) - 0.19 * sin_deg(357.5 + 35999.05 * t) -
-                           0.11 * sin_deg(186.5 + 966404.03 * t);
+  const double longitude =
+      mean_longitude + 1e-6 * (sum_of(kMoonLongitude, sin_deg) + 3958.0 * sin_deg(venus) +
+                               1962.0 * sin_deg(mean_longitude - from_node) + 318.0 * sin_deg(jupiter));
   moon.longitude_deg = longitude - 360.0 * std::floor(longitude / 360.0);
-  moon.latitude_deg = 5.13 * sin_deg(93.3 + 483202.02 * t) + 0.28 * sin_deg(228.2 + 960400.89 * t) -
-                      0.28 * sin_deg(318.3 + 6003.15 * t) - 0.17 * sin_deg(217.6 - 407332.21 * t);
-  moon.parallax_deg = 0.9508 + 0.0518 * cos_deg(135.0 + 477198.87 * t) +
-                      0.0095 * cos_deg(259.3 - 413335.36 * t) + 0.0078 * cos_deg(235.7 + 890534.22 * t) +
-                      0.0028 * cos_deg(269.9 + 954397.74 * t);
+  moon.latitude_deg = 1e-6 * (sum_of(kMoonLatitude, sin_deg) - 2235.0 * sin_deg(mean_longitude));
+  constexpr double kMeanDistance_km = 385000.56, kEquator_km = 6378.14;
+  moon.parallax_deg =
+      std::asin(kEquator_km / (kMeanDistance_km + 1e-3 * sum_of(kMoonDistance, cos_deg))) / kRadiansPerDegree;
   return moon;
+}
+
+double magnitude_of_moon(double phase_angle_deg) {
+  const double a = std::abs(phase_angle_deg);
+  return -12.73 + 0.026 * a + 4e-9 * a * a * a * a;
+}
+
+double phase_angle_of_moon_deg(double julian_date) {
+  const double apart = separation_deg(equatorial_place_of_moon(julian_date), sun_of_date(julian_date));
+  // The triangle of Sun, Earth and Moon, whose sides are in the Earth's distance from the Sun.
+  constexpr double kEquator_au = 6378.14 / 149597870.7;
+  const double moon = kEquator_au / sin_deg(place_of_moon(julian_date).parallax_deg);
+  return std::atan2(sin_deg(apart), moon - cos_deg(apart)) / kRadiansPerDegree;
 }
 
 Equatorial equatorial_place_of_moon(double julian_date) {

@@ -5,6 +5,7 @@
 #include "sim/base/parallel.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/sky/continuum_colour.h"
+#include "sim/view/sky/sky_of_scene.h"
 #include "sim/view/sky/twilight.h"
 
 namespace vegard::sim {
@@ -20,12 +21,17 @@ Vector3 times(double factor, Vector3 rgb) {
 bool has_night_sky(const Scene& scene) {
   const Airglow& glow = scene.airglow;
   return glow.green_rayleigh > 0.0 || glow.red_rayleigh > 0.0 || glow.sodium_rayleigh > 0.0 ||
-         scene.twilight.shown || scene.light_pollution.luminance_mcd_m2 > 0.0;
+         scene.twilight.shown || scene.light_pollution.luminance_mcd_m2 > 0.0 || scene.moon.skylight;
+}
+
+bool night_sky_moves(const Scene& scene) {
+  return scene.moon.skylight || (scene.twilight.shown && scene.twilight.sun == TwilightSun::of_time);
 }
 
 template <class T>
 NightSky<T>::NightSky(const Scene& scene)
-    : twilight_(scene.twilight),
+    : twilight_(twilight_at(scene)),
+      moonlit_(scene),
       town_(scene.light_pollution),
       observer_km_(scene.site.altitude_m * 1e-3),
       lowest_sine_(sine_of_horizon(observer_km_)),
@@ -58,6 +64,10 @@ std::array<T, 3> NightSky<T>::light(const SightLine<T>& line) const {
         glow.rgb_per_rayleigh);
   if (twilight_.shown) add(twilight_gradient(line, twilight_), twilight_rgb_);
   add(town_luminance_ * light_pollution_share(line, town_), town_rgb_);
+  if (!moonlit_.none()) {
+    const std::array<T, 3> moonlit = moonlit_.light(line);
+    for (int c = 0; c < 3; ++c) rgb[c] = rgb[c] + moonlit[c];
+  }
   return rgb;
 }
 

@@ -1,5 +1,5 @@
-// The lights of the night sky that are known beforehand: airglow, twilight, light pollution. They add up in
-// linear light behind the aurora, at the scene's own gain times sky.lights_gain.
+// The lights of the night sky that are known beforehand: airglow, twilight, light pollution, moonlit air.
+// They add up in linear light behind the aurora, at the scene's own gain times sky.lights_gain.
 #pragma once
 
 #include <array>
@@ -13,6 +13,7 @@
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/colour.h"
 #include "sim/view/sky/air.h"
+#include "sim/view/sky/moonlight.h"
 #include "sim/view/sky/sky_numbers.h"
 
 namespace vegard::sim {
@@ -57,6 +58,9 @@ T van_rhijn(const T& sine_of_elevation, double shell_km, double observer_km) {
 /// Whether the scene has any.
 bool has_night_sky(const Scene& scene);
 
+/// Whether any of it follows the scene's time.
+bool night_sky_moves(const Scene& scene);
+
 /// Their light by the line of sight. T is double or SkyDual.
 template <class T>
 class NightSky {
@@ -74,6 +78,7 @@ class NightSky {
     LineDepths<T> depths;
   };
   Twilight twilight_;
+  MoonlitSky moonlit_;
   LightPollution town_;
   double observer_km_, lowest_sine_;
   AirAbove air_;

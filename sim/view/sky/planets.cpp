@@ -12,6 +12,9 @@ namespace {
 constexpr double kLightDaysPerAu = 0.0057755183;
 constexpr double kObliquityJ2000_deg = 23.43928;  // Standish's own
 
+/// Of the northern pole of Saturn's rings, J2000 (IAU).
+constexpr double kRingPoleRa_deg = 40.589, kRingPoleDec_deg = 83.537;
+
 /// At J2000 and the change in a century: astronomical units and degrees.
 struct Elements {
   double axis, axis_rate, eccentricity, eccentricity_rate, inclination, inclination_rate, longitude,
@@ -24,11 +27,7 @@ constexpr Elements kElements[] = {
     {0.72333566, 0.00000390, 0.00677672, -0.00004107, 3.39467605, -0.00078890, 181.97909950, 58517.81538729,
      131.60246718, 0.00268329, 76.67984255, -0.27769418},
     {1.52371034, 0.00001847, 0.09339410, 0.00007882, 1.84969142, -0.00813131, -4.55343205, 19140.30268499,
-     -23.94362959, 0.44441088, 49.55953891, -0.29257343},
-    {5.20288700, -0.00011607, 0.04838624, -0.00013253, 1.30439695, -0.00183714, 34.39644051, 3034.74612775,
-     14.72847983, 0.21252668, 100.47390909, 0.20469106},
-    {9.53667594, -0.00125060, 0.05386179, -0.00050991, 2.48599187, 0.00193609, 49.95424423, 1222.49362201,
-     92.59887831, -0.41897216, 113.66242448, -0.28867794}};
+     -23.94362959, 0.44441088, 49.55953891, -0.29257343}};
 
 constexpr Elements kEarth = {1.00000261,   0.00000562,  0.01671123,   -0.00004392,
                              -0.00001531,  -0.01294668, 100.46457166, 35999.37244981,
@@ -55,6 +54,59 @@ Vec3<double> heliocentric(const Elements& of, double julian_date) {
           across * std::sin(inclination)};
 }
 
+/// Elements of date as linear functions of the days since 1999 December 31, 0 h.
+struct GiantElements {
+  double node, node_rate, inclination, inclination_rate, perihelion, perihelion_rate, axis, eccentricity,
+      eccentricity_rate, anomaly, anomaly_rate;
+};
+constexpr GiantElements kJupiter = {100.4542, 2.76854e-5, 1.3030,   -1.557e-7, 273.8777,    1.64505e-5,
+                                    5.20256,  0.048498,   4.469e-9, 19.8950,   0.0830853001};
+constexpr GiantElements kSaturn = {113.6634, 2.38980e-5, 2.4886,    -1.081e-7, 339.3939,    2.97661e-5,
+                                   9.55475,  0.055546,   -9.499e-9, 316.9670,  0.0334442282};
+
+/// The same of Jupiter or Saturn, which pull at each other.
+Vec3<double> heliocentric_giant(Planet planet, double julian_date) {
+  constexpr double kFirstDay = 2451543.5, kPrecession_deg_per_day = 3.82394e-5;
+  const double days = julian_date - kFirstDay;
+  const auto sine_of = [](double degrees) {
+    return std::sin(std::remainder(degrees, 360.0) * kRadiansPerDegree);
+  };
+  const auto cosine_of = [](double degrees) {
+    return std::cos(std::remainder(degrees, 360.0) * kRadiansPerDegree);
+  };
+  const GiantElements& of = planet == Planet::jupiter ? kJupiter : kSaturn;
+  const double e = of.eccentricity + of.eccentricity_rate * days;
+  const double mean = std::remainder(of.anomaly + of.anomaly_rate * days, 360.0) * kRadiansPerDegree;
+  double anomaly = mean;
+  for (int i = 0; i < 8; ++i)
+    anomaly -= (anomaly - e * std::sin(anomaly) - mean) / (1.0 - e * std::cos(anomaly));
+  const double x = of.axis * (std::cos(anomaly) - e),
+               y = of.axis * std::sqrt(1.0 - e * e) * std::sin(anomaly);
+  const double distance = std::hypot(x, y);
+  const double along = std::atan2(y, x) / kRadiansPerDegree + of.perihelion + of.perihelion_rate * days;
+  const double node = of.node + of.node_rate * days,
+               inclination = of.inclination + of.inclination_rate * days;
+  const double across = sine_of(along) * cosine_of(inclination);
+  double longitude = node + std::atan2(across, cosine_of(along)) / kRadiansPerDegree;
+  double latitude = std::asin(sine_of(along) * sine_of(inclination)) / kRadiansPerDegree;
+  const double j = kJupiter.anomaly + kJupiter.anomaly_rate * days,
+               s = kSaturn.anomaly + kSaturn.anomaly_rate * days;
+  if (planet == Planet::jupiter) {
+    longitude += -0.332 * sine_of(2.0 * j - 5.0 * s - 67.6) - 0.056 * sine_of(2.0 * j - 2.0 * s + 21.0) +
+                 0.042 * sine_of(3.0 * j - 5.0 * s + 21.0) - 0.036 * sine_of(j - 2.0 * s) +
+                 0.022 * cosine_of(j - s) + 0.023 * sine_of(2.0 * j - 3.0 * s + 52.0) -
+                 0.016 * sine_of(j - 5.0 * s - 69.0);
+  } else {
+    longitude += 0.812 * sine_of(2.0 * j - 5.0 * s - 67.6) - 0.229 * cosine_of(2.0 * j - 4.0 * s - 2.0) +
+                 0.119 * sine_of(j - 2.0 * s - 3.0) + 0.046 * sine_of(2.0 * j - 6.0 * s - 69.0) +
+                 0.014 * sine_of(j - 3.0 * s + 32.0);
+    latitude += -0.020 * cosine_of(2.0 * j - 4.0 * s - 2.0) + 0.018 * sine_of(2.0 * j - 6.0 * s - 49.0);
+  }
+  longitude -= kPrecession_deg_per_day * (julian_date - kJ2000);
+  return {distance * cosine_of(longitude) * cosine_of(latitude),
+          distance * sine_of(longitude) * cosine_of(latitude), distance * sine_of(latitude)};
+}
+
 Equatorial equatorial_of(const Vec3<double>& ecliptic) {
   const double c = std::cos(kObliquityJ2000_deg * kRadiansPerDegree),
                s = std::sin(kObliquityJ2000_deg * kRadiansPerDegree);
@@ -62,6 +114,26 @@ Equatorial equatorial_of(const Vec3<double>& ecliptic) {
   double a = std::atan2(y, ecliptic[0]) / kRadiansPerDegree;
   if (a < 0.0) a += 360.0;
   return {a, std::atan2(z, std::hypot(ecliptic[0], y)) / kRadiansPerDegree};
+}
+
+/// In astronomical units, ecliptic and equinox J2000.
+struct PlanetSight {
+  Vec3<double> from_sun, from_earth;
+};
+
+PlanetSight planet_sight(Planet planet, double julian_date) {
+  const Vec3<double> earth = heliocentric(kEarth, julian_date);
+  double light_days = 0.0;
+  PlanetSight sight{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+  for (int i = 0; i < 3; ++i) {
+    const double then = julian_date - light_days;
+    sight.from_sun = planet == Planet::jupiter || planet == Planet::saturn
+                         ? heliocentric_giant(planet, then)
+                         : heliocentric(kElements[static_cast<int>(planet)], then);
+    for (int k = 0; k < 3; ++k) sight.from_earth[k] = sight.from_sun[k] - earth[k];
+    light_days = kLightDaysPerAu * std::sqrt(dot3(sight.from_earth, sight.from_earth));
+  }
+  return sight;
 }
 
 }  // namespace
@@ -72,15 +144,33 @@ const char* name_of(Planet planet) {
 }
 
 Equatorial place_of_planet(Planet planet, double julian_date) {
-  const Vec3<double> earth = heliocentric(kEarth, julian_date);
-  double light_days = 0.0;
-  Vec3<double> seen{0.0, 0.0, 0.0};
-  for (int i = 0; i < 3; ++i) {
-    const Vec3<double> there = heliocentric(kElements[static_cast<int>(planet)], julian_date - light_days);
-    seen = {there[0] - earth[0], there[1] - earth[1], there[2] - earth[2]};
-    light_days = kLightDaysPerAu * std::sqrt(seen[0] * seen[0] + seen[1] * seen[1] + seen[2] * seen[2]);
+  return equatorial_of(planet_sight(planet, julian_date).from_earth);
+}
+
+PlanetLight light_of_planet(Planet planet, double julian_date) {
+  const PlanetSight sight = planet_sight(planet, julian_date);
+  const double from_sun = std::sqrt(dot3(sight.from_sun, sight.from_sun)),
+               from_earth = std::sqrt(dot3(sight.from_earth, sight.from_earth));
+  const double i = std::acos(dot3(sight.from_sun, sight.from_earth) / (from_sun * from_earth)) /
+                   kRadiansPerDegree;  // the phase angle
+  const double by_distance = 5.0 * std::log10(from_sun * from_earth);
+  switch (planet) {
+    case Planet::mercury:
+      return {-0.42 + by_distance + i * (0.0380 + i * (-0.000273 + i * 0.000002)), 0.93};
+    case Planet::venus:
+      return {-4.40 + by_distance + i * (0.0009 + i * (0.000239 - i * 0.00000065)), 0.82};
+    case Planet::mars:
+      return {-1.52 + by_distance + 0.016 * i, 1.36};
+    case Planet::jupiter:
+      return {-9.40 + by_distance + 0.005 * i, 0.83};
+    case Planet::saturn:
+      break;
   }
-  return equatorial_of(seen);
+  // The rings' northern pole, and how far the Earth and the Sun stand from their plane.
+  const Equatorial at = equatorial_of(sight.from_earth);
+  const double pole_tilt =
+      std::abs(std::cos(separation_deg({kRingPoleRa_deg, kRingPoleDec_deg}, at) * kRadiansPerDegree));
+  return {-8.88 + by_distance + 0.044 * i + pole_tilt * (-2.60 + 1.25 * pole_tilt), 1.04};
 }
 
 Equatorial place_of_sun(double julian_date) {

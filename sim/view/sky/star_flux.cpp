@@ -7,7 +7,7 @@
 
 #include "sim/view/colour/radiometry.h"
 #include "sim/view/sky/continuum_colour.h"
-#include "sim/view/sky/stars.h"
+#include "sim/view/sky/star_photometry.h"
 
 namespace vegard::sim {
 namespace {

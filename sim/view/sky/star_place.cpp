@@ -126,19 +126,19 @@ std::array<double, 3> direction_of_star(const CataloguePlace& star, const Observ
                              place.right_ascension_deg) *
                             kRadiansPerDegree;
   const double d = place.declination_deg * kRadiansPerDegree, f = observer.latitude_deg * kRadiansPerDegree;
-  double east = -std::cos(d) * std::sin(hour_angle);
-  double north = std::sin(d) * std::cos(f) - std::cos(d) * std::cos(hour_angle) * std::sin(f);
-  double up = std::sin(d) * std::sin(f) + std::cos(d) * std::cos(hour_angle) * std::cos(f);
-  if (observer.refracting_air) {
-    const double level = std::hypot(east, north), elevation = std::atan2(up, level);
-    const double seen =
-        elevation + refraction_at(elevation / kRadiansPerDegree, observer.height_m) * kRadiansPerDegree;
-    const double scale = level > 0.0 ? std::cos(seen) / level : 0.0;
-    east *= scale;
-    north *= scale;
-    up = std::sin(seen);
-  }
-  return {east, north, up};
+  return seen_through_air({-std::cos(d) * std::sin(hour_angle),
+                           std::sin(d) * std::cos(f) - std::cos(d) * std::cos(hour_angle) * std::sin(f),
+                           std::sin(d) * std::sin(f) + std::cos(d) * std::cos(hour_angle) * std::cos(f)},
+                          observer);
+}
+
+std::array<double, 3> seen_through_air(const std::array<double, 3>& enu, const Observer& observer) {
+  if (!observer.refracting_air) return enu;
+  const double level = std::hypot(enu[0], enu[1]), elevation = std::atan2(enu[2], level);
+  const double seen =
+      elevation + refraction_at(elevation / kRadiansPerDegree, observer.height_m) * kRadiansPerDegree;
+  const double scale = level > 0.0 ? std::cos(seen) / level : 0.0;
+  return {enu[0] * scale, enu[1] * scale, std::sin(seen)};
 }
 
 double refraction_deg(double true_elevation_deg, double pressure_hpa, double temperature_c) {

@@ -42,6 +42,10 @@ struct Observer {
 std::array<double, 3> direction_of_star(const CataloguePlace& star, const Observer& observer,
                                         double julian_date);
 
+/// Where what stands in a direction (east, north, up, of length 1) is seen: lifted by the observer's air, if
+/// that refracts.
+std::array<double, 3> seen_through_air(const std::array<double, 3>& enu, const Observer& observer);
+
 /// By how much air lifts what stands at the true elevation, in degrees: Saemundsson's formula (Sky and
 /// Telescope 72, 1986, 70; Meeus, formula 16.4), good to 0.07 minutes of arc above 15 degrees, for air of
 /// this pressure and temperature. 0 below -1 degree.

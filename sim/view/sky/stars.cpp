@@ -11,17 +11,18 @@
 #include "sim/view/colour/illuminants.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/sky/air.h"
+#include "sim/view/sky/bright_stars.h"
+#include "sim/view/sky/milky_way.h"
+#include "sim/view/sky/moon_disc.h"
+#include "sim/view/sky/planets.h"
+#include "sim/view/sky/sky_of_scene.h"
 
 namespace vegard::sim {
 namespace {
 
 constexpr double kSiderealDayS = 86164.0905;
-constexpr double kPhotonsOfMagnitude0 = 1.0e6;  // V band: 1000 photons per cm2, s and 0.1 nm over 90 nm
-constexpr double kStarNarrowestPx = 0.5;        // a narrower star would flicker from pixel to pixel
-// Where sRGB's primaries are brightest to the eye, roughly: a star's channels are dimmed as these
-// wavelengths.
-constexpr std::array<double, 3> kChannelNm = {610.0, 550.0, 465.0};
-constexpr double kStarReach = 6.0;  // in standard deviations: beyond it even the brightest star is dark
+constexpr double kStarNarrowestPx = 0.5;  // a narrower star would flicker from pixel to pixel
+constexpr double kStarReach = 6.0;        // in standard deviations: beyond it even the brightest star is dark
 
 constexpr std::array<double, 7> kCounts = {4.0, 15.0, 49.0, 172.0, 511.0, 1600.0, 4800.0};  // at 0, 1 … 6
 constexpr double kFaintSlope = 0.46;  // dex per magnitude
@@ -78,6 +79,91 @@ struct Spread {
   }
 };
 
+/// Puts stars on a picture, each as a Gaussian in pixels.
+class StarPainter {
+ public:
+  StarPainter(const Scene& scene, std::size_t instants, Image& light)
+      : camera_(scene.camera),
+        view_(camera_view(scene.camera)),
+        sigma_px_(std::max(kStarNarrowestPx, scene.stars.width_deg * pixels_per_degree(scene.camera))),
+        lowest_up_(sine_of_horizon(std::max(0.0, scene.site.altitude_m) * 1e-3)),
+        luminance_per_photon_(luminance_per_photon(scene) / static_cast<double>(instants)),
+        tints_(SensorResponse(scene)),
+        air_(scene),
+        light_(light) {}
+
+  void add(const std::array<double, 3>& enu, double magnitude, double colour_index, double gain) {
+    if (enu[2] < lowest_up_) return;
+    double x_px = 0.0, y_px = 0.0;
+    if (!pixel_of_enu(view_, enu.data(), x_px, y_px)) return;
+    const double reach_px = kStarReach * sigma_px_;
+    if (x_px < -reach_px || x_px > camera_.width + reach_px || y_px < -reach_px ||
+        y_px > camera_.height + reach_px)
+      return;
+    const std::array<double, 3> above_the_air = tints_.at(colour_index), let_through = air_.towards(enu[2]);
+    std::array<double, 3> tint = above_the_air;
+    for (int c = 0; c < 3; ++c) tint[c] *= let_through[c];
+    const double brightness = gain * luminance_per_photon_ * star_photons_cm2_s(magnitude);
+    if (camera_.model == LensModel::equirectangular)
+      add_around(x_px, y_px, brightness, tint);
+    else
+      add_within(x_px, y_px, brightness, tint);
+  }
+
+ private:
+  void add_within(double x_px, double y_px, double brightness, const std::array<double, 3>& tint) {
+    const double steradians_of_pixel = pixel_steradians(view_.lens, x_px, y_px);
+    if (!(steradians_of_pixel > 0.0)) return;
+    across_.set(x_px, sigma_px_, camera_.width);
+    down_.set(y_px, sigma_px_, camera_.height);
+    for (std::size_t j = 0; j < down_.shares.size(); ++j) {
+      const double in_row = brightness / steradians_of_pixel * down_.shares[j];
+      for (std::size_t i = 0; i < across_.shares.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+          light_.at(across_.first + static_cast<int>(i), down_.first + static_cast<int>(j), c) +=
+              static_cast<float>(in_row * across_.shares[i] * tint[c]);
+    }
+  }
+
+  /// Rows beyond a pole are those before it, half a turn on; a row is the narrower the nearer to a pole.
+  void add_around(double x_px, double y_px, double brightness, const std::array<double, 3>& tint) {
+    const int width = camera_.width, height = camera_.height;
+    const double px_per_rad = height / kPi;
+    const int margin = static_cast<int>(std::ceil(kStarReach * sigma_px_));
+    down_.set(y_px + margin, sigma_px_, height + 2 * margin);
+    for (std::size_t j = 0; j < down_.shares.size(); ++j) {
+      int row = down_.first + static_cast<int>(j) - margin;
+      const bool beyond = row < 0 || row >= height;
+      row = row < 0 ? -1 - row : row >= height ? 2 * height - 1 - row : row;
+      if (row < 0 || row >= height) continue;  // of a picture of a few rows
+      const double narrow = std::cos((row + 0.5 - 0.5 * height) / px_per_rad);
+      const double steradians =
+          (std::sin((row + 1.0 - 0.5 * height) / px_per_rad) - std::sin((row - 0.5 * height) / px_per_rad)) /
+          px_per_rad;
+      const double in_row = brightness / steradians * down_.shares[j], sigma_px = sigma_px_ / narrow;
+      const auto put = [&](int column, double share) {
+        const int x = ((column + (beyond ? width / 2 : 0)) % width + width) % width;
+        for (int c = 0; c < 3; ++c) light_.at(x, row, c) += static_cast<float>(in_row * share * tint[c]);
+      };
+      if (2.0 * kStarReach * sigma_px >= width) {
+        for (int x = 0; x < width; ++x) put(x, 1.0 / width);
+        continue;
+      }
+      across_.set(x_px + width, sigma_px, 3 * width);
+      for (std::size_t i = 0; i < across_.shares.size(); ++i)
+        put(across_.first + static_cast<int>(i) - width, across_.shares[i]);
+    }
+  }
+
+  const Camera& camera_;
+  CameraView<double> view_;
+  double sigma_px_, lowest_up_, luminance_per_photon_;
+  Tints tints_;
+  StarExtinction air_;
+  Image& light_;
+  Spread across_, down_;
+};
+
 }  // namespace
 
 double stars_brighter_than(double magnitude) {
@@ -111,84 +197,43 @@ std::array<double, 3> star_direction(const Star& star, double latitude_deg, doub
           to_pole * std::sin(latitude) + to_meridian * std::cos(latitude)};
 }
 
-double colour_temperature_k(double colour_index) {
-  return 4600.0 * (1.0 / (0.92 * colour_index + 1.7) + 1.0 / (0.92 * colour_index + 0.62));
+bool has_stars(const Scene& scene) {
+  return scene.stars.shown || scene.stars.planets || scene.stars.milky_way || scene.moon.shown;
 }
 
-double star_photons_cm2_s(double magnitude) {
-  return kPhotonsOfMagnitude0 * std::pow(10.0, -0.4 * magnitude);
-}
-
-std::array<double, 3> star_tint(double colour_index, const SensorResponse& response) {
-  const double temperature = colour_temperature_k(colour_index);
-  std::array<double, 3> channels{};
-  double luminance = 0.0;
-  constexpr double kStepNm = 5.0;
-  for (double nm = response.first_nm(); nm <= response.last_nm(); nm += kStepNm) {
-    const double power = black_body_power(nm, temperature);
-    const Vector3 of_power = response.channels_of_power(nm);
-    for (int i = 0; i < 3; ++i) channels[i] += power * of_power[i];
-    luminance += power * colour_matching(nm)[1];
-  }
-  const Matrix3& to_rgb = response.rgb_from_channels();
-  std::array<double, 3> rgb{};
-  for (int c = 0; c < 3; ++c)
-    for (int i = 0; i < 3; ++i) rgb[c] += to_rgb[c][i] * channels[i] / luminance;
-  return rgb;
-}
-
-Image star_light(const Scene& scene, const std::vector<double>& instants_s, const std::atomic<bool>* stop) {
-  const Camera& camera = scene.camera;
-  Image light(camera.width, camera.height, {"R", "G", "B"});
-  if (!scene.stars.shown) return light;
-  const CameraView<double> view = camera_view(camera);
-  const double sigma_px = std::max(kStarNarrowestPx, scene.stars.width_deg * pixels_per_degree(camera));
-  const double from_centre_km = kEarthRadiusKm + std::max(0.0, scene.site.altitude_m) * 1e-3;
-  const double cos_of_dip = kEarthRadiusKm / from_centre_km;
-  const double lowest_up = -std::sqrt(1.0 - cos_of_dip * cos_of_dip);
-  // 1 R = 1e6 / 4 pi photons per cm2, s and sr.
-  const double luminance_per_photon = scene.stars.gain * gain_per_kilorayleigh(scene) * 1e-3 * 4.0 * kPi *
-                                      1e-6 / static_cast<double>(instants_s.size());
-  const Tints tints{SensorResponse(scene)};
-
-  const AirAbove air(scene);
-  std::vector<LineDepths<double>> depths;
-  for (const double nm : kChannelNm)
-    depths.emplace_back(nm, scene.air.aerosol_optical_depth, scene.air.angstrom_exponent,
-                        scene.air.ozone_dobson);
-
-  Spread across, down;
-  const double count = std::floor(stars_brighter_than(scene.stars.faintest_magnitude) + 0.5);
-  for (std::uint32_t number = 0; number < count; ++number) {
-    const Star one = star(scene.seed, number);
-    const std::array<double, 3> above_the_air = tints.at(one.colour_index);
-    const double brightness = luminance_per_photon * star_photons_cm2_s(one.magnitude);
-    for (const double instant : instants_s) {
-      if (stop != nullptr && stop->load(std::memory_order_relaxed)) return light;
-      const std::array<double, 3> enu = star_direction(one, scene.site.latitude_deg, instant);
-      if (enu[2] < lowest_up) continue;
-      double x_px = 0.0, y_px = 0.0;
-      if (!pixel_of_enu(view, enu.data(), x_px, y_px)) continue;
-      const double reach_px = kStarReach * sigma_px;
-      if (x_px < -reach_px || x_px > camera.width + reach_px || y_px < -reach_px ||
-          y_px > camera.height + reach_px)
-        continue;
-      std::array<double, 3> tint = above_the_air;
-      if (!air.none())
-        for (int c = 0; c < 3; ++c) tint[c] *= depths[c].transmission(air.towards(enu[2]));
-      const double steradians_of_pixel = pixel_steradians(view.lens, x_px, y_px);
-      if (!(steradians_of_pixel > 0.0)) continue;
-      across.set(x_px, sigma_px, camera.width);
-      down.set(y_px, sigma_px, camera.height);
-      for (std::size_t j = 0; j < down.shares.size(); ++j) {
-        const double in_row = brightness / steradians_of_pixel * down.shares[j];
-        for (std::size_t i = 0; i < across.shares.size(); ++i)
-          for (int c = 0; c < 3; ++c)
-            light.at(across.first + static_cast<int>(i), down.first + static_cast<int>(j), c) +=
-                static_cast<float>(in_row * across.shares[i] * tint[c]);
-      }
+Image star_light(const Scene& scene, const std::vector<double>& instants_s, const std::atomic<bool>* stop,
+                 int threads) {
+  Image light(scene.camera.width, scene.camera.height, {"R", "G", "B"});
+  if (!has_stars(scene)) return light;
+  const auto stopped = [&] { return stop != nullptr && stop->load(std::memory_order_relaxed); };
+  if (scene.stars.milky_way) add_milky_way(scene, instants_s, threads, light);
+  if (scene.moon.shown && !stopped()) add_moon_disc(scene, instants_s, threads, light);
+  StarPainter painter(scene, instants_s.size(), light);
+  if (scene.stars.shown && scene.stars.source == StarSource::random) {
+    const double count = std::floor(stars_brighter_than(scene.stars.faintest_magnitude) + 0.5);
+    for (std::uint32_t number = 0; number < count && !stopped(); ++number) {
+      const Star one = star(scene.seed, number);
+      for (const double instant : instants_s)
+        painter.add(star_direction(one, scene.site.latitude_deg, instant), one.magnitude, one.colour_index,
+                    scene.stars.gain);
     }
   }
+  const Observer observer = observer_of(scene);
+  if (scene.stars.shown && scene.stars.source == StarSource::catalogue)
+    for (const BrightStar& one : catalogue_stars()) {
+      if (one.magnitude > scene.stars.faintest_magnitude || stopped()) break;
+      for (const double instant : instants_s)
+        painter.add(direction_of_star(one.place, observer, julian_date_at(scene, instant)), one.magnitude,
+                    std::clamp(one.colour_index, kBluest, kReddest), scene.stars.gain);
+    }
+  if (scene.stars.planets)
+    for (const Planet planet : kPlanets)
+      for (const double instant : instants_s) {
+        const double date = julian_date_at(scene, instant);
+        const PlanetLight of_planet = light_of_planet(planet, date);
+        painter.add(direction_of_star({place_of_planet(planet, date), 0.0, 0.0}, observer, date),
+                    of_planet.magnitude, of_planet.colour_index, scene.stars.gain);
+      }
   return light;
 }
 

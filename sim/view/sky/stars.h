@@ -1,8 +1,10 @@
-// A random field of stars: as many of each magnitude as the sky has, evenly over the celestial sphere, which
-// turns about its pole. They are not the stars of any date.
+// Stars in a picture: a random field, as many of each magnitude as the sky has, evenly over the celestial
+// sphere, which turns about its pole and is that of no date; or those of the catalogue as they stand at the
+// site and its time, lifted by refraction (sim/view/sky/star_place.h, the same door as a calibration's). With
+// them whatever else stands there: planets, the Moon's disc, the Milky Way.
 //
 // Sources: docs/physics.md, "Stars". The air of [air] dims and reddens them, each channel as its wavelength
-// of 610, 550 or 465 nm; there is no refraction and no twinkling.
+// of 610, 550 or 465 nm; they do not twinkle.
 #pragma once
 
 #include <array>
@@ -13,7 +15,7 @@
 
 #include "sim/base/image.h"
 #include "sim/scene/structs/scene.h"
-#include "sim/view/colour/sensor_response.h"
+#include "sim/view/sky/star_photometry.h"
 
 namespace vegard::sim {
 
@@ -40,20 +42,14 @@ Star star(std::uint64_t seed, std::uint32_t number);
 /// East, north, up of a star at an instant on the scene's clock.
 std::array<double, 3> star_direction(const Star& star, double latitude_deg, double instant_s);
 
-/// Photons cm^-2 s^-1 in the V band: 1.0e6 at magnitude 0.
-double star_photons_cm2_s(double magnitude);
+/// Whether the scene has anything of the kind.
+bool has_stars(const Scene& scene);
 
-/// Of the black body that a colour index B - V stands for: Ballesteros 2012,
-/// doi:10.1209/0295-5075/97/34008.
-double colour_temperature_k(double colour_index);
-
-/// Linear RGB, through a sensor, of light of luminance 1 from a black body of that temperature.
-std::array<double, 3> star_tint(double colour_index, const SensorResponse& response);
-
-/// Linear RGB of the scene's stars through its camera and sensor, the mean of the given instants; black if
-/// none are shown. What stands below the observer's horizon is hidden by the Earth. `stop` ends the work
-/// early; stars are missing then.
+/// Linear RGB of the scene's stars, planets, Moon and Milky Way through its camera and sensor, the mean of
+/// the given instants; black if none are shown. What stands below the observer's horizon is hidden by the
+/// Earth. `stop` ends the work early; stars are missing then. Around an equirectangular picture's edges and
+/// over its poles a star's image goes on.
 Image star_light(const Scene& scene, const std::vector<double>& instants_s,
-                 const std::atomic<bool>* stop = nullptr);
+                 const std::atomic<bool>* stop = nullptr, int threads = 0);
 
 }  // namespace vegard::sim
