@@ -45,7 +45,21 @@ int run_brightness(const BrightnessRequest& options) {
   }
   const std::string warning = warning_if_out_of_view(scene, rendering.rayleigh);
   if (!warning.empty()) tell("vegard: %s\n", warning.c_str());
-  const sim::BrightnessReport report = sim::brightness_report(scene, rendering);
+  sim::BrightnessReport report = sim::brightness_report(scene, rendering);
+  // From orbit there is no ground to stand on; the air and what it scatters end there too.
+  constexpr double kHighestGround_m = 80e3;
+  if (scene.site.altitude_m < kHighestGround_m) {
+    ProgressBar bar("lighting the ground");
+    sim::RenderOptions of_sky;
+    of_sky.threads = threads;
+    of_sky.progress = [&bar](double share) { bar.update(share); };
+    of_sky.stop = &stop;
+    report.ground = sim::light_on_ground(scene, of_sky);
+  }
+  if (stop.load()) {
+    std::fputs("vegard: interrupted\n", stderr);
+    return interrupted;
+  }
   const std::string text = options.json ? brightness_json(report) : brightness_text(report);
   say_text(text);
   return good;

@@ -93,6 +93,14 @@ std::string picture_text(const sim::BrightnessReport& report) {
   return text + row("to the eye", eye_text(report.eye));
 }
 
+std::string ground_text(const sim::GroundIllumination& ground) {
+  std::string text = "on level ground, where the observer stands\n";
+  text += row("aurora", in_units(ground.aurora_lx, "lx"));
+  if (ground.night_sky_lx > 0.0) text += row("night sky", in_units(ground.night_sky_lx, "lx"));
+  if (ground.stars_lx > 0.0) text += row("stars and Moon", in_units(ground.stars_lx, "lx"));
+  return text + row("", fmt::format("{:.2g} times a full moon's light", ground.lux() / sim::kFullMoon_lx));
+}
+
 std::string three(const sim::Vector3& rgb) {
   std::string text;
   for (double value : rgb)
@@ -218,7 +226,9 @@ std::string brightness_text(const sim::BrightnessReport& report) {
   std::string text;
   for (std::size_t s = 0; s < report.sheets.size(); ++s)
     text += sheet_text(report.sheets[s], report.layers[s], report);
-  return text + picture_text(report) + sensor_text(report);
+  text += picture_text(report);
+  if (report.ground) text += ground_text(*report.ground);
+  return text + sensor_text(report);
 }
 
 std::string brightness_json(const sim::BrightnessReport& report) {
@@ -227,6 +237,11 @@ std::string brightness_json(const sim::BrightnessReport& report) {
   for (std::size_t s = 0; s < report.sheets.size(); ++s)
     json["sheets"].push_back(sheet_json(report.sheets[s], report.layers[s], report.lines_nm));
   json["picture"] = picture_json(report);
+  if (report.ground)
+    json["ground"] = {{"illuminance_lx", report.ground->lux()},
+                      {"aurora_lx", report.ground->aurora_lx},
+                      {"night_sky_lx", report.ground->night_sky_lx},
+                      {"stars_lx", report.ground->stars_lx}};
   json["sensor"] = sensor_json(report);
   using Handler = ordered_json::error_handler_t;
   std::string text = json.dump(2, ' ', false, Handler::replace);

@@ -11,9 +11,9 @@
 namespace vegard::apps {
 namespace {
 
-constexpr std::array<const char*, 11> kOwnNames = {"aurora", "sky",    "night_sky",  "background",
+constexpr std::array<const char*, 12> kOwnNames = {"aurora", "sky",    "night_sky",  "background",
                                                    "stars",  "mask",   "foreground", "rayleigh",
-                                                   "volume", "hidden", "literal"};
+                                                   "volume", "hidden", "literal",    "ground"};
 
 sim::Image named(const std::string& layer, sim::Image image) {
   for (std::string& name : image.channel_names) name.insert(0, layer + ".");
@@ -59,6 +59,7 @@ std::vector<sim::Image> layers_of(const sim::Scene& scene, sim::Rendering&& rend
   if (!rendering.stars.empty()) layers.push_back(named("stars", std::move(rendering.stars)));
   if (!rendering.hidden.empty()) layers.push_back(named("hidden", std::move(rendering.hidden)));
   if (!rendering.literal.empty()) layers.push_back(named("literal", std::move(rendering.literal)));
+  if (!rendering.ground.empty()) layers.push_back(named("ground", std::move(rendering.ground)));
   if (!rendering.foreground.empty()) {
     layers.push_back(channels_of(rendering.foreground, 0, {"foreground.R", "foreground.G", "foreground.B"}));
     layers.push_back(channels_of(rendering.foreground, 3, {"mask"}));

@@ -1,10 +1,12 @@
 // What is known of a scene's brightness, gathered.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/emit/aurora/sheet_brightness.h"
+#include "sim/render/lit_ground.h"
 #include "sim/render/render.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/view/film/brightest_spot.h"
@@ -38,9 +40,11 @@ struct BrightnessReport {
   std::string sensor_exposure;  ///< what the scale rests on: sensor.exposure
   ExpectedCounts counts;
   SpotCounts spot_counts;
+  std::optional<GroundIllumination>
+      ground;  ///< on a level surface where the observer stands, if there is one
 };
 
-/// Of a scene and its picture.
+/// Of a scene and its picture; `ground` is whoever asks for it to fill (sim/render/lit_ground.h).
 BrightnessReport brightness_report(const Scene& scene, const Rendering& rendering);
 
 }  // namespace vegard::sim

@@ -62,6 +62,7 @@ void compose_layers(const Scene& scene, const Rendering& layers, const Image& ni
     if (!layers.hidden.empty()) hide(layers.hidden, behind);
     add_light(behind, 1.0, rgb);
   }
+  if (!layers.ground.empty()) cover(layers.ground, rgb);
   if (!layers.foreground.empty()) cover(layers.foreground, rgb);
 }
 
@@ -266,9 +267,27 @@ Rendering render(const Scene& as_given, const RenderOptions& options) {
     result.foreground = options.pictures->foreground;
     scale_light(scene.composite.foreground_gain, result.foreground);
   }
+  if (scene.ground.shown) {
+    RenderOptions of_sky;
+    of_sky.threads = options.threads;
+    of_sky.stop = options.stop;
+    result.ground = ground_layer(scene, light_on_ground(scene, of_sky), options.threads);
+  }
+  if (stopped()) return {};
   result.rgb = result.aurora;
   compose_layers(scene, result, result.night_sky, result.rgb);
   return result;
+}
+
+GroundIllumination light_on_ground(const Scene& scene, const RenderOptions& options) {
+  const Scene sky = sky_over_ground(scene);
+  RenderOptions of_sky;
+  of_sky.threads = options.threads;
+  of_sky.stop = options.stop;
+  of_sky.progress = options.progress;
+  const Rendering all = render(sky, of_sky);
+  if (all.rgb.empty()) return {};  // stopped
+  return light_of_sky(sky, all.rayleigh, all.rgb, all.night_sky, all.stars);
 }
 
 Image sky_light(const Scene& scene) {

@@ -9,6 +9,7 @@
 
 #include "sim/base/image.h"
 #include "sim/render/film.h"
+#include "sim/render/lit_ground.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/view/film/composite.h"
 
@@ -42,12 +43,14 @@ struct Rendering {
                    ///< rayleighs, as they reach the camera: what the air takes is gone
   Image aurora;    ///< linear RGB of the aurora alone through the sensor, signed where a line is out of gamut
   Image rgb;       ///< linear, signed: foreground + (1 - mask) (aurora + behind), where `behind` is sky +
-              ///< night_sky + background + stars, of which `literal` and then `hidden` hide their shares
+              ///< night_sky + background + stars, of which `literal` and then `hidden` hide their shares;
+              ///< between the two is `ground`
   std::uint64_t deflection_points = 0;
 
   Image night_sky;   ///< linear RGB of airglow, twilight, light pollution and moonlit air; empty: none
   Image background;  ///< linear RGB of the picture behind the aurora, times its gain; empty: none
   Image stars;       ///< linear RGB, with planets, the Moon and the Milky Way; empty: none
+  Image ground;      ///< linear R, G, B and A, as `foreground`: the ground below the horizon; empty: none
   Image foreground;  ///< linear R, G, B times its gain and its mask, and A, the mask; empty: none
   Image volume;   ///< what volumes are in all of this: R, G, B, multiplied by A (sim/render/volume_layer.h);
                   ///< their rayleighs' light is in `aurora` too; empty: no volumes
@@ -62,6 +65,9 @@ Image rayleigh_image(const Scene& scene, const Exposure& exposure, int threads =
 
 /// Renders a valid scene. The same scene gives the same bytes on every run and for every number of threads.
 Rendering render(const Scene& scene, const RenderOptions& options = {});
+
+/// What a scene's sky puts on the ground, by a rendering of sky_over_ground(); nothing if it is stopped.
+GroundIllumination light_on_ground(const Scene& scene, const RenderOptions& options = {});
 
 /// Linear RGB of the sky alone: level, gradient and curvature.
 Image sky_light(const Scene& scene);

@@ -1,11 +1,11 @@
-# The sky of a place and a time.
+# The sky of a place and a time, and the ground below it.
 source "$(dirname "$0")/case.sh"
 small=$SCENES/small.toml
 real=(--set stars.shown=true --set stars.source=catalogue --set stars.planets=true --set moon.shown=true --set moon.skylight=true)
-expect_exit 0 render "$small" "${real[@]}" --set stars.milky_way=true --set site.time_utc=2012-03-08T21:00:00Z -o sky.png
-expect_exit 0 render "$small" "${real[@]}" --set stars.milky_way=true --set site.time_utc=2012-03-08T21:00:00Z -o again.png --threads 1
+expect_exit 0 render "$small" "${real[@]}" --set stars.milky_way=true --set site.time_utc=2012-03-08T21:00:00Z --set ground.shown=true -o sky.png
+expect_exit 0 render "$small" "${real[@]}" --set stars.milky_way=true --set site.time_utc=2012-03-08T21:00:00Z --set ground.shown=true -o again.png --threads 1
 expect_same sky.png again.png
-expect_exit 0 render "$small" "${real[@]}" --set stars.milky_way=true --set site.time_utc=2012-03-08T23:00:00Z -o later.png
+expect_exit 0 render "$small" "${real[@]}" --set stars.milky_way=true --set site.time_utc=2012-03-08T23:00:00Z --set ground.shown=true -o later.png
 ! cmp -s sky.png later.png || fail "two hours later the sky is the same"
 # Nobody knows when.
 for setting in moon.shown moon.skylight stars.planets stars.milky_way; do
@@ -17,4 +17,11 @@ done
 expect_exit 2 render "$small" --set twilight.shown=true --set twilight.sun=time --set site.time_utc=2012-06-21T12:00:00Z -o no.png
 expect_one_message
 expect_stderr "twilight.sun"
+# Lux, for people and for programs.
+expect_exit 0 brightness "$small"
+expect_stdout "on level ground"
+expect_exit 0 brightness "$small" --json
+expect_stdout '"aurora_lx": '
+expect_exit 0 brightness "$small" --set site.altitude_m=400000 --set camera.elevation_deg=-20
+! grep -q "on level ground" "$stdout" || fail "there is ground in orbit"
 expect_only sky.png again.png later.png

@@ -1,4 +1,4 @@
-// What else is in the picture: [sky], [stars], [moon], [composite], and the lights of the night
+// What else is in the picture: [sky], [stars], [moon], [ground], [composite], and the lights of the night
 // sky: [air], [airglow], [twilight], [light_pollution].
 #include "sim/scene/rows/row.h"
 #include "sim/scene/rows/rows.h"
@@ -31,6 +31,11 @@ std::vector<Declaration> sky_rows() {
 
       Row("moon", "shown", &Scene::moon, &Moon::shown).means("the Moon's disc with its phase, as it stands at the site and its time"),
       Row("moon", "skylight", &Scene::moon, &Moon::skylight).means("the Moon's light that the air scatters"),
+
+      Row("ground", "shown", &Scene::ground, &Ground::shown)
+          .means("the ground below the horizon, matt and grey, in the light of all that is above it"),
+      Row("ground", "albedo", &Scene::ground, &Ground::albedo).within(0, 1)
+          .means("share of the light that the ground gives back: 0.8 to 0.9 is fresh snow's, 0.2 that of bare ground"),
 
       Row("composite", "background", &Scene::composite, &Composite::background).names_file()
           .means("picture behind the aurora, beside the scene's file; empty: none"),

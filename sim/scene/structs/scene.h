@@ -395,6 +395,12 @@ struct Moon {
   bool skylight = false;  ///< what of its light the air scatters
 };
 
+/// The ground below the horizon, in the light of all that the scene has above it.
+struct Ground {
+  bool shown = false;
+  double albedo = 0.85;  ///< 0.8 to 0.9 is fresh snow's
+};
+
 /// Pictures behind and before the aurora, by file, beside the scene's.
 struct Composite {
   std::string background;        ///< empty: none
@@ -556,6 +562,7 @@ struct Scene {
   LightPollution light_pollution;
   Stars stars;
   Moon moon;
+  Ground ground;
   Composite composite;
   Time time;
   Substorm substorm;
