@@ -158,7 +158,6 @@ def make_kinds(vegard, home):
     run("directions", "small.toml", "-o", "field.wcs", "--set", "site.time_utc=\"2014-02-21T19:30:40Z\"", "--set", "site.latitude_deg=65.1",
         "--set", "site.longitude_deg=20.5")
     run("profile", "photo.png", "-o", "measured.csv")
-    run("keogram", "photo.png", "second.png", "-o", "keogram.csv")
     run("volume", "small.toml", "-o", "a.vdb", "--voxel-km", "16", "--lines", "557.7", *ONE)
     run("grid", "a.vdb", "-o", "a.pbrt")
     run("fit", "fit.toml", "--photo", "photo.png", "--out", "run", "--max-evaluations", "2", *ONE)
@@ -168,6 +167,7 @@ def make_kinds(vegard, home):
     text("list.txt", "# when, and of what\nphoto.png 0\nsecond.png 2.5\n")
     run("sequence", "fit.toml", "--photos", "list.txt", "-o", "sequence", "--max-evaluations", "2", *ONE)
     shutil.copy(home / "photo.png", home / "third.png")
+    run("keogram", "photo.png", "third.png", "-o", "keogram.csv")
     run("horizon", "--size", "32,24", "--points", "2,12", "30,13", "--hfov", "60", "-o", "camera.toml")
     (home / "photo.ppm").write_bytes(ppm(32, 24))
     stars = "name,azimuth_deg,zenith_deg,x_px,y_px\n" + "".join(
