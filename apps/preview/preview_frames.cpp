@@ -16,7 +16,7 @@
 #include "apps/options/file_names.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
-#include "apps/output/animation_frames.h"
+#include "apps/output/animation/animation_frames.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
 #include "apps/preview/preview_painter.h"

@@ -31,7 +31,7 @@ clean_tree() {
   put apps/vegard.cpp $'#include <iostream>\n#include "fit/photo/photo.h"'
   put apps/options/command.cpp '#include <CLI/CLI.hpp>'
   put apps/preview/preview_window.cpp '#include <opencv2/highgui.hpp>'
-  put apps/output/movie.cpp '#include <opencv2/videoio.hpp>'
+  put apps/output/animation/movie.cpp '#include <opencv2/videoio.hpp>'
   put tests/fit/photo/photo_test.cpp '#include "fit/photo/photo.h"'
   put docs/readme.md 'See https://example.org/home/page and ~/work/mine.'
 }

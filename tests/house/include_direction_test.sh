@@ -94,8 +94,8 @@ check_sources() {
       # Rule 2: each large library has its place.
       if (target ~ /^ceres\// && from != "fit") complain("Ceres belongs in fit/ only")
       if (target ~ /^opencv2?\// && !(from == "fit" && FILENAME ~ /\.cpp$/)) {
-        if (FILENAME !~ /^apps\/(output\/movie|preview\/preview_window)\.cpp$/)
-          complain("OpenCV belongs in the .cpp files of fit/, apps/output/movie.cpp and apps/preview/preview_window.cpp")
+        if (FILENAME !~ /^apps\/(output\/animation\/movie|preview\/preview_window)\.cpp$/)
+          complain("OpenCV belongs in the .cpp files of fit/, apps/output/animation/movie.cpp and apps/preview/preview_window.cpp")
       }
       if (target ~ /^CLI\// && room != "apps/options") complain("CLI11 belongs in apps/options/ only")
       if (target ~ /^OpenImageIO\// && room != "sim/base/picture/image_io")

@@ -1,5 +1,5 @@
 // A movie read back: as many frames, of that size and rate, and they look like what was rendered.
-#include "apps/output/movie.h"
+#include "apps/output/animation/movie.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "apps/output/animation_frames.h"
+#include "apps/output/animation/animation_frames.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/render/render.h"
 #include "tests/support/expect_words.h"

@@ -1,6 +1,6 @@
 // A movie of a panorama, taken apart: both of the ways in which it tells what it is, and nothing else
 // changed.
-#include "apps/output/spherical_video.h"
+#include "apps/output/animation/spherical_video.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "apps/output/movie.h"
+#include "apps/output/animation/movie.h"
 #include "sim/base/error.h"
 #include "sim/base/image.h"
 #include "sim/base/picture/image_io.h"

@@ -1,4 +1,4 @@
-#include "apps/output/animation_frames.h"
+#include "apps/output/animation/animation_frames.h"
 
 #include <gtest/gtest.h>
 

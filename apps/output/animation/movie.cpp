@@ -1,4 +1,4 @@
-#include "apps/output/movie.h"
+#include "apps/output/animation/movie.h"
 
 #include <malloc.h>
 
@@ -11,7 +11,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "apps/output/spherical_video.h"
+#include "apps/output/animation/spherical_video.h"
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
 

@@ -13,7 +13,7 @@ namespace vegard::apps {
 /// without `overwrite` never in the place of another file. Returns the name of the codec, empty if `stop`
 /// ended the work: nothing is left behind then. The same pictures give the same bytes on every run on one
 /// machine; H.264's depend on how many cores it has.
-/// `all_around`: they are equirectangular, and the movie says so (apps/output/spherical_video.h).
+/// `all_around`: they are equirectangular, and the movie says so (apps/output/animation/spherical_video.h).
 /// Throws Error(existing_output), Error(unwritable_output), Error(unreadable_input) for a picture.
 std::string write_movie(const std::string& path, const std::vector<std::string>& pictures,
                         double frames_per_second, bool overwrite,

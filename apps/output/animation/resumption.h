@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/output/animation_frames.h"
+#include "apps/output/animation/animation_frames.h"
 #include "apps/output/picture_file.h"
 #include "sim/scene/structs/scene.h"
 

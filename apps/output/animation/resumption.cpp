@@ -1,4 +1,4 @@
-#include "apps/output/resumption.h"
+#include "apps/output/animation/resumption.h"
 
 #include <filesystem>
 #include <system_error>
