@@ -29,6 +29,8 @@ for setting in camera.k1=0.1 camera.principal_x_px=3 sensor.vignetting_cos_power
   expect_one_message
   expect_stderr "${setting%=*}"
 done
-expect_exit 2 fit "$SCENES/fit.toml" --photo flat.exr "${around[@]}" --out run
-expect_stderr "panorama"
-expect_only around.exr again.exr flat.exr cross.png strip.png grid.png around.mp4 directions.exr
+expect_exit 0 render "$small" "${around[@]}" -o around.png
+expect_exit 2 fit "$SCENES/fit.toml" --photo around.png "${around[@]}" --out run
+expect_one_message
+expect_stderr "panoramas are for rendering only"
+expect_only around.exr again.exr flat.exr around.png cross.png strip.png grid.png around.mp4 directions.exr
