@@ -19,7 +19,6 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kRedNm = 630.0, kBlueNm = 427.8;
-constexpr double kLeastRatio = 5.2, kMostRatio = 31.4;
 constexpr double kLeastShareOfVariance =
     0.1;  // of the variance, of a free number that a derived one depends on
 
@@ -286,10 +285,10 @@ std::vector<std::string> unusual_sheets(const sim::Scene& scene) {
   for (const sim::Sheet& sheet : scene.sheets) {
     if (sim::is_curve(sheet)) continue;
     const double ratio = wavelength_ratio(sheet);
-    if (ratio >= kLeastRatio && ratio <= kMostRatio) continue;
+    if (ratio >= kLeastWavelengthRatio && ratio <= kMostWavelengthRatio) continue;
     notes.push_back(fmt::format(
         "the wavelength of the {} sheet is {:.3g} times twice its amplitude; nature prefers {} to {}",
-        sheet.name, ratio, kLeastRatio, kMostRatio));
+        sheet.name, ratio, kLeastWavelengthRatio, kMostWavelengthRatio));
   }
   return notes;
 }

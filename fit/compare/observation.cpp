@@ -35,8 +35,8 @@ void check_sizes(const sim::Scene& scene, const Photo& photo) {
        scene.file, 0, "camera.width", "the photograph's size", "set camera.width and camera.height"});
 }
 
-/// A film that counts points, or puts each into one cell, has no derivative by the points' places; nor has
-/// the physical blur any here.
+/// A film that counts points, or puts each into one cell, has no derivative by the points' places; and a fit
+/// blurs lines, not colours.
 void check_film(const sim::Scene& scene) {
   const auto refuse = [&](const std::string& key, auto value, auto needed, const char* hint) {
     if (value == needed) return;
@@ -46,7 +46,8 @@ void check_film(const sim::Scene& scene) {
   const char* literal = "the literal forward map is for rendering only";
   refuse("film.weight", scene.film.weight, sim::PointWeight::rayleigh, literal);
   refuse("film.splat", scene.film.splat, sim::SplatRule::bilinear, literal);
-  refuse("blur.model", scene.blur.model, sim::BlurModel::angle, "the physical blur is for rendering only");
+  refuse("blur.order", scene.blur.order, sim::BlurOrder::lines,
+         "the blur after colour is for rendering only");
   if (sim::is_panorama(scene.camera.model))
     refuse("camera.model", scene.camera.model, sim::LensModel::pinhole, "panoramas are for rendering only");
   for (const sim::Nebula& nebula : scene.nebulae)

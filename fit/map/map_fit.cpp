@@ -71,6 +71,10 @@ std::vector<sim::Scene> scenes_of(const sim::Scene& scene, const std::vector<Pho
              "the photograph " + scene.fit.photos[i].name + " sets a magnetic field of its own",
              "fit.photo.set", "one field for the map, that of the scene",
              "field.model = \"dipole\" has at each place what belongs there");
+    if (scenes[i].blur.model != sim::BlurModel::angle || scenes[i].blur.order != sim::BlurOrder::lines)
+      refuse(sim::ErrorKind::scene, scene, "a map blurs each line by its angle",
+             scenes[i].blur.model != sim::BlurModel::angle ? "blur.model" : "blur.order",
+             "blur.model = \"angle\" and blur.order = \"lines\"", "");
     const sim::Camera& camera = scenes[i].camera;
     const sim::Image& picture = photos[i].linear;
     if (camera.width != picture.width || camera.height != picture.height)

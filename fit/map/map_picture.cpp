@@ -8,6 +8,7 @@
 
 #include "fit/photo/grey_light.h"
 #include "sim/base/number/constants.h"
+#include "sim/render/film.h"
 #include "sim/view/camera/rays.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/sky/night_sky.h"
@@ -33,8 +34,8 @@ MapPicture::MapPicture(const sim::Scene& scene, const Photo& photo, const MapPic
     : scene_(scene), threads_(options.threads) {
   const int b = options.pixels_per_cell;
   double widest_px = 0.0;
-  for (const double width : scene.blur.width_deg)
-    widest_px = std::max(widest_px, width * sim::pixels_per_degree(scene.camera));
+  for (int line = 0; line < static_cast<int>(scene.emission.lines.size()); ++line)
+    widest_px = std::max(widest_px, sim::blur_sigma_px(scene, line));
   const int margin =
       options.margin_cells > 0 ? options.margin_cells : static_cast<int>(std::ceil(3.0 * widest_px / b)) + 1;
   film_.cell_width_px = film_.cell_height_px = b;
@@ -44,7 +45,7 @@ MapPicture::MapPicture(const sim::Scene& scene, const Photo& photo, const MapPic
   for (const sim::Vector3& rgb : sim::line_colours(scene))
     colour_.push_back({rgb[0] * 1e-3, rgb[1] * 1e-3, rgb[2] * 1e-3});
   for (std::size_t line = 0; line < scene.emission.lines.size(); ++line) {
-    const double sigma = scene.blur.width_deg[line] * sim::pixels_per_degree(scene.camera) / b;
+    const double sigma = sim::blur_sigma_px(scene, static_cast<int>(line)) / b;
     const sim::BlurKernel kernel = sim::gaussian_kernel(std::sqrt(sigma * sigma + kBoxVariance));
     blur_.push_back({kernel, kernel});
   }

@@ -7,6 +7,7 @@
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/freedom/ties.h"
 #include "sim/scene/table/free_entry_keys.h"
+#include "sim/scene/table/parameter_id.h"
 #include "sim/scene/table/photo_scene.h"
 
 namespace vegard::fit {
@@ -144,6 +145,37 @@ bool FreeNumber::at_limit(double value) const {
          (finite(max) && place(max) - place(value) < kAtLimit * range);
 }
 
+namespace {
+
+/// The prior stands at the wavelength, or at the amplitude if only that is free.
+void add_ratio_priors(const sim::Scene& scene, std::vector<FreeNumber>& numbers) {
+  if (scene.fit.ratio_spread <= 0.0) return;
+  for (int s = 0; s < static_cast<int>(scene.sheets.size()); ++s) {
+    const sim::Sheet& sheet = scene.sheets[static_cast<std::size_t>(s)];
+    if (sheet.course != sim::SheetCourse::sine) continue;
+    const sim::ParameterId wavelength = sim::parameter_with(sim::ParameterRole::wavelength, s),
+                           amplitude = sim::parameter_with(sim::ParameterRole::amplitude, s);
+    const auto find = [&](const sim::ParameterId& id) {
+      return std::find_if(numbers.begin(), numbers.end(), [&](const FreeNumber& n) { return n.id == id; });
+    };
+    const auto of_wavelength = find(wavelength), of_amplitude = find(amplitude);
+    RatioPrior prior;
+    prior.spread = scene.fit.ratio_spread;
+    if (of_wavelength != numbers.end()) {
+      const bool both = of_amplitude != numbers.end();
+      prior.rest = -std::log(2.0) - (both ? 0.0 : std::log(sheet.thickness_km));
+      if (both) prior.other = amplitude;
+      of_wavelength->ratio_prior = prior;
+    } else if (of_amplitude != numbers.end()) {
+      prior.sign = -1.0;
+      prior.rest = std::log(0.5 * sheet.wavelength_km);
+      of_amplitude->ratio_prior = prior;
+    }
+  }
+}
+
+}  // namespace
+
 bool is_of_volume(const FreeNumber& number) {
   return number.has_path() && sim::kind_of_table(number.id.row->table) != nullptr;
 }
@@ -172,6 +204,7 @@ std::vector<FreeNumber> free_numbers(const sim::Scene& scene) {
                                              "at least one path, such as \"sheet.main.energy_kev\"",
                                              "'vegard params' lists what can be free"});
   mark_those_in_expressions(scene, numbers);
+  add_ratio_priors(scene, numbers);
   return numbers;
 }
 

@@ -20,6 +20,17 @@ struct FreePlace {
   std::string photo;
 };
 
+/// What fit.ratio_spread says of a sheet's wavelength over twice its amplitude, of which this number is one:
+/// ln(ratio) = sign ln(value) + rest, where rest is that of the other number, if that is free too.
+struct RatioPrior {
+  double sign = 1.0;
+  std::optional<sim::ParameterId> other;  ///< free too
+  double rest = 0.0;
+  double spread = 0.0;  ///< standard deviation of ln(ratio) beyond the range
+};
+/// The range that the source paper prefers (section 3.1; docs/physics.md row B5).
+inline constexpr double kLeastWavelengthRatio = 5.2, kMostWavelengthRatio = 31.4;
+
 struct FreeNumber {
   sim::ParameterId id;          ///< its first place; none for a number that only expressions use
   std::string path;             ///< of that place, as the report writes it
@@ -30,6 +41,7 @@ struct FreeNumber {
   double start = 0.0;
   double min = 0.0, max = 0.0;  ///< the user's limits, else the table's; +-infinity where there is none
   std::optional<sim::Prior> prior;
+  std::optional<RatioPrior> ratio_prior;
   std::optional<sim::ParameterScale> scale;  ///< in place of the table's
 
   bool has_path() const { return id.any(); }

@@ -1,5 +1,6 @@
 #include "fit/parameters/prior_rows.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/scene/table/free_entry_keys.h"
@@ -8,6 +9,7 @@ namespace vegard::fit {
 
 PriorRows::PriorRows(const std::vector<FreeNumber>& free, double weight) {
   for (std::size_t j = 0; j < free.size(); ++j) {
+    if (free[j].ratio_prior) add_ratio(free, j, weight);
     if (!free[j].prior || free[j].prior->law == sim::PriorLaw::uniform) continue;
     if (free[j].prior->law == sim::PriorLaw::log_normal) {
       add_of_sum(weight / free[j].prior->sigma, std::log(free[j].prior->mean), 0.0,
@@ -20,6 +22,24 @@ PriorRows::PriorRows(const std::vector<FreeNumber>& free, double weight) {
     row.terms = {{static_cast<int>(j), 1.0}};
     rows_.push_back(row);
   }
+}
+
+void PriorRows::add_ratio(const std::vector<FreeNumber>& free, std::size_t j, double weight) {
+  const RatioPrior& prior = *free[j].ratio_prior;
+  Row row;
+  row.kind = Row::Kind::of_range;
+  row.factor = weight / prior.spread;
+  row.constant = prior.rest;
+  row.least = std::log(kLeastWavelengthRatio);
+  row.most = std::log(kMostWavelengthRatio);
+  row.terms = {{static_cast<int>(j), prior.sign}};
+  if (prior.other) {
+    const auto other =
+        std::find_if(free.begin(), free.end(), [&](const FreeNumber& n) { return n.id == *prior.other; });
+    if (other == free.end()) return;  // one number by itself: the ratio says nothing of it
+    row.terms.push_back({static_cast<int>(other - free.begin()), -prior.sign});
+  }
+  rows_.push_back(row);
 }
 
 void PriorRows::add_of_logarithms(const std::vector<LogTerm>& terms) {
@@ -59,6 +79,12 @@ void PriorRows::evaluate(const std::vector<double>& values, std::vector<double>&
         residuals[r] += t.factor * std::log(values[t.number]);
         slope(t.number, t.factor / values[t.number]);
       }
+    } else if (row.kind == Row::Kind::of_range) {
+      double sum = row.constant;
+      for (const LogTerm& t : row.terms) sum += t.factor * std::log(values[t.number]);
+      if (sum >= row.least && sum <= row.most) continue;
+      residuals[r] = row.factor * (sum - (sum < row.least ? row.least : row.most));
+      for (const LogTerm& t : row.terms) slope(t.number, row.factor * t.factor / values[t.number]);
     } else {
       double sum = row.constant;
       for (const LogTerm& t : row.terms) sum += t.factor * values[t.number];

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "sim/base/number/constants.h"
 #include "sim/base/parallel.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/render/beams/beams.h"
@@ -12,6 +13,7 @@
 #include "sim/render/beams/kernel.h"
 #include "sim/render/beams/kernel_scene.h"
 #include "sim/render/beams/sheet_nodes.h"
+#include "sim/render/slab_exposer.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/table/parameter_id.h"
 #include "sim/view/film/panorama.h"
@@ -22,12 +24,73 @@ namespace {
 
 constexpr int kShards = 8;  // of the derivatives; fixed, so that sums do not depend on the threads
 
+/// The paper's blur of a line, in pixels of its own pictures.
+double paper_sigma_px(double wavelength_nm) {
+  const EmissionLine* line = find_emission_line(wavelength_nm);
+  if (line == nullptr) return 0.0;
+  return line->lifetime_s > 10.0 ? 4.75 : line->lifetime_s > 0.1 ? 2.0 : 0.0;
+}
+
+/// How many degrees a picture is high, of a lens that is no pinhole as on its axis.
+double picture_height_deg(const Camera& camera) {
+  const CameraView<double> view = camera_view(camera);
+  const double height = camera.height / (view.lens.focal_px * view.lens.aspect);
+  return (camera.model == LensModel::pinhole ? 2.0 * std::atan(0.5 * height) : height) / kRadiansPerDegree;
+}
+
+/// Of the paper's pictures, which are 383 pixels high over 35 degrees (docs/physics.md row B25).
+double pixels_per_paper_pixel(const Camera& camera) {
+  constexpr double kPaperRows = 383.0, kPaperHeight_deg = 35.0;
+  return camera.height / kPaperRows * kPaperHeight_deg / picture_height_deg(camera);
+}
+
 /// Distortion that is free may be none at present.
 bool frees_distortion(const Camera& camera, const std::vector<ParameterId>& free) {
   return std::any_of(free.begin(), free.end(), [&](const ParameterId& id) {
     const int number = camera_number_of(camera, id);
     return number >= k1_number && number <= p2_number;
   });
+}
+
+bool is_spread(const Scene& scene, bool spreads) {
+  return spreads && scene.blur.model == BlurModel::physical;
+}
+
+/// An exposer that leaves light where it is born.
+class SharpExposer : public PartExposer {
+ public:
+  SharpExposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond,
+               const BeamSampling& sampling)
+      : exposer_(scene, film, threads, beyond, sampling, nullptr, false) {}
+
+  void let_shine(std::vector<bool> sheets, bool volumes) override {
+    exposer_.let_shine(std::move(sheets), volumes);
+  }
+  void expose(const Scene& scene, Exposure& out, const std::function<void(double)>& progress,
+              const std::atomic<bool>* stop, int only_sheet) override {
+    exposer_.expose(scene, out, progress, stop, only_sheet);
+  }
+  void expose_with_derivatives(const Scene& scene, const std::vector<ParameterId>& free,
+                               Exposure& out) override {
+    exposer_.expose_with_derivatives(scene, free, out);
+  }
+  void expose_profiles(const Scene& scene, int sheet, const std::vector<std::vector<float>>& rates,
+                       Exposure& out) override {
+    exposer_.expose_profiles(scene, sheet, rates, out);
+  }
+  std::vector<float> split_by_age(int sheet, double wavelength_nm,
+                                  const std::vector<float>& rates) const override {
+    return exposer_.split_by_age(sheet, wavelength_nm, rates);
+  }
+
+ private:
+  Exposer exposer_;
+};
+
+MakePartExposer parts_of(int threads, double beyond, const BeamSampling& sampling) {
+  return [=](const Scene& scene, const FilmGeometry& film) {
+    return std::make_unique<SharpExposer>(scene, film, threads, beyond, sampling);
+  };
 }
 
 BeamLayout laid_out(Scene scene, const FilmGeometry& film, double beyond, const BeamSampling& sampling) {
@@ -40,7 +103,22 @@ BeamLayout laid_out(Scene scene, const FilmGeometry& film, double beyond, const 
 }  // namespace
 
 double blur_sigma_px(const Scene& scene, int line) {
+  if (scene.blur.model == BlurModel::physical) return 0.0;
+  if (scene.blur.widths == BlurWidths::paper)
+    return paper_sigma_px(scene.emission.lines[line]) * pixels_per_paper_pixel(scene.camera);
   return scene.blur.width_deg[line] * pixels_per_degree(scene.camera);
+}
+
+double blur_sigma_growth_px(const Scene& scene, int line) {
+  const double sigma = blur_sigma_px(scene, line);
+  if (scene.blur.widths == BlurWidths::given || scene.camera.model != LensModel::pinhole)
+    return sigma * pixels_per_degree_growth(scene.camera);
+  // Both fields by the same focal length: d ln(1 / vfov) / d hfov.
+  const double half_across = 0.5 * scene.camera.hfov_deg * kRadiansPerDegree,
+               half_down = 0.5 * picture_height_deg(scene.camera) * kRadiansPerDegree;
+  const double ratio = std::tan(half_down) / std::tan(half_across);
+  const double growth = ratio * std::pow(std::cos(half_down) / std::cos(half_across), 2);
+  return -sigma * growth / picture_height_deg(scene.camera);
 }
 
 int blur_radius_px(const Scene& scene, int line) {
@@ -82,6 +160,11 @@ struct Exposer::Workspace {
   std::vector<PackedChunk> slot_chunks;                // kept: their memory is large enough to cost something
   std::vector<std::unique_ptr<TangentFilm>> tangents;  // of the shares of the beams, likewise
   std::shared_ptr<const Volumes> volumes;              // if the scene has any
+  std::vector<bool> shining;                           // sheets; empty: all
+  bool volumes_shine = true;
+  std::unique_ptr<SlabExposer> slabs;  // under the physical blur, in the place of all this
+
+  bool is_dark(const Chunk& chunk) const { return !shining.empty() && !shining[chunk.sheet]; }
 
   /// One per sheet.
   std::vector<KernelScene> kernels(const Scene& scene, const std::vector<HeightProfile>& profiles) const {
@@ -106,7 +189,7 @@ struct Exposer::Workspace {
     parallel_for(layout.chunks().size(), threads, [&](std::size_t c, int slot) {
       if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
       const Chunk& chunk = layout.chunks()[c];
-      if (only_sheet >= 0 && chunk.sheet != only_sheet) {
+      if (is_dark(chunk) || (only_sheet >= 0 && chunk.sheet != only_sheet)) {
         ++done;
         return;
       }
@@ -131,7 +214,7 @@ struct Exposer::Workspace {
   void add_volumes(const Scene& scene, Exposure& out, const std::function<void(double)>& progress = {},
                    const std::atomic<bool>* stop = nullptr, bool whole_resolution = false) const {
     out.volumes = {};
-    if (!volumes) return;
+    if (!volumes || !volumes_shine) return;
     out.volumes = volumes->light(scene, film, progress, stop, whole_resolution);
     for (std::size_t i = 0; i < out.rayleigh.size(); ++i) out.rayleigh[i] += out.volumes.rayleigh[i];
   }
@@ -159,23 +242,41 @@ struct Exposer::Workspace {
 };
 
 Exposer::Exposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond,
-                 const BeamSampling& sampling, std::shared_ptr<const Volumes> volumes)
-    : work_(new Workspace{film,
-                          thread_count(threads),
-                          sampling.draw + sampling.path_draw,
-                          laid_out(scene, film, beyond, sampling),
-                          {},
-                          {},
-                          {},
-                          std::move(volumes)}) {
+                 const BeamSampling& sampling, std::shared_ptr<const Volumes> volumes, bool spreads)
+    : work_(new Workspace{
+          film,
+          thread_count(threads),
+          sampling.draw + sampling.path_draw,
+          laid_out(is_spread(scene, spreads) ? Scene() : scene, film, beyond, sampling),
+          {},
+          {},
+          {},
+          std::move(volumes),
+          {},
+          true,
+          is_spread(scene, spreads)
+              ? std::make_unique<SlabExposer>(scene, film, threads, parts_of(threads, beyond, sampling))
+              : nullptr}) {
+  if (work_->slabs) return;
   if (!work_->volumes && has_volumes(scene)) work_->volumes = std::make_shared<Volumes>(scene, threads);
 }
 
 Exposer::~Exposer() = default;
 
+bool Exposer::spreads() const { return work_->slabs != nullptr; }
+
+void Exposer::let_shine(std::vector<bool> sheets, bool volumes) {
+  work_->shining = std::move(sheets);
+  work_->volumes_shine = volumes;
+}
+
 void Exposer::expose(const Scene& scene, Exposure& out, const std::function<void(double)>& progress,
                      const std::atomic<bool>* stop, int only_sheet) {
   Workspace& w = *work_;
+  if (w.slabs) {
+    w.slabs->expose(scene, out, progress, stop, only_sheet);
+    return;
+  }
   const int lines = static_cast<int>(scene.emission.lines.size());
   const int stride = lines <= 4 ? 4 : 8;
   out.deflection_points = w.fall(scene, w.layout.profiles(scene), stride, only_sheet, progress, stop);
@@ -188,6 +289,10 @@ void Exposer::expose(const Scene& scene, Exposure& out, const std::function<void
 void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<ParameterId>& free,
                                       Exposure& out) {
   Workspace& w = *work_;
+  if (w.slabs) {
+    w.slabs->expose_with_derivatives(scene, free, out);
+    return;
+  }
   const int lines = static_cast<int>(scene.emission.lines.size());
   const int stride = lines <= 4 ? 4 : 8;
   const std::vector<HeightProfile> profiles = w.layout.profiles(scene);
@@ -239,6 +344,7 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<Para
       for (std::size_t c = w.layout.chunks().size() * shard / shards;
            c < w.layout.chunks().size() * (shard + 1) / shards; ++c) {
         const Chunk& chunk = w.layout.chunks()[c];
+        if (w.is_dark(chunk)) continue;
         w.layout.pack(scene, chunk, kernels[chunk.sheet], seeds, packed);
         // The kernel's energy tangents are by log(E0).
         points += fall_on_film_with_tangents(kernels[chunk.sheet], of_sheets[chunk.sheet],
@@ -280,14 +386,18 @@ void Exposer::expose_with_derivatives(const Scene& scene, const std::vector<Para
     });
   }
   w.add_volumes(scene, out, {}, nullptr, true);
-  if (w.volumes)
+  if (w.volumes && w.volumes_shine)
     w.volumes->add_light_derivatives(scene, w.film, free, out.free_stride, out.derivative.data());
 }
 
 void Exposer::expose_profiles(const Scene& scene, int sheet, const std::vector<std::vector<float>>& rates,
-                              Exposure& out) {
+                              Exposure& out, int line) {
   constexpr int kLanes = 8;
   Workspace& w = *work_;
+  if (w.slabs) {
+    w.slabs->expose_profiles(scene, sheet, rates, line, out);
+    return;
+  }
   std::vector<HeightProfile> profiles = w.layout.profiles(scene);
   const LightAges& ages = w.layout.ages();
   const int rungs = profiles_of_sheet(scene, sheet).count();
@@ -345,6 +455,7 @@ void Exposer::expose_profiles(const Scene& scene, int sheet, const std::vector<s
 
 std::vector<float> Exposer::split_by_age(int sheet, double wavelength_nm,
                                          const std::vector<float>& rates) const {
+  if (work_->slabs) return work_->slabs->split_by_age(sheet, wavelength_nm, rates);
   return work_->layout.ages().split_rates(sheet, wavelength_nm, rates);
 }
 

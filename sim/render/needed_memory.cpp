@@ -6,6 +6,8 @@
 #include "sim/base/parallel.h"
 #include "sim/light/sample.h"
 #include "sim/render/film.h"
+#include "sim/render/physical_blur.h"
+#include "sim/render/slab_exposer.h"
 #include "sim/render/volumes/volumes.h"
 #include "sim/view/sky/night_sky.h"
 #include "sim/view/sky/stars.h"
@@ -34,11 +36,14 @@ double render_bytes(const Scene& scene, int threads, const RenderingUse& use) {
   const double lines = static_cast<double>(scene.emission.lines.size());
   const double of_lines = kFloatBytes * lines, of_colours = 3.0 * kFloatBytes;
   const int slots = thread_count(threads);
-  // The physical blur spreads over a ladder of films, each of half the size, of one line at a time.
-  const double film_bytes =
-      scene.blur.model == BlurModel::angle
-          ? cells * film_bytes_of_cell(scene, slots)
-          : cells * (film_bytes_of_cell(scene, slots) + 2.0 * kFilmUnit * slots + 4.0 * kFloatBytes);
+  double film_bytes = cells * film_bytes_of_cell(scene, slots);
+  if (scene.blur.model == BlurModel::physical) {
+    // Beam by beam it spreads over a ladder of films, each of half the size, of one line at a time.
+    if (is_spread_by_beams(scene))
+      film_bytes += cells * (2.0 * kFilmUnit * slots + 4.0 * kFloatBytes);
+    else
+      film_bytes = cells * 2.0 * of_lines + slab_bytes(slab_plan(scene, film, slots), 0, slots);
+  }
   // While the film lasts: the lines' picture, once more on its way through the blur, and the layers before
   // this one.
   const double of_sheets =
@@ -59,9 +64,19 @@ double render_bytes(const Scene& scene, int threads, const RenderingUse& use) {
 double model_bytes(const Scene& scene, double cells, int free, int threads) {
   const double lines = static_cast<double>(scene.emission.lines.size()), of_lines = kFloatBytes * lines;
   const double width = std::max(1.0, std::ceil(free / static_cast<double>(kTangentWidth))) * kTangentWidth;
+  const double of_means = cells * (of_lines + 6.0 * kFloatBytes + 24.0);
+  if (scene.blur.model == BlurModel::physical) {
+    // In slabs, on a film of as many square cells.
+    FilmGeometry film;
+    film.columns = film.rows = static_cast<int>(std::ceil(std::sqrt(cells)));
+    film.cell_width_px = static_cast<double>(scene.camera.width) / film.columns;
+    film.cell_height_px = static_cast<double>(scene.camera.height) / film.rows;
+    return of_means + cells * of_lines * (width + 2.0) +
+           slab_bytes(slab_plan(scene, film, threads), free, threads);
+  }
   // The film with its derivatives, as shares of the beams and together; then lines, colours and weights.
-  return cells * (film_bytes_of_cell(scene, thread_count(threads)) + of_lines * (width + kTangentWidth) +
-                  of_lines + 6.0 * kFloatBytes + 24.0);
+  return of_means +
+         cells * (film_bytes_of_cell(scene, thread_count(threads)) + of_lines * (width + kTangentWidth));
 }
 
 }  // namespace vegard::sim

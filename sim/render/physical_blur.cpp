@@ -205,7 +205,8 @@ std::uint64_t add_prompt_lines(const Scene& scene, const std::vector<int>& chann
   const Scene prompt = with_lines(scene, lines_nm);
   const FilmGeometry film = film_for(prompt, 0, 0, rayleigh.width, rayleigh.height, 1.0, 1.0);
   Exposure exposure;
-  Exposer(prompt, film, threads).expose(prompt, exposure, progress, stop, only_sheet);
+  Exposer(prompt, film, threads, 0.0, {}, nullptr, false)
+      .expose(prompt, exposure, progress, stop, only_sheet);
   const int left = static_cast<int>(-film.x0_px), top = static_cast<int>(-film.y0_px);
   for (std::size_t l = 0; l < channels.size(); ++l) {
     const float* plane = exposure.rayleigh.data() + l * exposure.cells();
@@ -217,6 +218,13 @@ std::uint64_t add_prompt_lines(const Scene& scene, const std::vector<int>& chann
 }
 
 }  // namespace
+
+bool is_spread_by_beams(const Scene& scene) {
+  const Camera& c = scene.camera;
+  return c.model == LensModel::pinhole && c.k1 == 0.0 && c.k2 == 0.0 && c.k3 == 0.0 && c.p1 == 0.0 &&
+         c.p2 == 0.0 && c.aspect == 1.0 && !c.mirrored && c.principal_x_px == 0.0 &&
+         c.principal_y_px == 0.0 && scene.footprints.empty();
+}
 
 double widest_spread_px(const Scene& scene, const SpreadProfile& spread, double top_km) {
   const double widest = largest_px(

@@ -17,6 +17,11 @@
 
 namespace vegard::sim {
 
+/// Whether the scene's picture is made so, with a spread for each point of a beam: by a pinhole without
+/// distortion, its axis in the middle, and of beams alone. Every other goes by slabs of altitude
+/// (sim/render/slab_exposer.h).
+bool is_spread_by_beams(const Scene& scene);
+
 /// The widest spread on the picture, in pixels (standard deviation): the largest that light below `top_km`
 /// can have where the picture looks highest and so nearest, but at most half the picture's diagonal.
 double widest_spread_px(const Scene& scene, const SpreadProfile& spread, double top_km);

@@ -1,11 +1,14 @@
 #include "sim/render/picture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
 
 #include "sim/render/air_on_film.h"
 #include "sim/scene/lines/emission_lines.h"
+#include "sim/view/colour/colour.h"
+#include "sim/view/colour/line_colours.h"
 #include "sim/view/film/panorama.h"
 
 namespace vegard::sim {
@@ -31,6 +34,14 @@ void make_room(const Scene& scene, const Window& window, Image& out) {
   std::vector<std::string> names;
   for (const double nm : scene.emission.lines) names.push_back(line_name(nm));
   out = Image(window.columns, window.rows, names);
+}
+
+/// By the line's angle, whatever the order.
+PlaneBlur angle_blur(const Scene& scene, const FilmGeometry& film, int line) {
+  if (film.ramp_px > 0.0)
+    return {BlurInCells(scene, line, film.cell_height_px).kernel(), gaussian_kernel(0.0)};
+  return {BlurInCells(scene, line, film.cell_height_px).kernel(),
+          BlurInCells(scene, line, film.cell_width_px).kernel()};
 }
 
 void blur_by(const std::vector<PlaneBlur>& blurs, const Scene& scene, const FilmGeometry& film,
@@ -61,10 +72,29 @@ Window pixels_on(const FilmGeometry& film, const Camera& camera) {
 Window all_of(const FilmGeometry& film) { return {0, 0, film.rows, film.columns}; }
 
 PlaneBlur line_blur(const Scene& scene, const FilmGeometry& film, int line) {
-  if (film.ramp_px > 0.0)
-    return {BlurInCells(scene, line, film.cell_height_px).kernel(), gaussian_kernel(0.0)};
-  return {BlurInCells(scene, line, film.cell_height_px).kernel(),
-          BlurInCells(scene, line, film.cell_width_px).kernel()};
+  if (scene.blur.order == BlurOrder::rgb) return {gaussian_kernel(0.0), gaussian_kernel(0.0)};
+  return angle_blur(scene, film, line);
+}
+
+Image blurred_colours(const Scene& scene, const FilmGeometry& film, const float* planes, const Window& window,
+                      int threads) {
+  Image lines;
+  take_lines(scene, film, planes, all_of(film), threads, lines);
+  const Image sharp = rgb_from_rayleigh(lines, line_colours(scene));
+  const std::size_t cells = static_cast<std::size_t>(film.rows) * film.columns;
+  std::vector<float> channels(cells * 3);
+  std::vector<PlaneBlur> blurs;
+  for (int c = 0; c < 3; ++c) {
+    for (std::size_t i = 0; i < cells; ++i) channels[c * cells + i] = sharp.data[i * 3 + c];
+    constexpr double kOfChannel[3] = {630.0, 557.7, 427.8};
+    const auto& all = scene.emission.lines;
+    const auto found = std::find(all.begin(), all.end(), kOfChannel[c]);
+    blurs.push_back(found == all.end() ? PlaneBlur{gaussian_kernel(0.0), gaussian_kernel(0.0)}
+                                       : angle_blur(scene, film, static_cast<int>(found - all.begin())));
+  }
+  Image rgb(window.columns, window.rows, {"R", "G", "B"});
+  blur_window(channels.data(), film.rows, film.columns, blurs, window, rgb.data.data(), threads);
+  return rgb;
 }
 
 PlaneBlur line_blur_slope(const Scene& scene, const FilmGeometry& film, int line) {

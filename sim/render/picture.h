@@ -7,8 +7,9 @@
 //   5. and lies before the sky, whose night sky is shown likewise.
 //
 // render() goes this way for the pixels of a picture, sim/render/picture_model.h for the cells of a film that
-// a fit bins, with derivatives. Under blur.model = "physical", where atoms wander before they shine, a
-// picture is blurred as it is made (sim/render/physical_blur.h), and the air comes after that.
+// a fit bins, with derivatives. Under blur.model = "physical", where atoms wander before they shine, light is
+// spread as it is exposed (sim/render/physical_blur.h, sim/render/slab_exposer.h), and the air comes after
+// that. Under blur.order = "rgb", the paper's, render() exchanges steps 2 and 3.
 #pragma once
 
 #include <vector>
@@ -28,7 +29,8 @@ Window pixels_on(const FilmGeometry& film, const Camera& camera);
 /// All cells.
 Window all_of(const FilmGeometry& film);
 
-/// What a line is blurred by, by blur.width_deg, in the film's cells.
+/// What a line is blurred by in the film's cells: by its angle, if lines are blurred. (The physical blur has
+/// been before.)
 PlaneBlur line_blur(const Scene& scene, const FilmGeometry& film, int line);
 
 /// The derivative of both kernels' weights by the standard deviation of the blur in cells of their own
@@ -39,6 +41,11 @@ PlaneBlur line_blur_slope(const Scene& scene, const FilmGeometry& film, int line
 /// its memory if it has that size already.
 void blur_lines(const Scene& scene, const FilmGeometry& film, const float* planes, const Window& window,
                 int threads, Image& out);
+
+/// Of light that nothing has blurred, under blur.order = "rgb": red, green and blue of a window, each blurred
+/// by the width of 630.0, 557.7 and 427.8 nm, or not if the scene has no such line. Linear and signed.
+Image blurred_colours(const Scene& scene, const FilmGeometry& film, const float* planes, const Window& window,
+                      int threads);
 
 /// The same of light that is blurred already.
 void take_lines(const Scene& scene, const FilmGeometry& film, const float* planes, const Window& window,

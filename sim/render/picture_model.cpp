@@ -117,11 +117,14 @@ struct PictureModel::Workspace {
     for (std::size_t s = 0; s < shaped.size(); ++s) {
       const auto& rates = shapers.of_sheet[s].rates;
       if (rates.empty()) continue;
-      exposer->expose_profiles(rest, static_cast<int>(s), rates, light);
-      const std::size_t cells = light.cells(), lines_count = scene.emission.lines.size();
+      if (!exposer->spreads()) exposer->expose_profiles(rest, static_cast<int>(s), rates, light);
+      const std::size_t cells = static_cast<std::size_t>(film.rows) * film.columns,
+                        lines_count = scene.emission.lines.size();
       shaped[s].resize(cells * lines_count * rates.size());
       down.resize(cells);
       for (std::size_t l = 0; l < lines_count; ++l) {
+        if (exposer->spreads())
+          exposer->expose_profiles(rest, static_cast<int>(s), rates, light, static_cast<int>(l));
         const PlaneBlur blur = line_blur(scene, film, static_cast<int>(l));
         for (std::size_t i = 0; i < rates.size(); ++i) {
           const float* plane = light.rayleigh.data() + i * cells;
@@ -325,9 +328,8 @@ struct PictureModel::Workspace {
       for (std::size_t j = 0; j < free.size(); ++j) {
         double growth = 0.0;
         if (free[j].role() == ParameterRole::blur_width && index_in(scene, free[j]) == l)
-          growth = pixels_per_degree(scene.camera);
-        if (camera_number_of(scene.camera, free[j]) == scale_number)
-          growth = sigma * pixels_per_degree_growth(scene.camera);
+          growth = scene.blur.widths == BlurWidths::given ? pixels_per_degree(scene.camera) : 0.0;
+        if (camera_number_of(scene.camera, free[j]) == scale_number) growth = blur_sigma_growth_px(scene, l);
         if (growth == 0.0) continue;
         const float* plane = exposure.rayleigh.data() + l * cells;
         const auto add = [&](const BlurKernel& first, const BlurKernel& second, double per_cell) {

@@ -36,7 +36,7 @@ struct PictureModelOptions {
 };
 
 /// Later scenes may differ from the constructor's in continuous parameters only; march.shrink is to be 1, and
-/// blur.model "angle". Not for use by two threads at once.
+/// blur.order "lines". Not for use by two threads at once.
 class PictureModel {
  public:
   PictureModel(const Scene& scene, const FilmGeometry& film, CellWeights weights,

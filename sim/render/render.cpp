@@ -122,7 +122,7 @@ Image stars_of(const Scene& scene, const std::atomic<bool>* stop, int threads) {
   return all;
 }
 
-/// The volumes' light before a lens that the physical blur has no part in: atoms' ways are those of beams.
+/// The volumes' light, of which none is of the air's excited atoms.
 VolumePictures add_volumes_unblurred(const Scene& scene, const FilmGeometry& film,
                                      const RenderOptions& options, Image& rayleigh) {
   Exposure exposure;
@@ -194,18 +194,22 @@ Rendering render(const Scene& as_given, const RenderOptions& options) {
     std::optional<Exposer> own_exposer;
     Exposure exposure;
     Exposer* exposer = nullptr;
-    if (scene.blur.model == BlurModel::angle)
+    const bool by_beams = scene.blur.model == BlurModel::physical && is_spread_by_beams(first);
+    if (!by_beams)
       exposer = options.memory != nullptr ? &options.memory->exposer(film)
                                           : &own_exposer.emplace(first, film, options.threads, 0.0, sampling);
-    // Of one camera; its volumes, if there are any, are put into `of_volumes`.
+    const bool blurs_colours = scene.blur.order == BlurOrder::rgb;
+    // Of one camera, with its linear RGB; its volumes, if there are any, are put into `of_volumes`.
     const auto lines_before = [&](const Scene& view, const std::function<void(double)>& progress,
-                                  int only_sheet, std::uint64_t& points, VolumePictures& of_volumes) {
+                                  int only_sheet, std::uint64_t& points, VolumePictures& of_volumes,
+                                  Image& aurora) {
       if (!exposer) {
         Image lines = dark_lines(view);
         points = add_lines_physically(view, options.threads, progress, options.stop, lines, only_sheet);
         dim_picture_by_air(view, lines, options.threads);
         if (only_sheet < 0 && has_volumes(view) && !stopped())
           of_volumes = add_volumes_unblurred(view, film, options, lines);
+        aurora = through_the_sensor(view, lines);
         return lines;
       }
       exposer->expose(view, exposure, progress, options.stop, only_sheet);
@@ -215,11 +219,14 @@ Rendering render(const Scene& as_given, const RenderOptions& options) {
       form_lines(view, exposure, pixels_on(film, view.camera), options.threads, lines);
       if (exposure.volumes.lines > 0)
         of_volumes = volume_pictures(view, film, exposure.volumes, true, options.threads);
+      aurora = blurs_colours ? blurred_colours(view, film, exposure.rayleigh.data(),
+                                               pixels_on(film, view.camera), options.threads)
+                             : through_the_sensor(view, lines);
       return lines;
     };
-    const auto lines_of = [&](std::size_t n, int only_sheet, std::uint64_t& points) {
+    const auto lines_of = [&](std::size_t n, int only_sheet, std::uint64_t& points, Image& aurora) {
       const std::function<void(double)> progress = progress_of(n);
-      if (!is_cube) return lines_before(scene, progress, only_sheet, points, volumes);
+      if (!is_cube) return lines_before(scene, progress, only_sheet, points, volumes, aurora);
       Image all = dark_lines(scene);
       points = 0;
       for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -231,25 +238,25 @@ Rendering render(const Scene& as_given, const RenderOptions& options) {
             progress((static_cast<double>(f) + share) / static_cast<double>(faces.size()));
           };
         const Image one = lines_before(f == 0 ? first : seen_by_face(scene, faces[f]), part, only_sheet,
-                                       points_of_face, of_volumes);
+                                       points_of_face, of_volumes, aurora);
         if (stopped()) return Image();
         put_face(one, faces[f], all);
         put_face(of_volumes, faces[f], scene, volumes);
         points = std::max(points, points_of_face);  // every face is shone at by the same
       }
+      aurora = through_the_sensor(scene, all);
       return all;
     };
-    result.rayleigh = lines_of(0, -1, result.deflection_points);
+    result.rayleigh = lines_of(0, -1, result.deflection_points, result.aurora);
     if (stopped()) return {};
     for (std::size_t s = 0; s + 1 < exposures; ++s) {
       std::uint64_t points_of_sheet = 0;
-      SheetLayer layer{scene.sheets[s].name, lines_of(1 + s, static_cast<int>(s), points_of_sheet), {}};
+      SheetLayer layer{scene.sheets[s].name, {}, {}};
+      layer.rayleigh = lines_of(1 + s, static_cast<int>(s), points_of_sheet, layer.aurora);
       if (stopped()) return {};
-      layer.aurora = through_the_sensor(scene, layer.rayleigh);
       result.sheets.push_back(std::move(layer));
     }
   }
-  result.aurora = through_the_sensor(scene, result.rayleigh);
   add_volume_layers(scene, volumes, options.threads, result);
   if (has_night_sky(scene))
     result.night_sky =

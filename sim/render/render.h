@@ -39,8 +39,8 @@ struct SheetLayer {
 };
 
 struct Rendering {
-  Image rayleigh;  ///< one channel per emission line, named by its wavelength ("6300"), blurred, in
-                   ///< rayleighs, as they reach the camera: what the air takes is gone
+  Image rayleigh;  ///< one channel per emission line, named by its wavelength ("6300"), blurred (unless
+                   ///< colours are), in rayleighs, as they reach the camera: what the air takes is gone
   Image aurora;    ///< linear RGB of the aurora alone through the sensor, signed where a line is out of gamut
   Image rgb;       ///< linear, signed: foreground + (1 - mask) (aurora + behind), where `behind` is sky +
               ///< night_sky + background + stars, of which `literal` and then `hidden` hide their shares;

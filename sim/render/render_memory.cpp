@@ -50,7 +50,8 @@ void RenderMemory::look_at(const Scene& scene, int threads) {
 }
 
 std::shared_ptr<const Volumes> RenderMemory::volumes() {
-  if (!has_volumes(*scene_)) return nullptr;
+  // Under the physical blur an exposer has its own.
+  if (!has_volumes(*scene_) || scene_->blur.model == BlurModel::physical) return nullptr;
   std::set<std::string> others = lights_and({"camera", "blur", "film"});
   if (!has_emitters_of_sheets(*scene_)) others.insert("sheet");
   if (!has_moving_emitters(*scene_)) others.insert("time");
@@ -65,8 +66,10 @@ std::shared_ptr<const Volumes> RenderMemory::volumes() {
 
 Exposer& RenderMemory::exposer(const FilmGeometry& film) {
   const std::shared_ptr<const Volumes> light = volumes();
-  if (!is_good(exposer_, lights_and({"camera", "sensor"})) || !same_film(film, film_of_exposer_) ||
-      light != volumes_of_exposer_) {
+  // How widely the atoms' light is spread, and so on which films, is a matter of the camera.
+  const std::set<std::string> others =
+      scene_->blur.model == BlurModel::physical ? lights_and({"sensor"}) : lights_and({"camera", "sensor"});
+  if (!is_good(exposer_, others) || !same_film(film, film_of_exposer_) || light != volumes_of_exposer_) {
     exposer_ = {*scene_, threads_,
                 std::make_unique<Exposer>(*scene_, film, threads_, 0.0, BeamSampling{}, light)};
     film_of_exposer_ = film;

@@ -7,6 +7,6 @@ refused() {  # KEY VALUE NEEDED
   expect_one_message
   [[ ! -e run ]] || fail "$1: a run was written"
 }
-refused blur.model physical angle
+refused blur.order rgb lines
 refused film.weight unit rayleigh
 refused film.splat nearest bilinear

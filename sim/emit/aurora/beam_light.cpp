@@ -50,7 +50,7 @@ BeamLight ArcLight::at(double along_km, double aside_km) {
   if (patches_) light.factor *= log_normal(sheet_.patch_contrast, patches_->at(on_sheet, aside_km));
   if (lengths_) light.stretch_above = log_normal(sheet_.ray_length_contrast, lengths_->at(on_rays));
   if (sheet_.border_amplitude_km > 0.0)
-    light.altitude_shift_km =
+    (sheet_.border_rule == BorderRule::light ? light.altitude_shift_km : light.start_shift_km) =
         sheet_.border_amplitude_km * octave_noise(seed_, Stream::border, address_, sheet_.border_octaves,
                                                   on_sheet / sheet_.border_scale_km,
                                                   aside_km / sheet_.border_scale_km, border_lives_);

@@ -22,6 +22,7 @@ namespace vegard::sim {
 struct BeamLight {
   double factor = 1.0;             ///< of the flux
   double altitude_shift_km = 0.0;  ///< up
+  double start_shift_km = 0.0;     ///< up, of where the beam starts and ends
   double stretch_above = 1.0;      ///< of the height profile above its peak
 };
 
@@ -37,7 +38,9 @@ class ArcLight {
            double drifted_km);
 
   bool any() const { return rays_ || lengths_ || patches_ || sheet_.border_amplitude_km > 0.0; }
-  bool reads_elsewhere() const { return lengths_ || sheet_.border_amplitude_km > 0.0; }
+  bool reads_elsewhere() const {
+    return lengths_ || (sheet_.border_amplitude_km > 0.0 && sheet_.border_rule == BorderRule::light);
+  }
 
   /// The stretch along the sheet that will be asked for most.
   void remember(double first_km, double last_km);

@@ -18,7 +18,14 @@ constexpr double kLiteralScattering = 0.2, kScattered = 0.4;
 }  // namespace
 
 LiteralCloud literal_cloud(const NodeMap<double>& map, const Nebula& nebula) {
-  return {map, map.node(nebula.gas), nebula.bound, nebula.edge, nebula.colour_a, nebula.colour_b};
+  constexpr std::array<double, 3> kWhite{1.0, 1.0, 1.0};
+  const bool white = nebula.literal_colour == LiteralColour::white;
+  return {map,
+          map.node(nebula.gas),
+          nebula.bound,
+          nebula.edge,
+          white ? kWhite : nebula.colour_a,
+          white ? kWhite : nebula.colour_b};
 }
 
 std::array<double, 4> literal_march(const LiteralCloud& cloud, const std::array<double, 3>& origin,

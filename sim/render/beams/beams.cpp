@@ -330,8 +330,21 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
       if (foot.flux_km2_mw_m2 <= 0.0) continue;
       if (foot.east_km * foot.east_km + foot.north_km * foot.north_km > kFarthestKm * kFarthestKm) continue;
       const FallFrame<double> own = k.beams_own_field ? k.field.at(foot.east_km, foot.north_km) : fall;
-      const Beam<double> plain = start_beam(foot.east_km, foot.north_km, own, k.observer_altitude_km,
-                                            sheet.top_km, HeightProfile::kBottomKm);
+      BeamLight shone;
+      const auto shine = [&] {
+        ArcLight& then = past_light ? *past_light : light;
+        if (then.any())
+          shone = then.at(stretch.along_km(place.s),
+                          curve ? width_laid_out_km(laid_out, curve_laid_out, place.s) * place.across
+                                : aside_laid_out_km(laid_out, place, layer, instant));
+      };
+      const bool starts_elsewhere =
+          laid_out.border_rule == BorderRule::start && laid_out.border_amplitude_km > 0.0 && !k.nodes.any();
+      if (starts_elsewhere) shine();
+      const double top_km = sheet.top_km + shone.start_shift_km,
+                   bottom_km = HeightProfile::kBottomKm + shone.start_shift_km;
+      const Beam<double> plain =
+          start_beam(foot.east_km, foot.north_km, own, k.observer_altitude_km, top_km, bottom_km);
       // A field line that does not descend would be negative light; one that grazes the Earth never comes
       // down to the bottom, and has no length.
       if (plain.vertical <= 0.0 || !(plain.length_km > 0.0)) continue;
@@ -361,15 +374,10 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
         else
           free_foot.foot = beam_foot(free_shape, stretch, place, layer, sheet.layers, literal, structure);
       }
-      BeamLight shone;
       if (k.nodes.any()) {
         if (any_light) shone = mean_light(sheets_[chunk.sheet], place.ray);
       } else {
-        ArcLight& then = past_light ? *past_light : light;
-        if (then.any())
-          shone = then.at(stretch.along_km(place.s),
-                          curve ? width_laid_out_km(laid_out, curve_laid_out, place.s) * place.across
-                                : aside_laid_out_km(laid_out, place, layer, instant));
+        if (!starts_elsewhere) shine();
         if (over_time.draws_ray_length)
           shone.stretch_above =
               mean_light(sheets_[chunk.sheet],
@@ -399,8 +407,8 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
           north.d.t[foot_north] = 1.0;
           const FallFrame<PlaceDual> own_fall = k.beams_own_field ? k.field.at(east, north) : k.fall;
           if (k.beams_own_field) put(own_fall, place_in_group, out.axes[with.group]);
-          const Beam<PlaceDual> beam = start_beam(east, north, own_fall, k.observer_altitude_km, sheet.top_km,
-                                                  HeightProfile::kBottomKm);
+          const Beam<PlaceDual> beam =
+              start_beam(east, north, own_fall, k.observer_altitude_km, top_km, bottom_km);
           for (int i = 0; i < 3; ++i) put(beam.start_in_enu_km[i], place_in_group, group.start_in_enu_km[i]);
           put(beam.length_km, place_in_group, group.length_km);
           put(light_per_path(sheet, beam.vertical), place_in_group, group.vertical);

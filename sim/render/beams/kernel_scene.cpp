@@ -8,6 +8,7 @@
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/sheet_shape.h"
 #include "sim/light/sheet_profile.h"
+#include "sim/render/beams/altitude_slabs.h"
 
 namespace vegard::sim {
 namespace {
@@ -140,6 +141,7 @@ std::vector<HeightProfile> height_profiles(const Scene& scene) {
   for (std::size_t s = 0; s < scene.sheets.size(); ++s)
     for (HeightProfile& profile : ladder_profiles(scene.emission.lines, scene, static_cast<int>(s)))
       all.push_back(std::move(profile));
+  for (HeightProfile& profile : all) take_altitude_share(scene.emission, profile);
   return all;
 }
 

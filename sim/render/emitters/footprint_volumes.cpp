@@ -13,6 +13,7 @@
 #include "sim/emit/footprint/map/make_footprint.h"
 #include "sim/emit/footprint/map/precipitation_footprint.h"
 #include "sim/light/profile_table.h"
+#include "sim/render/beams/altitude_slabs.h"
 #include "sim/render/emitters/emitter_makers.h"
 #include "sim/scene/file/scene_pictures.h"
 #include "sim/scene/structs/footprint_size.h"
@@ -33,6 +34,20 @@ struct EnergyRange {
   }
 };
 
+/// What counts of a footprint's light in a part of a scene: colours are no light of excited atoms.
+void take_share(const Scene& scene, const Footprint& f, ProfileTable& table) {
+  const auto& shares = scene.emission.altitude_share;
+  if (shares.empty()) return;
+  if (f.light == FootprintLight::lines) {
+    for (HeightProfile& profile : table.of_energy) take_altitude_share(scene.emission, profile);
+  } else if (std::any_of(shares.begin(), shares.end(), [](const auto& share) { return share != nullptr; })) {
+    for (HeightProfile& profile : table.of_energy) {
+      std::fill(profile.rate.begin(), profile.rate.end(), 0.0f);
+      std::fill(profile.d_rate_d_ln_energy.begin(), profile.d_rate_d_ln_energy.end(), 0.0f);
+    }
+  }
+}
+
 struct Profiles {
   ProfileTable usual;
   ProfileChanges changes;
@@ -41,11 +56,16 @@ struct Profiles {
 Profiles profiles_of(const Scene& scene, const Footprint& f, const EnergyRange& range, bool with_slopes) {
   Profiles profiles;
   profiles.usual = footprint_profiles(scene, f, range.least, range.most);
-  if (!with_slopes) return profiles;
+  if (!with_slopes) {
+    take_share(scene, f, profiles.usual);
+    return profiles;
+  }
   profiles.changes = profile_changes(scene.emission.lines, scene, f, profiles.usual);
   if (f.light == FootprintLight::colours)
     for (ProfileTable* table : {&profiles.changes.by_flux, &profiles.changes.by_oxygen})
       *table = colours_table(*table, colour_ladder(scene, f));
+  for (ProfileTable* table : {&profiles.usual, &profiles.changes.by_flux, &profiles.changes.by_oxygen})
+    take_share(scene, f, *table);
   return profiles;
 }
 

@@ -175,19 +175,29 @@ void check_response(const Scene& scene) {
            {scene.file, 0, "sensor." + key});
 }
 
-/// The way of excited atoms is drawn for a plain pinhole only: what would be ignored is refused.
+/// What a blur would ignore is refused.
 void check_blur(const Scene& scene) {
-  if (scene.blur.model != BlurModel::physical) return;
   const Camera& c = scene.camera;
-  // A cube's faces are pinholes too.
-  const bool is_plain = (c.model == LensModel::pinhole || c.model == LensModel::cube) && c.k1 == 0.0 &&
-                        c.k2 == 0.0 && c.k3 == 0.0 && c.p1 == 0.0 && c.p2 == 0.0 && c.aspect == 1.0 &&
-                        !c.mirrored && c.principal_x_px == 0.0 && c.principal_y_px == 0.0;
-  if (!is_plain)
-    complain(
-        {"the physical blur is drawn by a pinhole without distortion only, its axis in the picture's middle",
-         "blur.model = \"angle\" with this camera", ""},
-        {scene.file, 0, "blur.model"});
+  const bool is_around = c.model == LensModel::equirectangular || c.model == LensModel::cube;
+  // A cube's faces are pinholes.
+  if (scene.blur.model == BlurModel::physical && is_around &&
+      (c.model == LensModel::equirectangular || !scene.footprints.empty()))
+    complain({c.model == LensModel::cube ? "the physical blur of footprints is drawn by single pictures only"
+                                         : "the physical blur does not go round an equirectangular picture",
+              "blur.model = \"angle\" with this camera", ""},
+             {scene.file, 0, "blur.model"});
+  if (scene.blur.order != BlurOrder::rgb) return;
+  const Origin origin{scene.file, 0, "blur.order"};
+  if (scene.blur.model == BlurModel::physical)
+    complain({"the physical blur is of lines, and not of red, green and blue",
+              "blur.order = \"lines\", or blur.model = \"angle\"", ""},
+             origin);
+  if (is_around)
+    complain({"a blur after colour does not go round a panorama", "blur.order = \"lines\"", ""}, origin);
+  if (has_drawn_emitters(scene))
+    complain({"a blur after colour is drawn for sheets only, as in the paper", "blur.order = \"lines\"",
+              "or leave out what is marched along rays"},
+             origin);
 }
 
 /// Panoramas have a shape of their own, and no lens to shift, to bend or to darken: what would be ignored is

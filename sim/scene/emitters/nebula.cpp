@@ -54,6 +54,8 @@ std::vector<Declaration> nebula_rows() {
       row("dust_depth", &N::dust_depth).within(0, 1e6).may_be_free(ParameterScale::linear).means("optical depth at 550 nm of dust of density 1 to a unit of path"),
       row("dust_exponent", &N::dust_exponent).within(-4, 8).may_be_free(ParameterScale::linear).means("optical depth goes as wavelength to minus this power"),
       row("colour_a", &N::colour_a).of({"r", "g", "b"}).within(0, 100).means("of the literal march: light's colour at the middle"),
+      row("literal_colour", &N::literal_colour).one_of<LiteralColour>({{"two", LiteralColour::two}, {"white", LiteralColour::white}})
+          .means("light of the literal march: from colour_a to colour_b; or white, as the source has it, which leaves its grey"),
       row("colour_b", &N::colour_b).of({"r", "g", "b"}).within(0, 100).means("of the literal march: and at distance 1"),
   };
   // clang-format on

@@ -36,6 +36,9 @@ std::vector<Declaration> fit_rows() {
       Row("fit", "profile_smoothness", &Scene::fit, &Fit::profile_smoothness).within(0, 1e4)
           .means("of a free-form profile: one over the standard deviation of the second differences of "
                  "ln(spline_rate) from knot to knot; 0: what makes the data most probable, line by line"),
+      Row("fit", "ratio_spread", &Scene::fit, &Fit::ratio_spread).within(0, 10)
+          .means("how far a sheet's wavelength over twice its amplitude may lie outside of the paper's 5.2 to 31.4: one standard "
+                 "deviation of its logarithm, as a prior; 0: no such prior"),
       Row("fit", "scan_points", &Scene::fit, &Fit::scan_points).within(0, 1000000)
           .means("wavelengths tried before the descents where bands do not show a sheet's course; 0: no search, one descent from the start"),
       Row("fit", "scan_descents", &Scene::fit, &Fit::scan_descents).within(0, 10000)

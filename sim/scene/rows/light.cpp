@@ -37,7 +37,13 @@ std::vector<Declaration> light_rows() {
           .means("shape of the blur by angle: untruncated, or truncated as in the paper"),
       Row("blur", "model", &Scene::blur, &Blur::model).one_of<BlurModel>({{"angle", BlurModel::angle}, {"physical", BlurModel::physical}})
           .means("width_deg everywhere; or as far as the excited atoms come within their lifetimes, wider higher "
-                 "up, none for prompt lines: width_deg and kernel are then not used, and a fit refuses it"),
+                 "up, none for prompt lines: width_deg and kernel are then not used"),
+      Row("blur", "order", &Scene::blur, &Blur::order).one_of<BlurOrder>({{"lines", BlurOrder::lines}, {"rgb", BlurOrder::rgb}})
+          .means("what is blurred by angle: each line's light before it is coloured; or, as in the paper, red, green and "
+                 "blue after it, by the widths of 630.0, 557.7 and 427.8 nm (for rendering beams only)"),
+      Row("blur", "widths", &Scene::blur, &Blur::widths).one_of<BlurWidths>({{"given", BlurWidths::given}, {"paper", BlurWidths::paper}})
+          .means("whether width_deg is used; or exactly the paper's 4.75 pixels for lines that live longer than 10 s, 2.0 for "
+                 "those that live longer than 0.1 s and none for others, of a picture 383 pixels high over 35°, in proportion"),
       Row("blur", "wind_m_s", &Scene::blur, &Blur::wind_m_s).of({"east", "north"}).in("m s⁻¹").within(-2000, 2000)
           .means("wind that carries the excited atoms, of the physical model"),
 

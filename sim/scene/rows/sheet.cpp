@@ -168,6 +168,8 @@ std::vector<Declaration> sheet_rows() {
           .means("of the lower border's waves, each half as long and half as high as the one before"),
       Row("border_lifetime_s", &Sheet::border_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
           .means("of the lower border's course; 0: it lasts"),
+      Row("border_rule", &Sheet::border_rule).one_of<BorderRule>({{"light", BorderRule::light}, {"start", BorderRule::start}})
+          .means("what undulates: the altitude at which a beam's light is read; or, literally, that at which a beam starts and so ends, which cuts light off"),
       Row("drift_km_s", &Sheet::drift_km_s).as(ParameterRole::drift).of({"east", "north"}).in("km s⁻¹").within(-100, 100)
           .means("velocity of the whole sheet (0.1 to 0.2 north to south in nature, 10 east to west)"),
       Row("sine_speed_km_s", &Sheet::sine_speed_km_s).in("km s⁻¹").within(-100, 100)

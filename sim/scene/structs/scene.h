@@ -193,6 +193,7 @@ struct Sheet {
   double border_scale_km = 20.0;     ///< of its largest waves
   int border_octaves = 3;
   double border_lifetime_s = 0.0;  ///< 0: it lasts
+  BorderRule border_rule = BorderRule::light;
 
   EastNorth drift_km_s{0.0, 0.0};  ///< of the whole sheet
   double sine_speed_km_s = 0.0;    ///< of the sine along the sheet
@@ -225,6 +226,9 @@ struct Emission {
   double oxygen_factor = 1.0;  ///< of the atomic oxygen that the tables are made for
   FluxLaw flux_law = FluxLaw::column;
   EmissionLag lag = EmissionLag::lifetime;
+  /// What counts of each line, by altitude as in a HeightProfile; empty: all of it. No key of a scene file:
+  /// of a scene that is a part of another (sim/render/slab_exposer.h).
+  std::vector<std::shared_ptr<const std::vector<float>>> altitude_share;
 };
 
 enum class BlurKernelKind {
@@ -237,11 +241,24 @@ enum class BlurModel {
   physical  ///< the way of the excited atoms
 };
 
+enum class BlurOrder {
+  lines,  ///< each line by itself, before colour
+  rgb     ///< red, green and blue, as in the paper
+};
+
+/// Where the widths of the model "angle" come from.
+enum class BlurWidths {
+  given,  ///< width_deg
+  paper   ///< 4.75 and 2.0 pixels of a picture of 383 rows over 35 degrees
+};
+
 struct Blur {
   std::vector<double> width_deg = {0.43, 0.18,
                                    0.0};  ///< standard deviation per line, in the order of Emission::lines
   BlurKernelKind kernel = BlurKernelKind::full;
   BlurModel model = BlurModel::angle;
+  BlurOrder order = BlurOrder::lines;
+  BlurWidths widths = BlurWidths::given;
   EastNorth wind_m_s{0.0, 0.0};  ///< of the air, that carries them
 };
 
@@ -496,6 +513,7 @@ struct Fit {
   double model_error = 0.02;        ///< unmodelled structure, as a fraction of the local brightness
   double profile_smoothness =
       0.0;                     ///< of free-form profiles (fit/parameters/spline_prior.h); 0: the data decide
+  double ratio_spread = 0.0;   ///< how far lambda / (2 w) may leave the paper's range, in ln; 0: at will
   int scan_points = 24;        ///< wavelengths tried before the descent; 0: no search, only a descent
   int scan_descents = 6;       ///< of which this many are followed downhill
   int overall_trials = 48;     ///< of distance, energy and bearing before that

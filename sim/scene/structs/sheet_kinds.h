@@ -36,6 +36,12 @@ enum class PathRule {
   random  ///< between nothing and the largest one, as in the paper
 };
 
+/// What the undulation of the lower border moves.
+enum class BorderRule {
+  light,  ///< where a beam's light is read from the height profile
+  start   ///< where a beam starts, and so ends: literally the paper's
+};
+
 /// The largest step of a beam's path.
 enum class PathStepRule {
   given,  ///< path_step

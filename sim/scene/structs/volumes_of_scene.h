@@ -108,6 +108,12 @@ enum class NebulaMethod {
   literal    ///< the march of the source with its constants, which gives colours only
 };
 
+/// Colour of the literal march's light.
+enum class LiteralColour {
+  two,   ///< colour_a and colour_b
+  white  ///< the source's, which works a colour out and does not use it
+};
+
 /// A nebula, or any cloud beyond the air: emission and absorption of a few density maps (docs/nebulae.md).
 /// Lengths are in units of `unit_pc`.
 struct Nebula {
@@ -134,6 +140,7 @@ struct Nebula {
   double dust_depth = 0.0;                        ///< optical depth at 550 nm of density 1, to a unit of path
   double dust_exponent = 1.3;                     ///< of wavelength, falling
   std::array<double, 3> colour_a{1.0, 0.5, 0.3}, colour_b{0.3, 0.6, 1.0};  ///< of the literal march
+  LiteralColour literal_colour = LiteralColour::two;
 };
 
 /// A shape; noise upon another node; nodes combined; or another node in its place.

@@ -99,6 +99,15 @@ BlurKernel gaussian_kernel(double sigma, int radius) {
   return kernel;
 }
 
+double kernel_variance(const BlurKernel& kernel) {
+  double sum = kernel.weights[0], moment = 0.0;
+  for (int k = 1; k <= kernel.radius(); ++k) {
+    sum += 2.0 * kernel.weights[k];
+    moment += 2.0 * kernel.weights[k] * k * k;
+  }
+  return moment / sum;
+}
+
 BlurKernel gaussian_kernel_derivative(double sigma, int radius) {
   const int n = reach(sigma, radius);
   std::vector<double> weights(n + 1), growth(n + 1);

@@ -19,6 +19,9 @@ struct BlurKernel {
 /// negative. The weights sum to 1. sigma 0 gives no blur.
 BlurKernel gaussian_kernel(double sigma, int radius = -1);
 
+/// In cells squared.
+double kernel_variance(const BlurKernel& kernel);
+
 /// The derivative of gaussian_kernel(sigma, radius)'s weights with respect to sigma; they sum to 0. For sigma
 /// above 0.
 BlurKernel gaussian_kernel_derivative(double sigma, int radius = -1);

@@ -11,15 +11,6 @@ constexpr double kLevelNarrowestPx = 0.71;
 constexpr double kNarrowestCells = 1.4;  // a level has at least so many cells to its width
 constexpr double kOfBilinear = 1.0 / 6.0, kOfQuadratic = 1.0 / 4.0, kOfCubic = 1.0 / 3.0, kOfBox = 1.0 / 12.0;
 
-double variance_of(const BlurKernel& kernel) {
-  double sum = kernel.weights[0], moment = 0.0;
-  for (int k = 1; k <= kernel.radius(); ++k) {
-    sum += 2.0 * kernel.weights[k];
-    moment += 2.0 * kernel.weights[k] * k * k;
-  }
-  return moment / sum;
-}
-
 BlurLevel level_of(int width_px, int height_px, double sigma_px) {
   BlurLevel level;
   double cell_px = 1.0;
@@ -28,7 +19,7 @@ BlurLevel level_of(int width_px, int height_px, double sigma_px) {
   const double splines = cell_px > 1.0 ? (kOfQuadratic + kOfCubic) * cell_px2 - kOfBilinear : 0.0;
   const double left_over = (sigma_px * sigma_px - splines) / cell_px2 - kOfBox;
   level.kernel = gaussian_kernel(sigma_px > 0.0 ? std::sqrt(left_over) : 0.0);
-  level.variance_px2 = splines + variance_of(level.kernel) * cell_px2;
+  level.variance_px2 = splines + kernel_variance(level.kernel) * cell_px2;
   const int margin = level.kernel.radius() + 3;
   level.film.cell_width_px = level.film.cell_height_px = cell_px;
   level.film.x0_px = level.film.y0_px = -margin * cell_px;
@@ -37,16 +28,14 @@ BlurLevel level_of(int width_px, int height_px, double sigma_px) {
   return level;
 }
 
-/// The four cells that a pixel's value hangs on, and how much.
-struct CubicTaps {
-  int first = 0;
-  float weight[4];
-};
+}  // namespace
 
-std::vector<CubicTaps> taps_of(int pixels, double start_px, double cell_px) {
-  std::vector<CubicTaps> all(pixels);
-  for (int i = 0; i < pixels; ++i) {
-    const double place = (i + 0.5 - start_px) / cell_px - 0.5, below = std::floor(place);
+std::vector<CubicTaps> cubic_taps(int places, double step_px, double first_px, double start_px,
+                                  double cell_px) {
+  std::vector<CubicTaps> all(places);
+  for (int i = 0; i < places; ++i) {
+    const double place = (first_px + (i + 0.5) * step_px - start_px) / cell_px - 0.5,
+                 below = std::floor(place);
     const double t = place - below, s = 1.0 - t;
     all[i].first = static_cast<int>(below) - 1;
     all[i].weight[0] = static_cast<float>(s * s * s / 6.0);
@@ -56,8 +45,6 @@ std::vector<CubicTaps> taps_of(int pixels, double start_px, double cell_px) {
   }
   return all;
 }
-
-}  // namespace
 
 std::vector<BlurLevel> level_ladder(int width_px, int height_px, double widest_px) {
   std::vector<BlurLevel> levels = {level_of(width_px, height_px, 0.0)};
@@ -84,8 +71,8 @@ void add_level(const BlurLevel& level, std::vector<float>& cells, Image& picture
     });
     return;
   }
-  const std::vector<CubicTaps> across = taps_of(picture.width, film.x0_px, film.cell_width_px);
-  const std::vector<CubicTaps> down = taps_of(picture.height, film.y0_px, film.cell_height_px);
+  const std::vector<CubicTaps> across = cubic_taps(picture.width, 1.0, 0.0, film.x0_px, film.cell_width_px);
+  const std::vector<CubicTaps> down = cubic_taps(picture.height, 1.0, 0.0, film.y0_px, film.cell_height_px);
   const auto per_pixel = static_cast<float>(1.0 / (film.cell_width_px * film.cell_height_px));
   parallel_for(static_cast<std::size_t>(picture.height), threads, [&](std::size_t y, int) {
     const CubicTaps& rows = down[y];

@@ -33,6 +33,17 @@ struct BlurLevel {
 /// The levels for a picture of this size up to the first that is at least `widest_px` wide.
 std::vector<BlurLevel> level_ladder(int width_px, int height_px, double widest_px);
 
+/// The four cells of a cubic B-spline that a place's value hangs on, and how much.
+struct CubicTaps {
+  int first = 0;
+  float weight[4] = {};
+};
+
+/// Of the middles of `places` cells of a picture or a film, the first of which begins at `first_px`, on cells
+/// that begin at `start_px`.
+std::vector<CubicTaps> cubic_taps(int places, double step_px, double first_px, double start_px,
+                                  double cell_px);
+
 /// Which two levels share a point's light.
 struct LevelShare {
   int lower = 0;             ///< and lower + 1

@@ -31,5 +31,31 @@ TEST(PriorRows, AreOfTheLawThatIsGiven) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(jacobian[i], expected[i], 1e-14) << i;
 }
 
+TEST(PriorRows, KeepTheWavelengthOverTheAmplitudeNearThePapersRange) {
+  sim::Scene scene = tests::small_scene();
+  for (const char* path : {"sheet.main.thickness_km", "sheet.main.wavelength_km"})
+    scene.fit.free.push_back(tests::free_entry(path));
+  EXPECT_EQ(PriorRows(free_numbers(scene)).count(), 0u) << "only where it is asked for";
+  scene.fit.ratio_spread = 0.25;
+  const PriorRows both(free_numbers(scene));
+  ASSERT_EQ(both.count(), 1u);
+  std::vector<double> residuals, jacobian;
+  both.evaluate({3.0, 60.0}, residuals, &jacobian);  // lambda / (2 w) = 10, within 5.2 to 31.4
+  EXPECT_EQ(residuals[0], 0.0);
+  EXPECT_EQ(jacobian, (std::vector<double>{0.0, 0.0}));
+  both.evaluate({0.5, 62.8}, residuals, &jacobian);  // twice the most
+  EXPECT_NEAR(residuals[0], std::log(2.0) / 0.25, 1e-12);
+  EXPECT_NEAR(jacobian[0], -1.0 / (0.25 * 0.5), 1e-12);
+  EXPECT_NEAR(jacobian[1], 1.0 / (0.25 * 62.8), 1e-12);
+  both.evaluate({10.0, 52.0}, residuals, nullptr);  // half of the least
+  EXPECT_NEAR(residuals[0], -std::log(2.0) / 0.25, 1e-12);
+  // Of one that is free alone the other is the scene's.
+  scene.fit.free.erase(scene.fit.free.begin());
+  const PriorRows one(free_numbers(scene));
+  ASSERT_EQ(one.count(), 1u);
+  one.evaluate({2.0 * scene.sheets[0].thickness_km * 62.8}, residuals, nullptr);
+  EXPECT_NEAR(residuals[0], std::log(2.0) / 0.25, 1e-12);
+}
+
 }  // namespace
 }  // namespace vegard::fit::prior_rows_test

@@ -124,6 +124,14 @@ TEST(ArcLight, BorderOfNoAmplitudeIsEvenElseNeighboursGoTogether) {
   EXPECT_GT(std::sqrt(square), 0.5);
   EXPECT_GT(near / square, 0.95);
   EXPECT_NEAR(far / square, 0.0, 0.09);  // 5 standard errors of 4000 pairs that are a wave apart
+  // Literally it is where beams start that undulates, and their light is read where it is.
+  Sheet literal = sheet;
+  literal.border_rule = BorderRule::start;
+  ArcLight started(literal, 0, 7, 0.0, 0.0);
+  EXPECT_TRUE(light.reads_elsewhere());
+  EXPECT_FALSE(started.reads_elsewhere());
+  EXPECT_EQ(started.at(30.0, 2.0).start_shift_km, light.at(30.0, 2.0).altitude_shift_km);
+  EXPECT_EQ(started.at(30.0, 2.0).altitude_shift_km, 0.0);
   sheet.border_amplitude_km = 0.0;
   ArcLight even(sheet, 0, 7, 0.0, 0.0);
   EXPECT_FALSE(even.any());

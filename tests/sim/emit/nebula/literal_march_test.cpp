@@ -96,5 +96,14 @@ TEST(LiteralMarch, LightIsOneColourInTheMiddleAndTheOtherAtDistanceOne) {
   EXPECT_GT(wide.from(1.5, 1e-9)[2], 0.0);
 }
 
+TEST(LiteralMarch, WhiteIsTheSourcesGreyWhateverTheColours) {
+  const Ball grey(1.5);
+  Ball white(1.5);
+  white.scene.nebulae[0].colour_b = {1.0, 0.0, 0.0};
+  EXPECT_LT(white.from(1.5, 1e-9)[2], grey.from(1.5, 1e-9)[2]);
+  white.scene.nebulae[0].literal_colour = LiteralColour::white;
+  EXPECT_EQ(white.from(1.5, 1e-9), grey.from(1.5, 1e-9));
+}
+
 }  // namespace
 }  // namespace vegard::sim::literal_march_test

@@ -1,0 +1,68 @@
+// What comes out of exposing a film, and what a film can be exposed to.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "sim/base/large_vector.h"
+#include "sim/render/volumes/volumes.h"
+#include "sim/scene/structs/scene.h"
+#include "sim/scene/table/parameter_id.h"
+#include "sim/view/camera/camera.h"
+
+namespace vegard::sim {
+
+/// What a film has caught, before any blur.
+struct Exposure {
+  FilmGeometry geometry;
+  int lines = 0;
+  LargeVector<float> rayleigh;  ///< [line][row][column]
+  std::uint64_t deflection_points = 0;
+  VolumeLight volumes;  ///< the share of volumes, which is in `rayleigh` too; empty without any
+
+  int free = 0;         ///< number of free parameters
+  int free_stride = 0;  ///< `free` rounded up to whole vector registers; the padding holds zeros
+  std::vector<float>
+      derivative;  ///< [line][row][column][free_stride]; rayleighs per scene unit of the parameter
+
+  std::size_t cells() const { return static_cast<std::size_t>(geometry.rows) * geometry.columns; }
+};
+
+/// Which beams a film is exposed to.
+struct BeamSampling {
+  /// Added to the scene's seed where beams draw from it, and nowhere else: the noise of a volume is a matter
+  /// of the scene.
+  std::uint64_t draw = 0;
+  /// The mean over all draws instead of one, by a quadrature that is fine enough for profiles of the film's
+  /// rows that are smoothed by so many pixels (sim/render/beams/sheet_nodes.h).
+  bool mean = false;
+  double smooth_px = 0.0;
+  double fineness = 1.0;  ///< nodes stand so many times as densely as that asks for
+  /// As `draw`, where the steps of beams alone draw from it: other paths of beams that stand where they
+  /// stood.
+  std::uint64_t path_draw = 0;
+};
+
+/// A film of a part of a scene, exposed as Exposer (sim/render/film.h) does without any blur: for what is put
+/// together of such parts.
+class PartExposer {
+ public:
+  virtual ~PartExposer() = default;
+  virtual void let_shine(std::vector<bool> sheets, bool volumes) = 0;
+  virtual void expose(const Scene& scene, Exposure& out, const std::function<void(double)>& progress,
+                      const std::atomic<bool>* stop, int only_sheet) = 0;
+  virtual void expose_with_derivatives(const Scene& scene, const std::vector<ParameterId>& free,
+                                       Exposure& out) = 0;
+  virtual void expose_profiles(const Scene& scene, int sheet, const std::vector<std::vector<float>>& rates,
+                               Exposure& out) = 0;
+  virtual std::vector<float> split_by_age(int sheet, double wavelength_nm,
+                                          const std::vector<float>& rates) const = 0;
+};
+using MakePartExposer =
+    std::function<std::unique_ptr<PartExposer>(const Scene& scene, const FilmGeometry& film)>;
+
+}  // namespace vegard::sim
