@@ -178,6 +178,7 @@ std::string exposure_text(const sim::Scene& scene) {
 int run_render(const RenderRequest& request) {
   RenderRequest options = request;
   const sim::Scene as_given = scene_of(options.scene);
+  tell_what_is_idle(as_given);
   check_outputs(options, as_given);
   const sim::Scene scene = options.auto_exposure ? auto_exposed(options, as_given) : as_given;
   double bytes_per_px = 0.0;

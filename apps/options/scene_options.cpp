@@ -1,8 +1,11 @@
 #include "apps/options/scene_options.h"
 
+#include "apps/options/standard_streams.h"
 #include "sim/base/error.h"
 #include "sim/light/emission_tables.h"
 #include "sim/light/sheet_profile.h"
+#include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/file/idle_keys.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/scene/table/table_files.h"
@@ -85,6 +88,23 @@ sim::Scene scene_of(const SceneOptions& options) {
   sim::limit_free_oxygen(scene);
   sim::SensorResponse check_of_the_response(scene);
   return scene;
+}
+
+void tell_what_is_idle(const sim::Scene& scene) {
+  for (const std::string& line : sim::idle_keys(scene)) tell("vegard: note: %s\n", line.c_str());
+  if (scene.blur.model != sim::BlurModel::physical) return;
+  for (const sim::EmitterKind& kind : sim::emitter_kinds())
+    if (kind.table != "footprint" && sim::is_drawn(kind, scene))
+      tell(
+          "vegard: note: the physical blur is of the air's excited atoms, and leaves what [%s] has as it "
+          "is\n",
+          kind.table.c_str());
+  for (const sim::Footprint& footprint : scene.footprints)
+    if (footprint.light == sim::FootprintLight::colours)
+      tell(
+          "vegard: note: the physical blur is of emission lines, and leaves the two colours of the footprint "
+          "'%s' as they are\n",
+          footprint.name.c_str());
 }
 
 }  // namespace vegard::apps

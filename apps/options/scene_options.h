@@ -32,4 +32,8 @@ void take_camera(sim::Scene& scene, const std::string& camera_file);
 /// scene, usage).
 sim::Scene scene_of(const SceneOptions& options);
 
+/// Tells on standard error what the scene's file sets and nothing uses, and what of it the physical blur
+/// leaves as it is.
+void tell_what_is_idle(const sim::Scene& scene);
+
 }  // namespace vegard::apps

@@ -40,6 +40,13 @@ bool has_electrons(const Scene& scene) {
 }  // namespace
 
 std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const ParameterPath& path) {
+  for (const EmitterKind& kind : emitter_kinds())
+    if (kind.why_idle != nullptr)
+      if (auto complaint = kind.why_idle(scene, path)) return complaint;
+  return why_number_is_idle(scene, path);
+}
+
+std::optional<Complaint> why_number_is_idle(const Scene& scene, const ParameterPath& path) {
   const std::string expected = "a parameter that the light depends on";
   const std::string& key = path.row->key;
   if (path.row->table == "field" && scene.field.model != FieldModel::uniform) {
@@ -67,9 +74,14 @@ std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const Par
     return Complaint{"nothing shines by the emission tables, so " + key + " counts for nothing", expected,
                      "leave it out of fit.free, or set a sheet's profile to a spectrum of electrons"};
   }
-  for (const EmitterKind& kind : emitter_kinds())
-    if (kind.why_idle != nullptr)
-      if (auto complaint = kind.why_idle(scene, path)) return complaint;
+  if (path.row->role == ParameterRole::blur_width && scene.blur.model == BlurModel::physical) {
+    return Complaint{"the blur is physical, so " + key + " counts for nothing", expected,
+                     "leave it out of fit.free, or set blur.model to \"angle\""};
+  }
+  if (path.row->role == ParameterRole::blur_width && scene.blur.widths == BlurWidths::paper) {
+    return Complaint{"the widths of the blur are the paper's, so " + key + " counts for nothing", expected,
+                     "leave it out of fit.free, or set blur.widths to \"given\""};
+  }
   if (path.row->table != sheet_table) return std::nullopt;
   const Sheet& sheet = scene.sheets[path.sheet()];
   if (sheet.course == SheetCourse::curve) {

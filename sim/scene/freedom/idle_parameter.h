@@ -1,6 +1,5 @@
 // Parameters that a scene has no use for.
 //
-// For the files of this folder only.
 #pragma once
 
 #include <optional>
@@ -11,6 +10,10 @@ namespace vegard::sim {
 
 /// A complaint about a parameter that the light does not depend on in this scene, or that another stands for:
 /// nobody can fit it.
+/// Also about one that a fit has no derivative by.
 std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const ParameterPath& path);
+
+/// The same of the numbers of sheets, camera, field, air and tables, whether anybody fits them or not.
+std::optional<Complaint> why_number_is_idle(const Scene& scene, const ParameterPath& path);
 
 }  // namespace vegard::sim

@@ -21,8 +21,9 @@ namespace {
 using tests::exposed;
 using tests::whole_picture;
 
+/// By its curve, which this file measures; tests/sim/scene/rows/forms_test.cpp has the electrons.
 Scene scene_of_form(const std::string& form) {
-  return parse_scene("[[sheet]]\nform = \"" + form + "\"\n", "x.toml");
+  return parse_scene("[[sheet]]\nprofile = \"form\"\nform = \"" + form + "\"\n", "x.toml");
 }
 
 /// Light of the three lines against altitude, by the rows of a camera that looks at a sheet from the side.
