@@ -14,9 +14,9 @@ namespace vegard::sim {
 /// The instants whose mean a picture is: start_s + k exposure_s / instants.
 std::vector<double> instants_s(const Time& time);
 
-/// The brightness of all sheets at an instant, as a fraction of what they say. Before the growth phase and
-/// after the recovery it is `quiet`; growth leads to `grown` at the onset, expansion to 1, recovery back,
-/// each along a smooth step. The course is ours: the source names the phases and their lengths only.
+/// The brightness of all aurora at an instant, as a fraction of what its emitters say. Before the growth
+/// phase and after the recovery it is `quiet`; growth leads to `grown` at the onset, expansion to 1, recovery
+/// back, each along a smooth step. The course is ours: the source names the phases and their lengths only.
 double substorm_level(const Substorm& substorm, double instant_s);
 
 }  // namespace vegard::sim
