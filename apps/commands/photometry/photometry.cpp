@@ -228,7 +228,7 @@ void add_photometry_command(Program& program) {
       .option("PICTURES", options->pictures,
               "Pictures through one of its filters; of files with many frames all")
       .required()
-      .type_name("PICTURE...");
+      .type_name("PICTURE");
   command.option("--filter", options->filter, "Which filter").type_name("NAME");
   command.option("--camera", options->camera, "Lens, pointing and site, as vegard calibrate writes them")
       .required()
