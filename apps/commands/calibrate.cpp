@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "apps/commands/calibrate_blind.h"
-#include "apps/commands/calibrate_doubts.h"
 #include "apps/commands/calibrate_options.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
@@ -19,8 +18,10 @@
 #include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
 #include "apps/output/terminal.h"
+#include "fit/photo/light_photo.h"
 #include "fit/photo/photo.h"
 #include "fit/photo/photo_metadata.h"
+#include "fit/photo/pointing/blind/star_doubts.h"
 #include "fit/photo/pointing/calibration_tables.h"
 #include "fit/photo/pointing/catalogue_sky.h"
 #include "fit/photo/pointing/exchange/aida_camera.h"
@@ -157,15 +158,25 @@ std::vector<fit::StarSighting> table_of(const CalibrateOptions& options, const f
 
 /// Per pixel, whether the mask leaves it; empty without one.
 std::vector<char> where_to_look(const CalibrateOptions& options, const fit::Photo& photo) {
-  std::vector<char> usable;
-  if (options.mask.empty()) return usable;
-  const std::size_t channels = photo.linear.channels(), pixels = photo.usable.size() / channels;
-  // A star may be clipped, and stays one: only what the mask hides is left out, all channels at once.
-  fit::Photo blank = photo;
-  std::fill(blank.usable.begin(), blank.usable.end(), std::uint8_t{1});
-  fit::apply_mask(blank, options.mask);
-  for (std::size_t i = 0; i < pixels; ++i) usable.push_back(static_cast<char>(blank.usable[i * channels]));
-  return usable;
+  return options.mask.empty() ? std::vector<char>() : fit::pixels_left_by(options.mask, photo);
+}
+
+/// What is to be held against a calibration.
+fit::StarEvidence evidence_of(const CalibrateOptions& options, const std::optional<sim::Scene>& camera_file,
+                              const fit::SkyOfPicture& sky, const std::optional<fit::Photo>& photo) {
+  constexpr double kZenithCamera_deg = 80.0;
+  fit::StarEvidence evidence;
+  evidence.sky = sky;
+  evidence.photo = photo ? &*photo : nullptr;
+  if (photo) evidence.usable = where_to_look(options, *photo);
+  evidence.is_table = !options.stars.empty();
+  if (camera_file && camera_file->lines.count("camera.elevation_deg") > 0 &&
+      camera_file->camera.elevation_deg >= kZenithCamera_deg)
+    evidence.why_level = "--camera looks to the zenith";
+  evidence.faintest = options.faintest;
+  evidence.least_elevation_deg = options.least_elevation_deg;
+  evidence.least_signal = options.least_signal;
+  return evidence;
 }
 
 std::vector<fit::FoundStar> points_in(const CalibrateOptions& options, const fit::Photo& photo) {
@@ -392,8 +403,7 @@ int run_calibrate(const CalibrateOptions& options) {
                                                    : options.stars;
   fit::Calibration calibration =
       maps ? fit::calibrate_maps(settings, maps->map, from) : fit::calibrate(settings, stars, frame, from);
-  add_doubts(calibration, options, camera_file, sky, photo,
-             photo && !maps ? where_to_look(options, *photo) : std::vector<char>());
+  if (!maps) fit::add_star_doubts(calibration, evidence_of(options, camera_file, sky, photo));
   sim::Scene scene;
   scene.camera = fit::scene_camera_of(calibration);
   sim::validate(scene);

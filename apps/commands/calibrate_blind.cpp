@@ -9,9 +9,8 @@
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "fit/photo/mask/circle.h"
+#include "fit/photo/pointing/blind/local_stars.h"
 #include "fit/photo/pointing/blind/sky_place.h"
-#include "fit/photo/pointing/catalogue_sky.h"
-#include "fit/photo/pointing/identification.h"
 #include "sim/view/sky/instant.h"
 #include "sim/view/sky/planets.h"
 
@@ -100,35 +99,25 @@ BlindStars recognise_blindly(const CalibrateOptions& options, const fit::Photo& 
     return answer;
   }
   tell_planets(picture, frame, *sky.julian_date, sky.observer, is_shown);
-  fit::LocalSky local = fit::local_sky(picture.recognition, *sky.observer, *sky.julian_date);
-  if (10 * local.below_horizon > static_cast<int>(local.stars.size())) {
-    say("the time or the site is not this picture's: %d of its %zu recognised stars were below the horizon "
+  const fit::LocalStars local = fit::local_stars(picture, frame, *sky.observer, *sky.julian_date,
+                                                 options.faintest, options.least_elevation_deg);
+  if (local.elsewhere) {
+    say("the time or the site is not this picture's: %d of its %d recognised stars were below the horizon "
         "there "
         "then. Nothing was written but what the stars say alone\n",
-        local.below_horizon, local.stars.size());
+        local.below_horizon, local.recognised);
     answer.exit_code = doubted;
     return answer;
   }
   if (options.output.empty()) return answer;
-  // Once more among all points, now that air and the site's own horizon are known.
-  fit::IdentificationSettings settings;
-  const double unit = picture.smaller;
-  settings.faintest = options.faintest;
-  settings.first_magnitude = options.faintest;
-  settings.twist_deg = settings.shift_px = 0.0;
-  settings.first_radius_px = 4.0 * unit;
-  settings.last_radius_px = 2.5 * unit;
-  settings.free = fit::free_numbers(picture.recognition.best.form, true);
-  const std::vector<fit::StarSighting> catalogue = fit::catalogue_sky(
-      *sky.observer, *sky.julian_date, options.faintest, std::max(0.0, options.least_elevation_deg));
-  const fit::Identification found = fit::identify(local.camera, frame, catalogue, picture.found, settings);
   answer.local = true;
-  answer.camera = fit::is_trustworthy(found) ? found.camera : local.camera;
-  answer.stars = fit::is_trustworthy(found) ? found.stars : local.stars;
+  answer.camera = local.camera;
+  answer.stars = local.stars;
   say("with time and site: %zu of the %d stars to magnitude %.1f that should be seen have a point within "
       "%.1f px (%.1f "
       "would by chance)\n",
-      answer.stars.size(), found.in_frame, options.faintest, found.last_radius_px, found.by_chance);
+      answer.stars.size(), local.again.in_frame, options.faintest, local.again.last_radius_px,
+      local.again.by_chance);
   return answer;
 }
 

@@ -227,16 +227,11 @@ fit::LensSettings lens_settings(const CalibrateOptions& options, const std::opti
     return settings;
   }
   fit::LensForm form;
-  bool known = false;
-  for (const fit::LensForm& one : fit::lens_forms())
-    if (options.lens == sim::word_of(one.model)) {
-      form.model = one.model;
-      known = true;
-    }
+  const std::optional<sim::LensModel> known = fit::lens_model(options.lens);
   if (!known)
     throw usage_error("--lens", "no lens '" + options.lens + "'",
                       "pinhole, equidistant, equisolid, stereographic, orthographic or polynomial");
-  settings.model = form.model;
+  settings.model = form.model = *known;
   if (!options.terms.empty()) {
     read_terms(options.terms, form);
     if (!is_lens_form(form))

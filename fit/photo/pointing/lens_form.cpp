@@ -30,6 +30,12 @@ std::vector<LensForm> lens_forms() {
   return forms;
 }
 
+std::optional<sim::LensModel> lens_model(const std::string& word) {
+  for (const LensForm& form : lens_forms())
+    if (word == sim::word_of(form.model)) return form.model;
+  return {};
+}
+
 LensForm form_of(const SkyCamera& camera) {
   LensForm form;
   form.model = camera.model;

@@ -1,6 +1,7 @@
 // The lenses that a calibration chooses between: six models, each with more or fewer terms.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ std::string words_of(const LensForm& form);
 
 /// All 44, those of fewer numbers first.
 std::vector<LensForm> lens_forms();
+
+/// The model that scenes call so, "equidistant"; none if a calibration knows no such.
+std::optional<sim::LensModel> lens_model(const std::string& word);
 
 /// The form that a camera has: the terms that are not zero.
 LensForm form_of(const SkyCamera& camera);

@@ -1,0 +1,58 @@
+#include "fit/photo/pointing/blind/star_doubts.h"
+
+#include <algorithm>
+
+#include "fit/photo/mask/circle.h"
+#include "fit/photo/pointing/calibration_doubts.h"
+#include "fit/photo/pointing/catalogue_sky.h"
+#include "fit/photo/pointing/star_check.h"
+#include "sim/base/number/constants.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr double kBrightStars = 2.5;  // magnitude: seen in any picture in which stars are
+constexpr double kClearOfGround_deg = 10.0;
+
+/// Whether a picture is the circle of an all-sky lens, as the words for why the camera is level; else empty.
+std::string circle_says_level(const Calibration& calibration, const Photo* photo) {
+  if (photo == nullptr || calibration.camera.model == sim::LensModel::pinhole) return {};
+  const std::optional<CircleFound> found = find_circle(*photo);
+  if (!found) return {};
+  // A hemisphere's image and more: f times 70 degrees at least, whatever the lens, where a crop's corners
+  // have less.
+  const double radians = found->circle.radius_px / calibration.camera.numbers[focal_px_number];
+  if (radians < 70.0 * sim::kRadiansPerDegree) return {};
+  return "the picture is the circle of an all-sky lens, and such cameras are mostly level";
+}
+
+}  // namespace
+
+void add_star_doubts(Calibration& calibration, const StarEvidence& evidence) {
+  if (calibration.evidence != CalibrationEvidence::stars) return;
+  const auto add = [&](const std::string& words) {
+    if (!words.empty()) calibration.warnings.push_back(words);
+  };
+  if (evidence.is_table && calibration.frame.known &&
+      only_in_first_quarter(calibration.stars, calibration.frame))
+    add("all stars of the table are in the picture's upper left quarter: is it this picture's, at this "
+        "size?");
+  const SkyOfPicture& sky = evidence.sky;
+  if (evidence.photo != nullptr && sky.julian_date && sky.observer) {
+    StarFinderSettings finder;
+    finder.least_signal = evidence.least_signal;
+    const double faintest = std::min(kBrightStars, evidence.faintest);
+    const double lowest = std::max(kClearOfGround_deg, evidence.least_elevation_deg);
+    add(words_of(unseen_stars(calibration, catalogue_sky(*sky.observer, *sky.julian_date, faintest, lowest),
+                              faintest, find_stars(evidence.photo->linear, finder, evidence.usable),
+                              evidence.usable)));
+  }
+  if (sky.observer) {
+    const std::string why =
+        evidence.why_level.empty() ? circle_says_level(calibration, evidence.photo) : evidence.why_level;
+    if (!why.empty()) add(level_doubt(calibration, {why, sky.observer->latitude_deg}));
+  }
+  add(time_and_site_doubt(calibration));
+}
+
+}  // namespace vegard::fit
