@@ -4,10 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fit/compare/observation.h"
-#include "fit/compare/profile_cost.h"
-#include "fit/parameters/free_parameters.h"
-#include "fit/search/profile_rounds.h"
+#include "fit/scene_cost.h"
 
 namespace vegard::fit {
 namespace {
@@ -120,14 +117,9 @@ std::vector<DerivativeCheck> check_derivatives(const ceres::CostFunction& cost,
 std::vector<DerivativeCheck> check_derivatives(const sim::Scene& scene, const Photo& photo, int threads,
                                                const std::function<void(double share)>& told,
                                                const std::atomic<bool>* stop) {
-  std::vector<Observation> observations;
-  observations.push_back(observed(scene, photo, threads));
-  const std::vector<FreeNumber> free = free_numbers(scene);
-  EvaluationLog log;
-  const ProfileCost cost(free, cost_terms(observations, free, Detail::full), log,
-                         {{}, {}, spline_prior(scene, free, first_smoothness(scene)), kFirstPriorWeight});
+  const SceneCost cost(scene, {&photo}, threads);
   std::vector<CheckedCoordinate> coordinates;
-  for (const FreeNumber& number : free) {
+  for (const FreeNumber& number : cost.free()) {
     CheckedCoordinate coordinate;
     coordinate.name = number.label();
     coordinate.at = number.coordinate(number.start);
@@ -135,7 +127,7 @@ std::vector<DerivativeCheck> check_derivatives(const sim::Scene& scene, const Ph
         (number.logarithmic() ? number.value(coordinate.at) : 1.0) / number.slope(coordinate.at);
     coordinates.push_back(coordinate);
   }
-  return check_derivatives(cost, coordinates, told, stop);
+  return check_derivatives(cost.cost(), coordinates, told, stop);
 }
 
 }  // namespace vegard::fit

@@ -212,6 +212,31 @@ sim::Scene with_ties(const sim::Scene& given, const std::vector<FreeNumber>& fre
   return scene;
 }
 
+std::vector<Observation> observations_of(const sim::Scene& scene, const std::vector<FreeNumber>& free,
+                                         const std::vector<const Photo*>& photos, int threads) {
+  std::vector<Observation> observations;
+  if (scene.fit.photos.empty()) {
+    assert(photos.size() == 1);
+    observations.push_back(observed(scene, *photos.front(), threads));
+    return observations;
+  }
+  assert(photos.size() == scene.fit.photos.size());
+  for (const Photo* photo : photos)
+    if (photo->unknowns > 0)
+      throw sim::Error(
+          sim::ErrorKind::scene,
+          {"the transfer curve of " + photo->file_name +
+               " is unknown, and that of one photograph alone can be found",
+           scene.file, 0, "fit.decoding", "a decoding that is known",
+           "fit one of them by itself with --decoding unknown, and give all the curve that it tells"});
+  for (std::size_t i = 0; i < photos.size(); ++i) {
+    const FramedScene framed = framed_scene(scene, scene.fit.photos[i]);
+    observations.push_back(
+        observed(with_ties(framed.scene, free, framed.frame), *photos[i], threads, framed.frame));
+  }
+  return observations;
+}
+
 FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                            const std::vector<Observation>& observations, const FitOptions& asked,
                            const FoundCurve* curve, const FinishedSearch* done) {

@@ -39,6 +39,11 @@ void widen(const FoundCurve& curve, Uncertainty& u);
 sim::Scene with_ties(const sim::Scene& given, const std::vector<FreeNumber>& free,
                      const PhotoFrame& frame = {});
 
+/// Every photograph prepared, those of scene.fit.photos in their order or the only one; they must outlive the
+/// observations. `scene` has its ties. Throws as fit_photo() and fit_photos() do.
+std::vector<Observation> observations_of(const sim::Scene& scene, const std::vector<FreeNumber>& free,
+                                         const std::vector<const Photo*>& photos, int threads);
+
 /// Searches (with a curve or a finished search: takes its outcome) and works out the answer. Throws as
 /// fit_photo() does.
 FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber>& free,

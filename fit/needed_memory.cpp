@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fit/photo/averaging.h"
+#include "sim/base/image.h"
 #include "sim/render/needed_memory.h"
 #include "sim/scene/table/parameter_table.h"
 
@@ -42,6 +43,17 @@ double fit_bytes(const sim::Scene& given, int threads) {
   const double reporting = photos * (pixels * kKeptOfPhoto + 2.0 * model) +
                            sim::render_bytes(scene, threads, {false, kReportOfPixel});
   return kFitItself + std::max({averaged, fitting, reporting});
+}
+
+double require_memory_of_fit(const sim::Scene& scene, int threads, const sim::MemoryLimit& limit) {
+  constexpr double kHalfDark = 0.5;
+  const double bytes = sim::kProgramBytes + fit_bytes(scene, threads);
+  sim::require_memory(limit, limit.given ? bytes : kHalfDark * bytes, fit_in_words(scene), kLighterFit);
+  return bytes;
+}
+
+std::string fit_in_words(const sim::Scene& scene) {
+  return "a fit of " + sim::size_text(scene.camera.width, scene.camera.height) + " pixels";
 }
 
 }  // namespace vegard::fit

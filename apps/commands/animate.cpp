@@ -16,7 +16,6 @@
 
 #include <fmt/format.h>
 
-#include "apps/options/composite_pictures.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
 #include "apps/options/memory_limit.h"
@@ -31,6 +30,7 @@
 #include "apps/output/picture_file.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
+#include "fit/photo/composite_pictures.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/render/emitters/volume_files.h"
@@ -172,7 +172,7 @@ int run_animate(const AnimateRequest& request) {
   check_picture_options(names.file(0), options.picture);
   spare_input(options, names, options.scene.file, "the scene");
   spare_input(options, names, options.scene.camera_file, "the camera's file");
-  for (const std::string& file : picture_files(scene))
+  for (const std::string& file : fit::picture_files(scene))
     spare_input(options, names, file, "a file that the scene reads");
   if (movie) check_movie(options, scene);
   std::string camera;
@@ -186,7 +186,7 @@ int run_animate(const AnimateRequest& request) {
   options.threads =
       threads_to_render(scene, options.threads, bytes_to_encode_px(names.file(0), options.picture, scene),
                         false, options.memory_limit);
-  const sim::CompositePictures pictures = read_composite_pictures(scene);
+  const sim::CompositePictures pictures = fit::read_composite_pictures(scene);
   // Every frame reads its own; here only so that what is wrong with them is told before a folder is made.
   if (sim::has_emitters(scene)) sim::read_volume_files(scene);
   // A measured tone curve is read by whatever is encoded with it; here, before the work.

@@ -44,7 +44,7 @@ int run_border(const BorderRequest& options, const std::string& command) {
       placing_errors(scene, [&] { return fit::trace_border(photos.front(), scene, settings); });
   fit::BorderRunFacts facts;
   facts.command = command;
-  facts.inputs = inputs_of(options.scene.file, scene_sha256, photos);
+  facts.inputs = fit::inputs_of(options.scene.file, scene_sha256, photos);
   facts.decoding = photos.front().decoding;
   fit::write_border_run(options.out, options.overwrite, border, photos.front(), scene, facts);
   for (std::size_t t = 0; t < border.traces.size(); ++t)

@@ -66,7 +66,7 @@ int run_describe(const DescribeRequest& options) {
       return good;
     }
   }
-  const sim::PictureMetadata metadata = metadata_of(options.photo);
+  const sim::PictureMetadata metadata = fit::metadata_with_size(options.photo);
   if (!options.output.empty()) {
     sim::WholeFile file(options.output, options.overwrite);
     file.write(start_scene(name, fit::photo_facts(metadata)));

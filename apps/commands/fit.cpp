@@ -26,16 +26,13 @@
 #include "apps/options/standard_streams.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
-#include "fit/curtain_fit.h"
-#include "fit/curve_fit.h"
-#include "fit/fit.h"
 #include "fit/map/map_record.h"
 #include "fit/photo/photo.h"
 #include "fit/report/run_directory.h"
 #include "fit/report/table/curve_steps_table.h"
 #include "fit/report/table/result_json.h"
+#include "fit/scene_fit.h"
 #include "fit/search/file_journal.h"
-#include "fit/stability.h"
 #include "fit/version.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/number_text.h"
@@ -148,7 +145,7 @@ fit::JournalMode journal_mode(const FitRequest& options) {
 fit::FitResult fitted(const FitRequest& options, const sim::Scene& scene, std::vector<fit::Photo>& photos,
                       const std::optional<fit::MapRecord>& map, fit::Journal& journal) {
   Account account;
-  fit::FitOptions fit_options;
+  fit::SceneFitOptions fit_options;
   fit_options.threads = options.threads;
   fit_options.max_evaluations = options.max_evaluations;
   fit_options.journal = &journal;
@@ -158,17 +155,9 @@ fit::FitResult fitted(const FitRequest& options, const sim::Scene& scene, std::v
   fit_options.progress = [&account](const std::string& stage, int evaluations, double chi2_per_dof,
                                     double share) { account.tell(stage, evaluations, chi2_per_dof, share); };
   fit_options.stop = &watch_for_interrupt();
-  const auto fit = [&] {
-    if (map) return fit::fit_curtains(scene, photos, map->curtains, map->faint, fit_options);
-    if (!scene.fit.photos.empty()) return fit::fit_photos(scene, photos, fit_options);
-    return photos.front().unknowns > 0 ? fit::fit_photo_and_curve(scene, photos.front(), fit_options)
-                                       : fit::fit_photo(scene, photos.front(), fit_options);
-  };
-  return placing_errors(scene, [&] {
-    fit::FitResult result = fit();
-    if (options.stability) fit::judge_stability(photos, fit_options, result);
-    return result;
-  });
+  fit_options.stability = options.stability;
+  return placing_errors(scene,
+                        [&] { return fit::fit_scene(scene, photos, map ? &*map : nullptr, fit_options); });
 }
 
 /// A number of a map's curtain, of which there are too many to be read one by one.
@@ -272,11 +261,11 @@ int run_fit(const FitRequest& options, const std::string& command) {
       decoding_of(options.photo.decoding, scene.fit.decoding, &scene).kind == fit::Decoding::Kind::unknown)
     estimated.fit.average_rows = 0;  // such photographs are not averaged
   check_memory_of_fit(estimated, options.threads, options.memory_limit);
-  std::vector<fit::Photo> photos = photographs_asked(options.photo, scene, PhotoPixels::for_fit);
+  std::vector<fit::Photo> photos = photographs_asked(options.photo, scene, fit::PhotoPixels::for_fit);
   if (map) {
     std::vector<std::string> decodings;
     for (const fit::Photo& one : photos) decodings.push_back(one.decoding);
-    fit::check_same_subject(*map, scene, inputs_of(options.scene.file, scene_sha256, photos), decodings);
+    fit::check_same_subject(*map, scene, fit::inputs_of(options.scene.file, scene_sha256, photos), decodings);
   }
   if (options.check_derivatives) {
     if (!scene.fit.photos.empty())
@@ -291,7 +280,7 @@ int run_fit(const FitRequest& options, const std::string& command) {
   if (journal.found() > 0) tell("vegard: going on after %d finished steps\n", journal.found());
   fit::FitResult result = fitted(options, scene, photos, map, journal);
   if (!journal.problem().empty()) tell("vegard: this fit cannot be resumed: %s\n", journal.problem().c_str());
-  result.inputs = inputs_of(options.scene.file, scene_sha256, photos);
+  result.inputs = fit::inputs_of(options.scene.file, scene_sha256, photos);
   result.command = command;
   result.from_photograph = from_photograph;
   fit::RunContext context;

@@ -81,7 +81,7 @@ void read_camera(const HorizonRequest& options, HorizonCamera& camera) {
   sim::PictureMetadata metadata;
   if (!options.photo.empty()) {
     camera.name = std::filesystem::path(options.photo).filename().string();
-    metadata = metadata_of(options.photo);
+    metadata = fit::metadata_with_size(options.photo);
   } else if (options.size_px.empty()) {
     throw usage_error("--size", "the picture's size is not known", "a PHOTO, or --size W,H");
   }

@@ -149,7 +149,7 @@ int run_map(const MapRequest& options, const std::string& command) {
   facts.faint = fit::find_faint_curtains(result);
   facts.command = command;
   facts.netcdf = options.netcdf;
-  facts.inputs = inputs_of(options.scene.file, scene_sha256, photos);
+  facts.inputs = fit::inputs_of(options.scene.file, scene_sha256, photos);
   facts.from_photograph = from_photograph;
   for (std::size_t i = 0; i < photos.size(); ++i)
     facts.decodings.emplace_back(result.photos[i].name, photos[i].decoding);

@@ -155,7 +155,7 @@ class Measuring {
   }
 
   int run() {
-    metadata_of(options_.photo);  // throws before anything is made if there is no picture
+    fit::metadata_with_size(options_.photo);  // throws before anything is made if there is no picture
     take_given_camera();
     claim_folder();
     picture();
@@ -249,7 +249,7 @@ class Measuring {
 
 void Measuring::picture() {
   MeasureStage& stage = begin("What the picture says of itself");
-  const sim::PictureMetadata metadata = metadata_of(options_.photo);
+  const sim::PictureMetadata metadata = fit::metadata_with_size(options_.photo);
   const fit::PhotoFacts facts = fit::photo_facts(metadata);
   known_.has_focal = fit::picture_field_of_view(metadata).hfov_deg.has_value();
   std::vector<std::string> place;

@@ -6,11 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "apps/options/composite_pictures.h"
 #include "apps/options/file_names.h"
 #include "apps/options/refusals.h"
 #include "apps/preview/preview.h"
 #include "apps/preview/preview_window.h"
+#include "fit/photo/composite_pictures.h"
 #include "sim/scene/table/table_files.h"
 
 namespace vegard::apps {
@@ -38,8 +38,8 @@ void check_save(const PreviewOptions& options, const sim::Scene& scene) {
   if (same_file(options.save, options.scene.file)) refuse_same_file("--save", options.save, "the scene");
   if (same_file(options.save, options.scene.camera_file))
     refuse_same_file("--save", options.save, "the camera's file");
-  const bool names_files =
-      !picture_files(scene).empty() || !sim::table_files(scene).empty() || scene.emission.folder != nullptr;
+  const bool names_files = !fit::picture_files(scene).empty() || !sim::table_files(scene).empty() ||
+                           scene.emission.folder != nullptr;
   const std::string folder = std::filesystem::path(options.scene.file).parent_path().string();
   const std::string of_save = std::filesystem::path(options.save).parent_path().string();
   if (names_files && !same_file(folder.empty() ? "." : folder, of_save.empty() ? "." : of_save))

@@ -33,6 +33,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/image.h"
+#include "sim/scene/file/camera_file.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_table.h"
@@ -217,7 +218,7 @@ void run_profile(const ProfileRequest& options) {
   std::optional<sim::Scene> scene;
   if (!options.scene.empty()) {
     scene = sim::read_scene(options.scene);
-    if (!options.camera.empty()) take_camera(*scene, options.camera);
+    if (!options.camera.empty()) sim::take_camera(*scene, options.camera);
     const std::string image =
         options.filters.empty() ? options.image : filter_files(options.filters).front().file;
     if (!options.no_metadata && !image.empty()) take_from_photograph(*scene, image, {});

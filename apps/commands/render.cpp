@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include "apps/options/composite_pictures.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
 #include "apps/options/memory_limit.h"
@@ -24,6 +23,7 @@
 #include "apps/output/picture_file.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
+#include "fit/photo/composite_pictures.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/render/auto_exposure.h"
@@ -64,7 +64,7 @@ void spare_what_is_rendered(const RenderRequest& options, const sim::Scene& scen
   };
   spare(options.scene.file, "the scene");
   spare(options.scene.camera_file, "the camera's file");
-  for (const std::string& file : picture_files(scene)) spare(file, "a file that the scene reads");
+  for (const std::string& file : fit::picture_files(scene)) spare(file, "a file that the scene reads");
 }
 
 /// Refuses what would be refused at the end, before the work.
@@ -187,7 +187,7 @@ int run_render(const RenderRequest& request) {
       bytes_per_px = std::max(bytes_per_px, bytes_to_encode_px(name, options.picture, scene));
   options.threads = options.picture.threads =
       threads_to_render(scene, options.threads, bytes_per_px, !options.layers.empty(), options.memory_limit);
-  const sim::CompositePictures pictures = read_composite_pictures(scene);
+  const sim::CompositePictures pictures = fit::read_composite_pictures(scene);
 
   const std::atomic<bool>& stop = watch_for_interrupt();
   sim::Rendering rendering;

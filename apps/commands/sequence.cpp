@@ -247,7 +247,7 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
       tell("interrupted; the same command goes on from here\n");
       return interrupted;
     }
-    fitted.result.inputs = inputs_of(options.scene.file, scene_sha256, {photo});
+    fitted.result.inputs = fit::inputs_of(options.scene.file, scene_sha256, {photo});
     fitted.result.command = command;
     std::error_code ignored;
     fs::remove(folder.row(frame.name), ignored);

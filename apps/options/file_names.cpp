@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include "apps/options/composite_pictures.h"
 #include "apps/options/refusals.h"
+#include "fit/photo/composite_pictures.h"
 #include "fit/photo/frames/frame_name.h"
 #include "sim/base/error.h"
 #include "sim/scene/rows/decoding_word.h"
@@ -50,7 +50,7 @@ void refuse_same_file(const std::string& key, const std::string& file, const std
 
 std::vector<NamedInput> inputs_of_scene(const SceneOptions& options, const sim::Scene& scene) {
   std::vector<NamedInput> inputs = {{options.file, "the scene"}, {options.camera_file, "the camera's file"}};
-  for (const std::string& file : picture_files(scene))
+  for (const std::string& file : fit::picture_files(scene))
     inputs.push_back({file, "a file that the scene reads"});
   for (const sim::TableFile& table : sim::table_files(scene))
     inputs.push_back({sim::table_place(scene, table.name), "a table of the scene"});

@@ -1,17 +1,11 @@
 #include "apps/options/memory_limit.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 
-#include <fmt/format.h>
-
-#include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "fit/needed_memory.h"
 #include "sim/base/available_memory.h"
-#include "sim/base/parallel.h"
+#include "sim/base/memory_limit.h"
 #include "sim/render/needed_memory.h"
 
 namespace vegard::apps {
@@ -40,6 +34,10 @@ std::optional<double> bytes_of_words(const std::string& words) {
   return bytes;
 }
 
+sim::MemoryLimit limit_of_words(const std::string& words) {
+  return {memory_limit_bytes(words), !words.empty(), "--memory-limit"};
+}
+
 }  // namespace
 
 Option add_memory_option(const Command& command, std::string& words, const std::string& meaning) {
@@ -53,48 +51,20 @@ Option add_memory_option(const Command& command, std::string& words, const std::
 }
 
 double memory_limit_bytes(const std::string& words) {
-  if (!words.empty()) return bytes_of_words(words).value_or(0.0);
-  const std::uint64_t available = sim::available_memory();
-  return available == 0 ? std::numeric_limits<double>::infinity() : 0.8 * static_cast<double>(available);
-}
-
-void require_memory(const std::string& words, double bytes, const std::string& what,
-                    const std::string& hint) {
-  const double limit = memory_limit_bytes(words);
-  if (bytes <= limit) return;
-  throw usage_error(
-      "--memory-limit", what + " would take about " + sim::memory_text(bytes) + " of memory",
-      "at most " + sim::memory_text(limit) + (words.empty() ? ", four fifths of what is free" : ", as given"),
-      hint);
+  return words.empty() ? sim::usable_memory_bytes() : bytes_of_words(words).value_or(0.0);
 }
 
 int threads_to_render(const sim::Scene& scene, int threads, double bytes_per_px, bool sheet_layers,
                       const std::string& memory_words) {
-  const double limit = memory_limit_bytes(memory_words);
-  const auto bytes = [&](int count) {
-    return sim::kProgramBytes + sim::render_bytes(scene, count, {sheet_layers, bytes_per_px});
-  };
-  int count = sim::thread_count(threads);
-  while (count > 1 && bytes(count) > limit) --count;
-  require_memory(memory_words, bytes(count),
-                 fmt::format("a picture of {} x {} pixels", scene.camera.width, scene.camera.height),
-                 "a smaller camera.width and camera.height need less");
-  return count;
+  return sim::threads_to_render(scene, threads, {sheet_layers, bytes_per_px}, limit_of_words(memory_words));
 }
 
 void check_memory_of_fit(const sim::Scene& scene, int threads, const std::string& memory_words) {
   constexpr double kWorthAWord = 2.0 * kGigabyte;
-  const double bytes = sim::kProgramBytes + fit::fit_bytes(scene, threads);
-  const std::string what = fmt::format("a fit of {} x {} pixels", scene.camera.width, scene.camera.height);
-  const std::string hint =
-      "A part of the picture (fit.roi_px), a smaller picture with its camera.width and camera.height, or "
-      "fewer "
-      "--threads need less";
-  constexpr double kHalfDark = 0.5;
-  require_memory(memory_words, memory_words.empty() ? kHalfDark * bytes : bytes, what, hint);
+  const double bytes = fit::require_memory_of_fit(scene, threads, limit_of_words(memory_words));
   if (bytes > kWorthAWord)
-    tell("vegard: %s will take up to about %s of memory, and its time; %s\n", what.c_str(),
-         sim::memory_text(bytes).c_str(), hint.c_str());
+    tell("vegard: %s will take up to about %s of memory, and its time; %s\n",
+         fit::fit_in_words(scene).c_str(), sim::memory_text(bytes).c_str(), fit::kLighterFit);
 }
 
 }  // namespace vegard::apps

@@ -19,18 +19,12 @@ Option add_memory_option(
 /// where that is not known.
 double memory_limit_bytes(const std::string& words);
 
-/// Throws Error(usage), about the option unless the scene's own `key` is named, if `bytes` are more than the
-/// limit. `what` takes them: "a picture of 8000 x 6000 pixels"; `hint` says how to need less.
-void require_memory(const std::string& words, double bytes, const std::string& what, const std::string& hint);
-
-/// With as many threads as may be used, at most the number asked for (0: all cores), so that a picture of the
-/// scene can be made within the limit: the result is the same. Throws as require_memory() if one is too many.
+/// sim::threads_to_render() within that limit.
 int threads_to_render(const sim::Scene& scene, int threads, double bytes_per_px, bool sheet_layers,
                       const std::string& memory_words);
 
-/// Throws as require_memory() if a fit of the scene's photographs would take more than the limit. How much it
-/// takes depends on how much of the picture is lit: without words it must be too much even for a picture that
-/// is half dark. Tells on standard error, before it begins, of a fit that will take more than 2 GB.
+/// fit::require_memory_of_fit() within that limit. Tells on standard error, before it begins, of a fit that
+/// will take more than 2 GB.
 void check_memory_of_fit(const sim::Scene& scene, int threads, const std::string& memory_words);
 
 }  // namespace vegard::apps

@@ -24,9 +24,8 @@ void add_decoding_option(const Command& command, std::string& word) {
       .check(complaint_of, "WORD");
 }
 
-fit::Decoding decoding_of(const std::string& word, const std::string& scene_word, const sim::Scene* scene,
-                          const std::string& beside) {
-  return word.empty() ? fit::decoding_of_word(scene_word, scene, beside) : fit::decoding_of_word(word);
+fit::Decoding decoding_of(const std::string& word, const std::string& scene_word, const sim::Scene* scene) {
+  return word.empty() ? fit::decoding_of_word(scene_word, scene) : fit::decoding_of_word(word);
 }
 
 void add_filter_option(const Command& command, std::vector<std::string>& words) {

@@ -16,10 +16,9 @@ namespace vegard::apps {
 void add_decoding_option(const Command& command, std::string& word);
 
 /// The command line's word (sim/scene/rows/decoding_word.h), or where it is empty the scene's. The scene's
-/// table of a curve is that of `scene`, or a file in the folder `beside`; the command line's stands where it
-/// says.
+/// table of a curve is that of `scene`; the command line's stands where it says.
 fit::Decoding decoding_of(const std::string& word, const std::string& scene_word,
-                          const sim::Scene* scene = nullptr, const std::string& beside = {});
+                          const sim::Scene* scene = nullptr);
 
 /// Adds --line; `words` stays empty if it is not given, and must outlive the parsing.
 void add_filter_option(const Command& command, std::vector<std::string>& words);

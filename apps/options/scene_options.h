@@ -23,11 +23,6 @@ struct SceneOptions {
 enum class SceneWord { required, may_be_missing };
 void add_scene_options(const Command& command, SceneOptions& options, SceneWord scene = SceneWord::required);
 
-/// Puts the [camera] of a file such as `vegard calibrate` writes in place of the scene's, whole, and every
-/// key of its [site] in place of the scene's. Throws Error(unreadable_input), Error(scene) if it has anything
-/// else.
-void take_camera(sim::Scene& scene, const std::string& camera_file);
-
 /// Reads the file, takes the camera, makes the changes and checks the result. Throws Error(unreadable_input,
 /// scene, usage).
 sim::Scene scene_of(const SceneOptions& options);

@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include "apps/options/composite_pictures.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
 #include "apps/options/refusals.h"
@@ -20,6 +19,7 @@
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
 #include "apps/preview/preview_painter.h"
+#include "fit/photo/composite_pictures.h"
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_directory.h"
@@ -40,7 +40,7 @@ const char* const kMark = "preview";
 
 /// A folder that an input lies in would be lost with it.
 void spare_inputs_in_folder(const sim::Scene& scene, const PreviewOptions& options) {
-  for (const std::string& input : picture_files(scene))
+  for (const std::string& input : fit::picture_files(scene))
     if (is_inside(input, options.output))
       refuse_same_file("--output", options.output, "a folder of its input");
   for (const std::string& input : {options.scene.file, options.scene.camera_file})

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/options/composite_pictures.h"
+#include "fit/photo/composite_pictures.h"
 #include "sim/render/render.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/sensor/sensor.h"
@@ -18,9 +18,9 @@ ScreenPicture PreviewPainter::paint(const sim::Scene& whole, const sim::Reductio
                                     const std::atomic<bool>* stop) {
   const sim::Scene scene = sim::reduced_scene(whole, reduction);
   std::string pictures_key = fmt::format("{} x {}", scene.camera.width, scene.camera.height);
-  for (const std::string& file : picture_files(scene)) pictures_key += "\n" + file;
+  for (const std::string& file : fit::picture_files(scene)) pictures_key += "\n" + file;
   if (pictures_key != pictures_key_) {
-    pictures_ = read_composite_pictures(scene);
+    pictures_ = fit::read_composite_pictures(scene);
     pictures_key_ = pictures_key;
   }
   const std::string tone_key =

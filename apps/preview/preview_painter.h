@@ -27,7 +27,8 @@ class PreviewPainter {
  public:
   explicit PreviewPainter(int threads) : threads_(threads) {}
 
-  /// Empty if `stop` was raised. Throws as read_composite_pictures() and the reading of volumes' files do.
+  /// Empty if `stop` was raised. Throws as fit::read_composite_pictures() and the reading of volumes' files
+  /// do.
   ScreenPicture paint(const sim::Scene& scene, const sim::Reduction& reduction,
                       const std::atomic<bool>* stop = nullptr);
 

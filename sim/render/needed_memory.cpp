@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/image.h"
 #include "sim/base/parallel.h"
 #include "sim/light/sample.h"
 #include "sim/render/film.h"
@@ -59,6 +60,16 @@ double render_bytes(const Scene& scene, int threads, const RenderingUse& use) {
   if (has_volumes(scene)) of_pixel += 2.0 * of_lines + 3.0 * of_colours + kFloatBytes;
   if (!scene.nebulae.empty()) of_pixel += of_colours + kFloatBytes;
   return std::max(exposing, pixels * of_pixel);
+}
+
+int threads_to_render(const Scene& scene, int threads, const RenderingUse& use, const MemoryLimit& limit) {
+  const auto bytes = [&](int count) { return kProgramBytes + render_bytes(scene, count, use); };
+  int count = thread_count(threads);
+  while (count > 1 && bytes(count) > limit.bytes) --count;
+  require_memory(limit, bytes(count),
+                 "a picture of " + size_text(scene.camera.width, scene.camera.height) + " pixels",
+                 "a smaller camera.width and camera.height need less");
+  return count;
 }
 
 double model_bytes(const Scene& scene, double cells, int free, int threads) {

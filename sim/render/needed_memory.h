@@ -1,6 +1,7 @@
 // How much memory pictures take, worked out before any is taken.
 #pragma once
 
+#include "sim/base/memory_limit.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
@@ -19,6 +20,10 @@ double render_bytes(const Scene& scene, int threads, const RenderingUse& use);
 
 /// What the program takes with its libraries and tables before it does anything.
 inline constexpr double kProgramBytes = 160.0 * 1024.0 * 1024.0;
+
+/// As many threads as may be used, at most the number asked for (0: all cores), so that a picture of the
+/// scene can be made within the limit: the result is the same. Throws as require_memory() if one is too many.
+int threads_to_render(const Scene& scene, int threads, const RenderingUse& use, const MemoryLimit& limit);
 
 /// Bytes of one model of a photograph that a fit differentiates, on a film of so many cells.
 double model_bytes(const Scene& scene, double cells, int free, int threads);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "apps/options/picture_lists.h"
-#include "apps/options/scene_options.h"
 #include "fit/photo/pointing/exchange/aida_camera.h"
 #include "fit/photo/pointing/exchange/sip_wcs.h"
 #include "fit/photo/pointing/star_table.h"
@@ -22,6 +21,7 @@
 #include "sim/light/emission_tables.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/light/transport/field_air.h"
+#include "sim/scene/file/camera_file.h"
 #include "sim/scene/file/curve_table.h"
 #include "sim/scene/file/precipitation_file.h"
 #include "sim/view/colour/colour_table.h"
@@ -133,7 +133,7 @@ void times(const std::string& text) {
 void camera(const std::string& text) {
   const tests::InputFile file(text, "it.toml");
   sim::Scene scene;
-  apps::take_camera(scene, file.path("it.toml"));
+  sim::take_camera(scene, file.path("it.toml"));
 }
 
 void mask(const std::string& text) { require(std::isfinite(sim::read_mask5(text, "it.txt").sum())); }

@@ -23,6 +23,7 @@
 #include "sim/base/file/number_text.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/picture/picture_metadata.h"
+#include "sim/scene/file/camera_file.h"
 #include "sim/view/sky/instant.h"
 
 namespace vegard::apps {
@@ -56,7 +57,7 @@ void read_extinction(PhotometryRequest& options) {
 /// The camera's scene, with the site of the command line or of the first picture where its file has none.
 sim::Scene scene_of_camera(const PhotometryRequest& options) {
   sim::Scene scene;
-  take_camera(scene, options.camera);
+  sim::take_camera(scene, options.camera);
   if (!options.site.empty()) {
     const SitePlace place = site_place(options.site);
     scene.site.latitude_deg = place.latitude_deg;

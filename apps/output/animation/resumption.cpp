@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "apps/options/composite_pictures.h"
+#include "fit/photo/composite_pictures.h"
 #include "sim/base/file/durable_rename.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/output_error.h"
@@ -132,7 +132,7 @@ std::string manifest_text(const sim::Scene& scene, double frames_per_second, con
   json["frames_per_second"] = frames_per_second;
   json["seed"] = scene.seed;
   json["scene_sha256"] = sim::sha256(sim::write_scene(as_frames_see(scene)));
-  for (const std::string& file : picture_files(scene))
+  for (const std::string& file : fit::picture_files(scene))
     json["pictures_sha256"].push_back(sim::sha256_of_file(file));
   for (const auto& [path, sum] : sim::table_sums(scene)) json["tables_sha256"][path] = sum;
   if (picture.photograph) json["photograph"] = true;

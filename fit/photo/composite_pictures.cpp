@@ -1,20 +1,20 @@
-#include "apps/options/composite_pictures.h"
+#include "fit/photo/composite_pictures.h"
 
 #include <filesystem>
 
-#include "apps/options/refusals.h"
 #include "sim/base/error.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/scene/file/named_files.h"
+#include "sim/scene/structs/error_place.h"
 
-namespace vegard::apps {
+namespace vegard::fit {
 namespace {
 
 std::string beside_scene(const sim::Scene& scene, const std::string& name) {
   return (std::filesystem::path(scene.file).parent_path() / name).string();
 }
 
-sim::PictureFile read(const sim::Scene& scene, const std::string& key, const std::string& name) {
+sim::PictureFile read_named(const sim::Scene& scene, const std::string& key, const std::string& name) {
   try {
     return sim::read_picture(beside_scene(scene, name));
   } catch (const sim::Error& error) {
@@ -29,17 +29,18 @@ sim::Image read_foreground(const sim::Scene& scene) {
   const sim::Composite& composite = scene.composite;
   if (composite.foreground.empty() && composite.mask.empty()) return {};
   sim::Image coverage, foreground;
-  if (!composite.mask.empty()) coverage = sim::coverage_of(read(scene, "composite.mask", composite.mask));
+  if (!composite.mask.empty())
+    coverage = sim::coverage_of(read_named(scene, "composite.mask", composite.mask));
   if (composite.foreground.empty()) {
     foreground = sim::Image(coverage.width, coverage.height, {"R", "G", "B", "A"});
   } else {
-    const sim::PictureFile file = read(scene, "composite.foreground", composite.foreground);
+    const sim::PictureFile file = read_named(scene, "composite.foreground", composite.foreground);
     if (coverage.empty() && file.image.channel_names.back() != "A") {
       sim::ErrorDetails details;
       details.key = "composite.foreground";
       details.problem = "'" + composite.foreground + "' has no alpha: it would hide the whole sky";
       details.hint = "give a composite.mask, white where it hides the sky";
-      throw with_place(sim::Error(sim::ErrorKind::scene, details), scene);
+      throw sim::with_place(sim::Error(sim::ErrorKind::scene, details), scene);
     }
     foreground = sim::linear_picture(file);
   }
@@ -55,7 +56,7 @@ sim::CompositePictures read_composite_pictures(const sim::Scene& scene) {
   sim::CompositePictures pictures;
   if (!scene.composite.background.empty())
     pictures.background =
-        filled(sim::linear_picture(read(scene, "composite.background", scene.composite.background)));
+        filled(sim::linear_picture(read_named(scene, "composite.background", scene.composite.background)));
   pictures.foreground = filled(read_foreground(scene));
   return pictures;
 }
@@ -67,4 +68,4 @@ std::vector<std::string> picture_files(const sim::Scene& scene) {
   return files;
 }
 
-}  // namespace vegard::apps
+}  // namespace vegard::fit

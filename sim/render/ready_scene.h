@@ -1,0 +1,13 @@
+// What stands between a scene that has been read or changed and one that can be worked with.
+#pragma once
+
+#include "sim/scene/structs/scene.h"
+
+namespace vegard::sim {
+
+/// Validates the whole, reads the tables that it names anew (a change may have named another), and checks
+/// height profiles, the free oxygen and the sensor's response against them. Throws Error(scene),
+/// Error(unreadable_input).
+void make_ready(Scene& scene);
+
+}  // namespace vegard::sim
