@@ -2,23 +2,25 @@
 # and builds all of it or one target.
 # shellcheck shell=bash
 
-# Prints the packages of packages.txt that are not installed, one a line.
+# usage: missing_packages LIST...
+# Prints the packages of the lists that are not installed, one a line.
 missing_packages() {
   local name
   while read -r name; do
     if [[ "$(dpkg-query --show --showformat='${db:Status-Status}' "$name" 2>/dev/null)" != installed ]]; then
       echo "$name"
     fi
-  done < <(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' packages.txt)
+  done < <(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "$@")
 }
 
+# usage: install_missing_packages LIST...
 install_missing_packages() {
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-    echo "This is no Debian system: please install what packages.txt names by hand, if the build asks for it." >&2
+    echo "This is no Debian system: please install what $* names by hand, if the build asks for it." >&2
     return 0
   fi
   local -a missing
-  mapfile -t missing < <(missing_packages)
+  mapfile -t missing < <(missing_packages "$@")
   if [[ ${#missing[@]} -eq 0 ]]; then
     return 0
   fi
@@ -36,10 +38,15 @@ install_missing_packages() {
   "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}"
 }
 
-# usage: set_up [TARGET], without it all. Expects the project's root as the working directory.
+# usage: set_up [TARGET], without it all, with the Python module. Expects the project's root as the working directory.
 # With VEGARD_WARNINGS_AS_ERRORS=ON in the environment a warning ends it.
 set_up() {
-  install_missing_packages
-  cmake --preset release "-DVEGARD_WARNINGS_AS_ERRORS=${VEGARD_WARNINGS_AS_ERRORS:-OFF}"
+  local -a lists=(packages.txt) options=("-DVEGARD_WARNINGS_AS_ERRORS=${VEGARD_WARNINGS_AS_ERRORS:-OFF}")
+  if [[ $# -eq 0 ]]; then
+    lists+=(packages-python.txt)
+    options+=(-DVEGARD_PYTHON=ON)
+  fi
+  install_missing_packages "${lists[@]}"
+  cmake --preset release "${options[@]}"
   cmake --build --preset release -j "$(nproc)" --target "${1:-all}"
 }

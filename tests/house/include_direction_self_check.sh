@@ -97,6 +97,8 @@ refuses fit/bad.cpp '#include "tests/support/temporary_folder.h"'
 # Rule 2.
 refuses sim/render/render.cpp '#include <ceres/jet.h>'
 refuses apps/bad.cpp '#include <ceres/ceres.h>'
+refuses fit/bad.cpp '#include <pybind11/pybind11.h>'
+refuses fit/bad.cpp '#include "python/arrays.h"'
 refuses sim/view/film/bad.cpp '#include <opencv2/imgproc.hpp>'
 refuses fit/bad.h '#include <opencv2/core.hpp>'
 refuses fit/photo/bad.cpp '#include <jpeglib.h>'

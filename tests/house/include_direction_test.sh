@@ -17,7 +17,7 @@ tracked() {
   done
 }
 mapfile -t files < <(tracked)
-mapfile -t sources < <(printf '%s\n' "${files[@]}" | grep -E '^(sim|fit|apps)/.*\.(h|cpp|inc)$' || true)
+mapfile -t sources < <(printf '%s\n' "${files[@]}" | grep -E '^(sim|fit|apps|python)/.*\.(h|cpp|inc)$' || true)
 if [[ ${#sources[@]} -eq 0 ]]; then
   echo "no sources under $1" >&2
   exit 2
@@ -31,7 +31,7 @@ check_sources() {
     function room_of(path) { sub(/\/[^\/]*$/, "", path); return path }
     function top_of(path) {
       if (match(path, /^sim\/(base|scene|light|emit|view|render)\//)) return substr(path, 1, RLENGTH - 1)
-      if (match(path, /^(fit|apps)\//)) return substr(path, 1, RLENGTH - 1)
+      if (match(path, /^(fit|apps|python)\//)) return substr(path, 1, RLENGTH - 1)
       return ""
     }
     function stem_of(path) { sub(/\.[^.\/]*$/, "", path); return path }
@@ -75,7 +75,7 @@ check_sources() {
 
       # Rule 1: includes run one way, by paths from the root.
       if (target ~ /(^|\/)\.\.?\//) complain("include by a path from the root, not " target)
-      else if (target ~ /^(sim|fit|apps)\//) {
+      else if (target ~ /^(sim|fit|apps|python)\//) {
         to = room_of(target)
         if (!(to in rank)) complain(target " belongs to no room of the house")
         else if ((room in rank) && (rank[to] > rank[room] || (rank[to] == rank[room] && to != room)))
@@ -97,6 +97,7 @@ check_sources() {
         if (FILENAME !~ /^apps\/(output\/animation\/movie|preview\/preview_window)\.cpp$/)
           complain("OpenCV belongs in the .cpp files of fit/, apps/output/animation/movie.cpp and apps/preview/preview_window.cpp")
       }
+      if (target ~ /^(pybind11\/|Python\.h)/ && room != "python") complain("Python belongs in python/ only")
       if (target ~ /^CLI\// && room != "apps/options") complain("CLI11 belongs in apps/options/ only")
       if (target ~ /^OpenImageIO\// && room != "sim/base/picture/image_io")
         complain("OpenImageIO belongs in sim/base/picture/image_io/ only")

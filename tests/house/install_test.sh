@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Installs the current build, moves it elsewhere, and builds and runs an outside project against it.
-# usage: install_test.sh CMAKE SOURCE_DIR BUILD_DIR COMPILER FLAGS
+# usage: install_test.sh CMAKE SOURCE_DIR BUILD_DIR COMPILER FLAGS [PYTHON PYTHON_DIR]
+# With an interpreter, the module of PYTHON_DIR below the prefix is to be there too, and to work.
 set -euo pipefail
-cmake=$1 source=$2 build=$3 compiler=$4 flags=$5
+cmake=$1 source=$2 build=$3 compiler=$4 flags=$5 python=${6:-} python_dir=${7:-}
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -38,3 +39,12 @@ run "$cmake" -S "$source/tests/house/outside" -B "$work/build" -DCMAKE_PREFIX_PA
   -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$flags"
 run "$cmake" --build "$work/build"
 run "$work/build/outside"
+
+if [[ -n $python ]]; then
+  for file in __init__.py __init__.pyi py.typed; do
+    [[ -e $prefix/$python_dir/vegard/$file ]] || fail "$python_dir/vegard/$file is not installed"
+  done
+  # From elsewhere than the sources, whose own folder has a module of that name too.
+  (cd "$work" && run env "PYTHONPATH=$prefix/$python_dir" "$python" -B -c \
+    'import vegard; assert vegard.parse("[camera]\nwidth = 48\nheight = 32\n").render().rayleigh.shape == (32, 48, 3)')
+fi
