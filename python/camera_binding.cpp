@@ -1,9 +1,9 @@
 // Cameras: directions of pixels and pixels of directions, for whole arrays.
 #include <limits>
 
+#include "fit/ready_scene.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
-#include "sim/render/ready_scene.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/camera/direction_map.h"
@@ -92,7 +92,7 @@ void bind_cameras(py::module_& m, py::class_<SceneHandle>& scene) {
       [](SceneHandle& self, const sim::Camera& camera) {
         sim::Scene changed = *self.scene;
         changed.camera = camera;
-        sim::make_ready(changed);
+        fit::make_ready(changed);
         self.scene = std::make_shared<const sim::Scene>(std::move(changed));
       },
       "The scene's camera (Camera); one that a calibration has found may be put in its place.");

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "fit/photo/scene_photos.h"
+#include "fit/ready_scene.h"
 #include "python/bindings.h"
 #include "sim/base/error.h"
-#include "sim/render/ready_scene.h"
 #include "sim/scene/file/camera_file.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/rows/value_words.h"
@@ -56,7 +56,7 @@ std::string set_text(const py::handle& value) {
 }
 
 std::shared_ptr<const sim::Scene> ready(sim::Scene scene) {
-  sim::make_ready(scene);
+  fit::make_ready(scene);
   return std::make_shared<const sim::Scene>(std::move(scene));
 }
 

@@ -1,8 +1,8 @@
 #include "apps/options/scene_options.h"
 
 #include "apps/options/standard_streams.h"
+#include "fit/ready_scene.h"
 #include "sim/base/error.h"
-#include "sim/render/ready_scene.h"
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/file/camera_file.h"
 #include "sim/scene/file/idle_keys.h"
@@ -47,7 +47,7 @@ sim::Scene scene_of(const SceneOptions& options) {
   // The table's limits hold here too: a scene is to be written again, and TOML has no integers above 2^63
   // - 1.
   if (!options.seed.empty()) sim::set_from_text(scene, "seed", options.seed);
-  sim::make_ready(scene);
+  fit::make_ready(scene);
   return scene;
 }
 

@@ -3,11 +3,11 @@
 
 #include "sim/scene/structs/scene.h"
 
-namespace vegard::sim {
+namespace vegard::fit {
 
 /// Validates the whole, reads the tables that it names anew (a change may have named another), and checks
 /// height profiles, the free oxygen and the sensor's response against them. Throws Error(scene),
 /// Error(unreadable_input).
-void make_ready(Scene& scene);
+void make_ready(sim::Scene& scene);
 
-}  // namespace vegard::sim
+}  // namespace vegard::fit
