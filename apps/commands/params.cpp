@@ -14,6 +14,7 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/rows/forms.h"
 #include "sim/scene/table/alternative_forms.h"
+#include "sim/scene/table/parameter_id.h"
 #include "sim/scene/table/parameter_table.h"
 
 namespace vegard::apps {

@@ -67,8 +67,10 @@ constexpr const char* kSurvey =
     "= \"fog\"\n";
 
 constexpr const char* kCounts =
-    "uname = \"a\"\ndark_counts = 3.5\ngain_e_per_count = 2\n[[filter]]\nname = \"g\"\nline_nm = 557.7\nwidth_nm = "
-    "2.0\nwidth_error = 0.03\nrayleigh_per_count_s = 24.2\nrayleigh_per_count_s_error = 1\n[[filter]]\nname = "
+    "uname = \"a\"\ndark_counts = 3.5\ngain_e_per_count = 2\n[[filter]]\nname = \"g\"\nline_nm = "
+    "557.7\nwidth_nm = "
+    "2.0\nwidth_error = 0.03\nrayleigh_per_count_s = 24.2\nrayleigh_per_count_s_error = 1\n[[filter]]\nname "
+    "= "
     "\"b\"\nline_nm = 427.8\nflat = \"f.fits\"\nchannel = \"blue\"\n";
 
 constexpr const char* kPlan =

@@ -51,9 +51,10 @@ TEST(ModelInputs, GivesGeminiItsLayout) {
   // Nowhere 0 eV, and everywhere a number.
   for (const double e : energy) EXPECT_NEAR(e, 2000.0, 1e-3);
   for (const sim::StoredArray& array : frame->arrays())
-    if (array.name == "Qp")
+    if (array.name == "Qp") {
       EXPECT_EQ(array.dims, (std::vector<std::uint64_t>{inputs.grid.latitude_deg.size(),
                                                         inputs.grid.longitude_deg.size()}));
+    }
   tests::expect_error(sim::ErrorKind::existing_output, [&] { write_gemini(folder / "out", false, inputs); });
   write_gemini(folder / "out", true, inputs);
   std::ofstream(folder / "out/notes.txt") << "mine";

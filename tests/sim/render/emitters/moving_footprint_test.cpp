@@ -144,7 +144,7 @@ TEST(MovingFootprint, GoesByTheSubstorm) {
   const std::string substorm =
       "[substorm]\nquiet = 0.1\ngrown = 0.3\nonset_s = 100\ngrowth_s = 50\nexpansion_s = 20\n"
       "recovery_s = 60\n[time]\nstart_s = ";
-  for (const std::string text :
+  for (const std::string& text :
        {std::string(kArc), std::string(kCurtain), std::string(kNoise), std::string(kShell),
         std::string("[[sheet]]\ncenter_km = [0, 30]\nlength_km = 200\n[[footprint]]\nsource = \"sheets\"\n"
                     "center_km = [0, 0]\nsize_km = [300, 300]\ncell_km = 2\n")}) {
