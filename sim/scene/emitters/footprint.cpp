@@ -209,8 +209,9 @@ void check_the_footprint(const Scene& scene, const Footprint& f) {
             ""},
            "source");
   if (is_shell && flows(f))
-    refuse({"a flow is of a plane, and a shell has none", "flow_turns = 0, or shape = \"box\"", ""},
-           "flow_turns");
+    refuse({"a flow is of a plane, and a shell has none",
+            "flow_turns and flow_turns_per_s = 0, or shape = \"box\"", ""},
+           f.flow_turns != 0.0 ? "flow_turns" : "flow_turns_per_s");
   const bool drifts = f.drift_km_s.east != 0.0 || f.drift_km_s.north != 0.0;
   if (drifts && f.source == FootprintSource::sheets)
     refuse(

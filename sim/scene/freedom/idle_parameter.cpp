@@ -49,11 +49,16 @@ std::optional<Complaint> why_it_counts_for_nothing(const Scene& scene, const Par
 std::optional<Complaint> why_number_is_idle(const Scene& scene, const ParameterPath& path) {
   const std::string expected = "a parameter that the light depends on";
   const std::string& key = path.row->key;
-  if (path.row->table == "field" && scene.field.model != FieldModel::uniform) {
-    return Complaint{std::string("the field is ") +
-                         (scene.field.model == FieldModel::dipole ? "a dipole's" : "the reference field") +
-                         ", so " + key + " counts for nothing",
-                     expected, "leave it out of fit.free, or set field.model to \"uniform\""};
+  if (path.row->table == "field" && key != "model") {
+    const bool of_the_pole = key.rfind("pole_", 0) == 0;
+    if (scene.field.model != (of_the_pole ? FieldModel::dipole : FieldModel::uniform)) {
+      const char* field = scene.field.model == FieldModel::uniform  ? "the same everywhere"
+                          : scene.field.model == FieldModel::dipole ? "a dipole's"
+                                                                    : "the reference field";
+      return Complaint{std::string("the field is ") + field + ", so " + key + " counts for nothing", expected,
+                       std::string("leave it out of fit.free, or set field.model to \"") +
+                           (of_the_pole ? "dipole" : "uniform") + "\""};
+    }
   }
   if (path.row->table == "camera") {
     const LensModel model = scene.camera.model;

@@ -41,7 +41,7 @@ const Bad bad_volumes[] = {
      "footprint.arc.flow_turns", "a flow is of a plane"},
     {"flow_in_time_of_a_shell",
      "[[footprint]]\nshape = 'shell'\nlongitude_deg = [1, 2]\nlatitude_deg = [1, 2]\nflow_turns_per_s = 1\n",
-     5, "footprint.arc.flow_turns", "a flow is of a plane"},
+     5, "footprint.arc.flow_turns_per_s", "a flow is of a plane"},
     {"drift_of_sheets", "[[sheet]]\n[[footprint]]\nsource = 'sheets'\ndrift_km_s = [1, 0]\n", 4,
      "footprint.arc.drift_km_s", "goes where they go"},
     {"shell_to_the_north",
