@@ -22,8 +22,8 @@ namespace vegard::fit {
 namespace {
 
 constexpr int kCurtainIterations = 60;
-constexpr int kMostRefused = 2;  // changes of a kind in a row, after which no weaker one is tried
-constexpr int kMostAdded = 6;    // faint curtains that are tried
+constexpr int kMaxRefused = 2;  // changes of a kind in a row, after which no weaker one is tried
+constexpr int kMaxAdded = 6;    // faint curtains that are tried
 constexpr double kShareOfStart = 0.4, kShareOfAll = 0.85;
 
 /// Some curves, all that is free of them, and where they have settled.
@@ -211,7 +211,7 @@ class CurtainFit {
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     int refused = 0;
     for (const auto& [light, name] : by_light) {
-      if (refused == kMostRefused || best_.scene.sheets.size() < 2) return;
+      if (refused == kMaxRefused || best_.scene.sheets.size() < 2) return;
       cut_short_ = cut_short_ || stopped();
       if (stopped()) return;
       sim::Scene fewer = best_.scene;
@@ -225,7 +225,7 @@ class CurtainFit {
     bool any = false;
     int refused = 0, asked = 0;
     for (const Ridge& ridge : faint) {
-      if (refused == kMostRefused || asked++ == kMostAdded) break;
+      if (refused == kMaxRefused || asked++ == kMaxAdded) break;
       cut_short_ = cut_short_ || stopped();
       if (stopped()) break;
       sim::Scene more = best_.scene;

@@ -25,7 +25,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr int kCurveIterations = 60;
-constexpr double kShareOfSearch = 0.5, kSharePerTrial = 0.03, kMostShare = 0.88;  // guesses
+constexpr double kShareOfSearch = 0.5, kSharePerTrial = 0.03, kMaxShare = 0.88;  // guesses
 
 sim::BentSrgb bent_at(const std::vector<double>& logarithms) {
   return {std::exp(logarithms.front()), std::exp(logarithms.back())};
@@ -89,7 +89,7 @@ class CurveFit {
     if (std::isfinite(searched.best.chi2))
       weight_ = std::sqrt(together_at(first.front(), start_, photo.unknowns));
     const sim::CurveMinimum found = sim::curve_minimum(
-        std::vector<double>(static_cast<std::size_t>(photo.unknowns), 0.0), std::log(kMostExponent),
+        std::vector<double>(static_cast<std::size_t>(photo.unknowns), 0.0), std::log(kMaxExponent),
         [&](const std::vector<double>& at, const sim::CurveTrial* nearest) {
           return trial(at, nearest == nullptr ? start_ : values_of(nearest->solution));
         });
@@ -146,7 +146,7 @@ class CurveFit {
     const std::string stage = "curve " + std::to_string(++trials_);
     if (options_.progress)
       options_.progress(stage, log_.residuals, std::numeric_limits<double>::infinity(),
-                        std::min(kMostShare, kShareOfSearch + kSharePerTrial * trials_));
+                        std::min(kMaxShare, kShareOfSearch + kSharePerTrial * trials_));
     const std::vector<CostTerm> terms = cost_terms(observations, free_, Detail::full);
     const Descent end = descent(terms, from, stage);
     sim::CurveTrial result;
@@ -215,8 +215,8 @@ class CurveFit {
   void describe(const sim::CurveMinimum& found, FoundCurve& curve) const {
     FittedCurve& fitted = curve.fitted;
     const std::size_t n = found.at.size();
-    fitted.most = kMostExponent;
-    fitted.least = 1.0 / kMostExponent;
+    fitted.most = kMaxExponent;
+    fitted.least = 1.0 / kMaxExponent;
     const char* const names[] = {"at black", "at white"};
     fitted.decoding_word = "srgb";
     for (std::size_t k = 0; k < n; ++k) {

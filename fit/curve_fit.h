@@ -13,7 +13,7 @@
 namespace vegard::fit {
 
 /// Between which an exponent over sRGB's light is looked for: its inverse, and this.
-inline constexpr double kMostExponent = 4.0;
+inline constexpr double kMaxExponent = 4.0;
 
 /// fit_photo() of a photograph whose curve is unknown (photo.unknowns numbers of it). Leaves the photograph
 /// decoded by the curve that was found, and its `decoding` saying so. Error bars are as wide as the curve's

@@ -42,8 +42,8 @@ PhotoHandle of_array(const Floats& light, const std::optional<Bools>& usable, co
   const bool grey = light.ndim() == 2;
   if (!grey && (light.ndim() != 3 || light.shape(2) != 3))
     throw py::value_error("light has neither the shape (height, width) nor (height, width, 3)");
-  constexpr py::ssize_t kMostSide = 65535;
-  if (light.size() == 0 || light.shape(0) > kMostSide || light.shape(1) > kMostSide)
+  constexpr py::ssize_t kMaxSide = 65535;
+  if (light.size() == 0 || light.shape(0) > kMaxSide || light.shape(1) > kMaxSide)
     throw py::value_error("light is no picture of 1 to 65535 pixels a side");
   if (usable &&
       (usable->ndim() != 2 || usable->shape(0) != light.shape(0) || usable->shape(1) != light.shape(1)))

@@ -38,7 +38,7 @@ struct StarRequest {
   std::string time, mask;
   fit::LensSettings lens;
   std::optional<sim::Camera> start;
-  double faintest = 4.0, least_elevation_deg = 5.0, least_signal = 4.0;
+  double faintest = 4.0, min_elevation_deg = 5.0, min_signal = 4.0;
   bool blind() const { return file.empty(); }
 };
 
@@ -98,9 +98,9 @@ fit::Frame frame_of(const StarRequest& request) {
       refuse("size", "the photograph has another size", "no size beside photo");
     return {light.width, light.height, true};
   }
-  constexpr int kMostSide = 65535;
+  constexpr int kMaxSide = 65535;
   const auto [width, height] = *request.size_px;
-  if (width < 1 || height < 1 || width > kMostSide || height > kMostSide)
+  if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide)
     refuse("size", "no such size", "two numbers from 1 to 65535");
   return {width, height, true};
 }
@@ -111,14 +111,14 @@ std::vector<fit::StarSighting> recognised(const StarRequest& request, const fit:
   if (!request.sky.julian_date || !request.sky.observer)
     refuse(request.sky.julian_date ? "site" : "time", "stars are found by when and where", "time and site");
   fit::StarFinderSettings finder;
-  finder.least_signal = request.least_signal;
+  finder.min_signal = request.min_signal;
   const fit::PictureStars picture = fit::recognise_picture(request.photo->linear, finder, usable);
   if (!picture.recognition.found)
     sim::refuse_file(sim::ErrorKind::unreadable_input, request.photo->file_name,
                      fit::words_of(picture.recognition), "a picture whose stars are recognised");
   const fit::LocalStars local =
       fit::local_stars(picture, frame, *request.sky.observer, *request.sky.julian_date, request.faintest,
-                       request.least_elevation_deg);
+                       request.min_elevation_deg);
   if (local.elsewhere)
     sim::refuse_file(sim::ErrorKind::unreadable_input, request.photo->file_name,
                      "the time or the site is not this picture's: " + std::to_string(local.below_horizon) +
@@ -152,8 +152,8 @@ Stars calibrated(const StarRequest& request) {
   evidence.usable = usable;
   evidence.is_table = !request.blind();
   evidence.faintest = request.faintest;
-  evidence.least_elevation_deg = request.least_elevation_deg;
-  evidence.least_signal = request.least_signal;
+  evidence.min_elevation_deg = request.min_elevation_deg;
+  evidence.min_signal = request.min_signal;
   fit::add_star_doubts(calibration, evidence);
 
   Stars answer;
@@ -234,11 +234,11 @@ py::array_t<bool> used_of(const Stars& self) {
   return used;
 }
 
-py::dict find_stars(const PhotoHandle& photo, double least_signal, int most) {
+py::dict find_stars(const PhotoHandle& photo, double min_signal, int most) {
   std::vector<fit::FoundStar> found;
   {
     const py::gil_scoped_release others_may_run;
-    found = fit::find_stars(photo.photo->linear, {least_signal, most});
+    found = fit::find_stars(photo.photo->linear, {min_signal, most});
   }
   const std::pair<const char*, double fit::FoundStar::*> columns[] = {{"x_px", &fit::FoundStar::x_px},
                                                                       {"y_px", &fit::FoundStar::y_px},
@@ -317,7 +317,7 @@ void bind_stars(py::module_& m) {
       "first_pixel: where the table has the centre of the first pixel; None: 0.5\n"
       "mask: an image of the photo's size, white where stars are looked for\n"
       "faintest: magnitude of the faintest catalogue star that is looked for, at most 4.5");
-  m.def("find_stars", &find_stars, py::arg("photo"), py::arg("least_signal") = 4.0, py::arg("most") = 400,
+  m.def("find_stars", &find_stars, py::arg("photo"), py::arg("min_signal") = 4.0, py::arg("most") = 400,
         "Points of light in a photograph, the brightest first: a dict of x_px, y_px, sigma_px (of one "
         "coordinate), flux\n"
         "and signal (height in standard deviations of the noise around), each (points,) float64.");

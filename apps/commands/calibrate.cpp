@@ -174,14 +174,14 @@ fit::StarEvidence evidence_of(const CalibrateOptions& options, const std::option
       camera_file->camera.elevation_deg >= kZenithCamera_deg)
     evidence.why_level = "--camera looks to the zenith";
   evidence.faintest = options.faintest;
-  evidence.least_elevation_deg = options.least_elevation_deg;
-  evidence.least_signal = options.least_signal;
+  evidence.min_elevation_deg = options.min_elevation_deg;
+  evidence.min_signal = options.min_signal;
   return evidence;
 }
 
 std::vector<fit::FoundStar> points_in(const CalibrateOptions& options, const fit::Photo& photo) {
   fit::StarFinderSettings finder;
-  finder.least_signal = options.least_signal;
+  finder.min_signal = options.min_signal;
   return fit::find_stars(photo.linear, finder, where_to_look(options, photo));
 }
 
@@ -255,7 +255,7 @@ std::vector<fit::StarSighting> recognised(const CalibrateOptions& options,
   if (!sky.julian_date) throw usage_error("--time", "stars are found by when and where", "--time and --site");
   if (!sky.observer) throw usage_error("--site", "stars are found by when and where", "--time and --site");
   const std::vector<fit::StarSighting> catalogue =
-      fit::catalogue_sky(*sky.observer, *sky.julian_date, options.faintest, options.least_elevation_deg);
+      fit::catalogue_sky(*sky.observer, *sky.julian_date, options.faintest, options.min_elevation_deg);
   fit::IdentificationSettings settings;
   settings.faintest = options.faintest;
   settings.first_magnitude = std::min(settings.first_magnitude, options.faintest);

@@ -42,7 +42,7 @@ void tell_times(const CalibrateOptions& options, const fit::PictureStars& pictur
 void tell_planets(const fit::PictureStars& picture, const fit::Frame& frame, double julian_date,
                   const std::optional<sim::Observer>& observer,
                   const std::function<bool(const fit::SeenPlanet&)>& is_shown) {
-  constexpr double kLeastUp = 0.0;
+  constexpr double kMinUp = 0.0;
   for (const fit::SeenPlanet& planet : fit::planets_in(picture, frame, julian_date)) {
     if (!is_shown(planet)) continue;
     bool up = true;
@@ -50,7 +50,7 @@ void tell_planets(const fit::PictureStars& picture, const fit::Frame& frame, dou
       if (planet.name != sim::name_of(one) || !observer) continue;
       sim::CataloguePlace place;
       place.j2000 = sim::place_of_planet(one, julian_date);
-      up = sim::direction_of_star(place, *observer, julian_date)[2] > kLeastUp;
+      up = sim::direction_of_star(place, *observer, julian_date)[2] > kMinUp;
     }
     if (!up) continue;
     if (planet.has_point)
@@ -68,7 +68,7 @@ BlindStars recognise_blindly(const CalibrateOptions& options, const fit::Photo& 
                              const std::vector<char>& usable, const fit::SkyOfPicture& sky) {
   const fit::Frame frame{photo.linear.width, photo.linear.height, true};
   fit::StarFinderSettings finder;
-  finder.least_signal = options.least_signal;
+  finder.min_signal = options.min_signal;
   const fit::PictureStars picture = fit::recognise_picture(photo.linear, finder, usable);
   say("%s\n", fit::words_of(picture.recognition).c_str());
   BlindStars answer;
@@ -100,7 +100,7 @@ BlindStars recognise_blindly(const CalibrateOptions& options, const fit::Photo& 
   }
   tell_planets(picture, frame, *sky.julian_date, sky.observer, is_shown);
   const fit::LocalStars local = fit::local_stars(picture, frame, *sky.observer, *sky.julian_date,
-                                                 options.faintest, options.least_elevation_deg);
+                                                 options.faintest, options.min_elevation_deg);
   if (local.elsewhere) {
     say("the time or the site is not this picture's: %d of its %d recognised stars were below the horizon "
         "there "

@@ -144,11 +144,11 @@ void add_calibrate_options(const Command& command, CalibrateOptions& options) {
               "Finding stars: the faintest (default 4, at most 4.5)")
       .range(-2.0, 4.5);
   command
-      .option("--least-elevation", options.least_elevation_deg,
+      .option("--min-elevation", options.min_elevation_deg,
               "Finding stars: the lowest, in degrees (default 5)")
       .range(-1.0, 90.0);
   command
-      .option("--signal", options.least_signal,
+      .option("--signal", options.min_signal,
               "Finding stars: how far a point must stand out of the noise around it (default 4)")
       .range(1.0, 1e6);
   command.option("--mask", options.mask, "An image of the picture's size: white = look for stars there");

@@ -27,8 +27,8 @@ struct CalibrateOptions {
   std::vector<int> size_px;
   std::optional<int> acc_line;
   std::optional<double> first_pixel;
-  double faintest = 4.0, least_elevation_deg = 5.0, twist_deg = 5.0, shift_px = 12.0, scale_percent = 0.0,
-         radius_px = 12.0, least_signal = 4.0;
+  double faintest = 4.0, min_elevation_deg = 5.0, twist_deg = 5.0, shift_px = 12.0, scale_percent = 0.0,
+         radius_px = 12.0, min_signal = 4.0;
   bool vacuum = false, centre_held = false, overwrite = false, no_metadata = false, level = false;
 };
 

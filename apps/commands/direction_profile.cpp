@@ -25,7 +25,7 @@ fit::DirectionSectors sectors_of(const SectorOptions& options, std::optional<dou
     sectors = fit::even_sectors(*options.directions);
   } else {
     sectors.azimuths_deg = options.azimuths_deg;
-    sectors.width_deg = std::min(kUsualWidthDeg, fit::least_spacing_deg(options.azimuths_deg));
+    sectors.width_deg = std::min(kUsualWidthDeg, fit::min_spacing_deg(options.azimuths_deg));
   }
   sectors.width_deg = options.width_deg.value_or(sectors.width_deg);
   sectors.step_deg = options.step_deg.value_or(sectors.step_deg);

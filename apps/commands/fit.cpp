@@ -125,7 +125,7 @@ fit::JournalSubject subject_of(const FitRequest& options, const sim::Scene& scen
 
 /// A run that Ctrl-C has left is what --resume goes on with; any other is kept.
 bool is_interrupted_run(const std::string& directory) {
-  const sim::InputFile file = sim::read_input(directory + "/result.json", fit::kMostResultBytes);
+  const sim::InputFile file = sim::read_input(directory + "/result.json", fit::kMaxResultBytes);
   const nlohmann::json json = nlohmann::json::parse(file.bytes, nullptr, false);
   // A damaged one may have anything under these names.
   const auto says = [&](const char* name, const nlohmann::json& value) {

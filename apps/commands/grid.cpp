@@ -47,8 +47,8 @@ struct GridRequest {
 };
 
 sim::Mask5 mask_of_file(const std::string& path) {
-  constexpr std::size_t kMostBytes = 1 << 20;
-  const sim::InputFile file = sim::read_input(path, kMostBytes);
+  constexpr std::size_t kMaxBytes = 1 << 20;
+  const sim::InputFile file = sim::read_input(path, kMaxBytes);
   if (!file.problem.empty())
     throw sim::Error(sim::ErrorKind::unreadable_input,
                      {file.problem, path, 0, "--mask", "a text of 125 numbers", ""});
@@ -73,10 +73,10 @@ std::vector<Step> steps_of(const GridRequest& options) {
 
 /// After each pass, before what overflowed downwards is taken for 0 in the next.
 void check_numbers(const sim::SparseGrid& grid, const Step& step) {
-  constexpr float kMost = 1e30f;  // of what read_vdb() and read_volumegrid() take
+  constexpr float kMax = 1e30f;  // of what read_vdb() and read_volumegrid() take
   for (const auto& [at, brick] : grid.bricks)
     for (const float number : brick)
-      if (!(std::abs(number) <= kMost))
+      if (!(std::abs(number) <= kMax))
         throw usage_error(step.words.compare(0, 4, "mask") == 0 ? "--mask" : "--sharpen",
                           "after '" + step.words + "' numbers are beyond 1e30, and nothing is written",
                           "smaller weights, or fewer passes");

@@ -35,7 +35,7 @@ namespace {
 constexpr const char* kFreeWords[fit::kColumnUnknowns] = {"energy", "flux", "oxygen"};
 constexpr const char* kHoldOptions[fit::kColumnUnknowns] = {"--energy-kev", "--flux-mw-m2",
                                                             "--oxygen-factor"};
-constexpr long long kMostMapPixels = 1LL << 25;  // some 3 GB with all that is worked out
+constexpr long long kMaxMapPixels = 1LL << 25;  // some 3 GB with all that is worked out
 constexpr const char* kMapForm = "NM=FILE, such as 427.8=blue.fits";
 
 struct InvertRequest {
@@ -255,10 +255,10 @@ int invert_line_maps(const InvertRequest& request) {
   int width = 0, height = 0;
   const auto take = [&](const std::string& file, double line_nm, std::vector<float>& values) {
     sim::Image plane = brightness_plane(file, line_nm);
-    if (static_cast<long long>(plane.width) * plane.height > kMostMapPixels)
+    if (static_cast<long long>(plane.width) * plane.height > kMaxMapPixels)
       sim::refuse_file(sim::ErrorKind::unreadable_input, file,
                        "it has " + sim::size_text(plane.width, plane.height) + " pixels",
-                       fmt::format("{} at most in all", kMostMapPixels));
+                       fmt::format("{} at most in all", kMaxMapPixels));
     if (width == 0) {
       width = plane.width;
       height = plane.height;
@@ -398,7 +398,7 @@ void add_invert_command(Program& program) {
   command.option("--energy-kev", options->held[fit::kLnEnergy], "E0, where it is not to be found")
       .finite_range(1e-3, 1e3);
   command.option("--flux-mw-m2", options->held[fit::kLnFlux], "The energy flux, where it is not to be found")
-      .finite_range(fit::ColumnModel::kLeastFlux, fit::ColumnModel::kMostFlux);
+      .finite_range(fit::ColumnModel::kMinFlux, fit::ColumnModel::kMaxFlux);
   command
       .option("--oxygen-factor", options->held[fit::kLnOxygen],
               "Atomic oxygen over that of the tables (default: 1)")

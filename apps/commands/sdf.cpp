@@ -71,10 +71,9 @@ void run_sdf(const SdfRequest& options) {
                       "--spread PX, the distance that is white", "an EXR holds pixels as they are");
   sim::WholeFile(options.output, options.overwrite);  // refused now, not after the work
   const sim::PictureFile picture = sim::read_picture(options.image);
-  constexpr int kMost = 32767;
-  if (picture.image.width > kMost || picture.image.height > kMost)
-    throw usage_error("IMAGE",
-                      options.image + " is wider or higher than " + std::to_string(kMost) + " pixels",
+  constexpr int kMax = 32767;
+  if (picture.image.width > kMax || picture.image.height > kMax)
+    throw usage_error("IMAGE", options.image + " is wider or higher than " + std::to_string(kMax) + " pixels",
                       "a smaller picture");
   std::vector<std::uint8_t> marked = marks(picture, options.threshold);
   const auto lit = static_cast<std::size_t>(std::count(marked.begin(), marked.end(), 1));

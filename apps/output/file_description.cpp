@@ -52,10 +52,10 @@ std::string stars_text(std::string_view bytes, const std::string& path) {
 }
 
 std::string aida_text(const std::vector<fit::AidaCamera>& cameras) {
-  constexpr std::size_t kMostShown = 20;
+  constexpr std::size_t kMaxShown = 20;
   std::string text =
       fmt::format("  {} camera{} of AIDA_tools\n", cameras.size(), cameras.size() == 1 ? "" : "s");
-  for (std::size_t i = 0; i < cameras.size() && i < kMostShown; ++i) {
+  for (std::size_t i = 0; i < cameras.size() && i < kMaxShown; ++i) {
     const fit::AidaCamera& c = cameras[i];
     text += fmt::format(
         "  line {}: station {:g}, pointed to azimuth {:g}, zenith distance {:g} deg, lens {}, f {:.4f} "
@@ -63,7 +63,7 @@ std::string aida_text(const std::vector<fit::AidaCamera>& cameras) {
         "picture's sides\n",
         c.line, c.station, c.azimuth_deg, c.zenith_deg, c.model, c.numbers[0], c.numbers[1]);
   }
-  if (cameras.size() > kMostShown) text += "  ...\n";
+  if (cameras.size() > kMaxShown) text += "  ...\n";
   return text + "  vegard calibrate --acc makes a camera of it\n";
 }
 
@@ -92,7 +92,7 @@ std::string netcdf_text(const sim::ArrayFile& file, const sim::ArrayWords& words
 }
 
 std::optional<std::string> fits_text(const std::string& path) {
-  const std::string bytes = sim::input_bytes(path, "a FITS file", sim::kMostPictureBytes);
+  const std::string bytes = sim::input_bytes(path, "a FITS file", sim::kMaxPictureBytes);
   const sim::FitsKeywords keywords = sim::read_fits_header(bytes, path);
   const auto axes = keywords.find("NAXIS");
   if (axes == keywords.end() || axes->second != "0") return std::nullopt;  // an image

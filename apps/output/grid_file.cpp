@@ -38,20 +38,20 @@ void check_grid_name(const std::string& key, const std::string& path) {
 }
 
 GridFile read_grid_file(const std::string& path, const std::vector<std::string>& channels,
-                        std::uint64_t most_bytes) {
+                        std::uint64_t max_bytes) {
   GridFile file;
   if (sim::is_volumegrid_name(path)) {
     for (const std::string& name : channels)
       if (name != "density") refuse_channel(path, name, {"density"});
-    sim::VolumegridFile read = sim::read_volumegrid(path, most_bytes);
+    sim::VolumegridFile read = sim::read_volumegrid(path, max_bytes);
     file.grid = std::move(read.grid);
     file.size = read.size;
     file.colours = std::move(read.colours);
     return file;
   }
   std::vector<std::string> wanted = channels;
-  if (wanted.empty()) wanted = sim::read_vdb(path, {}, most_bytes).names;
-  sim::VdbFile read = sim::read_vdb(path, wanted, most_bytes);
+  if (wanted.empty()) wanted = sim::read_vdb(path, {}, max_bytes).names;
+  sim::VdbFile read = sim::read_vdb(path, wanted, max_bytes);
   for (const std::string& name : wanted)
     if (read.grid.channel(name) < 0) refuse_channel(path, name, read.names);
   if (read.grid.channels.empty())

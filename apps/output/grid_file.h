@@ -24,10 +24,10 @@ bool is_vdb_name(const std::string& path);
 /// Throws Error(usage) about the option `key` unless the name is that of an OpenVDB file or a volumegrid.
 void check_grid_name(const std::string& key, const std::string& path);
 
-/// Reads the channels of these names, all if there are none, into at most `most_bytes`. Throws Error(usage)
+/// Reads the channels of these names, all if there are none, into at most `max_bytes`. Throws Error(usage)
 /// that says which there are if one is not, and as read_vdb() and read_volumegrid() do.
 GridFile read_grid_file(const std::string& path, const std::vector<std::string>& channels,
-                        std::uint64_t most_bytes = std::uint64_t{8} << 30);
+                        std::uint64_t max_bytes = std::uint64_t{8} << 30);
 
 /// The channel to look at where one is wanted and nobody has said which: "density", or else the only one; -1
 /// if there is no telling.

@@ -36,9 +36,9 @@ std::string duration_text(double seconds) {
 }
 
 std::optional<double> seconds_to_go(const ProgressPoint& from, const ProgressPoint& now) {
-  constexpr double kLeastShare = 0.02;  // before that the pace says nothing
+  constexpr double kMinShare = 0.02;  // before that the pace says nothing
   const double done = now.share - from.share;
-  if (!(done >= kLeastShare)) return {};
+  if (!(done >= kMinShare)) return {};
   return (now.elapsed_seconds - from.elapsed_seconds) * (1.0 - now.share) / done;
 }
 

@@ -12,7 +12,7 @@ namespace vegard::apps {
 namespace {
 
 constexpr int kPanel_px = 300;  // of the sheet's own measure; the file has two pixels to each
-constexpr int kMost_px = 2 * kPanel_px;
+constexpr int kMax_px = 2 * kPanel_px;
 
 /// Where voxels lie along the grid's own axes, which need not be those of its frame.
 class Places {
@@ -49,7 +49,7 @@ class Sheet {
         options_(options),
         places_(grid),
         colours_(sim::ColourTable::named(options.gold ? "171" : "none")),
-        bin_(sim::bin_for(box, kMost_px)) {}
+        bin_(sim::bin_for(box, kMax_px)) {}
 
   fit::Plot plot() {
     fit::Plot plot;

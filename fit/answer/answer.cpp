@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kStandsStill = 1e-6;  // of the start, or of one unit where that is more
 
-constexpr std::size_t kMostSentences = 4;
+constexpr std::size_t kMaxSentences = 4;
 
 /// A sentence for each direction in which the data say nothing, in the numbers' own units.
 std::vector<std::string> undetermined_words(const std::vector<SpokenNumber>& numbers,
@@ -30,9 +30,9 @@ std::vector<std::string> undetermined_words(const std::vector<SpokenNumber>& num
     const std::string words = trade_off_words(numbers, direction);
     if (!words.empty() && std::find(all.begin(), all.end(), words) == all.end()) all.push_back(words);
   }
-  if (all.size() <= kMostSentences) return all;
-  const std::size_t more = all.size() - kMostSentences;
-  all.resize(kMostSentences);
+  if (all.size() <= kMaxSentences) return all;
+  const std::size_t more = all.size() - kMaxSentences;
+  all.resize(kMaxSentences);
   all.push_back(std::to_string(more) + " more " + (more == 1 ? "change" : "changes") +
                 " that the data cannot tell");
   return all;

@@ -19,7 +19,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kRedNm = 630.0, kBlueNm = 427.8;
-constexpr double kLeastShareOfVariance =
+constexpr double kMinShareOfVariance =
     0.1;  // of the variance, of a free number that a derived one depends on
 
 double wavelength_ratio(const sim::Sheet& sheet) { return sheet.wavelength_km / (2.0 * sheet.thickness_km); }
@@ -285,10 +285,10 @@ std::vector<std::string> unusual_sheets(const sim::Scene& scene) {
   for (const sim::Sheet& sheet : scene.sheets) {
     if (sim::is_curve(sheet)) continue;
     const double ratio = wavelength_ratio(sheet);
-    if (ratio >= kLeastWavelengthRatio && ratio <= kMostWavelengthRatio) continue;
+    if (ratio >= kMinWavelengthRatio && ratio <= kMaxWavelengthRatio) continue;
     notes.push_back(fmt::format(
         "the wavelength of the {} sheet is {:.3g} times twice its amplitude; nature prefers {} to {}",
-        sheet.name, ratio, kLeastWavelengthRatio, kMostWavelengthRatio));
+        sheet.name, ratio, kMinWavelengthRatio, kMaxWavelengthRatio));
   }
   return notes;
 }
@@ -309,7 +309,7 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
       d.quantity = label.quantity;
       d.is_course = label.is_course;
       for (std::size_t j = 0; j < found[i].share.size(); ++j)
-        if (found[i].share[j] >= kLeastShareOfVariance) d.depends_on.push_back(free[j].label());
+        if (found[i].share[j] >= kMinShareOfVariance) d.depends_on.push_back(free[j].label());
       if (!std::isfinite(d.value)) {
         d.value = sim::kNaN;
         d.why_none = label.why_none;

@@ -13,10 +13,10 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kLeastChi2 = 0.3, kMostChi2 = 3.0;
-constexpr double kMostRms = 0.10;
+constexpr double kMinReducedChi2 = 0.3, kMaxReducedChi2 = 3.0;
+constexpr double kMaxRms = 0.10;
 constexpr double kIndependentPerParameter = 10.0;
-constexpr double kLeastGain = 0.5;            // of the chi2 that a dark sky leaves
+constexpr double kMinGain = 0.5;              // of the chi2 that a dark sky leaves
 constexpr double kIndependentForShape = 5.0;  // of numbers that do not follow the course from band to band
 constexpr double kLevelGain = 0.25;           // of chi2 over the inflation squared: half a standard deviation
 constexpr double kLevelCosine =
@@ -95,7 +95,7 @@ void ask_of_the_way(const FitResult& r, Checks& checks) {
 void ask_of_the_misfit(const Evidence& evidence, FitResult& r, Checks& checks) {
   const double reduced = r.dof > 0 ? r.chi2 / r.dof : 0.0;
   std::vector<std::string> against;
-  if (reduced > kMostChi2)
+  if (reduced > kMaxReducedChi2)
     against.push_back(
         fmt::format("chi2 per degree of freedom is {:.2g}: the model misses something in the data", reduced));
   checks.ask("chi2 per degree of freedom", fmt::format("{:.2f}", reduced), against);
@@ -103,7 +103,7 @@ void ask_of_the_misfit(const Evidence& evidence, FitResult& r, Checks& checks) {
   // Of a profile that is looked at, compared by itself or not.
   if (std::isfinite(evidence.chi2_without_aurora))
     checks.ask("rms residual", fmt::format("{:.1f} % of the profile's peak", percent),
-               !(r.rms_over_peak > kMostRms),
+               !(r.rms_over_peak > kMaxRms),
                fmt::format("the rms residual is {:.1f} % of the profile's peak", percent));
   const double independent = r.dof / std::max(1.0, r.residuals_together);
   const double unknowns =
@@ -317,7 +317,7 @@ void judge(const Evidence& evidence, FitResult& result) {
     checks.ask(light + " or none",
                fmt::format("a sky without any {} has chi2 {}", light,
                            sim::short_number(evidence.chi2_without_aurora, 4)),
-               !(result.chi2 > kLeastGain * evidence.chi2_without_aurora),
+               !(result.chi2 > kMinGain * evidence.chi2_without_aurora),
                "a sky without any " + light + " explains the data almost as well");
   checks.ask(kOneAnswerCheck, "no other end of the search explains the data as well", !evidence.second_mode,
              evidence.second_mode_text);
@@ -345,7 +345,7 @@ void judge(const Evidence& evidence, FitResult& result) {
   }
   // Worth knowing, and nothing against the answer: error bars go by the residuals themselves.
   std::vector<std::string> notes = unusual_sheets(result.best);
-  if (reduced < kLeastChi2)
+  if (reduced < kMinReducedChi2)
     notes.push_back(fmt::format(
         "chi2 per degree of freedom is {:.2g}: fit.model_error is larger than what the model misses",
         reduced));

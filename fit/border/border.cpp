@@ -21,7 +21,7 @@ constexpr double kMadToSigma = 1.4826;        // of a Gaussian
 constexpr double kBorderSmoothingDeg = 0.25;  // along elevation, at least a cell
 constexpr double kWidestHoleDeg = 1.0;        // a star's mask, a hot pixel: bridged
 constexpr double kFarthestFootDeg = 40.0;     // below the peak
-constexpr std::size_t kMostTraces = 20;
+constexpr std::size_t kMaxTraces = 20;
 constexpr double kEdge_rows = 3.0;    // what smoothing makes of a sharp edge, from 75 to 25 %
 constexpr double kGroundLight = 0.5;  // of the dark part of the sky
 
@@ -160,7 +160,7 @@ struct BorderNoise {
 /// own reach in the darker half of the picture: there, structure does not pass for noise, and the likeness of
 /// neighbouring pixels (interpolation, compression) counts in full.
 BorderNoise border_noise(const SkyCells& cells, const std::vector<double>& smooth) {
-  constexpr std::size_t kBins = 12, kLeast = 40;
+  constexpr std::size_t kBins = 12, kMin = 40;
   std::vector<std::pair<double, double>> rough;  // brightness, |second difference|
   const int lag =
       static_cast<int>(std::ceil(3.0 * std::max(1.0, kBorderSmoothingDeg / cells.elevation_step_deg)));
@@ -171,9 +171,9 @@ BorderNoise border_noise(const SkyCells& cells, const std::vector<double>& smoot
       if (std::isfinite(below + v + above)) rough.emplace_back(v, std::abs(v - 0.5 * (below + above)));
     }
   BorderNoise noise;
-  if (rough.size() < kLeast) return noise;
+  if (rough.size() < kMin) return noise;
   std::sort(rough.begin(), rough.end());
-  const std::size_t bins = std::clamp<std::size_t>(rough.size() / kLeast, 1, kBins);
+  const std::size_t bins = std::clamp<std::size_t>(rough.size() / kMin, 1, kBins);
   const auto brightness = [&](double share) {
     return rough[static_cast<std::size_t>(share * static_cast<double>(rough.size() - 1))].first;
   };
@@ -316,7 +316,7 @@ void search_border_rows(const BorderLight& light, const BorderSettings& settings
     const double amplitude = top - light.at(column, foot);
     const double sigma = light.noise.at(cells.light[cells.index(column, peak)]);
     const double under = std::max(0.0, cells.light[cells.index(column, foot)]);
-    if (amplitude < settings.least_signal * sigma || amplitude < settings.least_contrast * under ||
+    if (amplitude < settings.min_signal * sigma || amplitude < settings.min_contrast * under ||
         amplitude < light.least)
       continue;
     double valley = top;
@@ -379,7 +379,7 @@ std::vector<BorderPlaceInColumn> follow_border(const std::vector<std::vector<Bor
   for (int step = 1; step <= most && gap <= widest; ++step) {
     const int column = ((from.first + side * step) % columns + columns) % columns;
     const auto& here = all[static_cast<std::size_t>(column)];
-    double nearest = settings.most_jump_deg * std::sqrt(static_cast<double>(gap));
+    double nearest = settings.max_jump_deg * std::sqrt(static_cast<double>(gap));
     int chosen = -1;
     for (std::size_t i = 0; i < here.size(); ++i) {
       const double ratio = here[i].point.brightness / brightness;
@@ -449,7 +449,7 @@ std::vector<BorderTrace> link_border(std::vector<std::vector<BorderCandidate>>& 
                      return candidate(a).point.signal > candidate(b).point.signal;
                    });
   std::vector<BorderTrace> traces;
-  const double least = settings.least_length_deg / settings.azimuth_step_deg;
+  const double least = settings.min_length_deg / settings.azimuth_step_deg;
   for (const BorderPlaceInColumn& seed : seeds) {
     if (candidate(seed).used) continue;
     candidate(seed).used = true;
@@ -587,7 +587,7 @@ Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSet
   std::vector<std::vector<BorderCandidate>> candidates = border_candidates(work, settings);
   border.traces = link_border(candidates, settings);
   const auto is_told = [&](const BorderTrace& trace) {
-    return trace.told * cells.azimuth_step_deg >= settings.least_length_deg;
+    return trace.told * cells.azimuth_step_deg >= settings.min_length_deg;
   };
   std::stable_sort(border.traces.begin(), border.traces.end(),
                    [&](const BorderTrace& a, const BorderTrace& b) {
@@ -595,7 +595,7 @@ Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSet
                      return a.mean_brightness() * static_cast<double>(a.points.size()) >
                             b.mean_brightness() * static_cast<double>(b.points.size());
                    });
-  if (border.traces.size() > kMostTraces) border.traces.resize(kMostTraces);
+  if (border.traces.size() > kMaxTraces) border.traces.resize(kMaxTraces);
   for (const BorderTrace& trace : border.traces)
     if (is_told(trace))
       ++border.told;
@@ -604,7 +604,7 @@ Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSet
   if (border.traces.empty())
     border.notes.push_back(
         fmt::format("No light with an edge stands above sky and noise over {:.0f}° of azimuth.",
-                    settings.least_length_deg));
+                    settings.min_length_deg));
   border.notes.push_back(fmt::format(
       "Searched were elevations of {:.0f} to {:.0f}°: higher up an arc is seen from below, and has no "
       "lower edge.",

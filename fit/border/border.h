@@ -25,12 +25,12 @@ struct BorderSettings {
   /// Below it the air dims a sky that is bright by itself so fast that it looks like a border.
   double lowest_told_deg = 6.0;
   double highest_elevation_deg = 75.0;  ///< above it an arc is seen from below, and has no lower edge
-  double least_signal = 8.0;            ///< of a peak above its foot, in standard deviations
-  double least_contrast = 0.05;         ///< of a peak above its foot, of the brightness there
+  double min_signal = 8.0;              ///< of a peak above its foot, in standard deviations
+  double min_contrast = 0.05;           ///< of a peak above its foot, of the brightness there
   double widest_fall_deg = 8.0;         ///< from 75 to 25 % of the peak: beyond, a glow and no border
-  double most_jump_deg = 2.0;           ///< between neighbouring columns, off a straight course
+  double max_jump_deg = 2.0;            ///< between neighbouring columns, off a straight course
   double longest_gap_deg = 4.0;
-  double least_length_deg = 8.0;
+  double min_length_deg = 8.0;
 };
 
 /// Why no border is told where there is a peak.
@@ -80,7 +80,7 @@ struct SkyCells {
 
 struct Border {
   std::vector<BorderTrace> traces;  ///< those that are told first, each kind by its light
-  int told = 0;                     ///< how many of them have a border over least_length_deg
+  int told = 0;                     ///< how many of them have a border over min_length_deg
   std::vector<std::string> notes;   ///< sentences: what is to be known of the answer
   SkyCells cells;
 };

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kFluxScanStep = 0.25;  // of ln(Q), between which the light per flux is taken to be linear
 constexpr int kFluxRounds = 3;          // the light per flux changes by a few per cent per factor of flux
-constexpr int kMostDescentSteps = 100;
+constexpr int kMaxDescentSteps = 100;
 constexpr double kSettledStep = 1e-9, kSettledFall = 1e-11;
-constexpr double kFirstDamping = 1e-4, kMostDamping = 1e10;
+constexpr double kFirstDamping = 1e-4, kMaxDamping = 1e10;
 constexpr ColumnPoint kLongestStep = {0.7, 2.0, 0.5};
 constexpr double kSameValley = 0.02;  // of ln(energy) and ln(oxygen)
 constexpr double kAtLimit = 1e-9;     // of an unknown, where it counts as being at its limit
@@ -104,7 +104,7 @@ double ColumnChi2::at(const ColumnData& data, const ColumnPoint& point) const {
 }
 
 double ColumnChi2::best_flux(const ColumnData& data, const ScanPlace& place, double& ln_flux) const {
-  std::array<double, kMostColumnLines> per_flux{};
+  std::array<double, kMaxColumnLines> per_flux{};
   const auto take = [&](double at) {
     const double along = (at - ln_fluxes_.front()) / kFluxScanStep;
     const auto piece =
@@ -124,9 +124,8 @@ double ColumnChi2::best_flux(const ColumnData& data, const ScanPlace& place, dou
       above += weight * data.rayleigh[l];
       below += weight * per_flux[l];
     }
-    const double flux = above > 0.0
-                            ? std::clamp(above / below, ColumnModel::kLeastFlux, ColumnModel::kMostFlux)
-                            : ColumnModel::kLeastFlux;
+    const double flux = above > 0.0 ? std::clamp(above / below, ColumnModel::kMinFlux, ColumnModel::kMaxFlux)
+                                    : ColumnModel::kMinFlux;
     const double before = ln_flux;
     ln_flux = std::log(flux);
     take(ln_flux);
@@ -144,7 +143,7 @@ double ColumnChi2::best_flux(const ColumnData& data, const ScanPlace& place, dou
 ColumnValley ColumnChi2::descend(const ColumnData& data, ColumnPoint start, const ColumnFreedom& free) const {
   ColumnGradient g = column_gradient(model_, data, start);
   double damping = 0.0;
-  for (int i = 0; i < kMostDescentSteps && damping < kMostDamping; ++i) {
+  for (int i = 0; i < kMaxDescentSteps && damping < kMaxDamping; ++i) {
     const ColumnFreedom is_held = held_unknowns(model_, start, free, g.slope);
     const Eigen::Vector3d step = damped_step(g, is_held, damping);
     ColumnPoint next = start;

@@ -15,11 +15,11 @@
 
 namespace vegard::fit {
 
-inline constexpr std::size_t kMostColumnLines = 8;
+inline constexpr std::size_t kMaxColumnLines = 8;
 
 /// Of the model's lines, in rayleighs. Standard deviations are above 0.
 struct ColumnData {
-  std::array<double, kMostColumnLines> rayleigh{}, sigma{};
+  std::array<double, kMaxColumnLines> rayleigh{}, sigma{};
 };
 
 /// The bottom of a valley.

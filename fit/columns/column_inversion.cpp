@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kWidestFirstStep = 0.3;  // of a logarithm, where the covariance says nothing
 constexpr double kTradeOff = 0.9;         // of a correlation: two unknowns are told as trading off
-constexpr int kMostMinimisations = 400, kMostRestarts = 3;
+constexpr int kMaxMinimisations = 400, kMaxRestarts = 3;
 constexpr const char* kNouns[kColumnUnknowns] = {"E0", "energy flux", "oxygen factor"};
 constexpr const char* kUnits[kColumnUnknowns] = {" keV", " mW m-2", ""};
 
@@ -40,8 +40,8 @@ bool take_intervals(const ColumnChi2& chi2, const ColumnData& data, ColumnValley
   options.first_step = sigma_ln > 0.0 && sigma_ln < kWidestFirstStep ? sigma_ln : kWidestFirstStep;
   options.least = chi2.model().least(k);
   options.most = chi2.model().most(k);
-  options.most_steps = 1e12;
-  options.most_minimisations = kMostMinimisations;
+  options.max_steps = 1e12;
+  options.max_minimisations = kMaxMinimisations;
   options.tolerance = 1e-3;
   const LikelihoodProfile profile =
       profile_likelihood(k, {valley.at.begin(), valley.at.end()}, valley.chi2, minimised, options);
@@ -58,7 +58,7 @@ bool take_intervals(const ColumnChi2& chi2, const ColumnData& data, ColumnValley
 
 ColumnSolution solution_of(const ColumnChi2& chi2, const ColumnData& data, ColumnValley valley) {
   ColumnSolution solution;
-  for (int restart = 0; restart <= kMostRestarts; ++restart) {
+  for (int restart = 0; restart <= kMaxRestarts; ++restart) {
     solution = {};
     const Eigen::Matrix3d covariance = column_covariance(valley, chi2.free());
     bool found_better = false;
@@ -71,7 +71,7 @@ ColumnSolution solution_of(const ColumnChi2& chi2, const ColumnData& data, Colum
       estimate.sigma_ln = valley.at_edge[k] ? sim::kNaN : std::sqrt(covariance(i, i));
       estimate.sigma_ln_alone = 1.0 / std::sqrt(valley.information(i, i));
       found_better =
-          take_intervals(chi2, data, valley, k, estimate.sigma_ln, estimate) && restart < kMostRestarts;
+          take_intervals(chi2, data, valley, k, estimate.sigma_ln, estimate) && restart < kMaxRestarts;
     }
     if (found_better) continue;
     for (Eigen::Index i = 0; i < 3; ++i)
@@ -108,7 +108,7 @@ std::string farthest_line(const ColumnInversion& inversion) {
 void judge_columns(ColumnInversion& inversion) {
   const ColumnSolution& best = inversion.solutions.front();
   const bool contradicts =
-      inversion.degrees_of_freedom > 0 ? inversion.p_value < kLeastChance : !(best.chi2 <= kMostColumnChi2);
+      inversion.degrees_of_freedom > 0 ? inversion.p_value < kMinChance : !(best.chi2 <= kMaxColumnChi2);
   if (contradicts) {
     inversion.verdict = ColumnVerdict::contradiction;
     inversion.reason =
@@ -217,7 +217,7 @@ ColumnInversion invert_columns(const ColumnChi2& chi2, const ColumnData& data) {
   const std::vector<ColumnValley> valleys = chi2.valleys(data);
   for (const ColumnValley& valley : valleys) {
     if (!inversion.solutions.empty() &&
-        (valley.chi2 - valleys.front().chi2 > kAlikeChi2 || valley.barrier < kLeastBarrier))
+        (valley.chi2 - valleys.front().chi2 > kAlikeChi2 || valley.barrier < kMinBarrier))
       continue;
     inversion.solutions.push_back(solution_of(chi2, data, valley));
   }

@@ -62,10 +62,10 @@ ColumnInversion invert_columns(const ColumnChi2& chi2, const ColumnData& data);
 double chi2_tail(double chi2, int degrees_of_freedom);
 
 /// A second valley counts if chi2 rises by less than this from the best to it, and by more than
-/// kLeastBarrier on the way back.
-inline constexpr double kAlikeChi2 = 4.0, kLeastBarrier = 0.5;
+/// kMinBarrier on the way back.
+inline constexpr double kAlikeChi2 = 4.0, kMinBarrier = 0.5;
 /// chi2 that lines without a degree of freedom may be off, and the chance below which those with some are.
-inline constexpr double kMostColumnChi2 = 9.0, kLeastChance = 0.0027;
+inline constexpr double kMaxColumnChi2 = 9.0, kMinChance = 0.0027;
 /// Wide: the ends of a 95 % interval are more than this factor apart.
 inline constexpr double kWideFactor = 4.0;
 

@@ -47,9 +47,8 @@ class PixelJudge {
   }
 
   ColumnVerdict of(const ColumnValley& best, const ColumnPoint& sigma_ln, bool has_second) const {
-    const bool contradicts = degrees_of_freedom_ > 0
-                                 ? chi2_tail(best.chi2, degrees_of_freedom_) < kLeastChance
-                                 : !(best.chi2 <= kMostColumnChi2);
+    const bool contradicts = degrees_of_freedom_ > 0 ? chi2_tail(best.chi2, degrees_of_freedom_) < kMinChance
+                                                     : !(best.chi2 <= kMaxColumnChi2);
     if (contradicts) return ColumnVerdict::contradiction;
     if (has_second) return ColumnVerdict::two_solutions;
     ColumnVerdict verdict = ColumnVerdict::well_constrained;
@@ -81,8 +80,7 @@ void invert_pixel(const ColumnChi2& chi2, const PixelJudge& judge, const ColumnD
                       : std::sqrt(covariance(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(k)));
   const ColumnValley* second = nullptr;
   for (std::size_t v = 1; v < valleys.size() && second == nullptr; ++v)
-    if (valleys[v].chi2 - best.chi2 <= kAlikeChi2 && valleys[v].barrier >= kLeastBarrier)
-      second = &valleys[v];
+    if (valleys[v].chi2 - best.chi2 <= kAlikeChi2 && valleys[v].barrier >= kMinBarrier) second = &valleys[v];
   maps.energy_kev[i] = static_cast<float>(std::exp(best.at[kLnEnergy]));
   maps.flux_mw_m2[i] = static_cast<float>(std::exp(best.at[kLnFlux]));
   maps.oxygen_factor[i] = static_cast<float>(std::exp(best.at[kLnOxygen]));

@@ -92,8 +92,8 @@ ColumnModel::ColumnModel(const sim::EmissionTables& tables, const std::vector<do
     : lines_nm_(lines_nm) {
   const std::vector<double>& energies_kev = tables.energies_kev();
   const std::vector<double>& factors = tables.maxwellian().oxygen_factors();
-  least_ = {std::log(energies_kev.front()), std::log(kLeastFlux), std::log(factors.front())};
-  most_ = {std::log(energies_kev.back()), std::log(kMostFlux), std::log(factors.back())};
+  least_ = {std::log(energies_kev.front()), std::log(kMinFlux), std::log(factors.front())};
+  most_ = {std::log(energies_kev.back()), std::log(kMaxFlux), std::log(factors.back())};
   energy_nodes_ = even_nodes(least_[kLnEnergy], most_[kLnEnergy], kEnergyStep);
   oxygen_nodes_ = factors.size() > 1 ? even_nodes(least_[kLnOxygen], most_[kLnOxygen], kOxygenStep)
                                      : std::vector<double>{least_[kLnOxygen]};

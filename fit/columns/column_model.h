@@ -37,7 +37,7 @@ struct ColumnLight {
 
 class ColumnModel {
  public:
-  static constexpr double kLeastFlux = 1e-3, kMostFlux = 1e3;  ///< mW m^-2
+  static constexpr double kMinFlux = 1e-3, kMaxFlux = 1e3;  ///< mW m^-2
 
   /// Lines of the aurora, eight at most. `tables` are not needed any more afterwards. Takes some tenths of a
   /// second, on up to `threads` threads (0: all).
@@ -50,7 +50,7 @@ class ColumnModel {
   /// Inside the limits.
   ColumnLight at(std::size_t line, const ColumnPoint& point) const;
 
-  /// The range of each unknown: of the tables, of kLeastFlux to kMostFlux. Two equal numbers: the tables do
+  /// The range of each unknown: of the tables, of kMinFlux to kMaxFlux. Two equal numbers: the tables do
   /// not know it.
   double least(std::size_t unknown) const { return least_[unknown]; }
   double most(std::size_t unknown) const { return most_[unknown]; }

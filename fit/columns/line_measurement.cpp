@@ -99,9 +99,9 @@ void require_different_lines(const std::vector<double>& lines_nm, const std::str
     for (std::size_t j = 0; j < i; ++j)
       if (lines_nm[i] == lines_nm[j])
         refuse_brightness(option, fmt::format("{:.1f} nm is given twice", lines_nm[i]), "each line once");
-  if (lines_nm.size() > kMostColumnLines)
+  if (lines_nm.size() > kMaxColumnLines)
     refuse_brightness(option, fmt::format("{} lines are given", lines_nm.size()),
-                      fmt::format("{} at most", kMostColumnLines));
+                      fmt::format("{} at most", kMaxColumnLines));
 }
 
 }  // namespace vegard::fit

@@ -12,7 +12,7 @@ namespace {
 constexpr double kBorderScale = 2.0;  ///< rows
 constexpr int kBorderReach = 6;
 constexpr double kFaint = 0.1;  ///< of the brightest row
-constexpr int kFarther = 3, kLeastRows = 10;
+constexpr int kFarther = 3, kMinRows = 10;
 constexpr double kBorderClear = 5.0;  ///< standard deviations
 
 /// Of the row at the distance k below: light above less light below, 1 for a step of height 1.
@@ -77,7 +77,7 @@ BorderStatistic::BorderStatistic(const Profile& data, const std::vector<double>&
     if (brightest < 0) continue;
     int faint = brightest;
     while (faint + 1 < rows && !(usable[faint] && green[faint] < kFaint * green[brightest])) ++faint;
-    const int farther = kFarther * std::max(kLeastRows, faint - brightest);
+    const int farther = kFarther * std::max(kMinRows, faint - brightest);
 
     Band band;
     band.band = b;

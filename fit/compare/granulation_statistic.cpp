@@ -16,10 +16,10 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kMostCells = 128, kFewestCells = 16;
+constexpr int kMaxCells = 128, kFewestCells = 16;
 constexpr double kFullToRadii = 0.8, kNothingFromRadii = 0.95;
 constexpr std::size_t kRealisations = 8, kForScatter = 16;
-constexpr double kMostNoise = 0.5;   ///< of a band's power
+constexpr double kMaxNoise = 0.5;    ///< of a band's power
 constexpr double kFarShift = 100.0;  ///< lengths of the largest waves that draws lie within
 constexpr double kHalfPi = 1.5707963267948966;
 
@@ -92,7 +92,7 @@ GranulationStatistic::GranulationStatistic(const sim::Scene& scene, const Photo&
   if (!scene.sun.shown || scene.chromospheres.empty())
     refuse_granulation(scene, "there is no chromosphere whose granules could be compared",
                        "sun.shown = true and a [[chromosphere]]");
-  const int cell = (std::max(region.width, region.height) + kMostCells - 1) / kMostCells;
+  const int cell = (std::max(region.width, region.height) + kMaxCells - 1) / kMaxCells;
   const auto grid = std::make_shared<const BinGrid>(image_bins(column_bins(region, 1), cell));
   if (std::min(grid->groups, grid->positions) < kFewestCells)
     refuse_granulation(scene, "the region is too small for a spectrum",
@@ -153,7 +153,7 @@ GranulationStatistic::GranulationStatistic(const sim::Scene& scene, const Photo&
   }
   const double scatter = std::max(1.0, ratio / static_cast<double>(ln_power.size()));
   for (std::size_t b = 0; b < spectrum_->bands(); ++b) {
-    if (!(noise < kMostNoise * seen.power[b])) continue;
+    if (!(noise < kMaxNoise * seen.power[b])) continue;
     const double relative = scatter * spectrum_->relative_variance(b);
     // ln of a mean of few is low by half of its variance; the model's mean is of eight times as many.
     const double low = 0.5 * relative * (1.0 - 1.0 / kRealisations);

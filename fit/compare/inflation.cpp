@@ -53,10 +53,10 @@ double residuals_together(const Profile& data, const std::vector<std::size_t>& u
 }
 
 double residual_scale(double chi2, int dof, double residuals, double together) {
-  constexpr double kLeastScale = 0.01;
+  constexpr double kMinScale = 0.01;
   const double of_data =
       chi2 / std::max(1, dof) * (1.0 + std::sqrt(2.0 * together / std::max(1.0, residuals)));
-  return std::max(kLeastScale, of_data);
+  return std::max(kMinScale, of_data);
 }
 
 double Inflation::factor() const { return std::sqrt(scale * together); }

@@ -35,7 +35,7 @@ constexpr double kDimColumn = 0.1;     ///< of the stretch's mean: too dark for 
 constexpr double kTextureClear = 5.0;  ///< standard deviations
 /// Of the largest. Differences of lags that are nearly alike tell of the covariance's finest form, which the
 /// model does not have right: with 1e-4, widths come out low by more than their error bars.
-constexpr double kLeastEigenvalue = 1e-2;
+constexpr double kMinEigenvalue = 1e-2;
 constexpr double kTextureStep = 1e-5, kWideStep = 1e-4;                    ///< of differences, once and twice
 constexpr double kLnContrast[2] = {-4.6, 1.1}, kLnWidth[2] = {-3.9, 4.6};  ///< 0.01 to 3, 0.02 to 100 km
 
@@ -191,7 +191,7 @@ TextureStatistic::Stretch TextureStatistic::stretch_of(const Row& row, const std
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(of_lags);
   for (Eigen::Index a = axes.eigenvalues().size(); a-- > 0;) {
     const double variance = axes.eigenvalues()(a);
-    if (!(variance > kLeastEigenvalue * axes.eigenvalues().maxCoeff())) continue;
+    if (!(variance > kMinEigenvalue * axes.eigenvalues().maxCoeff())) continue;
     for (std::size_t k = 0; k < n; ++k)
       stretch.whitening.push_back(axes.eigenvectors()(static_cast<Eigen::Index>(k), a) *
                                   std::sqrt(weight / variance));
@@ -336,10 +336,10 @@ TextureStatistic::Solution TextureStatistic::solve(const Views& views) const {
           try_at(std::log(contrast), std::clamp(std::log(pixels * scale), kLnWidth[0], kLnWidth[1]));
       if (s.chi2 < best.chi2) best = s;
     }
-  constexpr int kMostSteps = 60;
+  constexpr int kMaxSteps = 60;
   constexpr double kSettled = 1e-10;
   double damping = 1e-3;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const std::array<std::vector<double>, 2> slope = slopes(views, {best.ln_contrast, best.ln_width});
     Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
     Eigen::Vector2d gradient = Eigen::Vector2d::Zero();

@@ -16,9 +16,9 @@ namespace {
 // Of the choice of points: how far the curve may be off the ridge, and its light off the ridge's (of the
 // largest); how near and how far apart points may stand.
 constexpr double kOffRidge_km = 1.5, kOffLight = 0.2;
-constexpr double kLeastApart_km = 12.0, kMostApart_km = 45.0;
+constexpr double kMinApart_km = 12.0, kMaxApart_km = 45.0;
 constexpr double kEnergyKnots_km = 50.0, kWidthKnots_km = 150.0;
-constexpr double kMostAside_km = 25.0;  // how far a point may go from the ridge
+constexpr double kMaxAside_km = 25.0;  // how far a point may go from the ridge
 constexpr double kSampled_km = 1.0;
 // An end of which this is out of view goes on by so much, in the direction of its last stretch.
 constexpr double kLookBeyond_km = 20.0, kGoesOn_km = 60.0, kLastStretch_km = 20.0;
@@ -86,9 +86,9 @@ std::vector<std::size_t> chosen_points(const Ridge& ridge, const std::vector<dou
       const std::size_t a = chosen[k], b = chosen[k + 1];
       const RidgePoint from = mean_about(ridge, at, k > 0 ? chosen[k - 1] : a, a, b),
                        to = mean_about(ridge, at, a, b, k + 2 < chosen.size() ? chosen[k + 2] : b);
-      const bool is_long = at[b] - at[a] > kMostApart_km;
+      const bool is_long = at[b] - at[a] > kMaxApart_km;
       for (std::size_t i = a + 1; i < b; ++i) {
-        if (at[i] - at[a] < kLeastApart_km || at[b] - at[i] < kLeastApart_km) continue;
+        if (at[i] - at[a] < kMinApart_km || at[b] - at[i] < kMinApart_km) continue;
         double off_km = 1e9;
         for (const sim::EastNorth& foot : curve)
           off_km = std::min(off_km, std::hypot(foot.east - ridge.points[i].foot_km.east,
@@ -207,8 +207,8 @@ void free_across(sim::Scene& scene, const sim::Sheet& sheet, const CurveEnds& en
     sim::FreeParameter free;
     free.name = across_name(sheet.name) + std::to_string(leader);
     free.start = 0.0;
-    free.min = -kMostAside_km;
-    free.max = kMostAside_km;
+    free.min = -kMaxAside_km;
+    free.max = kMaxAside_km;
     if (leader == i) scene.fit.free.push_back(free);
     add_tie(scene, path_of_point(sheet, "east_km", i),
             fmt::format("{:.6f} + {:.6f} * {}", sheet.east_km[i], to_east, free.name));

@@ -34,7 +34,7 @@ struct Ridge {
 };
 
 /// A ridge whose ends are nearer to each other than this makes no curve.
-inline constexpr double kLeastRidge_km = 5.0;
+inline constexpr double kMinRidge_km = 5.0;
 
 /// Which ends of a curve go on beyond the picture, by one point each.
 struct CurveEnds {

@@ -15,9 +15,9 @@ namespace {
 constexpr double kSmooth_px = 2.0;
 constexpr int kReach_px = 4;                 // to the next point of a ridge, over a gap
 constexpr double kHigh = 0.15, kLow = 0.06;  // of the brightest ridge (its upper hundredth): begin and go on
-constexpr double kLeastMean = 0.12;          // of a curtain's own, likewise
-constexpr double kFaintHigh = 0.05, kFaintLow = 0.03, kLeastFaintMean = 0.04;  // of those below
-constexpr double kLeastLength_km = 30.0;
+constexpr double kMinMean = 0.12;            // of a curtain's own, likewise
+constexpr double kFaintHigh = 0.05, kFaintLow = 0.03, kMinFaintMean = 0.04;  // of those below
+constexpr double kMinLength_km = 30.0;
 constexpr double kStep_km = 5.0;
 constexpr double kAcross_km = 14.0, kAcrossStep_km = 0.5;
 constexpr double kLookAside_km = 12.0;
@@ -326,11 +326,11 @@ std::vector<Curtain> ridges_of_map(const MapResult& result, Brightness wanted) {
     if (line.size() < 3) continue;
     Curtain curtain;
     const std::vector<sim::EastNorth> feet = evenly(line, curtain.length_km);
-    if (curtain.length_km < kLeastLength_km) continue;
+    if (curtain.length_km < kMinLength_km) continue;
     double mean = 0.0;
     for (const sim::EastNorth& foot : feet) mean += value_at(raster, field.smooth, foot) / feet.size();
-    const bool is_curtain = is_bright_seed && mean >= kLeastMean * most;
-    if (is_curtain != (wanted == Brightness::curtain) || mean < kLeastFaintMean * most) continue;
+    const bool is_curtain = is_bright_seed && mean >= kMinMean * most;
+    if (is_curtain != (wanted == Brightness::curtain) || mean < kMinFaintMean * most) continue;
     double whole = 0.0;  // flux, over length and width
     std::vector<double> whole_of(replicates.size(), 0.0);
     for (std::size_t i = 0; i < feet.size(); ++i) {

@@ -18,7 +18,7 @@ using Vector = std::array<double, 3>;
 
 // The defaults of GEMINI (gemini3d/pygemini, coord.py).
 constexpr double kGeminiPoleColatitude_deg = 11.0, kGeminiPoleLongitude_deg = 289.0;
-constexpr double kMostGridCells = 4194304.0;
+constexpr double kMaxGridCells = 4194304.0;
 constexpr double kHalfTurn_deg = 180.0, kTurn_deg = 360.0;
 
 Vector unit_vector(LongitudeLatitude place) {
@@ -152,7 +152,7 @@ GeographicGrid grid_over(const std::vector<MapPlanes>& maps, EarthFrame frame, d
   const double middle = std::min(std::abs(0.5 * (south + north)), 85.0) * sim::kRadiansPerDegree;
   const double longitude_step = step_deg / std::cos(middle);
   const double cells = ((north - south) / step_deg + 2.0) * ((east - west) / longitude_step + 2.0);
-  if (!(cells <= kMostGridCells))
+  if (!(cells <= kMaxGridCells))
     sim::refuse_key(sim::ErrorKind::usage, "--step-deg", "the grid would have more than 4194304 cells",
                     "a larger step");
   if (!(north - south >= step_deg && east - west >= longitude_step))

@@ -18,13 +18,13 @@ namespace {
 
 using sim::kGroundEnergies;
 
-constexpr double kLeastEnergy_kev = 0.4, kMostEnergy_kev = 14.0;
+constexpr double kMinEnergy_kev = 0.4, kMaxEnergy_kev = 14.0;
 constexpr double kFluxOfRates = 1.0;  // mW m^-2, the tables' own
 constexpr double kFilmCells = 40000.0;
 constexpr double kCellsPerResolution = 0.8;  // a cell's side over what a film's cell sees of it
-constexpr double kLeastCell_km = 1.5;
+constexpr double kMinCell_km = 1.5;
 constexpr double kFarthest_km = 700.0, kNearestEnd_km = 250.0;
-constexpr double kSquare_km = 1.5, kMostSquares = 60000.0;
+constexpr double kSquare_km = 1.5, kMaxSquares = 60000.0;
 constexpr double kBorder_km = 105.0;
 constexpr double kKeptShare = 3e-3, kKeptReach_km = 12.0;
 constexpr int kBlock_cells = 3, kBlockOneIn = 10;
@@ -47,8 +47,8 @@ constexpr double kCellPriorSpread = 1.0, kFluxSpread = 0.7, kTiltSpread = 1.4;
 std::vector<double> energy_nodes() {
   std::vector<double> energies;
   for (int k = 0; k < kGroundEnergies; ++k)
-    energies.push_back(kLeastEnergy_kev *
-                       std::pow(kMostEnergy_kev / kLeastEnergy_kev, k / (kGroundEnergies - 1.0)));
+    energies.push_back(kMinEnergy_kev *
+                       std::pow(kMaxEnergy_kev / kMinEnergy_kev, k / (kGroundEnergies - 1.0)));
   return energies;
 }
 
@@ -128,7 +128,7 @@ sim::GroundGrid grid_for(const std::vector<MapPicture>& pictures, const sim::Sit
   });
   if (!elsewhere)
     return sim::GroundGrid(
-        sim::rings_resolved(kCellsPerResolution * finest, kLeastCell_km * coarseness, farthest_km));
+        sim::rings_resolved(kCellsPerResolution * finest, kMinCell_km * coarseness, farthest_km));
   double west = 1e9, east = -1e9, south = 1e9, north = -1e9;
   for (const MapPicture& picture : pictures) {
     const sim::SiteTurn to_home = sim::turn_between(picture.scene().site, home);
@@ -140,7 +140,7 @@ sim::GroundGrid grid_for(const std::vector<MapPicture>& pictures, const sim::Sit
   // Of the farthest ground, where a second station is far away itself, no more than that much.
   const double around = std::min(farthest_km, 400.0);
   const double wide = east - west + 2.0 * around, high = north - south + 2.0 * around;
-  const double step = coarseness * std::max(kSquare_km, std::sqrt(wide * high / kMostSquares));
+  const double step = coarseness * std::max(kSquare_km, std::sqrt(wide * high / kMaxSquares));
   return sim::GroundGrid(sim::SquareCells{west - around, south - around, step,
                                           static_cast<int>(wide / step) + 1,
                                           static_cast<int>(high / step) + 1});
@@ -598,8 +598,8 @@ MapResult Mapping::run() {
     MapLight none(picture.cells() * 3, 0.0f), residual;
     dark += picture.residual(none, residual);
   }
-  constexpr double kLeastGain = 0.05;  // of chi2 per value, that light explains
-  if (!stopped() && (start[0] == 0.0f || dark - chi2 < kLeastGain * static_cast<double>(all_values(coarse))))
+  constexpr double kMinGain = 0.05;  // of chi2 per value, that light explains
+  if (!stopped() && (start[0] == 0.0f || dark - chi2 < kMinGain * static_cast<double>(all_values(coarse))))
     throw sim::Error(sim::ErrorKind::unreadable_input,
                      {"no light stands above the noise and the sky", photos_.front().file_name, 0, "",
                       "a photograph with aurora",

@@ -7,7 +7,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kLeastLitShare = 1e-4;  // of the brightest pixel: a flux below it has no energy
+constexpr double kMinLitShare = 1e-4;  // of the brightest pixel: a flux below it has no energy
 
 }  // namespace
 
@@ -35,7 +35,7 @@ MapImage map_image(const MapResult& result) {
       const std::size_t i = static_cast<std::size_t>(row) * raster.columns + column;
       const int y = raster.rows - 1 - row;  // the picture's first row is the northernmost
       const double q = flux.flux[i];
-      const bool lit = q > kLeastLitShare * most;
+      const bool lit = q > kMinLitShare * most;
       const bool is_told = told[i] != 0;
       image.at(column, y, 0) = is_told ? static_cast<float>(q) : kNone;
       image.at(column, y, 1) =

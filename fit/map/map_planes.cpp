@@ -13,20 +13,20 @@ namespace vegard::fit {
 namespace {
 
 constexpr int kPlanesOfMap = 5;
-constexpr long long kMostCellsOfMap = 4194304;
+constexpr long long kMaxCellsOfMap = 4194304;
 
 class PlanesReader {
  public:
   explicit PlanesReader(const std::string& file)
       : file_(file),
         fits_(sim::read_fits_image(
-            sim::input_bytes(file, "the precipitation.fits of a map", sim::kMostPictureBytes), file)) {}
+            sim::input_bytes(file, "the precipitation.fits of a map", sim::kMaxPictureBytes), file)) {}
 
   MapPlanes read() const {
     const sim::Image& image = fits_.image;
     if (image.channels() != kPlanesOfMap)
       refuse("it has " + std::to_string(image.channels()) + " planes", "the five of a map");
-    if (static_cast<long long>(image.width) * image.height > kMostCellsOfMap)
+    if (static_cast<long long>(image.width) * image.height > kMaxCellsOfMap)
       refuse("it has more than 4194304 cells", "a map of vegard's");
     if (text("CTYPE1") != "EAST" || text("CTYPE2") != "NORTH")
       refuse("its axes are not EAST and NORTH", "a map of vegard's");

@@ -7,7 +7,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kPixel_km = 2.0;
-constexpr int kMostSide = 800, kMargin_px = 10;
+constexpr int kMaxSide = 800, kMargin_px = 10;
 constexpr int kPartsOfPixel = 4;  // of a pixel's side, at the middles of which the cells are asked
 
 }  // namespace
@@ -22,7 +22,7 @@ MapRaster raster_over(const MapResult& result) {
     north = std::max(north, m.north);
   }
   MapRaster raster;
-  raster.step_km = std::max(kPixel_km, std::max(east - west, north - south) / kMostSide);
+  raster.step_km = std::max(kPixel_km, std::max(east - west, north - south) / kMaxSide);
   const auto below = [&](double km) {
     return (std::floor(km / raster.step_km) - kMargin_px) * raster.step_km;
   };

@@ -19,9 +19,9 @@ namespace {
 
 using RecordJson = nlohmann::json;
 
-constexpr std::size_t kMostMapJson = 64u << 20;
-constexpr std::size_t kMostCurtains = 10000;  // a map has some tens
-constexpr std::size_t kMostPoints = 1000;     // of a curtain, 5 km apart
+constexpr std::size_t kMaxMapJson = 64u << 20;
+constexpr std::size_t kMaxCurtains = 10000;   // a map has some tens
+constexpr std::size_t kMaxPoints = 1000;      // of a curtain, 5 km apart
 constexpr double kFarthestPoint_km = 3000.0;  // of a point, as in a scene
 constexpr double kSamePlace_deg = 1e-6;       // a tenth of a metre: what a scene's text may round
 
@@ -35,7 +35,7 @@ constexpr double kSamePlace_deg = 1e-6;       // a tenth of a metre: what a scen
 }
 
 std::string bytes_of_map(const std::string& file) {
-  const sim::InputFile text = sim::read_input(file, kMostMapJson);
+  const sim::InputFile text = sim::read_input(file, kMaxMapJson);
   if (!text.problem.empty()) refuse_map(file, text.problem, "is that the directory of a map?");
   return text.bytes;
 }
@@ -56,9 +56,9 @@ void check_written_by_us(const RecordJson& json, const std::string& file) {
 
 /// A whole number from 0 on. Throws RecordJson::exception for anything else.
 int whole_number(const RecordJson& json, const char* key) {
-  constexpr std::uint64_t kMost = 1u << 24;
+  constexpr std::uint64_t kMax = 1u << 24;
   const RecordJson& value = json.at(key);
-  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > kMost)
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > kMax)
     throw RecordJson::type_error::create(302, std::string(key) + " is no whole number", &value);
   return static_cast<int>(value.get<std::uint64_t>());
 }
@@ -97,7 +97,7 @@ double ends_apart_km(const Ridge& ridge) {
 std::vector<Ridge> ridges_of_table(const std::string& text, const std::string& file, const std::string& stem,
                                    std::size_t count, const std::vector<int>& points) {
   std::vector<Ridge> ridges;
-  if (count > kMostCurtains) refuse_map(file, "cannot have " + std::to_string(count) + " curtains", "");
+  if (count > kMaxCurtains) refuse_map(file, "cannot have " + std::to_string(count) + " curtains", "");
   for (std::size_t c = 1; c <= count; ++c) {
     sim::Sheet sheet;
     sim::take_curtain(text, file, static_cast<int>(c), false, sheet);
@@ -117,12 +117,12 @@ std::vector<Ridge> ridges_of_table(const std::string& text, const std::string& f
     if (c <= points.size() && ridge.points.size() != static_cast<std::size_t>(points[c - 1]))
       refuse_map(file, fmt::format("curtain {} has {} points of {}", c, ridge.points.size(), points[c - 1]),
                  "map the photograph again");
-    if (ridge.points.size() > kMostPoints)
+    if (ridge.points.size() > kMaxPoints)
       refuse_map(file,
-                 fmt::format("curtain {} has {} points, of at most {}", c, ridge.points.size(), kMostPoints),
+                 fmt::format("curtain {} has {} points, of at most {}", c, ridge.points.size(), kMaxPoints),
                  "map the photograph again");
     // Too short for a curve, or closed to a ring.
-    if (ends_apart_km(ridge) < kLeastRidge_km) continue;
+    if (ends_apart_km(ridge) < kMinRidge_km) continue;
     ridges.push_back(std::move(ridge));
   }
   return ridges;

@@ -17,12 +17,12 @@ constexpr double kDirectionZenithDeg = 90.0;
 constexpr double kRounding = 1e-9;  ///< of degrees, so that touching sectors do not overlap
 constexpr int kDirectionPositionsEachSide = 1;
 constexpr double kDeepestKm = 1000.0;  ///< below the Earth's edge, for tangent altitudes
-constexpr int kDirectionMostSteps = 10000;
+constexpr int kDirectionMaxSteps = 10000;
 
 /// From -180 up to 180.
 double signed_turn_deg(double degrees) { return degrees - 360.0 * std::floor((degrees + 180.0) / 360.0); }
 
-constexpr double kLeastStep_deg = 1e-4;
+constexpr double kMinStep_deg = 1e-4;
 
 void check_tangent_steps(const DirectionSectors& sectors) {
   const TangentSteps& steps = *sectors.tangent;
@@ -40,9 +40,9 @@ void check_tangent_steps(const DirectionSectors& sectors) {
                         " km holds no limb",
                     "growing, from -" + sim::short_number(kDeepestKm) + " to at most " +
                         sim::short_number(*sectors.observer_km) + ", where the observer is");
-  if ((steps.highest_km - steps.lowest_km) / steps.step_km > kDirectionMostSteps)
+  if ((steps.highest_km - steps.lowest_km) / steps.step_km > kDirectionMaxSteps)
     sim::refuse_key(sim::ErrorKind::usage, "--tangent-step",
-                    "more than " + std::to_string(kDirectionMostSteps) + " steps", "larger steps");
+                    "more than " + std::to_string(kDirectionMaxSteps) + " steps", "larger steps");
 }
 
 void check_sectors(const DirectionSectors& sectors) {
@@ -52,14 +52,14 @@ void check_sectors(const DirectionSectors& sectors) {
     if (!std::isfinite(azimuth))
       sim::refuse_key(sim::ErrorKind::usage, "--azimuths", "an azimuth is no number", "azimuths in degrees");
   if (sectors.tangent) check_tangent_steps(sectors);
-  if (!(sectors.step_deg >= kLeastStep_deg && sectors.step_deg <= kDirectionZenithDeg))
+  if (!(sectors.step_deg >= kMinStep_deg && sectors.step_deg <= kDirectionZenithDeg))
     sim::refuse_key(sim::ErrorKind::usage, "--elevation-step",
                     sim::short_number(sectors.step_deg) + "\u00b0 is no step", "0.0001 to 90");
   if (!(sectors.lowest_deg >= -kDirectionZenithDeg && sectors.lowest_deg < kDirectionZenithDeg))
     sim::refuse_key(sim::ErrorKind::usage, "--lowest",
                     sim::short_number(sectors.lowest_deg) + "\u00b0 is no elevation to begin at",
                     "-90 to below 90");
-  const double spacing = least_spacing_deg(sectors.azimuths_deg);
+  const double spacing = min_spacing_deg(sectors.azimuths_deg);
   if (!(sectors.width_deg > 0.0 && sectors.width_deg <= spacing + kRounding))
     sim::refuse_key(
         sim::ErrorKind::usage, "--azimuth-width",
@@ -96,7 +96,7 @@ DirectionSectors even_sectors(int count) {
   return sectors;
 }
 
-double least_spacing_deg(const std::vector<double>& azimuths_deg) {
+double min_spacing_deg(const std::vector<double>& azimuths_deg) {
   double least = 360.0;
   for (std::size_t i = 0; i < azimuths_deg.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)

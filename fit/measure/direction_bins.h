@@ -35,7 +35,7 @@ struct DirectionSectors {
 DirectionSectors even_sectors(int count);
 
 /// The smallest angle between two of the azimuths; 360 for one.
-double least_spacing_deg(const std::vector<double>& azimuths_deg);
+double min_spacing_deg(const std::vector<double>& azimuths_deg);
 
 /// Groups are the sectors in their order, positions the steps of elevation from the lowest up. A pixel
 /// belongs to a bin by its centre. Throws sim::Error(usage), with the option's key, unless 0 < step <= 90,

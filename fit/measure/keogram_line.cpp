@@ -16,7 +16,7 @@ namespace {
 constexpr double kKeogramZenithDeg = 90.0;
 constexpr int kPooledRows = 7;
 constexpr double kTrialHalfWidthDeg = 5.0;  ///< in which the pixels' size is found
-constexpr double kLeastPixels = 1.5, kKeogramMostSteps = 200.0;
+constexpr double kMinPixels = 1.5, kKeogramMaxSteps = 200.0;
 constexpr double kBothSides = 0.25;  ///< share of the whole beyond the zenith that makes it the other side
 
 /// A direction as seen from a vertical plane.
@@ -70,7 +70,7 @@ Span span_of(const sim::DirectionMap& map, const Region& region, double azimuth_
 double usual_step(const Span& trial) {
   const double length = trial.max - trial.min, across = trial.across_max - trial.across_min;
   const double pixel = std::sqrt(length * across / trial.pixels);
-  return round_up(std::max({kLeastPixels * pixel, length / kKeogramMostSteps, 1e-6}));
+  return round_up(std::max({kMinPixels * pixel, length / kKeogramMaxSteps, 1e-6}));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kLimbLeastPositions = 3;
+constexpr int kLimbMinPositions = 3;
 constexpr int kLimbPositionsEachSide = 1;  ///< whose noise is pooled
 
 }  // namespace
@@ -27,12 +27,11 @@ BinGrid limb_bins(const sim::Scene& scene, const Region& region) {
     sim::refuse_scene_key(scene.file, "fit.limb_lowest", "limb_lowest is not below limb_highest",
                           "limb_lowest below limb_highest");
   const double steps = std::ceil((fit.limb_highest - fit.limb_lowest) / fit.limb_step - 1e-9);
-  constexpr double kMostPositions = 10000.0;
-  if (steps < kLimbLeastPositions || steps > kMostPositions)
-    sim::refuse_scene_key(
-        scene.file, "fit.limb_step",
-        sim::short_number(steps) + " steps lie between limb_lowest and limb_highest",
-        std::to_string(kLimbLeastPositions) + " to " + sim::short_number(kMostPositions, 5));
+  constexpr double kMaxPositions = 10000.0;
+  if (steps < kLimbMinPositions || steps > kMaxPositions)
+    sim::refuse_scene_key(scene.file, "fit.limb_step",
+                          sim::short_number(steps) + " steps lie between limb_lowest and limb_highest",
+                          std::to_string(kLimbMinPositions) + " to " + sim::short_number(kMaxPositions, 5));
   BinGrid grid;
   grid.region = region;
   grid.groups = fit.bands;

@@ -13,10 +13,10 @@ namespace vegard::fit {
 namespace {
 
 constexpr int kNumbers = 5;  ///< peak, logarithms of both widths, amplitude, sky
-constexpr std::size_t kLayerLeastPoints = 8;
+constexpr std::size_t kLayerMinPoints = 8;
 constexpr double kShellKm = 0.5;
 constexpr double kLayerReach = 5.0;  ///< widths from the peak; beyond, there is nothing
-constexpr double kLeastWidthKm = 1.0, kMostWidthKm = 150.0;
+constexpr double kMinWidthKm = 1.0, kMaxWidthKm = 150.0;
 constexpr double kStartWidthKm = 6.0;
 constexpr double kHalf = 1.1774100225154747;  ///< sqrt(2 ln 2)
 
@@ -28,11 +28,11 @@ template <typename T>
 T column_km(double tangent_km, const T& peak_km, const T& lower_width_km, const T& upper_width_km,
             double top_km) {
   const double from_centre_km = sim::kEarthRadiusKm + tangent_km;
-  const double most_km = sim::kEarthRadiusKm + top_km;
-  if (most_km <= from_centre_km) return T(0.0);
-  const double half_km = std::sqrt(most_km * most_km - from_centre_km * from_centre_km);
+  const double max_km = sim::kEarthRadiusKm + top_km;
+  if (max_km <= from_centre_km) return T(0.0);
+  const double half_km = std::sqrt(max_km * max_km - from_centre_km * from_centre_km);
   // Steps that pass no more than kShellKm of altitude at their far end, where the line climbs steepest.
-  const int steps = std::max(64, static_cast<int>(std::ceil(half_km * half_km / most_km / kShellKm)));
+  const int steps = std::max(64, static_cast<int>(std::ceil(half_km * half_km / max_km / kShellKm)));
   const double step_km = half_km / steps;
   T sum(0.0);
   for (int k = 0; k < steps; ++k) {
@@ -57,7 +57,7 @@ struct LayerCost {
   template <typename T>
   bool operator()(const T* numbers, T* residuals) const {
     const T lower = exp(numbers[1]), upper = exp(numbers[2]);
-    if (lower < kLeastWidthKm || upper < kLeastWidthKm || lower > kMostWidthKm || upper > kMostWidthKm)
+    if (lower < kMinWidthKm || upper < kMinWidthKm || lower > kMaxWidthKm || upper > kMaxWidthKm)
       return false;
     for (std::size_t i = 0; i < points.light.size(); ++i)
       residuals[i] = numbers[3] * column_km(points.tangent_km[i], numbers[0], lower, upper, points.top_km) +
@@ -91,7 +91,7 @@ double apparent_peak_km(double peak_km, double lower_width_km, double upper_widt
 std::optional<LimbLayer> find_limb_layer(const std::vector<double>& tangent_km,
                                          const std::vector<double>& light, double observer_km) {
   LayerPoints points = usable(tangent_km, light, observer_km);
-  if (points.light.size() < kLayerLeastPoints) return std::nullopt;
+  if (points.light.size() < kLayerMinPoints) return std::nullopt;
   const auto [darkest, brightest] = std::minmax_element(points.light.begin(), points.light.end());
   const double at_km = points.tangent_km[brightest - points.light.begin()];
   const auto [lowest, highest] = std::minmax_element(points.tangent_km.begin(), points.tangent_km.end());

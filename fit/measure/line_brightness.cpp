@@ -14,7 +14,7 @@ namespace vegard::fit {
 namespace {
 
 // Of a picture without any noise, so that weights stay finite.
-constexpr double kLeastSigma = 1e-12;
+constexpr double kMinSigma = 1e-12;
 
 /// Of the known lights of the scene's night sky, as Profile::mean; empty if there are none.
 std::vector<double> night_sky_means(const sim::Scene& scene, const Profile& profile) {
@@ -58,7 +58,7 @@ LineBrightness line_brightness(const sim::Scene& scene, const Profile& profile) 
         if (!night_sky.empty()) rgb[c] -= night_sky[i + c];
         sigma[c] = profile.standard_error[i + c];
         known = known && std::isfinite(rgb[c]) && std::isfinite(sigma[c]);
-        sigma[c] = std::max(sigma[c], kLeastSigma);
+        sigma[c] = std::max(sigma[c], kMinSigma);
       }
       const sim::LineEstimate estimate = known ? estimator.estimate(rgb, sigma) : sim::LineEstimate{};
       for (int l = 0; l < estimator.lines(); ++l) {

@@ -13,13 +13,13 @@
 namespace vegard::fit {
 namespace {
 
-constexpr std::size_t kLoopLeastPoints = 3;
-constexpr int kLoopLeastPositions = 5;
+constexpr std::size_t kLoopMinPoints = 3;
+constexpr int kLoopMinPositions = 5;
 constexpr int kLoopPositionsEachSide = 4;  ///< whose noise is pooled: bins are small, loops narrow
 
 void check_points(const sim::Scene& scene) {
   const std::vector<double>&x = scene.fit.guide_x_px, &y = scene.fit.guide_y_px;
-  if (x.size() < kLoopLeastPoints)
+  if (x.size() < kLoopMinPoints)
     sim::refuse_scene_key(
         scene.file, "fit.guide_x_px", std::to_string(x.size()) + " guide points are drawn along the loop",
         "three or more", "read their pixels off the photograph, from one foot to the other");
@@ -78,11 +78,11 @@ BinGrid loop_bins(const sim::Scene& scene, const Region& region) {
   grid.region = region;
   grid.groups = fit.bands;
   grid.positions = static_cast<int>(std::lround(2.0 * fit.guide_half_width_px / fit.guide_cell_px));
-  if (grid.positions < kLoopLeastPositions)
+  if (grid.positions < kLoopMinPositions)
     sim::refuse_scene_key(scene.file, "fit.guide_half_width_px",
                           std::to_string(grid.positions) + " cells of " +
                               sim::short_number(fit.guide_cell_px) + " px lie across the loop",
-                          "at least " + std::to_string(kLoopLeastPositions),
+                          "at least " + std::to_string(kLoopMinPositions),
                           "a wider profile, or smaller fit.guide_cell_px");
   const GuideCurve curve(fit.guide_x_px, fit.guide_y_px);
   if (curve.length_px() < fit.bands)

@@ -9,7 +9,7 @@ namespace {
 constexpr double kSkyPercentile = 0.05;
 constexpr double kPeakShare = 0.1;
 constexpr int kHalvings = 40;
-constexpr double kLeastShare = 1e-12;  // of a variance: rounding
+constexpr double kMinShare = 1e-12;  // of a variance: rounding
 
 template <class Body>
 void for_values(const Profile& p, const Body& body) {
@@ -75,7 +75,7 @@ std::optional<double> found_model_error(const Profile& data, const std::vector<d
       const double light = of_whole_light[i] * of_whole_light[i];
       const double noise = std::max(0.0, sigma[i] * sigma[i] - model_error * model_error * light);
       const double residual = data.mean[i] - model[i];
-      sum += residual * residual / std::max(noise + share * share * light, kLeastShare * sigma[i] * sigma[i]);
+      sum += residual * residual / std::max(noise + share * share * light, kMinShare * sigma[i] * sigma[i]);
     }
     return sum;
   };

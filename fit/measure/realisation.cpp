@@ -12,7 +12,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr int kParts = 4;
-constexpr int kLeastWidth_px = 2;  // of a part
+constexpr int kMinWidth_px = 2;  // of a part
 constexpr int kRealisedRowsEachSide = 15;
 constexpr double kIndependent = 2.0;     // of the parts
 constexpr double kRealisedBright = 0.2;  // of the peak
@@ -60,7 +60,7 @@ std::vector<double> excess(const Profile& parts, int band, int channel, double s
 std::vector<double> realisation_sigma(const Photo& photo, const Region& region, int bands,
                                       double smoothing_px) {
   std::vector<double> sigma(static_cast<std::size_t>(bands) * region.height * 3, 0.0);
-  if (region.width < bands * kParts * kLeastWidth_px) return sigma;
+  if (region.width < bands * kParts * kMinWidth_px) return sigma;
   const Profile parts = smoothed(extract_profile(photo, region, bands * kParts), smoothing_px);
   const std::array<double, 3> sky = sky_level(parts);
   for (int b = 0; b < bands; ++b)

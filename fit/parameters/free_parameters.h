@@ -29,7 +29,7 @@ struct RatioPrior {
   double spread = 0.0;  ///< standard deviation of ln(ratio) beyond the range
 };
 /// The range that the source paper prefers (section 3.1; docs/physics.md row B5).
-inline constexpr double kLeastWavelengthRatio = 5.2, kMostWavelengthRatio = 31.4;
+inline constexpr double kMinWavelengthRatio = 5.2, kMaxWavelengthRatio = 31.4;
 
 struct FreeNumber {
   sim::ParameterId id;          ///< its first place; none for a number that only expressions use

@@ -30,8 +30,8 @@ void PriorRows::add_ratio(const std::vector<FreeNumber>& free, std::size_t j, do
   row.kind = Row::Kind::of_range;
   row.factor = weight / prior.spread;
   row.constant = prior.rest;
-  row.least = std::log(kLeastWavelengthRatio);
-  row.most = std::log(kMostWavelengthRatio);
+  row.least = std::log(kMinWavelengthRatio);
+  row.most = std::log(kMaxWavelengthRatio);
   row.terms = {{static_cast<int>(j), prior.sign}};
   if (prior.other) {
     const auto other =

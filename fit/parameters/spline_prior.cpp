@@ -15,9 +15,9 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kLeastSmoothness = 0.05, kMostSmoothness = 100.0;
+constexpr double kMinSmoothness = 0.05, kMaxSmoothness = 100.0;
 constexpr double kSplineRankTolerance = 1e-12;
-constexpr int kSplineMostRounds = 300;
+constexpr int kSplineMaxRounds = 300;
 constexpr double kSplineSettled = 1e-3;  // of a smoothness
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -147,7 +147,7 @@ std::vector<double> most_probable_smoothness(const SplinePrior& prior, const std
   };
   const Eigen::MatrixXd before = weight * weight * smoothness_information(prior.smoothness);
   std::vector<double> result = prior.smoothness;
-  for (int round = 0; round < kSplineMostRounds; ++round) {
+  for (int round = 0; round < kSplineMaxRounds; ++round) {
     const Eigen::MatrixXd now = smoothness_information(result);
     const Eigen::MatrixXd covariance = inverse(data + other + now);
     // At the optimum under `before` the data pull as hard as that did the other way.
@@ -159,7 +159,7 @@ std::vector<double> most_probable_smoothness(const SplinePrior& prior, const std
       if (d.rows() == 0) continue;
       const double square = ((d * moved).squaredNorm() + (d * covariance * d.transpose()).trace()) /
                             static_cast<double>(d.rows());
-      const double next = std::clamp(1.0 / std::sqrt(square), kLeastSmoothness, kMostSmoothness);
+      const double next = std::clamp(1.0 / std::sqrt(square), kMinSmoothness, kMaxSmoothness);
       change = std::max(change, std::abs(std::log(next / result[l])));
       result[l] = next;
     }

@@ -9,7 +9,7 @@ namespace {
 
 using sim::ParameterRole;
 
-constexpr double kLeastError_km = 20.0, kAngleError_deg = 20.0, kSunError_deg = 0.1;
+constexpr double kMinError_km = 20.0, kAngleError_deg = 20.0, kSunError_deg = 0.1;
 constexpr double kVolumeApart = 0.1, kEnergyApart = 0.25;
 
 /// 0: east, 1: north; -1: no place.
@@ -67,7 +67,7 @@ bool has_movable_footprint(const std::vector<FreeNumber>& free) {
 
 std::optional<double> usual_error(const sim::Scene& scene, const FreeNumber& number, double share) {
   if (!is_of_volume(number)) return {};
-  if (axis_of(number) >= 0) return std::max(kLeastError_km, share * distance_of(scene, number));
+  if (axis_of(number) >= 0) return std::max(kMinError_km, share * distance_of(scene, number));
   // Across a disc of half a degree a tenth of a degree is far.
   if (number.id.role() == ParameterRole::sun_azimuth || number.id.role() == ParameterRole::sun_elevation)
     return kSunError_deg;

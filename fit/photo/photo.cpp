@@ -29,8 +29,8 @@ class CodeLight {
  public:
   CodeLight(const PictureCodes& codes, const Photo& photo) : codes_(codes), photo_(photo) {
     // Of few codes each is worked out once.
-    constexpr double kMostCodes = 65535.0;
-    if (codes.floating || codes.white > kMostCodes) return;
+    constexpr double kMaxCodes = 65535.0;
+    if (codes.floating || codes.white > kMaxCodes) return;
     for (int code = 0; code <= static_cast<int>(codes.white); ++code)
       light_of_code_.push_back(static_cast<float>(light_of(photo, code / codes.white)));
   }
@@ -177,8 +177,8 @@ Photo read_photo_bytes(std::string_view bytes, const std::string& file, const De
                    : decoding.kind != Decoding::Kind::linear && decoding.kind != Decoding::Kind::sensor;
   photo.tone = decoding.curve;
   photo.unknowns = decoding.unknowns;
-  constexpr double kMostCodes = 65535.0;
-  if (photo.unknowns > 0 && (codes.floating || codes.white > kMostCodes * codes.step))
+  constexpr double kMaxCodes = 65535.0;
+  if (photo.unknowns > 0 && (codes.floating || codes.white > kMaxCodes * codes.step))
     refuse_image(
         file,
         std::string("an unknown curve is found of integers of up to 16 bits only, and this file holds ") +

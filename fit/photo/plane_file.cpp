@@ -20,7 +20,7 @@ bool is_fits(const std::string& file) {
 }
 
 sim::Image read_fits_plane(const std::string& file, const std::string& what) {
-  const std::string bytes = sim::input_bytes(file, "a map of " + what, sim::kMostPictureBytes);
+  const std::string bytes = sim::input_bytes(file, "a map of " + what, sim::kMaxPictureBytes);
   sim::FitsImage fits = sim::read_fits_image(bytes, file);
   for (std::size_t i = 0; i < fits.known.size(); ++i)
     if (!fits.known[i]) fits.image.data[i] = std::numeric_limits<float>::quiet_NaN();

@@ -125,7 +125,7 @@ SkyMapFile read_arrays(const std::string& file) {
 
 /// Two planes of one file.
 SkyMapFile read_planes(const std::string& file) {
-  const std::string bytes = sim::input_bytes(file, "a skymap", sim::kMostPictureBytes);
+  const std::string bytes = sim::input_bytes(file, "a skymap", sim::kMaxPictureBytes);
   const sim::FitsImage fits = sim::read_fits_image(bytes, file);
   const std::size_t planes = fits.image.channel_names.size();
   if (planes != 2)

@@ -60,10 +60,10 @@ Chromaticity colour_of(const std::array<std::vector<double>, 3>& light,
 
 }  // namespace
 
-ComparedProfile compared_profile(const FittedPhoto& fitted, int first_band, int end_band, int most_points,
+ComparedProfile compared_profile(const FittedPhoto& fitted, int first_band, int end_band, int max_points,
                                  const ElevationOfPixel& elevation_of_pixel) {
   const Profile& data = fitted.data;
-  const int rows_each = std::max(1, (data.rows + most_points - 1) / most_points);
+  const int rows_each = std::max(1, (data.rows + max_points - 1) / max_points);
   const double middle =
       0.5 * (band_begin(data.region, data.bands, first_band) + band_begin(data.region, data.bands, end_band));
   ComparedProfile profile;

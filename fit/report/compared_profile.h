@@ -16,9 +16,9 @@ struct ComparedProfile {
 };
 
 /// The mean over the bands [first_band, end_band), weighted by their pixels; sigma with the bands taken as
-/// independent. Rows are averaged into at most `most_points` points, for which sigma stays that of a single
+/// independent. Rows are averaged into at most `max_points` points, for which sigma stays that of a single
 /// row: what the model misses is alike in rows that are close.
-ComparedProfile compared_profile(const FittedPhoto& fitted, int first_band, int end_band, int most_points,
+ComparedProfile compared_profile(const FittedPhoto& fitted, int first_band, int end_band, int max_points,
                                  const ElevationOfPixel& elevation_of_pixel);
 
 /// The shares of red and green in the light, and their standard deviations with the channels taken as

@@ -59,16 +59,16 @@ std::vector<std::size_t> most_correlated(const CornerData& data, std::size_t mos
 
 namespace {
 
-constexpr std::size_t kMost = 10;
-constexpr double kWide = 760.0, kLeastCell = 78.0, kMostCell = 210.0;  // of all cells, of one
+constexpr std::size_t kMax = 10;
+constexpr double kWide = 760.0, kMinCell = 78.0, kMaxCell = 210.0;  // of all cells, of one
 constexpr double kCornerGap = 8.0, kCornerEdge = 18.0, kCornerLeft = 74.0, kCornerBelow = 44.0;
 constexpr double kNameSize = 12.0, kValueSize = 11.0, kCornerTickSize = 9.5, kCornerNoteSize = 12.0,
                  kCornerTitleSize = 16.0;
 constexpr double kNameHeight = 34.0;  // name and value above the first cell
 constexpr double kCornerNoteHeight = 18.0;
-constexpr double kSigmas = 2.8;        // shown to either side
-constexpr double kLeastShare = 0.003;  // of the samples may fall outside
-constexpr std::size_t kMostDots = 7000, kMostDotsOfOne = 2000;
+constexpr double kSigmas = 2.8;      // shown to either side
+constexpr double kMinShare = 0.003;  // of the samples may fall outside
+constexpr std::size_t kMaxDots = 7000, kMaxDotsOfOne = 2000;
 constexpr int kBins = 24;
 constexpr Colour kCornerInk{38, 38, 38}, kSoftInk{95, 95, 95}, kFrame{170, 170, 170};
 
@@ -112,7 +112,7 @@ Range range_of(const CornerParameter& p, const std::vector<double>& samples) {
   if (!samples.empty()) {
     std::vector<double> sorted = samples;
     std::sort(sorted.begin(), sorted.end());
-    const double least = percentile(sorted, kLeastShare), most = percentile(sorted, 1.0 - kLeastShare);
+    const double least = percentile(sorted, kMinShare), most = percentile(sorted, 1.0 - kMinShare);
     low = std::min(low, least - 0.05 * (most - least));
     high = std::max(high, most + 0.05 * (most - least));
   }
@@ -140,7 +140,7 @@ struct Corner {
   std::vector<Side> sides;
   std::vector<std::vector<double>> correlation;
   std::size_t samples = 0;
-  double cell = kMostCell;
+  double cell = kMaxCell;
   double top = 0.0;
   std::vector<std::string> notes;
   PlotSize size;
@@ -161,9 +161,9 @@ struct Corner {
 
 Corner lay_out(const CornerData& data) {
   Corner c;
-  const std::vector<std::size_t> chosen = most_correlated(data, kMost);
+  const std::vector<std::size_t> chosen = most_correlated(data, kMax);
   const std::size_t n = chosen.size(), all = data.parameters.size();
-  c.cell = std::clamp(kWide / static_cast<double>(n), kLeastCell, kMostCell);
+  c.cell = std::clamp(kWide / static_cast<double>(n), kMinCell, kMaxCell);
   c.samples = data.samples.size() / all;
   for (const std::size_t j : chosen) {
     Side side;
@@ -359,7 +359,7 @@ std::string corner_plot_svg(const CornerData& data) {
   if (data.parameters.size() < 2) return {};
   const Corner c = lay_out(data);
   const std::size_t n = c.sides.size();
-  const std::size_t dots = std::min(kMostDotsOfOne, kMostDots / (n * (n - 1) / 2));
+  const std::size_t dots = std::min(kMaxDotsOfOne, kMaxDots / (n * (n - 1) / 2));
   const std::size_t stride = std::max<std::size_t>(1, (c.samples + dots - 1) / dots);
   return drawn_svg("Every parameter against every other", c.size, [&](PlotCanvas& canvas) {
     canvas.area({{0, 0}, {c.size.width, 0}, {c.size.width, c.size.height}, {0, c.size.height}},

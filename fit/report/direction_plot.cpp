@@ -10,8 +10,8 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kColours = 7;               ///< of distinct_colour()
-constexpr int kMostLines = 2 * kColours;  ///< the second seven are dashed
+constexpr int kColours = 7;              ///< of distinct_colour()
+constexpr int kMaxLines = 2 * kColours;  ///< the second seven are dashed
 
 /// value(sector, position) with its error as lines against elevation.
 template <class ValueOf>
@@ -50,7 +50,7 @@ Plot direction_profile_plot(const Photo& photo, const DirectionProfile& directio
               (directions.sectors.tangent ? "tangent altitude" : "elevation") +
               ", a line per azimuth; shaded: \u00b11 standard error; " + photo.decoding;
   std::vector<int> drawn;
-  const int lines = std::min(profile.bands, kMostLines);
+  const int lines = std::min(profile.bands, kMaxLines);
   for (int k = 0; k < lines; ++k) drawn.push_back(profile.bands * k / lines);
   if (lines < profile.bands)
     plot.note += "; " + std::to_string(lines) + " of " + std::to_string(profile.bands) + " azimuths";

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSide_px = 460.0, kLeft_px = 62.0, kTop_px = 58.0, kRight_px = 216.0, kBottom_px = 30.0;
 constexpr double kMargin = 0.12;  // of the map's width, on each side
-constexpr double kLeastHalf_km = 60.0, kFarthestShown_km = 1500.0;
+constexpr double kMinHalf_km = 60.0, kFarthestShown_km = 1500.0;
 constexpr double kSineShows_px = 1.0;  // amplitude
 constexpr int kMapCoarse = 65, kFine = 1201;
 constexpr Colour kMapInk{29, 36, 48}, kSoft{102, 112, 128}, kField{140, 150, 160};
@@ -91,7 +91,7 @@ MapFrame frame_of(const FitResult& result, const std::vector<MappedStation>& sta
   MapFrame frame;
   frame.area_px = {kLeft_px, kTop_px, kSide_px, kSide_px};
   frame.center_km = {0.5 * (west + east), 0.5 * (south + north)};
-  const double half = std::max(kLeastHalf_km, 0.5 * std::max(east - west, north - south));
+  const double half = std::max(kMinHalf_km, 0.5 * std::max(east - west, north - south));
   frame.km_per_px = 2.0 * half * (1.0 + 2.0 * kMargin) / kSide_px;
   return frame;
 }

@@ -249,7 +249,7 @@ std::string maps(const MapResult& result, const std::vector<Curtain>& curtains) 
 }
 
 std::string along_curtains(const std::vector<Curtain>& curtains) {
-  constexpr std::size_t kMostShown = 6;
+  constexpr std::size_t kMaxShown = 6;
   struct Quantity {
     const char* title;
     const char* label;
@@ -277,7 +277,7 @@ std::string along_curtains(const std::vector<Curtain>& curtains) {
     panel.title = quantity.title;
     panel.x.label = "azimuth (°)";
     panel.y.label = quantity.label;
-    for (std::size_t c = 0; c < std::min(curtains.size(), kMostShown); ++c) {
+    for (std::size_t c = 0; c < std::min(curtains.size(), kMaxShown); ++c) {
       Series line;
       line.label = "curtain " + std::to_string(c + 1);
       line.colour = distinct_colour(static_cast<int>(c));

@@ -29,7 +29,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr const char* kMapJson = "map.json";
-constexpr std::size_t kMostMapBytes = 64u << 20;
+constexpr std::size_t kMaxMapBytes = 64u << 20;
 
 std::string file_of(const char* stem, const std::string& photo) {
   return std::string(stem) + (photo.empty() ? "" : "-" + photo) + ".exr";
@@ -51,7 +51,7 @@ sim::KnownFolder look_at_map(const std::string& directory) {
   std::set<std::string> names = {kMapJson,           "precipitation.fits", kCurtainTable,
                                  kFaintCurtainTable, "report.html",        kMapNetcdf};
   sim::KnownFolder known;
-  const sim::InputFile file = sim::read_input(directory + "/" + kMapJson, kMostMapBytes);
+  const sim::InputFile file = sim::read_input(directory + "/" + kMapJson, kMaxMapBytes);
   const std::optional<nlohmann::json> json = map_json_of(file.bytes);
   if (!file.problem.empty())
     known.objection = "its map.json " + file.problem;
@@ -197,7 +197,7 @@ void check_map_directory(const std::string& directory, bool overwrite) {
 }
 
 bool is_interrupted_map(const std::string& directory) {
-  const sim::InputFile file = sim::read_input(directory + "/" + kMapJson, kMostMapBytes);
+  const sim::InputFile file = sim::read_input(directory + "/" + kMapJson, kMaxMapBytes);
   const std::optional<nlohmann::json> json = map_json_of(file.bytes);
   return json && json->contains("interrupted") && (*json)["interrupted"] == true;
 }

@@ -19,12 +19,12 @@ namespace vegard::fit {
 namespace {
 
 // How many times the scene's beams: enough that single ones are hardly seen, within a second or so.
-constexpr int kLeastTimes = 4, kMostTimes = 16;
+constexpr int kMinTimes = 4, kMaxTimes = 16;
 constexpr int kDenseBeams = 32000;  // of a layer: more than the least are not needed
 
 int dense(int beams) {
-  const int least = std::min(beams, std::numeric_limits<int>::max() / kLeastTimes) * kLeastTimes;
-  return std::max(least, std::min(beams, kDenseBeams / kMostTimes) * kMostTimes);
+  const int least = std::min(beams, std::numeric_limits<int>::max() / kMinTimes) * kMinTimes;
+  return std::max(least, std::min(beams, kDenseBeams / kMaxTimes) * kMaxTimes);
 }
 
 /// Gain and sky of the bins that a pixel is in, where bins are no columns of rows; elsewhere the mean gain

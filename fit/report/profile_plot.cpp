@@ -12,8 +12,8 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kMostPanels = 6;
-constexpr int kMostRows = 500;
+constexpr int kMaxPanels = 6;
+constexpr int kMaxRows = 500;
 
 struct PlottedCell {
   double mean = sim::kNaN, sigma = sim::kNaN;
@@ -98,8 +98,8 @@ Panel band_panel(const Profile& profile, int first_band, int end_band, int rows_
 
 Plot profile_plot(const Photo& photo, const Profile& profile, const ElevationOfPixel& elevation_of_pixel) {
   Plot plot;
-  const int panels = std::min(profile.bands, kMostPanels);
-  const int rows_each = std::max(1, (profile.rows + kMostRows - 1) / kMostRows);
+  const int panels = std::min(profile.bands, kMaxPanels);
+  const int rows_each = std::max(1, (profile.rows + kMaxRows - 1) / kMaxRows);
   // Through filters a channel is a line, and has its name.
   const int only = photo.filters.empty() ? only_channel(profile) : -1;
   for (int p = 0; p < panels; ++p)

@@ -15,7 +15,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kMostWidth = 720;
+constexpr int kMaxWidth = 720;
 constexpr double kMisfitEnd = 4.0;  ///< standard deviations at the ends of the misfit's colours
 
 /// As three channels of float in OpenCV's order, no wider than a report's picture.
@@ -24,11 +24,10 @@ cv::Mat shrunk(const sim::Image& image) {
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
       for (int c = 0; c < 3; ++c) picture.at<cv::Vec3f>(y, x)[2 - c] = image.at(x, y, c);
-  if (image.width <= kMostWidth) return picture;
-  const int height =
-      std::max(1, static_cast<int>(std::lround(1.0 * image.height * kMostWidth / image.width)));
+  if (image.width <= kMaxWidth) return picture;
+  const int height = std::max(1, static_cast<int>(std::lround(1.0 * image.height * kMaxWidth / image.width)));
   cv::Mat small;
-  cv::resize(picture, small, cv::Size(kMostWidth, height), 0, 0, cv::INTER_AREA);
+  cv::resize(picture, small, cv::Size(kMaxWidth, height), 0, 0, cv::INTER_AREA);
   return small;
 }
 

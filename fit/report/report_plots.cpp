@@ -13,7 +13,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kMeanPoints = 160, kBandPoints = 110, kReportMostBands = 6;
+constexpr int kMeanPoints = 160, kBandPoints = 110, kReportMaxBands = 6;
 constexpr int kTallPanel = 430;
 constexpr Colour kReportModelInk{40, 40, 40};
 const char* const kReportHowToRead = "Dots: photograph. Shaded: \u00b11 \u03c3. Thin line: model.";
@@ -236,7 +236,7 @@ std::string free_profiles_svg(const FitResult& result) {
 
 std::string band_profiles_svg(const FittedPhoto& fitted, const ElevationOfPixel& elevation_of_pixel) {
   const Profile& data = fitted.data;
-  const int panels = std::min(data.bands, kReportMostBands);
+  const int panels = std::min(data.bands, kReportMaxBands);
   Plot plot;
   plot.title = "Single bands";
   plot.note = panels < data.bands ? std::to_string(panels) + " of " + std::to_string(data.bands) +

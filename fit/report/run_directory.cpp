@@ -147,7 +147,7 @@ sim::KnownFolder look_at_run(const std::string& directory) {
   std::set<std::string> names = {"result.json", "best.toml",   "profile.csv", "trace.csv",
                                  "map.svg",     "report.html", kRunNetcdf};
   sim::KnownFolder known;
-  const sim::InputFile result = sim::read_input(directory + "/result.json", kMostResultBytes);
+  const sim::InputFile result = sim::read_input(directory + "/result.json", kMaxResultBytes);
   const std::optional<std::vector<std::string>> photos = photos_of_result(result.bytes);
   if (!result.problem.empty())
     known.objection = "its result.json " + result.problem;

@@ -11,7 +11,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr int kOverlayShift = 4;  // fractional bits of OpenCV's coordinates
-constexpr int kOverlayMostPixels = 4000;
+constexpr int kOverlayMaxPixels = 4000;
 
 double srgb(double linear) {
   linear = std::clamp(linear, 0.0, 1.0);
@@ -27,7 +27,7 @@ cv::Mat display(const Photo& photo, int& scale) {
       for (int c = 0; c < 3; ++c)
         picture.at<cv::Vec3b>(y, x)[c] = static_cast<unsigned char>(
             std::lround(255.0 * srgb(image.at(x, y, std::min(2 - c, image.channels() - 1)))));
-  scale = std::max(image.width, image.height) * 2 <= kOverlayMostPixels ? 2 : 1;
+  scale = std::max(image.width, image.height) * 2 <= kOverlayMaxPixels ? 2 : 1;
   cv::Mat large;
   cv::resize(picture, large, {}, scale, scale, cv::INTER_NEAREST);
   return large;

@@ -122,13 +122,13 @@ std::vector<std::vector<CoursePoint>> courses(Comparison& comparison, const sim:
 }
 
 std::vector<SineThroughCourse> sines_through(const std::vector<CoursePoint>& course, double middle_km,
-                                             double least_wavelength_km, double most_wavelength_km,
+                                             double min_wavelength_km, double max_wavelength_km,
                                              double amplitude_km, int most) {
   if (course.size() < 5) return {};
   const auto by_place = [](const CoursePoint& a, const CoursePoint& b) { return a.along_km < b.along_km; };
   const auto [first, last] = std::minmax_element(course.begin(), course.end(), by_place);
   const double in_view = std::max(1.0, last->along_km - first->along_km);
-  const double lowest = 1.0 / most_wavelength_km, highest = 1.0 / least_wavelength_km;
+  const double lowest = 1.0 / max_wavelength_km, highest = 1.0 / min_wavelength_km;
   const int steps = 1 + static_cast<int>(std::ceil(kCourseSteps * in_view * (highest - lowest)));
   std::vector<SineThroughCourse> all;
   for (int step = 0; step <= steps; ++step) {

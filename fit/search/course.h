@@ -33,7 +33,7 @@ struct SineThroughCourse {
 /// The best sine of every wavelength that is a local optimum between two limits, best first, at most `most`.
 /// Amplitudes are believed to be some `amplitude_km`, lines to lie where they are to 20 km and 0.3.
 std::vector<SineThroughCourse> sines_through(const std::vector<CoursePoint>& course, double middle_km,
-                                             double least_wavelength_km, double most_wavelength_km,
+                                             double min_wavelength_km, double max_wavelength_km,
                                              double amplitude_km, int most);
 
 }  // namespace vegard::fit

@@ -18,7 +18,7 @@ constexpr double kNegligible = 0.02;
 constexpr int kSmallSteps = 2;
 constexpr double kStepInside = 2.0;  // from the start, in the solver's coordinate
 
-constexpr std::size_t kMostForQr = 40;
+constexpr std::size_t kMaxForQr = 40;
 
 class Tracer : public ceres::IterationCallback {
  public:
@@ -106,7 +106,7 @@ Descent descend(const ProfileCost& cost, const std::vector<double>& start, int i
   // Orthogonalising tens of thousands of rows by a hundred columns takes longer than the rest, and gains
   // nothing where the columns are logarithms and the priors' rows tie them together.
   options.linear_solver_type =
-      coordinates.size() > kMostForQr ? ceres::DENSE_NORMAL_CHOLESKY : ceres::DENSE_QR;
+      coordinates.size() > kMaxForQr ? ceres::DENSE_NORMAL_CHOLESKY : ceres::DENSE_QR;
   options.num_threads = 1;  // the simulator has the threads, and adds in a fixed order
   options.max_num_iterations = iterations;
   options.function_tolerance = kFunctionTolerance;

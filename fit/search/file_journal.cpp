@@ -24,7 +24,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;
-constexpr off_t kMostJournalBytes = off_t{1} << 30;
+constexpr off_t kMaxJournalBytes = off_t{1} << 30;
 
 std::string header_line(const JournalSubject& subject) {
   Json json;
@@ -113,7 +113,7 @@ void FileJournal::open(const JournalSubject& subject, JournalMode mode) {
   struct stat status {};
   if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode))
     throw refused(file_, "is in the way of the fit's journal", "choose another name for the run");
-  if (status.st_size > kMostJournalBytes)
+  if (status.st_size > kMaxJournalBytes)
     throw refused(file_, "is in the way of the fit's journal: it has more than 1 GB",
                   "choose another name for the run");
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kPlanKind = "vegard survey plan";
 constexpr int kPlanFormat = 1;
 /// A winter of ten cameras, 7 million frames, has 600 MB.
-constexpr std::size_t kMostPlanBytes = (std::size_t{1} << 31) - 1;
+constexpr std::size_t kMaxPlanBytes = (std::size_t{1} << 31) - 1;
 
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -176,7 +176,7 @@ SurveyPlan plan_of_json(const std::string& text, const std::string& file) {
 }
 
 SurveyPlan read_plan(const std::string& file) {
-  return plan_of_json(sim::input_bytes(file, "a plan of vegard survey plan", kMostPlanBytes), file);
+  return plan_of_json(sim::input_bytes(file, "a plan of vegard survey plan", kMaxPlanBytes), file);
 }
 
 }  // namespace vegard::fit

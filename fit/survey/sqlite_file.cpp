@@ -12,7 +12,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr int kWait_ms = 60000;
-constexpr int kMostCellBytes = 16 << 20;
+constexpr int kMaxCellBytes = 16 << 20;
 
 /// A name that is a file's whatever it looks like: ":memory:" and "file:…" mean something to the library.
 std::string absolute_name(const std::string& file) {
@@ -135,7 +135,7 @@ SqliteFile::SqliteFile(const std::string& file, Opening opening)
   sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
-  sqlite3_limit(database, SQLITE_LIMIT_LENGTH, kMostCellBytes);
+  sqlite3_limit(database, SQLITE_LIMIT_LENGTH, kMaxCellBytes);
   run("PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0; PRAGMA cache_size = -8192");
   if (opening == Opening::make)
     run("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA locking_mode = EXCLUSIVE");

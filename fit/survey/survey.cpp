@@ -41,18 +41,18 @@ const std::vector<std::string>& picture_endings() {
 
 FrameReference frame_reference(const std::string& text) {
   const std::size_t hash = text.rfind('#');
-  constexpr std::size_t kMostDigits = 6;
+  constexpr std::size_t kMaxDigits = 6;
   if (hash == std::string::npos || hash == 0) return {text, std::nullopt};
   const std::string digits = text.substr(hash + 1);
-  if (digits.empty() || digits.size() > kMostDigits ||
+  if (digits.empty() || digits.size() > kMaxDigits ||
       !std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; }))
     return {text, std::nullopt};
   return {text.substr(0, hash), std::stoi(digits)};
 }
 
 bool is_plain_name(const std::string& name) {
-  constexpr std::size_t kMostLetters = 64;
-  return !name.empty() && name.size() <= kMostLetters && std::all_of(name.begin(), name.end(), [](char c) {
+  constexpr std::size_t kMaxLetters = 64;
+  return !name.empty() && name.size() <= kMaxLetters && std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   });
 }

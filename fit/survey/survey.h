@@ -63,7 +63,7 @@ struct Survey {
   int block_frames = 50;        ///< at most, in a row of frames of which each starts where the last ended
   double gap_s = 300.0;         ///< after a longer one a frame starts by itself
   double shard_minutes = 30.0;  ///< of work, at least, for one task of a cluster
-  int most_shards = 1000;       ///< tasks of an array
+  int max_shards = 1000;        ///< tasks of an array
   std::array<double, kSurveyWorks.size()> cost_s{};  ///< of a frame, by work: what shards are sized by
   std::vector<SurveyCamera> cameras;
   std::vector<SurveySkip> skips;

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A list of 670 000 frames has 60 MB.
-constexpr std::size_t kMostListBytes = 1u << 30;
+constexpr std::size_t kMaxListBytes = 1u << 30;
 
 bool has_ending(const std::string& name, const std::vector<std::string>& endings) {
   std::string lower = name;
@@ -142,7 +142,7 @@ ListLine list_line(std::string line) {
 
 void take_list(const Survey& survey, const std::string& name, ListedFrames& all) {
   const std::string place = survey.place(name);
-  const std::string bytes = sim::input_bytes(place, "a list of frames", kMostListBytes);
+  const std::string bytes = sim::input_bytes(place, "a list of frames", kMaxListBytes);
   const std::string folder = fs::path(name).parent_path().string();
   std::istringstream stream(bytes);
   int number = 0;
@@ -189,7 +189,7 @@ void take_folder(const Survey& survey, const SurveyCamera& camera, const std::st
 
 /// The frames that a skip's list names, as they are called here.
 std::set<std::string> names_in_list(const Survey& survey, const std::string& list, std::string& sha256) {
-  const std::string bytes = sim::input_bytes(survey.place(list), "a list of frames", kMostListBytes);
+  const std::string bytes = sim::input_bytes(survey.place(list), "a list of frames", kMaxListBytes);
   sha256 = sim::sha256(bytes);
   std::set<std::string> names;
   std::istringstream stream(bytes);

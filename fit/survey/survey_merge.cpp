@@ -199,8 +199,8 @@ void write_merged(Inventory& stock, SqliteFile& file, SurveyMerge& merge) {
   for (const auto& [key, plan] : stock.plans) {
     firsts.emplace_back(first_frame, first_block);
     writer.add_plan(static_cast<int>(firsts.size()), plan, first_frame, first_block);
-    constexpr int kMost = std::numeric_limits<int>::max();
-    if (plan.frames > kMost - first_frame || plan.blocks > kMost - first_block)
+    constexpr int kMax = std::numeric_limits<int>::max();
+    if (plan.frames > kMax - first_frame || plan.blocks > kMax - first_block)
       refuse_merge(sim::ErrorKind::usage, "", "there are more frames than can be numbered");
     first_frame += plan.frames;
     first_block += plan.blocks;

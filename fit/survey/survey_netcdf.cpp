@@ -27,11 +27,10 @@ constexpr std::size_t kRowsAtATime = 4096;
 /// more than a byte has room for, unless somebody has tampered with the database.
 class FlagColumn {
  public:
-  static constexpr std::size_t kMostFlags = 100;
+  static constexpr std::size_t kMaxFlags = 100;
   FlagColumn(NetcdfFile& file, const std::string& name, const std::string& long_name,
              const std::vector<std::string>& words, const std::vector<NetcdfFile::Dimension>& of)
-      : words_(words.begin(),
-               words.begin() + static_cast<std::ptrdiff_t>(std::min(words.size(), kMostFlags))),
+      : words_(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(std::min(words.size(), kMaxFlags))),
         variable_(file.variable(name, NetcdfType::flag, of)) {
     file.attribute(variable_, "long_name", long_name);
     std::vector<int> numbers;

@@ -82,7 +82,7 @@ SurveyPlan plan_survey(const Survey& survey, const std::vector<PlanInput>& setup
       ++number;
     }
   }
-  plan.shards = shard_count(plan.blocks, survey.shard_minutes * kSecondsPerMinute, survey.most_shards);
+  plan.shards = shard_count(plan.blocks, survey.shard_minutes * kSecondsPerMinute, survey.max_shards);
   for (SurveyCamera& camera : plan.cameras) {
     camera.frames.clear();
     camera.endings.clear();
@@ -91,29 +91,29 @@ SurveyPlan plan_survey(const Survey& survey, const std::vector<PlanInput>& setup
   return plan;
 }
 
-int shard_count(const std::vector<PlannedBlock>& blocks, double least_seconds, int most_shards) {
+int shard_count(const std::vector<PlannedBlock>& blocks, double min_seconds, int max_shards) {
   double sum = 0.0, longest = 0.0;
   for (const PlannedBlock& block : blocks) {
     sum += block.seconds;
     longest = std::max(longest, block.seconds);
   }
   // Cut where the whole is cut into equal parts, a shard is shorter than its part by a block at most.
-  const double part = least_seconds + longest;
+  const double part = min_seconds + longest;
   const double count = part > 0.0 ? std::floor(sum / part) : static_cast<double>(blocks.size());
-  const double most = std::min<double>(most_shards, static_cast<double>(blocks.size()));
+  const double most = std::min<double>(max_shards, static_cast<double>(blocks.size()));
   return std::max(1, static_cast<int>(std::min(count, most)));
 }
 
 BlockRange blocks_of_shard(const SurveyPlan& plan, int shard, int shards) {
   // A block belongs to the part of the whole in which its middle lies. Blocks that cost nothing count a
   // little, so that a plan of skipped frames is cut as well.
-  constexpr double kLeast_s = 1e-3;
+  constexpr double kMin_s = 1e-3;
   double sum = 0.0;
-  for (const PlannedBlock& block : plan.blocks) sum += block.seconds + kLeast_s;
+  for (const PlannedBlock& block : plan.blocks) sum += block.seconds + kMin_s;
   BlockRange range{static_cast<int>(plan.blocks.size()), static_cast<int>(plan.blocks.size())};
   double before = 0.0;
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
-    const double seconds = plan.blocks[b].seconds + kLeast_s;
+    const double seconds = plan.blocks[b].seconds + kMin_s;
     const int of_block =
         std::min(shards, 1 + static_cast<int>(std::floor((before + 0.5 * seconds) / sum * shards)));
     before += seconds;

@@ -62,7 +62,7 @@ std::string setup_words(const SurveyCamera& camera, int calibration);
 SurveyPlan plan_survey(const Survey& survey, const std::vector<PlanInput>& setups);
 
 /// How many tasks of at least this length there are, one at least.
-int shard_count(const std::vector<PlannedBlock>& blocks, double least_seconds, int most_shards);
+int shard_count(const std::vector<PlannedBlock>& blocks, double min_seconds, int max_shards);
 
 /// Whole blocks, one after the other, [begin, end): shard `shard` from 1 to `shards`, all about as long as
 /// estimated. The shards have each block once; there may be empty ones where there are fewer blocks.

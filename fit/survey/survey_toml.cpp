@@ -19,7 +19,7 @@ namespace {
 using sim::complain;
 using sim::Origin;
 
-constexpr double kMostSeconds = 1e6;
+constexpr double kMaxSeconds = 1e6;
 
 using SurveyTable = sim::CheckedTable;
 
@@ -54,13 +54,13 @@ void read_head(SurveyTable& table, Survey& survey, std::string& scene) {
   std::sort(survey.work.begin(), survey.work.end());
   scene = table.text("scene");
   table.whole_number("block_frames", 1, 1000000, survey.block_frames);
-  table.number("gap_s", 0.0, kMostSeconds, survey.gap_s);
-  table.number("shard_minutes", 0.0, kMostSeconds, survey.shard_minutes);
-  table.whole_number("most_shards", 1, 100000, survey.most_shards);
+  table.number("gap_s", 0.0, kMaxSeconds, survey.gap_s);
+  table.number("shard_minutes", 0.0, kMaxSeconds, survey.shard_minutes);
+  table.whole_number("max_shards", 1, 100000, survey.max_shards);
   survey.cost_s = kSurveyCost_s;
   table.table("cost_s", [&](SurveyTable& costs) {
     for (std::size_t w = 0; w < kSurveyWorks.size(); ++w)
-      costs.number(survey_work_name(kSurveyWorks[w]), 0.0, kMostSeconds, survey.cost_s[w]);
+      costs.number(survey_work_name(kSurveyWorks[w]), 0.0, kMaxSeconds, survey.cost_s[w]);
   });
 }
 
@@ -185,7 +185,7 @@ Survey parse_survey(const std::string& text, const std::string& file) {
 }
 
 Survey read_survey(const std::string& file) {
-  return parse_survey(sim::input_bytes(file, "a survey (TOML)", sim::kMostTomlBytes), file);
+  return parse_survey(sim::input_bytes(file, "a survey (TOML)", sim::kMaxTomlBytes), file);
 }
 
 }  // namespace vegard::fit

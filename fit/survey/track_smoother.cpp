@@ -66,8 +66,8 @@ Guess updated(const Guess& guess, const Innovation& innovation) {
 
 bool tells_position(const TrackPoint& point) {
   // Nor what no square of a double can hold.
-  constexpr double kMost = 1e100;
-  return std::abs(point.value) < kMost && point.sigma < kMost && point.sigma > 1.0 / kMost;
+  constexpr double kMax = 1e100;
+  return std::abs(point.value) < kMax && point.sigma < kMax && point.sigma > 1.0 / kMax;
 }
 
 using Indices = std::vector<std::size_t>;
@@ -107,8 +107,8 @@ struct NoiseLimits {
 };
 
 NoiseLimits noise_limits(const std::vector<TrackPoint>& points, const Pieces& pieces) {
-  double shortest = std::numeric_limits<double>::infinity(), longest = 0.0, least_sigma = shortest,
-         most_sigma = 0.0, low = shortest, high = -shortest;
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0.0, min_sigma = shortest,
+         max_sigma = 0.0, low = shortest, high = -shortest;
   NoiseLimits limits;
   for (const Indices& piece : pieces) {
     if (piece.size() < 3) continue;
@@ -117,16 +117,16 @@ NoiseLimits noise_limits(const std::vector<TrackPoint>& points, const Pieces& pi
     for (std::size_t i = 0; i < piece.size(); ++i) {
       const TrackPoint& point = points[piece[i]];
       if (i > 0) shortest = std::min(shortest, point.time_s - points[piece[i - 1]].time_s);
-      least_sigma = std::min(least_sigma, point.sigma);
-      most_sigma = std::max(most_sigma, point.sigma);
+      min_sigma = std::min(min_sigma, point.sigma);
+      max_sigma = std::max(max_sigma, point.sigma);
       low = std::min(low, point.value);
       high = std::max(high, point.value);
     }
   }
   if (!limits.any) return limits;
   constexpr double kFar = 1e4;
-  limits.least = least_sigma * least_sigma / (kFar * longest * longest * longest);
-  const double width = high - low + most_sigma;
+  limits.least = min_sigma * min_sigma / (kFar * longest * longest * longest);
+  const double width = high - low + max_sigma;
   limits.most = kFar * width * width / (shortest * shortest * shortest);
   return limits;
 }
@@ -519,8 +519,8 @@ SmoothedTrack smooth_track(const std::vector<TrackPoint>& points, double false_a
   }
   Sorted sorted = best_sorting(points, told, limit);
   double q = best_noise(points, sorted.pieces);
-  constexpr int kMostRounds = 50;
-  for (int round = 0; round < kMostRounds; ++round) {
+  constexpr int kMaxRounds = 50;
+  for (int round = 0; round < kMaxRounds; ++round) {
     const SmoothedStates now = smoothed_states(points, sorted.pieces, q);
     bool any = false;
     for (Indices& piece : sorted.pieces) {

@@ -9,7 +9,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kProbe = 3.0;            // standard deviations
-constexpr double kLeastRise = 0.25;       // of the parabola's
+constexpr double kMinRise = 0.25;         // of the parabola's
 constexpr double kFarthest = 8.0;         // times as far out
 constexpr double kOwes = 0.5;             // of a variance
 constexpr double kProbed = 0.1;           // of a normalised axis' square
@@ -42,7 +42,7 @@ void drop_flat_directions(const std::function<double(const std::vector<double>& 
       std::vector<double> step(n);
       for (Eigen::Index i = 0; i < n; ++i) step[i] = side * axis(i);
       const double rose = rise(step);
-      return std::isfinite(rose) && rose < kLeastRise * kProbe * kProbe;
+      return std::isfinite(rose) && rose < kMinRise * kProbe * kProbe;
     };
     double longer = 1.0;
     for (const double side : {-kProbe, kProbe})

@@ -10,7 +10,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr std::size_t kMostCounted = 1'000'000'000;  // of what an int counts
+constexpr std::size_t kMaxCounted = 1'000'000'000;  // of what an int counts
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -106,9 +106,9 @@ BandBootstrap band_bootstrap_of(const StepOutput& output, std::size_t free) {
   BandBootstrap bootstrap;
   const std::string key = "bands, replicates, failed";
   const std::vector<double>& counts = output.numbers_at(key, 3);
-  bootstrap.bands = static_cast<int>(output.count_of(counts[0], key, kMostCounted));
-  bootstrap.replicates = static_cast<int>(output.count_of(counts[1], key, kMostCounted));
-  bootstrap.failed = static_cast<int>(output.count_of(counts[2], key, kMostCounted));
+  bootstrap.bands = static_cast<int>(output.count_of(counts[0], key, kMaxCounted));
+  bootstrap.replicates = static_cast<int>(output.count_of(counts[1], key, kMaxCounted));
+  bootstrap.failed = static_cast<int>(output.count_of(counts[2], key, kMaxCounted));
   bootstrap.samples = output.numbers_at("samples", free * static_cast<std::size_t>(bootstrap.replicates));
   return bootstrap;
 }

@@ -17,7 +17,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr int kStepsOfBatch = 20;
-constexpr int kMostBurnIn = 200;
+constexpr int kMaxBurnIn = 200;
 constexpr double kFence = 6.0;  // standard deviations of |y|² of a normal density
 constexpr double kTailShare = 0.2,
                  kTailFreedom = 8.0;  // of Student's distribution, of the height at the answer
@@ -175,7 +175,7 @@ void take(const StepOutput& output, std::size_t coordinates, const sim::Ensemble
 
 }  // namespace
 
-int burn_in_of_chain(int steps) { return std::min((steps + 3) / 4, kMostBurnIn); }
+int burn_in_of_chain(int steps) { return std::min((steps + 3) / 4, kMaxBurnIn); }
 
 sim::EnsembleState chain_of_fit(const JudgedFit& fit, int steps, const std::atomic<bool>* stop,
                                 Journal& journal, const std::function<void(double share)>& progress) {

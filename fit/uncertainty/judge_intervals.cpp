@@ -13,7 +13,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr int kIntervalIterations = 40;
-constexpr int kMostWalks = 6;
+constexpr int kMaxWalks = 6;
 constexpr double kWorthTelling = 0.25;  // of chi2 below the answer's: half a standard deviation
 // Where there is no error bar to go by: of a coordinate between two limits, whose whole range is about ten of
 // these either way; else of the value, or of one unit.
@@ -145,7 +145,7 @@ LikelihoodProfile interval_of_fit(const JudgedFit& fit, std::size_t j, const std
   const double at_answer = minimiser.at_answer();
   double least = at_answer;
   LikelihoodProfile profile;
-  for (int walk = 0; walk < kMostWalks; ++walk) {
+  for (int walk = 0; walk < kMaxWalks; ++walk) {
     minimiser.begin_at(origin);
     profile = profile_likelihood(
         j, origin, least,

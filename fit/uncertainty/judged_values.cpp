@@ -9,7 +9,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr std::size_t kMostSamples = 4000;
+constexpr std::size_t kMaxSamples = 4000;
 
 std::optional<double> end_in_values(const std::optional<double>& coordinate, std::size_t j,
                                     const Telling& telling) {
@@ -17,10 +17,10 @@ std::optional<double> end_in_values(const std::optional<double>& coordinate, std
   return telling.value(j, *coordinate);
 }
 
-/// Every so many samples, so that no more than kMostSamples are left, of all walkers alike.
+/// Every so many samples, so that no more than kMaxSamples are left, of all walkers alike.
 std::vector<double> thinned(const std::vector<double>& samples, std::size_t numbers, int walkers) {
   const std::size_t count = samples.size() / numbers;
-  std::size_t stride = (count + kMostSamples - 1) / kMostSamples;
+  std::size_t stride = (count + kMaxSamples - 1) / kMaxSamples;
   if (stride < 2) return samples;
   while (std::gcd(stride, static_cast<std::size_t>(walkers)) != 1) ++stride;
   std::vector<double> kept;

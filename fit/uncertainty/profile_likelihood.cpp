@@ -9,23 +9,18 @@ namespace {
 
 constexpr double kRises[2] = {1.0, 4.0};
 constexpr double kBetter = -0.01;  // a rise below it is no noise of the minimiser
-constexpr double kLeastGrowth = 1.15,
-                 kMostGrowth = 2.0;  // of the distance, from one step outwards to the next
+constexpr double kMinGrowth = 1.15,
+                 kMaxGrowth = 2.0;   // of the distance, from one step outwards to the next
 constexpr double kOvershoot = 1.03;  // a step is to land beyond its target
 
 /// The walk to one side. Distances from the answer count as positive on either side.
 class Walk {
  public:
-  Walk(std::size_t j, double sign, const std::vector<double>& answer, double least_chi2,
+  Walk(std::size_t j, double sign, const std::vector<double>& answer, double min_chi2,
        const MinimisedChi2& minimised, const ProfileLikelihoodOptions& options, LikelihoodProfile& profile)
-      : j_(j),
-        sign_(sign),
-        least_chi2_(least_chi2),
-        minimised_(minimised),
-        options_(options),
-        profile_(profile) {
+      : j_(j), sign_(sign), min_chi2_(min_chi2), minimised_(minimised), options_(options), profile_(profile) {
     seen_.push_back({answer[j], 0.0, answer});
-    end_ = options.most_steps * options.first_step;
+    end_ = options.max_steps * options.first_step;
     const std::optional<double>& limit = sign < 0.0 ? options.least : options.most;
     if (limit) end_ = std::min(end_, std::max(0.0, sign * (*limit - answer[j])));
   }
@@ -61,12 +56,12 @@ class Walk {
   /// False: there is nothing more to be learnt on this side.
   bool look(double away) {
     if (options_.stop != nullptr && options_.stop->load()) return profile_.whole = false;
-    if (minimisations_++ >= options_.most_minimisations) return profile_.whole = false;
+    if (minimisations_++ >= options_.max_minimisations) return profile_.whole = false;
     ProfilePoint p;
     p.fixed = seen_.front().fixed + sign_ * away;
     p.point = guess(away, p.fixed);
     const double chi2 = minimised_(j_, p.fixed, p.point);
-    p.rise = (chi2 - least_chi2_) / (options_.inflation * options_.inflation);
+    p.rise = (chi2 - min_chi2_) / (options_.inflation * options_.inflation);
     if (!std::isfinite(p.rise)) return false;
     if (p.rise < kBetter) {
       if (!profile_.better || p.rise < profile_.better->rise) profile_.better = p;
@@ -87,8 +82,8 @@ class Walk {
       double next = options_.first_step * target;
       if (seen_.size() > 1) {
         const double h = height(seen_.back());
-        const double growth = h > 0.0 ? kOvershoot * target / h : kMostGrowth;
-        next = at * std::clamp(growth, kLeastGrowth, kMostGrowth);
+        const double growth = h > 0.0 ? kOvershoot * target / h : kMaxGrowth;
+        next = at * std::clamp(growth, kMinGrowth, kMaxGrowth);
       }
       if (!look(std::min(next, end_))) return false;
     }
@@ -117,7 +112,7 @@ class Walk {
   }
 
   const std::size_t j_;
-  const double sign_, least_chi2_;
+  const double sign_, min_chi2_;
   const MinimisedChi2& minimised_;
   const ProfileLikelihoodOptions& options_;
   LikelihoodProfile& profile_;
@@ -128,15 +123,15 @@ class Walk {
 
 }  // namespace
 
-LikelihoodProfile profile_likelihood(std::size_t j, const std::vector<double>& answer, double least_chi2,
+LikelihoodProfile profile_likelihood(std::size_t j, const std::vector<double>& answer, double min_chi2,
                                      const MinimisedChi2& minimised,
                                      const ProfileLikelihoodOptions& options) {
   LikelihoodProfile profile;
   profile.coordinate = j;
   std::optional<double> lower[2], upper[2];
-  Walk down(j, -1.0, answer, least_chi2, minimised, options, profile);
+  Walk down(j, -1.0, answer, min_chi2, minimised, options, profile);
   down.go(lower);
-  Walk up(j, 1.0, answer, least_chi2, minimised, options, profile);
+  Walk up(j, 1.0, answer, min_chi2, minimised, options, profile);
   up.go(upper);
   profile.interval68 = {lower[0], upper[0]};
   profile.interval95 = {lower[1], upper[1]};

@@ -24,9 +24,9 @@ struct ProfileLikelihoodOptions {
   double inflation = 1.0;             ///< rises are counted in units of its square (see uncertainty.h)
   double first_step = 1.0;            ///< about a standard deviation of the coordinate, inflated
   std::optional<double> least, most;  ///< the walk ends there
-  double most_steps = 20.0;     ///< and so many first_steps from the answer: beyond, the data bound nothing
-  double tolerance = 0.01;      ///< of the square root of the rise at an end of an interval
-  int most_minimisations = 30;  ///< on each side
+  double max_steps = 20.0;     ///< and so many first_steps from the answer: beyond, the data bound nothing
+  double tolerance = 0.01;     ///< of the square root of the rise at an end of an interval
+  int max_minimisations = 30;  ///< on each side
   const std::atomic<bool>* stop = nullptr;
 };
 
@@ -48,12 +48,12 @@ struct LikelihoodProfile {
   /// A point with less chi2 than the answer, by more than a hundredth of the unit: the answer was none. The
   /// walk on that side ends there, and the fit should be taken up again from this point.
   std::optional<ProfilePoint> better;
-  bool whole = true;  ///< false: stopped, or `most_minimisations` did not do
+  bool whole = true;  ///< false: stopped, or `max_minimisations` did not do
 };
 
-/// Walks from `answer`, where chi2 is `least_chi2`, to both sides. A minimisation that gives no finite number
+/// Walks from `answer`, where chi2 is `min_chi2`, to both sides. A minimisation that gives no finite number
 /// counts as a wall: the walk does not go beyond it.
-LikelihoodProfile profile_likelihood(std::size_t j, const std::vector<double>& answer, double least_chi2,
+LikelihoodProfile profile_likelihood(std::size_t j, const std::vector<double>& answer, double min_chi2,
                                      const MinimisedChi2& minimised, const ProfileLikelihoodOptions& options);
 
 }  // namespace vegard::fit

@@ -42,7 +42,7 @@ SurrogateCost::SurrogateCost(const Residuals& residuals, const std::vector<doubl
   for (int k = 0; k < n; ++k) add({k, -1, -1}, here->col(k));
   // of_pair[k].col(l): d²r / dy_k dy_l as the Jacobians along k have it; the mean with that along l is taken.
   std::vector<Eigen::MatrixXd> of_pair(static_cast<std::size_t>(n), Eigen::MatrixXd::Zero(here->rows(), n));
-  const bool with_pairs = n <= kMostForPairs;
+  const bool with_pairs = n <= kMaxForPairs;
   for (int k = 0; k < n && !stopped(); ++k) {
     double step = kStep;
     for (int halving = 0; halving < kHalvings; ++halving, step *= 0.5) {

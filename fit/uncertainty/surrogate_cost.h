@@ -26,7 +26,7 @@ class SurrogateCost {
   static constexpr double kMixedShare = 0.5;  ///< w: a T of two coordinates is only told by one of them
   /// Coordinates beyond which only monomials of a single coordinate are kept: the others' number grows with
   /// the square.
-  static constexpr int kMostForPairs = 14;
+  static constexpr int kMaxForPairs = 14;
 
   /// Residuals at a place and d residual / d coordinate, row-major [residual][coordinate]; false where there
   /// are none.

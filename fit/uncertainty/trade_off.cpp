@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNoticeableShare = 0.1, kNoticeableDegrees = 10.0, kNoticeableRadians = 0.2;
 constexpr double kUnnoticed = 0.02;  // of what the most noticeable number of a direction changes by
-constexpr std::size_t kMostMembers = 3;
+constexpr std::size_t kMaxMembers = 3;
 constexpr double kNearlyAll = 0.9;  // of a step: along the line of sight, or across it
 
 std::string noun_of(const FreeNumber& number) {
@@ -234,7 +234,7 @@ std::string trade_off_words(const std::vector<SpokenNumber>& numbers, const std:
     if (must_stay(a) != must_stay(b)) return must_stay(a);
     return a.size() > b.size();
   });
-  const std::size_t more = members.size() > kMostMembers ? members.size() - kMostMembers : 0;
+  const std::size_t more = members.size() > kMaxMembers ? members.size() - kMaxMembers : 0;
   members.resize(members.size() - more);
   // Places first: they are what one imagines best. Then what changes most.
   std::stable_sort(members.begin(), members.end(), [](const Member& a, const Member& b) {

@@ -7,12 +7,12 @@
 namespace vegard::sim {
 namespace {
 
-constexpr std::size_t kMostOfName = 1000;  // of a file, which one wants to find
+constexpr std::size_t kMaxOfName = 1000;  // of a file, which one wants to find
 
 std::string message_of(const ErrorDetails& d) {
   std::string text;
   if (!d.file.empty()) {
-    text += shortened_text(d.file, kMostOfName);
+    text += shortened_text(d.file, kMaxOfName);
     if (d.line > 0) text += ":" + std::to_string(d.line);
     text += ": ";
   }

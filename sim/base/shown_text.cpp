@@ -7,7 +7,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr std::size_t kMostQuoted = 200;
+constexpr std::size_t kMaxQuoted = 200;
 
 std::uint32_t code_point(std::string_view character) {
   const auto byte = [&](std::size_t i) {
@@ -129,7 +129,7 @@ std::string shortened_quotes(std::string_view text, std::size_t most) {
       close = text.find('\'', close + 1);
     if (close == std::string_view::npos) break;
     out += shown_text(text.substr(done, open + 1 - done));
-    out += shortened_text(text.substr(open + 1, close - open - 1), kMostQuoted) + "'";
+    out += shortened_text(text.substr(open + 1, close - open - 1), kMaxQuoted) + "'";
     done = close + 1;
     open = close;
   }

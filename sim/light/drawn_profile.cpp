@@ -36,8 +36,8 @@ std::optional<double> wavelength_in(std::string_view name) {
   double number = 0.0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
   if (error != std::errc() || end != name.data() + name.size()) return std::nullopt;
-  constexpr double kLeastAngstrom = 2000.0;
-  return number >= kLeastAngstrom ? number / 10.0 : number;
+  constexpr double kMinAngstrom = 2000.0;
+  return number >= kMinAngstrom ? number / 10.0 : number;
 }
 
 /// Empty if there is none.

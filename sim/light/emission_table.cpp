@@ -12,7 +12,7 @@ namespace vegard::sim {
 namespace {
 
 constexpr double kTableFloorOfPeak = 1e-6;
-constexpr std::size_t kMostFactors = 16;
+constexpr std::size_t kMaxFactors = 16;
 const std::string kFactorColumn = "oxygen_factor";
 const std::string kAltitudeColumn = "altitude_km";
 
@@ -39,7 +39,7 @@ void EmissionTable::read_places(const CsvTable& table, const std::string& energy
   const std::size_t of_factor = altitudes * energies_kev_.size();
   for (std::size_t r = 0; r < rows; r += of_factor) factors_.push_back(factor[r]);
 
-  if (factors_.size() > kMostFactors)
+  if (factors_.size() > kMaxFactors)
     table.refuse(0, std::to_string(factors_.size()) + " oxygen factors", "16 at most");
 
   const auto place = [&](double f, double e, double a) {

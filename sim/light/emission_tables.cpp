@@ -14,7 +14,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kLeastEnergyKev = 0.1, kMostEnergyKev = 19.9;  // what a sheet's electrons may have, nearly
+constexpr double kMinEnergyKev = 0.1, kMaxEnergyKev = 19.9;  // what a sheet's electrons may have, nearly
 
 CsvTable table_in(const TableFolder& folder, const char* file) {
   return read_csv_table(folder.files.at(file), folder.place + "/" + file);
@@ -31,12 +31,12 @@ EmissionTable checked(const CsvTable& csv, const std::string& energy_column) {
   if (altitudes.back() < kTablesTopKm)
     csv.refuse(last, "the altitudes end at " + short_real_text(altitudes.back()) + " km",
                "up to 640 km or above");
-  if (energies.front() > kLeastEnergyKev)
+  if (energies.front() > kMinEnergyKev)
     csv.refuse(0, "the energies begin at " + short_real_text(energies.front()) + " keV",
-               "from " + short_real_text(kLeastEnergyKev) + " keV or below");
-  if (energies.back() < kMostEnergyKev)
+               "from " + short_real_text(kMinEnergyKev) + " keV or below");
+  if (energies.back() < kMaxEnergyKev)
     csv.refuse(last, "the energies end at " + short_real_text(energies.back()) + " keV",
-               "up to " + short_real_text(kMostEnergyKev) + " keV or above");
+               "up to " + short_real_text(kMaxEnergyKev) + " keV or above");
   for (const EmissionLine& line : emission_lines())
     if (is_auroral(line)) csv.column(column_of(line, table).name);  // or throws
   return table;
@@ -70,13 +70,13 @@ EmissionTables::EmissionTables(std::shared_ptr<const TableFolder> folder)
                     table_in(*folder_, kFluxesFile)),
       air_(tables_air(table_in(*folder_, kTablesAirFile), maxwellian_.altitudes_km())) {
   const std::vector<double>& known = flux_factors_.energies_kev();
-  if (known.front() <= kLeastEnergyKev && known.back() >= kMostEnergyKev) return;
+  if (known.front() <= kMinEnergyKev && known.back() >= kMaxEnergyKev) return;
   const CsvTable csv = table_in(*folder_, kFluxesFile);
-  csv.refuse(csv.rows() - 1,
-             "the energies at Q_erg 1 go from " + short_real_text(known.front()) + " to " +
-                 short_real_text(known.back()) + " keV",
-             "from " + short_real_text(kLeastEnergyKev) + " to " + short_real_text(kMostEnergyKev) +
-                 " keV or farther");
+  csv.refuse(
+      csv.rows() - 1,
+      "the energies at Q_erg 1 go from " + short_real_text(known.front()) + " to " +
+          short_real_text(known.back()) + " keV",
+      "from " + short_real_text(kMinEnergyKev) + " to " + short_real_text(kMaxEnergyKev) + " keV or farther");
 }
 
 bool EmissionTables::has_mono_file() const { return folder_->files.count(kMonoFile) > 0; }
@@ -173,8 +173,8 @@ void limit_free_oxygen(Scene& scene) {
   for (FreeParameter& free : scene.fit.free) {
     if (free.path != kOxygenPath) continue;
     const std::vector<double>& factors = emission_tables(scene).maxwellian().oxygen_factors();
-    if (!free.min) free.min = std::max(factors.front(), kLeastOxygenFactor);
-    if (!free.max) free.max = std::min(factors.back(), kMostOxygenFactor);
+    if (!free.min) free.min = std::max(factors.front(), kMinOxygenFactor);
+    if (!free.max) free.max = std::min(factors.back(), kMaxOxygenFactor);
   }
 }
 

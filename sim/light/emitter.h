@@ -15,7 +15,7 @@
 
 namespace vegard::sim {
 
-inline constexpr int kMostLines = 8;  ///< emission lines of a scene
+inline constexpr int kMaxLines = 8;  ///< emission lines of a scene
 
 /// Rays side by side, such as those of a row of the film.
 template <class T>

@@ -16,7 +16,7 @@ constexpr double kP[8][4] = {
 constexpr double kIonPairKev = 0.035;
 constexpr double kKevPerErg = 6.241509074e8;  // 1 mW m^-2 = 1 erg cm^-2 s^-1
 constexpr double kColumn = 6e-6;              // g cm^-2
-constexpr double kLeastKev = 0.05;
+constexpr double kMinKev = 0.05;
 constexpr double kUnitG = 1.66053907e-24;  // of atomic mass
 constexpr double kBoltzmannErgK = 1.380649e-16;
 constexpr double kGravityCmS2 = 980.665;  // at sea level
@@ -24,7 +24,7 @@ constexpr double kO = 15.999, kO2 = 31.998, kN2 = 28.014;
 
 /// ln(A y^B exp(-C y^D)) for the four coefficients from `first` on, at ln(y) that falls with ln(E).
 LogRate log_term(int first, double log_y, double log_energy) {
-  const double least = std::log(kLeastKev), l = std::max(log_energy, least);
+  const double least = std::log(kMinKev), l = std::max(log_energy, least);
   double log_c[4], slope[4];
   for (int i = 0; i < 4; ++i) {
     const double* p = kP[first + i];

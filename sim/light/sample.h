@@ -29,7 +29,7 @@ enum LocalInput : int {
 };
 
 /// The most local inputs that one pass of the kernel carries.
-inline constexpr int kMostCarried = 10;
+inline constexpr int kMaxCarried = 10;
 
 /// Free parameters that one pass of the kernel carries: one vector register of floats.
 inline constexpr int kTangentWidth = 16;

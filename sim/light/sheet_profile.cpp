@@ -137,7 +137,7 @@ std::vector<float> profile_slope(const std::vector<double>& wavelengths_nm, cons
 }
 
 double EnergyLadder::energy_kev(int rung) const {
-  return std::clamp(std::exp((first + rung) * kLnStep), least_kev, most_kev);
+  return std::clamp(std::exp((first + rung) * kLnStep), min_kev, max_kev);
 }
 
 EnergyLadder energy_ladder(const Scene& scene, int index) {
@@ -150,10 +150,10 @@ EnergyLadder energy_ladder(const Scene& scene, int index) {
   // (sim/emit/aurora/sheet_curve.h).
   const double low = std::log(*least), high = std::log(*most), beyond = (high - low) / 3.0;
   const std::vector<double>& energies = emission_tables(scene).energies_kev();
-  ladder.least_kev = energies.front();
-  ladder.most_kev = energies.back();
-  const double bottom = std::max(low - beyond, std::log(ladder.least_kev)),
-               top = std::min(high + beyond, std::log(ladder.most_kev));
+  ladder.min_kev = energies.front();
+  ladder.max_kev = energies.back();
+  const double bottom = std::max(low - beyond, std::log(ladder.min_kev)),
+               top = std::min(high + beyond, std::log(ladder.max_kev));
   ladder.first = static_cast<int>(std::floor(bottom / EnergyLadder::kLnStep));
   ladder.count = std::max(2, static_cast<int>(std::ceil(top / EnergyLadder::kLnStep)) - ladder.first + 1);
   return ladder;

@@ -26,9 +26,9 @@ HeightProfile sheet_profile(const std::vector<double>& wavelengths_nm, const Sce
 /// from them that is off by 0.2 % of a profile's peak at most (sim/light/profile_table.cpp).
 struct EnergyLadder {
   static constexpr double kLnStep = 0.04;
-  int first = 0;                           ///< rung 0 is at exp(first kLnStep) keV
-  int count = 0;                           ///< at least 2; 0: the sheet has one energy
-  double least_kev = 0.0, most_kev = 0.0;  ///< the limits of the emission tables
+  int first = 0;                        ///< rung 0 is at exp(first kLnStep) keV
+  int count = 0;                        ///< at least 2; 0: the sheet has one energy
+  double min_kev = 0.0, max_kev = 0.0;  ///< the limits of the emission tables
 
   /// The energy of a rung, within these limits.
   double energy_kev(int rung) const;

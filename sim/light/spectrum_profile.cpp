@@ -12,7 +12,7 @@ namespace vegard::sim {
 namespace {
 
 constexpr double kFirstTau = -14.0, kLastTau = 6.0, kTauStep = 0.125;
-constexpr double kSpectrumLeastShare = 1e-14;  // a piece below that changes no float
+constexpr double kSpectrumMinShare = 1e-14;  // a piece below that changes no float
 
 std::vector<MonoRate> mono_rates(const EmissionSource& source, const EmissionLine& line, double energy_kev) {
   const MonoEnergeticTable& table = source.tables.mono();
@@ -105,7 +105,7 @@ std::vector<GaussianPiece> gaussian_pieces(double energy_kev, double spread) {
     piece.d_log_share_d_spread -= sum_slope / sum;
   }
   pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
-                              [](const GaussianPiece& piece) { return piece.share < kSpectrumLeastShare; }),
+                              [](const GaussianPiece& piece) { return piece.share < kSpectrumMinShare; }),
                pieces.end());
   return pieces;
 }

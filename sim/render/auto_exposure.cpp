@@ -11,8 +11,8 @@
 namespace vegard::sim {
 namespace {
 
-constexpr int kMostPixels = 320;       // to a side of the picture that it is found in
-constexpr double kMostPoints = 2e7;    // and of deflection points
+constexpr int kMaxPixels = 320;        // to a side of the picture that it is found in
+constexpr double kMaxPoints = 2e7;     // and of deflection points
 constexpr double kShareAbove = 0.001;  // of the pixels
 // What it is found from, whatever the scene's own.
 constexpr double kGainPerKilorayleigh = 0.01, kIso = 100.0;
@@ -21,8 +21,8 @@ constexpr double kGainPerKilorayleigh = 0.01, kIso = 100.0;
 
 Scene auto_exposed(const Scene& scene, double white, RenderOptions options) {
   Reduction reduction;
-  reduction.most = {kMostPixels, kMostPixels};
-  reduction.points = kMostPoints;
+  reduction.most = {kMaxPixels, kMaxPixels};
+  reduction.points = kMaxPoints;
   Scene small = reduced_scene(scene, reduction);
   small.composite = {};
   small.sensor.gain_per_kilorayleigh = kGainPerKilorayleigh;

@@ -18,8 +18,8 @@
 namespace vegard::sim {
 namespace {
 
-constexpr std::size_t kMostOfPass = kMostLines;
-constexpr double kLeastSpreadPx = 0.5;   // what is spread less is shared with light that is not spread
+constexpr std::size_t kMaxOfPass = kMaxLines;
+constexpr double kMinSpreadPx = 0.5;     // what is spread less is shared with light that is not spread
 constexpr double kCellsToASpread = 2.8;  // at least, where a film has wide cells
 constexpr int kWidestBeamCells = 8, kWidestRayCells = 4;
 constexpr double kReach = 4.0;       // standard deviations from beyond which no light comes
@@ -116,7 +116,7 @@ SlabPlan slab_plan(const Scene& scene, const FilmGeometry& film, int threads) {
   const double px = std::max(film.cell_width_px, film.cell_height_px);
   const int widest_cells = has_line_footprints(scene) ? kWidestRayCells : kWidestBeamCells;
   std::vector<Item> items;
-  double most_px = 0.0;
+  double max_px = 0.0;
   plan.slabs.resize(static_cast<std::size_t>(lines));
   for (int l = 0; l < lines; ++l) {
     const EmissionLine& line = *find_emission_line(scene.emission.lines[l]);
@@ -126,33 +126,33 @@ SlabPlan slab_plan(const Scene& scene, const FilmGeometry& film, int threads) {
     }
     // Pixels to a kilometre, where the picture is nearest and farthest at a height that has much light.
     const SpreadRange per_km = spread_range(scene, sight, std::min(top_km, kBrightKm), 1.0);
-    const double least_km = kLeastSpreadPx * film.cell_height_px / std::max(per_km.most_px, 1e-9),
-                 most_km = widest_px / std::max(per_km.least_px, 1e-9);
+    const double min_km = kMinSpreadPx * film.cell_height_px / std::max(per_km.max_px, 1e-9),
+                 max_km = widest_px / std::max(per_km.min_px, 1e-9);
     plan.slabs[l] = altitude_slabs(spread_profile(line, 1e3 * wind_km_s), spread_profile(line, 0.0),
-                                   least_km * least_km, most_km * most_km, top_km);
+                                   min_km * min_km, max_km * max_km, top_km);
     for (std::size_t s = 0; s < plan.slabs[l].size(); ++s) {
       const AltitudeSlab& slab = plan.slabs[l][s];
       Item item{l, static_cast<int>(s), 1, 0.0};
       const SpreadRange range = spread_range(scene, sight, slab.altitude_km, slab.variance_km2);
       const double carried_km = wind_km_s * slab.lifetime_s;
       const SpreadRange way = spread_range(scene, sight, slab.altitude_km, carried_km * carried_km);
-      while (2 * item.cells <= widest_cells && range.least_px >= kCellsToASpread * 2 * item.cells * px)
+      while (2 * item.cells <= widest_cells && range.min_px >= kCellsToASpread * 2 * item.cells * px)
         item.cells *= 2;
-      most_px = std::max(most_px, std::min(range.most_px, widest_px));
-      item.margin_px = kReach * std::min(range.most_px, widest_px) + std::min(way.most_px, 2.0 * widest_px);
+      max_px = std::max(max_px, std::min(range.max_px, widest_px));
+      item.margin_px = kReach * std::min(range.max_px, widest_px) + std::min(way.max_px, 2.0 * widest_px);
       items.push_back(item);
     }
   }
-  plan.widest_px = std::max(most_px, kLeastSpreadPx);
+  plan.widest_px = std::max(max_px, kMinSpreadPx);
 
   std::stable_sort(items.begin(), items.end(),
                    [](const Item& a, const Item& b) { return a.cells < b.cells; });
   std::vector<double> margins;  // of the films
-  for (std::size_t first = 0; first < items.size(); first += kMostOfPass) {
+  for (std::size_t first = 0; first < items.size(); first += kMaxOfPass) {
     SlabPlan::Pass pass;
     pass.items.assign(
         items.begin() + static_cast<std::ptrdiff_t>(first),
-        items.begin() + static_cast<std::ptrdiff_t>(std::min(first + kMostOfPass, items.size())));
+        items.begin() + static_cast<std::ptrdiff_t>(std::min(first + kMaxOfPass, items.size())));
     const int wide = pass.items.front().cells;
     double margin_px = 0.0;
     for (const Item& item : pass.items) margin_px = std::max(margin_px, item.margin_px);
@@ -174,7 +174,7 @@ double slab_bytes(const SlabPlan& plan, int free, int threads) {
   const double slots = thread_count(threads);
   double most = 0.0, kept = 0.0;
   for (const SlabPlan::PassFilm& of : plan.films)
-    kept += static_cast<double>(of.film.rows) * of.film.columns * slots * kMostLines * kUnit;
+    kept += static_cast<double>(of.film.rows) * of.film.columns * slots * kMaxLines * kUnit;
   for (const SlabPlan::Pass& pass : plan.passes) {
     const FilmGeometry& film = plan.films[pass.film].film;
     const double cells = static_cast<double>(film.rows) * film.columns,

@@ -73,8 +73,8 @@ SpreadRange spread_range(const Scene& scene, const FilmSight& sight, double alti
     if (sight.px2[cell] == 0.0f) continue;
     const double far_km = range_to_altitude_km(observer_km, sight.sine[cell], altitude_km);
     const double px = std::sqrt(variance_km2 * sight.px2[cell]) / far_km;
-    range.least_px = any ? std::min(range.least_px, px) : px;
-    range.most_px = std::max(range.most_px, px);
+    range.min_px = any ? std::min(range.min_px, px) : px;
+    range.max_px = std::max(range.max_px, px);
     any = true;
   }
   return range;

@@ -32,7 +32,7 @@ FilmSight film_sight(const Scene& scene, const FilmGeometry& film, bool with_dir
 
 /// Which standard deviations, in pixels, light of a slab has on a film.
 struct SpreadRange {
-  double least_px = 0.0, most_px = 0.0;
+  double min_px = 0.0, max_px = 0.0;
 };
 SpreadRange spread_range(const Scene& scene, const FilmSight& sight, double altitude_km, double variance_km2);
 

@@ -49,7 +49,7 @@ Scene scene_at(const std::string& file, int width) {
 
 struct Timed {
   VolumeLight light;
-  double median_s = 0.0, least_s = 0.0, most_s = 0.0;
+  double median_s = 0.0, min_s = 0.0, max_s = 0.0;
 };
 
 Timed march(const Volumes& volumes, const Scene& scene, int rays, int repeat) {
@@ -62,8 +62,8 @@ Timed march(const Volumes& volumes, const Scene& scene, int rays, int repeat) {
   }
   std::sort(seconds.begin(), seconds.end());
   out.median_s = seconds[seconds.size() / 2];
-  out.least_s = seconds.front();
-  out.most_s = seconds.back();
+  out.min_s = seconds.front();
+  out.max_s = seconds.back();
   return out;
 }
 
@@ -180,7 +180,7 @@ int run(int argc, char** argv) {
     const Scene scene = scene_at(scene_file, 0);
     const Volumes volumes(scene, threads);
     const Timed timed = march(volumes, scene, rays, repeat);
-    fmt::print("march_s {:.5f}  least {:.5f}  most {:.5f}\n", timed.median_s, timed.least_s, timed.most_s);
+    fmt::print("march_s {:.5f}  least {:.5f}  most {:.5f}\n", timed.median_s, timed.min_s, timed.max_s);
     if (!output.empty()) write_exr(output, picture(scene, timed.light, rays), {}, true);
     return 0;
   });

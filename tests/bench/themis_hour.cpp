@@ -22,7 +22,7 @@ constexpr double kFramesPerSecond = 500.0;
 /// A frame's bytes, and what a stream of gzip holds whatever its frames are: zlib's window of 32 kB and
 /// state, a block of packed bytes and one of those looked at, 64 kB each.
 constexpr double kFrameBytes = 2.0 * bench::MinuteOfFrames::kSide * bench::MinuteOfFrames::kSide;
-constexpr double kStreamBytes = 200e3, kMostFramesHeld = 2.0;
+constexpr double kStreamBytes = 200e3, kMaxFramesHeld = 2.0;
 
 /// Of this thread's processor, which the other users of the machine disturb less than the clock on the wall.
 double processor_s() {
@@ -39,7 +39,7 @@ double held_bytes() {
 
 struct Measured {
   int frames = 0;
-  double seconds = 0.0, most_bytes = 0.0;
+  double seconds = 0.0, max_bytes = 0.0;
 };
 
 /// `use` is given each frame's bytes.
@@ -52,7 +52,7 @@ Measured read_hour(const std::deque<bench::MinuteOfFrames>& hour, const Use& use
     while (reader.next()) {
       const std::string frame = reader.take();
       use(frame);
-      measured.most_bytes = std::max(measured.most_bytes, held_bytes() - before_bytes);
+      measured.max_bytes = std::max(measured.max_bytes, held_bytes() - before_bytes);
       ++measured.frames;
     }
   }
@@ -71,12 +71,12 @@ int main(int argc, char** argv) {
   const Measured light = read_hour(hour, [&](const std::string& frame) {
     bytes += fit::read_photo_bytes(frame, "frame.pgm", fit::Decoding::automatic).linear.data.size();
   });
-  const double frames_held = (plain.most_bytes - kStreamBytes) / kFrameBytes;
+  const double frames_held = (plain.max_bytes - kStreamBytes) / kFrameBytes;
   const double rate = plain.frames / plain.seconds;
   fmt::print("{} files, {} frames of 256 x 256, {} bytes\n", hour.size(), plain.frames, bytes);
   fmt::print("  frames: {:.0f} a second (target >= {})\n", rate, kFramesPerSecond);
   fmt::print("  memory: {:.0f} bytes at most, the stream's {:.0f} and {:.2f} frames (target <= {})\n",
-             plain.most_bytes, kStreamBytes, frames_held, kMostFramesHeld);
+             plain.max_bytes, kStreamBytes, frames_held, kMaxFramesHeld);
   fmt::print("  photographs of them: {:.0f} a second\n", light.frames / light.seconds);
-  return (tiny || rate >= kFramesPerSecond) && frames_held <= kMostFramesHeld ? 0 : 1;
+  return (tiny || rate >= kFramesPerSecond) && frames_held <= kMaxFramesHeld ? 0 : 1;
 }

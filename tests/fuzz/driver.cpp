@@ -30,7 +30,7 @@ struct Options {
   std::uint64_t seed = 1;
   double seconds = 10.0;
   std::uint32_t inputs = 0xffffffffu;
-  unsigned most_seconds_per_input =
+  unsigned max_seconds_per_input =
       10;  ///< of the processor; by the clock sixty times that, on a busy machine
   long memory_mb = 2048;
   std::string findings = ".", source = ".", corpus;
@@ -169,7 +169,7 @@ void limit_time(unsigned seconds) {
 
 void run(const Options& options, std::string& input) {
   input_at_hand = &input;
-  limit_time(options.most_seconds_per_input);
+  limit_time(options.max_seconds_per_input);
   // From here on as it comes: an exception that escapes ends the process.
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
   limit_time(0);

@@ -21,10 +21,10 @@ using tests::require;
 
 void read_arrays(std::string_view bytes) {
   const auto file = sim::open_array_file("it", bytes);
-  constexpr std::uint64_t kMostNumbers = 1 << 20;
+  constexpr std::uint64_t kMaxNumbers = 1 << 20;
   for (const sim::StoredArray& array : file->arrays()) {
-    require(!array.name.empty() && array.dims.size() <= sim::kMostArrayDims);
-    if (array.count() > kMostNumbers) continue;
+    require(!array.name.empty() && array.dims.size() <= sim::kMaxArrayDims);
+    if (array.count() > kMaxNumbers) continue;
     if (array.kind == sim::ArrayKind::text)
       require(file->read_texts(array).size() == array.count());
     else
@@ -34,12 +34,12 @@ void read_arrays(std::string_view bytes) {
 
 /// Some of the frames as photographs, all of them passed through.
 void read_frames(std::string_view bytes) {
-  constexpr int kMostTaken = 2;
+  constexpr int kMaxTaken = 2;
   fit::FrameReader reader(bytes, "it");
   while (reader.next()) {
     const fit::FrameHead& head = reader.head();
     require(head.width_px > 0 && head.height_px > 0);
-    if (head.number >= kMostTaken) continue;
+    if (head.number >= kMaxTaken) continue;
     fit::with_photo_defaults({},
                              fit::frame_metadata(head, reader.words(), "thg_l1_asf_gill_2014031006_v01.cdf"));
     const fit::Photo photo = fit::read_photo_bytes(reader.take(), "it", fit::Decoding::automatic);

@@ -15,7 +15,7 @@ namespace {
 using namespace vegard;
 using tests::require;
 
-constexpr std::uint64_t kMostBytes = 64 << 20;
+constexpr std::uint64_t kMaxBytes = 64 << 20;
 
 void check(const sim::SparseGrid& grid) {
   require(grid.voxel > 0.0 && std::isfinite(grid.voxel));
@@ -50,9 +50,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const tests::InputFile file(bytes, name);
   const bool read = tests::read_or_refused([&] {
     if (name == "it.vdb")
-      check(sim::read_vdb(file.path(name), {"density", "emission_5577", "emission_6300"}, kMostBytes).grid);
+      check(sim::read_vdb(file.path(name), {"density", "emission_5577", "emission_6300"}, kMaxBytes).grid);
     else
-      check(sim::read_volumegrid(file.path(name), kMostBytes).grid);
+      check(sim::read_volumegrid(file.path(name), kMaxBytes).grid);
   });
   if (read) read_as_volume(file, name);
   return 0;

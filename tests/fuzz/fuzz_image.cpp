@@ -45,14 +45,14 @@ void read_as(std::string_view bytes, const fit::Decoding& decoding) {
 
 /// Some of the frames as photographs, all of them passed through.
 void read_frames(std::string_view bytes) {
-  constexpr int kMostTaken = 3;
+  constexpr int kMaxTaken = 3;
   fit::FrameReader reader(bytes, "folder/it");
   std::uint64_t end = 0;
   while (reader.next()) {
     const fit::FrameHead& head = reader.head();
     require(head.offset == end && head.bytes > 0 && head.width_px > 0 && head.height_px > 0);
     end = head.offset + head.bytes;
-    if (head.number >= kMostTaken) continue;
+    if (head.number >= kMaxTaken) continue;
     const sim::PictureMetadata metadata =
         fit::frame_metadata(head, reader.words(), "20140310_0603_gill_themis19_full.pgm.gz");
     require(metadata.width_px == head.width_px);

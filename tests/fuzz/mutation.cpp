@@ -125,7 +125,7 @@ std::string mutated(const Mutation& mutation, const std::vector<std::string>& co
   std::string input = corpus[dice.below(corpus.size())];
   const std::size_t changes = 1 + dice.below(8);
   for (std::size_t i = 0; i < changes; ++i) change_once(dice, mutation, corpus, input);
-  if (input.size() > mutation.most_bytes) input.resize(mutation.most_bytes);
+  if (input.size() > mutation.max_bytes) input.resize(mutation.max_bytes);
   return input;
 }
 

@@ -9,7 +9,7 @@ namespace vegard::tests {
 
 struct Mutation {
   std::uint64_t seed = 1;
-  std::size_t most_bytes = 1 << 16;
+  std::size_t max_bytes = 1 << 16;
   std::vector<std::string> dictionary;
 };
 

@@ -6,8 +6,8 @@
 namespace vegard::sim {
 
 void check_pixel_limit(long long width, long long height, const std::string& name) {
-  constexpr long long kMostPixels = 1LL << 20;
-  if (width >= 1 && height >= 1 && width <= kMostPixels && height <= kMostPixels / width) return;
+  constexpr long long kMaxPixels = 1LL << 20;
+  if (width >= 1 && height >= 1 && width <= kMaxPixels && height <= kMaxPixels / width) return;
   ErrorDetails details;
   details.file = name;
   details.problem = "the image has a size that the fuzz targets do not read";

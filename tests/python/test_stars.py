@@ -101,7 +101,7 @@ def test_points_of_light_are_found_where_they_are():
     light += random.normal(0.0, 1e-4, light.shape)
     for height, (x_px, y_px) in zip((0.5, 0.4, 0.3), places):
         light += height * np.exp(-((x - x_px) ** 2 + (y - y_px) ** 2) / (2.0 * 1.2**2))
-    found = vegard.find_stars(vegard.photo_of_light(light), least_signal=20.0)
+    found = vegard.find_stars(vegard.photo_of_light(light), min_signal=20.0)
     assert len(found["x_px"]) == 3
     # The brightest first. Noise of 3e-4 of a star's height moves it by some 1e-3 px; pixels sample it to as much.
     np.testing.assert_allclose(np.column_stack([found["x_px"], found["y_px"]]), places, atol=0.02)

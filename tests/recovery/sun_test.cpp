@@ -74,7 +74,7 @@ model_error = 0.005
 scan_points = 0
 )";
 
-void expect_recovered(const sim::Scene& truth, const FitResult& result, double most_sigma) {
+void expect_recovered(const sim::Scene& truth, const FitResult& result, double max_sigma) {
   std::printf("%s\n", result.verdict_line.c_str());
   for (const FittedParameter& p : result.parameters) {
     const double true_value = *sim::real_value(truth, sim::resolve(truth, p.path).front());
@@ -83,7 +83,7 @@ void expect_recovered(const sim::Scene& truth, const FitResult& result, double m
     const double off = (p.value - true_value) / *p.sigma;
     std::printf("  %-34s %s from %g, true %g: %.2f sigma\n", p.path.c_str(),
                 sim::number_with_error(p.value, p.sigma).c_str(), p.initial, true_value, off);
-    EXPECT_LT(std::abs(off), most_sigma) << p.path;
+    EXPECT_LT(std::abs(off), max_sigma) << p.path;
     EXPECT_GT(std::abs(p.initial - true_value), 2.0 * *p.sigma) << p.path << " has not been displaced";
   }
 }

@@ -23,7 +23,7 @@ sim::Scene example(const std::string& name) {
 
 /// Of a chi2 of as many degrees of freedom as there are numbers: what one draw in 10 000 exceeds is 4.2 sigma
 /// for the largest of eight. The fit's error bars leave correlations out here, so that is wide enough.
-constexpr double kMostSigma = 4.2;
+constexpr double kMaxSigma = 4.2;
 
 /// Fits the start to a picture of the truth and compares.
 FitResult recovered(const std::string& folder) {
@@ -37,7 +37,7 @@ FitResult recovered(const std::string& folder) {
     const double off = (p.value - true_value) / *p.sigma;
     std::printf("  %-42s %s, true %g: %.2f sigma\n", p.path.c_str(),
                 sim::number_with_error(p.value, p.sigma).c_str(), true_value, off);
-    EXPECT_LT(std::abs(off), kMostSigma) << p.path;
+    EXPECT_LT(std::abs(off), kMaxSigma) << p.path;
   }
   return result;
 }

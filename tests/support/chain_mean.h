@@ -38,10 +38,10 @@ inline ChainMean mean_of_chain(const sim::EnsembleState& state,
 
 /// Four standard errors, by the chain's own effective number: one seed in 16 000 would leave them.
 inline void expect_mean(const sim::EnsembleState& state, const std::function<double(const double*)>& f,
-                        double expected, double most_error, const char* what) {
+                        double expected, double max_error, const char* what) {
   const ChainMean e = mean_of_chain(state, f);
   EXPECT_NEAR(e.mean, expected, 4.0 * e.error) << what;
-  EXPECT_LT(e.error, most_error) << what;
+  EXPECT_LT(e.error, max_error) << what;
 }
 
 }  // namespace vegard::tests

@@ -9,7 +9,7 @@ namespace vegard::apps {
 namespace {
 
 constexpr std::array<const char*, sim::kMsisGases> kGasNames = {"N2", "O2", "O", "He", "Ar", "H", "N"};
-constexpr double kLeastLog = 2.0;  // 100 cm^-3: below it nothing is of interest
+constexpr double kMinLog = 2.0;  // 100 cm^-3: below it nothing is of interest
 
 fit::Panel altitude_panel(const char* title, const char* label) {
   fit::Panel panel;
@@ -24,7 +24,7 @@ fit::Panel altitude_panel(const char* title, const char* label) {
 fit::Plot air_plot(const AirColumn& column) {
   fit::Panel densities = altitude_panel("Densities", "log10(density in cm^-3)"),
              temperature = altitude_panel("Temperature", "temperature (K)");
-  double most = kLeastLog + 1.0;
+  double most = kMinLog + 1.0;
   for (std::size_t g = 0; g < sim::kMsisGases; ++g) {
     fit::Series series;
     series.label = kGasNames[g];
@@ -34,7 +34,7 @@ fit::Plot air_plot(const AirColumn& column) {
     most = std::max(most, *std::max_element(series.x.begin(), series.x.end()));
     densities.series.push_back(series);
   }
-  densities.x.min = kLeastLog;
+  densities.x.min = kMinLog;
   densities.x.max = most + 0.2;
   fit::Series kelvin;
   kelvin.y = column.altitude_km;

@@ -35,7 +35,7 @@ sim::IncidentSpectrum table_spectrum(const std::string& file) {
   const sim::CsvTable table =
       sim::read_csv_table(sim::input_bytes(file, "a table of the columns energy_keV and flux"), file);
   table.require_increasing("energy_keV");
-  table.require_within("energy_keV", sim::kLeastSpectrumKev, sim::kHighestKev);
+  table.require_within("energy_keV", sim::kMinSpectrumKev, sim::kHighestKev);
   table.require_within("flux", 0.0, 1e300);
   sim::IncidentSpectrum spectrum;
   spectrum.kind = sim::SpectrumKind::table;
@@ -103,7 +103,7 @@ sim::AirTable air_of(const ElectronOptions& options) { return air_of_choice(opti
 std::string air_words(const ElectronOptions& options) { return words_of_air(options.atmosphere); }
 
 void require_balance(const ElectronOptions& request, double missing_share) {
-  if (air_file(request.atmosphere).empty() || std::abs(missing_share) <= sim::kMostMissingShare) return;
+  if (air_file(request.atmosphere).empty() || std::abs(missing_share) <= sim::kMaxMissingShare) return;
   sim::refuse_file(sim::ErrorKind::unreadable_input, request.atmosphere,
                    fmt::format("the energy of the electrons does not balance in this air, {:.0f} % of it",
                                100.0 * std::abs(missing_share)),
@@ -118,7 +118,7 @@ std::vector<Option> add_electron_options(const Command& command, ElectronOptions
   all.push_back(command
                     .option("--energy-kev", options.energy_kev,
                             "E0: their energy (mono, gaussian), or half the mean of a Maxwellian's")
-                    .finite_range(sim::kLeastSpectrumKev, sim::kMostSpectrumKev));
+                    .finite_range(sim::kMinSpectrumKev, sim::kMaxSpectrumKev));
   all.push_back(
       command.option("--spread", options.spread, "Standard deviation of a Gaussian over E0 (default: 0.1)")
           .finite_range(0.01, 1.0));
@@ -127,7 +127,7 @@ std::vector<Option> add_electron_options(const Command& command, ElectronOptions
   all.push_back(command
                     .option("--potential-kev", options.potential_kev,
                             "Energy that accelerated electrons have gained, in keV")
-                    .finite_range(0.0, sim::kMostSpectrumKev));
+                    .finite_range(0.0, sim::kMaxSpectrumKev));
   all.push_back(
       command
           .option(

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kDecades = 4.0;  // below the largest rate that are drawn
 constexpr std::size_t kStatesOfGas = 2;
-constexpr double kLeastLossEv = 1.5;  // of excitations that are drawn: vibration hides the others
+constexpr double kMinLossEv = 1.5;  // of excitations that are drawn: vibration hides the others
 constexpr double kHighestKm = 400.0;
 
 double largest_rate(const std::vector<double>& rate) { return *std::max_element(rate.begin(), rate.end()); }
@@ -58,7 +58,7 @@ fit::Plot electron_plot(const sim::FieldAir& column, const sim::ElectronRates& r
                                     column.altitude_km, rates.ion_pairs_cm3_s[g]));
     std::vector<std::size_t> order;
     for (std::size_t e = 0; e < collisions.excitations.size(); ++e)
-      if (collisions.excitations[e].curve.loss_ev >= kLeastLossEv) order.push_back(e);
+      if (collisions.excitations[e].curve.loss_ev >= kMinLossEv) order.push_back(e);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return largest_rate(rates.excitation_cm3_s[g][a]) > largest_rate(rates.excitation_cm3_s[g][b]);
     });

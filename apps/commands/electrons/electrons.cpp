@@ -36,12 +36,12 @@ struct ElectronsRequest {
 /// Fang's ion pairs of the same electrons, from 0.1 keV up, as far as the formula goes.
 std::vector<double> fang_rates(const sim::FieldAir& column, const sim::EnergyGrid& grid,
                                const std::vector<double>& flux) {
-  constexpr double kLeastEv = 100.0;
+  constexpr double kMinEv = 100.0;
   std::vector<double> rates(column.size(), 0.0);
   for (std::size_t m = 0; m < column.size(); ++m) {
     const sim::StoppingAir air = sim::stopping_air(column, m);
     for (std::size_t j = 0; j < grid.size(); ++j) {
-      if (flux[j] <= 0.0 || grid.energy_ev[j] < kLeastEv) continue;
+      if (flux[j] <= 0.0 || grid.energy_ev[j] < kMinEv) continue;
       const double mw_m2 = flux[j] * grid.energy_ev[j] / sim::kEvPerErg;
       rates[m] += mw_m2 * std::exp(sim::log_ionisation(air, 1e-3 * grid.energy_ev[j]).value);
     }

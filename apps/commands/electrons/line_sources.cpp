@@ -23,7 +23,7 @@
 namespace vegard::apps {
 namespace {
 
-constexpr double kLeastShare = 0.005;  // of a line, that is told and drawn
+constexpr double kMinShare = 0.005;  // of a line, that is told and drawn
 
 double peak_km(const sim::FieldAir& column, const std::vector<double>& rate) {
   return column
@@ -40,7 +40,7 @@ std::string sources_text(const sim::AuroralRun& run, const std::vector<sim::Sour
     std::string separator = ": ";
     for (const sim::LineSource& source : line.sources) {
       const double share = sim::column_rayleigh(run.column, source.photons_cm3_s) / rayleigh;
-      if (!(share >= kLeastShare)) continue;
+      if (!(share >= kMinShare)) continue;
       text += fmt::format("{}{} {:.0f} %", separator, source.name, 100.0 * share);
       separator = ", ";
     }
@@ -116,7 +116,7 @@ fit::Plot sources_plot(const sim::AuroralRun& run, const std::vector<sim::Source
     }
     panel.series.push_back(curve("all", fit::distinct_colour(0), run.column, all));
     for (const sim::LineSource& source : line.sources) {
-      if (sim::column_rayleigh(run.column, source.photons_cm3_s) < kLeastShare * rayleigh) continue;
+      if (sim::column_rayleigh(run.column, source.photons_cm3_s) < kMinShare * rayleigh) continue;
       auto found = std::find(names.begin(), names.end(), source.name);
       if (found == names.end()) found = names.insert(names.end(), source.name);
       const int look = static_cast<int>(found - names.begin());
@@ -139,7 +139,7 @@ void add_line_source_options(const Command& command, const Option& sources, Line
       .type_name("FILE.csv")
       .needs(sources);
   command.option("--oxygen-factor", request.oxygen_factor, "Multiple of the atomic oxygen")
-      .finite_range(sim::kLeastOxygenFactor, sim::kMostOxygenFactor)
+      .finite_range(sim::kMinOxygenFactor, sim::kMaxOxygenFactor)
       .needs(sources);
   command
       .option("--seconds", request.seconds,

@@ -35,9 +35,9 @@ struct TablesRequest {
 
 /// A folder of emission tables is known by its about.json.
 sim::KnownFolder look_at_tables(const std::string& directory) {
-  constexpr std::size_t kMostBytes = 65536;
+  constexpr std::size_t kMaxBytes = 65536;
   sim::KnownFolder known;
-  const sim::InputFile file = sim::read_input(directory + "/" + kAbout, kMostBytes);
+  const sim::InputFile file = sim::read_input(directory + "/" + kAbout, kMaxBytes);
   if (!file.problem.empty())
     known.objection = std::string("its ") + kAbout + " " + file.problem;
   else if (file.bytes.find("\"vegard emission tables 1\"") == std::string::npos)
@@ -54,11 +54,11 @@ void require_factors(const std::vector<double>& factors) {
   bool one = false, increasing = true;
   for (std::size_t i = 0; i < factors.size(); ++i) {
     one = one || factors[i] == 1.0;
-    increasing = increasing && factors[i] >= sim::kLeastOxygenFactor &&
-                 factors[i] <= sim::kMostOxygenFactor && (i == 0 || factors[i] > factors[i - 1]);
+    increasing = increasing && factors[i] >= sim::kMinOxygenFactor && factors[i] <= sim::kMaxOxygenFactor &&
+                 (i == 0 || factors[i] > factors[i - 1]);
   }
-  constexpr std::size_t kMost = 9;
-  if (!one || !increasing || factors.size() > kMost)
+  constexpr std::size_t kMax = 9;
+  if (!one || !increasing || factors.size() > kMax)
     throw usage_error("--oxygen-factors", "the factors are not such as tables have",
                       "up to nine that increase, from 0.1 to 10, 1 among them, such as 0.5,1,2");
 }

@@ -198,8 +198,8 @@ int run_photometry(PhotometryRequest& options) {
   }
   const fit::StarFactor found = photometer.answer(options.pictures.front());
   // What is known to less than a factor of two or so is no calibration.
-  constexpr double kMostError = 0.3;
-  if (found.star_error > kMostError) {
+  constexpr double kMaxError = 0.3;
+  if (found.star_error > kMaxError) {
     say_text(factor_text(found, filter, names.size()));
     tell("vegard: the stars do not tell the factor: it is known to %.0f %%\n", 100.0 * found.star_error);
     return doubted;
@@ -249,7 +249,7 @@ void add_photometry_command(Program& program) {
   command.option("--catalogue-magnitude", options->settings.faintest, "Faintest star that is measured")
       .finite_range(-2.0, 6.0)
       .shows_default();
-  command.option("--least-elevation", options->settings.least_elevation_deg, "Lowest star, in degrees")
+  command.option("--min-elevation", options->settings.min_elevation_deg, "Lowest star, in degrees")
       .finite_range(5.0, 85.0)
       .shows_default();
   command

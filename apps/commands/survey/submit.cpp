@@ -63,7 +63,7 @@ std::vector<int> unfinished(const fit::SurveyPlan& plan, const std::string& fold
 
 /// Twice as long as the longest shard is estimated to take, in minutes, and half an hour at least.
 int time_limit(const fit::SurveyPlan& plan, int shards) {
-  constexpr double kReserve = 2.0, kLeast = 30.0, kSecondsPerMinute = 60.0;
+  constexpr double kReserve = 2.0, kMin = 30.0, kSecondsPerMinute = 60.0;
   double longest = 0.0;
   for (int shard = 1; shard <= shards; ++shard) {
     const fit::BlockRange blocks = fit::blocks_of_shard(plan, shard, shards);
@@ -72,7 +72,7 @@ int time_limit(const fit::SurveyPlan& plan, int shards) {
       seconds += plan.blocks[static_cast<std::size_t>(b)].seconds;
     longest = std::max(longest, seconds);
   }
-  return static_cast<int>(std::ceil(std::max(kLeast, kReserve * longest / kSecondsPerMinute)));
+  return static_cast<int>(std::ceil(std::max(kMin, kReserve * longest / kSecondsPerMinute)));
 }
 
 int run_submit(const SubmitRequest& options) {

@@ -10,7 +10,7 @@ namespace vegard::apps {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kMostDigits = 8;
+constexpr int kMaxDigits = 8;
 constexpr int kLargestFrame = 99999999;
 
 std::optional<int> number(const std::string& digits) {
@@ -37,8 +37,8 @@ FrameNames::FrameNames(const std::string& pattern) {
   if (name.find('#', end) != std::string::npos)
     throw usage_error("--output", "'" + pattern + "' has more than one run of # in its file name",
                       "one run of #", hint);
-  if (digits_ > kMostDigits)
-    throw usage_error("--output", "'" + pattern + "' has more than " + std::to_string(kMostDigits) + " #",
+  if (digits_ > kMaxDigits)
+    throw usage_error("--output", "'" + pattern + "' has more than " + std::to_string(kMaxDigits) + " #",
                       "fewer #", hint);
   before_ = name.substr(0, first);
   after_ = name.substr(end);

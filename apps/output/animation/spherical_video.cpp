@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kBoxHead = 8;             // size and type
 constexpr std::size_t kVisualSampleEntry = 78;  // what a sample's description has before its own boxes
-constexpr std::uint64_t kMostMoovBytes = 1u << 30;
+constexpr std::uint64_t kMaxMoovBytes = 1u << 30;
 constexpr unsigned char kSphericalUuid[16] = {0xff, 0xcc, 0x82, 0x63, 0xf8, 0x55, 0x4a, 0x93,
                                               0x88, 0x14, 0x58, 0x7a, 0x02, 0x52, 0x1f, 0xdd};
 
@@ -170,7 +170,7 @@ void mark_as_spherical(const std::string& path, const std::string& name) {
     if (size < kBoxHead || size > end - at) break;
     if (head.substr(4, 4) == "moov") {
       // What lies behind it would move, and with it the places that it tells.
-      if (at + size != end || size > kMostMoovBytes) break;
+      if (at + size != end || size > kMaxMoovBytes) break;
       std::string moov(size, '\0');
       file.seekg(static_cast<std::streamoff>(at));
       file.read(moov.data(), static_cast<std::streamsize>(size));

@@ -250,9 +250,9 @@ ImageFile walk_tiff(std::string_view bytes, const std::string& file) {
   ImageFile image;
   image.format = ImageFormat::tiff;
   // A size beyond 32 bits is no image's: cut where the check of the size still refuses it.
-  constexpr std::uint64_t kMost = 0xffffffffu;
-  image.width = static_cast<long long>(std::min(directory.value(kWidth, 0), kMost));
-  image.height = static_cast<long long>(std::min(directory.value(kHeight, 0), kMost));
+  constexpr std::uint64_t kMax = 0xffffffffu;
+  image.width = static_cast<long long>(std::min(directory.value(kWidth, 0), kMax));
+  image.height = static_cast<long long>(std::min(directory.value(kHeight, 0), kMax));
   image.orientation = checked_orientation(directory.value(kOrientation, 1));
   check_kind(directory, image, file);
   check_strips_are_inside(directory, bytes.size(), file);

@@ -30,8 +30,8 @@ bool has_makers_start(std::string_view bytes) {
 std::vector<TiffDirectory> directories(std::string_view bytes) {
   std::vector<TiffDirectory> all = {TiffDirectory(bytes)};
   if (!all.front().complete()) return all;
-  constexpr std::size_t kMost = 16;
-  const auto below = all.front().values(tiff_tag::kSubDirectories, kMost);
+  constexpr std::size_t kMax = 16;
+  const auto below = all.front().values(tiff_tag::kSubDirectories, kMax);
   if (below)
     for (const std::uint64_t at : *below) all.emplace_back(bytes, at);
   return all;
@@ -65,13 +65,13 @@ ImageFile walk_camera_raw(std::string_view bytes, const std::string& file) {
   for (const TiffDirectory& directory : directories(bytes)) {
     if (!directory.complete()) throw_truncated(file, "one of its TIFF directories lies beyond the end");
     // A size beyond 32 bits is no image's: cut where the check of the size still refuses it.
-    constexpr std::uint64_t kMost = 0xffffffffu;
-    const auto width = static_cast<long long>(std::min(directory.value(tiff_tag::kWidth, 0), kMost));
-    const auto height = static_cast<long long>(std::min(directory.value(tiff_tag::kHeight, 0), kMost));
+    constexpr std::uint64_t kMax = 0xffffffffu;
+    const auto width = static_cast<long long>(std::min(directory.value(tiff_tag::kWidth, 0), kMax));
+    const auto height = static_cast<long long>(std::min(directory.value(tiff_tag::kHeight, 0), kMax));
     if (width > image.width || height > image.height) image.width = width, image.height = height;
-    constexpr std::uint64_t kMostSamples = 4;
+    constexpr std::uint64_t kMaxSamples = 4;
     const std::uint64_t samples = directory.value(tiff_tag::kSamples, 1);
-    if (samples < 1 || samples > kMostSamples)
+    if (samples < 1 || samples > kMaxSamples)
       throw_damaged(file, "a camera raw file of " + std::to_string(samples) + " samples per pixel");
     const bool has_picture = directory.values(tiff_tag::kStripOffsets, 1).has_value() ||
                              directory.values(tiff_tag::kTileOffsets, 1).has_value();

@@ -16,10 +16,10 @@ long long next_pnm_number(std::string_view bytes, std::size_t& at) {
     else
       ++at;
   }
-  constexpr long long kMost = 1LL << 40;
+  constexpr long long kMax = 1LL << 40;
   long long value = -1;
   for (; at < bytes.size() && bytes[at] >= '0' && bytes[at] <= '9'; ++at)
-    value = value < 0 ? bytes[at] - '0' : value < kMost ? value * 10 + (bytes[at] - '0') : kMost;
+    value = value < 0 ? bytes[at] - '0' : value < kMax ? value * 10 + (bytes[at] - '0') : kMax;
   return value;
 }
 

@@ -29,8 +29,8 @@ bool may_be_images(const StoredArray& array) {
 /// Name and number of "frame12"; -1 without a number.
 std::pair<std::string, int> numbered(const std::string& name) {
   const std::size_t end = name.find_last_not_of("0123456789") + 1;
-  constexpr std::size_t kMostDigits = 9;
-  if (end == name.size() || name.size() - end > kMostDigits) return {name, -1};
+  constexpr std::size_t kMaxDigits = 9;
+  if (end == name.size() || name.size() - end > kMaxDigits) return {name, -1};
   return {name.substr(0, end), std::stoi(name.substr(end))};
 }
 
@@ -203,17 +203,17 @@ ImageStack find_images(const sim::ArrayFile& file) {
     refuse_image(file.name(), "'" + array.name + "' and others as large each hold several images",
                  "one array of them");
   // What a few bytes of such a file claim to be is bounded as what gzip has packed.
-  if (width > static_cast<std::uint64_t>(kMostPackedPixels) ||
-      height > static_cast<std::uint64_t>(kMostPackedPixels) ||
-      width * height > static_cast<std::uint64_t>(kMostPackedPixels))
+  if (width > static_cast<std::uint64_t>(kMaxPackedPixels) ||
+      height > static_cast<std::uint64_t>(kMaxPackedPixels) ||
+      width * height > static_cast<std::uint64_t>(kMaxPackedPixels))
     refuse_image(file.name(),
                  "'" + array.name + "' claims images of " + std::to_string(width) + " x " +
                      std::to_string(height) + " pixels",
                  "at most 2^25 in all");
   sim::check_pixel_limit(static_cast<long long>(width), static_cast<long long>(height), file.name());
-  if (frames > static_cast<std::uint64_t>(kMostFrames))
+  if (frames > static_cast<std::uint64_t>(kMaxFrames))
     refuse_image(file.name(), "'" + array.name + "' claims " + std::to_string(frames) + " images",
-                 "at most " + std::to_string(kMostFrames), "cut it up");
+                 "at most " + std::to_string(kMaxFrames), "cut it up");
   if (frames == 0) refuse_image(file.name(), "'" + array.name + "' holds no image");
   stack.frames = static_cast<std::size_t>(frames);
   stack.width_px = static_cast<long long>(width);

@@ -77,8 +77,8 @@ bool FrameReader::next() {
                  "", kCopyAgain);
   }
   ++head_.number;
-  if (head_.number >= kMostFrames)
-    refuse_image(name_, "there are more than " + std::to_string(kMostFrames) + " frames in it", "",
+  if (head_.number >= kMaxFrames)
+    refuse_image(name_, "there are more than " + std::to_string(kMaxFrames) + " frames in it", "",
                  "cut it up");
   read_header();
   return true;
@@ -88,16 +88,16 @@ void FrameReader::read_header() {
   head_.offset = stream_->position();
   std::string_view begun;
   constexpr std::size_t kUsual = 2048;
-  for (std::size_t size = kUsual; size <= kMostFrameHeaderBytes; size *= 2) {
+  for (std::size_t size = kUsual; size <= kMaxFrameHeaderBytes; size *= 2) {
     begun = stream_->look(size);
     if (begun.size() < size || has_whole_header(begun)) break;
   }
-  if (begun.size() == kMostFrameHeaderBytes && !has_whole_header(begun))
-    refuse("has a header of more than " + std::to_string(kMostFrameHeaderBytes / 1024) + " kB");
+  if (begun.size() == kMaxFrameHeaderBytes && !has_whole_header(begun))
+    refuse("has a header of more than " + std::to_string(kMaxFrameHeaderBytes / 1024) + " kB");
   const std::string of_frame = head_.number == 0 ? name_ : name_ + "#" + std::to_string(head_.number);
   pnm_ = pnm_header(begun, of_frame);
   sim::check_pixel_limit(pnm_.width, pnm_.height, of_frame);
-  if (stream_->is_packed() && pnm_.width * pnm_.height > kMostPackedPixels)
+  if (stream_->is_packed() && pnm_.width * pnm_.height > kMaxPackedPixels)
     refuse_image(of_frame, "a packed frame claims " + pixels_text(pnm_.width, pnm_.height),
                  "at most 2^25 in all", "unpack the file first");
   header_.resize(pnm_.data);
@@ -116,7 +116,7 @@ void FrameReader::read_header() {
 }
 
 bool FrameReader::next_of_store() {
-  if (head_.number + 1 >= static_cast<int>(std::min<std::size_t>(store_->size(), kMostFrames))) return false;
+  if (head_.number + 1 >= static_cast<int>(std::min<std::size_t>(store_->size(), kMaxFrames))) return false;
   ++head_.number;
   StoredFrame frame = store_->frame(static_cast<std::size_t>(head_.number));
   sim::check_pixel_limit(frame.width_px, frame.height_px, name_);

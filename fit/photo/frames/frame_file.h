@@ -23,7 +23,7 @@
 namespace vegard::fit {
 
 /// Of a frame's header: what stands before its pixels.
-constexpr std::size_t kMostFrameHeaderBytes = sim::kMostLookedAt;
+constexpr std::size_t kMaxFrameHeaderBytes = sim::kMaxPeekBytes;
 
 struct FrameHead {
   int number = 0;  ///< from 0

@@ -37,8 +37,8 @@ FrameName frame_name(const std::string& name) {
   if (mark == std::string::npos || mark == 0 || std::filesystem::exists(name, ignored)) return {name, {}, {}};
   const std::string which = name.substr(mark + 1);
   FrameName frame{name.substr(0, mark), {}, {}};
-  constexpr std::size_t kMostDigits = 9;
-  if (!which.empty() && which.size() <= kMostDigits &&
+  constexpr std::size_t kMaxDigits = 9;
+  if (!which.empty() && which.size() <= kMaxDigits &&
       which.find_first_not_of("0123456789") == std::string::npos)
     frame.number = std::stoi(which);
   else

@@ -11,9 +11,9 @@
 
 namespace vegard::fit {
 
-constexpr int kMostFrames = 100000;
+constexpr int kMaxFrames = 100000;
 /// Of a frame that gzip has packed, which may claim a thousand times the file's size: 8192 x 4096.
-constexpr long long kMostPackedPixels = 1LL << 25;
+constexpr long long kMaxPackedPixels = 1LL << 25;
 
 struct StoredFrame {
   long long width_px = 0, height_px = 0;

@@ -49,9 +49,9 @@ bool is_packed_fits(sim::ByteStream& stream) {
 std::optional<std::string> unpacked_fits(const std::string& file) {
   sim::ByteStream first(file);
   if (!is_packed_fits(first)) return std::nullopt;
-  const std::uint64_t size = first.skip(kMostUnpackedFits + 1);
-  if (size > kMostUnpackedFits)
-    refuse_image(file, "the FITS file in it is larger than " + sim::bytes_text(kMostUnpackedFits), "",
+  const std::uint64_t size = first.skip(kMaxUnpackedFits + 1);
+  if (size > kMaxUnpackedFits)
+    refuse_image(file, "the FITS file in it is larger than " + sim::bytes_text(kMaxUnpackedFits), "",
                  "unpack it first");
   std::string bytes(static_cast<std::size_t>(size), '\0');
   sim::ByteStream again(file);
@@ -136,7 +136,7 @@ PictureBytes read_picture_bytes(const std::string& name) {
 std::string beginning_of_packed_fits(const std::string& file) {
   sim::ByteStream stream(file);
   if (!is_packed_fits(stream)) return {};
-  return std::string(stream.look(sim::kMostLookedAt));
+  return std::string(stream.look(sim::kMaxPeekBytes));
 }
 
 std::optional<PictureBytes> PictureSeries::next_of_file(const FrameName& wanted) {

@@ -12,7 +12,7 @@
 namespace vegard::fit {
 
 /// Of a FITS file that gzip has packed, in bytes.
-constexpr std::size_t kMostUnpackedFits = std::size_t{1} << 27;
+constexpr std::size_t kMaxUnpackedFits = std::size_t{1} << 27;
 
 struct PictureBytes {
   std::string bytes;

@@ -38,8 +38,8 @@ class TarFrames : public FrameStore {
       if (const std::string plain = small_file_name(entry.name); is_png_name(plain))
         frames_.push_back({entry, imager_name(plain)});
     if (frames_.empty()) refuse_image(name, "there is no PNG in this tar", "PNGs, as TREx's *.png.tar");
-    if (frames_.size() > static_cast<std::size_t>(kMostFrames))
-      refuse_image(name, "there are more than " + std::to_string(kMostFrames) + " frames in it", "",
+    if (frames_.size() > static_cast<std::size_t>(kMaxFrames))
+      refuse_image(name, "there are more than " + std::to_string(kMaxFrames) + " frames in it", "",
                    "cut it up");
     std::stable_sort(frames_.begin(), frames_.end(), [](const InTar& a, const InTar& b) {
       const auto order = [](const InTar& one) {

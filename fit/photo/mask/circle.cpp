@@ -13,7 +13,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr int kCircleLongestSide_px = 1000;  ///< of the binned picture
-constexpr int kLeastSide_px = 64;            // below, a quarter of a circle is a handful of pixels
+constexpr int kMinSide_px = 64;              // below, a quarter of a circle is a handful of pixels
 constexpr int kRays = 720;
 constexpr int kStep_px = 4;  ///< brightness inside and outside is the mean of as many pixels
 constexpr float kFall = 0.02f;
@@ -158,7 +158,7 @@ std::optional<CircleFound> find_circle(const Photo& photo) {
   const int longest = std::max(photo.linear.width, photo.linear.height);
   const int factor = (longest + kCircleLongestSide_px - 1) / kCircleLongestSide_px;
   const Plane shown = shown_brightness(binned(mean_light(photo), factor));
-  if (std::min(shown.width, shown.height) < kLeastSide_px) return std::nullopt;
+  if (std::min(shown.width, shown.height) < kMinSide_px) return std::nullopt;
   const float dark = darkness_of(shown);
   double x0 = 0.5 * shown.width, y0 = 0.5 * shown.height;
   const CircleLimits limits{shown.width, shown.height};

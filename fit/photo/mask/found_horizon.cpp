@@ -16,7 +16,7 @@ constexpr int kRows = 4;         ///< above and below that are compared
 constexpr float kBlack = 0.02f;  ///< added to both: black beside black is no contrast
 constexpr float kEnough = 0.5f, kSkylineEdge = 0.2f, kSeen = 0.1f;
 constexpr double kSeenIn = 0.5, kBrightSeenIn = 0.8;
-constexpr int kMostJumps = 2;
+constexpr int kMaxJumps = 2;
 constexpr float kEdgesAbove = 0.5f;    ///< what an edge in the sky costs
 constexpr float kBrightGround = 0.5f;  ///< what an edge to a brighter ground is worth
 constexpr float kRow = 0.02f, kJump = 0.6f;
@@ -152,9 +152,9 @@ double sharpest(const Plane& shown, int x, int y, int reach, float sign) {
 /// Whether the picture is a fisheye's circle, whose rim is no skyline. A skyline may be an arc of some
 /// circle: of a fisheye's most of the rim is seen, and at least three of its four sides are in the picture.
 bool is_fisheye(const Photo& photo) {
-  constexpr double kMostOfARim = 0.6;
+  constexpr double kMaxOfARim = 0.6;
   const std::optional<CircleFound> found = find_circle(photo);
-  if (!found || found->agreeing < kMostOfARim) return false;
+  if (!found || found->agreeing < kMaxOfARim) return false;
   const Circle& c = found->circle;
   return (c.x_px - c.radius_px >= 0.0) + (c.x_px + c.radius_px <= photo.linear.width) +
              (c.y_px - c.radius_px >= 0.0) + (c.y_px + c.radius_px <= photo.linear.height) >=
@@ -178,7 +178,7 @@ std::optional<Skyline> skyline_of(const Plane& starless, const Plane& contrast, 
     seen += std::abs(line.across.back()) >= kSeen;
   }
   line.seen = static_cast<double>(seen) / starless.width;
-  if (line.seen < seen_in || jumps_of(starless, line.row) > kMostJumps) return std::nullopt;
+  if (line.seen < seen_in || jumps_of(starless, line.row) > kMaxJumps) return std::nullopt;
   return line;
 }
 

@@ -11,7 +11,7 @@ namespace {
 using AllTangents = sim::Tangents<double, lens_numbers>;
 using Number = sim::Dual<double, AllTangents>;
 
-constexpr int kCameraMostRounds = 4;
+constexpr int kCameraMaxRounds = 4;
 constexpr double kSmallTurn = 1e-9;  // radians
 
 /// The place and its derivatives by all numbers.
@@ -83,7 +83,7 @@ CameraFit fit_camera(const SkyCamera& start, const std::vector<LensNumber>& free
                      const std::vector<StarSighting>& stars, const StarSet& used, double cauchy_px) {
   CameraFit fit;
   fit.camera = start;
-  for (int round = 0; round < kCameraMostRounds; ++round) {
+  for (int round = 0; round < kCameraMaxRounds; ++round) {
     // A star that has no image at the start would stop the descent before its first step.
     std::vector<double> values;
     for (const LensNumber number : free) values.push_back(fit.camera.numbers[number]);

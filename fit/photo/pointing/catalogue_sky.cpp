@@ -8,15 +8,15 @@
 namespace vegard::fit {
 
 std::vector<StarSighting> catalogue_sky(const sim::Observer& observer, double julian_date, double faintest,
-                                        double least_elevation_deg, double apart_deg) {
+                                        double min_elevation_deg, double apart_deg) {
   std::vector<StarSighting> sky;
-  const double least_up = std::sin(least_elevation_deg * sim::kRadiansPerDegree);
+  const double min_up = std::sin(min_elevation_deg * sim::kRadiansPerDegree);
   const double near = std::cos(apart_deg * sim::kRadiansPerDegree);
   for (const sim::BrightStar& star : sim::bright_stars()) {
     if (star.magnitude > faintest) break;
     StarSighting one;
     one.enu = sim::direction_of_star(star.place, observer, julian_date);
-    if (one.enu[2] < least_up) continue;
+    if (one.enu[2] < min_up) continue;
     bool alone = true;
     for (const StarSighting& other : sky)
       alone =

@@ -11,6 +11,6 @@ namespace vegard::fit {
 /// The stars to a magnitude that stand at least so high, the brightest first; x_px and y_px are 0. Stars
 /// nearer to a brighter one than `apart_deg` are left out: the picture has them as one.
 std::vector<StarSighting> catalogue_sky(const sim::Observer& observer, double julian_date, double faintest,
-                                        double least_elevation_deg = 5.0, double apart_deg = 0.3);
+                                        double min_elevation_deg = 5.0, double apart_deg = 0.3);
 
 }  // namespace vegard::fit

@@ -78,13 +78,13 @@ double agreement(const SkyCamera& camera, const Frame& frame, const std::vector<
   return sum;
 }
 
-constexpr double kMostCameras = 2e6;  // some minutes
+constexpr double kMaxCameras = 2e6;  // some minutes
 
 [[noreturn]] void refuse_search(double cameras) {
   sim::ErrorDetails details;
   details.key = "--twist, --shift, --scale";
   details.problem = "they ask for " + sim::short_number(cameras, 2) + " cameras to be tried";
-  details.expected = "at most " + sim::short_number(kMostCameras, 2);
+  details.expected = "at most " + sim::short_number(kMaxCameras, 2);
   details.hint = "say better where the camera points: --centre, or a narrower search";
   throw sim::Error(sim::ErrorKind::usage, details);
 }
@@ -97,7 +97,7 @@ SkyCamera searched(const SkyCamera& rough, const Frame& frame, const std::vector
   const int shifts = static_cast<int>(std::ceil(settings.shift_px / kSearchWidth_px));
   const int scales = static_cast<int>(std::ceil(settings.scale_share / kScaleStep));
   const double cameras = (2.0 * twists + 1.0) * (2.0 * scales + 1.0) * std::pow(2.0 * shifts + 1.0, 2);
-  if (cameras > kMostCameras) refuse_search(cameras);
+  if (cameras > kMaxCameras) refuse_search(cameras);
   for (int twist = -twists; twist <= twists; ++twist) {
     SkyCamera turned = rough;
     turned.numbers[turn_about_forward] = twist * kTwistStep_deg * sim::kRadiansPerDegree;

@@ -14,7 +14,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kWorthAMention = 2.0;  // of BIC
-constexpr int kLensMostRounds = 6;
+constexpr int kLensMaxRounds = 6;
 constexpr double kMedianOfRayleigh = 1.1774100225154747;  // sqrt(2 ln 2)
 constexpr double kExact_px2 = 1e-18;  // of RSS / n: noise-free stars must not make an infinite criterion
 constexpr double kWorstCondition = 1e-7;
@@ -55,7 +55,7 @@ class Chooser {
     const LensCandidate& best = choice_.candidates[reference];
     const std::vector<Eigen::Vector2d> left = residuals(best.fit.camera, stars_);
     choice_.used = stars_kept(left, robust_sigma_px(left, {}, static_cast<int>(best.free.size())));
-    for (int round = 0; round < kLensMostRounds; ++round) {
+    for (int round = 0; round < kLensMaxRounds; ++round) {
       fit_plainly();
       if (choice_.chosen < 0) return choice_;
       const LensCandidate& chosen = choice_.candidates[choice_.chosen];
@@ -273,7 +273,7 @@ double left_one_out_rms_px(const SkyCamera& camera, const std::vector<LensNumber
 
 StarSet stars_kept(const std::vector<Eigen::Vector2d>& left, double sigma_px) {
   const bool few = static_cast<int>(left.size()) < kManyStars;
-  const double limit = std::max(kRejectionSigmas * sigma_px, few ? kFewLeast_px : kLeastRejection_px);
+  const double limit = std::max(kRejectionSigmas * sigma_px, few ? kFewMin_px : kMinRejection_px);
   std::vector<std::size_t> farthest;
   for (std::size_t i = 0; i < left.size(); ++i)
     if (!(left[i].norm() <= limit)) farthest.push_back(i);

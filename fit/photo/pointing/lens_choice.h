@@ -31,8 +31,8 @@
 namespace vegard::fit {
 
 inline constexpr double kRejectionSigmas = 5.0;
-/// No star is left out for being off by less; of fewer stars than kManyStars, for less than kFewLeast_px.
-inline constexpr double kLeastRejection_px = 0.02, kFewLeast_px = 1.0;
+/// No star is left out for being off by less; of fewer stars than kManyStars, for less than kFewMin_px.
+inline constexpr double kMinRejection_px = 0.02, kFewMin_px = 1.0;
 inline constexpr int kManyStars = 20;
 /// The share of few stars that may be left out.
 inline constexpr double kFewLeftOut = 0.2;

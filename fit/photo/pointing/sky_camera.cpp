@@ -26,7 +26,7 @@ SkyCamera with_turns_made(const SkyCamera& camera) {
 
 sim::Lens<double> true_lens(const SkyCamera& camera) {
   sim::Lens<double> lens = lens_of(camera, camera.numbers.data());
-  lens.least_cosine = sim::least_cosine(lens.model, lens.k1, lens.k2, lens.k3);
+  lens.min_cosine = sim::min_cosine(lens.model, lens.k1, lens.k2, lens.k3);
   return lens;
 }
 

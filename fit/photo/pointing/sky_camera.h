@@ -43,7 +43,7 @@ struct SkyCamera {
 /// The same with its turns made part of the rotation.
 SkyCamera with_turns_made(const SkyCamera& camera);
 
-/// The cosine beyond which a model without terms has no image (sim::least_cosine() without its search).
+/// The cosine beyond which a model without terms has no image (sim::min_cosine() without its search).
 inline double end_of_model(sim::LensModel model) {
   const bool half_a_sky = model == sim::LensModel::pinhole || model == sim::LensModel::orthographic;
   return half_a_sky ? 0.0 : -0.984807753012208;  // 170 degrees
@@ -81,7 +81,7 @@ sim::Lens<T> lens_of(const SkyCamera& camera, const T numbers[lens_numbers]) {
   lens.p1 = numbers[decentring_1_number];
   lens.p2 = numbers[decentring_2_number];
   lens.side = camera.mirrored ? -1.0 : 1.0;
-  lens.least_cosine = end_of_model(camera.model);
+  lens.min_cosine = end_of_model(camera.model);
   return lens;
 }
 

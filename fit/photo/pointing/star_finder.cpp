@@ -9,7 +9,7 @@ namespace {
 constexpr int kInner = 4, kOuter = 7;  // of the ring, px
 constexpr double kWeightSigma_px = 1.2;
 constexpr int kFinderReach = 4;  // of the weight
-constexpr int kFinderMostSteps = 30;
+constexpr int kFinderMaxSteps = 30;
 constexpr double kFarthest_px = 1.5;  // a place that runs farther from its maximum belongs to something else
 constexpr double kSigmaOfMad = 1.4826;
 
@@ -81,7 +81,7 @@ class Finder {
     for (double& value : ring_) value = std::abs(value - ground);
     const double sigma = kSigmaOfMad * median(ring_);
     const double height = smooth_[at(x, y)] - ground;
-    if (!(height > 0.0) || height < settings_.least_signal * sigma) return false;
+    if (!(height > 0.0) || height < settings_.min_signal * sigma) return false;
     star.signal = sigma > 0.0 ? height / sigma : 1e9;
     // The smoothed picture's noise is 3/8 of a pixel's where pixels are independent.
     return centre(x, y, ground, sigma * 8.0 / 3.0, star);
@@ -92,7 +92,7 @@ class Finder {
   bool centre(int x, int y, double ground, double pixel_sigma, FoundStar& star) const {
     const double first_x = x + 0.5, first_y = y + 0.5;
     double cx = first_x, cy = first_y;
-    for (int step = 0; step < kFinderMostSteps; ++step) {
+    for (int step = 0; step < kFinderMaxSteps; ++step) {
       double sum = 0.0, sum_x = 0.0, sum_y = 0.0, noise_x = 0.0, noise_y = 0.0;
       const int left = static_cast<int>(std::floor(cx)), top = static_cast<int>(std::floor(cy));
       for (int j = top - kFinderReach; j <= top + kFinderReach; ++j)

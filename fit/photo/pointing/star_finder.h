@@ -22,7 +22,7 @@ struct FoundStar {
 };
 
 struct StarFinderSettings {
-  double least_signal = 4.0;
+  double min_signal = 4.0;
   int most = 400;  ///< the brightest
 };
 

@@ -151,7 +151,7 @@ class Reader {
   std::vector<StarSighting> stars_;
 };
 
-constexpr double kFieldMostPixels = 1e6;
+constexpr double kFieldMaxPixels = 1e6;
 
 }  // namespace
 
@@ -182,8 +182,8 @@ bool is_fits_table(std::string_view bytes) { return bytes.substr(0, 9) == "SIMPL
 std::vector<StarSighting> solved_field(std::string_view bytes, const std::string& file,
                                        const SkyOfPicture& sky, double first_pixel) {
   constexpr std::array<const char*, 4> kNames = {"field_x", "field_y", "index_ra", "index_dec"};
-  constexpr std::array<std::array<double, 2>, 4> kLimits = {{{-kFieldMostPixels, kFieldMostPixels},
-                                                             {-kFieldMostPixels, kFieldMostPixels},
+  constexpr std::array<std::array<double, 2>, 4> kLimits = {{{-kFieldMaxPixels, kFieldMaxPixels},
+                                                             {-kFieldMaxPixels, kFieldMaxPixels},
                                                              {0.0, 360.0},
                                                              {-90.0, 90.0}}};
   const sim::FitsTable table = sim::read_fits_table(bytes, file);

@@ -8,7 +8,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kTruncation = 0.05, kStartCoarse = 0.02;  // of the stars' extent
-constexpr int kMostPairs = 24, kMostScored = 30, kRefined = 4;
+constexpr int kMaxPairs = 24, kMaxScored = 30, kRefined = 4;
 constexpr int kPairsOfOneStar = 5;
 
 Eigen::Vector3d enu_of(const StarSighting& star) { return {star.enu[0], star.enu[1], star.enu[2]}; }
@@ -49,7 +49,7 @@ std::vector<Pair> wide_pairs(const std::vector<StarSighting>& stars, std::vector
   std::vector<int> taken(stars.size(), 0);
   std::vector<Pair> pairs;
   for (const Pair& pair : all) {
-    if (static_cast<int>(pairs.size()) == kMostPairs) break;
+    if (static_cast<int>(pairs.size()) == kMaxPairs) break;
     if (taken[pair.a] >= kPairsOfOneStar || taken[pair.b] >= kPairsOfOneStar) continue;
     ++taken[pair.a];
     ++taken[pair.b];
@@ -117,7 +117,7 @@ CameraFit starting_camera(sim::LensModel model, bool mirrored, const std::vector
   std::nth_element(ratios.begin(), ratios.begin() + ratios.size() / 2, ratios.end());
   const double ratio = ratios[ratios.size() / 2];
   std::vector<StarSighting> scored;
-  const std::size_t stride = (stars.size() + kMostScored - 1) / kMostScored;
+  const std::size_t stride = (stars.size() + kMaxScored - 1) / kMaxScored;
   for (std::size_t i = 0; i < stars.size(); i += stride) scored.push_back(stars[i]);
   const double extent = extent_px(stars), cut_px = kTruncation * extent;
 

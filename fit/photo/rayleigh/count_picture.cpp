@@ -129,12 +129,12 @@ CountPicture count_picture(const std::string& picture, const RayleighFilter& fil
   if (!filter.flat_file.empty()) flat = flat_field(filter.flat_file, counts, filter.channel);
   if (!filter.dark_file.empty())
     dark = counts_beside(filter.dark_file, "the dark picture", counts, filter.channel);
-  constexpr double kVarianceOfRounding = 1.0 / 12.0, kLeastFlat = 0.01;
+  constexpr double kVarianceOfRounding = 1.0 / 12.0, kMinFlat = 0.01;
   const double fixed =
       filter.read_noise_counts * filter.read_noise_counts + kVarianceOfRounding * counts.step * counts.step;
   for (std::size_t i = 0; i < counts.numbers.size(); ++i) {
     const double share = flat.empty() ? 1.0 : flat[i];
-    if (!(share > kLeastFlat) || (dark && dark->usable[i] == 0)) result.usable[i] = 0;
+    if (!(share > kMinFlat) || (dark && dark->usable[i] == 0)) result.usable[i] = 0;
     if (result.usable[i] == 0) continue;
     const double above = counts.numbers[i] - (dark ? dark->numbers[i] : filter.dark_counts);
     const double to_rate = 1.0 / (share * result.exposure_s);

@@ -21,8 +21,8 @@ class FactorSolver {
   std::optional<FactorFit> run() {
     begin();
     if (freedom() < 3) return std::nullopt;
-    constexpr int kMostRounds = 20;
-    for (int round = 0; round < kMostRounds; ++round) {
+    constexpr int kMaxRounds = 20;
+    for (int round = 0; round < kMaxRounds; ++round) {
       find_scatter();
       if (!leave_out()) break;
       if (freedom() < 3) return std::nullopt;
@@ -71,8 +71,8 @@ class FactorSolver {
     }
     a_ = median(logs);
     for (double& value : logs) value = std::abs(value - a_);
-    constexpr double kLeastScatter = 0.05;
-    scatter_ = std::max(kSigmaOfMedian * median(logs), kLeastScatter);
+    constexpr double kMinScatter = 0.05;
+    scatter_ = std::max(kSigmaOfMedian * median(logs), kMinScatter);
     for (std::size_t i = 0; i < stars_.size(); ++i) used_[i] = is_near(i) ? 1 : 0;
   }
 
@@ -93,9 +93,9 @@ class FactorSolver {
 
   /// Gauss-Newton with weights by the model; chi^2 of the answer.
   double solve(double scatter) {
-    constexpr int kMostSteps = 50;
+    constexpr int kMaxSteps = 50;
     double chi2 = 0.0;
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMaxSteps; ++step) {
       double aa = 0.0, at = 0.0, tt = 0.0, ga = 0.0, gt = 0.0;
       chi2 = 0.0;
       for (std::size_t i = 0; i < stars_.size(); ++i) {

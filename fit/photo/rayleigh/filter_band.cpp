@@ -14,8 +14,8 @@ double integral_over_band(const FilterBand& band, const Of& of) {
   const double first = band.table_nm.empty() ? band.centre_nm - 0.5 * band.width_nm : band.table_nm.front();
   const double last = band.table_nm.empty() ? band.centre_nm + 0.5 * band.width_nm : band.table_nm.back();
   constexpr double kStep_nm = 0.1;
-  constexpr int kMostSteps = 5000;
-  const int steps = std::clamp(static_cast<int>(std::ceil((last - first) / kStep_nm)), 20, kMostSteps);
+  constexpr int kMaxSteps = 5000;
+  const int steps = std::clamp(static_cast<int>(std::ceil((last - first) / kStep_nm)), 20, kMaxSteps);
   const double step = (last - first) / steps;
   double sum = 0.0;
   for (int i = 0; i < steps; ++i) {

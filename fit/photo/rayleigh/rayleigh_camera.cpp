@@ -16,9 +16,9 @@ namespace {
 using sim::CheckedTable;
 using sim::complain;
 
-constexpr double kMostCounts = 1e9, kLeastNm = 300.0, kMostNm = 1200.0;
+constexpr double kMaxCounts = 1e9, kMinNm = 300.0, kMaxNm = 1200.0;
 /// Of what the light of stars is known for (sim/view/sky/star_flux.h).
-constexpr double kLeastStarNm = 400.0, kMostStarNm = 900.0;
+constexpr double kMinStarNm = 400.0, kMaxStarNm = 900.0;
 constexpr const char* kFactorKey = "rayleigh_per_count_s";
 constexpr const char* kFactorErrorKey = "rayleigh_per_count_s_error";
 
@@ -51,9 +51,9 @@ void read_sensor(CheckedTable& table, RayleighFilter& filter) {
     filter.dark_file = beside(table.file(), table.text("dark", "the file of a dark picture, in quotes"));
   } else if (table.has("dark_counts")) {
     filter.dark_file.clear();
-    table.number("dark_counts", -kMostCounts, kMostCounts, filter.dark_counts);
+    table.number("dark_counts", -kMaxCounts, kMaxCounts, filter.dark_counts);
   }
-  table.number("dark_error_counts", 0.0, kMostCounts, filter.dark_error_counts);
+  table.number("dark_error_counts", 0.0, kMaxCounts, filter.dark_error_counts);
   if (table.has("flat"))
     filter.flat_file = beside(table.file(), table.text("flat", "the file of a flat field, in quotes"));
   table.number("flat_error", 0.0, 1.0, filter.flat_error);
@@ -62,7 +62,7 @@ void read_sensor(CheckedTable& table, RayleighFilter& filter) {
     positive_number(table, "gain_e_per_count", 1e6, gain);
     filter.gain_e_per_count = gain;
   }
-  table.number("read_noise_counts", 0.0, kMostCounts, filter.read_noise_counts);
+  table.number("read_noise_counts", 0.0, kMaxCounts, filter.read_noise_counts);
   if (table.has("exposure_s")) {
     double exposure_s = 0.0;
     positive_number(table, "exposure_s", 1e5, exposure_s);
@@ -85,14 +85,14 @@ void read_transmission(CheckedTable& table, FilterBand& band) {
     if (table.has(other))
       complain({"the filter has a curve already", "'transmission', or 'centre_nm' and 'width_nm'", ""},
                table.at(other));
-  constexpr std::size_t kMostCurveBytes = std::size_t{1} << 24;
+  constexpr std::size_t kMaxCurveBytes = std::size_t{1} << 24;
   const sim::CsvTable curve =
-      sim::read_csv_table(sim::input_bytes(file, "a filter's curve (CSV)", kMostCurveBytes), file);
+      sim::read_csv_table(sim::input_bytes(file, "a filter's curve (CSV)", kMaxCurveBytes), file);
   curve.require_increasing("wavelength_nm");
-  curve.require_within("wavelength_nm", kLeastStarNm, kMostStarNm);
+  curve.require_within("wavelength_nm", kMinStarNm, kMaxStarNm);
   band.table_nm = curve.column("wavelength_nm");
   band.transmission = curve.column("transmission");
-  curve.require_within("transmission", 0.0, kMostCounts);
+  curve.require_within("transmission", 0.0, kMaxCounts);
   if (band.table_nm.size() < 2)
     curve.refuse(0, "this is the only row of a filter's curve",
                  "two or more rows with increasing wavelengths");
@@ -102,12 +102,12 @@ void read_band(CheckedTable& table, FilterBand& band) {
   if (!table.has("line_nm"))
     complain({"'line_nm' is missing", "the wavelength of the line whose rayleighs are meant", ""},
              table.at("line_nm"));
-  table.number("line_nm", kLeastNm, kMostNm, band.line_nm);
+  table.number("line_nm", kMinNm, kMaxNm, band.line_nm);
   band.centre_nm = band.line_nm;
   if (table.has("transmission")) {
     read_transmission(table, band);
   } else {
-    table.number("centre_nm", kLeastNm, kMostNm, band.centre_nm);
+    table.number("centre_nm", kMinNm, kMaxNm, band.centre_nm);
     positive_number(table, "width_nm", 100.0, band.width_nm);
   }
   table.number("width_error", 0.0, 1.0, band.width_error);
@@ -117,17 +117,15 @@ void read_band(CheckedTable& table, FilterBand& band) {
               "a band with the line in it", ""},
              table.at("line_nm"));
   if (!band.table_nm.empty() || band.width_nm == 0.0) return;
-  if (band.centre_nm - 0.5 * band.width_nm < kLeastStarNm ||
-      band.centre_nm + 0.5 * band.width_nm > kMostStarNm)
-    complain(
-        {"the light of stars is not known in all of the band",
-         fmt::format("a band within {:g} to {:g} nm", kLeastStarNm, kMostStarNm), "leave 'width_nm' out"},
-        table.at("width_nm"));
+  if (band.centre_nm - 0.5 * band.width_nm < kMinStarNm || band.centre_nm + 0.5 * band.width_nm > kMaxStarNm)
+    complain({"the light of stars is not known in all of the band",
+              fmt::format("a band within {:g} to {:g} nm", kMinStarNm, kMaxStarNm), "leave 'width_nm' out"},
+             table.at("width_nm"));
 }
 
 void read_factor(CheckedTable& table, RayleighFilter& filter) {
-  const std::optional<double> value = given_number(table, kFactorKey, 0.0, kMostCounts);
-  const std::optional<double> error = given_number(table, kFactorErrorKey, 0.0, kMostCounts);
+  const std::optional<double> value = given_number(table, kFactorKey, 0.0, kMaxCounts);
+  const std::optional<double> error = given_number(table, kFactorErrorKey, 0.0, kMaxCounts);
   if (value && !(*value > 0.0)) complain({"it is 0", "a number above 0", ""}, table.at(kFactorKey));
   if (error && !value)
     complain({"an error without its number", std::string("'") + kFactorKey + "' beside it", ""},
@@ -179,7 +177,7 @@ RayleighCamera parse_rayleigh_camera(const std::string& text, const std::string&
 }
 
 std::string rayleigh_camera_text(const std::string& file) {
-  return sim::input_bytes(file, "a camera's counts (TOML)", sim::kMostTomlBytes);
+  return sim::input_bytes(file, "a camera's counts (TOML)", sim::kMaxTomlBytes);
 }
 
 RayleighCamera read_rayleigh_camera(const std::string& file) {

@@ -49,13 +49,13 @@ std::vector<PlacedStar> placed_stars(const sim::Scene& scene, double julian_date
 
 /// Whether a neighbour of the catalogue puts more than a fiftieth of the star's own light into its circle.
 bool is_disturbed(const PlacedStar& star, const std::vector<PlacedStar>& all, const Aperture& aperture) {
-  constexpr double kStarsWidth_px = 1.0, kMostShare = 0.02;
+  constexpr double kStarsWidth_px = 1.0, kMaxShare = 0.02;
   const double near = aperture.radius_px + kStarsWidth_px;
   double others = 0.0;
   for (const PlacedStar& other : all)
     if (other.star != star.star && std::hypot(other.x_px - star.x_px, other.y_px - star.y_px) < near)
       others += other.light;
-  return others > kMostShare * star.light;
+  return others > kMaxShare * star.light;
 }
 
 /// All other stars of the catalogue that reach into its ring.
@@ -72,9 +72,9 @@ std::vector<Neighbour> neighbours_of(const PlacedStar& star, const std::vector<P
 /// Moves stars to the points of light that they are seen as: bright ones each to its own, the others by as
 /// much as these on the whole, so that what is too faint to be found is measured all the same.
 void move_to_points(std::vector<PlacedStar>& stars, const CountPicture& picture) {
-  constexpr double kFarthest_px = 2.5, kLeastSignal = 8.0;
+  constexpr double kFarthest_px = 2.5, kMinSignal = 8.0;
   StarFinderSettings finder;
-  finder.least_signal = kLeastSignal;
+  finder.min_signal = kMinSignal;
   const std::vector<FoundStar> points = find_stars(picture.rate, finder, picture.usable);
   std::vector<double> dx, dy;
   std::vector<const FoundStar*> own(stars.size(), nullptr);
@@ -104,13 +104,13 @@ void move_to_points(std::vector<PlacedStar>& stars, const CountPicture& picture)
 
 /// Whether stars can tell the extinction: they stand an airmass and a half apart at the ends and are not few.
 bool tell_extinction(const std::vector<FactorDatum>& data) {
-  constexpr std::size_t kLeastStars = 10;
-  constexpr double kLeastSpan = 0.7;
-  if (data.size() < kLeastStars) return false;
+  constexpr std::size_t kMinStars = 10;
+  constexpr double kMinSpan = 0.7;
+  if (data.size() < kMinStars) return false;
   const auto ends =
       std::minmax_element(data.begin(), data.end(),
                           [](const FactorDatum& a, const FactorDatum& b) { return a.airmass < b.airmass; });
-  return ends.second->airmass - ends.first->airmass >= kLeastSpan;
+  return ends.second->airmass - ends.first->airmass >= kMinSpan;
 }
 
 double middle_value(std::vector<double> values) {
@@ -134,7 +134,7 @@ void StarPhotometer::add(const CountPicture& picture, double julian_date) {
   const std::vector<PlacedStar> all = placed_stars(scene_, julian_date, settings_);
   std::vector<PlacedStar> stars;
   for (const PlacedStar& one : all)
-    if (one.star->magnitude <= settings_.faintest && one.elevation_deg >= settings_.least_elevation_deg &&
+    if (one.star->magnitude <= settings_.faintest && one.elevation_deg >= settings_.min_elevation_deg &&
         one.star->colour_index >= sim::kBluestStar && one.star->colour_index <= sim::kReddestStar &&
         !is_disturbed(one, all, settings_.aperture))
       stars.push_back(one);

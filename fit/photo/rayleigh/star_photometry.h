@@ -31,7 +31,7 @@ enum class ExtinctionBy {
 
 struct StarPhotometrySettings {
   Aperture aperture;
-  double faintest = 4.0, least_elevation_deg = 20.0;
+  double faintest = 4.0, min_elevation_deg = 20.0;
   ExtinctionBy extinction = ExtinctionBy::choice;
   double magnitudes_per_airmass = 0.0;  ///< of ExtinctionBy::number
   bool refracting_air = true;

@@ -20,12 +20,12 @@ namespace vegard::fit {
 namespace {
 
 constexpr const char* kBorderJson = "border.json";
-constexpr std::size_t kMostBorderBytes = 64u << 20;
+constexpr std::size_t kMaxBorderBytes = 64u << 20;
 
 sim::KnownFolder look_at_border(const std::string& directory) {
   const std::set<std::string> names = {kBorderJson, "border.csv", "border.svg", "report.html"};
   sim::KnownFolder known;
-  const sim::InputFile file = sim::read_input(directory + "/" + kBorderJson, kMostBorderBytes);
+  const sim::InputFile file = sim::read_input(directory + "/" + kBorderJson, kMaxBorderBytes);
   const nlohmann::json json = nlohmann::json::parse(file.bytes, nullptr, false);
   if (!file.problem.empty())
     known.objection = "its border.json " + file.problem;

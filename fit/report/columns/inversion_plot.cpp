@@ -21,8 +21,8 @@ struct ContourLevel {
 };
 constexpr std::array<ContourLevel, 3> kLevels = {
     {{2.30, "68 %", 2.4}, {6.18, "95 %", 1.7}, {11.83, "99.7 %", 1.0}}};
-constexpr double kLogAxis = 1.6;       // of a logarithm: wider axes are logarithmic
-constexpr double kLeastMargin = 0.15;  // of a logarithm, about the intervals
+constexpr double kLogAxis = 1.6;     // of a logarithm: wider axes are logarithmic
+constexpr double kMinMargin = 0.15;  // of a logarithm, about the intervals
 
 /// An axis of an unknown, whose limits are logarithms.
 struct UnknownAxis {
@@ -41,7 +41,7 @@ UnknownAxis unknown_axis(const ColumnModel& model, const ColumnInversion& invers
     axis.least = std::min(axis.least, interval.lower ? std::log(*interval.lower) : model.least(k));
     axis.most = std::max(axis.most, interval.upper ? std::log(*interval.upper) : model.most(k));
   }
-  const double margin = std::max(kLeastMargin, 0.7 * (axis.most - axis.least));
+  const double margin = std::max(kMinMargin, 0.7 * (axis.most - axis.least));
   axis.least = std::max(model.least(k), axis.least - margin);
   axis.most = std::min(model.most(k), axis.most + margin);
   return axis;

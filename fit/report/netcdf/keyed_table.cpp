@@ -113,7 +113,7 @@ KeyedTable::KeyedTable(const TextTable& table, std::vector<std::string> keys)
       place_of_row_.back().push_back(at->second);
     }
     most *= places_.back().size();
-    if (most > kMostNumbers)
+    if (most > kMaxNumbers)
       refuse_table(table, 0, "its rows are no grid: it would have more than 2^26 places",
                    "rows for every pair of a few values");
   }

@@ -31,10 +31,10 @@ TextTable read_text_table(std::string_view text, const std::string& name);
 class KeyedTable {
  public:
   /// Most numbers of an array.
-  static constexpr std::size_t kMostNumbers = std::size_t{1} << 26;
+  static constexpr std::size_t kMaxNumbers = std::size_t{1} << 26;
 
   /// `keys`: columns of the table. Throws sim::Error(unreadable_input) if arrays by all keys would have more
-  /// than kMostNumbers, or two rows have one place.
+  /// than kMaxNumbers, or two rows have one place.
   KeyedTable(const TextTable& table, std::vector<std::string> keys);
 
   /// What stands in the key's column, each once, in the order of the rows.

@@ -8,7 +8,7 @@
 namespace vegard::fit {
 
 RecordOfRun read_record(const std::string& file, const std::string& expected) {
-  RecordOfRun json = RecordOfRun::parse(sim::input_bytes(file, expected, kMostResultBytes), nullptr, false);
+  RecordOfRun json = RecordOfRun::parse(sim::input_bytes(file, expected, kMaxResultBytes), nullptr, false);
   if (!json.is_object()) sim::refuse_file(sim::ErrorKind::unreadable_input, file, "is no JSON", expected);
   return json;
 }

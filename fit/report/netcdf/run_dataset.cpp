@@ -210,7 +210,7 @@ class RunDataset {
       const std::string path = directory_ + "/" + file;
       std::error_code error;
       if (!fs::exists(path, error)) return;
-      add_table(read_text_table(sim::input_bytes(path, "a run's table", kMostResultBytes), path), prefix,
+      add_table(read_text_table(sim::input_bytes(path, "a run's table", kMaxResultBytes), path), prefix,
                 suffix, dataset_);
     };
     const RecordOfRun& photos = record_list(json_, "photos");
@@ -295,7 +295,7 @@ NetcdfDataset dataset_of(const std::string& path) {
   std::error_code error;
   if (!fs::is_directory(path, error))
     return table_dataset(
-        sim::input_bytes(path, "the directory of a run, a map or a sequence, or a table", kMostResultBytes),
+        sim::input_bytes(path, "the directory of a run, a map or a sequence, or a table", kMaxResultBytes),
         path);
   if (fs::exists(path + "/result.json", error)) return run_dataset(path);
   if (fs::exists(path + "/map.json", error)) return map_dataset(path);

@@ -126,8 +126,8 @@ Layout lay_out(const Plot& plot) {
 
 /// As many ticks as there is room for their numbers.
 AxisTicks horizontal_ticks(const Limits& limits, double width_px) {
-  constexpr double kLeastStep = 34, kBetweenNumbers = 14;
-  for (int most = static_cast<int>(width_px / kLeastStep);; --most) {
+  constexpr double kMinStep = 34, kBetweenNumbers = 14;
+  for (int most = static_cast<int>(width_px / kMinStep);; --most) {
     AxisTicks ticks = axis_ticks(limits.min, limits.max, std::max(1, most));
     if (most <= 1 || ticks.places.size() < 2) return ticks;
     double widest = 0.0;

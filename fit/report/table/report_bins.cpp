@@ -11,8 +11,8 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kBinsMostBands = 12;
-constexpr double kMostSigma = 0.5;  ///< of a gain that is drawn: others would take the scale for themselves
+constexpr int kBinsMaxBands = 12;
+constexpr double kMaxSigma = 0.5;  ///< of a gain that is drawn: others would take the scale for themselves
 constexpr Colour kBinsModelInk{40, 40, 40}, kGrey{120, 120, 120};
 const char* const kChannelNames[3] = {"red", "green", "blue"};
 const char* const kBinsHowToRead = "Dots: photograph. Shaded: \u00b11 \u03c3. Thin line: model.";
@@ -150,7 +150,7 @@ std::string bins_residual_svg(const FittedPhoto& fitted) {
 
 std::string bins_bands_svg(const FittedPhoto& fitted) {
   const Profile& data = fitted.data;
-  const int panels = std::min(data.bands, kBinsMostBands);
+  const int panels = std::min(data.bands, kBinsMaxBands);
   Plot plot;
   plot.title = "Single bands";
   plot.note = panels < data.bands
@@ -190,7 +190,7 @@ std::string bins_brightness_svg(const FittedPhoto& fitted) {
     if (per_channel) series.label = kChannelNames[c];
     for (int b = 0; b < data.bands && b < static_cast<int>(fitted.gain.size()); ++b) {
       const double sigma = sigmas[b][c];
-      if (!(sigma <= kMostSigma * fitted.gain[b][c])) {
+      if (!(sigma <= kMaxSigma * fitted.gain[b][c])) {
         const std::string name = std::to_string(b) + (per_channel ? std::string(" ") + kChannelNames[c] : "");
         left_out += (left_out.empty() ? "" : ", ") + name;
         continue;

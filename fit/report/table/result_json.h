@@ -9,7 +9,7 @@
 namespace vegard::fit {
 
 /// More is none of ours; a few megabytes is much.
-constexpr std::size_t kMostResultBytes = std::size_t{256} << 20;
+constexpr std::size_t kMaxResultBytes = std::size_t{256} << 20;
 
 /// JSON (RFC 8259) with a fixed order of keys, numbers at full precision, and null for what is unknown or not
 /// finite. The same result gives the same bytes.

@@ -8,7 +8,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kAlikeSampling = 1.5, kLeastSampling = 5e-3;
+constexpr double kAlikeSampling = 1.5, kMinSampling = 5e-3;
 constexpr double kSameWeights = 1e-9;  // of the sum: rounding
 
 FittedModel model_of(const RunSummary& run) {
@@ -31,7 +31,7 @@ std::string difference(const RunSummary& a, const RunSummary& b) {
     return "other weights (fit.model_error, say)";
   // It is in the weights, and chi2 of unlike weights say nothing of the models.
   if (std::max(a.sampling_error, b.sampling_error) >
-      kAlikeSampling * std::max(kLeastSampling, std::min(a.sampling_error, b.sampling_error)))
+      kAlikeSampling * std::max(kMinSampling, std::min(a.sampling_error, b.sampling_error)))
     return "a model sampled far better or worse (sheet beams, say)";
   return {};
 }
@@ -59,16 +59,16 @@ RunComparison compared(const std::vector<RunSummary>& runs) {
   const Believed believed = believed_by(model_of(*richest));
   for (const RunSummary& run : runs)
     comparison.runs.push_back({run, information_criteria(model_of(run), believed), 0.0, 0.0});
-  double least_aic = comparison.runs.front().criteria.aic;
+  double min_aic = comparison.runs.front().criteria.aic;
   for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
-    least_aic = std::min(least_aic, comparison.runs[i].criteria.aic);
+    min_aic = std::min(min_aic, comparison.runs[i].criteria.aic);
     if (comparison.runs[i].criteria.bic < comparison.runs[comparison.best].criteria.bic) comparison.best = i;
   }
   comparison.independent_values = comparison.runs.front().criteria.values;
   const ComparedRun best = comparison.runs[comparison.best];
   for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
     comparison.runs[i].bic_difference = comparison.runs[i].criteria.bic - best.criteria.bic;
-    comparison.runs[i].aic_difference = comparison.runs[i].criteria.aic - least_aic;
+    comparison.runs[i].aic_difference = comparison.runs[i].criteria.aic - min_aic;
     if (i != comparison.best)
       comparison.sentences.push_back(compared_in_words(model_of(best.run), model_of(runs[i])));
   }

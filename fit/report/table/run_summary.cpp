@@ -58,7 +58,7 @@ RunSummary run_summary_of(const Json& json) {
 
 RunSummary read_run(const std::string& directory) {
   const std::string file = directory + "/result.json";
-  const sim::InputFile text = sim::read_input(file, kMostResultBytes);
+  const sim::InputFile text = sim::read_input(file, kMaxResultBytes);
   if (!text.problem.empty()) throw unreadable(file, text.problem, "is that the directory of a run?");
   const Json json = Json::parse(text.bytes, nullptr, false);
   if (!json.is_object()) throw unreadable(file, "is no JSON", "");

@@ -21,7 +21,7 @@ constexpr double kLowestSky_deg = 5.0;
 /// White of a file, less what rounding takes.
 constexpr float kClippedLight = 0.995f;
 /// Below it light is lost in a file's steps, and no logarithm is to see them.
-constexpr double kLeastLight = 1e-4;
+constexpr double kMinLight = 1e-4;
 constexpr int kMeridianBins = 40;
 
 using SkyDirection = std::array<double, 3>;
@@ -74,7 +74,7 @@ CellLight light_of_cells(const Photo& photo, const FilterCells& cells) {
   light.log_grey.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     light.grey[i] = (light.rgb[i][0] + light.rgb[i][1] + light.rgb[i][2]) / 3.0;
-    light.log_grey[i] = std::log10(std::max(light.grey[i], kLeastLight));
+    light.log_grey[i] = std::log10(std::max(light.grey[i], kMinLight));
     if (cells.sky[i] == 0) continue;
     light.sky.push_back(i);
     light.clipped_share = std::max(light.clipped_share, clipped[i] / (static_cast<double>(size) * size));
@@ -201,7 +201,7 @@ void add_colours(const CellLight& light, FrameFeatures& features) {
     more[c] = top[c] - below[c];
   }
   const double sum = more[0] + more[1] + more[2], sky = below[0] + below[1] + below[2];
-  if (sum > kLeastLight)
+  if (sum > kMinLight)
     feature(features, FrameFeature::green) =
         std::clamp((more[1] - 0.5 * (more[0] + more[2])) / sum, -1.0, 1.0);
   if (sky > 0.0) feature(features, FrameFeature::blue) = std::clamp((below[2] - below[0]) / sky, -1.0, 1.0);
@@ -269,8 +269,8 @@ void add_blobs(const FilterCells& cells, const CellLight& light, const SkyDirect
         if (away <= 1 && light.grey[other] > light.grey[i]) is_top = false;
         if (away == kRing) ring.push_back(light.log_grey[other]);
       }
-    constexpr std::size_t kLeastOfRing = 8;
-    if (!is_top || ring.size() < kLeastOfRing) continue;
+    constexpr std::size_t kMinOfRing = 8;
+    if (!is_top || ring.size() < kMinOfRing) continue;
     const double peak = light.log_grey[i] - value_at_share(std::move(ring), kOfRing);
     const bool is_moon = moon[2] > 0.0 && cosine_between(cells.enu[i], moon) > of_moon;
     double& of = is_moon ? at_moon : elsewhere;

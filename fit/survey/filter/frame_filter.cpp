@@ -7,12 +7,12 @@
 namespace vegard::fit {
 namespace {
 
-constexpr std::size_t kMostTreesBytes = 16 << 20;
+constexpr std::size_t kMaxTreesBytes = 16 << 20;
 constexpr const char* kBuiltIn = "sky_trees.json";
 
 std::string text_of_trees(const std::string& file) {
   return file.empty() ? std::string(sim::embedded_table(kBuiltIn))
-                      : sim::input_bytes(file, "trees of a filter (JSON)", kMostTreesBytes);
+                      : sim::input_bytes(file, "trees of a filter (JSON)", kMaxTreesBytes);
 }
 
 /// Per pixel, 0 under the mask.

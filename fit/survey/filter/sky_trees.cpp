@@ -9,7 +9,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kLikelierThanNot = 0.5;
-constexpr int kMostNodes = 100000;
+constexpr int kMaxNodes = 100000;
 
 [[noreturn]] void refuse_trees(const std::string& file, const std::string& problem) {
   throw sim::Error(sim::ErrorKind::unreadable_input,
@@ -45,7 +45,7 @@ SkyTrees::Tree SkyTrees::tree_of(const std::string& text, const std::string& nam
   const nlohmann::json nodes = nlohmann::json::parse(text);
   Tree tree;
   const auto count = static_cast<int>(nodes.size());
-  if (!nodes.is_array() || count < 1 || count > kMostNodes) refuse_trees(name, "has a tree of no nodes");
+  if (!nodes.is_array() || count < 1 || count > kMaxNodes) refuse_trees(name, "has a tree of no nodes");
   for (const nlohmann::json& node : nodes) {
     Node one;
     if (node.contains("score")) {

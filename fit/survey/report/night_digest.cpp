@@ -11,7 +11,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr std::size_t kNamedFrames = 5, kMostReasons = 60;
+constexpr std::size_t kNamedFrames = 5, kMaxReasons = 60;
 constexpr double kHour_s = 3600.0, kMinute_s = 60.0;
 constexpr const char* kOtherReasons = "other reasons";
 
@@ -31,7 +31,7 @@ std::string without_numbers(const std::string& words) {
 
 void add_failure(const std::string& reason, const FrameAnswer& answer, Failures& failures) {
   const bool is_new = failures.count(reason) == 0;
-  FailedFrames& failed = failures[is_new && failures.size() >= kMostReasons ? kOtherReasons : reason];
+  FailedFrames& failed = failures[is_new && failures.size() >= kMaxReasons ? kOtherReasons : reason];
   ++failed.frames;
   if (failed.some.size() < kNamedFrames)
     failed.some.push_back({answer.frame, answer.file, sim::utc_text(answer.time_s)});
@@ -174,7 +174,7 @@ void add_verdicts(const VerdictCounts& more, VerdictCounts& counts) {
 void add_failures(const Failures& more, Failures& failures) {
   for (const auto& [reason, failed] : more) {
     const bool is_new = failures.count(reason) == 0;
-    FailedFrames& sum = failures[is_new && failures.size() >= kMostReasons ? kOtherReasons : reason];
+    FailedFrames& sum = failures[is_new && failures.size() >= kMaxReasons ? kOtherReasons : reason];
     sum.frames += failed.frames;
     for (const NamedFrame& frame : failed.some)
       if (sum.some.size() < kNamedFrames) sum.some.push_back(frame);

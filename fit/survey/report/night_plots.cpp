@@ -12,7 +12,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kMostMarks = 400, kMostDots = 1500;
+constexpr int kMaxMarks = 400, kMaxDots = 1500;
 constexpr double kNightTickDistance_px = 75.0;
 constexpr Colour kDoubtfulInk{176, 184, 194}, kStripGround{238, 241, 245}, kStripTold{96, 178, 152},
     kStripEnergy{196, 84, 10}, kBarText{95, 95, 95}, kBarAxis{150, 150, 150};
@@ -62,7 +62,7 @@ Series jumps_of(const NightDigest& digest, const FollowedSeries& of) {
   jumped.width_px = 6.0;
   if (of.kind == FollowedKind::velocity) return jumped;
   for (const JumpedNumber& one : digest.jumps) {
-    if (one.name != of.name || static_cast<int>(jumped.x.size()) >= kMostMarks) continue;
+    if (one.name != of.name || static_cast<int>(jumped.x.size()) >= kMaxMarks) continue;
     jumped.x.push_back(one.time_s);
     jumped.y.push_back(one.value);
   }
@@ -179,7 +179,7 @@ std::vector<Series> series_of(const FollowedSeries& followed, const ShownSpan& s
     series->width_px = 4.0;
     series->error_bars = true;
   }
-  for (const FollowedPoint& point : thinned(followed.points, span, kMostMarks)) {
+  for (const FollowedPoint& point : thinned(followed.points, span, kMaxMarks)) {
     Series& to = point.is_good ? good : doubtful;
     to.x.push_back(point.time_s);
     to.y.push_back(point.value);
@@ -236,7 +236,7 @@ Plot energy_plot(const std::vector<EnergyAndFlux>& energies) {
   doubtful.colour = kDoubtfulInk;
   good.mark = doubtful.mark = Mark::points;
   good.width_px = doubtful.width_px = 3.0;
-  const std::size_t step = (energies.size() + kMostDots - 1) / kMostDots;
+  const std::size_t step = (energies.size() + kMaxDots - 1) / kMaxDots;
   for (std::size_t i = 0; i < energies.size(); i += step) {
     Series& to = energies[i].is_good ? good : doubtful;
     to.x.push_back(std::log10(energies[i].energy_kev));
@@ -344,8 +344,8 @@ std::string verdict_bars(const std::map<int, VerdictCounts>& verdicts_of_hour, S
   }
   if (hours.empty()) return {};
   const int begin = hours.begin()->first, end = hours.rbegin()->first + 1;
-  constexpr double kLeft = 50, kHeight = 170, kBelow = 44, kMostBar = 46, kWidth = 470;
-  const double bar = std::min(kMostBar, (kWidth - kLeft - 10) / (end - begin));
+  constexpr double kLeft = 50, kHeight = 170, kBelow = 44, kMaxBar = 46, kWidth = 470;
+  const double bar = std::min(kMaxBar, (kWidth - kLeft - 10) / (end - begin));
   constexpr double kLegendRow = 16, kLegendText = 12;
   // Where the words of the legend stand: as many rows as the picture is too narrow for.
   std::vector<std::pair<std::string, std::pair<double, double>>> legend;
@@ -443,17 +443,16 @@ void StripScales::add(const NightInSmall& night) {
     if (std::isfinite(night.energy_kev[m])) energies.push_back(night.energy_kev[m]);
   }
   if (energies.empty()) return;
-  least_kev = std::min(least_kev, share_of_numbers(energies, 0.02));
-  most_kev = std::max(most_kev, share_of_numbers(energies, 0.98));
+  min_kev = std::min(min_kev, share_of_numbers(energies, 0.02));
+  max_kev = std::max(max_kev, share_of_numbers(energies, 0.98));
 }
 
 std::string night_strip(const NightInSmall& night, const StripScales& scales) {
-  constexpr int kMostStretches = 128, kLeastStretches = 8;
+  constexpr int kMaxStretches = 128, kMinStretches = 8;
   constexpr double kWidth = 384, kHeight = 40, kEdge = 3;
   const int minutes = std::max(1, scales.end_minute - scales.first_minute);
   // As wide as to have frames in each, also of cameras that take one every few minutes.
-  const int stretches =
-      std::min(minutes, std::clamp(scales.most_filled / 2, kLeastStretches, kMostStretches));
+  const int stretches = std::min(minutes, std::clamp(scales.most_filled / 2, kMinStretches, kMaxStretches));
   struct Stretch {
     int frames = 0, told = 0;
     std::vector<double> energies;
@@ -488,8 +487,8 @@ std::string night_strip(const NightInSmall& night, const StripScales& scales) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       const double kev = share_of_numbers(all[i].energies, 0.5);
       if (kev > 0.0) {
-        const double range = std::log(std::max(scales.most_kev / scales.least_kev, 1.01));
-        const double share = std::clamp(std::log(kev / scales.least_kev) / range, 0.0, 1.0);
+        const double range = std::log(std::max(scales.max_kev / scales.min_kev, 1.01));
+        const double share = std::clamp(std::log(kev / scales.min_kev) / range, 0.0, 1.0);
         line.push_back({(i + 0.5) * width, kEdge + (kHeight - 2 * kEdge) * (1.0 - share)});
       } else {
         finish();

@@ -82,7 +82,7 @@ NightInSmall night_in_small(const std::vector<const NightDigest*>& cameras, doub
 struct StripScales {
   int first_minute = 24 * 60, end_minute = 0;
   int most_filled = 0;  ///< minutes with frames, of the night that has most
-  double least_kev = 1e9, most_kev = 0.0;
+  double min_kev = 1e9, max_kev = 0.0;
   void add(const NightInSmall& night);
 };
 

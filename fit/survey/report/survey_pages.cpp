@@ -229,7 +229,7 @@ std::string night_page(const SurveyFacts& facts, const ShownNight& night, const 
   std::vector<EnergyAndFlux> energies;
   LatitudeCells latitudes;
   std::string why_no_flux, numbers;
-  std::size_t most_points = 0;
+  std::size_t max_points = 0;
   for (const ShownCamera& shown : night.cameras) {
     const NightDigest& d = shown.digest;
     first_s = frames == 0 ? d.first_s : std::min(first_s, d.first_s);
@@ -246,8 +246,8 @@ std::string night_page(const SurveyFacts& facts, const ShownNight& night, const 
     // Of several cameras the one that tells most; each has its own beside its plots.
     const std::size_t points =
         points_of(d, FollowedKind::energy).size() + points_of(d, FollowedKind::border).size();
-    if (points > most_points) {
-      most_points = points;
+    if (points > max_points) {
+      max_points = points;
       numbers = (night.cameras.size() > 1 ? "Seen by " + d.camera + ": " : "") + numbers_sentence(d);
     }
   }

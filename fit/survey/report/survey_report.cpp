@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kIndex = "index.html";
-constexpr std::size_t kMostIndexBytes = 256u << 20;
+constexpr std::size_t kMaxIndexBytes = 256u << 20;
 
 std::string file_of_night(const std::string& name) { return "night-" + name + ".html"; }
 
@@ -31,7 +31,7 @@ bool is_night_file(const std::string& name) {
 
 sim::KnownFolder look_at_report(const std::string& directory) {
   sim::KnownFolder known;
-  const sim::InputFile file = sim::read_input(directory + "/" + kIndex, kMostIndexBytes);
+  const sim::InputFile file = sim::read_input(directory + "/" + kIndex, kMaxIndexBytes);
   if (!file.problem.empty())
     known.objection = "its index.html " + file.problem;
   else if (file.bytes.substr(0, 300).find("content=\"vegard survey report\"") == std::string::npos)
@@ -174,7 +174,7 @@ SurveyReport write_survey_report(const SqliteFile& database, const std::string& 
         one.keogram_note = "No keogram was asked for.";
         continue;
       }
-      const NightKeogram made = night_keogram(reader, night.cameras[c], options.frames, options.most_columns);
+      const NightKeogram made = night_keogram(reader, night.cameras[c], options.frames, options.max_columns);
       if (made.keogram) {
         ++report.keograms;
         one.keogram = plot_svg(keogram_with_border(*made.keogram, one.digest, span));

@@ -10,9 +10,9 @@
 namespace vegard::fit {
 
 struct SurveyReportOptions {
-  SurveyFrames frames;     ///< without a plan there are no keograms, links and latitudes
-  bool keograms = true;    ///< to be made where there is a plan
-  int most_columns = 900;  ///< of a keogram: frames that are read
+  SurveyFrames frames;    ///< without a plan there are no keograms, links and latitudes
+  bool keograms = true;   ///< to be made where there is a plan
+  int max_columns = 900;  ///< of a keogram: frames that are read
   bool overwrite = false;
   std::function<void(double share)> progress;  ///< of the nights; may be empty
 };

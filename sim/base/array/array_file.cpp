@@ -9,7 +9,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr std::uint64_t kMostCount = std::uint64_t{1} << 62;
+constexpr std::uint64_t kMaxCount = std::uint64_t{1} << 62;
 
 template <typename Number>
 double number_at(std::string_view block, std::size_t at) {
@@ -18,12 +18,12 @@ double number_at(std::string_view block, std::size_t at) {
   return static_cast<double>(number);
 }
 
-/// The product, or kMostCount if it is larger.
+/// The product, or kMaxCount if it is larger.
 std::uint64_t product(const std::vector<std::uint64_t>& factors) {
   std::uint64_t all = 1;
   for (const std::uint64_t factor : factors) {
     if (factor == 0) return 0;
-    all = all > kMostCount / factor ? kMostCount : all * factor;
+    all = all > kMaxCount / factor ? kMaxCount : all * factor;
   }
   return all;
 }
@@ -63,10 +63,10 @@ std::string ArrayFile::read(const StoredArray& array, const std::vector<std::uin
                             const std::vector<std::uint64_t>& count) {
   const std::uint64_t numbers = product(count);
   const std::size_t size = size_of(array.kind);
-  if (size == 0 || numbers > kMostBlockBytes / size)
+  if (size == 0 || numbers > kMaxBlockBytes / size)
     refuse("of '" + array.name + "', " + (size == 0 ? "which holds text, numbers" : "more") +
                " would have to be read at once than is possible",
-           "at most " + bytes_text(kMostBlockBytes));
+           "at most " + bytes_text(kMaxBlockBytes));
   if (numbers == 0) return {};
   std::string block = read_block(array, start, count);
   if (block.size() != numbers * size) refuse("the file is damaged: '" + array.name + "' is cut short");

@@ -79,12 +79,12 @@ class ArrayFile {
 };
 
 // Limits of all formats.
-constexpr std::size_t kMostArrays = 20000;
-constexpr std::size_t kMostArrayDims = 8;
+constexpr std::size_t kMaxArrays = 20000;
+constexpr std::size_t kMaxArrayDims = 8;
 /// Of a block that is read at once.
-constexpr std::uint64_t kMostBlockBytes = std::uint64_t{1} << 29;
+constexpr std::uint64_t kMaxBlockBytes = std::uint64_t{1} << 29;
 /// Of all words of a file.
-constexpr std::size_t kMostWordBytes = std::size_t{1} << 24;
+constexpr std::size_t kMaxWordBytes = std::size_t{1} << 24;
 
 /// The block of an array that lies in memory as a whole.
 std::string block_of(std::string_view all, const StoredArray& array, const std::vector<std::uint64_t>& start,

@@ -16,8 +16,8 @@ constexpr std::string_view kPlain("\x00\x00\xFF\xFF", 4);
 constexpr std::string_view kPacked("\xCC\xCC\x00\x01", 4);
 constexpr std::uint64_t kMagicBytes = 8;
 constexpr std::size_t kNameBytes = 256;
-constexpr std::uint64_t kMostUnpackedFile = std::uint64_t{1} << 29;
-constexpr std::size_t kMostBlocks = std::size_t{1} << 20;
+constexpr std::uint64_t kMaxUnpackedFile = std::uint64_t{1} << 29;
+constexpr std::size_t kMaxBlocks = std::size_t{1} << 20;
 constexpr int kDeepestIndex = 8;
 constexpr const char* kCopyIt = "copy it again from where it came";
 
@@ -170,13 +170,13 @@ class CdfFile : public ArrayFile {
   }
 
   /// A record's head behind its size and type, which are to be these.
-  Fields record(std::uint64_t place, RecordType type, std::size_t most_bytes) const {
+  Fields record(std::uint64_t place, RecordType type, std::size_t max_bytes) const {
     constexpr std::size_t kHead = 12;
     const std::string head = file_->bytes(place, kHead);
     const std::uint64_t size = big_endian(head, 0, 8);
     if (big_endian(head, 8, 4) != type || size < kHead)
       refuse_damaged("a record of kind " + std::to_string(type) + " is not where it is said to be");
-    return Fields(file_->bytes(place + kHead, std::min<std::uint64_t>(size - kHead, most_bytes)));
+    return Fields(file_->bytes(place + kHead, std::min<std::uint64_t>(size - kHead, max_bytes)));
   }
   std::uint64_t type_at(std::uint64_t place) const {
     constexpr std::uint64_t kTypeAt = 8;
@@ -190,7 +190,7 @@ class CdfFile : public ArrayFile {
     constexpr std::uint64_t kDataAt = 32;
     const std::uint64_t stored = big_endian(file_->bytes(kMagicBytes, 8), 0, 8);
     if (packing_of(packing) != kGzip) refuse("it is packed as a whole in a way that is not read", "gzip");
-    if (size > kMostUnpackedFile)
+    if (size > kMaxUnpackedFile)
       refuse("it claims to unpack to " + std::to_string(size) + " bytes", "at most 512 MB",
              "unpack it first");
     if (stored < kDataAt) refuse_damaged("its packed part is cut short");
@@ -230,14 +230,14 @@ class CdfFile : public ArrayFile {
     if (order_ == 0) refuse("its numbers are encoded in a way that is not read", "IEEE numbers");
     if ((flags & kInOneFile) == 0) refuse("its variables are in files of their own", "one file");
     rows_first_ = (flags & kRowsFirst) != 0;
-    Fields global = record(global_at, kGlobal, 72 + 4 * kMostArrayDims);
+    Fields global = record(global_at, kGlobal, 72 + 4 * kMaxArrayDims);
     const std::uint64_t r_head = global.eight(), z_head = global.eight();
     global.pass(16);
     global.pass(12);
     const std::uint64_t r_dims = global.four();
     global.pass(4 + 8 + 12);
     std::vector<std::uint64_t> r_lengths;
-    if (r_dims >= kMostArrayDims) refuse("its variables have too many dimensions");
+    if (r_dims >= kMaxArrayDims) refuse("its variables have too many dimensions");
     for (std::uint64_t d = 0; d < r_dims; ++d) r_lengths.push_back(global.four());
     if (global.is_short()) refuse_damaged("its record of what it holds is cut short");
     take_variables(r_head, kRVariable, r_lengths);
@@ -246,8 +246,8 @@ class CdfFile : public ArrayFile {
 
   void take_variables(std::uint64_t place, RecordType type, const std::vector<std::uint64_t>& r_lengths) {
     for (std::size_t seen = 0; place != 0; ++seen) {
-      if (seen >= kMostArrays) refuse("it holds more than " + std::to_string(kMostArrays) + " variables");
-      constexpr std::size_t kEnough = 72 + kNameBytes + 4 + 8 * kMostArrayDims + 64;
+      if (seen >= kMaxArrays) refuse("it holds more than " + std::to_string(kMaxArrays) + " variables");
+      constexpr std::size_t kEnough = 72 + kNameBytes + 4 + 8 * kMaxArrayDims + 64;
       Fields head = record(place, type, kEnough);
       place = head.eight();
       const std::uint64_t data_type = head.four(), last_record = head.four();
@@ -265,7 +265,7 @@ class CdfFile : public ArrayFile {
       std::vector<std::uint64_t> lengths = r_lengths;
       if (type == kZVariable) {
         const std::uint64_t dims = head.four();
-        if (dims >= kMostArrayDims) continue;
+        if (dims >= kMaxArrayDims) continue;
         lengths.clear();
         for (std::uint64_t d = 0; d < dims; ++d) lengths.push_back(head.four());
       }
@@ -277,7 +277,7 @@ class CdfFile : public ArrayFile {
       variable.packing = (flags & kIsPacked) != 0 ? packing_of(packing_at) : kNoPacking;
       variable.varies = (flags & kVariesByRecord) != 0;
       const std::uint64_t in_record = array.count();
-      if (in_record > kMostBlockBytes / size_of(array.kind)) continue;
+      if (in_record > kMaxBlockBytes / size_of(array.kind)) continue;
       variable.record_bytes = in_record * size_of(array.kind);
       if (!rows_first_) std::reverse(array.dims.begin(), array.dims.end());
       array.columns_first = !rows_first_;
@@ -292,11 +292,11 @@ class CdfFile : public ArrayFile {
 
   void take_index(std::uint64_t place, int depth, std::size_t& seen, std::vector<Block>& blocks) const {
     while (place != 0) {
-      if (++seen > kMostBlocks || depth > kDeepestIndex) refuse_damaged("its index has no end");
-      constexpr std::size_t kEntryBytes = 16, kMostEntries = 4096;
-      Fields head = record(place, kIndex, 16 + kEntryBytes * kMostEntries);
+      if (++seen > kMaxBlocks || depth > kDeepestIndex) refuse_damaged("its index has no end");
+      constexpr std::size_t kEntryBytes = 16, kMaxEntries = 4096;
+      Fields head = record(place, kIndex, 16 + kEntryBytes * kMaxEntries);
       const std::uint64_t next = head.eight(), entries = head.four(), used = head.four();
-      if (entries > kMostEntries || used > entries) refuse_damaged("its index makes no sense");
+      if (entries > kMaxEntries || used > entries) refuse_damaged("its index makes no sense");
       std::vector<Block> own(static_cast<std::size_t>(entries));
       for (Block& block : own) block.first = head.four();
       for (Block& block : own) block.last = head.four();
@@ -304,7 +304,7 @@ class CdfFile : public ArrayFile {
       if (head.is_short()) refuse_damaged("its index is cut short");
       own.resize(static_cast<std::size_t>(used));
       for (const Block& block : own) {
-        if (block.last < block.first || blocks.size() >= kMostBlocks)
+        if (block.last < block.first || blocks.size() >= kMaxBlocks)
           refuse_damaged("its index makes no sense");
         if (type_at(block.place) == kIndex)
           take_index(block.place, depth + 1, seen, blocks);
@@ -343,7 +343,7 @@ class CdfFile : public ArrayFile {
     if (kept_place_ != block.place) {
       const std::uint64_t stored = big_endian(file_->bytes(block.place + kSizeAt, 8), 0, 8);
       const std::uint64_t records = block.last - block.first + 1;
-      if (records > kMostBlockBytes / variable.record_bytes)
+      if (records > kMaxBlockBytes / variable.record_bytes)
         refuse("a packed block of '" + name + "' claims more than 512 MB");
       const std::string packed = file_->bytes(block.place + kPackedValuesAt, stored);
       const std::uint64_t size = records * variable.record_bytes;

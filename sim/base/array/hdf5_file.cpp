@@ -15,8 +15,8 @@
 namespace vegard::sim {
 namespace {
 
-constexpr std::size_t kMostTextBytesOfOne = 1 << 16;
-constexpr hsize_t kMostChunkBytes = hsize_t{1} << 28;
+constexpr std::size_t kMaxTextBytesOfOne = 1 << 16;
+constexpr hsize_t kMaxChunkBytes = hsize_t{1} << 28;
 constexpr const char* kDamagedPart = "the file is damaged: ";
 
 /// One of the library's handles. What it was got for is open() false of.
@@ -89,12 +89,12 @@ std::vector<std::string> hdf5_texts(hid_t type, hid_t space, std::size_t count, 
     std::vector<char*> words(count, nullptr);
     if (!memory.is_open() || read(memory, words.data()) < 0) return texts;
     for (const char* word : words)
-      texts.emplace_back(word == nullptr ? "" : std::string(word, ::strnlen(word, kMostTextBytesOfOne)));
+      texts.emplace_back(word == nullptr ? "" : std::string(word, ::strnlen(word, kMaxTextBytesOfOne)));
     H5Dvlen_reclaim(memory, space, H5P_DEFAULT, words.data());
     return texts;
   }
   const std::size_t size = H5Tget_size(type);
-  if (size == 0 || size > kMostTextBytesOfOne || count > kMostWordBytes / size) return texts;
+  if (size == 0 || size > kMaxTextBytesOfOne || count > kMaxWordBytes / size) return texts;
   std::string all(size * count, '\0');
   if (read(type, all.data()) < 0) return texts;
   for (std::size_t i = 0; i < count; ++i) {
@@ -144,7 +144,7 @@ herr_t take_attribute(hid_t object, const char* name, const H5A_info_t*, void* d
   std::string value;
   if (!attribute.is_open() || !value_of_attribute(attribute, value)) return 0;
   taken.listing.word_bytes += std::strlen(name) + value.size();
-  taken.listing.is_too_much = taken.listing.word_bytes > kMostWordBytes;
+  taken.listing.is_too_much = taken.listing.word_bytes > kMaxWordBytes;
   if (taken.listing.is_too_much) return 1;
   taken.words.emplace_back(name, std::move(value));
   return 0;
@@ -164,10 +164,10 @@ bool is_within_reach(hid_t dataset, std::size_t size) {
   const H5D_layout_t layout = H5Pget_layout(made);
   if (layout == H5D_COMPACT || layout == H5D_CONTIGUOUS) return true;
   if (layout != H5D_CHUNKED) return false;
-  std::array<hsize_t, kMostArrayDims> chunk{};
-  const int dims = H5Pget_chunk(made, kMostArrayDims, chunk.data());
-  if (dims < 1 || dims > static_cast<int>(kMostArrayDims)) return false;
-  hsize_t room = kMostChunkBytes / std::max<std::size_t>(1, size);
+  std::array<hsize_t, kMaxArrayDims> chunk{};
+  const int dims = H5Pget_chunk(made, kMaxArrayDims, chunk.data());
+  if (dims < 1 || dims > static_cast<int>(kMaxArrayDims)) return false;
+  hsize_t room = kMaxChunkBytes / std::max<std::size_t>(1, size);
   for (int d = 0; d < dims; ++d) {
     if (chunk[d] == 0 || chunk[d] > room) return false;
     room /= chunk[d];
@@ -183,9 +183,9 @@ void take_dataset(hid_t dataset, const std::string& name, Listing& listing) {
   bool is_known = false;
   array.kind = array_kind_of(type, is_known);
   const int dims = H5Sget_simple_extent_ndims(space);
-  if (!is_known || dims < 0 || dims > static_cast<int>(kMostArrayDims)) return;
+  if (!is_known || dims < 0 || dims > static_cast<int>(kMaxArrayDims)) return;
   if (!is_within_reach(dataset, H5Tget_size(type))) return;
-  std::array<hsize_t, kMostArrayDims> lengths{};
+  std::array<hsize_t, kMaxArrayDims> lengths{};
   H5Sget_simple_extent_dims(space, lengths.data(), nullptr);
   array.dims.assign(lengths.begin(), lengths.begin() + dims);
   array.words = words_of_object(dataset, listing);
@@ -206,7 +206,7 @@ herr_t take_object(hid_t file, const char* name, const H5O_info_t* info, void* d
       if (!words.empty()) listing.words[std::strcmp(name, ".") == 0 ? "" : name] = std::move(words);
     }
   }
-  if (listing.arrays.size() + listing.words.size() > kMostArrays) listing.is_too_much = true;
+  if (listing.arrays.size() + listing.words.size() > kMaxArrays) listing.is_too_much = true;
   return listing.is_too_much ? 1 : 0;
 }
 
@@ -222,8 +222,8 @@ class Hdf5File : public ArrayFile {
       refuse(std::string(kDamagedPart) + "what it holds cannot be listed", "",
              "copy it again from where it came");
     if (listing.is_too_much)
-      refuse("it holds too much", std::to_string(kMostArrays) + " arrays and groups, and words of " +
-                                      std::to_string(kMostWordBytes >> 20) + " MB");
+      refuse("it holds too much", std::to_string(kMaxArrays) + " arrays and groups, and words of " +
+                                      std::to_string(kMaxWordBytes >> 20) + " MB");
     arrays_ = std::move(listing.arrays);
     words_ = std::move(listing.words);
     take_matlab_words();
@@ -233,8 +233,8 @@ class Hdf5File : public ArrayFile {
     const Handle dataset = opened(array);
     const Handle type(H5Dget_type(dataset), H5Tclose), space(H5Dget_space(dataset), H5Sclose);
     if (!type.is_open() || !space.is_open()) refuse_array(array);
-    constexpr std::uint64_t kMostTexts = 1 << 20;
-    if (array.count() > kMostTexts) refuse("of '" + array.name + "' there are too many texts");
+    constexpr std::uint64_t kMaxTexts = 1 << 20;
+    if (array.count() > kMaxTexts) refuse("of '" + array.name + "' there are too many texts");
     std::vector<std::string> texts = hdf5_texts(
         type, space, static_cast<std::size_t>(array.count()),
         [&](hid_t memory, void* to) { return H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, to); });

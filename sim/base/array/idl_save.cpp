@@ -12,9 +12,9 @@
 namespace vegard::sim {
 namespace {
 
-constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 29;
+constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 29;
 constexpr int kDeepestPart = 6;
-constexpr std::uint32_t kMostTags = 4096;
+constexpr std::uint32_t kMaxTags = 4096;
 constexpr const char* kAgain = "copy it again from where it came";
 
 enum : std::uint32_t { kVariableRecord = 2, kEndRecord = 6 };
@@ -75,7 +75,7 @@ struct Structure {
 
 /// A record's numbers and texts, one after another (XDR: four bytes at least, high byte first).
 class Xdr {
-  static constexpr std::uint32_t kMostTextBytes = 1 << 16;
+  static constexpr std::uint32_t kMaxTextBytes = 1 << 16;
 
  public:
   Xdr(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
@@ -85,7 +85,7 @@ class Xdr {
   /// A length, and so many letters.
   std::string text() {
     const std::uint32_t length = number();
-    if (length > kMostTextBytes) refuse("has a text of more than 64 kB");
+    if (length > kMaxTextBytes) refuse("has a text of more than 64 kB");
     std::string value(take(length));
     align();
     return value;
@@ -124,14 +124,14 @@ class IdlSave : public ArrayFile {
  public:
   IdlSave(const std::string& name, std::string_view bytes) : ArrayFile(name, "IDL") {
     const RandomBytes file(name, bytes);
-    if (file.size() > kMostBytes) refuse("the file is larger than 512 MB");
+    if (file.size() > kMaxBytes) refuse("the file is larger than 512 MB");
     const std::string all = file.bytes(0, file.size());
     constexpr std::size_t kBegin = 4;
     if (all.size() < kBegin) refuse("the file is truncated", "", kAgain);
     const bool is_packed = all[3] == '\6';
     std::size_t place = kBegin;
     for (std::size_t records = 0;; ++records) {
-      if (records > kMostArrays) refuse("it holds too many records");
+      if (records > kMaxArrays) refuse("it holds too many records");
       constexpr std::size_t kHead = 16;
       if (all.size() - place < kHead) refuse("the file is truncated: it has no last record", "", kAgain);
       Xdr head(std::string_view(all).substr(place, kHead), name_);
@@ -160,12 +160,12 @@ class IdlSave : public ArrayFile {
       const std::size_t got = stream.read(all.data() + at, kAtOnce);
       all.resize(at + got);
       if (got < kAtOnce) return all;
-      if (all.size() + kept_bytes_ > kMostBytes) refuse("it unpacks to more than 512 MB");
+      if (all.size() + kept_bytes_ > kMaxBytes) refuse("it unpacks to more than 512 MB");
     }
   }
 
   IdlShape shape_of(Xdr& xdr) {
-    constexpr std::uint32_t kOfThirtyTwoBits = 8, kMostDims = 8;
+    constexpr std::uint32_t kOfThirtyTwoBits = 8, kMaxDims = 8;
     if (xdr.number() != kOfThirtyTwoBits)
       refuse("an array in it is described in a way that is not read", "arrays below 2 GB");
     xdr.pass(4);
@@ -175,14 +175,14 @@ class IdlSave : public ArrayFile {
     const std::uint32_t dims = xdr.number();
     xdr.pass(8);
     const std::uint32_t stored = xdr.number();
-    if (dims < 1 || dims > kMostDims || stored < dims || stored > kMostDims)
+    if (dims < 1 || dims > kMaxDims || stored < dims || stored > kMaxDims)
       xdr.refuse("has an impossible shape");
     std::uint64_t elements = 1;
     for (std::uint32_t d = 0; d < stored; ++d) {
       const std::uint64_t length = xdr.number();
       if (d >= dims) continue;
       shape.dims.push_back(length);
-      if (length == 0 || length > kMostBytes / elements) xdr.refuse("has an impossible shape");
+      if (length == 0 || length > kMaxBytes / elements) xdr.refuse("has an impossible shape");
       elements *= length;
     }
     if (elements != shape.elements) xdr.refuse("has a shape that contradicts itself");
@@ -196,7 +196,7 @@ class IdlSave : public ArrayFile {
     made.name = xdr.text();
     const std::uint32_t flags = xdr.number(), tags = xdr.number();
     xdr.pass(4);
-    if (tags > kMostTags) xdr.refuse("has a structure of too many parts");
+    if (tags > kMaxTags) xdr.refuse("has a structure of too many parts");
     if ((flags & kPredefined) != 0) {
       const auto known = std::find_if(structures_.begin(), structures_.end(),
                                       [&](const Structure& one) { return one.name == made.name; });
@@ -215,14 +215,14 @@ class IdlSave : public ArrayFile {
     for (Tag& tag : made.tags)
       if ((tag.flags & kStructureFlag) != 0) tag.structure = structure_of(xdr, depth + 1);
     if ((flags & (kInherits | kIsClass)) != 0) refuse("it holds objects of a class, which are not read");
-    if (structures_.size() >= kMostArrays) refuse("it holds too many structures");
+    if (structures_.size() >= kMaxArrays) refuse("it holds too many structures");
     structures_.push_back(std::move(made));
     return &structures_.back();
   }
 
   void take_variable(std::string content) {
     kept_bytes_ += content.size();
-    if (kept_bytes_ > kMostBytes) refuse("it holds more than 512 MB");
+    if (kept_bytes_ > kMaxBytes) refuse("it holds more than 512 MB");
     kept_.push_back(std::move(content));
     Xdr xdr(kept_.back(), name_);
     Tag variable;
@@ -244,12 +244,12 @@ class IdlSave : public ArrayFile {
   }
 
   void take_values(Xdr& xdr, const Tag& tag, const std::string& within, int depth) {
-    constexpr std::size_t kMostSteps = 10000000;
-    if (++steps_ > kMostSteps) xdr.refuse("has too many parts");
-    if (within.size() + tag.name.size() > kMostNameLetters) xdr.refuse("has a name of more than 256 letters");
+    constexpr std::size_t kMaxSteps = 10000000;
+    if (++steps_ > kMaxSteps) xdr.refuse("has too many parts");
+    if (within.size() + tag.name.size() > kMaxNameLetters) xdr.refuse("has a name of more than 256 letters");
     const std::string path = within.empty() ? tag.name : within + "/" + tag.name;
     if (tag.structure != nullptr) {
-      if (depth > kDeepestPart || tag.shape.elements > kMostArrays) xdr.refuse("has too many structures");
+      if (depth > kDeepestPart || tag.shape.elements > kMaxArrays) xdr.refuse("has too many structures");
       // Of arrays of structures the first stands for all; the others are gone through.
       steps_ += static_cast<std::size_t>(tag.shape.elements);
       for (std::uint64_t i = 0; i < tag.shape.elements; ++i)
@@ -259,14 +259,14 @@ class IdlSave : public ArrayFile {
     }
     const bool is_array = (tag.flags & kArrayFlag) != 0;
     if (tag.type == kTextType) {
-      if (tag.shape.elements > kMostTexts) xdr.refuse("has too many texts");
+      if (tag.shape.elements > kMaxTexts) xdr.refuse("has too many texts");
       for (std::uint64_t i = 0; i < tag.shape.elements; ++i) {
         // Its length stands there twice, unless it is 0.
         const std::uint32_t length = xdr.number();
         const std::string text = length > 0 ? xdr.text() : std::string();
         if (is_array) continue;
         word_bytes_ += within.size() + tag.name.size() + text.size();
-        if (word_bytes_ > kMostWordBytes) xdr.refuse("has too many texts");
+        if (word_bytes_ > kMaxWordBytes) xdr.refuse("has too many texts");
         words_[within].emplace_back(tag.name, text);
       }
       return;
@@ -284,7 +284,7 @@ class IdlSave : public ArrayFile {
     const std::uint64_t count = array.count();
     const std::string_view stored = xdr.take(count * (is_wide ? 4 : size));
     xdr.align();
-    if (arrays_.size() >= kMostArrays) refuse("it holds too many variables");
+    if (arrays_.size() >= kMaxArrays) refuse("it holds too many variables");
     arrays_.push_back(std::move(array));
     values_.push_back({stored, is_wide});
   }
@@ -301,8 +301,8 @@ class IdlSave : public ArrayFile {
     return block_of(all, array, start, count);
   }
 
-  static constexpr std::uint64_t kMostTexts = 1 << 16;
-  static constexpr std::size_t kMostNameLetters = 256;
+  static constexpr std::uint64_t kMaxTexts = 1 << 16;
+  static constexpr std::size_t kMaxNameLetters = 256;
   std::size_t word_bytes_ = 0;
 
   struct Values {

@@ -14,7 +14,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr int kMostVariables = 10000;
+constexpr int kMaxVariables = 10000;
 constexpr int kDeepestStructure = 3;
 constexpr const char* kCopy = "copy it again from where it came";
 
@@ -118,8 +118,8 @@ class MatFile : public ArrayFile {
     if (Mat_GetVersion(file.get()) == MAT_FT_MAT5 && !has_whole_elements(place_))
       refuse("the file is truncated: its elements end behind its end", "", kCopy);
     for (int variables = 0;; ++variables) {
-      if (variables == kMostVariables)
-        refuse("it holds more than " + std::to_string(kMostVariables) + " variables");
+      if (variables == kMaxVariables)
+        refuse("it holds more than " + std::to_string(kMaxVariables) + " variables");
       const Variable variable(Mat_VarReadNextInfo(file.get()));
       if (variable == nullptr) break;
       if (variable->name == nullptr) continue;
@@ -143,12 +143,12 @@ class MatFile : public ArrayFile {
     StoredArray array;
     array.name = name;
     if (!kind_of_class(variable, array.kind) || variable.rank < 1 ||
-        variable.rank > static_cast<int>(kMostArrayDims) || variable.dims == nullptr)
+        variable.rank > static_cast<int>(kMaxArrayDims) || variable.dims == nullptr)
       return;
     array.dims.assign(variable.dims, variable.dims + variable.rank);
     std::reverse(array.dims.begin(), array.dims.end());
     array.columns_first = true;
-    if (array.count() > 0 && arrays_.size() < kMostArrays) arrays_.push_back(std::move(array));
+    if (array.count() > 0 && arrays_.size() < kMaxArrays) arrays_.push_back(std::move(array));
   }
 
   void take_fields(const matvar_t& structure, const std::string& name, int depth) {

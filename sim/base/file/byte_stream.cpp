@@ -106,9 +106,9 @@ class Unpacker {
         refuse_damaged(stream_.msg != nullptr ? stream_.msg : "they make no sense");
     }
     unpacked_ += done;
-    if (unpacked_ > kMostUnpackedBytes)
+    if (unpacked_ > kMaxUnpackedBytes)
       refuse_file(ErrorKind::unreadable_input, from_.name(),
-                  "unpacks to more than " + bytes_text(kMostUnpackedBytes), "", "unpack it, and cut it up");
+                  "unpacks to more than " + bytes_text(kMaxUnpackedBytes), "", "unpack it, and cut it up");
     return done;
   }
 
@@ -187,7 +187,7 @@ struct ByteStream::Source {
 
   PlainBytes plain;
   std::unique_ptr<Unpacker> unpacker;
-  std::vector<char> shown = std::vector<char>(kMostLookedAt);  ///< looked at, not yet read: [begin, end)
+  std::vector<char> shown = std::vector<char>(kMaxPeekBytes);  ///< looked at, not yet read: [begin, end)
   std::size_t begin = 0, end = 0;
   std::uint64_t position = 0;
 };
@@ -208,7 +208,7 @@ bool ByteStream::is_packed() const { return source_->unpacker != nullptr; }
 std::uint64_t ByteStream::position() const { return source_->position; }
 
 std::string_view ByteStream::look(std::size_t count) {
-  assert(count <= kMostLookedAt);
+  assert(count <= kMaxPeekBytes);
   source_->fill(count);
   return {source_->shown.data() + source_->begin, std::min(count, source_->end - source_->begin)};
 }

@@ -11,13 +11,13 @@
 namespace vegard::sim {
 
 /// What look() shows at most.
-constexpr std::size_t kMostLookedAt = 1 << 16;
+constexpr std::size_t kMaxPeekBytes = 1 << 16;
 /// No file is unpacked further: a few kilobytes may claim to be any number of bytes.
-constexpr std::uint64_t kMostUnpackedBytes = std::uint64_t{1} << 34;
+constexpr std::uint64_t kMaxUnpackedBytes = std::uint64_t{1} << 34;
 
 /// All that reads throws Error(unreadable_input), naming the file, for gzip data that are damaged (their
 /// checksums among them), end early, are followed by something else than zeros or another gzip file, or
-/// unpack to more than kMostUnpackedBytes.
+/// unpack to more than kMaxUnpackedBytes.
 class ByteStream {
  public:
   /// Throws Error(unreadable_input) for what is no regular file, or cannot be opened.
@@ -35,7 +35,7 @@ class ByteStream {
   /// How many bytes, unpacked, have been read or skipped.
   std::uint64_t position() const;
 
-  /// The next `count` bytes, at most kMostLookedAt, or as many as there are; they are still to be read. Good
+  /// The next `count` bytes, at most kMaxPeekBytes, or as many as there are; they are still to be read. Good
   /// until the next call of anything here.
   std::string_view look(std::size_t count);
   /// Reads `count` bytes to `to`, or as many as there are; returns how many. What gzip says of its data is

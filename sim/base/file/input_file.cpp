@@ -65,16 +65,16 @@ std::string why_no_input(const std::string& path) {
   return problem;
 }
 
-InputFile read_beginning(const std::string& path, std::size_t most_bytes) {
+InputFile read_beginning(const std::string& path, std::size_t max_bytes) {
   InputFile file;
   std::size_t size = 0;
   const int descriptor = open_input(path, file.problem, size);
   if (descriptor < 0) return file;
   // Files of /proc say that they are empty, and others may grow meanwhile: what comes is counted.
-  file.bytes.reserve(std::min(size + 1, most_bytes));
+  file.bytes.reserve(std::min(size + 1, max_bytes));
   char block[1 << 16];
-  while (file.bytes.size() < most_bytes) {
-    const ssize_t count = ::read(descriptor, block, std::min(sizeof block, most_bytes - file.bytes.size()));
+  while (file.bytes.size() < max_bytes) {
+    const ssize_t count = ::read(descriptor, block, std::min(sizeof block, max_bytes - file.bytes.size()));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) file.problem = "cannot be read: " + words_of_errno(errno);
     if (count <= 0) break;
@@ -85,18 +85,18 @@ InputFile read_beginning(const std::string& path, std::size_t most_bytes) {
   return file;
 }
 
-InputFile read_input(const std::string& path, std::size_t most_bytes) {
+InputFile read_input(const std::string& path, std::size_t max_bytes) {
   struct stat status {};
   const bool too_large = ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) &&
-                         status.st_size > static_cast<off_t>(most_bytes);
+                         status.st_size > static_cast<off_t>(max_bytes);
   InputFile file;
-  if (!too_large) file = read_beginning(path, most_bytes + 1);
-  if (too_large || file.bytes.size() > most_bytes) return {{}, "is larger than " + bytes_text(most_bytes)};
+  if (!too_large) file = read_beginning(path, max_bytes + 1);
+  if (too_large || file.bytes.size() > max_bytes) return {{}, "is larger than " + bytes_text(max_bytes)};
   return file;
 }
 
-std::string input_bytes(const std::string& path, const std::string& expected, std::size_t most_bytes) {
-  InputFile file = read_input(path, most_bytes);
+std::string input_bytes(const std::string& path, const std::string& expected, std::size_t max_bytes) {
+  InputFile file = read_input(path, max_bytes);
   if (!file.problem.empty()) refuse_file(ErrorKind::unreadable_input, path, file.problem, expected);
   return std::move(file.bytes);
 }

@@ -11,9 +11,9 @@
 namespace vegard::sim {
 
 /// Bytes of most small texts that are read: scenes, tables, lists, results.
-constexpr std::size_t kMostTextBytes = 16 << 20;
+constexpr std::size_t kMaxTextBytes = 16 << 20;
 /// Of pictures and their like: decoders count bytes in an int.
-constexpr std::size_t kMostPictureBytes = (std::size_t{1} << 31) - 1;
+constexpr std::size_t kMaxPictureBytes = (std::size_t{1} << 31) - 1;
 
 /// What keeps `path` from being read as a file: "there is no such file", "is a directory", "is a pipe, not a
 /// file", "cannot be opened: …"; empty if nothing does. To be asked before a library opens the file by name.
@@ -29,14 +29,14 @@ struct InputFile {
 };
 /// All of a regular file; the problem is why_no_input()'s, "is larger than 16 MB" or "cannot be read: …". For
 /// those who word the error themselves.
-InputFile read_input(const std::string& path, std::size_t most_bytes = kMostTextBytes);
+InputFile read_input(const std::string& path, std::size_t max_bytes = kMaxTextBytes);
 
 /// Its first bytes, up to so many, whatever its size.
-InputFile read_beginning(const std::string& path, std::size_t most_bytes);
+InputFile read_beginning(const std::string& path, std::size_t max_bytes);
 
 /// read_input(), or throws Error(unreadable_input) that names the file.
 std::string input_bytes(const std::string& path, const std::string& expected,
-                        std::size_t most_bytes = kMostTextBytes);
+                        std::size_t max_bytes = kMaxTextBytes);
 
 /// "16 MB", for messages.
 std::string bytes_text(std::size_t bytes);

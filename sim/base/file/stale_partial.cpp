@@ -22,8 +22,8 @@ namespace {
 
 /// Seconds since 1970 when a process began; none where the system does not tell.
 std::optional<double> beginning_s(int process) {
-  constexpr std::size_t kMostStatBytes = 4096;
-  const std::string text = read_input("/proc/" + std::to_string(process) + "/stat", kMostStatBytes).bytes;
+  constexpr std::size_t kMaxStatBytes = 4096;
+  const std::string text = read_input("/proc/" + std::to_string(process) + "/stat", kMaxStatBytes).bytes;
   // proc(5): the second field is a name in parentheses, which may hold anything; the 22nd counts clock ticks
   // since the machine was started.
   constexpr int kFieldsBetween = 20;

@@ -100,18 +100,18 @@ TarFile::TarFile(std::string name, std::string_view bytes) : name_(std::move(nam
     const int code = archive_read_next_header(tar.get(), &entry);
     if (code == ARCHIVE_EOF) break;
     if (code != ARCHIVE_OK && code != ARCHIVE_WARN) refuse_damaged(name_, tar.get());
-    if (passed >= kMostEntries)
+    if (passed >= kMaxEntries)
       refuse_file(ErrorKind::unreadable_input, name_,
-                  "there are more than " + std::to_string(kMostEntries) + " files in it", "", "cut it up");
+                  "there are more than " + std::to_string(kMaxEntries) + " files in it", "", "cut it up");
     const char* path = archive_entry_pathname(entry);
     if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry) != nullptr ||
         path == nullptr || archive_entry_size_is_set(entry) == 0)
       continue;
     const la_int64_t size = archive_entry_size(entry);
-    if (size < 0 || static_cast<std::uint64_t>(size) > kMostEntryBytes)
+    if (size < 0 || static_cast<std::uint64_t>(size) > kMaxEntryBytes)
       refuse_file(ErrorKind::unreadable_input, name_,
                   "a file in it claims " + std::to_string(size) + " bytes",
-                  "at most " + bytes_text(kMostEntryBytes) + " each");
+                  "at most " + bytes_text(kMaxEntryBytes) + " each");
     entries_.push_back({path, static_cast<std::uint64_t>(archive_read_header_position(tar.get())),
                         static_cast<std::uint64_t>(size)});
   }

@@ -24,8 +24,8 @@ bool is_tar(std::string_view beginning);
 /// limits here.
 class TarFile {
  public:
-  static constexpr std::size_t kMostEntries = 200000;
-  static constexpr std::uint64_t kMostEntryBytes = std::uint64_t{1} << 28;
+  static constexpr std::size_t kMaxEntries = 200000;
+  static constexpr std::uint64_t kMaxEntryBytes = std::uint64_t{1} << 28;
 
   /// Of a file, or of bytes that outlive it (`name` is for messages then). Its headers are gone through.
   explicit TarFile(std::string name, std::string_view bytes = {});

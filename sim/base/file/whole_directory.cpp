@@ -51,11 +51,11 @@ void refuse_strangers(const std::string& directory, const KnownFolder& known, co
                       const std::string& words) {
   const std::vector<std::string> found = strangers(directory, known, target);
   if (found.empty()) return;
-  constexpr std::size_t kMostNamed = 3;
+  constexpr std::size_t kMaxNamed = 3;
   std::string names;
-  for (std::size_t i = 0; i < std::min(found.size(), kMostNamed); ++i)
+  for (std::size_t i = 0; i < std::min(found.size(), kMaxNamed); ++i)
     names += (i == 0 ? "" : ", ") + found[i];
-  if (found.size() > kMostNamed) names += " and " + std::to_string(found.size() - kMostNamed) + " more";
+  if (found.size() > kMaxNamed) names += " and " + std::to_string(found.size() - kMaxNamed) + " more";
   throw not_replaced(
       target,
       names + (found.size() == 1 ? " in it is" : " in it are") + " not what vegard wrote for " + words,

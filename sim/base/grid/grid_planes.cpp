@@ -71,9 +71,9 @@ GridPlane slice_at(const SparseGrid& grid, int channel, const VoxelBox& box, int
   return plane;
 }
 
-int bin_for(const VoxelBox& box, int most_px) {
+int bin_for(const VoxelBox& box, int max_px) {
   const int longest = std::max({box.size(0), box.size(1), box.size(2)});
-  return std::max(1, (longest + most_px - 1) / most_px);
+  return std::max(1, (longest + max_px - 1) / max_px);
 }
 
 }  // namespace vegard::sim

@@ -34,7 +34,7 @@ GridPlane largest_along(const SparseGrid& grid, int channel, const VoxelBox& box
 /// The same of the voxels of one layer: those at `index` along the axis.
 GridPlane slice_at(const SparseGrid& grid, int channel, const VoxelBox& box, int axis, int index, int bin);
 
-/// By how many voxels a pixel may be larger, so that no side has more than `most_px`.
-int bin_for(const VoxelBox& box, int most_px);
+/// By how many voxels a pixel may be larger, so that no side has more than `max_px`.
+int bin_for(const VoxelBox& box, int max_px);
 
 }  // namespace vegard::sim

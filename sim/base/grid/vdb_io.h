@@ -48,11 +48,11 @@ struct VdbFile {
 /// Reads those of the grids `wanted` that a file has. Throws Error(unreadable_input) for what is no VDB, is
 /// cut off or damaged, for a level set, for two grids of one name, for grids that are not alike in place and
 /// voxel, for a transform other than shift, turn and one scale, for numbers that are not finite or above
-/// 1e30, and for what would take more than `most_bytes`, or more memory than there is.
+/// 1e30, and for what would take more than `max_bytes`, or more memory than there is.
 ///
 /// What the library reads of a file is the library's affair: a file made to harm it can end the program.
 VdbFile read_vdb(const std::string& path, const std::vector<std::string>& wanted,
-                 std::uint64_t most_bytes = std::uint64_t{8} << 30, std::uint64_t bytes_beside = 0);
+                 std::uint64_t max_bytes = std::uint64_t{8} << 30, std::uint64_t bytes_beside = 0);
 
 /// "10.0.1"
 std::string vdb_library_version();

@@ -18,7 +18,7 @@ namespace {
 constexpr std::int64_t kMagic = 0x56444220;  // " BDV"
 // 222 (OpenVDB 2.3 of 2014) is the first that says compression grid by grid; 224 is the newest.
 constexpr std::uint32_t kOldest = 222, kNewest = 224;
-constexpr std::int64_t kIdentity = 36, kMostText = 1 << 20, kLeastGrid = 40;
+constexpr std::int64_t kIdentity = 36, kMaxText = 1 << 20, kMinGrid = 40;
 
 // What a tree of floats takes in memory: a leaf's numbers and mask, an inner node's table and masks.
 constexpr double kBytesOfLeaf = 2200, kBytesOfEntry = 8.3;
@@ -120,7 +120,7 @@ class Outline {
     file_.skip(kIdentity);
     metadata();
     const auto grids = number<std::int32_t>();
-    if (grids < 0 || grids > file_.size() / kLeastGrid) damaged("more grids than it has room for");
+    if (grids < 0 || grids > file_.size() / kMinGrid) damaged("more grids than it has room for");
     for (std::int32_t i = 0; i < grids; ++i) grid();
     return taken_;
   }
@@ -144,7 +144,7 @@ class Outline {
 
   std::string text() {
     const std::int64_t length = number<std::uint32_t>();
-    if (length > kMostText || length > file_.left()) damaged("a text longer than the file");
+    if (length > kMaxText || length > file_.left()) damaged("a text longer than the file");
     std::string words(static_cast<std::size_t>(length), '\0');
     file_.read(words.data(), length);
     return words;
@@ -194,9 +194,9 @@ class Outline {
   /// How leaves are compressed, one entry each, by which a leaf may be read without those before it: a byte
   /// each, then eight.
   void list_of_leaves(std::int64_t length) {
-    constexpr std::int64_t kLeastOfLeaf = 129;  // two masks and a byte
+    constexpr std::int64_t kMinOfLeaf = 129;  // two masks and a byte
     const std::int64_t end = file_.place() + length, count = number<std::uint32_t>();
-    if (count > file_.size() / kLeastOfLeaf) damaged("more leaves than it has room for");
+    if (count > file_.size() / kMinOfLeaf) damaged("more leaves than it has room for");
     for (const std::int64_t each : {1, 8}) {
       const auto bytes = number<std::uint32_t>();
       if (each == 8 && bytes == 0xFFFFFFFF) return;  // there is no such list
@@ -209,8 +209,8 @@ class Outline {
 
   /// As the library fills up what is short before it packs a list (openvdb/points/StreamCompression.h).
   static std::int64_t padded(std::int64_t bytes) {
-    constexpr std::int64_t kLeast = 48, kFilled = 128;
-    return bytes > kLeast && bytes < kFilled ? kFilled : bytes;
+    constexpr std::int64_t kMin = 48, kFilled = 128;
+    return bytes > kMin && bytes < kFilled ? kFilled : bytes;
   }
 
   /// What Blosc has packed into `bytes` from here on: it must say so itself (its header of 16 bytes), and

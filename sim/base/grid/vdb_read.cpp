@@ -19,17 +19,17 @@ namespace {
 
 using openvdb::FloatGrid;
 
-constexpr float kVdbMostNumber = 1e30f;  // sums along a ray and a gain stay floats
-constexpr double kVdbMostEdge = 1e9, kVdbMostPlace = 1e12;
+constexpr float kVdbMaxNumber = 1e30f;  // sums along a ray and a gain stay floats
+constexpr double kVdbMaxEdge = 1e9, kVdbMaxPlace = 1e12;
 Error unreadable(const std::string& path, const std::string& problem, const std::string& expected = {},
                  const std::string& hint = {}) {
   return Error(ErrorKind::unreadable_input, {problem, path, 0, "", expected, hint});
 }
 
-Error too_large(const std::string& path, double bytes, std::uint64_t most_bytes) {
+Error too_large(const std::string& path, double bytes, std::uint64_t max_bytes) {
   char text[160];
   std::snprintf(text, sizeof text, "its grids take at least %.3g MB of memory, of which %.3g MB may be used",
-                bytes / 1048576.0, static_cast<double>(most_bytes) / 1048576.0);
+                bytes / 1048576.0, static_cast<double>(max_bytes) / 1048576.0);
   return unreadable(path, text, "smaller grids, or larger voxels");
 }
 
@@ -153,7 +153,7 @@ void take_place(const std::string& path, const FloatGrid& from, double centre_in
   if (!good)
     throw unreadable(path, "the grid '" + from.getName() + "' has voxels that are no cubes", expected,
                      "Resample it onto cubes");
-  if (!(to.voxel >= 1.0 / kVdbMostEdge && to.voxel <= kVdbMostEdge))
+  if (!(to.voxel >= 1.0 / kVdbMaxEdge && to.voxel <= kVdbMaxEdge))
     throw unreadable(path, "the edge of its voxels is out of range", "1e-9 to 1e9");
   for (int c = 0; c < 3; ++c) {
     to.origin[c] = m(3, c);
@@ -161,7 +161,7 @@ void take_place(const std::string& path, const FloatGrid& from, double centre_in
       to.axes[a][c] = m(a, c) / to.voxel;
       to.origin[c] += (centre_index - 0.5) * m(a, c);
     }
-    if (!(std::abs(to.origin[c]) <= kVdbMostPlace))
+    if (!(std::abs(to.origin[c]) <= kVdbMaxPlace))
       throw unreadable(path, "a grid's place is no number, or out of range", "at most 1e12 from the origin");
   }
 }
@@ -178,11 +178,11 @@ bool same_place(const SparseGrid& a, const SparseGrid& b) {
 /// Puts a grid's voxels into bricks, tiles of one number among them, which OpenVDB keeps as such.
 class BrickFilling {
  public:
-  BrickFilling(const std::string& path, std::uint64_t most_bytes, std::uint64_t bytes_beside, SparseGrid& to)
+  BrickFilling(const std::string& path, std::uint64_t max_bytes, std::uint64_t bytes_beside, SparseGrid& to)
       : path_(path),
-        most_bytes_(most_bytes),
+        max_bytes_(max_bytes),
         bytes_of_brick_(to.channels.size() * SparseGrid::kVoxels * sizeof(float) + bytes_beside),
-        most_bricks_(most_bytes / bytes_of_brick_),
+        max_bricks_(max_bytes / bytes_of_brick_),
         to_(to) {}
 
   void take(const FloatGrid& from, std::size_t channel) {
@@ -212,7 +212,7 @@ class BrickFilling {
 
  private:
   float checked(float number, std::size_t channel) const {
-    if (!(std::abs(number) <= kVdbMostNumber))
+    if (!(std::abs(number) <= kVdbMaxNumber))
       throw unreadable(
           path_,
           "the grid '" + to_.channels[channel].name + "' holds numbers that are not finite or above 1e30",
@@ -222,13 +222,13 @@ class BrickFilling {
 
   float* numbers(const openvdb::Coord& corner, std::size_t channel) {
     SparseGrid::Brick& brick = to_.brick({corner.x() >> 3, corner.y() >> 3, corner.z() >> 3});
-    if (to_.bricks.size() > most_bricks_)
-      throw too_large(path_, static_cast<double>(to_.bricks.size()) * bytes_of_brick_, most_bytes_);
+    if (to_.bricks.size() > max_bricks_)
+      throw too_large(path_, static_cast<double>(to_.bricks.size()) * bytes_of_brick_, max_bytes_);
     return brick.data() + channel * SparseGrid::kVoxels;
   }
 
   const std::string& path_;
-  std::uint64_t most_bytes_, bytes_of_brick_, most_bricks_;
+  std::uint64_t max_bytes_, bytes_of_brick_, max_bricks_;
   SparseGrid& to_;
 };
 
@@ -242,18 +242,18 @@ double bricks_of(const FloatGrid& grid) {
 }
 
 VdbFile read_from(VdbReader& file, const std::string& path, const std::vector<std::string>& wanted,
-                  std::uint64_t most_bytes, std::uint64_t bytes_beside) {
+                  std::uint64_t max_bytes, std::uint64_t bytes_beside) {
   VdbFile out;
   take_metadata(file.metadata(), out.metadata);
   out.names = file.names(true);
   const std::vector<std::string> all = file.names(false);
   std::vector<FloatGrid::Ptr> grids;
-  double in_trees = 0.0, most_bricks = 0.0;
+  double in_trees = 0.0, max_bricks = 0.0;
   const auto room = [&] {
     const double in_bricks =
-        most_bricks * static_cast<double>(grids.size() * SparseGrid::kVoxels * sizeof(float) + bytes_beside);
-    if (in_trees + in_bricks > static_cast<double>(most_bytes))
-      throw too_large(path, in_trees + in_bricks, most_bytes);
+        max_bricks * static_cast<double>(grids.size() * SparseGrid::kVoxels * sizeof(float) + bytes_beside);
+    if (in_trees + in_bricks > static_cast<double>(max_bytes))
+      throw too_large(path, in_trees + in_bricks, max_bytes);
   };
   for (const std::string& name : wanted) {
     if (std::find(out.names.begin(), out.names.end(), name) == out.names.end()) continue;
@@ -280,11 +280,11 @@ VdbFile read_from(VdbReader& file, const std::string& path, const std::vector<st
     out.grid.channels.push_back({name, unit ? unit->value() : ""});
     grids.push_back(grid);
     in_trees += static_cast<double>(grid->memUsage());
-    most_bricks = std::max(most_bricks, bricks_of(*grid));
+    max_bricks = std::max(max_bricks, bricks_of(*grid));
     room();
   }
   if (grids.empty()) return out;
-  BrickFilling filling(path, most_bytes, bytes_beside, out.grid);
+  BrickFilling filling(path, max_bytes, bytes_beside, out.grid);
   for (std::size_t c = 0; c < grids.size(); ++c) {
     filling.take(*grids[c], c);
     grids[c].reset();
@@ -294,7 +294,7 @@ VdbFile read_from(VdbReader& file, const std::string& path, const std::vector<st
 
 }  // namespace
 
-VdbFile read_vdb(const std::string& path, const std::vector<std::string>& wanted, std::uint64_t most_bytes,
+VdbFile read_vdb(const std::string& path, const std::vector<std::string>& wanted, std::uint64_t max_bytes,
                  std::uint64_t bytes_beside) {
   const std::string expected = "a whole OpenVDB file of format 222 or later";
   const auto refused = [&](std::string why) {
@@ -303,13 +303,13 @@ VdbFile read_vdb(const std::string& path, const std::vector<std::string>& wanted
   };
   const VdbOutline outline = vdb_outline(path, wanted);
   if (!outline.complaint.empty()) throw refused(outline.complaint);
-  if (outline.tree_bytes > static_cast<double>(most_bytes))
-    throw too_large(path, outline.tree_bytes, most_bytes);
+  if (outline.tree_bytes > static_cast<double>(max_bytes))
+    throw too_large(path, outline.tree_bytes, max_bytes);
   const QuietDecoder quiet;
   start_vdb_library();
   try {
     VdbReader file(path);
-    return read_from(file, path, wanted, most_bytes, bytes_beside);
+    return read_from(file, path, wanted, max_bytes, bytes_beside);
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {

@@ -18,11 +18,11 @@
 namespace vegard::sim {
 namespace {
 
-constexpr int kMostSide = 65536;
-constexpr double kCubeTolerance = 1e-4;   // the text may have few digits
-constexpr float kTextMostNumber = 1e30f;  // as of OpenVDB files
-constexpr double kTextMostPlace = 1e12, kLeastEdge = 1e-9,
-                 kTextMostEdge = 1e9;  // squares of lengths stay numbers
+constexpr int kMaxSide = 65536;
+constexpr double kCubeTolerance = 1e-4;  // the text may have few digits
+constexpr float kTextMaxNumber = 1e30f;  // as of OpenVDB files
+constexpr double kTextMaxPlace = 1e12, kMinEdge = 1e-9,
+                 kTextMaxEdge = 1e9;  // squares of lengths stay numbers
 using WordKind = VolumegridWords::Kind;
 
 std::string in_words(double number) {
@@ -34,7 +34,7 @@ std::string in_words(double number) {
 /// Takes densities in the order of the file, and puts them into bricks as soon as it knows where they belong.
 class DensityFiller {
  public:
-  DensityFiller(SparseGrid& grid, std::uint64_t most_bytes) : grid_(grid), most_bytes_(most_bytes) {}
+  DensityFiller(SparseGrid& grid, std::uint64_t max_bytes) : grid_(grid), max_bytes_(max_bytes) {}
 
   void know_size(const std::array<int, 3>& size, const VolumegridWords& words) {
     size_ = size;
@@ -43,7 +43,7 @@ class DensityFiller {
     const std::size_t bricks =
         static_cast<std::size_t>(columns_) * ((size[1] + SparseGrid::kEdge - 1) / SparseGrid::kEdge);
     slab_bytes_ = bricks * sizeof(float*);
-    if (slab_bytes_ > most_bytes_) refuse_size(words);
+    if (slab_bytes_ > max_bytes_) refuse_size(words);
     slab_.assign(bricks, nullptr);
     known_ = true;
     for (const float number : early_) put(number, words);
@@ -53,7 +53,7 @@ class DensityFiller {
   void add(float number, const VolumegridWords& words) {
     ++count_;
     if (known_) return put(number, words);
-    if (early_.size() * sizeof(float) >= most_bytes_) refuse_size(words);
+    if (early_.size() * sizeof(float) >= max_bytes_) refuse_size(words);
     early_.push_back(number);
   }
 
@@ -62,7 +62,7 @@ class DensityFiller {
 
  private:
   [[noreturn]] void refuse_size(const VolumegridWords& words) const {
-    words.refuse("its densities take more than " + in_words(static_cast<double>(most_bytes_) / 1048576.0) +
+    words.refuse("its densities take more than " + in_words(static_cast<double>(max_bytes_) / 1048576.0) +
                      " MB of memory",
                  "fewer voxels along x and y, or fewer that are not 0");
   }
@@ -74,7 +74,7 @@ class DensityFiller {
           slab_[static_cast<std::size_t>(at_[1] / SparseGrid::kEdge) * columns_ + at_[0] / SparseGrid::kEdge];
       if (brick == nullptr) {
         const std::uint64_t after = (grid_.bricks.size() + 1) * (SparseGrid::kVoxels * sizeof(float));
-        if (after + slab_bytes_ > most_bytes_) refuse_size(words);
+        if (after + slab_bytes_ > max_bytes_) refuse_size(words);
         brick =
             grid_.brick({at_[0] / SparseGrid::kEdge, at_[1] / SparseGrid::kEdge, at_[2] / SparseGrid::kEdge})
                 .data();
@@ -97,7 +97,7 @@ class DensityFiller {
 
  private:
   SparseGrid& grid_;
-  std::uint64_t most_bytes_;
+  std::uint64_t max_bytes_;
   bool known_ = false;
   std::array<int, 3> size_{0, 0, 0}, at_{0, 0, 0};
   int columns_ = 0;
@@ -110,8 +110,8 @@ class DensityFiller {
 /// One "volumegrid" and its parameters.
 class VolumegridReader {
  public:
-  VolumegridReader(const std::string& path, std::uint64_t most_bytes)
-      : words_(path), filler_(out_.grid, most_bytes) {
+  VolumegridReader(const std::string& path, std::uint64_t max_bytes)
+      : words_(path), filler_(out_.grid, max_bytes) {
     out_.grid.channels = {{"density", ""}};
   }
 
@@ -190,7 +190,7 @@ class VolumegridReader {
       if (filler_.count() > 0) words_.refuse("\"density\" is given twice", "one list");
       return for_each_value(name, [&] {
         const double value = number(name);
-        if (std::abs(value) > static_cast<double>(kTextMostNumber))
+        if (std::abs(value) > static_cast<double>(kTextMaxNumber))
           words_.refuse("the density " + words_.word() + " is too large", "at most 1e30");
         filler_.add(static_cast<float>(value), words_);
       });
@@ -203,7 +203,7 @@ class VolumegridReader {
     int values = 0;
     for_each_value(name, [&] {
       const double value = number(name);
-      if (!(value >= 1.0 && value <= kMostSide) || value != std::floor(value) || ++values > 1)
+      if (!(value >= 1.0 && value <= kMaxSide) || value != std::floor(value) || ++values > 1)
         words_.refuse("'" + words_.word() + "' is no number of voxels",
                       "\"" + name + "\", one whole number from 1 to 65536");
       size_[axis] = static_cast<int>(value);
@@ -235,7 +235,7 @@ class VolumegridReader {
     corner_line_[corner] = words_.line();
     read_numbers(name, corner_[corner]);
     for (const double place : corner_[corner])
-      if (!(std::abs(place) <= kTextMostPlace))
+      if (!(std::abs(place) <= kTextMaxPlace))
         words_.refuse(
             "\"" + name + "\" of line " + std::to_string(corner_line_[corner]) + " is at " + in_words(place),
             "places from -1e12 to 1e12");
@@ -253,7 +253,7 @@ class VolumegridReader {
     for (int a = 0; a < 3; ++a) {
       edge[a] = (corner_[1][a] - corner_[0][a]) / size_[a];
       if (!(edge[a] > 0.0)) words_.refuse("p1 is not above p0 along all axes", "a box from p0 to p1");
-      if (!(edge[a] >= kLeastEdge && edge[a] <= kTextMostEdge))
+      if (!(edge[a] >= kMinEdge && edge[a] <= kTextMaxEdge))
         words_.refuse("its voxels are " + in_words(edge[a]) + " wide", "a box of voxels from 1e-9 to 1e9");
     }
     const double mean = (edge[0] + edge[1] + edge[2]) / 3.0;
@@ -290,8 +290,8 @@ bool is_volumegrid_name(const std::string& path) {
   return extension == ".pbrt" || extension == ".volumegrid" || extension == ".txt";
 }
 
-VolumegridFile read_volumegrid(const std::string& path, std::uint64_t most_bytes) {
-  return VolumegridReader(path, most_bytes).read();
+VolumegridFile read_volumegrid(const std::string& path, std::uint64_t max_bytes) {
+  return VolumegridReader(path, max_bytes).read();
 }
 
 }  // namespace vegard::sim

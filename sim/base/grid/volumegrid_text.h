@@ -34,8 +34,8 @@ struct VolumegridFile {
 /// ny and nz. p0 and p1 that are left out are pbrt's: 0 0 0 and 1 1 1. Throws Error(unreadable_input) with
 /// file and line for what is not there, no number, too many or too few densities, a file that is cut off,
 /// sides beyond 65536, corners beyond 1e12, voxels below 1e-9 or above 1e9 or that are no cubes to a part in
-/// 10000, what is given twice, and for bricks and the list of those of one layer of more than `most_bytes`.
-VolumegridFile read_volumegrid(const std::string& path, std::uint64_t most_bytes = std::uint64_t{8} << 30);
+/// 10000, what is given twice, and for bricks and the list of those of one layer of more than `max_bytes`.
+VolumegridFile read_volumegrid(const std::string& path, std::uint64_t max_bytes = std::uint64_t{8} << 30);
 
 struct VolumegridOptions {
   std::array<int, 3> size{0, 0, 0};  ///< the box that is written is at least from voxel (0, 0, 0) to this

@@ -15,7 +15,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kMostNumbers = 8589934592.0;  // 2^33, some 20 GB of text
+constexpr double kMaxNumbers = 8589934592.0;  // 2^33, some 20 GB of text
 constexpr int kInALine = 20;
 
 /// Text on its way into a file.
@@ -102,7 +102,7 @@ void write_volumegrid(const std::string& path, const SparseGrid& grid, int chann
     p0[a] = grid.origin[a] + grid.voxel * box.low[a];
     p1[a] = grid.origin[a] + grid.voxel * box.high[a];
   }
-  if (count > kMostNumbers)
+  if (count > kMaxNumbers)
     refuse("a volumegrid would have " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
                std::to_string(size[2]) + " numbers, the empty ones as well",
            "at most 2^33", "-o OUT.vdb, which leaves out what is empty");

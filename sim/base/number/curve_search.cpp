@@ -7,11 +7,11 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kFirstStep = 0.1, kSearchLeastStep = 0.01, kMostStep = 0.25;
-constexpr double kMostWay = 0.5;             // of one round
+constexpr double kFirstStep = 0.1, kSearchMinStep = 0.01, kMaxStep = 0.25;
+constexpr double kMaxWay = 0.5;              // of one round
 constexpr double kSearchCloseEnough = 0.35;  // of the step between places: a third of a standard deviation
 constexpr double kWideLook = 2.0;            // standard deviations: a parabola is not to be trusted that far
-constexpr int kMostRounds = 8, kSearchMostHalvings = 2;
+constexpr int kMaxRounds = 8, kSearchMaxHalvings = 2;
 constexpr double kLeftOpen = 0.25;  // of the variance inside the limits, as of any parameter
 
 class Minimum {
@@ -23,7 +23,7 @@ class Minimum {
   }
 
   CurveMinimum run() {
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMaxRounds; ++round) {
       for (int k = 0; k < n_; ++k) centre_(k) = std::clamp(centre_(k), step_(k) - limit_, limit_ - step_(k));
       if (!look_around()) break;
       const Eigen::VectorXd bottom = bottom_of_parabola();
@@ -37,7 +37,7 @@ class Minimum {
       for (int k = 0; k < n_; ++k) {
         const double curvature = hessian_(k, k);
         step_(k) =
-            curvature > 0.0 ? std::clamp(std::sqrt(2.0 / curvature), kSearchLeastStep, kMostStep) : kMostStep;
+            curvature > 0.0 ? std::clamp(std::sqrt(2.0 / curvature), kSearchMinStep, kMaxStep) : kMaxStep;
       }
       if (!go_to(bottom)) break;
     }
@@ -110,7 +110,7 @@ class Minimum {
   /// lead astray: then half of the way, and so on.
   bool go_to(const Eigen::VectorXd& bottom) {
     Eigen::VectorXd place = bottom;
-    for (int halving = 0; halving <= kSearchMostHalvings; ++halving) {
+    for (int halving = 0; halving <= kSearchMaxHalvings; ++halving) {
       const CurveTrial* trial = at(place);
       if (trial == nullptr) return false;
       if (trial->value < found_.centre.value) break;
@@ -120,7 +120,7 @@ class Minimum {
         std::min_element(found_.trials.begin(), found_.trials.end(),
                          [](const CurveTrial& a, const CurveTrial& b) { return a.value < b.value; });
     const Eigen::VectorXd next = Eigen::Map<const Eigen::VectorXd>(lowest->at.data(), n_);
-    if ((next - centre_).norm() < 1e-12) step_ = (0.5 * step_).cwiseMax(kSearchLeastStep);
+    if ((next - centre_).norm() < 1e-12) step_ = (0.5 * step_).cwiseMax(kSearchMinStep);
     centre_ = next;
     return true;
   }
@@ -131,8 +131,8 @@ class Minimum {
     Eigen::VectorXd way = Eigen::VectorXd::Zero(n_);
     for (int i = 0; i < n_; ++i) {
       const double slope = eigen.eigenvectors().col(i).dot(gradient_), curvature = eigen.eigenvalues()(i);
-      double along = slope > 0.0 ? -kMostWay : kMostWay;
-      if (curvature > 0.0) along = std::clamp(-slope / curvature, -kMostWay, kMostWay);
+      double along = slope > 0.0 ? -kMaxWay : kMaxWay;
+      if (curvature > 0.0) along = std::clamp(-slope / curvature, -kMaxWay, kMaxWay);
       way += along * eigen.eigenvectors().col(i);
     }
     return (centre_ + way).cwiseMax(-limit_).cwiseMin(limit_);
@@ -142,7 +142,7 @@ class Minimum {
   bool is_close_look() const {
     for (int k = 0; k < n_; ++k)
       if (hessian_(k, k) > 0.0 &&
-          step_(k) > std::max(kSearchLeastStep, kWideLook * std::sqrt(2.0 / hessian_(k, k))))
+          step_(k) > std::max(kSearchMinStep, kWideLook * std::sqrt(2.0 / hessian_(k, k))))
         return false;
     return true;
   }

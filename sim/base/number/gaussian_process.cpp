@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kKernelReach = 4.5;  // of the kernel, in its standard deviations
 constexpr int kKernelNodes = 11;
-constexpr std::int64_t kMostRemembered = 1 << 16;
+constexpr std::int64_t kMaxRemembered = 1 << 16;
 // In nodes to a width: 4 sqrt(ln 2), from exp(-δ²/4) = 1/2 at half the width.
 constexpr double kNodesPerWidth = 3.3302184446307908;
 // The squares of the kernel at nodes one standard deviation apart sum to sqrt(pi).
@@ -63,7 +63,7 @@ GaussianProcess::GaussianProcess(std::uint64_t seed, Stream stream, std::uint32_
 void GaussianProcess::remember(double first, double last) {
   first_ = static_cast<std::int64_t>(std::floor(first * per_width_ - kKernelReach));
   const auto end = static_cast<std::int64_t>(std::ceil(last * per_width_ + kKernelReach)) + 1;
-  nodes_.assign(static_cast<std::size_t>(std::clamp<std::int64_t>(end - first_, 0, kMostRemembered)),
+  nodes_.assign(static_cast<std::size_t>(std::clamp<std::int64_t>(end - first_, 0, kMaxRemembered)),
                 std::numeric_limits<double>::quiet_NaN());
 }
 

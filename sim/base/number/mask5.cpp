@@ -61,7 +61,7 @@ Mask5 read_mask5(std::string_view text, const std::string& name) {
         refuse_mask(name, line_number, "'" + whole + "' is no number", "125 finite numbers");
       if (count == Mask5::kWeights)
         refuse_mask(name, line_number, "more than 125 numbers", "5 x 5 x 5 of them");
-      if (std::abs(number) > Mask5::kMostWeight)
+      if (std::abs(number) > Mask5::kMaxWeight)
         refuse_mask(name, line_number, "the weight " + whole + " is too large", "from -1e6 to 1e6");
       mask.weights[count++] = number;
     }

@@ -10,7 +10,7 @@ namespace vegard::sim {
 /// What a single voxel of 1 becomes: weight(i, j, k) at i, j, k voxels from it, each from -2 to 2.
 struct Mask5 {
   static constexpr int kReach = 2, kSide = 5, kWeights = kSide * kSide * kSide;
-  static constexpr double kMostWeight = 1e6;  ///< in files; what grids hold at most stays a float with it
+  static constexpr double kMaxWeight = 1e6;  ///< in files; what grids hold at most stays a float with it
   std::array<double, kWeights> weights{};
 
   static constexpr int at(int i, int j, int k) {
@@ -27,7 +27,7 @@ Mask5 sharpen_mask();
 
 /// 125 numbers with blanks, commas or ends of lines between them, k fastest and i slowest: 25 lines of 5 if
 /// it is to be read by people. What follows a # is skipped. Throws Error(unreadable_input) with file and line
-/// for what is no finite number or beyond kMostWeight, and for too many or too few.
+/// for what is no finite number or beyond kMaxWeight, and for too many or too few.
 Mask5 read_mask5(std::string_view text, const std::string& name);
 
 }  // namespace vegard::sim

@@ -25,8 +25,8 @@ std::uint32_t word(std::string_view bytes, std::size_t at, int size) {
 }
 
 std::optional<std::pair<int, int>> size_of(std::uint32_t width, std::uint32_t height) {
-  constexpr std::uint32_t kMost = 1u << 30;
-  if (width == 0 || height == 0 || width > kMost || height > kMost) return std::nullopt;
+  constexpr std::uint32_t kMax = 1u << 30;
+  if (width == 0 || height == 0 || width > kMax || height > kMax) return std::nullopt;
   return std::pair<int, int>(width, height);
 }
 
@@ -89,8 +89,8 @@ ExifBlock in_tiff(std::string_view bytes) {
       directory->number(kSubfileType).value_or(0.0) != 0.0)
     return block;
   const auto width = directory->number(kWidth), height = directory->number(kHeight);
-  constexpr double kMost = 1 << 30;
-  if (width && height && *width >= 1.0 && *height >= 1.0 && *width <= kMost && *height <= kMost)
+  constexpr double kMax = 1 << 30;
+  if (width && height && *width >= 1.0 && *height >= 1.0 && *width <= kMax && *height <= kMax)
     block.size_px = std::pair<int, int>(static_cast<int>(*width), static_cast<int>(*height));
   return block;
 }

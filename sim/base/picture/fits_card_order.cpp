@@ -85,9 +85,9 @@ std::string with_cards_in_order(std::string_view bytes) {
     return false;
   };
   if (!find("SIMPLE") || !find("BITPIX") || !find("NAXIS")) return {};
-  constexpr int kMostAxes = 999;
+  constexpr int kMaxAxes = 999;
   const int axes = std::atoi(std::string(cards[first.back()].substr(9)).c_str());
-  if (axes < 0 || axes > kMostAxes) return {};
+  if (axes < 0 || axes > kMaxAxes) return {};
   for (int a = 1; a <= axes; ++a)
     if (!find("NAXIS" + std::to_string(a))) return {};
   bool in_order = true;

@@ -20,7 +20,7 @@ namespace vegard::sim {
 namespace {
 
 constexpr std::size_t kFitsBlock = 2880;
-constexpr LONGLONG kMostValues = LONGLONG{1} << 30;  // 4 GiB of floats
+constexpr LONGLONG kMaxValues = LONGLONG{1} << 30;  // 4 GiB of floats
 
 std::string words_of(int status) {
   char text[FLEN_STATUS] = {};
@@ -184,20 +184,20 @@ struct Shape {
 };
 
 Shape shape_of(const FitsReader& reader, const std::string& name) {
-  constexpr int kMostAxes = 9;
+  constexpr int kMaxAxes = 9;
   int status = 0, axes = 0;
-  std::array<LONGLONG, kMostAxes> length{};
+  std::array<LONGLONG, kMaxAxes> length{};
   fits_get_img_dim(reader.get(), &axes, &status);
-  fits_get_img_sizell(reader.get(), kMostAxes, length.data(), &status);
+  fits_get_img_sizell(reader.get(), kMaxAxes, length.data(), &status);
   reader.check(status);
   for (int a = 3; a < axes; ++a)
-    if (a >= kMostAxes || length[a] != 1)
+    if (a >= kMaxAxes || length[a] != 1)
       refuse_file(ErrorKind::unreadable_input, name,
                   "an image of " + std::to_string(axes) + " axes is not read",
                   "two axes, or planes along a third");
   Shape shape{length[0], length[1], axes >= 3 ? length[2] : 1};
   check_pixel_limit(shape.width, shape.height, name);
-  if (shape.planes < 1 || shape.planes > kMostValues / (shape.width * shape.height))
+  if (shape.planes < 1 || shape.planes > kMaxValues / (shape.width * shape.height))
     refuse_file(ErrorKind::unreadable_input, name,
                 "the image claims " + std::to_string(shape.planes) + " planes of " +
                     std::to_string(shape.width) + " x " + std::to_string(shape.height) + " pixels",

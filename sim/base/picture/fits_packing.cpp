@@ -153,16 +153,16 @@ class Packing {
   }
 
   void check_tiles() {
-    constexpr long long kMostAxes = 6, kMostTiles = 1LL << 28;
-    rows_ = integer("NAXIS2", 1, kMostTiles);
+    constexpr long long kMaxAxes = 6, kMaxTiles = 1LL << 28;
+    rows_ = integer("NAXIS2", 1, kMaxTiles);
     long long tiles = 1;
-    const long long axes = integer("ZNAXIS", 1, kMostAxes);
+    const long long axes = integer("ZNAXIS", 1, kMaxAxes);
     for (long long a = 1; a <= axes; ++a) {
       const std::string axis = std::to_string(a);
       const long long length = integer("ZNAXIS" + axis, 1, 1LL << 30);
       const long long tile = integer("ZTILE" + axis, 1, length, a == 1 ? length : 1);
       const long long along = (length + tile - 1) / tile;
-      if (along > kMostTiles / tiles) damaged("there are too many tiles");
+      if (along > kMaxTiles / tiles) damaged("there are too many tiles");
       tiles *= along;
       axes_.push_back({length, tile, along});
     }
@@ -199,8 +199,8 @@ class Packing {
   }
 
   void check_columns() {
-    constexpr long long kMostColumns = 999;
-    const long long columns = integer("TFIELDS", 1, kMostColumns);
+    constexpr long long kMaxColumns = 999;
+    const long long columns = integer("TFIELDS", 1, kMaxColumns);
     bool seen = false;
     for (long long c = 1; c <= columns; ++c) {
       const std::string column = std::to_string(c), title = text("TTYPE" + column);

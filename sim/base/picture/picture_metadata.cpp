@@ -166,12 +166,12 @@ PictureMetadata read_picture_metadata(const std::string& path) {
   const auto size = std::filesystem::file_size(path, error);
   std::ifstream file(path, std::ios::binary);
   if (error || !file) refuse_picture(path, "the file cannot be opened");
-  constexpr std::uintmax_t kHead = 32, kMost = std::uintmax_t{1} << 31, kFitsHeader = 1 << 20;
+  constexpr std::uintmax_t kHead = 32, kMax = std::uintmax_t{1} << 31, kFitsHeader = 1 << 20;
   std::string head(std::min(size, kHead), '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
   if (!file) refuse_picture(path, "the file cannot be read to its end");
   const bool fits = head.rfind("SIMPLE  =", 0) == 0;
-  if (!fits && (!may_have_exif(head) || size > kMost)) return {};
+  if (!fits && (!may_have_exif(head) || size > kMax)) return {};
   std::string bytes(fits ? std::min(size, kFitsHeader) : size, '\0');
   file.seekg(0);
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));

@@ -14,7 +14,7 @@ void check_pixel_limit(long long width, long long height, const std::string& nam
     details.problem = "the image claims " + size + " pixels";
     details.expected = "at most 1000000 along a side";
     details.hint = "crop it first";
-  } else if (width * height > most_pixels) {
+  } else if (width * height > max_pixels) {
     details.problem = "the image claims " + size + " pixels";
     details.expected = "at most 2^28 in all";
     details.hint = "scale or crop it first";

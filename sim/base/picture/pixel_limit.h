@@ -6,7 +6,7 @@
 namespace vegard::sim {
 
 /// 268 million pixels: 4 GiB as three channels of floats with their flags.
-constexpr long long most_pixels = 1LL << 28;
+constexpr long long max_pixels = 1LL << 28;
 
 /// Along a side: libpng's limit; OpenCV's is 2^20.
 constexpr long long longest_side_px = 1000000;

@@ -102,10 +102,10 @@ std::optional<double> TiffDirectory::number(int tag) const {
 }
 
 std::optional<std::string> TiffDirectory::text(int tag) const {
-  constexpr std::size_t kMost = 200;
+  constexpr std::size_t kMax = 200;
   const Entry* entry = find(tag);
   if (entry == nullptr || (entry->type != kAscii && entry->type != kUtf8)) return std::nullopt;
-  const std::size_t wanted = std::min<std::size_t>(entry->count, kMost);
+  const std::size_t wanted = std::min<std::size_t>(entry->count, kMax);
   const auto place = values_of(*entry, wanted);
   if (!place) return std::nullopt;
   std::string text(tiff_.substr(*place, wanted));

@@ -20,7 +20,6 @@ double phase_laid_out(const Sheet& sheet, const BeamPlace& place, int layer, dou
          sheet.phase_rad + sheet.phase_shift_rad * layer_part;
 }
 
-
 /// Van der Corput's sequence in base 2: the bits of i mirrored at the point.
 double van_der_corput(std::uint32_t i) {
   i = (i >> 16) | (i << 16);
@@ -77,7 +76,7 @@ double path_step_of(const Sheet& sheet) {
 int beams_per_layer(const Sheet& sheet) {
   if (sheet.beams_per_km <= 0.0) return sheet.beams;
   return std::clamp(static_cast<int>(std::lround(sheet.beams_per_km * line_length_km(sheet))), 1,
-                    kSheetMostBeams);
+                    kSheetMaxBeams);
 }
 
 std::uint32_t layer_address(int sheet_index, int arc, int layer) {

@@ -109,7 +109,7 @@ double slope_laid_out(const Sheet& sheet, const BeamPlace& place, int layer, dou
 double path_step_of(const Sheet& sheet);
 
 /// As many beams as a layer may have.
-inline constexpr int kSheetMostBeams = 10000000;
+inline constexpr int kSheetMaxBeams = 10000000;
 
 /// How many beams a layer has: as many as the scene says, or as its length asks for.
 int beams_per_layer(const Sheet& sheet);

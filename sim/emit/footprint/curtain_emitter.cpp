@@ -17,7 +17,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kCurtainLeastCosine = 0.052;  // 3 degrees
+constexpr double kCurtainMinCosine = 0.052;  // 3 degrees
 constexpr double kFootRadius = kEarthRadiusKm + kFootAltitudeKm;
 
 template <class T>
@@ -185,9 +185,9 @@ class CurtainEmitter : public Emitter<T> {
     if (foot_.way == FootWay::shell || foot_.way == FootWay::vertical)
       stretch = radius_km(p) * (1.0 / kFootRadius);
     const T size = value_of(cosine) < 0.0 ? -cosine : cosine;
-    const T incidence = value_of(size) < kCurtainLeastCosine ? T(kCurtainLeastCosine) : size;
+    const T incidence = value_of(size) < kCurtainMinCosine ? T(kCurtainMinCosine) : size;
     const T flux = wall.flux[0] + share * (wall.flux[1] - wall.flux[0]);
-    T rate[kMostLines];
+    T rate[kMaxLines];
     marcher_.rates(altitude_km(p), wall.ln_energy[0] + share * (wall.ln_energy[1] - wall.ln_energy[0]), 0,
                    rate);
     const T path = flux * wall.thickness_km * stretch / incidence * kRayleighsPerKm;

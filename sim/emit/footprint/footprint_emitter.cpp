@@ -84,11 +84,11 @@ class FootprintEmitter : public Emitter<T> {
     rays_.limit_feet(plain_rule(rule_), step_cells_ * cell_km);
   }
 
-  void set_face(int face, const FootprintGrid<G>& grid, double least_flux) {
+  void set_face(int face, const FootprintGrid<G>& grid, double min_flux) {
     scalar_.grid[face] = &grid;
     if constexpr (std::is_same_v<T, double>)
       if (in_lanes_) {
-        texels_[face] = TexelStore(grid, least_flux, profile_.energies() > 1);
+        texels_[face] = TexelStore(grid, min_flux, profile_.energies() > 1);
         kernel_.window[face] = texels_[face].window();
       }
   }
@@ -157,7 +157,7 @@ class FootprintEmitter : public Emitter<T> {
 };
 
 template <class T>
-double least_flux(const FootprintGrid<T>& grid, double least) {
+double min_flux(const FootprintGrid<T>& grid, double least) {
   for (const T& flux : grid.flux_mw_m2) least = std::max(least, value_of(flux) * kDarkShare);
   return least;
 }
@@ -169,7 +169,7 @@ class PlaneEmitter : public FootprintEmitter<T, T> {
                const ProfileTable& profiles, const ProfileChanges& changes, const NumberAs<T>& number,
                int threads, MarchBy by)
       : FootprintEmitter<T, T>(scene, footprint, profiles, changes, number, by), map_(std::move(map)) {
-    const double texels = 1.0 / map_.cell_km, least = least_flux(map_.grid, 0.0);
+    const double texels = 1.0 / map_.cell_km, least = min_flux(map_.grid, 0.0);
     this->set_grid(texels, -map_.west_km * texels - 0.5, -map_.south_km * texels - 0.5);
     this->set_face(0, map_.grid, least);
     if (!scene.march.skip) return;
@@ -192,7 +192,7 @@ class CubeEmitter : public FootprintEmitter<T, double> {
         map_(std::move(map)) {
     const double half = 0.5 * map_.face_cells;
     double least = 0.0;
-    for (const FootprintGrid<double>& face : map_.face) least = least_flux(face, least);
+    for (const FootprintGrid<double>& face : map_.face) least = min_flux(face, least);
     this->set_grid(half, half + 0.5, half + 0.5);
     for (int face = 0; face < 6; ++face) this->set_face(face, map_.face[face], least);
     if (!scene.march.skip) return;

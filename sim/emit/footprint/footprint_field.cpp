@@ -42,7 +42,7 @@ class FootprintField : public LightField {
     for (std::size_t face = 0; face < lit_.size(); ++face) f_.lit[face] = &lit_[face];
     find_bounds();
   }
-  double least_flux() const { return least_; }
+  double min_flux() const { return least_; }
   const FootprintGrid<double>& grid(int face) const { return grids_[face]; }
 
   Box3 bounds() const override { return bounds_; }
@@ -75,7 +75,7 @@ class FootprintField : public LightField {
       AirPoint<double> p;
       rays_.place_of(enu, p.x, p.square);
       const double altitude = altitude_km(p);
-      double light[kMostLines] = {};
+      double light[kMaxLines] = {};
       const bool lit =
           altitude >= rays_.bottom_km() && altitude <= rays_.top_km() && march.light_at(p, 0, light);
       for (int l = 0; l < profile_.lines(); ++l) emission[l][i] = lit ? static_cast<float>(light[l]) : 0.0f;
@@ -157,7 +157,7 @@ std::unique_ptr<LightField> plane_footprint_field(const Scene& scene, const Foot
   auto field = std::make_unique<FootprintField>(scene, footprint, profiles, std::move(grids));
   const FootprintGrid<double>& grid = field->grid(0);
   std::vector<LitMap> maps;
-  maps.push_back(plane_lit_map(grid.columns, grid.rows, lit_texels(grid, field->least_flux()), threads));
+  maps.push_back(plane_lit_map(grid.columns, grid.rows, lit_texels(grid, field->min_flux()), threads));
   const double texels = 1.0 / map.cell_km;
   field->finish(texels, -map.west_km * texels - 0.5, -map.south_km * texels - 0.5, std::move(maps));
   return field;
@@ -169,7 +169,7 @@ std::unique_ptr<LightField> cube_footprint_field(const Scene& scene, const Footp
   auto field =
       std::make_unique<FootprintField>(scene, footprint, profiles, std::move(map.face), map.turned_deg);
   std::array<std::vector<std::uint8_t>, 6> lit;
-  for (int face = 0; face < 6; ++face) lit[face] = lit_texels(field->grid(face), field->least_flux());
+  for (int face = 0; face < 6; ++face) lit[face] = lit_texels(field->grid(face), field->min_flux());
   const double half = 0.5 * map.face_cells;
   field->finish(half, half + 0.5, half + 0.5, cube_lit_maps(map.face_cells, lit, threads));
   return field;

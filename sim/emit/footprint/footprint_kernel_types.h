@@ -31,7 +31,7 @@ struct FootprintKernel {
 };
 
 struct SpanLight {
-  double rayleigh[kMostLines];
+  double rayleigh[kMaxLines];
   double weighted_km;  ///< sum over the lines of rayleighs times the distance along the ray
   double entry_km;     ///< where the first block with light begins; infinity if there is none
 };

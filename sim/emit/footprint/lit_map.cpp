@@ -77,9 +77,9 @@ void LitMap::finish(int threads) {
 }
 
 template <class T>
-std::vector<std::uint8_t> lit_texels(const FootprintGrid<T>& grid, double least_flux) {
+std::vector<std::uint8_t> lit_texels(const FootprintGrid<T>& grid, double min_flux) {
   std::vector<std::uint8_t> lit(grid.flux_mw_m2.size());
-  for (std::size_t i = 0; i < lit.size(); ++i) lit[i] = value_of(grid.flux_mw_m2[i]) > least_flux ? 1 : 0;
+  for (std::size_t i = 0; i < lit.size(); ++i) lit[i] = value_of(grid.flux_mw_m2[i]) > min_flux ? 1 : 0;
   return lit;
 }
 template std::vector<std::uint8_t> lit_texels(const FootprintGrid<double>&, double);

@@ -58,7 +58,7 @@ class LitMap {
 
 /// Flux, [row][column] of a grid, that is not dark.
 template <class T>
-std::vector<std::uint8_t> lit_texels(const FootprintGrid<T>& grid, double least_flux);
+std::vector<std::uint8_t> lit_texels(const FootprintGrid<T>& grid, double min_flux);
 
 /// The map of a plane's footprint.
 LitMap plane_lit_map(int columns, int rows, const std::vector<std::uint8_t>& lit, int threads);

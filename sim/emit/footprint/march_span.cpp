@@ -72,7 +72,7 @@ double MarchRays::foot_share(const double place_km[3], const double direction[3]
   fall_at_place(rule_, up, fall);
   const auto along_up = [&](const double x[3]) { return x[0] * up[0] + x[1] * up[1] + x[2] * up[2]; };
   // Back to the height that the point came from, along the fall.
-  const double back = along_up(direction) / std::min(along_up(fall), -1.0 / kMostFootShare);
+  const double back = along_up(direction) / std::min(along_up(fall), -1.0 / kMaxFootShare);
   return std::hypot(direction[0] - back * fall[0], direction[1] - back * fall[1],
                     direction[2] - back * fall[2]);
 }

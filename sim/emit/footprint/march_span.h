@@ -123,7 +123,7 @@ class MarchRays {
  private:
   template <class T>
   double longest_step_km(const MarchSpanOf<T>& span, double half_km) const {
-    if (foot_km_ >= step_km_ * (is_upright_way(rule_.way) ? 1.0 : kMostFootShare)) return step_km_;
+    if (foot_km_ >= step_km_ * (is_upright_way(rule_.way) ? 1.0 : kMaxFootShare)) return step_km_;
     double share = 0.0;
     for (const double at_km : {-half_km, 0.0, half_km}) {
       double place[3], direction[3];
@@ -139,7 +139,7 @@ class MarchRays {
   /// Kilometres that the foot of a point moves by as the point does by one.
   double foot_share(const double place_km[3], const double direction[3]) const;
 
-  static constexpr double kMostFootShare = 10.0;  ///< at fields steeper than 6 degrees
+  static constexpr double kMaxFootShare = 10.0;  ///< at fields steeper than 6 degrees
 
   double observer_km_, bottom_km_, top_km_, step_km_;
   bool literal_ghosts_;

@@ -27,13 +27,13 @@ int shell_spans(double observer_altitude_km, const T& up, double bottom_km, doub
     return closest * closest + (radius - r0) * (radius + r0);
   };
   // A chord of a metre is none: its length has no derivative where it vanishes.
-  constexpr double kLeast = 1e-6;
+  constexpr double kMin = 1e-6;
   const T outer2 = half_chord_squared(top_km), inner2 = half_chord_squared(bottom_km);
-  if (value_of(outer2) <= kLeast) return 0;
+  if (value_of(outer2) <= kMin) return 0;
   const T outer = square_root(outer2);
   RaySpan<T> all[2] = {{closest - outer, closest + outer}, {}};
   int count = 1;
-  if (value_of(inner2) > kLeast) {
+  if (value_of(inner2) > kMin) {
     const T inner = square_root(inner2);
     all[1] = {closest + inner, all[0].to_km};
     all[0].to_km = closest - inner;

@@ -35,7 +35,7 @@ struct ScalarFootprint {
 
 template <class T>
 struct ScalarLight {
-  T rayleigh[kMostLines];
+  T rayleigh[kMaxLines];
   double weighted_km = 0.0;
   double entry_km = std::numeric_limits<double>::infinity();
 };
@@ -95,7 +95,7 @@ class ScalarMarch {
     const int energy = static_cast<int>(std::clamp(at, 0.0, last));
     of_energy(energy, width, row, part, shift, rate);
     if (at <= 0.0 || at >= last) return;
-    T next[kMostLines];
+    T next[kMaxLines];
     of_energy(energy + 1, width, row, part, shift, next);
     const double share = at - energy;
     for (int l = 0; l < profile_.lines(); ++l) rate[l] = rate[l] + (next[l] - rate[l]) * share;
@@ -213,7 +213,7 @@ class ScalarMarch {
   /// Whether there is light.
   bool add(const MarchSpanOf<T>& span, int step, int width, ScalarLight<T>& out) const {
     const T u = span.first_km + span.step_km * (step + 0.5);
-    T light[kMostLines];
+    T light[kMaxLines];
     if (!light_at(point_of_ray(span.place_km, span.direction, span.square_km2, span.along_km, u), width,
                   light))
       return false;

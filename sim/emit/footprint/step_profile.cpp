@@ -7,7 +7,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr int kMostWidths = 33;
+constexpr int kMaxWidths = 33;
 constexpr double kRowKm = HeightProfile::kStepKm;
 
 /// The integral of a piecewise linear curve from its first row on; beyond the ends it stays level.
@@ -54,7 +54,7 @@ StepProfile::StepProfile(const ProfileTable& table, double top_km, double widest
   bottom_km_ = HeightProfile::altitude_km(first);
   rows_ = last - first + 2;
   // A quarter of a kilometre is little against every profile's bends; coarser only for the longest steps.
-  width_step_km_ = std::max(kRowKm, widest_km / (kMostWidths - 1));
+  width_step_km_ = std::max(kRowKm, widest_km / (kMaxWidths - 1));
   widths_ = 1 + static_cast<int>(std::ceil(widest_km / width_step_km_ - 0.5));
   // A row more, since the last row is read with a next one that has no weight.
   rate_.assign((static_cast<std::size_t>(energies_) * widths_ * rows_ + 1) * stride_, 0.0f);

@@ -5,10 +5,10 @@
 
 namespace vegard::sim {
 
-TexelStore::TexelStore(const FootprintGrid<double>& grid, double least_flux, bool with_energy) {
+TexelStore::TexelStore(const FootprintGrid<double>& grid, double min_flux, bool with_energy) {
   int left = grid.columns, right = -1, low = grid.rows, high = -1;
   for (std::size_t i = 0; i < grid.flux_mw_m2.size(); ++i) {
-    if (!(grid.flux_mw_m2[i] > least_flux)) continue;
+    if (!(grid.flux_mw_m2[i] > min_flux)) continue;
     const int column = static_cast<int>(i % grid.columns), row = static_cast<int>(i / grid.columns);
     left = std::min(left, column), right = std::max(right, column);
     low = std::min(low, row), high = std::max(high, row);
@@ -23,7 +23,7 @@ TexelStore::TexelStore(const FootprintGrid<double>& grid, double least_flux, boo
     for (int x = std::max(0, first_x_); x < std::min(grid.columns, first_x_ + columns_); ++x) {
       const std::size_t from = static_cast<std::size_t>(y) * grid.columns + x;
       const std::size_t to = static_cast<std::size_t>(y - first_y_) * columns_ + (x - first_x_);
-      if (grid.flux_mw_m2[from] > least_flux) flux_[to] = static_cast<float>(grid.flux_mw_m2[from]);
+      if (grid.flux_mw_m2[from] > min_flux) flux_[to] = static_cast<float>(grid.flux_mw_m2[from]);
       if (with_energy && !grid.ln_energy.empty()) ln_energy_[to] = static_cast<float>(grid.ln_energy[from]);
     }
 }

@@ -11,9 +11,9 @@ namespace vegard::sim {
 class TexelStore {
  public:
   TexelStore() = default;
-  /// Texels of no more than least_flux are 0 in it, and a border of those stands around. `with_energy`: it
+  /// Texels of no more than min_flux are 0 in it, and a border of those stands around. `with_energy`: it
   /// has ln_energy even where the grid has none.
-  TexelStore(const FootprintGrid<double>& grid, double least_flux, bool with_energy);
+  TexelStore(const FootprintGrid<double>& grid, double min_flux, bool with_energy);
 
   /// Points into this.
   TexelWindow window() const;

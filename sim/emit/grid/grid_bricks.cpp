@@ -12,7 +12,7 @@ namespace vegard::sim {
 namespace {
 
 constexpr int kBricksEdge = GridBricks::kEdge, kBricksSide = GridBricks::kSide, kCoarse = GridBricks::kCoarse;
-constexpr std::size_t kMostCoarseCells = std::size_t{1} << 27;
+constexpr std::size_t kMaxCoarseCells = std::size_t{1} << 27;
 
 GridPlace place_of(const SparseGrid& grid, const Site& site, const Site& observer) {
   const SiteTurn home = turn_between(observer, site);
@@ -77,7 +77,7 @@ void GridBricks::set_home(const Site& home, const Site& observer) {
 
 GridBricks::GridBricks(const SparseGrid& grid, const std::vector<int>& emission, int density,
                        const std::string& file, const Site& site, const Site& observer,
-                       std::uint64_t most_bytes)
+                       std::uint64_t max_bytes)
     : lines_(static_cast<int>(emission.size())),
       stride_(lines_ <= 2   ? lines_
               : lines_ <= 4 ? 4
@@ -95,10 +95,10 @@ GridBricks::GridBricks(const SparseGrid& grid, const std::vector<int>& emission,
   const double bytes =
       static_cast<double>(grid.bricks.size()) * grid.channels.size() * SparseGrid::kVoxels * sizeof(float) +
       static_cast<double>(count_) * kVoxels * (stride_ + (density >= 0 ? 1 : 0)) * sizeof(float);
-  if (bytes > static_cast<double>(most_bytes)) {
+  if (bytes > static_cast<double>(max_bytes)) {
     char problem[160];
     std::snprintf(problem, sizeof problem, "its grids take %.3g MB of memory, of which %.3g MB may be used",
-                  bytes / 1048576.0, static_cast<double>(most_bytes) / 1048576.0);
+                  bytes / 1048576.0, static_cast<double>(max_bytes) / 1048576.0);
     throw Error(ErrorKind::unreadable_input,
                 {problem, file, 0, "", "smaller grids, larger voxels, or fewer lines", ""});
   }
@@ -113,7 +113,7 @@ GridBricks::GridBricks(const SparseGrid& grid, const std::vector<int>& emission,
   }
   double cells = 1.0;
   for (int a = 0; a < 3; ++a) cells *= high_[a] - low_[a];
-  if (cells > static_cast<double>(kMostCoarseCells))
+  if (cells > static_cast<double>(kMaxCoarseCells))
     throw Error(ErrorKind::unreadable_input, {"its voxels lie too far apart for their size", file, 0, "",
                                               "fewer than 10^13 voxels in the box", ""});
   coarse_.assign(static_cast<std::size_t>(cells), -1);

@@ -35,9 +35,9 @@ class GridBricks {
 
   /// The emission of line l is channel emission[l] of the grid, -1 for none; `density` likewise. `site` is
   /// where the grid's own frame is at home, `observer` that of the scene. Throws Error(unreadable_input) for
-  /// a grid that spans too much, and for one that with `grid` itself would take more than `most_bytes`.
+  /// a grid that spans too much, and for one that with `grid` itself would take more than `max_bytes`.
   GridBricks(const SparseGrid& grid, const std::vector<int>& emission, int density, const std::string& file,
-             const Site& site, const Site& observer, std::uint64_t most_bytes = std::uint64_t{8} << 30);
+             const Site& site, const Site& observer, std::uint64_t max_bytes = std::uint64_t{8} << 30);
 
   int lines() const { return lines_; }
   int stride() const { return stride_; }  ///< numbers per voxel: 1, 2, 4 or 8

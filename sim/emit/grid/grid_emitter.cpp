@@ -15,8 +15,8 @@ using RayDual = Dual<double, Tangents<double, kInputs>>;
 
 template <class N>
 struct RayLight {
-  N light[kMostLines];  ///< sums of the samples
-  N depth;              ///< optical
+  N light[kMaxLines];  ///< sums of the samples
+  N depth;             ///< optical
   double weight = 0.0, weighted_km = 0.0, entry_km = std::numeric_limits<double>::infinity();
 };
 
@@ -108,7 +108,7 @@ void GridEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>& out) 
       for (int c = 0; c < 3; ++c) along[a] = along[a] + rays.direction[c][r] * home_.turn[a][c];
     }
   };
-  T scale[kMostLines];
+  T scale[kMaxLines];
   for (int l = 0; l < out.lines; ++l) scale[l] = home_.light[l] * step_km_;
   if constexpr (std::is_same_v<T, double>) {
     if (!absorbs_) {

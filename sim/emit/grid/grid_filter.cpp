@@ -45,7 +45,7 @@ std::optional<Product> as_product(const Mask5& mask) {
   for (int axis = 0; axis < 3; ++axis)
     for (int o = 0; o < kTaps; ++o) {
       // Over a tiny corner rows are so large that their products with numbers would be no floats.
-      if (!(std::abs(row[axis][o]) <= Mask5::kMostWeight)) return std::nullopt;
+      if (!(std::abs(row[axis][o]) <= Mask5::kMaxWeight)) return std::nullopt;
       product.row[axis][o] = static_cast<float>(row[axis][o]);
     }
   return product;

@@ -102,8 +102,8 @@ void walk_bricks(const GridBricks& grid, const GridRay& ray, double end_km, cons
 
 /// Samples stand in the middles of steps counted from the ray's beginning: the first one not before t.
 inline std::int64_t first_sample(double t, double steps_per_km) {
-  constexpr double kMost = 4e18;  // what is farther is no number of a step
-  return static_cast<std::int64_t>(std::clamp(std::ceil(t * steps_per_km - 0.5), -kMost, kMost));
+  constexpr double kMax = 4e18;  // what is farther is no number of a step
+  return static_cast<std::int64_t>(std::clamp(std::ceil(t * steps_per_km - 0.5), -kMax, kMax));
 }
 
 }  // namespace vegard::sim

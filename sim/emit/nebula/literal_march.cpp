@@ -12,7 +12,7 @@ namespace {
 constexpr int kIterations = 50;
 constexpr double kInsideGain = 1.0 / 200.0, kStepGain = 1.0 / 90.0;  // of opacity, at every step
 constexpr double kGrey = 0.3, kEmission = 0.2, kDensityScale = 0.2;
-constexpr double kStepOfDistance = 0.1, kLiteralLeastStep = 0.01;
+constexpr double kStepOfDistance = 0.1, kLiteralMinStep = 0.01;
 constexpr double kLiteralScattering = 0.2, kScattered = 0.4;
 
 }  // namespace
@@ -59,7 +59,7 @@ std::array<double, 4> literal_march(const LiteralCloud& cloud, const std::array<
     }
     opacity = std::min(opacity + kStepGain, 1.0);
     t += std::max(distance * kStepOfDistance * std::max(std::min(from_middle, observer), 1.0),
-                  kLiteralLeastStep);
+                  kLiteralMinStep);
   }
   // The last density alone, as the source has it.
   const double scattered = kScattered / std::exp(local * kLiteralScattering);

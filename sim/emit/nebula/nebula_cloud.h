@@ -22,7 +22,7 @@ namespace vegard::sim {
 /// Per line, to a unit of path.
 template <class T>
 struct CloudAt {
-  T light[kMostLines], loss[kMostLines];
+  T light[kMaxLines], loss[kMaxLines];
 };
 
 struct CloudDensity {
@@ -50,8 +50,8 @@ class NebulaCloud {
   NodeMap<T> nodes_;
   int gas_, glow_, dust_, lines_;
   T edge_, power_, brightness_, inner_radius_, outer_radius_;
-  T inner_[kMostLines], outer_[kMostLines], of_glow_[kMostLines];  ///< brightness is in them
-  T depth_[kMostLines];
+  T inner_[kMaxLines], outer_[kMaxLines], of_glow_[kMaxLines];  ///< brightness is in them
+  T depth_[kMaxLines];
 };
 
 extern template class NebulaCloud<double>;

@@ -41,8 +41,8 @@ void NebulaEmitter<T>::march_ray(const T enu[3], double end_km, std::size_t inde
   if (!(value_of(first) < value_of(last))) return;
   out.entry_km[index] = (value_of(first) - observer) * frame_.unit_km();
 
-  double bright = 0.0, weighted = 0.0, most_kept = 1.0;
-  T light[kMostLines], kept[kMostLines];
+  double bright = 0.0, weighted = 0.0, max_kept = 1.0;
+  T light[kMaxLines], kept[kMaxLines];
   for (int l = 0; l < out.lines; ++l) {
     light[l] = T(0.0);
     kept[l] = T(1.0);
@@ -69,7 +69,7 @@ void NebulaEmitter<T>::march_ray(const T enu[3], double end_km, std::size_t inde
     CloudAt<T> at;
     if (!cloud_.sample(point, at)) continue;
     double seen_here = 0.0;
-    most_kept = 0.0;
+    max_kept = 0.0;
     for (int l = 0; l < out.lines; ++l) {
       T seen = kept[l] * at.light[l] * length;
       if (cloud_.has_dust()) {
@@ -79,11 +79,11 @@ void NebulaEmitter<T>::march_ray(const T enu[3], double end_km, std::size_t inde
       }
       light[l] = light[l] + seen;
       seen_here += value_of(seen);
-      most_kept = std::max(most_kept, value_of(kept[l]));
+      max_kept = std::max(max_kept, value_of(kept[l]));
     }
     bright += seen_here;
     weighted += seen_here * value_of(middle);
-    if (std::is_same_v<T, double> && most_kept < kNebulaNothingComesThrough) break;
+    if (std::is_same_v<T, double> && max_kept < kNebulaNothingComesThrough) break;
   }
   for (int l = 0; l < out.lines; ++l) {
     const std::size_t to = static_cast<std::size_t>(l) * rays + index;

@@ -20,8 +20,8 @@ namespace vegard::sim {
 /// (a + b) - sin²(chi) (3 b - a) / 2 for I0 = 1; in steradians. `square_sine` is (R / r)², from 0 to 1.
 template <class T>
 T scattered_light(const T& square_sine, const T& square_sine_chi, const T& u, const T& v) {
-  constexpr double kLeast = 1e-24;  // of cos²(Omega): at the photosphere its root would have no slope
-  const T square = value_of(square_sine) < 1.0 - kLeast ? T(1.0) - square_sine : T(kLeast);
+  constexpr double kMin = 1e-24;  // of cos²(Omega): at the photosphere its root would have no slope
+  const T square = value_of(square_sine) < 1.0 - kMin ? T(1.0) - square_sine : T(kMin);
   const T c = square_root(square), s = square_root(square_sine);
   const T rest = square_sine / (c + 1.0);  // 1 - c, without loss of digits
   const T depth = logarithm((s + 1.0) / c);

@@ -117,10 +117,10 @@ double MsisExpansion::activity(const MsisParameters& p) const {
   if (!drivers_.ap_history) return tempered_index(drivers_.ap, p[kDailyDecay], p[kDailyShare]);
   if (p[kMemory] == 0.0) return 0.0;
   // The air forgets by e^(-3 h * rate) from one three-hourly index to the next: Hedin 1987, equation A24.
-  constexpr double kThreeHours = 10800.0, kMostMemory = 0.99999;
+  constexpr double kThreeHours = 10800.0, kMaxMemory = 0.99999;
   const double keeps =
-      std::min(kMostMemory, std::exp(-kThreeHours * std::abs(p[kMemory]) /
-                                     (1.0 + p[kMemoryLatitude] * (45.0 - std::abs(drivers_.latitude_deg)))));
+      std::min(kMaxMemory, std::exp(-kThreeHours * std::abs(p[kMemory]) /
+                                    (1.0 + p[kMemoryLatitude] * (45.0 - std::abs(drivers_.latitude_deg)))));
   std::array<double, 7> index{};
   for (std::size_t k = 1; k < index.size(); ++k)
     index[k] = tempered_index((*drivers_.ap_history)[k], std::abs(p[kHistoryDecay]), p[kHistoryShare]);

@@ -93,14 +93,14 @@ double MsisModel::gas_cm3(const Layer& layer, std::size_t g, double altitude_km)
 }
 
 bool MsisModel::sound() const {
-  constexpr double kMostFactor = 2.0, kMostInversion = 1.25;
+  constexpr double kMaxFactor = 2.0, kMaxInversion = 1.25;
   for (const Layer* layer : {&*below_join_, &*middle_}) {
     const MsisTemperatures& t = layer->temperatures;
     if (!(t.t_lb_k > 0.0 && t.t_inf_k > t.t_lb_k && t.gradient_k_km > 0.0)) return false;
     for (std::size_t k = 0; k < t.node_k.size(); ++k) {
       const double mean_k = numbers_.node_k[k] * numbers_.node[k][0];
-      const double most_k = k == 0 ? kMostInversion * t.t_lb_k : kMostFactor * mean_k;
-      if (!(t.node_k[k] > mean_k / kMostFactor && t.node_k[k] < most_k)) return false;
+      const double max_k = k == 0 ? kMaxInversion * t.t_lb_k : kMaxFactor * mean_k;
+      if (!(t.node_k[k] > mean_k / kMaxFactor && t.node_k[k] < max_k)) return false;
     }
   }
   return true;

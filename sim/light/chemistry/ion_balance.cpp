@@ -54,8 +54,8 @@ double diffusion_loss_s(const ReactingAir& air) {
   // N2 and O2 hinder O+ as well (6.82e-10 and 6.64e-10 of the same table).
   const double collisions_s =
       3.67e-11 * std::sqrt(air.temperature_k) * bend * bend * air.o + 6.82e-10 * air.n2 + 6.64e-10 * air.o2;
-  constexpr double kLeastS = 1e-12;
-  return kBoltzmann * temperatures_k / (kMassG * std::max(kLeastS, collisions_s)) / (scale_cm * scale_cm);
+  constexpr double kMinS = 1e-12;
+  return kBoltzmann * temperatures_k / (kMassG * std::max(kMinS, collisions_s)) / (scale_cm * scale_cm);
 }
 
 IonDensities ion_balance(const ReactingAir& air, const IonProduction& production,
@@ -64,9 +64,9 @@ IonDensities ion_balance(const ReactingAir& air, const IonProduction& production
   const RatesAtPlace rates = reactions.at(air.temperature_k, air.electron_temperature_k);
   const double diffusion = diffusion_loss_s(air);
   // In logarithms: the sum of ions over the electrons falls through 1.
-  constexpr double kLeast = 1e-12, kMost = 1e12;
+  constexpr double kMin = 1e-12, kMax = 1e12;
   constexpr int kHalvings = 60;
-  double low = std::log(kLeast), high = std::log(kMost);
+  double low = std::log(kMin), high = std::log(kMax);
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (low + high), electrons = std::exp(middle);
     (ions_among(air, production, rates, diffusion, electrons).ions() > electrons ? low : high) = middle;

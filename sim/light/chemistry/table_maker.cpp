@@ -16,7 +16,7 @@ namespace vegard::sim {
 namespace {
 
 constexpr double kFirstKm = 80.0, kLastKm = 640.0;
-constexpr double kLeastOfPeak = 1e-7;  // less is written as 0
+constexpr double kMinOfPeak = 1e-7;  // less is written as 0
 constexpr const char* kIonisationColumn = "ionisation_electron";
 constexpr std::array<double, 3> kFluxes = {0.1, 1.0, 10.0};  // mW m^-2, of the flux law
 
@@ -66,7 +66,7 @@ CaseLight light_of(const Case& which, const TableRequest& request, const Degrada
       field_air(with_oxygen_factor(request.air, which.oxygen), request.dip_deg, request.refinement);
   const AuroralRun run = auroral_run(all, air, incident_flux(spectrum, all.grid, which.flux_mw_m2),
                                      PitchAngles::isotropic, request.reactions);
-  if (std::abs(run.rates.budget.missing_share()) > kMostMissingShare)
+  if (std::abs(run.rates.budget.missing_share()) > kMaxMissingShare)
     refuse_file(ErrorKind::unreadable_input, request.air_file.empty() ? request.air_name : request.air_file,
                 "the energy of the electrons does not balance in this air",
                 "densities that fall off smoothly, to where electrons pass freely at the top");
@@ -98,7 +98,7 @@ std::string rates_csv(const std::vector<Case>& cases, const std::vector<CaseLigh
     if (cases[c].kind != kind || cases[c].flux_mw_m2 != 1.0) continue;
     std::vector<double> least;
     for (const std::vector<double>& rate : lights[c].rates)
-      least.push_back(kLeastOfPeak * *std::max_element(rate.begin(), rate.end()));
+      least.push_back(kMinOfPeak * *std::max_element(rate.begin(), rate.end()));
     for (std::size_t a = 0; a < altitudes.size(); ++a) {
       text +=
           number("%g", cases[c].oxygen) + number(",%.5g", cases[c].energy_kev) + number(",%g", altitudes[a]);

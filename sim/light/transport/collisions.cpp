@@ -212,7 +212,7 @@ double stopping_ev_cm2(Gas gas, double energy_ev) {
   for (const IonisedShell& shell : collisions.shells) {
     const ShellSpectrum spectrum(shell, energy_ev);
     sum += factor * spectrum.cm2() * shell.loss_ev;
-    const double span = std::log1p(spectrum.most_ev() / shell.binding_ev);
+    const double span = std::log1p(spectrum.max_ev() / shell.binding_ev);
     double below = 0.0;
     for (int i = 1; i <= kSteps; ++i) {
       const double upper = shell.binding_ev * std::expm1(span * i / kSteps);

@@ -67,9 +67,8 @@ void add_shell(const IonisedShell& shell, double factor, const EnergyGrid& grid,
   if (shell.auger_ev > 0.0) collector.electron(shell.auger_ev, all, 0.0);
   // Second electrons between the energies of the grid, all of them at the middle.
   double lower = 0.0, below = 0.0;
-  for (std::size_t i = 0; lower < spectrum.most_ev(); ++i) {
-    const double upper =
-        std::min(i < grid.size() ? grid.energy_ev[i] : spectrum.most_ev(), spectrum.most_ev());
+  for (std::size_t i = 0; lower < spectrum.max_ev(); ++i) {
+    const double upper = std::min(i < grid.size() ? grid.energy_ev[i] : spectrum.max_ev(), spectrum.max_ev());
     const double to_here = factor * spectrum.cm2_below(upper);
     const double second = 0.5 * (lower + upper), loss = shell.loss_ev + second;
     collector.electron(second, to_here - below, 0.0);

@@ -55,7 +55,7 @@ struct ElectronBudget {
 
 /// A budget that lacks more is of an air whose density jumps, or that is thick where electrons begin: not
 /// what the places are made for.
-inline constexpr double kMostMissingShare = 0.03;
+inline constexpr double kMaxMissingShare = 0.03;
 
 struct ElectronRates {
   std::array<std::vector<double>, kGases> ion_pairs_cm3_s;                ///< [gas][place]

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<double, kGases> kMassNumber = {28.0, 32.0, 16.0};
 constexpr std::array<const char*, kGases> kColumns = {"nN2", "nO2", "nO"};
-constexpr double kLeastDensity = 1e-30;  // cm^-3, for logarithms of what is not there
+constexpr double kMinDensity = 1e-30;  // cm^-3, for logarithms of what is not there
 
 struct AirPlace {
   double temperature_k = 0.0;
@@ -30,8 +30,8 @@ AirPlace air_place_at(const AirTable& table, double altitude_km) {
       (altitude_km - table.altitude_km[low]) / (table.altitude_km[high] - table.altitude_km[low]);
   const auto straight = [&](const std::vector<double>& of) { return of[low] + way * (of[high] - of[low]); };
   const auto falling = [&](const std::vector<double>& of) {
-    const double a = std::log(std::max(kLeastDensity, of[low]));
-    return std::exp(a + way * (std::log(std::max(kLeastDensity, of[high])) - a));
+    const double a = std::log(std::max(kMinDensity, of[low]));
+    return std::exp(a + way * (std::log(std::max(kMinDensity, of[high])) - a));
   };
   AirPlace place;
   place.temperature_k = straight(table.temperature_k);
@@ -62,15 +62,15 @@ double scale_height_km(const AirTable& table, double altitude_km) {
 
 double nitric_oxide_cm3(double altitude_km) {
   // A layer with the scale heights of what makes it below its peak and of diffusion above.
-  constexpr double kMostCm3 = 1.5e8, kPeakKm = 107.0, kBelowKm = 8.0, kAboveKm = 18.0;
+  constexpr double kMaxCm3 = 1.5e8, kPeakKm = 107.0, kBelowKm = 8.0, kAboveKm = 18.0;
   const double z = (altitude_km - kPeakKm) / (altitude_km < kPeakKm ? kBelowKm : kAboveKm);
-  return kMostCm3 * (1.0 + std::abs(z)) * std::exp(-std::abs(z));
+  return kMaxCm3 * (1.0 + std::abs(z)) * std::exp(-std::abs(z));
 }
 
 double electron_temperature_k(double altitude_km, double temperature_k) {
-  constexpr double kFromKm = 115.0, kMostK = 1500.0, kScaleKm = 123.0;
+  constexpr double kFromKm = 115.0, kMaxK = 1500.0, kScaleKm = 123.0;
   if (altitude_km <= kFromKm) return temperature_k;
-  return temperature_k - kMostK * std::expm1(-(altitude_km - kFromKm) / kScaleKm);
+  return temperature_k - kMaxK * std::expm1(-(altitude_km - kFromKm) / kScaleKm);
 }
 
 AirTable with_oxygen_factor(AirTable table, double factor) {
@@ -92,7 +92,7 @@ AirTable standard_air_table() {
 }
 
 AirTable read_air_table(const std::string& text, const std::string& name) {
-  constexpr double kMostBottomKm = 100.0, kLeastTopKm = 300.0, kLargest = 1e20, kHighestKm = 2000.0;
+  constexpr double kMaxBottomKm = 100.0, kMinTopKm = 300.0, kLargest = 1e20, kHighestKm = 2000.0;
   const CsvTable csv = read_csv_table(text, name);
   AirTable table;
   table.altitude_km = csv.column("altitude_km");
@@ -112,7 +112,7 @@ AirTable read_air_table(const std::string& text, const std::string& name) {
   table.no_cm3 = optional_column("nNO", 0.0, kLargest);
   table.n_cm3 = optional_column("nN4S", 0.0, kLargest);
   table.electron_temperature_k = optional_column("Te_K", 1.0, 1e5);
-  if (table.altitude_km.front() > kMostBottomKm || table.altitude_km.back() < kLeastTopKm)
+  if (table.altitude_km.front() > kMaxBottomKm || table.altitude_km.back() < kMinTopKm)
     refuse_file(ErrorKind::unreadable_input, name,
                 "the air reaches from " + std::to_string(static_cast<int>(table.altitude_km.front())) +
                     " to " + std::to_string(static_cast<int>(table.altitude_km.back())) + " km",
@@ -131,7 +131,7 @@ AirTable read_air_table(const std::string& text, const std::string& name) {
 }
 
 FieldAir field_air(const AirTable& table, double dip_deg, double refinement) {
-  constexpr double kLeastStepKm = 0.2, kStepsPerHeight = 30.0, kMostStepKm = 20.0;
+  constexpr double kMinStepKm = 0.2, kStepsPerHeight = 30.0, kMaxStepKm = 20.0;
   FieldAir column;
   const double bottom = table.altitude_km.front(), top = table.altitude_km.back();
   const double path_per_km = 1e5 / std::sin(dip_deg * kRadiansPerDegree);
@@ -146,8 +146,7 @@ FieldAir field_air(const AirTable& table, double dip_deg, double refinement) {
     column.electron_temperature_k.push_back(place.electron_temperature_k);
     if (altitude >= top) break;
     const double step =
-        std::clamp(scale_height_km(table, altitude) / kStepsPerHeight, kLeastStepKm, kMostStepKm) /
-        refinement;
+        std::clamp(scale_height_km(table, altitude) / kStepsPerHeight, kMinStepKm, kMaxStepKm) / refinement;
     altitude = altitude + 1.5 * step >= top ? top : altitude + step;
   }
   return column;

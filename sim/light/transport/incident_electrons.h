@@ -32,7 +32,7 @@ struct IncidentSpectrum {
 };
 
 /// Energies that the transport is made for.
-inline constexpr double kLeastSpectrumKev = 0.02, kMostSpectrumKev = 100.0;
+inline constexpr double kMinSpectrumKev = 0.02, kMaxSpectrumKev = 100.0;
 /// Beyond it a spectrum is cut.
 inline constexpr double kHighestKev = 300.0;
 

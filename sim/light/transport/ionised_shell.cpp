@@ -20,7 +20,7 @@ double beta2_of(double energy_ev) {
 
 ShellSpectrum::ShellSpectrum(const IonisedShell& shell, double energy_ev) : binding_ev_(shell.binding_ev) {
   if (energy_ev <= shell.binding_ev || energy_ev <= shell.loss_ev) return;
-  most_ev_ = 0.5 * (energy_ev - shell.binding_ev);
+  max_ev_ = 0.5 * (energy_ev - shell.binding_ev);
   t_ = energy_ev / binding_ev_;
   const double rest = energy_ev / kElectronRestEv, b = binding_ev_ / kElectronRestEv;
   const double beta2 = beta2_of(energy_ev);
@@ -41,8 +41,8 @@ double ShellSpectrum::integral(double w) const {
 }
 
 double ShellSpectrum::cm2_below(double secondary_ev) const {
-  if (most_ev_ <= 0.0 || secondary_ev <= 0.0) return 0.0;
-  const double w = std::min(secondary_ev, most_ev_) / binding_ev_;
+  if (max_ev_ <= 0.0 || secondary_ev <= 0.0) return 0.0;
+  const double w = std::min(secondary_ev, max_ev_) / binding_ev_;
   return prefactor_cm2_ * (integral(w) - at_zero_);
 }
 

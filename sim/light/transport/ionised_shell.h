@@ -31,17 +31,17 @@ class ShellSpectrum {
   ShellSpectrum(const IonisedShell& shell, double energy_ev);
 
   /// Largest energy of the slower electron, (T - B)/2; 0 if it cannot ionise.
-  double most_ev() const { return most_ev_; }
+  double max_ev() const { return max_ev_; }
 
-  /// Cross-section for second electrons up to this energy, in closed form; all of it beyond most_ev().
+  /// Cross-section for second electrons up to this energy, in closed form; all of it beyond max_ev().
   double cm2_below(double secondary_ev) const;
 
-  double cm2() const { return most_ev_ > 0.0 ? cm2_below(most_ev_) : 0.0; }
+  double cm2() const { return max_ev_ > 0.0 ? cm2_below(max_ev_) : 0.0; }
 
  private:
   double integral(double w) const;
 
-  double binding_ev_, most_ev_ = 0.0;
+  double binding_ev_, max_ev_ = 0.0;
   double t_ = 0.0, prefactor_cm2_ = 0.0, exchange_ = 0.0, constant_ = 0.0, dipole_ = 0.0, at_zero_ = 0.0;
 };
 

@@ -6,14 +6,14 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kMostGrowth = 2.0, kMostRise = 1.4;
+constexpr double kMaxGrowth = 2.0, kMaxRise = 1.4;
 constexpr double kAlike = 1.0 + 1e-3;  // variances that cannot tell two slabs apart
 
 }  // namespace
 
 std::vector<AltitudeSlab> altitude_slabs(const SpreadProfile& spread, const SpreadProfile& calm,
-                                         double least_km2, double most_km2, double top_km) {
-  const auto variance = [&](int a) { return std::min<double>(spread.variance_km2[a], most_km2); };
+                                         double min_km2, double max_km2, double top_km) {
+  const auto variance = [&](int a) { return std::min<double>(spread.variance_km2[a], max_km2); };
   const auto altitude = [](int a) { return HeightProfile::altitude_km(a); };
   constexpr int kEnd = HeightProfile::kAltitudes;
   int top = 0;
@@ -21,13 +21,13 @@ std::vector<AltitudeSlab> altitude_slabs(const SpreadProfile& spread, const Spre
 
   std::vector<int> nodes;  // where slabs are at home, from the first that is spread
   int a = 0;
-  while (a <= top && variance(a) < least_km2) ++a;
+  while (a <= top && variance(a) < min_km2) ++a;
   if (a <= top) nodes.push_back(a);
-  while (!nodes.empty() && nodes.back() < top && variance(nodes.back()) < most_km2) {
+  while (!nodes.empty() && nodes.back() < top && variance(nodes.back()) < max_km2) {
     const int last = nodes.back();
     int next = last + 1;
-    while (next < top && variance(next + 1) <= kMostGrowth * variance(last) &&
-           altitude(next + 1) <= kMostRise * altitude(last))
+    while (next < top && variance(next + 1) <= kMaxGrowth * variance(last) &&
+           altitude(next + 1) <= kMaxRise * altitude(last))
       ++next;
     nodes.push_back(next);
   }
@@ -38,7 +38,7 @@ std::vector<AltitudeSlab> altitude_slabs(const SpreadProfile& spread, const Spre
     AltitudeSlab& slab = slabs[n + 1];
     slab.altitude_km = altitude(nodes[n]);
     slab.variance_km2 = variance(nodes[n]);
-    slab.calm_variance_km2 = std::min<double>(calm.variance_km2[nodes[n]], most_km2);
+    slab.calm_variance_km2 = std::min<double>(calm.variance_km2[nodes[n]], max_km2);
     slab.lifetime_s = spread.lifetime_s[nodes[n]];
   }
   for (int at = 0; at < kEnd; ++at) {

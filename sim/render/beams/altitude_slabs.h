@@ -23,12 +23,12 @@ struct AltitudeSlab {
   std::shared_ptr<const std::vector<float>> share;  ///< [altitude of a HeightProfile], 0 to 1
 };
 
-/// From the ground up to `top_km`, above which all counts as there. `least_km2`: the variance below which
-/// light is shared with a slab that is not spread at all; `most_km2`: above which it makes no difference.
+/// From the ground up to `top_km`, above which all counts as there. `min_km2`: the variance below which
+/// light is shared with a slab that is not spread at all; `max_km2`: above which it makes no difference.
 /// From slab to slab the variance doubles at most, and the altitude grows by 2/5. `calm` is the same line's
 /// without a wind.
 std::vector<AltitudeSlab> altitude_slabs(const SpreadProfile& spread, const SpreadProfile& calm,
-                                         double least_km2, double most_km2, double top_km);
+                                         double min_km2, double max_km2, double top_km);
 
 /// Leaves of a profile what emission.altitude_share has of its lines, with its derivative; a line without one
 /// is dark. Nothing is touched where there are none.

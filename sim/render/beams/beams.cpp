@@ -115,14 +115,14 @@ struct RungShare {
 
 RungShare<FreeDual> rung_share(const EnergyLadder& ladder, double ln_energy, const FreeDual& free_ln_energy) {
   // A beam without light would have no derivative of its logarithm: none has less than that.
-  constexpr double kLeastShare = 1e-4;
+  constexpr double kMinShare = 1e-4;
   if (ladder.count == 0) return {};
   const double at = ln_energy / EnergyLadder::kLnStep - ladder.first;
   RungShare<FreeDual> share;
   share.rung = std::clamp(static_cast<int>(std::floor(at)), 0, ladder.count - 2);
   share.rungs = 2;
   if (at > 0.0 && at < ladder.count - 1) share.upper = free_ln_energy * (1.0 / EnergyLadder::kLnStep);
-  share.upper.v = std::clamp(at - share.rung, kLeastShare, 1.0 - kLeastShare);
+  share.upper.v = std::clamp(at - share.rung, kMinShare, 1.0 - kMinShare);
   return share;
 }
 

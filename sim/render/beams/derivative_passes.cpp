@@ -19,14 +19,14 @@ std::set<int> local_inputs_of(const Scene& scene, const ParameterId& number) {
 }  // namespace
 
 std::vector<DerivativePass> derivative_passes(const Scene& scene, const std::vector<ParameterId>& free) {
-  constexpr std::size_t kMostShared = kMostCarried - beam_inputs;
+  constexpr std::size_t kMaxShared = kMaxCarried - beam_inputs;
   std::vector<DerivativePass> passes(1);
   std::set<int> shared;
   for (std::size_t i = 0; i < free.size(); ++i) {
     const std::set<int> own = local_inputs_of(scene, free[i]);
     std::set<int> together = shared;
     together.insert(own.begin(), own.end());
-    if (passes.back().count == kTangentWidth || together.size() > kMostShared) {
+    if (passes.back().count == kTangentWidth || together.size() > kMaxShared) {
       passes.push_back({i, 0});
       together = own;
     }

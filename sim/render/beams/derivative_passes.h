@@ -15,7 +15,7 @@ struct DerivativePass {
 };
 
 /// As few passes as will do, at least one: none has more than kTangentWidth parameters, nor more that beams
-/// share than the kernel carries (kMostCarried less beam_inputs, sim/light/sample.h). `free` are numbers of
+/// share than the kernel carries (kMaxCarried less beam_inputs, sim/light/sample.h). `free` are numbers of
 /// the scene.
 std::vector<DerivativePass> derivative_passes(const Scene& scene, const std::vector<ParameterId>& free);
 

@@ -24,7 +24,7 @@ HWY_BEFORE_NAMESPACE();
 namespace vegard::sim {
 namespace HWY_NAMESPACE {
 
-constexpr int kMostLines = 8;  // on one film
+constexpr int kMaxLines = 8;  // on one film
 
 /// The light of a sample: a straight line between two rows of the height profile.
 template <int kQuartets>
@@ -209,7 +209,7 @@ class Expansion {
   Wide rows_[kLocals];
 };
 
-/// The local inputs that the kernel is to carry, at most kMostCarried: the beams' own, then those of the
+/// The local inputs that the kernel is to carry, at most kMaxCarried: the beams' own, then those of the
 /// shared ones that are free, then others, so that any number of the first will do.
 class CarriedInputs {
  public:
@@ -303,7 +303,7 @@ std::uint64_t fall_tangents_of_lines(const KernelScene& scene, const SharedChain
   };
   using Beams = LaneDual<Pack, beam_inputs>;
   constexpr std::integral_constant<int, beam_inputs> of_beams{};
-  if (carried.needed() > 6) return fall_with(std::integral_constant<int, kMostCarried>());
+  if (carried.needed() > 6) return fall_with(std::integral_constant<int, kMaxCarried>());
   if (carried.needed() > 4) return fall_with(std::integral_constant<int, 6>());
   if (carried.needed() > beam_inputs) return fall_with(std::integral_constant<int, 4>());
   if (scene.beams_own_field) return fall(Beams(), Pack(), Beams(), of_beams);

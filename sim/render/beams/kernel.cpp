@@ -44,8 +44,7 @@ void ListPoints(const KernelScene& scene, const BeamGroup* groups, std::size_t c
 std::uint64_t FallWithTangents(const KernelScene& scene, const SharedChain& shared, const BeamGroup* groups,
                                const GroupChain* chains, std::size_t count, std::int64_t* film,
                                TangentFilm& tangents) {
-  return fall_tangents_of_lines<PinholeFilm, kMostLines>(scene, shared, groups, chains, count, film,
-                                                         tangents);
+  return fall_tangents_of_lines<PinholeFilm, kMaxLines>(scene, shared, groups, chains, count, film, tangents);
 }
 
 template <int kQuartets>

@@ -39,7 +39,7 @@ std::uint64_t LensReference(const KernelScene& scene, const BeamGroup* groups, s
 std::uint64_t LensWithTangents(const KernelScene& scene, const SharedChain& shared, const BeamGroup* groups,
                                const GroupChain* chains, std::size_t count, std::int64_t* film,
                                TangentFilm& tangents) {
-  return fall_tangents_of_lines<LensFilm, kMostLines>(scene, shared, groups, chains, count, film, tangents);
+  return fall_tangents_of_lines<LensFilm, kMaxLines>(scene, shared, groups, chains, count, film, tangents);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -16,7 +16,7 @@ namespace {
 
 // The first interval's light is taken at its end: it is short beside what changes, but not shorter than what
 // an eye or a camera tells apart, and than a seventh of the 0.7 s of 557.7 nm.
-constexpr double kFirstPerChange = 1.0 / 16.0, kLeastFirstS = 0.1;
+constexpr double kFirstPerChange = 1.0 / 16.0, kMinFirstS = 0.1;
 constexpr double kGrowth = 2.0;      // from interval to interval
 constexpr double kNoneLeft = 0.002;  // of a line's light: where the last interval begins
 constexpr double kLongestS = 3600.0;
@@ -56,8 +56,7 @@ LightAges::LightAges(const Scene& scene) {
       if (const EmissionLine* line = find_emission_line(nm); line != nullptr)
         slowest_s = std::max(slowest_s, lifetime_at_s(*line, std::min(sheet.top_km, HeightProfile::kTopKm)));
     const double last_s = std::min(kLongestS, -std::log(kNoneLeft) * slowest_s);
-    for (double from_s = std::max(kLeastFirstS, kFirstPerChange * change_s); from_s < last_s;
-         from_s *= kGrowth)
+    for (double from_s = std::max(kMinFirstS, kFirstPerChange * change_s); from_s < last_s; from_s *= kGrowth)
       from_s_[s].push_back(from_s);
   }
 }

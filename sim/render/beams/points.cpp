@@ -37,7 +37,7 @@ struct Thinning {
   }
 };
 
-int most_beams_of_a_layer(const Scene& scene) {
+int max_beams_of_a_layer(const Scene& scene) {
   int most = 0;
   for (const Sheet& sheet : scene.sheets) most = std::max(most, beams_per_layer(sheet));
   return most;
@@ -109,7 +109,7 @@ int thinning_for(const Scene& scene, std::uint64_t most, int threads, const std:
     options.every = every;
     return stream_points(scene, options, [](const EmissionPoints&) {}) <= most;
   };
-  const int last = most_beams_of_a_layer(scene) | 1;  // one beam of each layer
+  const int last = max_beams_of_a_layer(scene) | 1;  // one beam of each layer
 
   // To count takes long. So the search begins where the expected count says, and widens from there.
   Scene still = scene;

@@ -36,7 +36,7 @@ struct SampleBlock {
 };
 
 // Numbers with kLocals derivatives, in and out of arrays. `inputs` are the local inputs that they are by.
-inline constexpr int kFirstInputs[kMostCarried] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+inline constexpr int kFirstInputs[kMaxCarried] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
 
 template <class L, int kLocals>
 using LaneDual = Dual<L, Tangents<L, kLocals>>;

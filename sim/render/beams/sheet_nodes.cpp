@@ -23,7 +23,7 @@ constexpr double kAlongCells = 0.5, kAlongPerRamp = 0.53, kAlongPerSmoothing = 0
 // From node to node in the lower part of a path. Of a lattice of nodes with the distance d a Gaussian of the
 // standard deviation d / 2 leaves exp(-pi^2 / 2), 0.7 %, and many beams with nodes at other places a tenth of
 // it.
-constexpr double kDownPerBlur = 2.0, kLeastDownCells = 1.0;
+constexpr double kDownPerBlur = 2.0, kMinDownCells = 1.0;
 // Up to which standard deviation of the width, in what is seen of a node, how many of Gauss's nodes will do.
 // One alone would not feel the width.
 struct NodesAcross {
@@ -31,17 +31,17 @@ struct NodesAcross {
   int nodes;
 };
 constexpr NodesAcross kAcross[] = {{1.0, 2}, {2.0, 4}, {3.0, 6}, {5.0, 10}};
-constexpr int kMostAcross = 14;
+constexpr int kMaxAcross = 14;
 constexpr double kMoreBeams = 3.0;  // where more is drawn than the place in a path
 constexpr double kHat = 0.41;       // standard deviation of a hat, in cells
 constexpr double kFurthestNodesKm = 4.0;
 constexpr double kFurthestBeamsKm = 8.0;
-constexpr double kLeastBeams = 64.0, kMostBeams = 1e6;
-constexpr double kStretchKm = 100.0;     // above the bottom nodes stand twice as far apart, and so on upwards
-constexpr double kNearKm = 100.0;        // of a sheet that is not in view
-constexpr int kParts = 96;               // of a line
-constexpr double kMostMoreBeams = 16.0;  // than are said
-constexpr double kOutOfView = 0.25;      // of the beams where they stand most densely
+constexpr double kMinBeams = 64.0, kMaxBeams = 1e6;
+constexpr double kStretchKm = 100.0;    // above the bottom nodes stand twice as far apart, and so on upwards
+constexpr double kNearKm = 100.0;       // of a sheet that is not in view
+constexpr int kParts = 96;              // of a line
+constexpr double kMaxMoreBeams = 16.0;  // than are said
+constexpr double kOutOfView = 0.25;     // of the beams where they stand most densely
 constexpr double kLowKm = 105.0, kHighKm = 125.0;  // where most light is
 
 /// Where a camera sees a point of the field line through a foot.
@@ -188,7 +188,7 @@ Scene with_enough_beams(const Scene& scene, const FilmGeometry& film) {
     const double beams =
         sheet.points_per_px * px2_per_km2(scene, sheet, sights) / points_per_km * line_length_km(sheet);
     const int said = beams_per_layer(sheet);
-    const double most = std::min(kMostMoreBeams * said, static_cast<double>(kSheetMostBeams));
+    const double most = std::min(kMaxMoreBeams * said, static_cast<double>(kSheetMaxBeams));
     sheet.beams = std::max(said, static_cast<int>(std::min(std::ceil(beams), most)));
     sheet.beams_per_km = 0.0;
   }
@@ -204,7 +204,7 @@ std::vector<SheetNodes> sheet_nodes(const Scene& scene, const FilmGeometry& film
   // What is seen of a node: a hat of cells, the blur and the smoothing.
   const double rows_px = std::hypot(kHat * film.cell_height_px, blur_px, smooth_px);
   const double down_px =
-      std::max(kLeastDownCells * film.cell_height_px, kDownPerBlur * std::hypot(blur_px, smooth_px));
+      std::max(kMinDownCells * film.cell_height_px, kDownPerBlur * std::hypot(blur_px, smooth_px));
   const double along_px = film.ramp_px > 0.0
                               ? kAlongPerRamp * film.ramp_px
                               : kAlongCells * film.cell_width_px +
@@ -217,7 +217,7 @@ std::vector<SheetNodes> sheet_nodes(const Scene& scene, const FilmGeometry& film
         std::hypot(scale.across_rows_px_km / rows_px, scale.across_columns_px_km / film.cell_width_px);
     const double width = std::hypot(widest_km(sheet), tube_km(sheet)) * seen_across;
     SheetNodes nodes;
-    nodes.across = kMostAcross;
+    nodes.across = kMaxAcross;
     for (auto most = std::rbegin(kAcross); most != std::rend(kAcross); ++most)
       if (width < most->width) nodes.across = most->nodes;
     const bool much_is_drawn = sheet.ray_length_contrast > 0.0 || sheet.spacing_rule == SpacingRule::literal;
@@ -225,7 +225,7 @@ std::vector<SheetNodes> sheet_nodes(const Scene& scene, const FilmGeometry& film
     for (const double along_px_km : scale.along_px_km) {
       const double along_km = std::min(along_px / along_px_km, structure_km(sheet)) / fineness /
                               (much_is_drawn ? kMoreBeams : 1.0);
-      nodes.beams.push_back(std::clamp(part_km / along_km, kLeastBeams / kParts, kMostBeams / kParts));
+      nodes.beams.push_back(std::clamp(part_km / along_km, kMinBeams / kParts, kMaxBeams / kParts));
     }
     const double down_km = std::min(down_px / scale.down_px_km, kFurthestNodesKm) / fineness;
     nodes.path.offset = kStretchKm / (sheet.top_km - HeightProfile::kBottomKm);

@@ -154,7 +154,7 @@ std::vector<GroundGrid::Neighbour> GroundGrid::near(int cell, double reach_km) c
   return found;
 }
 
-RingCells rings_resolved(double resolution_rad, double least_km, double farthest_km) {
+RingCells rings_resolved(double resolution_rad, double min_km, double farthest_km) {
   RingCells rings;
   rings.edge_km.push_back(0.0);
   while (rings.edge_km.back() < farthest_km) {
@@ -162,10 +162,10 @@ RingCells rings_resolved(double resolution_rad, double least_km, double farthest
     // Seen from the site on a flat Earth, a border at the height H and the distance d stands atan(H/d) high,
     // which changes by H/(d² + H²) per kilometre.
     const double depth = resolution_rad * (at * at + kFootAltitudeKm * kFootAltitudeKm) / kFootAltitudeKm;
-    rings.edge_km.push_back(at + std::max(depth, least_km));
+    rings.edge_km.push_back(at + std::max(depth, min_km));
     const double middle = 0.5 * (at + rings.edge_km.back());
     const double slant = std::hypot(middle, kFootAltitudeKm);
-    const double breadth = std::max(resolution_rad * slant, least_km);
+    const double breadth = std::max(resolution_rad * slant, min_km);
     rings.arcs.push_back(std::max(3, static_cast<int>(kTurn * middle / breadth)));
   }
   return rings;

@@ -77,7 +77,7 @@ class GroundGrid {
 };
 
 /// Rings whose depths and arcs' lengths are those that a camera at the site resolves: the lower border of an
-/// aurora moves by `resolution_rad` from one to the next, but no cell is smaller than `least_km`.
-RingCells rings_resolved(double resolution_rad, double least_km, double farthest_km);
+/// aurora moves by `resolution_rad` from one to the next, but no cell is smaller than `min_km`.
+RingCells rings_resolved(double resolution_rad, double min_km, double farthest_km);
 
 }  // namespace vegard::sim

@@ -17,8 +17,8 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kShareOfCell = 0.34;     // of a cell's shorter side that a foot moves by in one step at most
-constexpr int kMostAltitudeSteps = 4096;  // from one altitude to the next, of a ray that hardly rises
+constexpr double kShareOfCell = 0.34;    // of a cell's shorter side that a foot moves by in one step at most
+constexpr int kMaxAltitudeSteps = 4096;  // from one altitude to the next, of a ray that hardly rises
 
 /// The field over a frame's places.
 class FieldOver {
@@ -148,7 +148,7 @@ void march(const HomeRay& ray, double end_km, const FieldOver& field, const Grou
       const double finest =
           std::min(grid.finest_km(foot.east_km, foot.north_km), grid.finest_km(next.east_km, next.north_km));
       const int steps = std::clamp(static_cast<int>(std::hypot(east, north) / (kShareOfCell * finest)) + 1, 1,
-                                   kMostAltitudeSteps);
+                                   kMaxAltitudeSteps);
       for (int i = 0; i < steps; ++i) {
         const double t = (i + 0.5) / steps;
         stretches.add(grid.cell_at(foot.east_km + t * east, foot.north_km + t * north), bin,

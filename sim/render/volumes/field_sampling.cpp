@@ -116,8 +116,8 @@ double bricks_of_surface(const std::vector<BrickRange>& ranges) {
 }  // namespace
 
 BricksToSample bricks_to_sample(const LightField& field, const SparseGrid& grid,
-                                const std::optional<Box3>& crop, int all_lines, double most_bricks,
-                                double most_bytes, const std::function<bool()>& go_on) {
+                                const std::optional<Box3>& crop, int all_lines, double max_bricks,
+                                double max_bytes, const std::function<bool()>& go_on) {
   constexpr std::size_t kBetweenQuestions = 1024;
   constexpr double kCertain = 4.0;  // parts above the most bricks, of which a quarter must be lit
   const Box3 box = field.bounds();
@@ -140,7 +140,7 @@ BricksToSample bricks_to_sample(const LightField& field, const SparseGrid& grid,
   }
   std::vector<BrickRange> ranges, halves;
   if (!field.is_dark(box_of(range, grid))) ranges.push_back(range);
-  double next_try = kCertain * most_bricks;
+  double next_try = kCertain * max_bricks;
   std::size_t asked = 0;
   for (bool whole = false; !whole;) {
     whole = true;
@@ -161,13 +161,13 @@ BricksToSample bricks_to_sample(const LightField& field, const SparseGrid& grid,
     }
     ranges.swap(halves);
     const double count = static_cast<double>(ranges.size());
-    const bool long_list = 2.0 * count * sizeof(BrickRange) > most_bytes;
+    const bool long_list = 2.0 * count * sizeof(BrickRange) > max_bytes;
     if (count <= next_try && !long_list) continue;
     next_try = 2.0 * count;
     const double share = lit_share(field, all_lines, ranges, crop, grid);
-    if (share * count > most_bricks || long_list)
+    if (share * count > max_bricks || long_list)
       // With larger voxels every part has light rather than that share of them.
-      return {{}, std::max(bricks_of_surface(ranges), most_bricks + 1.0)};
+      return {{}, std::max(bricks_of_surface(ranges), max_bricks + 1.0)};
   }
   BricksToSample out;
   out.bricks.reserve(ranges.size());

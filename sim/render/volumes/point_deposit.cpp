@@ -8,7 +8,7 @@ void BrickCounter::count(const BrickCoordinate& at) {
   if (any_ && at == last_at_) return;
   any_ = true;
   last_at_ = at;
-  constexpr std::size_t kMost = 16384;
+  constexpr std::size_t kMax = 16384;
   // splitmix64 (Steele, Lea and Flood 2014, doi:10.1145/2714064.2660195), once for each number.
   std::uint64_t mixed = 0;
   for (const std::int32_t c : {at.x, at.y, at.z}) {
@@ -21,7 +21,7 @@ void BrickCounter::count(const BrickCoordinate& at) {
     return halvings_ == 0 || number >> (64 - halvings_) == 0;
   };
   if (!is_below(mixed) || !kept_.insert(mixed).second) return;
-  while (kept_.size() > kMost) {
+  while (kept_.size() > kMax) {
     ++halvings_;
     for (auto one = kept_.begin(); one != kept_.end();)
       one = is_below(*one) ? std::next(one) : kept_.erase(one);
@@ -52,11 +52,11 @@ void BrickCounter::add(const EmissionPoints& points) {
 }
 
 PointDeposit::PointDeposit(const std::vector<int>& lines, double edge_km, const std::optional<Box3>& box,
-                           std::uint64_t most_bytes)
+                           std::uint64_t max_bytes)
     : lines_(lines),
       edge_km_(edge_km),
       box_(box),
-      most_bytes_(most_bytes),
+      max_bytes_(max_bytes),
       bytes_of_brick_(bytes_of_brick(lines.size())) {}
 
 std::uint64_t PointDeposit::bytes_of_brick(std::size_t lines) {
@@ -72,7 +72,7 @@ std::vector<double>* PointDeposit::brick(const BrickCoordinate& at) {
     last_at_ = at;
     return last_ = &found->second;
   }
-  if (full_ || (bricks_.size() + 1) * bytes_of_brick_ > most_bytes_) {
+  if (full_ || (bricks_.size() + 1) * bytes_of_brick_ > max_bytes_) {
     full_ = true;
     left_out_.insert(at);
     return nullptr;

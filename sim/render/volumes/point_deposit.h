@@ -40,9 +40,9 @@ class BrickCounter {
 class PointDeposit {
  public:
   /// `lines`: which of the points' lines become the channels. Voxels of `edge_km`, the low corner of voxel
-  /// (0, 0, 0) at the observer. What lies outside `box` is left out. Above `most_bytes` it only counts.
+  /// (0, 0, 0) at the observer. What lies outside `box` is left out. Above `max_bytes` it only counts.
   PointDeposit(const std::vector<int>& lines, double edge_km, const std::optional<Box3>& box,
-               std::uint64_t most_bytes);
+               std::uint64_t max_bytes);
 
   void add(const EmissionPoints& points);
 
@@ -61,7 +61,7 @@ class PointDeposit {
   std::vector<int> lines_;
   double edge_km_;
   std::optional<Box3> box_;
-  std::uint64_t most_bytes_, bytes_of_brick_;
+  std::uint64_t max_bytes_, bytes_of_brick_;
   bool full_ = false;
   std::map<BrickCoordinate, std::vector<double>> bricks_;  ///< [line][voxel], photons per second
   std::set<BrickCoordinate> left_out_;

@@ -141,8 +141,8 @@ class GridNeed {
     return bricks;
   }
 
-  /// The smallest of some larger voxels that will be accepted, at most `most_voxel`; 0 if none of them is.
-  double voxel_that_would_do(double bytes, double most_voxel) const {
+  /// The smallest of some larger voxels that will be accepted, at most `max_voxel`; 0 if none of them is.
+  double voxel_that_would_do(double bytes, double max_voxel) const {
     constexpr double kStep = 1.2, kMargin = 1.05;  // of counts, which are good to a hundredth
     constexpr int kTried = 24;
     const double limit = static_cast<double>(options_.memory_limit);
@@ -152,7 +152,7 @@ class GridNeed {
     std::vector<double> voxels;
     for (int i = 0; i < kTried; ++i, next *= kStep) {
       const double voxel = two_digits_up(next);
-      if (voxel <= most_voxel && (voxels.empty() || voxel > voxels.back())) voxels.push_back(voxel);
+      if (voxel <= max_voxel && (voxels.empty() || voxel > voxels.back())) voxels.push_back(voxel);
     }
     const std::vector<double> of_sheets = bricks_of_sheets(voxels, {});
     for (std::size_t i = 0; i < voxels.size() && !stopped(); ++i) {

@@ -23,8 +23,8 @@
 namespace vegard::sim {
 namespace {
 
-constexpr std::size_t kMostCurvePoints = 1000;
-constexpr double kLeastBetweenPoints_km = 1e-3;
+constexpr std::size_t kMaxCurvePoints = 1000;
+constexpr double kMinBetweenPoints_km = 1e-3;
 
 std::optional<Complaint> complaint_about(const Declaration& d, const ValueRef& value) {
   struct Check {
@@ -111,9 +111,9 @@ void check_courses(const Scene& scene) {
       continue;
     }
     const std::size_t points = sheet.east_km.size();
-    if (points < 2 || points > kMostCurvePoints)
+    if (points < 2 || points > kMaxCurvePoints)
       refuse({"a curve through " + std::to_string(points) + " point" + (points == 1 ? "" : "s"),
-              "east_km and north_km of 2 to " + std::to_string(kMostCurvePoints) + " points",
+              "east_km and north_km of 2 to " + std::to_string(kMaxCurvePoints) + " points",
               "or curve_file, which has them"},
              points > 0 ? "east_km" : "course");
     for (const auto& [list, key] : lists) {
@@ -126,10 +126,10 @@ void check_courses(const Scene& scene) {
     }
     for (std::size_t i = 0; i + 1 < points; ++i)
       if (std::hypot(sheet.east_km[i + 1] - sheet.east_km[i], sheet.north_km[i + 1] - sheet.north_km[i]) <
-          kLeastBetweenPoints_km)
+          kMinBetweenPoints_km)
         refuse({"points " + std::to_string(i) + " and " + std::to_string(i + 1) +
                     " of the curve stand at one place",
-                "neighbours at least " + short_real_text(kLeastBetweenPoints_km) + " km apart",
+                "neighbours at least " + short_real_text(kMinBetweenPoints_km) + " km apart",
                 "leave one of them out"},
                "east_km");
     const auto refuse_beside = [&](bool is_there, const char* what, const char* key, const char* expected) {
@@ -299,14 +299,14 @@ void check_sensor(const Scene& scene) {
              origin_of(scene, "sensor.tone_file", "sensor.tone"));
   const auto& [r2, r4, r6] = sensor.vignetting;
   constexpr int kSteps = 100;
-  constexpr double kLeast = 0.01;
+  constexpr double kMin = 0.01;
   for (int i = 0; i <= kSteps; ++i) {
     const double square = static_cast<double>(i) * i / (kSteps * kSteps);
     const double light = 1.0 + square * (r2 + square * (r4 + square * r6));
-    if (light < kLeast)
+    if (light < kMin)
       complain({"the lens would give " + short_real_text(light) + " of its light at " +
                     short_real_text(std::sqrt(square)) + " of the way to the corner",
-                "at least " + short_real_text(kLeast) + " everywhere", ""},
+                "at least " + short_real_text(kMin) + " everywhere", ""},
                {scene.file, 0, "sensor.vignetting"});
   }
 }

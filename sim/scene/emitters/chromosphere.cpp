@@ -42,11 +42,11 @@ void check_the_chromosphere(const Scene& scene, const Chromosphere& c) {
   check.check_shown();
   check.check_lines(c.rayleigh, true, "rayleigh");
   check.check_below(c.innerradius, "innerradius", c.outerradius, "outerradius");
-  constexpr double kMostSteps = 100000.0;
+  constexpr double kMaxSteps = 100000.0;
   const double steps = 2.0 * c.outerradius / c.step;
-  if (steps > kMostSteps)
+  if (steps > kMaxSteps)
     check.refuse({short_real_text(steps) + " steps from side to side",
-                  "at most " + short_real_text(kMostSteps), "a larger step"},
+                  "at most " + short_real_text(kMaxSteps), "a larger step"},
                  "step");
   if (c.peak != 0.0 && c.biasmap.empty())
     check.refuse({"there is no map for the peak", "biasmap = \"a picture's name\"", "or peak = 0"}, "peak");

@@ -106,22 +106,22 @@ using Refuse = std::function<void(const Complaint&, const std::string& key)>;
 /// That no map, and no curve, takes more memory than a machine has.
 void check_size(const Footprint& f, const Refuse& refuse) {
   const bool is_shell = f.shape == FootprintShape::shell, of_spline = f.source == FootprintSource::spline;
-  if (of_spline && spline_pieces(f) > kMostSplinePieces)
+  if (of_spline && spline_pieces(f) > kMaxSplinePieces)
     refuse({"the spline would be drawn in " + short_real_text(spline_pieces(f)) + " pieces of " +
                 short_real_text(longest_piece_km(f)) + " km",
             "at most 1048576", "a larger width_km, larger cells, or points nearer to each other"},
            is_shell ? "longitude_deg" : "east_km");
   if (f.model == FootprintModel::curtain) return;
-  if (!is_shell && longest_side_cells(f) > kMostSideCells)
+  if (!is_shell && longest_side_cells(f) > kMaxSideCells)
     refuse({"the box has " + short_real_text(longest_side_cells(f)) + " cells along a side", "at most 262000",
             "a larger cell_km, or a smaller size_km"},
            "cell_km");
-  if (!is_shell && map_cells(f) > kMostBoxCells)
+  if (!is_shell && map_cells(f) > kMaxBoxCells)
     refuse({"the box has more than 67108864 cells: " + short_real_text(map_cells(f)),
             "a larger cell_km, or a smaller size_km", ""},
            "cell_km");
   const double bytes = map_cells(f) * bytes_per_cell(f, sizeof(double));
-  if (bytes > kMostMapBytes)
+  if (bytes > kMaxMapBytes)
     refuse({"the footprint's map would take " + short_real_text(std::round(bytes * 1e-8) * 0.1) + " GB, " +
                 short_real_text(bytes_per_cell(f, sizeof(double))) + " bytes a cell",
             "at most 4 GB", is_shell ? "fewer face_cells" : "a larger cell_km, or a smaller size_km"},

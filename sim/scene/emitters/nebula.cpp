@@ -97,11 +97,11 @@ std::vector<Declaration> rows_of_nebulae_and_nodes() {
 
 /// Names of nodes must be there, and no node may stand on itself.
 void check_nodes(const Scene& scene) {
-  constexpr std::size_t kMostNodes = 1000;
-  constexpr double kMostAsked = 10000.0;
-  if (scene.nodes.size() > kMostNodes)
-    complain({std::to_string(scene.nodes.size()) + " nodes", "at most " + std::to_string(kMostNodes), ""},
-             {scene.file, 0, "node." + scene.nodes[kMostNodes].name + ".name"});
+  constexpr std::size_t kMaxNodes = 1000;
+  constexpr double kMaxAsked = 10000.0;
+  if (scene.nodes.size() > kMaxNodes)
+    complain({std::to_string(scene.nodes.size()) + " nodes", "at most " + std::to_string(kMaxNodes), ""},
+             {scene.file, 0, "node." + scene.nodes[kMaxNodes].name + ".name"});
   const auto index_of = [&](const std::string& name) {
     const auto found =
         std::find_if(scene.nodes.begin(), scene.nodes.end(), [&](const Node& n) { return n.name == name; });
@@ -134,10 +134,10 @@ void check_nodes(const Scene& scene) {
       self(self, index_of(name));
       asked[n] += asked[index_of(name)];
     }
-    if (asked[n] > kMostAsked)
+    if (asked[n] > kMaxAsked)
       complain({"the node '" + scene.nodes[n].name + "' asks " + short_real_text(asked[n]) +
                     " nodes for each point, those that work on one another counted each time",
-                "at most " + short_real_text(kMostAsked), "let fewer nodes share what they work on"},
+                "at most " + short_real_text(kMaxAsked), "let fewer nodes share what they work on"},
                {scene.file, 0, "node." + scene.nodes[n].name + ".of"});
     state[n] = 2;
   };
@@ -159,11 +159,11 @@ void check_the_nebula(const Scene& scene, const Nebula& nebula) {
     refuse({"the nebula is made of nothing", "gas, glow or dust with the name of a [[node]]", ""}, "gas");
   if (nebula.method == NebulaMethod::literal && nebula.gas.empty())
     refuse({"the literal march has no map", "gas with the name of a [[node]]", ""}, "gas");
-  constexpr double kMostSteps = 100000.0;
-  if (2.0 * nebula.bound / nebula.step > kMostSteps)
+  constexpr double kMaxSteps = 100000.0;
+  if (2.0 * nebula.bound / nebula.step > kMaxSteps)
     refuse(
         {short_real_text(2.0 * nebula.bound / nebula.step) + " steps from side to side of the nebula's bound",
-         "at most " + short_real_text(kMostSteps), "a larger step, or a smaller bound"},
+         "at most " + short_real_text(kMaxSteps), "a larger step, or a smaller bound"},
         "step");
   const std::size_t lines = scene.emission.lines.size();
   const auto check_list = [&](const std::vector<double>& list, const std::string& node, const char* key) {

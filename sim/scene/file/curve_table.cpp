@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<const char*, 6> kCurtainColumns = {"curtain",           "east_km",    "north_km",
                                                         "energy_flux_mw_m2", "energy_kev", "width_km"};
-constexpr double kLeastBrightness = 1e-6;  // of point_brightness
+constexpr double kMinBrightness = 1e-6;  // of point_brightness
 
 [[noreturn]] void fail_in_table(const std::string& problem, const std::string& file,
                                 const std::string& expected, int line = 0) {
@@ -108,8 +108,7 @@ void take_curtain(std::string_view text, const std::string& file, int curtain, b
   for (const std::size_t row : rows) {
     sheet.east_km.push_back(table.column("east_km")[row]);
     sheet.north_km.push_back(table.column("north_km")[row]);
-    sheet.point_brightness.push_back(
-        std::max(kLeastBrightness, table.column("energy_flux_mw_m2")[row] / most));
+    sheet.point_brightness.push_back(std::max(kMinBrightness, table.column("energy_flux_mw_m2")[row] / most));
     sheet.point_energy_kev.push_back(table.column("energy_kev")[row]);
     sheet.point_width_km.push_back(table.column("width_km")[row]);
   }

@@ -19,14 +19,13 @@ constexpr float kDarkMapShare =
     1e-6f;  // of the largest energy flux; what is left of a sum, or of a Gaussian's tail
 
 // With all derivatives a cell takes 272 bytes.
-constexpr double kMostMapCells = 4194304.0, kLeastCellKm = 0.01, kMostCellKm = 100.0;
+constexpr double kMaxMapCells = 4194304.0, kMinCellKm = 0.01, kMaxCellKm = 100.0;
 
 class MapReader {
  public:
   explicit MapReader(const std::string& place)
       : place_(place),
-        fits_(read_fits_image(input_bytes(place, "a FITS file of precipitation", kMostPictureBytes), place)) {
-  }
+        fits_(read_fits_image(input_bytes(place, "a FITS file of precipitation", kMaxPictureBytes), place)) {}
 
   PrecipitationMap read() const {
     PrecipitationMap map;
@@ -40,13 +39,13 @@ class MapReader {
       if (text(unit) != "km") fail(unit + " is '" + text(unit) + "'", unit + " = 'km'");
     }
     const double east_step = number("CDELT1"), north_step = number("CDELT2");
-    if (!(east_step >= kLeastCellKm && east_step <= kMostCellKm) ||
+    if (!(east_step >= kMinCellKm && east_step <= kMaxCellKm) ||
         !(std::abs(north_step - east_step) <= 1e-6 * east_step))
       fail("cells of " + short_real_text(east_step) + " by " + short_real_text(north_step) + " km",
            "CDELT1 and CDELT2 alike, from 0.01 to 100 km");
     map.columns = image.width;
     map.rows = image.height;
-    if (static_cast<double>(map.columns) * map.rows > kMostMapCells)
+    if (static_cast<double>(map.columns) * map.rows > kMaxMapCells)
       fail("a map of " + std::to_string(map.columns) + " by " + std::to_string(map.rows) + " cells",
            "at most 4194304 cells");
     map.cell_km = east_step;

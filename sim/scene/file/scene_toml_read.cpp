@@ -353,7 +353,7 @@ Scene parse_scene(const std::string& text, const std::string& name) {
 
 Scene read_scene(const std::string& file) {
   refuse_picture(file);
-  Scene scene = scene_of_text(input_bytes(file, "a scene file", kMostTomlBytes), file, true);
+  Scene scene = scene_of_text(input_bytes(file, "a scene file", kMaxTomlBytes), file, true);
   read_table_files(scene);
   return scene;
 }

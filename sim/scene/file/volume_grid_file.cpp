@@ -15,7 +15,7 @@ namespace vegard::sim {
 namespace {
 
 constexpr const char *kDensity = "density", *kSunFrame = "sun";
-constexpr std::uint64_t kGridMostBytes = std::uint64_t{8} << 30;
+constexpr std::uint64_t kGridMaxBytes = std::uint64_t{8} << 30;
 /// What a brick made ready for rays, with the voxels next to it, takes for a line at least.
 constexpr std::uint64_t kBytesForRays = 9 * 9 * 9 * sizeof(float);
 
@@ -54,9 +54,9 @@ void clamp_density(SparseGrid& grid, int channel) {
 /// An OpenVDB file, or a volumegrid by its name.
 VdbFile read_any(const std::string& place, const std::vector<std::string>& wanted,
                  std::uint64_t bytes_beside) {
-  if (!is_volumegrid_name(place)) return read_vdb(place, wanted, kGridMostBytes, bytes_beside);
+  if (!is_volumegrid_name(place)) return read_vdb(place, wanted, kGridMaxBytes, bytes_beside);
   VdbFile file;
-  file.grid = read_volumegrid(place, kGridMostBytes).grid;
+  file.grid = read_volumegrid(place, kGridMaxBytes).grid;
   file.names = {kDensity};
   return file;
 }

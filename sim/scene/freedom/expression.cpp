@@ -16,7 +16,7 @@ namespace vegard::sim {
 namespace {
 
 constexpr double kExpressionStep = 1.0 / 4096.0;  // of a value
-constexpr double kLeastValue = 1e-3;  // for the step of values near 0, unless that leads out of the domain
+constexpr double kMinValue = 1e-3;  // for the step of values near 0, unless that leads out of the domain
 constexpr const char* kPiWord = "pi";
 constexpr const char* kOperators = "+-*/^(), \t";
 
@@ -238,7 +238,7 @@ std::vector<double> Expression::slopes(const std::vector<double>& values) const 
       return (4.0 * difference(0.5 * step) - difference(step)) / 3.0;
     };
     const double size = std::abs(values[i]);
-    double slope = extrapolated(kExpressionStep * std::max(size, kLeastValue));
+    double slope = extrapolated(kExpressionStep * std::max(size, kMinValue));
     if (!std::isfinite(slope) && size > 0.0) slope = extrapolated(kExpressionStep * size);
     result.push_back(slope);
   }

@@ -12,7 +12,7 @@ namespace {
 
 using DecodingKind = DecodingWord::Kind;
 
-constexpr double kLeast = 0.2, kMost = 5.0;  // of gammas and exponents, as sensor.gamma
+constexpr double kMin = 0.2, kMax = 5.0;  // of gammas and exponents, as sensor.gamma
 const char* const kWords =
     "\"auto\", \"srgb\", \"srgb:1.3\", \"linear\", \"gamma:2.2\", \"curve:FILE.csv\", \"sensor\", "
     "\"unknown\" or "
@@ -42,7 +42,7 @@ std::optional<Complaint> exponent_complaint(const std::string& what, const std::
   const std::string expected = "a number from 0.2 to 5";
   if (!value) return Complaint{what + " \"" + text + "\" is no number", expected, ""};
   if (*value <= 0.0) return Complaint{what + " " + text + " makes no increasing curve", expected, ""};
-  if (*value < kLeast || *value > kMost)
+  if (*value < kMin || *value > kMax)
     return Complaint{what + " " + text + " is outside the limits", expected, ""};
   return {};
 }

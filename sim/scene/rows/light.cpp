@@ -20,7 +20,7 @@ std::vector<Declaration> light_rows() {
       Row("emission", "tables", &Scene::emission, &Emission::tables).names_folder().rule(emission_tables_complaint)
           .means("the emission tables: \"vegard\" (our own), \"glow\" (of the GLOW model, whose licence is not free), or a folder relative to the scene's file (docs/file_formats.md)"),
       Row("emission", "oxygen_factor", &Scene::emission, &Emission::oxygen_factor).as(ParameterRole::oxygen_factor)
-          .within(kLeastOxygenFactor, kMostOxygenFactor).may_be_free(ParameterScale::logarithmic)
+          .within(kMinOxygenFactor, kMaxOxygenFactor).may_be_free(ParameterScale::logarithmic)
           .means("atomic oxygen, as a multiple of what the tables' air has; other than 1 only for tables of several factors, and within those"),
       Row("emission", "flux_law", &Scene::emission, &Emission::flux_law).one_of<FluxLaw>({{"column", FluxLaw::column}, {"linear", FluxLaw::linear}})
           .means("how light grows with the energy flux of Maxwellian electrons: as the columns of the tables do (GLOW's "

@@ -14,7 +14,7 @@ bool is_cut_short(std::string_view name, std::string_view known) {
 }
 
 /// The work grows with the product of the lengths, and nobody slips in hundreds of letters.
-bool is_too_long(std::string_view name) { return name.size() > kMostHintedLetters; }
+bool is_too_long(std::string_view name) { return name.size() > kMaxHintedLetters; }
 
 std::size_t dissimilarity(std::string_view name, std::string_view known) {
   if (is_too_long(name) || is_too_long(known)) return name.size() + known.size();

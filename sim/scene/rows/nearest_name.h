@@ -9,7 +9,7 @@
 namespace vegard::sim {
 
 /// No name that is longer is near to any other, nor nearest to one.
-constexpr std::size_t kMostHintedLetters = 100;
+constexpr std::size_t kMaxHintedLetters = 100;
 
 /// Number of single-character insertions, deletions, substitutions and swaps of neighbours that turn `a` into
 /// `b` (optimal string alignment), ASCII letters compared without case.

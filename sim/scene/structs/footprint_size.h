@@ -30,18 +30,18 @@ double longest_piece_km(const Footprint& footprint);
 /// How many pieces its spline has, from point to point: 16 or more, and as if each way were half as long
 /// again as its chord.
 double spline_pieces(const Footprint& footprint);
-inline constexpr double kMostSplinePieces = 1048576.0;
+inline constexpr double kMaxSplinePieces = 1048576.0;
 
 /// Cells of the map along the longer side of a box, and in all.
 double longest_side_cells(const Footprint& footprint);
 double map_cells(const Footprint& footprint);
-inline constexpr double kMostBoxCells = 67108864.0;
+inline constexpr double kMaxBoxCells = 67108864.0;
 /// What the map of the dark can hold, which has a cell for 8 x 8 and counts in squares of 32 bits.
-inline constexpr double kMostSideCells = 262000.0;
+inline constexpr double kMaxSideCells = 262000.0;
 
 /// Memory while a map is made, per cell, where a number takes `number_bytes`: flux, ln E where it varies,
 /// four layers of sheets at a time, and both as they were before the flow.
 double bytes_per_cell(const Footprint& footprint, std::size_t number_bytes);
-inline constexpr double kMostMapBytes = 4e9;
+inline constexpr double kMaxMapBytes = 4e9;
 
 }  // namespace vegard::sim

@@ -209,7 +209,7 @@ enum class FluxLaw {
 inline const char* const kDefaultEmissionTables = "vegard";
 
 /// Limits of Emission::oxygen_factor, and of the factors that tables are made for.
-inline constexpr double kLeastOxygenFactor = 0.1, kMostOxygenFactor = 10.0;
+inline constexpr double kMinOxygenFactor = 0.1, kMaxOxygenFactor = 10.0;
 
 /// When light is seen of the electrons that excite it.
 enum class EmissionLag {

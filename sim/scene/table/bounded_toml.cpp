@@ -14,8 +14,7 @@ class TomlScan {
   explicit TomlScan(std::string_view text) : text_(text) {}
 
   std::optional<TomlExcess> excess() {
-    if (text_.size() > kMostTomlBytes)
-      return TomlExcess{"it is larger than " + bytes_text(kMostTomlBytes), 0};
+    if (text_.size() > kMaxTomlBytes) return TomlExcess{"it is larger than " + bytes_text(kMaxTomlBytes), 0};
     while (at_ < text_.size() && problem_.empty()) {
       switch (text_[at_]) {
         case '"':
@@ -60,7 +59,7 @@ class TomlScan {
   void take(char c) {
     switch (c) {
       case '.':
-        if (++parts_ > kMostTomlDepth) problem_ = "a key has more than " + most() + " parts";
+        if (++parts_ > kMaxTomlDepth) problem_ = "a key has more than " + most() + " parts";
         break;
       case '=':
         end_key(at_);
@@ -74,7 +73,7 @@ class TomlScan {
           break;
         }
         open_.push_back(c);
-        if (open_.size() > kMostTomlDepth)
+        if (open_.size() > kMaxTomlDepth)
           problem_ = "arrays and tables are nested more than " + most() + " deep";
         begin(c == '[');
         break;
@@ -112,11 +111,11 @@ class TomlScan {
     const std::size_t first = key.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos) return;
     key = key.substr(first, key.find_last_not_of(" \t\r\n") + 1 - first);
-    if (key.size() > kMostTomlKeyBytes && key[0] != '#')
-      problem_ = "a key is longer than " + std::to_string(kMostTomlKeyBytes) + " bytes";
+    if (key.size() > kMaxTomlKeyBytes && key[0] != '#')
+      problem_ = "a key is longer than " + std::to_string(kMaxTomlKeyBytes) + " bytes";
   }
 
-  static std::string most() { return std::to_string(kMostTomlDepth); }
+  static std::string most() { return std::to_string(kMaxTomlDepth); }
 
   std::string_view text_;
   std::size_t at_ = 0, key_begin_ = 0;

@@ -11,9 +11,9 @@
 
 namespace vegard::sim {
 
-constexpr std::size_t kMostTomlBytes = 16 << 20;
-constexpr int kMostTomlDepth = 32;  ///< arrays and tables in each other, and parts of a dotted key
-constexpr std::size_t kMostTomlKeyBytes = 256;
+constexpr std::size_t kMaxTomlBytes = 16 << 20;
+constexpr int kMaxTomlDepth = 32;  ///< arrays and tables in each other, and parts of a dotted key
+constexpr std::size_t kMaxTomlKeyBytes = 256;
 
 /// What is beyond one of these limits, and in which line.
 struct TomlExcess {

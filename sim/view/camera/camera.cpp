@@ -125,11 +125,11 @@ double widest_angle_rad(const Lens<double>& lens, const FilmGeometry& film) {
        {film.x0_px - film.cell_width_px, film.x0_px + (film.columns + 1) * film.cell_width_px})
     for (const double y_px :
          {film.y0_px - film.cell_height_px, film.y0_px + (film.rows + 1) * film.cell_height_px}) {
-      double direction[3] = {0.0, 0.0, lens.least_cosine};
+      double direction[3] = {0.0, 0.0, lens.min_cosine};
       unproject(lens, x_px, y_px, direction);
       least = std::min(least, direction[2]);
     }
-  return std::acos(std::clamp(least, lens.least_cosine, 1.0));
+  return std::acos(std::clamp(least, lens.min_cosine, 1.0));
 }
 
 }  // namespace vegard::sim

@@ -92,7 +92,7 @@ CameraView<T> camera_view(const Camera& camera, const Number& number) {
   lens.p1 = number(p1_number);
   lens.p2 = number(p2_number);
   lens.side = camera.mirrored ? -1.0 : 1.0;
-  lens.least_cosine = least_cosine(lens.model, camera.k1, camera.k2, camera.k3);
+  lens.min_cosine = min_cosine(lens.model, camera.k1, camera.k2, camera.k3);
   if (is_panorama(lens.model)) {
     lens.focal_px = T(lens.model == LensModel::cube ? 0.5 * face_px(camera) : camera.width / (2.0 * kPi));
     lens.aspect = T(lens.model == LensModel::cube ? 1.0 : 2.0 * camera.height / camera.width);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kMapNowhere = std::numeric_limits<float>::quiet_NaN();
 constexpr double kLargestRadian = 6.2832;  ///< 2 pi
-constexpr double kLeastInRadians = 1.5;
+constexpr double kMinInRadians = 1.5;
 
 DirectionMap empty_map(int width, int height) {
   DirectionMap map;
@@ -72,7 +72,7 @@ DirectionMap direction_map(const Image& azimuth, const Image& elevation, const s
     refuse_file(ErrorKind::unreadable_input, elevation_name, "no pixel of the maps looks anywhere",
                 "azimuths and elevations in degrees");
   // Less than a quarter turn in all is a narrow field near north, if it is not in radians.
-  if (largest > kLeastInRadians && largest <= kLargestRadian)
+  if (largest > kMinInRadians && largest <= kLargestRadian)
     refuse_file(ErrorKind::unreadable_input, azimuth_name,
                 "no angle in the maps is above 2 pi: they seem to be in radians", "degrees");
   return map;

@@ -28,7 +28,7 @@ class LensFilm {
   void set(const Lens<LocalDual>& lens, const FilmGeometry& film, const Spread& spread) {
     place_.set(lens, film, spread);
     pinhole_ = lens.model == LensModel::pinhole;
-    least_cosine_ = lens.least_cosine;
+    min_cosine_ = lens.min_cosine;
     spread(lens.k1, k1_);
     spread(lens.k2, k2_);
     spread(lens.k3, k3_);
@@ -38,7 +38,7 @@ class LensFilm {
     if (pinhole_ || equirectangular_) return;
     const LensSeries<LocalDual> series = lens_series(lens, widest_angle_rad(values_of(lens), film));
     terms_ = series.terms;
-    most_q_ = series.most_q;
+    max_q_ = series.max_q;
     for (int k = 0; k < terms_; ++k) {
       spread(series.value[k], value_[k]);
       spread(series.slope[k], slope_[k]);
@@ -60,7 +60,7 @@ class LensFilm {
       y = arctangent(down, square_root(right * right + forward * forward));
       per_steradian = P(L(1.0f)) / length2;
     } else if (pinhole_) {
-      seen_at_all = L(1e-3f) < value_of(forward) && value_of(length) * L(least_cosine_) < value_of(forward);
+      seen_at_all = L(1e-3f) < value_of(forward) && value_of(length) * L(min_cosine_) < value_of(forward);
       const P inverse = L(1.0f) / forward;
       x = right * inverse;
       y = down * inverse;
@@ -71,8 +71,8 @@ class LensFilm {
       distort<L>(x, y, radial, growth, per_steradian);
     } else {
       const P q = (length - forward) / (length * L(2.0f));
-      seen_at_all = value_of(q) <= L(most_q_);
-      const P t = q * L(2.0 / most_q_) - L(1.0f);
+      seen_at_all = value_of(q) <= L(max_q_);
+      const P t = q * L(2.0 / max_q_) - L(1.0f);
       const P s = sum<L>(value_, t), by_q = sum<L>(slope_, t);
       const P scale = s / square_root(length * (length + forward) * L(2.0f));
       x = right * scale;
@@ -114,9 +114,9 @@ class LensFilm {
   PlaceOnFilm<C> place_;
   bool pinhole_ = false, equirectangular_ = false;
   int terms_ = 0;
-  double least_cosine_ = 0.0, most_q_ = 0.0;
+  double min_cosine_ = 0.0, max_q_ = 0.0;
   C k1_, k2_, k3_, p1_, p2_;
-  C value_[LensSeries<LocalDual>::kMost], slope_[LensSeries<LocalDual>::kMost];
+  C value_[LensSeries<LocalDual>::kMax], slope_[LensSeries<LocalDual>::kMax];
 };
 
 }  // namespace HWY_NAMESPACE

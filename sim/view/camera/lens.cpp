@@ -8,7 +8,7 @@ namespace vegard::sim {
 namespace {
 
 constexpr double kFarthestOff = 170.0 * kRadiansPerDegree;
-constexpr int kMostSteps = 60;
+constexpr int kMaxSteps = 60;
 
 /// d/dr of r (1 + k1 r^2 + k2 r^4 + k3 r^6).
 double growth(double k1, double k2, double k3, double r) {
@@ -22,7 +22,7 @@ double first_fold(double k1, double k2, double k3, double end) {
   for (int i = 1; i <= kPieces; ++i) {
     double good = end * (i - 1) / kPieces, bad = end * i / kPieces;
     if (growth(k1, k2, k3, bad) > 0.0) continue;
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMaxSteps; ++step) {
       const double middle = 0.5 * (good + bad);
       (growth(k1, k2, k3, middle) > 0.0 ? good : bad) = middle;
     }
@@ -40,7 +40,7 @@ double undo_radial(const Lens<double>& lens, double radius, double fold) {
   };
   if (radius > at(fold)) return -1.0;
   double low = 0.0, high = fold, r = std::min(radius, 0.5 * fold);
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const double miss = at(r) - radius;
     (miss > 0.0 ? high : low) = r;
     double next = r - miss / growth(lens.k1, lens.k2, lens.k3, r);
@@ -53,7 +53,7 @@ double undo_radial(const Lens<double>& lens, double radius, double fold) {
 
 /// The angle of a radius in units of focal_px; negative if the lens draws nothing there.
 double angle_of_radius(const Lens<double>& lens, double radius) {
-  const double end = std::acos(lens.least_cosine);
+  const double end = std::acos(lens.min_cosine);
   double theta = radius;
   switch (lens.model) {
     case LensModel::pinhole:
@@ -105,7 +105,7 @@ bool unproject_panorama(const Lens<double>& lens, double x_px, double y_px, doub
 
 }  // namespace
 
-double least_cosine(LensModel model, double k1, double k2, double k3) {
+double min_cosine(LensModel model, double k1, double k2, double k3) {
   switch (model) {
     case LensModel::pinhole: {
       constexpr double kWidest = 60.0;  // 89 degrees
@@ -162,7 +162,7 @@ bool unproject(const Lens<double>& lens, double x_px, double y_px, double in_cam
   }
   double x = 0.0, y = 0.0;
   if (!project(lens, in_camera, x, y)) return false;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const PlaceSlopes slopes = place_slopes(lens, in_camera);
     const double determinant = slopes.determinant();
     if (!(std::abs(determinant) > 0.0)) return false;
@@ -179,7 +179,7 @@ bool unproject(const Lens<double>& lens, double x_px, double y_px, double in_cam
       length = std::sqrt(length);
       for (double& number : next) number /= length;
       if (project(lens, next, x, y)) break;
-      if (halving == kMostSteps) return false;
+      if (halving == kMaxSteps) return false;
       a *= 0.5;
       b *= 0.5;
     }
@@ -219,7 +219,7 @@ PlaceSlopes place_slopes(const Lens<double>& lens, const double direction[3]) {
   dual.p1 = lens.p1;
   dual.p2 = lens.p2;
   dual.side = lens.side;
-  dual.least_cosine = lens.least_cosine;
+  dual.min_cosine = lens.min_cosine;
   dual.cube_layout = lens.cube_layout;
   Two there[3], x(0.0), y(0.0);
   for (int i = 0; i < 3; ++i) {

@@ -37,7 +37,7 @@ struct Lens {
   double side = 1.0;  ///< -1: left and right are exchanged
   /// What is farther off the axis than this has no image: the lens's own end, or where its radial terms would
   /// fold the picture back.
-  double least_cosine = 0.0;
+  double min_cosine = 0.0;
   CubeLayout cube_layout = CubeLayout::cross;  ///< of a cube, whose focal_px is half of a face's edge
 };
 
@@ -53,9 +53,9 @@ bool is_plain_pinhole(const Lens<T>& lens) {
          value_of(lens.k3) == 0.0 && value_of(lens.p1) == 0.0 && value_of(lens.p2) == 0.0;
 }
 
-/// Where the lens's picture ends, see Lens::least_cosine: by its model and radial terms alone. At most 170
+/// Where the lens's picture ends, see Lens::min_cosine: by its model and radial terms alone. At most 170
 /// degrees off the axis.
-double least_cosine(LensModel model, double k1, double k2, double k3);
+double min_cosine(LensModel model, double k1, double k2, double k3);
 
 /// rho(theta); of a pinhole with its radial terms. Not of a panorama.
 template <class T>
@@ -124,7 +124,7 @@ bool project(const Lens<T>& lens, const T in_camera[3], T& x_px, T& y_px) {
   const T &right = in_camera[0], &down = in_camera[1], &forward = in_camera[2];
   const T across2 = right * right + down * down;
   const double length = std::sqrt(value_of(across2) + value_of(forward) * value_of(forward));
-  if (!(value_of(forward) > lens.least_cosine * length)) return false;
+  if (!(value_of(forward) > lens.min_cosine * length)) return false;
   T x, y, shift_x, shift_y;
   if (lens.model == LensModel::pinhole) {
     x = right / forward;
@@ -182,7 +182,7 @@ Lens<double> values_of(const Lens<T>& lens) {
   plain.p1 = value_of(lens.p1);
   plain.p2 = value_of(lens.p2);
   plain.side = lens.side;
-  plain.least_cosine = lens.least_cosine;
+  plain.min_cosine = lens.min_cosine;
   plain.cube_layout = lens.cube_layout;
   return plain;
 }

@@ -17,25 +17,25 @@ namespace vegard::sim {
 
 template <class T>
 struct LensSeries {
-  static constexpr int kMost = 24;
+  static constexpr int kMax = 24;
   int terms = 0;
-  double most_q = 0.0;  ///< it holds from 0 to here
-  T value[kMost];       ///< S = sum of value[k] T_k(2 Q / most_q - 1), Chebyshev's polynomials
-  T slope[kMost];       ///< the same of dS/dQ
+  double max_q = 0.0;  ///< it holds from 0 to here
+  T value[kMax];       ///< S = sum of value[k] T_k(2 Q / max_q - 1), Chebyshev's polynomials
+  T slope[kMax];       ///< the same of dS/dQ
 };
 
 /// Up to `widest_rad` off the axis, at most where the lens ends and 134 degrees. As many terms as leave less
-/// than 1e-9 of the whole away, if kMost are enough for that: beyond 100 degrees they are good to 1e-7.
+/// than 1e-9 of the whole away, if kMax are enough for that: beyond 100 degrees they are good to 1e-7.
 template <class T>
 LensSeries<T> lens_series(const Lens<T>& lens, double widest_rad) {
   constexpr double kFarthest = 0.85;
-  constexpr int n = LensSeries<T>::kMost;
+  constexpr int n = LensSeries<T>::kMax;
   LensSeries<T> series;
-  const double sine_of_half = std::sin(0.5 * std::min(widest_rad, std::acos(lens.least_cosine)));
-  series.most_q = std::clamp(sine_of_half * sine_of_half, 1e-6, kFarthest);
+  const double sine_of_half = std::sin(0.5 * std::min(widest_rad, std::acos(lens.min_cosine)));
+  series.max_q = std::clamp(sine_of_half * sine_of_half, 1e-6, kFarthest);
   T at_node[n];
   for (int i = 0; i < n; ++i) {
-    const double q = 0.5 * series.most_q * (1.0 + std::cos(kPi * (i + 0.5) / n));
+    const double q = 0.5 * series.max_q * (1.0 + std::cos(kPi * (i + 0.5) / n));
     const double half = std::asin(std::sqrt(q));
     at_node[i] = radius_of_angle(lens, T(2.0 * half)) * (1.0 / std::sin(half));
   }
@@ -51,7 +51,7 @@ LensSeries<T> lens_series(const Lens<T>& lens, double widest_rad) {
   T after(0.0), after_next(0.0);
   for (int k = series.terms - 1; k >= 0; --k) {
     const T here = k + 1 < series.terms ? after_next + series.value[k + 1] * (2.0 * (k + 1)) : T(0.0);
-    series.slope[k] = here * ((k == 0 ? 0.5 : 1.0) * 2.0 / series.most_q);
+    series.slope[k] = here * ((k == 0 ? 0.5 : 1.0) * 2.0 / series.max_q);
     after_next = after;
     after = here;
   }

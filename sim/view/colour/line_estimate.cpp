@@ -9,7 +9,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kEstimateLeastShare = 1e-3;
+constexpr double kEstimateMinShare = 1e-3;
 
 [[noreturn]] void refuse_lines(const std::string& problem, const std::string& expected,
                                const std::string& hint) {
@@ -36,7 +36,7 @@ LineEstimator::LineEstimator(std::vector<Vector3> rgb_per_rayleigh) : rgb_(std::
                  "one to three lines", "name those that make up most of the light");
   const Eigen::MatrixXd scaled = columns(rgb_).colwise().normalized();
   const auto singular = scaled.jacobiSvd().singularValues();
-  if (!(singular(singular.size() - 1) > kEstimateLeastShare))
+  if (!(singular(singular.size() - 1) > kEstimateMinShare))
     refuse_lines("the sensor cannot tell the colours of the lines apart",
                  "lines of different colours that it sees", "leave one of them out");
 }

@@ -199,9 +199,9 @@ SensorResponse::SensorResponse(const Scene& scene)
     return;
   }
   rgb_from_raw_ = rgb_of_raw(table_, scene.sensor);
-  constexpr double kLeastDeterminant = 1e-9;
+  constexpr double kMinDeterminant = 1e-9;
   // Not the other way round: what is no number is refused too.
-  if (!(relative_determinant(rgb_from_raw_) > kLeastDeterminant)) {
+  if (!(relative_determinant(rgb_from_raw_) > kMinDeterminant)) {
     const bool is_given = scene.sensor.matrix_rule == MatrixRule::given;
     ErrorDetails details;
     details.file = scene.file;

@@ -6,8 +6,8 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kTolerance = 0.1;     // of the relative difference of distances
-constexpr double kLeastWeight = 0.05;  // of a full one, below which neighbours say too little
+constexpr double kTolerance = 0.1;   // of the relative difference of distances
+constexpr double kMinWeight = 0.05;  // of a full one, below which neighbours say too little
 
 /// How alike two ends are, 0 to 1; 0 if one is no ray.
 double likeness(float a, float b) {
@@ -66,7 +66,7 @@ DepthTaps depth_taps(const FilmGeometry& coarse, int shrink, const float* coarse
                      likeness(coarse_end_km[taps.cell[i]], end_km);
     sum += taps.weight[i];
   }
-  taps.matched = sum >= kLeastWeight;
+  taps.matched = sum >= kMinWeight;
   for (double& weight : taps.weight) weight = taps.matched ? weight / sum : 0.0;
   return taps;
 }

@@ -44,7 +44,7 @@ class PolarCap {
       : columns_(film.turn_columns), rows_(film.turn_rows), lower_(at_lower_pole) {
     const int inside = static_cast<int>(std::ceil(kCapSigmas * sigma_rows)),
               all = inside + static_cast<int>(std::ceil(4.0 * sigma_rows)) + 1;
-    if (sigma_rows < kLeastSigma || 2 * all > rows_) return;
+    if (sigma_rows < kMinSigma || 2 * all > rows_) return;
     inside_ = inside;
     half_ = (all + 1) * kFine;
     const int size = 2 * half_;
@@ -92,7 +92,7 @@ class PolarCap {
   }
 
  private:
-  static constexpr double kCapSigmas = 8.0, kLeastSigma = 0.75;
+  static constexpr double kCapSigmas = 8.0, kMinSigma = 0.75;
   static constexpr int kFine = 4;  // cells to a row
 
   int off_pole(int row) const { return lower_ ? rows_ - 1 - row : row; }

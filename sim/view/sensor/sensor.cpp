@@ -18,7 +18,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kLeastLight = 0.01;  // of a lens, where it tells something
+constexpr double kMinLight = 0.01;  // of a lens, where it tells something
 
 Vector3 pixel(const Image& rgb, int x, int y) { return {rgb.at(x, y, 0), rgb.at(x, y, 1), rgb.at(x, y, 2)}; }
 
@@ -157,10 +157,10 @@ void recover_light(const Scene& scene, double file_step, Image& rgb, std::vector
   for (int y = 0; y < rgb.height; ++y)
     for (int x = 0; x < rgb.width; ++x) {
       const double light = vignetting.at(x + 0.5, y + 0.5);
-      const bool lost = saturated[static_cast<std::size_t>(y) * rgb.width + x] != 0 || light < kLeastLight;
+      const bool lost = saturated[static_cast<std::size_t>(y) * rgb.width + x] != 0 || light < kMinLight;
       for (int c = 0; c < 3; ++c) {
         float& value = rgb.at(x, y, c);
-        value = static_cast<float>(value / std::max(light, kLeastLight));
+        value = static_cast<float>(value / std::max(light, kMinLight));
         if (lost) usable[rgb.index(x, y, c)] = 0;
       }
     }
@@ -188,7 +188,7 @@ Image light_variance(const Scene& scene, const Image& light, double file_step) {
   if (mosaic) variance = demosaic_variance(of_pixels, scene.sensor.mosaic);
   for (int y = 0; y < light.height; ++y)
     for (int x = 0; x < light.width; ++x) {
-      const double seen = std::max(vignetting.at(x + 0.5, y + 0.5), kLeastLight);
+      const double seen = std::max(vignetting.at(x + 0.5, y + 0.5), kMinLight);
       const Vector3 of_raw = pixel(variance, x, y);
       for (int c = 0; c < 3; ++c) {
         double sum = 0.0;

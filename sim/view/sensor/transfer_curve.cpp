@@ -14,7 +14,7 @@ constexpr double linear_knee = encoded_knee / 12.92;
 
 constexpr double kKnee = 0.04045;         // of sRGB, where its line meets its power
 constexpr double kAtWhite = 2.4 / 1.055;  // d ln D / d v there
-constexpr int kBentMostHalvings = 200;    // far more than a double has bits
+constexpr int kBentMaxHalvings = 200;     // far more than a double has bits
 constexpr double kBentCloseEnough = 1e-13;
 
 /// d ln D / d v of sRGB's decoding.
@@ -53,7 +53,7 @@ double BentSrgb::encode(double linear) const {
   double low = 0.0, high = 1.0;
   while (decode(high) < light && high < 1e6) high *= 2.0;
   double v = std::min(high, srgb_encode(std::pow(light, 2.0 / (black + white))));
-  for (int i = 0; i < kBentMostHalvings && high - low > kBentCloseEnough * high; ++i) {
+  for (int i = 0; i < kBentMaxHalvings && high - low > kBentCloseEnough * high; ++i) {
     const double here = decode(v);
     (here < light ? low : high) = v;
     double next = here > 0.0 ? v - std::log(here / light) * here / slope(v) : low;

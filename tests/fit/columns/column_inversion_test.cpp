@@ -117,7 +117,7 @@ TEST(ColumnInversion, LinesThatNoElectronsMakeContradictEachOther) {
   data.rayleigh[1] *= 1.5;
   const ColumnInversion three = invert_columns(ColumnChi2(three_lines(), kEnergyAndFlux, {}), data);
   EXPECT_EQ(three.verdict, ColumnVerdict::contradiction);
-  EXPECT_LT(three.p_value, kLeastChance);
+  EXPECT_LT(three.p_value, kMinChance);
 
   // Two lines have no degree of freedom, but a ratio may lie beyond all of the tables'.
   const ColumnModel model(sim::emission_tables("glow"), {427.8, 630.0}, {});

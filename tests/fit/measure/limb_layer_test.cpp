@@ -48,13 +48,13 @@ TEST(LimbLayer, IsFoundWhereItIs) {
   std::mt19937_64 random(29028787);
   std::normal_distribution<double> normal;
   std::vector<double> tangent_km, light;
-  const double most_km = stacked_column_km(93.0, 96.0, 91.0, 106.0);
+  const double max_km = stacked_column_km(93.0, 96.0, 91.0, 106.0);
   for (double h = 10.0; h < 200.0; h += 3.0) {
     tangent_km.push_back(h);
     // Below 40 km there is other light, which may not matter.
     const double clouds = h < kLimbAirKm ? 5.0 : 0.0;
     light.push_back(0.02 + clouds +
-                    0.4 * (stacked_column_km(h, 96.0, 91.0, 106.0) / most_km + 0.01 * normal(random)));
+                    0.4 * (stacked_column_km(h, 96.0, 91.0, 106.0) / max_km + 0.01 * normal(random)));
   }
   const std::optional<LimbLayer> layer = find_limb_layer(tangent_km, light, kObserverKm);
   ASSERT_TRUE(layer);

@@ -149,14 +149,14 @@ TEST(SurveyPlan, SharesAllBlocksAmongShards) {
     EXPECT_EQ(next, 300) << shards;
   }
   // Shards as they are planned are at least as long as was asked for.
-  for (const double least_s : {100.0, 555.0, 2000.0}) {
-    const int shards = shard_count(plan.blocks, least_s, 1000);
+  for (const double min_s : {100.0, 555.0, 2000.0}) {
+    const int shards = shard_count(plan.blocks, min_s, 1000);
     for (int shard = 1; shard <= shards; ++shard) {
       const BlockRange range = blocks_of_shard(plan, shard, shards);
       double seconds = 0.0;
       for (int b = range.begin; b < range.end; ++b)
         seconds += plan.blocks[static_cast<std::size_t>(b)].seconds;
-      EXPECT_GE(seconds, least_s) << shard << " of " << shards;
+      EXPECT_GE(seconds, min_s) << shard << " of " << shards;
     }
     EXPECT_GT(shards, 1);
   }

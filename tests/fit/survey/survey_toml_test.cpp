@@ -18,7 +18,7 @@ scene = "scene.toml"
 block_frames = 20
 gap_s = 60
 shard_minutes = 45.5
-most_shards = 7
+max_shards = 7
 [survey.cost_s]
 border = 0.25
 [[camera]]
@@ -55,7 +55,7 @@ TEST(SurveyToml, ReadsAllKeys) {
   EXPECT_EQ(survey.block_frames, 20);
   EXPECT_EQ(survey.gap_s, 60.0);
   EXPECT_EQ(survey.shard_minutes, 45.5);
-  EXPECT_EQ(survey.most_shards, 7);
+  EXPECT_EQ(survey.max_shards, 7);
   EXPECT_EQ(survey.cost_s,
             (std::array{kSurveyCost_s[0], 0.25, kSurveyCost_s[2], kSurveyCost_s[3], kSurveyCost_s[4]}));
   EXPECT_EQ(survey.place("gill"), "nights/gill");

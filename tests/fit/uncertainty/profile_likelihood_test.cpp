@@ -31,7 +31,7 @@ TEST(ProfileLikelihood, OfAParabolaIsTheCovariances) {
       ProfileLikelihoodOptions options;
       options.inflation = 1.7;
       options.first_step = first;
-      options.most_steps = 200.0;
+      options.max_steps = 200.0;
       const auto jj = static_cast<Eigen::Index>(j);
       const double sigma = 1.7 * std::sqrt(covariance(jj, jj));
       const LikelihoodProfile profile = profile_likelihood(

@@ -20,7 +20,7 @@ constexpr double kFootKm = 110.0;
 // Feet and altitudes are worked out every kNodesKm along a line of sight and taken as linear between: over
 // that distance the Earth's curvature is 0.7 m.
 constexpr double kNodesKm = 6.0, kStepKm = 0.1;
-constexpr int kMostLines = 4;
+constexpr int kMaxLines = 4;
 
 struct SheetLight {
   Footprint footprint;
@@ -122,7 +122,7 @@ class Sight {
 }  // namespace
 
 sim::Image line_of_sight_rayleighs(const sim::Scene& scene, int threads) {
-  assert(scene.field.model == sim::FieldModel::uniform && scene.emission.lines.size() <= kMostLines);
+  assert(scene.field.model == sim::FieldModel::uniform && scene.emission.lines.size() <= kMaxLines);
   const Sight sight(scene);
   const sim::CameraView<double> view = sim::camera_view(scene.camera);
   sim::Exposure film;
@@ -131,7 +131,7 @@ sim::Image line_of_sight_rayleighs(const sim::Scene& scene, int threads) {
   film.rayleigh.resize(film.cells() * film.lines);
   sim::parallel_for(film.geometry.rows, threads, [&](std::size_t row, int) {
     for (int column = 0; column < film.geometry.columns; ++column) {
-      double rayleigh[kMostLines] = {};
+      double rayleigh[kMaxLines] = {};
       for (const double part : {0.25, 0.75}) {
         const double x = film.geometry.x0_px + column + 0.5 - 0.5 * scene.camera.width;
         const double y = film.geometry.y0_px + static_cast<double>(row) + part - 0.5 * scene.camera.height;

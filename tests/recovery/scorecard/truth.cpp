@@ -67,11 +67,10 @@ sim::Sheet second_sheet(const Draws& draws, const sim::Sheet& first, double firs
                         const Structure& structure) {
   double away = draws.between(Draw::distance, 15.0, 60.0) * (draws.word(Draw::two_sheets) & 1u ? 1.0 : -1.0);
   if (first_distance_km + away < kNearest || first_distance_km + away > kFarthest) away = -away;
-  const double most_deg =
+  const double max_deg =
       std::min(8.0, std::atan(std::abs(away) / first_distance_km) / sim::kRadiansPerDegree);
-  sim::Sheet sheet =
-      sheet_at(draws, first_distance_km + away,
-               first.bearing_deg + draws.between(Draw::bearing, -most_deg, most_deg), structure);
+  sim::Sheet sheet = sheet_at(draws, first_distance_km + away,
+                              first.bearing_deg + draws.between(Draw::bearing, -max_deg, max_deg), structure);
   sheet.energy_flux_mw_m2 = first.energy_flux_mw_m2 * draws.between(Draw::energy_flux, 0.3, 1.0);
   return sheet;
 }

@@ -26,11 +26,11 @@ inline std::uint32_t crc_of(const std::string& bytes) {
 }
 
 inline std::string gzip_stored(const std::string& bytes) {
-  constexpr std::size_t kMostInBlock = 65535, kHeader = 10;
+  constexpr std::size_t kMaxInBlock = 65535, kHeader = 10;
   std::string file("\x1f\x8b\x08\0\0\0\0\0\0\xff", kHeader);
   std::size_t at = 0;
   do {
-    const std::size_t count = std::min(kMostInBlock, bytes.size() - at);
+    const std::size_t count = std::min(kMaxInBlock, bytes.size() - at);
     file += at + count == bytes.size() ? '\1' : '\0';
     file += low_byte_first(static_cast<std::uint32_t>(count), 2) +
             low_byte_first(~static_cast<std::uint32_t>(count), 2) + bytes.substr(at, count);

@@ -13,7 +13,7 @@ namespace {
 constexpr int kCellsAcross = 20, kCellsUp = 28;  // x from -0.3 to 1.3, y from -1.12 to 1.12
 constexpr double kCodeCell = 0.08, kCodeLeft = -0.3, kCodeBottom = -1.12;
 constexpr int kSkyNeighbours = 8;
-constexpr double kLeastMiddle = 0.15;  // the middle of directions that surround the observer means nothing
+constexpr double kMinMiddle = 0.15;  // the middle of directions that surround the observer means nothing
 
 }  // namespace
 
@@ -22,7 +22,7 @@ bool make_asterism(const std::vector<Eigen::Vector3d>& directions, const Asteris
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const int m : members) middle += directions[m];
   const double length = middle.norm();
-  if (length < 4.0 * kLeastMiddle) return false;
+  if (length < 4.0 * kMinMiddle) return false;
   middle /= length;
   const Eigen::Vector3d across =
       (std::abs(middle[2]) < 0.8 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX())

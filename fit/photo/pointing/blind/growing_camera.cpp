@@ -11,7 +11,7 @@ constexpr double kCertain_log10 = -8.0;
 constexpr double kSeenShare = 0.25;
 constexpr double kReachGrowth = 1.5;
 constexpr double kGrowthScatter_px = 2.5;
-constexpr int kMostRounds = 14;
+constexpr int kMaxRounds = 14;
 
 bool inside(const Frame& frame, double x, double y) {
   return x > 0.0 && y > 0.0 && x < frame.width_px && y < frame.height_px;
@@ -261,7 +261,7 @@ GrownCamera grow_camera(const SkyCamera& start, const Frame& frame, const std::v
   const double overall = points.size() / (static_cast<double>(frame.width_px) * frame.height_px);
   double reach = reach_px;
   int at_whole = 0;
-  for (int round = 0; round < kMostRounds && at_whole < 3; ++round) {
+  for (int round = 0; round < kMaxRounds && at_whole < 3; ++round) {
     reach = std::min(reach * kReachGrowth, whole);
     at_whole += reach >= whole;
     const double share = at_whole == 0 ? 0.025 : at_whole == 1 ? 0.012 : 0.0;

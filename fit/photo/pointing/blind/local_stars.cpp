@@ -8,7 +8,7 @@
 namespace vegard::fit {
 
 LocalStars local_stars(const PictureStars& picture, const Frame& frame, const sim::Observer& observer,
-                       double julian_date, double faintest, double least_elevation_deg) {
+                       double julian_date, double faintest, double min_elevation_deg) {
   LocalSky local = local_sky(picture.recognition, observer, julian_date);
   LocalStars answer;
   answer.recognised = static_cast<int>(local.stars.size());
@@ -25,7 +25,7 @@ LocalStars local_stars(const PictureStars& picture, const Frame& frame, const si
   settings.last_radius_px = 2.5 * unit;
   settings.free = free_numbers(picture.recognition.best.form, true);
   const std::vector<StarSighting> catalogue =
-      catalogue_sky(observer, julian_date, faintest, std::max(0.0, least_elevation_deg));
+      catalogue_sky(observer, julian_date, faintest, std::max(0.0, min_elevation_deg));
   answer.again = identify(local.camera, frame, catalogue, picture.found, settings);
   const bool trusted = is_trustworthy(answer.again);
   answer.camera = trusted ? answer.again.camera : local.camera;

@@ -21,8 +21,8 @@ struct LocalStars {
 };
 
 /// `picture` has been recognised. The catalogue is asked to the magnitude `faintest` and down to the
-/// elevation `least_elevation_deg`, not below the horizon.
+/// elevation `min_elevation_deg`, not below the horizon.
 LocalStars local_stars(const PictureStars& picture, const Frame& frame, const sim::Observer& observer,
-                       double julian_date, double faintest, double least_elevation_deg);
+                       double julian_date, double faintest, double min_elevation_deg);
 
 }  // namespace vegard::fit

@@ -5,7 +5,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kLeastSearched_px = 300, kWidestFirst_px = 1600;
+constexpr int kMinSearched_px = 300, kWidestFirst_px = 1600;
 
 sim::Image made_smaller(const sim::Image& picture, int by) {
   if (by == 1) return picture;
@@ -45,7 +45,7 @@ PictureStars recognise_picture(const sim::Image& linear, const StarFinderSetting
   const Frame frame{linear.width, linear.height, true};
   std::vector<int> scales;
   for (const int by : {1, 2, 3, 4, 6, 8})
-    if (by == 1 || longest / by >= kLeastSearched_px) scales.push_back(by);
+    if (by == 1 || longest / by >= kMinSearched_px) scales.push_back(by);
   // First those at which the picture is of ordinary size.
   std::stable_sort(scales.begin(), scales.end(), [&](int a, int b) {
     return (longest / a > kWidestFirst_px) < (longest / b > kWidestFirst_px);

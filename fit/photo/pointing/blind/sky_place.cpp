@@ -104,13 +104,13 @@ std::vector<Interval> times_of_night(const GrownCamera& camera, const Frame& fra
   const sim::Equatorial centre = sky_place(camera, frame).centre;
   sim::CataloguePlace middle, sun;
   middle.j2000 = centre;
-  const double least_up = 0.0, dark = std::sin(kDarkSun_deg * sim::kRadiansPerDegree);
+  const double min_up = 0.0, dark = std::sin(kDarkSun_deg * sim::kRadiansPerDegree);
   std::vector<Interval> intervals;
   bool open = false;
   for (int minute = 0; minute <= 1440; ++minute) {
     const double jd = noon_jd + minute * kMinute_days;
     sun.j2000 = sim::place_of_sun(jd);
-    bool good = minute < 1440 && sim::direction_of_star(middle, observer, jd)[2] > least_up &&
+    bool good = minute < 1440 && sim::direction_of_star(middle, observer, jd)[2] > min_up &&
                 sim::direction_of_star(sun, observer, jd)[2] < dark;
     if (good && level) {
       SkyCamera there = camera.camera;
@@ -161,7 +161,7 @@ std::vector<SeenPlanet> planets_in(const PictureStars& stars, const Frame& frame
   for (const StarMatch& one : stars.recognition.best.matches)
     fluxes.push_back(stars.recognition.points[one.point].flux);
   std::sort(fluxes.begin(), fluxes.end());
-  const double least_flux = fluxes.empty() ? 0.0 : fluxes[fluxes.size() / 2];
+  const double min_flux = fluxes.empty() ? 0.0 : fluxes[fluxes.size() / 2];
   std::vector<SeenPlanet> planets;
   for (const sim::Planet planet : sim::kPlanets) {
     const Eigen::Vector3d v =
@@ -176,7 +176,7 @@ std::vector<SeenPlanet> planets_in(const PictureStars& stars, const Frame& frame
     const double x = one.x_px, y = one.y_px;
     for (const FoundStar& point : stars.found) {
       const double distance = std::hypot(point.x_px - x, point.y_px - y);
-      if (point.flux < least_flux || distance >= nearest) continue;
+      if (point.flux < min_flux || distance >= nearest) continue;
       nearest = distance;
       one.has_point = true;
       one.x_px = point.x_px;

@@ -40,9 +40,9 @@ void add_star_doubts(Calibration& calibration, const StarEvidence& evidence) {
   const SkyOfPicture& sky = evidence.sky;
   if (evidence.photo != nullptr && sky.julian_date && sky.observer) {
     StarFinderSettings finder;
-    finder.least_signal = evidence.least_signal;
+    finder.min_signal = evidence.min_signal;
     const double faintest = std::min(kBrightStars, evidence.faintest);
-    const double lowest = std::max(kClearOfGround_deg, evidence.least_elevation_deg);
+    const double lowest = std::max(kClearOfGround_deg, evidence.min_elevation_deg);
     add(words_of(unseen_stars(calibration, catalogue_sky(*sky.observer, *sky.julian_date, faintest, lowest),
                               faintest, find_stars(evidence.photo->linear, finder, evidence.usable),
                               evidence.usable)));

@@ -19,7 +19,7 @@ struct StarEvidence {
   bool is_table = false;         ///< whether the stars are those of a table
   std::string why_level;  ///< what says that the camera looks to the zenith, "--camera looks to the zenith";
                           ///< empty: nothing but a fisheye's circle, which is looked for
-  double faintest = 4.0, least_elevation_deg = 5.0, least_signal = 4.0;  ///< as stars were found
+  double faintest = 4.0, min_elevation_deg = 5.0, min_signal = 4.0;  ///< as stars were found
 };
 
 /// Appends to the warnings of a calibration by stars: bright stars in view that match nothing in the picture,

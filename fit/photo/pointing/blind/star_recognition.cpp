@@ -17,7 +17,7 @@ constexpr double kSizeFactor = 1.35;
 constexpr int kPictureNeighbours = 7;
 constexpr int kGrownPerLevel = 16, kGrownOffCentre = 6;
 constexpr std::size_t kOffCentrePoints = 40;
-constexpr double kLeastScore = 3.0;  // natural log of the odds, four stars of the figure not counted
+constexpr double kMinScore = 3.0;  // natural log of the odds, four stars of the figure not counted
 
 struct AssumedLens {
   sim::LensModel model;
@@ -97,12 +97,12 @@ class Search {
   }
 
   /// True if a camera was found that cannot be chance.
-  bool run(double centre_x, double centre_y, std::size_t most_points, int most_grown,
+  bool run(double centre_x, double centre_y, std::size_t max_points, int most_grown,
            StarRecognition& answer) {
     std::vector<AsterismMembers> before;
     std::size_t last = 0;
     for (const std::size_t first : {8u, 12u, 18u, 27u, 40u, 60u, 90u, 135u}) {
-      const std::size_t n = std::min({first, points_.size(), most_points});
+      const std::size_t n = std::min({first, points_.size(), max_points});
       if (n == last) break;
       last = n;
       std::vector<AsterismMembers> sets =
@@ -234,7 +234,7 @@ class Search {
       }
     }
     if (taken.empty() && points_.size() > 6) return;
-    if (hit.score > kLeastScore) hits.push_back(std::move(hit));
+    if (hit.score > kMinScore) hits.push_back(std::move(hit));
   }
 
   const std::vector<FoundStar>& points_;
@@ -263,7 +263,7 @@ std::vector<StarSighting> StarRecognition::stars() const {
 StarRecognition recognise_stars(const std::vector<FoundStar>& points, const Frame& frame,
                                 const RecognitionSettings& settings) {
   StarRecognition answer;
-  answer.points = spread_out(points, frame, settings.most_points);
+  answer.points = spread_out(points, frame, settings.max_points);
   if (answer.points.size() < 5) return answer;
   Search search(answer.points, frame);
   const double w = frame.width_px, h = frame.height_px;

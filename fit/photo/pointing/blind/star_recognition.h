@@ -22,7 +22,7 @@ namespace vegard::fit {
 
 struct RecognitionSettings {
   bool off_centre = true;  ///< if it is not found otherwise
-  int most_points = 300;   ///< of these the picture's figures and counts are made
+  int max_points = 300;    ///< of these the picture's figures and counts are made
 };
 
 struct StarRecognition {

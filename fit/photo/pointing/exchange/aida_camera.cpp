@@ -16,7 +16,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr std::size_t kNumbersOfLine = 15;
-constexpr std::size_t kMostAidaCameras = 100000;
+constexpr std::size_t kMaxAidaCameras = 100000;
 constexpr double kFarthestOffAxis_deg = 85.0;
 constexpr int kAidaGridAcross = 40;
 
@@ -132,8 +132,8 @@ double aida_angle(int model, double radius, double a) {
     case 3: {
       // The left side grows with theta where a is between 0 and 1; Newton's steps from below the pole.
       double theta = std::atan(radius);
-      constexpr int kMostSteps = 60;
-      for (int i = 0; i < kMostSteps; ++i) {
+      constexpr int kMaxSteps = 60;
+      for (int i = 0; i < kMaxSteps; ++i) {
         const double cosine = std::cos(theta);
         const double step = (aida_radius(3, theta, a) - radius) / (a + (1.0 - a) / (cosine * cosine));
         theta -= step;
@@ -266,7 +266,8 @@ std::vector<AidaCamera> read_aida_cameras(std::string_view text, const std::stri
     const std::size_t first = line.find_first_not_of(" \t\r");
     if (first == std::string_view::npos || line[first] == '%') continue;
     cameras.push_back(camera_of_line(numbers_of_line(line, file, line_number), file, line_number));
-    if (cameras.size() > kMostAidaCameras) refuse_line(file, line_number, "too many cameras", "at most 100000");
+    if (cameras.size() > kMaxAidaCameras)
+      refuse_line(file, line_number, "too many cameras", "at most 100000");
   }
   if (cameras.empty()) refuse_line(file, 0, "there is no camera in it", "fifteen numbers in a line");
   return cameras;

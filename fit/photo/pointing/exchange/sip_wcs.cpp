@@ -17,7 +17,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kMostSipOrder = 9;
+constexpr int kMaxSipOrder = 9;
 constexpr double kGoodSip_px = 0.02;
 constexpr int kSipGridAcross = 48;
 
@@ -91,7 +91,7 @@ class WcsHeader {
 SipPolynomial polynomial_of(const WcsHeader& header, const std::string& name) {
   SipPolynomial made;
   const double order = header.number(name + "_ORDER", 0.0);
-  if (order != std::floor(order) || order < 0.0 || order > kMostSipOrder)
+  if (order != std::floor(order) || order < 0.0 || order > kMaxSipOrder)
     header.refuse(name + "_ORDER is " + header.text(name + "_ORDER"), "orders up to 9 are read");
   made.order = static_cast<int>(order);
   if (made.order == 0) return made;
@@ -342,9 +342,9 @@ Eigen::Vector3d j2000_of_direction(const Eigen::Vector3d& enu, const sim::Observ
   Eigen::Matrix3d turn;
   for (int i = 0; i < 3; ++i) turn.col(i) = seen(Eigen::Vector3d::Unit(i), false);
   Eigen::Vector3d sky = (turn.transpose() * enu).normalized();
-  constexpr int kMostRounds = 60;
+  constexpr int kMaxRounds = 60;
   constexpr double kNear = 1e-12;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     const Eigen::Vector3d off = enu - seen(sky, true);
     sky = (sky + turn.transpose() * off).normalized();
     if (off.norm() < kNear) break;
@@ -377,7 +377,7 @@ SipFit sip_of_camera(const sim::Camera& camera, const sim::Observer& observer, d
   constexpr std::size_t kFewest = 120;  // twice the terms of the highest order
   if (points.size() < kFewest) refuse("too little of the picture looks above the horizon within reach");
   SipFit best;
-  for (int order = 2; order <= kMostSipOrder; ++order) {
+  for (int order = 2; order <= kMaxSipOrder; ++order) {
     SipFit fit;
     fit.wcs = solved_of_order(points, middle_px, middle, order);
     measure_sip(points, fit);

@@ -15,7 +15,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr std::size_t kMostPointsOfList = 100000;
+constexpr std::size_t kMaxPointsOfList = 100000;
 
 sim::Equatorial degrees_of(const Eigen::Vector3d& v) {
   constexpr double kTurn_deg = 360.0;
@@ -46,7 +46,7 @@ bool is_star_list(std::string_view bytes, const std::string& file) {
 StarPoints read_star_list(std::string_view bytes, const std::string& file) {
   const sim::FitsTable table = sim::read_fits_table(bytes, file);
   const std::vector<double>&x = table.columns.at("X"), &y = table.columns.at("Y");
-  if (x.empty() || x.size() > kMostPointsOfList)
+  if (x.empty() || x.size() > kMaxPointsOfList)
     sim::refuse_file(sim::ErrorKind::unreadable_input, file, "it has " + std::to_string(x.size()) + " points",
                      "1 to 100000");
   StarPoints list;

@@ -21,7 +21,7 @@ constexpr double kJumpShare = 0.1;     // of the differential moves: whole diffe
 constexpr double kWindow = 5.0;        // Sokal's c
 constexpr double kLongEnough = 50.0;   // autocorrelation times
 constexpr int kStepsOfCoordinate = 8;  // on the surrogate, and no fewer than
-constexpr int kLeastSurrogateSteps = 64;
+constexpr int kMinSurrogateSteps = 64;
 constexpr double kSpreadOfStart = 2.0;  // in standard deviations, of walkers that have a surrogate
 constexpr double kShortShare = 0.1;     // of the surrogate's moves: one step, which leads nearby
 constexpr const char* kFormat = "ensemble-2";
@@ -114,7 +114,7 @@ class Ensemble {
     if (options_.surrogate) {
       if (kind < options_.surrogate_share) {
         std::vector<double> at(place_of(walker), place_of(walker) + state_.coordinates);
-        const int many = std::max(kLeastSurrogateSteps, kStepsOfCoordinate * static_cast<int>(at.size()));
+        const int many = std::max(kMinSurrogateSteps, kStepsOfCoordinate * static_cast<int>(at.size()));
         log_factor = transition_.walk(at, uniform(accept[3]) < kShortShare ? 1 : many, step, index);
         return at;
       }

@@ -10,7 +10,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kLeastShareOfVariance =
+constexpr double kMinShareOfVariance =
     1e-4;                        // of the largest variance, for directions that the covariance lacks
 constexpr int kFreedom = 8;      // of Student's distribution
 constexpr double kWider = 1.05;  // than the covariance
@@ -35,7 +35,7 @@ Eigen::MatrixXd root_of_covariance(const std::vector<std::vector<double>>& covar
   const Eigen::MatrixXd unit = length.cwiseInverse().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unit * c * unit);
   const Eigen::VectorXd value = eigen.eigenvalues().cwiseMax(
-      kLeastShareOfVariance * std::max(1.0, n > 0 ? eigen.eigenvalues()(n - 1) : 1.0));
+      kMinShareOfVariance * std::max(1.0, n > 0 ? eigen.eigenvalues()(n - 1) : 1.0));
   return length.asDiagonal() * eigen.eigenvectors() * value.cwiseSqrt().asDiagonal();
 }
 

@@ -118,7 +118,7 @@ ExrFile read(const std::string& path, OIIO::Filesystem::IOProxy* memory) {
 
 void check_exr_file(const std::string& path) {
   check_is_file(path);
-  const InputFile beginning = read_beginning(path, kMostTextBytes);
+  const InputFile beginning = read_beginning(path, kMaxTextBytes);
   if (!beginning.problem.empty()) throw failure(ErrorKind::unreadable_input, path, beginning.problem);
   std::error_code gone;
   const std::uintmax_t size = std::filesystem::file_size(path, gone);

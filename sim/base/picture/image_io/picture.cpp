@@ -76,7 +76,7 @@ PictureChannels picture_channels(const OIIO::ImageSpec& spec, bool by_name, cons
 /// Only of the formats whose decoders do not say it themselves.
 bool is_whole(const std::string& path, ImageFormat format) {
   if (format != ImageFormat::png && format != ImageFormat::jpeg) return true;
-  const std::string bytes = input_bytes(path, "a picture", kMostPictureBytes);
+  const std::string bytes = input_bytes(path, "a picture", kMaxPictureBytes);
   return format == ImageFormat::png ? png_is_whole(bytes) : jpeg_is_whole(bytes);
 }
 

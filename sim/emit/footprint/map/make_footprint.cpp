@@ -31,12 +31,12 @@ int index_of(const Scene& scene, const Footprint& footprint) {
 template <class T>
 void check_memory(const Scene& scene, const Footprint& f) {
   const double cells = map_cells(f), each = bytes_per_cell(f, sizeof(T));
-  if (cells * each <= kMostMapBytes) return;
+  if (cells * each <= kMaxMapBytes) return;
   const auto gigabytes = [](double bytes) { return short_real_text(std::round(bytes * 1e-8) * 0.1); };
   complain(
       {"the footprint's map of " + short_real_text(cells) + " cells would take " + gigabytes(cells * each) +
            " GB with its derivatives, " + short_real_text(each) + " bytes a cell",
-       "at most " + short_real_text(std::floor(kMostMapBytes / each)) + " cells in a fit",
+       "at most " + short_real_text(std::floor(kMaxMapBytes / each)) + " cells in a fit",
        "raise cell_km for the fit, or make size_km smaller"},
       {scene.file, line_of(scene, "footprint." + f.name + ".cell_km"), "footprint." + f.name + ".cell_km"});
 }

@@ -26,7 +26,7 @@ double turned_deg(const Footprint& footprint, double instant_s);
 /// that `number` gives a tangent: east_km, north_km, center_km, width_km, energy_flux_mw_m2, point_flux and
 /// point_energy; of a footprint that flows only by center_km, energy_flux_mw_m2 and point_energy, which the
 /// flow does not depend on. The grid itself stays where center_km has it. The same for every number of
-/// threads. Throws Error(scene) where derivatives need more memory than kMostMapBytes
+/// threads. Throws Error(scene) where derivatives need more memory than kMaxMapBytes
 /// (sim/scene/structs/footprint_size.h).
 template <class T>
 PlaneFootprint<T> make_plane_footprint(const Scene& scene, const Footprint& footprint,

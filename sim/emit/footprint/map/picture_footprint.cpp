@@ -13,7 +13,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr int kMostSubcells = 8;  // along an edge of a cell
+constexpr int kMaxSubcells = 8;  // along an edge of a cell
 
 /// The first channel of a picture to a power, linear between the middles of its pixels.
 class PictureValues {
@@ -60,7 +60,7 @@ class PictureValues {
 
 /// How many places of a picture are looked at along a cell's edge, so that finer pixels are averaged.
 int subcells(double pixels_per_cell) {
-  return std::clamp(static_cast<int>(std::ceil(pixels_per_cell)), 1, kMostSubcells);
+  return std::clamp(static_cast<int>(std::ceil(pixels_per_cell)), 1, kMaxSubcells);
 }
 
 /// The values of one layer of a shell, from one picture or six, on all inner cells.

@@ -13,11 +13,11 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kFlowMostCells = 262144.0;  // of the flow's grid
-constexpr double kAround = 1.25;             // the periodic plane over the box
-constexpr double kFlowStep = 0.5;            // of time, over the inverse of the largest vorticity
-constexpr int kStretchSteps = 6;             // of time, to a stretch
-constexpr int kMidpointLooks = 3;            // each a quarter as far from the middle as the one before
+constexpr double kFlowMaxCells = 262144.0;  // of the flow's grid
+constexpr double kAround = 1.25;            // the periodic plane over the box
+constexpr double kFlowStep = 0.5;           // of time, over the inverse of the largest vorticity
+constexpr int kStretchSteps = 6;            // of time, to a stretch
+constexpr int kMidpointLooks = 3;           // each a quarter as far from the middle as the one before
 constexpr int kRippleOctaves = 3;
 
 using FlowLayer = std::vector<double>;
@@ -200,8 +200,8 @@ class Flow {
 }  // namespace
 
 double flow_turns_at(const Footprint& f, double instant_s) {
-  constexpr double kMostTurns = 10.0;
-  return std::clamp(f.flow_turns + f.flow_turns_per_s * instant_s, 0.0, kMostTurns);
+  constexpr double kMaxTurns = 10.0;
+  return std::clamp(f.flow_turns + f.flow_turns_per_s * instant_s, 0.0, kMaxTurns);
 }
 
 PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& f, double turns, std::uint64_t seed,
@@ -210,7 +210,7 @@ PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& f, doubl
   const FootprintGrid<double>& grid = plane.grid;
   if (turns <= 0.0 || grid.flux_mw_m2.empty()) return result;
   int block = 1;  // of the footprint's cells, to one of the flow's along either axis
-  while (kAround * kAround * grid.columns * grid.rows / (block * block) > kFlowMostCells) ++block;
+  while (kAround * kAround * grid.columns * grid.rows / (block * block) > kFlowMaxCells) ++block;
   const int box_columns = (grid.columns + block - 1) / block, box_rows = (grid.rows + block - 1) / block;
   const int columns = transform_size(static_cast<int>(std::ceil(kAround * box_columns))),
             rows = transform_size(static_cast<int>(std::ceil(kAround * box_rows)));

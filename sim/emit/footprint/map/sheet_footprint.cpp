@@ -15,7 +15,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr int kSheetsMostBeams = 1000000;
+constexpr int kSheetsMaxBeams = 1000000;
 constexpr double kBeamsPerCell = 64.0;
 
 /// A stretch of one layer.
@@ -109,7 +109,7 @@ int footprint_beams(const Sheet& sheet, double cell_km) {
   const double cells_along = line_length_km(sheet) / cell_km,
                cells_across = std::max(1.0, 4.0 * sheet.width_km / cell_km);
   return static_cast<int>(
-      std::clamp(kBeamsPerCell * cells_along * cells_across, 1024.0, static_cast<double>(kSheetsMostBeams)));
+      std::clamp(kBeamsPerCell * cells_along * cells_across, 1024.0, static_cast<double>(kSheetsMaxBeams)));
 }
 
 template <class T>

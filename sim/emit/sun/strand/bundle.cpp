@@ -15,7 +15,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr std::uint32_t kMostPlaces = 2000000;  ///< tried before there are fewer lines than asked for
+constexpr std::uint32_t kMaxPlaces = 2000000;  ///< tried before there are fewer lines than asked for
 
 double normal(std::uint32_t word) { return normal_quantile(uniform(word)); }
 
@@ -49,9 +49,9 @@ class BundleMaker {
   /// The first `count` feet that stand.
   std::vector<Foot> feet(int count, Which which) const {
     std::vector<Foot> all;
-    for (std::uint32_t i = 0; i < kMostPlaces && static_cast<int>(all.size()) < count; ++i) {
+    for (std::uint32_t i = 0; i < kMaxPlaces && static_cast<int>(all.size()) < count; ++i) {
       // Hardly any come after so many in vain.
-      if (all.empty() && i > kMostPlaces / 20) break;
+      if (all.empty() && i > kMaxPlaces / 20) break;
       const Foot foot{place(i, which), i};
       if (stands(values3(foot.up))) all.push_back(foot);
     }

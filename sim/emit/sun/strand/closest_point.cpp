@@ -9,7 +9,7 @@ namespace vegard::sim {
 namespace {
 
 constexpr int kDegree = 6;
-constexpr int kMostCuts = 50;  // an interval of 2^-50 holds no more than its ends, in doubles
+constexpr int kMaxCuts = 50;  // an interval of 2^-50 holds no more than its ends, in doubles
 
 /// Curve minus place, with its first two derivatives.
 class Offset {
@@ -152,7 +152,7 @@ class Search {
       return;
     }
     if (turns == 1) return try_at(minimum_between(offset_, piece.from, piece.to));
-    if (piece.cuts == kMostCuts) return try_at(piece.from);
+    if (piece.cuts == kMaxCuts) return try_at(piece.from);
     Piece low, high;
     piece.halves(low, high);
     try_at(low.to);

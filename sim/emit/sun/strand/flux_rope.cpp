@@ -15,7 +15,7 @@ constexpr double kFootShare = 0.3;  ///< radius at the feet, of that at the top 
 constexpr double kBulge = 0.6;      ///< of the angle, once the arch is much higher than wide
 /// Pieces of a winding, rounded down. The odd share keeps the steps off round numbers of turns, which scenes
 /// have.
-constexpr double kPiecesPerTurn = 12.0, kLeastPieces = 16.37;
+constexpr double kPiecesPerTurn = 12.0, kMinPieces = 16.37;
 
 template <class T>
 struct RopePoint {
@@ -128,7 +128,7 @@ T front_height(const Sun& sun, const Time& time, const Ejection& ejection, const
 template <class T>
 Strands<T> rope_strands(const Sun& sun, const Time& time, const Ejection& ejection,
                         const NumberAs<T>& number) {
-  const int pieces = static_cast<int>(kLeastPieces + kPiecesPerTurn * std::abs(ejection.turns));
+  const int pieces = static_cast<int>(kMinPieces + kPiecesPerTurn * std::abs(ejection.turns));
   const auto rope = [&](const T& front) {
     return pieces_of(Rope<T>(sun, ejection, front, number), ejection.strands, pieces);
   };

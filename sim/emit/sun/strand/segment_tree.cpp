@@ -33,7 +33,7 @@ std::int32_t SegmentTree::build(const std::vector<SegmentBox>& boxes, std::size_
   first.fill(kInfinity);
   high.fill(-kInfinity);
   last.fill(-kInfinity);
-  double least_radius = kInfinity, most_distance = 0.0;
+  double min_radius = kInfinity, max_distance = 0.0;
   for (std::size_t k = begin; k < end; ++k) {
     const SegmentBox& box = boxes[order_[k]];
     for (int i = 0; i < 3; ++i) {
@@ -42,8 +42,8 @@ std::int32_t SegmentTree::build(const std::vector<SegmentBox>& boxes, std::size_
       first[i] = std::min(first[i], box.low[i] + box.high[i]);
       last[i] = std::max(last[i], box.low[i] + box.high[i]);
     }
-    least_radius = std::min(least_radius, box.least_radius);
-    most_distance = std::max(most_distance, box.most_distance);
+    min_radius = std::min(min_radius, box.min_radius);
+    max_distance = std::max(max_distance, box.max_distance);
   }
   const std::int32_t at = static_cast<std::int32_t>(nodes_.size());
   nodes_.push_back({});
@@ -52,8 +52,8 @@ std::int32_t SegmentTree::build(const std::vector<SegmentBox>& boxes, std::size_
     node.low[i] = float_below(low[i]);
     node.high[i] = float_above(high[i]);
   }
-  node.least_radius = float_below(least_radius);
-  node.most_distance = float_above(most_distance);
+  node.min_radius = float_below(min_radius);
+  node.max_distance = float_above(max_distance);
   node.begin = static_cast<std::int32_t>(begin);
   node.count = static_cast<std::int32_t>(end - begin);
   if (end - begin > kLeaf) {

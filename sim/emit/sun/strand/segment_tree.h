@@ -11,8 +11,8 @@ namespace vegard::sim {
 /// The box of a segment as it is, and by how much it may grow for rays that are far apart.
 struct SegmentBox {
   Vec3<double> low, high;
-  double least_radius;   ///< of the segment
-  double most_distance;  ///< of the segment's parts to the observer
+  double min_radius;    ///< of the segment
+  double max_distance;  ///< of the segment's parts to the observer
 };
 
 /// Built once, the same every time; boxes are halved at the median of their longest side.
@@ -31,7 +31,7 @@ class SegmentTree {
  private:
   struct Node {
     float low[3], high[3];
-    float least_radius, most_distance;
+    float min_radius, max_distance;
     std::int32_t begin, count;  ///< of a leaf's segments; count 0: the two nodes after it and at `begin`
   };
 
@@ -58,7 +58,7 @@ void SegmentTree::visit(const Vec3<double>& nearest, const Vec3<double>& directi
   while (depth > 0) {
     const std::int32_t at = stack[--depth];
     const Node& node = nodes_[at];
-    const double wide = blur * node.most_distance - node.least_radius, pad = wide > 0.0 ? wide : 0.0;
+    const double wide = blur * node.max_distance - node.min_radius, pad = wide > 0.0 ? wide : 0.0;
     double low = first, high = last;
     for (int i = 0; i < 3; ++i) {
       const double a = (node.low[i] - pad - nearest[i]) * inverse[i],

@@ -11,7 +11,7 @@ namespace {
 
 /// Least radius of a strand, in pixels. The wave of a pixel's length that is left of the projected strand is
 /// 1 % of its mean for smooth and linear ones and 2 % for Gaussians, which end at three standard deviations.
-double least_radius_px(RadialFalloff falloff) { return falloff == RadialFalloff::gaussian ? 1.5 : 1.0; }
+double min_radius_px(RadialFalloff falloff) { return falloff == RadialFalloff::gaussian ? 1.5 : 1.0; }
 
 template <class T>
 PlacedJoint<double> values_of(const PlacedJoint<T>& at) {
@@ -22,19 +22,19 @@ PlacedJoint<double> values_of(const PlacedJoint<T>& at) {
 
 SegmentBox box_of(const PlacedJoint<double>& a, const PlacedJoint<double>& b) {
   // Where segments meet at an angle their outer sides reach past the joint.
-  constexpr double kLeastCosine = 0.05;
+  constexpr double kMinCosine = 0.05;
   const Vec3<double> way = minus3(b.joint.place, a.joint.place);
   const double length = std::max(length3(way), 1e-300);
   const double cosine =
-      std::clamp(std::min(dot3(way, a.joint.normal), dot3(way, b.joint.normal)) / length, kLeastCosine, 1.0);
+      std::clamp(std::min(dot3(way, a.joint.normal), dot3(way, b.joint.normal)) / length, kMinCosine, 1.0);
   const double radius = std::max(a.joint.radius, b.joint.radius) / cosine;
   SegmentBox box;
   for (int i = 0; i < 3; ++i) {
     box.low[i] = std::min(a.joint.place[i], b.joint.place[i]) - radius;
     box.high[i] = std::max(a.joint.place[i], b.joint.place[i]) + radius;
   }
-  box.least_radius = std::min(a.joint.radius, b.joint.radius);
-  box.most_distance = std::max(a.distance, b.distance) / cosine;
+  box.min_radius = std::min(a.joint.radius, b.joint.radius);
+  box.max_distance = std::max(a.distance, b.distance) / cosine;
   return box;
 }
 
@@ -66,7 +66,7 @@ StrandEmitter<T>::StrandEmitter(const Strands<T>& strands, const Sun& sun, const
 template <class T>
 void StrandEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>& out) const {
   if (light_.empty()) return;
-  const double blur = rays.cell_rad * least_radius_px(falloff_);
+  const double blur = rays.cell_rad * min_radius_px(falloff_);
   for (std::size_t i = 0; i < rays.count; ++i) {
     const T enu[3] = {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]};
     march_ray(enu, rays.end(i), blur, i, rays.count, out);

@@ -11,7 +11,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kFieldMostCells = 2e9;  // to a side; they are counted by 32 bits
+constexpr double kFieldMaxCells = 2e9;  // to a side; they are counted by 32 bits
 
 [[noreturn]] void refuse_thinness() {
   throw Error(ErrorKind::usage, {"its strands are so thin that to know where they are takes too much memory",
@@ -49,7 +49,7 @@ StrandField::StrandField(const Strands<double>& strands, const Sun& sun, const s
   if (!(radii > 0.0)) return;
   lattice_.voxel = 2.0 * radii / static_cast<double>(strands.all.size()) / SparseGrid::kEdge;
   for (int a = 0; a < 3; ++a)
-    if (!(std::max(-bounds_.low[a], bounds_.high[a]) < kFieldMostCells * SparseGrid::kEdge * lattice_.voxel))
+    if (!(std::max(-bounds_.low[a], bounds_.high[a]) < kFieldMaxCells * SparseGrid::kEdge * lattice_.voxel))
       refuse_thinness();
   double bytes = 0.0;
   for (std::size_t s = 0; s < strands.all.size(); ++s) {

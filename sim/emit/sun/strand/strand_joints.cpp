@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSagitta = 1.0 / 20.0;  ///< of the radius
 constexpr double kTaper = 0.25;          ///< of the smaller radius
-constexpr double kMostParts = 400.0;     ///< of a piece, or of a chain for its taper
+constexpr double kMaxParts = 400.0;      ///< of a piece, or of a chain for its taper
 constexpr double kSame = 1e-9;           ///< of t
 
 double bend(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
@@ -24,8 +24,8 @@ double parts_of_piece(const Strand<T>& strand, int piece, double radius) {
   Vec3<double> p[4];
   for (int i = 0; i < 4; ++i) p[i] = values3(strand.points[3 * piece + i]);
   const double second = 6.0 * std::max(bend(p[0], p[1], p[2]), bend(p[1], p[2], p[3]));
-  if (!(radius > 0.0)) return kMostParts;
-  return std::clamp(std::sqrt(second / (8.0 * kSagitta * radius)), 1.0, kMostParts);
+  if (!(radius > 0.0)) return kMaxParts;
+  return std::clamp(std::sqrt(second / (8.0 * kSagitta * radius)), 1.0, kMaxParts);
 }
 
 /// Where joints must be: at the ends of pieces and at the numbers of `along`, rising.
@@ -75,7 +75,7 @@ void add_joints(const Strand<T>& strand, std::vector<StrandJoint<T>>& joints) {
   const double first = value_of(strand.radius_first), last = value_of(strand.radius_last);
   const double least = std::min(first, last);
   const double for_taper =
-      least > 0.0 ? std::min(std::abs(last - first) / (kTaper * least), kMostParts) : kMostParts;
+      least > 0.0 ? std::min(std::abs(last - first) / (kTaper * least), kMaxParts) : kMaxParts;
   const int pieces = strand.pieces();
   const std::size_t begin = joints.size();
   const std::vector<double> fixed = fixed_joints(strand);

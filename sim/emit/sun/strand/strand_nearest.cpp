@@ -15,13 +15,13 @@ namespace {
 /// where the way leads to the next cubic.
 bool polish(const PiecesOfStrand& of, const NearestPiece& from, const Vec3<double>& place,
             ClosestPoint& closest) {
-  constexpr int kMostSteps = 8;
+  constexpr int kMaxSteps = 8;
   const int curves = of.strand.pieces();
   const StrandPiece& piece = of.pieces[from.piece];
   const int curve = std::min(static_cast<int>((piece.t + 0.5 * piece.t_way) * curves), curves - 1);
   const Vec3<double>* p = of.strand.points.data() + 3 * static_cast<std::size_t>(curve);
   double t = std::clamp(from.t * curves - curve, 0.0, 1.0);
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const double u = 1.0 - t;
     double square = 0.0, first = 0.0, second = 0.0, speed = 0.0;
     for (int i = 0; i < 3; ++i) {

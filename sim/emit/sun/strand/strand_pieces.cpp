@@ -9,8 +9,8 @@ namespace vegard::sim {
 namespace {
 
 constexpr double kOff = 0.01;  // of the radius
-constexpr double kLeastLength = 2.0;
-constexpr double kMostPieces = 1e6;
+constexpr double kMinLength = 2.0;
+constexpr double kMaxPieces = 1e6;
 double length(const Vec3<double>& a, const Vec3<double>& b) {
   return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
                    (a[2] - b[2]) * (a[2] - b[2]));
@@ -32,11 +32,11 @@ Vec3<double> on_curve(const Vec3<double>* p, double t) {
 }
 
 /// A line is off by up to max |B''| dt² / 8.
-int cuts_of(const Vec3<double>* p, double off, double most_length) {
+int cuts_of(const Vec3<double>* p, double off, double max_length) {
   const double curvature = 6.0 * std::max(bend_of_piece(p[0], p[1], p[2]), bend_of_piece(p[1], p[2], p[3]));
   const double by_curvature = std::sqrt(curvature / (8.0 * off));
-  const double by_length = (length(p[0], p[1]) + length(p[1], p[2]) + length(p[2], p[3])) / most_length;
-  return static_cast<int>(std::clamp(std::ceil(std::max(by_curvature, by_length)), 1.0, kMostPieces));
+  const double by_length = (length(p[0], p[1]) + length(p[1], p[2]) + length(p[2], p[3])) / max_length;
+  return static_cast<int>(std::clamp(std::ceil(std::max(by_curvature, by_length)), 1.0, kMaxPieces));
 }
 
 struct PieceBricks {
@@ -83,7 +83,7 @@ PiecesOfStrand pieces_of(const Strand<double>& strand, const SparseGrid& grid) {
   const int curves = strand.pieces();
   for (int c = 0; c < curves; ++c) {
     const Vec3<double>* points = out.strand.points.data() + 3 * static_cast<std::size_t>(c);
-    const int cuts = cuts_of(points, out.off, std::max(kLeastLength, out.radius));
+    const int cuts = cuts_of(points, out.off, std::max(kMinLength, out.radius));
     Vec3<double> from = points[0];
     for (int k = 1; k <= cuts; ++k) {
       const Vec3<double> to = k == cuts ? points[3] : on_curve(points, static_cast<double>(k) / cuts);

@@ -118,7 +118,7 @@ TEST(FrameReader, AsksForNoRoomByWhatAHeaderPromises) {
   refused(gzip_stored("P5 8192 4097 255\n"), {"it", "8192 x 4097", "packed"});
   refused("P5 16384 16384 65535\nabc", {"it", "truncated", "3 are there"});
   std::string many;
-  for (int i = 0; i <= kMostFrames; ++i) many += "P5 1 1 255\na";
+  for (int i = 0; i <= kMaxFrames; ++i) many += "P5 1 1 255\na";
   refused(many, {"it", "more than 100000 frames"});
 }
 

@@ -165,7 +165,7 @@ TEST_F(FileOfFrames, IsNotTheOnlyFileThatIsUnpacked) {
   tests::put(folder_ / "cut.fits.gz", tests::gzip_stored(fits).substr(0, 1000));
   expect_words(ErrorKind::unreadable_input, {"cut.fits.gz", "truncated"},
                [&] { read_photo(folder_ / "cut.fits.gz", Decoding::automatic); });
-  tests::put(folder_ / "long.fits.gz", tests::gzip_stored(fits + std::string(kMostUnpackedFits, '\0')));
+  tests::put(folder_ / "long.fits.gz", tests::gzip_stored(fits + std::string(kMaxUnpackedFits, '\0')));
   expect_words(ErrorKind::unreadable_input, {"long.fits.gz", "larger than 128 MB"},
                [&] { read_photo(folder_ / "long.fits.gz", Decoding::automatic); });
   tests::put(folder_ / "a.jpg.gz", tests::gzip_stored("\xff\xd8"));

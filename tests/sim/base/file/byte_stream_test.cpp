@@ -15,7 +15,7 @@ using tests::gzip_stored;
 /// More than is looked at, and no byte like its neighbours.
 std::string many_bytes() {
   std::string bytes;
-  for (std::size_t i = 0; i < 3 * kMostLookedAt + 17; ++i) bytes += static_cast<char>(i * i % 251);
+  for (std::size_t i = 0; i < 3 * kMaxPeekBytes + 17; ++i) bytes += static_cast<char>(i * i % 251);
   return bytes;
 }
 
@@ -55,15 +55,15 @@ TEST_F(AllKinds, GiveAllBytes) {
 TEST_F(AllKinds, ShowSkipAndReadInAnyOrder) {
   for (ByteStream& stream : streams_) {
     EXPECT_EQ(stream.look(5), bytes_.substr(0, 5));
-    EXPECT_EQ(stream.look(kMostLookedAt), bytes_.substr(0, kMostLookedAt));
+    EXPECT_EQ(stream.look(kMaxPeekBytes), bytes_.substr(0, kMaxPeekBytes));
     EXPECT_EQ(stream.position(), 0u);
     EXPECT_EQ(stream.skip(7), 7u);
-    EXPECT_EQ(stream.look(kMostLookedAt), bytes_.substr(7, kMostLookedAt));
-    EXPECT_EQ(stream.skip(kMostLookedAt + 100), kMostLookedAt + 100);
+    EXPECT_EQ(stream.look(kMaxPeekBytes), bytes_.substr(7, kMaxPeekBytes));
+    EXPECT_EQ(stream.skip(kMaxPeekBytes + 100), kMaxPeekBytes + 100);
     std::string some(50, '\0');
     EXPECT_EQ(stream.read(some.data(), some.size()), some.size());
-    EXPECT_EQ(some, bytes_.substr(kMostLookedAt + 107, 50));
-    const std::uint64_t left = bytes_.size() - kMostLookedAt - 157;
+    EXPECT_EQ(some, bytes_.substr(kMaxPeekBytes + 107, 50));
+    const std::uint64_t left = bytes_.size() - kMaxPeekBytes - 157;
     EXPECT_EQ(stream.skip(1 << 30), left);
     EXPECT_EQ(stream.skip(1), 0u);
   }

@@ -151,9 +151,9 @@ TEST(VdbIo, RefusesWhatIsNone) {
 
 /// What reading some grids of a file says.
 std::string refusal(const std::string& path, const std::vector<std::string>& wanted,
-                    std::uint64_t most_bytes = std::uint64_t{1} << 30, std::uint64_t bytes_beside = 0) {
+                    std::uint64_t max_bytes = std::uint64_t{1} << 30, std::uint64_t bytes_beside = 0) {
   return tests::expect_error(sim::ErrorKind::unreadable_input,
-                             [&] { sim::read_vdb(path, wanted, most_bytes, bytes_beside); });
+                             [&] { sim::read_vdb(path, wanted, max_bytes, bytes_beside); });
 }
 
 TEST(VdbIo, RefusesTwoGridsOfOneName) {

@@ -78,7 +78,7 @@ TEST(Fold, AtStageZeroIsTheSineWithinAMetre) {
   }
 }
 
-double least_advance(double stage) {
+double min_advance(double stage) {
   double least = 1.0;
   for (double x = kCenter - kHalf; x < kCenter + kHalf; x += 0.01)
     least = std::min(least, slope(x, stage, 1e-6).x);
@@ -86,10 +86,10 @@ double least_advance(double stage) {
 }
 
 TEST(Fold, RipplesThenOverhangs) {
-  EXPECT_NEAR(least_advance(0.0), 1.0, 1e-6);
-  EXPECT_GT(least_advance(0.25), 0.0);
-  EXPECT_LT(least_advance(0.6), 0.0);
-  EXPECT_LT(least_advance(1.0), least_advance(0.6));
+  EXPECT_NEAR(min_advance(0.0), 1.0, 1e-6);
+  EXPECT_GT(min_advance(0.25), 0.0);
+  EXPECT_LT(min_advance(0.6), 0.0);
+  EXPECT_LT(min_advance(1.0), min_advance(0.6));
 }
 
 TEST(Fold, TurnsItsMiddleByMoreThan150DegreesClockwiseSeenFromAbove) {

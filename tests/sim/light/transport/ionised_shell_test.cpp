@@ -24,7 +24,7 @@ TEST(IonisedShell, IsKimAndRuddsFormulaAtLowEnergies) {
 
 TEST(IonisedShell, NeedsTheBindingEnergy) {
   EXPECT_EQ(ShellSpectrum(kShell, 15.0).cm2(), 0.0);
-  EXPECT_EQ(ShellSpectrum(kShell, 15.0).most_ev(), 0.0);
+  EXPECT_EQ(ShellSpectrum(kShell, 15.0).max_ev(), 0.0);
   EXPECT_GT(ShellSpectrum(kShell, 16.0).cm2(), 0.0);
 }
 
@@ -34,7 +34,7 @@ TEST(IonisedShell, MakesMostlySlowElectrons) {
   const ShellSpectrum spectrum(kShell, 500.0);
   EXPECT_NEAR(spectrum.cm2_below(10.0) / spectrum.cm2(), 0.5, 0.07);
   double before = 0.0;
-  for (double w = 1.0; w <= spectrum.most_ev(); w += 1.0) {
+  for (double w = 1.0; w <= spectrum.max_ev(); w += 1.0) {
     EXPECT_GT(spectrum.cm2_below(w), before);
     before = spectrum.cm2_below(w);
   }

@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kTopKm = 500.0;
 
-std::vector<AltitudeSlab> slabs_of(double nm, double wind_m_s = 0.0, double most_km2 = 1e9) {
+std::vector<AltitudeSlab> slabs_of(double nm, double wind_m_s = 0.0, double max_km2 = 1e9) {
   const EmissionLine& line = *find_emission_line(nm);
-  return altitude_slabs(spread_profile(line, wind_m_s), spread_profile(line, 0.0), 0.25, most_km2, kTopKm);
+  return altitude_slabs(spread_profile(line, wind_m_s), spread_profile(line, 0.0), 0.25, max_km2, kTopKm);
 }
 
 TEST(AltitudeSlabs, ShareOutAllOfALineAndKeepItsVariance) {

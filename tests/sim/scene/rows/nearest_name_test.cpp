@@ -35,7 +35,7 @@ TEST(NearestHint, IsOnlyAsSureAsTheNamesAreNear) {
 
 // The work grows with the product of the lengths: a megabyte would take the better part of a minute.
 TEST(NearestHint, IsGivenToNamesAPersonWouldWrite) {
-  const std::string longest(kMostHintedLetters, 'k'), megabyte(1 << 20, 'k');
+  const std::string longest(kMaxHintedLetters, 'k'), megabyte(1 << 20, 'k');
   EXPECT_EQ(nearest_hint(longest, {longest.substr(1)}), "did you mean '" + longest.substr(1) + "'?");
   EXPECT_EQ(nearest_hint(longest + "k", {longest}), "");
   EXPECT_EQ(nearest_name(megabyte, {"width", "kk"}), "");

@@ -68,8 +68,8 @@ TEST(BoundedToml, KnowsTextsAndComments) {
 }
 
 TEST(BoundedToml, MeasuresTheWhole) {
-  EXPECT_EQ(excess_of(std::string(kMostTomlBytes, '\n')), "");
-  EXPECT_EQ(excess_of(std::string(kMostTomlBytes + 1, '\n')), "0: it is larger than 16 MB");
+  EXPECT_EQ(excess_of(std::string(kMaxTomlBytes, '\n')), "");
+  EXPECT_EQ(excess_of(std::string(kMaxTomlBytes + 1, '\n')), "0: it is larger than 16 MB");
 }
 
 TEST(BoundedToml, WhatIsNoTomlIsSaidWhereItBegins) {

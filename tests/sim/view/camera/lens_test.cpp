@@ -135,10 +135,10 @@ TEST_P(EveryLens, IsASeriesOfItsAngle) {
   const Lens<double> lens = camera_view(crooked(model)).lens;
   // A pinhole has its formula in the kernel, but is a series as well as far as its picture has any size.
   const double end = (model == "pinhole" ? 60.0 : 133.0) * kPi / 180.0;
-  const double widest = std::min(std::acos(lens.least_cosine), end);
+  const double widest = std::min(std::acos(lens.min_cosine), end);
   const LensSeries<double> series = lens_series(lens, widest);
   for (double theta = 0.01; theta < widest; theta += 0.05) {
-    const double half = std::sin(0.5 * theta), q = half * half, t = 2.0 * q / series.most_q - 1.0;
+    const double half = std::sin(0.5 * theta), q = half * half, t = 2.0 * q / series.max_q - 1.0;
     double value = 0.0, slope = 0.0;
     for (int k = 0; k < series.terms; ++k) {
       value += series.value[k] * std::cos(k * std::acos(std::min(t, 1.0)));
@@ -210,16 +210,16 @@ TEST(FilmEdges, KeepNothingOfAWholeSkyOut) {
 TEST(Lens, EndsWhereItsTermsWouldFoldThePictureBack) {
   // r (1 - 0.1 r^2) grows up to r = sqrt(1 / 0.3).
   const double fold = std::sqrt(1.0 / 0.3);
-  EXPECT_NEAR(least_cosine(LensModel::pinhole, -0.1, 0.0, 0.0), 1.0 / std::sqrt(1.0 + fold * fold), 1e-9);
-  EXPECT_NEAR(least_cosine(LensModel::polynomial, -0.1, 0.0, 0.0), std::cos(fold), 1e-9);
-  EXPECT_EQ(least_cosine(LensModel::pinhole, 0.1, 0.0, 0.0), 0.0);
+  EXPECT_NEAR(min_cosine(LensModel::pinhole, -0.1, 0.0, 0.0), 1.0 / std::sqrt(1.0 + fold * fold), 1e-9);
+  EXPECT_NEAR(min_cosine(LensModel::polynomial, -0.1, 0.0, 0.0), std::cos(fold), 1e-9);
+  EXPECT_EQ(min_cosine(LensModel::pinhole, 0.1, 0.0, 0.0), 0.0);
   // r (1 - 0.02 r^4) up to r^4 = 1 / 0.1, r (1 - 0.01 r^6) up to r^6 = 1 / 0.07, and r (1 - 0.5 r^2 + 0.09
   // r^4) to the lesser root of 1 - 1.5 r^2 + 0.45 r^4.
   const double of_k2 = std::pow(10.0, 0.25), of_k3 = std::pow(1.0 / 0.07, 1.0 / 6.0),
                of_both = std::sqrt((1.5 - std::sqrt(1.5 * 1.5 - 4.0 * 0.45)) / (2.0 * 0.45));
-  EXPECT_NEAR(least_cosine(LensModel::polynomial, 0.0, -0.02, 0.0), std::cos(of_k2), 1e-9);
-  EXPECT_NEAR(least_cosine(LensModel::polynomial, 0.0, 0.0, -0.01), std::cos(of_k3), 1e-9);
-  EXPECT_NEAR(least_cosine(LensModel::polynomial, -0.5, 0.09, 0.0), std::cos(of_both), 1e-9);
+  EXPECT_NEAR(min_cosine(LensModel::polynomial, 0.0, -0.02, 0.0), std::cos(of_k2), 1e-9);
+  EXPECT_NEAR(min_cosine(LensModel::polynomial, 0.0, 0.0, -0.01), std::cos(of_k3), 1e-9);
+  EXPECT_NEAR(min_cosine(LensModel::polynomial, -0.5, 0.09, 0.0), std::cos(of_both), 1e-9);
   Camera camera;
   camera.model = LensModel::polynomial;
   camera.k1 = -0.1;

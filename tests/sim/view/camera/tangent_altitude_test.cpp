@@ -14,16 +14,16 @@ TEST(TangentAltitude, IsTheLeastHeightAlongTheLine) {
   const double observer_km = 390.0;
   for (const double elevation_deg : {-5.0, -17.0, -19.0, -21.0, -60.0}) {
     const double e = elevation_deg * kRadiansPerDegree;
-    double least_km = 1e9, at_km = 0.0;
+    double min_km = 1e9, at_km = 0.0;
     for (double along_km = 0.0; along_km < 7000.0; along_km += 0.25) {
       const double height_km =
           std::hypot(along_km * std::cos(e), kEarthRadiusKm + observer_km + along_km * std::sin(e)) -
           kEarthRadiusKm;
-      if (height_km < least_km) least_km = height_km, at_km = along_km;
+      if (height_km < min_km) min_km = height_km, at_km = along_km;
     }
     // Beside its least point a line rises by the square of the way over twice its distance from the centre
     // (3380 km at -60 degrees).
-    EXPECT_NEAR(tangent_altitude_km(observer_km, elevation_deg), least_km, 0.125 * 0.125 / 6000.0);
+    EXPECT_NEAR(tangent_altitude_km(observer_km, elevation_deg), min_km, 0.125 * 0.125 / 6000.0);
     EXPECT_NEAR(tangent_distance_km(observer_km, elevation_deg), at_km, 0.125 + 1e-6);
   }
 }
