@@ -78,7 +78,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   // A write past the file size limit is to fail as on a full disk, not to kill the process.
   std::signal(SIGXFSZ, SIG_IGN);
-  apps::stand_in_for_closed_streams();
+  apps::replace_closed_streams();
   try {
     const int exit_code = run(argc, argv);
     apps::finish_output();

@@ -162,7 +162,7 @@ class CurtainFit {
   /// By how much BIC is lower of the second model; the richer one says how far errors are to be believed.
   static double bic_gain(const CurveModel& before, const CurveModel& after) {
     const bool richer = after.fitted.parameters > before.fitted.parameters;
-    const Believed believed = believed_by(richer ? after.fitted : before.fitted);
+    const ChiSquareScaling believed = chi2_scaling_of(richer ? after.fitted : before.fitted);
     return information_criteria(before.fitted, believed).bic -
            information_criteria(after.fitted, believed).bic;
   }

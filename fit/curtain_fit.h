@@ -3,7 +3,7 @@
 // Each curtain becomes a sheet whose course is a curve (fit/map/curtain_sheets.h), and all of them together
 // go downhill from where the map has them, with exact derivatives. Then curves are tried to be left out, the
 // weakest first, and curtains that the map holds below its brightness limit to be added, the strongest first;
-// each time all others settle anew, and BIC (fit/answer/information_criteria.h) says whether the change
+// each time all others settle again, and BIC (fit/answer/information_criteria.h) says whether the change
 // stays. Where one was added, what it may stand in place of is tried to be left out once more. Two refusals
 // in a row end a round. All of these models are compared with the same values and the same sigma.
 #pragma once

@@ -57,7 +57,7 @@ void check_curve_fit(const sim::Scene& scene, const std::vector<FreeNumber>& fre
                          "no spline_rate");
   if (options.intervals || options.bootstrap > 0 || options.mcmc > 0)
     throw sim::Error(sim::ErrorKind::usage,
-                     {"the judges of error bars do not know of an unknown transfer curve", "", 0,
+                     {"error bars cannot be validated with an unknown transfer curve", "", 0,
                       "--intervals, --bootstrap, --mcmc", "a decoding that is known",
                       "fit the curve first, then give what it tells as --decoding"});
 }
@@ -103,7 +103,7 @@ class CurveFit {
     photo.decoding = "unknown, found as " + curve.fitted.words +
                      (file == std::string::npos ? std::string() : photo.decoding.substr(file));
     std::vector<Observation> last;
-    last.push_back(decoded_anew(*first_, photo, options_.threads));
+    last.push_back(with_other_decoding(*first_, photo, options_.threads));
     polish(found, searched, last, curve.outcome);
     if (found.slopes.empty() || !found.converged) {
       curve.against.push_back("the search for the transfer curve did not settle");
@@ -142,7 +142,7 @@ class CurveFit {
     const sim::BentSrgb bent = bent_at(at);
     const Photo photo = decoded_by(as_srgb_, bent);
     std::vector<Observation> observations;
-    observations.push_back(decoded_anew(*first_, photo, options_.threads));
+    observations.push_back(with_other_decoding(*first_, photo, options_.threads));
     const std::string stage = "curve " + std::to_string(++trials_);
     if (options_.progress)
       options_.progress(stage, log_.residuals, std::numeric_limits<double>::infinity(),
@@ -231,8 +231,8 @@ class CurveFit {
       if (e.at_limit)
         curve.against.push_back("the exponent of the transfer curve over sRGB " + e.name + " is at a limit");
       else if (e.undetermined)
-        curve.against.push_back("the data do not tell the transfer curve: its exponent over sRGB " + e.name +
-                                " may be anything about " + sim::number_with_error(value, e.sigma));
+        curve.against.push_back("the data do not constrain the transfer curve: its exponent over sRGB " +
+                                e.name + " may be anything about " + sim::number_with_error(value, e.sigma));
     }
     if (n == 2) {
       fitted.words += " at white";

@@ -8,8 +8,8 @@
 #include "fit/answer/answer.h"
 #include "fit/answer/derived.h"
 #include "fit/answer/energy_flux.h"
+#include "fit/answer/error_bar_validation.h"
 #include "fit/answer/free_profile.h"
-#include "fit/answer/judges.h"
 #include "fit/answer/photo_line_ratio.h"
 #include "fit/answer/verdict.h"
 #include "fit/compare/observation.h"
@@ -18,11 +18,11 @@
 #include "fit/parameters/free_parameters.h"
 #include "fit/parameters/prior_rows.h"
 #include "fit/photo/averaging.h"
+#include "fit/search/gradient_cosine.h"
 #include "fit/search/journal.h"
 #include "fit/search/profile_rounds.h"
 #include "fit/search/search.h"
 #include "fit/search/search_outcome.h"
-#include "fit/search/steepest.h"
 #include "fit/uncertainty/flat_directions.h"
 #include "fit/uncertainty/sampled_uncertainty.h"
 #include "fit/uncertainty/uncertainty.h"
@@ -115,12 +115,12 @@ void look_for_second_mode(const std::vector<FreeNumber>& free, const std::vector
     if (difference > kSecondMode) continue;
     for (std::size_t j = 0; j < free.size(); ++j) {
       if (!r.parameters[j].sigma ||
-          apart(free[j], other.values[j], values[j]) <= 3.0 * *r.parameters[j].sigma)
+          wrapped_difference(free[j], other.values[j], values[j]) <= 3.0 * *r.parameters[j].sigma)
         continue;
       evidence.second_mode = true;
       evidence.second_mode_values = other.values;
       evidence.second_mode_text = "another answer explains the data almost as well, with " + free[j].label() +
-                                  " = " + std::to_string(without_turns(free[j], other.values[j]));
+                                  " = " + std::to_string(wrapped_angle(free[j], other.values[j]));
       break;
     }
   }
@@ -240,7 +240,7 @@ std::vector<Observation> observations_of(const sim::Scene& scene, const std::vec
 FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                            const std::vector<Observation>& observations, const FitOptions& asked,
                            const FoundCurve* curve, const FinishedSearch* done) {
-  const FitOptions options = leaving_room_for_judges(asked, free.size());
+  const FitOptions options = with_validation_progress(asked, free.size());
   const std::vector<CostTerm> full = cost_terms(observations, free, Detail::full);
 
   FitResult r;
@@ -314,11 +314,11 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
   r.dof = residuals + static_cast<int>(PriorRows(free).count()) - unknowns + held_gains(observations, point);
   const Inflation inflation = joint_inflation(cost, point, unknowns);
   r.error_inflation = inflation.factor();
-  r.residuals_together = inflation.together;
+  r.correlated_residuals = inflation.together;
   r.statistics = compared_statistics(observations, point);
 
   r.compared = compared_values(observations, unknowns - held_gains(observations, point));
-  r.steepest_cosine = steepest_cosine(cost, values);
+  r.gradient_cosine = gradient_cosine(cost, values);
 
   const std::size_t n = free.size();
   const auto error_bars = [&] {
@@ -375,11 +375,11 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
       });
   look_for_second_mode(free, values, outcome, r, evidence);
   if (evidence.second_mode) put_second_mode(scene, free, evidence.second_mode_values, r);
-  judge(evidence, r);
-  judge_quantities(r);
+  assess_fit(evidence, r);
+  assess_quantities(r);
   if (r.verdict == Verdict::good || r.verdict == Verdict::doubtful)
-    judge_error_bars({scene, free, observations, values, settled.prior, r.error_inflation, u}, asked, journal,
-                     r);
+    validate_error_bars({scene, free, observations, values, settled.prior, r.error_inflation, u}, asked,
+                        journal, r);
   return r;
 }
 

@@ -21,7 +21,7 @@ FitResult fit_by_kind(const sim::Scene& scene, std::vector<Photo>& photos, const
 FitResult fit_scene(const sim::Scene& scene, std::vector<Photo>& photos, const MapRecord* map,
                     const SceneFitOptions& options) {
   FitResult result = fit_by_kind(scene, photos, map, options);
-  if (options.stability) judge_stability(photos, options, result);
+  if (options.stability) assess_stability(photos, options, result);
   return result;
 }
 

@@ -224,18 +224,19 @@ std::optional<double> systematic_error(const std::vector<StabilityRow>& rows, st
   return std::sqrt(variance);
 }
 
-void judge_stability(const std::vector<Photo>& photos, const FitOptions& options, FitResult& result) {
-  if (result.verdict == Verdict::failed || result.verdict == Verdict::interrupted || result.judges_cut_short)
+void assess_stability(const std::vector<Photo>& photos, const FitOptions& options, FitResult& result) {
+  if (result.verdict == Verdict::failed || result.verdict == Verdict::interrupted ||
+      result.validation_interrupted)
     return;
   std::vector<StabilityRow> rows = rows_of(result, variations_of(result.best, photos), photos, options);
   if (options.stop != nullptr && options.stop->load()) {
-    result.judges_cut_short = true;
+    result.validation_interrupted = true;
     return;
   }
   for (std::size_t i = 0; i < result.derived.size(); ++i)
     if (result.derived[i].sigma) result.derived[i].systematic = systematic_error(rows, i);
   result.stability = std::move(rows);
-  judge_quantities(result);
+  assess_quantities(result);
 }
 
 }  // namespace vegard::fit

@@ -57,7 +57,7 @@ Fit fit_scene(const SceneHandle& self, const py::object& photo, const FitWords& 
   const std::shared_ptr<const sim::Scene> scene = self.scene;
   const auto given = photographs_given(*scene, photo, true);
   LongWork long_work(progress, stop);
-  // A fit may decode a photograph anew; the caller's stay as they are.
+  // A fit may decode a photograph again; the caller's stay as they are.
   auto photos = std::make_shared<std::vector<fit::Photo>>();
   auto result = result_of<fit::FitResult>(long_work, [&] {
     for (const auto& one : given) photos->push_back(*one);
@@ -149,7 +149,7 @@ void bind_numbers(py::module_& m) {
           "By the fit's choices, where stability was asked for; or None (float).")
       .def_property_readonly(
           "trust", [](const fit::DerivedNumber& d) { return fit::trust_name(d.trust); },
-          "'good', 'doubtful' or 'not told' (str).")
+          "'good', 'doubtful' or 'unconstrained' (str).")
       .def_readonly("trust_reason", &fit::DerivedNumber::trust_reason, "(str)")
       .def_readonly("why_none", &fit::DerivedNumber::why_none, "In words, if there is no value (str).");
   py::class_<FitPhoto>(
@@ -210,7 +210,7 @@ void bind_fits(py::module_& m, py::class_<SceneHandle>& scene) {
       .def_property_readonly(
           "interrupted",
           [](const Fit& f) {
-            return f.result->verdict == fit::Verdict::interrupted || f.result->judges_cut_short;
+            return f.result->verdict == fit::Verdict::interrupted || f.result->validation_interrupted;
           },
           "Whether `stop` has cut it short: it is the best so far (bool).")
       .def_property_readonly(

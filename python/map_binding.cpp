@@ -86,7 +86,7 @@ constexpr CurtainColumn kColumns[] = {
     {"energy_flux_error_mw_m2", [](const fit::CurtainPoint& p) { return p.flux_mw_m2.error; }},
     {"energy_error_kev", [](const fit::CurtainPoint& p) { return p.energy_kev.error; }},
     {"width_error_km", [](const fit::CurtainPoint& p) { return p.width_km.error; }},
-    {"border_in_view", [](const fit::CurtainPoint& p) { return p.told ? 1.0 : 0.0; }}};
+    {"border_in_view", [](const fit::CurtainPoint& p) { return p.border_in_view ? 1.0 : 0.0; }}};
 
 py::list curtains_of(const Map& self) {
   py::list all;
@@ -116,7 +116,7 @@ void bind_maps(py::module_& m, py::class_<SceneHandle>& scene) {
       .def_readonly("quantity", &fit::QuantityVerdict::quantity, "'distance of the lower border' (str).")
       .def_property_readonly(
           "trust", [](const fit::QuantityVerdict& v) { return fit::trust_name(v.trust); },
-          "'good', 'doubtful' or 'not told' (str).")
+          "'good', 'doubtful' or 'unconstrained' (str).")
       .def_readonly("value", &fit::QuantityVerdict::value, "What was found, in words with errors (str).")
       .def_readonly("reason", &fit::QuantityVerdict::reason, "(str)")
       .def("__repr__", [](const fit::QuantityVerdict& v) {

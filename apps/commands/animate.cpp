@@ -152,7 +152,7 @@ int tell_of_interruption(std::size_t finished, std::size_t frames) {
 int run_animate(const AnimateRequest& request) {
   AnimateRequest options = request;
   const sim::Scene scene = scene_of(options.scene);
-  tell_what_is_idle(scene);
+  note_inert_keys(scene);
   const double frames_per_second = options.frames_per_second.value_or(scene.time.frames_per_second);
   const std::vector<int> frames = frames_of(options, scene);
   sim::validate(scene_of_frame(scene, frames.back(), frames_per_second));  // time has limits

@@ -34,7 +34,7 @@ int run_border(const BorderRequest& options, const std::string& command) {
   std::vector<NamedInput> inputs = inputs_of_scene(options.scene, scene);
   inputs.push_back({options.photo.file, "the photograph"});
   inputs.push_back({options.photo.mask, "the mask"});
-  spare_inputs_inside("--out", options.out, inputs);
+  protect_inputs_inside("--out", options.out, inputs);
   fit::check_border_directory(options.out, options.overwrite);
   if (!options.no_metadata) take_from_photograph(scene, options.photo.file, options.scene.changes);
   const std::vector<fit::Photo> photos = photographs_asked(options.photo, scene);
@@ -48,11 +48,11 @@ int run_border(const BorderRequest& options, const std::string& command) {
   facts.decoding = photos.front().decoding;
   fit::write_border_run(options.out, options.overwrite, border, photos.front(), scene, facts);
   for (std::size_t t = 0; t < border.traces.size(); ++t)
-    if (border.traces[t].told > 0) say("%s\n", fit::border_sentence(border, t, scene).c_str());
+    if (border.traces[t].measured > 0) say("%s\n", fit::border_sentence(border, t, scene).c_str());
   for (const std::string& note : border.notes) say("%s\n", note.c_str());
-  if (border.told == 0) say("no lower border is told, because of what is said above\n");
+  if (border.measured == 0) say("no lower border was measured; the reason is given above\n");
   say("%s\n", (options.out + "/report.html").c_str());
-  return border.told > 0 ? good : doubted;
+  return border.measured > 0 ? good : doubted;
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ struct BrightnessRequest {
 
 int run_brightness(const BrightnessRequest& options) {
   const sim::Scene scene = scene_of(options.scene);
-  tell_what_is_idle(scene);
+  note_inert_keys(scene);
   require_rayleighs(scene, "vegard brightness");
   const int threads = threads_to_render(scene, options.threads, 0.0, false, options.memory_limit);
   const std::atomic<bool>& stop = watch_for_interrupt();

@@ -201,7 +201,7 @@ KnownDirections told_directions(const CalibrateOptions& options, const std::opti
                                 const fit::SkyOfPicture& sky) {
   if (!options.maps.first().empty() || !options.maps.elevation_map.empty() ||
       (!options.wcs.empty() && !options.acc.empty()))
-    throw usage_error(options.wcs.empty() ? "--acc" : "--wcs", "directions are told twice",
+    throw usage_error(options.wcs.empty() ? "--acc" : "--wcs", "directions are given twice",
                       "one of --wcs, --acc, --skymap and --azimuth-map");
   const fit::SkyMapFlip flip = flip_of(options.maps);
   int width = 0, height = 0;
@@ -322,7 +322,7 @@ int run_calibrate(const CalibrateOptions& options) {
     throw usage_error("STARS", "no stars",
                       "a table of stars, or --image; or --azimuth-map, --skymap, --wcs, --acc");
   if (!options.axy_out.empty() && options.image.empty())
-    throw usage_error("--axy-out", "no picture has points of light", "--image beside it");
+    throw usage_error("--axy-out", "no picture has points of light", "--image with it");
   if (!options.corr_out.empty() && by_maps)
     throw usage_error("--corr-out", "directions are no stars", "a table of stars, or --image");
   const bool blind = !by_maps && options.stars.empty() && options.camera.empty();
@@ -334,11 +334,11 @@ int run_calibrate(const CalibrateOptions& options) {
   if (blind && options.output.empty() &&
       !(options.residuals.empty() && options.json.empty() && options.plot.empty() && options.overlay.empty()))
     throw usage_error("--output", "residuals, plots and overlays are of a camera",
-                      "-o CAMERA.toml beside them");
+                      "-o CAMERA.toml with them");
   if (!options.offset_px.empty() && options.stars.empty())
     throw usage_error("--offset", "no table of a crop", "STARS beside it");
   if (!options.overlay.empty() && options.image.empty())
-    throw usage_error("--overlay", "no picture to draw on", "--image beside it");
+    throw usage_error("--overlay", "no picture to draw on", "--image with it");
 
   CalibrateOutputs outputs(options);
   std::optional<sim::Scene> camera_file;

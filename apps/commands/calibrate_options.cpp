@@ -216,14 +216,14 @@ fit::LensSettings lens_settings(const CalibrateOptions& options, const std::opti
   settings.centre_free = !options.centre_held;
   settings.start = start;
   if (!options.free.empty()) {
-    if (!start) throw usage_error("--free", "nothing to hold", "--camera beside it");
+    if (!start) throw usage_error("--free", "nothing to hold", "--camera with it");
     if (!options.lens.empty() || !options.terms.empty())
       throw usage_error("--free", "the lens of --camera is held", "neither --lens nor --terms");
     const fit::LensForm form = fit::form_of(*start);
     for (const std::string& word : options.free) add_free(word, form, settings.only);
   }
   if (options.lens.empty()) {
-    if (!options.terms.empty()) throw usage_error("--terms", "terms of which lens?", "--lens beside it");
+    if (!options.terms.empty()) throw usage_error("--terms", "terms of which lens?", "--lens with it");
     return settings;
   }
   fit::LensForm form;

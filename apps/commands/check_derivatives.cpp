@@ -54,14 +54,14 @@ ExitCode print_derivative_check(const sim::Scene& scene, const fit::Photo& photo
     return std::count_if(checks.begin(), checks.end(),
                          [verdict](const fit::DerivativeCheck& check) { return check.verdict == verdict; });
   };
-  const long differ = count(fit::DerivativeVerdict::differ), idle = count(fit::DerivativeVerdict::no_effect);
-  if (differ == 0 && idle == 0) {
+  const long differ = count(fit::DerivativeVerdict::differ), inert = count(fit::DerivativeVerdict::no_effect);
+  if (differ == 0 && inert == 0) {
     say("All derivatives agree with differences.\n");
     return good;
   }
   if (differ > 0) say("%ld of %zu derivatives differ from differences.\n", differ, checks.size());
-  if (idle > 0) say("%ld of %zu parameters have no effect on what is fitted.\n", idle, checks.size());
-  if (idle == static_cast<long>(checks.size()))
+  if (inert > 0) say("%ld of %zu parameters have no effect on what is fitted.\n", inert, checks.size());
+  if (inert == static_cast<long>(checks.size()))
     say("Is the model's light anywhere near the photograph's at this start? Where it is not, the gains are "
         "held at "
         "0:\ncheck the best.toml of a run instead.\n");

@@ -95,17 +95,17 @@ void check_sector_options(const SectorOptions& options) {
   if (!options.azimuths_deg.empty() && options.directions)
     throw usage_error("--directions", "--azimuths names the directions already", "one of the two");
   if (!options.tangent_range_km.empty() && !options.tangent_step_km)
-    throw usage_error("--tangent-range", "no step of tangent altitude is given", "--tangent-step beside it");
+    throw usage_error("--tangent-range", "no step of tangent altitude is given", "--tangent-step with it");
   if (options.tangent_step_km && (options.step_deg || options.lowest_deg))
     throw usage_error("--tangent-step", "rows are steps of elevation already",
-                      "no --elevation-step or --lowest beside it");
+                      "no --elevation-step or --lowest with it");
   if (options.asked()) return;
   if (options.tangent_step_km)
-    throw usage_error("--tangent-step", "no direction is asked for", "--azimuths or --directions beside it");
+    throw usage_error("--tangent-step", "no direction is asked for", "--azimuths or --directions with it");
   const bool given = options.width_deg || options.step_deg || options.lowest_deg || !options.dark.empty();
   if (given)
     throw usage_error(options.dark.empty() ? "--elevation-step" : "--dark", "no direction is asked for",
-                      "--azimuths or --directions beside it");
+                      "--azimuths or --directions with it");
 }
 
 MeasuredDirections measure_directions(const SectorOptions& options, const fit::Photo& photo,

@@ -132,8 +132,8 @@ bool is_interrupted_run(const std::string& directory) {
     const auto found = json.find(name);
     return found != json.end() && *found == value;
   };
-  return json.is_object() &&
-         (says("verdict", fit::verdict_name(fit::Verdict::interrupted)) || says("judges_cut_short", true));
+  return json.is_object() && (says("verdict", fit::verdict_name(fit::Verdict::interrupted)) ||
+                              says("validation_interrupted", true));
 }
 
 fit::JournalMode journal_mode(const FitRequest& options) {
@@ -245,7 +245,7 @@ int run_fit(const FitRequest& options, const std::string& command) {
   const bool replaces = options.overwrite || (options.resume && is_interrupted_run(options.out));
   if (!options.check_derivatives) {
     if (options.out.empty()) throw usage_error("--out", "is missing", "the run's directory to write");
-    spare_inputs_inside("--out", options.out, files_read(options, scene));
+    protect_inputs_inside("--out", options.out, files_read(options, scene));
     fit::check_run_directory(options.out, replaces);
   }
   std::optional<fit::MapRecord> map;
@@ -289,7 +289,7 @@ int run_fit(const FitRequest& options, const std::string& command) {
   fit::write_run(options.out, replaces, result, photos, context);
   if (result.verdict == fit::Verdict::interrupted)
     std::fputs("vegard: interrupted; the same command with --resume goes on\n", stderr);
-  else if (result.judges_cut_short)
+  else if (result.validation_interrupted)
     std::fputs(
         "vegard: the fit is finished, the judges of its error bars were interrupted; the same command with "
         "--resume goes on\n",
@@ -297,7 +297,7 @@ int run_fit(const FitRequest& options, const std::string& command) {
   else
     journal.remove();
   print_answer(result, options.out + "/report.html");
-  return result.judges_cut_short ? interrupted : exit_code_of(result.verdict);
+  return result.validation_interrupted ? interrupted : exit_code_of(result.verdict);
 }
 
 }  // namespace
@@ -328,17 +328,18 @@ void add_fit_command(Program& program) {
       .range(1, 1000000)
       .shows_default();
   add_memory_option(command, options->memory_limit);
-  command.flag("--intervals", options->intervals,
-               "Judge the error bars by profile likelihood: all others give way, for each parameter");
+  command.flag(
+      "--intervals", options->intervals,
+      "Validate the error bars by profile likelihood: the other parameters are fitted again at each value");
   command
       .option("--bootstrap", options->bootstrap,
-              "Judge the error bars by drawing the bands anew so many times (1000 is plenty)")
+              "Validate the error bars by a bootstrap of so many resamplings of the bands (1000 is plenty)")
       .type_name("N")
       .range(2, 1000000);
   command
-      .option(
-          "--mcmc", options->mcmc,
-          "Judge the error bars by a Markov chain of so many steps, a quarter more (at most 200) before them")
+      .option("--mcmc", options->mcmc,
+              "Validate the error bars by a Markov chain of so many steps, a quarter more (at most 200) "
+              "before them")
       .type_name("STEPS")
       .range(2, 1000000);
   command.flag(

@@ -133,7 +133,7 @@ int run_grid(const GridRequest& options) {
   check_grid_name("--output", options.output);
   std::vector<NamedInput> inputs = {{options.input, "the grid"}};
   for (const std::string& mask : options.masks) inputs.push_back({mask, "a mask"});
-  spare_inputs("--output", options.output, inputs);
+  protect_inputs("--output", options.output, inputs);
   {
     sim::WholeFile refused_now(options.output, options.overwrite);  // and not after the work
   }

@@ -62,7 +62,7 @@ fit::ColumnFreedom freedom_of(const InvertRequest& request) {
   for (std::size_t k = 0; k < fit::kColumnUnknowns; ++k) {
     if (free[k] && request.held[k])
       throw usage_error(kHoldOptions[k], std::string("the ") + kFreeWords[k] + " is to be found",
-                        "no " + std::string(kFreeWords[k]) + " in --free beside it");
+                        "no " + std::string(kFreeWords[k]) + " in --free with it");
     if (!free[k] && !request.held[k] && k != fit::kLnOxygen)
       throw usage_error("--free", std::string("the ") + kFreeWords[k] + " is neither free nor given",
                         std::string(kHoldOptions[k]) + " beside it");
@@ -231,10 +231,10 @@ void spare(const InvertRequest& request, const std::vector<std::string>& inputs)
 }
 
 int invert_line_maps(const InvertRequest& request) {
-  if (!request.plot.empty()) throw usage_error("--plot", "it is of one set of lines", "no --map beside it");
-  if (request.json) throw usage_error("--json", "it is of one set of lines", "no --map beside it");
+  if (!request.plot.empty()) throw usage_error("--plot", "it is of one set of lines", "no --map with it");
+  if (request.json) throw usage_error("--json", "it is of one set of lines", "no --map with it");
   if (request.outputs.empty())
-    throw usage_error("--output", "maps are not told in words", "-o OUT.fits or -o OUT.nc");
+    throw usage_error("--output", "maps have no text output", "-o OUT.fits or -o OUT.nc");
   std::vector<double> lines_nm;
   std::vector<std::string> map_files, error_files;
   for (const std::string& text : request.maps) {

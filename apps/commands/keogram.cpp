@@ -104,7 +104,7 @@ fit::Keogram measure(const KeogramOptions& options, const TimedPictures& picture
   const fit::Decoding decoding =
       decoding_of(options.decoding, scene != nullptr ? scene->fit.decoding : sim::Fit{}.decoding, scene);
   if (decoding == fit::Decoding::sensor && scene == nullptr)
-    throw usage_error("--decoding", "no scene says what the sensor is", "--scene SCENE beside it");
+    throw usage_error("--decoding", "no scene says what the sensor is", "--scene SCENE with it");
   fit::Keogram keogram;
   keogram.time_kind = pictures.times.kind;
   keogram.time_source = pictures.times.source;

@@ -111,7 +111,7 @@ int run_map(const MapRequest& options, const std::string& command) {
   const std::string scene_sha256 = sim::sha256_of_file(options.scene.file);
   if (options.out.empty()) throw usage_error("--out", "is missing", "the directory to write");
   const bool replaces = options.overwrite || (options.resume && fit::is_interrupted_map(options.out));
-  spare_inputs_inside("--out", options.out, files_of_map(options, scene));
+  protect_inputs_inside("--out", options.out, files_of_map(options, scene));
   fit::check_map_directory(options.out, replaces);
   std::vector<fit::PhotoFact> from_photograph;
   const std::string photo =

@@ -69,7 +69,7 @@ void run_mask(const MaskOptions& options) {
                       "at least one of --draw, --saturated, --hot, --stars, --text, --circle, --horizon, "
                       "--polygon");
   if (!options.horizon_csv.empty() && options.request.horizon.empty())
-    throw usage_error("--horizon-csv", "no horizon is asked for", "--horizon beside it");
+    throw usage_error("--horizon-csv", "no horizon is asked for", "--horizon with it");
   check_png("--output", options.output);
   check_png("--show", options.show);
   check_outputs(options);

@@ -85,7 +85,7 @@ Ended run_words(const std::vector<std::string>& words) {
   ended.command = program.command_line();
   say("$ %s\n", ended.command.c_str());
   show_output();
-  const Overheard heard;
+  const CapturedOutput heard;
   try {
     ended.exit_code = program.run();
   } catch (const sim::Error& error) {
@@ -264,7 +264,7 @@ void Measuring::picture() {
   for (const std::string& note : facts.notes) say("%s\n", note.c_str());
   if (!known_.site && place.size() >= 2) known_.site = site_place(place);
   stage.trust = known_.time.empty() || !known_.site ? Trust::doubtful : Trust::good;
-  if (known_.time.empty() && !known_.site) stage.trust = Trust::not_told;
+  if (known_.time.empty() && !known_.site) stage.trust = Trust::unconstrained;
   stage.found =
       (known_.time.empty() ? "The time is not known" : "Taken at " + known_.time) +
       std::string(!known_.site ? "; the place is not known." : "; from " + site_text(*known_.site) + ".");
@@ -339,7 +339,7 @@ bool Measuring::camera_by_stars() {
     if (has_horizon_) lens_by_stars();
     return false;
   }
-  stage.trust = Trust::not_told;
+  stage.trust = Trust::unconstrained;
   stage.found = "No stars were recognised. " + line_with(ended.words, "points");
   stage.lacking =
       "a picture with more stars in it, or sharper ones; or a camera file of the same camera: --camera";
@@ -466,7 +466,7 @@ void Measuring::camera() {
   if (camera_by_stars()) return;
   MeasureStage& stage = begin("Where the camera points: the horizon");
   if (!has_horizon_ || (!known_.has_focal && lens_file_.empty())) {
-    stage.trust = Trust::not_told;
+    stage.trust = Trust::unconstrained;
     stage.found = !has_horizon_ ? "There is no skyline that could stand for the horizon."
                                 : "A skyline is there, but the picture does not tell its field of view.";
     stage.lacking =
@@ -476,7 +476,7 @@ void Measuring::camera() {
     return;
   }
   if (!camera_by_horizon(stage)) {
-    stage.trust = Trust::not_told;
+    stage.trust = Trust::unconstrained;
     stage.found = "The skyline is no horizon: " + last_line(stage.words);
     return;
   }
@@ -555,10 +555,10 @@ std::string Measuring::region_mask() const {
   };
   double brightest = 0.0;
   for (const nlohmann::json& trace : border_.value("traces", nlohmann::json::array()))
-    if (trace.value("told", 0) > 0) brightest = std::max(brightest, trace.at("brightness").get<double>());
+    if (trace.value("measured", 0) > 0) brightest = std::max(brightest, trace.at("brightness").get<double>());
   std::vector<TracedRange> ranges;
   for (const nlohmann::json& trace : border_.value("traces", nlohmann::json::array())) {
-    if (trace.value("told", 0) == 0 || !trace.at("from_azimuth_deg").is_number() ||
+    if (trace.value("measured", 0) == 0 || !trace.at("from_azimuth_deg").is_number() ||
         trace.at("brightness").get<double>() < kMappedShare * brightest)
       continue;
     const double from = trace.at("from_azimuth_deg").get<double>();
@@ -655,7 +655,7 @@ int Measuring::conclude() {
     result_.answer.push_back("The map has for " + quantity + ": " + v.value("value", "nothing") + " (" +
                              v.value("verdict", "") + ": " + v.value("reason", "") + ").");
   }
-  result_.trust = !has_border_                        ? Trust::not_told
+  result_.trust = !has_border_                        ? Trust::unconstrained
                   : has_azimuth_ && !is_skyline_open_ ? Trust::good
                                                       : Trust::doubtful;
   if (result_.answer.empty())

@@ -193,7 +193,7 @@ std::string forms_page() {
       "This page is the output of `vegard params --forms`; a test compares the two.\n\n"
       "`form` in a `[[sheet]]` sets the keys below, and the sheet's other keys override what it sets. `--set "
       "sheet.main.form=drapery`\n"
-      "sets them anew; a later `--set` of one of them counts. A written scene names the form and every key. "
+      "sets them again; a later `--set` of one of them counts. A written scene names the form and every key. "
       "The forms are those of\n"
       "Baranoski et al. 2000, section 2.3 (row B20 of [physics.md](physics.md)), with numbers in its ranges: "
       "arcs "

@@ -50,7 +50,7 @@ int run_points(const PointsRequest& options) {
     throw sim::Error(sim::ErrorKind::scene,
                      {"volumes have no points, and the scene has no sheet", options.scene.file, 0, "",
                       "a [[sheet]]", "vegard volume fills an OpenVDB file with their light"});
-  spare_inputs("--output", options.output, inputs_of_scene(options.scene, scene));
+  protect_inputs("--output", options.output, inputs_of_scene(options.scene, scene));
   {
     PointFile(options.output, scene, options.unit, 1, options.overwrite);
   }  // refused now, not after the work

@@ -183,7 +183,7 @@ Measured measure_bands(const ProfileRequest& options, const std::optional<sim::S
   std::optional<fit::LineBrightness> lines;
   if (options.lines && of_the_sun)
     throw usage_error(
-        "--lines", "lines are told along columns only",
+        "--lines", "lines are measured along columns only",
         "no fit.profile_along = \"" + sim::word_of(scene->fit.profile_along) + "\" in the scene");
   if (options.lines) lines = lines_of(*scene, photo, profile);
   return {fit::profile_csv(photo, profile, elevation, lines ? &*lines : nullptr, limb_observer_km(scene)),
@@ -211,8 +211,8 @@ void run_profile(const ProfileRequest& options) {
   check_outputs(options);
   check_sector_options(options.sectors);
   if (options.lines && options.sectors.asked())
-    throw usage_error("--lines", "lines are told along columns only",
-                      "no --azimuths or --directions beside it");
+    throw usage_error("--lines", "lines are measured along columns only",
+                      "no --azimuths or --directions with it");
   if (options.lines && options.scene.empty())
     throw usage_error("--lines", "no sensor is known", "--scene with the sensor, its gain and the lines");
   std::optional<sim::Scene> scene;
@@ -227,7 +227,7 @@ void run_profile(const ProfileRequest& options) {
 
   const fit::Decoding decoding = decoding_of(options.decoding, defaults.decoding, scene ? &*scene : nullptr);
   if (decoding == fit::Decoding::sensor && !scene)
-    throw usage_error("--decoding", "no scene says what the sensor is", "--scene SCENE beside it");
+    throw usage_error("--decoding", "no scene says what the sensor is", "--scene SCENE with it");
   fit::Photo photo = photo_of(options, decoding, scene);
   if (scene) check_camera_size(*scene, photo.linear.width, photo.linear.height, photo.file_name);
   if (!options.mask.empty()) fit::apply_mask(photo, options.mask);
@@ -263,9 +263,9 @@ void run_profile(const ProfileRequest& options) {
 
 ProfileRequest of_one_image(const ProfileRequest& options) {
   if (options.images.size() > 1)
-    throw usage_error("IMAGE", "a profile is of one image", "one, or --keogram OUT beside it");
+    throw usage_error("IMAGE", "a profile is of one image", "one, or --keogram OUT with it");
   if (options.output.empty()) throw usage_error("--output", "no table is named", "-o OUT.csv");
-  if (!options.times.empty()) throw usage_error("--times", "a profile needs none", "--keogram OUT beside it");
+  if (!options.times.empty()) throw usage_error("--times", "a profile needs none", "--keogram OUT with it");
   ProfileRequest one = options;
   PhotoWords words;
   if (!options.images.empty()) words.file = options.images.front();
@@ -282,9 +282,8 @@ KeogramOptions keogram_options(const ProfileRequest& options) {
                            options.lines || options.sectors.asked() || !options.filters.empty();
   if (of_profiles)
     throw usage_error("--keogram", "it takes the place of a profile",
-                      "no --output, --plot, --bands, --line, --lines, --azimuths or --directions beside it");
-  if (!options.at.empty())
-    throw usage_error("--at", "a keogram has all frames of a file", "no --at beside it");
+                      "no --output, --plot, --bands, --line, --lines, --azimuths or --directions with it");
+  if (!options.at.empty()) throw usage_error("--at", "a keogram has all frames of a file", "no --at with it");
   check_sector_options(options.sectors);
   KeogramOptions keogram;
   keogram.images = options.images;

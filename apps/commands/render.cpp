@@ -87,7 +87,7 @@ void check_outputs(const RenderRequest& options, const sim::Scene& scene) {
                       : options.picture.quality    ? "--quality"
                       : options.picture.photograph ? "--photograph"
                                                    : "--as-seen",
-                      "without a picture it says nothing", "-o OUT beside it");
+                      "without a picture it says nothing", "-o OUT with it");
   }
   if (options.picture.as_seen) require_rayleighs(scene, "--as-seen");
   if (options.picture.as_seen && options.picture.photograph)
@@ -178,7 +178,7 @@ std::string exposure_text(const sim::Scene& scene) {
 int run_render(const RenderRequest& request) {
   RenderRequest options = request;
   const sim::Scene as_given = scene_of(options.scene);
-  tell_what_is_idle(as_given);
+  note_inert_keys(as_given);
   check_outputs(options, as_given);
   const sim::Scene scene = options.auto_exposure ? auto_exposed(options, as_given) : as_given;
   double bytes_per_px = 0.0;

@@ -78,7 +78,7 @@ class Folder {
   std::string run(const std::string& frame) const { return path_ + "/frames/" + frame; }
   std::string row(const std::string& frame) const { return run(frame) + ".json"; }
 
-  /// Makes it, or goes on in it. A sequence of something else is begun anew if `overwrite`: its rows are
+  /// Makes it, or goes on in it. A sequence of something else is begun again if `overwrite`: its rows are
   /// removed, and its tables and the runs of `photos` will be replaced. Throws Error(existing_output) before
   /// anything is touched unless what is there is a sequence of vegard's, and what will be replaced are runs.
   void begin(const std::string& text, bool overwrite, const std::vector<SequencePhoto>& photos) const {
@@ -94,7 +94,7 @@ class Folder {
                "choose another name");
       if (!overwrite)
         refuse(path_, "is of another sequence, scene or version",
-               "use --overwrite to fit it anew, or choose another name");
+               "use --overwrite to fit it again, or choose another name");
     }
     for (const char* name : {kManifest, kTable, kPlot, kNetcdf}) {
       const fs::file_status status = fs::symlink_status(file(name), error);
@@ -221,7 +221,7 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
   inputs.push_back({options.mask, "the mask"});
   if (!options.decoding.empty())
     inputs.push_back({sim::decoding_word(options.decoding).file, "the transfer curve"});
-  spare_inputs_inside("--out", options.out, inputs);
+  protect_inputs_inside("--out", options.out, inputs);
   const Folder folder(options.out);
   folder.begin(manifest(options, scene), options.overwrite, photos);
 
@@ -301,7 +301,7 @@ void add_sequence_command(Program& program) {
       .shows_default();
   command.flag("--netcdf", options->netcdf,
                "Write netCDF too: DIR/sequence.nc, and result.nc into each frame's run");
-  command.flag("--overwrite", options->overwrite, "Fit anew what is of another scene or version");
+  command.flag("--overwrite", options->overwrite, "Fit again what is of another scene or version");
   command.runs([options, words = program.command_line()] { return run_sequence(*options, words); });
 }
 

@@ -51,7 +51,7 @@ struct Input {
 /// What a scene's light is on voxels; empty if it was interrupted.
 Input grid_of_scene_file(const SlicesRequest& options, const std::atomic<bool>& stop) {
   sim::Scene scene = scene_of(options.input);
-  spare_inputs("--output", options.output, inputs_of_scene(options.input, scene));
+  protect_inputs("--output", options.output, inputs_of_scene(options.input, scene));
   keep_named(scene, options.voxels.of);
   sim::SceneGridOptions grid_of = scene_grid_options(options.voxels, options.threads);
   grid_of.stop = &stop;
@@ -75,7 +75,7 @@ Input input_of(const SlicesRequest& options, const std::atomic<bool>& stop) {
   for (const Option& option : options.of_scenes)
     if (option.given())
       throw usage_error(option.name(), options.input.file + " is no scene", "it with a scene");
-  spare_inputs("--output", options.output, {{options.input.file, "the grid"}});
+  protect_inputs("--output", options.output, {{options.input.file, "the grid"}});
   return {
       read_grid_file(options.input.file, options.channel.empty() ? std::vector<std::string>{}
                                                                  : std::vector<std::string>{options.channel}),

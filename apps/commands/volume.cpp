@@ -60,7 +60,7 @@ std::vector<int> line_indices(const sim::Scene& scene, const std::vector<double>
 int run_volume(const VolumeRequest& options) {
   const std::atomic<bool>& stop = watch_for_interrupt();
   sim::Scene scene = scene_of(options.scene);
-  spare_inputs("--output", options.output, inputs_of_scene(options.scene, scene));
+  protect_inputs("--output", options.output, inputs_of_scene(options.scene, scene));
   if (!is_vdb_name(options.output))
     throw usage_error("--output", "'" + options.output + "' is no name of an OpenVDB file",
                       "a name that ends in .vdb");

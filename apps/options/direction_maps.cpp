@@ -48,17 +48,16 @@ fit::SkyMapFlip flip_of(const MapOptions& options) {
 KnownDirections maps_of(const MapOptions& options) {
   const std::string& az = options.azimuth_map;
   if (options.skymap.empty() && !options.skymap_flip.empty())
-    throw usage_error("--skymap-flip", "there is no skymap", "--skymap beside it");
+    throw usage_error("--skymap-flip", "there is no skymap", "--skymap with it");
   if (!options.skymap.empty()) {
     if (!az.empty() || !options.elevation_map.empty())
       throw usage_error("--skymap", "it has azimuths and elevations",
-                        "no --azimuth-map or --elevation-map beside it");
+                        "no --azimuth-map or --elevation-map with it");
     const fit::SkyMapFile file = fit::read_sky_map(options.skymap, flip_of(options));
     return {file.map, "skymap " + file_name_of(options.skymap), file.place};
   }
   if (az.empty())
-    throw usage_error("--elevation-map", "a map of elevations alone is not enough",
-                      "--azimuth-map beside it");
+    throw usage_error("--elevation-map", "a map of elevations alone is not enough", "--azimuth-map with it");
   const std::string& el = options.elevation_map.empty() ? az : options.elevation_map;
   KnownDirections known{fit::read_direction_map(az, el), "maps " + file_name_of(az), {}};
   if (el != az) known.words += ", " + file_name_of(el);

@@ -66,13 +66,14 @@ std::vector<NamedInput> inputs_of_scene(const SceneOptions& options, const sim::
   return inputs;
 }
 
-void spare_inputs(const std::string& key, const std::string& output, const std::vector<NamedInput>& inputs) {
+void protect_inputs(const std::string& key, const std::string& output,
+                    const std::vector<NamedInput>& inputs) {
   for (const NamedInput& input : inputs)
     if (same_file(output, input.file)) refuse_same_file(key, output, input.what);
 }
 
-void spare_inputs_inside(const std::string& key, const std::string& folder,
-                         const std::vector<NamedInput>& inputs) {
+void protect_inputs_inside(const std::string& key, const std::string& folder,
+                           const std::vector<NamedInput>& inputs) {
   for (const NamedInput& input : inputs)
     if (is_inside(input.file, folder))
       throw usage_error(key, input.what + " '" + input.file + "' lies in it",

@@ -32,11 +32,11 @@ struct NamedInput {
 std::vector<NamedInput> inputs_of_scene(const SceneOptions& options, const sim::Scene& scene);
 
 /// Throws Error(usage) if the output that the option `key` names is one of them.
-void spare_inputs(const std::string& key, const std::string& output, const std::vector<NamedInput>& inputs);
+void protect_inputs(const std::string& key, const std::string& output, const std::vector<NamedInput>& inputs);
 
 /// Throws Error(usage) if one of them lies in the folder that the option `key` names: a run that is replaced
 /// goes with all that lies in it.
-void spare_inputs_inside(const std::string& key, const std::string& folder,
-                         const std::vector<NamedInput>& inputs);
+void protect_inputs_inside(const std::string& key, const std::string& folder,
+                           const std::vector<NamedInput>& inputs);
 
 }  // namespace vegard::apps

@@ -5,7 +5,7 @@
 #include "sim/base/error.h"
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/file/camera_file.h"
-#include "sim/scene/file/idle_keys.h"
+#include "sim/scene/file/inert_keys.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
 
@@ -51,8 +51,8 @@ sim::Scene scene_of(const SceneOptions& options) {
   return scene;
 }
 
-void tell_what_is_idle(const sim::Scene& scene) {
-  for (const std::string& line : sim::idle_keys(scene)) tell("vegard: note: %s\n", line.c_str());
+void note_inert_keys(const sim::Scene& scene) {
+  for (const std::string& line : sim::inert_keys(scene)) tell("vegard: note: %s\n", line.c_str());
   if (scene.blur.model != sim::BlurModel::physical) return;
   for (const sim::EmitterKind& kind : sim::emitter_kinds())
     if (kind.table != "footprint" && sim::is_drawn(kind, scene))

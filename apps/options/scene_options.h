@@ -29,6 +29,6 @@ sim::Scene scene_of(const SceneOptions& options);
 
 /// Tells on standard error what the scene's file sets and nothing uses, and what of it the physical blur
 /// leaves as it is.
-void tell_what_is_idle(const sim::Scene& scene);
+void note_inert_keys(const sim::Scene& scene);
 
 }  // namespace vegard::apps

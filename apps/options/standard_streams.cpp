@@ -15,11 +15,11 @@
 
 namespace vegard::apps {
 
-void keep_overheard(const std::string& text);
+void capture_output(const std::string& text);
 
 namespace {
 
-Overheard* overheard = nullptr;
+CapturedOutput* captured = nullptr;
 
 int first_failure = 0;  ///< errno of the first write that failed
 
@@ -28,7 +28,7 @@ void keep_failure() {
 }
 
 void put(const std::string& text, std::FILE* to) {
-  if (to == stdout) keep_overheard(text);
+  if (to == stdout) capture_output(text);
   errno = 0;
   if (std::fwrite(text.data(), 1, text.size(), to) != text.size() && to == stdout) keep_failure();
 }
@@ -49,15 +49,15 @@ std::string formatted(const char* format, std::va_list arguments) {
 
 }  // namespace
 
-Overheard::Overheard() { overheard = this; }
+CapturedOutput::CapturedOutput() { captured = this; }
 
-Overheard::~Overheard() { overheard = nullptr; }
+CapturedOutput::~CapturedOutput() { captured = nullptr; }
 
-void keep_overheard(const std::string& text) {
-  if (overheard != nullptr) overheard->text_ += text;
+void capture_output(const std::string& text) {
+  if (captured != nullptr) captured->text_ += text;
 }
 
-void stand_in_for_closed_streams() {
+void replace_closed_streams() {
   // The wrong way round, so that reading from the input and writing to the outputs fail as on closed streams.
   for (const auto& [stream, way] : {std::pair{STDIN_FILENO, O_WRONLY}, std::pair{STDOUT_FILENO, O_RDONLY},
                                     std::pair{STDERR_FILENO, O_RDONLY}}) {

@@ -10,7 +10,7 @@ namespace vegard::apps {
 /// Opens what stands in for standard streams that were closed when the program began, such that using them
 /// fails. Without it an output file would get the number of the standard output, and with it all that is
 /// printed. To be called before any file is opened.
-void stand_in_for_closed_streams();
+void replace_closed_streams();
 
 /// As std::printf; what stands before a line's end at the end of `format` is one line. A failure is kept for
 /// finish_output(): what a command has yet to write to files is worth more than its words.
@@ -19,17 +19,17 @@ void stand_in_for_closed_streams();
 void say_text(const std::string& text);
 
 /// While it lives, what is said is kept as well: for a report that quotes it. One at a time.
-class Overheard {
+class CapturedOutput {
  public:
-  Overheard();
-  ~Overheard();
-  Overheard(const Overheard&) = delete;
-  Overheard& operator=(const Overheard&) = delete;
+  CapturedOutput();
+  ~CapturedOutput();
+  CapturedOutput(const CapturedOutput&) = delete;
+  CapturedOutput& operator=(const CapturedOutput&) = delete;
 
   const std::string& text() const { return text_; }
 
  private:
-  friend void keep_overheard(const std::string& text);
+  friend void capture_output(const std::string& text);
   std::string text_;
 };
 

@@ -34,20 +34,20 @@ std::string place_of(const std::string& what, const sim::EastNorth& center_km, d
   return direction_words(what, azimuth_deg, std::atan2(up, across) / sim::kRadiansPerDegree);
 }
 
-bool could_shine(const sim::Scene& scene) {
+bool may_emit(const sim::Scene& scene) {
   const bool sheets = std::any_of(scene.sheets.begin(), scene.sheets.end(), [](const sim::Sheet& sheet) {
     return sim::has_given_brightness(sheet) || sheet.energy_flux_mw_m2 > 0.0;
   });
   const std::vector<sim::EmitterKind>& kinds = sim::emitter_kinds();
   return sheets || std::any_of(kinds.begin(), kinds.end(),
-                               [&](const sim::EmitterKind& kind) { return sim::could_shine(kind, scene); });
+                               [&](const sim::EmitterKind& kind) { return sim::may_emit(kind, scene); });
 }
 
-std::string words_of(const sim::Whereabouts& where, double observer_altitude_km) {
+std::string words_of(const sim::LightLocation& where, double observer_altitude_km) {
   switch (where.known) {
-    case sim::Whereabouts::Known::place:
+    case sim::LightLocation::Known::place:
       return place_of(where.what, where.center_km, observer_altitude_km);
-    case sim::Whereabouts::Known::direction:
+    case sim::LightLocation::Known::direction:
       return direction_words(where.what, where.azimuth_deg, where.elevation_deg);
     default:
       return where.what + " " + where.words;
@@ -59,7 +59,7 @@ std::string words_of(const sim::Whereabouts& where, double observer_altitude_km)
 std::string warning_if_out_of_view(const sim::Scene& scene, const sim::Image& rayleigh) {
   const bool shines =
       std::any_of(rayleigh.data.begin(), rayleigh.data.end(), [](float value) { return value > 0.0f; });
-  if (!could_shine(scene) || shines) return {};
+  if (!may_emit(scene) || shines) return {};
   std::string text = fmt::format(
       "warning: no light reaches the picture, it holds the sky alone: the camera looks to azimuth "
       "{:g}\u00b0, "
@@ -74,16 +74,16 @@ std::string warning_if_out_of_view(const sim::Scene& scene, const sim::Image& ra
   const double observer_km = scene.site.altitude_m * 1e-3;
   for (const sim::Sheet& sheet : scene.sheets)
     text += "; " + place_of("sheet '" + sheet.name + "'", sim::evened_sheet(sheet).center_km, observer_km);
-  std::vector<sim::Whereabouts> all;
+  std::vector<sim::LightLocation> all;
   for (const sim::EmitterKind& kind : sim::emitter_kinds()) {
-    if (kind.whereabouts == nullptr) continue;
-    for (sim::Whereabouts& where : kind.whereabouts(scene)) all.push_back(std::move(where));
+    if (kind.light_locations == nullptr) continue;
+    for (sim::LightLocation& where : kind.light_locations(scene)) all.push_back(std::move(where));
   }
   // Who has to look into a file for it learns so last.
-  std::stable_partition(all.begin(), all.end(), [](const sim::Whereabouts& where) {
-    return where.known != sim::Whereabouts::Known::file;
+  std::stable_partition(all.begin(), all.end(), [](const sim::LightLocation& where) {
+    return where.known != sim::LightLocation::Known::file;
   });
-  for (const sim::Whereabouts& where : all) text += "; " + words_of(where, observer_km);
+  for (const sim::LightLocation& where : all) text += "; " + words_of(where, observer_km);
   return text;
 }
 

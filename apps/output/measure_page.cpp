@@ -17,7 +17,7 @@ const char* band_of(fit::Trust trust) {
       return "good";
     case fit::Trust::doubtful:
       return "doubtful";
-    case fit::Trust::not_told:
+    case fit::Trust::unconstrained:
       return "failed";
   }
   return "";

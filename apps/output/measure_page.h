@@ -11,7 +11,7 @@ namespace vegard::apps {
 /// One stage from the photograph to the answer.
 struct MeasureStage {
   std::string title;  ///< "Where the camera points"
-  fit::Trust trust = fit::Trust::not_told;
+  fit::Trust trust = fit::Trust::unconstrained;
   std::string found;               ///< a sentence or two
   std::string lacking;             ///< what is missing and what would help; may be empty
   std::string command;             ///< that does the same by itself; empty if there is none
@@ -23,7 +23,7 @@ struct MeasureStage {
 struct Measurement {
   std::string photo;    ///< the file's name, without its folder
   std::string command;  ///< vegard's command line
-  fit::Trust trust = fit::Trust::not_told;
+  fit::Trust trust = fit::Trust::unconstrained;
   std::vector<std::string> answer;    ///< the answer in a few sentences
   std::vector<std::string> pictures;  ///< files of the run to show first
   std::vector<MeasureStage> stages;

@@ -107,7 +107,7 @@ void PreviewControls::set_camera(double* number, const std::string& path, double
   *number = std::clamp(value, row.row->min, row.row->max);
 }
 
-void PreviewControls::look_about(double right_px, double down_px) {
+void PreviewControls::pan(double right_px, double down_px) {
   sim::Camera& camera = scene_.camera;
   const double px_per_degree = sim::pixels_per_degree(camera);
   // Near the zenith a step aside is a long way in azimuth; not more than tenfold.

@@ -25,13 +25,13 @@ class PreviewControls {
   const std::vector<sim::ParameterPath>& paths() const { return paths_; }
   const sim::ParameterPath& chosen() const { return paths_[chosen_]; }
 
-  void choose_next(int by);                          ///< round and round
-  void change_chosen(int steps);                     ///< within its limits
-  void change_step(double factor);                   ///< of the chosen number
-  void look_about(double right_px, double down_px);  ///< as if the sky were dragged by so many of the pixels
-  void zoom(double steps);                           ///< a twentieth closer a step
-  void reset();                                      ///< the scene as it was given; the choice stays
-  void run_time(double seconds);                     ///< of the scene's own clock
+  void choose_next(int by);                   ///< round and round
+  void change_chosen(int steps);              ///< within its limits
+  void change_step(double factor);            ///< of the chosen number
+  void pan(double right_px, double down_px);  ///< as if the sky were dragged by so many of the pixels
+  void zoom(double steps);                    ///< a twentieth closer a step
+  void reset();                               ///< the scene as it was given; the choice stays
+  void run_time(double seconds);              ///< of the scene's own clock
 
   /// "footprint.arc.energy_kev = 3 keV  (x 1.05)", in ASCII.
   std::string words() const;

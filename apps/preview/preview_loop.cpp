@@ -100,7 +100,7 @@ class PreviewLoop {
     if (events.dragged_x_px != 0.0 || events.dragged_y_px != 0.0) {
       // The window's pixels are those of the reduced picture.
       const double scale = static_cast<double>(controls_.scene().camera.width) / picture_.width;
-      controls_.look_about(events.dragged_x_px * scale, events.dragged_y_px * scale);
+      controls_.pan(events.dragged_x_px * scale, events.dragged_y_px * scale);
       stale_ = true;
     }
     if (events.wheel != 0.0) controls_.zoom(events.wheel), stale_ = true;

@@ -104,7 +104,7 @@ WindowEvents PreviewWindow::wait(int ms) {
   std::swap(events.dragged_y_px, mouse_->dragged_y);
   std::swap(events.wheel, mouse_->wheel);
   if (events.wheel != 0.0 && shown_) {
-    // Qt magnifies what it shows by the wheel itself, and knows no way back but a window anew.
+    // Qt magnifies what it shows by the wheel itself, and knows no way back but a window again.
     const cv::Rect place = cv::getWindowImageRect(title_);
     cv::destroyWindow(title_);
     open();

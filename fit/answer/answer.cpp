@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fit/answer/told_gains.h"
+#include "fit/answer/constrained_gains.h"
 #include "fit/measure/noise_model.h"
 #include "fit/parameters/free_parameters.h"
 #include "fit/photo/grey_light.h"
@@ -18,23 +18,23 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kStandsStill = 1e-6;  // of the start, or of one unit where that is more
+constexpr double kUnmoved = 1e-6;  // of the start, or of one unit where that is more
 
 constexpr std::size_t kMaxSentences = 4;
 
 /// A sentence for each direction in which the data say nothing, in the numbers' own units.
-std::vector<std::string> undetermined_words(const std::vector<SpokenNumber>& numbers,
+std::vector<std::string> undetermined_words(const std::vector<DescribedNumber>& numbers,
                                             const std::vector<std::vector<double>>& directions) {
   std::vector<std::string> all;
   for (const std::vector<double>& direction : directions) {
-    const std::string words = trade_off_words(numbers, direction);
+    const std::string words = trade_off_text(numbers, direction);
     if (!words.empty() && std::find(all.begin(), all.end(), words) == all.end()) all.push_back(words);
   }
   if (all.size() <= kMaxSentences) return all;
   const std::size_t more = all.size() - kMaxSentences;
   all.resize(kMaxSentences);
   all.push_back(std::to_string(more) + " more " + (more == 1 ? "change" : "changes") +
-                " that the data cannot tell");
+                " that the data do not constrain");
   return all;
 }
 
@@ -52,14 +52,14 @@ ValueUncertainty put_parameters(const sim::Scene& scene, const std::vector<FreeN
     p.photo = n.photo;
     p.unit = n.unit();
     p.meaning = n.meaning();
-    p.value = without_turns(n, values[j]);
+    p.value = wrapped_angle(n, values[j]);
     p.initial = n.start;
     p.min = n.min;
     p.max = n.max;
     p.at_limit = n.at_limit(values[j]);
     p.of_profile = n.id.role() == sim::ParameterRole::profile_coefficient;
-    const double way = apart(n, values[j], n.start);
-    p.moved = way > kStandsStill * (n.logarithmic() ? std::abs(n.start) : std::max(1.0, std::abs(n.start)));
+    const double way = wrapped_difference(n, values[j], n.start);
+    p.moved = way > kUnmoved * (n.logarithmic() ? std::abs(n.start) : std::max(1.0, std::abs(n.start)));
     const double at = n.coordinate(values[j]);
     slopes.push_back(n.slope(at));
     const double sigma = u.sigma[j] * slopes[j];
@@ -78,11 +78,11 @@ ValueUncertainty put_parameters(const sim::Scene& scene, const std::vector<FreeN
     for (std::size_t k = 0; k < free.size(); ++k) known.covariance[j][k] *= slopes[j] * slopes[k];
   for (std::vector<double>& direction : known.undetermined)
     for (std::size_t j = 0; j < free.size(); ++j) direction[j] *= slopes[j];
-  const std::vector<SpokenNumber> spoken = spoken_numbers(scene, free, values);
+  const std::vector<DescribedNumber> described = described_numbers(scene, free, values);
   std::vector<double> sigma;
   for (std::size_t j = 0; j < free.size(); ++j) sigma.push_back(u.sigma[j] * slopes[j]);
-  r.trade_offs = strong_correlations(spoken, sigma, u.correlation);
-  r.undetermined = undetermined_words(spoken, known.undetermined);
+  r.trade_offs = strong_correlations(described, sigma, u.correlation);
+  r.undetermined = undetermined_words(described, known.undetermined);
   return known;
 }
 
@@ -120,22 +120,22 @@ void put_solution(const Comparison& comparison, const Comparison::Point& point, 
              gains.column(b, c));
     }
   r.gain.assign(r.data.bands, std::vector<double>(3));
-  std::vector<std::vector<bool>> told(r.data.bands, std::vector<bool>(3));
-  bool any_told = false;
+  std::vector<std::vector<bool>> constrained(r.data.bands, std::vector<bool>(3));
+  bool any_constrained = false;
   for (int b = 0; b < r.data.bands; ++b)
     for (int c = 0; c < 3; ++c) {
       const int column =
           gains.column(b, grey ? kGreyChannel : c);  // of a grey sensor the others hold nothing
       r.gain[b][c] = solution.coefficients[column];
-      told[b][c] = is_told(r.gain[b][c], std::sqrt(std::max(0.0, variance[column])));
-      any_told = any_told || told[b][c];
+      constrained[b][c] = is_constrained(r.gain[b][c], std::sqrt(std::max(0.0, variance[column])));
+      any_constrained = any_constrained || constrained[b][c];
     }
   // Where bands have skies of their own, one that has next to no light may have any gain, and does not count.
-  const bool told_ones = linear.skies() > 1 && any_told;
+  const bool constrained_only = linear.skies() > 1 && any_constrained;
   double sum = 0.0, lit = 0.0;
   for (int b = 0; b < r.data.bands; ++b)
     for (int c = 0; c < 3; ++c)
-      if (told_ones ? told[b][c] : r.gain[b][c] > 0.0) {
+      if (constrained_only ? constrained[b][c] : r.gain[b][c] > 0.0) {
         sum += r.gain[b][c];
         lit += 1.0;
       }
@@ -200,15 +200,15 @@ sim::PhotoEntry entry_of_best(const sim::PhotoEntry& entry, const FittedPhoto& f
 
 namespace {
 
-/// The most light that the model has before its bands' skies, in bands of which the gain is told.
+/// The most light that the model has before its bands' skies, in bands of which the gain is constrained.
 double peak_before_skies(const FittedPhoto& r) {
   double peak = 0.0;
-  const std::vector<std::vector<bool>> told = told_gains(r);
+  const std::vector<std::vector<bool>> constrained = constrained_gains(r);
   for (int b = 0; b < r.data.bands; ++b)
     for (int row = 0; row < r.data.rows; ++row)
       for (int c = 0; c < 3; ++c) {
         const std::size_t i = r.data.index(b, row, c);
-        if (r.sigma[i] > 0.0 && told[b][c]) peak = std::max(peak, r.model[i] - r.behind[i]);
+        if (r.sigma[i] > 0.0 && constrained[b][c]) peak = std::max(peak, r.model[i] - r.behind[i]);
       }
   return peak;
 }

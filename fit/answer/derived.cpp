@@ -28,7 +28,7 @@ double wavelength_ratio(const sim::Sheet& sheet) { return sheet.wavelength_km / 
 struct Label {
   std::string name, unit, why_none;
   Quantity quantity = Quantity::other;
-  bool is_detail = false, is_longitude = false, is_course = false;
+  bool is_detail = false, is_longitude = false, is_lateral = false;
 };
 
 /// Numbers that are worked out together.
@@ -125,8 +125,8 @@ void add_ratios(const sim::Scene& best, int s, const std::string& of, std::vecto
 }
 
 /// Of a sine: its bearing and course, as far as they were asked for.
-void add_course(const sim::Scene& best, const std::vector<FreeNumber>& free, int s, const std::string& of,
-                std::vector<Group>& groups) {
+void add_lateral(const sim::Scene& best, const std::vector<FreeNumber>& free, int s, const std::string& of,
+                 std::vector<Group>& groups) {
   if (sim::is_curve(best.sheets[s])) return;
   const auto is_free = [&](const char* key) {
     const std::string path = "sheet." + best.sheets[s].name + "." + key;
@@ -238,7 +238,7 @@ std::vector<Group> groups_of(const sim::Scene& best, const std::vector<FreeNumbe
     if (!sim::is_curve(best.sheets[s]))
       groups.push_back(one({"wavelength over twice the amplitude" + of, "", "", Quantity::ratio, true},
                            [s](const sim::Scene& x) { return wavelength_ratio(x.sheets[s]); }));
-    add_course(best, free, s, of, groups);
+    add_lateral(best, free, s, of, groups);
     add_feet(best, s, of, groups);
   }
   add_footprints(best, groups);
@@ -307,7 +307,7 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
       d.unit = label.unit;
       d.is_detail = label.is_detail;
       d.quantity = label.quantity;
-      d.is_course = label.is_course;
+      d.is_lateral = label.is_lateral;
       for (std::size_t j = 0; j < found[i].share.size(); ++j)
         if (found[i].share[j] >= kMinShareOfVariance) d.depends_on.push_back(free[j].label());
       if (!std::isfinite(d.value)) {

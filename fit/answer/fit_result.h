@@ -13,7 +13,7 @@
 #include "fit/measure/profile.h"
 #include "fit/photo/photo_facts.h"
 #include "fit/search/descent.h"
-#include "fit/uncertainty/judged_errors.h"
+#include "fit/uncertainty/validated_errors.h"
 #include "sim/emit/aurora/foot_line.h"
 #include "sim/scene/structs/scene.h"
 
@@ -115,10 +115,10 @@ struct DerivedNumber {
   std::string why_no_sigma{};  ///< in words, if there is a value without an error bar; may be empty
   bool is_detail = false;      ///< for tables, not for the few numbers that one wants to see first
   Quantity quantity = Quantity::other;
-  bool is_course = false;  ///< of a sheet's way from band to band
+  bool is_lateral = false;  ///< of a sheet's way from band to band
   /// Paths of the free numbers whose error bar gives a tenth of this one's variance or more.
   std::vector<std::string> depends_on{};
-  Trust trust = Trust::not_told;  ///< judge_quantities()
+  Trust trust = Trust::unconstrained;  ///< assess_quantities()
   std::string trust_reason{};
   std::optional<double>
       at_other_mode{};  ///< where another end explains the data almost as well; none: nowhere
@@ -136,7 +136,7 @@ struct StabilityRow {
   std::string name;     ///< "without its left third"
   std::string problem;  ///< in words, if nothing came of it
   double chi2_per_dof = std::numeric_limits<double>::quiet_NaN();
-  bool is_refuted = false;     ///< the picture itself speaks against it: it counts for nothing
+  bool is_refuted = false;     ///< the picture itself speaks against it: it has no effect
   std::vector<Shift> derived;  ///< as FitResult::derived; empty with a problem
 };
 
@@ -214,22 +214,22 @@ struct FitResult {
 
   std::optional<std::vector<StabilityRow>> stability;  ///< where it was asked for
 
-  bool judges_cut_short = false;  ///< the user stopped: the rest is the whole answer all the same
+  bool validation_interrupted = false;  ///< the user stopped: the rest is the whole answer all the same
 
   double chi2 = 0.0;
   double chi2_initial = 0.0;
   std::vector<ComparedStatistic> statistics;  ///< what chi2 is made of, priors aside
   int dof = 0;
   ComparedValues compared;
-  /// Largest |cosine| between the residuals and a column of the Jacobian at the end (fit/search/steepest.h);
-  /// NaN if it is not known.
-  double steepest_cosine = std::numeric_limits<double>::quiet_NaN();
+  /// Largest |cosine| between the residuals and a column of the Jacobian at the end
+  /// (fit/search/gradient_cosine.h); NaN if it is not known.
+  double gradient_cosine = std::numeric_limits<double>::quiet_NaN();
   double rms_over_peak = 0.0;    ///< of the photograph that has the largest
   double error_inflation = 1.0;  ///< factor on the error bars for the residuals' size and correlation
-  double independent_per_unknown = std::numeric_limits<double>::infinity();  ///< residuals, by judge()
-  double residuals_together = 1.0;  ///< that go up and down as one (fit/compare/inflation.h)
-  std::string termination;          ///< in words, Ceres' own after ours
-  int evaluations = 0;              ///< of the residuals, search included
+  double independent_per_unknown = std::numeric_limits<double>::infinity();  ///< residuals, by assess_fit()
+  double correlated_residuals = 1.0;  ///< that go up and down as one (fit/compare/inflation.h)
+  std::string termination;            ///< in words, Ceres' own after ours
+  int evaluations = 0;                ///< of the residuals, search included
   int jacobian_evaluations = 0;
   std::uint64_t seed = 0;
 

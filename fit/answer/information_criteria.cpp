@@ -19,19 +19,19 @@ std::string amount(double difference) { return sim::short_number(difference, dif
 
 }  // namespace
 
-Believed believed_by(const FittedModel& richest) {
-  Believed b;
+ChiSquareScaling chi2_scaling_of(const FittedModel& richest) {
+  ChiSquareScaling b;
   const double reduced = richest.chi2 / std::max(1, richest.values - richest.parameters);
   b.together = std::max(1.0, richest.together);
   b.chi2_divisor = b.together * std::max(1.0, reduced);
   return b;
 }
 
-InformationCriteria information_criteria(const FittedModel& model, const Believed& believed) {
+InformationCriteria information_criteria(const FittedModel& model, const ChiSquareScaling& scaling) {
   InformationCriteria c;
   const double k = model.parameters;
-  c.chi2 = model.chi2 / believed.chi2_divisor;
-  c.values = std::max(1.0, model.values / believed.together);
+  c.chi2 = model.chi2 / scaling.chi2_divisor;
+  c.values = std::max(1.0, model.values / scaling.together);
   c.aic = c.chi2 + 2.0 * k;
   const double left = c.values - k - 1.0;
   c.aicc = left > 0.0 ? c.aic + 2.0 * k * (k + 1.0) / left : std::numeric_limits<double>::infinity();
@@ -47,8 +47,8 @@ std::string evidence_words(double bic_difference) {
 }
 
 std::string compared_in_words(const FittedModel& one, const FittedModel& two) {
-  const Believed believed = believed_by(one.parameters > two.parameters ? one : two);
-  const InformationCriteria a = information_criteria(one, believed), b = information_criteria(two, believed);
+  const ChiSquareScaling scaling = chi2_scaling_of(one.parameters > two.parameters ? one : two);
+  const InformationCriteria a = information_criteria(one, scaling), b = information_criteria(two, scaling);
   const bool first = a.bic <= b.bic;
   const FittedModel &better = first ? one : two, &worse = first ? two : one;
   const double bic = std::abs(a.bic - b.bic);

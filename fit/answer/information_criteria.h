@@ -16,7 +16,7 @@ struct FittedModel {
   double chi2 = 0.0;
   int values = 0;         ///< that were compared
   int parameters = 0;     ///< free and solved for
-  double together = 1.0;  ///< residuals that are worth one: FitResult::residuals_together
+  double together = 1.0;  ///< residuals that are worth one: FitResult::correlated_residuals
 };
 
 /// How far the values' errors are to be believed; one for all models that are compared.
@@ -26,11 +26,11 @@ struct FittedModel {
 /// do by their variance inflation factor (K. P. Burnham and D. R. Anderson, "Model selection and multimodel
 /// inference", 2nd ed., Springer 2002, section 2.5; they too take it from the richest model, and nothing
 /// below 1). The number of independent values is the number of values divided by those that are worth one.
-struct Believed {
+struct ChiSquareScaling {
   double chi2_divisor = 1.0;
   double together = 1.0;  ///< values that are worth one
 };
-Believed believed_by(const FittedModel& richest);
+ChiSquareScaling chi2_scaling_of(const FittedModel& richest);
 
 struct InformationCriteria {
   double chi2 = 0.0;    ///< divided
@@ -39,7 +39,7 @@ struct InformationCriteria {
   double aicc = 0.0;    ///< AIC + 2 k (k + 1) / (n - k - 1); +infinity where n <= k + 1
   double bic = 0.0;     ///< chi2 + k ln n
 };
-InformationCriteria information_criteria(const FittedModel& model, const Believed& believed);
+InformationCriteria information_criteria(const FittedModel& model, const ChiSquareScaling& scaling);
 
 /// The words of R. E. Kass and A. E. Raftery, "Bayes factors", J. American Statistical Association 90 (1995)
 /// 773, doi:10.1080/01621459.1995.10476572, section 3.2, for twice the logarithm of a Bayes factor, which a

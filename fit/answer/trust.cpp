@@ -10,8 +10,8 @@ const char* trust_name(Trust trust) {
       return "good";
     case Trust::doubtful:
       return "doubtful";
-    case Trust::not_told:
-      return "not told";
+    case Trust::unconstrained:
+      return "unconstrained";
   }
   return "";
 }
@@ -43,7 +43,7 @@ ErrorScale error_scale(Quantity kind) {
 Trust trust_of(Quantity kind, double value, double error) {
   const ErrorScale scale = error_scale(kind);
   const double size = scale.relative ? error / std::abs(value) : error;
-  if (!(size < scale.none)) return Trust::not_told;
+  if (!(size < scale.none)) return Trust::unconstrained;
   return size <= scale.good ? Trust::good : Trust::doubtful;
 }
 

@@ -1,4 +1,4 @@
-// How far a quantity may be leaned on: good, doubtful or not told, each with its reason.
+// How far a quantity may be leaned on: good, doubtful or unconstrained, each with its reason.
 //
 // What counts is the standard error on the scale of the quantity's kind. A distance that is off by a
 // twentieth still tells which arc it is, by a fifth it does not; an energy is told to a sixth or, at the end,
@@ -8,15 +8,15 @@
 
 namespace vegard::fit {
 
-enum class Trust { good, doubtful, not_told };
+enum class Trust { good, doubtful, unconstrained };
 
-/// "good", "doubtful", "not told".
+/// "good", "doubtful", "unconstrained".
 const char* trust_name(Trust trust);
 
 /// Kinds of quantities; each has its scale (error_scale()).
 enum class Quantity { distance, energy, energy_flux, altitude, width, ratio, place, azimuth, phase, other };
 
-/// Up to which standard error a quantity is good, and from which on it is not told.
+/// Up to which standard error a quantity is good, and from which on it is unconstrained.
 struct ErrorScale {
   bool relative = true;  ///< errors are shares of the value; else in its unit (km, degrees)
   double good = 0.0, none = 0.0;

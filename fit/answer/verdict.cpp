@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "fit/answer/derived.h"
-#include "fit/answer/what_shines.h"
+#include "fit/answer/light_source_names.h"
 #include "sim/base/file/number_text.h"
 #include "sim/scene/table/parameter_id.h"
 
@@ -18,8 +18,8 @@ constexpr double kMaxRms = 0.10;
 constexpr double kIndependentPerParameter = 10.0;
 constexpr double kMinGain = 0.5;              // of the chi2 that a dark sky leaves
 constexpr double kIndependentForShape = 5.0;  // of numbers that do not follow the course from band to band
-constexpr double kLevelGain = 0.25;           // of chi2 over the inflation squared: half a standard deviation
-constexpr double kLevelCosine =
+constexpr double kStationaryGain = 0.25;      // of chi2 over the inflation squared: half a standard deviation
+constexpr double kStationaryCosine =
     0.02;  // moving one parameter could take 0.04 % off chi2; a descent ends at 0.003 %
 constexpr double kAtTheAnswer_sigma = 0.1;  // a start so near to the answer was one already
 constexpr const char* kOneAnswerCheck = "one answer";
@@ -41,13 +41,13 @@ class Checks {
   }
 
   /// Passed unless something speaks against it: then that becomes reasons of the verdict.
-  void ask(const std::string& name, const std::string& found, const std::vector<std::string>& against) {
+  void add(const std::string& name, const std::string& found, const std::vector<std::string>& against) {
     result_.checks.push_back({name, against.empty(), against.empty() ? found : joined(against)});
     result_.reasons.insert(result_.reasons.end(), against.begin(), against.end());
   }
 
-  void ask(const std::string& name, const std::string& found, bool passed, const std::string& against) {
-    ask(name, found, passed ? std::vector<std::string>() : std::vector<std::string>{against});
+  void add(const std::string& name, const std::string& found, bool passed, const std::string& against) {
+    add(name, found, passed ? std::vector<std::string>() : std::vector<std::string>{against});
   }
 
  private:
@@ -67,49 +67,49 @@ std::string words_of_end(const std::string& termination) {
 }
 
 /// Whether moving one parameter would gain next to nothing: of chi2, or of what noise makes of it.
-bool is_level(const FitResult& r) {
-  const double share = r.steepest_cosine * r.steepest_cosine;
-  return r.steepest_cosine <= kLevelCosine ||
-         share * r.chi2 <= kLevelGain * r.error_inflation * r.error_inflation;
+bool is_stationary(const FitResult& r) {
+  const double share = r.gradient_cosine * r.gradient_cosine;
+  return r.gradient_cosine <= kStationaryCosine ||
+         share * r.chi2 <= kStationaryGain * r.error_inflation * r.error_inflation;
 }
 
 /// That the way of the search leads somewhere: down, to a level place.
-void ask_of_the_way(const FitResult& r, Checks& checks) {
+void check_convergence(const FitResult& r, Checks& checks) {
   if (std::isfinite(r.chi2_initial) && r.chi2_initial > 0.0)
-    checks.ask("chi2 fell",
+    checks.add("chi2 fell",
                fmt::format("from {} at the start to {}", sim::short_number(r.chi2_initial, 4),
                            sim::short_number(r.chi2, 4)),
                r.chi2 <= (1.0 + kNoRise) * r.chi2_initial,
-               fmt::format("chi2 is {} and was {} at the start: the search has lost its way",
+               fmt::format("chi2 is {} and was {} at the start: the search diverged",
                            sim::short_number(r.chi2, 4), sim::short_number(r.chi2_initial, 4)));
-  if (std::isfinite(r.steepest_cosine)) {
+  if (std::isfinite(r.gradient_cosine)) {
     const std::string share =
-        fmt::format("{} %", sim::short_number(100.0 * r.steepest_cosine * r.steepest_cosine, 2));
-    checks.ask("level at the end", "moving any one parameter could take no more than " + share + " off chi2",
-               is_level(r),
+        fmt::format("{} %", sim::short_number(100.0 * r.gradient_cosine * r.gradient_cosine, 2));
+    checks.add("gradient at the end",
+               "moving any one parameter could take no more than " + share + " off chi2", is_stationary(r),
                "chi2 still falls at the end: moving one parameter could take " + share + " off it");
   }
 }
 
 /// That the model is as good as the data ask for.
-void ask_of_the_misfit(const Evidence& evidence, FitResult& r, Checks& checks) {
+void check_misfit(const Evidence& evidence, FitResult& r, Checks& checks) {
   const double reduced = r.dof > 0 ? r.chi2 / r.dof : 0.0;
   std::vector<std::string> against;
   if (reduced > kMaxReducedChi2)
     against.push_back(
         fmt::format("chi2 per degree of freedom is {:.2g}: the model misses something in the data", reduced));
-  checks.ask("chi2 per degree of freedom", fmt::format("{:.2f}", reduced), against);
+  checks.add("chi2 per degree of freedom", fmt::format("{:.2f}", reduced), against);
   const double percent = 100.0 * r.rms_over_peak;
   // Of a profile that is looked at, compared by itself or not.
   if (std::isfinite(evidence.chi2_without_aurora))
-    checks.ask("rms residual", fmt::format("{:.1f} % of the profile's peak", percent),
+    checks.add("rms residual", fmt::format("{:.1f} % of the profile's peak", percent),
                !(r.rms_over_peak > kMaxRms),
                fmt::format("the rms residual is {:.1f} % of the profile's peak", percent));
-  const double independent = r.dof / std::max(1.0, r.residuals_together);
+  const double independent = r.dof / std::max(1.0, r.correlated_residuals);
   const double unknowns =
       evidence.unknowns > 0.0 ? evidence.unknowns : static_cast<double>(r.parameters.size());
   r.independent_per_unknown = independent / std::max(1.0, unknowns);
-  checks.ask(
+  checks.add(
       kPatternsCheck, fmt::format("{:.0f}", independent), independent >= kIndependentPerParameter * unknowns,
       fmt::format("the residuals form patterns, worth no more than {:.0f} independent values: see where "
                   "model and photograph differ",
@@ -118,7 +118,7 @@ void ask_of_the_misfit(const Evidence& evidence, FitResult& r, Checks& checks) {
 
 /// A sheet's length, its phase and its place along itself trade off where no end of it is in view. What was
 /// asked of the picture, where it stands, is told all the same if its distance has an error bar.
-bool is_told_by_ends_only(const FitResult& r, const FittedParameter& p) {
+bool is_constrained_by_ends_only(const FitResult& r, const FittedParameter& p) {
   for (const sim::Sheet& sheet : r.best.sheets) {
     const std::string of_sheet = "sheet." + sheet.name + ".";
     bool is_such = false;
@@ -147,10 +147,10 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 /// Parameters that the picture does not tell, and that nothing else suffers from.
-std::string not_told(const FitResult& r) {
+std::string unconstrained_parameters(const FitResult& r) {
   std::vector<std::string> names;
   for (const FittedParameter& p : r.parameters)
-    if ((!p.sigma || is_length_at_limit(p)) && is_told_by_ends_only(r, p))
+    if ((!p.sigma || is_length_at_limit(p)) && is_constrained_by_ends_only(r, p))
       names.push_back(sim::short_path(p.path, r.best.sheets.size() == 1));
   return listed(names);
 }
@@ -161,7 +161,7 @@ std::vector<std::string> without_error_bar(const FitResult& r) {
   std::vector<std::string> names;
   std::size_t coefficients = 0;
   for (const FittedParameter& p : r.parameters) {
-    if (p.sigma || is_told_by_ends_only(r, p)) continue;
+    if (p.sigma || is_constrained_by_ends_only(r, p)) continue;
     if (p.of_profile)
       ++coefficients;
     else
@@ -175,7 +175,7 @@ std::vector<std::string> without_error_bar(const FitResult& r) {
 }
 
 /// That every parameter is found, not merely left somewhere.
-void ask_of_the_parameters(const FitResult& r, Checks& checks) {
+void check_parameters(const FitResult& r, Checks& checks) {
   std::vector<std::string> at_limit, standing;
   std::size_t moved = 0;
   double furthest_sigma = 0.0;
@@ -183,22 +183,22 @@ void ask_of_the_parameters(const FitResult& r, Checks& checks) {
     moved += p.moved;
     // What has no error bar may wander without a change.
     if (p.moved) furthest_sigma = std::max(furthest_sigma, p.moved_sigma.value_or(0.0));
-    if (p.at_limit && !(is_length_at_limit(p) && is_told_by_ends_only(r, p)))
+    if (p.at_limit && !(is_length_at_limit(p) && is_constrained_by_ends_only(r, p)))
       at_limit.push_back(p.path + " is at a limit");
     if (!p.moved && p.sigma)
-      standing.push_back(p.path + " did not move from its start, though the data have a say in it");
+      standing.push_back(p.path + " did not move from its start, though the data constrain it");
   }
-  const bool started_at_answer = furthest_sigma <= kAtTheAnswer_sigma && is_level(r);
+  const bool started_at_answer = furthest_sigma <= kAtTheAnswer_sigma && is_stationary(r);
   if (started_at_answer) standing.clear();
   const std::string all = number_of(r.parameters.size(), "parameter");
-  checks.ask("moved",
+  checks.add("moved",
              !started_at_answer ? fmt::format("{} of {}", moved, all)
              : moved == 0       ? "nothing: the start was the answer"
                                 : "hardly: the start was the answer",
              standing);
-  checks.ask("inside the limits", all, at_limit);
-  const std::string untold = not_told(r);
-  checks.ask("error bars", untold.empty() ? all : all + "; not told by the picture: " + untold,
+  checks.add("inside the limits", all, at_limit);
+  const std::string unconstrained = unconstrained_parameters(r);
+  checks.add("error bars", unconstrained.empty() ? all : all + "; not told by the picture: " + unconstrained,
              without_error_bar(r));
 }
 
@@ -209,19 +209,19 @@ constexpr const char* kChecksOfParameters[] = {"moved", "inside the limits", "er
 /// Whether a number is good even if either of two answers may be the right one.
 bool is_good_at_both(const DerivedNumber& number) {
   if (!number.at_other_mode || !number.error()) return false;
-  const double apart = number.unit == "deg" ? std::remainder(*number.at_other_mode - number.value, 360.0)
-                                            : *number.at_other_mode - number.value;
-  return trust_of(number.quantity, number.value, std::hypot(*number.error(), apart)) == Trust::good;
+  const double difference = number.unit == "deg" ? std::remainder(*number.at_other_mode - number.value, 360.0)
+                                                 : *number.at_other_mode - number.value;
+  return trust_of(number.quantity, number.value, std::hypot(*number.error(), difference)) == Trust::good;
 }
 
 /// The first check of the whole that was not passed and that speaks against a number, in words; empty if
 /// there is none. Patterns from band to band are those of a course that is not the sheet's; error bars of
 /// what the profile's shape tells allow for them, unless hardly anything independent is left.
-std::string against_the_whole(const FitResult& result, const DerivedNumber& number) {
+std::string objection_to_fit(const FitResult& result, const DerivedNumber& number) {
   for (const Check& check : result.checks) {
     const auto is_name = [&](const char* name) { return check.name == name; };
     if (check.name == kOneAnswerCheck && is_good_at_both(number)) continue;
-    if (check.name == kPatternsCheck && !number.is_course &&
+    if (check.name == kPatternsCheck && !number.is_lateral &&
         result.independent_per_unknown >= kIndependentForShape)
       continue;
     if (check.passed || std::any_of(std::begin(kChecksOfParameters), std::end(kChecksOfParameters), is_name))
@@ -232,7 +232,7 @@ std::string against_the_whole(const FitResult& result, const DerivedNumber& numb
 }
 
 /// The first parameter at a limit that the number depends on.
-std::string limit_it_leans_on(const FitResult& result, const DerivedNumber& number) {
+std::string limit_it_depends_on(const FitResult& result, const DerivedNumber& number) {
   for (const FittedParameter& p : result.parameters)
     if (p.at_limit &&
         std::find(number.depends_on.begin(), number.depends_on.end(), p.path) != number.depends_on.end())
@@ -253,8 +253,8 @@ std::string error_words(const DerivedNumber& number) {
   return text;
 }
 
-void judge_one(const FitResult& result, DerivedNumber& d) {
-  d.trust = Trust::not_told;
+void assess_quantity(const FitResult& result, DerivedNumber& d) {
+  d.trust = Trust::unconstrained;
   if (!std::isfinite(d.value)) {
     d.trust_reason = d.why_none;
     return;
@@ -270,8 +270,8 @@ void judge_one(const FitResult& result, DerivedNumber& d) {
   d.trust = trust_of(d.quantity, d.value, *d.error());
   d.trust_reason = error_words(d);
   if (d.trust != Trust::good) return;
-  const std::string against = against_the_whole(result, d);
-  const std::string limit = limit_it_leans_on(result, d);
+  const std::string against = objection_to_fit(result, d);
+  const std::string limit = limit_it_depends_on(result, d);
   if (against.empty() && limit.empty()) return;
   d.trust = Trust::doubtful;
   d.trust_reason = !against.empty() ? against : "it depends on " + limit + ", which is at a limit";
@@ -293,13 +293,13 @@ const char* verdict_name(Verdict verdict) {
   return "";
 }
 
-void judge(const Evidence& evidence, FitResult& result) {
+void assess_fit(const Evidence& evidence, FitResult& result) {
   std::vector<std::string>& reasons = result.reasons;
   Checks checks(result);
   const double reduced = result.dof > 0 ? result.chi2 / result.dof : 0.0;
   if (!evidence.aurora_in_view && !evidence.stopped) {
     result.verdict = Verdict::failed;
-    checks.ask("light in view", "", false,
+    checks.add("light in view", "", false,
                "no light of the scene's " + sources_of(result.best) +
                    " falls into the region of interest: check where they are and where the camera points");
     result.verdict_line = "Do not believe it: " + reasons.front() + ".";
@@ -307,19 +307,19 @@ void judge(const Evidence& evidence, FitResult& result) {
   }
   result.checks.push_back(
       {"converged", evidence.converged && !evidence.stopped, words_of_end(result.termination)});
-  ask_of_the_way(result, checks);
-  ask_of_the_misfit(evidence, result, checks);
-  ask_of_the_parameters(result, checks);
+  check_convergence(result, checks);
+  check_misfit(evidence, result, checks);
+  check_parameters(result, checks);
   if (!evidence.curve_words.empty())
-    checks.ask("transfer curve", evidence.curve_words, evidence.against_curve);
+    checks.add("transfer curve", evidence.curve_words, evidence.against_curve);
   const std::string light = light_noun(result.best);
   if (std::isfinite(evidence.chi2_without_aurora))
-    checks.ask(light + " or none",
+    checks.add(light + " or none",
                fmt::format("a sky without any {} has chi2 {}", light,
                            sim::short_number(evidence.chi2_without_aurora, 4)),
                !(result.chi2 > kMinGain * evidence.chi2_without_aurora),
                "a sky without any " + light + " explains the data almost as well");
-  checks.ask(kOneAnswerCheck, "no other end of the search explains the data as well", !evidence.second_mode,
+  checks.add(kOneAnswerCheck, "no other end of the search explains the data as well", !evidence.second_mode,
              evidence.second_mode_text);
 
   if (evidence.stopped) {
@@ -340,8 +340,9 @@ void judge(const Evidence& evidence, FitResult& result) {
         "Believable: converged, chi2 per degree of freedom {:.2f}, rms residual {:.1f} % of the peak, every "
         "parameter determined and inside its limits{}.",
         reduced, 100.0 * result.rms_over_peak,
-        not_told(result).empty() ? ""
-                                 : ", but for " + not_told(result) + ", which the picture does not tell");
+        unconstrained_parameters(result).empty()
+            ? ""
+            : ", but for " + unconstrained_parameters(result) + ", which the picture does not tell");
   }
   // Worth knowing, and nothing against the answer: error bars go by the residuals themselves.
   std::vector<std::string> notes = unusual_sheets(result.best);
@@ -352,13 +353,13 @@ void judge(const Evidence& evidence, FitResult& result) {
   reasons.insert(reasons.end(), notes.begin(), notes.end());
 }
 
-void judge_quantities(FitResult& result) {
+void assess_quantities(FitResult& result) {
   static const std::string kGoodAllTheSame = " Good all the same: ";
   std::string good;
-  // Judged anew, it may be another one.
+  // Judged again, it may be another one.
   result.verdict_line.erase(std::min(result.verdict_line.size(), result.verdict_line.find(kGoodAllTheSame)));
   for (DerivedNumber& d : result.derived) {
-    judge_one(result, d);
+    assess_quantity(result, d);
     if (!d.is_detail && d.trust == Trust::good) good += (good.empty() ? "" : ", ") + d.name;
   }
   if (result.verdict == Verdict::doubtful && !good.empty())

@@ -24,15 +24,15 @@ struct Evidence {
 };
 
 /// Sets verdict, verdict_line, reasons and checks. Failed: not converged, or no light of the model in the
-/// region. Doubtful: chi2 no lower than at the start; an end that is not level (fit/search/steepest.h); chi2
-/// per degree of freedom above 3; residuals that hang together so much that fewer than ten independent
-/// values are left per parameter; a parameter at a limit, without an error bar, or with one and yet where it
-/// started (unless all are, and the end is level: then the start was the answer). A sheet's length, phase and
-/// place along itself are held without blame where its distance has an error bar; no clear gain over a sky
-/// without aurora; an rms residual above a tenth of the peak; a second mode; an unknown transfer curve that
-/// the data leave open. After the verdict's own reasons come notes that leave it as it is: chi2 per
-/// degree of freedom below 0.3, and unusual_sheets().
-void judge(const Evidence& evidence, FitResult& result);
+/// region. Doubtful: chi2 no lower than at the start; an end that is not level
+/// (fit/search/gradient_cosine.h); chi2 per degree of freedom above 3; residuals that hang together so much
+/// that fewer than ten independent values are left per parameter; a parameter at a limit, without an error
+/// bar, or with one and yet where it started (unless all are, and the end is level: then the start was the
+/// answer). A sheet's length, phase and place along itself are held without blame where its distance has an
+/// error bar; no clear gain over a sky without aurora; an rms residual above a tenth of the peak; a second
+/// mode; an unknown transfer curve that the data leave open. After the verdict's own reasons come notes that
+/// leave it as it is: chi2 per degree of freedom below 0.3, and unusual_sheets().
+void assess_fit(const Evidence& evidence, FitResult& result);
 
 /// Sets trust and its reason of every derived number, after the verdict of the whole has been found. A number
 /// without an error bar is not told; one with a large one is doubtful or not told by its kind's scale; one
@@ -43,6 +43,6 @@ void judge(const Evidence& evidence, FitResult& result);
 /// it changes. A parameter that the picture does not tell (a sheet's length, when no end is in view) spoils
 /// only the numbers that depend on it. The error that counts is DerivedNumber::error(). The verdict line of a
 /// doubtful fit gets a sentence on what is good all the same.
-void judge_quantities(FitResult& result);
+void assess_quantities(FitResult& result);
 
 }  // namespace vegard::fit

@@ -284,7 +284,7 @@ bool find_border_below(const BorderLight& light, const BorderSettings& settings,
       std::sqrt(1.5) * sigma / slope;  // of the light there, the peak's and the foot's half
   const double by_level = 0.5 * (upper - lower);
   p.elevation_deg = found.course_deg = cells.elevation_deg(half);
-  if (p.elevation_deg < settings.lowest_told_deg) {
+  if (p.elevation_deg < settings.lowest_measured_deg) {
     p.limit = BorderLimit::horizon;
     p.elevation_deg = p.elevation_error_deg = p.fall_deg = sim::kNaN;
     return true;
@@ -337,7 +337,7 @@ void search_border_rows(const BorderLight& light, const BorderSettings& settings
     candidate.point.brightness = amplitude;
     candidate.point.signal = amplitude / sigma;
     if (!find_border_below(light, settings, column, peak, low, foot, sigma, candidate)) continue;
-    if (candidate.point.told() && whole(peak) - whole(foot) < 0.5 * amplitude) continue;
+    if (candidate.point.measured() && whole(peak) - whole(foot) < 0.5 * amplitude) continue;
     // Two peaks over one border: the lower one's is it.
     if (!found.empty() && std::abs(found.back().course_deg - candidate.course_deg) < 0.5 &&
         found.back().point.limit == candidate.point.limit)
@@ -407,11 +407,11 @@ void add_border_scatter(BorderTrace& trace, double step_deg) {
   constexpr int kNeighbours = 3;
   const std::vector<BorderPoint> points = trace.points;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!points[i].told()) continue;
+    if (!points[i].measured()) continue;
     double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0, syy = 0.0;
     for (std::size_t k = i >= kNeighbours ? i - kNeighbours : 0;
          k <= std::min(points.size() - 1, i + kNeighbours); ++k) {
-      if (!points[k].told()) continue;
+      if (!points[k].measured()) continue;
       const double x = std::remainder(points[k].azimuth_deg - points[i].azimuth_deg, 360.0) / step_deg;
       const double y = points[k].elevation_deg - points[i].elevation_deg;
       n += 1.0, sx += x, sy += y, sxx += x * x, sxy += x * y, syy += y * y;
@@ -429,7 +429,7 @@ void hide_edge_of_ground(BorderTrace& trace) {
   for (const BorderPoint& p : trace.points) edges += p.limit == BorderLimit::ground ? 1 : 0;
   if (3 * edges < trace.points.size()) return;
   for (BorderPoint& p : trace.points)
-    if (p.told()) {
+    if (p.measured()) {
       p.limit = BorderLimit::ground;
       p.elevation_deg = p.elevation_error_deg = p.fall_deg = sim::kNaN;
     }
@@ -468,7 +468,7 @@ std::vector<BorderTrace> link_border(std::vector<std::vector<BorderCandidate>>& 
       trace.points.push_back(candidate(at).point);
     }
     hide_edge_of_ground(trace);
-    for (const BorderPoint& p : trace.points) trace.told += p.told() ? 1 : 0;
+    for (const BorderPoint& p : trace.points) trace.measured += p.measured() ? 1 : 0;
     add_border_scatter(trace, settings.azimuth_step_deg);
     traces.push_back(std::move(trace));
   }
@@ -479,9 +479,10 @@ std::string untold_border_note(const BorderTrace& trace) {
   int count[5] = {};
   for (const BorderPoint& p : trace.points) ++count[static_cast<int>(p.limit)];
   const int most = static_cast<int>(std::max_element(count + 1, count + 5) - count);
-  return fmt::format("Light at azimuths {:.0f} to {:.0f}° has its lower border beyond {}: not told there.",
-                     trace.points.front().azimuth_deg, trace.points.back().azimuth_deg,
-                     border_limit_name(static_cast<BorderLimit>(most)));
+  return fmt::format(
+      "Light at azimuths {:.0f} to {:.0f}° has its lower border beyond {}: not measured there.",
+      trace.points.front().azimuth_deg, trace.points.back().azimuth_deg,
+      border_limit_name(static_cast<BorderLimit>(most)));
 }
 
 }  // namespace
@@ -586,19 +587,19 @@ Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSet
   }
   std::vector<std::vector<BorderCandidate>> candidates = border_candidates(work, settings);
   border.traces = link_border(candidates, settings);
-  const auto is_told = [&](const BorderTrace& trace) {
-    return trace.told * cells.azimuth_step_deg >= settings.min_length_deg;
+  const auto is_measured = [&](const BorderTrace& trace) {
+    return trace.measured * cells.azimuth_step_deg >= settings.min_length_deg;
   };
   std::stable_sort(border.traces.begin(), border.traces.end(),
                    [&](const BorderTrace& a, const BorderTrace& b) {
-                     if (is_told(a) != is_told(b)) return is_told(a);
+                     if (is_measured(a) != is_measured(b)) return is_measured(a);
                      return a.mean_brightness() * static_cast<double>(a.points.size()) >
                             b.mean_brightness() * static_cast<double>(b.points.size());
                    });
   if (border.traces.size() > kMaxTraces) border.traces.resize(kMaxTraces);
   for (const BorderTrace& trace : border.traces)
-    if (is_told(trace))
-      ++border.told;
+    if (is_measured(trace))
+      ++border.measured;
     else
       border.notes.push_back(untold_border_note(trace));
   if (border.traces.empty())

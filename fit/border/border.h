@@ -23,7 +23,7 @@ struct BorderSettings {
   double azimuth_step_deg = 1.0;
   double lowest_elevation_deg = 2.0;
   /// Below it the air dims a sky that is bright by itself so fast that it looks like a border.
-  double lowest_told_deg = 6.0;
+  double lowest_measured_deg = 6.0;
   double highest_elevation_deg = 75.0;  ///< above it an arc is seen from below, and has no lower edge
   double min_signal = 8.0;              ///< of a peak above its foot, in standard deviations
   double min_contrast = 0.05;           ///< of a peak above its foot, of the brightness there
@@ -55,13 +55,13 @@ struct BorderPoint {
   double fall_deg = 0.0;    ///< from 75 to 25 % of the peak; NaN if the border is not told
   BorderLimit limit = BorderLimit::none;
 
-  bool told() const { return limit == BorderLimit::none; }
+  bool measured() const { return limit == BorderLimit::none; }
 };
 
 /// Points of one border in the order of azimuth, which may pass through north: 358, 359, 0, 1.
 struct BorderTrace {
   std::vector<BorderPoint> points;
-  int told = 0;  ///< how many of them
+  int measured = 0;  ///< how many of them
 
   double mean_brightness() const;
 };
@@ -80,7 +80,7 @@ struct SkyCells {
 
 struct Border {
   std::vector<BorderTrace> traces;  ///< those that are told first, each kind by its light
-  int told = 0;                     ///< how many of them have a border over min_length_deg
+  int measured = 0;                 ///< how many of them have a border over min_length_deg
   std::vector<std::string> notes;   ///< sentences: what is to be known of the answer
   SkyCells cells;
 };

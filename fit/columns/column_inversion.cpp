@@ -105,7 +105,7 @@ std::string farthest_line(const ColumnInversion& inversion) {
                      inversion.lines_nm[farthest], std::abs(most), most > 0.0 ? "above" : "below");
 }
 
-void judge_columns(ColumnInversion& inversion) {
+void assess_columns(ColumnInversion& inversion) {
   const ColumnSolution& best = inversion.solutions.front();
   const bool contradicts =
       inversion.degrees_of_freedom > 0 ? inversion.p_value < kMinChance : !(best.chi2 <= kMaxColumnChi2);
@@ -131,7 +131,7 @@ void judge_columns(ColumnInversion& inversion) {
     const OpenInterval& interval = estimate.interval95;
     const std::string separator = open.empty() ? "" : ", ";
     if (!interval.lower && !interval.upper)
-      open += separator + kNouns[k] + " is not told at all";
+      open += separator + kNouns[k] + " is unconstrained";
     else if (!interval.lower)
       open += separator + kNouns[k] + " is below " + column_value_text(k, *interval.upper) + " (95 %)";
     else if (!interval.upper)
@@ -217,13 +217,13 @@ ColumnInversion invert_columns(const ColumnChi2& chi2, const ColumnData& data) {
   const std::vector<ColumnValley> valleys = chi2.valleys(data);
   for (const ColumnValley& valley : valleys) {
     if (!inversion.solutions.empty() &&
-        (valley.chi2 - valleys.front().chi2 > kAlikeChi2 || valley.barrier < kMinBarrier))
+        (valley.chi2 - valleys.front().chi2 > kEquivalentChi2 || valley.barrier < kMinBarrier))
       continue;
     inversion.solutions.push_back(solution_of(chi2, data, valley));
   }
   if (inversion.degrees_of_freedom > 0)
     inversion.p_value = chi2_tail(inversion.solutions.front().chi2, inversion.degrees_of_freedom);
-  judge_columns(inversion);
+  assess_columns(inversion);
   inversion.degeneracies = degeneracies_of(inversion.solutions.front());
   return inversion;
 }

@@ -63,7 +63,7 @@ double chi2_tail(double chi2, int degrees_of_freedom);
 
 /// A second valley counts if chi2 rises by less than this from the best to it, and by more than
 /// kMinBarrier on the way back.
-inline constexpr double kAlikeChi2 = 4.0, kMinBarrier = 0.5;
+inline constexpr double kEquivalentChi2 = 4.0, kMinBarrier = 0.5;
 /// chi2 that lines without a degree of freedom may be off, and the chance below which those with some are.
 inline constexpr double kMaxColumnChi2 = 9.0, kMinChance = 0.0027;
 /// Wide: the ends of a 95 % interval are more than this factor apart.

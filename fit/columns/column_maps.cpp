@@ -80,7 +80,8 @@ void invert_pixel(const ColumnChi2& chi2, const PixelJudge& judge, const ColumnD
                       : std::sqrt(covariance(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(k)));
   const ColumnValley* second = nullptr;
   for (std::size_t v = 1; v < valleys.size() && second == nullptr; ++v)
-    if (valleys[v].chi2 - best.chi2 <= kAlikeChi2 && valleys[v].barrier >= kMinBarrier) second = &valleys[v];
+    if (valleys[v].chi2 - best.chi2 <= kEquivalentChi2 && valleys[v].barrier >= kMinBarrier)
+      second = &valleys[v];
   maps.energy_kev[i] = static_cast<float>(std::exp(best.at[kLnEnergy]));
   maps.flux_mw_m2[i] = static_cast<float>(std::exp(best.at[kLnFlux]));
   maps.oxygen_factor[i] = static_cast<float>(std::exp(best.at[kLnOxygen]));

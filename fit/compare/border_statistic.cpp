@@ -99,7 +99,7 @@ BorderStatistic::BorderStatistic(const Profile& data, const std::vector<double>&
     }
     if (clearest < kBorderClear) continue;
 
-    const Course found = course(band, green, false);
+    const BorderRow found = border_row(band, green, false);
     double variance = 0.0, sum = 0.0, second = 0.0;
     for (int r = 0; r < rows; ++r) variance += std::pow(found.slope[r] * all[r], 2);
     for (const int r : band.rows) sum += square_of_fall(fall_at(green, r), 0.0).value;
@@ -117,34 +117,34 @@ BorderStatistic::BorderStatistic(const Profile& data, const std::vector<double>&
   }
 }
 
-BorderStatistic::Course BorderStatistic::course(const Band& band, const std::vector<double>& green,
-                                                bool expected) const {
-  Course course;
-  course.slope.assign(green.size(), 0.0);
+BorderStatistic::BorderRow BorderStatistic::border_row(const Band& band, const std::vector<double>& green,
+                                                       bool expected) const {
+  BorderRow place;
+  place.slope.assign(green.size(), 0.0);
   std::vector<Square> squares;
   double sum = 0.0;
   for (std::size_t k = 0; k < band.rows.size(); ++k) {
     squares.push_back(square_of_fall(fall_at(green, band.rows[k]), expected ? band.noise_of_fall[k] : 0.0));
     sum += squares.back().value;
-    course.row += band.rows[k] * squares.back().value;
+    place.row += band.rows[k] * squares.back().value;
   }
   if (!(sum > 0.0)) {  // no light falls anywhere: as far from a border as from any other
-    course.row = 0.5 * (band.rows.front() + band.rows.back());
-    return course;
+    place.row = 0.5 * (band.rows.front() + band.rows.back());
+    return place;
   }
-  course.row /= sum;
+  place.row /= sum;
   for (std::size_t k = 0; k < band.rows.size(); ++k) {
     const int r = band.rows[k];
     for (int j = -kBorderReach; j <= kBorderReach; ++j)
-      course.slope[r + j] += (r - course.row) * squares[k].slope * fall_weight(j) / sum;
+      place.slope[r + j] += (r - place.row) * squares[k].slope * fall_weight(j) / sum;
   }
-  return course;
+  return place;
 }
 
 std::vector<BorderStatistic::Border> BorderStatistic::borders(const std::vector<double>& light) const {
   std::vector<Border> all;
   for (const Band& band : bands_)
-    all.push_back({band.band, course(band, green_of(band.band, light), false).row, band.sigma});
+    all.push_back({band.band, border_row(band, green_of(band.band, light), false).row, band.sigma});
   return all;
 }
 
@@ -156,8 +156,8 @@ void BorderStatistic::evaluate(const StatisticInput& input, double* residual, do
     std::vector<double> data = green_of(band.band, data_.mean);
     const std::vector<double> behind = green_of(band.band, light.behind);
     for (int r = 0; r < data_.rows; ++r) data[r] -= behind[r];
-    const Course seen = course(band, data, false),
-                 model = course(band, green_of(band.band, light.aurora), true);
+    const BorderRow seen = border_row(band, data, false),
+                    model = border_row(band, green_of(band.band, light.aurora), true);
     const double per_sigma = std::sqrt(weight_) / band.sigma;
     residual[n] = (seen.row - model.row) * per_sigma;
     if (jacobian == nullptr) continue;

@@ -44,12 +44,12 @@ class BorderStatistic : public Statistic {
     std::vector<double> noise_of_fall;  ///< the photograph's own
     double sigma = 0.0;
   };
-  struct Course {
+  struct BorderRow {
     double row = 0.0;
     std::vector<double> slope;  ///< d row / d light of the band's rows
   };
   /// `expected`: of light without noise, what noise would make of it.
-  Course course(const Band& band, const std::vector<double>& green, bool expected) const;
+  BorderRow border_row(const Band& band, const std::vector<double>& green, bool expected) const;
   std::vector<double> green_of(int band, const std::vector<double>& light) const;
 
   Profile data_;

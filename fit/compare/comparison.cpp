@@ -127,7 +127,7 @@ Inflation Comparison::error_inflation(const Point& point, int dof) const {
     used.push_back(i);
     residual.push_back((data().mean[i] - model[i]) / sigma()[i]);
   }
-  const double together = residuals_together(data(), used, residual);
+  const double together = correlated_residuals(data(), used, residual);
   return {residual_scale(point.chi2, dof, count, together), together};
 }
 

@@ -85,7 +85,7 @@ class Comparison {
   std::vector<double> profile_model(const Point& point) const;
   /// Held gains among the coefficients().
   int held_gains(const Point& point) const;
-  /// chi2 if there were no aurora and the sky were solved for anew. Statistics that have no value without an
+  /// chi2 if there were no aurora and the sky were solved for again. Statistics that have no value without an
   /// aurora stay as they are; infinity if nothing else is compared.
   double chi2_without_aurora(const Point& point) const;
 

@@ -22,8 +22,8 @@ class Correlation {
 
 }  // namespace
 
-double residuals_together(const Profile& data, const std::vector<std::size_t>& used,
-                          const std::vector<double>& residual) {
+double correlated_residuals(const Profile& data, const std::vector<std::size_t>& used,
+                            const std::vector<double>& residual) {
   std::vector<double> at(data.mean.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t k = 0; k < used.size(); ++k) at[used[k]] = residual[k];
   const auto correlation = [&](int d_band, int d_row, int d_channel) {
@@ -65,7 +65,7 @@ Inflation error_inflation(const Profile& data, const std::vector<std::size_t>& u
                           const std::vector<double>& residual, int dof) {
   double chi2 = 0.0;
   for (const double r : residual) chi2 += r * r;
-  const double together = residuals_together(data, used, residual);
+  const double together = correlated_residuals(data, used, residual);
   return {residual_scale(chi2, dof, static_cast<double>(used.size()), together), together};
 }
 

@@ -11,8 +11,8 @@ namespace vegard::fit {
 /// How many residuals go up and down together: the largest partial sum of their autocorrelation down the rows
 /// (to a quarter of the rows), times that across the bands (to a quarter of the bands, at least the
 /// neighbouring one), times that across channels. At least 1.
-double residuals_together(const Profile& data, const std::vector<std::size_t>& used,
-                          const std::vector<double>& residual);
+double correlated_residuals(const Profile& data, const std::vector<std::size_t>& used,
+                            const std::vector<double>& residual);
 
 /// chi2 / dof of `residuals` values of which so many go together, with one standard error of it added, for
 /// it is a mean over residuals / together independent squares: sqrt(2 together / residuals) of itself. Below
@@ -23,7 +23,7 @@ double residual_scale(double chi2, int dof, double residuals, double together);
 /// How much wider error bars must be than independent residuals of size 1 would have them.
 struct Inflation {
   double scale = 1.0;     ///< residual_scale(): of the residuals' squares
-  double together = 1.0;  ///< residuals_together()
+  double together = 1.0;  ///< correlated_residuals()
   /// Of error bars: the square root of both. Below 1 where sigma was taken too large.
   double factor() const;
 };

@@ -91,7 +91,7 @@ double weights(const std::vector<double>& sigma) {
 }
 
 /// The photograph's profile and its noise, and the comparison for the last word.
-void look_closely(const Profile& data, int threads, Observation& o) {
+void compare_at_full_resolution(const Profile& data, int threads, Observation& o) {
   o.sum_of_weights = weights(whole_sigma(o.scene, *o.photo, data, o.scene.fit.model_error));
   const double model_error = std::hypot(o.scene.fit.model_error, o.sampling_error);
   o.full = std::make_unique<Comparison>(
@@ -121,7 +121,7 @@ Observation observed(const sim::Scene& given, const Photo& photo, int threads, c
       measured_profile(scene, photo, std::make_shared<const BinGrid>(profile_bins(scene, o.region)));
   const Profile data = smoothed_by_px(rows, kProfileSmoothing_px);
   o.sampling_error = sampling_error_of(scene, photo, data, threads);
-  look_closely(data, threads, o);
+  compare_at_full_resolution(data, threads, o);
   const double smooth_rows = scene.fit.search_smoothing * o.region.height;
   const int rows_of_bin = search_rows(scene, smooth_rows);
   const Profile smooth_data =
@@ -139,7 +139,7 @@ Observation observed(const sim::Scene& given, const Photo& photo, int threads, c
   return o;
 }
 
-Observation decoded_anew(const Observation& before, const Photo& photo, int threads) {
+Observation with_other_decoding(const Observation& before, const Photo& photo, int threads) {
   Observation o;
   o.photo = &photo;
   o.scene = before.scene;
@@ -147,7 +147,7 @@ Observation decoded_anew(const Observation& before, const Photo& photo, int thre
   o.region = before.region;
   o.sampling_error = before.sampling_error;
   const Profile rows = measured_profile(o.scene, photo, before.full->data().grid);
-  look_closely(smoothed_by_px(rows, kProfileSmoothing_px), threads, o);
+  compare_at_full_resolution(smoothed_by_px(rows, kProfileSmoothing_px), threads, o);
   return o;
 }
 

@@ -40,7 +40,7 @@ Observation observed(const sim::Scene& scene, const Photo& photo, int threads, c
 
 /// The same photograph decoded otherwise, which must outlive the observation: for the last word alone,
 /// nothing coarse. What the model's sampling leaves is taken as it was.
-Observation decoded_anew(const Observation& before, const Photo& photo, int threads);
+Observation with_other_decoding(const Observation& before, const Photo& photo, int threads);
 
 /// The terms of a cost over observations, which must outlive it, as `free` must.
 enum class Detail { coarse, full };

@@ -341,7 +341,7 @@ double light_of_curve(const sim::Sheet& sheet) {
   return even.energy_flux_mw_m2 * even.width_km * even.length_km;
 }
 
-sim::Scene without_what_shines(const sim::Scene& given) {
+sim::Scene without_emitters(const sim::Scene& given) {
   sim::Scene scene = given;
   std::vector<std::string> tables = {"sheet"};
   for (const sim::EmitterKind& kind : sim::emitter_kinds()) {
@@ -388,7 +388,7 @@ sim::Scene without_what_shines(const sim::Scene& given) {
 }
 
 sim::Scene scene_of_ridges(const sim::Scene& given, const std::vector<Ridge>& ridges) {
-  sim::Scene scene = without_what_shines(given);
+  sim::Scene scene = without_emitters(given);
   for (const Ridge& ridge : ridges) add_curve(scene, ridge);
   return scene;
 }

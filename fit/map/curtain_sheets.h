@@ -63,7 +63,7 @@ double light_of_curve(const sim::Sheet& sheet);
 
 /// The scene without sheets and other emitters and without what was free or tied of them, one gain for all
 /// of the picture, and no search before the descent.
-sim::Scene without_what_shines(const sim::Scene& scene);
+sim::Scene without_emitters(const sim::Scene& scene);
 
 /// That scene with a curve for each ridge.
 sim::Scene scene_of_ridges(const sim::Scene& scene, const std::vector<Ridge>& ridges);

@@ -279,8 +279,8 @@ std::vector<Curtain> ridges_of_map(const MapResult& result, Brightness wanted) {
   const RasterFlux flux = raster_flux(result, raster, result.cells);
   const double smooth_px = kSmooth_px;
   RidgeField field(raster, smoothed_raster(raster, flux.flux, smooth_px));
-  std::vector<double> of_cell(result.told.begin(), result.told.end());
-  const std::vector<double> told = rasterised(result, raster, of_cell);
+  std::vector<double> of_cell(result.border_in_view.begin(), result.border_in_view.end());
+  const std::vector<double> in_view = rasterised(result, raster, of_cell);
   std::vector<std::vector<double>> smooth_replicates;
   std::vector<RasterFlux> replicates;
   for (const std::vector<CellFlux>& replicate : result.replicates) {
@@ -303,9 +303,9 @@ std::vector<Curtain> ridges_of_map(const MapResult& result, Brightness wanted) {
   std::vector<std::size_t> order;
   std::vector<double> heights;
   for (std::size_t i = 0; i < raster.size(); ++i)
-    if (field.is_ridge[i] && told[i] > 0.5 && !has_both_sides(i)) field.is_ridge[i] = 0;
+    if (field.is_ridge[i] && in_view[i] > 0.5 && !has_both_sides(i)) field.is_ridge[i] = 0;
   for (std::size_t i = 0; i < raster.size(); ++i)
-    if (field.is_ridge[i] && told[i] > 0.5) {
+    if (field.is_ridge[i] && in_view[i] > 0.5) {
       order.push_back(i);
       heights.push_back(field.smooth[i]);
     }
@@ -345,7 +345,7 @@ std::vector<Curtain> ridges_of_map(const MapResult& result, Brightness wanted) {
       p.distance_km = std::hypot(feet[i].east, feet[i].north);
       p.azimuth_deg = std::atan2(feet[i].east, feet[i].north) / sim::kRadiansPerDegree;
       if (p.azimuth_deg < 0.0) p.azimuth_deg += 360.0;
-      p.told = value_at(raster, told, feet[i]) > 0.5;
+      p.border_in_view = value_at(raster, in_view, feet[i]) > 0.5;
       double aside = 0.0, of_flux = 0.0, of_energy = 0.0, of_width = 0.0;
       for (std::size_t r = 0; r < replicates.size(); ++r) {
         const Section other = section(raster, smooth_replicates[r], replicates[r], feet[i], across);
@@ -384,9 +384,9 @@ std::vector<Curtain> ridges_of_map(const MapResult& result, Brightness wanted) {
     if (!is_in_all(whole, whole_of)) continue;
     // Ends that are out of view are guesses.
     std::vector<CurtainPoint>& points = curtain.points;
-    while (!points.empty() && !points.back().told) points.pop_back();
-    points.erase(points.begin(),
-                 std::find_if(points.begin(), points.end(), [](const CurtainPoint& p) { return p.told; }));
+    while (!points.empty() && !points.back().border_in_view) points.pop_back();
+    points.erase(points.begin(), std::find_if(points.begin(), points.end(),
+                                              [](const CurtainPoint& p) { return p.border_in_view; }));
     if (points.size() < 3) continue;
     curtain.length_km *= (points.size() - 1.0) / (feet.size() - 1.0);
     curtains.push_back(std::move(curtain));

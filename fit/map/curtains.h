@@ -2,7 +2,7 @@
 //
 // A ridge point is where the smoothed flux has its maximum along the direction in which it bends most
 // (Steger 1998, doi:10.1109/34.659930). Points are joined from the brightest on, in the direction across
-// that, as long as the next one is bright enough (hysteresis), and taken anew every few kilometres.
+// that, as long as the next one is bright enough (hysteresis), and taken again every few kilometres.
 #pragma once
 
 #include <vector>
@@ -25,9 +25,9 @@ struct CurtainPoint {
   WithError flux_mw_m2;            ///< at the ridge, as wide as it is told
   WithError energy_kev;            ///< mean over the curtain's width
   WithError width_km;              ///< standard deviation across, as the map has it: an upper limit
-  WithError lower_border_km;  ///< where the light of 557.7 nm, or of the scene's brightest line, has half of
-                              ///< its peak, below it
-  bool told = true;           ///< its lower border is in a used part of a picture
+  WithError lower_border_km;   ///< where the light of 557.7 nm, or of the scene's brightest line, has half of
+                               ///< its peak, below it
+  bool border_in_view = true;  ///< its lower border is in a used part of a picture
 };
 
 struct Curtain {

@@ -79,7 +79,7 @@ class CellMean {
   void add(const MapPlanes& map, std::size_t at) {
     const double q = map.energy_flux_mw_m2[at];
     if (!std::isfinite(q)) return;
-    ++told_;
+    ++constrained_;
     flux_ += q;
     const double energy = map.energy_kev[at];
     if (!(q > 0.0) || !std::isfinite(energy)) return;
@@ -90,15 +90,15 @@ class CellMean {
   }
 
   void put(int points, GeographicMap& map) const {
-    const bool is_told = 2 * told_ >= points, has_energy = is_told && weight_ > 0.0;
-    map.energy_flux_mw_m2.push_back(is_told ? flux_ / told_ : sim::kNaN);
+    const bool is_constrained = 2 * constrained_ >= points, has_energy = is_constrained && weight_ > 0.0;
+    map.energy_flux_mw_m2.push_back(is_constrained ? flux_ / constrained_ : sim::kNaN);
     map.energy_kev.push_back(has_energy ? std::exp(ln_energy_ / weight_) : sim::kNaN);
     map.relative_flux_error.push_back(has_energy ? flux_error_ / weight_ : sim::kNaN);
     map.ln_energy_error.push_back(has_energy ? energy_error_ / weight_ : sim::kNaN);
   }
 
  private:
-  int told_ = 0;
+  int constrained_ = 0;
   double flux_ = 0.0, weight_ = 0.0, ln_energy_ = 0.0, flux_error_ = 0.0, energy_error_ = 0.0;
 };
 
@@ -147,7 +147,7 @@ GeographicGrid grid_over(const std::vector<MapPlanes>& maps, EarthFrame frame, d
       }
   }
   if (!(west <= east))
-    sim::refuse_key(sim::ErrorKind::usage, "MAP", "the maps tell nothing anywhere", "a map with light in it");
+    sim::refuse_key(sim::ErrorKind::usage, "MAP", "the maps have no valid cell", "a map with light in it");
   // Cells about square in the middle, and no pole inside of one.
   const double middle = std::min(std::abs(0.5 * (south + north)), 85.0) * sim::kRadiansPerDegree;
   const double longitude_step = step_deg / std::cos(middle);

@@ -449,7 +449,7 @@ double Mapping::choose_sparsity(std::vector<MapPicture>& pictures, const sim::Gr
   return result.trials[best].sparsity;
 }
 
-/// A film of independent normal numbers, drawn anew for each replicate.
+/// A film of independent normal numbers, drawn again for each replicate.
 double normal(std::uint64_t seed, std::uint32_t replicate, std::uint32_t picture, std::uint32_t i) {
   const sim::Words w = sim::random_words(seed, sim::Stream::bootstrap, i, replicate + 1000u, picture);
   const double u = sim::fine_uniform(w[0], w[1]);
@@ -554,9 +554,9 @@ std::vector<CellFlux> Mapping::replicate(std::vector<MapPicture>& fine, const si
 
 void Mapping::tell_what_is_seen(const std::vector<MapPicture>& pictures, MapResult& result) const {
   const auto cells = static_cast<std::size_t>(result.grid.cells());
-  result.told.assign(cells, 0);
+  result.border_in_view.assign(cells, 0);
   for (std::size_t c = 0; c < cells; ++c)
-    result.told[c] = is_border_in_view(result, result.grid.middle_km(static_cast<int>(c))) ? 1 : 0;
+    result.border_in_view[c] = is_border_in_view(result, result.grid.middle_km(static_cast<int>(c))) ? 1 : 0;
   // Signal over noise of a cell by itself, at the median of the flux-weighted energies: sqrt(a' W a), where a
   // and W are taken as if a cell's light fell on pixels of like weight.
   result.sensitivity.assign(cells, 0.0f);

@@ -69,7 +69,7 @@ struct MapResult {
   std::vector<float> ln_energy_around;            ///< as CellFlux, of a wider neighbourhood
   std::vector<std::vector<CellFlux>> replicates;  ///< perturbed solutions
   std::vector<std::uint8_t>
-      told;  ///< whether light at the cell's lower border is in a used part of a picture
+      border_in_view;  ///< whether light at the cell's lower border is in a used part of a picture
   std::vector<float> sensitivity;  ///< signal to noise ratio of 1 mW m^-2 in the cell by itself
   double sparsity = 0.0;
   std::vector<MapTrial> trials;

@@ -29,19 +29,19 @@ MapImage map_image(const MapResult& result) {
   for (const double q : flux.flux) most = std::max(most, q);
   sim::Image image(raster.columns, raster.rows, {"Q", "E0", "Q_error", "lnE0_error", "sensitivity"});
   constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-  const std::vector<std::uint8_t> told = told_places(result, raster);
+  const std::vector<std::uint8_t> in_view = places_in_view(result, raster);
   for (int row = 0; row < raster.rows; ++row)
     for (int column = 0; column < raster.columns; ++column) {
       const std::size_t i = static_cast<std::size_t>(row) * raster.columns + column;
       const int y = raster.rows - 1 - row;  // the picture's first row is the northernmost
       const double q = flux.flux[i];
       const bool lit = q > kMinLitShare * most;
-      const bool is_told = told[i] != 0;
-      image.at(column, y, 0) = is_told ? static_cast<float>(q) : kNone;
+      const bool is_in_view = in_view[i] != 0;
+      image.at(column, y, 0) = is_in_view ? static_cast<float>(q) : kNone;
       image.at(column, y, 1) =
-          is_told && lit ? static_cast<float>(std::exp(flux.flux_ln_energy[i] / q)) : kNone;
-      image.at(column, y, 2) = is_told && lit ? static_cast<float>(of_flux[i] / q) : kNone;
-      image.at(column, y, 3) = is_told && lit ? static_cast<float>(of_ln[i] / q) : kNone;
+          is_in_view && lit ? static_cast<float>(std::exp(flux.flux_ln_energy[i] / q)) : kNone;
+      image.at(column, y, 2) = is_in_view && lit ? static_cast<float>(of_flux[i] / q) : kNone;
+      image.at(column, y, 3) = is_in_view && lit ? static_cast<float>(of_ln[i] / q) : kNone;
       image.at(column, y, 4) = static_cast<float>(seen[i]);
     }
   return {raster, std::move(image)};

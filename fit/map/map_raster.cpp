@@ -60,13 +60,13 @@ RasterFlux raster_flux(const MapResult& result, const MapRaster& raster, const s
   return {rasterised(result, raster, flux), rasterised(result, raster, ln)};
 }
 
-std::vector<std::uint8_t> told_places(const MapResult& result, const MapRaster& raster) {
-  std::vector<std::uint8_t> told(raster.size(), 0);
+std::vector<std::uint8_t> places_in_view(const MapResult& result, const MapRaster& raster) {
+  std::vector<std::uint8_t> in_view(raster.size(), 0);
   for (int row = 0; row < raster.rows; ++row)
     for (int column = 0; column < raster.columns; ++column)
-      told[static_cast<std::size_t>(row) * raster.columns + column] =
+      in_view[static_cast<std::size_t>(row) * raster.columns + column] =
           is_border_in_view(result, raster.place(column, row)) ? 1 : 0;
-  return told;
+  return in_view;
 }
 
 std::vector<double> smoothed_raster(const MapRaster& raster, const std::vector<double>& values,

@@ -34,7 +34,7 @@ struct RasterFlux {
 RasterFlux raster_flux(const MapResult& result, const MapRaster& raster, const std::vector<CellFlux>& cells);
 
 /// Where light at the lower border would be seen: 1, else 0.
-std::vector<std::uint8_t> told_places(const MapResult& result, const MapRaster& raster);
+std::vector<std::uint8_t> places_in_view(const MapResult& result, const MapRaster& raster);
 
 /// Gaussian of so many pixels; nothing beyond the edge.
 std::vector<double> smoothed_raster(const MapRaster& raster, const std::vector<double>& values,

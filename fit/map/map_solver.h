@@ -6,7 +6,7 @@
 //     p'|^2 / Q'^2
 //
 // with Q' the flux of a cell smoothed over its neighbours, so that a cell costs little beside bright ones,
-// and p' the neighbours' mean spectrum. Both are held for a few steps and then taken anew (reweighted l1:
+// and p' the neighbours' mean spectrum. Both are held for a few steps and then taken again (reweighted l1:
 // Candès, Wakin and Boyd 2008, doi:10.1007/s00041-008-9045-x). In between the problem is quadratic and is
 // solved by scaled gradient projection (Bonettini, Zanella and Zanni 2009,
 // doi:10.1088/0266-5611/25/1/015002): steps along x / (A'W A x) times the gradient, which is the

@@ -39,19 +39,19 @@ std::vector<QuantityVerdict> map_verdicts(const MapResult& result, const std::ve
   verdicts.push_back({"the picture is explained",
                       chi2 <= kGoodChi2  ? Trust::good
                       : chi2 <= kBadChi2 ? Trust::doubtful
-                                         : Trust::not_told,
+                                         : Trust::unconstrained,
                       fmt::format("chi2 per value {} at a model error of {} %", sim::short_number(chi2, 3),
                                   sim::short_number(model_error, 2)),
                       chi2 <= kGoodChi2 ? "the map and a smooth sky account for it within its errors"
                                         : "the residual picture shows what the map leaves"});
 
-  double all = 0.0, told = 0.0;
+  double all = 0.0, in_view = 0.0;
   for (std::size_t c = 0; c < result.cells.size(); ++c) {
     const double light = result.cells[c].flux_mw_m2 * result.grid.area_km2(static_cast<int>(c));
     all += light;
-    if (result.told[c] != 0) told += light;
+    if (result.border_in_view[c] != 0) in_view += light;
   }
-  const double share = all > 0.0 ? told / all : 0.0;
+  const double share = all > 0.0 ? in_view / all : 0.0;
   verdicts.push_back({"lower borders are in view", share >= kBorderInView ? Trust::good : Trust::doubtful,
                       fmt::format("of {:.0f} % of the energy flux", 100.0 * share),
                       share >= kBorderInView
@@ -61,7 +61,7 @@ std::vector<QuantityVerdict> map_verdicts(const MapResult& result, const std::ve
   std::vector<double> distance, distance_error, energy, energy_error, border, flux, flux_error;
   for (const Curtain& curtain : curtains)
     for (const CurtainPoint& p : curtain.points) {
-      if (!p.told) continue;
+      if (!p.border_in_view) continue;
       distance.push_back(p.distance_km);
       distance_error.push_back(p.distance_error_km / std::max(p.distance_km, 10.0));
       energy.push_back(p.energy_kev.value);
@@ -74,7 +74,7 @@ std::vector<QuantityVerdict> map_verdicts(const MapResult& result, const std::ve
     const std::string reason = "the map has no curtain with its lower border in view";
     for (const char* quantity :
          {"distance of the curtains", "energy along the curtains", "energy flux along the curtains"})
-      verdicts.push_back({quantity, Trust::not_told, "", reason});
+      verdicts.push_back({quantity, Trust::unconstrained, "", reason});
     return verdicts;
   }
   const bool errors = !result.replicates.empty();
@@ -105,11 +105,11 @@ std::vector<QuantityVerdict> map_verdicts(const MapResult& result, const std::ve
              : no_errors;
   if (!is_absolute(result)) {
     trust = std::max(trust, Trust::doubtful);
-    reason += "; relative: nobody has calibrated the sensor (sensor.calibration_error)";
+    reason += "; relative: the sensor is not calibrated (sensor.calibration_error)";
   }
   verdicts.push_back({"energy flux along the curtains", trust, range_text(flux, "mW m⁻²"), reason});
   // What rests on a picture that is not explained is not to be believed as it stands.
-  if (verdicts.front().trust == Trust::not_told)
+  if (verdicts.front().trust == Trust::unconstrained)
     for (QuantityVerdict& v : verdicts)
       if (v.trust == Trust::good) {
         v.trust = Trust::doubtful;

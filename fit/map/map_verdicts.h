@@ -12,7 +12,7 @@ namespace vegard::fit {
 
 struct QuantityVerdict {
   std::string quantity;  ///< "distance of the lower border"
-  Trust trust = Trust::not_told;
+  Trust trust = Trust::unconstrained;
   std::string value;   ///< what was found, in words with errors
   std::string reason;  ///< why so
 };

@@ -27,7 +27,7 @@ struct DirectionSectors {
   double step_deg = 1.0;
   /// Height of an observer above the air: lines of sight below the horizontal then have tangent altitudes.
   std::optional<double> observer_km{};
-  /// Needs observer_km; lowest_deg and step_deg then count for nothing.
+  /// Needs observer_km; lowest_deg and step_deg then have no effect.
   std::optional<TangentSteps> tangent{};
 };
 

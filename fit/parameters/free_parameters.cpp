@@ -188,7 +188,7 @@ std::vector<FreeNumber> free_numbers(const sim::Scene& scene) {
       continue;
     }
     const sim::PhotoEntry* photo = sim::find_photo(scene, entry.photo);
-    const sim::Scene own = photo == nullptr ? scene : sim::scene_of_photo_at_home(scene, *photo);
+    const sim::Scene own = photo == nullptr ? scene : sim::scene_of_photo_in_site_frame(scene, *photo);
     for (const sim::ParameterPath& path : sim::resolve(own, entry.path)) {
       if (FreeNumber* first = named(numbers, entry.name)) {
         first->also.push_back({path.id, entry.photo});
@@ -225,20 +225,20 @@ void start_from(const std::vector<FreeNumber>& free, const std::vector<double>& 
   }
 }
 
-double full_turn(const FreeNumber& number) {
+double wrap_period(const FreeNumber& number) {
   // A formula may well tell a turn from none: half of it is half a turn.
   if (!number.is_angle() || number.in_expressions) return 0.0;
   return number.unit() == "rad" ? 2.0 * std::acos(-1.0) : 360.0;
 }
 
-double without_turns(const FreeNumber& number, double value) {
-  const double turn = full_turn(number);
+double wrapped_angle(const FreeNumber& number, double value) {
+  const double turn = wrap_period(number);
   if (turn == 0.0 || number.min > number.id.row->min || number.max < number.id.row->max) return value;
   return value - turn * std::floor(value / turn);
 }
 
-double apart(const FreeNumber& number, double a, double b) {
-  const double turn = full_turn(number);
+double wrapped_difference(const FreeNumber& number, double a, double b) {
+  const double turn = wrap_period(number);
   return turn > 0.0 ? std::abs(std::remainder(a - b, turn)) : std::abs(a - b);
 }
 

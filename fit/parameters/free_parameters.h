@@ -79,12 +79,12 @@ void start_from(const std::vector<FreeNumber>& free, const std::vector<double>& 
 // Angles come round again.
 
 /// 360 or 2 pi for an angle, 0 for anything else, and for an angle that expressions use.
-double full_turn(const FreeNumber& number);
+double wrap_period(const FreeNumber& number);
 
 /// An angle without needless turns, unless the user's own limits say which turn is meant.
-double without_turns(const FreeNumber& number, double value);
+double wrapped_angle(const FreeNumber& number, double value);
 
 /// How far apart two values are, turns of an angle left out.
-double apart(const FreeNumber& number, double a, double b);
+double wrapped_difference(const FreeNumber& number, double a, double b);
 
 }  // namespace vegard::fit

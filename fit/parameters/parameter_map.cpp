@@ -67,13 +67,13 @@ std::vector<double> ParameterMap::input_values(const Following& following, const
 }
 
 bool ParameterMap::put(const std::vector<double>& values, sim::Scene& scene) const {
-  frame_.go_home(scene);
-  const bool within_limits = put_at_home(values, scene);
+  frame_.to_site_frame(scene);
+  const bool within_limits = put_in_site_frame(values, scene);
   frame_.carry(scene);
   return within_limits;
 }
 
-bool ParameterMap::put_at_home(const std::vector<double>& values, sim::Scene& scene) const {
+bool ParameterMap::put_in_site_frame(const std::vector<double>& values, sim::Scene& scene) const {
   for (const Place& place : places_) *sim::number_at(scene, place.id) = values[place.number];
   bool within_limits = true;
   for (const Following& f : following_) {
@@ -109,18 +109,18 @@ std::vector<std::vector<double>> ParameterMap::tie_slopes(const std::vector<doub
 
 ParameterMap::Motion ParameterMap::motion(const std::vector<double>& values, const std::vector<int>& moved,
                                           const sim::Scene& scene) const {
-  if (!frame_.station.is_elsewhere()) return motion_at_home(values, moved, scene);
+  if (!frame_.station.is_elsewhere()) return motion_in_site_frame(values, moved, scene);
   sim::Scene at_home = scene;
-  frame_.go_home(at_home);
-  put_at_home(values, at_home);
-  Motion motion = motion_at_home(values, moved, at_home);
+  frame_.to_site_frame(at_home);
+  put_in_site_frame(values, at_home);
+  Motion motion = motion_in_site_frame(values, moved, at_home);
   frame_.carry(at_home, scene, motion.numbers, motion.slopes);
   return motion;
 }
 
-ParameterMap::Motion ParameterMap::motion_at_home(const std::vector<double>& values,
-                                                  const std::vector<int>& moved,
-                                                  const sim::Scene& at_home) const {
+ParameterMap::Motion ParameterMap::motion_in_site_frame(const std::vector<double>& values,
+                                                        const std::vector<int>& moved,
+                                                        const sim::Scene& at_home) const {
   Motion motion;
   motion.moved = moved.size();
   std::vector<int> number_of_row;  // the free number that a row is, by its index in `moved`; -1: a tie

@@ -70,9 +70,9 @@ class ParameterMap {
     std::vector<bool> uses;  ///< by free number: whether it depends on it, through whatever else
   };
 
-  bool put_at_home(const std::vector<double>& values, sim::Scene& scene) const;
-  Motion motion_at_home(const std::vector<double>& values, const std::vector<int>& moved,
-                        const sim::Scene& at_home) const;
+  bool put_in_site_frame(const std::vector<double>& values, sim::Scene& scene) const;
+  Motion motion_in_site_frame(const std::vector<double>& values, const std::vector<int>& moved,
+                              const sim::Scene& at_home) const;
   std::vector<double> input_values(const Following& following, const std::vector<double>& values,
                                    const sim::Scene& scene) const;
   /// d tie / d free, [tie][free].

@@ -23,7 +23,7 @@ std::array<sim::ParameterId, Station::kNumbers> ids_of(int sheet) {
 
 }  // namespace
 
-void PhotoFrame::go_home(sim::Scene& scene) const {
+void PhotoFrame::to_site_frame(sim::Scene& scene) const {
   if (!station.is_elsewhere()) return;
   for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
     sim::Sheet at_home = sheets_at_home[s];
@@ -129,7 +129,7 @@ void PhotoFrame::carry(const sim::Scene& at_home, const sim::Scene& there,
 
 FramedScene framed_scene(const sim::Scene& scene, const sim::PhotoEntry& entry) {
   FramedScene framed;
-  framed.scene = sim::scene_of_photo_at_home(scene, entry);
+  framed.scene = sim::scene_of_photo_in_site_frame(scene, entry);
   framed.frame.name = entry.name;
   framed.frame.station = sim::station_of_photo(scene, framed.scene);
   framed.frame.sheets_at_home = framed.scene.sheets;

@@ -21,7 +21,7 @@ struct PhotoFrame {
 
   /// Gives a scene's sheets the places that they have at home, for free numbers to be written into, and
   /// carries them over again. Nothing happens to a photograph of the scene's own site.
-  void go_home(sim::Scene& scene) const;
+  void to_site_frame(sim::Scene& scene) const;
   void carry(sim::Scene& scene) const;
 
   /// Replaces the numbers of sheets at home by those that the photograph sees; other numbers stay. slopes: d

@@ -184,7 +184,7 @@ std::string range_words(double low, double high, const char* unit) {
 std::string maps(const MapResult& result, const std::vector<Curtain>& curtains) {
   const MapRaster raster = raster_over(result);
   const RasterFlux flux = raster_flux(result, raster, result.cells);
-  const std::vector<std::uint8_t> told = told_places(result, raster);
+  const std::vector<std::uint8_t> in_view = places_in_view(result, raster);
   double most = 0.0;
   std::vector<double> lit, ln;
   for (const double q : flux.flux) most = std::max(most, q);
@@ -214,7 +214,7 @@ std::string maps(const MapResult& result, const std::vector<Curtain>& curtains) 
       for (int column = 0; column < raster.columns; ++column) {
         const std::size_t i = static_cast<std::size_t>(row) * raster.columns + column;
         std::array<std::uint8_t, 3> rgb = {228, 231, 235};  // nothing is told here
-        if (told[i] != 0) rgb = colour(i);
+        if (in_view[i] != 0) rgb = colour(i);
         panel.raster.rgb.insert(panel.raster.rgb.end(), rgb.begin(), rgb.end());
       }
     add_geographic_grid(result, raster, panel);

@@ -216,7 +216,7 @@ std::string curtains_csv(const std::vector<Curtain>& curtains) {
             p.flux_mw_m2.value, p.energy_kev.value, p.width_km.value, p.lateral_error_km, p.distance_error_km,
             p.lower_border_km.error, p.flux_mw_m2.error, p.energy_kev.error, p.width_km.error})
         csv += "," + sim::csv_number(value);
-      csv += p.told ? ",1\n" : ",0\n";
+      csv += p.border_in_view ? ",1\n" : ",0\n";
     }
   return csv;
 }

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "fit/answer/told_gains.h"
+#include "fit/answer/constrained_gains.h"
 #include "fit/photo/grey_light.h"
 #include "fit/report/table/report_bins.h"
 #include "sim/emit/aurora/sheet.h"
@@ -40,7 +40,7 @@ void add_gain_and_sky_by_bins(const FittedPhoto& fitted, sim::Image& rgb) {
   for (int y = 0; y < rgb.height; ++y)
     for (int x = 0; x < rgb.width; ++x)
       for (int c = 0; c < 3; ++c) result.at(x, y, c) += static_cast<float>(mean_gain * rgb.at(x, y, c));
-  const std::vector<std::vector<bool>> told = told_gains(fitted);
+  const std::vector<std::vector<bool>> constrained = constrained_gains(fitted);
   for (std::size_t bin = 0; bin < grid.bins(); ++bin)
     for (std::size_t r = grid.first_run[bin]; r < grid.first_run[bin + 1]; ++r) {
       const BinGrid::Run& run = grid.runs[r];
@@ -48,7 +48,7 @@ void add_gain_and_sky_by_bins(const FittedPhoto& fitted, sim::Image& rgb) {
         for (int c = 0; c < 3; ++c) {
           const double behind = fitted.behind[bin * 3 + (grey ? kGreyChannel : c)];
           const int band = grid.band[bin];
-          const double gain = told[band][c] ? fitted.gain[band][c] : mean_gain;
+          const double gain = constrained[band][c] ? fitted.gain[band][c] : mean_gain;
           result.at(x, run.y, c) = static_cast<float>(behind + gain * rgb.at(x, run.y, c));
         }
     }
@@ -101,7 +101,7 @@ ModelPicture model_picture(const FittedPhoto& fitted, const Photo& photo, int th
   picture.rgb = std::move(rendering.aurora);
   // As in the fit, out-of-gamut light is clipped before gain and sky, or kept.
   const bool clips = !keeps_negative_light(photo);
-  if (clips) sim::keep_what_is_shown(picture.rgb);
+  if (clips) sim::clip_out_of_gamut(picture.rgb);
   const bool by_bins = has_named_axes(fitted.data) && !fitted.gain.empty() && !fitted.behind.empty();
   if (by_bins) add_gain_and_sky_by_bins(fitted, picture.rgb);
   for (int x = 0; x < picture.rgb.width && !by_bins; ++x)
@@ -112,7 +112,7 @@ ModelPicture model_picture(const FittedPhoto& fitted, const Photo& photo, int th
   if (!by_bins) sim::add_sky(scene.sky, picture.rgb);
   if (sim::has_night_sky(with_gain)) {
     sim::Image night_sky = sim::night_sky_light(with_gain, threads);
-    if (clips) sim::keep_what_is_shown(night_sky);
+    if (clips) sim::clip_out_of_gamut(night_sky);
     sim::add_light(night_sky, 1.0, picture.rgb);
   }
   picture.rayleigh = std::move(rendering.rayleigh);

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "fit/answer/what_shines.h"
+#include "fit/answer/light_source_names.h"
 #include "fit/photo/grey_light.h"
 #include "fit/report/corner_plot.h"
 #include "fit/report/foot_map.h"
@@ -11,9 +11,9 @@
 #include "fit/report/report_style.h"
 #include "fit/report/report_tables.h"
 #include "fit/report/table/curve_steps_table.h"
-#include "fit/report/table/judged_table.h"
 #include "fit/report/table/report_bins.h"
 #include "fit/report/table/stability_table.h"
+#include "fit/report/table/validation_table.h"
 #include "sim/base/file/html_text.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/version.h"
@@ -250,7 +250,7 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
         section("What it says about the " + light_noun(result.best),
                 believed ? ""
                          : "The verdict above is on the picture as a whole. Each number has its own: good, "
-                           "doubtful or not told.",
+                           "doubtful or unconstrained.",
                 cards);
   const std::string map = foot_map_svg(result);
   if (!map.empty()) html += section("Where it stands", "", "<div class=\"plots\">\n" + map + "</div>\n");
@@ -259,7 +259,7 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
         section("Which curtains stay",
                 "The map\u2019s curtains were made curves and settled by their beams. Then the weakest were "
                 "left out and the strongest faint ones of the map added, one after the other, and "
-                "each time all others settled anew: BIC, \u03c7\u00b2 with a price for every number, says "
+                "each time all others settled again: BIC, \u03c7\u00b2 with a price for every number, says "
                 "which change stays.",
                 steps);
   html += section(
@@ -274,10 +274,10 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
                 "moves by. What goes beyond chance (the difference of the statistical variances) is the "
                 "systematic error, added over the choices in quadrature.",
                 stability);
-  const std::string judged = judged_table(result);
+  const std::string judged = validation_table(result);
   if (!judged.empty())
     html += section(
-        "Judging the error bars",
+        "Validation of the error bars",
         "The same intervals by means that do not take \u03c7\u00b2 for a parabola. Flagged: more than "
         "half as wide again as the curvature has it, or narrower than two thirds.",
         judged);

@@ -214,12 +214,12 @@ std::string free_profiles_svg(const FitResult& result) {
     const double peak = *std::max_element(profile.rate.begin(), profile.rate.end());
     for (std::size_t i = 0; i < profile.rate.size(); ++i) {
       if (profile.rate[i] < 1e-3 * peak) continue;
-      const bool told = profile.upper[i] < 2.0 * profile.rate[i];
-      known.x.push_back(told ? profile.rate[i] : NAN);
-      known.low.push_back(told ? profile.lower[i] : NAN);
-      known.high.push_back(told ? profile.upper[i] : NAN);
+      const bool constrained = profile.upper[i] < 2.0 * profile.rate[i];
+      known.x.push_back(constrained ? profile.rate[i] : NAN);
+      known.low.push_back(constrained ? profile.lower[i] : NAN);
+      known.high.push_back(constrained ? profile.upper[i] : NAN);
       known.y.push_back(profile.altitude_km[i]);
-      unknown.x.push_back(told ? NAN : profile.rate[i]);
+      unknown.x.push_back(constrained ? NAN : profile.rate[i]);
       unknown.y.push_back(profile.altitude_km[i]);
     }
     panel.series = {known, unknown};

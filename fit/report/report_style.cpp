@@ -42,7 +42,7 @@ svg { max-width: 100%; height: auto; }
 .cards { display: grid; grid-template-columns: repeat(auto-fit, minmax(210px, 1fr)); gap: 14px; }
 .card { border: 1px solid var(--line); border-left: 4px solid var(--mark); border-radius: 6px; padding: 12px 16px;
   font-size: 14px; color: var(--soft); }
-.card.good { border-left-color: #17784a; } .card.doubtful { border-left-color: #a35f00; } .card.not-told { border-left-color: var(--line); }
+.card.good { border-left-color: #17784a; } .card.doubtful { border-left-color: #a35f00; } .card.unconstrained { border-left-color: var(--line); }
 .card .trust { margin-top: 4px; font-size: 13px; }
 .card .big { font-size: 20px; white-space: nowrap; font-weight: 600; color: var(--ink); }
 .unit { font-weight: 400; font-size: 0.86em; color: var(--soft); }

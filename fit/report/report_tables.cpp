@@ -72,8 +72,8 @@ std::string card_class(Trust trust) {
       return "good";
     case Trust::doubtful:
       return "doubtful";
-    case Trust::not_told:
-      return "not-told";
+    case Trust::unconstrained:
+      return "unconstrained";
   }
   return "";
 }

@@ -68,7 +68,7 @@ std::string in_words(const ceres::Solver::Summary& summary) {
       else if (begins_with(summary.message, "Parameter tolerance"))
         words += ": another step would hardly move the parameters";
       else if (begins_with(summary.message, "Gradient tolerance"))
-        words += ": chi2 is level in every direction";
+        words += ": the gradient of chi2 vanishes";
       break;
     case ceres::NO_CONVERGENCE:
       words = "not converged within the iterations of a descent";

@@ -135,10 +135,10 @@ void FileJournal::open(const JournalSubject& subject, JournalMode mode) {
   if (mode == JournalMode::fresh && has_steps)
     throw refused(
         file_, "holds the finished steps of a fit that was cut off",
-        "use --resume to go on with it, --overwrite to begin anew, or choose another name for the run");
+        "use --resume to go on with it, --overwrite to begin again, or choose another name for the run");
   if (mode == JournalMode::resume && has_steps && !same)
     throw refused(file_, difference(Json::parse(*checked_text(header.substr(0, header.size() - 1))), found),
-                  "call it as before, or use --overwrite without --resume to begin anew");
+                  "call it as before, or use --overwrite without --resume to begin again");
   if (mode != JournalMode::resume || !same) {
     steps_.clear();
     dropped_ = 0;

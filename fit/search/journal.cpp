@@ -12,7 +12,7 @@ void StepOutput::refuse(const std::string& key) const {
   details.file = kept_in;
   details.key = key;
   details.problem = "a finished step of the fit does not have what belongs there";
-  details.hint = "use --overwrite without --resume to begin anew";
+  details.hint = "use --overwrite without --resume to begin again";
   throw sim::Error(sim::ErrorKind::existing_output, details);
 }
 
@@ -59,26 +59,26 @@ StepOutput recorded_step(Journal* journal, const std::string& name, std::size_t 
                          std::vector<TraceRow>& trace, const std::function<StepOutput()>& work) {
   const std::size_t rows_before = trace.size();
   bool worked = false;
-  const auto with_books = [&] {
+  const auto with_counters = [&] {
     worked = true;
     StepOutput output = work();
     output.trace.assign(trace.begin() + static_cast<std::ptrdiff_t>(rows_before), trace.end());
-    output.books = {log.residuals, log.jacobians, log.best_chi2, log.best_is_full, log.best_values};
+    output.counters = {log.residuals, log.jacobians, log.best_chi2, log.best_is_full, log.best_values};
     if (log.stop != nullptr && log.stop->load()) output.whole = false;
     return output;
   };
-  StepOutput output = journal == nullptr ? with_books() : journal->step(name, with_books);
+  StepOutput output = journal == nullptr ? with_counters() : journal->step(name, with_counters);
   if (!worked) {
     for (const TraceRow& row : output.trace)
       if (row.values.size() != free) output.refuse("trace");
-    const std::size_t best = output.books.best_values.size();
+    const std::size_t best = output.counters.best_values.size();
     if (best != free && best != 0) output.refuse("books");
     trace.insert(trace.end(), output.trace.begin(), output.trace.end());
-    log.residuals = output.books.residuals;
-    log.jacobians = output.books.jacobians;
-    log.best_chi2 = output.books.best_chi2;
-    log.best_is_full = output.books.best_is_full;
-    log.best_values = output.books.best_values;
+    log.residuals = output.counters.residuals;
+    log.jacobians = output.counters.jacobians;
+    log.best_chi2 = output.counters.best_chi2;
+    log.best_is_full = output.counters.best_is_full;
+    log.best_values = output.counters.best_values;
   }
   return output;
 }

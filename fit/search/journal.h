@@ -22,12 +22,12 @@ struct StepOutput {
   std::map<std::string, bool> flags;
   std::vector<TraceRow> trace;  ///< rows that the step has added
   /// The books after the step: those of EvaluationLog that change.
-  struct Books {
+  struct Counters {
     int residuals = 0, jacobians = 0;
     double best_chi2 = 0.0;
     bool best_is_full = false;
     std::vector<double> best_values;
-  } books;
+  } counters;
   bool whole = true;    ///< false: the user cut it short. Such an output is handed on and never stored
   std::string kept_in;  ///< the journal that it was read from; empty of one that was just worked out
 

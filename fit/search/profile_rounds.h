@@ -21,8 +21,8 @@ inline constexpr double kFirstPriorWeight = 10.0;
 /// Smoothness for a first descent: the user's, or one that lets second differences be about 1.
 double first_smoothness(const sim::Scene& scene);
 
-/// Descents from `from`, with inflation and smoothness (unless fit.profile_smoothness says) taken anew before
-/// each, until neither changes by more than a tenth, or five times. For fits with priors or free-form
+/// Descents from `from`, with inflation and smoothness (unless fit.profile_smoothness says) taken again
+/// before each, until neither changes by more than a tenth, or five times. For fits with priors or free-form
 /// profiles. Every round is a step of `journal`.
 Settled settle(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                const std::vector<CostTerm>& terms, const Descent& from, EvaluationLog& log,

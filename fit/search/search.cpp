@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "fit/parameters/volume_starts.h"
-#include "fit/search/course.h"
 #include "fit/search/journal.h"
+#include "fit/search/lateral_offsets.h"
 #include "fit/search/profile_rounds.h"
 #include "fit/search/sine_numbers.h"
 #include "sim/base/number/constants.h"
@@ -29,9 +29,9 @@ constexpr int kOfFootprints = 4;             // one trial for so many of sheets
 constexpr double kPull = 0.3;                // of the distance: what a start may well be off by
 constexpr double kCoarsePriorWeight = 20.0;  // residuals of smoothed profiles hang together
 constexpr int kSines = 8, kSinesOfEach = 3;  // of one sheet alone, and of each of several
-constexpr int kRoundsAnew = 3, kDescentsAnew = 2;
-constexpr double kBetterAnew = 1e-3;  // of chi2
-constexpr double kHopeless = 4.0;     // times the chi2 of the best trial: not worth a descent
+constexpr int kExchangeRounds = 3, kExchangeDescents = 2;
+constexpr double kExchangeGain = 1e-3;  // of chi2
+constexpr double kHopeless = 4.0;       // times the chi2 of the best trial: not worth a descent
 constexpr int kCourseRounds = 2;
 constexpr double kNearWaveNumber = 2e-3;  // per km, by which a round may move it: half a wave in 250 km
 constexpr double kNearlyStraight = 0.1;
@@ -132,7 +132,8 @@ class Search {
     if (scene_.fit.scan_points > 0 && !searched_.empty()) {
       const Trial straight =
           trials_step("overall", 1, [&] { return std::vector<Trial>{overall(ends.front())}; }).front();
-      std::vector<Trial> trials = trials_step("course", 0, [&] { return by_course(straight); });
+      std::vector<Trial> trials =
+          trials_step("lateral offsets", 0, [&] { return by_lateral_offsets(straight); });
       if (trials.empty()) trials = trials_step("scan", 0, [&] { return scan(straight); });
       if (has_movable_footprint(free_))
         for (Trial& trial : trials_step("volumes", 0, [&] { return other_footprints(straight); }))
@@ -140,7 +141,7 @@ class Search {
       trials.push_back(ends.front());  // whoever starts close is not to be led away
       sort(trials);
       ends = descend_from(trials, scene_.fit.scan_descents, "descent");
-      look_anew(ends);
+      search_sines_again(ends);
     }
     std::vector<Descent> polished;
     for (std::size_t i = 0; i < ends.size() && static_cast<int>(i) < scene_.fit.polish_descents; ++i) {
@@ -152,7 +153,7 @@ class Search {
     std::stable_sort(polished.begin(), polished.end(), better);
     if (has_lost_a_sine(polished.front().values) && !log_.exhausted()) {
       std::vector<Trial> others = {tried(polished.front().values)};
-      look_anew(others, ", polished");
+      search_sines_again(others, ", polished");
       if (others.size() > 1) polished.push_back(polish(others.front(), "polish of another sine", 0.88));
       std::stable_sort(polished.begin(), polished.end(), better);
     }
@@ -370,13 +371,13 @@ class Search {
     return scene;
   }
 
-  std::vector<std::vector<CoursePoint>> courses_at(const Values& values) {
+  std::vector<std::vector<LateralOffset>> offsets_at(const Values& values) {
     ++log_.residuals;
     ++log_.jacobians;
     const CostTerm& first = models_.coarse.front();
     sim::Scene scene = first.scene;
     first.map.put(values, scene);
-    return courses(*first.comparison, scene);
+    return lateral_offsets(*first.comparison, scene);
   }
 
   /// Sheets whose sines are to be found.
@@ -389,23 +390,23 @@ class Search {
     return waved;
   }
 
-  /// Trials of the sheets' sines from their courses; none where the bands do not show enough of a sheet.
-  std::vector<Trial> by_course(const Trial& straight) {
+  /// Trials of the sheets' sines from their offsets; none where the bands do not show enough of a sheet.
+  std::vector<Trial> by_lateral_offsets(const Trial& straight) {
     const std::vector<int> waved = waved_sheets();
     if (waved.empty()) return {};
-    tell("course", 0.1);
-    const auto found = courses_at(straight.values);
+    tell("lateral offsets", 0.1);
+    const auto found = offsets_at(straight.values);
     std::vector<Values> starts = {straight.values};
     for (const int s : waved) {
       const SineNumbers sine = sine_of(s);
       const auto [least, most] = wavelengths_of(sine, s, straight.values);
-      const std::vector<SineThroughCourse> sines =
+      const std::vector<SineThroughOffsets> sines =
           sines_through(found[s], 0.5 * scene_at(straight.values).sheets[s].length_km, least, most,
                         free_[sine.thickness].start, waved.size() > 1 ? kSinesOfEach : kSines);
       if (sines.empty()) return {};
       std::vector<Values> more;
       for (const Values& start : starts)
-        for (const SineThroughCourse& candidate : sines) {
+        for (const SineThroughOffsets& candidate : sines) {
           more.push_back(start);
           take_sine(scene_, free_, candidate, s, more.back());
         }
@@ -413,18 +414,18 @@ class Search {
     }
     std::vector<Trial> trials = {straight};
     for (std::size_t i = 0; i < starts.size() && !log_.exhausted(); ++i) {
-      tell("course", 0.1 + 0.3 * static_cast<double>(i) / static_cast<double>(starts.size()));
+      tell("lateral offsets", 0.1 + 0.3 * static_cast<double>(i) / static_cast<double>(starts.size()));
       Trial best = tried(starts[i]);
       Values values = starts[i];
       for (int round = 0; round < kCourseRounds && !log_.exhausted(); ++round) {
-        const auto again = courses_at(values);
+        const auto again = offsets_at(values);
         for (const int s : waved) {
           const SineNumbers sine = sine_of(s);
           const double length = scene_at(values).sheets[s].length_km;
           const double now = scene_at(values).sheets[s].wavelength_km;
           const auto [least, most] = wavelengths_of(sine, s, straight.values);
           const double near = sine.wavelength >= 0 ? kNearWaveNumber : 0.0;
-          const std::vector<SineThroughCourse> sines =
+          const std::vector<SineThroughOffsets> sines =
               sines_through(again[s], 0.5 * length, std::max(least, 1.0 / (1.0 / now + near)),
                             1.0 / std::max(1.0 / most, 1.0 / now - near), free_[sine.thickness].start, 1);
           if (!sines.empty()) take_sine(scene_, free_, sines.front(), s, values);
@@ -435,7 +436,7 @@ class Search {
       trials.push_back(best);
     }
     sort(trials);
-    record(trials.front(), "course");
+    record(trials.front(), "lateral offsets");
     return trials;
   }
 
@@ -574,29 +575,29 @@ class Search {
   }
 
   /// Sheets that stand one behind the other take each other's waves in the first trials. So pairs exchange
-  /// their sines, each sheet's sine is looked for anew with the others as they were found, and what explains
+  /// their sines, each sheet's sine is looked for again with the others as they were found, and what explains
   /// the picture better goes to the front of `ends`, until no sheet gives way.
-  void look_anew(std::vector<Trial>& ends, const std::string& of = {}) {
+  void search_sines_again(std::vector<Trial>& ends, const std::string& of = {}) {
     const std::vector<int> waved = waved_sheets();
     if (waved.size() < 2) return;
-    for (int round = 0; round < kRoundsAnew; ++round) {
+    for (int round = 0; round < kExchangeRounds; ++round) {
       bool any_better = false;
       const auto try_step = [&](const std::string& what, const std::function<std::vector<Trial>()>& work) {
         if (log_.exhausted()) return;
         tell(what, 0.8);
         const std::vector<Trial> found = trials_step(what, 0, work);
-        if (found.empty() || found.front().chi2 > (1.0 - kBetterAnew) * ends.front().chi2) return;
+        if (found.empty() || found.front().chi2 > (1.0 - kExchangeGain) * ends.front().chi2) return;
         ends.insert(ends.begin(), found.front());
         any_better = true;
       };
-      const std::string anew = " anew " + std::to_string(round + 1) + of;
+      const std::string exchange = " exchange " + std::to_string(round + 1) + of;
       for (std::size_t i = 0; i + 1 < waved.size(); ++i) {
         const std::string name =
-            "sheets " + std::to_string(waved[i] + 1) + " and " + std::to_string(waved[i + 1] + 1) + anew;
+            "sheets " + std::to_string(waved[i] + 1) + " and " + std::to_string(waved[i + 1] + 1) + exchange;
         try_step(name, [&] { return with_sines_exchanged(ends.front(), waved[i], waved[i + 1], name); });
       }
       for (const int s : waved) {
-        const std::string name = "sheet " + std::to_string(s + 1) + anew;
+        const std::string name = "sheet " + std::to_string(s + 1) + exchange;
         try_step(name, [&] { return with_another_sine(ends.front(), s, name); });
       }
       if (!any_better) return;
@@ -629,8 +630,8 @@ class Search {
     straight[sine.thickness] = inside(free_[sine.thickness], kNearlyStraight * straight[sine.thickness]);
     std::vector<Trial> trials;
     for (const Values& values : {straight, from.values})
-      for (const SineThroughCourse& candidate :
-           sines_through(courses_at(values)[sheet], 0.5 * scene_at(values).sheets[sheet].length_km, least,
+      for (const SineThroughOffsets& candidate :
+           sines_through(offsets_at(values)[sheet], 0.5 * scene_at(values).sheets[sheet].length_km, least,
                          most, free_[sine.thickness].start, kSines)) {
         Values other = from.values;
         take_sine(scene_, free_, candidate, sheet, other);
@@ -640,7 +641,7 @@ class Search {
       }
     sort(trials);
     std::vector<Trial> ends;
-    for (int i = 0; i < kDescentsAnew && i < static_cast<int>(trials.size()) && !log_.exhausted(); ++i)
+    for (int i = 0; i < kExchangeDescents && i < static_cast<int>(trials.size()) && !log_.exhausted(); ++i)
       ends.push_back(partial_descent(trials[i], searched_, stage));
     sort(ends);
     if (!ends.empty()) record(ends.front(), stage);

@@ -40,7 +40,7 @@ SineNumbers sine_numbers(const std::vector<FreeNumber>& free, int sheet) {
   return sine;
 }
 
-void take_sine(const sim::Scene& start, const std::vector<FreeNumber>& free, const SineThroughCourse& found,
+void take_sine(const sim::Scene& start, const std::vector<FreeNumber>& free, const SineThroughOffsets& found,
                int s, std::vector<double>& values) {
   const sim::Scene scene = scene_at(start, free, values);
   const sim::Sheet& sheet = scene.sheets[s];

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fit/parameters/free_parameters.h"
-#include "fit/search/course.h"
+#include "fit/search/lateral_offsets.h"
 
 namespace vegard::fit {
 
@@ -17,7 +17,7 @@ SineNumbers sine_numbers(const std::vector<FreeNumber>& free, int sheet);
 /// Puts a sine found from a sheet's course into the values of its free numbers: wavelength, amplitude and
 /// phase, and the line that it goes about into centre and bearing. `start` is the scene in whose frame the
 /// numbers are.
-void take_sine(const sim::Scene& start, const std::vector<FreeNumber>& free, const SineThroughCourse& found,
+void take_sine(const sim::Scene& start, const std::vector<FreeNumber>& free, const SineThroughOffsets& found,
                int sheet, std::vector<double>& values);
 
 }  // namespace vegard::fit

@@ -66,8 +66,8 @@ std::string step_text(const std::string& name, const StepOutput& output) {
   json["trace"] = Json::array();
   for (const TraceRow& row : output.trace)
     json["trace"].push_back({row.stage, row.evaluation, bits({row.chi2}), bits(row.values)});
-  json["books"] = {output.books.residuals, output.books.jacobians, bits({output.books.best_chi2}),
-                   output.books.best_is_full, bits(output.books.best_values)};
+  json["books"] = {output.counters.residuals, output.counters.jacobians, bits({output.counters.best_chi2}),
+                   output.counters.best_is_full, bits(output.counters.best_values)};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -84,9 +84,9 @@ std::optional<std::pair<std::string, StepOutput>> step_of_text(const std::string
                               one_double(row.at(2).get<std::string>()),
                               doubles(row.at(3).get<std::string>())});
     const Json& books = json.at("books");
-    output.books = {books.at(0).get<int>(), books.at(1).get<int>(),
-                    one_double(books.at(2).get<std::string>()), books.at(3).get<bool>(),
-                    doubles(books.at(4).get<std::string>())};
+    output.counters = {books.at(0).get<int>(), books.at(1).get<int>(),
+                       one_double(books.at(2).get<std::string>()), books.at(3).get<bool>(),
+                       doubles(books.at(4).get<std::string>())};
     return std::make_pair(json.at("step").get<std::string>(), output);
   } catch (const std::exception&) {
     return {};

@@ -71,7 +71,7 @@ void add_curtain(const Curtain& curtain, int item, const sim::Scene& scene, cons
   put("length", "km", curtain.length_km, unknown, {});
   const CurtainPoint* nearest = nullptr;
   for (const CurtainPoint& p : curtain.points)
-    if (p.told && (nearest == nullptr || p.distance_km < nearest->distance_km)) nearest = &p;
+    if (p.border_in_view && (nearest == nullptr || p.distance_km < nearest->distance_km)) nearest = &p;
   if (nearest == nullptr) return;
   put("distance of the nearest point", "km", nearest->distance_km, nearest->distance_error_km,
       trusts.distance);
@@ -116,7 +116,7 @@ std::optional<WorkAnswer> map_answer(const Photo& photo, const sim::Scene& scene
   }
   double in_view = 0.0;
   for (std::size_t c = 0; c < map.cells.size(); ++c)
-    if (map.told[c] != 0)
+    if (map.border_in_view[c] != 0)
       in_view += kMegawattPerMw_km2 * map.cells[c].flux_mw_m2 * map.grid.area_km2(static_cast<int>(c));
   if (totals.power_mw > 0.0)
     put("share of the energy flux with its lower border in view", "", in_view / totals.power_mw, {});

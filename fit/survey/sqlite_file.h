@@ -35,7 +35,7 @@ class SqliteStatement {
     return value ? bind(place, *value) : bind_null(place);
   }
 
-  /// The next row; false after the last, and the statement may be bound and stepped anew.
+  /// The next row; false after the last, and the statement may be bound and stepped again.
   bool step();
   /// step() of what gives no row.
   void run();

@@ -28,7 +28,7 @@ SurveyColumns survey_columns(const SurveyReader& reader) {
       for (const SurveyQuantity& q : w.quantities) {
         if (!is_in_column(w.work, q)) continue;
         all.columns.insert({w.work, q.name, q.unit});
-        if (q.trust) all.judged.insert({w.work, q.name, q.unit});
+        if (q.trust) all.with_trust.insert({w.work, q.name, q.unit});
       }
     }
   });

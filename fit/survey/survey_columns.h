@@ -21,7 +21,7 @@ struct SurveyColumns {
   int frames = 0;
   std::map<SurveyWork, std::set<std::string>> verdicts;  ///< that frames have, of each work
   std::set<SurveyColumn> columns;
-  std::set<SurveyColumn> judged;  ///< those of which somebody says whether to trust them
+  std::set<SurveyColumn> with_trust;  ///< those of which somebody says whether to trust them
 };
 
 /// Reads all frames once.

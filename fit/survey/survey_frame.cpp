@@ -63,20 +63,20 @@ WorkAnswer border_answer(const Photo& photo, const sim::Scene& scene, int channe
   const Border border = trace_border(photo, scene, settings);
   WorkAnswer answer;
   answer.work = SurveyWork::border;
-  answer.verdict = border.told > 0 ? "good" : "none";
+  answer.verdict = border.measured > 0 ? "good" : "none";
   std::string words;
   for (const std::string& note : border.notes) words += (words.empty() ? "" : "; ") + note;
   if (!words.empty()) answer.words = words;
   for (std::size_t t = 0; t < border.traces.size(); ++t) {
     const BorderTrace& trace = border.traces[t];
-    if (trace.told == 0) continue;
+    if (trace.measured == 0) continue;
     const BorderSummary s = border_summary(trace, scene);
     const int item = static_cast<int>(t) + 1;
     const auto put = [&](const std::string& name, const std::string& unit, double value,
                          std::optional<double> sigma = std::nullopt) {
       answer.quantities.push_back({item, name, unit, finite_or_none(value), sigma, {}, {}});
     };
-    put("points", "", trace.told);
+    put("points", "", trace.measured);
     put("from azimuth", "deg", s.from_azimuth_deg);
     put("to azimuth", "deg", s.to_azimuth_deg);
     put("lowest elevation", "deg", s.lowest_deg);

@@ -120,7 +120,7 @@ class SurveyNetcdf {
       at_time(verdicts_.back().second.variable());
     }
     for (const SurveyColumn& column : all.columns)
-      define_quantity(column, all.judged.count(column) > 0, frame);
+      define_quantity(column, all.with_trust.count(column) > 0, frame);
     if (has_motion(database)) define_motion(database, frame);
     describe(reader);
   }
@@ -180,21 +180,21 @@ class SurveyNetcdf {
   }
   void at_time(const NetcdfFile::Variable& variable) { file_.attribute(variable, "coordinates", "time"); }
 
-  void define_quantity(const SurveyColumn& column, bool is_judged,
+  void define_quantity(const SurveyColumn& column, bool has_trust,
                        const std::vector<NetcdfFile::Dimension>& frame) {
     const std::string work = survey_work_name(column.work), name = names_.of(work + " " + column.name);
-    const std::string sigma = names_.of(name + "_sigma"), trust = is_judged ? names_.of(name + "_trust") : "";
+    const std::string sigma = names_.of(name + "_sigma"), trust = has_trust ? names_.of(name + "_trust") : "";
     QuantityColumns made{column, RealColumn(file_, name, column.name, column.unit, frame),
                          RealColumn(file_, sigma, "standard deviation of " + column.name, column.unit, frame),
                          std::nullopt};
-    if (is_judged)
+    if (has_trust)
       made.trust.emplace(file_, trust, "whether to trust " + column.name,
                          std::vector<std::string>{trust_name(Trust::good), trust_name(Trust::doubtful),
-                                                  trust_name(Trust::not_told)},
+                                                  trust_name(Trust::unconstrained)},
                          frame);
     if (column.unit == "white")
       file_.attribute(made.value.variable(), "comment", "share of the picture's white");
-    file_.attribute(made.value.variable(), "ancillary_variables", sigma + (is_judged ? " " + trust : ""));
+    file_.attribute(made.value.variable(), "ancillary_variables", sigma + (has_trust ? " " + trust : ""));
     for (const NetcdfFile::Variable& one : {made.value.variable(), made.sigma.variable()}) at_time(one);
     if (made.trust) at_time(made.trust->variable());
     quantities_.push_back(std::move(made));

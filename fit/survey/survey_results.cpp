@@ -334,7 +334,7 @@ ShardResults::ShardResults(const std::string& file, const SurveyPlan& plan)
     throw sim::Error(sim::ErrorKind::existing_output, {problem, file, 0, {}, {}, hint});
   };
   if (reader.plans().size() != 1 || reader.plans()[0].sha256 != of.sha256)
-    refuse("is of another plan", "choose another folder, or remove this one to begin anew");
+    refuse("is of another plan", "choose another folder, or remove this one to begin again");
   if (reader.origins().size() != 1 || !(reader.origins()[0].versions == versions))
     refuse("is of " + reader.origins()[0].versions.words() + "; this is " + versions.words(),
            "choose another folder, or go on with the same version");

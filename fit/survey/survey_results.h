@@ -51,7 +51,7 @@ bool has_motion(const SqliteFile& file);
 void make_motion_tables(SqliteFile& file);
 void drop_motion_tables(SqliteFile& file);
 
-/// Rows, as they are; for merging, which numbers them anew.
+/// Rows, as they are; for merging, which numbers them again.
 class SurveyWriter {
  public:
   explicit SurveyWriter(SqliteFile& file);

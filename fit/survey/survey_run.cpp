@@ -115,7 +115,7 @@ bool run_shard(const SurveyPlan& plan, const BlockRange& blocks, ShardResults& r
   return true;
 }
 
-int forget_what_came_since(const SurveyPlan& plan, const BlockRange& blocks, ShardResults& results) {
+int discard_outdated_results(const SurveyPlan& plan, const BlockRange& blocks, ShardResults& results) {
   int forgotten = 0;
   for (int b = blocks.begin; b < blocks.end; ++b) {
     const PlannedBlock& block = plan.blocks[static_cast<std::size_t>(b)];

@@ -30,7 +30,7 @@ bool run_shard(const SurveyPlan& plan, const BlockRange& blocks, ShardResults& r
 /// could not be read and is another file: run_shard() then does it as if it had been there from the
 /// beginning, with all that follows it in its block. How many frames are to be done again. Throws as
 /// ShardResults does.
-int forget_what_came_since(const SurveyPlan& plan, const BlockRange& blocks, ShardResults& results);
+int discard_outdated_results(const SurveyPlan& plan, const BlockRange& blocks, ShardResults& results);
 
 /// "shard-0003-of-0120.sqlite".
 std::string shard_name(int shard, int shards);

@@ -6,7 +6,7 @@
 // doi:10.1214/aos/1176344552; of whole blocks in place of single values, H. R. Künsch, Annals of Statistics
 // 17 (1989) 1217, doi:10.1214/aos/1176347265. Rows that belong to no band (what was known beforehand) are
 // always there, each with its residual shifted by a standard normal number, as if what it tells had been told
-// anew.
+// again.
 #pragma once
 
 #include <atomic>

@@ -32,7 +32,7 @@ Rows rows_of(const std::vector<double>& all, std::size_t length) {
 }  // namespace
 
 double limit_variance(const FreeNumber& n, double slope) {
-  const double turn = full_turn(n);
+  const double turn = wrap_period(n);
   const double of_turn = turn > 0.0 && slope > 0.0 ? turn * turn / (12.0 * slope * slope)
                                                    : std::numeric_limits<double>::infinity();
   const double of_limits = std::isfinite(n.min) && std::isfinite(n.max)

@@ -65,7 +65,7 @@ struct Member {
   double size() const { return std::abs(change) / noticeable; }
 };
 
-Member member_of(const SpokenNumber& n, double change, std::size_t index) {
+Member member_of(const DescribedNumber& n, double change, std::size_t index) {
   Member m;
   m.noun = n.noun;
   m.owner = n.owner;
@@ -85,7 +85,7 @@ Member member_of(const SpokenNumber& n, double change, std::size_t index) {
 }
 
 /// A step of a sheet's centre, as the observer sees it.
-Member place_member(const SpokenNumber& n, double east, double north, std::vector<std::size_t> of) {
+Member place_member(const DescribedNumber& n, double east, double north, std::vector<std::size_t> of) {
   Member m;
   m.owner = n.owner;
   m.unit = n.unit;
@@ -106,8 +106,8 @@ Member place_member(const SpokenNumber& n, double east, double north, std::vecto
 
 /// East or north by itself. Where the other component is free too and neither points at the observer, only
 /// the compass tells them apart.
-Member lone_place_member(const SpokenNumber& n, double change, std::size_t index) {
-  const bool east = n.place == SpokenNumber::Place::east;
+Member lone_place_member(const DescribedNumber& n, double change, std::size_t index) {
+  const bool east = n.place == DescribedNumber::Place::east;
   Member m = place_member(n, east ? change : 0.0, east ? 0.0 : change, {index});
   if (!n.other_component_free || std::abs(m.change) > kNearlyAll * std::abs(change)) return m;
   m.noun = east ? "place to the east" : "place to the north";
@@ -156,21 +156,22 @@ double round_amount(double amount) {
   return best;
 }
 
-std::vector<Member> members_of(const std::vector<SpokenNumber>& numbers,
+std::vector<Member> members_of(const std::vector<DescribedNumber>& numbers,
                                const std::vector<double>& direction) {
   std::vector<Member> members;
   std::vector<bool> told(numbers.size(), false);
   for (std::size_t j = 0; j < numbers.size(); ++j) {
     if (told[j] || direction[j] == 0.0 || !std::isfinite(direction[j])) continue;
-    if (numbers[j].place == SpokenNumber::Place::none) {
+    if (numbers[j].place == DescribedNumber::Place::none) {
       members.push_back(member_of(numbers[j], direction[j], j));
       continue;
     }
     double east = 0.0, north = 0.0;
     std::vector<std::size_t> of;
     for (std::size_t k = j; k < numbers.size(); ++k) {
-      if (numbers[k].centre != numbers[j].centre || numbers[k].place == SpokenNumber::Place::none) continue;
-      (numbers[k].place == SpokenNumber::Place::east ? east : north) += direction[k];
+      if (numbers[k].centre != numbers[j].centre || numbers[k].place == DescribedNumber::Place::none)
+        continue;
+      (numbers[k].place == DescribedNumber::Place::east ? east : north) += direction[k];
       told[k] = true;
       of.push_back(k);
     }
@@ -181,18 +182,18 @@ std::vector<Member> members_of(const std::vector<SpokenNumber>& numbers,
 
 }  // namespace
 
-std::vector<SpokenNumber> spoken_numbers(const sim::Scene& scene, const std::vector<FreeNumber>& free,
-                                         const std::vector<double>& values) {
+std::vector<DescribedNumber> described_numbers(const sim::Scene& scene, const std::vector<FreeNumber>& free,
+                                               const std::vector<double>& values) {
   std::vector<sim::EastNorth> centres;
   for (const sim::Sheet& sheet : scene.sheets) centres.push_back(sheet.center_km);
   for (const sim::Footprint& footprint : scene.footprints) centres.push_back(footprint.center_km);
   for (std::size_t j = 0; j < free.size(); ++j)
     if (const int c = centre_of(scene, free[j].id); c >= 0)
       (free[j].id.component == 0 ? centres[c].east : centres[c].north) = values[j];
-  std::vector<SpokenNumber> numbers;
+  std::vector<DescribedNumber> numbers;
   for (std::size_t j = 0; j < free.size(); ++j) {
     const sim::ParameterId& id = free[j].id;
-    SpokenNumber n;
+    DescribedNumber n;
     n.path = free[j].label();
     n.noun = noun_of(free[j]);
     n.owner = owner_of(scene, id);
@@ -203,21 +204,21 @@ std::vector<SpokenNumber> spoken_numbers(const sim::Scene& scene, const std::vec
     n.of_profile = id.role() == sim::ParameterRole::profile_coefficient;
     n.is_altitude = id.role() == sim::ParameterRole::form_peak;
     if (n.centre >= 0) {
-      n.place = id.component == 0 ? SpokenNumber::Place::east : SpokenNumber::Place::north;
+      n.place = id.component == 0 ? DescribedNumber::Place::east : DescribedNumber::Place::north;
       n.centre_km = centres[n.centre];
     }
     numbers.push_back(n);
   }
-  for (SpokenNumber& n : numbers)
-    n.other_component_free = n.place != SpokenNumber::Place::none &&
-                             std::count_if(numbers.begin(), numbers.end(), [&](const SpokenNumber& other) {
-                               return other.centre == n.centre && other.place != SpokenNumber::Place::none;
+  for (DescribedNumber& n : numbers)
+    n.other_component_free = n.place != DescribedNumber::Place::none &&
+                             std::count_if(numbers.begin(), numbers.end(), [&](const DescribedNumber& other) {
+                               return other.centre == n.centre && other.place != DescribedNumber::Place::none;
                              }) > 1;
   return numbers;
 }
 
-std::string trade_off_words(const std::vector<SpokenNumber>& numbers, const std::vector<double>& direction,
-                            int always) {
+std::string trade_off_text(const std::vector<DescribedNumber>& numbers, const std::vector<double>& direction,
+                           int always) {
   std::vector<Member> members = members_of(numbers, direction);
   const auto must_stay = [&](const Member& m) {
     return std::find(m.of.begin(), m.of.end(), static_cast<std::size_t>(always)) != m.of.end() && always >= 0;
@@ -229,7 +230,7 @@ std::string trade_off_words(const std::vector<SpokenNumber>& numbers, const std:
                      [&](const Member& m) { return m.size() < kUnnoticed * largest && !must_stay(m); }),
       members.end());
   if (members.empty()) return {};
-  if (members.size() == 1) return "nothing tells the " + names_of(members);
+  if (members.size() == 1) return "the data do not constrain the " + names_of(members);
   std::stable_sort(members.begin(), members.end(), [&](const Member& a, const Member& b) {
     if (must_stay(a) != must_stay(b)) return must_stay(a);
     return a.size() > b.size();
@@ -266,10 +267,10 @@ std::string why_undetermined(const sim::Scene& scene, const std::vector<FreeNumb
     members += in_values[k] != 0.0;
   }
   if (members < 2) return "the data do not bound it";
-  return trade_off_words(spoken_numbers(scene, free, values), in_values, static_cast<int>(j));
+  return trade_off_text(described_numbers(scene, free, values), in_values, static_cast<int>(j));
 }
 
-std::vector<std::string> strong_correlations(const std::vector<SpokenNumber>& numbers,
+std::vector<std::string> strong_correlations(const std::vector<DescribedNumber>& numbers,
                                              const std::vector<double>& sigma,
                                              const std::vector<std::vector<double>>& correlation,
                                              double least, std::size_t most) {
@@ -290,8 +291,8 @@ std::vector<std::string> strong_correlations(const std::vector<SpokenNumber>& nu
   std::vector<std::string> sentences;
   for (const Pair& p : pairs) {
     const auto member = [&](std::size_t j, double change) {
-      return numbers[j].place == SpokenNumber::Place::none ? member_of(numbers[j], change, j)
-                                                           : lone_place_member(numbers[j], change, j);
+      return numbers[j].place == DescribedNumber::Place::none ? member_of(numbers[j], change, j)
+                                                              : lone_place_member(numbers[j], change, j);
     };
     // The regression line: one standard deviation of the first goes with r of the second's.
     std::vector<Member> members = {member(p.i, sigma[p.i]), member(p.k, p.r * sigma[p.k])};

@@ -11,7 +11,7 @@
 namespace vegard::fit {
 
 /// A free number as one speaks of it.
-struct SpokenNumber {
+struct DescribedNumber {
   std::string path;   ///< "sheet.main.energy_kev"
   std::string noun;   ///< "energy"
   std::string owner;  ///< "the main sheet"; may be empty
@@ -28,17 +28,17 @@ struct SpokenNumber {
 };
 
 /// `values` are those of `free` in the order of the scene file.
-std::vector<SpokenNumber> spoken_numbers(const sim::Scene& scene, const std::vector<FreeNumber>& free,
-                                         const std::vector<double>& values);
+std::vector<DescribedNumber> described_numbers(const sim::Scene& scene, const std::vector<FreeNumber>& free,
+                                               const std::vector<double>& values);
 
 /// "distance and energy of the main sheet trade off: 10 km further with 0.3 keV less looks the same", of a
 /// direction in the numbers' own units; its length and sign do not matter. At most three numbers are named,
 /// those that one would notice most, and always number `always` (an index; none if negative); how many more
 /// there are is said. East and north of one centre are told as one: further or nearer as seen by the
-/// observer, or to the right or left. For a direction of one number: "nothing tells the energy of the main
-/// sheet".
-std::string trade_off_words(const std::vector<SpokenNumber>& numbers, const std::vector<double>& direction,
-                            int always = -1);
+/// observer, or to the right or left. For a direction of one number: "the data do not constrain the energy of
+/// the main sheet".
+std::string trade_off_text(const std::vector<DescribedNumber>& numbers, const std::vector<double>& direction,
+                           int always = -1);
 
 /// Why coordinate j has no error bar: the trade-off that it takes the largest part in, or "the data do not
 /// bound it". `u` is in coordinates, as uncertainty() and drop_flat_directions() leave it.
@@ -49,7 +49,7 @@ std::string why_undetermined(const sim::Scene& scene, const std::vector<FreeNumb
 /// goes with 0.12 keV less", for every pair with |correlation| above `least`, the strongest first, at most
 /// `most` of them. `sigma` in the numbers' own units; pairs with one that is not finite, and coefficients of
 /// free-form profiles, are left out.
-std::vector<std::string> strong_correlations(const std::vector<SpokenNumber>& numbers,
+std::vector<std::string> strong_correlations(const std::vector<DescribedNumber>& numbers,
                                              const std::vector<double>& sigma,
                                              const std::vector<std::vector<double>>& correlation,
                                              double least = 0.9, std::size_t most = 6);

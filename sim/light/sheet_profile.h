@@ -10,7 +10,7 @@
 
 namespace vegard::sim {
 
-/// Whether a sheet's light is given by its brightness, and its energy flux counts for nothing.
+/// Whether a sheet's light is given by its brightness, and its energy flux has no effect.
 bool has_given_brightness(const Sheet& sheet);
 
 /// The profile of scene.sheets[sheet], by the model that its key `profile` names: the light per mW m^-2 at

@@ -129,7 +129,7 @@ void form_lines(const Scene& scene, const std::vector<ParameterId>& free, Exposu
   blur_lines(scene, exposure.geometry, exposure.rayleigh.data(), window, threads, rayleigh);
 }
 
-void keep_what_is_shown(Image& light) {
+void clip_out_of_gamut(Image& light) {
   for (float& value : light.data)
     if (!is_shown(value)) value = 0.0f;
 }

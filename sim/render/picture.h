@@ -64,6 +64,6 @@ void form_lines(const Scene& scene, const std::vector<ParameterId>& free, Exposu
 inline bool is_shown(double light) { return light > 0.0; }
 
 /// The same for all of an image: the rest becomes 0.
-void keep_what_is_shown(Image& light);
+void clip_out_of_gamut(Image& light);
 
 }  // namespace vegard::sim

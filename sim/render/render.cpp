@@ -305,8 +305,8 @@ Image sky_light(const Scene& scene) {
 
 Image shown_light(const Scene& scene, const Rendering& rendering) {
   Image light = rendering.aurora, night_sky = rendering.night_sky;
-  keep_what_is_shown(light);
-  keep_what_is_shown(night_sky);
+  clip_out_of_gamut(light);
+  clip_out_of_gamut(night_sky);
   compose_layers(scene, rendering, night_sky, light);
   return light;
 }

@@ -13,7 +13,7 @@ for file in border.csv border.svg; do expect_same "run/$file" "again/$file"; don
 # Nothing to trace is an answer, of exit code 5.
 expect_exit 0 render "$SCENES/map.toml" "${camera[@]}" -o dark.png
 expect_exit 5 border "$SCENES/map.toml" "${camera[@]}" --photo dark.png --out dark
-expect_stdout "no lower border is told"
+expect_stdout "no lower border was measured"
 
 # Refusals.
 expect_exit 2 border "$SCENES/map.toml" "${camera[@]}" --photo photo.png --out run

@@ -86,7 +86,7 @@ expect_exit 2 fit "$SCENES/fit.toml" --photo photo.png --out precious --overwrit
 [[ $(cat precious.part) == precious ]] || fail "a file that is no journal was touched"
 
 # A result that was damaged is none that Ctrl-C has left: it stays.
-for result in '{"verdict": 5}' '{"verdict": "good", "judges_cut_short": [1]}' '[' 'null'; do
+for result in '{"verdict": 5}' '{"verdict": "good", "validation_interrupted": [1]}' '[' 'null'; do
   echo "$result" >whole/result.json
   expect_exit 2 "${fit[@]}" --out whole --resume
   expect_one_message

@@ -30,6 +30,6 @@ status=0
 wait "$job" || status=$?
 set +m
 [[ $status -eq 130 ]] || fail "exit $status instead of 130"
-grep -qF '"judges_cut_short": true' cut/result.json || fail "nothing says that it was cut off"
+grep -qF '"validation_interrupted": true' cut/result.json || fail "nothing says that it was cut off"
 expect_exit 0 "${fit[@]}" --resume
 diff <(grep -v '"command"' one/result.json) <(grep -v '"command"' cut/result.json) >&2 || fail "another result"

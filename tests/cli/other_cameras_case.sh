@@ -82,7 +82,7 @@ refuses 2 "--time" calibrate --wcs field.wcs --site 65.1,-147.4 -o out.toml
 refuses 2 "--size" calibrate --acc station.acc -o out.toml
 refuses 2 "--acc-line" calibrate --acc two.acc --size 360,240 -o out.toml
 refuses 2 "line 7" calibrate --acc two.acc --acc-line 7 --size 360,240 -o out.toml
-refuses 2 "told twice" calibrate --acc station.acc --wcs field.wcs --size 360,240 "${when[@]}" -o out.toml
+refuses 2 "given twice" calibrate --acc station.acc --wcs field.wcs --size 360,240 "${when[@]}" -o out.toml
 refuses 2 "--skymap-flip" calibrate --acc station.acc --size 360,240 -o out.toml --skymap-flip sideways
 refuses 2 "an input" calibrate --acc station.acc --size 360,240 -o station.acc --overwrite
 refuses 2 "--corr-out" calibrate --acc station.acc --size 360,240 -o out.toml --corr-out out.corr

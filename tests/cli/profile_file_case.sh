@@ -70,7 +70,7 @@ expect_stderr "'drawn.txt' is no CSV file by its name"
 # What the light does not depend on cannot be free.
 sed -i 's/free = .*/free = ["sheet.main.energy_kev"]/' scenes/fit.toml
 expect_exit 2 fit scenes/fit.toml --photo cut.png --out out
-expect_stderr "the energy of its electrons counts for nothing"
+expect_stderr "the energy of its electrons has no effect"
 sed -i 's/sheet.main.energy_kev/sheet.main.energy_spread/' scenes/fit.toml
 expect_exit 2 fit scenes/fit.toml --photo cut.png --out out
-expect_stderr "energy_spread counts for nothing"
+expect_stderr "energy_spread has no effect"

@@ -24,7 +24,7 @@ StabilityRow row_of(const std::string& choice, double shift, double by_chance) {
 }
 
 // Two regions 3 and -5 away, of which chance explains a variance of 1 each: a mean square of (9 + 25 - 2)
-// / 2. A shift that chance explains adds nothing; a row without a value counts for nothing.
+// / 2. A shift that chance explains adds nothing; a row without a value has no effect.
 TEST(SystematicError, IsWhatGoesBeyondChanceAddedOverTheChoices) {
   std::vector<StabilityRow> rows = {row_of("region", 3.0, 1.0), row_of("region", -5.0, 1.0)};
   EXPECT_DOUBLE_EQ(systematic_error(rows, 0).value(), 4.0);
@@ -95,9 +95,9 @@ TEST(JudgeStability, LetsTheModelsOwnPictureStand) {
   FitResult side_by_side = alone;
   FitOptions options;
   options.threads = 1;
-  judge_stability(photos, options, alone);
+  assess_stability(photos, options, alone);
   options.threads = 2;
-  judge_stability(photos, options, side_by_side);
+  assess_stability(photos, options, side_by_side);
   EXPECT_EQ(result_json(alone), result_json(side_by_side));
 
   ASSERT_TRUE(alone.stability && distance_in(alone).systematic);
@@ -117,7 +117,7 @@ TEST(JudgeStability, FindsWhatTheModelCannotHave) {
   sim::Scene start = truth;
   start.sheets[0].bearing_deg += 12.0;
   FitResult result = fit_photo(start, photos.front(), {});
-  judge_stability(photos, {}, result);
+  assess_stability(photos, {}, result);
   ASSERT_TRUE(result.stability && distance_in(result).systematic);
   const std::vector<StabilityRow>& rows = *result.stability;
   EXPECT_LT(rows[0].derived[0].by * rows[1].derived[0].by, 0.0) << "to either side";
@@ -128,7 +128,7 @@ TEST(JudgeStability, LeavesAnAnswerAloneThatIsNone) {
   const sim::Scene scene = one_sheet();
   FitResult result;
   result.verdict = Verdict::failed;
-  judge_stability({tests::linear_photo(scene)}, {}, result);
+  assess_stability({tests::linear_photo(scene)}, {}, result);
   EXPECT_FALSE(result.stability);
 }
 

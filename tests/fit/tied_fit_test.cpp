@@ -47,7 +47,7 @@ TEST(TiedFit, TwoSheetsShareOneEnergyAndKeepTheirDistance) {
   scene.fit.free[0].start = kStartKev;
   scene.fit.free[2].start = 200.0;
   scene.fit.tied = {{"sheet.far.center_km.north", "sheet.near.center_km.north + 40", "", 0}};
-  scene.sheets[1].center_km.north = 500.0;  // what the file says of a tied number counts for nothing
+  scene.sheets[1].center_km.north = 500.0;  // what the file says of a tied number has no effect
   sim::validate(scene);
   const FitResult result = fit_photo(scene, photo, {});
   ASSERT_EQ(result.parameters.size(), 2u);

@@ -20,8 +20,8 @@ fit::StepOutput output() {
   step.words["termination"] = "converged";
   step.flags["converged"] = true;
   step.trace.push_back({"descent 1", 7, 10.0, {1.5, -2.0}});
-  step.books.residuals = 9;
-  step.books.best_values = {1.5, -2.0};
+  step.counters.residuals = 9;
+  step.counters.best_values = {1.5, -2.0};
   return step;
 }
 
@@ -52,7 +52,7 @@ std::string database_bytes() {
 
 constexpr const char* kResult = R"({"verdict": "good", "parameters": [{"path": "sheet.main.energy_kev",
 "value": 3.1, "sigma": null, "unit": "keV"}, {"path": "sheet.main.center_km.north", "value": null, "sigma": 0.5,
-"unit": "km"}], "chi2": 100.5, "dof": 90, "residuals_together": 1.25, "inputs": [{"role": "scene", "sha256": "00"},
+"unit": "km"}], "chi2": 100.5, "dof": 90, "correlated_residuals": 1.25, "inputs": [{"role": "scene", "sha256": "00"},
 {"role": "photo", "sha256": "11"}], "decoding": "sRGB", "compared": {"regions_px": [[0, 0, 16, 12]], "values": 96,
 "sum_of_weights": 12.5, "sampling_error": 0.01, "unknowns": 6}})";
 

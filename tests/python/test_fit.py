@@ -21,7 +21,7 @@ def test_finds_what_the_picture_was_made_from(fitted):
     assert fitted.values["sheet.main.energy_kev"] == fitted.parameters[1].value
     assert fitted.scene["sheet.main.energy_kev"] == fitted.parameters[1].value
     assert any("distance" in number.name for number in fitted.derived)
-    assert {number.trust for number in fitted.derived} <= {"good", "doubtful", "not told"}
+    assert {number.trust for number in fitted.derived} <= {"good", "doubtful", "unconstrained"}
 
 
 def test_is_the_commands_answer(fitted, run, scenes, photo_file, tmp_path):

@@ -108,7 +108,7 @@ struct Figures {
 
 /// Degree by degree of azimuth: the brightest place of what was found and of the truth along it, where the
 /// truth is at least a quarter of its median.
-Figures figures(const char* what, const MapRaster& raster, const std::vector<std::uint8_t>& told,
+Figures figures(const char* what, const MapRaster& raster, const std::vector<std::uint8_t>& in_view,
                 const std::vector<double>& flux, const std::vector<double>& ln, const CurveLight& truth) {
   struct Along {
     double found = 0.0, brightness = 0.0, distance = 0.0, true_distance = 0.0, ln = 0.0, true_ln = 0.0;
@@ -124,7 +124,7 @@ Figures figures(const char* what, const MapRaster& raster, const std::vector<std
           std::lround((d * std::cos(azimuth * sim::kRadiansPerDegree) - raster.south_km) / raster.step_km));
       if (x < 0 || y < 0 || x >= raster.columns || y >= raster.rows) continue;
       const std::size_t i = static_cast<std::size_t>(y) * raster.columns + x;
-      if (told[i] == 0) continue;
+      if (in_view[i] == 0) continue;
       if (flux[i] > a.found) a = {flux[i], a.brightness, d, a.true_distance, ln[i] / flux[i], a.true_ln};
       if (truth.flux[i] > a.brightness) {
         a.brightness = truth.flux[i];
@@ -177,14 +177,15 @@ TEST(CurtainRecovery, OfThreeFoldedCurtainsWithRays) {
   options.replicates = 2;
   const MapResult map = map_photos(camera(), {photo}, options);
   const MapRaster raster = raster_over(map);
-  const std::vector<std::uint8_t> told = told_places(map, raster);
+  const std::vector<std::uint8_t> in_view = places_in_view(map, raster);
   const RasterFlux flux = raster_flux(map, raster, map.cells);
   constexpr double kSmooth_km = 2.0;
   const auto smooth = [&](const std::vector<double>& values) {
     return smoothed_raster(raster, values, kSmooth_km / raster.step_km);
   };
   const CurveLight light(truth().sheets, raster, kSmooth_km);
-  const Figures of_map = figures("map", raster, told, smooth(flux.flux), smooth(flux.flux_ln_energy), light);
+  const Figures of_map =
+      figures("map", raster, in_view, smooth(flux.flux), smooth(flux.flux_ln_energy), light);
   EXPECT_LE(of_map.distance_median, 0.02);
   EXPECT_LE(of_map.distance_nine_in_ten, 0.10);
   EXPECT_LE(of_map.ln_energy_median, 0.06);
@@ -225,7 +226,7 @@ TEST(CurtainRecovery, OfThreeFoldedCurtainsWithRays) {
   EXPECT_LT(refined.chi2, refined.chi2_initial);
   EXPECT_EQ(refined.best.sheets.size(), 3u);
   const CurveLight curves(refined.best.sheets, raster, kSmooth_km);
-  const Figures of_curves = figures("curves", raster, told, curves.flux, curves.flux_ln_energy, light);
+  const Figures of_curves = figures("curves", raster, in_view, curves.flux, curves.flux_ln_energy, light);
   EXPECT_LE(of_curves.distance_median, 0.02);
   EXPECT_LE(of_curves.ln_energy_median, 0.06);
 }

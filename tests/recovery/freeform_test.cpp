@@ -29,7 +29,7 @@ constexpr double kGreenNm = 557.7;
 
 sim::Scene free_form_scene(const nlohmann::json& truth) {
   sim::Scene scene = known_scene(truth);
-  scene.sheets[0].energy_kev = sim::Sheet{}.energy_kev;  // it is to count for nothing
+  scene.sheets[0].energy_kev = sim::Sheet{}.energy_kev;  // it is to have no effect
   scene.sheets[0].profile = sim::ProfileKind::spline;
   sim::fill_spline_rates(scene);
   scene.fit.free.push_back(tests::free_entry("sheet.main.spline_rate"));

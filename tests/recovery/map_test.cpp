@@ -126,15 +126,15 @@ struct Score {
 Score score(const MapResult& result, const Truth& truth, const nlohmann::json& camera) {
   const MapRaster raster = truth_raster();
   const RasterFlux found = raster_flux(result, raster, result.cells);
-  const std::vector<std::uint8_t> told = told_places(result, raster);
+  const std::vector<std::uint8_t> in_view = places_in_view(result, raster);
   const std::vector<CellError> errors = cell_errors(result);
   std::vector<double> error;
   for (std::size_t c = 0; c < errors.size(); ++c)
     error.push_back(result.cells[c].flux_mw_m2 * errors[c].ln_energy);
   const std::vector<double> of_error = rasterised(result, raster, error);
   std::vector<double> true_flux = truth.flux, true_ln = truth.flux_ln_energy;
-  for (std::size_t i = 0; i < told.size(); ++i)
-    if (told[i] == 0) true_flux[i] = true_ln[i] = 0.0;
+  for (std::size_t i = 0; i < in_view.size(); ++i)
+    if (in_view[i] == 0) true_flux[i] = true_ln[i] = 0.0;
   const auto smooth = [&](const std::vector<double>& values, double km) {
     return smoothed_raster(raster, values, km / raster.step_km);
   };
@@ -159,7 +159,7 @@ Score score(const MapResult& result, const Truth& truth, const nlohmann::json& c
       const auto row = static_cast<int>(std::lround((north - raster.south_km) / raster.step_km));
       if (column < 0 || row < 0 || column >= raster.columns || row >= raster.rows) continue;
       const std::size_t i = static_cast<std::size_t>(row) * raster.columns + column;
-      if (told[i] == 0) continue;
+      if (in_view[i] == 0) continue;
       if (q[i] > most) {
         most = q[i];
         a.distance = d;
@@ -201,8 +201,8 @@ Score score(const MapResult& result, const Truth& truth, const nlohmann::json& c
   s.held = static_cast<double>(held) / ln.size();
   const std::vector<double> a = smooth(found.flux, 6.0), b = smooth(true_flux, 6.0);
   double n = 0.0, sa = 0.0, sb = 0.0, saa = 0.0, sbb = 0.0, sab = 0.0;
-  for (std::size_t i = 0; i < told.size(); ++i) {
-    if (told[i] == 0) continue;
+  for (std::size_t i = 0; i < in_view.size(); ++i) {
+    if (in_view[i] == 0) continue;
     n += 1.0;
     sa += a[i];
     sb += b[i];

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/freedom/idle_parameter.h"
+#include "sim/scene/freedom/inert_parameter.h"
 #include "sim/scene/table/parameter_id.h"
 #include "sim/scene/table/parameter_table.h"
 
@@ -28,10 +28,10 @@ inline std::vector<FreePath> free_paths(const sim::Scene& scene) {
   for (const sim::ParameterPath& path : sim::all_paths(scene)) {
     if (!path.row->can_be_free) continue;
     // Numbers of a camera that its lens does not have.
-    if (path.row->table == "camera" && sim::why_it_counts_for_nothing(scene, path)) continue;
+    if (path.row->table == "camera" && sim::inert_parameter_complaint(scene, path)) continue;
     // What a sheet's course does not have.
     if (path.sheet() >= 0 && scene.sheets[path.sheet()].course == sim::SheetCourse::curve &&
-        sim::why_it_counts_for_nothing(scene, path))
+        sim::inert_parameter_complaint(scene, path))
       continue;
     // GLOW's tables have one factor: the derivative by it has tests with tables of several.
     if (path.row->key == "oxygen_factor") continue;
@@ -41,7 +41,7 @@ inline std::vector<FreePath> free_paths(const sim::Scene& scene) {
       continue;
     if (path.row->key == "energy_flux_mw_m2" && path.sheet() >= 0 &&
         scene.sheets[path.sheet()].brightness_kilorayleigh > 0.0)
-      continue;  // it counts for nothing, and validate() does not let it be free
+      continue;  // it has no effect, and validate() does not let it be free
     // A Sun that is not shown, lights that do not shine, and air that is not there.
     if (path.row->table == "sun" && !scene.sun.shown) continue;
     if (path.row->table == "air" && scene.air.model == sim::AirModel::none) continue;

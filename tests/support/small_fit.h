@@ -66,7 +66,7 @@ inline fit::FitResult small_fit(const fit::Photo& photo) {
   result.statistics = {{"profile", 1.0, 100, 100.0}, {"colour", 0.5, 20, 23.456}};
   result.rms_over_peak = std::nan("");
   result.error_inflation = 1.5;
-  result.residuals_together = 2.25;
+  result.correlated_residuals = 2.25;
   result.termination = "Function tolerance reached.";
   result.evaluations = 321;
   result.jacobian_evaluations = 12;

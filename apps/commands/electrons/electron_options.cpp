@@ -57,9 +57,9 @@ sim::IncidentSpectrum spectrum_of(const ElectronOptions& request) {
   refuse_elsewhere(request.potential_kev, "--potential-kev", request, "accelerated");
   if (request.spectrum == "table") {
     if (request.table.empty())
-      throw usage_error("--spectrum", "a table has no name", "--spectrum-table FILE.csv beside it");
+      throw usage_error("--spectrum", "a table has no name", "--spectrum-table FILE.csv with it");
     if (request.energy_kev)
-      throw usage_error("--energy-kev", "a table has its energies", "no --energy-kev beside it");
+      throw usage_error("--energy-kev", "a table has its energies", "no --energy-kev with it");
     return table_spectrum(request.table);
   }
   if (!request.table.empty())

@@ -46,7 +46,7 @@ int run_to_gemini(const ModelRequest& options) {
   end_at_once_when_interrupted();
   std::vector<NamedInput> inside;
   for (const std::string& map : options.maps) inside.push_back({map, "a map"});
-  spare_inputs_inside("--out", options.output, inside);
+  protect_inputs_inside("--out", options.output, inside);
   fit::check_gemini_directory(options.output, options.overwrite);
   const fit::ModelInputs inputs = model_inputs_of(options, fit::EarthFrame::gemini_dipole);
   fit::write_gemini(options.output, options.overwrite, inputs);

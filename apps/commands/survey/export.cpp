@@ -18,7 +18,7 @@ struct ExportRequest {
 };
 
 int run_export(const ExportRequest& options) {
-  spare_inputs("--output", options.out, {{options.database, "the database"}});
+  protect_inputs("--output", options.out, {{options.database, "the database"}});
   const fit::SqliteFile file(options.database, fit::SqliteFile::Opening::read);
   if (std::filesystem::path(options.out).extension() == ".nc") {
     if (!options.table.empty())

@@ -42,7 +42,7 @@ std::vector<std::string> databases_of(const MergeRequest& options) {
 int run_merge(const MergeRequest& options) {
   const std::vector<std::string> databases = databases_of(options);
   for (const std::string& database : databases)
-    spare_inputs("--output", options.out, {{database, "a database to merge"}});
+    protect_inputs("--output", options.out, {{database, "a database to merge"}});
   const fit::SurveyMerge merge = fit::merge_surveys(databases, options.out, options.mixed, options.overwrite);
   say("%d frame%s of %d database%s\n", merge.frames, merge.frames == 1 ? "" : "s", merge.databases,
       merge.databases == 1 ? "" : "s");

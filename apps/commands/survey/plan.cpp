@@ -38,14 +38,14 @@ std::string way_to_survey(const std::string& plan, const std::string& survey) {
 
 int run_plan(const PlanRequest& options) {
   const fit::Survey survey = fit::read_survey(options.survey);
-  spare_inputs("--output", options.out, {{options.survey, "the survey"}});
+  protect_inputs("--output", options.out, {{options.survey, "the survey"}});
   const SurveyPlaces place{survey.place("")};
   std::vector<fit::PlanInput> setups;
   for (const fit::SurveyCamera& camera : survey.cameras)
     for (std::size_t c = 0; c < camera.calibrations.size(); ++c) {
       const fit::SurveyCalibration& one = camera.calibrations[c];
       for (const std::string& file : {camera.scene, camera.filter, one.file, one.mask})
-        spare_inputs("--output", options.out, {{place(file), "a file of camera " + camera.name}});
+        protect_inputs("--output", options.out, {{place(file), "a file of camera " + camera.name}});
       setups.push_back(survey_setup(camera, static_cast<int>(c), place, survey.work));
     }
   fit::SurveyPlan plan = fit::plan_survey(survey, setups);

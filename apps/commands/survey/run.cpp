@@ -92,7 +92,7 @@ int run_one(const RunRequest& options, const fit::SurveyPlan& plan, int shard, i
   begin_shard_folder(options.out, shards);
   fit::ShardResults results(options.out + "/" + fit::shard_name(shard, shards), plan);
   if (options.again)
-    if (const int forgotten = fit::forget_what_came_since(plan, blocks, results); forgotten > 0)
+    if (const int forgotten = fit::discard_outdated_results(plan, blocks, results); forgotten > 0)
       say("shard %d/%d: %d frames again\n", shard, shards, forgotten);
   const bool finished = fit::run_shard(plan, blocks, results, run);
   account.tell_end();

@@ -19,7 +19,7 @@ struct SmoothRequest {
 
 int run_smooth(const SmoothRequest& options) {
   end_at_once_when_interrupted();
-  spare_inputs("--output", options.out, {{options.database, "the database"}});
+  protect_inputs("--output", options.out, {{options.database, "the database"}});
   const fit::SurveyMotion made =
       fit::smooth_survey(options.database, options.out, options.motion, options.overwrite);
   say("%d track%s of %d numbers; %d jumped and %s left out, %d track%s broken\n", made.tracks,

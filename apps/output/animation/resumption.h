@@ -2,7 +2,7 @@
 //
 // Beside the frames stands a manifest that says what they are frames of. It is written before the first frame
 // and never changed; a frame appears whole or not at all (sim/base/file/whole_file.h). So a frame that exists
-// beside the right manifest is finished, unless it is empty: that is none of ours, and made anew.
+// beside the right manifest is finished, unless it is empty: that is none of ours, and made again.
 #pragma once
 
 #include <set>

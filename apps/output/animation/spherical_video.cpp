@@ -77,7 +77,7 @@ bool is_video(std::string_view track, const std::string& name) {
   return handler.size() >= 12 && handler.substr(8, 4) == "vide";
 }
 
-/// A box's content with one of the boxes within made anew.
+/// A box's content with one of the boxes within made again.
 std::string with_new(std::string_view content, const std::string& type, const std::string& name,
                      const std::function<std::string(std::string_view)>& renewed) {
   std::string all;

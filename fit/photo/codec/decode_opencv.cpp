@@ -69,7 +69,7 @@ cv::Mat decode(std::string_view bytes, const ImageFile& image, const std::string
   }
   if (codes.empty())
     refuse_image(file, "the image cannot be decoded", std::string("a sound ") + format_name(image.format),
-                 "open it in an image viewer and save it anew");
+                 "open it in an image viewer and save it again");
   const bool turned = image.orientation >= 5;
   const int depth = image.floating ? CV_32F : image.bits == 16 ? CV_16U : CV_8U;
   const bool as_promised = codes.cols == (turned ? image.height : image.width) &&
@@ -77,7 +77,7 @@ cv::Mat decode(std::string_view bytes, const ImageFile& image, const std::string
                            (codes.channels() == 1 || codes.channels() == 3);
   if (!as_promised)
     refuse_image(file, "the image decodes to something else than its header promises", "",
-                 "open it in an image viewer and save it anew");
+                 "open it in an image viewer and save it again");
   return codes;
 }
 

@@ -91,7 +91,7 @@ PictureCodes decode_heif(std::string_view bytes, const std::string& file) {
   const sim::CodedPicture picture = sim::read_heif(bytes, file);
   if (!heif_promises(bytes, picture.width, picture.height, file))
     refuse_image(file, "the image decodes to something else than its header promises", "",
-                 "open it in an image viewer and save it anew");
+                 "open it in an image viewer and save it again");
   PictureCodes codes;
   codes.width = picture.width;
   codes.height = picture.height;

@@ -38,7 +38,7 @@ void throw_damaged(const std::string& file, const std::string& problem) {
 
 void throw_unsupported(const std::string& file, const std::string& kind) {
   refuse_image(file, kind + " is not read", "8 or 16 bits, or a TIFF of 32-bit floats, grey or RGB",
-               "save it anew as a plain PNG or TIFF");
+               "save it again as a plain PNG or TIFF");
 }
 
 void refuse_image(const std::string& file, const std::string& problem, const std::string& expected,

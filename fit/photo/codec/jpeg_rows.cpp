@@ -67,7 +67,7 @@ struct JpegRows::Decoder {
 
   [[noreturn]] void refuse() const {
     refuse_image(file, "the image cannot be decoded", "a sound JPEG",
-                 "open it in an image viewer and save it anew");
+                 "open it in an image viewer and save it again");
   }
 };
 

@@ -117,8 +117,8 @@ void tell_warnings(Calibration& calibration) {
     for (std::size_t j = i + 1; j < free.size(); ++j) {
       const double r = calibration.correlation(static_cast<int>(i), static_cast<int>(j));
       if (std::abs(r) < kCorrelationStrong) continue;
-      std::string words = free[i]->key() + " and " + free[j]->key() + " are hardly told apart (correlation " +
-                          number_text("%.3f)", r);
+      std::string words = free[i]->key() + " and " + free[j]->key() +
+                          " are strongly correlated (correlation " + number_text("%.3f)", r);
       if (free[i]->id.role() == sim::ParameterRole::camera_azimuth &&
           free[j]->id.role() == sim::ParameterRole::camera_roll)
         words +=

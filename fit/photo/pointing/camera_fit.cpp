@@ -108,7 +108,7 @@ CameraFit fit_camera(const SkyCamera& start, const std::vector<LensNumber>& free
       fit.camera.numbers[free[j]] = values[j];
       if (free[j] <= turn_about_forward) turn = std::max(turn, std::abs(values[j]));
     }
-    fit.camera = with_turns_made(fit.camera);
+    fit.camera = with_rotation_applied(fit.camera);
     if (turn < kSmallTurn) break;
   }
   const std::vector<Eigen::Vector2d> left = residuals(fit.camera, stars);

@@ -112,8 +112,8 @@ std::pair<PixelPoint, PixelPoint> farthest(const std::vector<PixelPoint>& points
   double most = -1.0;
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t k = i + 1; k < points.size(); ++k) {
-      const double apart = std::hypot(points[i].x_px - points[k].x_px, points[i].y_px - points[k].y_px);
-      if (apart > most) most = apart, pair = {points[i], points[k]};
+      const double distance_px = std::hypot(points[i].x_px - points[k].x_px, points[i].y_px - points[k].y_px);
+      if (distance_px > most) most = distance_px, pair = {points[i], points[k]};
     }
   return pair;
 }
@@ -171,8 +171,8 @@ void check_horizon(const HorizonProblem& p) {
       sim::refuse_key(sim::ErrorKind::usage, "--points", "a point lies outside of the picture",
                       "0,0 to " + std::to_string(p.width_px) + "," + std::to_string(p.height_px));
   const auto [a, b] = farthest(p.points);
-  const double apart = std::hypot(a.x_px - b.x_px, a.y_px - b.y_px);
-  if (apart < std::max(1.0, 5.0 * p.point_error_px))
+  const double distance_px = std::hypot(a.x_px - b.x_px, a.y_px - b.y_px);
+  if (distance_px < std::max(1.0, 5.0 * p.point_error_px))
     sim::refuse_key(sim::ErrorKind::usage, "--points", "the points are all one, as well as they are known",
                     "points far apart from each other");
   if (!p.sky && std::abs(a.x_px - b.x_px) < std::max(1.0, p.point_error_px))

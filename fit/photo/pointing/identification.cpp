@@ -101,7 +101,7 @@ SkyCamera searched(const SkyCamera& rough, const Frame& frame, const std::vector
   for (int twist = -twists; twist <= twists; ++twist) {
     SkyCamera turned = rough;
     turned.numbers[turn_about_forward] = twist * kTwistStep_deg * sim::kRadiansPerDegree;
-    turned = with_turns_made(turned);
+    turned = with_rotation_applied(turned);
     for (int scale = -scales; scale <= scales; ++scale) {
       turned.numbers[focal_px_number] = rough.numbers[focal_px_number] * (1.0 + scale * kScaleStep);
       for (int down = -shifts; down <= shifts; ++down)

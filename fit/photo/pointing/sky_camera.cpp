@@ -11,7 +11,7 @@ const char* name_of(LensNumber number) {
   return kNames[number];
 }
 
-SkyCamera with_turns_made(const SkyCamera& camera) {
+SkyCamera with_rotation_applied(const SkyCamera& camera) {
   SkyCamera turned = camera;
   const Eigen::Vector3d turn(camera.numbers[0], camera.numbers[1], camera.numbers[2]);
   const double angle = turn.norm();

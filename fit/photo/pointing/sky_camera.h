@@ -41,7 +41,7 @@ struct SkyCamera {
 };
 
 /// The same with its turns made part of the rotation.
-SkyCamera with_turns_made(const SkyCamera& camera);
+SkyCamera with_rotation_applied(const SkyCamera& camera);
 
 /// The cosine beyond which a model without terms has no image (sim::min_cosine() without its search).
 inline double end_of_model(sim::LensModel model) {

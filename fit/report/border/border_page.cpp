@@ -113,7 +113,7 @@ Panel border_photo_panel(const Border& border, const Photo& photo, const sim::Sc
     for (const BorderPoint& p : border.traces[t].points) {
       double enu[3], x = sim::kNaN, y = sim::kNaN;
       sim::enu_of_direction({p.azimuth_deg, p.elevation_deg}, enu);
-      if (!p.told() || !sim::pixel_of_enu(view, enu, x, y)) x = y = sim::kNaN;
+      if (!p.measured() || !sim::pixel_of_enu(view, enu, x, y)) x = y = sim::kNaN;
       if (std::abs(std::remainder(p.azimuth_deg - before, 360.0)) > 4.5 * border.cells.azimuth_step_deg) {
         line.x.push_back(sim::kNaN);
         line.y.push_back(sim::kNaN);
@@ -122,7 +122,7 @@ Panel border_photo_panel(const Border& border, const Photo& photo, const sim::Sc
       line.x.push_back(x);
       line.y.push_back(y);
     }
-    if (border.traces[t].told > 0) panel.series.push_back(std::move(line));
+    if (border.traces[t].measured > 0) panel.series.push_back(std::move(line));
   }
   return panel;
 }
@@ -185,7 +185,7 @@ Panel border_sky_panel(const Border& border) {
       peak.y.push_back(p.peak_elevation_deg);
     }
     panel.series.push_back(std::move(peak));
-    if (border.traces[t].told > 0) panel.series.push_back(std::move(line));
+    if (border.traces[t].measured > 0) panel.series.push_back(std::move(line));
   }
   return panel;
 }
@@ -255,7 +255,7 @@ Panel border_map_panel(const Border& border, const sim::Scene& scene) {
         if (std::abs(std::remainder(p.azimuth_deg - before, 360.0)) > 4.5 * border.cells.azimuth_step_deg)
           line.x.push_back(sim::kNaN), line.y.push_back(sim::kNaN);
         before = p.azimuth_deg;
-        const double km = p.told()
+        const double km = p.measured()
                               ? ground_distance_km(true_elevation_deg(p.elevation_deg, scene.site.altitude_m),
                                                    scene.site.altitude_m, kBorderAltitudesKm[h])
                               : sim::kNaN;
@@ -296,8 +296,8 @@ std::string border_table(const Border& border, const sim::Scene& scene) {
       if (std::abs(std::remainder(p.azimuth_deg - last, 360.0)) < 4.99) continue;
       last = p.azimuth_deg;
       html += fmt::format("<tr><td>{}</td><td>{:.0f}</td><td>{}</td><td>{:.1f}</td>", t + 1, p.azimuth_deg,
-                          p.told() ? sim::number_with_error(p.elevation_deg, p.elevation_error_deg)
-                                   : std::string("beyond ") + border_limit_name(p.limit),
+                          p.measured() ? sim::number_with_error(p.elevation_deg, p.elevation_error_deg)
+                                       : std::string("beyond ") + border_limit_name(p.limit),
                           p.peak_elevation_deg);
       for (const double altitude : kBorderAltitudesKm) {
         const BorderPlace place =
@@ -319,7 +319,7 @@ BorderSummary border_summary(const BorderTrace& trace, const sim::Scene& scene) 
   out.distance_km.fill(sim::kNaN);
   out.distance_error_km.fill(sim::kNaN);
   for (const BorderPoint& p : trace.points) {
-    if (!p.told()) continue;
+    if (!p.measured()) continue;
     if (std::isnan(out.from_azimuth_deg)) out.from_azimuth_deg = p.azimuth_deg;
     out.to_azimuth_deg = p.azimuth_deg;
     out.lowest_deg = std::fmin(out.lowest_deg, p.elevation_deg);
@@ -339,9 +339,9 @@ BorderSummary border_summary(const BorderTrace& trace, const sim::Scene& scene) 
 
 std::string border_sentence(const Border& border, std::size_t trace, const sim::Scene& scene) {
   const BorderTrace& t = border.traces[trace];
-  if (t.told == 0)
-    return fmt::format("Trace {}: azimuths {:.0f} to {:.0f}°, the border is not told (beyond {})", trace + 1,
-                       t.points.front().azimuth_deg, t.points.back().azimuth_deg,
+  if (t.measured == 0)
+    return fmt::format("Trace {}: azimuths {:.0f} to {:.0f}°, the border was not measured (beyond {})",
+                       trace + 1, t.points.front().azimuth_deg, t.points.back().azimuth_deg,
                        border_limit_name(t.points.front().limit));
   const BorderSummary s = border_summary(t, scene);
   return fmt::format(

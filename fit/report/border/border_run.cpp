@@ -52,8 +52,8 @@ std::string border_cell(double value) { return std::isfinite(value) ? fmt::forma
 
 std::string border_csv(const Border& border, const sim::Scene& scene) {
   std::string csv =
-      "trace,azimuth_deg,elevation_deg,elevation_error_deg,peak_elevation_deg,brightness,signal,fall_deg,not_"
-      "told";
+      "trace,azimuth_deg,elevation_deg,elevation_error_deg,peak_elevation_deg,brightness,signal,fall_deg,"
+      "limited_by";
   for (const double h : kBorderAltitudesKm)
     csv += fmt::format(
         ",distance_{0:.0f}km_km,distance_error_{0:.0f}km_km,latitude_{0:.0f}km_deg,longitude_{0:.0f}km_deg",
@@ -89,7 +89,7 @@ std::string border_json(const Border& border, const sim::Scene& scene, const Bor
                   {"longitude_deg", scene.site.longitude_deg},
                   {"altitude_m", scene.site.altitude_m},
                   {"given", is_border_place_known(scene)}};
-  json["told"] = border.told;
+  json["measured"] = border.measured;
   json["altitudes_km"] = kBorderAltitudesKm;
   json["traces"] = nlohmann::ordered_json::array();
   for (const BorderTrace& trace : border.traces) {
@@ -100,7 +100,7 @@ std::string border_json(const Border& border, const sim::Scene& scene, const Bor
       errors.push_back(border_number(s.distance_error_km[h]));
     }
     json["traces"].push_back({{"points", trace.points.size()},
-                              {"told", trace.told},
+                              {"measured", trace.measured},
                               {"from_azimuth_deg", border_number(s.from_azimuth_deg)},
                               {"to_azimuth_deg", border_number(s.to_azimuth_deg)},
                               {"lowest_elevation_deg", border_number(s.lowest_deg)},

@@ -134,7 +134,7 @@ void add_curtains(const std::string& file, bool is_absolute, NetcdfDataset& data
 
 void add_verdicts(const RecordOfRun& json, NetcdfDataset& dataset) {
   const std::vector<std::string> trusts = {trust_name(Trust::good), trust_name(Trust::doubtful),
-                                           trust_name(Trust::not_told)};
+                                           trust_name(Trust::unconstrained)};
   std::vector<std::string> quantities, values, reasons;
   std::vector<int> verdicts;
   for (const RecordOfRun& v : record_list(json, "verdicts")) {

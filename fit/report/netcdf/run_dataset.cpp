@@ -187,7 +187,7 @@ class RunDataset {
 
   void take_derived() {
     const std::vector<std::string> trusts = {trust_name(Trust::good), trust_name(Trust::doubtful),
-                                             trust_name(Trust::not_told)};
+                                             trust_name(Trust::unconstrained)};
     for (const RecordOfRun& d : record_list(json_, "derived")) {
       const std::string name = record_text(d, "name"), unit = record_text(d, "unit");
       NetcdfVariable& made =

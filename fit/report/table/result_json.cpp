@@ -168,12 +168,9 @@ Json curve_json(const FittedCurve& c) {
 Json stability(const FitResult& result) {
   Json json = Json::array();
   for (const StabilityRow& row : *result.stability) {
-    Json entry = {{"choice", row.choice},
-                  {"name", row.name},
-                  {"problem", words(row.problem)},
-                  {"chi2_per_dof", number(row.chi2_per_dof)},
-                  {"is_refuted", row.is_refuted},
-                  {"shifts", Json::object()}};
+    Json entry = {{"choice", row.choice},          {"name", row.name},
+                  {"problem", words(row.problem)}, {"chi2_per_dof", number(row.chi2_per_dof)},
+                  {"is_refuted", row.is_refuted},  {"shifts", Json::object()}};
     for (std::size_t i = 0; i < row.derived.size(); ++i)
       entry["shifts"][result.derived[i].name] = number(row.derived[i].by);
     json.push_back(std::move(entry));
@@ -240,7 +237,7 @@ std::string result_json(const FitResult& result) {
   if (result.bootstrap) json["bootstrap"] = bootstrap(result);
   if (result.chain) json["chain"] = chain(result);
   if (result.stability) json["stability"] = stability(result);
-  if (result.judges_cut_short) json["judges_cut_short"] = true;
+  if (result.validation_interrupted) json["validation_interrupted"] = true;
   if (!result.curve_steps.empty()) json["curve_steps"] = curve_steps(result);
   json["chi2"] = number(result.chi2);
   json["chi2_initial"] = number(result.chi2_initial);
@@ -252,7 +249,7 @@ std::string result_json(const FitResult& result) {
       {"sampling_error", number(result.compared.sampling_error)},
       {"model", sim::word_of(result.compared.draws ? sim::FitModel::draws : sim::FitModel::expected)},
       {"unknowns", result.compared.unknowns}};
-  json["steepest_cosine"] = number(result.steepest_cosine);
+  json["gradient_cosine"] = number(result.gradient_cosine);
   json["statistics"] = Json::array();
   for (const ComparedStatistic& s : result.statistics)
     json["statistics"].push_back({{"name", s.name},
@@ -262,7 +259,7 @@ std::string result_json(const FitResult& result) {
   json["rms_over_peak"] = number(result.rms_over_peak);
   if (!several && !result.photos.empty()) json["model_error"] = number(result.photos.front().model_error);
   json["error_inflation"] = number(result.error_inflation);
-  json["residuals_together"] = number(result.residuals_together);
+  json["correlated_residuals"] = number(result.correlated_residuals);
   json["termination"] = result.termination;
   json["evaluations"] = result.evaluations;
   json["jacobian_evaluations"] = result.jacobian_evaluations;

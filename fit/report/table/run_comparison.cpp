@@ -17,7 +17,7 @@ FittedModel model_of(const RunSummary& run) {
   model.chi2 = run.chi2;
   model.values = run.values;
   model.parameters = run.unknowns;
-  model.together = run.residuals_together;
+  model.together = run.correlated_residuals;
   return model;
 }
 
@@ -56,9 +56,9 @@ RunComparison compared(const std::vector<RunSummary>& runs) {
   const auto richest =
       std::max_element(runs.begin(), runs.end(),
                        [](const RunSummary& a, const RunSummary& b) { return a.unknowns < b.unknowns; });
-  const Believed believed = believed_by(model_of(*richest));
+  const ChiSquareScaling scaling = chi2_scaling_of(model_of(*richest));
   for (const RunSummary& run : runs)
-    comparison.runs.push_back({run, information_criteria(model_of(run), believed), 0.0, 0.0});
+    comparison.runs.push_back({run, information_criteria(model_of(run), scaling), 0.0, 0.0});
   double min_aic = comparison.runs.front().criteria.aic;
   for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
     min_aic = std::min(min_aic, comparison.runs[i].criteria.aic);

@@ -35,7 +35,7 @@ RunSummary run_summary_of(const Json& json) {
   }
   run.chi2 = json.at("chi2").get<double>();
   run.dof = json.at("dof").get<int>();
-  run.residuals_together = json.at("residuals_together").get<double>();
+  run.correlated_residuals = json.at("correlated_residuals").get<double>();
   for (const Json& input : json.at("inputs"))
     if (const std::string role = input.at("role").get<std::string>(); role != "scene")
       run.pictures.push_back({role, input.at("sha256").get<std::string>()});

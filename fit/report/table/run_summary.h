@@ -22,7 +22,7 @@ struct RunSummary {
   std::vector<std::string> paths;  ///< of the parameters, in the run's order
   double chi2 = 0.0;
   int dof = 0;
-  double residuals_together = 1.0;
+  double correlated_residuals = 1.0;
 
   /// Role and SHA-256 of the photographs and masks, in the run's order.
   std::vector<std::array<std::string, 2>> pictures;

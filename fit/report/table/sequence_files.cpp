@@ -160,7 +160,7 @@ SequenceRow sequence_row_of(const std::string& text, const std::string& file) {
   } catch (const Json::exception&) {
     throw sim::Error(sim::ErrorKind::unreadable_input,
                      {"is no row of a sequence", file, 0, "", "what vegard sequence wrote",
-                      "remove it, and the frame is fitted anew"});
+                      "remove it, and the frame is fitted again"});
   }
 }
 

@@ -61,7 +61,7 @@ class NightReading {
     ++digest_.frames_of_minute[static_cast<std::int64_t>(std::floor(answer.time_s / kMinute_s))];
     if (answer.status != FrameStatus::done)
       add_failure(std::string(frame_status_name(answer.status)) + ": " +
-                      without_numbers(answer.reason.value_or("no reason is told")),
+                      without_numbers(answer.reason.value_or("no reason is given")),
                   answer, digest_.failures);
     const int hour = static_cast<int>(std::floor(answer.time_s / kHour_s)) % 24;
     for (const WorkAnswer& work : answer.works) {
@@ -69,7 +69,7 @@ class NightReading {
       ++digest_.verdicts_of_hour[hour < 0 ? hour + 24 : hour][work.work][work.verdict];
       if (work.verdict == "refused" || work.verdict == "failed")
         add_failure(std::string(survey_work_name(work.work)) + " " + work.verdict + ": " +
-                        without_numbers(work.words.value_or("no reason is told")),
+                        without_numbers(work.words.value_or("no reason is given")),
                     answer, digest_.failures);
       if (is_believed(work)) follow(answer, work);
     }

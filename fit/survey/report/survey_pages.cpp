@@ -81,7 +81,7 @@ std::string told_words(const VerdictCounts& verdicts) {
   for (const auto& [work, counts] : verdicts) {
     const int all = counted_all(verdicts, work), good = counted(verdicts, work, "good");
     if (work == SurveyWork::border)
-      words.push_back(fmt::format("a lower border is told in {} of {}", good, all));
+      words.push_back(fmt::format("a lower border was measured in {} of {}", good, all));
     else if (work == SurveyWork::fit)
       words.push_back(fmt::format("a fit is good in {} of {}, and doubtful in {}", good, all,
                                   counted(verdicts, work, "doubtful")));
@@ -177,8 +177,8 @@ std::string jump_words(const NightDigest& digest) {
   int outliers = 0;
   for (const JumpedNumber& one : digest.jumps) outliers += one.kind == "outlier" ? 1 : 0;
   const int breaks = static_cast<int>(digest.jumps.size()) - outliers;
-  if (outliers + breaks == 0) return "No number jumps out of its course.";
-  return fmt::format("Numbers that jump: {} left out of their courses, {} where a course begins anew.",
+  if (outliers + breaks == 0) return "No value is an outlier.";
+  return fmt::format("Numbers that jump: {} left out of their courses, {} where a course begins again.",
                      outliers, breaks);
 }
 
@@ -262,7 +262,7 @@ std::string night_page(const SurveyFacts& facts, const ShownNight& night, const 
       {count_words(frames, "frame") + " of " + count_words(static_cast<int>(night.cameras.size()), "camera") +
            ", " + clock_of(first_s) + " to " + clock_of(last_s) + " UTC" + (told.empty() ? "" : ": " + told) +
            ".",
-       numbers.empty() ? "No number is told." : numbers + "."});
+       numbers.empty() ? "No value is measured." : numbers + "."});
   const ShownSpan span{first_s, std::max(last_s, first_s + 1.0)};
   for (const ShownCamera& shown : night.cameras) {
     const Plot curves = night_curves(shown.digest, span);

@@ -23,7 +23,7 @@ enum class NetcdfType {
 extern const double kNetcdfNoReal;
 inline constexpr int kNetcdfNoFlag = -127;
 
-/// One that is made anew. First dimensions, variables and attributes, then numbers; close() last. Whatever
+/// One that is made again. First dimensions, variables and attributes, then numbers; close() last. Whatever
 /// cannot be written throws sim::Error(unwritable_output) that names `shown_name`.
 class NetcdfFile {
  public:

@@ -51,7 +51,7 @@ openvdb::math::Transform::Ptr transform_of(const SparseGrid& grid, double centre
   return openvdb::math::Transform::createLinearTransform(m);
 }
 
-/// The library names every file anew at random: here by what is in it instead.
+/// The library names every file again at random: here by what is in it instead.
 void name_by_content(const std::string& path) {
   std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
   constexpr std::streamoff kPlace = 21, kLength = 36;  // behind magic number, three versions and a flag
@@ -76,7 +76,8 @@ void name_by_content(const std::string& path) {
   file.write(name.data(), kLength);
 }
 
-/// By the library's own list of kinds of grids: made here, it would be compiled here, with all that trees can do.
+/// By the library's own list of kinds of grids: made here, it would be compiled here, with all that trees can
+/// do.
 template <class Grid>
 typename Grid::Ptr new_grid() {
   return openvdb::gridPtrCast<Grid>(openvdb::GridBase::createGrid(Grid::gridType()));

@@ -262,7 +262,7 @@ class VolumegridReader {
         words_.refuse("its voxels are no cubes, but " + in_words(edge[0]) + " x " + in_words(edge[1]) +
                           " x " + in_words(edge[2]),
                       "p1 - p0 in the proportion of nx, ny and nz",
-                      "sample it anew with cubes; cells along an axis of " +
+                      "sample it again with cubes; cells along an axis of " +
                           in_words(std::round(size_[0] * edge[0] / edge[2])) + ", " +
                           in_words(std::round(size_[1] * edge[1] / edge[2])) + " and " + in_words(size_[2]) +
                           " would be");

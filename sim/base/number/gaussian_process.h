@@ -23,7 +23,7 @@ class GaussianProcess {
   GaussianProcess(std::uint64_t seed, Stream stream, std::uint32_t address, double width, double instant,
                   double lifetime);
 
-  /// Remembers the nodes between two places once they have been asked for; others are worked out anew.
+  /// Remembers the nodes between two places once they have been asked for; others are worked out again.
   void remember(double first, double last);
 
   double at(double place);

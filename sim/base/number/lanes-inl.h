@@ -167,10 +167,10 @@ HWY_INLINE double upper_uniform(std::uint32_t word) { return sim::upper_uniform(
 
 /// A word a beam whose upper halves, of beams next to each other, fill 0 to 1 evenly: Weyl's sequence of the
 /// golden ratio, from where `from` says.
-HWY_INLINE WordVector golden_word(WordVector beams, std::uint32_t from) {
+HWY_INLINE WordVector golden_ratio_word(WordVector beams, std::uint32_t from) {
   return hn::Add(hn::Mul(beams, hn::Set(WordTag(), 0x9E3779B9u)), hn::Set(WordTag(), from));
 }
-HWY_INLINE std::uint32_t golden_word(std::uint32_t beam, std::uint32_t from) {
+HWY_INLINE std::uint32_t golden_ratio_word(std::uint32_t beam, std::uint32_t from) {
   return beam * 0x9E3779B9u + from;
 }
 

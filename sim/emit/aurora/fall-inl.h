@@ -116,7 +116,7 @@ class FallingBeams {
     quad_ = 0;
     random_.start(beams, layer, keys);
     random_.draw(quad_, keys, ahead_);
-    first_step_ = upper_uniform(golden_word(beams, keys[0][0] + keys[0][1] * (layer + 1)));
+    first_step_ = upper_uniform(golden_ratio_word(beams, keys[0][0] + keys[0][1] * (layer + 1)));
   }
 
   /// Beams that are looked at in nodes. `left`: of the path at the first node, plus the offset.

@@ -9,7 +9,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/base/number/vec3.h"
-#include "sim/emit/footprint/foot_way.h"
+#include "sim/emit/footprint/foot_projection.h"
 #include "sim/emit/footprint/map/curve.h"
 #include "sim/emit/footprint/scalar_march.h"
 #include "sim/scene/structs/footprint_size.h"
@@ -55,7 +55,7 @@ class CurtainEmitter : public Emitter<T> {
     by_oxygen_ = step_profile(changes.by_oxygen);
     foot_.profile_by_flux = by_flux_.get();
     foot_.profile_by_oxygen = by_oxygen_.get();
-    foot_.way = rule_.way;
+    foot_.projection = rule_.projection;
     std::copy_n(rule_.axis, 3, foot_.axis);
     foot_.patches = rule_.patches ? rule_.patches->data() : nullptr;
     build(f, number, at);
@@ -96,7 +96,7 @@ class CurtainEmitter : public Emitter<T> {
       if (!f.point_flux.empty()) point.flux = point.flux * number(f.point_flux[i]);
       point.ln_energy = f.point_energy.empty() ? T(0.0) : logarithm(number(f.point_energy[i]));
     };
-    if (foot_.way == FootWay::shell) {
+    if (foot_.projection == FootProjection::shell) {
       std::vector<CurveNode<T, 3>> points(f.latitude_deg.size());
       for (std::size_t i = 0; i < points.size(); ++i) {
         const double lat = f.latitude_deg[i] * kRadiansPerDegree,
@@ -136,13 +136,13 @@ class CurtainEmitter : public Emitter<T> {
     wall.way = minus(b.foot, a.foot);
     Vec3<T> along = times3(a.foot, T(-1.0 / kFootRadius));
     const Vec3<T> up = times3(along, T(-1.0));
-    if (foot_.way == FootWay::field) along = {foot_.axis[0], foot_.axis[1], foot_.axis[2]};
-    if (foot_.way == FootWay::dipole) {
+    if (foot_.projection == FootProjection::field) along = {foot_.axis[0], foot_.axis[1], foot_.axis[2]};
+    if (foot_.projection == FootProjection::dipole) {
       T direction[3];
       dipole_fall(foot_.axis, PlaneFoot<T>{a.foot[0], a.foot[1], true}, direction);
       along = {direction[0], direction[1], direction[2]};
     }
-    if (foot_.way == FootWay::reference) {
+    if (foot_.projection == FootProjection::reference) {
       T direction[3];
       patch_fall(foot_.patches[0].template numbers<double>(), T(foot_.patches[0].per_place),
                  PlaneFoot<T>{a.foot[0], a.foot[1], true}, direction);
@@ -170,7 +170,7 @@ class CurtainEmitter : public Emitter<T> {
     if (std::fabs(value_of(u)) > -value_of(span.first_km)) return;
     const AirPoint<T> p = point_of_ray(span.place_km, span.direction, span.square_km2, span.along_km, u);
     T share(0.0), stretch(1.0);
-    if (foot_.way == FootWay::shell) {
+    if (foot_.projection == FootProjection::shell) {
       const T scale = T(kFootRadius) / radius_km(p);
       const Vec3<T> foot = {p.x[0] * scale, p.x[1] * scale, p.x[2] * scale};
       share = dot3(minus(foot, wall.from), wall.way) / dot3(wall.way, wall.way);
@@ -182,7 +182,7 @@ class CurtainEmitter : public Emitter<T> {
     }
     if (!(value_of(share) >= 0.0 && value_of(share) < 1.0)) return;
     // Straight down, what is a kilometre wide at the foot is wider higher up.
-    if (foot_.way == FootWay::shell || foot_.way == FootWay::vertical)
+    if (foot_.projection == FootProjection::shell || foot_.projection == FootProjection::vertical)
       stretch = radius_km(p) * (1.0 / kFootRadius);
     const T size = value_of(cosine) < 0.0 ? -cosine : cosine;
     const T incidence = value_of(size) < kCurtainMinCosine ? T(kCurtainMinCosine) : size;

@@ -50,12 +50,12 @@ struct Place {
 };
 
 /// The foot of a point, or the point itself where feet lie below. L is Pack or double.
-template <FootWay kWay, class L>
+template <FootProjection kProjection, class L>
 HWY_INLINE AirPoint<L> foot_of_shell(const FootprintKernel& kernel, const AirPoint<L>& p, int face) {
-  if constexpr (kWay == FootWay::shell_dipole) {
+  if constexpr (kProjection == FootProjection::shell_dipole) {
     const L axis[3] = {L(kernel.axis[0]), L(kernel.axis[1]), L(kernel.axis[2])};
     return foot_in_dipole_around_earth(p, axis);
-  } else if constexpr (kWay == FootWay::shell_reference) {
+  } else if constexpr (kProjection == FootProjection::shell_reference) {
     const FieldPatch& patch = kernel.patches[face];
     return foot_in_patch_around_earth(p, face, patch.rounded.data(), L(patch.per_place));
   } else {
@@ -64,20 +64,20 @@ HWY_INLINE AirPoint<L> foot_of_shell(const FootprintKernel& kernel, const AirPoi
 }
 
 /// The foot of a point in texels of the plane's grid, or of a face's.
-template <FootWay kWay>
+template <FootProjection kProjection>
 HWY_INLINE Place place_of(const FootprintKernel& kernel, const AirPoint<Pack>& p, int face) {
   const Pack texels(kernel.texels), first_x(kernel.first_x), first_y(kernel.first_y);
-  if constexpr (is_shell_way(kWay)) {
-    const FacePlace<Pack> at = place_on_face(foot_of_shell<kWay>(kernel, p, face), face);
+  if constexpr (is_shell_projection(kProjection)) {
+    const FacePlace<Pack> at = place_on_face(foot_of_shell<kProjection>(kernel, p, face), face);
     return {at.u * texels + first_x, at.v * texels + first_y, Pack(1.0f) < at.ahead};
   } else {
     const Pack axis[3] = {Pack(kernel.axis[0]), Pack(kernel.axis[1]), Pack(kernel.axis[2])};
     PlaneFoot<Pack> foot;
-    if constexpr (kWay == FootWay::vertical)
+    if constexpr (kProjection == FootProjection::vertical)
       foot = foot_below(p);
-    else if constexpr (kWay == FootWay::field)
+    else if constexpr (kProjection == FootProjection::field)
       foot = foot_along(p, axis);
-    else if constexpr (kWay == FootWay::dipole)
+    else if constexpr (kProjection == FootProjection::dipole)
       foot = foot_of_dipole(p, axis);
     else
       foot = foot_of_patch(p, kernel.patches[0].rounded.data(), Pack(kernel.patches[0].per_place));
@@ -91,14 +91,14 @@ HWY_INLINE PackMask on_face(const AirPoint<Pack>& p, int face) {
 }
 
 /// The face of the foot of the ray's point, from the reference on.
-template <FootWay kWay>
+template <FootProjection kProjection>
 HWY_INLINE int face_at(const FootprintKernel& kernel, const MarchSpan& span, double u) {
   const AirPoint<double> p = point_of_ray(span.place_km, span.direction, span.square_km2, span.along_km, u);
   const int above = static_cast<int>(face_number(p));
-  if constexpr (kWay == FootWay::shell)
+  if constexpr (kProjection == FootProjection::shell)
     return above;
   else
-    return static_cast<int>(face_number(foot_of_shell<kWay>(kernel, p, above)));
+    return static_cast<int>(face_number(foot_of_shell<kProjection>(kernel, p, above)));
 }
 
 /// Where the middles of steps are: texels of a window, and rows of the height profile.
@@ -108,7 +108,7 @@ struct StepPlaces {
 };
 
 /// What all steps of a face have.
-template <FootWay kWay>
+template <FootProjection kProjection>
 struct FaceMarch {
   const FootprintKernel& kernel;
   const MarchSpan& span;
@@ -124,9 +124,9 @@ struct FaceMarch {
   /// Steps from `number` on, each by itself. `several_faces`: only those on this one shine.
   HWY_INLINE StepPlaces places(Pack number, bool several_faces) const {
     const AirPoint<Pack> p = lanes.at(Pack(span.first_km) + (number + Pack(0.5f)) * Pack(span.step_km));
-    const Place at = place_of<kWay>(kernel, p, face);
+    const Place at = place_of<kProjection>(kernel, p, face);
     PackMask shines = at.is_there && number < Pack(span.steps);
-    if (several_faces) shines = shines && on_face(foot_of_shell<kWay>(kernel, p, face), face);
+    if (several_faces) shines = shines && on_face(foot_of_shell<kProjection>(kernel, p, face), face);
     return {at.x - Pack(window().first_x), at.y - Pack(window().first_y), row_of(p), shines};
   }
 };
@@ -173,15 +173,15 @@ struct StretchFeet {
 };
 
 /// Stretches go from `from[i]` to `to[i]`, in blocks from the span's beginning on.
-template <FootWay kWay>
-HWY_INLINE void find_feet(const FaceMarch<kWay>& march, const float* from, const float* to,
+template <FootProjection kProjection>
+HWY_INLINE void find_feet(const FaceMarch<kProjection>& march, const float* from, const float* to,
                           StretchFeet& out) {
   const FloatTag d;
   const Pack first(march.span.first_km), block_km(kBlockSteps * march.span.step_km);
   for (int part = 0; part < kParts; ++part) {
     const Pack low = hn::Load(d, from + part * kLanes), high = hn::Load(d, to + part * kLanes);
     const auto at = [&](Pack block) {
-      return place_of<kWay>(march.kernel, march.lanes.at(first + block * block_km), march.face);
+      return place_of<kProjection>(march.kernel, march.lanes.at(first + block * block_km), march.face);
     };
     out.low[part] = at(low);
     out.middle[part] = at((low + high) * Pack(0.5f));
@@ -210,8 +210,8 @@ HWY_INLINE std::uint32_t feet_with_light(const LitMap& map, const StretchFeet& f
 }
 
 /// The curves of sixteen blocks that begin at `blocks`.
-template <FootWay kWay>
-HWY_INLINE void find_curves(const FaceMarch<kWay>& march, const float* blocks, const StretchFeet& feet,
+template <FootProjection kProjection>
+HWY_INLINE void find_curves(const FaceMarch<kProjection>& march, const float* blocks, const StretchFeet& feet,
                             BlockCurves& out) {
   const FloatTag d;
   const Pack first(march.span.first_km), block_km(kBlockSteps * march.span.step_km), half(0.5f);
@@ -230,7 +230,7 @@ HWY_INLINE void find_curves(const FaceMarch<kWay>& march, const float* blocks, c
     };
     const AirPoint<Pack> checked = at(0.75f);
     const Place &low = feet.low[part], &middle = feet.middle[part], &high = feet.high[part];
-    const Place check = place_of<kWay>(march.kernel, checked, march.face);
+    const Place check = place_of<kProjection>(march.kernel, checked, march.face);
     PackMask good = low.is_there && middle.is_there && check.is_there && high.is_there;
     const auto fit = [&](Pack a, Pack centre, Pack b, Pack there, Pack origin, double most, float to[3][16]) {
       const Pack slope = (b - a) * half, bend = (b + a) * half - centre;

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/emit/footprint/foot_way.h"
+#include "sim/emit/footprint/foot_projection.h"
 #include "sim/emit/footprint/footprint_kernel.h"
 #include "sim/emit/footprint/scalar_march.h"
 #include "sim/emit/footprint/texel_store.h"
@@ -28,7 +28,7 @@ class FootprintEmitter : public Emitter<T> {
         rule_(rule_of_foot<T>(scene, footprint, number, turned_deg)),
         step_cells_(scene.march.step_cells),
         in_lanes_(std::is_same_v<T, double> && by == MarchBy::lanes) {
-    scalar_.way = kernel_.way = rule_.way;
+    scalar_.projection = kernel_.projection = rule_.projection;
     for (int i = 0; i < 3; ++i) {
       scalar_.axis[i] = rule_.axis[i];
       kernel_.axis[i] = value_of(rule_.axis[i]);
@@ -80,7 +80,7 @@ class FootprintEmitter : public Emitter<T> {
     scalar_.first_x = kernel_.first_x = first_x;
     scalar_.first_y = kernel_.first_y = first_y;
     const double cell_km =
-        is_shell_way(kernel_.way) ? (kEarthRadiusKm + kFootAltitudeKm) / texels : 1.0 / texels;
+        is_shell_projection(kernel_.projection) ? (kEarthRadiusKm + kFootAltitudeKm) / texels : 1.0 / texels;
     rays_.limit_feet(plain_rule(rule_), step_cells_ * cell_km);
   }
 

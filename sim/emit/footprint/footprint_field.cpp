@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "sim/emit/footprint/foot_way.h"
+#include "sim/emit/footprint/foot_projection.h"
 #include "sim/emit/footprint/footprint_emitter.h"
 #include "sim/emit/footprint/scalar_march.h"
 
@@ -21,7 +21,7 @@ class FootprintField : public LightField {
         rays_(scene, footprint, profile_.bottom_km(), turned_deg),
         rule_(rule_of_foot<double>(
             scene, footprint, [](const double& number) { return number; }, turned_deg)) {
-    f_.way = rule_.way;
+    f_.projection = rule_.projection;
     std::copy_n(rule_.axis, 3, f_.axis);
     f_.patches = rule_.patches ? rule_.patches->data() : nullptr;
     f_.profile = &profile_;
@@ -107,7 +107,7 @@ class FootprintField : public LightField {
     const double u = (x - f_.first_x) / f_.texels, v = (y - f_.first_y) / f_.texels;
     double foot[3], up[3];
     constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
-    if (is_shell_way(f_.way)) {
+    if (is_shell_projection(f_.projection)) {
       const int a = face / 2;
       const double scale = kRadius / std::sqrt(1.0 + u * u + v * v);
       foot[a] = face % 2 == 0 ? scale : -scale;

@@ -23,7 +23,7 @@ constexpr int kBentBlocks = 16;    ///< over which feet along a field run straig
 constexpr int kStretchBlocks = 8;  ///< that are passed over together, if all are dark
 
 /// A span's way through the faces, to the blocks with light.
-template <FootWay kWay, class Queue>
+template <FootProjection kProjection, class Queue>
 class SpanMarch {
  public:
   HWY_INLINE SpanMarch(const FootprintKernel& kernel, const MarchSpan& span, std::size_t number, Queue& queue)
@@ -36,7 +36,7 @@ class SpanMarch {
 
   HWY_INLINE void run() {
     const int blocks = (span_.steps + kBlockSteps - 1) / kBlockSteps;
-    if constexpr (is_shell_way(kWay))
+    if constexpr (is_shell_projection(kProjection))
       through_faces(0, blocks, face_at_block(0), face_at_block(blocks));
     else
       along_face(0, blocks, 0);
@@ -44,13 +44,13 @@ class SpanMarch {
 
  private:
   int face_at_block(int block) const {
-    return face_at<kWay>(kernel_, span_, span_.first_km + block * kBlockSteps * span_.step_km);
+    return face_at<kProjection>(kernel_, span_, span_.first_km + block * kBlockSteps * span_.step_km);
   }
 
   /// Faces are convex: a stretch with both ends on one is there as a whole. Along a field the feet of a ray
   /// run in a bow, which is flat over a few blocks.
   void through_faces(int first, int last, int face, int last_face) {
-    if (face == last_face && (kWay == FootWay::shell || last - first <= kBentBlocks))
+    if (face == last_face && (kProjection == FootProjection::shell || last - first <= kBentBlocks))
       return along_face(first, last, face);
     if (last - first == 1) return across_faces(first);
     const int middle = first + (last - first) / 2, middle_face = face_at_block(middle);
@@ -61,14 +61,14 @@ class SpanMarch {
   void across_faces(int block) {
     for (int face = 0; face < 6; ++face) {
       if (kernel_.window[face].flux == nullptr) continue;
-      const FaceMarch<kWay> march{kernel_, span_, lanes_, face};
+      const FaceMarch<kProjection> march{kernel_, span_, lanes_, face};
       push(march.window(), block, [&](int part) { return march.places(step_numbers(block, part), true); });
     }
   }
 
   HWY_INLINE void along_face(int first, int last, int face) {
     if (kernel_.window[face].flux == nullptr) return;
-    const FaceMarch<kWay> march{kernel_, span_, lanes_, face};
+    const FaceMarch<kProjection> march{kernel_, span_, lanes_, face};
     Blocks blocks;
     const auto add = [&](int begin, int end) {
       for (int block = begin; block < end; ++block) {
@@ -89,7 +89,8 @@ class SpanMarch {
   }
 
   /// Of up to sixteen stretches of blocks from `first` on: a bit each.
-  HWY_INLINE std::uint32_t stretches_with_light(const FaceMarch<kWay>& march, int first, int last) const {
+  HWY_INLINE std::uint32_t stretches_with_light(const FaceMarch<kProjection>& march, int first,
+                                                int last) const {
     HWY_ALIGN float from[16], to[16];
     for (int i = 0; i < 16; ++i) {
       from[i] = static_cast<float>(std::min(last, first + i * kStretchBlocks));
@@ -107,7 +108,7 @@ class SpanMarch {
     int count = 0;
   };
 
-  HWY_INLINE void take(const FaceMarch<kWay>& march, Blocks& blocks) {
+  HWY_INLINE void take(const FaceMarch<kProjection>& march, Blocks& blocks) {
     std::uint32_t lit = (1u << blocks.count) - 1u;
     for (int i = blocks.count; i < 16; ++i) {
       blocks.from[i] = blocks.from[i - 1];
@@ -153,46 +154,46 @@ class SpanMarch {
   const WidthOfBlock width_of_block_;
 };
 
-template <FootWay kWay, int kQuartets, bool kEnergies>
+template <FootProjection kProjection, int kQuartets, bool kEnergies>
 std::size_t march_all(const FootprintKernel& kernel, const MarchSpan* spans, std::size_t count,
                       SpanLight* out) {
   using Queue = LightQueue<kQuartets, kEnergies>;
   std::fill(out, out + count, SpanLight{{}, 0.0, std::numeric_limits<double>::infinity()});
   Queue queue(*kernel.profile, spans, out);
-  for (std::size_t i = 0; i < count; ++i) SpanMarch<kWay, Queue>(kernel, spans[i], i, queue).run();
+  for (std::size_t i = 0; i < count; ++i) SpanMarch<kProjection, Queue>(kernel, spans[i], i, queue).run();
   return queue.finish();
 }
 
-template <FootWay kWay>
-std::size_t march_way(const FootprintKernel& kernel, const MarchSpan* spans, std::size_t count,
-                      SpanLight* out) {
+template <FootProjection kProjection>
+std::size_t march_projection(const FootprintKernel& kernel, const MarchSpan* spans, std::size_t count,
+                             SpanLight* out) {
   const bool wide = kernel.profile->stride() > 4, energies = kernel.profile->energies() > 1;
   if (energies)
-    return wide ? march_all<kWay, 2, true>(kernel, spans, count, out)
-                : march_all<kWay, 1, true>(kernel, spans, count, out);
-  return wide ? march_all<kWay, 2, false>(kernel, spans, count, out)
-              : march_all<kWay, 1, false>(kernel, spans, count, out);
+    return wide ? march_all<kProjection, 2, true>(kernel, spans, count, out)
+                : march_all<kProjection, 1, true>(kernel, spans, count, out);
+  return wide ? march_all<kProjection, 2, false>(kernel, spans, count, out)
+              : march_all<kProjection, 1, false>(kernel, spans, count, out);
 }
 
 std::size_t MarchSpans(const FootprintKernel& kernel, const MarchSpan* spans, std::size_t count,
                        SpanLight* out) {
-  switch (kernel.way) {
-    case FootWay::vertical:
-      return march_way<FootWay::vertical>(kernel, spans, count, out);
-    case FootWay::field:
-      return march_way<FootWay::field>(kernel, spans, count, out);
-    case FootWay::dipole:
-      return march_way<FootWay::dipole>(kernel, spans, count, out);
-    case FootWay::reference:
-      return march_way<FootWay::reference>(kernel, spans, count, out);
-    case FootWay::shell_dipole:
-      return march_way<FootWay::shell_dipole>(kernel, spans, count, out);
-    case FootWay::shell_reference:
-      return march_way<FootWay::shell_reference>(kernel, spans, count, out);
-    case FootWay::shell:
+  switch (kernel.projection) {
+    case FootProjection::vertical:
+      return march_projection<FootProjection::vertical>(kernel, spans, count, out);
+    case FootProjection::field:
+      return march_projection<FootProjection::field>(kernel, spans, count, out);
+    case FootProjection::dipole:
+      return march_projection<FootProjection::dipole>(kernel, spans, count, out);
+    case FootProjection::reference:
+      return march_projection<FootProjection::reference>(kernel, spans, count, out);
+    case FootProjection::shell_dipole:
+      return march_projection<FootProjection::shell_dipole>(kernel, spans, count, out);
+    case FootProjection::shell_reference:
+      return march_projection<FootProjection::shell_reference>(kernel, spans, count, out);
+    case FootProjection::shell:
       break;
   }
-  return march_way<FootWay::shell>(kernel, spans, count, out);
+  return march_projection<FootProjection::shell>(kernel, spans, count, out);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -20,7 +20,7 @@ struct TexelWindow {
 };
 
 struct FootprintKernel {
-  FootWay way = FootWay::vertical;
+  FootProjection projection = FootProjection::vertical;
   double axis[3] = {0.0, 0.0, -1.0};  ///< as FootRule's
   const FieldPatch* patches = nullptr;
   /// Texels of the grid by places on the plane in km, or on a face: x = place * texels + first.

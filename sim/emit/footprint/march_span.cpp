@@ -29,27 +29,27 @@ MarchRays::MarchRays(const Scene& scene, const Footprint& footprint, double bott
 void fall_at_place(const FootRule<double>& rule, const double up[3], double fall[3]) {
   constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
   const PlaneFoot<double> foot{up[0] * kRadius, up[1] * kRadius, true};
-  switch (rule.way) {
-    case FootWay::vertical:
-    case FootWay::shell:
+  switch (rule.projection) {
+    case FootProjection::vertical:
+    case FootProjection::shell:
       for (int a = 0; a < 3; ++a) fall[a] = -up[a];
       break;
-    case FootWay::field:
+    case FootProjection::field:
       std::copy_n(rule.axis, 3, fall);
       break;
-    case FootWay::dipole:
+    case FootProjection::dipole:
       dipole_fall(rule.axis, foot, fall);
       break;
-    case FootWay::reference:
+    case FootProjection::reference:
       patch_fall((*rule.patches)[0].numbers<double>(), (*rule.patches)[0].per_place, foot, fall);
       break;
-    case FootWay::shell_dipole: {
+    case FootProjection::shell_dipole: {
       const double along = up[0] * rule.axis[0] + up[1] * rule.axis[1] + up[2] * rule.axis[2];
       const double size = std::copysign(std::sqrt(3.0 * along * along + 1.0), along);
       for (int a = 0; a < 3; ++a) fall[a] = (rule.axis[a] - 3.0 * along * up[a]) / size;
       break;
     }
-    case FootWay::shell_reference: {
+    case FootProjection::shell_reference: {
       AirPoint<double> place;
       for (int a = 0; a < 3; ++a) place.x[a] = up[a] * kRadius;
       place.square = kFootAltitudeKm * (kFootAltitudeKm + 2.0 * kEarthRadiusKm);

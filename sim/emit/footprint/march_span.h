@@ -20,16 +20,18 @@ inline constexpr int kBlockSteps = 16;  ///< steps that are marched, or passed o
 
 /// How feet are found: of a box in the axes of its site (the observer's, or its home's), of a shell on the
 /// cube's faces in the Earth's, straight down or along a field.
-enum class FootWay { vertical, field, dipole, reference, shell, shell_dipole, shell_reference };
+enum class FootProjection { vertical, field, dipole, reference, shell, shell_dipole, shell_reference };
 
-constexpr bool is_shell_way(FootWay way) { return way >= FootWay::shell; }
+constexpr bool is_shell_projection(FootProjection projection) { return projection >= FootProjection::shell; }
 /// Whether the foot is the place below.
-constexpr bool is_upright_way(FootWay way) { return way == FootWay::vertical || way == FootWay::shell; }
+constexpr bool is_vertical_projection(FootProjection projection) {
+  return projection == FootProjection::vertical || projection == FootProjection::shell;
+}
 
 /// What feet are found by.
 template <class T>
 struct FootRule {
-  FootWay way = FootWay::vertical;
+  FootProjection projection = FootProjection::vertical;
   T axis[3] = {T(0.0), T(0.0), T(-1.0)};  ///< the direction of fall, or the dipole's
   /// Of the way `reference` the first one only, of `shell_reference` one for each face.
   std::shared_ptr<const std::array<FieldPatch, 6>> patches;
@@ -123,7 +125,8 @@ class MarchRays {
  private:
   template <class T>
   double longest_step_km(const MarchSpanOf<T>& span, double half_km) const {
-    if (foot_km_ >= step_km_ * (is_upright_way(rule_.way) ? 1.0 : kMaxFootShare)) return step_km_;
+    if (foot_km_ >= step_km_ * (is_vertical_projection(rule_.projection) ? 1.0 : kMaxFootShare))
+      return step_km_;
     double share = 0.0;
     for (const double at_km : {-half_km, 0.0, half_km}) {
       double place[3], direction[3];

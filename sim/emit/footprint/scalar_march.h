@@ -18,7 +18,7 @@ namespace vegard::sim {
 
 template <class T, class G>
 struct ScalarFootprint {
-  FootWay way = FootWay::vertical;
+  FootProjection projection = FootProjection::vertical;
   T axis[3];  ///< as FootprintKernel's
   const FieldPatch* patches = nullptr;
   double texels = 1.0, first_x = 0.0, first_y = 0.0;
@@ -71,7 +71,7 @@ class ScalarMarch {
 
   template <class V>
   Place<V> place_of(const AirPoint<V>& p, const V axis[3], int face) const {
-    if (is_shell_way(f_.way)) {
+    if (is_shell_projection(f_.projection)) {
       const FacePlace<V> at = place_on_face(foot_of_shell(p, axis, face), face);
       return {at.u * f_.texels + f_.first_x, at.v * f_.texels + f_.first_y, value_of(at.ahead) > 1.0};
     }
@@ -151,12 +151,12 @@ class ScalarMarch {
 
   template <class V>
   PlaneFoot<V> foot_on_plane(const AirPoint<V>& p, const V axis[3]) const {
-    switch (f_.way) {
-      case FootWay::field:
+    switch (f_.projection) {
+      case FootProjection::field:
         return foot_along(p, axis);
-      case FootWay::dipole:
+      case FootProjection::dipole:
         return foot_of_dipole(p, axis);
-      case FootWay::reference:
+      case FootProjection::reference:
         return foot_of_patch(p, f_.patches[0].template numbers<double>(), V(f_.patches[0].per_place));
       default:
         return foot_below(p);
@@ -165,8 +165,8 @@ class ScalarMarch {
 
   template <class V>
   AirPoint<V> foot_of_shell(const AirPoint<V>& p, const V axis[3], int face) const {
-    if (f_.way == FootWay::shell_dipole) return foot_in_dipole_around_earth(p, axis);
-    if (f_.way == FootWay::shell_reference)
+    if (f_.projection == FootProjection::shell_dipole) return foot_in_dipole_around_earth(p, axis);
+    if (f_.projection == FootProjection::shell_reference)
       return foot_in_patch_around_earth(p, face, f_.patches[face].template numbers<double>(),
                                         V(f_.patches[face].per_place));
     return p;
@@ -175,9 +175,9 @@ class ScalarMarch {
   /// The face that the foot of a point is on.
   template <class V>
   int face_of(const AirPoint<V>& p) const {
-    if (!is_shell_way(f_.way)) return 0;
+    if (!is_shell_projection(f_.projection)) return 0;
     const int above = static_cast<int>(value_of(face_number(p)));
-    if (f_.way == FootWay::shell) return above;
+    if (f_.projection == FootProjection::shell) return above;
     AirPoint<double> plain;
     for (int i = 0; i < 3; ++i) plain.x[i] = value_of(p.x[i]);
     plain.square = value_of(p.square);

@@ -1,4 +1,4 @@
-// A grid as a field in space, to be sampled anew.
+// A grid as a field in space, to be sampled again.
 #pragma once
 
 #include <vector>

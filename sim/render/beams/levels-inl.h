@@ -30,9 +30,9 @@ struct SpreadSamples {
 
 /// The excited atoms' way, from a sample as SampleMaker has it. Its distance is not among what a sample
 /// holds: it follows from the direction and the altitude.
-class AtomsWay {
+class AtomDrift {
  public:
-  AtomsWay(const KernelScene& scene, const KernelLevels& levels) : scene_(scene), levels_(levels) {
+  AtomDrift(const KernelScene& scene, const KernelLevels& levels) : scene_(scene), levels_(levels) {
     for (int i = 0; i < 3; ++i) {
       up_[i] = static_cast<float>(scene.view.camera_from_enu[i][2].v);
       double wind = 0.0;
@@ -161,7 +161,7 @@ inline std::uint64_t fall_and_spread(const KernelScene& scene, const KernelLevel
                                      const BeamGroup* groups, std::size_t count, std::int64_t* const* films) {
   SampleMaker<PinholeFilm, Pack, Pack, Pack, Pack, 0> maker(scene);
   static thread_local SampleBlock<float, 0> block;
-  const AtomsWay way(scene, levels);
+  const AtomDrift way(scene, levels);
   SpreadSamples samples;
   std::uint64_t points = 0;
   for (std::size_t g = 0; g < count; ++g) {

@@ -6,7 +6,7 @@
 
 #include "sim/scene/freedom/expression.h"
 #include "sim/scene/freedom/free_path.h"
-#include "sim/scene/freedom/idle_parameter.h"
+#include "sim/scene/freedom/inert_parameter.h"
 #include "sim/scene/rows/nearest_name.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/free_entry_keys.h"
@@ -204,7 +204,7 @@ void check_free_parameters(const Scene& scene) {
       // What one photograph has for itself is looked at in its own scene (check_photos).
       const bool is_shared = free.photo.empty();
       if (is_shared)
-        if (const auto idle = why_it_counts_for_nothing(scene, path)) complain(*idle, origin);
+        if (const auto inert = inert_parameter_complaint(scene, path)) complain(*inert, origin);
       for (const FreeParameter* owner : owners[path.id]) {
         if (meet(owner->photo, free.photo))
           complain({"free twice, first as '" + owner->path + "'" + in_line(owner->line),

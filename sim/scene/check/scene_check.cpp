@@ -146,7 +146,7 @@ void check_courses(const Scene& scene) {
                   "spacing_rule", "\"stratified\" or \"tied\"");
     if (sheet.point_energy_kev.empty()) continue;
     if (sheet.profile == ProfileKind::file || sheet.profile == ProfileKind::spline)
-      refuse({"the sheet's profile is of no electrons, so their energy along the curve counts for nothing",
+      refuse({"the sheet's profile is of no electrons, so their energy along the curve has no effect",
               "a profile of a spectrum of electrons or a form, or no point_energy_kev", ""},
              "point_energy_kev");
     // Where every point counts alike, the two profiles that a beam is shared out among would count double.
@@ -255,9 +255,9 @@ void check_sky_time(const Scene& scene) {
   if (!scene.site.time_utc.empty()) return;
   const auto needs = [&](const std::string& key, bool is_set, const std::string& what) {
     if (!is_set) return;
-    complain({what + " at a time that nobody has told",
-              "site.time_utc, in ISO 8601 such as \"2019-09-01T05:00:00Z\"", ""},
-             {scene.file, 0, key});
+    complain(
+        {what + " at an unknown time", "site.time_utc, in ISO 8601 such as \"2019-09-01T05:00:00Z\"", ""},
+        {scene.file, 0, key});
   };
   needs("stars.source", scene.stars.shown && scene.stars.source == StarSource::catalogue,
         "the catalogue's stars stand in the sky");

@@ -5,7 +5,7 @@
 
 #include "sim/base/error.h"
 #include "sim/scene/freedom/free_path.h"
-#include "sim/scene/freedom/idle_parameter.h"
+#include "sim/scene/freedom/inert_parameter.h"
 #include "sim/scene/freedom/ties.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/parameter_declarations.h"
@@ -21,7 +21,7 @@ void check_path(const Scene& scene, const TiedParameter& tied) {
     const Origin origin{scene.file, tied.line, path.text};
     if (!path.row->can_be_free)
       complain({"this parameter cannot be tied", "one that `vegard params` lists as free", ""}, origin);
-    if (const auto idle = why_it_counts_for_nothing(scene, path)) complain(*idle, origin);
+    if (const auto inert = inert_parameter_complaint(scene, path)) complain(*inert, origin);
     if (path.row->role == ParameterRole::profile_coefficient)
       complain({"a coefficient of a free-form profile cannot be tied", "one that is free, or fixed", ""},
                origin);

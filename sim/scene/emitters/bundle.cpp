@@ -69,13 +69,13 @@ void check_bundles(const Scene& scene) {
   for (const Bundle& bundle : scene.bundles) check_the_bundle(scene, bundle);
 }
 
-std::optional<Complaint> why_bundle_idle(const Scene& scene, const ParameterPath& path) {
+std::optional<Complaint> why_bundle_inert(const Scene& scene, const ParameterPath& path) {
   if (path.row->table != "bundle") return std::nullopt;
   const Bundle& b = scene.bundles[static_cast<std::size_t>(path.element)];
   const std::string& key = path.row->key;
   if (key == "filament_pull" && b.filaments == 0)
-    return idle("the bundle has no filaments", key, "give it filaments");
-  if (key == "temperature_mk") return why_temperature_idle(scene, b.temperature_mk);
+    return inert("the bundle has no filaments", key, "give it filaments");
+  if (key == "temperature_mk") return why_temperature_inert(scene, b.temperature_mk);
   return std::nullopt;
 }
 
@@ -88,7 +88,7 @@ EmitterKind bundle_kind() {
   kind.rows = bundle_rows;
   kind.light = LightKind::sun;
   kind.check = check_bundles;
-  kind.why_idle = why_bundle_idle;
+  kind.why_inert = why_bundle_inert;
   kind.place_in_preview = 5;
   return kind;
 }

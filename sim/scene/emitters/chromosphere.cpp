@@ -56,20 +56,20 @@ void check_chromospheres(const Scene& scene) {
   for (const Chromosphere& chromosphere : scene.chromospheres) check_the_chromosphere(scene, chromosphere);
 }
 
-std::optional<Complaint> why_chromosphere_idle(const Scene& scene, const ParameterPath& parameter) {
+std::optional<Complaint> why_chromosphere_inert(const Scene& scene, const ParameterPath& parameter) {
   if (parameter.row->table != "chromosphere") return std::nullopt;
   const Chromosphere& c = scene.chromospheres[static_cast<std::size_t>(parameter.element)];
   const std::string& key = parameter.row->key;
-  if (key == "peak" && c.biasmap.empty()) return idle("the chromosphere has no map", key, "name a biasmap");
+  if (key == "peak" && c.biasmap.empty()) return inert("the chromosphere has no map", key, "name a biasmap");
   if (!c.cutoff && is_one_of(key, {"coverage", "sharpness", "amplitude"}))
-    return idle("the chromosphere has no cutoff", key, "set cutoff = true");
+    return inert("the chromosphere has no cutoff", key, "set cutoff = true");
   if (key == "roughness" && c.octaves == 1)
-    return idle("the turbulence has one octave", key, "give it more octaves");
+    return inert("the turbulence has one octave", key, "give it more octaves");
   const std::string path = "chromosphere." + c.name + ".";
   const bool is_dark = all_zero(c.rayleigh) && !frees(scene, path + "rayleigh"),
              is_clear = c.extinction == 0.0 && !frees(scene, path + "extinction");
   if (is_dark && is_clear && !is_one_of(key, {"rayleigh", "extinction"}))
-    return idle("the chromosphere neither shines nor absorbs", key, "give it rayleigh or extinction");
+    return inert("the chromosphere neither shines nor absorbs", key, "give it rayleigh or extinction");
   return std::nullopt;
 }
 
@@ -89,7 +89,7 @@ EmitterKind chromosphere_kind() {
   kind.rows = chromosphere_rows;
   kind.light = LightKind::sun;
   kind.check = check_chromospheres;
-  kind.why_idle = why_chromosphere_idle;
+  kind.why_inert = why_chromosphere_inert;
   kind.pictures = pictures_of_chromospheres;
   kind.place_in_preview = 3;
   return kind;

@@ -48,15 +48,15 @@ void check_coronae(const Scene& scene) {
   for (const Corona& corona : scene.coronae) check_the_corona(scene, corona);
 }
 
-std::optional<Complaint> why_corona_idle(const Scene& scene, const ParameterPath& path) {
+std::optional<Complaint> why_corona_inert(const Scene& scene, const ParameterPath& path) {
   if (path.row->table != "corona") return std::nullopt;
   const Corona& c = scene.coronae[static_cast<std::size_t>(path.element)];
   const std::string& key = path.row->key;
   const auto term = static_cast<std::size_t>(std::max(0, path.component));
   if (key == "power" && term < c.share.size() && c.share[term] == 0.0 &&
       !frees(scene, "corona." + c.name + ".share"))
-    return idle("its share is 0", key, "give it a share");
-  if (key == "temperature_mk") return why_temperature_idle(scene, c.temperature_mk);
+    return inert("its share is 0", key, "give it a share");
+  if (key == "temperature_mk") return why_temperature_inert(scene, c.temperature_mk);
   return std::nullopt;
 }
 
@@ -77,7 +77,7 @@ EmitterKind corona_kind() {
   kind.rows = corona_rows;
   kind.light = LightKind::sun;
   kind.check = check_coronae;
-  kind.why_idle = why_corona_idle;
+  kind.why_inert = why_corona_inert;
   kind.on_sun = coronae_on_sun;
   kind.place_in_preview = 4;
   return kind;

@@ -44,16 +44,16 @@ void check_ejections(const Scene& scene) {
   }
 }
 
-std::optional<Complaint> why_ejection_idle(const Scene& scene, const ParameterPath& path) {
+std::optional<Complaint> why_ejection_inert(const Scene& scene, const ParameterPath& path) {
   if (path.row->table != "ejection") return std::nullopt;
   const std::string& key = path.row->key;
   const Ejection& j = scene.ejections[static_cast<std::size_t>(path.element)];
   if (j.kind == EjectionKind::shell && is_one_of(key, {"turns", "strand_radius", "bearing_deg"}))
-    return idle("the ejection is a shell", key, "set kind = \"rope\"");
+    return inert("the ejection is a shell", key, "set kind = \"rope\"");
   if (key == "speed_km_s" && j.age_s + scene.time.start_s <= 0.0 &&
       !frees(scene, "ejection." + j.name + ".age_s"))
-    return idle("the ejection is of age 0", key, "give it an age_s");
-  if (key == "temperature_mk") return why_temperature_idle(scene, j.temperature_mk);
+    return inert("the ejection is of age 0", key, "give it an age_s");
+  if (key == "temperature_mk") return why_temperature_inert(scene, j.temperature_mk);
   return std::nullopt;
 }
 
@@ -68,7 +68,7 @@ EmitterKind ejection_kind() {
   kind.rows = ejection_rows;
   kind.light = LightKind::sun;
   kind.check = check_ejections;
-  kind.why_idle = why_ejection_idle;
+  kind.why_inert = why_ejection_inert;
   kind.moves = ejections_move;
   return kind;
 }

@@ -53,19 +53,19 @@ bool frees(const Scene& scene, const std::string& path) {
   });
 }
 
-Complaint idle(const std::string& what, const std::string& key, const std::string& hint) {
-  return {what + ", so " + key + " counts for nothing", "a parameter that the light depends on",
+Complaint inert(const std::string& what, const std::string& key, const std::string& hint) {
+  return {what + ", so " + key + " has no effect", "a parameter that the light depends on",
           "leave it out of fit.free, or " + hint};
 }
 
-std::optional<Complaint> why_temperature_idle(const Scene& scene, double temperature_mk) {
+std::optional<Complaint> why_temperature_inert(const Scene& scene, double temperature_mk) {
   if (temperature_mk == 0.0)
-    return idle("the light is that of any temperature", "temperature_mk", "set it above 0");
+    return inert("the light is that of any temperature", "temperature_mk", "set it above 0");
   const std::vector<double>& lines = scene.emission.lines;
   if (std::any_of(lines.begin(), lines.end(), [](double nm) { return temperature_response(nm).has_value(); }))
     return std::nullopt;
-  return idle("no emission line has a response to the temperature", "temperature_mk",
-              "name a line of the corona in emission.lines");
+  return inert("no emission line has a response to the temperature", "temperature_mk",
+               "name a line of the corona in emission.lines");
 }
 
 }  // namespace vegard::sim

@@ -1,4 +1,4 @@
-// What the kinds' checks, and their words for what is idle, have in common.
+// What the kinds' checks, and their words for what is inert, have in common.
 //
 // For the files of this folder, and for kinds that a program adds.
 #pragma once
@@ -47,10 +47,10 @@ bool all_zero(const std::vector<double>& list);
 /// Whether the scene frees a number, or one of its components.
 bool frees(const Scene& scene, const std::string& path);
 
-/// "WHAT, so KEY counts for nothing".
-Complaint idle(const std::string& what, const std::string& key, const std::string& hint);
+/// "WHAT, so KEY has no effect".
+Complaint inert(const std::string& what, const std::string& key, const std::string& hint);
 
 /// Of a temperature by which no line of the scene shines; else none.
-std::optional<Complaint> why_temperature_idle(const Scene& scene, double temperature_mk);
+std::optional<Complaint> why_temperature_inert(const Scene& scene, double temperature_mk);
 
 }  // namespace vegard::sim

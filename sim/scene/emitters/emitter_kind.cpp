@@ -11,8 +11,8 @@ bool is_drawn(const EmitterKind& kind, const Scene& scene) {
   return is_in_scene(kind, scene) && (kind.light != LightKind::sun || scene.sun.shown);
 }
 
-bool could_shine(const EmitterKind& kind, const Scene& scene) {
-  return kind.could_shine != nullptr ? kind.could_shine(scene) : is_drawn(kind, scene);
+bool may_emit(const EmitterKind& kind, const Scene& scene) {
+  return kind.may_emit != nullptr ? kind.may_emit(scene) : is_drawn(kind, scene);
 }
 
 bool moves(const EmitterKind& kind, const Scene& scene) { return kind.moves != nullptr && kind.moves(scene); }

@@ -21,7 +21,7 @@ enum class LightKind { aurora, nebula, sun, any };
 enum class OnSun { nothing, alike_all_round, alike_about_axis, uneven };
 
 /// Where light comes from, for whoever sees none.
-struct Whereabouts {
+struct LightLocation {
   enum class Known { place, direction, words, file } known;
   std::string what;                             ///< "footprint 'arc'"
   EastNorth center_km{};                        ///< of a place: a point of the observer's tangent plane
@@ -54,14 +54,14 @@ struct EmitterKind {
 
   /// Why the light does not depend on a number, or nobody has its derivative; none if neither is so. It is
   /// asked for every number, of other tables too.
-  std::optional<Complaint> (*why_idle)(const Scene&, const ParameterPath&) = nullptr;
+  std::optional<Complaint> (*why_inert)(const Scene&, const ParameterPath&) = nullptr;
 
   /// Whether it is there to be drawn. Null: if there is an element, and for light of the Sun the Sun too. A
   /// table that a scene has once has to say it.
   bool (*is_drawn)(const Scene&) = nullptr;
 
   /// Whether there is light in it at all. Null: if it is drawn.
-  bool (*could_shine)(const Scene&) = nullptr;
+  bool (*may_emit)(const Scene&) = nullptr;
 
   /// Whether it changes with the scene's clock. Null: it never does.
   bool (*moves)(const Scene&) = nullptr;
@@ -73,7 +73,7 @@ struct EmitterKind {
   OnSun (*on_sun)(const Scene&) = nullptr;
 
   /// Of its elements, for whoever sees none of them. Null: it has none to tell.
-  std::vector<Whereabouts> (*whereabouts)(const Scene&) = nullptr;
+  std::vector<LightLocation> (*light_locations)(const Scene&) = nullptr;
 
   /// What it reads from pictures. Null: nothing.
   std::vector<PictureOfScene> (*pictures)(const Scene&) = nullptr;
@@ -95,7 +95,7 @@ struct EmitterKind {
 bool is_in_scene(const EmitterKind& kind, const Scene& scene);
 
 bool is_drawn(const EmitterKind& kind, const Scene& scene);
-bool could_shine(const EmitterKind& kind, const Scene& scene);
+bool may_emit(const EmitterKind& kind, const Scene& scene);
 bool moves(const EmitterKind& kind, const Scene& scene);
 bool is_made_of_sheets(const EmitterKind& kind, const Scene& scene);
 OnSun what_is_on_sun(const EmitterKind& kind, const Scene& scene);

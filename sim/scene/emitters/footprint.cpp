@@ -235,8 +235,8 @@ std::optional<Complaint> of_footprint(const Footprint& f, const std::string& key
                      "a number of a footprint of shape \"box\", or energy_kev", "leave it out of fit.free"};
   const bool of_spline = is_one_of(key, {"east_km", "north_km", "width_km", "point_energy", "point_flux"});
   if (of_spline && f.source != FootprintSource::spline)
-    return idle("the footprint comes from \"" + word_in(footprint_rows(), f.source) + "\"", key,
-                "set source to \"spline\"");
+    return inert("the footprint comes from \"" + word_in(footprint_rows(), f.source) + "\"", key,
+                 "set source to \"spline\"");
   if (f.model != FootprintModel::curtain && flows(f) &&
       is_one_of(key, {"east_km", "north_km", "width_km", "point_flux"}))
     return Complaint{
@@ -245,10 +245,10 @@ std::optional<Complaint> of_footprint(const Footprint& f, const std::string& key
         "set flow_turns = 0, or leave it out of fit.free"};
   if (f.source == FootprintSource::precipitation &&
       is_one_of(key, {"center_km", "energy_kev", "energy_flux_mw_m2"}))
-    return idle("place, energy and flux are those of the map of precipitation", key,
-                "free a sheet that follows the map's curtains");
+    return inert("place, energy and flux are those of the map of precipitation", key,
+                 "free a sheet that follows the map's curtains");
   if (f.source == FootprintSource::sheets && is_one_of(key, {"center_km", "energy_kev", "energy_flux_mw_m2"}))
-    return idle("feet, energy and flux are those of the sheets", key, "free the sheets' own numbers");
+    return inert("feet, energy and flux are those of the sheets", key, "free the sheets' own numbers");
   return std::nullopt;
 }
 
@@ -276,7 +276,7 @@ std::optional<Complaint> of_sheet_in_footprint(const Scene& scene, const Sheet& 
       "set the footprint's flow_turns = 0, or leave it out of fit.free"};
 }
 
-std::optional<Complaint> why_footprint_idle(const Scene& scene, const ParameterPath& path) {
+std::optional<Complaint> why_footprint_inert(const Scene& scene, const ParameterPath& path) {
   const std::string& table = path.row->table;
   const auto e = static_cast<std::size_t>(path.element);
   if (table == "footprint") return of_footprint(scene.footprints[e], path.row->key);
@@ -284,7 +284,7 @@ std::optional<Complaint> why_footprint_idle(const Scene& scene, const ParameterP
   return std::nullopt;
 }
 
-bool footprints_could_shine(const Scene& scene) {
+bool footprints_may_emit(const Scene& scene) {
   return std::any_of(scene.footprints.begin(), scene.footprints.end(), [](const Footprint& f) {
     return f.source == FootprintSource::precipitation || f.energy_flux_mw_m2 > 0.0;
   });
@@ -301,17 +301,17 @@ bool footprints_of_sheets(const Scene& scene) {
                      [](const Footprint& f) { return f.source == FootprintSource::sheets; });
 }
 
-std::vector<Whereabouts> where_footprints_are(const Scene& scene) {
-  std::vector<Whereabouts> all;
+std::vector<LightLocation> where_footprints_are(const Scene& scene) {
+  std::vector<LightLocation> all;
   for (const Footprint& f : scene.footprints) {
-    all.push_back({Whereabouts::Known::place, "footprint '" + f.name + "'", f.center_km});
+    all.push_back({LightLocation::Known::place, "footprint '" + f.name + "'", f.center_km});
     if (f.source == FootprintSource::precipitation) {
-      all.back().known = Whereabouts::Known::file;
+      all.back().known = LightLocation::Known::file;
       all.back().words = "stands where " + f.file + " has it";
       continue;
     }
     if (f.shape == FootprintShape::box) continue;
-    all.back().known = Whereabouts::Known::words;
+    all.back().known = LightLocation::Known::words;
     all.back().words = "stands around the Earth";
   }
   return all;
@@ -348,11 +348,11 @@ EmitterKind footprint_kind() {
   kind.rows = footprint_rows;
   kind.light = LightKind::aurora;
   kind.check = check_footprints;
-  kind.why_idle = why_footprint_idle;
-  kind.could_shine = footprints_could_shine;
+  kind.why_inert = why_footprint_inert;
+  kind.may_emit = footprints_may_emit;
   kind.moves = footprints_move;
   kind.made_of_sheets = footprints_of_sheets;
-  kind.whereabouts = where_footprints_are;
+  kind.light_locations = where_footprints_are;
   kind.pictures = pictures_of_footprints;
   kind.stay_at = footprints_stay_at;
   kind.place_in_preview = 0;

@@ -79,7 +79,7 @@ void check_loops(const Scene& scene) {
   for (const Loop& loop : scene.loops) check_the_loop(scene, loop);
 }
 
-std::optional<Complaint> why_loop_idle(const Scene& scene, const ParameterPath& path) {
+std::optional<Complaint> why_loop_inert(const Scene& scene, const ParameterPath& path) {
   if (path.row->table != "loop") return std::nullopt;
   const Loop& l = scene.loops[static_cast<std::size_t>(path.element)];
   const std::string& key = path.row->key;
@@ -89,16 +89,16 @@ std::optional<Complaint> why_loop_idle(const Scene& scene, const ParameterPath& 
                      "set its voxel = 0, or leave it out of fit.free"};
   if (is_one_of(key, {"brightening_at", "brightening_width"}) && l.brightening == 0.0 &&
       !frees(scene, "loop." + l.name + ".brightening"))
-    return idle("the loop is nowhere brightened", key, "give it a brightening");
+    return inert("the loop is nowhere brightened", key, "give it a brightening");
   if (key == "filament_pull" && l.filaments == 0)
-    return idle("the loop has no filaments", key, "give it filaments");
+    return inert("the loop has no filaments", key, "give it filaments");
   if (key == "filament_pull" && l.filaments >= l.strands)
-    return idle("every strand is a filament of its own", key, "give it fewer filaments");
+    return inert("every strand is a filament of its own", key, "give it fewer filaments");
   if (key == "falloff_least" && l.height_falloff == HeightFalloff::none)
-    return idle("the loop's light does not fall off along it", key, "name a height_falloff");
+    return inert("the loop's light does not fall off along it", key, "name a height_falloff");
   if (is_one_of(key, {"spread", "tilt_per_distance_deg"}) && l.strands == 1)
-    return idle("the loop is a single strand", key, "give it more strands");
-  if (key == "temperature_mk") return why_temperature_idle(scene, l.temperature_mk);
+    return inert("the loop is a single strand", key, "give it more strands");
+  if (key == "temperature_mk") return why_temperature_inert(scene, l.temperature_mk);
   return std::nullopt;
 }
 
@@ -111,7 +111,7 @@ EmitterKind loop_kind() {
   kind.rows = loop_rows;
   kind.light = LightKind::sun;
   kind.check = check_loops;
-  kind.why_idle = why_loop_idle;
+  kind.why_inert = why_loop_inert;
   kind.place_in_preview = 2;
   return kind;
 }

@@ -190,15 +190,15 @@ std::optional<Complaint> of_nebula(const Scene& scene, const Nebula& n, const st
     return Complaint{"the literal march makes colours, not light that could be compared",
                      "a nebula with method = \"physical\"", "leave it out of fit.free"};
   const bool of_gas = is_one_of(key, {"inner_rayleigh", "outer_rayleigh", "inner_radius", "outer_radius"});
-  if (of_gas && n.gas.empty()) return idle("the nebula has no gas", key, "name the node of its gas");
+  if (of_gas && n.gas.empty()) return inert("the nebula has no gas", key, "name the node of its gas");
   if (key == "glow_rayleigh" && n.glow.empty())
-    return idle("the nebula has no glow", key, "name the node of its glow");
+    return inert("the nebula has no glow", key, "name the node of its glow");
   if (is_one_of(key, {"brightness", "density_power"}) && n.gas.empty() && n.glow.empty())
-    return idle("nothing in the nebula shines", key, "name the node of its gas");
+    return inert("nothing in the nebula shines", key, "name the node of its gas");
   if (is_one_of(key, {"dust_depth", "dust_exponent"}) && n.dust.empty())
-    return idle("the nebula has no dust", key, "name the node of its dust");
+    return inert("the nebula has no dust", key, "name the node of its dust");
   if (key == "dust_exponent" && n.dust_depth == 0.0 && !frees(scene, "nebula." + n.name + ".dust_depth"))
-    return idle("its dust has no depth", key, "give it a dust_depth");
+    return inert("its dust has no depth", key, "give it a dust_depth");
   return std::nullopt;
 }
 
@@ -235,11 +235,11 @@ std::optional<Complaint> of_node(const Scene& scene, const Node& node, const std
                       : key == "amplitude" || key == "frequency" || key == "gain" ? is_noise
                                                                                   : true;
   if (counts) return std::nullopt;
-  return idle("the node is of kind \"" + word_in(node_rows(), node.kind) + "\"", key,
-              "free a number that this kind has");
+  return inert("the node is of kind \"" + word_in(node_rows(), node.kind) + "\"", key,
+               "free a number that this kind has");
 }
 
-std::optional<Complaint> why_nebula_idle(const Scene& scene, const ParameterPath& path) {
+std::optional<Complaint> why_nebula_inert(const Scene& scene, const ParameterPath& path) {
   const auto e = static_cast<std::size_t>(path.element);
   if (path.row->table == "nebula") return of_nebula(scene, scene.nebulae[e], path.row->key);
   if (path.row->table == "node") return of_node(scene, scene.nodes[e], path.row->key);
@@ -252,16 +252,16 @@ bool nebulae_are_drawn(const Scene& scene) {
                      [](const Nebula& n) { return n.method != NebulaMethod::literal; });
 }
 
-bool nebulae_could_shine(const Scene& scene) {
+bool nebulae_may_emit(const Scene& scene) {
   return std::any_of(scene.nebulae.begin(), scene.nebulae.end(),
                      [](const Nebula& n) { return n.method != NebulaMethod::literal && n.brightness > 0.0; });
 }
 
-std::vector<Whereabouts> where_nebulae_are(const Scene& scene) {
-  std::vector<Whereabouts> all;
+std::vector<LightLocation> where_nebulae_are(const Scene& scene) {
+  std::vector<LightLocation> all;
   for (const Nebula& n : scene.nebulae)
     all.push_back(
-        {Whereabouts::Known::direction, "nebula '" + n.name + "'", {}, n.azimuth_deg, n.elevation_deg});
+        {LightLocation::Known::direction, "nebula '" + n.name + "'", {}, n.azimuth_deg, n.elevation_deg});
   return all;
 }
 
@@ -274,10 +274,10 @@ EmitterKind nebula_kind() {
   kind.rows = rows_of_nebulae_and_nodes;
   kind.light = LightKind::nebula;
   kind.check = check_nebulae;
-  kind.why_idle = why_nebula_idle;
+  kind.why_inert = why_nebula_inert;
   kind.is_drawn = nebulae_are_drawn;
-  kind.could_shine = nebulae_could_shine;
-  kind.whereabouts = where_nebulae_are;
+  kind.may_emit = nebulae_may_emit;
+  kind.light_locations = where_nebulae_are;
   kind.place_in_preview = 1;
   return kind;
 }

@@ -46,22 +46,22 @@ void check_sun(const Scene& scene) {
                  "distance_km");
 }
 
-std::optional<Complaint> why_sun_idle(const Scene& scene, const ParameterPath& path) {
+std::optional<Complaint> why_sun_inert(const Scene& scene, const ParameterPath& path) {
   if (path.row->table != "sun") return std::nullopt;
   const std::string& key = path.row->key;
-  if (!scene.sun.shown) return idle("the Sun is not in the scene", key, "set sun.shown = true");
+  if (!scene.sun.shown) return inert("the Sun is not in the scene", key, "set sun.shown = true");
   const bool scatters = std::any_of(scene.coronae.begin(), scene.coronae.end(),
                                     [](const Corona& c) { return c.light == CoronaLight::scattered; });
   if (is_one_of(key, {"limb_darkening", "limb_darkening_square"}) && !scatters &&
       all_zero(scene.sun.photosphere_rayleigh) && !frees(scene, "sun.photosphere_rayleigh"))
-    return idle("the photosphere is dark", key, "give it sun.photosphere_rayleigh");
+    return inert("the photosphere is dark", key, "give it sun.photosphere_rayleigh");
   // What is alike all round looks the same from all sides.
   OnSun least_alike = OnSun::nothing;
   for (const EmitterKind& kind : emitter_kinds())
     least_alike = std::max(least_alike, what_is_on_sun(kind, scene));
   if ((key == "longitude_deg" && least_alike < OnSun::uneven) ||
       (is_one_of(key, {"position_angle_deg", "latitude_deg"}) && least_alike < OnSun::alike_about_axis))
-    return idle("what shines on the Sun is alike all round", key, "set something on it");
+    return inert("what shines on the Sun is alike all round", key, "set something on it");
   return std::nullopt;
 }
 
@@ -70,9 +70,9 @@ bool sun_is_shown(const Scene& scene) { return scene.sun.shown; }
 /// The photosphere is what the others stand on.
 OnSun photosphere_on_sun(const Scene&) { return OnSun::nothing; }
 
-std::vector<Whereabouts> where_sun_are(const Scene& scene) {
+std::vector<LightLocation> where_sun_are(const Scene& scene) {
   if (!scene.sun.shown) return {};
-  return {{Whereabouts::Known::direction, "the Sun", {}, scene.sun.azimuth_deg, scene.sun.elevation_deg}};
+  return {{LightLocation::Known::direction, "the Sun", {}, scene.sun.azimuth_deg, scene.sun.elevation_deg}};
 }
 
 }  // namespace
@@ -84,9 +84,9 @@ EmitterKind sun_kind() {
   kind.light = LightKind::sun;
   kind.is_drawn = sun_is_shown;
   kind.check = check_sun;
-  kind.why_idle = why_sun_idle;
+  kind.why_inert = why_sun_inert;
   kind.on_sun = photosphere_on_sun;
-  kind.whereabouts = where_sun_are;
+  kind.light_locations = where_sun_are;
   kind.spoken = "Sun";
   kind.place_in_preview = 6;
   return kind;

@@ -55,10 +55,10 @@ OnSun volumes_on_sun(const Scene& scene) {
   return any ? OnSun::uneven : OnSun::nothing;
 }
 
-std::vector<Whereabouts> where_volumes_are(const Scene& scene) {
-  std::vector<Whereabouts> all;
+std::vector<LightLocation> where_volumes_are(const Scene& scene) {
+  std::vector<LightLocation> all;
   for (const Volume& v : scene.volumes)
-    all.push_back({Whereabouts::Known::file,
+    all.push_back({LightLocation::Known::file,
                    "volume '" + v.name + "'",
                    {},
                    0.0,
@@ -95,7 +95,7 @@ EmitterKind volume_kind() {
   kind.rows = volume_rows;
   kind.check = check_volumes;
   kind.on_sun = volumes_on_sun;
-  kind.whereabouts = where_volumes_are;
+  kind.light_locations = where_volumes_are;
   return kind;
 }
 

@@ -92,7 +92,7 @@ std::vector<Declaration> sensor_rows() {
       Row("sensor", "colour_table", &Scene::sensor, &Sensor::colour_table).names_table().rule(colour_table_complaint)
           .means("false colour of display files, by their grey: none, 171, 195, 284 or 304 (as pictures of these wavelengths in ångström are shown), or a CSV of grey, red, green and blue, beside the scene's file"),
       Row("sensor", "calibration_error", &Scene::sensor, &Sensor::calibration_error).within(0, 10)
-          .means("relative standard uncertainty of the absolute scale, by whoever has calibrated it; 0: nobody has"),
+          .means("relative standard uncertainty of the absolute scale, from its calibration; 0: not calibrated"),
   };
   // clang-format on
 }

@@ -27,7 +27,7 @@ std::string spline_rate_component(const Scene& scene, int sheet, int index);
 void fill_spline_rates(Scene& scene);
 
 /// After a change from `before`: coefficients that were there for other lines or another number of knots are
-/// carried over, line by line, where the knots are as they were, and else filled in anew.
+/// carried over, line by line, where the knots are as they were, and else filled in again.
 void follow_spline_grid(const Scene& before, Scene& after);
 
 }  // namespace vegard::sim

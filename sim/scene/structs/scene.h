@@ -545,7 +545,7 @@ struct Fit {
 };
 
 struct Scene {
-  // In scene.cpp, as they would be made here: every file that has a scene would compile them anew.
+  // In scene.cpp, as they would be made here: every file that has a scene would compile them again.
   Scene();
   Scene(const Scene& other);
   Scene(Scene&& other) noexcept;

@@ -121,7 +121,7 @@ void refuse_sky_elsewhere(const Scene& scene, const PhotoEntry& entry, const Sce
 
 void check_one(const Scene& scene, const PhotoEntry& entry) {
   with_entrys_line(scene, entry, [&] {
-    Scene at_home = scene_of_photo_at_home(scene, entry);
+    Scene at_home = scene_of_photo_in_site_frame(scene, entry);
     leave_only_own(entry, at_home);
     validate(at_home);
     check_shared_free(scene, entry, at_home);
@@ -135,7 +135,7 @@ void check_one(const Scene& scene, const PhotoEntry& entry) {
 
 }  // namespace
 
-Scene scene_of_photo_at_home(const Scene& scene, const PhotoEntry& entry) {
+Scene scene_of_photo_in_site_frame(const Scene& scene, const PhotoEntry& entry) {
   Scene own = scene;
   own.fit.photos.clear();
   with_entrys_line(scene, entry, [&] {
@@ -164,7 +164,7 @@ Station station_of_photo(const Scene& scene, const Scene& of_photo) {
 }
 
 Scene scene_of_photo(const Scene& scene, const PhotoEntry& entry) {
-  Scene own = scene_of_photo_at_home(scene, entry);
+  Scene own = scene_of_photo_in_site_frame(scene, entry);
   leave_only_own(entry, own);
   carry_all(scene, own);
   return own;

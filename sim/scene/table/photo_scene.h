@@ -11,7 +11,7 @@ namespace vegard::sim {
 /// With what the entry sets, and with no other photograph. The sheets stay in the frame of the scene's own
 /// site, whatever the entry's is, and fit.free and fit.tied are those of the scene. Throws Error(scene) with
 /// the entry's line for a path or a value that is none.
-Scene scene_of_photo_at_home(const Scene& scene, const PhotoEntry& entry);
+Scene scene_of_photo_in_site_frame(const Scene& scene, const PhotoEntry& entry);
 
 /// Lets what else shines stay where it is, seen from `home`, in a scene that has another site.
 void let_emitters_stay(const Site& home, Scene& of_photo);

@@ -23,7 +23,7 @@ std::vector<TableFile> table_files(const Scene& scene);
 /// Where a table stands: its name is relative to the folder of the scene's file.
 std::string table_place(const Scene& scene, const std::string& name);
 
-/// Reads all of them into Scene::tables anew, and the folder of emission tables (emission_folder.h). Throws
+/// Reads all of them into Scene::tables again, and the folder of emission tables (emission_folder.h). Throws
 /// Error(unreadable_input) for one that is missing, no file or above 16 MB.
 void read_table_files(Scene& scene);
 

@@ -84,11 +84,13 @@ double magnitude_of_moon(double phase_angle_deg) {
 }
 
 double phase_angle_of_moon_deg(double julian_date) {
-  const double apart = separation_deg(equatorial_place_of_moon(julian_date), sun_of_date(julian_date));
+  const double separation_from_sun_deg =
+      separation_deg(equatorial_place_of_moon(julian_date), sun_of_date(julian_date));
   // The triangle of Sun, Earth and Moon, whose sides are in the Earth's distance from the Sun.
   constexpr double kEquator_au = 6378.14 / 149597870.7;
   const double moon = kEquator_au / sin_deg(place_of_moon(julian_date).parallax_deg);
-  return std::atan2(sin_deg(apart), moon - cos_deg(apart)) / kRadiansPerDegree;
+  return std::atan2(sin_deg(separation_from_sun_deg), moon - cos_deg(separation_from_sun_deg)) /
+         kRadiansPerDegree;
 }
 
 Equatorial equatorial_place_of_moon(double julian_date) {

@@ -87,7 +87,7 @@ TEST(PreviewControls, DraggingCarriesTheSkyAlong) {
     PreviewControls controls(scene);
     const double x = 0.5 * scene.camera.width, y = 0.5 * scene.camera.height;
     const sim::Direction before = sim::direction_of_pixel(scene.camera, x, y);
-    controls.look_about(6.0, -4.0);
+    controls.pan(6.0, -4.0);
     double enu[3], at_x = 0.0, at_y = 0.0;
     sim::enu_of_direction(before, enu);
     ASSERT_TRUE(sim::pixel_of_enu(sim::camera_view(controls.scene().camera), enu, at_x, at_y));
@@ -124,7 +124,7 @@ TEST(PreviewControls, ResetsTheSceneAndKeepsTheChoice) {
   const std::string chosen = controls.chosen().text;
   controls.change_chosen(1);
   controls.run_time(3.0);
-  controls.look_about(20.0, 0.0);
+  controls.pan(20.0, 0.0);
   controls.reset();
   for (const sim::ParameterPath& path : sim::all_paths(scene))
     EXPECT_EQ(sim::value_text(controls.scene(), path), sim::value_text(scene, path)) << path.text;

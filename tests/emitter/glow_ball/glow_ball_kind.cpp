@@ -32,9 +32,9 @@ void check(const sim::Scene& scene) {
     sim::ElementCheck(scene, "glow_ball." + ball.name).check_lines(ball.rayleigh, false, "rayleigh");
 }
 
-std::optional<sim::Complaint> why_idle(const sim::Scene& scene, const sim::ParameterPath& path) {
+std::optional<sim::Complaint> why_inert(const sim::Scene& scene, const sim::ParameterPath& path) {
   if (path.row->table == "glow_ball" && path.row->key == "rise_km_s" && scene.time.start_s == 0.0)
-    return sim::idle("the clock stands at 0", path.row->key, "set time.start_s");
+    return sim::inert("the clock stands at 0", path.row->key, "set time.start_s");
   return std::nullopt;
 }
 
@@ -43,11 +43,11 @@ bool any_moves(const sim::Scene& scene) {
   return std::any_of(balls.begin(), balls.end(), [](const GlowBall& ball) { return ball.rise_km_s != 0.0; });
 }
 
-std::vector<sim::Whereabouts> whereabouts(const sim::Scene& scene) {
-  std::vector<sim::Whereabouts> all;
+std::vector<sim::LightLocation> light_locations(const sim::Scene& scene) {
+  std::vector<sim::LightLocation> all;
   for (const GlowBall& ball : glow_balls().in(scene)) {
     const auto& [east, north, up] = ball.place_km;
-    all.push_back({sim::Whereabouts::Known::direction,
+    all.push_back({sim::LightLocation::Known::direction,
                    "glowing ball '" + ball.name + "'",
                    {},
                    std::atan2(east, north) / sim::kRadiansPerDegree,
@@ -64,9 +64,9 @@ sim::EmitterKind glow_ball_kind() {
   kind.repeated = {sim::repeated_table_of(glow_balls())};
   kind.rows = rows;
   kind.check = check;
-  kind.why_idle = why_idle;
+  kind.why_inert = why_inert;
   kind.moves = any_moves;
-  kind.whereabouts = whereabouts;
+  kind.light_locations = light_locations;
   kind.spoken = "glowing ball";
   kind.place_in_preview = 0;
   return kind;

@@ -9,19 +9,19 @@ namespace vegard::fit::information_criteria_test {
 namespace {
 
 TEST(InformationCriteria, AreTheirDefinitions) {
-  const InformationCriteria c = information_criteria({"x", 90.0, 100, 4, 1.0}, Believed{});
+  const InformationCriteria c = information_criteria({"x", 90.0, 100, 4, 1.0}, ChiSquareScaling{});
   EXPECT_DOUBLE_EQ(c.aic, 98.0);
   EXPECT_DOUBLE_EQ(c.aicc, 98.0 + 40.0 / 95.0);
   EXPECT_DOUBLE_EQ(c.bic, 90.0 + 4.0 * std::log(100.0));
-  EXPECT_TRUE(std::isinf(information_criteria({"x", 90.0, 5, 4, 1.0}, Believed{}).aicc));
+  EXPECT_TRUE(std::isinf(information_criteria({"x", 90.0, 5, 4, 1.0}, ChiSquareScaling{}).aicc));
 }
 
 // Every value written down m times over: chi2 and the values are m-fold, and m of them go together. The
 // criteria do not change.
 TEST(InformationCriteria, AreNotMovedByValuesToldTwice) {
   const FittedModel once{"x", 96.0, 100, 4, 1.0}, often{"x", 96.0 * 9, 900, 4, 9.0};
-  const InformationCriteria a = information_criteria(once, believed_by(once));
-  const InformationCriteria b = information_criteria(often, believed_by(often));
+  const InformationCriteria a = information_criteria(once, chi2_scaling_of(once));
+  const InformationCriteria b = information_criteria(often, chi2_scaling_of(often));
   EXPECT_NEAR(b.values, a.values, 1e-9);
   EXPECT_NEAR(b.bic, a.bic, 1e-9);
   EXPECT_NEAR(b.aicc, a.aicc, 1e-9);
@@ -30,7 +30,7 @@ TEST(InformationCriteria, AreNotMovedByValuesToldTwice) {
 // Errors too small by a factor of two: chi2 four times too large, and no values together.
 TEST(InformationCriteria, DoNotTakeSmallErrorsForFewValues) {
   const FittedModel model{"x", 4.0 * 96.0, 100, 4, 1.0};
-  const Believed b = believed_by(model);
+  const ChiSquareScaling b = chi2_scaling_of(model);
   EXPECT_DOUBLE_EQ(b.chi2_divisor, 4.0);
   EXPECT_DOUBLE_EQ(b.together, 1.0);
   EXPECT_DOUBLE_EQ(information_criteria(model, b).chi2, 96.0);
@@ -52,8 +52,8 @@ TEST(InformationCriteria, ErrAsOftenAsTheyShould) {
       all += noise * noise;
     }
     const FittedModel plain{"plain", all, kValues, 1, 1.0}, rich{"rich", all - gain * gain, kValues, 2, 1.0};
-    const InformationCriteria p = information_criteria(plain, Believed{}),
-                              r = information_criteria(rich, Believed{});
+    const InformationCriteria p = information_criteria(plain, ChiSquareScaling{}),
+                              r = information_criteria(rich, ChiSquareScaling{});
     bic += r.bic < p.bic;
     aic += r.aic < p.aic;
   }

@@ -37,10 +37,10 @@ FitResult fine() {
 
 TEST(Trust, WhatIsNotToldSpoilsNothingElse) {
   FitResult r = fine();
-  judge_quantities(r);
+  assess_quantities(r);
   EXPECT_EQ(r.derived[0].trust, Trust::good);
   EXPECT_EQ(r.derived[1].trust, Trust::good);
-  EXPECT_EQ(r.derived[2].trust, Trust::not_told);
+  EXPECT_EQ(r.derived[2].trust, Trust::unconstrained);
   EXPECT_EQ(r.derived[2].trust_reason, "the data do not determine it");
   EXPECT_EQ(r.verdict_line,
             "Doubtful: no error bar for length_km. Good all the same: distance, lower border.");
@@ -52,7 +52,7 @@ TEST(Trust, AnotherAnswerSpeaksAgainstWhatItChanges) {
   r.checks.push_back({"one answer", false, "another answer explains the data almost as well"});
   r.derived[0].at_other_mode = 202.0;
   r.derived[1].at_other_mode = 112.0;
-  judge_quantities(r);
+  assess_quantities(r);
   EXPECT_EQ(r.derived[0].trust, Trust::good);
   EXPECT_EQ(r.derived[1].trust, Trust::doubtful);
   EXPECT_EQ(r.derived[1].trust_reason, "another answer explains the data almost as well");
@@ -61,9 +61,9 @@ TEST(Trust, AnotherAnswerSpeaksAgainstWhatItChanges) {
 // Judged once more with a systematic error, of which the first verdict knew nothing.
 TEST(Trust, BothErrorsCount) {
   FitResult r = fine();
-  judge_quantities(r);
+  assess_quantities(r);
   r.derived[0].systematic = 15.0;  // 8 % of 200 km, with the statistical 4 km
-  judge_quantities(r);
+  assess_quantities(r);
   EXPECT_EQ(r.derived[0].trust, Trust::doubtful);
   EXPECT_EQ(r.derived[0].trust_reason,
             "the standard error is 7.8 % of the value: statistical 2 %, by the fit's choices 7.5 %");
@@ -73,10 +73,10 @@ TEST(Trust, BothErrorsCount) {
 TEST(Trust, NothingIsGoodOfAPictureThatIsNotExplained) {
   FitResult r = fine();
   r.checks[1] = {"chi2 per degree of freedom", false, "chi2 per degree of freedom is 12"};
-  judge_quantities(r);
+  assess_quantities(r);
   EXPECT_EQ(r.derived[0].trust, Trust::doubtful);
   EXPECT_EQ(r.derived[0].trust_reason, "chi2 per degree of freedom is 12");
-  EXPECT_EQ(r.derived[2].trust, Trust::not_told);
+  EXPECT_EQ(r.derived[2].trust, Trust::unconstrained);
   EXPECT_EQ(r.verdict_line.find("Good all the same"), std::string::npos);
 }
 
@@ -87,7 +87,7 @@ TEST(Trust, ALimitCountsAgainstWhatDependsOnIt) {
   p.at_limit = true;
   r.parameters.push_back(p);
   r.derived[1].depends_on = {"sheet.main.energy_kev"};
-  judge_quantities(r);
+  assess_quantities(r);
   EXPECT_EQ(r.derived[0].trust, Trust::good);
   EXPECT_EQ(r.derived[1].trust, Trust::doubtful);
   EXPECT_NE(r.derived[1].trust_reason.find("sheet.main.energy_kev"), std::string::npos);
@@ -97,9 +97,9 @@ TEST(Trust, FailedAndInterruptedFitsTellNothing) {
   for (const Verdict verdict : {Verdict::failed, Verdict::interrupted}) {
     FitResult r = fine();
     r.verdict = verdict;
-    judge_quantities(r);
+    assess_quantities(r);
     for (const DerivedNumber& d : r.derived) {
-      EXPECT_EQ(d.trust, Trust::not_told) << d.name;
+      EXPECT_EQ(d.trust, Trust::unconstrained) << d.name;
       EXPECT_FALSE(d.trust_reason.empty()) << d.name;
     }
   }
@@ -116,9 +116,9 @@ TEST(Trust, GoesByTheErrorOnTheScaleOfTheKind) {
     EXPECT_EQ(trust_of(kind, -50.0, 0.99 * scale.good * unit), Trust::good);
     EXPECT_EQ(trust_of(kind, 50.0, 1.01 * scale.good * unit), Trust::doubtful);
     EXPECT_EQ(trust_of(kind, 50.0, 0.99 * scale.none * unit), Trust::doubtful);
-    EXPECT_EQ(trust_of(kind, 50.0, 1.01 * scale.none * unit), Trust::not_told);
-    EXPECT_EQ(trust_of(kind, 50.0, sim::kNaN), Trust::not_told);
-    EXPECT_EQ(trust_of(kind, 50.0, std::numeric_limits<double>::infinity()), Trust::not_told);
+    EXPECT_EQ(trust_of(kind, 50.0, 1.01 * scale.none * unit), Trust::unconstrained);
+    EXPECT_EQ(trust_of(kind, 50.0, sim::kNaN), Trust::unconstrained);
+    EXPECT_EQ(trust_of(kind, 50.0, std::numeric_limits<double>::infinity()), Trust::unconstrained);
   }
 }
 

@@ -11,13 +11,13 @@ FitResult fine() {
   r.chi2 = 1000.0;
   r.dof = 1000;
   r.rms_over_peak = 0.01;
-  r.residuals_together = 4.0;
+  r.correlated_residuals = 4.0;
   FittedParameter p;
   p.path = "sheet.main.energy_kev";
   p.sigma = 0.1;
   p.moved_sigma = 3.0;
   r.chi2_initial = 5e5;
-  r.steepest_cosine = 0.001;
+  r.gradient_cosine = 0.001;
   r.parameters.push_back(p);
   return r;
 }
@@ -31,7 +31,7 @@ Evidence clear() {
 
 TEST(Judge, BelievesWhatNothingSpeaksAgainst) {
   FitResult r = fine();
-  judge(clear(), r);
+  assess_fit(clear(), r);
   EXPECT_EQ(r.verdict, Verdict::good);
   EXPECT_TRUE(r.reasons.empty());
 }
@@ -39,7 +39,7 @@ TEST(Judge, BelievesWhatNothingSpeaksAgainst) {
 TEST(Judge, NotesAModelErrorThatIsTooLarge) {
   FitResult r = fine();
   r.chi2 = 290.0;
-  judge(clear(), r);
+  assess_fit(clear(), r);
   EXPECT_EQ(r.verdict, Verdict::good);
   ASSERT_EQ(r.reasons.size(), 1u);
   EXPECT_NE(r.reasons[0].find("larger than what the model misses"), std::string::npos);
@@ -47,7 +47,7 @@ TEST(Judge, NotesAModelErrorThatIsTooLarge) {
 
 TEST(Judge, DoubtsForEachReasonByItself) {
   const auto doubts = [](const Evidence& evidence, FitResult r, const std::string& word) {
-    judge(evidence, r);
+    assess_fit(evidence, r);
     EXPECT_EQ(r.verdict, Verdict::doubtful) << word;
     ASSERT_EQ(r.reasons.size(), 1u) << word;
     EXPECT_NE(r.reasons[0].find(word), std::string::npos) << r.reasons[0];
@@ -60,7 +60,7 @@ TEST(Judge, DoubtsForEachReasonByItself) {
   r.rms_over_peak = 0.11;
   doubts(clear(), r, "rms residual");
   r = fine();
-  r.residuals_together = 102.0;  // to one independent value: fewer than ten are left
+  r.correlated_residuals = 102.0;  // to one independent value: fewer than ten are left
   doubts(clear(), r, "patterns");
   r = fine();
   r.parameters[0].at_limit = true;
@@ -70,9 +70,9 @@ TEST(Judge, DoubtsForEachReasonByItself) {
   doubts(clear(), r, "no error bar");
   r = fine();
   r.chi2_initial = 999.0;
-  doubts(clear(), r, "lost its way");
+  doubts(clear(), r, "diverged");
   r = fine();
-  r.steepest_cosine = 0.03;
+  r.gradient_cosine = 0.03;
   doubts(clear(), r, "still falls");
   r = fine();
   r.parameters.push_back(r.parameters[0]);
@@ -91,12 +91,12 @@ TEST(Judge, DoubtsForEachReasonByItself) {
 // fifth of its square.
 TEST(Judge, TakesAnEndForLevelWhereNoiseWouldHideTheRest) {
   FitResult r = fine();
-  r.steepest_cosine = 0.04;
+  r.gradient_cosine = 0.04;
   r.error_inflation = 3.0;
-  judge(clear(), r);
+  assess_fit(clear(), r);
   EXPECT_EQ(r.verdict, Verdict::good);
   r.error_inflation = 2.0;
-  judge(clear(), r);
+  assess_fit(clear(), r);
   EXPECT_EQ(r.verdict, Verdict::doubtful);
 }
 
@@ -106,7 +106,7 @@ TEST(Judge, LetsPatternsSpeakAgainstACourse) {
   const auto judged = [](double independent) {
     FitResult r = fine();
     r.parameters.resize(15, r.parameters.front());
-    r.residuals_together = r.dof / independent;
+    r.correlated_residuals = r.dof / independent;
     DerivedNumber distance;
     distance.name = "distance of the main sheet";
     distance.value = 200.0;
@@ -115,10 +115,10 @@ TEST(Judge, LetsPatternsSpeakAgainstACourse) {
     DerivedNumber wavelength = distance;
     wavelength.name = "wavelength of the main sheet";
     wavelength.quantity = Quantity::width;
-    wavelength.is_course = true;
+    wavelength.is_lateral = true;
     r.derived = {distance, wavelength};
-    judge(clear(), r);
-    judge_quantities(r);
+    assess_fit(clear(), r);
+    assess_quantities(r);
     EXPECT_EQ(r.verdict, Verdict::doubtful);
     return r;
   };
@@ -146,20 +146,20 @@ TEST(Judge, HoldsWithoutBlameWhatOnlyEndsWouldTell) {
   distance.value = 200.0;
   distance.sigma = 2.0;
   r.derived = {distance};
-  judge(clear(), r);
+  assess_fit(clear(), r);
   EXPECT_EQ(r.verdict, Verdict::good);
   EXPECT_NE(r.verdict_line.find("but for length_km and center_km.east, which the picture does not tell"),
             std::string::npos)
       << r.verdict_line;
-  judge(clear(), without_distance);
+  assess_fit(clear(), without_distance);
   EXPECT_EQ(without_distance.verdict, Verdict::doubtful);
 
   r.parameters[1].sigma = 30.0;
   r.parameters[1].at_limit = true;
-  judge(clear(), r);
+  assess_fit(clear(), r);
   EXPECT_EQ(r.verdict, Verdict::good) << "a length at its limit";
   r.parameters[0].sigma.reset();
-  judge(clear(), r);
+  assess_fit(clear(), r);
   EXPECT_EQ(r.verdict, Verdict::doubtful) << "the energy has no error bar";
 }
 
@@ -167,30 +167,30 @@ TEST(Judge, KeepsWhatItAskedAndWhatItFound) {
   FitResult r = fine();
   r.chi2 = 3100.0;
   r.termination = "converged";
-  judge(clear(), r);
+  assess_fit(clear(), r);
   std::vector<std::string> names, failed;
   for (const Check& check : r.checks) {
     names.push_back(check.name);
     EXPECT_FALSE(check.words.empty()) << check.name;
     if (!check.passed) failed.push_back(check.name);
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"converged", "chi2 fell", "level at the end",
+  EXPECT_EQ(names, (std::vector<std::string>{"converged", "chi2 fell", "gradient at the end",
                                              "chi2 per degree of freedom", "rms residual",
                                              "independent values", "moved", "inside the limits", "error bars",
                                              "aurora or none", "one answer"}));
   EXPECT_EQ(failed, std::vector<std::string>{"chi2 per degree of freedom"});
-  judge(clear(), r);
+  assess_fit(clear(), r);
   EXPECT_EQ(r.checks.size(), names.size()) << "judged again, not twice";
 }
 
 TEST(Judge, SaysHowTheSearchEndedOnceAndWithoutTheSolversWords) {
   FitResult r = fine();
   r.termination = "converged: another step would hardly change chi2 (Ceres: Function tolerance reached.)";
-  judge(clear(), r);
+  assess_fit(clear(), r);
   EXPECT_EQ(r.checks.front().words, "another step would hardly change chi2");
   for (const char* bare : {"converged", ""}) {
     r.termination = bare;
-    judge(clear(), r);
+    assess_fit(clear(), r);
     EXPECT_EQ(r.checks.front().words, "the search has come to its end");
   }
 }
@@ -199,11 +199,11 @@ TEST(Judge, AStartThatIsTheAnswerIsNoReasonToDoubt) {
   FitResult r = fine();
   r.parameters.push_back(r.parameters[0]);
   for (FittedParameter& p : r.parameters) p.moved = false;
-  judge(clear(), r);
+  assess_fit(clear(), r);
   EXPECT_EQ(r.verdict, Verdict::good) << r.verdict_line;
   // All stand still on a slope: nothing was searched.
-  r.steepest_cosine = 0.5;
-  judge(clear(), r);
+  r.gradient_cosine = 0.5;
+  assess_fit(clear(), r);
   EXPECT_EQ(r.verdict, Verdict::doubtful);
   EXPECT_EQ(r.reasons.size(), 3u);
 }
@@ -214,14 +214,14 @@ TEST(Judge, AStartNextToTheAnswerIsNoReasonToDoubt) {
   r.parameters.push_back(r.parameters[0]);
   r.parameters[0].moved_sigma = 0.05;
   r.parameters[1].moved = false;
-  judge(clear(), r);
+  assess_fit(clear(), r);
   EXPECT_EQ(r.verdict, Verdict::good) << r.verdict_line;
   r.parameters[0].moved_sigma = 0.2;
-  judge(clear(), r);
+  assess_fit(clear(), r);
   EXPECT_EQ(r.verdict, Verdict::doubtful);
   r.parameters[0].moved_sigma = 0.05;
-  r.steepest_cosine = 0.5;
-  judge(clear(), r);
+  r.gradient_cosine = 0.5;
+  assess_fit(clear(), r);
   EXPECT_EQ(r.verdict, Verdict::doubtful);
 }
 
@@ -231,7 +231,7 @@ TEST(Judge, AParameterWithoutInfluenceDoesNotHaveToMove) {
   r.parameters[1].moved = false;
   r.parameters[1].sigma.reset();
   r.parameters[1].why_no_sigma = "the data do not bound it";
-  judge(clear(), r);
+  assess_fit(clear(), r);
   ASSERT_EQ(r.reasons.size(), 1u);
   EXPECT_NE(r.reasons[0].find("no error bar"), std::string::npos);
 }
@@ -246,7 +246,7 @@ TEST(Judge, TellsATradeOffOnceThoughManyLeanOnIt) {
     p.why_no_sigma = "told in the report";
   }
   r.undetermined = {"distance and energy of the main sheet trade off: this with that looks the same"};
-  judge(clear(), r);
+  assess_fit(clear(), r);
   ASSERT_GE(r.reasons.size(), 2u);
   EXPECT_EQ(r.reasons[0], r.undetermined[0]);
   EXPECT_EQ(r.reasons[1], "no error bar for energy_kev and center_km.north");
@@ -257,7 +257,7 @@ TEST(Judge, NotesAnUnusualSheetWithoutDoubt) {
   FitResult r = fine();
   r.best.sheets.resize(1);
   r.best.sheets[0].wavelength_km = 10.0;
-  judge(clear(), r);
+  assess_fit(clear(), r);
   EXPECT_EQ(r.verdict, Verdict::good);
   ASSERT_EQ(r.reasons.size(), 1u);
   EXPECT_NE(r.reasons[0].find("nature prefers 5.2 to 31.4"), std::string::npos) << r.reasons[0];
@@ -268,16 +268,16 @@ TEST(Judge, NeverCallsAFailureASuccess) {
   FitResult r = fine();
   Evidence e = clear();
   e.converged = false;
-  judge(e, r);
+  assess_fit(e, r);
   EXPECT_EQ(r.verdict, Verdict::failed);
   e = clear();
   e.aurora_in_view = false;
-  judge(e, r);
+  assess_fit(e, r);
   EXPECT_EQ(r.verdict, Verdict::failed);
   EXPECT_NE(r.verdict_line.find("region of interest"), std::string::npos);
   e = clear();
   e.stopped = true;
-  judge(e, r);
+  assess_fit(e, r);
   EXPECT_EQ(r.verdict, Verdict::interrupted);
 }
 
@@ -287,7 +287,7 @@ TEST(Judge, SpeaksOfWhatTheSceneShinesWith) {
     r.best = scene;
     Evidence dark = clear();
     dark.chi2_without_aurora = r.chi2;
-    judge(dark, r);
+    assess_fit(dark, r);
     return r.verdict_line;
   };
   sim::Scene sun;
@@ -303,7 +303,7 @@ TEST(Judge, SpeaksOfWhatTheSceneShinesWith) {
   none.best = sun;
   Evidence outside = clear();
   outside.aurora_in_view = false;
-  judge(outside, none);
+  assess_fit(outside, none);
   EXPECT_NE(none.verdict_line.find("no light of the scene's Sun falls into"), std::string::npos)
       << none.verdict_line;
 }

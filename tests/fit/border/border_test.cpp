@@ -80,7 +80,7 @@ double sky(double elevation_deg) { return 0.03 + 0.02 * std::exp(-elevation_deg 
 double off_straight(const Border& border, std::size_t trace, double north_km = 220.0, double share = 1.0) {
   std::vector<double> off;
   for (const BorderPoint& p : border.traces[trace].points)
-    if (p.told()) off.push_back(std::abs(p.elevation_deg - straight_deg(p.azimuth_deg, north_km)));
+    if (p.measured()) off.push_back(std::abs(p.elevation_deg - straight_deg(p.azimuth_deg, north_km)));
   std::sort(off.begin(), off.end());
   return off.empty() ? sim::kNaN : off[static_cast<std::size_t>(share * static_cast<double>(off.size() - 1))];
 }
@@ -94,13 +94,13 @@ TEST(Border, LiesWhereTheLightIsHalf) {
         drawn(
             scene, [](double a, double e) { return sky(e) + 0.4 * curtain(e, straight_deg(a)); }, 0.01),
         scene);
-    ASSERT_EQ(border.told, 1) << wide;
-    EXPECT_GT(border.traces[0].told, wide ? 110 : 55);
+    ASSERT_EQ(border.measured, 1) << wide;
+    EXPECT_GT(border.traces[0].measured, wide ? 110 : 55);
     // At an edge of the picture a column of azimuth is only partly in view.
     EXPECT_LT(off_straight(border, 0, 220.0, 0.9), 0.1);
     EXPECT_LT(off_straight(border, 0), 0.4);
     for (const BorderPoint& p : border.traces[0].points) {
-      if (!p.told()) continue;
+      if (!p.measured()) continue;
       EXPECT_GT(p.peak_elevation_deg, p.elevation_deg);
       EXPECT_GT(p.elevation_error_deg, 0.0);
     }
@@ -118,7 +118,7 @@ TEST(Border, TellsArcsAboveOneAnother) {
                                          },
                                          0.01),
                                      scene);
-  ASSERT_GE(border.told, 2);
+  ASSERT_GE(border.measured, 2);
   EXPECT_LT(std::min(off_straight(border, 0, 120.0), off_straight(border, 1, 120.0)), 0.8);
   EXPECT_LT(std::min(off_straight(border, 0, 350.0), off_straight(border, 1, 350.0)), 0.8);
 }
@@ -140,7 +140,7 @@ TEST(Border, FindsNothingInNoiseOrASmoothSky) {
            (0.6 + 0.4 * s);
   };
   const Border border = trace_border(drawn(scene, smooth, 0.01), scene);
-  EXPECT_EQ(border.told, 0);
+  EXPECT_EQ(border.measured, 0);
   ASSERT_FALSE(border.notes.empty());
 }
 
@@ -156,18 +156,18 @@ TEST(Border, IsNotToldBeyondAMaskOrTheHorizon) {
         for (int c = 0; c < 3; ++c) photo.usable[photo.linear.index(x, y, c)] = 0;
     }
   const Border border = trace_border(photo, scene);
-  ASSERT_GE(border.told, 1);
+  ASSERT_GE(border.measured, 1);
   int hidden = 0;
   for (const BorderTrace& trace : border.traces)
     for (const BorderPoint& p : trace.points) {
       if (p.azimuth_deg > 2.0 && p.azimuth_deg < 38.0) {
-        EXPECT_FALSE(p.told()) << p.azimuth_deg;
+        EXPECT_FALSE(p.measured()) << p.azimuth_deg;
         EXPECT_EQ(p.limit, BorderLimit::mask);
         EXPECT_TRUE(std::isnan(p.elevation_deg));
         ++hidden;
       }
       if (p.azimuth_deg > 42.0 && p.azimuth_deg < 60.0) {
-        EXPECT_TRUE(p.told()) << p.azimuth_deg;
+        EXPECT_TRUE(p.measured()) << p.azimuth_deg;
       }
     }
   EXPECT_GT(hidden, 20);
@@ -195,7 +195,7 @@ TEST(Border, IsNotToldBeyondAMaskOrTheHorizon) {
           [](double, double e) { return 0.03 + 0.4 * std::exp(-0.5 * std::pow((e - 4.0) / 4.0, 2.0)); },
           0.005),
       scene);
-  EXPECT_EQ(low.told, 0);
+  EXPECT_EQ(low.measured, 0);
   ASSERT_FALSE(low.traces.empty());
   EXPECT_EQ(low.traces[0].points[0].limit, BorderLimit::horizon);
 }

@@ -67,7 +67,7 @@ struct SomeResiduals {
           residuals.push_back(residual(band, row, channel));
         }
   }
-  double together() const { return residuals_together(data, used, residuals); }
+  double together() const { return correlated_residuals(data, used, residuals); }
 };
 
 // Of residuals that are all alike every correlation is 1: down the rows to either side, as far as a quarter

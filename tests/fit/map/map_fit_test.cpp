@@ -117,7 +117,7 @@ TEST(MapFit, SaysWhatIsToBeBelieved) {
   ASSERT_EQ(verdicts.size(), 5u);
   EXPECT_EQ(verdicts[0].trust, Trust::good) << verdicts[0].value;
   EXPECT_EQ(verdicts[2].trust, Trust::good) << verdicts[2].reason;
-  EXPECT_EQ(verdicts[4].trust, Trust::doubtful);  // nobody has calibrated the sensor
+  EXPECT_EQ(verdicts[4].trust, Trust::doubtful);  // the sensor is not calibrated
   EXPECT_NE(verdicts[4].reason.find("relative"), std::string::npos);
 }
 

@@ -78,7 +78,7 @@ TEST(ProfileModel, BinsThePictureThatRenderMakes) {
       photo.usable.assign(light.data.size(), 1);
       photo.floating = keeps_negative_light;
       photo.srgb = !keeps_negative_light;
-      if (!keeps_negative_light) sim::keep_what_is_shown(light);
+      if (!keeps_negative_light) sim::clip_out_of_gamut(light);
 
       const Region region{0, 0, light.width, light.height};  // so that the films are the same, too
       constexpr int kBands = 12;                             // so narrow that a cell is a pixel

@@ -54,7 +54,7 @@ TEST(FreeNumbers, OfOneNameAreOneAndANumberMayHaveNoPath) {
   EXPECT_EQ(free[3].label(), "sheet.a.width_km");
   ASSERT_EQ(free[3].also.size(), 1u);
   EXPECT_EQ(sim::path_of(scene, free[3].also[0].id), "sheet.far-off.width_km");
-  EXPECT_EQ(full_turn(free[1]), 0.0) << "formulas may tell a turn from none";
+  EXPECT_EQ(wrap_period(free[1]), 0.0) << "formulas may tell a turn from none";
 }
 
 TEST(FreeNumbers, MayBeOnAnotherScaleThanTheTables) {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fit/answer/answer.h"
-#include "fit/answer/told_gains.h"
+#include "fit/answer/constrained_gains.h"
 #include "fit/compare/observation.h"
 #include "fit/measure/smoothing.h"
 #include "fit/report/model_picture.h"
@@ -57,10 +57,10 @@ TEST(BinsPicture, HasInEachBinWhatTheFitCompared) {
   for (std::size_t i = 1; i < fitted.model.size(); i += 3)
     peak = std::max(peak, fitted.model[i] - fitted.behind[i]);
   ASSERT_GT(peak, 0.0);
-  const std::vector<std::vector<bool>> told = told_gains(fitted);
+  const std::vector<std::vector<bool>> constrained = constrained_gains(fitted);
   double worst = 0.0;
   for (int b = 0; b < fitted.data.bands; ++b) {
-    EXPECT_TRUE(told[b][1]) << b;
+    EXPECT_TRUE(constrained[b][1]) << b;
     for (int p = 0; p < fitted.data.rows; ++p) {
       const std::size_t i = fitted.data.index(b, p, 1);
       if (!(fitted.sigma[i] > 0.0)) continue;
@@ -79,14 +79,14 @@ TEST(BinsPicture, TakesTheMeanGainWhereNothingTellsABands) {
   fitted.gain[0].assign(3, 100.0);
   for (SolvedNumber& s : fitted.solved)
     if (s.name == "gain.band_0") s.sigma = 200.0;
-  ASSERT_FALSE(told_gains(fitted)[0][1]);
-  const sim::Image untold = model_picture(fitted, photo, 1).rgb;
+  ASSERT_FALSE(constrained_gains(fitted)[0][1]);
+  const sim::Image unconstrained = model_picture(fitted, photo, 1).rgb;
   fitted.gain[0].assign(3, fitted.best.sensor.gain_per_kilorayleigh);
   for (SolvedNumber& s : fitted.solved)
     if (s.name == "gain.band_0") s.sigma = 1e-3 * fitted.gain[0][0];
-  ASSERT_TRUE(told_gains(fitted)[0][1]);
+  ASSERT_TRUE(constrained_gains(fitted)[0][1]);
   const sim::Image mean = model_picture(fitted, photo, 1).rgb;
-  EXPECT_EQ(untold.data, mean.data);
+  EXPECT_EQ(unconstrained.data, mean.data);
 }
 
 // The bands' skies are a hundred times the loop: what is left is measured against the loop.

@@ -195,7 +195,7 @@ FitResult judged_result() {
 TEST(ReportHtml, ShowsTheJudgesOfTheErrorBars) {
   const Page page(judged_result());
   EXPECT_EQ(unbalanced_tag(page.html), "");
-  EXPECT_TRUE(page.has("<h2>Judging the error bars</h2>"));
+  EXPECT_TRUE(page.has("<h2>Validation of the error bars</h2>"));
   EXPECT_TRUE(page.has("3.96 to 4.71 <span class=\"flag\">\u00d7&#160;3</span>"));
   EXPECT_TRUE(page.has("above 0.312"));
   EXPECT_TRUE(page.has("1000 draws of 24 bands"));
@@ -203,7 +203,7 @@ TEST(ReportHtml, ShowsTheJudgesOfTheErrorBars) {
   EXPECT_TRUE(page.has("too short"));
   EXPECT_TRUE(page.has("energy &amp; phase are correlated"));
   EXPECT_TRUE(page.has("Every parameter against every other"));
-  EXPECT_FALSE(Page(small_result()).has("Judging the error bars"));
+  EXPECT_FALSE(Page(small_result()).has("Validation of the error bars"));
 }
 
 TEST(ReportHtml, IsTheSameEveryTime) { EXPECT_EQ(Page(small_result()).html, Page(small_result()).html); }

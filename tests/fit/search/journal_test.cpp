@@ -13,8 +13,8 @@
 #include "fit/search/file_journal.h"
 #include "fit/search/search_outcome.h"
 #include "fit/search/step_record.h"
-#include "fit/uncertainty/judge_bands.h"
-#include "fit/uncertainty/judge_intervals.h"
+#include "fit/uncertainty/fit_bootstrap.h"
+#include "fit/uncertainty/fit_intervals.h"
 #include "fit/uncertainty/sampled_uncertainty.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/full_disk.h"
@@ -41,7 +41,7 @@ StepOutput awkward() {
   output.words["end"] = "two\nlines, \"quoted\", é";
   output.flags["converged"] = true;
   output.trace = {{"polish 1", 17, 1.0 / 7.0, {2.0 / 3.0, std::nan("")}}, {"empty", 18, 0.0, {}}};
-  output.books = {18, 3, 1.0 / 9.0, true, {1e300}};
+  output.counters = {18, 3, 1.0 / 9.0, true, {1e300}};
   return output;
 }
 
@@ -61,11 +61,11 @@ void expect_same(const StepOutput& a, const StepOutput& b) {
     EXPECT_EQ(a.trace[i].chi2, b.trace[i].chi2);
     EXPECT_TRUE(same_bits(a.trace[i].values, b.trace[i].values));
   }
-  EXPECT_EQ(a.books.residuals, b.books.residuals);
-  EXPECT_EQ(a.books.jacobians, b.books.jacobians);
-  EXPECT_EQ(a.books.best_chi2, b.books.best_chi2);
-  EXPECT_EQ(a.books.best_is_full, b.books.best_is_full);
-  EXPECT_TRUE(same_bits(a.books.best_values, b.books.best_values));
+  EXPECT_EQ(a.counters.residuals, b.counters.residuals);
+  EXPECT_EQ(a.counters.jacobians, b.counters.jacobians);
+  EXPECT_EQ(a.counters.best_chi2, b.counters.best_chi2);
+  EXPECT_EQ(a.counters.best_is_full, b.counters.best_is_full);
+  EXPECT_TRUE(same_bits(a.counters.best_values, b.counters.best_values));
 }
 
 StepOutput numbered(double x) {
@@ -371,7 +371,7 @@ std::string words_of_refusal(const StepOutput& kept, const std::function<void(co
   EXPECT_EQ(journal.found(), 1);
   const std::string words = expect_error(sim::ErrorKind::existing_output, [&] {
     read(journal.step("descent", [] {
-      ADD_FAILURE() << "worked out anew";
+      ADD_FAILURE() << "worked out again";
       return StepOutput();
     }));
   });
@@ -445,7 +445,7 @@ TEST(StepOutputs, ACountThatIsNoneIsRefused) {
 TEST(RecordedStep, PointsOfAnotherNumberOfParametersAreRefused) {
   StepOutput of_trace, of_books;
   of_trace.trace = {{"descent", 1, 2.0, {1.0, 2.0}}};
-  of_books.books.best_values = {1.0, 2.0};
+  of_books.counters.best_values = {1.0, 2.0};
   for (const StepOutput& kept : {of_trace, of_books}) {
     const TemporaryFolder folder;
     {

@@ -29,7 +29,7 @@ sim::Scene scene_with_sine(int layers, const std::vector<std::string>& also = {}
 }
 
 /// The scene once it has taken the sine that was found.
-sim::Scene with_sine(sim::Scene scene, const SineThroughCourse& found) {
+sim::Scene with_sine(sim::Scene scene, const SineThroughOffsets& found) {
   const std::vector<FreeNumber> free = free_numbers(scene);
   std::vector<double> values;
   for (const FreeNumber& number : free) values.push_back(number.start);
@@ -38,8 +38,8 @@ sim::Scene with_sine(sim::Scene scene, const SineThroughCourse& found) {
   return scene;
 }
 
-SineThroughCourse found_sine() {
-  SineThroughCourse found;
+SineThroughOffsets found_sine() {
+  SineThroughOffsets found;
   found.wavelength_km = 70.0;
   found.amplitude_km = 3.0;
   found.phase_rad = 1.1;
@@ -61,7 +61,7 @@ TEST(TakeSine, IsTheMeanLayersOfOneAndOfThree) {
 }
 
 TEST(TakeSine, MovesTheLineAsideAndTheSineWithIt) {
-  SineThroughCourse found = found_sine();
+  SineThroughOffsets found = found_sine();
   found.offset_km = 4.0;
   for (const auto& free : {std::vector<std::string>{"center_km.east", "center_km.north"},
                            std::vector<std::string>{"center_km.north"}}) {

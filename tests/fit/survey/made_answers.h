@@ -70,7 +70,7 @@ inline fit::FrameAnswer made_answer(const fit::SurveyPlan& plan, int block, int 
                      "mW m\xe2\x81\xbb\xc2\xb2",
                      {},
                      {},
-                     "not told",
+                     "unconstrained",
                      "no gain is known"},
                     {0, "sheet.main.energy_kev", "keV", std::sqrt(answer.frame), {}, {}, {}}};
   answer.works = {border, fit};

@@ -165,7 +165,8 @@ TEST(SurveyExport, HasARowForEachFrameOrNumber) {
             "(keV),sigma of fit: "
             "sheet.main.energy_kev (keV),trust of fit: sheet.main.energy_kev (keV)");
   EXPECT_NE(
-      wide.find("\n1,gill,gill/1.png,2019-03-01T22:10:03.25Z,done,,none,good,221,3.25,good,,,not told,1,,\n"),
+      wide.find(
+          "\n1,gill,gill/1.png,2019-03-01T22:10:03.25Z,done,,none,good,221,3.25,good,,,unconstrained,1,,\n"),
       std::string::npos)
       << wide;
   EXPECT_NE(

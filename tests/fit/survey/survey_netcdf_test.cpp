@@ -94,7 +94,8 @@ TEST(SurveyNetcdf, HasAllThatFramesTell) {
   EXPECT_EQ(file.words("fit_sheet_main_energy_kev", "ancillary_variables"),
             "fit_sheet_main_energy_kev_sigma");
   EXPECT_EQ(file.words("fit_energy_flux_Q_of_the_main_sheet", "units"), "mW m-2");
-  EXPECT_EQ(file.words("fit_distance_of_the_main_sheet_trust", "flag_meanings"), "good doubtful not_told");
+  EXPECT_EQ(file.words("fit_distance_of_the_main_sheet_trust", "flag_meanings"),
+            "good doubtful unconstrained");
   EXPECT_EQ(file.words("status", "flag_meanings"), "done skipped missing unreadable filtered");
   EXPECT_EQ(file.words("border_verdict", "flag_meanings"), "none");
   const std::vector<double> time = file.numbers("time"), status = file.numbers("status"),

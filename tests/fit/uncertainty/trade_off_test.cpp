@@ -16,7 +16,7 @@ struct Talk {
   sim::Scene scene;
   std::vector<FreeNumber> free;
   std::vector<double> values;
-  std::vector<SpokenNumber> numbers;
+  std::vector<DescribedNumber> numbers;
   /// The sheet stands 200 km due north unless said otherwise.
   explicit Talk(const Words& paths, sim::EastNorth centre = {0.0, 200.0}) : scene(tests::small_scene()) {
     scene.sheets[0].center_km = centre;
@@ -28,7 +28,7 @@ struct Talk {
     }
     free = free_numbers(scene);
     for (const FreeNumber& n : free) values.push_back(n.start);
-    numbers = spoken_numbers(scene, free, values);
+    numbers = described_numbers(scene, free, values);
   }
 };
 
@@ -37,9 +37,10 @@ const Words kTwo = {"sheet.main.center_km.north", "sheet.main.energy_kev"};
 TEST(TradeOff, IsToldInUnitsThatOneCanImagine) {
   const Talk talk(kTwo);
   EXPECT_EQ(
-      trade_off_words(talk.numbers, {10.0, -0.3}),
+      trade_off_text(talk.numbers, {10.0, -0.3}),
       "distance and energy of the main sheet trade off: 10 km further with 0.3 keV less looks the same");
-  EXPECT_EQ(trade_off_words(talk.numbers, {0.0, -0.3}), "nothing tells the energy of the main sheet");
+  EXPECT_EQ(trade_off_text(talk.numbers, {0.0, -0.3}),
+            "the data do not constrain the energy of the main sheet");
 }
 
 // Numbers of volumes are those of the one that they belong to, and a footprint's centre is a place.
@@ -61,13 +62,14 @@ TEST(TradeOff, NamesVolumes) {
     talk.scene.fit.free.push_back(entry);
   }
   const std::vector<FreeNumber> free = free_numbers(talk.scene);
-  const auto numbers = spoken_numbers(talk.scene, free, {-100.0, 2.0, 3.0, 1.0});
+  const auto numbers = described_numbers(talk.scene, free, {-100.0, 2.0, 3.0, 1.0});
   EXPECT_EQ(
-      trade_off_words(numbers, {-10.0, 0.0, 0.5, 0.0}),
+      trade_off_text(numbers, {-10.0, 0.0, 0.5, 0.0}),
       "distance and width of the arc footprint trade off: 5 km further with 0.25 km more looks the same");
-  EXPECT_EQ(trade_off_words(numbers, {0.0, 1.0, 0.0, 0.0}),
-            "nothing tells the north of point 1 of the arc footprint");
-  EXPECT_EQ(trade_off_words(numbers, {0.0, 0.0, 0.0, 1.0}), "nothing tells the radius of the ball node");
+  EXPECT_EQ(trade_off_text(numbers, {0.0, 1.0, 0.0, 0.0}),
+            "the data do not constrain the north of point 1 of the arc footprint");
+  EXPECT_EQ(trade_off_text(numbers, {0.0, 0.0, 0.0, 1.0}),
+            "the data do not constrain the radius of the ball node");
 }
 
 TEST(TradeOff, NamesWhatStandsOnTheSun) {
@@ -86,46 +88,49 @@ TEST(TradeOff, NamesWhatStandsOnTheSun) {
     talk.scene.fit.free.push_back(entry);
   }
   const std::vector<FreeNumber> free = free_numbers(talk.scene);
-  const auto numbers = spoken_numbers(talk.scene, free, {60.0, 10.0, 1.0, 5.0});
-  EXPECT_EQ(trade_off_words(numbers, {10.0, -20.0, 0.0, 0.0}),
+  const auto numbers = described_numbers(talk.scene, free, {60.0, 10.0, 1.0, 5.0});
+  EXPECT_EQ(trade_off_text(numbers, {10.0, -20.0, 0.0, 0.0}),
             "tilt and height of the bright loop trade off: 10\u00b0 more with 5 less looks the same");
-  EXPECT_EQ(trade_off_words(numbers, {0.0, 0.0, 1.0, 0.0}), "nothing tells the density of the corona");
-  EXPECT_EQ(trade_off_words(numbers, {0.0, 0.0, 0.0, 1.0}), "nothing tells the position angle of the Sun");
+  EXPECT_EQ(trade_off_text(numbers, {0.0, 0.0, 1.0, 0.0}),
+            "the data do not constrain the density of the corona");
+  EXPECT_EQ(trade_off_text(numbers, {0.0, 0.0, 0.0, 1.0}),
+            "the data do not constrain the position angle of the Sun");
 }
 
 // A direction has neither length nor sign.
 TEST(TradeOff, DoesNotDependOnTheDirectionsLengthOrSign) {
   const Talk talk(kTwo);
-  const std::string words = trade_off_words(talk.numbers, {10.0, -0.3});
+  const std::string words = trade_off_text(talk.numbers, {10.0, -0.3});
   for (const double scale : {-1.0, 1e-6, -7.3e5})
-    EXPECT_EQ(trade_off_words(talk.numbers, {10.0 * scale, -0.3 * scale}), words);
+    EXPECT_EQ(trade_off_text(talk.numbers, {10.0 * scale, -0.3 * scale}), words);
 }
 
 // Seen by the observer: the sheet in the south is further off when its centre goes south.
 TEST(TradeOff, KnowsWhereTheObserverStands) {
   const Talk south(kTwo, {0.0, -200.0});
-  EXPECT_NE(trade_off_words(south.numbers, {-10.0, -0.3}).find(": 10 km further with 0.3 keV less"),
+  EXPECT_NE(trade_off_text(south.numbers, {-10.0, -0.3}).find(": 10 km further with 0.3 keV less"),
             std::string::npos);
   // East of a sheet in the north is to its right; east and north together, along the line of sight, further.
   const Talk both({"sheet.main.center_km", "sheet.main.phase_rad"}, {120.0, 160.0});
-  EXPECT_EQ(trade_off_words(both.numbers, {6.0, 8.0, 0.1}),
+  EXPECT_EQ(trade_off_text(both.numbers, {6.0, 8.0, 0.1}),
             "distance and phase of the main sheet trade off: 20 km further with 0.2 rad more looks the same");
   EXPECT_EQ(
-      trade_off_words(both.numbers, {8.0, -6.0, 0.1}),
+      trade_off_text(both.numbers, {8.0, -6.0, 0.1}),
       "place and phase of the main sheet trade off: 20 km to the right with 0.2 rad more looks the same");
-  EXPECT_EQ(trade_off_words(both.numbers, {8.0, -6.0, 0.0}), "nothing tells the place of the main sheet");
+  EXPECT_EQ(trade_off_text(both.numbers, {8.0, -6.0, 0.0}),
+            "the data do not constrain the place of the main sheet");
 }
 
 TEST(TradeOff, NamesThreeAtMostAndSaysHowManyMore) {
   const Talk talk({"sheet.main.center_km.north", "sheet.main.energy_kev", "sheet.main.wavelength_km",
                    "sheet.main.width_km", "camera.elevation_deg"});
   EXPECT_EQ(
-      trade_off_words(talk.numbers, {20.0, -0.3, 3.0, 0.01, -1.0}),
+      trade_off_text(talk.numbers, {20.0, -0.3, 3.0, 0.01, -1.0}),
       "distance, energy and wavelength of the main sheet (and 2 more) trade off: 20 km further with 0.3 "
       "keV less energy and 3 km more wavelength and so on looks the same");
   // The one that is asked about is among them.
   EXPECT_EQ(
-      trade_off_words(talk.numbers, {20.0, -0.3, 0.0, 0.0, -0.001}, 4),
+      trade_off_text(talk.numbers, {20.0, -0.3, 0.0, 0.0, -0.001}, 4),
       "distance of the main sheet, energy of the main sheet and elevation of the camera trade off: 20 km "
       "further with 0.3 keV less energy and 0.001\u00b0 less elevation looks the same");
 }
@@ -146,7 +151,7 @@ TEST(TradeOff, SpeaksOfEveryNumberThatMayBeFree) {
     }
     std::vector<double> values;
     for (const FreeNumber& n : free) values.push_back(n.start);
-    for (const SpokenNumber& n : spoken_numbers(scene, free, values)) {
+    for (const DescribedNumber& n : described_numbers(scene, free, values)) {
       EXPECT_FALSE(n.noun.empty()) << n.path;
       EXPECT_FALSE(n.owner.empty()) << n.path;
       EXPECT_EQ(n.noun.find('_'), std::string::npos) << n.noun;

@@ -11,8 +11,8 @@
 #include "fit/photo/photo.h"
 #include "fit/search/descent.h"
 #include "fit/search/journal.h"
-#include "fit/uncertainty/judge_chain.h"
-#include "fit/uncertainty/judged_fit.h"
+#include "fit/uncertainty/converged_fit.h"
+#include "fit/uncertainty/fit_chain.h"
 #include "fit/uncertainty/sampled_uncertainty.h"
 #include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
@@ -115,7 +115,7 @@ Ranks as_assumed(const sim::Scene& scene, const sim::Scene& truth, const std::ve
   const std::vector<double> answer =
       fit::descend_off_limits(cost, values, kIterations, "calibration", log, trace).values;
   const fit::Uncertainty uncertainty = fit::sampled_uncertainty(observations, free, answer, none, {}, 1.0, 1);
-  const fit::JudgedFit judged{scene, free, observations, answer, none, 1.0, uncertainty};
+  const fit::ConvergedFit judged{scene, free, observations, answer, none, 1.0, uncertainty};
   fit::NullJournal journal;
   const sim::EnsembleState state = fit::chain_of_fit(judged, steps, nullptr, journal, {});
   std::vector<double> chain = state.chain;

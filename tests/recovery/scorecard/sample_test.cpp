@@ -25,7 +25,7 @@ TEST_P(ScorecardSample, IsRecovered) {
 INSTANTIATE_TEST_SUITE_P(OfSetOne, ScorecardSample,
                          ::testing::Values(Sample{1, 3}, Sample{1, 5}, Sample{1, 9}));
 
-// Of two sheets, one behind the other: each had the other's sine before they were looked for anew, or a
+// Of two sheets, one behind the other: each had the other's sine before they were looked for again, or a
 // shorter wave.
 INSTANTIATE_TEST_SUITE_P(TwoSheets, ScorecardSample, ::testing::Values(Sample{22, 33}, Sample{22, 48}));
 

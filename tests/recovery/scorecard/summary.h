@@ -9,7 +9,7 @@
 namespace vegard::scorecard {
 
 /// Markdown: recovered by class, criteria, verdict against recovery, coverage, cost, and the failures one by
-/// one. What counts as recovered is worked out anew from the numbers.
+/// one. What counts as recovered is worked out again from the numbers.
 std::string summary(const std::vector<Row>& rows);
 
 }  // namespace vegard::scorecard

@@ -114,8 +114,8 @@ TEST(PictureModel, FormsThePictureThatRenderMakes) {
     SCOPED_TRACE(what);
     const Rendering rendering = render(scene);
     Image shown = rendering.aurora, shown_night_sky = rendering.night_sky;
-    keep_what_is_shown(shown);
-    keep_what_is_shown(shown_night_sky);
+    clip_out_of_gamut(shown);
+    clip_out_of_gamut(shown_night_sky);
     any_negative = any_negative || shown.data != rendering.aurora.data;
     const FilmGeometry film = film_of(scene, 1.0, 1.0);
     const Window pixels = pixels_on(film, scene.camera);

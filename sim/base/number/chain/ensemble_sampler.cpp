@@ -65,7 +65,7 @@ class Ensemble {
       if (stopped()) return true;
       const std::vector<double> at =
           student_.about_centre(spread * normal_numbers(options_.seed, attempt, walker, kStart, d));
-      const double density = finite_or_nowhere(log_density_(at));
+      const double density = finite_or_minus_infinity(log_density_(at));
       if (density == kSamplerNowhere) continue;
       state_.place.insert(state_.place.end(), at.begin(), at.end());
       state_.density.push_back(density);
@@ -83,7 +83,7 @@ class Ensemble {
     double log_factor = 0.0;
     const std::vector<double> at = proposal(walker, accept, log_factor);
     const bool goes = !std::equal(at.begin(), at.end(), place_of(walker));
-    const double density = goes ? finite_or_nowhere(log_density_(at)) : state_.density[walker];
+    const double density = goes ? finite_or_minus_infinity(log_density_(at)) : state_.density[walker];
     const double log_ratio = log_factor + density - state_.density[walker];
     state_.proposed += counts;
     if (goes && density > kSamplerNowhere && std::log(fine_uniform(accept[0], accept[1])) < log_ratio) {

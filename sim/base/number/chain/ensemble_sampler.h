@@ -61,7 +61,7 @@ struct EnsembleState {
 
 /// Places the walkers, normally distributed with this centre and covariance [coordinate][coordinate]
 /// (root_of_covariance() has it where it is not positive definite), and moves them until `options.steps` are
-/// kept or `stop` is set. A walker that starts where the density is 0 is drawn anew, ever nearer to the
+/// kept or `stop` is set. A walker that starts where the density is 0 is drawn again, ever nearer to the
 /// centre.
 void run_ensemble(const LogDensity& log_density, const std::vector<double>& centre,
                   const std::vector<std::vector<double>>& covariance, const EnsembleOptions& options,

@@ -15,7 +15,7 @@ constexpr std::uint32_t kIndicesOfStep = 1u << 12;    // and how many of them a 
 
 }  // namespace
 
-double finite_or_nowhere(double log_density) {
+double finite_or_minus_infinity(double log_density) {
   return std::isfinite(log_density) ? log_density : -std::numeric_limits<double>::infinity();
 }
 
@@ -25,7 +25,7 @@ SurrogateTransition::SurrogateTransition(const LogDensity& surrogate, const Stud
 
 double SurrogateTransition::walk(std::vector<double>& at, int steps, std::uint32_t step,
                                  std::uint32_t walker) const {
-  const double before = finite_or_nowhere(surrogate_(at));
+  const double before = finite_or_minus_infinity(surrogate_(at));
   if (!std::isfinite(before)) return 0.0;
   const std::size_t d = at.size();
   double here = before;
@@ -45,7 +45,7 @@ double SurrogateTransition::walk(std::vector<double>& at, int steps, std::uint32
       there = at;
       for (std::size_t j = 0; j < d; ++j) there[j] += by(static_cast<Eigen::Index>(j));
     }
-    const double density = finite_or_nowhere(surrogate_(there));
+    const double density = finite_or_minus_infinity(surrogate_(there));
     if (std::log(fine_uniform(w[0], w[1])) >= log_factor + density - here) continue;
     at.swap(there);
     here = density;

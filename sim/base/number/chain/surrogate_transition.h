@@ -22,7 +22,7 @@ namespace vegard::sim {
 using LogDensity = std::function<double(const std::vector<double>& coordinates)>;
 
 /// As above, for whoever calls one.
-double finite_or_nowhere(double log_density);
+double finite_or_minus_infinity(double log_density);
 
 /// The kernel on the surrogate: half of its steps are independent places of Student's distribution, half a
 /// random walk with the covariance's shape, from an eighth of the best length for a normal density to twice

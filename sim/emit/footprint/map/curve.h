@@ -51,7 +51,7 @@ CurvePieces<T, axes> curve_pieces(const std::vector<CurveNode<T, axes>>& all, bo
     for (int i = 0; i < axes; ++i) sum[i] = a[i] + b[i] * b_times;
     return sum;
   };
-  const auto apart = [](const Vector& a, const Vector& b) {
+  const auto distance = [](const Vector& a, const Vector& b) {
     double square = 0.0;
     for (int i = 0; i < axes; ++i)
       square += (value_of(a[i]) - value_of(b[i])) * (value_of(a[i]) - value_of(b[i]));
@@ -60,8 +60,8 @@ CurvePieces<T, axes> curve_pieces(const std::vector<CurveNode<T, axes>>& all, bo
   constexpr double kSamePlace = 1e-6;
   std::vector<CurveNode<T, axes>> points;
   for (const auto& point : all)
-    if (points.empty() || apart(points.back().at, point.at) > kSamePlace) points.push_back(point);
-  while (closed && points.size() > 1 && apart(points.back().at, points.front().at) <= kSamePlace)
+    if (points.empty() || distance(points.back().at, point.at) > kSamePlace) points.push_back(point);
+  while (closed && points.size() > 1 && distance(points.back().at, points.front().at) <= kSamePlace)
     points.pop_back();
   const int n = static_cast<int>(points.size());
   closed = closed && n > 2;
@@ -80,7 +80,7 @@ CurvePieces<T, axes> curve_pieces(const std::vector<CurveNode<T, axes>>& all, bo
     const CurveCubic<T, axes> cubic = centripetal_cubic<T, axes>(p);
     const CurveNode<T, axes>&from = points[i], &to = points[(i + 1) % n];
     // A cubic is longer than its chord, seldom by more than a half.
-    const int count = std::max(16, static_cast<int>(std::ceil(1.5 * apart(p[1], p[2]) / longest)));
+    const int count = std::max(16, static_cast<int>(std::ceil(1.5 * distance(p[1], p[2]) / longest)));
     for (int c = 0; c < count; ++c) {
       const double u = (c + 0.5) / count, v = 1.0 - u;
       CurvePiece<T, axes> piece;

@@ -106,7 +106,7 @@ double StrandField::density_at(const double place[3]) const {
     NearestPiece nearest;
     for (; first != last && first->strand == strand; ++first)
       for (std::uint32_t p = first->first; p < first->last; ++p)
-        hold_against(of, p, inverse_square(of.pieces[p]), at.data(), nearest);
+        update_nearest(of, p, inverse_square(of.pieces[p]), at.data(), nearest);
     if (nearest.square < NearestPiece::kNone) sum += density_from(of, falloff_, nearest, at);
   }
   return sum;

@@ -40,7 +40,7 @@ void try_piece(const PiecesOfStrand& of, std::uint32_t index, const int corner[3
     for (int j = range.low[1]; j < range.high[1]; ++j)
       for (int k = range.low[2]; k < range.high[2]; ++k) {
         const double place[3] = {1.0 * corner[0] + i, 1.0 * corner[1] + j, 1.0 * corner[2] + k};
-        hold_against(of, index, inverse, place, nearest[SparseGrid::within(i, j, k)]);
+        update_nearest(of, index, inverse, place, nearest[SparseGrid::within(i, j, k)]);
       }
 }
 

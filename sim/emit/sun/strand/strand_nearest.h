@@ -20,8 +20,8 @@ struct NearestPiece {
 };
 
 /// Holds a place, in voxels (strand_pieces.h), against a piece. `inverse` is 1 over the square of its length.
-inline void hold_against(const PiecesOfStrand& of, std::uint32_t index, double inverse, const double place[3],
-                         NearestPiece& nearest) {
+inline void update_nearest(const PiecesOfStrand& of, std::uint32_t index, double inverse,
+                           const double place[3], NearestPiece& nearest) {
   const StrandPiece& piece = of.pieces[index];
   const double to[3] = {place[0] - piece.from[0], place[1] - piece.from[1], place[2] - piece.from[2]};
   const double s =

@@ -219,8 +219,8 @@ TEST(Pointing, IsItsRotation) {
       fit::SkyCamera more = camera, less = camera;
       more.numbers[j] = kStep;
       less.numbers[j] = -kStep;
-      const fit::Pointing p = fit::pointing_of(fit::with_turns_made(more));
-      const fit::Pointing m = fit::pointing_of(fit::with_turns_made(less));
+      const fit::Pointing p = fit::pointing_of(fit::with_rotation_applied(more));
+      const fit::Pointing m = fit::pointing_of(fit::with_rotation_applied(less));
       const double scale = 1.0 + std::abs(pointing.by_turns(0, j));
       EXPECT_NEAR(pointing.by_turns(0, j), (p.azimuth_deg - m.azimuth_deg) / (2 * kStep), 1e-5 * scale);
       EXPECT_NEAR(pointing.by_turns(1, j), (p.elevation_deg - m.elevation_deg) / (2 * kStep), 1e-5 * scale);

@@ -28,7 +28,7 @@ TEST(RunDataset, HasParametersCovarianceAndVerdict) {
  "correlation": [[1, 0.3, 0], [0.3, 1, 0], [0, 0, 1]],
  "solved": [{"name": "gain", "value": 2, "sigma": 0.1}],
  "derived": [{"name": "distance of the sheet", "value": 200, "sigma": 5, "systematic": 7, "unit": "km",
-   "trust": "not told", "trust_reason": "because"}],
+   "trust": "unconstrained", "trust_reason": "because"}],
  "chi2": 10, "dof": 7})";
   const sim::NetcdfDataset dataset = run_dataset(folder / "run");
   EXPECT_EQ(dataset.find("sheet_main_energy_kev")->reals[0], 3.0);

@@ -30,12 +30,12 @@ TEST(ResultJson, HasTheDocumentedKeysInTheirOrder) {
                                             "chi2_initial",
                                             "dof",
                                             "compared",
-                                            "steepest_cosine",
+                                            "gradient_cosine",
                                             "statistics",
                                             "rms_over_peak",
                                             "model_error",
                                             "error_inflation",
-                                            "residuals_together",
+                                            "correlated_residuals",
                                             "termination",
                                             "evaluations",
                                             "jacobian_evaluations",
@@ -86,7 +86,7 @@ TEST(ResultJson, SaysNullForWhatIsUnknownOrNotFinite) {
   const std::string text = result_json(result);
   const Json json = Json::parse(text);
   EXPECT_TRUE(json["rms_over_peak"].is_null());
-  EXPECT_TRUE(json["steepest_cosine"].is_null());
+  EXPECT_TRUE(json["gradient_cosine"].is_null());
   EXPECT_TRUE(json["parameters"][1]["moved_sigma"].is_null());
   EXPECT_TRUE(json["chi2"].is_null());
   EXPECT_TRUE(json["correlation"][0][1].is_null());

@@ -39,7 +39,7 @@ TEST(ReadRun, FindsWhatWasWritten) {
   EXPECT_EQ(run.verdict, "doubtful");
   EXPECT_EQ(run.chi2, result.chi2);
   EXPECT_EQ(run.dof, result.dof);
-  EXPECT_EQ(run.residuals_together, 2.25);
+  EXPECT_EQ(run.correlated_residuals, 2.25);
   ASSERT_EQ(run.paths.size(), 2u);
   EXPECT_EQ(run.parameters.at("sheet.main.energy_kev").value, result.parameters[0].value);
   EXPECT_EQ(run.parameters.at("sheet.main.energy_kev").sigma, 0.1234);

@@ -7,7 +7,7 @@
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/foot_field.h"
-#include "sim/emit/footprint/foot_way.h"
+#include "sim/emit/footprint/foot_projection.h"
 #include "sim/scene/structs/site_axes.h"
 
 namespace vegard::sim::foot_test {

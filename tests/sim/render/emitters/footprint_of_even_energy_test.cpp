@@ -1,5 +1,5 @@
 // Maps whose energy is the same all over and not energy_kev, which lie at the end of the ladder of profiles:
-// derivatives by that energy against central differences of scenes made anew.
+// derivatives by that energy against central differences of scenes made again.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 #include "sim/emit/grid/grid_filter.h"
 #include "sim/emit/sun/sun_frame.h"
 #include "sim/render/volumes/scene_grid.h"
-#include "sim/scene/freedom/idle_parameter.h"
+#include "sim/scene/freedom/inert_parameter.h"
 #include "sim/scene/table/parameter_table.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/free_paths.h"
@@ -201,13 +201,13 @@ TEST(LoopGrid, ItsOwnNumbersMayNotBeFree) {
   for (const ParameterPath& path : all_paths(scene)) {
     if (path.row->table != "loop" || !path.row->can_be_free) continue;
     scene.loops[0].voxel = 0.5;
-    EXPECT_TRUE(why_it_counts_for_nothing(scene, path)) << path.text;
+    EXPECT_TRUE(inert_parameter_complaint(scene, path)) << path.text;
     // By strands its place and shape may be, and everything else that this loop has.
     scene.loops[0].voxel = 0.0;
     const std::string& key = path.row->key;
     if (key == "height" || key == "width" || key == "tilt_deg" || key == "strand_radius" ||
         key == "latitude_deg") {
-      EXPECT_FALSE(why_it_counts_for_nothing(scene, path)) << path.text;
+      EXPECT_FALSE(inert_parameter_complaint(scene, path)) << path.text;
     }
   }
 }

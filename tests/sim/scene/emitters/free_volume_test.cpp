@@ -14,7 +14,7 @@ TEST_P(BadFreeVolume, IsRefusedWithLineKeyAndReason) { expect_refused(GetParam()
 
 const Bad bad_free_volumes[] = {
     {"width_of_noise", "[[footprint]]\nsource = 'noise'\n[fit]\nfree = ['footprint.width_km']\n", 4,
-     "footprint.arc.width_km", "comes from \"noise\", so width_km counts for nothing"},
+     "footprint.arc.width_km", "comes from \"noise\", so width_km has no effect"},
     {"map_of_a_shell",
      "[[footprint]]\nshape = 'shell'\nlatitude_deg = [60, 61]\nlongitude_deg = [1, 2]\n[fit]\nfree = "
      "['footprint.arc.width_km']\n",
@@ -53,7 +53,7 @@ const Bad bad_free_volumes[] = {
     {"waist_of_a_sphere",
      "[[nebula]]\nglow = 'n'\nglow_rayleigh = [1, 1, 1]\n[[node]]\nname = 'n'\n[fit]\nfree = "
      "['node.n.waist']\n",
-     7, "node.n.waist", "of kind \"sphere\", so waist counts for nothing"},
+     7, "node.n.waist", "of kind \"sphere\", so waist has no effect"},
     {"node_of_no_nebula", "[[node]]\nname = 'n'\n[fit]\nfree = ['node.n.radius']\n", 4, "node.n.radius",
      "no nebula that is marched physically"},
 };

@@ -79,7 +79,8 @@ TEST(Photographs, EachSeesASceneOfItsOwn) {
   EXPECT_EQ(south.blur.width_deg, std::vector<double>{0.2});
   // 0.9 degrees of the meridian, at 110 km.
   EXPECT_NEAR(south.sheets[0].center_km.north, 150.0 + 0.9 * 0.017453292519943295 * 6481.0, 0.1);
-  EXPECT_EQ(scene_of_photo_at_home(scene, *find_photo(scene, "south")).sheets[0].center_km.north, 150.0);
+  EXPECT_EQ(scene_of_photo_in_site_frame(scene, *find_photo(scene, "south")).sheets[0].center_km.north,
+            150.0);
 }
 
 TEST(Photographs, FreeEntriesOfOneAreItsAlone) {

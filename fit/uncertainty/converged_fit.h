@@ -1,0 +1,30 @@
+// A finished fit, as the judges of its error bars take it up again.
+#pragma once
+
+#include <vector>
+
+#include "fit/compare/observation.h"
+#include "fit/parameters/spline_prior.h"
+#include "fit/uncertainty/uncertainty.h"
+
+namespace vegard::fit {
+
+/// All that is referred to must outlive it.
+struct ConvergedFit {
+  const sim::Scene& scene;
+  const std::vector<FreeNumber>& free;
+  const std::vector<Observation>& observations;
+  const std::vector<double>& values;  ///< the answer
+  const SplinePrior& prior;           ///< of free-form profiles
+  double inflation = 1.0;
+  const Uncertainty& uncertainty;  ///< of the numbers' own coordinates, without anchors (phase_anchor.h)
+
+  /// The answer in the numbers' own coordinates.
+  std::vector<double> coordinates() const {
+    std::vector<double> at;
+    for (std::size_t j = 0; j < free.size(); ++j) at.push_back(free[j].coordinate(values[j]));
+    return at;
+  }
+};
+
+}  // namespace vegard::fit

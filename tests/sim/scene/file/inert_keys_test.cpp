@@ -1,0 +1,56 @@
+#include "sim/scene/file/inert_keys.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/parameter_table.h"
+
+namespace vegard::sim::inert_keys_test {
+namespace {
+
+TEST(IdleKeys, TellWhatAFileSetsForNothing) {
+  const Scene scene = parse_scene(
+      "[[sheet]]\npeak_km = 130\nenergy_kev = 2\n[blur]\nmodel = \"physical\"\nwidth_deg = [1, 1, 1]\n",
+      "x.toml");
+  const std::vector<std::string> told = inert_keys(scene);
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_EQ(told[0].rfind("x.toml:2: sheet.main.peak_km: ", 0), 0u) << told[0];
+  EXPECT_NE(told[0].find("has no effect"), std::string::npos);
+  EXPECT_EQ(told[1].rfind("x.toml:6: blur.width_deg", 0), 0u) << told[1];
+}
+
+TEST(IdleKeys, TellWhatAnEnergyDoesBesideAFormsCurve) {
+  Scene scene = parse_scene("[[sheet]]\nform = \"drapery\"\nprofile = \"form\"\n", "x.toml");
+  EXPECT_TRUE(inert_keys(scene).empty()) << "nobody has given the energy";
+  set_from_text(scene, "sheet.main.energy_kev", "10");
+  const std::vector<std::string> told = inert_keys(scene);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0].rfind("sheet.main.energy_kev: the heights", 0), 0u) << told[0];
+}
+
+TEST(IdleKeys, TellNothingOfWhatCountsOrIsAsItWouldBe) {
+  const Scene scene = parse_scene(
+      "[[sheet]]\nform = \"drapery\"\nenergy_kev = 2\n[blur]\nwind_m_s = [0, 0]\n[camera]\nfocal_px = 300\n",
+      "x.toml");
+  EXPECT_TRUE(inert_keys(scene).empty());
+  // A written scene has every key.
+  EXPECT_TRUE(inert_keys(parse_scene(write_scene(scene), "y.toml")).empty());
+}
+
+TEST(IdleKeys, KnowWhichNumbersAFieldHas) {
+  const std::string numbers = "inclination_deg = 70\npole_latitude_deg = 81\n";
+  const auto told = [&](const std::string& model) {
+    const Scene scene = parse_scene("[site]\ntime_utc = \"2015-03-01T00:00:00Z\"\n[field]\nmodel = \"" +
+                                        model + "\"\n" + numbers + "[[sheet]]\n",
+                                    "x.toml");
+    std::string all;
+    for (const std::string& one : inert_keys(scene)) all += one.substr(0, one.find(": ", 9)) + " ";
+    return all;
+  };
+  EXPECT_EQ(told("uniform"), "x.toml:6: field.pole_latitude_deg ");
+  EXPECT_EQ(told("dipole"), "x.toml:5: field.inclination_deg ");
+  EXPECT_EQ(told("igrf"), "x.toml:5: field.inclination_deg x.toml:6: field.pole_latitude_deg ");
+}
+
+}  // namespace
+}  // namespace vegard::sim::inert_keys_test
